@@ -1,0 +1,44 @@
+// STAFF ONLY. The exercises of a course: handout/exercises.json, and what an instructor's course file changes in it.
+//
+// A course file gives an exercise another role or other points; what it does not name stays:
+//
+//   {"exercises": {"S1": {"role": "given"}, "S2": {"role": "optional", "points": 5}}}
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace grader {
+
+// assigned: counts. optional: counts as extra credit, not in the total. given: ships solved. absent: left out.
+enum class Role { assigned, optional, given, absent };
+
+struct Exercise {
+  std::string id;                          // "S1"
+  std::string title;                       // "Conjugate gradients"
+  std::string file;                        // "conj_grad.cpp"
+  std::vector<std::string> functions;      // what the file defines, demangled: "ConjGrad(int, ...)"
+  std::string header;                      // their contract, from the project's root
+  std::string text;                        // the assignment text, from handout/
+  std::string checks;                      // the public checks, from handout/
+  std::vector<std::string> prerequisites;  // ids of exercises whose functions it calls
+  std::vector<std::string> libraries;      // what it may include beside the standard library: "eigen"
+  double points = 0;
+  Role role = Role::assigned;
+};
+
+struct Course {
+  std::vector<Exercise> exercises;  // in the order of exercises.json, absent ones included
+
+  const Exercise* find(const std::string& id) const;  // null if there is none
+};
+
+// Throws BadInput with the file and the JSON path.
+Course read_course(const std::filesystem::path& exercises_json,
+                   const std::optional<std::filesystem::path>& course_json = {});
+
+std::string to_string(Role role);
+
+}  // namespace grader

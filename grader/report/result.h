@@ -1,0 +1,57 @@
+// STAFF ONLY. What grading found, as plain data: made by the suite and the build, read by the reports.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace grader {
+
+enum class Status {
+  passed,
+  partly,
+  wrong,
+  not_implemented,
+  missing,
+  does_not_compile,
+  crashed,
+  timed_out,
+  out_of_memory,
+  broke_rules,
+};
+
+std::string to_string(Status status);            // "does not compile"
+Status status_from_string(const std::string&);   // throws std::invalid_argument
+std::string sentence_for(Status status);         // helps the student, gives nothing away
+
+// One category of an exercise's hidden cases.
+struct CaseResult {
+  std::string name;      // for students: "Ill-conditioned systems"
+  Status status = Status::wrong;
+  double points = 0, max_points = 0;
+  std::string feedback;  // for students: category and size of the error in bands, never a value or an input
+  std::string detail;    // for staff: inputs, expected and actual values
+};
+
+struct ExerciseResult {
+  std::string id, title, file;
+  bool extra_credit = false;  // an optional exercise: its points are not in the total to reach
+  Status status = Status::missing;
+  double points = 0, max_points = 0;
+  std::string feedback;           // for students
+  std::string compiler_messages;  // for students: what the compiler says about their own lines
+  std::vector<CaseResult> cases;
+  std::string staff_log;          // all that compiler, linker and worker printed
+};
+
+struct SubmissionResult {
+  std::string name;
+  std::vector<ExerciseResult> exercises;
+  std::string note;         // not empty: what is wrong with the submission as a whole, for the student
+  std::string fingerprint;  // of the submission's bytes and of the suite, in hexadecimal
+  bool isolated = true;     // false: graded without a sandbox; every page says so
+};
+
+double points(const SubmissionResult&);
+double max_points(const SubmissionResult&);  // without extra credit
+
+}  // namespace grader

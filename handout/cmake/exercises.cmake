@@ -1,0 +1,81 @@
+# Builds exercises from exercises.json, the one list of them.
+#
+#   HAIR_EXERCISES                 the ids, in the file's order
+#   HAIR_<id>_<FIELD>              file, header, checks, prerequisites, functions of each
+#   hair_compile_settings(TARGET)  C++20 and the flags that results depend on, for all code
+#   hair_own_code(TARGET)          the same and warnings as errors: for our code, never for a student's file
+#   hair_exercise_libraries(NAME DIR)
+#                                  one static library <NAME>_<id> for each exercise file in DIR, compiled as for grading
+#   hair_test(NAME SOURCES ... LIBRARIES ...)
+#                                  a GoogleTest program of our own, each of its tests known to ctest
+
+set(HAIR_HANDOUT_DIR "${CMAKE_CURRENT_LIST_DIR}/..")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${HAIR_HANDOUT_DIR}/exercises.json")
+file(READ "${HAIR_HANDOUT_DIR}/exercises.json" json)
+
+function(hair_json_list OUT JSON FIELD)
+  set(values)
+  string(JSON length LENGTH "${JSON}" ${FIELD})
+  if(length GREATER 0)
+    math(EXPR last "${length} - 1")
+    foreach(i RANGE ${last})
+      string(JSON value GET "${JSON}" ${FIELD} ${i})
+      list(APPEND values "${value}")
+    endforeach()
+  endif()
+  set(${OUT} "${values}" PARENT_SCOPE)
+endfunction()
+
+string(JSON count LENGTH "${json}" exercises)
+math(EXPR last "${count} - 1")
+set(HAIR_EXERCISES)
+foreach(i RANGE ${last})
+  string(JSON exercise GET "${json}" exercises ${i})
+  string(JSON id GET "${exercise}" id)
+  list(APPEND HAIR_EXERCISES ${id})
+  string(JSON HAIR_${id}_FILE GET "${exercise}" file)
+  string(JSON HAIR_${id}_HEADER GET "${exercise}" header)
+  string(JSON HAIR_${id}_CHECKS GET "${exercise}" checks)
+  hair_json_list(HAIR_${id}_PREREQUISITES "${exercise}" prerequisites)
+  hair_json_list(HAIR_${id}_FUNCTIONS "${exercise}" functions)
+endforeach()
+
+function(hair_compile_settings TARGET)
+  target_compile_features(${TARGET} PUBLIC cxx_std_20)
+  set_target_properties(${TARGET} PROPERTIES CXX_EXTENSIONS OFF)
+  # No fused multiply-adds: results must not depend on the machine that compiles.
+  target_compile_options(${TARGET} PRIVATE -ffp-contract=off)
+endfunction()
+
+function(hair_own_code TARGET)
+  hair_compile_settings(${TARGET})
+  target_compile_options(${TARGET} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Werror)
+endfunction()
+
+function(hair_exercise_libraries NAME DIR)
+  foreach(id ${HAIR_EXERCISES})
+    if(NOT EXISTS "${DIR}/${HAIR_${id}_FILE}")
+      message(FATAL_ERROR "exercise ${id}: ${DIR}/${HAIR_${id}_FILE} is missing; restore it from the handout")
+    endif()
+    add_library(${NAME}_${id} STATIC "${DIR}/${HAIR_${id}_FILE}")
+    hair_compile_settings(${NAME}_${id})
+    target_compile_options(${NAME}_${id} PRIVATE $<$<CONFIG:Release>:-O2>)
+    set_target_properties(${NAME}_${id} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_link_libraries(${NAME}_${id} PUBLIC hair_interfaces)
+  endforeach()
+  foreach(id ${HAIR_EXERCISES})
+    foreach(prerequisite ${HAIR_${id}_PREREQUISITES})
+      target_link_libraries(${NAME}_${id} PUBLIC ${NAME}_${prerequisite})
+    endforeach()
+  endforeach()
+endfunction()
+
+function(hair_test NAME)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SOURCES;LIBRARIES")
+  find_package(GTest REQUIRED)
+  include(GoogleTest)
+  add_executable(${NAME} ${ARG_SOURCES})
+  hair_own_code(${NAME})
+  target_link_libraries(${NAME} PRIVATE ${ARG_LIBRARIES} GTest::gtest_main)
+  gtest_discover_tests(${NAME} TEST_PREFIX "${NAME}." PROPERTIES TIMEOUT 120 DISCOVERY_TIMEOUT 60)
+endfunction()

@@ -1,0 +1,10 @@
+// S1: the method of conjugate gradients. The contract is in solver/linearSolver.h, the text in
+// assignment/S1-conjugate-gradients.md.
+
+#include "solver/linearSolver.h"
+#include "solver/not_implemented.h"
+
+double ConjGrad(int /*n*/, implicitMatrix* /*A*/, double /*x*/[], double /*b*/[], double /*epsilon*/,
+                int* /*steps*/) {
+  throw NotImplemented("S1 ConjGrad");
+}

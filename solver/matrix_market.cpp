@@ -1,0 +1,1 @@
+#include "solver/matrix_market.h"
