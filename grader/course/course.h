@@ -1,4 +1,5 @@
-// STAFF ONLY. The exercises of a course: handout/exercises.json, and what an instructor's course file changes in it.
+// STAFF ONLY. The exercises of a course: handout/exercises.json, and what an instructor's course file changes
+// in it.
 //
 // A course file gives an exercise another role or other points; what it does not name stays:
 //
@@ -12,7 +13,8 @@
 
 namespace grader {
 
-// assigned: counts. optional: counts as extra credit, not in the total. given: ships solved. absent: left out.
+// assigned: counts. optional: counts as extra credit, not in the total. given: ships solved. absent: left
+// out.
 enum class Role { assigned, optional, given, absent };
 
 struct Exercise {

@@ -1,0 +1,162 @@
+// STAFF ONLY.
+#include "grader/course/strict_json.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <sstream>
+#include <system_error>
+#include <utility>
+
+#include "grader/course/bad_input.h"
+#include "grader/course/printable.h"
+
+namespace grader {
+namespace {
+
+using nlohmann::json;
+
+std::string read_text(const std::filesystem::path& file) {
+  const auto fail = [&](int error) {
+    throw BadInput(printable(file.string(), 4096) + ": can't be read (" +
+                   std::generic_category().message(error) + "); give the path of a JSON file");
+  };
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) fail(EISDIR);
+  errno = 0;
+  std::ifstream in(file, std::ios::binary);
+  if (!in) fail(errno);
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (in.bad()) fail(errno ? errno : EIO);
+  return std::move(text).str();
+}
+
+std::string line_and_column(const std::string& text, std::size_t byte) {
+  const std::string_view before(text.data(), std::min(byte > 0 ? byte - 1 : 0, text.size()));
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const std::size_t start = before.rfind('\n');
+  const std::size_t column = before.size() - (start == std::string_view::npos ? 0 : start + 1) + 1;
+  return "line " + std::to_string(line) + ", column " + std::to_string(column);
+}
+
+// The library's reason, without its own prefix and position: "syntax error while parsing ...".
+std::string reason_of(const json::exception& error) {
+  const std::string_view what = error.what();
+  const std::size_t syntax = what.find("syntax error");
+  const std::size_t prefix = what.find("] ");
+  if (syntax != std::string_view::npos) return std::string(what.substr(syntax));
+  return std::string(what.substr(prefix == std::string_view::npos ? 0 : prefix + 2));
+}
+
+}  // namespace
+
+json read_json(const std::filesystem::path& file) {
+  const std::string text = read_text(file);
+  const std::string name = printable(file.string(), 4096);
+  std::vector<std::set<std::string>> keys;
+  const auto no_key_twice = [&](int, json::parse_event_t event, json& parsed) {
+    if (event == json::parse_event_t::object_start) keys.emplace_back();
+    if (event == json::parse_event_t::object_end) keys.pop_back();
+    if (event == json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second) {
+      throw BadInput(name + ": \"" + printable(parsed.get<std::string>()) +
+                     "\" stands twice in the same object; keep one of them");
+    }
+    return true;
+  };
+  try {
+    return json::parse(text, no_key_twice);
+  } catch (const json::parse_error& error) {
+    throw BadInput(name + ": " + line_and_column(text, error.byte) + ": not JSON: " + reason_of(error));
+  } catch (const json::exception& error) {
+    throw BadInput(name + ": not JSON: " + reason_of(error));
+  }
+}
+
+JsonValue::JsonValue(const json& document, std::filesystem::path file)
+    : JsonValue(document, std::move(file), "") {}
+
+JsonValue::JsonValue(const json& value, std::filesystem::path file, std::string where)
+    : value_(&value), file_(std::move(file)), where_(std::move(where)) {}
+
+void JsonValue::fail(const std::string& what) const {
+  throw BadInput(printable(file_.string(), 4096) + ": " + (where_.empty() ? "" : printable(where_) + ": ") +
+                 what);
+}
+
+std::string JsonValue::shown() const {
+  return printable(value_->dump(-1, ' ', true, json::error_handler_t::replace), 60);
+}
+
+std::vector<std::string> JsonValue::keys() const {
+  if (!value_->is_object()) fail(shown() + " is not an object; write {...}");
+  std::vector<std::string> keys;
+  for (const auto& item : value_->items()) keys.push_back(item.key());
+  return keys;
+}
+
+void JsonValue::check_keys(std::initializer_list<std::string_view> required,
+                           std::initializer_list<std::string_view> optional) const {
+  std::string known;
+  for (const auto& list : {required, optional}) {
+    for (const std::string_view key : list) known += (known.empty() ? "" : ", ") + std::string(key);
+  }
+  for (const std::string& key : keys()) {
+    const auto names = [&](std::initializer_list<std::string_view> list) {
+      return std::find(list.begin(), list.end(), key) != list.end();
+    };
+    if (!names(required) && !names(optional)) {
+      fail("unknown key \"" + printable(key) + "\"; known here: " + known);
+    }
+  }
+  for (const std::string_view key : required) {
+    if (!has(std::string(key))) {
+      fail("\"" + std::string(key) + "\" is missing; an object here has: " + known);
+    }
+  }
+}
+
+JsonValue JsonValue::operator[](const std::string& key) const {
+  return {value_->at(key), file_, where_ + (where_.empty() ? "" : ".") + key};
+}
+
+std::vector<JsonValue> JsonValue::items() const {
+  if (!value_->is_array()) fail(shown() + " is not a list; write [...]");
+  std::vector<JsonValue> items;
+  for (std::size_t i = 0; i < value_->size(); ++i) {
+    items.push_back({(*value_)[i], file_, where_ + "[" + std::to_string(i) + "]"});
+  }
+  return items;
+}
+
+std::string JsonValue::text() const {
+  if (!value_->is_string()) fail(shown() + " is not text; write \"...\"");
+  if (value_->get_ref<const std::string&>().empty()) fail("is empty; write some text");
+  return value_->get<std::string>();
+}
+
+std::vector<std::string> JsonValue::texts() const {
+  std::vector<std::string> texts;
+  for (const JsonValue& item : items()) {
+    if (std::find(texts.begin(), texts.end(), item.text()) != texts.end()) {
+      item.fail(item.shown() + " stands twice in this list; keep one of them");
+    }
+    texts.push_back(item.text());
+  }
+  return texts;
+}
+
+double JsonValue::number(double lowest, double highest) const {
+  const double number = value_->is_number() ? value_->get<double>() : lowest;
+  if (!value_->is_number() || !(number >= lowest && number <= highest)) {
+    std::ostringstream range;
+    range.precision(15);
+    range << shown() << " is not right; give a number from " << lowest << " to " << highest;
+    fail(range.str());
+  }
+  return number;
+}
+
+}  // namespace grader

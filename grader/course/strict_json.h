@@ -1,0 +1,47 @@
+// STAFF ONLY. JSON files that people write: read strictly, so that a slip of the pen is reported and not
+// passed over.
+#pragma once
+
+#include <filesystem>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace grader {
+
+// A file's JSON. Throws BadInput with file, line and column; a key that stands twice in an object is an
+// error, too.
+nlohmann::json read_json(const std::filesystem::path& file);
+
+// A value and where it stands. Every check that fails throws BadInput: "FILE: exercises[0].points: what is
+// wrong; what would be right". The document must outlive it.
+class JsonValue {
+ public:
+  JsonValue(const nlohmann::json& document, std::filesystem::path file);
+
+  // An object that has all of `required` and nothing beside them and `optional`.
+  void check_keys(std::initializer_list<std::string_view> required,
+                  std::initializer_list<std::string_view> optional = {}) const;
+  bool has(const std::string& key) const { return value_->contains(key); }
+  JsonValue operator[](const std::string& key) const;  // of an object, a key that it has
+
+  std::vector<std::string> keys() const;   // of an object
+  std::vector<JsonValue> items() const;    // of an array
+  std::string text() const;                // a string that is not empty
+  std::vector<std::string> texts() const;  // an array of such strings, no two of them equal
+  double number(double lowest, double highest) const;
+
+  [[noreturn]] void fail(const std::string& what) const;
+
+ private:
+  JsonValue(const nlohmann::json& value, std::filesystem::path file, std::string where);
+  std::string shown() const;
+
+  const nlohmann::json* value_;
+  std::filesystem::path file_;
+  std::string where_;
+};
+
+}  // namespace grader
