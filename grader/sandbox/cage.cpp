@@ -1,0 +1,252 @@
+// STAFF ONLY.
+#include "grader/sandbox/cage.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+#include "grader/sandbox/identity.h"
+
+namespace grader {
+namespace {
+
+enum : int { kRequests = 3, kReplies = 4, kInfo = 5, kFilter = 6, kFirstFree = 7 };
+
+std::string replace_all(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+std::string outside(const Cage& cage, std::string path) {
+  for (const Mount& mount : cage.mounts)
+    if (mount.source != mount.target) path = replace_all(path, mount.target, mount.source.string());
+  return path;
+}
+
+std::vector<std::string> bwrap_command(const Cage& cage, const std::vector<std::string>& command,
+                                       bool filtered) {
+  std::vector<std::string> all = {"/usr/bin/bwrap",
+                                  "--unshare-user",
+                                  "--unshare-pid",
+                                  "--unshare-net",
+                                  "--unshare-ipc",
+                                  "--unshare-uts",
+                                  "--unshare-cgroup-try",
+                                  "--disable-userns",
+                                  "--die-with-parent",
+                                  "--new-session",
+                                  "--clearenv",
+                                  "--hostname",
+                                  "cage",
+                                  "--info-fd",
+                                  std::to_string(kInfo)};
+  auto append = [&all](std::initializer_list<std::string> words) { all.insert(all.end(), words); };
+  if (filtered) append({"--seccomp", std::to_string(kFilter)});
+  if (cage.tmp_bytes > 0)
+    append({"--size", std::to_string(cage.tmp_bytes), "--tmpfs", "/tmp", "--dev", "/dev"});
+  for (const Mount& mount : cage.mounts) {
+    std::error_code error;
+    if (std::filesystem::is_symlink(mount.source, error) && mount.source == mount.target)
+      append({"--symlink", std::filesystem::read_symlink(mount.source).string(), mount.target});
+    else
+      append({mount.writable ? "--bind" : "--ro-bind", mount.source.string(), mount.target});
+  }
+  append({"--setenv", "PATH", "/usr/bin", "--setenv", "LC_ALL", "C"});
+  append({"--remount-ro", "/", "--chdir", cage.folder, "--"});
+  all.insert(all.end(), command.begin(), command.end());
+  return all;
+}
+
+std::vector<char*> as_argv(const std::vector<std::string>& words) {
+  std::vector<char*> argv;
+  for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
+  argv.push_back(nullptr);
+  return argv;
+}
+
+// What happens between fork and exec: system calls only, for other threads may have held any lock.
+struct Child {
+  std::vector<char*> argv, environment;
+  std::vector<int> joins;  // open cgroup.procs files
+  const char* folder;      // null: stay
+  int requests, replies, output, info, filter;
+  Identity identity;
+
+  [[noreturn]] void exec() const {
+    for (int group : joins)
+      if (write(group, "0", 1) != 1) _exit(126);
+    int sources[] = {output, output, requests, replies, info, filter};
+    const int targets[] = {1, 2, kRequests, kReplies, kInfo, kFilter};
+    for (int& source : sources)
+      if (source >= 0) source = fcntl(source, F_DUPFD_CLOEXEC, 32);  // out of the targets' way
+    for (int i = 0; i < 6; ++i)
+      if (sources[i] >= 0 && dup2(sources[i], targets[i]) < 0) _exit(126);
+    const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
+    if (dup2(nothing, 0) < 0) _exit(126);
+    if (output < 0 && (dup2(nothing, 1) < 0 || dup2(nothing, 2) < 0)) _exit(126);
+    syscall(SYS_close_range, kFirstFree, ~0U, 4U /* CLOSE_RANGE_CLOEXEC */);
+    if (!become(identity)) _exit(126);
+    if (folder != nullptr && chdir(folder) != 0) _exit(126);
+    execve(argv[0], argv.data(), environment.data());
+    _exit(127);
+  }
+};
+
+}  // namespace
+
+CagedProcess::CagedProcess(const Cage& cage, const std::vector<std::string>& command, int requests,
+                           int replies, int output)
+    : limits_(cage.limits),
+      isolated_(cage.isolated),
+      group_(ControlGroup::create(cage.limits.memory_bytes, cage.limits.processes + 4 /* bwrap's own */)) {
+  std::vector<std::string> words, environment;
+  std::string folder;
+  Descriptor filter;
+  Pipe info = make_pipe();
+  if (cage.isolated) {
+    if (cage.syscalls) filter = Descriptor(syscall_filter_descriptor(*cage.syscalls));
+    words = bwrap_command(cage, command, cage.syscalls.has_value());
+  } else {
+    for (const std::string& word : command) words.push_back(outside(cage, word));
+    folder = outside(cage, cage.folder);
+    environment = {"PATH=/usr/bin", "LC_ALL=C"};
+  }
+
+  std::vector<Descriptor> joins;
+  if (group_)
+    for (const auto& file : group_->join_files())
+      joins.emplace_back(open(file.c_str(), O_WRONLY | O_CLOEXEC));
+
+  Child child{as_argv(words),
+              as_argv(environment),
+              {},
+              folder.empty() ? nullptr : folder.c_str(),
+              requests,
+              replies,
+              output,
+              cage.isolated ? info.write_end.get() : -1,
+              filter.get(),
+              sandbox_identity()};
+  for (const Descriptor& join : joins)
+    if (join) child.joins.push_back(join.get());
+
+  process_ = fork();
+  if (process_ < 0) throw std::system_error(errno, std::generic_category(), "fork");
+  if (process_ == 0) child.exec();
+  info_ = std::move(info.read_end);
+}
+
+CagedProcess::CagedProcess(CagedProcess&& other) noexcept
+    : process_(std::exchange(other.process_, -1)),
+      limits_(other.limits_),
+      isolated_(other.isolated_),
+      info_(std::move(other.info_)),
+      init_(other.init_),
+      group_(std::move(other.group_)),
+      ending_(other.ending_) {
+  other.group_.reset();
+}
+
+CagedProcess::~CagedProcess() {
+  if (process_ > 0) wait(0);
+}
+
+void CagedProcess::kill() {
+  if (process_ > 0 && !ending_) ::kill(process_, SIGKILL);
+}
+
+Ending CagedProcess::wait(double seconds) {
+  if (ending_) return *ending_;
+  Ending ending;
+  const Descriptor handle(static_cast<int>(syscall(SYS_pidfd_open, process_, 0)));
+  pollfd wanted{handle.get(), POLLIN, 0};
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
+  int ready = 0;
+  do {
+    const std::chrono::duration<double, std::milli> left = deadline - std::chrono::steady_clock::now();
+    ready = poll(&wanted, 1, std::max(0, static_cast<int>(std::ceil(left.count()))));
+  } while (ready < 0 && errno == EINTR);
+  if (ready == 0) {
+    kill();
+    ending.timed_out = true;
+  }
+  int status = 0;
+  rusage usage{};
+  while (wait4(process_, &status, 0, &usage) < 0 && errno == EINTR) {
+  }
+  auto in_seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  ending.cpu_seconds = in_seconds(usage.ru_utime) + in_seconds(usage.ru_stime);
+  if (WIFSIGNALED(status)) {
+    ending.signal = WTERMSIG(status);
+  } else if (WEXITSTATUS(status) > 128 && isolated_) {
+    ending.signal = WEXITSTATUS(status) - 128;  // as bwrap and shells report it
+  } else {
+    ending.code = WEXITSTATUS(status);
+  }
+  ending.out_of_memory = group_ && group_->ran_out_of_memory();
+  ending.timed_out |= ending.signal == SIGXCPU || (ending.signal == SIGKILL && !ending.out_of_memory &&
+                                                   ending.cpu_seconds >= limits_.cpu_seconds);
+  ending_ = ending;
+  group_.reset();
+  return ending;
+}
+
+pid_t CagedProcess::inner_process() const {
+  if (!isolated_) return process_;
+  if (init_ < 0) {
+    std::string text;
+    char letter;
+    while (text.find('}') == std::string::npos && read(info_.get(), &letter, 1) == 1) text += letter;
+    const std::string key = "\"child-pid\":";
+    const std::size_t at = text.find(key);
+    init_ = at == std::string::npos ? 0 : std::atoi(text.c_str() + at + key.size());
+  }
+  if (init_ == 0) return process_;
+  std::ifstream children("/proc/" + std::to_string(init_) + "/task/" + std::to_string(init_) + "/children");
+  pid_t worker = 0;
+  return children >> worker ? worker : init_;
+}
+
+CagedProcess::Activity CagedProcess::activity() const {
+  std::ifstream file("/proc/" + std::to_string(inner_process()) + "/stat");
+  std::string line;
+  std::getline(file, line);
+  // pid (name) state ppid pgrp session tty tpgid flags minflt cminflt majflt cmajflt utime stime ...
+  std::istringstream fields(line.substr(std::min(line.size(), line.rfind(')') + 1)));
+  std::string state, skipped;
+  fields >> state;
+  for (int i = 0; i < 10; ++i) fields >> skipped;
+  double user = 0, system = 0;
+  fields >> user >> system;
+  return {state == "S", (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK))};
+}
+
+std::vector<std::string> with_inner_limits(const Limits& limits, const std::vector<std::string>& command) {
+  std::vector<std::string> all = {"/usr/bin/prlimit",
+                                  "--as=" + std::to_string(limits.memory_bytes),
+                                  "--nproc=" + std::to_string(limits.processes),
+                                  "--cpu=" + std::to_string(limits.cpu_seconds),
+                                  "--fsize=" + std::to_string(limits.file_bytes),
+                                  "--core=0",
+                                  "--nofile=256",
+                                  "--"};
+  all.insert(all.end(), command.begin(), command.end());
+  return all;
+}
+
+}  // namespace grader

@@ -1,0 +1,121 @@
+// STAFF ONLY.
+#include "grader/sandbox/control_group.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <thread>
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool write_value(const fs::path& file, const std::string& value) {
+  std::ofstream out(file);
+  out << value << std::flush;
+  return static_cast<bool>(out);
+}
+
+// Mount points by hierarchy: v1 controllers by name, v2 as "".
+std::optional<fs::path> mount_point(const std::string& controller) {
+  std::ifstream mounts("/proc/self/mounts");
+  std::string device, folder, type, options, rest;
+  while (mounts >> device >> folder >> type >> options && std::getline(mounts, rest)) {
+    if (controller.empty()
+            ? type == "cgroup2"
+            : type == "cgroup" && ("," + options + ",").find("," + controller + ",") != std::string::npos)
+      return folder;
+  }
+  return {};
+}
+
+// This process's own group in a hierarchy, relative to its mount point.
+fs::path own_group(const std::string& controller) {
+  std::ifstream groups("/proc/self/cgroup");
+  std::string line;
+  while (std::getline(groups, line)) {
+    std::istringstream fields(line);
+    std::string number, controllers, path;
+    std::getline(fields, number, ':');
+    std::getline(fields, controllers, ':');
+    std::getline(fields, path);
+    if (controller.empty() ? controllers.empty()
+                           : ("," + controllers + ",").find("," + controller + ",") != std::string::npos)
+      return fs::path(path).relative_path();
+  }
+  return {};
+}
+
+using Settings = std::vector<std::pair<std::string, std::string>>;
+
+// A new group with these settings, below our own group or else at the top of the hierarchy.
+std::optional<fs::path> make_group(const std::string& controller, const std::string& name,
+                                   const Settings& settings) {
+  const std::optional<fs::path> top = mount_point(controller);
+  if (!top) return {};
+  for (const fs::path& parent : {*top / own_group(controller), *top}) {
+    const fs::path folder = parent / name;
+    std::error_code error;
+    if (!fs::create_directory(folder, error)) continue;
+    bool set = true;
+    for (const auto& [file, value] : settings)
+      set = set && fs::exists(folder / file, error) && write_value(folder / file, value);
+    if (set) return folder;
+    fs::remove(folder, error);
+  }
+  return {};
+}
+
+}  // namespace
+
+std::optional<ControlGroup> ControlGroup::create(std::size_t memory_bytes, int processes) {
+  static std::atomic<int> count = 0;
+  const std::string name = "hairgrade-" + std::to_string(getpid()) + "-" + std::to_string(++count);
+  const std::string memory = std::to_string(memory_bytes), pids = std::to_string(processes);
+  if (auto both = make_group("", name, {{"memory.max", memory}, {"pids.max", pids}}))
+    return ControlGroup({*both});
+
+  std::vector<fs::path> folders;
+  if (auto folder = make_group("memory", name, {{"memory.limit_in_bytes", memory}}))
+    folders.push_back(*folder);
+  if (auto folder = make_group("pids", name, {{"pids.max", pids}})) folders.push_back(*folder);
+  if (folders.empty()) return {};
+  return ControlGroup(std::move(folders));
+}
+
+ControlGroup::~ControlGroup() {
+  for (const fs::path& folder : folders_) {
+    std::error_code error;
+    // A process that was killed leaves its group a moment later.
+    for (int i = 0; i < 200 && !fs::remove(folder, error) && fs::exists(folder, error); ++i) {
+      std::ifstream processes(folder / "cgroup.procs");
+      for (pid_t process; processes >> process;) kill(process, SIGKILL);
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  }
+}
+
+std::vector<fs::path> ControlGroup::join_files() const {
+  std::vector<fs::path> files;
+  for (const fs::path& folder : folders_) files.push_back(folder / "cgroup.procs");
+  return files;
+}
+
+bool ControlGroup::ran_out_of_memory() const {
+  for (const fs::path& folder : folders_)
+    for (const char* file : {"memory.events", "memory.oom_control"}) {
+      std::ifstream events(folder / file);
+      std::string key;
+      for (long value; events >> key >> value;)
+        if (key == "oom_kill" && value > 0) return true;
+    }
+  return false;
+}
+
+}  // namespace grader

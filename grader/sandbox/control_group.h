@@ -1,0 +1,30 @@
+// STAFF ONLY. Limits on memory and processes that hold for a cage as a whole, where the kernel's control
+// groups (v1 or v2) can be written; elsewhere the limits inside of the cage stand alone.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+namespace grader {
+
+class ControlGroup {
+ public:
+  // Nothing if no control group can be made here.
+  static std::optional<ControlGroup> create(std::size_t memory_bytes, int processes);
+
+  ControlGroup(ControlGroup&&) noexcept = default;
+  ControlGroup& operator=(ControlGroup&&) = delete;
+  ~ControlGroup();  // kills what is left in it
+
+  // Files that a process joins by writing "0" to each.
+  std::vector<std::filesystem::path> join_files() const;
+  bool ran_out_of_memory() const;
+
+ private:
+  explicit ControlGroup(std::vector<std::filesystem::path> folders) : folders_(std::move(folders)) {}
+
+  std::vector<std::filesystem::path> folders_;  // one (v2), or one for memory and one for pids (v1)
+};
+
+}  // namespace grader

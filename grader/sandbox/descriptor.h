@@ -1,0 +1,37 @@
+// STAFF ONLY. File descriptors that close themselves; all of them close on exec.
+#pragma once
+
+#include <string>
+#include <utility>
+
+namespace grader {
+
+class Descriptor {
+ public:
+  Descriptor() = default;
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
+  ~Descriptor() { close(); }
+
+  int get() const { return number_; }
+  explicit operator bool() const { return number_ >= 0; }
+  void close();
+
+ private:
+  int number_ = -1;
+};
+
+struct Pipe {
+  Descriptor read_end, write_end;
+};
+
+Pipe make_pipe();  // throws std::system_error
+
+// All that can be read until the other side closes, at most `limit` bytes.
+std::string read_all(const Descriptor& from, std::size_t limit);
+
+}  // namespace grader

@@ -1,0 +1,57 @@
+// STAFF ONLY. Serves S2, by function:
+//   0 dense_matrix            rows, cols, a, x, junk           -> result, x; result again
+//   1 normal_matrix           rows, cols, x, junk              -> result, x; result again
+//   2 solve_normal_equations  rows, cols, epsilon, steps, x, b -> return value, steps, x, b, overlapping
+//   products
+// `junk` is what the result's buffer holds before the product.
+#include <algorithm>
+#include <limits>
+
+#include "grader/worker/session.h"
+#include "solver/normal_equations.h"
+
+namespace {
+
+using grader::GuardedBuffer;
+using grader::ServedMatrix;
+using grader::Session;
+
+// The product twice, into buffers that hold junk: an operator that adds to what it finds, or that changes its
+// input, shows.
+void multiply_twice(Session& session, implicitMatrix& matrix) {
+  GuardedBuffer x(session.request.get_doubles());
+  const std::vector<double> junk = session.request.get_doubles();
+  GuardedBuffer first(junk), second(junk);
+  matrix.matVecMult(x.data(), first.data());
+  matrix.matVecMult(x.data(), second.data());
+  session.reply.put(first.values()).put(x.values()).put(second.values());
+}
+
+}  // namespace
+
+extern "C" __attribute__((visibility("default"))) void serve(Session& session) {
+  const int function = session.request.get<int>();
+  const int rows = session.request.get<int>(), cols = session.request.get<int>();
+  ServedMatrix A(session, 0, rows, cols), A_transposed(session, 1, cols, rows);
+
+  if (function == 0) {
+    GuardedBuffer table(session.request.get_doubles());
+    const std::unique_ptr<implicitMatrix> matrix = dense_matrix(rows, cols, table.data());
+    // The table is the caller's, who may change it.
+    std::fill(table.data(), table.data() + table.values().size(), std::numeric_limits<double>::quiet_NaN());
+    multiply_twice(session, *matrix);
+  } else if (function == 1) {
+    multiply_twice(session, *normal_matrix(rows, cols, &A, &A_transposed));
+  } else {
+    const double epsilon = session.request.get<double>();
+    int steps = session.request.get<int>();
+    GuardedBuffer x(session.request.get_doubles(cols)), b(session.request.get_doubles(rows));
+    const double value =
+        solve_normal_equations(rows, cols, &A, &A_transposed, x.data(), b.data(), epsilon, &steps);
+    session.reply.put(value)
+        .put(steps)
+        .put(x.values())
+        .put(b.values())
+        .put(A.mistakes() + A_transposed.mistakes());
+  }
+}

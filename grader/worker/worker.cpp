@@ -1,0 +1,123 @@
+// STAFF ONLY. The program that student code runs in: puts itself under limits and a system call filter, loads
+// the objects that it is given and answers requests on descriptor 3 through descriptor 4.
+//
+//   hairworker CPU_SECONDS MEMORY_BYTES THREADS OBJECT... SERVER
+//
+// Objects are loaded in their order, each finding the functions of those before it. Nothing here is trusted
+// once they are in.
+#include <dlfcn.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <ucontext.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "grader/sandbox/syscalls.h"
+#include "grader/worker/session.h"
+#include "solver/not_implemented.h"
+
+namespace grader {
+namespace {
+
+constexpr int kIn = 3, kOut = 4;
+constexpr std::size_t kLargestRequest = std::size_t{256} << 20;
+
+// The request at work: what a denied system call is reported for.
+std::uint64_t current_nonce = 0;
+
+void limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
+  const rlimit value{soft, hard};
+  if (setrlimit(resource, &value) != 0) _exit(120);
+}
+
+// A system call that student code has no use for: it fails with EPERM, and the suite is told.
+void on_denied(int /*signal*/, siginfo_t* info, void* context) {
+  MessageWriter message;
+  message.put(static_cast<int>(info->si_syscall));
+  Channel(kIn, kOut).send(Kind::denied, current_nonce, message.bytes());
+  auto& registers = static_cast<ucontext_t*>(context)->uc_mcontext;
+#if defined(__x86_64__)
+  registers.gregs[REG_RAX] = -EPERM;
+#elif defined(__aarch64__)
+  registers.regs[0] = static_cast<unsigned long long>(-EPERM);
+#else
+#error "the register that holds a system call's result is not known here"
+#endif
+}
+
+void lock_down(int cpu_seconds, rlim_t memory, rlim_t threads) {
+  syscall(SYS_close_range, kOut + 1, ~0U, 0U);
+  limit(RLIMIT_CPU, cpu_seconds, cpu_seconds + 1);
+  limit(RLIMIT_AS, memory, memory);
+  limit(RLIMIT_NPROC, threads, threads);
+  limit(RLIMIT_FSIZE, 1 << 20, 1 << 20);  // standard output is a file
+  limit(RLIMIT_NOFILE, 32, 32);
+  limit(RLIMIT_CORE, 0, 0);
+  signal(SIGXFSZ, SIG_IGN);
+  signal(SIGPIPE, SIG_IGN);
+  struct sigaction action = {};
+  action.sa_sigaction = on_denied;
+  action.sa_flags = SA_SIGINFO | SA_NODEFER;
+  sigaction(SIGSYS, &action, nullptr);
+  restrict_syscalls(Syscalls::compute);
+}
+
+void send_text(Channel& channel, Kind kind, std::uint64_t nonce, const char* text) {
+  MessageWriter message;
+  message.put(std::string(text).substr(0, 1000));
+  channel.send(kind, nonce, message.bytes());
+}
+
+Server load(Channel& channel, int count, char* files[]) {
+  void* object = nullptr;
+  for (int i = 0; i < count; ++i) {
+    object = dlopen(files[i], RTLD_NOW | (i + 1 < count ? RTLD_GLOBAL : RTLD_LOCAL));
+    if (object == nullptr) {
+      send_text(channel, Kind::cannot_load, 0, dlerror());
+      _exit(0);
+    }
+  }
+  return reinterpret_cast<Server>(dlsym(object, kServerName));
+}
+
+void answer(Channel& channel, Server serve, Message& request) {
+  const std::uint64_t nonce = request.nonce;
+  try {
+    Session session(channel, nonce, MessageReader(std::move(request.body)));
+    serve(session);
+    channel.send(Kind::done, nonce, session.reply.bytes());
+  } catch (const Stopped&) {
+    channel.send(Kind::stopped, nonce);
+  } catch (const NotImplemented& error) {
+    send_text(channel, Kind::not_implemented, nonce, error.what());
+  } catch (const std::bad_alloc&) {
+    channel.send(Kind::out_of_memory, nonce);
+  } catch (const std::exception& error) {
+    send_text(channel, Kind::threw, nonce, error.what());
+  } catch (...) {
+    send_text(channel, Kind::threw, nonce, "something that is no std::exception");
+  }
+}
+
+}  // namespace
+}  // namespace grader
+
+int main(int argc, char* argv[]) {
+  using namespace grader;
+  if (argc < 5) return 2;
+  Channel channel(kIn, kOut);
+  lock_down(std::atoi(argv[1]), std::strtoull(argv[2], nullptr, 10), std::strtoull(argv[3], nullptr, 10));
+  const Server serve = load(channel, argc - 4, argv + 4);
+  channel.send(Kind::hello, 0);
+  while (std::optional<Message> request = channel.receive(kLargestRequest)) {
+    current_nonce = request->nonce;
+    answer(channel, serve, *request);
+  }
+  _exit(0);  // not through the student's destructors
+}
