@@ -28,6 +28,7 @@ to_lint() {
 clang                # the second compiler for the handout
 clang-format         # layout
 clang-tidy           # common mistakes, names
+shellcheck           # these scripts
 LIST
 }
 
@@ -41,7 +42,7 @@ install() {
     echo "  apt-get update && apt-get install --no-install-recommends $*" >&2
     exit 2
   fi
-  echo "Installing $* (this takes a few minutes)" >&2
+  echo "Installing $* (this can take a few minutes)" >&2
   # Somebody else's broken package source must not stop us: if ours is broken, the second command says so.
   $sudo apt-get -qq update </dev/null >/dev/null || true
   $sudo env DEBIAN_FRONTEND=noninteractive apt-get -qq -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 \
