@@ -1,6 +1,7 @@
 // The lecture's interface to linear systems: an implicit matrix, and the method of conjugate gradients.
-// Sources: A. Treuille, "Hair Simulation (and Rendering)", section "Solving Linear Systems"; M. R. Hestenes and
-// E. Stiefel, "Methods of Conjugate Gradients for Solving Linear Systems", J. Res. NBS 49 (1952), equations (3:1a-f).
+// Sources: A. Treuille, "Hair Simulation (and Rendering)", section "Solving Linear Systems"; M. R. Hestenes
+// and E. Stiefel, "Methods of Conjugate Gradients for Solving Linear Systems", J. Res. NBS 49 (1952),
+// equations (3:1a-f).
 #pragma once
 
 // The lecture's programs print, and include nothing but this header.
@@ -25,24 +26,27 @@ class implicitMatrix {
 //            out: the iterations taken
 //   returns  ||b - Ax||^2 of the x that is returned, as the recurrence has it
 //
-// An iteration takes one product. The recurrence's residual drifts away from the true one by rounding, so each 64th
-// iteration replaces it by b - Ax, which takes one product more, and the first residual takes one:
+// An iteration takes one product. The recurrence's residual drifts away from the true one by rounding, so
+// each 64th iteration replaces it by b - Ax, which takes one product more, and the first residual takes one:
 //
 //   products = 1 + steps + floor(steps / 64).
 //
-// With u = 2^-53, e the relative rounding error of one product over u (about the non-zeros in a row), the exact solution x*
-// and X = 2||x*|| + ||b||, the square root of the return value differs from the true ||b - Ax|| by at most
+// With u = 2^-53, e the relative rounding error of one product over u (about the non-zeros in a row), the
+// exact solution x* and X = 2||x*|| + ||b||, the square root of the return value differs from the true ||b -
+// Ax|| by at most
 //
 //   64 (10 + 2e) u ||A|| X:
 //
-// there are at most 64 updates since the residual was last replaced, and one rounds x by u (||x|| + 2||alpha d||), r by
-// 2u ||alpha Ad|| and the product by e u ||A|| ||alpha d||, where no iterate is longer than X and no update than 2X, because
-// the error ||x_k - x*|| only ever shrinks from ||b - x*|| on (Greenbaum, "Iterative Methods", 1997, section 7.3).
+// there are at most 64 updates since the residual was last replaced, and one rounds x by u (||x|| + 2||alpha
+// d||), r by 2u ||alpha Ad|| and the product by e u ||A|| ||alpha d||, where no iterate is longer than X and
+// no update than 2X, because the error ||x_k - x*|| only ever shrinks from ||b - x*|| on (Greenbaum,
+// "Iterative Methods", 1997, section 7.3).
 //
-// What can't be solved ends, too. A direction d with d'Ad <= 0 (A is not positive definite), or a value that is not
-// finite, ends the loop at once with the last x that was finite; the iteration that fails counts as a step, and the return
-// value is that x's, so it is then never <= epsilon by accident: it is a number > epsilon, an infinity or a NaN. (The first
-// guess is b: if that is not finite, neither is x.) n = 0 returns 0 after 0 steps. b = 0 returns 0 after 0 steps.
+// What can't be solved ends, too. A direction d with d'Ad <= 0 (A is not positive definite), or a value that
+// is not finite, ends the loop at once with the last x that was finite; the iteration that fails counts as a
+// step, and the return value is that x's, so it is then never <= epsilon by accident: it is a number >
+// epsilon, an infinity or a NaN. (The first guess is b: if that is not finite, neither is x.) n = 0 returns 0
+// after 0 steps. b = 0 returns 0 after 0 steps.
 //
 // Multiplying b by 2^k and epsilon by 2^(2k), for |k| <= 465, gives the same steps and 2^k times the x.
 //

@@ -14,9 +14,9 @@ SparseMatrix::SparseMatrix(int rows, int cols, const std::vector<Entry>& entries
                                 " is no size; both must be >= 0");
   for (const Entry& e : entries)
     if (e.row < 0 || e.row >= rows || e.col < 0 || e.col >= cols)
-      throw std::invalid_argument("SparseMatrix: entry (" + std::to_string(e.row) + ", " + std::to_string(e.col) +
-                                  ") lies outside of a " + std::to_string(rows) + " x " + std::to_string(cols) +
-                                  " matrix");
+      throw std::invalid_argument("SparseMatrix: entry (" + std::to_string(e.row) + ", " +
+                                  std::to_string(e.col) + ") lies outside of a " + std::to_string(rows) +
+                                  " x " + std::to_string(cols) + " matrix");
   std::vector<Entry> sorted = entries;
   std::stable_sort(sorted.begin(), sorted.end(), [](const Entry& a, const Entry& b) {
     return a.row != b.row ? a.row < b.row : a.col < b.col;
@@ -142,7 +142,8 @@ SpectralMatrix::SpectralMatrix(std::vector<double> spectrum, std::vector<std::ve
                                   " values; the spectrum has " + std::to_string(spectrum_.size()));
     double squared = 0;
     for (double value : v) squared += value * value;
-    if (!(squared > 0)) throw std::invalid_argument("SpectralMatrix: a reflector is zero; it must have a direction");
+    if (!(squared > 0))
+      throw std::invalid_argument("SpectralMatrix: a reflector is zero; it must have a direction");
     for (double& value : v) value /= std::sqrt(squared);
   }
 }

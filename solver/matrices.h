@@ -1,4 +1,5 @@
-// Matrices to try a solver on, known well enough to say what the answer must be. A product costs O(non-zeros).
+// Matrices to try a solver on, known well enough to say what the answer must be. A product costs
+// O(non-zeros).
 #pragma once
 
 #include <vector>
@@ -7,7 +8,8 @@
 
 namespace solver {
 
-// An m x n matrix in compressed rows: row i holds values[k] in column columns[k], for row_begin[i] <= k < row_begin[i + 1].
+// An m x n matrix in compressed rows: row i holds values[k] in column columns[k], for row_begin[i] <= k <
+// row_begin[i + 1].
 class SparseMatrix : public implicitMatrix {
  public:
   struct Entry {
@@ -15,7 +17,8 @@ class SparseMatrix : public implicitMatrix {
     double value;
   };
 
-  // Entries in any order; several for one place add up. Throws std::invalid_argument for one outside of the matrix.
+  // Entries in any order; several for one place add up. Throws std::invalid_argument for one outside of the
+  // matrix.
   SparseMatrix(int rows, int cols, const std::vector<Entry>& entries);
 
   // b = A x, with cols() values in x and rows() values in b.
@@ -37,23 +40,25 @@ class SparseMatrix : public implicitMatrix {
 // diag(d).
 SparseMatrix diagonal(const std::vector<double>& d);
 
-// The n x n matrix with `main` on the diagonal and `off` beside it. Eigenvalues main + 2 off cos(k pi / (n + 1)), k = 1..n.
+// The n x n matrix with `main` on the diagonal and `off` beside it. Eigenvalues main + 2 off cos(k pi / (n +
+// 1)), k = 1..n.
 SparseMatrix tridiagonal(int n, double main, double off);
 
-// The five-point Laplacian on an n x n grid with zero boundary values, times h^2: n^2 unknowns, 4 on the diagonal.
-// Eigenvalues 4 - 2 cos(i pi / (n + 1)) - 2 cos(j pi / (n + 1)).
+// The five-point Laplacian on an n x n grid with zero boundary values, times h^2: n^2 unknowns, 4 on the
+// diagonal. Eigenvalues 4 - 2 cos(i pi / (n + 1)) - 2 cos(j pi / (n + 1)).
 SparseMatrix poisson_2d(int n);
 
-// H_ij = 1 / (i + j + 1), i and j from 0: symmetric, positive definite and nearly singular, cond(H) ~ e^(3.5 n).
+// H_ij = 1 / (i + j + 1), i and j from 0: symmetric, positive definite and nearly singular, cond(H) ~ e^(3.5
+// n).
 SparseMatrix hilbert(int n);
 
-// The matrix M + h^2 K of an implicit Euler step of a straight strand along z, clamped at its upper end: particle i has mass
-// masses[i] (kg) and hangs from particle i - 1 by a spring of stiffness k (N/m) along z, and k_bend (N/m) across (x and y).
-// 3 masses.size() unknowns, ordered x0 y0 z0 x1 y1 z1 ...; h in seconds.
+// The matrix M + h^2 K of an implicit Euler step of a straight strand along z, clamped at its upper end:
+// particle i has mass masses[i] (kg) and hangs from particle i - 1 by a spring of stiffness k (N/m) along z,
+// and k_bend (N/m) across (x and y). 3 masses.size() unknowns, ordered x0 y0 z0 x1 y1 z1 ...; h in seconds.
 SparseMatrix strand_implicit_euler(const std::vector<double>& masses, double k, double k_bend, double h);
 
-// A = Q diag(spectrum) Q', Q a product of Householder reflections I - 2 v v'/(v'v): symmetric, with the eigenvalues wanted,
-// and full, while a product costs O(n).
+// A = Q diag(spectrum) Q', Q a product of Householder reflections I - 2 v v'/(v'v): symmetric, with the
+// eigenvalues wanted, and full, while a product costs O(n).
 class SpectralMatrix : public implicitMatrix {
  public:
   // Each of `reflectors` holds spectrum.size() values, not all zero (throws std::invalid_argument).

@@ -1,8 +1,10 @@
 // Matrices in files: the Matrix Market exchange format.
-// Source: R. Boisvert, R. Pozo, K. Remington, "The Matrix Market Exchange Formats: Initial Design", NISTIR 5935 (1996).
+// Source: R. Boisvert, R. Pozo, K. Remington, "The Matrix Market Exchange Formats: Initial Design", NISTIR
+// 5935 (1996).
 //
-// Read: `matrix coordinate real general|symmetric` and `matrix array real general|symmetric` (also `integer`, and `pattern`
-// as ones for coordinate). Written: `coordinate real general`, with 17 significant digits, so that it is read back bit by bit.
+// Read: `matrix coordinate real general|symmetric` and `matrix array real general|symmetric` (also `integer`,
+// and `pattern` as ones for coordinate). Written: `coordinate real general`, with 17 significant digits, so
+// that it is read back bit by bit.
 #pragma once
 
 #include <iosfwd>
@@ -12,8 +14,9 @@
 
 namespace solver {
 
-// Throws std::invalid_argument with one line: name, line number, what is wrong, what would be right. `name` stands for the
-// stream in that line. Entries that are not finite are refused, and so are more than 100 million of them.
+// Throws std::invalid_argument with one line: name, line number, what is wrong, what would be right. `name`
+// stands for the stream in that line. Entries that are not finite are refused, and so are more than 100
+// million of them.
 SparseMatrix read_matrix_market(std::istream& in, const std::string& name);
 SparseMatrix read_matrix_market(const std::string& path);
 

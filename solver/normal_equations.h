@@ -3,9 +3,10 @@
 //
 //   A'A x = A'b,
 //
-// whose matrix A'A is symmetric, and positive definite if A's columns are linearly independent. If A is square and regular,
-// x solves Ax = b; if A has more rows than columns, x makes ||b - Ax|| smallest (least squares). The price is the condition
-// number: cond(A'A) = cond(A)^2 (Golub and Van Loan, "Matrix Computations", 4th edition, section 5.3.7).
+// whose matrix A'A is symmetric, and positive definite if A's columns are linearly independent. If A is
+// square and regular, x solves Ax = b; if A has more rows than columns, x makes ||b - Ax|| smallest (least
+// squares). The price is the condition number: cond(A'A) = cond(A)^2 (Golub and Van Loan, "Matrix
+// Computations", 4th edition, section 5.3.7).
 //
 // In all functions A has `rows` rows and `cols` columns, rows >= 0 and cols >= 0, and A' is its transpose.
 #pragma once
@@ -25,11 +26,13 @@ std::unique_ptr<implicitMatrix> dense_matrix(int rows, int cols, const double a[
 //
 //   A                 matVecMult takes cols values to rows values
 //   A_transposed      matVecMult takes rows values to cols values
-//   matVecMult(x, b)  b = A'(A x), with cols values in x and in b: one product with A and one with A', and no other work.
+//   matVecMult(x, b)  b = A'(A x), with cols values in x and in b: one product with A and one with A', and no
+//   other work.
 //                     It allocates nothing
 //
 // The result refers to A and A_transposed, and owns neither.
-std::unique_ptr<implicitMatrix> normal_matrix(int rows, int cols, implicitMatrix* A, implicitMatrix* A_transposed);
+std::unique_ptr<implicitMatrix> normal_matrix(int rows, int cols, implicitMatrix* A,
+                                              implicitMatrix* A_transposed);
 
 // Solve A'A x = A'b with ConjGrad.
 //

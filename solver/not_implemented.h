@@ -1,4 +1,5 @@
-// What a stub throws: a function that is not written yet names itself, rather than to return zeros that look plausible.
+// What a stub throws: a function that is not written yet names itself, rather than to return zeros that look
+// plausible.
 #pragma once
 
 #include <stdexcept>

@@ -14,7 +14,8 @@ std::unique_ptr<implicitMatrix> normal_matrix(int /*rows*/, int /*cols*/, implic
   throw NotImplemented("S2 normal_matrix");
 }
 
-double solve_normal_equations(int /*rows*/, int /*cols*/, implicitMatrix* /*A*/, implicitMatrix* /*A_transposed*/,
-                              double /*x*/[], double /*b*/[], double /*epsilon*/, int* /*steps*/) {
+double solve_normal_equations(int /*rows*/, int /*cols*/, implicitMatrix* /*A*/,
+                              implicitMatrix* /*A_transposed*/, double /*x*/[], double /*b*/[],
+                              double /*epsilon*/, int* /*steps*/) {
   throw NotImplemented("S2 solve_normal_equations");
 }
