@@ -6,45 +6,82 @@
 
 #include "solver/linearSolver.h"
 
-double ConjGrad(int n, implicitMatrix* A, double x[], double b[], double epsilon, int* steps) {
-  const int most = *steps == 0 ? std::max(100, 2 * n) : *steps;
+namespace {
+
+// term(0) + ... + term(n - 1), in four sums side by side: no addition waits for the one before it, and two go
+// in one instruction. A term may also update its place of a vector, so that a sweep through memory does all
+// there is to do.
+template <class Term>
+double sum(int n, Term term) {
+  double s0 = 0, s1 = 0, s2 = 0, s3 = 0;
+  int i = 0;
+  for (; i + 4 <= n; i += 4) {
+    s0 += term(i);
+    s1 += term(i + 1);
+    s2 += term(i + 2);
+    s3 += term(i + 3);
+  }
+  for (; i < n; ++i) s0 += term(i);
+  return (s0 + s1) + (s2 + s3);
+}
+
+}  // namespace
+
+// __restrict tells the compiler what the contract says, that vectors don't overlap; without it sweeps go
+// value by value.
+double ConjGrad(int n, implicitMatrix* A, double* __restrict x, double* __restrict b, double epsilon,
+                int* steps) {
+  const long long most = *steps == 0 ? std::max(100LL, 2LL * n) : *steps;
   *steps = 0;
   if (n == 0) return 0;
-  std::vector<double> r(n), d(n), q(n);
 
-  auto true_residual = [&] {
-    A->matVecMult(x, q.data());
-    double rr = 0;
-    for (int i = 0; i < n; ++i) {
-      r[i] = b[i] - q[i];
-      rr += r[i] * r[i];
-    }
-    return rr;
-  };
+  std::vector<double> residual(n), direction(n), product(n);
+  double* __restrict r = residual.data();
+  double* __restrict d = direction.data();
+  double* __restrict q = product.data();
 
   std::copy(b, b + n, x);
-  double rr = true_residual();
-  d = r;
-  while (rr > epsilon && *steps < most && std::isfinite(rr)) {
+  A->matVecMult(x, q);
+  double rr = sum(n, [=](int i) {
+    d[i] = r[i] = b[i] - q[i];
+    return r[i] * r[i];
+  });
+  double dd = rr;
+  double reach = std::sqrt(sum(n, [=](int i) { return b[i] * b[i]; }));  // no |x_i| is larger
+
+  while (rr > epsilon && std::isfinite(rr) && *steps < most) {
     ++*steps;
-    A->matVecMult(d.data(), q.data());
-    double dq = 0;
-    for (int i = 0; i < n; ++i) dq += d[i] * q[i];
-    const double alpha = rr / dq;
-    if (!(dq > 0) || !std::isfinite(alpha)) break;
-    for (int i = 0; i < n; ++i) x[i] += alpha * d[i];
-    double rr_new = 0;
+    A->matVecMult(d, q);
+    const double dAd = sum(n, [=](int i) { return d[i] * q[i]; });
+    const double alpha = rr / dAd;  // how far along d the error is smallest
+    if (!(dAd > 0) || !std::isfinite(dAd) || !std::isfinite(alpha)) break;
+
+    // x is looked at before it changes, but only when it may be about to overflow.
+    reach += alpha * std::sqrt(dd);
+    if (!(reach < 1e300) && !std::isfinite(sum(n, [=](int i) { return 0 * (x[i] + alpha * d[i]); }))) break;
+
+    double rr_new, ahead = alpha;  // how far x still has to go
     if (*steps % 64 == 0) {
-      rr_new = true_residual();
+      for (int i = 0; i < n; ++i) x[i] += alpha * d[i];
+      ahead = 0;
+      A->matVecMult(x, q);
+      rr_new = sum(n, [=](int i) {
+        r[i] = b[i] - q[i];
+        return r[i] * r[i];
+      });
     } else {
-      for (int i = 0; i < n; ++i) {
+      rr_new = sum(n, [=](int i) {
         r[i] -= alpha * q[i];
-        rr_new += r[i] * r[i];
-      }
+        return r[i] * r[i];
+      });
     }
-    const double beta = rr_new / rr;
+    const double beta = rr_new / rr;  // makes the next d conjugate to all before: d'A d_old = 0
+    dd = sum(n, [=](int i) {
+      x[i] += ahead * d[i];
+      d[i] = r[i] + beta * d[i];
+      return d[i] * d[i];
+    });
     rr = rr_new;
-    for (int i = 0; i < n; ++i) d[i] = r[i] + beta * d[i];
   }
   return rr;
 }
