@@ -1,0 +1,113 @@
+// STAFF ONLY. Packs the sample class: make_samples PROJECT OUT makes the folder OUT anew, with an archive or
+// a folder for each sample of PROJECT/grader/samples/samples.json.
+#include <clocale>
+#include <cstdlib>
+#include <filesystem>
+#include <iostream>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "grader/course/bad_input.h"
+#include "grader/samples/archive_writer.h"
+#include "grader/samples/sample.h"
+#include "grader/samples/solution_files.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using grader::ArchiveEntry;
+using grader::Sample;
+using grader::SampleFile;
+using grader::SampleForm;
+
+std::vector<ArchiveEntry> entries_of(const Sample& sample, const fs::path& project, const fs::path& scratch) {
+  const auto solutions = grader::solution_files(sample, project, scratch);
+  std::vector<ArchiveEntry> entries;
+  for (const SampleFile& file : sample.files) {
+    switch (file.kind) {
+      case SampleFile::Kind::solution:
+        entries.push_back({file.path, solutions.at(file.path), "", 0});
+        break;
+      case SampleFile::Kind::text:
+        entries.push_back({file.path, file.value, "", 0});
+        break;
+      case SampleFile::Kind::link:
+        entries.push_back({file.path, "", file.value, 0});
+        break;
+      case SampleFile::Kind::zeros:
+        entries.push_back({file.path, "", "", file.zeros});
+        break;
+    }
+  }
+  return entries;
+}
+
+void write_folder(const fs::path& folder, const std::vector<ArchiveEntry>& entries) {
+  for (const ArchiveEntry& entry : entries) {
+    const fs::path path = (folder / entry.path).lexically_normal();
+    if (path.string().find(folder.lexically_normal().string() + "/") != 0) {
+      throw grader::BadInput(entry.path + ": leaves the sample's folder; pack it as zip or tar.gz");
+    }
+    fs::create_directories(path.parent_path());
+    if (entry.link.empty()) {
+      grader::write_bytes(path, entry.bytes + std::string(entry.zeros, '\0'));
+    } else {
+      fs::create_symlink(entry.link, path);
+    }
+  }
+}
+
+void write_sample(const Sample& sample, const fs::path& project, const fs::path& folder) {
+  const fs::path path = folder / sample.file_name();
+  const auto entries = entries_of(sample, project, folder / ".scratch");
+  switch (sample.form) {
+    case SampleForm::zip:
+      grader::write_zip(path, entries);
+      break;
+    case SampleForm::tar_gz:
+      grader::write_tar_gz(path, entries);
+      break;
+    case SampleForm::folder:
+      write_folder(path, entries);
+      break;
+  }
+  if (sample.cut) fs::resize_file(path, *sample.cut);
+}
+
+void check_patches_are_used(const std::vector<Sample>& samples, const fs::path& patches) {
+  std::set<std::string> used;
+  for (const Sample& sample : samples) used.insert(sample.patch);
+  for (const auto& file : fs::directory_iterator(patches)) {
+    if (!used.count(file.path().filename().string())) {
+      throw grader::BadInput(file.path().string() +
+                             ": no sample uses it; name it in samples.json or delete it");
+    }
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    std::cerr << "usage: make_samples PROJECT OUT\n";
+    return 2;
+  }
+  // What archives hold of times and names depends on both.
+  setenv("TZ", "UTC", 1);
+  if (!std::setlocale(LC_CTYPE, "C.UTF-8")) std::setlocale(LC_CTYPE, "en_US.UTF-8");
+  try {
+    const fs::path project = argv[1], out = argv[2], unfinished = out.string() + ".unfinished";
+    const auto samples = grader::read_samples(project / "grader" / "samples" / "samples.json");
+    check_patches_are_used(samples, project / "grader" / "samples" / "patches");
+    fs::remove_all(unfinished);
+    fs::create_directories(unfinished);
+    for (const Sample& sample : samples) write_sample(sample, project, unfinished);
+    fs::remove_all(out);
+    fs::rename(unfinished, out);
+  } catch (const std::exception& error) {
+    std::cerr << "make_samples: " << error.what() << '\n';
+    return 2;
+  }
+  return 0;
+}

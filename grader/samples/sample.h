@@ -1,0 +1,60 @@
+// STAFF ONLY. The sample class: submissions with known bugs and attacks, and what grading them must give.
+// samples.json lists them:
+//
+//   {"samples": [{
+//     "name":    "wrong-beta"                  of the archive or folder, without its ending
+//     "shows":   "..."                         the bug, or what is right, in a line
+//     "form":    "zip" | "tar.gz" | "folder"
+//     "files":   {PATH IN THE ARCHIVE: CONTENT, ...}
+//     "patch":   "wrong-beta.patch"            optional: from patches/, applied to the solution files with
+//     -p1 "windows": true                          optional: solution files begin with a byte order mark and
+//     have CR LF "cut":     1000                          optional: the archive's bytes that are left, as
+//     after a broken upload "expect":  {"S1": {"status": "partly", "points": 12}, ...}   points: optional
+//   }, ...]}
+//
+// CONTENT is "reference", "stub" or a folder of solutions/, which hold an exercise file of that name;
+// {"text": "..."};
+// {"link": TARGET}, a symbolic link; or {"zeros": BYTES}, so many zero bytes.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace grader {
+
+enum class SampleForm { zip, tar_gz, folder };
+
+struct SampleFile {
+  enum class Kind { solution, text, link, zeros };
+
+  std::string path;  // in the archive
+  Kind kind = Kind::solution;
+  std::string value;        // the solution's folder, the text or the link's target
+  std::uint64_t zeros = 0;  // bytes
+};
+
+struct ExpectedResult {
+  std::string status;            // as to_string(Status) has it
+  std::optional<double> points;  // nothing: not pinned
+};
+
+struct Sample {
+  std::string name, shows;
+  SampleForm form = SampleForm::zip;
+  std::vector<SampleFile> files;  // sorted by path
+  std::string patch;              // empty: none
+  bool windows = false;
+  std::optional<std::uint64_t> cut;
+  std::map<std::string, ExpectedResult> expected;  // by exercise id
+
+  std::string file_name() const;  // "wrong-beta.zip"
+};
+
+// Throws BadInput with the file and the JSON path.
+std::vector<Sample> read_samples(const std::filesystem::path& samples_json);
+
+}  // namespace grader

@@ -1,0 +1,22 @@
+// STAFF ONLY. A sample's exercise files: copies of the reference, the stubs or a whole solution, with the
+// sample's patch applied.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "grader/samples/sample.h"
+
+namespace grader {
+
+// By path in the archive. `project` is the project's root; `scratch` is a folder that is made for the copies
+// and removed again. Throws BadInput if a file is not there or the patch does not apply exactly.
+std::map<std::string, std::string> solution_files(const Sample& sample, const std::filesystem::path& project,
+                                                  const std::filesystem::path& scratch);
+
+// Throws std::runtime_error with the path.
+std::string read_bytes(const std::filesystem::path& file);
+void write_bytes(const std::filesystem::path& file, const std::string& bytes);
+
+}  // namespace grader
