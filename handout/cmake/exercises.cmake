@@ -1,9 +1,10 @@
 # Builds exercises from exercises.json, the one list of them.
 #
 #   HAIR_EXERCISES                 the ids, in the file's order
-#   HAIR_<id>_<FIELD>              file, header, checks, prerequisites, functions of each
+#   HAIR_<id>_<FIELD>              file, header, checks, role, prerequisites, functions of each
 #   hair_compile_settings(TARGET)  C++20 and the flags that results depend on, for all code
-#   hair_own_code(TARGET)          the same and warnings as errors: for our code, never for a student's file
+#   hair_own_code(TARGET)          the same and warnings, for our code, never for a student's file. They are errors in the staff's
+#                                  build alone: a student's compiler may be newer than ours
 #   hair_exercise_libraries(NAME DIR)
 #                                  one static library <NAME>_<id> for each exercise file in DIR, compiled as for grading
 #   hair_test(NAME SOURCES ... LIBRARIES ...)
@@ -36,6 +37,7 @@ foreach(i RANGE ${last})
   string(JSON HAIR_${id}_FILE GET "${exercise}" file)
   string(JSON HAIR_${id}_HEADER GET "${exercise}" header)
   string(JSON HAIR_${id}_CHECKS GET "${exercise}" checks)
+  string(JSON HAIR_${id}_ROLE GET "${exercise}" role)
   hair_json_list(HAIR_${id}_PREREQUISITES "${exercise}" prerequisites)
   hair_json_list(HAIR_${id}_FUNCTIONS "${exercise}" functions)
 endforeach()
@@ -49,7 +51,8 @@ endfunction()
 
 function(hair_own_code TARGET)
   hair_compile_settings(${TARGET})
-  target_compile_options(${TARGET} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Werror)
+  target_compile_options(${TARGET} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor
+                         $<$<BOOL:${HAIR_STAFF}>:-Werror>)
 endfunction()
 
 function(hair_exercise_libraries NAME DIR)

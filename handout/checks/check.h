@@ -1,0 +1,81 @@
+// What the public checks share: a matrix that counts its products, vectors in words, an error beside its
+// bound, the data in golden/, and a main program that names the functions that are not written yet.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "solver/matrices.h"
+
+namespace checks {
+
+using Vector = std::vector<double>;
+
+// Passes products on to another matrix and counts them.
+class Counted : public implicitMatrix {
+ public:
+  explicit Counted(implicitMatrix& matrix) : matrix_(matrix) {}
+
+  void matVecMult(double x[], double b[]) override {
+    ++products;
+    matrix_.matVecMult(x, b);
+  }
+
+  int products = 0;
+
+ private:
+  implicitMatrix& matrix_;
+};
+
+// A linear system Ax = b with its solution.
+struct System {
+  std::string name;  // for failures: "A = [2 0; 0 1], b = (1, 1)"
+  solver::SparseMatrix A;
+  Vector b;
+  Vector solution;
+  double smallest;  // no more than the smallest eigenvalue of what is solved: of A, or of A'A
+};
+
+Vector product(solver::SparseMatrix& A, Vector x);
+Vector difference(const Vector& x, const Vector& y);
+double norm(const Vector& x);
+
+// n numbers between -1 and 1 without a pattern, the same ones every time.
+Vector scattered(int n);
+
+// "(1, 2, 3)"; of a long vector the first six values.
+std::string in_words(const Vector& x);
+
+// How far the square root of ConjGrad's return value may be from the true ||b - Ax||, by
+// solver/linearSolver.h: 64 (10 + 2e) u ||A|| X, with X = 2||x*|| + ||b||, and e the rounding error of one
+// product over u = 2^-53.
+double residual_gap(double norm_of_A, double e, const Vector& solution, const Vector& b);
+
+// Fails, with all that is needed to understand it, unless ||x - solution|| <= bound.
+void expect_near(const Vector& x, const Vector& solution, double bound, const std::string& source_of_bound);
+
+// One of the cases in golden/<exercise>.txt. Its files are golden/<name>.mtx (the matrix), <name>.b.mtx and
+// <name>.x.mtx.
+struct Golden {
+  System system;
+  double epsilon;  // far from every iterate's squared residual: rounding can't change the number of steps
+  int steps;
+};
+
+// Throws std::runtime_error if a file is missing.
+std::vector<Golden> read_golden(const std::string& exercise);
+
+// A function of the exercise, a call of it that any version survives, and the name of the test suite that
+// checks it.
+struct Function {
+  std::string name, suite;
+  std::function<void()> call;
+};
+
+// Runs the tests, but not those of a function that is not implemented: of that it says so, in one line, and
+// fails.
+int run(int argc, char** argv, const std::vector<Function>& functions);
+
+}  // namespace checks

@@ -1,0 +1,212 @@
+// The public checks of S2. Every failure prints the input, what was expected, what came, the error and its
+// bound. The contract is in solver/normal_equations.h. The checks of solve_normal_equations need S1: it calls
+// your ConjGrad.
+
+#include "solver/normal_equations.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "check.h"
+
+using namespace checks;
+using solver::SparseMatrix;
+
+namespace {
+
+const double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+SparseMatrix dense(int rows, int cols, const Vector& a) {
+  std::vector<SparseMatrix::Entry> entries;
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < cols; ++j) entries.push_back({i, j, a[i * cols + j]});
+  return SparseMatrix(rows, cols, entries);
+}
+
+// A x, into memory that is not a number beforehand: all of it must be overwritten.
+Vector multiply(implicitMatrix& A, int rows, Vector x) {
+  const Vector before = x;
+  Vector b(rows, kNaN);
+  A.matVecMult(x.data(), b.data());
+  EXPECT_EQ(x, before) << "matVecMult changed its input";
+  return b;
+}
+
+// All that comes out of one call of solve_normal_equations.
+struct Outcome {
+  Vector x;
+  double returned;
+  int steps, products, transposed_products;
+};
+
+Outcome solve(SparseMatrix& A, const Vector& b, double epsilon, int most_steps, double x_on_entry = 0) {
+  SparseMatrix transposed = A.transposed();
+  Counted counted(A), counted_transposed(transposed);
+  Vector b_given = b;
+  Outcome out{Vector(A.cols(), x_on_entry), kNaN, most_steps, 0, 0};
+  out.returned = solve_normal_equations(A.rows(), A.cols(), &counted, &counted_transposed, out.x.data(),
+                                        b_given.data(), epsilon, &out.steps);
+  out.products = counted.products;
+  out.transposed_products = counted_transposed.products;
+  EXPECT_EQ(b_given, b) << "solve_normal_equations changed b";
+  return out;
+}
+
+std::string call(const std::string& name, double epsilon, int most_steps) {
+  std::ostringstream text;
+  text << "solve_normal_equations with " << name << ", epsilon = " << epsilon << ", *steps = " << most_steps;
+  return text.str();
+}
+
+// residual_gap for A'A x = A'b, and the rounding of A'b itself.
+double gap(System& s) {
+  SparseMatrix transposed = s.A.transposed();
+  const double norm_of_A = s.A.norm_bound(), e = s.A.longest_row(), e_transposed = transposed.longest_row();
+  return residual_gap(norm_of_A * norm_of_A, e + e_transposed, s.solution, product(transposed, s.b)) +
+         e_transposed * std::ldexp(1.0, -53) * norm_of_A * norm(s.b);
+}
+
+void expect_solved(System& s, const Outcome& out, double epsilon) {
+  EXPECT_LE(out.returned, epsilon) << "it returned before ||A'(b - Ax)||^2 was <= epsilon";
+  expect_near(
+      out.x, s.solution, (std::sqrt(epsilon) + gap(s)) / s.smallest,
+      "(sqrt(epsilon) + 64 (10 + 2e) u ||A||^2 X) / smallest eigenvalue of A'A: see solver/linearSolver.h");
+}
+
+}  // namespace
+
+TEST(DenseMatrix, MultipliesRowsByTheVector) {
+  const Vector a = {1, 2, 3,  //
+                    4, 5, 6};
+  SCOPED_TRACE("dense_matrix of [1 2 3; 4 5 6], x = (1, 10, 100)");
+  EXPECT_EQ(multiply(*dense_matrix(2, 3, a.data()), 2, {1, 10, 100}), (Vector{321, 654}));
+  SCOPED_TRACE("dense_matrix of [1 2; 3 4; 5 6], x = (1, 10)");
+  EXPECT_EQ(multiply(*dense_matrix(3, 2, a.data()), 3, {1, 10}), (Vector{21, 43, 65}));
+}
+
+TEST(DenseMatrix, CopiesTheTable) {
+  Vector a = {1, 2, 3, 4};
+  auto A = dense_matrix(2, 2, a.data());
+  a.assign(4, kNaN);
+  SCOPED_TRACE("dense_matrix of [1 2; 3 4], whose table is overwritten before the product with x = (1, 1)");
+  EXPECT_EQ(multiply(*A, 2, {1, 1}), (Vector{3, 7}));
+}
+
+TEST(DenseMatrix, WithoutColumnsGivesZeros) {
+  SCOPED_TRACE("dense_matrix with 3 rows and no columns");
+  EXPECT_EQ(multiply(*dense_matrix(3, 0, nullptr), 3, {}), Vector(3, 0.0));
+}
+
+TEST(DenseMatrix, RoundsNoMoreThanItMust) {
+  const int rows = 40, cols = 25;
+  const Vector a = scattered(rows * cols), x = scattered(cols);
+  SparseMatrix A = dense(rows, cols, a);
+  SCOPED_TRACE("dense_matrix of 40 x 25 scattered numbers");
+  expect_near(multiply(*dense_matrix(rows, cols, a.data()), rows, x), product(A, x),
+              2 * cols * std::ldexp(1.0, -53) * A.norm_bound() * norm(x),
+              "2 n u ||A|| ||x||: a sum of n products rounds by at most n u, here and in the expected value");
+}
+
+TEST(NormalMatrix, IsTheProductWithAThenWithItsTranspose) {
+  SparseMatrix A = dense(3, 2, {1, 2, 3, 4, 5, 6}), transposed = A.transposed();
+  auto normal = normal_matrix(3, 2, &A, &transposed);
+  SCOPED_TRACE("normal_matrix of A = [1 2; 3 4; 5 6], A'A = [35 44; 44 56], x = (1, 10)");
+  EXPECT_EQ(multiply(*normal, 2, {1, 10}), (Vector{475, 604}));
+  SCOPED_TRACE("the same matrix once more");
+  EXPECT_EQ(multiply(*normal, 2, {1, 0}), (Vector{35, 44}));
+}
+
+TEST(NormalMatrix, WorksForMoreColumnsThanRows) {
+  SparseMatrix A = dense(1, 3, {1, 2, 3}), transposed = A.transposed();
+  SCOPED_TRACE("normal_matrix of A = [1 2 3], x = (1, 1, 1)");
+  EXPECT_EQ(multiply(*normal_matrix(1, 3, &A, &transposed), 3, {1, 1, 1}), (Vector{6, 12, 18}));
+}
+
+TEST(NormalMatrix, TakesOneProductWithEachMatrix) {
+  SparseMatrix A = dense(3, 2, {1, 2, 3, 4, 5, 6}), transposed = A.transposed();
+  Counted counted(A), counted_transposed(transposed);
+  auto normal = normal_matrix(3, 2, &counted, &counted_transposed);
+  EXPECT_EQ(counted.products + counted_transposed.products, 0) << "normal_matrix itself takes no product";
+  multiply(*normal, 2, {1, 10});
+  EXPECT_EQ(counted.products, 1) << "products with A";
+  EXPECT_EQ(counted_transposed.products, 1) << "products with A'";
+}
+
+TEST(SolveNormalEquations, SolvesANonSymmetricSystem) {
+  System s{"A = [1 2; 0 1], b = (5, 2)", dense(2, 2, {1, 2, 0, 1}), {5, 2}, {1, 2}, 0.17};
+  SCOPED_TRACE(call(s.name, 1e-20, 100));
+  expect_solved(s, solve(s.A, s.b, 1e-20, 100), 1e-20);
+}
+
+TEST(SolveNormalEquations, SolvesASymmetricIndefiniteSystem) {
+  System s{"A = [0 1; 1 0], b = (2, 3)", dense(2, 2, {0, 1, 1, 0}), {2, 3}, {3, 2}, 1};
+  SCOPED_TRACE(call(s.name, 1e-20, 100));
+  expect_solved(s, solve(s.A, s.b, 1e-20, 100), 1e-20);
+}
+
+TEST(SolveNormalEquations, FitsALineByLeastSquares) {
+  System s{"A = [1 0; 1 1; 1 2], b = (6, 0, 0)", dense(3, 2, {1, 0, 1, 1, 1, 2}), {6, 0, 0}, {5, -3}, 0.83};
+  SCOPED_TRACE(call(s.name, 1e-20, 100));
+  expect_solved(s, solve(s.A, s.b, 1e-20, 100), 1e-20);
+}
+
+TEST(SolveNormalEquations, OnlyWritesX) {
+  SparseMatrix A = dense(3, 2, {1, 0, 1, 1, 1, 2});
+  const Outcome from_zeros = solve(A, {6, 0, 0}, 1e-20, 100);
+  SCOPED_TRACE(call("A = [1 0; 1 1; 1 2], b = (6, 0, 0), NaN in x on entry", 1e-20, 100));
+  EXPECT_EQ(solve(A, {6, 0, 0}, 1e-20, 100, kNaN).x, from_zeros.x);
+}
+
+TEST(SolveNormalEquations, ReturnsTheSquaredNormOfTheNormalEquationsResidual) {
+  const int rows = 30, cols = 20;
+  SparseMatrix A = dense(rows, cols, scattered(rows * cols)), transposed = A.transposed();
+  System s{"30 x 20 scattered numbers", A, scattered(rows), Vector(cols, 0.0), 0};
+  s.solution = solve(A, s.b, 1e-26, 0).x;  // Only its length counts, in the bound.
+  for (int most_steps : {1, 4}) {
+    SCOPED_TRACE(call(s.name, 0, most_steps));
+    const Outcome out = solve(A, s.b, 0, most_steps);
+    const double residual = norm(product(transposed, difference(s.b, product(A, out.x))));
+    EXPECT_LE(std::abs(std::sqrt(out.returned) - residual), gap(s))
+        << "returned " << out.returned << "; ||A'(b - Ax)||^2 = " << residual * residual
+        << "; bound: 64 (10 + 2e) u ||A||^2 X on the roots' difference, see solver/linearSolver.h";
+  }
+}
+
+TEST(SolveNormalEquations, TakesTheStepsAndProductsThatItMay) {
+  const int rows = 90, cols = 80;
+  SparseMatrix A = dense(rows, cols, scattered(rows * cols));
+  for (int most_steps : {1, 5, 70}) {
+    SCOPED_TRACE(call("90 x 80 scattered numbers", 0, most_steps));
+    const Outcome out = solve(A, scattered(rows), 0, most_steps);
+    EXPECT_EQ(out.steps, most_steps);
+    EXPECT_EQ(out.products, 1 + most_steps + most_steps / 64) << "products with A";
+    EXPECT_EQ(out.transposed_products, out.products + 1) << "products with A', which A'b takes one of";
+  }
+}
+
+TEST(SolveNormalEquations, AgreesWithTheGoldenData) {
+  for (Golden& golden : read_golden("S2")) {
+    System& s = golden.system;
+    SCOPED_TRACE(call(s.name, golden.epsilon, 0));
+    const Outcome out = solve(s.A, s.b, golden.epsilon, 0);
+    EXPECT_EQ(out.steps, golden.steps);
+    EXPECT_LE(out.returned, golden.epsilon);
+    expect_near(out.x, s.solution, 2 * (std::sqrt(golden.epsilon) + gap(s)) / s.smallest,
+                "2 (sqrt(epsilon) + 64 (10 + 2e) u ||A||^2 X) / smallest eigenvalue of A'A, for either x may "
+                "be off by half");
+  }
+}
+
+int main(int argc, char** argv) {
+  static SparseMatrix empty = solver::diagonal({});
+  return run(argc, argv,
+             {{"dense_matrix", "DenseMatrix", [] { dense_matrix(0, 0, nullptr); }},
+              {"normal_matrix", "NormalMatrix", [] { normal_matrix(0, 0, &empty, &empty); }},
+              {"solve_normal_equations", "SolveNormalEquations", [] {
+                 double none = 0;
+                 int steps = 0;
+                 solve_normal_equations(0, 0, &empty, &empty, &none, &none, 1, &steps);
+               }}});
+}

@@ -1,0 +1,57 @@
+# Builds the public checks, and hands in.
+#
+#   hair_checks(NAME)   one GoogleTest program <NAME>_<id>_check for each exercise, linked with the library <NAME>_<id>
+#   hair_handin(DIR)    the target `handin`: the exercise files of DIR that count, in <build>/handin.zip
+
+find_package(GTest QUIET)
+if(NOT GTest_FOUND)
+  message(FATAL_ERROR "GoogleTest is missing. Debian, Ubuntu, WSL2: sudo apt install libgtest-dev. macOS: brew install googletest")
+endif()
+
+# The data that the checks compare with: made by the staff's build, or shipped.
+if(TARGET hair_golden)
+  set(HAIR_GOLDEN_DIR "${PROJECT_BINARY_DIR}/golden")
+else()
+  set(HAIR_GOLDEN_DIR "${HAIR_HANDOUT_DIR}/checks/golden")
+endif()
+
+if(NOT TARGET hair_check)
+  add_library(hair_check STATIC "${HAIR_HANDOUT_DIR}/checks/check.cpp")
+  hair_own_code(hair_check)
+  target_include_directories(hair_check PUBLIC "${HAIR_HANDOUT_DIR}/checks")
+  target_compile_definitions(hair_check PRIVATE "HAIR_GOLDEN_DIR=\"${HAIR_GOLDEN_DIR}\"")
+  target_link_libraries(hair_check PUBLIC hair_solver GTest::gtest)
+endif()
+
+function(hair_checks NAME)
+  foreach(id ${HAIR_EXERCISES})
+    set(program ${NAME}_${id}_check)
+    add_executable(${program} "${HAIR_HANDOUT_DIR}/${HAIR_${id}_CHECKS}")
+    hair_own_code(${program})
+    target_link_libraries(${program} PRIVATE ${NAME}_${id} hair_check)
+    if(TARGET hair_golden)
+      add_dependencies(${program} hair_golden)
+    endif()
+  endforeach()
+endfunction()
+
+function(hair_handin DIR)
+  set(STUDENT "handin" CACHE STRING "The name of the archive that the target handin writes")
+  if(NOT STUDENT MATCHES "^[A-Za-z0-9][A-Za-z0-9._-]*$")
+    message(FATAL_ERROR "STUDENT is \"${STUDENT}\"; it may hold letters, digits, '.', '_' and '-', and names the archive")
+  endif()
+  set(files)
+  foreach(id ${HAIR_EXERCISES})
+    if(NOT HAIR_${id}_ROLE STREQUAL "given")
+      list(APPEND files "${HAIR_${id}_FILE}")
+    endif()
+  endforeach()
+  set(archive "${PROJECT_BINARY_DIR}/${STUDENT}.zip")
+  list(JOIN files ", " names)
+  add_custom_target(handin
+    COMMAND ${CMAKE_COMMAND} -E tar cf "${archive}.part" --format=zip -- ${files}
+    COMMAND ${CMAKE_COMMAND} -E rename "${archive}.part" "${archive}"
+    COMMAND ${CMAKE_COMMAND} -E echo "Wrote ${archive} with ${names}: hand in this file"
+    WORKING_DIRECTORY "${DIR}"
+    VERBATIM)
+endfunction()
