@@ -21,7 +21,7 @@ SparseMatrix::SparseMatrix(int rows, int cols, const std::vector<Entry>& entries
   std::stable_sort(sorted.begin(), sorted.end(), [](const Entry& a, const Entry& b) {
     return a.row != b.row ? a.row < b.row : a.col < b.col;
   });
-  row_begin_.assign(rows + 1, 0);
+  row_begin_.assign(static_cast<std::size_t>(rows) + 1, 0);
   for (std::size_t k = 0; k < sorted.size(); ++k) {
     const Entry& e = sorted[k];
     if (k > 0 && sorted[k - 1].row == e.row && sorted[k - 1].col == e.col) {
@@ -70,7 +70,7 @@ double SparseMatrix::norm_bound() const {
   }
   const double largest_column_sum =
       column_sums.empty() ? 0 : *std::max_element(column_sums.begin(), column_sums.end());
-  return std::sqrt(largest_row_sum * largest_column_sum);
+  return std::sqrt(largest_row_sum) * std::sqrt(largest_column_sum);
 }
 
 int SparseMatrix::longest_row() const {
@@ -97,6 +97,8 @@ SparseMatrix tridiagonal(int n, double main, double off) {
 }
 
 SparseMatrix poisson_2d(int n) {
+  if (n < 0 || n > 46340)  // 46341^2 is more than an int holds
+    throw std::invalid_argument("poisson_2d: a grid of n = " + std::to_string(n) + "; need 0 <= n <= 46340");
   std::vector<SparseMatrix::Entry> entries;
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i) {

@@ -28,7 +28,7 @@ class SparseMatrix : public implicitMatrix {
   int cols() const { return cols_; }
   std::vector<Entry> entries() const;  // by rows, then columns
   SparseMatrix transposed() const;
-  double norm_bound() const;  // sqrt(||A||_1 ||A||_inf) >= ||A||_2
+  double norm_bound() const;  // sqrt(||A||_1 ||A||_inf) >= ||A||_2, even with |a_ij| for a_ij
   int longest_row() const;    // the most non-zeros in a row: the rounding error of a product over u
 
  private:

@@ -160,8 +160,9 @@ SparseMatrix read(Lines& lines, bool vector) {
       row = lines.index(words[0], "row", rows);
       col = lines.index(words[1], "column", cols);
       if (header.symmetric && row < col)
-        lines.fail("entry (" + words[0] + ", " + words[1] +
-                   ") lies above the diagonal; a symmetric file lists the lower triangle, row >= column");
+        lines.fail(
+            "entry (" + words[0] + ", " + words[1] +
+            ") lies above the diagonal; need row >= column, since a symmetric file lists the lower triangle");
     }
     const double value = header.pattern ? 1 : lines.value(words.back(), header.integer);
     entries.push_back({row, col, value});
