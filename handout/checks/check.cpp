@@ -55,7 +55,8 @@ std::string in_words(const Vector& x) {
 }
 
 double residual_gap(double norm_of_A, double e, const Vector& solution, const Vector& b) {
-  return 64 * (10 + 2 * e) * std::ldexp(1.0, -53) * norm_of_A * (2 * norm(solution) + norm(b));
+  const double n = static_cast<double>(solution.size());
+  return (64 * (10 + 2 * e) + n) * std::ldexp(1.0, -53) * norm_of_A * (2 * norm(solution) + norm(b));
 }
 
 void expect_near(const Vector& x, const Vector& solution, double bound, const std::string& source_of_bound) {

@@ -49,8 +49,9 @@ Vector scattered(int n);
 std::string in_words(const Vector& x);
 
 // How far the square root of ConjGrad's return value may be from the true ||b - Ax||, by
-// solver/linearSolver.h: 64 (10 + 2e) u ||A|| X, with X = 2||x*|| + ||b||, and e the rounding error of one
-// product over u = 2^-53.
+// solver/linearSolver.h: (64 (10 + 2e) + n) u ||A|| X, with X = 2||x*|| + ||b||, and e the rounding error of
+// one product over u = 2^-53: no residual is longer than ||A|| X, and adding its n squares up rounds it by n
+// u at most.
 double residual_gap(double norm_of_A, double e, const Vector& solution, const Vector& b);
 
 // Fails, with all that is needed to understand it, unless ||x - solution|| <= bound.

@@ -52,8 +52,9 @@ System system_with(const std::string& name, solver::SparseMatrix A, const Vector
 
 void expect_solved(const System& s, const Outcome& out, double epsilon) {
   EXPECT_LE(out.returned, epsilon) << "it returned before ||b - Ax||^2 was <= epsilon";
-  expect_near(out.x, s.solution, (std::sqrt(epsilon) + gap(s)) / s.smallest,
-              "(sqrt(epsilon) + 64 (10 + 2e) u ||A|| X) / smallest eigenvalue: see solver/linearSolver.h");
+  expect_near(
+      out.x, s.solution, (std::sqrt(epsilon) + gap(s)) / s.smallest,
+      "(sqrt(epsilon) + (64 (10 + 2e) + n) u ||A|| X) / smallest eigenvalue: see solver/linearSolver.h");
 }
 
 // The hair tolerance: a residual of 1e-10 ||b||.
@@ -186,7 +187,7 @@ TEST(ConjGrad, ReturnsTheSquareOfTheResidualsNorm) {
     const double residual = norm(difference(s.b, product(s.A, out.x)));
     EXPECT_LE(std::abs(std::sqrt(out.returned) - residual), gap(s))
         << "returned " << out.returned << "; ||b - Ax||^2 = " << residual * residual
-        << "; bound: 64 (10 + 2e) u ||A|| X on the roots' difference, see solver/linearSolver.h";
+        << "; bound: (64 (10 + 2e) + n) u ||A|| X on the roots' difference, see solver/linearSolver.h";
   }
 }
 
@@ -316,9 +317,10 @@ TEST(ConjGrad, AgreesWithTheGoldenData) {
     const Outcome out = solve(s.A, s.b, golden.epsilon, 0);
     EXPECT_EQ(out.steps, golden.steps);
     EXPECT_LE(out.returned, golden.epsilon);
-    expect_near(out.x, s.solution, 2 * (std::sqrt(golden.epsilon) + gap(s)) / s.smallest,
-                "2 (sqrt(epsilon) + 64 (10 + 2e) u ||A|| X) / smallest eigenvalue, for either x may be off "
-                "by half of it");
+    expect_near(
+        out.x, s.solution, 2 * (std::sqrt(golden.epsilon) + gap(s)) / s.smallest,
+        "2 (sqrt(epsilon) + (64 (10 + 2e) + n) u ||A|| X) / smallest eigenvalue, for either x may be off "
+        "by half of it");
   }
 }
 

@@ -70,9 +70,9 @@ double gap(System& s) {
 
 void expect_solved(System& s, const Outcome& out, double epsilon) {
   EXPECT_LE(out.returned, epsilon) << "it returned before ||A'(b - Ax)||^2 was <= epsilon";
-  expect_near(
-      out.x, s.solution, (std::sqrt(epsilon) + gap(s)) / s.smallest,
-      "(sqrt(epsilon) + 64 (10 + 2e) u ||A||^2 X) / smallest eigenvalue of A'A: see solver/linearSolver.h");
+  expect_near(out.x, s.solution, (std::sqrt(epsilon) + gap(s)) / s.smallest,
+              "(sqrt(epsilon) + (64 (10 + 2e) + n) u ||A||^2 X) / smallest eigenvalue of A'A: see "
+              "solver/linearSolver.h");
 }
 
 }  // namespace
@@ -170,7 +170,7 @@ TEST(SolveNormalEquations, ReturnsTheSquaredNormOfTheNormalEquationsResidual) {
     const double residual = norm(product(transposed, difference(s.b, product(A, out.x))));
     EXPECT_LE(std::abs(std::sqrt(out.returned) - residual), gap(s))
         << "returned " << out.returned << "; ||A'(b - Ax)||^2 = " << residual * residual
-        << "; bound: 64 (10 + 2e) u ||A||^2 X on the roots' difference, see solver/linearSolver.h";
+        << "; bound: (64 (10 + 2e) + n) u ||A||^2 X on the roots' difference, see solver/linearSolver.h";
   }
 }
 
@@ -193,9 +193,10 @@ TEST(SolveNormalEquations, AgreesWithTheGoldenData) {
     const Outcome out = solve(s.A, s.b, golden.epsilon, 0);
     EXPECT_EQ(out.steps, golden.steps);
     EXPECT_LE(out.returned, golden.epsilon);
-    expect_near(out.x, s.solution, 2 * (std::sqrt(golden.epsilon) + gap(s)) / s.smallest,
-                "2 (sqrt(epsilon) + 64 (10 + 2e) u ||A||^2 X) / smallest eigenvalue of A'A, for either x may "
-                "be off by half");
+    expect_near(
+        out.x, s.solution, 2 * (std::sqrt(golden.epsilon) + gap(s)) / s.smallest,
+        "2 (sqrt(epsilon) + (64 (10 + 2e) + n) u ||A||^2 X) / smallest eigenvalue of A'A, for either x may "
+        "be off by half");
   }
 }
 

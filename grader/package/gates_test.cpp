@@ -1,0 +1,124 @@
+// STAFF ONLY. Each gate is shown open for a clean handout and closed for a planted leak.
+
+#include "grader/package/gates.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace grader {
+namespace {
+
+const std::string solution =
+    "// the solution\n"
+    "#include <vector>\n"
+    "double f(double x) {\n"
+    "  const double y = 2 * x;\n"
+    "\n"
+    "  return y * y;\n"
+    "}\n";
+
+// What `call` throws, or nothing.
+template <typename Call>
+std::string complaint(Call call) {
+  try {
+    call();
+    return "";
+  } catch (const HandoutError& error) {
+    return error.what();
+  }
+}
+
+TEST(ListingGate, OpensForWhatIsListed) {
+  EXPECT_EQ(complaint([] { check_listing({{"a", ""}, {"b/c", ""}}, {"a", "b/c"}); }), "");
+}
+
+TEST(ListingGate, ClosesForAFileTooManyOrTooFew) {
+  EXPECT_EQ(complaint([] {
+              check_listing({{"a", ""}, {"secret", ""}}, {"a"});
+            }),
+            "the archive holds secret, which the manifest does not list");
+  EXPECT_EQ(complaint([] {
+              check_listing({{"a", ""}}, {"a", "b"});
+            }),
+            "the archive lacks b, which the manifest lists");
+}
+
+TEST(CanaryGate, ClosesForAFileOfTheStaffs) {
+  const Files handout = {{"README.md", "Welcome"}, {"student/f.cpp", "// STAFF ONLY. f\n"}};
+  EXPECT_NE(complaint([&] { check_canary(handout, {}); }).find("student/f.cpp"), std::string::npos);
+}
+
+TEST(CanaryGate, ExemptsExactlyTheSolvedFiles) {
+  Files handout = {{"README.md", "Welcome"}, {"student/f.cpp", "// STAFF ONLY. f\n"}};
+  EXPECT_EQ(complaint([&] { check_canary(handout, {"student/f.cpp"}); }), "");
+  handout["notes/f.cpp"] = handout["student/f.cpp"];
+  EXPECT_NE(complaint([&] { check_canary(handout, {"student/f.cpp"}); }).find("notes/f.cpp"),
+            std::string::npos);
+}
+
+TEST(ReferenceLinesGate, ClosesForFourLinesHoweverTheyAreSpaced) {
+  const std::string leak =
+      "An example:\n\n\tdouble f(double x) {\n\n\n    const double y = 2 * x;\r\nreturn y * y;\n}  \nand so "
+      "on\n";
+  const std::string said = complaint([&] {
+    check_reference_lines({{"text.md", leak}}, {{"f.cpp", solution}}, {}, {});
+  });
+  EXPECT_NE(said.find("text.md:3"), std::string::npos) << said;
+  EXPECT_NE(said.find("reference/f.cpp:3"), std::string::npos) << said;
+}
+
+TEST(ReferenceLinesGate, OpensForThreeLines) {
+  const std::string three = "  const double y = 2 * x;\n  return y * y;\n}\n";
+  EXPECT_EQ(complaint([&] {
+              check_reference_lines({{"text.md", three}}, {{"f.cpp", solution}}, {}, {});
+            }),
+            "");
+}
+
+TEST(ReferenceLinesGate, OpensForLinesThatTheStubHasToo) {
+  const Files handout = {{"checks/f_check.cpp", solution}};
+  EXPECT_EQ(complaint([&] {
+              check_reference_lines(handout, {{"f.cpp", solution}}, {{"f.cpp", solution}}, {});
+            }),
+            "");
+  EXPECT_NE(complaint([&] {
+              check_reference_lines(handout, {{"f.cpp", solution}}, {{"g.cpp", solution}}, {});
+            }),
+            "")
+      << "another exercise's stub allows nothing";
+}
+
+TEST(ReferenceLinesGate, ExemptsExactlyTheSolvedFiles) {
+  const Files reference = {{"f.cpp", solution}};
+  EXPECT_EQ(complaint([&] {
+              check_reference_lines({{"student/f.cpp", solution}}, reference, {}, {"student/f.cpp"});
+            }),
+            "");
+  EXPECT_NE(complaint([&] {
+              check_reference_lines({{"student/g.cpp", solution}}, reference, {}, {"student/f.cpp"});
+            }),
+            "");
+}
+
+// The canary guards only what carries it.
+TEST(Canary, StandsInEveryFileOfTheStaffs) {
+  namespace fs = std::filesystem;
+  // JSON and patches have no comments.
+  const std::set<std::string> without_comments = {".json", ".patch"};
+  for (const std::string folder : {"reference", "grader"})
+    for (const fs::directory_entry& entry :
+         fs::recursive_directory_iterator(fs::path(HAIR_SOURCE_DIR) / folder)) {
+      if (!entry.is_regular_file() || without_comments.contains(entry.path().extension().string())) continue;
+      std::ifstream in(entry.path(), std::ios::binary);
+      std::ostringstream text;
+      text << in.rdbuf();
+      EXPECT_TRUE(carries_canary(text.str()))
+          << entry.path() << " must say STAFF ONLY in one of its first three lines";
+    }
+}
+
+}  // namespace
+}  // namespace grader

@@ -1,0 +1,167 @@
+// STAFF ONLY.
+#include "grader/package/handout.h"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "grader/course/bad_input.h"
+#include "grader/intake/archive.h"
+#include "grader/package/manifest.h"
+#include "grader/samples/archive_writer.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string top_folder = "hair-assignment/";
+constexpr std::size_t most_bytes = std::size_t{64} << 20;
+
+std::string read_file(const fs::path& path, const std::string& where) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream bytes;
+  if (!fs::is_regular_file(path) || !(bytes << in.rdbuf()))
+    throw BadInput(where + ": " + path.string() + " can't be read; it must be a file that is not empty");
+  return bytes.str();
+}
+
+std::string in_words(double points) {
+  std::ostringstream text;
+  text << points;
+  return text.str();
+}
+
+// exercises.json as the course has it.
+std::string course_json(const std::string& text, const Course& course) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::parse(text);
+  nlohmann::ordered_json present = nlohmann::ordered_json::array();
+  for (nlohmann::ordered_json& entry : json["exercises"]) {
+    const Exercise* exercise = course.find(entry["id"].get<std::string>());
+    if (!exercise || exercise->role == Role::absent) continue;
+    entry["points"] = nlohmann::ordered_json::parse(in_words(exercise->points));
+    entry["role"] = to_string(exercise->role);
+    present.push_back(entry);
+  }
+  json["exercises"] = present;
+  return json.dump(2) + "\n";
+}
+
+// The index with each exercise's row as the course has it, and without those of absent ones.
+std::string course_index(const std::string& text, const Course& course) {
+  std::istringstream in(text);
+  std::string result, line;
+  while (std::getline(in, line)) {
+    const Exercise* row_of = nullptr;
+    for (const Exercise& exercise : course.exercises)
+      if (line.starts_with("| " + exercise.id + " |")) row_of = &exercise;
+    if (!row_of)
+      result += line + "\n";
+    else if (row_of->role != Role::absent)
+      result += index_row(*row_of) + "\n";
+  }
+  return result;
+}
+
+Paths solved_files(const Course& course) {
+  Paths solved;
+  for (const Exercise& exercise : course.exercises)
+    if (exercise.role == Role::given) solved.insert("student/" + exercise.file);
+  return solved;
+}
+
+Files files_below(const fs::path& folder) {
+  Files files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file())
+      files[entry.path().lexically_relative(folder).string()] = read_file(entry.path(), folder.string());
+  return files;
+}
+
+void write_archive(const fs::path& path, const Files& files) {
+  std::vector<ArchiveEntry> entries;
+  for (const auto& [name, bytes] : files) entries.push_back({top_folder + name, bytes, "", 0});
+  try {
+    write_tar_gz(path, entries);
+  } catch (const std::runtime_error& problem) {
+    throw BadInput(problem.what());
+  }
+}
+
+Files read_archive(const fs::path& path) {
+  Archive archive(path, path.string(), {.unpacked_bytes = most_bytes, .entries = 10000});
+  const std::vector<Entry> entries = archive.list();
+  std::vector<std::size_t> all;
+  for (const Entry& entry : entries) {
+    if (entry.kind != Entry::Kind::file || !entry.shown.starts_with(top_folder))
+      throw HandoutError("the archive holds " + entry.shown + ", which is no file in " + top_folder);
+    all.push_back(all.size());
+  }
+  Files files;
+  archive.visit(all, [&](std::size_t index, const Container::Read& read) {
+    const std::string name = entries[index].shown.substr(top_folder.size());
+    if (!files.emplace(name, read(most_bytes)).second)
+      throw HandoutError("the archive holds " + name + " twice");
+  });
+  return files;
+}
+
+void check_gates(const fs::path& archive, const HandoutSources& sources, const Course& course) {
+  const Files handout = read_archive(archive);
+  const Paths solved = solved_files(course);
+  Paths listed;
+  for (const ManifestLine& line : read_manifest(sources.root / "handout/manifest.txt", course))
+    listed.insert(line.destination);
+  check_listing(handout, listed);
+  check_canary(handout, solved);
+  check_reference_lines(handout, files_below(sources.root / "reference"),
+                        files_below(sources.root / "handout/student"), solved);
+}
+
+// Gone at the end, unless it was renamed.
+struct TemporaryFile {
+  fs::path path;
+  ~TemporaryFile() {
+    std::error_code ignored;
+    fs::remove(path, ignored);
+  }
+};
+
+}  // namespace
+
+std::string index_row(const Exercise& exercise) {
+  std::string needs;
+  for (const std::string& id : exercise.prerequisites) needs += (needs.empty() ? "" : ", ") + id;
+  const std::string points = exercise.role == Role::given      ? "given, solved"
+                             : exercise.role == Role::optional ? in_words(exercise.points) + ", extra credit"
+                                                               : in_words(exercise.points);
+  return "| " + exercise.id + " | [" + exercise.title + "](" + fs::path(exercise.text).filename().string() +
+         ") | `student/" + exercise.file + "` | " + (needs.empty() ? "-" : needs) + " | " + points + " |";
+}
+
+Files handout_files(const HandoutSources& sources, const Course& course) {
+  const Paths solved = solved_files(course);
+  Files files;
+  for (const ManifestLine& line : read_manifest(sources.root / "handout/manifest.txt", course)) {
+    fs::path source = sources.root / line.source;
+    if (line.source.starts_with("golden/"))
+      source = sources.golden / line.source.substr(std::string("golden/").size());
+    if (solved.contains(line.destination)) source = sources.root / "reference" / source.filename();
+    std::string bytes = read_file(source, line.where);
+    if (line.destination == "exercises.json") bytes = course_json(bytes, course);
+    if (line.destination == "assignment/README.md") bytes = course_index(bytes, course);
+    files[line.destination] = bytes;
+  }
+  return files;
+}
+
+void make_handout(const HandoutSources& sources, const Course& course, const fs::path& out) {
+  if (fs::is_directory(out))
+    throw BadInput(out.string() + ": is a folder; name the archive to write, like handout.tar.gz");
+  const TemporaryFile part{out.string() + ".part"};
+  write_archive(part.path, handout_files(sources, course));
+  check_gates(part.path, sources, course);
+  fs::rename(part.path, out);
+}
+
+}  // namespace grader

@@ -1,0 +1,207 @@
+// STAFF ONLY. Handouts of a small project of two exercises, into which leaks are planted, and of the real
+// one.
+
+#include "grader/package/handout.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "grader/course/bad_input.h"
+#include "grader/package/manifest.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string solution =
+    "// STAFF ONLY. f\nint f() {\n  int a = 1;\n  int b = 2;\n  int c = 3;\n  return a + b + c;\n}\n";
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << in.rdbuf();
+  return bytes.str();
+}
+
+class SmallProject : public testing::Test {
+ protected:
+  SmallProject() {
+    fs::remove_all(root_);
+    write("handout/manifest.txt",
+          "handout/README.md\nhandout/exercises.json\nhandout/assignment/README.md\n"
+          "E1: handout/student/f.cpp\nE2: handout/student/g.cpp\nE2: golden/g.mtx -> checks/golden/g.mtx\n");
+    write("handout/README.md", "Welcome\n");
+    write("handout/exercises.json",
+          R"({"exercises": [{"id": "E1", "file": "f.cpp", "points": 1, "role": "assigned"},
+                                                      {"id": "E2", "file": "g.cpp", "points": 1, "role": "assigned"}]})");
+    write("handout/assignment/README.md", "# Exercises\n| E1 | old |\n| E2 | old |\nGood luck\n");
+    write("handout/student/f.cpp", "int f();\n");
+    write("handout/student/g.cpp", "int g();\n");
+    write("reference/f.cpp", solution);
+    write("reference/g.cpp", "// STAFF ONLY. g\nint g() { return 1; }\n");
+    write("build/golden/g.mtx", "1 1 1\n");
+    for (const std::string id : {"E1", "E2"}) {
+      Exercise exercise;
+      exercise.id = id;
+      exercise.title = "Exercise " + id;
+      exercise.file = id == "E1" ? "f.cpp" : "g.cpp";
+      exercise.text = "assignment/" + id + ".md";
+      exercise.points = 7.5;
+      course_.exercises.push_back(exercise);
+    }
+  }
+
+  void write(const std::string& path, const std::string& text) {
+    fs::create_directories((root_ / path).parent_path());
+    std::ofstream(root_ / path) << text;
+  }
+
+  Files files() const { return handout_files(sources_, course_); }
+
+  // What make_handout says; then it must have left nothing behind.
+  std::string complaint() {
+    try {
+      make_handout(sources_, course_, out_);
+      return "";
+    } catch (const HandoutError& error) {
+      EXPECT_FALSE(fs::exists(out_) || fs::exists(out_.string() + ".part"));
+      return error.what();
+    }
+  }
+
+  fs::path root_ = fs::path(HAIR_SCRATCH_DIR) / testing::UnitTest::GetInstance()->current_test_info()->name();
+  fs::path out_ = root_ / "handout.tar.gz";
+  HandoutSources sources_{root_, root_ / "build/golden"};
+  Course course_;
+};
+
+TEST_F(SmallProject, ShipsStubsOfAssignedAndOptionalExercises) {
+  course_.exercises[1].role = Role::optional;
+  const Files shipped = files();
+  EXPECT_EQ(shipped.at("student/f.cpp"), "int f();\n");
+  EXPECT_EQ(shipped.at("student/g.cpp"), "int g();\n");
+  EXPECT_EQ(shipped.at("checks/golden/g.mtx"), "1 1 1\n");
+}
+
+TEST_F(SmallProject, ShipsAGivenExerciseSolvedAndPassesItsGates) {
+  course_.exercises[0].role = Role::given;
+  EXPECT_EQ(files().at("student/f.cpp"), solution);
+  EXPECT_EQ(complaint(), "");
+}
+
+TEST_F(SmallProject, LeavesNoTraceOfAnAbsentExercise) {
+  course_.exercises[1].role = Role::absent;
+  const Files shipped = files();
+  EXPECT_FALSE(shipped.contains("student/g.cpp") || shipped.contains("checks/golden/g.mtx"));
+  for (const auto& [path, text] : shipped) EXPECT_EQ(text.find("E2"), std::string::npos) << path;
+}
+
+TEST_F(SmallProject, ShipsTheCoursesRolesAndPoints) {
+  course_.exercises[1].role = Role::optional;
+  course_.exercises[1].points = 3;
+  const Files shipped = files();
+  const auto json = nlohmann::json::parse(shipped.at("exercises.json"));
+  EXPECT_EQ(json["exercises"][0]["points"], 7.5);
+  EXPECT_EQ(json["exercises"][1]["points"], 3);
+  EXPECT_EQ(json["exercises"][1]["role"], "optional");
+  EXPECT_EQ(shipped.at("assignment/README.md"),
+            "# Exercises\n| E1 | [Exercise E1](E1.md) | `student/f.cpp` | - | 7.5 |\n"
+            "| E2 | [Exercise E2](E2.md) | `student/g.cpp` | - | 3, extra credit |\nGood luck\n");
+}
+
+TEST_F(SmallProject, GivesTheSameBytesAgain) {
+  make_handout(sources_, course_, out_);
+  make_handout(sources_, course_, root_ / "again.tar.gz");
+  EXPECT_EQ(bytes_of(out_), bytes_of(root_ / "again.tar.gz"));
+}
+
+TEST_F(SmallProject, ClosesForAStaffFileInTheManifest) {
+  std::ofstream(root_ / "handout/manifest.txt", std::ios::app) << "reference/g.cpp -> checks/example.cpp\n";
+  EXPECT_NE(complaint().find("checks/example.cpp says STAFF ONLY"), std::string::npos);
+}
+
+TEST_F(SmallProject, ClosesForReferenceLinesInAText) {
+  std::ofstream(root_ / "handout/README.md", std::ios::app) << solution.substr(solution.find('\n'));
+  EXPECT_NE(complaint().find("README.md:3: four lines stand in reference/f.cpp:2"), std::string::npos);
+}
+
+TEST_F(SmallProject, AGivenExerciseOpensNothingElse) {
+  course_.exercises[0].role = Role::given;
+  write("handout/student/g.cpp", solution.substr(solution.find('\n')));
+  EXPECT_NE(complaint().find("student/g.cpp"), std::string::npos);
+}
+
+TEST_F(SmallProject, LeavesTheOldArchiveWhenAGateCloses) {
+  make_handout(sources_, course_, out_);
+  const std::string before = bytes_of(out_);
+  write("handout/README.md", "STAFF ONLY\n");
+  EXPECT_THROW(make_handout(sources_, course_, out_), HandoutError);
+  EXPECT_EQ(bytes_of(out_), before);
+}
+
+TEST_F(SmallProject, NamesWhatCantBeReadOrWritten) {
+  EXPECT_THROW(make_handout(sources_, course_, root_), BadInput);
+  EXPECT_THROW(make_handout(sources_, course_, root_ / "nowhere/handout.tar.gz"), BadInput);
+  fs::remove(root_ / "build/golden/g.mtx");
+  try {
+    make_handout(sources_, course_, out_);
+    FAIL() << "a golden file is missing";
+  } catch (const BadInput& error) {
+    EXPECT_NE(std::string(error.what()).find("manifest.txt:6"), std::string::npos) << error.what();
+  }
+}
+
+class RealProject : public testing::Test {
+ protected:
+  fs::path root_ = HAIR_SOURCE_DIR;
+  HandoutSources sources_{root_, HAIR_GOLDEN_DIR};
+  Course course_ = read_course(root_ / "handout/exercises.json");
+};
+
+TEST_F(RealProject, PassesTheGatesInEveryRole) {
+  const fs::path out = fs::path(HAIR_SCRATCH_DIR) / "real_handout.tar.gz";
+  for (Role role : {Role::assigned, Role::optional, Role::given}) {
+    for (Exercise& exercise : course_.exercises) exercise.role = role;
+    make_handout(sources_, course_, out);
+  }
+}
+
+TEST_F(RealProject, ForgetsNoFileThatStudentsNeed) {
+  Paths listed;
+  for (const ManifestLine& line : read_manifest(root_ / "handout/manifest.txt", course_))
+    listed.insert(line.source);
+  const Paths kept = {"handout/manifest.txt"};
+  for (const std::string folder : {"handout", "solver"})
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root_ / folder)) {
+      const std::string path = entry.path().lexically_relative(root_).string();
+      if (!entry.is_regular_file() || kept.contains(path) || path.starts_with("solver/tests/") ||
+          path.starts_with("solver/bench/"))
+        continue;
+      EXPECT_TRUE(listed.contains(path)) << path << " is not in handout/manifest.txt";
+    }
+}
+
+TEST_F(RealProject, MakesGoldenDataThatShipsAsAWhole) {
+  Paths listed;
+  for (const ManifestLine& line : read_manifest(root_ / "handout/manifest.txt", course_))
+    listed.insert(line.source);
+  for (const fs::directory_entry& entry : fs::directory_iterator(sources_.golden)) {
+    const std::string source = "golden/" + entry.path().filename().string();
+    EXPECT_TRUE(listed.contains(source)) << source << " is not in handout/manifest.txt";
+  }
+}
+
+TEST_F(RealProject, HasAnIndexThatAgreesWithTheListOfExercises) {
+  const std::string index = bytes_of(root_ / "handout/assignment/README.md");
+  for (const Exercise& exercise : course_.exercises)
+    EXPECT_NE(index.find(index_row(exercise) + "\n"), std::string::npos) << "it must have the row\n"
+                                                                         << index_row(exercise);
+}
+
+}  // namespace
+}  // namespace grader
