@@ -6,10 +6,16 @@
 
 #include "solver/linearSolver.h"
 
+// term(0) + ... + term(n - 1)
+template <class Term>
+double sum(int n, Term term) {
+  double all = 0;
+  for (int i = 0; i < n; ++i) all += term(i);
+  return all;
+}
+
 double dot(int n, const double* a, const double* b) {
-  double sum = 0;
-  for (int i = 0; i < n; ++i) sum += a[i] * b[i];
-  return sum;
+  return sum(n, [=](int i) { return a[i] * b[i]; });
 }
 
 void true_residual(int n, implicitMatrix* A, double* x, const double* b, double* r) {
