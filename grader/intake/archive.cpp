@@ -1,0 +1,282 @@
+// STAFF ONLY.
+#include "grader/intake/archive.h"
+
+#include <archive.h>
+#include <archive_entry.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <fstream>
+#include <memory>
+#include <system_error>
+#include <utility>
+
+#include "grader/course/printable.h"
+
+namespace grader {
+namespace {
+
+using Source = std::variant<std::filesystem::path, std::string>;
+
+constexpr std::size_t longest_path = 4096;
+
+struct CloseArchive {
+  void operator()(archive* handle) const { archive_read_free(handle); }
+};
+using Handle = std::unique_ptr<archive, CloseArchive>;
+
+std::string first_bytes(const Source& source) {
+  constexpr std::size_t tar_header = 512;
+  if (const auto* bytes = std::get_if<std::string>(&source)) return bytes->substr(0, tar_header);
+  std::string head(tar_header, '\0');
+  std::ifstream in(std::get<std::filesystem::path>(source), std::ios::binary);
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+  return head;
+}
+
+bool is_zip(std::string_view head) {
+  return head.starts_with("PK\x03\x04") || head.starts_with("PK\x05\x06");
+}
+bool is_gzip(std::string_view head) {
+  return head.starts_with("\x1f\x8b");
+}
+bool is_tar(std::string_view head) {
+  return head.size() == 512 && head.substr(257, 5) == "ustar";
+}
+
+// What people hand in by mistake.
+std::string_view foreign_format(std::string_view head) {
+  if (head.starts_with("Rar!")) return "a RAR archive";
+  if (head.starts_with("7z\xbc\xaf\x27\x1c")) return "a 7z archive";
+  if (head.starts_with("\xfd"
+                       "7zXZ"))
+    return "packed with xz";
+  if (head.starts_with("BZh")) return "packed with bzip2";
+  if (head.starts_with("\x28\xb5\x2f\xfd")) return "packed with zstd";
+  if (head.empty()) return "empty";
+  return "neither a zip nor a tar.gz archive";
+}
+
+// How many entries a zip's directory claims. The library keeps all of them in memory, so they are counted
+// before.
+std::size_t count_zip_entries(std::string_view bytes) {
+  std::size_t count = 0;
+  for (std::size_t at = bytes.find("PK\x01\x02"); at != std::string_view::npos;
+       at = bytes.find("PK\x01\x02", at + 4)) {
+    ++count;
+  }
+  return count;
+}
+
+// One reading of an archive from its first entry on. A gzip is unpacked by a reader of its own whose output
+// is counted: the bytes that the inner tar states are not.
+class Reading {
+ public:
+  Reading(const Source& source, const std::string& shown, ArchiveLimits limits)
+      : shown_(shown), limits_(limits), left_(limits.unpacked_bytes) {
+    if (const auto* file = std::get_if<std::filesystem::path>(&source); file && !std::ifstream(*file)) {
+      throw Refused(shown_ + " can't be read (" + std::generic_category().message(errno) + ").");
+    }
+    const std::string head = first_bytes(source);
+    entries_.reset(archive_read_new());
+    if (is_zip(head)) {
+      const auto* bytes = std::get_if<std::string>(&source);
+      if (bytes && count_zip_entries(*bytes) > limits.entries) refuse_entries();
+      archive_read_support_format_zip_seekable(entries_.get());
+      open(entries_, source);
+    } else if (is_gzip(head)) {
+      stream_.reset(archive_read_new());
+      archive_read_append_filter(stream_.get(), ARCHIVE_FILTER_GZIP);
+      archive_read_support_format_raw(stream_.get());
+      open(stream_, source);
+      archive_entry* only = nullptr;
+      if (archive_read_next_header(stream_.get(), &only) < ARCHIVE_WARN) refuse_damaged();
+      read_tar(&Reading::next_unpacked);
+    } else if (is_tar(head)) {
+      archive_read_support_format_tar(entries_.get());
+      open(entries_, source);
+    } else {
+      throw Refused(shown_ + " is " + std::string(foreign_format(head)) +
+                    ". Hand in a .zip or .tar.gz archive.");
+    }
+  }
+  Reading(const Reading&) = delete;
+  Reading& operator=(const Reading&) = delete;
+
+  // Null at the end.
+  archive_entry* next() {
+    archive_entry* entry = nullptr;
+    const int result = archive_read_next_header(entries_.get(), &entry);
+    if (result == ARCHIVE_EOF) return nullptr;
+    if (result < ARCHIVE_WARN) refuse();
+    if (++count_ > limits_.entries) refuse_entries();
+    return entry;
+  }
+
+  std::string data(const std::string& path, std::size_t most) {
+    std::string bytes;
+    std::array<char, 65536> block;
+    for (;;) {
+      const la_ssize_t size = archive_read_data(entries_.get(), block.data(), block.size());
+      if (size == 0) return bytes;
+      if (size < 0) {
+        throw Refused(path + " is damaged in " + shown_ + ". Pack it again, and check that it opens.");
+      }
+      bytes.append(block.data(), static_cast<std::size_t>(size));
+      if (bytes.size() > most) throw Refused(path + " is larger than " + shown_size(most) + ".");
+    }
+  }
+
+  void refuse_entries() const {
+    throw Refused(shown_ + " holds more than " + std::to_string(limits_.entries) +
+                  " files and folders. Hand in only the exercise files.");
+  }
+
+ private:
+  void open(Handle& handle, const Source& source) {
+    const auto* bytes = std::get_if<std::string>(&source);
+    const int result = bytes ? archive_read_open_memory(handle.get(), bytes->data(), bytes->size())
+                             : archive_read_open_filename(
+                                   handle.get(), std::get<std::filesystem::path>(source).c_str(), 65536);
+    if (result < ARCHIVE_WARN) refuse_damaged();
+  }
+
+  void read_tar(la_ssize_t (*read)(archive*, void*, const void**)) {
+    archive_read_append_filter(entries_.get(), ARCHIVE_FILTER_NONE);
+    archive_read_support_format_tar(entries_.get());
+    if (archive_read_open(entries_.get(), this, nullptr, read, nullptr) < ARCHIVE_WARN) refuse();
+  }
+
+  static la_ssize_t next_unpacked(archive*, void* self, const void** block) {
+    auto& reading = *static_cast<Reading*>(self);
+    *block = reading.block_.data();
+    const la_ssize_t size =
+        archive_read_data(reading.stream_.get(), reading.block_.data(), reading.block_.size());
+    if (size < 0) return ARCHIVE_FATAL;
+    if (static_cast<std::size_t>(size) > reading.left_) {
+      reading.too_much_ = true;
+      return ARCHIVE_FATAL;
+    }
+    reading.left_ -= static_cast<std::size_t>(size);
+    return size;
+  }
+
+  [[noreturn]] void refuse() const {
+    if (!too_much_) refuse_damaged();
+    throw Refused(shown_ + " unpacks to more than " + shown_size(limits_.unpacked_bytes) +
+                  ". Hand in only the exercise files.");
+  }
+  [[noreturn]] void refuse_damaged() const {
+    throw Refused(shown_ +
+                  " can't be read: it is damaged or cut short. Pack it again, and check that it opens.");
+  }
+
+  std::string shown_;
+  ArchiveLimits limits_;
+  std::size_t left_;
+  bool too_much_ = false;
+  std::size_t count_ = 0;
+  std::array<char, 65536> block_;
+  Handle stream_;   // a gzip's only content
+  Handle entries_;  // destroyed before the stream that it reads
+};
+
+Entry described(archive_entry* entry) {
+  const char* path = archive_entry_pathname(entry);
+  if (!path) path = archive_entry_pathname_utf8(entry);
+  Entry result = entry_at(path ? path : "");
+  result.bytes = static_cast<std::uintmax_t>(std::max<la_int64_t>(archive_entry_size(entry), 0));
+  result.encrypted = archive_entry_is_encrypted(entry) != 0;
+  const auto type = archive_entry_filetype(entry);
+  if (archive_entry_hardlink(entry)) {
+    result.kind = Entry::Kind::hard_link;
+  } else if (type == AE_IFLNK) {
+    result.kind = Entry::Kind::symbolic_link;
+  } else if (type == AE_IFDIR) {
+    result.kind = Entry::Kind::folder;
+  } else if (type != AE_IFREG) {
+    result.kind = Entry::Kind::special;
+  }
+  return result;
+}
+
+constexpr std::array<std::string_view, 14> endings{".tar.gz", ".tgz",     ".zip",  ".tar",     ".tar.xz",
+                                                   ".txz",    ".tar.bz2", ".tbz2", ".tar.zst", ".rar",
+                                                   ".7z",     ".gz",      ".xz",   ".bz2"};
+
+std::size_t ending_length(std::string_view name) {
+  std::string lower(name);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
+  for (const std::string_view ending : endings) {
+    if (lower.ends_with(ending)) return ending.size();
+  }
+  return 0;
+}
+
+}  // namespace
+
+Archive::Archive(std::filesystem::path file, std::string shown, ArchiveLimits limits)
+    : source_(std::move(file)), shown_(std::move(shown)), limits_(limits) {}
+
+Archive::Archive(std::string bytes, std::string shown, ArchiveLimits limits)
+    : source_(std::move(bytes)), shown_(std::move(shown)), limits_(limits) {}
+
+std::vector<Entry> Archive::list() {
+  Reading reading(source_, shown_, limits_);
+  std::vector<Entry> entries;
+  while (archive_entry* entry = reading.next()) {
+    entries.push_back(described(entry));
+    if (entries.back().shown.size() > longest_path) {
+      throw Refused(shown_ + " holds a path of more than " + std::to_string(longest_path) +
+                    " characters. Hand in only the exercise files.");
+    }
+  }
+  return entries;
+}
+
+void Archive::visit(const std::vector<std::size_t>& indices,
+                    const std::function<void(std::size_t, const Read&)>& take) {
+  std::unique_ptr<Reading> reading;
+  std::size_t next = 0;  // the index of the entry that `reading` comes to next
+  for (const std::size_t index : indices) {
+    if (!reading) {
+      reading = std::make_unique<Reading>(source_, shown_, limits_);
+      next = 0;
+    }
+    archive_entry* entry = nullptr;
+    for (; next <= index; ++next) {
+      entry = reading->next();
+      if (!entry) throw Refused(shown_ + " changed while it was read.");
+    }
+    const std::string path = printable(described(entry).shown);
+    bool damaged = false;
+    take(index, [&](std::size_t most) {
+      try {
+        return reading->data(path, most);
+      } catch (const Refused&) {
+        damaged = true;
+        throw;
+      }
+    });
+    // The library gives up on an archive after one damaged entry; those after it may be sound.
+    if (damaged) reading.reset();
+  }
+}
+
+bool has_archive_ending(std::string_view name) {
+  return ending_length(name) > 0;
+}
+
+std::string_view without_archive_ending(std::string_view name) {
+  return name.substr(0, name.size() - ending_length(name));
+}
+
+bool has_archive_content(const std::filesystem::path& file) {
+  const std::string head = first_bytes(file);
+  return is_zip(head) || is_gzip(head) || is_tar(head);
+}
+
+}  // namespace grader

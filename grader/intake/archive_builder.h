@@ -1,0 +1,107 @@
+// STAFF ONLY. Makes archives for tests, in memory, entry by entry as a test says: also such as no honest
+// program makes.
+#pragma once
+
+#include <archive.h>
+#include <archive_entry.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace grader {
+
+// `bytes` in a gzip of its own, without a tar.
+inline std::string gzip(const std::string& bytes) {
+  std::string packed(bytes.size() + 4096, '\0');
+  std::size_t used = 0;
+  archive* writer = archive_write_new();
+  archive_write_set_format_raw(writer);
+  archive_write_add_filter_gzip(writer);
+  archive_write_set_bytes_in_last_block(writer, 1);
+  archive_write_open_memory(writer, packed.data(), packed.size(), &used);
+  archive_entry* entry = archive_entry_new();
+  archive_entry_set_filetype(entry, AE_IFREG);
+  archive_write_header(writer, entry);
+  archive_write_data(writer, bytes.data(), bytes.size());
+  archive_entry_free(entry);
+  archive_write_close(writer);
+  archive_write_free(writer);
+  packed.resize(used);
+  return packed;
+}
+
+enum class Packing { zip, tar, tar_gz };
+
+class ArchiveBuilder {
+ public:
+  explicit ArchiveBuilder(Packing packing, const char* options = nullptr) : handle_(archive_write_new()) {
+    check(packing == Packing::zip ? archive_write_set_format_zip(handle_)
+                                  : archive_write_set_format_pax_restricted(handle_));
+    if (packing == Packing::tar_gz) check(archive_write_add_filter_gzip(handle_));
+    if (options) check(archive_write_set_options(handle_, options));
+    check(archive_write_set_passphrase(handle_, "secret"));
+    check(archive_write_set_bytes_in_last_block(handle_, 1));
+    check(archive_write_open(handle_, this, nullptr, &ArchiveBuilder::append, nullptr));
+  }
+  ~ArchiveBuilder() { archive_write_free(handle_); }
+  ArchiveBuilder(const ArchiveBuilder&) = delete;
+  ArchiveBuilder& operator=(const ArchiveBuilder&) = delete;
+
+  ArchiveBuilder& file(const std::string& path, const std::string& text = "int x;\n") {
+    begin(path, AE_IFREG, text.size());
+    if (archive_write_data(handle_, text.data(), text.size()) < 0) fail();
+    return *this;
+  }
+  ArchiveBuilder& zeros(const std::string& path, std::size_t bytes) {
+    const std::string block(std::size_t{1} << 20, '\0');
+    begin(path, AE_IFREG, bytes);
+    for (std::size_t left = bytes; left > 0; left -= std::min(left, block.size())) {
+      if (archive_write_data(handle_, block.data(), std::min(left, block.size())) < 0) fail();
+    }
+    return *this;
+  }
+  ArchiveBuilder& folder(const std::string& path) { return begin(path, AE_IFDIR, 0); }
+  ArchiveBuilder& special(const std::string& path, unsigned type) { return begin(path, type, 0); }
+  ArchiveBuilder& symbolic_link(const std::string& path, const std::string& target) {
+    return begin(path, AE_IFLNK, 0, &archive_entry_set_symlink, target.c_str());
+  }
+  ArchiveBuilder& hard_link(const std::string& path, const std::string& target) {
+    return begin(path, AE_IFREG, 0, &archive_entry_set_hardlink, target.c_str());
+  }
+
+  std::string bytes() {
+    check(archive_write_close(handle_));
+    return bytes_;
+  }
+
+ private:
+  ArchiveBuilder& begin(const std::string& path, unsigned type, std::size_t bytes,
+                        void (*set_target)(archive_entry*, const char*) = nullptr,
+                        const char* target = nullptr) {
+    archive_entry* entry = archive_entry_new();
+    archive_entry_set_pathname(entry, path.c_str());
+    archive_entry_set_filetype(entry, type);
+    archive_entry_set_perm(entry, 0644);
+    archive_entry_set_size(entry, static_cast<la_int64_t>(bytes));
+    if (set_target) set_target(entry, target);
+    const int result = archive_write_header(handle_, entry);
+    archive_entry_free(entry);
+    check(result);
+    return *this;
+  }
+  static la_ssize_t append(archive*, void* self, const void* bytes, std::size_t size) {
+    static_cast<ArchiveBuilder*>(self)->bytes_.append(static_cast<const char*>(bytes), size);
+    return static_cast<la_ssize_t>(size);
+  }
+  void check(int result) const {
+    if (result < ARCHIVE_WARN) fail();
+  }
+  [[noreturn]] void fail() const { throw std::runtime_error(archive_error_string(handle_)); }
+
+  archive* handle_;
+  std::string bytes_;
+};
+
+}  // namespace grader

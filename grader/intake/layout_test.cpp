@@ -1,0 +1,118 @@
+// STAFF ONLY.
+#include "grader/intake/layout.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace grader {
+namespace {
+
+const FileNames files{"conj_grad.cpp", "normal_equations.cpp"};
+
+// The submissions in a container with these paths (those that end with '/' are folders); "one" if it is a
+// submission itself, "nothing" if it is neither.
+std::vector<std::string> members(const std::vector<std::string>& paths, bool on_disk = false) {
+  std::vector<Entry> entries;
+  for (const std::string& path : paths) {
+    entries.push_back(entry_at(path));
+    if (path.back() == '/') entries.back().kind = Entry::Kind::folder;
+  }
+  const Layout layout = layout_of(entries, files, on_disk);
+  if (!layout.found) return {"nothing"};
+  if (!layout.is_class) return {"one"};
+  std::vector<std::string> names;
+  for (const Member& member : layout.members) names.push_back(member.path);
+  return names;
+}
+
+using Names = std::vector<std::string>;
+
+TEST(Layout, ArchivesAreAClass) {
+  EXPECT_EQ(members({"bob.tar.gz", "alice.zip"}), (Names{"alice.zip", "bob.tar.gz"}));
+  EXPECT_EQ(members({"class/bob.tgz", "class/alice.zip", "class/"}),
+            (Names{"class/alice.zip", "class/bob.tgz"}));
+}
+
+TEST(Layout, FoldersAreAClassWithThoseThatHoldNothing) {
+  EXPECT_EQ(
+      members({"alice/conj_grad.cpp", "bob/src/conj_grad.cpp", "carol/", "dave/main.cpp", "README.txt"}),
+      (Names{"alice", "bob", "carol", "dave"}));
+}
+
+TEST(Layout, FoldersAndArchivesMix) {
+  EXPECT_EQ(members({"alice/conj_grad.cpp", "bob.zip", "carol/handin.zip"}),
+            (Names{"alice", "bob.zip", "carol"}));
+}
+
+TEST(Layout, FoldersAroundEverythingChangeNothing) {
+  const Names paths{"alice/conj_grad.cpp", "bob/handin.zip", "carol/"};
+  Names wrapped{"README"};
+  for (const std::string& path : paths) wrapped.push_back("a/b/" + path);
+  EXPECT_EQ(members(wrapped), (Names{"a/b/alice", "a/b/bob", "a/b/carol"}));
+}
+
+TEST(Layout, AnExerciseFileAtTheRootMakesOneSubmission) {
+  EXPECT_EQ(members({"conj_grad.cpp"}), Names{"one"});
+  EXPECT_EQ(members({"x/conj_grad.cpp", "x/old/conj_grad.cpp", "x/handin.zip"}), Names{"one"});
+}
+
+TEST(Layout, AProjectIsOneSubmission) {
+  EXPECT_EQ(members({"CMakeLists.txt", "student/conj_grad.cpp", "build/handin.tar.gz", "solver/x.h"}),
+            Names{"one"});
+  EXPECT_EQ(members({"p/CMakeLists.txt", "p/student/conj_grad.cpp", "p/old/conj_grad.cpp"}), Names{"one"});
+  EXPECT_EQ(members({"p/CMakeLists.txt", "p/student/1/conj_grad.cpp", "p/student/2/normal_equations.cpp"}),
+            Names{"one"});
+  EXPECT_EQ(members({"student/conj_grad.cpp", "solver/x.h", "build/a.o"}), Names{"one"});
+}
+
+TEST(Layout, ProjectsOfAClassStayApart) {
+  EXPECT_EQ(members({"alice/CMakeLists.txt", "alice/student/conj_grad.cpp", "bob/CMakeLists.txt",
+                     "bob/student/conj_grad.cpp"}),
+            (Names{"alice", "bob"}));
+}
+
+TEST(Layout, AnArchiveAloneInAnArchiveIsTheSubmissionItself) {
+  EXPECT_EQ(members({"handin.tar.gz"}), Names{"one"});
+  EXPECT_EQ(members({"x/handin.tar.gz", "x/notes/"}), Names{"one"});
+}
+
+TEST(Layout, AnArchiveAloneInAFolderOnDiskIsAClassOfOne) {
+  EXPECT_EQ(members({"alice.zip"}, true), Names{"alice.zip"});
+  EXPECT_EQ(members({"alice/handin.zip"}, true), Names{"one"});
+}
+
+TEST(Layout, HiddenThingsAndMacResourcesDoNotCount) {
+  EXPECT_EQ(members({".git/conj_grad.cpp", "a/.cache/x.zip", "__MACOSX/alice/conj_grad.cpp"}),
+            Names{"nothing"});
+  EXPECT_EQ(members({"x/student/conj_grad.cpp", "__MACOSX/x/student/conj_grad.cpp", "x/.old/conj_grad.cpp"}),
+            Names{"one"});
+  EXPECT_EQ(members({"alice.zip", "bob.zip", "._alice.zip", ".hidden/"}), (Names{"alice.zip", "bob.zip"}));
+}
+
+TEST(Layout, NothingToLookAtIsSaid) {
+  EXPECT_EQ(members({"main.cpp", "notes/"}), Names{"nothing"});
+}
+
+TEST(Layout, ArchivesAreTakenOnlyWhereNoExerciseFileLies) {
+  const std::vector<Entry> with{entry_at("student/conj_grad.cpp"), entry_at("build/handin.zip")};
+  const std::vector<Entry> without{entry_at("main.cpp"), entry_at("build/handin.zip")};
+  EXPECT_EQ(takings_of(with, {0, 1}, files).files, std::vector<std::size_t>{0});
+  EXPECT_TRUE(takings_of(with, {0, 1}, files).archives.empty());
+  EXPECT_EQ(takings_of(without, {0, 1}, files).archives, std::vector<std::size_t>{1});
+}
+
+TEST(EntryPath, IsCleanedAndWhatLeadsOutsideIsNoted) {
+  EXPECT_EQ(entry_at("./a//b/conj_grad.cpp").path, "a/b/conj_grad.cpp");
+  EXPECT_FALSE(entry_at("./a//b/conj_grad.cpp").leads_outside);
+  EXPECT_EQ(entry_at("a\\b\\conj_grad.cpp").path, "a/b/conj_grad.cpp");
+  for (const char* path : {"../x", "a/../x", "/x", "\\x", "C:\\x", "a\\..\\x"}) {
+    EXPECT_TRUE(entry_at(path).leads_outside) << path;
+    EXPECT_EQ(name_of(entry_at(path)), "x") << path;
+  }
+  EXPECT_FALSE(entry_at("a/..x").leads_outside);
+}
+
+}  // namespace
+}  // namespace grader

@@ -1,0 +1,454 @@
+// STAFF ONLY.
+#include "grader/intake/submission.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+#include "grader/course/bad_input.h"
+#include "grader/intake/archive_builder.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::vector<std::string>;
+
+Course two_exercises() {
+  Course course;
+  course.exercises.resize(3);
+  course.exercises[0].file = "conj_grad.cpp";
+  course.exercises[1].file = "normal_equations.cpp";
+  course.exercises[2].file = "left_out.cpp";
+  course.exercises[2].role = Role::absent;
+  return course;
+}
+
+std::string zip(const std::string& path, const std::string& text = "int x;\n") {
+  return ArchiveBuilder(Packing::zip).file(path, text).bytes();
+}
+
+class Submissions : public testing::Test {
+ protected:
+  Submissions() {
+    std::string pattern = (fs::temp_directory_path() / "intake-XXXXXX").string();
+    dir_ = mkdtemp(pattern.data());
+  }
+  ~Submissions() override { fs::remove_all(dir_); }
+
+  fs::path write(const std::string& name, const std::string& bytes) const {
+    fs::create_directories((dir_ / name).parent_path());
+    std::ofstream(dir_ / name, std::ios::binary) << bytes;
+    return dir_ / name;
+  }
+  static std::vector<Submission> read(const std::vector<fs::path>& arguments,
+                                      const IntakeLimits& limits = {}) {
+    return read_submissions(arguments, two_exercises(), limits);
+  }
+  // The one submission in an archive of these bytes.
+  Submission only(const std::string& bytes, const IntakeLimits& limits = {}) const {
+    const std::vector<Submission> all = read({write("alice.zip", bytes)}, limits);
+    if (all.size() != 1) throw std::runtime_error("expected one submission");
+    return all.front();
+  }
+  static Names names(const std::vector<Submission>& submissions) {
+    Names names;
+    for (const Submission& submission : submissions) names.push_back(submission.name);
+    return names;
+  }
+  static std::string bad_input(const std::vector<fs::path>& arguments) {
+    try {
+      read(arguments);
+    } catch (const BadInput& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  fs::path dir_;
+};
+
+testing::AssertionResult says(const std::string& message, const std::string& part) {
+  if (message.find(part) != std::string::npos && message.find('\n') == std::string::npos) {
+    return testing::AssertionSuccess();
+  }
+  return testing::AssertionFailure() << "says: " << message << "\nnot:  " << part;
+}
+
+TEST_F(Submissions, EveryPackingGivesItsFilesByteByByte) {
+  const std::string text("a\r\n\0\xff", 5);
+  for (const Packing packing : {Packing::zip, Packing::tar, Packing::tar_gz}) {
+    const Submission alice = only(ArchiveBuilder(packing)
+                                      .file("p/student/conj_grad.cpp", text)
+                                      .file("p/CMakeLists.txt")
+                                      .file("p/left_out.cpp")
+                                      .bytes());
+    EXPECT_EQ(alice.name, "alice");
+    EXPECT_EQ(alice.problem, "");
+    ASSERT_EQ(alice.files.size(), 1u);
+    EXPECT_EQ(alice.files.at("conj_grad.cpp").text, text);
+    EXPECT_EQ(alice.files.at("conj_grad.cpp").problem, "");
+  }
+}
+
+TEST_F(Submissions, AFolderIsASubmissionUnderItsName) {
+  write("alice/deep/er/conj_grad.cpp", "text");
+  write("alice/build/normal_equations.cpp", "more");
+  write("alice/CMakeLists.txt", "");
+  for (const char* path : {"alice", "alice/", "alice/.", "../alice/build/.."}) {
+    fs::current_path(dir_ / (path[0] == '.' ? "alice" : "."));
+    const std::vector<Submission> all = read({path});
+    ASSERT_EQ(names(all), Names{"alice"}) << path;
+    EXPECT_EQ(all[0].files.at("conj_grad.cpp").text, "text");
+    EXPECT_EQ(all[0].files.size(), 2u);
+  }
+  fs::current_path("/");
+}
+
+TEST_F(Submissions, AFolderOfArchivesAndFoldersIsAClassSortedByName) {
+  write("class/carol.tgz", ArchiveBuilder(Packing::tar_gz).file("x/conj_grad.cpp", "c").bytes());
+  write("class/alice.zip", zip("conj_grad.cpp", "a"));
+  write("class/bob/conj_grad.cpp", "b");
+  write("class/notes.txt", "");
+  const std::vector<Submission> all = read({dir_ / "class"});
+  ASSERT_EQ(names(all), (Names{"alice", "bob", "carol"}));
+  EXPECT_EQ(all[0].files.at("conj_grad.cpp").text, "a");
+  EXPECT_EQ(all[1].files.at("conj_grad.cpp").text, "b");
+  EXPECT_EQ(all[2].files.at("conj_grad.cpp").text, "c");
+}
+
+TEST_F(Submissions, AnArchiveOfArchivesAndFoldersIsAClass) {
+  const std::string bob = ArchiveBuilder(Packing::tar_gz).file("h/conj_grad.cpp", "b").bytes();
+  for (const Packing packing : {Packing::zip, Packing::tar_gz}) {
+    const std::string bytes = ArchiveBuilder(packing)
+                                  .file("class/alice.zip", zip("conj_grad.cpp", "a"))
+                                  .file("class/bob.tar.gz", bob)
+                                  .file("class/carol/normal_equations.cpp", "c")
+                                  .file("class/dave/handin.tar.gz", bob)
+                                  .file("class/erin/main.cpp")
+                                  .file("__MACOSX/class/._alice.zip")
+                                  .bytes();
+    const std::vector<Submission> all = read({write("class.zip", bytes)});
+    ASSERT_EQ(names(all), (Names{"alice", "bob", "carol", "dave", "erin"}));
+    EXPECT_EQ(all[0].files.at("conj_grad.cpp").text, "a");
+    EXPECT_EQ(all[1].files.at("conj_grad.cpp").text, "b");
+    EXPECT_EQ(all[2].files.at("normal_equations.cpp").text, "c");
+    EXPECT_EQ(all[3].files.at("conj_grad.cpp").text, "b");
+    EXPECT_TRUE(
+        says(all[4].problem, "None of the exercise files is in it (conj_grad.cpp, normal_equations.cpp)"));
+  }
+}
+
+TEST_F(Submissions, AnArchiveInAnArchiveIsOpened) {
+  const std::string handin = zip("a/conj_grad.cpp", "text");
+  EXPECT_EQ(only(zip("handin.zip", handin)).files.at("conj_grad.cpp").text, "text");
+  EXPECT_EQ(only(zip("x.zip", zip("handin.zip", handin))).files.at("conj_grad.cpp").text, "text");
+}
+
+TEST_F(Submissions, NestingEnds) {
+  std::string bytes = zip("conj_grad.cpp");
+  for (int i = 0; i < 10; ++i) bytes = zip("x.zip", bytes);
+  EXPECT_TRUE(says(only(bytes).problem, "None of the exercise files"));
+}
+
+TEST_F(Submissions, ArchivesBesideExerciseFilesStayShut) {
+  const Submission alice = only(ArchiveBuilder(Packing::zip)
+                                    .file("CMakeLists.txt")
+                                    .file("student/conj_grad.cpp", "mine")
+                                    .file("build/handin.zip", zip("conj_grad.cpp", "old"))
+                                    .bytes());
+  EXPECT_EQ(alice.files.at("conj_grad.cpp").text, "mine");
+}
+
+TEST_F(Submissions, TwoFilesOfOneNameAreBothNamedAndNoneIsTaken) {
+  const Submission alice = only(ArchiveBuilder(Packing::zip)
+                                    .file("CMakeLists.txt")
+                                    .file("a/conj_grad.cpp")
+                                    .file("b/conj_grad.cpp")
+                                    .file("b/normal_equations.cpp", "fine")
+                                    .bytes());
+  const SourceFile& file = alice.files.at("conj_grad.cpp");
+  EXPECT_EQ(file.text, "");
+  EXPECT_TRUE(says(file.problem, "more than one conj_grad.cpp: a/conj_grad.cpp and b/conj_grad.cpp."));
+  EXPECT_EQ(alice.files.at("normal_equations.cpp").text, "fine");
+  EXPECT_EQ(alice.problem, "");
+
+  const Submission nested = only(ArchiveBuilder(Packing::zip)
+                                     .file("CMakeLists.txt")
+                                     .file("1.zip", zip("conj_grad.cpp"))
+                                     .file("2.zip", zip("conj_grad.cpp"))
+                                     .bytes());
+  EXPECT_EQ(nested.files.at("conj_grad.cpp").text, "");
+  EXPECT_TRUE(says(nested.files.at("conj_grad.cpp").problem, "1.zip/conj_grad.cpp and 2.zip/conj_grad.cpp"));
+}
+
+TEST_F(Submissions, LinksAndDevicesAreNotTaken) {
+  write("secret.cpp", "secret");
+  for (const Packing packing : {Packing::zip, Packing::tar_gz}) {
+    const Submission link = only(
+        ArchiveBuilder(packing).symbolic_link("a/conj_grad.cpp", (dir_ / "secret.cpp").string()).bytes());
+    EXPECT_EQ(link.files.at("conj_grad.cpp").text, "");
+    EXPECT_TRUE(says(link.files.at("conj_grad.cpp").problem, "a/conj_grad.cpp is a symbolic link"));
+  }
+  const Submission hard = only(ArchiveBuilder(Packing::tar)
+                                   .file("normal_equations.cpp")
+                                   .hard_link("conj_grad.cpp", "normal_equations.cpp")
+                                   .bytes());
+  EXPECT_TRUE(says(hard.files.at("conj_grad.cpp").problem, "conj_grad.cpp is a link to another file"));
+  for (const unsigned type : {AE_IFIFO, AE_IFCHR, AE_IFBLK}) {
+    const Submission special = only(ArchiveBuilder(Packing::tar).special("conj_grad.cpp", type).bytes());
+    EXPECT_TRUE(says(special.files.at("conj_grad.cpp").problem, "conj_grad.cpp is not a file"));
+  }
+}
+
+TEST_F(Submissions, PathsThatLeadOutsideAreNotTakenAndTouchNothing) {
+  for (const char* path :
+       {"../../conj_grad.cpp", "a/../../conj_grad.cpp", "/tmp/conj_grad.cpp", "C:\\conj_grad.cpp"}) {
+    for (const Packing packing : {Packing::zip, Packing::tar_gz}) {
+      const Submission alice =
+          only(ArchiveBuilder(packing).file(path).file("normal_equations.cpp", "fine").bytes());
+      EXPECT_EQ(alice.files.at("conj_grad.cpp").text, "") << path;
+      EXPECT_TRUE(says(alice.files.at("conj_grad.cpp").problem, "leads out of the archive")) << path;
+      EXPECT_EQ(alice.files.at("normal_equations.cpp").text, "fine") << path;
+    }
+  }
+  EXPECT_EQ(std::distance(fs::directory_iterator(dir_), {}), 1) << "only the archive itself may be there";
+}
+
+TEST_F(Submissions, LinksOnDiskAreNotFollowed) {
+  write("secret/conj_grad.cpp", "secret");
+  write("alice/normal_equations.cpp", "fine");
+  fs::create_symlink(dir_ / "secret/conj_grad.cpp", dir_ / "alice/conj_grad.cpp");
+  fs::create_directory_symlink(dir_ / "secret", dir_ / "alice/folder");
+  const Submission alice = read({dir_ / "alice"}).front();
+  EXPECT_TRUE(says(alice.files.at("conj_grad.cpp").problem, "conj_grad.cpp is a symbolic link"));
+  EXPECT_EQ(alice.files.at("conj_grad.cpp").text, "");
+  EXPECT_EQ(alice.files.at("normal_equations.cpp").text, "fine");
+}
+
+TEST_F(Submissions, APipeOnDiskIsNotWaitedFor) {
+  write("alice/normal_equations.cpp", "fine");
+  ASSERT_EQ(mkfifo((dir_ / "alice/conj_grad.cpp").c_str(), 0600), 0);
+  EXPECT_TRUE(says(read({dir_ / "alice"}).front().files.at("conj_grad.cpp").problem, "is not a file"));
+}
+
+// Root reads everything: for as long as this lives, the test is someone else.
+class AsNobody {
+ public:
+  explicit AsNobody(const fs::path& dir) : was_root_(geteuid() == 0) {
+    fs::permissions(dir, fs::perms::all);
+    if (was_root_ && seteuid(65534) != 0) throw std::runtime_error("seteuid");
+  }
+  ~AsNobody() {
+    if (was_root_ && seteuid(0) != 0) std::abort();
+  }
+  AsNobody(const AsNobody&) = delete;
+  AsNobody& operator=(const AsNobody&) = delete;
+
+ private:
+  bool was_root_;
+};
+
+TEST_F(Submissions, WhatCanNotBeReadIsSaid) {
+  const AsNobody nobody(dir_);
+  write("class/alice/conj_grad.cpp", "");
+  write("class/bob/conj_grad.cpp", "");
+  write("class/carol.zip", zip("conj_grad.cpp"));
+  fs::permissions(dir_ / "class/alice/conj_grad.cpp", fs::perms::none);
+  fs::permissions(dir_ / "class/carol.zip", fs::perms::none);
+  std::vector<Submission> all = read({dir_ / "class"});
+  EXPECT_TRUE(says(all.at(0).files.at("conj_grad.cpp").problem, "can't be read (Permission denied)"));
+  EXPECT_EQ(all.at(1).problem, "");
+  EXPECT_TRUE(says(all.at(2).problem, "can't be read (Permission denied)"));
+  fs::create_directory(dir_ / "class/bob/closed");
+  fs::permissions(dir_ / "class/bob/closed", fs::perms::none);
+  all = read({dir_ / "class"});
+  EXPECT_TRUE(says(all.at(1).problem, "The folder bob/closed can't be read"));
+  fs::permissions(dir_ / "class/bob/closed", fs::perms::all);
+}
+
+TEST_F(Submissions, DamageIsSaidAndStaysWithItsSubmission) {
+  std::string cut = ArchiveBuilder(Packing::tar_gz).file("conj_grad.cpp", std::string(5000, 'x')).bytes();
+  cut.resize(cut.size() / 2);
+  write("class/alice.tar.gz", cut);
+  write("class/bob.zip", "not an archive at all");
+  write("class/carol.zip", zip("conj_grad.cpp", "fine"));
+  write("class/dave.rar", "Rar!\x1a\x07");
+  write("class/erin.zip", zip("conj_grad.cpp").substr(0, 60));
+  const std::vector<Submission> all = read({dir_ / "class"});
+  ASSERT_EQ(names(all), (Names{"alice", "bob", "carol", "dave", "erin"}));
+  EXPECT_TRUE(says(all[0].problem, "alice.tar.gz can't be read: it is damaged or cut short"));
+  EXPECT_TRUE(says(all[1].problem, "bob.zip is neither a zip nor a tar.gz"));
+  EXPECT_EQ(all[2].files.at("conj_grad.cpp").text, "fine");
+  EXPECT_TRUE(says(all[3].problem, "dave.rar is a RAR archive"));
+  EXPECT_TRUE(says(all[4].problem, "erin.zip can't be read"));
+  EXPECT_EQ(names(read({dir_ / "class/alice.tar.gz"})), Names{"alice"}) << "also alone it is a submission";
+}
+
+TEST_F(Submissions, EncryptionIsSaid) {
+  const std::string bytes =
+      ArchiveBuilder(Packing::zip, "zip:encryption=aes256").file("conj_grad.cpp").bytes();
+  EXPECT_TRUE(says(only(bytes).problem, "conj_grad.cpp is encrypted. Pack it again without a password"));
+}
+
+TEST_F(Submissions, AFileThatIsTooLongIsNotTaken) {
+  IntakeLimits limits;
+  limits.file_bytes = 1000;
+  for (const Packing packing : {Packing::zip, Packing::tar_gz}) {
+    const Submission alice =
+        only(ArchiveBuilder(packing).zeros("conj_grad.cpp", 1001).zeros("normal_equations.cpp", 1000).bytes(),
+             limits);
+    EXPECT_TRUE(says(alice.files.at("conj_grad.cpp").problem, "conj_grad.cpp is larger than 1000 bytes"));
+    EXPECT_EQ(alice.files.at("conj_grad.cpp").text, "");
+    EXPECT_EQ(alice.files.at("normal_equations.cpp").text.size(), 1000u);
+  }
+}
+
+TEST_F(Submissions, MoreThanTheLimitsIsRefusedWhereverItLies) {
+  IntakeLimits limits;
+  limits.unpacked_bytes = 1 << 20;
+  limits.entries = 5;
+  const std::size_t much = (1 << 20) + 1;
+  const std::string fine = zip("conj_grad.cpp", "fine");
+  for (const Packing packing : {Packing::zip, Packing::tar_gz}) {
+    for (const char* path : {"conj_grad.cpp", "data.bin"}) {
+      const std::string bytes = ArchiveBuilder(packing).zeros(path, much).file("a/conj_grad.cpp").bytes();
+      EXPECT_TRUE(says(only(bytes, limits).problem, "unpacks to more than 1 MiB"));
+      EXPECT_TRUE(only(bytes, limits).files.empty());
+      const std::vector<Submission> all =
+          read({write("c.zip",
+                      ArchiveBuilder(Packing::zip).file("alice.zip", bytes).file("bob.zip", fine).bytes())},
+               limits);
+      EXPECT_TRUE(says(all.at(0).problem, "unpacks to more than 1 MiB"));
+      EXPECT_EQ(all.at(1).files.at("conj_grad.cpp").text, "fine");
+    }
+    ArchiveBuilder many(packing);
+    for (int i = 0; i < 6; ++i) many.file("d/f" + std::to_string(i), "");
+    many.file("conj_grad.cpp");
+    EXPECT_TRUE(says(only(many.bytes(), limits).problem, "ore than 5 files and folders"));
+  }
+  write("big/conj_grad.cpp", "");
+  write("big/data", std::string(much, 'x'));
+  EXPECT_TRUE(says(read({dir_ / "big"}, limits).front().problem, "unpacks to more than 1 MiB"));
+}
+
+TEST_F(Submissions, WhatIsIgnoredUsesNothingUp) {
+  IntakeLimits limits;
+  limits.unpacked_bytes = 1 << 20;
+  limits.entries = 1;
+  const std::string bytes =
+      ArchiveBuilder(Packing::zip).zeros(".git/pack", 2 << 20).file("a/conj_grad.cpp", "fine").bytes();
+  EXPECT_EQ(only(bytes, limits).files.at("conj_grad.cpp").text, "fine");
+  limits.entries = 2;
+  EXPECT_EQ(only(zip("handin.zip", bytes), limits).files.at("conj_grad.cpp").text, "fine");
+}
+
+TEST_F(Submissions, TooMuchOfOneInAnArchivesFolderStaysWithIt) {
+  IntakeLimits limits;
+  limits.unpacked_bytes = 1 << 20;
+  const std::string bytes = ArchiveBuilder(Packing::zip)
+                                .zeros("alice/data", 2 << 20)
+                                .file("alice/conj_grad.cpp")
+                                .file("bob/conj_grad.cpp", "fine")
+                                .bytes();
+  const std::vector<Submission> all = read({write("class.zip", bytes)}, limits);
+  EXPECT_TRUE(says(all.at(0).problem, "unpacks to more than 1 MiB"));
+  EXPECT_EQ(all.at(1).files.at("conj_grad.cpp").text, "fine");
+}
+
+TEST_F(Submissions, ManyArchivesInOneAreRefused) {
+  ArchiveBuilder many(Packing::zip);
+  many.file("CMakeLists.txt");
+  for (int i = 0; i < 21; ++i) many.file(std::to_string(i) + ".zip", zip("x"));
+  EXPECT_TRUE(says(only(many.bytes()).problem, "More than 20 archives"));
+}
+
+TEST_F(Submissions, SameNamesAreAnErrorThatNamesBoth) {
+  write("a/alice.zip", zip("conj_grad.cpp"));
+  write("b/alice.tar.gz", ArchiveBuilder(Packing::tar_gz).file("conj_grad.cpp").bytes());
+  const std::string said = bad_input({dir_ / "a/alice.zip", dir_ / "b"});
+  EXPECT_TRUE(says(said, "a/alice.zip and "));
+  EXPECT_TRUE(says(said, "b/alice.tar.gz are both the submission \"alice\"; rename one"));
+}
+
+TEST_F(Submissions, NamesThatCollideOnlyAfterCleaningAreAnErrorToo) {
+  write("class/a b.zip", zip("conj_grad.cpp"));
+  write("class/a\nb.zip", zip("conj_grad.cpp"));
+  EXPECT_TRUE(says(bad_input({dir_ / "class"}), "a\\x0ab.zip and "));
+}
+
+TEST_F(Submissions, NamesAreSafeForFilesAndPages) {
+  const auto name = [&](const std::string& file) {
+    return read({write("n/" + file, zip("conj_grad.cpp"))}).front().name;
+  };
+  EXPECT_EQ(name("Smith, Zo\xc3\xab <b>.zip"), "Smith__Zo____b_");
+  EXPECT_EQ(name("staff.zip"), "staff_");
+  EXPECT_EQ(name("grades.csv.zip"), "grades.csv_");
+  EXPECT_EQ(name(".hidden.zip"), "_hidden");
+  EXPECT_EQ(name("..zip"), "_");
+  EXPECT_EQ(name("=cmd.zip"), "_cmd");
+  EXPECT_EQ(name("alice.v2.ZIP"), "alice.v2");
+  EXPECT_LE(name(std::string(200, 'x') + ".zip").size(), 150u);
+}
+
+TEST_F(Submissions, SentencesCarryNoControlCharacters) {
+  const Submission alice =
+      only(ArchiveBuilder(Packing::tar).symbolic_link("\x1b[2J/conj_grad.cpp", "x").bytes());
+  EXPECT_TRUE(says(alice.files.at("conj_grad.cpp").problem, "\\x1b[2J/conj_grad.cpp is a symbolic link"));
+}
+
+TEST_F(Submissions, ArgumentsThatAreNoneAreBadInput) {
+  EXPECT_TRUE(says(bad_input({dir_ / "none"}), "none: there is no such file or folder"));
+  EXPECT_TRUE(
+      says(bad_input({write("notes.txt", "hello")}), "notes.txt: is neither an archive nor a folder"));
+  write("empty/main.cpp", "");
+  EXPECT_TRUE(
+      says(bad_input({dir_ / "empty"}), "there is no exercise file (conj_grad.cpp, normal_equations.cpp)"));
+}
+
+TEST_F(Submissions, AnArchiveIsKnownByItsContentToo) {
+  EXPECT_EQ(read({write("handed_in", zip("conj_grad.cpp", "x"))}).front().files.at("conj_grad.cpp").text,
+            "x");
+}
+
+// As a tar.gz its ten megabytes are one gzip of 64 MiB, 160 times: gzips in a row unpack to their contents in
+// a row.
+TEST_F(Submissions, TenGigabytesOfZerosEndAtOnce) {
+  constexpr std::size_t chunk = std::size_t{64} << 20;
+  const std::string tar = ArchiveBuilder(Packing::tar).zeros("conj_grad.cpp", 0).bytes();
+  std::string header = tar.substr(0, 512);
+  const std::string size = "120000000000";  // octal for 10 GiB
+  header.replace(124, size.size(), size);
+  unsigned sum = 0;
+  for (std::size_t i = 0; i < header.size(); ++i) {
+    sum += i >= 148 && i < 156 ? ' ' : static_cast<unsigned char>(header[i]);
+  }
+  char digits[8];
+  std::snprintf(digits, sizeof digits, "%06o", sum);
+  header.replace(148, 7, digits, 7);
+  const std::string zeros = gzip(std::string(chunk, '\0'));
+  std::string bomb = gzip(header);
+  for (int i = 0; i < 160; ++i) bomb += zeros;
+
+  const std::string zip_bomb = ArchiveBuilder(Packing::zip).zeros("conj_grad.cpp", 5 * chunk).bytes();
+  for (const std::string& bytes : {bomb, zip_bomb}) {
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_TRUE(says(only(bytes).problem, "unpacks to more than 256 MiB"));
+    const auto nested = read({write(
+        "c.zip",
+        ArchiveBuilder(Packing::zip).file("a.zip", bytes).file("b.zip", zip("conj_grad.cpp")).bytes())});
+    EXPECT_TRUE(says(nested.at(0).problem, "unpacks to more than 256 MiB"));
+    EXPECT_EQ(nested.at(1).problem, "");
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20))
+        << "10 GiB would take longer";
+  }
+}
+
+}  // namespace
+}  // namespace grader
