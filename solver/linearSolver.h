@@ -51,8 +51,8 @@ class implicitMatrix {
 // counts, one that overflows does not. The iteration that fails counts as a step and takes no more products
 // (if it is a 64th and fails before its x is there, one less than above). The return value is that x's, so it
 // is then never <= epsilon by accident: it is a number > epsilon, an infinity or a NaN. If the first residual
-// is not finite, no step is taken. (The first guess is b: if that is not finite, neither is x.) n = 0 returns
-// 0 after 0 steps, with or without a product. b = 0 returns 0 after 0 steps.
+// is not finite, no step is taken. (The first guess is b: if that is not finite, neither is x.) n = 0
+// returns 0 after 0 steps, with or without the first product. b = 0 returns 0 after 0 steps if epsilon >= 0.
 //
 // Multiplying b by 2^k and epsilon by 2^(2k), for |k| <= 465, gives the same steps and 2^k times the x, bit
 // by bit as long as no product of two values that matters leaves the range of normal numbers, 2^-1022 to

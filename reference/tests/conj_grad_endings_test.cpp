@@ -98,6 +98,22 @@ TEST(ConjGradEnds, BeforeXOverflows) {
   }
 }
 
+TEST(ConjGradEnds, BeforeALargeFirstGuessOverflows) {
+  // 1e-295 times ((2, -1), (-1, 1)), but for the first product, which leaves the residual (0, 1). Step 2
+  // would add 1e295 to the largest number there is.
+  const double largest = std::numeric_limits<double>::max(), a = 1e-295;
+  bool first = true;
+  Matrix A([&](const double* x, double* b) {
+    b[0] = first ? largest : a * (2 * x[0] - x[1]);
+    b[1] = first ? 0 : a * (x[1] - x[0]);
+    first = false;
+  });
+  const Solution s = solve(A, {largest, 1}, 1e-5, 0);
+  EXPECT_EQ(s.steps, 2);
+  EXPECT_EQ(s.x[0], largest);
+  EXPECT_NEAR(s.x[1] / 1e295, 1, 8 * kU);
+}
+
 TEST(ConjGradEnds, NotBeforeXReallyOverflows) {
   for (double a : {1e-290, 1e-297}) {
     solver::SparseMatrix A = solver::diagonal({a});

@@ -54,7 +54,7 @@ TEST(ConjGrad, TakesNoStepWhereTheFirstGuessIsRight) {
   EXPECT_EQ(zero.x, Vector(5, 0.0));
 
   int steps = 7;
-  EXPECT_EQ(ConjGrad(0, &A, nullptr, nullptr, 0, &steps), 0);
+  EXPECT_EQ(ConjGrad(0, &A, nullptr, nullptr, -1, &steps), 0);
   EXPECT_EQ(steps, 0);
 }
 
