@@ -1,7 +1,7 @@
 # Builds the public checks, and hands in.
 #
 #   hair_checks(NAME)   one GoogleTest program <NAME>_<id>_check for each exercise, linked with the library <NAME>_<id>
-#   hair_handin(DIR)    the target `handin`: the exercise files of DIR that count, in <build>/handin.zip
+#   hair_handin(DIR)    the target `handin`: the exercise files of DIR that are not given, in <build>/handin.zip
 
 find_package(GTest QUIET)
 if(NOT GTest_FOUND)
@@ -46,6 +46,9 @@ function(hair_handin DIR)
       list(APPEND files "${HAIR_${id}_FILE}")
     endif()
   endforeach()
+  if(NOT files)
+    return()
+  endif()
   set(archive "${PROJECT_BINARY_DIR}/${STUDENT}.zip")
   list(JOIN files ", " names)
   add_custom_target(handin

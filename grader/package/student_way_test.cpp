@@ -1,0 +1,140 @@
+// STAFF ONLY. A student's way from the archive to the hand-in, in an empty folder, with nothing else of the
+// project there. The compiler comes in the environment variable HAIR_STUDENT_COMPILER.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "grader/intake/submission.h"
+#include "grader/package/handout.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << in.rdbuf();
+  return bytes.str();
+}
+
+struct Ran {
+  int code;
+  std::string output;
+};
+
+class StudentsWay : public testing::Test {
+ protected:
+  StudentsWay() {
+    std::string pattern = (fs::temp_directory_path() / "hair-student-XXXXXX").string();
+    folder_ = mkdtemp(pattern.data());
+    const char* compiler = std::getenv("HAIR_STUDENT_COMPILER");
+    configure_ = std::string("cmake --preset release -DCMAKE_CXX_COMPILER=") + (compiler ? compiler : "c++");
+  }
+  ~StudentsWay() override {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+  }
+
+  void unpack() {
+    make_handout(sources_, course_, folder_ / "handout.tar.gz");
+    ASSERT_EQ(run("sh -c 'cd .. && cmake -E tar xf handout.tar.gz'").code, 0);
+  }
+
+  // In the handout's folder, with the environment of a shell that has just been opened.
+  Ran run(const std::string& command) const {
+    fs::create_directories(folder_ / "hair-assignment");
+    const std::string line = "cd '" + (folder_ / "hair-assignment").string() +
+                             "' && env -i PATH=\"$PATH\" HOME='" + folder_.string() + "' " + command +
+                             " 2>&1";
+    FILE* pipe = popen(line.c_str(), "r");
+    if (!pipe) return {-1, "can't start a shell"};
+    std::string output;
+    char buffer[4096];
+    while (std::size_t count = fread(buffer, 1, sizeof buffer, pipe)) output.append(buffer, count);
+    const int status = pclose(pipe);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
+  }
+
+  void solve() const {
+    for (const Exercise& exercise : course_.exercises)
+      fs::copy_file(sources_.root / "reference" / exercise.file,
+                    folder_ / "hair-assignment/student" / exercise.file,
+                    fs::copy_options::overwrite_existing);
+  }
+
+  fs::path folder_;
+  std::string configure_;
+  HandoutSources sources_{HAIR_SOURCE_DIR, HAIR_GOLDEN_DIR};
+  Course course_ = read_course(sources_.root / "handout/exercises.json");
+};
+
+TEST_F(StudentsWay, LeadsFromTheArchiveToTheHandIn) {
+  unpack();
+  Ran ran = run(configure_ + " -DSTUDENT=ada");
+  ASSERT_EQ(ran.code, 0) << ran.output;
+  ran = run("cmake --build build -j 2");
+  ASSERT_EQ(ran.code, 0) << ran.output;
+
+  ran = run("cmake --build build --target check_S1");
+  EXPECT_NE(ran.code, 0);
+  EXPECT_NE(ran.output.find("\nS1 ConjGrad is not implemented yet\n"), std::string::npos) << ran.output;
+  ran = run("cmake --build build --target check");
+  EXPECT_NE(ran.code, 0);
+  EXPECT_NE(ran.output.find("S2 solve_normal_equations is not implemented yet\n"), std::string::npos)
+      << ran.output;
+
+  const fs::path s2 = folder_ / "hair-assignment/student/normal_equations.cpp";
+  fs::copy_file(sources_.root / "reference/normal_equations.cpp", s2, fs::copy_options::overwrite_existing);
+  ran = run("cmake --build build --target check_S2");
+  EXPECT_NE(ran.code, 0) << "S2 can't pass without S1";
+  EXPECT_NE(ran.output.find("\nS1 ConjGrad is not implemented yet\n"), std::string::npos) << ran.output;
+
+  solve();
+  ran = run("cmake --build build -j 2 --target check");
+  EXPECT_EQ(ran.code, 0) << ran.output;
+  EXPECT_NE(ran.output.find("100% tests passed"), std::string::npos) << ran.output;
+
+  ran = run("cmake --build build --target handin");
+  ASSERT_EQ(ran.code, 0) << ran.output;
+  const fs::path archive = folder_ / "hair-assignment/build/ada.zip";
+  EXPECT_NE(ran.output.find("Wrote " + archive.string()), std::string::npos) << ran.output;
+  const std::vector<Submission> submissions = read_submissions({archive}, course_);
+  ASSERT_EQ(submissions.size(), 1u);
+  EXPECT_EQ(submissions[0].name, "ada");
+  ASSERT_EQ(submissions[0].files.size(), course_.exercises.size());
+  for (const Exercise& exercise : course_.exercises)
+    EXPECT_EQ(submissions[0].files.at(exercise.file).text,
+              bytes_of(sources_.root / "reference" / exercise.file));
+}
+
+TEST_F(StudentsWay, LeavesGivenExercisesOutOfTheHandIn) {
+  course_.exercises[0].role = Role::given;
+  unpack();
+  Ran ran = run(configure_);
+  ASSERT_EQ(ran.code, 0) << ran.output;
+  ran = run("cmake --build build --target handin");
+  ASSERT_EQ(ran.code, 0) << ran.output;
+  const Ran listing = run("cmake -E tar tf build/handin.zip");
+  EXPECT_EQ(listing.output, "normal_equations.cpp\n");
+}
+
+TEST_F(StudentsWay, HasADebugBuildAndChecksTheStudentsName) {
+  unpack();
+  const Ran debug = run("cmake --preset debug");
+  EXPECT_EQ(debug.code, 0) << debug.output;
+  const Ran named = run(configure_ + " '-DSTUDENT=../ada'");
+  EXPECT_NE(named.code, 0);
+  EXPECT_NE(named.output.find("STUDENT is \"../ada\""), std::string::npos) << named.output;
+}
+
+}  // namespace
+}  // namespace grader
