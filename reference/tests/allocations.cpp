@@ -1,0 +1,27 @@
+// STAFF ONLY. The program's operator new, which counts. In a file of its own, so that no compiler inlines one
+// half of it.
+
+#include "reference/tests/allocations.h"
+
+#include <cstdlib>
+#include <new>
+
+namespace {
+long count = 0;
+}
+
+long reference_tests::allocations() {
+  return count;
+}
+
+void* operator new(std::size_t size) {
+  ++count;
+  if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;
+  throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept {
+  std::free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept {
+  std::free(memory);
+}

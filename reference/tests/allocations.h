@@ -1,0 +1,8 @@
+// STAFF ONLY. How often this program has allocated memory with new.
+#pragma once
+
+namespace reference_tests {
+
+long allocations();
+
+}  // namespace reference_tests
