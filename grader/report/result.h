@@ -19,13 +19,13 @@ enum class Status {
   broke_rules,
 };
 
-std::string to_string(Status status);            // "does not compile"
-Status status_from_string(const std::string&);   // throws std::invalid_argument
-std::string sentence_for(Status status);         // helps the student, gives nothing away
+std::string to_string(Status status);           // "does not compile"
+Status status_from_string(const std::string&);  // throws std::invalid_argument
+std::string sentence_for(Status status);        // helps the student, gives nothing away
 
 // One category of an exercise's hidden cases.
 struct CaseResult {
-  std::string name;      // for students: "Ill-conditioned systems"
+  std::string name;  // for students: "Ill-conditioned systems"
   Status status = Status::wrong;
   double points = 0, max_points = 0;
   std::string feedback;  // for students: category and size of the error in bands, never a value or an input
@@ -40,7 +40,7 @@ struct ExerciseResult {
   std::string feedback;           // for students
   std::string compiler_messages;  // for students: what the compiler says about their own lines
   std::vector<CaseResult> cases;
-  std::string staff_log;          // all that compiler, linker and worker printed
+  std::string staff_log;  // all that compiler, linker and worker printed
 };
 
 struct SubmissionResult {

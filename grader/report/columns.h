@@ -1,0 +1,23 @@
+// STAFF ONLY. The exercises that occur in a class's results: the columns of its tables.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "grader/report/result.h"
+
+namespace grader {
+
+struct Column {
+  std::string id, title;
+  double max_points = 0;
+  bool extra_credit = false;
+};
+
+std::vector<Column> columns_of(const std::vector<SubmissionResult>& results);  // in order of first occurrence
+const ExerciseResult* find_exercise(const SubmissionResult& result,
+                                    const std::string& id);  // null if there is none
+
+bool all_isolated(const std::vector<SubmissionResult>& results);
+
+}  // namespace grader

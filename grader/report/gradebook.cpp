@@ -1,0 +1,52 @@
+// STAFF ONLY.
+#include "grader/report/gradebook.h"
+
+#include "grader/report/columns.h"
+#include "grader/report/text.h"
+
+namespace grader {
+namespace {
+
+std::string cell(const std::string& bytes) {
+  std::string text = valid_utf8(bytes);
+  if (!text.empty() && std::string_view("=+-@\t\r\n").find(text.front()) != std::string_view::npos) {
+    text.insert(text.begin(), '\'');
+  }
+  if (text.find_first_of("\",\r\n\t") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string line(const std::vector<std::string>& cells) {
+  std::string text;
+  for (std::size_t i = 0; i < cells.size(); ++i) text += (i > 0 ? "," : "") + cell(cells[i]);
+  return text + "\r\n";
+}
+
+}  // namespace
+
+std::string grades_csv(const std::vector<SubmissionResult>& results) {
+  const std::vector<Column> columns = columns_of(results);
+  std::vector<std::string> head{"submission", "total", "of", "sandbox"};
+  for (const Column& column : columns) {
+    head.push_back(column.id);
+    head.push_back(column.id + " status");
+  }
+  head.push_back("note");
+  std::string text = line(head);
+  for (const SubmissionResult& result : results) {
+    std::vector<std::string> cells{result.name, shown_points(points(result)),
+                                   shown_points(max_points(result)), result.isolated ? "yes" : "no"};
+    for (const Column& column : columns) {
+      const ExerciseResult* exercise = find_exercise(result, column.id);
+      cells.push_back(exercise ? shown_points(exercise->points) : "");
+      cells.push_back(exercise ? to_string(exercise->status) : "");
+    }
+    cells.push_back(result.note);
+    text += line(cells);
+  }
+  return text;
+}
+
+}  // namespace grader

@@ -1,0 +1,144 @@
+// STAFF ONLY.
+#include "grader/report/html.h"
+
+#include <stdexcept>
+
+#include "grader/report/text.h"
+
+namespace grader {
+namespace {
+
+std::string escaped(std::string_view bytes) {
+  std::string text;
+  for (const char c : readable(bytes)) {
+    switch (c) {
+      case '&':
+        text += "&amp;";
+        break;
+      case '<':
+        text += "&lt;";
+        break;
+      case '>':
+        text += "&gt;";
+        break;
+      case '"':
+        text += "&quot;";
+        break;
+      case '\'':
+        text += "&#39;";
+        break;
+      default:
+        text += c;
+    }
+  }
+  return text;
+}
+
+// Colours: text on its background has a contrast of at least 4.5 in both schemes.
+constexpr std::string_view style = R"css(
+:root {
+  color-scheme: light dark;
+  --page: #ffffff; --soft: #f5f6f8; --line: #dfe2e7; --text: #1d2129; --quiet: #5b6472; --link: #1a56b0;
+  --good: #1a6b36; --good-soft: #e4f3e8; --part: #855400; --part-soft: #fcf0d9;
+  --bad: #a8201a; --bad-soft: #fbe7e5; --none: #545c69; --none-soft: #eceef1;
+}
+@media (prefers-color-scheme: dark) {
+  :root {
+    --page: #15181d; --soft: #1d2128; --line: #333a45; --text: #e4e7eb; --quiet: #a0a9b6; --link: #8ab8ff;
+    --good: #7fd39a; --good-soft: #17301f; --part: #efbf6a; --part-soft: #352a14;
+    --bad: #ff9d94; --bad-soft: #3b1c1a; --none: #b2bac6; --none-soft: #272c34;
+  }
+}
+* { box-sizing: border-box; }
+body { margin: 0 auto; padding: 2.5rem 1.5rem 4rem; max-width: 60rem; background: var(--page); color: var(--text);
+  font: 1rem/1.55 system-ui, "Segoe UI", Roboto, "Helvetica Neue", Arial, sans-serif; }
+h1 { margin: 0; font-size: 1.75rem; line-height: 1.2; overflow-wrap: anywhere; }
+h2 { margin: 2.75rem 0 .25rem; font-size: 1.25rem; line-height: 1.3; }
+h3 { margin: 1.25rem 0 .25rem; font-size: 1rem; }
+p { margin: .4rem 0; max-width: 44rem; }
+a { color: var(--link); text-underline-offset: .15em; }
+code, pre { font: .875rem/1.5 ui-monospace, "SFMono-Regular", Menlo, Consolas, "DejaVu Sans Mono", monospace; }
+pre { margin: .5rem 0; padding: .75rem 1rem; overflow-x: auto; background: var(--soft); border: 1px solid var(--line);
+  border-radius: .375rem; white-space: pre-wrap; overflow-wrap: anywhere; }
+table { width: 100%; margin: .75rem 0; border-collapse: collapse; font-variant-numeric: tabular-nums; }
+caption { text-align: left; color: var(--quiet); padding-bottom: .25rem; }
+th, td { padding: .45rem .75rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
+thead th { color: var(--quiet); font-size: .875rem; font-weight: 600; border-bottom-width: 2px; }
+tbody th { font-weight: 500; overflow-wrap: anywhere; }
+tfoot th, tfoot td { border-bottom: 0; color: var(--quiet); }
+.number { text-align: right; white-space: nowrap; }
+.quiet { color: var(--quiet); }
+.total { margin: .5rem 0 0; font-size: 1.25rem; font-variant-numeric: tabular-nums; }
+.total strong { font-size: 2rem; font-weight: 650; }
+.line { display: flex; flex-wrap: wrap; gap: .25rem .75rem; align-items: baseline; margin: .25rem 0; }
+.badge { display: inline-block; padding: .05rem .55rem; border-radius: 1rem; font-size: .8125rem; font-weight: 550;
+  white-space: nowrap; }
+.good { color: var(--good); background: var(--good-soft); } .part { color: var(--part); background: var(--part-soft); }
+.bad { color: var(--bad); background: var(--bad-soft); } .none { color: var(--none); background: var(--none-soft); }
+.note, .stamp { margin: 1.25rem 0; padding: .75rem 1rem; border-left: .25rem solid; border-radius: .25rem; }
+.note { color: var(--part); background: var(--part-soft); }
+.stamp { color: var(--bad); background: var(--bad-soft); font-weight: 600; }
+.bars { display: flex; align-items: flex-end; gap: .25rem; height: 8rem; margin: .75rem 0 0; padding: 0; list-style: none; }
+.bars li { flex: 1; display: flex; flex-direction: column; justify-content: flex-end; height: 100%; text-align: center;
+  font-size: .75rem; color: var(--quiet); }
+.bars .bar { background: var(--link); border-radius: .125rem .125rem 0 0; opacity: .75; }
+.bars .range { padding-top: .25rem; border-top: 1px solid var(--line); }
+.share { display: flex; height: .5rem; min-width: 8rem; overflow: hidden; border-radius: .25rem;
+  background: var(--none-soft); margin-top: .45rem; }
+.share span { background: var(--link); opacity: .75; }
+details { margin: .35rem 0; } summary { cursor: pointer; } details ul { margin: .4rem 0; padding-left: 1.25rem; }
+.wide { overflow-x: auto; } .class tbody td { white-space: nowrap; } .class .badge { margin-left: .35rem; }
+th button { all: unset; cursor: pointer; } th button:hover { text-decoration: underline; }
+th button:focus-visible { outline: 2px solid var(--link); outline-offset: 2px; }
+th[aria-sort=ascending] button::after { content: " \2191"; } th[aria-sort=descending] button::after { content: " \2193"; }
+@media print { body { max-width: none; padding: 0; } .badge, .note, .stamp { border: 1px solid; } }
+)css";
+
+}  // namespace
+
+HtmlPart::HtmlPart(const char* text) : html_(escaped(text)) {}
+HtmlPart::HtmlPart(const std::string& text) : html_(escaped(text)) {}
+HtmlPart::HtmlPart(std::string_view text) : html_(escaped(text)) {}
+
+Html html(std::string_view pattern, std::initializer_list<HtmlPart> parts) {
+  Html result;
+  auto part = parts.begin();
+  for (std::size_t hole = pattern.find("{}"); hole != std::string_view::npos; hole = pattern.find("{}")) {
+    if (part == parts.end()) throw std::invalid_argument("an HTML pattern has more holes than parts");
+    result.text += pattern.substr(0, hole);
+    result.text += part->html();
+    ++part;
+    pattern.remove_prefix(hole + 2);
+  }
+  if (part != parts.end()) throw std::invalid_argument("an HTML pattern has fewer holes than parts");
+  result.text += pattern;
+  return result;
+}
+
+std::string html_page(const std::string& title, bool isolated, const Html& body, Scripts scripts) {
+  const std::string policy =
+      "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'" +
+      std::string(scripts == Scripts::on ? "; script-src 'unsafe-inline'" : "");
+  const Html stamp =
+      isolated ? Html{}
+               : html(
+                     "<p class=\"stamp\" role=\"note\">Graded without a sandbox. These results are not "
+                     "protected against what the code may have done.</p>\n");
+  return html(R"(<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="{}">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>{}</title>
+<style>{}</style>
+</head>
+<body>
+{}{}</body>
+</html>
+)",
+              {policy, title, Html{std::string(style)}, stamp, body})
+      .text;
+}
+
+}  // namespace grader

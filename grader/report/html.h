@@ -1,0 +1,45 @@
+// STAFF ONLY. HTML from patterns in which every value is escaped unless it is HTML by its type: what is
+// forgotten is safe.
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+namespace grader {
+
+struct Html {
+  std::string text;
+
+  Html& operator+=(const Html& more) {
+    text += more.text;
+    return *this;
+  }
+};
+
+// What stands for a {} in a pattern.
+class HtmlPart {
+ public:
+  HtmlPart(const char* text);
+  HtmlPart(const std::string& text);
+  HtmlPart(std::string_view text);
+  HtmlPart(const Html& html) : html_(html.text) {}
+  HtmlPart(std::size_t number) : html_(std::to_string(number)) {}
+
+  const std::string& html() const { return html_; }
+
+ private:
+  std::string html_;
+};
+
+// The pattern with each {} replaced by the next part. Throws std::invalid_argument if their numbers differ.
+Html html(std::string_view pattern, std::initializer_list<HtmlPart> parts = {});
+
+enum class Scripts { off, on };
+
+// A whole page: its style is in it, and it may load nothing. Only a page with Scripts::on runs its own inline
+// script. Without isolation it carries a stamp that says so.
+std::string html_page(const std::string& title, bool isolated, const Html& body,
+                      Scripts scripts = Scripts::off);
+
+}  // namespace grader

@@ -1,0 +1,19 @@
+// STAFF ONLY. The pages that people read.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "grader/report/html.h"
+#include "grader/report/result.h"
+
+namespace grader {
+
+std::string student_page(
+    const SubmissionResult& result);                     // NAME/report.html: nothing of the staff's is in it
+std::string staff_page(const SubmissionResult& result);  // staff/NAME.html
+std::string class_page(const std::vector<SubmissionResult>& results);  // index.html
+
+Html badge(Status status);  // its words, coloured by how good it is
+
+}  // namespace grader

@@ -1,0 +1,180 @@
+// STAFF ONLY.
+#include "grader/report/pages.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "grader/report/gradebook.h"
+#include "grader/report/results_json.h"
+#include "grader/report/sample_results.h"
+#include "grader/report/text.h"
+
+namespace grader {
+namespace {
+
+// Markup, quotes, a NUL, invalid UTF-8, a terminal's colours, the end of a CDATA section, a formula.
+const std::string hostile = std::string(
+    "=1+1 <script>alert(1)</script> \"quoted' &amp; ]]>\0\x01\xff\xc3\x28 \x1b[31mred\n--><img src=x "
+    "onerror=y>",
+    91);
+
+std::size_t count(const std::string& text, const std::string& part) {
+  std::size_t found = 0;
+  for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size()))
+    ++found;
+  return found;
+}
+
+void expect_clean(const std::string& output) {
+  EXPECT_EQ(output, valid_utf8(output));
+  for (const char c : output) {
+    EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t' || c == '\r')
+        << static_cast<int>(c);
+  }
+}
+
+TEST(Pages, HostileTextBecomesNoMarkup) {
+  const SubmissionResult result = submission_full_of(hostile);
+  ASSERT_EQ(hostile.size(), 91u);
+  for (const std::string& page : {student_page(result), staff_page(result), class_page({result})}) {
+    EXPECT_EQ(count(page, "<script>alert"), 0u);
+    EXPECT_EQ(count(page, "<img"), 0u);
+    EXPECT_GT(count(page, "&lt;script&gt;alert(1)&lt;/script&gt; &quot;quoted&#39; &amp;amp; ]]&gt;"), 0u);
+    expect_clean(page);
+  }
+}
+
+TEST(Pages, HostileTextKeepsTheGradebookWellFormed) {
+  const SubmissionResult result = submission_full_of(hostile);
+  const std::string junit = junit_xml({result});
+  expect_clean(junit);
+  EXPECT_EQ(count(junit, "<script"), 0u);
+  EXPECT_EQ(count(junit, "\"") % 2, 0u);
+  expect_clean(student_json(result));
+  const auto json = nlohmann::json::parse(student_json(result));
+  EXPECT_NE(json.at("tests").at(0).at("output").get<std::string>().find("<script>"), std::string::npos);
+}
+
+TEST(Pages, LoadNothingAndRunNothingOfTheirText) {
+  const std::vector<SubmissionResult> results = sample_class(30);
+  for (const std::string& page : {student_page(results[1]), staff_page(results[1]), class_page(results)}) {
+    for (const char* outside : {"http:", "https:", "src=", "@import", "url("})
+      EXPECT_EQ(count(page, outside), 0u) << outside;
+    EXPECT_EQ(count(page, "default-src &#39;none&#39;"), 1u);
+    EXPECT_EQ(count(page, "<html lang=\"en\">"), 1u);
+    EXPECT_EQ(count(page, "<title>"), 1u);
+    EXPECT_EQ(count(page, "<section"), count(page, "</section>"));
+    EXPECT_EQ(count(page, "<table"), count(page, "</table>"));
+  }
+  EXPECT_EQ(count(student_page(results[1]) + staff_page(results[1]), "<script"), 0u);
+}
+
+TEST(Pages, StudentsSeeNothingOfTheStaffs) {
+  SubmissionResult result = sample_class(1).front();
+  result.exercises[0].staff_log = "STAFFSECRET";
+  result.exercises[0].cases[0].detail = "STAFFSECRET";
+  result.fingerprint = "STAFFSECRET";
+  EXPECT_EQ(count(student_page(result), "STAFFSECRET"), 0u);
+  EXPECT_EQ(count(student_json(result), "STAFFSECRET"), 0u);
+  EXPECT_EQ(count(class_page({result}) + grades_csv({result}) + junit_xml({result}), "STAFFSECRET"), 0u);
+  EXPECT_EQ(count(student_page(result), "staff"), 0u);
+  EXPECT_GE(count(staff_page(result), "STAFFSECRET"), 2u);
+}
+
+TEST(Pages, WithoutASandboxEveryPageSaysSo) {
+  std::vector<SubmissionResult> results = sample_class(2);
+  EXPECT_EQ(
+      count(class_page(results) + student_page(results[0]) + staff_page(results[0]), "without a sandbox"),
+      0u);
+  results[1].isolated = false;
+  for (const std::string& page : {class_page(results), student_page(results[1]), staff_page(results[1])}) {
+    EXPECT_EQ(count(page, "Graded without a sandbox"), 1u);
+  }
+  EXPECT_EQ(count(student_json(results[1]), "Graded without a sandbox"), 1u);
+  EXPECT_EQ(count(junit_xml(results), "graded without a sandbox"), 1u);
+  EXPECT_EQ(count(grades_csv(results), ",no,"), 1u);
+}
+
+TEST(Pages, TheClassShowsEverySubmissionAndStatus) {
+  const std::vector<SubmissionResult> results = sample_class(30);
+  const std::string page = class_page(results);
+  for (const SubmissionResult& result : results) {
+    EXPECT_GE(count(page, "href=\"staff/" + result.name + ".html#S1\""), 1u);
+    EXPECT_EQ(count(page, "href=\"" + result.name + "/report.html\""), 1u);
+  }
+  for (const Status status : all_statuses) EXPECT_GE(count(page, to_string(status)), 1u) << to_string(status);
+}
+
+TEST(Pages, AnEmptyClassIsAPage) {
+  EXPECT_GE(count(class_page({}), "0 submissions"), 1u);
+}
+
+TEST(StudentJson, FollowsGradescopesSchema) {
+  for (const SubmissionResult& result : sample_class(10)) {
+    const auto json = nlohmann::json::parse(student_json(result));
+    EXPECT_NEAR(json.at("score").get<double>(), points(result), 1e-4);
+    double sum = 0, max_sum = 0;
+    for (const auto& test : json.at("tests")) {
+      sum += test.at("score").get<double>();
+      max_sum += test.at("max_score").get<double>();
+      EXPECT_TRUE(test.at("status") == "passed" || test.at("status") == "failed");
+      EXPECT_EQ(test.at("output_format"), "text");
+      EXPECT_EQ(test.at("visibility"), "visible");
+      ASSERT_EQ(test.at("tags").size(), 1u);
+      const std::string id = test.at("tags").at(0), number = test.at("number");
+      EXPECT_TRUE(number == id || number.starts_with(id + ".")) << number << " " << id;
+    }
+    // 18 tests at most, each rounded to four decimals.
+    EXPECT_NEAR(sum, points(result), 18 * 0.5e-4);
+    EXPECT_NEAR(max_sum, 55, 18 * 0.5e-4);
+  }
+}
+
+TEST(StudentJson, NumbersCategoriesWithinTheirExercise) {
+  const auto json = nlohmann::json::parse(student_json(sample_class(1).front()));
+  EXPECT_EQ(json.at("tests").at(2).at("number"), "S1.3");
+  EXPECT_EQ(json.at("tests").at(2).at("tags").at(0), "S1");
+  EXPECT_EQ(json.at("tests").at(6).at("number"), "S2.1");
+}
+
+TEST(GradesCsv, QuotesAndNeutralisesCells) {
+  for (const char* formula : {"=1+1", "+1", "-1", "@SUM(A1)", "\t=1", "\r=1", "\n=1"}) {
+    const std::string csv = grades_csv({submission_full_of(formula)});
+    const std::string text = csv.substr(csv.find("wrong,") + 6);
+    EXPECT_TRUE(text.starts_with("'") || text.starts_with("\"'")) << text;
+  }
+  const std::string csv = grades_csv({submission_full_of("a \"b\", c\nd")});
+  EXPECT_NE(csv.find(",\"a \"\"b\"\", c\nd\"\r\n"), std::string::npos) << csv;
+}
+
+TEST(GradesCsv, HasALineASubmissionAndSameColumnsInEach) {
+  std::vector<SubmissionResult> results = sample_class(3);
+  results[0].exercises.pop_back();
+  EXPECT_EQ(grades_csv(results).substr(0, grades_csv(results).find('\r')),
+            "submission,total,of,sandbox,S1,S1 status,S2,S2 status,P1,P1 status,note");
+  std::string csv = grades_csv(results);
+  EXPECT_EQ(count(csv, "\r\n"), 4u);
+  EXPECT_EQ(count(csv, ","), 4u * 10);
+  EXPECT_NE(csv.find("alice,50,50,yes,30,passed,20,passed,,,\r\n"), std::string::npos) << csv;
+}
+
+TEST(Junit, CountsWhatItLists) {
+  const std::string junit = junit_xml(sample_class(10));
+  EXPECT_EQ(count(junit, "<testsuite "), 10u);
+  EXPECT_EQ(count(junit, "<testcase "), count(junit, "classname="));
+  for (const char* element : {"failure", "error", "skipped"}) {
+    std::size_t stated = 0;
+    const std::string attribute = std::string(" ") + element + (element[0] == 's' ? "=\"" : "s=\"");
+    for (std::size_t at = junit.find(attribute); at != std::string::npos;
+         at = junit.find(attribute, at + 1)) {
+      stated += std::stoul(junit.substr(at + attribute.size()));
+    }
+    EXPECT_EQ(stated, count(junit, "<" + std::string(element) + " ")) << element;
+    EXPECT_GT(stated, 0u) << element;
+  }
+}
+
+}  // namespace
+}  // namespace grader

@@ -1,0 +1,63 @@
+// STAFF ONLY.
+#include "grader/report/report.h"
+
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "grader/course/printable.h"
+#include "grader/report/gradebook.h"
+#include "grader/report/pages.h"
+#include "grader/report/results_json.h"
+#include "grader/report/write_file.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A name becomes a part of paths: it must not lead elsewhere.
+void check_name(const std::string& name) {
+  if (name.empty() || name.front() == '.' || name == "staff" ||
+      name.find_first_of(std::string("/\\\0", 3)) != name.npos) {
+    throw std::invalid_argument("\"" + printable(name) + "\" can't name a submission's folder");
+  }
+}
+
+}  // namespace
+
+void write_submission_reports(const fs::path& dir, const SubmissionResult& result) {
+  check_name(result.name);
+  const fs::path record = dir / "staff" / (result.name + ".json");
+  // The record comes last and goes first: where it is, all the others belong to it.
+  std::error_code not_there;
+  fs::remove(record, not_there);
+  write_file(dir / result.name / "results.json", student_json(result));
+  write_file(dir / result.name / "report.html", student_page(result));
+  write_file(dir / "staff" / (result.name + ".html"), staff_page(result));
+  write_file(record, staff_json(result));
+}
+
+void write_class_reports(const fs::path& dir, const std::vector<SubmissionResult>& results) {
+  write_file(dir / "grades.csv", grades_csv(results));
+  write_file(dir / "junit.xml", junit_xml(results));
+  write_file(dir / "index.html", class_page(results));
+}
+
+std::optional<SubmissionResult> read_results(const fs::path& dir, const std::string& name) {
+  check_name(name);
+  std::error_code error;
+  const bool whole = fs::exists(dir / name / "results.json", error) &&
+                     fs::exists(dir / name / "report.html", error) &&
+                     fs::exists(dir / "staff" / (name + ".html"), error);
+  std::ifstream in(dir / "staff" / (name + ".json"), std::ios::binary);
+  if (!whole || !in) return {};
+  std::ostringstream text;
+  text << in.rdbuf();
+  std::optional<SubmissionResult> result = result_from_staff_json(std::move(text).str());
+  if (result && result->name != name) return {};
+  return result;
+}
+
+}  // namespace grader

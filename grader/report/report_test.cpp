@@ -1,0 +1,191 @@
+// STAFF ONLY.
+#include "grader/report/report.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+
+#include "grader/course/bad_input.h"
+#include "grader/report/sample_results.h"
+#include "grader/report/write_file.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+using Files = std::map<std::string, std::string>;
+
+class Reports : public testing::Test {
+ protected:
+  Reports() {
+    std::string pattern = (fs::temp_directory_path() / "report-XXXXXX").string();
+    dir_ = mkdtemp(pattern.data());
+  }
+  ~Reports() override { fs::remove_all(dir_); }
+
+  static Files files_in(const fs::path& dir) {
+    Files files;
+    for (const auto& item : fs::recursive_directory_iterator(dir)) {
+      if (!item.is_regular_file()) continue;
+      std::ostringstream bytes;
+      bytes << std::ifstream(item.path(), std::ios::binary).rdbuf();
+      files[fs::relative(item.path(), dir).string()] = bytes.str();
+    }
+    return files;
+  }
+  static void write_all(const fs::path& dir, const std::vector<SubmissionResult>& results) {
+    for (const SubmissionResult& result : results) write_submission_reports(dir, result);
+    write_class_reports(dir, results);
+  }
+
+  fs::path dir_;
+};
+
+TEST_F(Reports, StandWhereTheyShould) {
+  write_all(dir_, sample_class(2));
+  std::vector<std::string> names;
+  for (const auto& [name, bytes] : files_in(dir_)) names.push_back(name);
+  EXPECT_EQ(names, (std::vector<std::string>{"alice/report.html", "alice/results.json", "bob/report.html",
+                                             "bob/results.json", "grades.csv", "index.html", "junit.xml",
+                                             "staff/alice.html", "staff/alice.json", "staff/bob.html",
+                                             "staff/bob.json"}));
+}
+
+TEST_F(Reports, TheSameResultsGiveTheSameBytes) {
+  std::vector<SubmissionResult> results = sample_class(20);
+  results.push_back(submission_full_of(std::string("\0\xff\x1b[31m<\"", 8)));
+  write_all(dir_ / "first", results);
+  std::vector<SubmissionResult> read_back;
+  for (const SubmissionResult& result : results)
+    read_back.push_back(read_results(dir_ / "first", result.name).value());
+  write_all(dir_ / "second", read_back);
+  EXPECT_EQ(files_in(dir_ / "first"), files_in(dir_ / "second"));
+}
+
+TEST_F(Reports, ResultsComeBackWhole) {
+  const SubmissionResult result = sample_class(7).back();
+  write_submission_reports(dir_, result);
+  const SubmissionResult read = read_results(dir_, result.name).value();
+  EXPECT_EQ(read.fingerprint, result.fingerprint);
+  EXPECT_EQ(points(read), points(result));
+  ASSERT_EQ(read.exercises.size(), result.exercises.size());
+  for (std::size_t i = 0; i < read.exercises.size(); ++i) {
+    EXPECT_EQ(read.exercises[i].status, result.exercises[i].status);
+    EXPECT_EQ(read.exercises[i].staff_log, result.exercises[i].staff_log);
+    EXPECT_EQ(read.exercises[i].extra_credit, result.exercises[i].extra_credit);
+    ASSERT_EQ(read.exercises[i].cases.size(), result.exercises[i].cases.size());
+    for (std::size_t j = 0; j < read.exercises[i].cases.size(); ++j) {
+      EXPECT_EQ(read.exercises[i].cases[j].detail, result.exercises[i].cases[j].detail);
+      EXPECT_EQ(read.exercises[i].cases[j].points, result.exercises[i].cases[j].points);
+    }
+  }
+}
+
+TEST_F(Reports, WhatIsNotWholeIsNotRead) {
+  const SubmissionResult alice = sample_class(1).front();
+  EXPECT_FALSE(read_results(dir_, "alice"));
+  for (const char* file :
+       {"alice/results.json", "alice/report.html", "staff/alice.html", "staff/alice.json"}) {
+    write_submission_reports(dir_, alice);
+    ASSERT_TRUE(read_results(dir_, "alice"));
+    fs::remove(dir_ / file);
+    EXPECT_FALSE(read_results(dir_, "alice")) << file;
+  }
+  write_submission_reports(dir_, alice);
+  const std::string whole = files_in(dir_).at("staff/alice.json");
+  for (std::size_t size = 0; size + 2 < whole.size(); size += 97) {
+    write_file(dir_ / "staff/alice.json", whole.substr(0, size));
+    EXPECT_FALSE(read_results(dir_, "alice")) << size;
+  }
+  for (const char* text : {"[]", "{}", "null", "{\"name\": 3}"}) {
+    write_file(dir_ / "staff/alice.json", text);
+    EXPECT_FALSE(read_results(dir_, "alice")) << text;
+  }
+}
+
+TEST_F(Reports, NamesThatLeadElsewhereAreRefused) {
+  for (const char* name : {"", ".", "..", "../x", "a/b", "staff", ".hidden"}) {
+    SubmissionResult result;
+    result.name = name;
+    EXPECT_THROW(write_submission_reports(dir_, result), std::invalid_argument) << name;
+  }
+  EXPECT_TRUE(fs::is_empty(dir_));
+}
+
+TEST_F(Reports, AFolderThatCanNotBeMadeIsNamed) {
+  std::ofstream(dir_ / "grades") << "a file";
+  try {
+    write_class_reports(dir_ / "grades", sample_class(1));
+    FAIL();
+  } catch (const BadInput& error) {
+    EXPECT_NE(std::string(error.what()).find("grades/grades.csv: can't be written (Not a directory)"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST_F(Reports, AFailedWriteLeavesTheEarlierFileAndNothingElse) {
+  write_file(dir_ / "x", "earlier");
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const auto old_handler = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit small = before;
+  small.rlim_cur = 1000;
+  setrlimit(RLIMIT_FSIZE, &small);
+  std::string said;
+  try {
+    write_file(dir_ / "x", std::string(5000, 'x'));
+  } catch (const BadInput& error) {
+    said = error.what();
+  }
+  setrlimit(RLIMIT_FSIZE, &before);
+  std::signal(SIGXFSZ, old_handler);
+  EXPECT_NE(said.find("x: can't be written (File too large)"), std::string::npos) << said;
+  EXPECT_EQ(files_in(dir_), (Files{{"x", "earlier"}}));
+}
+
+TEST_F(Reports, ALinkInPlaceOfAFileIsReplacedAndNotFollowed) {
+  std::ofstream(dir_ / "other") << "kept";
+  fs::create_symlink(dir_ / "other", dir_ / "x");
+  write_file(dir_ / "x", "new");
+  EXPECT_EQ(files_in(dir_), (Files{{"other", "kept"}, {"x", "new"}}));
+}
+
+TEST(Table, IsAlignedAndAscii) {
+  std::vector<SubmissionResult> results = sample_class(4);
+  results[1].name =
+      "b\xc3\xb6"
+      "b\x1b[31m";
+  results[2].isolated = false;
+  std::ostringstream out;
+  print_table(out, results);
+  for (const char c : out.str()) EXPECT_TRUE(c == '\n' || (c >= 0x20 && c < 0x7f));
+  EXPECT_EQ(out.str(), R"(submission              S1             S2             P1            total
+alice                30/30 passed   20/20 passed     5/5 passed     55/50
+b\xc3\xb6b\x1b[31m   15/30 partly   10/20 partly   2.5/5 partly   27.5/50
+carol                30/30 passed   10/20 crash      0/5 wrong      40/50
+dave                  0/30 stub     10/20 partly     0/5 stub       10/50
+4 submissions, mean 33.12
+GRADED WITHOUT A SANDBOX
+)");
+}
+
+TEST(Statuses, HaveNamesThatReadBackAndSentencesOfTheirOwn) {
+  std::map<std::string, Status> sentences;
+  for (const Status status : all_statuses) {
+    EXPECT_EQ(status_from_string(to_string(status)), status);
+    EXPECT_TRUE(sentences.emplace(sentence_for(status), status).second);
+    EXPECT_TRUE(sentence_for(status).ends_with("."));
+  }
+  EXPECT_THROW(status_from_string("fine"), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace grader

@@ -1,0 +1,83 @@
+// STAFF ONLY.
+#include "grader/report/result.h"
+
+#include <array>
+#include <numeric>
+#include <stdexcept>
+
+namespace grader {
+namespace {
+
+struct Wording {
+  Status status;
+  const char* name;
+  const char* sentence;
+};
+
+constexpr std::array<Wording, 10> wordings{{
+    {Status::passed, "passed", "Everything passes. Well done."},
+    {Status::partly, "partly",
+     "Part of this works. The categories below say where points are left; each can be won on its own."},
+    {Status::wrong, "wrong",
+     "The code runs, but no category passes yet. Start with the public checks: they run in a debugger on "
+     "your machine."},
+    {Status::not_implemented, "not implemented",
+     "The stub is still in place, so there was nothing to grade. The assignment text leads you in, step by "
+     "step."},
+    {Status::missing, "missing",
+     "The file was not in what you handed in. Build the target `handin`: it packs every file that is "
+     "needed."},
+    {Status::does_not_compile, "does not compile",
+     "The file does not compile on its own with the given headers. The compiler's first message is the one "
+     "to begin with."},
+    {Status::crashed, "crashed",
+     "The program ended in the middle of a call, as after a write outside an array. The debug preset shows "
+     "the line."},
+    {Status::timed_out, "timed out",
+     "A call did not return within a generous limit. Check that every loop ends, also when the system can't "
+     "be solved."},
+    {Status::out_of_memory, "out of memory",
+     "The code asked for more memory than it was given. A few vectors of length n are all that is needed; "
+     "free what you allocate."},
+    {Status::broke_rules, "broke the rules",
+     "The code did something that an exercise may not do, such as opening files or connections or ending the "
+     "program. It needs only to compute and return."},
+}};
+
+const Wording& wording_of(Status status) {
+  for (const Wording& wording : wordings) {
+    if (wording.status == status) return wording;
+  }
+  throw std::invalid_argument("there is no status " + std::to_string(static_cast<int>(status)));
+}
+
+}  // namespace
+
+std::string to_string(Status status) {
+  return wording_of(status).name;
+}
+
+Status status_from_string(const std::string& name) {
+  for (const Wording& wording : wordings) {
+    if (name == wording.name) return wording.status;
+  }
+  throw std::invalid_argument("\"" + name + "\" is no status");
+}
+
+std::string sentence_for(Status status) {
+  return wording_of(status).sentence;
+}
+
+double points(const SubmissionResult& result) {
+  return std::accumulate(result.exercises.begin(), result.exercises.end(), 0.0,
+                         [](double sum, const ExerciseResult& exercise) { return sum + exercise.points; });
+}
+
+double max_points(const SubmissionResult& result) {
+  return std::accumulate(result.exercises.begin(), result.exercises.end(), 0.0,
+                         [](double sum, const ExerciseResult& exercise) {
+                           return exercise.extra_credit ? sum : sum + exercise.max_points;
+                         });
+}
+
+}  // namespace grader

@@ -1,0 +1,140 @@
+// STAFF ONLY.
+#include "grader/report/results_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include "grader/report/text.h"
+
+namespace grader {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string dumped(const Json& json) {
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string joined(const std::string& first, const std::string& second) {
+  return first.empty() || second.empty() ? first + second : first + "\n\n" + second;
+}
+
+Json test(const ExerciseResult& exercise, const std::string& number, const std::string& name, Status status,
+          double points, double max_points, const std::string& output) {
+  return {{"name", readable(name)},
+          {"number", number},
+          {"score", rounded_points(points)},
+          {"max_score", rounded_points(max_points)},
+          {"status", status == Status::passed ? "passed" : "failed"},
+          {"output", readable(output)},
+          {"output_format", "text"},
+          {"tags", Json::array({exercise.id})},
+          {"visibility", "visible"},
+          {"extra_data", {{"exercise", exercise.id}, {"status", to_string(status)}}}};
+}
+
+Json case_json(const CaseResult& one) {
+  return {{"name", valid_utf8(one.name)},
+          {"status", to_string(one.status)},
+          {"points", one.points},
+          {"max_points", one.max_points},
+          {"feedback", valid_utf8(one.feedback)},
+          {"detail", valid_utf8(one.detail)}};
+}
+
+CaseResult case_from(const Json& json) {
+  return {json.at("name"),     status_from_string(json.at("status")),
+          json.at("points"),   json.at("max_points"),
+          json.at("feedback"), json.at("detail")};
+}
+
+Json exercise_json(const ExerciseResult& exercise) {
+  Json cases = Json::array();
+  for (const CaseResult& one : exercise.cases) cases.push_back(case_json(one));
+  return {{"id", valid_utf8(exercise.id)},
+          {"title", valid_utf8(exercise.title)},
+          {"file", valid_utf8(exercise.file)},
+          {"extra_credit", exercise.extra_credit},
+          {"status", to_string(exercise.status)},
+          {"points", exercise.points},
+          {"max_points", exercise.max_points},
+          {"feedback", valid_utf8(exercise.feedback)},
+          {"compiler_messages", valid_utf8(exercise.compiler_messages)},
+          {"cases", cases},
+          {"staff_log", valid_utf8(exercise.staff_log)}};
+}
+
+ExerciseResult exercise_from(const Json& json) {
+  ExerciseResult exercise;
+  exercise.id = json.at("id");
+  exercise.title = json.at("title");
+  exercise.file = json.at("file");
+  exercise.extra_credit = json.at("extra_credit");
+  exercise.status = status_from_string(json.at("status"));
+  exercise.points = json.at("points");
+  exercise.max_points = json.at("max_points");
+  exercise.feedback = json.at("feedback");
+  exercise.compiler_messages = json.at("compiler_messages");
+  for (const Json& one : json.at("cases")) exercise.cases.push_back(case_from(one));
+  exercise.staff_log = json.at("staff_log");
+  return exercise;
+}
+
+}  // namespace
+
+std::string student_json(const SubmissionResult& result) {
+  Json tests = Json::array();
+  Json exercises = Json::object();
+  for (const ExerciseResult& exercise : result.exercises) {
+    if (exercise.cases.empty()) {
+      tests.push_back(test(exercise, exercise.id, exercise.title, exercise.status, exercise.points,
+                           exercise.max_points, joined(exercise.feedback, exercise.compiler_messages)));
+    }
+    for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
+      const CaseResult& one = exercise.cases[i];
+      tests.push_back(test(exercise, exercise.id + "." + std::to_string(i + 1), one.name, one.status,
+                           one.points, one.max_points, one.feedback));
+    }
+    exercises[exercise.id] = {{"status", to_string(exercise.status)},
+                              {"score", rounded_points(exercise.points)},
+                              {"max_score", rounded_points(exercise.max_points)},
+                              {"extra_credit", exercise.extra_credit},
+                              {"output", readable(exercise.feedback)}};
+  }
+  const std::string stamp = result.isolated ? "" : "Graded without a sandbox.";
+  return dumped({{"score", rounded_points(points(result))},
+                 {"output", joined(stamp, readable(result.note))},
+                 {"output_format", "text"},
+                 {"visibility", "visible"},
+                 {"stdout_visibility", "hidden"},
+                 {"tests", tests},
+                 {"extra_data", {{"exercises", exercises}, {"isolated", result.isolated}}}});
+}
+
+std::string staff_json(const SubmissionResult& result) {
+  Json exercises = Json::array();
+  for (const ExerciseResult& exercise : result.exercises) exercises.push_back(exercise_json(exercise));
+  return dumped({{"name", valid_utf8(result.name)},
+                 {"fingerprint", valid_utf8(result.fingerprint)},
+                 {"isolated", result.isolated},
+                 {"note", valid_utf8(result.note)},
+                 {"exercises", exercises}});
+}
+
+std::optional<SubmissionResult> result_from_staff_json(const std::string& text) {
+  try {
+    const Json json = Json::parse(text);
+    SubmissionResult result;
+    result.name = json.at("name");
+    result.fingerprint = json.at("fingerprint");
+    result.isolated = json.at("isolated");
+    result.note = json.at("note");
+    for (const Json& exercise : json.at("exercises")) result.exercises.push_back(exercise_from(exercise));
+    return result;
+  } catch (const Json::exception&) {
+    return {};
+  } catch (const std::invalid_argument&) {  // an unknown status
+    return {};
+  }
+}
+
+}  // namespace grader

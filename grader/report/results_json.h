@@ -1,0 +1,21 @@
+// STAFF ONLY. Results as JSON: results.json for the student in Gradescope's schema, and a whole copy for
+// staff, from which grading goes on where it stopped.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "grader/report/result.h"
+
+namespace grader {
+
+// Gradescope's schema (gradescope-autograders.readthedocs.io, "Output format"). A test is a category,
+// numbered "S1.3"; an exercise without categories (it is missing, it does not compile) is one test, "S1".
+// Nothing of the staff's is in it.
+std::string student_json(const SubmissionResult& result);
+
+std::string staff_json(const SubmissionResult& result);
+std::optional<SubmissionResult> result_from_staff_json(
+    const std::string& text);  // nothing if it is not whole
+
+}  // namespace grader

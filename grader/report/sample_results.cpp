@@ -1,0 +1,92 @@
+// STAFF ONLY.
+#include "grader/report/sample_results.h"
+
+#include <array>
+
+namespace grader {
+namespace {
+
+constexpr std::array<const char*, 6> categories{"The lecture's examples",  "Known matrices",
+                                                "Ill-conditioned systems", "Clustered eigenvalues",
+                                                "The step limit",          "Scaling"};
+
+bool runs(Status status) {
+  return status != Status::missing && status != Status::not_implemented && status != Status::does_not_compile;
+}
+
+ExerciseResult exercise(const char* id, const char* title, const char* file, double max_points, Status status,
+                        int seed) {
+  ExerciseResult result;
+  result.id = id;
+  result.title = title;
+  result.file = file;
+  result.status = status;
+  result.max_points = max_points;
+  result.feedback = sentence_for(status);
+  if (status == Status::does_not_compile) {
+    result.compiler_messages = std::string(file) +
+                               ":12:14: error: 'dott' was not declared in this scope; did you mean 'dot'?\n"
+                               "   12 |   rr = dott(r, r);\n      |        ^~~~";
+    result.staff_log = "g++ ended with code 1";
+  }
+  if (!runs(status)) return result;
+  const double share = max_points / static_cast<double>(categories.size());
+  for (std::size_t i = 0; i < categories.size(); ++i) {
+    const bool right =
+        status == Status::passed ||
+        (status != Status::wrong && (static_cast<int>(i) * 7 + seed) % 6 < 4 && i + 1 < categories.size());
+    const Status one = right ? Status::passed : status == Status::partly ? Status::wrong : status;
+    result.cases.push_back({categories[i], one, right ? share : 0, share,
+                            right ? "All 12 cases are right."
+                                  : "3 of 12 cases: the residual is 10 to 100 times larger than asked for.",
+                            right ? "" : "case 7: n = 100, seed 0x5eed, expected <= 1e-20, got 3.1e-19"});
+    result.points += right ? share : 0;
+  }
+  if (status == Status::crashed)
+    result.staff_log = "worker ended by signal 11 in case 7; started again (1 of 5)";
+  return result;
+}
+
+}  // namespace
+
+std::vector<SubmissionResult> sample_class(int size) {
+  constexpr std::array<const char*, 10> names{"alice",  "bob",   "carol", "dave", "erin",
+                                              "faythe", "grace", "heidi", "ivan", "judy"};
+  std::vector<SubmissionResult> results;
+  for (int i = 0; i < size; ++i) {
+    SubmissionResult result;
+    result.name =
+        std::string(names[static_cast<std::size_t>(i % 10)]) + (i < 10 ? "" : "_" + std::to_string(i / 10));
+    result.fingerprint = "0123456789abcdef0123456789abcdef";
+    const Status first = i % 3 == 2 ? all_statuses[0] : all_statuses[(i + i / 10) % 10];
+    const Status second = i % 2 == 1 ? all_statuses[1] : all_statuses[(i * 3 + i / 10) % 10];
+    result.exercises.push_back(exercise("S1", "Conjugate gradients", "conj_grad.cpp", 30, first, i));
+    result.exercises.push_back(exercise("S2", "Normal equations", "normal_equations.cpp", 20, second, i + 1));
+    result.exercises.push_back(
+        exercise("P1", "Explicit integrators", "explicit_integrators.cpp", 5, all_statuses[i % 10], i + 2));
+    result.exercises.back().extra_credit = true;
+    if (i == 14) {
+      result.note =
+          "handin.tar.gz can't be read: it is damaged or cut short. Pack it again, and check that it opens.";
+    }
+    results.push_back(result);
+  }
+  return results;
+}
+
+SubmissionResult submission_full_of(const std::string& text) {
+  SubmissionResult result;
+  result.name = "mallory";
+  result.note = text;
+  result.fingerprint = "00ff";
+  ExerciseResult exercise;
+  exercise.id = "S1";
+  exercise.title = exercise.file = exercise.feedback = exercise.compiler_messages = exercise.staff_log = text;
+  exercise.status = Status::wrong;
+  exercise.max_points = 10;
+  exercise.cases.push_back({text, Status::wrong, 0, 10, text, text});
+  result.exercises.push_back(exercise);
+  return result;
+}
+
+}  // namespace grader

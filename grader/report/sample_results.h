@@ -1,0 +1,22 @@
+// STAFF ONLY. Made-up results for tests.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "grader/report/result.h"
+
+namespace grader {
+
+constexpr Status all_statuses[] = {Status::passed,          Status::partly,    Status::wrong,
+                                   Status::not_implemented, Status::missing,   Status::does_not_compile,
+                                   Status::crashed,         Status::timed_out, Status::out_of_memory,
+                                   Status::broke_rules};
+
+// A class of `size` in which every status occurs, from the tenth submission on twice, and so forth.
+std::vector<SubmissionResult> sample_class(int size);
+
+// A submission whose every text is `text`, staff's texts too.
+SubmissionResult submission_full_of(const std::string& text);
+
+}  // namespace grader

@@ -1,0 +1,102 @@
+// STAFF ONLY.
+#include "grader/report/pages.h"
+#include "grader/report/text.h"
+
+namespace grader {
+namespace {
+
+enum class Reader { student, staff };
+
+// Long logs tell at their beginning what happened; the rest stays in staff/NAME.json.
+constexpr std::size_t most_log = 20000;
+
+std::string points_of(double points, double max_points) {
+  return shown_points(points) + " / " + shown_points(max_points);
+}
+
+Html block(const std::string& heading, const std::string& text) {
+  if (text.empty()) return {};
+  const bool cut = text.size() > most_log;
+  return html("<h3>{}</h3>\n<pre>{}{}</pre>\n",
+              {heading, text.substr(0, most_log), cut ? "\n... (cut here)" : ""});
+}
+
+Html case_row(const std::string& number, const CaseResult& one, Reader reader) {
+  Html row = html("<tr><td>{}</td><th scope=\"row\">{}</th><td>{}</td><td class=\"number\">{}</td><td>{}",
+                  {number, one.name, badge(one.status), points_of(one.points, one.max_points), one.feedback});
+  if (reader == Reader::staff && !one.detail.empty()) row += html("<pre>{}</pre>", {one.detail});
+  return row += html("</td></tr>\n");
+}
+
+Html cases_table(const ExerciseResult& exercise, Reader reader) {
+  if (exercise.cases.empty()) return {};
+  Html table = html(R"(<div class="wide"><table>
+<thead><tr><th scope="col">No.</th><th scope="col">Category</th><th scope="col">Status</th><th scope="col" class="number">Points</th><th scope="col">What we saw</th></tr></thead>
+<tbody>
+)");
+  for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
+    table += case_row(exercise.id + "." + std::to_string(i + 1), exercise.cases[i], reader);
+  }
+  return table += html("</tbody>\n</table></div>\n");
+}
+
+Html exercise_section(const ExerciseResult& exercise, Reader reader) {
+  Html section =
+      html(R"(<section id="{}">
+<h2>{} {}</h2>
+<div class="line">{}<span>{} points{}</span><code class="quiet">{}</code></div>
+<p>{}</p>
+)",
+           {exercise.id, exercise.id, exercise.title, badge(exercise.status),
+            points_of(exercise.points, exercise.max_points), exercise.extra_credit ? ", extra credit" : "",
+            exercise.file, exercise.feedback.empty() ? sentence_for(exercise.status) : exercise.feedback});
+  section += block("What the compiler says", exercise.compiler_messages);
+  section += cases_table(exercise, reader);
+  if (reader == Reader::staff)
+    section += block("What compiler, linker and worker printed", exercise.staff_log);
+  return section += html("</section>\n");
+}
+
+Html total_line(const SubmissionResult& result) {
+  double extra = 0;
+  for (const ExerciseResult& exercise : result.exercises)
+    extra += exercise.extra_credit ? exercise.points : 0;
+  return html("<p class=\"total\"><strong>{}</strong> of {} points{}</p>\n",
+              {shown_points(points(result)), shown_points(max_points(result)),
+               extra > 0 ? ", " + shown_points(extra) + " of them extra credit" : ""});
+}
+
+Html body_of(const SubmissionResult& result, Reader reader) {
+  Html body = html("<header>\n<h1>{}</h1>\n", {result.name});
+  body += total_line(result);
+  if (reader == Reader::staff) {
+    body += html(
+        "<p class=\"quiet\"><a href=\"../index.html\">The class</a> &middot; <a "
+        "href=\"../{}/report.html\">The student&#39;s report</a> &middot; fingerprint <code>{}</code></p>\n",
+        {result.name, result.fingerprint.substr(0, 16)});
+  }
+  body += html("</header>\n<main>\n");
+  if (!result.note.empty()) body += html("<p class=\"note\">{}</p>\n", {result.note});
+  for (const ExerciseResult& exercise : result.exercises) body += exercise_section(exercise, reader);
+  return body += html("</main>\n");
+}
+
+}  // namespace
+
+Html badge(Status status) {
+  const char* look = "bad";
+  if (status == Status::passed) look = "good";
+  if (status == Status::partly) look = "part";
+  if (status == Status::missing || status == Status::not_implemented) look = "none";
+  return html("<span class=\"badge {}\">{}</span>", {look, to_string(status)});
+}
+
+std::string student_page(const SubmissionResult& result) {
+  return html_page("Report for " + result.name, result.isolated, body_of(result, Reader::student));
+}
+
+std::string staff_page(const SubmissionResult& result) {
+  return html_page(result.name + " (staff)", result.isolated, body_of(result, Reader::staff));
+}
+
+}  // namespace grader
