@@ -4,9 +4,9 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -14,7 +14,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
-#include <sstream>
 #include <system_error>
 
 #include "grader/sandbox/identity.h"
@@ -22,7 +21,7 @@
 namespace grader {
 namespace {
 
-enum : int { kRequests = 3, kReplies = 4, kInfo = 5, kFilter = 6, kFirstFree = 7 };
+enum : int { kRequests = 3, kReplies = 4, kInfo = 5, kFilter = 6 };
 
 std::string replace_all(std::string text, const std::string& from, const std::string& to) {
   for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
@@ -56,7 +55,7 @@ std::vector<std::string> bwrap_command(const Cage& cage, const std::vector<std::
   auto append = [&all](std::initializer_list<std::string> words) { all.insert(all.end(), words); };
   if (filtered) append({"--seccomp", std::to_string(kFilter)});
   if (cage.tmp_bytes > 0)
-    append({"--size", std::to_string(cage.tmp_bytes), "--tmpfs", "/tmp", "--dev", "/dev"});
+    append({"--size", std::to_string(cage.tmp_bytes), "--tmpfs", "/tmp", "--dev", "/dev", "--remount-ro", "/dev"});
   for (const Mount& mount : cage.mounts) {
     std::error_code error;
     if (std::filesystem::is_symlink(mount.source, error) && mount.source == mount.target)
@@ -92,12 +91,12 @@ struct Child {
     const int targets[] = {1, 2, kRequests, kReplies, kInfo, kFilter};
     for (int& source : sources)
       if (source >= 0) source = fcntl(source, F_DUPFD_CLOEXEC, 32);  // out of the targets' way
+    syscall(SYS_close_range, 3, ~0U, 4U /* CLOSE_RANGE_CLOEXEC */);
     for (int i = 0; i < 6; ++i)
       if (sources[i] >= 0 && dup2(sources[i], targets[i]) < 0) _exit(126);
     const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
     if (dup2(nothing, 0) < 0) _exit(126);
     if (output < 0 && (dup2(nothing, 1) < 0 || dup2(nothing, 2) < 0)) _exit(126);
-    syscall(SYS_close_range, kFirstFree, ~0U, 4U /* CLOSE_RANGE_CLOEXEC */);
     if (!become(identity)) _exit(126);
     if (folder != nullptr && chdir(folder) != 0) _exit(126);
     execve(argv[0], argv.data(), environment.data());
@@ -109,8 +108,7 @@ struct Child {
 
 CagedProcess::CagedProcess(const Cage& cage, const std::vector<std::string>& command, int requests,
                            int replies, int output)
-    : limits_(cage.limits),
-      isolated_(cage.isolated),
+    : isolated_(cage.isolated),
       group_(ControlGroup::create(cage.limits.memory_bytes, cage.limits.processes + 4 /* bwrap's own */)) {
   std::vector<std::string> words, environment;
   std::string folder;
@@ -151,7 +149,6 @@ CagedProcess::CagedProcess(const Cage& cage, const std::vector<std::string>& com
 
 CagedProcess::CagedProcess(CagedProcess&& other) noexcept
     : process_(std::exchange(other.process_, -1)),
-      limits_(other.limits_),
       isolated_(other.isolated_),
       info_(std::move(other.info_)),
       init_(other.init_),
@@ -184,13 +181,8 @@ Ending CagedProcess::wait(double seconds) {
     ending.timed_out = true;
   }
   int status = 0;
-  rusage usage{};
-  while (wait4(process_, &status, 0, &usage) < 0 && errno == EINTR) {
+  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
   }
-  auto in_seconds = [](const timeval& time) {
-    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-  };
-  ending.cpu_seconds = in_seconds(usage.ru_utime) + in_seconds(usage.ru_stime);
   if (WIFSIGNALED(status)) {
     ending.signal = WTERMSIG(status);
   } else if (WEXITSTATUS(status) > 128 && isolated_) {
@@ -199,8 +191,8 @@ Ending CagedProcess::wait(double seconds) {
     ending.code = WEXITSTATUS(status);
   }
   ending.out_of_memory = group_ && group_->ran_out_of_memory();
-  ending.timed_out |= ending.signal == SIGXCPU || (ending.signal == SIGKILL && !ending.out_of_memory &&
-                                                   ending.cpu_seconds >= limits_.cpu_seconds);
+  // The soft limit on CPU time, or the hard one a second later for a process that ignores the first.
+  ending.timed_out |= ending.signal == SIGXCPU || (ending.signal == SIGKILL && !ending.out_of_memory);
   ending_ = ending;
   group_.reset();
   return ending;
@@ -223,17 +215,18 @@ pid_t CagedProcess::inner_process() const {
 }
 
 CagedProcess::Activity CagedProcess::activity() const {
-  std::ifstream file("/proc/" + std::to_string(inner_process()) + "/stat");
+  const pid_t process = inner_process();
+  Activity now;
+  clockid_t clock;
+  timespec used{};
+  if (clock_getcpuclockid(process, &clock) == 0 && clock_gettime(clock, &used) == 0)
+    now.cpu_seconds = static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
+  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
   std::string line;
   std::getline(file, line);
-  // pid (name) state ppid pgrp session tty tpgid flags minflt cminflt majflt cmajflt utime stime ...
-  std::istringstream fields(line.substr(std::min(line.size(), line.rfind(')') + 1)));
-  std::string state, skipped;
-  fields >> state;
-  for (int i = 0; i < 10; ++i) fields >> skipped;
-  double user = 0, system = 0;
-  fields >> user >> system;
-  return {state == "S", (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK))};
+  const std::size_t name_end = line.rfind(')');  // pid (name) state ...
+  now.asleep = name_end != std::string::npos && line.compare(name_end, 3, ") S") == 0;
+  return now;
 }
 
 std::vector<std::string> with_inner_limits(const Limits& limits, const std::vector<std::string>& command) {

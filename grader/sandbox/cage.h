@@ -52,7 +52,6 @@ struct Ending {
   int signal = 0;              // or what killed it
   bool timed_out = false;      // it used up its CPU time, or the watchdog ended it
   bool out_of_memory = false;  // the kernel ended it
-  double cpu_seconds = 0;
 
   bool well() const { return code == 0 && signal == 0 && !timed_out && !out_of_memory; }
 };
@@ -83,7 +82,6 @@ class CagedProcess {
   pid_t inner_process() const;
 
   pid_t process_ = -1;
-  Limits limits_;
   bool isolated_;
   Descriptor info_;  // where bwrap says who its child is
   mutable pid_t init_ = -1;
@@ -94,7 +92,8 @@ class CagedProcess {
 // Puts limits on a command, inside of the cage, as the unprivileged user: `prlimit ... -- command`.
 std::vector<std::string> with_inner_limits(const Limits& limits, const std::vector<std::string>& command);
 
-// Mounts for the C++ library that this program itself runs with, and nothing else of the system.
+// Mounts for the C++ library and libseccomp that this program itself runs with: all that a worker needs of
+// the system.
 std::vector<Mount> runtime_library_mounts();
 
 // Mounts for the system's compiler and linker, its C++ library and C library; of the other headers that are

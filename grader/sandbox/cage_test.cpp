@@ -1,1 +1,160 @@
-// STAFF ONLY.
+// STAFF ONLY. What a cage keeps from the process inside, tried from inside with a shell.
+#include "grader/sandbox/cage.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+
+#include "grader/sandbox/identity.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+class CageTest : public testing::Test {
+ protected:
+  CageTest() {
+    std::string pattern = (fs::temp_directory_path() / "cage-test-XXXXXX").string();
+    folder_ = mkdtemp(pattern.data());
+    share_with_sandbox(folder_, false);
+    fs::create_directory(folder_ / "empty");
+    chmod((folder_ / "empty").c_str(), 0755);
+    cage_.mounts = toolchain_mounts(folder_ / "empty");
+    cage_.tmp_bytes = 1 << 20;
+    cage_.syscalls = Syscalls::toolchain;
+    cage_.limits.wall_seconds = 20;
+    cage_.limits.cpu_seconds = 5;
+    cage_.limits.memory_bytes = std::size_t{256} << 20;
+  }
+  ~CageTest() override { fs::remove_all(folder_); }
+
+  struct Run {
+    Ending ending;
+    std::string output;
+  };
+  Run shell(const std::string& script) {
+    Pipe output = make_pipe();
+    CagedProcess process(cage_, with_inner_limits(cage_.limits, {"/usr/bin/bash", "-c", script}), -1, -1,
+                         output.write_end.get());
+    output.write_end.close();
+    std::string text = read_all(output.read_end, 1 << 16);
+    return {process.wait(cage_.limits.wall_seconds), text};
+  }
+
+  fs::path folder_;
+  Cage cage_;
+};
+
+TEST_F(CageTest, RunsAProgramAndSaysHowItEnded) {
+  const Run well = shell("echo hello");
+  EXPECT_TRUE(well.ending.well());
+  EXPECT_EQ(well.output, "hello\n");
+  EXPECT_EQ(shell("exit 3").ending.code, 3);
+  EXPECT_EQ(shell("kill -SEGV $$").ending.signal, SIGSEGV);
+}
+
+TEST_F(CageTest, HoldsNothingButWhatIsMounted) {
+  const Run run = shell("shopt -s dotglob; for f in /* /etc/* /home/* /root/* /proc/*; do [ -e \"$f\" ] && echo \"$f\"; done");
+  EXPECT_EQ(run.output, "/bin\n/dev\n/etc\n/lib\n/lib64\n/tmp\n/usr\n/etc/alternatives\n");
+  EXPECT_EQ(shell("ls -A /usr/include/eigen3").output, "");
+  EXPECT_EQ(shell("ls -A /usr/include/nlohmann").output, "");
+}
+
+TEST_F(CageTest, HasNoEnvironmentOfOurs) {
+  setenv("STAFF_SECRET", "do not look", 1);
+  const std::string environment = shell("export -p; pwd").output;
+  unsetenv("STAFF_SECRET");
+  EXPECT_EQ(environment.find("STAFF_SECRET"), std::string::npos) << environment;
+  EXPECT_EQ(environment.find("HOME"), std::string::npos) << environment;
+}
+
+TEST_F(CageTest, IsNeverRoot) { EXPECT_NE(shell("id -u").output, "0\n"); }
+
+TEST_F(CageTest, IsAloneAmongProcesses) {
+  // Our own process, by its number out here.
+  const Run run = shell("kill -0 " + std::to_string(getpid()) + " && echo reached");
+  EXPECT_EQ(run.output.find("reached"), std::string::npos) << run.output;
+}
+
+TEST_F(CageTest, WritesNowhereButInItsOwnTmp) {
+  for (const char* place : {"/x", "/usr/x", "/usr/bin/x", "/etc/x", "/etc/alternatives/x", "/dev/x"})
+    EXPECT_EQ(shell(std::string("echo x 2>/dev/null > ") + place + " && echo written").output.find("written"), std::string::npos)
+        << place;
+  EXPECT_NE(shell("echo x > /tmp/from-the-cage && echo written").output.find("written"), std::string::npos);
+  EXPECT_FALSE(fs::exists("/tmp/from-the-cage"));
+  // The size is a limit.
+  EXPECT_EQ(shell("head -c 8M /dev/zero > /tmp/large && echo written").output.find("written"), std::string::npos);
+}
+
+TEST_F(CageTest, HasNoNetwork) {
+  const Run run = shell("exec 9<>/dev/tcp/127.0.0.1/22 && echo connected");
+  EXPECT_EQ(run.output.find("connected"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("Operation not permitted"), std::string::npos) << run.output;
+}
+
+TEST_F(CageTest, InheritsNoDescriptors) {
+  const Descriptor secret(open("/dev/null", O_RDONLY));  // without close-on-exec
+  const Run run = shell("for i in $(seq 3 9) $(seq 11 250); do { true <&$i; } 2>/dev/null && echo $i; done; true");
+  EXPECT_EQ(run.output, "");  // bash itself uses 10
+}
+
+TEST_F(CageTest, EndsAProcessThatSleeps) {
+  const auto start = std::chrono::steady_clock::now();
+  CagedProcess process(cage_, {"/usr/bin/sleep", "1000"}, -1, -1, -1);
+  EXPECT_TRUE(process.wait(0.5).timed_out);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
+}
+
+TEST_F(CageTest, EndsAProcessThatComputesForever) {
+  cage_.limits.cpu_seconds = 1;
+  EXPECT_TRUE(shell("while :; do :; done").ending.timed_out);
+}
+
+TEST_F(CageTest, SeesSleepAndWorkFromOutside) {
+  CagedProcess sleeper(cage_, {"/usr/bin/sleep", "1000"}, -1, -1, -1);
+  usleep(300000);
+  EXPECT_TRUE(sleeper.activity().asleep);
+  cage_.limits.cpu_seconds = 5;
+  CagedProcess worker(cage_, {"/usr/bin/bash", "-c", "while :; do :; done"}, -1, -1, -1);
+  usleep(500000);
+  EXPECT_GT(worker.activity().cpu_seconds, 0.05);
+}
+
+TEST_F(CageTest, LimitsMemory) {
+  cage_.limits.memory_bytes = std::size_t{64} << 20;
+  const Run run = shell("x=$(head -c 200M /dev/zero | tr '\\0' x); echo ${#x}");
+  EXPECT_EQ(run.output.find("209715200"), std::string::npos);
+}
+
+TEST_F(CageTest, ContainsAForkBomb) {
+  cage_.limits.processes = 16;
+  cage_.limits.cpu_seconds = 1;
+  cage_.limits.wall_seconds = 2;
+  const auto start = std::chrono::steady_clock::now();
+  shell("bomb() { bomb | bomb & }; bomb; sleep 1");
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(15));
+}
+
+TEST_F(CageTest, LimitsTheSizeOfFiles) {
+  fs::create_directory(folder_ / "out");
+  share_with_sandbox(folder_ / "out", true);
+  cage_.mounts.push_back({folder_ / "out", "/out", true});
+  cage_.limits.file_bytes = 1 << 16;
+  shell("head -c 1M /dev/zero > /out/large");
+  EXPECT_LE(fs::file_size(folder_ / "out" / "large"), cage_.limits.file_bytes);
+}
+
+TEST_F(CageTest, MakesNoNamespacesInside) {
+  const Run run = shell("unshare -Ur true && echo made");
+  EXPECT_EQ(run.output.find("made"), std::string::npos) << run.output;
+}
+
+}  // namespace
+}  // namespace grader

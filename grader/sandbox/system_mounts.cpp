@@ -28,7 +28,8 @@ bool is_standard(const std::string& folder) {
 std::vector<Mount> runtime_library_mounts() {
   std::vector<Mount> mounts;
   auto collect = [](dl_phdr_info* object, std::size_t, void* data) {
-    static constexpr std::array wanted = {"libc.so", "libm.so", "libstdc++.so", "libgcc_s.so", "ld-linux"};
+    static constexpr std::array wanted = {"libc.so",     "libm.so",       "libstdc++.so",
+                                          "libgcc_s.so", "libseccomp.so", "ld-linux"};
     const std::string path = object->dlpi_name;
     const std::string file = fs::path(path).filename();
     if (std::any_of(wanted.begin(), wanted.end(), [&](const char* name) { return file.rfind(name, 0) == 0; }))

@@ -1,0 +1,176 @@
+// STAFF ONLY.
+#include "grader/compile/compiler.h"
+
+#include <unistd.h>
+
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+#include "grader/compile/hash.h"
+#include "grader/course/bad_input.h"
+#include "grader/sandbox/cage.h"
+#include "grader/sandbox/identity.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostOutput = 64 << 10;
+
+const std::vector<std::string> kCompile = {"-std=c++20",
+                                           "-O2",
+                                           "-fPIC",
+                                           "-ffp-contract=off",
+                                           "-pipe",
+                                           "-fmax-errors=20",
+                                           "-fno-diagnostics-show-caret",
+                                           "-fdiagnostics-color=never",
+                                           "-c"};
+const std::vector<std::string> kLink = {"-shared",     "-s",        "-fno-lto", "-fno-use-linker-plugin",
+                                        "-Wl,-z,defs", "-Wl,-z,now"};
+
+std::string find_compiler() {
+  for (const char* name : {"/usr/bin/g++", "/usr/bin/c++", "/usr/bin/clang++"})
+    if (fs::exists(name)) return fs::canonical(name).string();
+  throw BadInput("no C++ compiler in /usr/bin; install g++");
+}
+
+std::string read_file(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+Cage toolchain_cage(const StagedKit& kit, const Exercise& exercise, bool isolated) {
+  Cage cage;
+  cage.mounts = toolchain_mounts(kit.empty_folder(), exercise.libraries);
+  cage.tmp_bytes = 64 << 20;
+  cage.syscalls = Syscalls::toolchain;
+  cage.limits.memory_bytes = std::size_t{2} << 30;
+  cage.isolated = isolated;
+  return cage;
+}
+
+struct Run {
+  Ending ending;
+  std::string output;
+};
+
+Run run(const Cage& cage, const std::vector<std::string>& command) {
+  Pipe output = make_pipe();
+  CagedProcess process(cage, with_inner_limits(cage.limits, command), -1, -1, output.write_end.get());
+  output.write_end.close();
+  std::string text = read_all(output.read_end, kMostOutput);
+  if (text.size() >= kMostOutput) process.kill();
+  return {process.wait(cage.limits.wall_seconds), std::move(text)};
+}
+
+fs::path writable_folder(const fs::path& path) {
+  fs::create_directory(path);
+  share_with_sandbox(path, true);
+  return path;
+}
+
+}  // namespace
+
+Compiler::Compiler(const StagedKit& kit, fs::path cache, bool isolated)
+    : kit_(kit), cache_(std::move(cache)), isolated_(isolated), program_(find_compiler()) {
+  std::error_code error;
+  fs::create_directories(cache_, error);
+  if (error) throw BadInput(cache_.string() + ": can't keep compiled objects there: " + error.message());
+  version_ = sha256_of(program_);
+}
+
+Compiled Compiler::compile(const Exercise& exercise, const std::string& source, const fs::path& job) const {
+  const fs::path object = job / (exercise.id + ".so");
+  const fs::path cached =
+      cache_ / (sha256(kit_.hash() + version_ + exercise.id + exercise.file + source) + ".so");
+  std::error_code error;
+  if (fs::copy_file(cached, object, error)) {
+    fs::permissions(object, fs::perms(0755));
+    return {object, {}, {}, false};
+  }
+
+  Compiled compiled = run_compiler(exercise, source, job);
+  if (compiled.object.empty()) return compiled;
+  const std::string compiler_log = std::move(compiled.log);
+  compiled = run_linker(exercise, job);
+  compiled.log = compiler_log + compiled.log;
+  // With warnings it is compiled again the next time, so that they are there again.
+  if (!compiled.object.empty() && compiled.log.empty()) {
+    const fs::path temporary =
+        cached.string() + "." + std::to_string(getpid()) + "-" + job.filename().string();
+    if (fs::copy_file(compiled.object, temporary, fs::copy_options::overwrite_existing, error))
+      fs::rename(temporary, cached, error);
+  }
+  return compiled;
+}
+
+Compiled Compiler::run_compiler(const Exercise& exercise, const std::string& source,
+                                const fs::path& job) const {
+  const fs::path in = job / "source", out = writable_folder(job / "object");
+  fs::create_directory(in);
+  share_with_sandbox(in, false);
+  std::ofstream(in / exercise.file, std::ios::binary) << source;
+  fs::permissions(in / exercise.file, fs::perms(0644));
+
+  Cage cage = toolchain_cage(kit_, exercise, isolated_);
+  cage.mounts.push_back({kit_.folder() / "include", "/given"});
+  cage.mounts.push_back({in, "/student"});
+  cage.mounts.push_back({out, "/out", true});
+  cage.folder = "/student";
+  std::vector<std::string> command = {program_};
+  command.insert(command.end(), kCompile.begin(), kCompile.end());
+  for (const std::string& library : exercise.libraries)
+    command.insert(command.end(), {"-isystem", "/usr/include/" + library});
+  command.insert(command.end(), {"-I/given", exercise.file, "-o", "/out/object.o"});
+
+  const auto [ending, output] = run(cage, command);
+  Compiled compiled{ending.well() ? out / "object.o" : fs::path(), own_messages(output, exercise.file),
+                    output, ending.timed_out};
+  if (ending.timed_out) compiled.messages += "the compiler did not end within its time limit\n";
+  return compiled;
+}
+
+Compiled Compiler::run_linker(const Exercise& exercise, const fs::path& job) const {
+  const fs::path out = writable_folder(job / "linked");
+  Cage cage = toolchain_cage(kit_, exercise, isolated_);
+  cage.mounts.push_back({job / "object", "/object"});
+  cage.mounts.push_back({out, "/out", true});
+  cage.mounts.push_back({kit_.folder() / "export" / (exercise.id + ".map"), "/export.map"});
+  std::vector<std::string> command = {program_};
+  command.insert(command.end(), kLink.begin(), kLink.end());
+  command.insert(command.end(), {"-Wl,--version-script=/export.map", "-o", "/out/" + exercise.id + ".so",
+                                 "/object/object.o"});
+  for (const std::string& id : exercise.prerequisites) {
+    cage.mounts.push_back({kit_.folder() / "lib" / (id + ".so"), "/lib-given/" + id + ".so"});
+    command.push_back("/lib-given/" + id + ".so");
+  }
+
+  const auto [ending, output] = run(cage, command);
+  Compiled compiled{{}, {}, output, ending.timed_out};
+  if (!ending.well()) {
+    compiled.messages =
+        "the file compiles, but does not link: it uses a function that neither it nor its prerequisites "
+        "define\n";
+    return compiled;
+  }
+  // Copied, for the sandbox's user could still change what it has written; and not through a link that it has left there.
+  const fs::path written = out / (exercise.id + ".so");
+  if (!fs::is_regular_file(fs::symlink_status(written))) return compiled;
+  compiled.object = job / (exercise.id + ".so");
+  std::ofstream(compiled.object, std::ios::binary) << read_file(written);
+  fs::permissions(compiled.object, fs::perms(0755));
+  return compiled;
+}
+
+std::string own_messages(const std::string& log, const std::string& file) {
+  std::istringstream lines(log);
+  std::string own;
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with(file + ":")) own += line + "\n";
+  return own;
+}
+
+}  // namespace grader

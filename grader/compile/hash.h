@@ -1,0 +1,15 @@
+// STAFF ONLY. SHA-256 and HMAC-SHA-256 (FIPS 180-4, FIPS 198-1), in hexadecimal.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace grader {
+
+std::string sha256(const std::string& bytes);
+std::string hmac_sha256(const std::string& key, const std::string& bytes);
+
+// Of a file's bytes; of a folder's, with the names in it. Throws BadInput for what can't be read.
+std::string sha256_of(const std::filesystem::path& path);
+
+}  // namespace grader

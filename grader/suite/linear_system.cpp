@@ -1,0 +1,184 @@
+// STAFF ONLY.
+#include "grader/suite/linear_system.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace grader {
+namespace {
+
+constexpr double kUnit = 0x1p-53;
+
+int limit_of(int n, int steps) {
+  return steps == 0 ? std::max(100, 2 * n) : std::max(0, steps);
+}
+
+std::string numbers(const Solution& s, double epsilon, int steps) {
+  std::ostringstream text;
+  text.precision(17);
+  text << "epsilon " << epsilon << ", steps in " << steps << "; steps out " << s.steps << ", value "
+       << s.value << ", products " << s.products;
+  return text.str();
+}
+
+bool all_finite(const std::vector<double>& v) {
+  return std::all_of(v.begin(), v.end(), [](double value) { return std::isfinite(value); });
+}
+
+}  // namespace
+
+double norm(const std::vector<double>& v) {
+  long double sum = 0;
+  for (double value : v) sum += static_cast<long double>(value) * value;
+  return static_cast<double>(std::sqrt(sum));
+}
+
+LinearSystem with_solution(std::string name, std::shared_ptr<implicitMatrix> A, std::vector<double> solution,
+                           double norm, double smallest, double product_error) {
+  LinearSystem system{std::move(name), std::move(A), {}, std::move(solution), norm, smallest, product_error};
+  system.b.resize(system.solution.size());
+  system.A->matVecMult(system.solution.data(), system.b.data());
+  system.ill_conditioned = !(smallest > 0) || norm / smallest >= 1e4;
+  return system;
+}
+
+LinearSystem sparse_system(std::string name, const solver::SparseMatrix& A, std::vector<double> solution,
+                           double smallest) {
+  return with_solution(std::move(name), std::make_shared<solver::SparseMatrix>(A), std::move(solution),
+                       A.norm_bound(), smallest, A.longest_row());
+}
+
+LinearSystem spectral_system(std::string name, std::vector<double> spectrum, Random& random) {
+  const int n = static_cast<int>(spectrum.size());
+  const auto [least, most] = std::minmax_element(spectrum.begin(), spectrum.end());
+  const double smallest = *least, largest = std::max(std::abs(*least), std::abs(*most));
+  constexpr int kReflectors = 3;
+  std::vector<std::vector<double>> reflectors;
+  for (int i = 0; i < kReflectors; ++i) reflectors.push_back(random.normals(n));
+  const double product_error =
+      2 * kReflectors * 2 * (n + 3);  // each reflection: a dot product and an update, there and back
+  return with_solution(std::move(name),
+                       std::make_shared<solver::SpectralMatrix>(std::move(spectrum), std::move(reflectors)),
+                       random.normals(n, 1 / std::sqrt(n)), largest, smallest, product_error);
+}
+
+double true_residual(const LinearSystem& system, const std::vector<double>& x) {
+  std::vector<double> in = x, r(x.size());
+  system.A->matVecMult(in.data(), r.data());
+  for (std::size_t i = 0; i < r.size(); ++i) r[i] = system.b[i] - r[i];
+  return norm(r);
+}
+
+double drift(const LinearSystem& system, const std::vector<double>& x, double value) {
+  const double longest = 2 * std::max(norm(system.solution), norm(x)) + norm(system.b);
+  return kUnit * (65 * (10 + 2 * system.product_error) * system.norm * longest +
+                  system.product_error * norm(system.b) + (system.n() + 2) * std::sqrt(value));
+}
+
+Solution reference_solution(const LinearSystem& system, double epsilon, int steps) {
+  Solution solution{0, steps, std::vector<double>(system.b.size()), 0};
+  std::vector<double> b = system.b;
+  solution.value =
+      ConjGrad(system.n(), system.A.get(), solution.x.data(), b.data(), epsilon, &solution.steps);
+  return solution;
+}
+
+Tolerance tolerance_after(const LinearSystem& system, int least_steps) {
+  for (int k = least_steps; k < least_steps + 50; ++k) {
+    const double before = reference_solution(system, 0, k > 1 ? k - 1 : -1).value;
+    const double after = reference_solution(system, 0, k).value;
+    const double epsilon = std::sqrt(before) * std::sqrt(after);
+    // Earlier residuals may be smaller: they need not shrink at every step.
+    if (after < 0.8 * before && reference_solution(system, epsilon, k).steps == k) return {epsilon, k};
+  }
+  throw std::logic_error("no clear tolerance for " + system.name);
+}
+
+Solution solve(Trial& trial, const LinearSystem& system, double epsilon, int steps, std::vector<double> x) {
+  const int n = system.n(), limit = limit_of(n, steps);
+  trial.describe(system.name + ", n = " + std::to_string(n));
+  if (x.empty()) x = trial.random.normals(n, 1e3);
+
+  Solution solution;
+  auto serve = [&](int which, const std::vector<double>& in, std::vector<double>& out) {
+    if (which != 0 || in.size() != system.b.size()) throw MalformedMessage("a product that makes no sense");
+    out.resize(in.size());
+    std::vector<double> copy = in;
+    system.A->matVecMult(copy.data(), out.data());
+    return ++solution.products <= 1 + limit + limit / 64 + 2;
+  };
+  MessageWriter request;
+  request.put(n)
+      .put(epsilon)
+      .put(steps)
+      .put(std::span<const double>(x))
+      .put(std::span<const double>(system.b));
+  MessageReader reply = trial.ask(request, serve);
+  solution.value = reply.get<double>();
+  solution.steps = reply.get<int>();
+  solution.x = reply.get_doubles(n);
+  const std::vector<double> b_after = reply.get_doubles(n);
+  const int overlaps = reply.get<int>();
+  reply.expect_end();
+
+  const std::string detail = numbers(solution, epsilon, steps);
+  trial.expect(overlaps == 0, "a product's input and output overlap", detail);
+  trial.expect(n == 0 || std::memcmp(b_after.data(), system.b.data(), n * sizeof(double)) == 0,
+               "b is changed", detail);
+  trial.expect(solution.steps >= 0, "the number of steps is negative", detail);
+  trial.expect(solution.steps <= limit, "more steps than the limit allows", detail);
+  const int expected_products = 1 + solution.steps + solution.steps / 64;
+  const int slack = system.ill_conditioned ? 2 : 0;
+  trial.expect(n == 0 || std::abs(solution.products - expected_products) <= slack,
+               "the number of products is not 1 + steps + floor(steps / 64)", detail);
+  if (all_finite(system.b)) {
+    trial.expect(all_finite(solution.x), "x holds values that are not finite", detail);
+    if (std::isfinite(solution.value)) {
+      trial.expect(solution.value >= 0, "the return value is negative", detail);
+      trial.expect_at_most(std::abs(std::sqrt(solution.value) - true_residual(system, solution.x)),
+                           drift(system, solution.x, solution.value),
+                           "the difference between the return value and the squared norm of b - Ax", detail);
+    }
+  }
+  return solution;
+}
+
+void expect_converged(Trial& trial, const LinearSystem& system, const Solution& solution, double epsilon) {
+  trial.expect(solution.value <= epsilon, "it ends before the squared residual norm is at most epsilon",
+               numbers(solution, epsilon, 0));
+  if (system.solution.empty() || !(system.smallest > 0)) return;
+  std::vector<double> error = solution.x;
+  for (std::size_t i = 0; i < error.size(); ++i) error[i] -= system.solution[i];
+  trial.expect_at_most(
+      norm(error), (std::sqrt(solution.value) + drift(system, solution.x, solution.value)) / system.smallest,
+      "the error of x", numbers(solution, epsilon, 0));
+}
+
+void expect_converged_or_at_limit(Trial& trial, const LinearSystem& system, const Solution& solution,
+                                  double epsilon, int limit) {
+  if (solution.value <= epsilon)
+    expect_converged(trial, system, solution, epsilon);
+  else
+    trial.expect(solution.steps == limit_of(system.n(), limit),
+                 "it ends before the squared residual norm is at most epsilon, and before the step limit",
+                 numbers(solution, epsilon, limit));
+}
+
+void expect_steps(Trial& trial, const Solution& solution, int expected) {
+  trial.expect(solution.steps == expected,
+               "another number of steps than the method of conjugate gradients takes",
+               "expected " + std::to_string(expected) + ", got " + std::to_string(solution.steps));
+}
+
+void expect_solves_ordinary_system(Trial& trial) {
+  const int n = trial.random.integer(12, 20);
+  const LinearSystem system = spectral_system("ordinary", solver::log_spaced(n, 1, 50), trial.random);
+  const auto [epsilon, steps] = tolerance_after(system, 5);
+  const Solution solution = solve(trial, system, epsilon, 0);
+  expect_steps(trial, solution, steps);
+  expect_converged(trial, system, solution, epsilon);
+}
+
+}  // namespace grader

@@ -1,0 +1,82 @@
+// STAFF ONLY. Systems Ax = b with all that is known of them, and a student's ConjGrad put to work on them.
+//
+// Bounds. With u = 2^-53, e the rounding error of a product over u, X = 2||x*|| + ||b|| and ||A||, the
+// header's contract gives
+//   drift = 65 (10 + 2e) u ||A|| X + e u ||b|| + (n + 2) u sqrt(value)
+// between the square root of the return value and the true ||b - Ax|| (65, one more than the header's 64, for
+// the true residual that is taken here; n + 2 roundings for a sum of n squares), and then
+//   ||x - x*|| <= (sqrt(value) + drift) / lambda_min.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "grader/suite/trial.h"
+#include "solver/linearSolver.h"
+#include "solver/matrices.h"
+
+namespace grader {
+
+struct LinearSystem {
+  std::string name;
+  std::shared_ptr<implicitMatrix> A;
+  std::vector<double> b;
+  std::vector<double> solution;  // empty: none is known
+  double norm = 1;               // >= ||A||
+  double smallest = 0;           // the smallest eigenvalue, or less; 0: not known
+  double product_error = 1;      // e
+  // Condition 1e4 or more, or singular: the number of steps depends on the order of summation.
+  bool ill_conditioned = false;
+
+  int n() const { return static_cast<int>(b.size()); }
+};
+
+// A system whose solution is `solution`, up to the rounding of one product.
+LinearSystem with_solution(std::string name, std::shared_ptr<implicitMatrix> A, std::vector<double> solution,
+                           double norm, double smallest, double product_error);
+LinearSystem sparse_system(std::string name, const solver::SparseMatrix& A, std::vector<double> solution,
+                           double smallest);
+
+// Full, with the spectrum given and a random solution of length about one.
+LinearSystem spectral_system(std::string name, std::vector<double> spectrum, Random& random);
+
+struct Solution {
+  double value = 0;  // what ConjGrad returned
+  int steps = 0;
+  std::vector<double> x;
+  int products = 0;
+};
+
+double norm(const std::vector<double>& v);
+double true_residual(const LinearSystem& system, const std::vector<double>& x);  // ||b - Ax||
+double drift(const LinearSystem& system, const std::vector<double>& x, double value);
+
+// A tolerance at which CG takes a certain number of steps, whatever the order of summation: the geometric
+// mean of the squared residuals before and after that step, where they differ enough.
+struct Tolerance {
+  double epsilon;
+  int steps;
+};
+Tolerance tolerance_after(const LinearSystem& system, int least_steps);
+
+// Calls the student's ConjGrad, and checks what holds for every call: b unchanged, steps within the limit,
+// the number of products, a value that is the residual's. `x` is what the buffer holds on entry (junk if it
+// is empty).
+Solution solve(Trial& trial, const LinearSystem& system, double epsilon, int steps,
+               std::vector<double> x = {});
+
+// The reference's answer to the same.
+Solution reference_solution(const LinearSystem& system, double epsilon, int steps);
+
+// `solution` ended because it converged: value <= epsilon, and x is as close as that says.
+void expect_converged(Trial& trial, const LinearSystem& system, const Solution& solution, double epsilon);
+// ... or because it reached the step limit.
+void expect_converged_or_at_limit(Trial& trial, const LinearSystem& system, const Solution& solution,
+                                  double epsilon, int limit);
+void expect_steps(Trial& trial, const Solution& solution, int expected);
+
+// Solves one ordinary system with known steps: no code passes a category of extreme cases without it.
+void expect_solves_ordinary_system(Trial& trial);
+
+}  // namespace grader

@@ -1,0 +1,117 @@
+// STAFF ONLY. The hidden suite of one exercise, as a GoogleTest program: links the reference, and never a
+// student's code.
+//
+// Reads a job as JSON from standard input and writes what it found as JSON to standard output:
+//
+//   {"exercise": "S1", "seed": "...", "kit": DIR, "objects": [FILE...], "log": FILE, "isolated": true,
+//    "cpu_seconds": 10}
+//   {"cases": [{"name", "status", "weight", "points", "feedback", "detail"}...], "cpu_seconds": 0.1,
+//   "starts": 1}
+#include <gtest/gtest.h>
+#include <sodium.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "grader/course/bad_input.h"
+#include "grader/suite/trial.h"
+
+namespace {
+
+using grader::Category;
+using nlohmann::json;
+
+struct Job {
+  std::string exercise, seed;
+  grader::WorkerSetup worker;
+};
+
+Job read_job(std::istream& in) {
+  try {
+    const json document = json::parse(in);
+    Job job;
+    job.exercise = document.at("exercise");
+    job.seed = document.at("seed");
+    job.worker.exercise = job.exercise;
+    job.worker.kit = document.at("kit").get<std::string>();
+    for (const std::string object : document.at("objects")) job.worker.objects.push_back(object);
+    job.worker.log = document.at("log").get<std::string>();
+    job.worker.isolated = document.at("isolated");
+    job.worker.cpu_seconds = document.at("cpu_seconds");
+    return job;
+  } catch (const json::exception& error) {
+    throw grader::BadInput(std::string("standard input: ") + error.what() +
+                           "; expected a job as hairgrade writes it");
+  }
+}
+
+// One category as a GoogleTest test.
+class CategoryTest : public testing::Test {
+ public:
+  CategoryTest(const Category& category, grader::Student& student, const std::string& seed, json& cases)
+      : category_(category), student_(student), seed_(seed), cases_(cases) {}
+
+  void TestBody() override {
+    json result = {{"name", category_.title},
+                   {"weight", category_.weight},
+                   {"points", 0},
+                   {"status", "passed"},
+                   {"feedback", ""},
+                   {"detail", ""}};
+    try {
+      grader::Trial trial(student_, grader::Random(seed_, category_.name));
+      category_.run(trial);
+      result["points"] = category_.weight;
+    } catch (const grader::CaseFailed& failure) {
+      result["status"] = grader::to_string(failure.status);
+      result["feedback"] = failure.feedback;
+      result["detail"] = failure.detail;
+      ADD_FAILURE() << failure.feedback << "\n" << failure.detail;
+    } catch (const grader::MalformedMessage& error) {
+      result["status"] = grader::to_string(grader::Status::broke_rules);
+      result["feedback"] = "the code answered in a form that it has no business with";
+      result["detail"] = error.what();
+      ADD_FAILURE() << error.what();
+    }
+    cases_.push_back(result);
+  }
+
+ private:
+  const Category& category_;
+  grader::Student& student_;
+  const std::string& seed_;
+  json& cases_;
+};
+
+}  // namespace
+
+int main(int argc, char* argv[]) {
+  testing::InitGoogleTest(&argc, argv);
+  if (sodium_init() < 0) return 1;
+  try {
+    const Job job = read_job(std::cin);
+    grader::Student student(job.worker);
+    const std::vector<Category> categories = grader::categories(job.exercise);
+    json cases = json::array();
+    for (const Category& category : categories)
+      testing::RegisterTest(
+          job.exercise.c_str(), category.name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
+          [&]() -> testing::Test* { return new CategoryTest(category, student, job.seed, cases); });
+
+    // Standard output carries the result, and nothing else.
+    testing::TestEventListeners& listeners = testing::UnitTest::GetInstance()->listeners();
+    delete listeners.Release(listeners.default_result_printer());
+    const bool ran = RUN_ALL_TESTS() >= 0;  // a category that fails is a result, not an error
+    student.finish();
+    const json result = {
+        {"cases", cases}, {"cpu_seconds", student.cpu_seconds()}, {"starts", student.starts()}};
+    std::cout << result.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
+    return ran && cases.size() == categories.size() ? 0 : 1;
+  } catch (const grader::BadInput& error) {
+    std::cerr << "hairsuite: " << error.what() << "\n";
+    return 2;
+  } catch (const std::exception& error) {
+    std::cerr << "hairsuite: " << error.what() << "\n";
+    return 1;
+  }
+}

@@ -1,0 +1,287 @@
+// STAFF ONLY. S2: hidden cases of dense_matrix, normal_matrix and solve_normal_equations.
+#include "grader/suite/s2_categories.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+
+#include "grader/suite/linear_system.h"
+
+namespace grader::s2 {
+namespace {
+
+constexpr double kUnit = 0x1p-53;
+constexpr int kDense = 0, kNormal = 1, kSolve = 2;  // as in serve_S2.cpp
+
+// A rows x cols table with products on the trusted side.
+struct Table {
+  int rows, cols;
+  std::vector<double> entries;  // by rows
+
+  std::vector<double> times(const std::vector<double>& x) const {
+    std::vector<double> y(rows);
+    for (int i = 0; i < rows; ++i) {
+      long double sum = 0;
+      for (int j = 0; j < cols; ++j) sum += static_cast<long double>(entries[i * cols + j]) * x[j];
+      y[i] = static_cast<double>(sum);
+    }
+    return y;
+  }
+  Table transposed() const {
+    Table result{cols, rows, std::vector<double>(entries.size())};
+    for (int i = 0; i < rows; ++i)
+      for (int j = 0; j < cols; ++j) result.entries[j * rows + i] = entries[i * cols + j];
+    return result;
+  }
+  double norm() const { return grader::norm(entries); }  // Frobenius, >= ||A||
+};
+
+Table random_table(Random& random, int rows, int cols) {
+  return {rows, cols, random.normals(rows * cols)};
+}
+
+// Serves A as operator 0 and A' as operator 1, and counts.
+struct Served {
+  Table A, A_transposed;
+  int products = 0, transposed_products = 0, most = 1 << 20;
+
+  explicit Served(const Table& table) : A(table), A_transposed(table.transposed()) {}
+
+  bool operator()(int which, const std::vector<double>& x, std::vector<double>& y) {
+    if (which != 0 && which != 1) throw MalformedMessage("an operator that is not there");
+    const Table& table = which == 0 ? A : A_transposed;
+    if (static_cast<int>(x.size()) != table.cols) throw MalformedMessage("a product that makes no sense");
+    y = table.times(x);
+    return ++(which == 0 ? products : transposed_products) <= most;
+  }
+};
+
+// `product` was A x, twice, into buffers that held junk; its entries may be off by `rounding`.
+void expect_product(Trial& trial, MessageReader& reply, const std::vector<double>& x,
+                    const std::vector<double>& expected, double rounding, const std::string& what) {
+  const std::vector<double> first = reply.get_doubles(expected.size());
+  const std::vector<double> x_after = reply.get_doubles(x.size());
+  const std::vector<double> second = reply.get_doubles(expected.size());
+  reply.expect_end();
+  std::vector<double> difference = first;
+  for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= expected[i];
+  trial.expect_at_most(norm(difference), rounding, "the error of " + what);
+  trial.expect(std::memcmp(x.data(), x_after.data(), x.size() * sizeof(double)) == 0, what + " changes x");
+  trial.expect(first == second, what + " gives another result the second time");
+}
+
+void expect_dense_product(Trial& trial, const std::string& name, const Table& table,
+                          const std::vector<double>& x) {
+  trial.describe(name + ", " + std::to_string(table.rows) + " x " + std::to_string(table.cols));
+  for (double junk : {0.0, 1e3, std::numeric_limits<double>::quiet_NaN()}) {
+    MessageWriter request;
+    request.put(kDense).put(table.rows).put(table.cols).put(std::span<const double>(table.entries));
+    request.put(std::span<const double>(x))
+        .put(std::span<const double>(std::vector<double>(table.rows, junk)));
+    MessageReader reply =
+        trial.ask(request, [](int, const auto&, auto&) -> bool { throw MalformedMessage("no operator"); });
+    // Each entry is a dot product of `cols` terms.
+    expect_product(trial, reply, x, table.times(x), kUnit * (table.cols + 1) * table.norm() * norm(x),
+                   "dense_matrix's product");
+  }
+}
+
+struct NormalSolution {
+  double value;
+  int steps;
+  std::vector<double> x;
+};
+
+// Calls the student's solve_normal_equations, and checks what holds for every call.
+NormalSolution solve(Trial& trial, const std::string& name, const Table& table, const std::vector<double>& b,
+                     double epsilon, int steps) {
+  trial.describe(name + ", " + std::to_string(table.rows) + " x " + std::to_string(table.cols));
+  Served served(table);
+  const int limit = steps == 0 ? std::max(100, 2 * table.cols) : std::max(0, steps);
+  served.most = limit + limit / 64 + 4;
+  MessageWriter request;
+  request.put(kSolve).put(table.rows).put(table.cols).put(epsilon).put(steps);
+  request.put(std::span<const double>(trial.random.normals(table.cols, 1e3))).put(std::span<const double>(b));
+  MessageReader reply = trial.ask(request, std::ref(served));
+  NormalSolution solution;
+  solution.value = reply.get<double>();
+  solution.steps = reply.get<int>();
+  solution.x = reply.get_doubles(table.cols);
+  const std::vector<double> b_after = reply.get_doubles(b.size());
+  const int overlaps = reply.get<int>();
+  reply.expect_end();
+
+  trial.expect(overlaps == 0, "a product's input and output overlap");
+  trial.expect(std::memcmp(b.data(), b_after.data(), b.size() * sizeof(double)) == 0, "b is changed");
+  trial.expect(solution.steps >= 0 && solution.steps <= limit, "the number of steps is outside of the limits",
+               std::to_string(solution.steps));
+  const int expected = 1 + solution.steps + solution.steps / 64;
+  trial.expect(served.products == expected && served.transposed_products == expected + 1,
+               "the number of products is not 1 + steps + floor(steps / 64) with A, and one more with A'",
+               std::to_string(served.products) + " and " + std::to_string(served.transposed_products) +
+                   ", expected " + std::to_string(expected) + " and " + std::to_string(expected + 1));
+  return solution;
+}
+
+// The drift of `linear_system.h` for the matrix A'A, whose products have the error of two dot products.
+double drift(const Table& table, const std::vector<double>& x, const std::vector<double>& Atb) {
+  const double error = table.rows + table.cols + 2, squared = table.norm() * table.norm();
+  return kUnit * (65 * (10 + 2 * error) * squared * (3 * norm(x) + norm(Atb)) + 2 * error * norm(Atb));
+}
+
+// x solves A'A x = A'b within what epsilon and rounding leave, and `expected` within that over `smallest`, a
+// lower bound of A's smallest singular value.
+void expect_solves(Trial& trial, const std::string& name, const Table& table, const std::vector<double>& b,
+                   const std::vector<double>& expected, double smallest) {
+  const Table transposed = table.transposed();
+  const std::vector<double> Atb = transposed.times(b);
+  const double epsilon = std::pow(1e-9 * norm(Atb), 2);
+  const NormalSolution solution = solve(trial, name, table, b, epsilon, 0);
+  trial.expect(solution.value <= epsilon, "it ends before the squared residual norm is at most epsilon",
+               std::to_string(solution.value));
+
+  std::vector<double> r = table.times(solution.x);
+  for (std::size_t i = 0; i < r.size(); ++i) r[i] = b[i] - r[i];
+  trial.expect_at_most(std::abs(std::sqrt(solution.value) - norm(transposed.times(r))),
+                       drift(table, solution.x, Atb),
+                       "the difference between the return value and the squared norm of A'(b - Ax)");
+  std::vector<double> error = solution.x;
+  for (std::size_t i = 0; i < error.size(); ++i) error[i] -= expected[i];
+  trial.expect_at_most(norm(error),
+                       (std::sqrt(solution.value) + drift(table, solution.x, Atb)) / (smallest * smallest),
+                       "the error of x");
+}
+
+// A = D + N: D diagonal with entries of size `large` or more, ||N||_F <= 1, so that no singular value is
+// below large - 1.
+Table dominant(Random& random, const std::vector<double>& diagonal) {
+  const int n = static_cast<int>(diagonal.size());
+  Table table = random_table(random, n, n);
+  const double scale = 1 / table.norm();
+  for (double& entry : table.entries) entry *= scale;
+  for (int i = 0; i < n; ++i) table.entries[i * n + i] += diagonal[i];
+  return table;
+}
+
+}  // namespace
+
+void table(Trial& trial) {
+  Random& random = trial.random;
+  expect_dense_product(trial, "Example 1", {2, 2, {2, 0, 0, 1}}, {0.5, 1});
+  expect_dense_product(trial, "Example 2", {2, 2, {2, 1, 1, 1}}, {-1, 5});
+  for (auto [rows, cols] : {std::pair{1, 1}, {3, 3}, {7, 4}, {4, 7}, {1, 9}, {9, 1}, {60, 50}})
+    expect_dense_product(trial, "random", random_table(random, rows, cols), random.normals(cols));
+  expect_dense_product(trial, "no columns", {3, 0, {}}, {});
+  expect_dense_product(trial, "no rows", {0, 3, {}}, random.normals(3));
+}
+
+void normal_operator(Trial& trial) {
+  Random& random = trial.random;
+  for (auto [rows, cols] : {std::pair{2, 2}, {5, 5}, {9, 4}, {4, 9}, {40, 30}}) {
+    const Table table = random_table(random, rows, cols);
+    const std::vector<double> x = random.normals(cols);
+    trial.describe("A'A, A " + std::to_string(rows) + " x " + std::to_string(cols));
+    Served served(table);
+    MessageWriter request;
+    request.put(kNormal).put(rows).put(cols).put(std::span<const double>(x));
+    request.put(std::span<const double>(random.normals(cols, 1e3)));
+    MessageReader reply = trial.ask(request, std::ref(served));
+    const double rounding = kUnit * (rows + cols + 2) * table.norm() * table.norm() * norm(x);
+    expect_product(trial, reply, x, table.transposed().times(table.times(x)), rounding,
+                   "normal_matrix's product");
+    trial.expect(
+        served.products == 2 && served.transposed_products == 2,
+        "a product with A'A does not take one product with A and one with A'",
+        std::to_string(served.products) + " and " + std::to_string(served.transposed_products) + " for two");
+  }
+}
+
+void non_symmetric(Trial& trial) {
+  Random& random = trial.random;
+  for (int n : {2, 3, 10, 40}) {
+    std::vector<double> diagonal(n);
+    for (double& value : diagonal) value = random.uniform(2, 6);
+    const Table A = dominant(random, diagonal);
+    const std::vector<double> x = random.normals(n);
+    expect_solves(trial, "non-symmetric", A, A.times(x), x, 1);
+  }
+  // A rotation: A'A is the identity, and one look suffices.
+  const double angle = random.uniform(0.5, 1);
+  const Table rotation{2, 2, {std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle)}};
+  const std::vector<double> x = random.normals(2);
+  expect_solves(trial, "rotation", rotation, rotation.times(x), x, 0.99);
+}
+
+void indefinite(Trial& trial) {
+  Random& random = trial.random;
+  for (int n : {2, 5, 20}) {
+    std::vector<double> diagonal(n);
+    for (int i = 0; i < n; ++i) diagonal[i] = (i % 2 == 0 ? 1 : -1) * random.uniform(2, 6);
+    Table A = dominant(random, diagonal);
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < i; ++j) A.entries[i * n + j] = A.entries[j * n + i];
+    // Made symmetric, the part beside the diagonal is no longer than sqrt(2).
+    const std::vector<double> x = random.normals(n);
+    expect_solves(trial, "symmetric, indefinite", A, A.times(x), x, 2 - std::sqrt(2.0));
+  }
+  // Saddle point: [[1, 1], [1, 0]], eigenvalues (1 -+ sqrt(5)) / 2.
+  expect_solves(trial, "saddle point", {2, 2, {1, 1, 1, 0}}, {3, 1}, {1, 2}, 0.618);
+}
+
+void least_squares(Trial& trial) {
+  Random& random = trial.random;
+  for (auto [rows, cols] : {std::pair{6, 3}, {30, 10}}) {
+    // A = Q [B; 0] with Q orthogonal has B's singular values, at least 1, and Q [0; z] is orthogonal to its
+    // columns: b = A x + Q [0; z] has the solution x.
+    std::vector<double> diagonal(cols);
+    for (double& value : diagonal) value = random.uniform(2, 5);
+    const Table B = dominant(random, diagonal);
+    std::vector<double> mirror = random.normals(rows);
+    const double length = norm(mirror);
+    for (double& value : mirror) value /= length;
+    auto reflect = [&](std::vector<double> v) {
+      double dot = 0;
+      for (int i = 0; i < rows; ++i) dot += mirror[i] * v[i];
+      for (int i = 0; i < rows; ++i) v[i] -= 2 * dot * mirror[i];
+      return v;
+    };
+    Table A{rows, cols, std::vector<double>(rows * cols)};
+    for (int j = 0; j < cols; ++j) {
+      std::vector<double> column(rows, 0.0);
+      for (int i = 0; i < cols; ++i) column[i] = B.entries[i * cols + j];
+      column = reflect(column);
+      for (int i = 0; i < rows; ++i) A.entries[i * cols + j] = column[i];
+    }
+    std::vector<double> unreachable(rows, 0.0);
+    for (int i = cols; i < rows; ++i) unreachable[i] = random.normal();
+    unreachable = reflect(unreachable);
+    const std::vector<double> x = random.normals(cols);
+    std::vector<double> b = A.times(x);
+    for (int i = 0; i < rows; ++i) b[i] += unreachable[i];
+    // Rounding leaves A'Q[0; z] at u ||A|| ||z||, within the drift's allowance.
+    expect_solves(trial, "least squares", A, b, x, 0.99);
+  }
+}
+
+void steps_and_products(Trial& trial) {
+  Random& random = trial.random;
+  const int n = random.integer(12, 18);
+  std::vector<double> diagonal(n);
+  for (double& value : diagonal) value = random.uniform(2, 20);
+  const Table A = dominant(random, diagonal);
+  const std::vector<double> x = random.normals(n), b = A.times(x);
+  expect_solves(trial, "ordinary", A, b, x, 1);
+  for (int steps : {1, 3}) {
+    const NormalSolution few = solve(trial, "step limit", A, b, 0, steps);
+    trial.expect(few.steps == steps && few.value > 0, "the step limit is not kept");
+  }
+  const NormalSolution none = solve(trial, "no steps", A, b, 0, -1);
+  trial.expect(none.steps == 0, "a negative step limit does not mean none");
+  const NormalSolution many = solve(trial, "many steps", A, b, 0, 70);
+  trial.expect(many.steps == 70, "epsilon = 0 does not go on to the step limit", std::to_string(many.steps));
+  const NormalSolution at_once = solve(trial, "a huge epsilon", A, b, 1e300, 0);
+  trial.expect(at_once.steps == 0, "a huge epsilon takes steps");
+}
+
+}  // namespace grader::s2

@@ -1,0 +1,65 @@
+// STAFF ONLY.
+#include "grader/suite/trial.h"
+
+#include <cmath>
+#include <sstream>
+
+namespace grader {
+
+MessageReader Trial::ask(const MessageWriter& request, const Student::Products& products) {
+  Answer answer = student_.ask(request, products);
+  switch (answer.outcome) {
+    case Outcome::done:
+      return std::move(answer.reply);
+    case Outcome::stopped:
+      fail(Status::wrong, "takes more products with the matrix than the step limit allows", "stopped");
+    case Outcome::not_implemented:
+      fail(Status::not_implemented, "not implemented yet", answer.note);
+    case Outcome::threw:
+      fail(Status::crashed, "the code threw an exception", "exception: " + answer.note);
+    case Outcome::out_of_memory:
+      fail(Status::out_of_memory, "the code asked for more memory than there is", answer.note);
+    case Outcome::crashed:
+      fail(Status::crashed, "the program ended in the middle of the call", answer.note);
+    case Outcome::timed_out:
+      fail(Status::timed_out, "no answer within the time limit", answer.note);
+    case Outcome::broke_rules:
+      fail(Status::broke_rules,
+           "the code " + (answer.note.starts_with("it tried")
+                              ? answer.note.substr(3)
+                              : std::string("answered in a form that it has no business with")),
+           answer.note);
+    case Outcome::cannot_load:
+      fail(Status::does_not_compile, "a function is missing, or its declaration differs from the header's",
+           answer.note);
+  }
+  fail(Status::wrong, "no answer", "unknown outcome");
+}
+
+void Trial::expect(bool holds, const std::string& feedback, const std::string& detail) const {
+  if (!holds) fail(Status::wrong, feedback, detail);
+}
+
+void Trial::expect_at_most(double error, double bound, const std::string& what,
+                           const std::string& detail) const {
+  if (error <= bound) return;
+  std::ostringstream numbers;
+  numbers.precision(17);
+  numbers << what << ": " << error << ", bound " << bound << (detail.empty() ? "" : "; ") << detail;
+  fail(Status::wrong, what + " is " + band(error, bound), numbers.str());
+}
+
+void Trial::fail(Status status, const std::string& feedback, const std::string& detail) const {
+  throw CaseFailed{status, feedback, description_ + (detail.empty() ? "" : ": ") + detail};
+}
+
+std::string band(double error, double bound) {
+  if (!std::isfinite(error)) return "not a finite number";
+  const double ratio = error / bound;
+  if (ratio < 10) return "up to 10 times as large as allowed";
+  if (ratio < 1e3) return "10 to 1000 times as large as allowed";
+  if (ratio < 1e6) return "1000 to a million times as large as allowed";
+  return "more than a million times as large as allowed";
+}
+
+}  // namespace grader

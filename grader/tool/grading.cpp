@@ -1,0 +1,199 @@
+// STAFF ONLY.
+#include "grader/tool/grading.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+#include "grader/compile/hash.h"
+#include "grader/course/bad_input.h"
+#include "grader/tool/isolation.h"
+#include "grader/tool/secret.h"
+#include "grader/tool/suite_run.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostLog = 16 << 10;  // of what a worker printed
+constexpr int kLeastCpuSeconds = 4;
+constexpr double kTimesReference = 20;  // a student's code may take this many times the reference's CPU time
+
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::string beginning_of(const fs::path& file, std::size_t most) {
+  std::ifstream in(file, std::ios::binary);
+  std::string text(most, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(most));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return text;
+}
+
+ExerciseResult describe(const Exercise& exercise) {
+  ExerciseResult result;
+  result.id = exercise.id;
+  result.title = exercise.title;
+  result.file = exercise.file;
+  result.extra_credit = exercise.role == Role::optional;
+  result.max_points = exercise.points;
+  return result;
+}
+
+}  // namespace
+
+Status overall_status(const std::vector<CaseResult>& cases) {
+  auto any = [&](Status status) {
+    return std::any_of(cases.begin(), cases.end(), [&](const CaseResult& c) { return c.status == status; });
+  };
+  for (Status status : {Status::broke_rules, Status::out_of_memory, Status::timed_out, Status::crashed,
+                        Status::does_not_compile})
+    if (any(status)) return status;
+  if (!any(Status::wrong) && !any(Status::not_implemented)) return Status::passed;
+  if (any(Status::passed)) return Status::partly;
+  return any(Status::not_implemented) ? Status::not_implemented : Status::wrong;
+}
+
+Grading::Grading(GradingSettings settings)
+    : settings_(std::move(settings)),
+      kit_(settings_.kit, settings_.course),
+      compiler_(kit_, settings_.cache, settings_.isolated) {
+  if (settings_.isolated) {
+    if (const std::string why = why_not_isolated(kit_); !why.empty())
+      throw BadInput("this machine can't isolate student code: " + why +
+                     "; --unsafe-no-sandbox runs it all the same, and stamps the report");
+  }
+  base_fingerprint_ = kit_.hash() + sha256_of(settings_.suite) + sha256(settings_.secret) +
+                      (settings_.isolated ? "" : "unsafe");
+  for (const Exercise& exercise : settings_.course.exercises)
+    if (selected(exercise))
+      base_fingerprint_ += exercise.id + to_string(exercise.role) + std::to_string(exercise.points);
+  measure_reference();
+}
+
+bool Grading::selected(const Exercise& exercise) const {
+  return (exercise.role == Role::assigned || exercise.role == Role::optional) &&
+         (!settings_.exercise || *settings_.exercise == exercise.id);
+}
+
+std::string Grading::fingerprint(const Submission& submission) const {
+  std::string all = base_fingerprint_ + "\n" + submission.name + "\n" + submission.problem + "\n";
+  for (const auto& [name, file] : submission.files)
+    all += name + "\n" + sha256(file.text) + "\n" + file.problem + "\n";
+  return sha256(all);
+}
+
+Graded Grading::grade(const Submission& submission) const {
+  Graded graded;
+  graded.result.name = submission.name;
+  graded.result.note = submission.problem;
+  graded.result.fingerprint = fingerprint(submission);
+  graded.result.isolated = settings_.isolated;
+  const fs::path job = kit_.new_job("submission-" + submission.name);
+  for (const Exercise& exercise : settings_.course.exercises) {
+    if (!selected(exercise)) continue;
+    const fs::path folder = kit_.new_job(job.filename() / exercise.id);
+    ExerciseResult result = describe(exercise);
+    try {
+      grade_exercise(exercise, submission, folder, result, graded.timing[exercise.id]);
+    } catch (const std::exception& problem) {  // ours, not the student's; and it stops no other submission
+      result = describe(exercise);
+      result.status = Status::crashed;
+      result.feedback = "The grader could not finish with this file. The staff see why.";
+      result.staff_log = problem.what();
+      graded.result.fingerprint.clear();  // to be graded again
+    }
+    graded.result.exercises.push_back(std::move(result));
+  }
+  std::error_code ignored;
+  fs::remove_all(job, ignored);
+  return graded;
+}
+
+void Grading::grade_exercise(const Exercise& exercise, const Submission& submission, const fs::path& job,
+                             ExerciseResult& result, ExerciseTiming& timing) const {
+  auto without_cases = [&](Status status, const std::string& feedback) {
+    result.status = status;
+    result.feedback = feedback;
+  };
+  if (!submission.problem.empty()) return without_cases(Status::broke_rules, submission.problem);
+  const auto file = submission.files.find(exercise.file);
+  if (file == submission.files.end()) return without_cases(Status::missing, sentence_for(Status::missing));
+  if (!file->second.problem.empty()) return without_cases(Status::missing, file->second.problem);
+
+  const Stopwatch compiling;
+  const Compiled compiled = compiler_.compile(exercise, file->second.text, job);
+  timing.compile_seconds = compiling.seconds();
+  result.compiler_messages = compiled.messages;
+  result.staff_log = compiled.log;
+  if (compiled.object.empty())
+    return without_cases(Status::does_not_compile, sentence_for(Status::does_not_compile));
+
+  run_cases(exercise, submission.name, compiled.object, job, result, timing);
+}
+
+void Grading::run_cases(const Exercise& exercise, const std::string& student, const fs::path& object,
+                        const fs::path& job, ExerciseResult& result, ExerciseTiming& timing) const {
+  const Stopwatch running;
+  SuiteJob suite;
+  suite.exercise = exercise.id;
+  suite.seed = seed_for(settings_.secret, student, exercise.id);
+  suite.kit = kit_.folder();
+  for (const std::string& id : exercise.prerequisites)
+    suite.objects.push_back(kit_.folder() / "lib" / (id + ".so"));
+  suite.objects.push_back(object);
+  suite.log = job / "output";
+  suite.isolated = settings_.isolated;
+  suite.cpu_seconds = kLeastCpuSeconds;
+  if (const auto reference = reference_.find(exercise.id); reference != reference_.end())
+    suite.cpu_seconds =
+        std::max(kLeastCpuSeconds,
+                 static_cast<int>(std::ceil(kTimesReference * reference->second.worker_cpu_seconds)));
+
+  SuiteResult found = run_suite(settings_.suite, suite);
+  timing.suite_seconds = running.seconds();
+  timing.worker_cpu_seconds = found.cpu_seconds;
+  timing.worker_starts = found.starts;
+  double weights = 0;
+  for (const CaseResult& one : found.cases) weights += one.max_points;
+  result.points = 0;
+  for (CaseResult& one : found.cases) {
+    one.points *= exercise.points / weights;
+    one.max_points *= exercise.points / weights;
+    result.points += one.points;
+  }
+  result.cases = std::move(found.cases);
+  result.status = overall_status(result.cases);
+  result.feedback = sentence_for(result.status);
+  result.staff_log += beginning_of(suite.log, kMostLog);
+}
+
+// Every batch begins with the reference in a worker like the students': it must pass, and its CPU time sets
+// theirs.
+void Grading::measure_reference() {
+  std::map<std::string, ExerciseTiming> measured;
+  for (const Exercise& exercise : settings_.course.exercises) {
+    if (!selected(exercise)) continue;
+    const fs::path job = kit_.new_job("reference-" + exercise.id);
+    ExerciseResult result;
+    run_cases(exercise, "", kit_.folder() / "lib" / (exercise.id + ".so"), job, result,
+              measured[exercise.id]);
+    for (const CaseResult& one : result.cases)
+      if (one.status != Status::passed)
+        throw BadInput("the reference fails its own suite for " + exercise.id + ", in \"" + one.name +
+                       "\": " + one.feedback + "; " + one.detail);
+  }
+  reference_ = std::move(measured);
+}
+
+}  // namespace grader

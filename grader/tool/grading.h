@@ -1,0 +1,73 @@
+// STAFF ONLY. One submission from its files to its result: compile and link each exercise's file in cages,
+// run its hidden suite against it, and say what became of it. Needs no lock: submissions are graded side by
+// side.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "grader/compile/compiler.h"
+#include "grader/compile/kit.h"
+#include "grader/course/course.h"
+#include "grader/intake/submission.h"
+#include "grader/report/result.h"
+
+namespace grader {
+
+struct GradingSettings {
+  Course course;
+  std::optional<std::string> exercise;  // grade this one alone
+  std::filesystem::path kit, suite, cache;
+  std::string secret;
+  bool isolated = true;
+};
+
+// What an exercise cost; the only part of a result that differs from run to run.
+struct ExerciseTiming {
+  double compile_seconds = 0;  // by the wall clock, linking included; 0 if it came from the cache
+  double suite_seconds = 0;    // by the wall clock
+  double worker_cpu_seconds = 0;
+  int worker_starts = 0;
+};
+
+struct Graded {
+  SubmissionResult result;
+  std::map<std::string, ExerciseTiming> timing;  // by exercise
+};
+
+class Grading {
+ public:
+  // Throws BadInput if this machine can't isolate student code and `isolated` asks for it, or if the
+  // reference does not get full points.
+  explicit Grading(GradingSettings settings);
+
+  // What goes wrong on our side is said in the result, which then has no fingerprint.
+  Graded grade(const Submission& submission) const;
+
+  // Of the submission's bytes, and of all else that its result depends on.
+  std::string fingerprint(const Submission& submission) const;
+
+  // The reference in an identical worker.
+  const std::map<std::string, ExerciseTiming>& reference_timing() const { return reference_; }
+
+ private:
+  void grade_exercise(const Exercise& exercise, const Submission& submission,
+                      const std::filesystem::path& job, ExerciseResult& result, ExerciseTiming& timing) const;
+  void run_cases(const Exercise& exercise, const std::string& student, const std::filesystem::path& object,
+                 const std::filesystem::path& job, ExerciseResult& result, ExerciseTiming& timing) const;
+  void measure_reference();
+  bool selected(const Exercise& exercise) const;
+
+  GradingSettings settings_;
+  StagedKit kit_;
+  Compiler compiler_;
+  std::string base_fingerprint_;
+  std::map<std::string, ExerciseTiming> reference_;
+};
+
+// An exercise's status from those of its cases.
+Status overall_status(const std::vector<CaseResult>& cases);
+
+}  // namespace grader

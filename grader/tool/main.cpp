@@ -1,0 +1,148 @@
+// STAFF ONLY. hairgrade: grades submissions, and makes the handout.
+//
+// Exit code 0: all submissions have results (or the handout is written). 1: the grader itself failed, or a
+// gate of the handout closed. 2: bad input or usage. 130: interrupted; what was finished is kept, and
+// --resume goes on.
+#include <signal.h>
+#include <sodium.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <iostream>
+#include <thread>
+
+#include "grader/course/bad_input.h"
+#include "grader/course/course.h"
+#include "grader/intake/submission.h"
+#include "grader/package/handout.h"
+#include "grader/report/report.h"
+#include "grader/tool/batch.h"
+#include "grader/tool/grading.h"
+#include "grader/tool/secret.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace grader;
+
+// A signal handler has nothing else that it may touch.
+std::atomic<bool> interrupted = false;
+
+struct GradeOptions {
+  std::vector<fs::path> submissions;
+  std::optional<fs::path> course, secret, cache;
+  std::optional<std::string> exercise;
+  bool unsafe = false;
+  BatchSettings batch;
+};
+
+struct HandoutOptions {
+  fs::path out;
+  std::optional<fs::path> course;
+};
+
+fs::path default_cache() {
+  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache != '\0')
+    return fs::path(cache) / "hairgrade";
+  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0')
+    return fs::path(home) / ".cache" / "hairgrade";
+  throw BadInput("HOME is not set, so there is no place for compiled objects; name a folder with --cache");
+}
+
+int grade(const GradeOptions& options) {
+  GradingSettings settings;
+  settings.course = read_course(HAIR_EXERCISES_JSON, options.course);
+  if (options.exercise) {
+    const Exercise* exercise = settings.course.find(*options.exercise);
+    if (exercise == nullptr || exercise->role == Role::given || exercise->role == Role::absent)
+      throw BadInput("--exercise " + *options.exercise + ": the course does not ask for it");
+  }
+  settings.exercise = options.exercise;
+  settings.kit = HAIR_KIT_DIR;
+  settings.suite = HAIR_SUITE;
+  settings.isolated = !options.unsafe;
+  const std::vector<Submission> submissions = read_submissions(options.submissions, settings.course);
+  settings.cache = options.cache ? *options.cache : default_cache();
+  settings.secret = read_secret(options.secret);
+
+  struct sigaction action = {};
+  action.sa_handler = [](int) { interrupted = true; };
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  signal(SIGPIPE, SIG_IGN);
+
+  const Grading grading(std::move(settings));
+  const Batch batch = grade_batch(grading, submissions, options.batch, interrupted);
+  print_table(std::cout, batch.results);
+  std::cout << "\n" << batch.graded << " graded";
+  if (batch.kept > 0) std::cout << ", " << batch.kept << " kept from before";
+  if (options.unsafe) std::cout << ", without a sandbox";
+  std::cout << "\n" << fs::absolute(options.batch.out / "index.html").lexically_normal().string() << "\n";
+  if (!batch.interrupted) return 0;
+  std::cerr << "hairgrade: interrupted after " << batch.results.size() << " of " << submissions.size()
+            << " submissions; the same command with --resume goes on\n";
+  return 130;
+}
+
+int handout(const HandoutOptions& options) {
+  const Course course = read_course(HAIR_EXERCISES_JSON, options.course);
+  make_handout({HAIR_SOURCE_DIR, HAIR_GOLDEN_DIR}, course, options.out);
+  std::cout << options.out.string() << "\n";
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char* argv[]) {
+  if (sodium_init() < 0) {
+    std::cerr << "hairgrade: no source of random numbers\n";
+    return 1;
+  }
+  CLI::App app("hairgrade: grades submissions of the hair assignment, and makes its handout");
+  app.require_subcommand(1);
+
+  GradeOptions grading;
+  grading.batch.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  CLI::App* grade_command = app.add_subcommand("grade", "Grade submissions and write reports");
+  grade_command
+      ->add_option("SUBMISSION", grading.submissions,
+                   "An archive (.zip, .tar.gz), a folder, or either of these holding many")
+      ->required();
+  grade_command->add_option("--out", grading.batch.out, "The folder for reports")->required();
+  grade_command->add_option("-j", grading.batch.jobs, "How many at a time (default: one per core)")
+      ->check(CLI::Range(1, 256));
+  grade_command->add_flag("--resume", grading.batch.resume,
+                          "Keep results whose submission and suite have not changed");
+  grade_command->add_option("--only", grading.batch.only, "Grade the submission of this name alone");
+  grade_command->add_option("--exercise", grading.exercise, "Grade this exercise alone");
+  grade_command->add_option("--course", grading.course, "The course file: roles and points of the exercises");
+  grade_command->add_option("--secret", grading.secret,
+                            "A file with the staff's secret (default: ~/.config/hairgrade/secret)");
+  grade_command->add_option("--cache", grading.cache,
+                            "A folder for compiled objects (default: ~/.cache/hairgrade)");
+  grade_command->add_flag("--unsafe-no-sandbox", grading.unsafe,
+                          "Run student code unprotected; every report says so");
+
+  HandoutOptions handing_out;
+  CLI::App* handout_command = app.add_subcommand("handout", "Make the archive that students get");
+  handout_command->add_option("--out", handing_out.out, "The archive, a .tar.gz")->required();
+  handout_command->add_option("--course", handing_out.course,
+                              "The course file: roles and points of the exercises");
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  try {
+    return *grade_command ? grade(grading) : handout(handing_out);
+  } catch (const BadInput& error) {
+    std::cerr << "hairgrade: " << error.what() << "\n";
+    return 2;
+  } catch (const std::exception& error) {
+    std::cerr << "hairgrade: " << error.what() << "\n";
+    return 1;
+  }
+}

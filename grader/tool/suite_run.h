@@ -1,0 +1,31 @@
+// STAFF ONLY. The hidden suite as a program of its own: a job goes in, what it found comes out. See
+// grader/suite/main.cpp.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "grader/report/result.h"
+
+namespace grader {
+
+struct SuiteJob {
+  std::string exercise, seed;
+  std::filesystem::path kit;
+  std::vector<std::filesystem::path> objects;  // in the order in which they are loaded
+  std::filesystem::path log;
+  bool isolated = true;
+  int cpu_seconds = 10;
+};
+
+struct SuiteResult {
+  std::vector<CaseResult> cases;  // points are weights, not yet scaled to the exercise's points
+  double cpu_seconds = 0;         // of the worker
+  int starts = 0;
+};
+
+// Throws std::runtime_error if the suite itself fails.
+SuiteResult run_suite(const std::filesystem::path& suite, const SuiteJob& job);
+
+}  // namespace grader
