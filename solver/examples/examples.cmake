@@ -3,15 +3,13 @@
 #   hair_lecture_examples(NAME_PREFIX EXERCISE_LIB_PREFIX)
 #     <NAME_PREFIX>_example1 .. 3, linked with the exercise libraries <EXERCISE_LIB_PREFIX>_S1 and _S2
 
-set(HAIR_EXAMPLES_DIR "${CMAKE_CURRENT_LIST_DIR}")
-
 function(hair_lecture_examples NAME_PREFIX EXERCISE_LIB_PREFIX)
   foreach(example 1 2 3)
     set(name ${NAME_PREFIX}_example${example})
-    add_executable(${name} "${HAIR_EXAMPLES_DIR}/example${example}.cpp")
+    add_executable(${name} "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/example${example}.cpp")
     hair_compile_settings(${name})
     # The lecture includes "linearSolver.h", without a folder.
-    target_include_directories(${name} PRIVATE "${HAIR_EXAMPLES_DIR}/..")
+    target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/..")
   endforeach()
   target_link_libraries(${NAME_PREFIX}_example1 PRIVATE ${EXERCISE_LIB_PREFIX}_S1)
   target_link_libraries(${NAME_PREFIX}_example2 PRIVATE ${EXERCISE_LIB_PREFIX}_S1)
