@@ -59,7 +59,7 @@ Html staff_link(const SubmissionResult& result, const std::string& exercise, con
 }
 
 Html means_table(const Results& results, const std::vector<Column>& columns) {
-  Html table = html(R"(<section>
+  Html table = html(R"(<section id="exercises">
 <h2>Exercises</h2>
 <div class="wide"><table>
 <thead><tr><th scope="col">Exercise</th><th scope="col" class="number">Mean</th><th scope="col" class="number">Median</th><th scope="col" class="number">Of</th><th scope="col" class="number">Passed</th><th scope="col">Mean share</th></tr></thead>
@@ -93,7 +93,8 @@ Html distribution(const Results& results) {
   }
   const std::size_t most = std::max<std::size_t>(1, *std::max_element(counts.begin(), counts.end()));
   Html bars = html(
-      "<section>\n<h2>Distribution</h2>\n<p class=\"quiet\">Submissions by their share of all points, in "
+      "<section id=\"distribution\">\n<h2>Distribution</h2>\n<p class=\"quiet\">Submissions by their share "
+      "of all points, in "
       "percent</p>\n<ol class=\"bars\">\n");
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const double height = 75.0 * static_cast<double>(counts[i]) / static_cast<double>(most);
@@ -105,9 +106,10 @@ Html distribution(const Results& results) {
   return bars += html("</ol>\n</section>\n");
 }
 
-Html list_of(const Html& heading, std::size_t count, const Html& items) {
+Html list_of(const Html& heading, std::size_t count, const Html& items, const char* look) {
   if (count == 0) return {};
-  return html("<details><summary>{} {}</summary><ul>\n{}</ul></details>\n", {heading, count, items});
+  return html("<details><summary>{} {}</summary><ul class=\"{}\">\n{}</ul></details>\n",
+              {heading, count, look, items});
 }
 
 // What an instructor looks at first: what went wrong in the worst way comes first.
@@ -119,7 +121,7 @@ Html to_look_at(const Results& results) {
     ++with_note;
     notes += html("<li>{}: {}</li>\n", {staff_link(result, "", result.name), result.note});
   }
-  groups += list_of(html("<span class=\"badge bad\">could not be taken</span>"), with_note, notes);
+  groups += list_of(html("<span class=\"badge bad\">could not be taken</span>"), with_note, notes, "notes");
   for (const Status status :
        {Status::broke_rules, Status::crashed, Status::out_of_memory, Status::timed_out,
         Status::does_not_compile, Status::wrong, Status::missing, Status::not_implemented}) {
@@ -132,10 +134,10 @@ Html to_look_at(const Results& results) {
         items += html("<li>{}</li>\n", {staff_link(result, exercise.id, result.name + ", " + exercise.id)});
       }
     }
-    groups += list_of(badge(status), count, items);
+    groups += list_of(badge(status), count, items, "who");
   }
-  if (groups.text.empty()) return {};
-  return html("<section>\n<h2>Worth a look</h2>\n{}</section>\n", {groups});
+  if (groups.text.empty()) groups = html("<p>Nothing stands out: all passed, at least in part.</p>\n");
+  return html("<section id=\"look\">\n<h2>Worth a look</h2>\n{}</section>\n", {groups});
 }
 
 struct Category {
@@ -162,12 +164,11 @@ Html categories_table(const Results& results) {
       }
     }
   }
-  if (found.empty()) return {};
   std::vector<Category> categories;
   for (auto& [key, category] : found) categories.push_back(std::move(category));
   std::stable_sort(categories.begin(), categories.end(),
                    [](const Category& a, const Category& b) { return a.share() < b.share(); });
-  Html table = html(R"(<section>
+  Html table = html(R"(<section id="categories">
 <h2>Categories, hardest first</h2>
 <p class="quiet">Among the submissions whose code ran.</p>
 <div class="wide"><table>
@@ -191,10 +192,10 @@ Html class_row(const SubmissionResult& result, const std::vector<Column>& column
   for (const Column& column : columns) {
     const ExerciseResult* exercise = find_exercise(result, column.id);
     if (!exercise) {
-      row += html("<td class=\"quiet number\" data-value=\"-1\">not graded</td>");
+      row += html("<td class=\"quiet\" data-value=\"-1\">not graded</td>");
       continue;
     }
-    row += html("<td class=\"number\" data-value=\"{}\">{}{}</td>",
+    row += html("<td data-value=\"{}\"><span class=\"points\">{}</span>{}</td>",
                 {shown_points(exercise->points),
                  staff_link(result, column.id, shown_points(exercise->points)), badge(exercise->status)});
   }
@@ -205,12 +206,12 @@ Html class_row(const SubmissionResult& result, const std::vector<Column>& column
 }
 
 Html class_table(const Results& results, const std::vector<Column>& columns) {
-  Html table = html(R"(<section>
+  Html table = html(R"(<section id="submissions">
 <h2>Submissions</h2>
 <div class="wide"><table class="class">
 <thead><tr><th scope="col" data-sort="text">Submission</th>)");
   for (const Column& column : columns) {
-    table += html("<th scope=\"col\" class=\"number\" data-sort=\"number\" title=\"{}\">{} of {}</th>",
+    table += html("<th scope=\"col\" data-sort=\"number\" title=\"{}\">{} of {}</th>",
                   {column.title, column.id, shown_points(column.max_points)});
   }
   table += html(
@@ -234,7 +235,10 @@ std::string class_page(const Results& results) {
       "<header>\n<h1>Grades of the class</h1>\n<p class=\"total\"><strong>{}</strong> of {} points on "
       "average, median {}, {} submissions</p>\n"
       "<p class=\"quiet\"><a href=\"grades.csv\">grades.csv</a> &middot; <a "
-      "href=\"junit.xml\">junit.xml</a></p>\n</header>\n<main>\n",
+      "href=\"junit.xml\">junit.xml</a></p>\n"
+      "<nav><a href=\"#look\">Worth a look</a> <a href=\"#submissions\">Submissions</a> <a "
+      "href=\"#exercises\">Exercises</a> <a href=\"#distribution\">Distribution</a> <a "
+      "href=\"#categories\">Categories</a></nav>\n</header>\n<main>\n",
       {shown_points(mean(totals)), shown_points(reachable), shown_points(median(totals)), results.size()});
   body += to_look_at(results);
   body += class_table(results, columns);

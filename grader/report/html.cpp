@@ -75,7 +75,7 @@ tfoot th, tfoot td { border-bottom: 0; color: var(--quiet); }
   white-space: nowrap; }
 .good { color: var(--good); background: var(--good-soft); } .part { color: var(--part); background: var(--part-soft); }
 .bad { color: var(--bad); background: var(--bad-soft); } .none { color: var(--none); background: var(--none-soft); }
-.note, .stamp { margin: 1.25rem 0; padding: .75rem 1rem; border-left: .25rem solid; border-radius: .25rem; }
+.note, .stamp { max-width: none; margin: 1.25rem 0; padding: .75rem 1rem; border-left: .25rem solid; border-radius: .25rem; }
 .note { color: var(--part); background: var(--part-soft); }
 .stamp { color: var(--bad); background: var(--bad-soft); font-weight: 600; }
 .bars { display: flex; align-items: flex-end; gap: .25rem; height: 8rem; margin: .75rem 0 0; padding: 0; list-style: none; }
@@ -87,7 +87,11 @@ tfoot th, tfoot td { border-bottom: 0; color: var(--quiet); }
   background: var(--none-soft); margin-top: .45rem; }
 .share span { background: var(--link); opacity: .75; }
 details { margin: .35rem 0; } summary { cursor: pointer; } details ul { margin: .4rem 0; padding-left: 1.25rem; }
-.wide { overflow-x: auto; } .class tbody td { white-space: nowrap; } .class .badge { margin-left: .35rem; }
+.category { width: 27%; } .status { width: 9rem; } .saw { width: 40%; }
+.points { display: inline-block; min-width: 2.75rem; text-align: right; }
+nav { margin-top: .75rem; font-size: .9375rem; } nav a { margin-right: 1rem; }
+.wide { overflow-x: auto; } .wide table { min-width: 40rem; } body:has(.class) { max-width: 84rem; }
+.class th, .class td { padding: .35rem .6rem; } .who { columns: 12rem; } .class tbody td { white-space: nowrap; } .class .badge { margin-left: .35rem; }
 th button { all: unset; cursor: pointer; } th button:hover { text-decoration: underline; }
 th button:focus-visible { outline: 2px solid var(--link); outline-offset: 2px; }
 th[aria-sort=ascending] button::after { content: " \2191"; } th[aria-sort=descending] button::after { content: " \2193"; }

@@ -31,7 +31,7 @@ Html case_row(const std::string& number, const CaseResult& one, Reader reader) {
 Html cases_table(const ExerciseResult& exercise, Reader reader) {
   if (exercise.cases.empty()) return {};
   Html table = html(R"(<div class="wide"><table>
-<thead><tr><th scope="col">No.</th><th scope="col">Category</th><th scope="col">Status</th><th scope="col" class="number">Points</th><th scope="col">What we saw</th></tr></thead>
+<thead><tr><th scope="col">No.</th><th scope="col" class="category">Category</th><th scope="col" class="status">Status</th><th scope="col" class="number">Points</th><th scope="col" class="saw">What we saw</th></tr></thead>
 <tbody>
 )");
   for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
