@@ -10,6 +10,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -39,20 +40,25 @@ struct Message {
 
 class Channel {
  public:
-  // Neither descriptor is owned.
-  Channel(int in, int out) : in_(in), out_(out) {}
+  // Waits until `descriptor` is ready for `events` (POLLIN, POLLOUT); false to give up.
+  using Wait = std::function<bool(int descriptor, short events)>;
 
-  // False if the other side is gone.
+  // Neither descriptor is owned. Without `wait` sending and receiving block; with it they ask it before every step, and `out` must not
+  // block, so that the other side can hold up nothing by sending half a message or by reading none.
+  Channel(int in, int out, Wait wait = {}) : in_(in), out_(out), wait_(std::move(wait)) {}
+
+  // False if the other side is gone, or `wait` gave up.
   bool send(Kind kind, std::uint64_t nonce, std::span<const std::byte> body = {});
 
-  // The next message; nothing if the other side is gone. Blocks. Throws MalformedMessage for a body larger
-  // than `limit` bytes.
+  // The next message; nothing if the other side is gone, or `wait` gave up. Throws MalformedMessage for a body larger than `limit`
+  // bytes.
   std::optional<Message> receive(std::size_t limit);
 
-  int in() const { return in_; }
-
  private:
+  bool read_fully(void* to, std::size_t size);
+
   int in_, out_;
+  Wait wait_;
 };
 
 }  // namespace grader
