@@ -1,0 +1,69 @@
+#include "solver/bench/eigen_conj_grad.h"
+
+#include <Eigen/Core>
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
+
+// Eigen's protocol for matrices that it only knows by their products ("Matrix-free solvers" in its
+// documentation).
+namespace {
+class Operator;
+}
+
+namespace Eigen::internal {
+template <>
+struct traits<Operator> : traits<SparseMatrix<double>> {};
+}  // namespace Eigen::internal
+
+namespace {
+
+class Operator : public Eigen::EigenBase<Operator> {
+ public:
+  using Scalar = double;
+  using RealScalar = double;
+  using StorageIndex = int;
+  enum { ColsAtCompileTime = Eigen::Dynamic, MaxColsAtCompileTime = Eigen::Dynamic, IsRowMajor = false };
+
+  Operator(int n, implicitMatrix* A) : n_(n), A_(A) {}
+  Eigen::Index rows() const { return n_; }
+  Eigen::Index cols() const { return n_; }
+  implicitMatrix* matrix() const { return A_; }
+
+  template <class X>
+  Eigen::Product<Operator, Vector, Eigen::AliasFreeProduct> operator*(
+      const Eigen::MatrixBase<Vector>& x) const {
+    return {*this, x.derived()};
+  }
+
+ private:
+  int n_;
+  implicitMatrix* A_;
+};
+
+}  // namespace
+
+// The documentation's way clears the destination and adds the product to it. This one writes it at once.
+template <class X>
+struct Eigen::internal::generic_product_impl<Operator, X, Eigen::SparseShape, Eigen::DenseShape,
+                                             Eigen::GemvProduct> {
+  template <class Destination>
+  static void evalTo(Destination& b, const Operator& A, const X& x) {
+    A.matrix()->matVecMult(const_cast<double*>(x.data()), b.data());
+  }
+};
+
+namespace solver_bench {
+
+void eigen_conj_grad(int n, implicitMatrix* A, double x[], double b[], double tolerance, int* steps) {
+  const Operator matrix(n, A);
+  Eigen::ConjugateGradient<Operator, Eigen::Lower | Eigen::Upper, Eigen::IdentityPreconditioner> solver(
+      matrix);
+  solver.setTolerance(tolerance);
+  solver.setMaxIterations(*steps);
+  const Eigen::Map<Eigen::VectorXd> right(b, n);
+  Eigen::Map<Eigen::VectorXd>(x, n) = solver.solveWithGuess(right, right);
+  // Eigen does not count the iteration that converges.
+  *steps = static_cast<int>(solver.iterations()) + (solver.info() == Eigen::Success ? 1 : 0);
+}
+
+}  // namespace solver_bench

@@ -1,0 +1,12 @@
+// Eigen's conjugate gradients behind ConjGrad's interface: no preconditioner, the same operator, first guess
+// and end.
+#pragma once
+
+#include "solver/linearSolver.h"
+
+namespace solver_bench {
+
+// As ConjGrad, but ends when ||b - Ax|| < tolerance ||b||.
+void eigen_conj_grad(int n, implicitMatrix* A, double x[], double b[], double tolerance, int* steps);
+
+}  // namespace solver_bench

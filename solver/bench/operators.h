@@ -1,0 +1,38 @@
+// Matrices to time a solver with: known by a formula, so that a product reads x, writes b, and hardly
+// anything else.
+#pragma once
+
+#include <vector>
+
+#include "solver/linearSolver.h"
+
+namespace solver_bench {
+
+// M + h^2 K of an implicit Euler step of a hair: block-tridiagonal, 3 x 3 blocks, which are multiples of the
+// identity as the springs pull alike in all directions. 3 `particles` unknowns, at least 2 particles;
+// `spring` is h^2 k / m.
+class StrandOperator : public implicitMatrix {
+ public:
+  StrandOperator(int particles, double spring) : n_(3 * particles), spring_(spring) {}
+  void matVecMult(double x[], double b[]) override;
+
+ private:
+  int n_;
+  double spring_;
+};
+
+// The five-point Laplacian on a `side` x `side` grid with zero boundary values, side >= 2.
+class PoissonOperator : public implicitMatrix {
+ public:
+  explicit PoissonOperator(int side) : side_(side), boundary_(side, 0.0) {}
+  void matVecMult(double x[], double b[]) override;
+
+ private:
+  int side_;
+  std::vector<double> boundary_;  // stands above the first row and below the last
+};
+
+// a = b + s c, the triad of the STREAM benchmark: what memory gives.
+void triad(int n, double a[], const double b[], double s, const double c[]);
+
+}  // namespace solver_bench
