@@ -30,8 +30,7 @@ class Operator : public Eigen::EigenBase<Operator> {
   implicitMatrix* matrix() const { return A_; }
 
   template <class X>
-  Eigen::Product<Operator, Vector, Eigen::AliasFreeProduct> operator*(
-      const Eigen::MatrixBase<Vector>& x) const {
+  Eigen::Product<Operator, X, Eigen::AliasFreeProduct> operator*(const Eigen::MatrixBase<X>& x) const {
     return {*this, x.derived()};
   }
 
