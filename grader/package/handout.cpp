@@ -158,6 +158,9 @@ Files handout_files(const HandoutSources& sources, const Course& course) {
 void make_handout(const HandoutSources& sources, const Course& course, const fs::path& out) {
   if (fs::is_directory(out))
     throw BadInput(out.string() + ": is a folder; name the archive to write, like handout.tar.gz");
+  if (const fs::path folder = fs::absolute(out).parent_path(); !fs::is_directory(folder))
+    throw BadInput(out.string() + ": there is no folder " + folder.string() +
+                   "; make it first, or write elsewhere");
   const TemporaryFile part{out.string() + ".part"};
   write_archive(part.path, handout_files(sources, course));
   check_gates(part.path, sources, course);

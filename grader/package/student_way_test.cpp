@@ -127,6 +127,14 @@ TEST_F(StudentsWay, LeavesGivenExercisesOutOfTheHandIn) {
   EXPECT_EQ(listing.output, "normal_equations.cpp\n");
 }
 
+TEST_F(StudentsWay, ConfiguresWithoutAnExerciseThatTheCourseLacks) {
+  course_.exercises.back().role = Role::absent;
+  unpack();
+  const Ran ran = run(configure_);
+  EXPECT_EQ(ran.code, 0) << ran.output;
+  EXPECT_FALSE(fs::exists(folder_ / "hair-assignment/student" / course_.exercises.back().file));
+}
+
 TEST_F(StudentsWay, HasADebugBuildAndChecksTheStudentsName) {
   unpack();
   const Ran debug = run("cmake --preset debug");

@@ -1,17 +1,22 @@
 # The lecture's programs.
 #
 #   hair_lecture_examples(NAME_PREFIX EXERCISE_LIB_PREFIX)
-#     <NAME_PREFIX>_example1 .. 3, linked with the exercise libraries <EXERCISE_LIB_PREFIX>_S1 and _S2
+#     <NAME_PREFIX>_example1 and 2, linked with the exercise library <EXERCISE_LIB_PREFIX>_S1, and _example3 with _S2; not
+#     those whose exercise the course does not have
 
 function(hair_lecture_examples NAME_PREFIX EXERCISE_LIB_PREFIX)
-  foreach(example 1 2 3)
+  foreach(example_of 1:S1 2:S1 3:S2)
+    string(REPLACE ":" ";" example_of ${example_of})
+    list(GET example_of 0 example)
+    list(GET example_of 1 exercise)
+    if(NOT TARGET ${EXERCISE_LIB_PREFIX}_${exercise})
+      continue()
+    endif()
     set(name ${NAME_PREFIX}_example${example})
     add_executable(${name} "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/example${example}.cpp")
     hair_compile_settings(${name})
     # The lecture includes "linearSolver.h", without a folder.
     target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/..")
+    target_link_libraries(${name} PRIVATE ${EXERCISE_LIB_PREFIX}_${exercise} hair_solver)
   endforeach()
-  target_link_libraries(${NAME_PREFIX}_example1 PRIVATE ${EXERCISE_LIB_PREFIX}_S1)
-  target_link_libraries(${NAME_PREFIX}_example2 PRIVATE ${EXERCISE_LIB_PREFIX}_S1)
-  target_link_libraries(${NAME_PREFIX}_example3 PRIVATE ${EXERCISE_LIB_PREFIX}_S2 hair_solver)
 endfunction()
