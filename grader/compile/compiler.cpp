@@ -48,6 +48,7 @@ Cage toolchain_cage(const StagedKit& kit, const Exercise& exercise, bool isolate
   cage.tmp_bytes = 64 << 20;
   cage.syscalls = Syscalls::toolchain;
   cage.limits.memory_bytes = std::size_t{2} << 30;
+  cage.limits.cpu_seconds = 15;
   cage.isolated = isolated;
   return cage;
 }

@@ -45,7 +45,8 @@ struct Solution {
   double value = 0;  // what ConjGrad returned
   int steps = 0;
   std::vector<double> x;
-  int products = 0;
+  int products = 0;        // as the suite counted them
+  bool b_changed = false;  // or a product's input and output overlapped
 };
 
 double norm(const std::vector<double>& v);
@@ -60,23 +61,29 @@ struct Tolerance {
 };
 Tolerance tolerance_after(const LinearSystem& system, int least_steps);
 
-// Calls the student's ConjGrad, and checks what holds for every call: b unchanged, steps within the limit,
-// the number of products, a value that is the residual's. `x` is what the buffer holds on entry (junk if it
-// is empty).
+// Calls the student's ConjGrad, and checks no more than that x is finite: each category looks at what it is
+// about, so that one mistake does not fail them all. `x` is what the buffer holds on entry (junk if it is
+// empty).
 Solution solve(Trial& trial, const LinearSystem& system, double epsilon, int steps,
                std::vector<double> x = {});
 
 // The reference's answer to the same.
 Solution reference_solution(const LinearSystem& system, double epsilon, int steps);
 
-// `solution` ended because it converged: value <= epsilon, and x is as close as that says.
-void expect_converged(Trial& trial, const LinearSystem& system, const Solution& solution, double epsilon);
-// ... or because it reached the step limit.
-void expect_converged_or_at_limit(Trial& trial, const LinearSystem& system, const Solution& solution,
-                                  double epsilon, int limit);
+// ||b - Ax||^2 of the x that came back is at most epsilon, and x as close to the solution as that says; by
+// the suite's own product, whatever ConjGrad returned.
+void expect_solved(Trial& trial, const LinearSystem& system, const Solution& solution, double epsilon);
 void expect_steps(Trial& trial, const Solution& solution, int expected);
 
-// Solves one ordinary system with known steps: no code passes a category of extreme cases without it.
+// The return value is the squared norm of b - Ax, within the drift.
+void expect_honest_value(Trial& trial, const LinearSystem& system, const Solution& solution);
+// products = 1 + steps + floor(steps / 64), give or take two for an ill-conditioned system; b as it was.
+void expect_counted_products(Trial& trial, const LinearSystem& system, const Solution& solution);
+// Solved, if the return value says so; else at the step limit. For systems on which rounding decides.
+void expect_solved_or_at_limit(Trial& trial, const LinearSystem& system, const Solution& solution,
+                               double epsilon, int limit);
+
+// Solves one ordinary system: no code passes a category of extreme cases without it.
 void expect_solves_ordinary_system(Trial& trial);
 
 }  // namespace grader

@@ -15,6 +15,7 @@ void stiff_strand(Trial& trial);
 void first_guess(Trial& trial);
 void step_limit(Trial& trial);
 void tolerance(Trial& trial);
+void return_value(Trial& trial);
 void scaling(Trial& trial);
 void not_positive_definite(Trial& trial);
 void not_finite(Trial& trial);

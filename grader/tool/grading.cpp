@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostLog = 16 << 10;  // of what a worker printed
-constexpr int kLeastCpuSeconds = 4;
+constexpr int kLeastCpuSeconds = 2;
 constexpr double kTimesReference = 20;  // a student's code may take this many times the reference's CPU time
 
 class Stopwatch {

@@ -3,6 +3,7 @@
 // Exit code 0: all submissions have results (or the handout is written). 1: the grader itself failed, or a
 // gate of the handout closed. 2: bad input or usage. 130: interrupted; what was finished is kept, and
 // --resume goes on.
+#include <locale.h>
 #include <signal.h>
 #include <sodium.h>
 
@@ -96,6 +97,7 @@ int handout(const HandoutOptions& options) {
 }  // namespace
 
 int main(int argc, char* argv[]) {
+  setlocale(LC_CTYPE, "C.UTF-8");  // names in archives may hold any letters
   if (sodium_init() < 0) {
     std::cerr << "hairgrade: no source of random numbers\n";
     return 1;
