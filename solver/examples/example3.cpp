@@ -106,7 +106,7 @@ int main() {
   std::printf("Not positive definite: solved in %i steps with error %f.\n", steps, err);
   std::printf("A4 * [%f %f]^T = [%f %f]^T.\n\n", y[0], y[1], c[0], c[1]);
 
-  const int n = 500;
+  const int n = 200;
   const std::vector<Vector> reflectors = {scattered(n, 1), scattered(n, 2)};
   const Vector exact = scattered(n, 3);
   std::printf(
