@@ -239,30 +239,17 @@ std::vector<Entry> Archive::list() {
 
 void Archive::visit(const std::vector<std::size_t>& indices,
                     const std::function<void(std::size_t, const Read&)>& take) {
-  std::unique_ptr<Reading> reading;
-  std::size_t next = 0;  // the index of the entry that `reading` comes to next
+  if (indices.empty()) return;
+  Reading reading(source_, shown_, limits_);
+  std::size_t next = 0;  // the index of the entry that comes next
   for (const std::size_t index : indices) {
-    if (!reading) {
-      reading = std::make_unique<Reading>(source_, shown_, limits_);
-      next = 0;
-    }
     archive_entry* entry = nullptr;
     for (; next <= index; ++next) {
-      entry = reading->next();
+      entry = reading.next();
       if (!entry) throw Refused(shown_ + " changed while it was read.");
     }
     const std::string path = printable(described(entry).shown);
-    bool damaged = false;
-    take(index, [&](std::size_t most) {
-      try {
-        return reading->data(path, most);
-      } catch (const Refused&) {
-        damaged = true;
-        throw;
-      }
-    });
-    // The library gives up on an archive after one damaged entry; those after it may be sound.
-    if (damaged) reading.reset();
+    take(index, [&](std::size_t most) { return reading.data(path, most); });
   }
 }
 

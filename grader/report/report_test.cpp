@@ -60,7 +60,7 @@ TEST_F(Reports, StandWhereTheyShould) {
 
 TEST_F(Reports, TheSameResultsGiveTheSameBytes) {
   std::vector<SubmissionResult> results = sample_class(20);
-  results.push_back(submission_full_of(std::string("\0\xff\x1b[31m<\"", 8)));
+  results.push_back(submission_full_of(std::string("\0\xff\x1b[31m<\"", 9)));
   write_all(dir_ / "first", results);
   std::vector<SubmissionResult> read_back;
   for (const SubmissionResult& result : results)
