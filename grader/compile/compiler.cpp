@@ -157,7 +157,8 @@ Compiled Compiler::run_linker(const Exercise& exercise, const fs::path& job) con
         "define\n";
     return compiled;
   }
-  // Copied, for the sandbox's user could still change what it has written; and not through a link that it has left there.
+  // Copied, for the sandbox's user could still change what it has written; and not through a link that it has
+  // left there.
   const fs::path written = out / (exercise.id + ".so");
   if (!fs::is_regular_file(fs::symlink_status(written))) return compiled;
   compiled.object = job / (exercise.id + ".so");

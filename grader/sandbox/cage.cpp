@@ -55,7 +55,8 @@ std::vector<std::string> bwrap_command(const Cage& cage, const std::vector<std::
   auto append = [&all](std::initializer_list<std::string> words) { all.insert(all.end(), words); };
   if (filtered) append({"--seccomp", std::to_string(kFilter)});
   if (cage.tmp_bytes > 0)
-    append({"--size", std::to_string(cage.tmp_bytes), "--tmpfs", "/tmp", "--dev", "/dev", "--remount-ro", "/dev"});
+    append({"--size", std::to_string(cage.tmp_bytes), "--tmpfs", "/tmp", "--dev", "/dev", "--remount-ro",
+            "/dev"});
   for (const Mount& mount : cage.mounts) {
     std::error_code error;
     if (std::filesystem::is_symlink(mount.source, error) && mount.source == mount.target)

@@ -61,7 +61,8 @@ TEST_F(CageTest, RunsAProgramAndSaysHowItEnded) {
 }
 
 TEST_F(CageTest, HoldsNothingButWhatIsMounted) {
-  const Run run = shell("shopt -s dotglob; for f in /* /etc/* /home/* /root/* /proc/*; do [ -e \"$f\" ] && echo \"$f\"; done");
+  const Run run = shell(
+      "shopt -s dotglob; for f in /* /etc/* /home/* /root/* /proc/*; do [ -e \"$f\" ] && echo \"$f\"; done");
   EXPECT_EQ(run.output, "/bin\n/dev\n/etc\n/lib\n/lib64\n/tmp\n/usr\n/etc/alternatives\n");
   EXPECT_EQ(shell("ls -A /usr/include/eigen3").output, "");
   EXPECT_EQ(shell("ls -A /usr/include/nlohmann").output, "");
@@ -75,7 +76,9 @@ TEST_F(CageTest, HasNoEnvironmentOfOurs) {
   EXPECT_EQ(environment.find("HOME"), std::string::npos) << environment;
 }
 
-TEST_F(CageTest, IsNeverRoot) { EXPECT_NE(shell("id -u").output, "0\n"); }
+TEST_F(CageTest, IsNeverRoot) {
+  EXPECT_NE(shell("id -u").output, "0\n");
+}
 
 TEST_F(CageTest, IsAloneAmongProcesses) {
   // Our own process, by its number out here.
@@ -85,12 +88,14 @@ TEST_F(CageTest, IsAloneAmongProcesses) {
 
 TEST_F(CageTest, WritesNowhereButInItsOwnTmp) {
   for (const char* place : {"/x", "/usr/x", "/usr/bin/x", "/etc/x", "/etc/alternatives/x", "/dev/x"})
-    EXPECT_EQ(shell(std::string("echo x 2>/dev/null > ") + place + " && echo written").output.find("written"), std::string::npos)
+    EXPECT_EQ(shell(std::string("echo x 2>/dev/null > ") + place + " && echo written").output.find("written"),
+              std::string::npos)
         << place;
   EXPECT_NE(shell("echo x > /tmp/from-the-cage && echo written").output.find("written"), std::string::npos);
   EXPECT_FALSE(fs::exists("/tmp/from-the-cage"));
   // The size is a limit.
-  EXPECT_EQ(shell("head -c 8M /dev/zero > /tmp/large && echo written").output.find("written"), std::string::npos);
+  EXPECT_EQ(shell("head -c 8M /dev/zero > /tmp/large && echo written").output.find("written"),
+            std::string::npos);
 }
 
 TEST_F(CageTest, HasNoNetwork) {
@@ -101,7 +106,8 @@ TEST_F(CageTest, HasNoNetwork) {
 
 TEST_F(CageTest, InheritsNoDescriptors) {
   const Descriptor secret(open("/dev/null", O_RDONLY));  // without close-on-exec
-  const Run run = shell("for i in $(seq 3 9) $(seq 11 250); do { true <&$i; } 2>/dev/null && echo $i; done; true");
+  const Run run =
+      shell("for i in $(seq 3 9) $(seq 11 250); do { true <&$i; } 2>/dev/null && echo $i; done; true");
   EXPECT_EQ(run.output, "");  // bash itself uses 10
 }
 

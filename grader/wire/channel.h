@@ -43,15 +43,16 @@ class Channel {
   // Waits until `descriptor` is ready for `events` (POLLIN, POLLOUT); false to give up.
   using Wait = std::function<bool(int descriptor, short events)>;
 
-  // Neither descriptor is owned. Without `wait` sending and receiving block; with it they ask it before every step, and `out` must not
-  // block, so that the other side can hold up nothing by sending half a message or by reading none.
+  // Neither descriptor is owned. Without `wait` sending and receiving block; with it they ask it before every
+  // step, and `out` must not block, so that the other side can hold up nothing by sending half a message or
+  // by reading none.
   Channel(int in, int out, Wait wait = {}) : in_(in), out_(out), wait_(std::move(wait)) {}
 
   // False if the other side is gone, or `wait` gave up.
   bool send(Kind kind, std::uint64_t nonce, std::span<const std::byte> body = {});
 
-  // The next message; nothing if the other side is gone, or `wait` gave up. Throws MalformedMessage for a body larger than `limit`
-  // bytes.
+  // The next message; nothing if the other side is gone, or `wait` gave up. Throws MalformedMessage for a
+  // body larger than `limit` bytes.
   std::optional<Message> receive(std::size_t limit);
 
  private:
