@@ -32,7 +32,7 @@ std::string_view name_of(const Entry& entry) {
 
 std::string shown_size(std::uintmax_t bytes) {
   constexpr std::uintmax_t mebibyte = 1 << 20;
-  if (bytes >= mebibyte && bytes % mebibyte == 0) return std::to_string(bytes / mebibyte) + " MiB";
+  if (bytes >= mebibyte) return std::to_string(bytes / mebibyte) + " MiB";
   return std::to_string(bytes) + " bytes";
 }
 

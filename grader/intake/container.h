@@ -51,7 +51,7 @@ class Container {
                      const std::function<void(std::size_t index, const Read&)>& take) = 0;
 };
 
-// "256 MiB", "100 bytes".
+// "256 MiB" (rounded down), "100 bytes".
 std::string shown_size(std::uintmax_t bytes);
 
 }  // namespace grader
