@@ -22,15 +22,14 @@ std::vector<double> uniform_values(Random& random, int n, double low, double hig
 }
 
 // At a tolerance that CG meets after a certain number of steps, and at one that is close to the rounding
-// errors. Cost is graded by counts: at most twice the reference's products.
+// errors. Cost is graded by counts: at most two and a half times the reference's products.
 void expect_solves(Trial& trial, const LinearSystem& system, int least_steps) {
   const auto [epsilon, steps] = tolerance_after(system, least_steps);
   const Solution coarse = solve(trial, system, epsilon, 0);
   expect_solved(trial, system, coarse, epsilon);
   if (!system.ill_conditioned)
-    trial.expect(coarse.products <= 2 * (1 + steps) + 2,
-                 "it takes more than twice the products that it needs",
-                 std::to_string(coarse.products) + " products, " + std::to_string(steps) + " steps would do");
+    trial.expect_at_most(coarse.products, 2.5 * (1 + steps) + 5, "the number of products",
+                         std::to_string(steps) + " steps would do");
 
   const double fine = std::pow(1e-10 * norm(system.b), 2);
   expect_solved_or_at_limit(trial, system, solve(trial, system, fine, 0), fine, 0);
@@ -54,8 +53,10 @@ void examples(Trial& trial) {
   for (int n = 2; n <= 4; ++n) {
     std::vector<double> spectrum;
     for (int i = 1; i <= n; ++i) spectrum.push_back(i + trial.random.uniform(0, 0.3));
-    const LinearSystem system = spectral_system("like the examples", spectrum, trial.random);
-    const double epsilon = 1e-20;
+    LinearSystem system = spectral_system("like the examples", spectrum, trial.random);
+    for (double& value : system.b) value *= 1e4;
+    for (double& value : system.solution) value *= 1e4;
+    const double epsilon = std::pow(1e-8 * norm(system.b), 2);
     const Solution solution = solve(trial, system, epsilon, 100);
     expect_steps(trial, solution, n);  // n different eigenvalues
     expect_solved(trial, system, solution, epsilon);
@@ -72,11 +73,11 @@ void sizes(Trial& trial) {
     const std::vector<double> d = uniform_values(trial.random, n, 1, 20);
     const LinearSystem diagonal = sparse_system("diagonal", solver::diagonal(d), trial.random.normals(n),
                                                 *std::min_element(d.begin(), d.end()));
-    expect_solves(trial, diagonal, std::min(n, 8));
-    const double off = trial.random.uniform(-0.9, 0.9);
+    expect_solves(trial, diagonal, std::min(n, 16));
+    const double off = (trial.random.integer(0, 1) == 0 ? -1 : 1) * trial.random.uniform(0.5, 0.9);
     const LinearSystem tridiagonal = sparse_system("tridiagonal", solver::tridiagonal(n, 2, off),
                                                    trial.random.normals(n), 2 - 2 * std::abs(off));
-    expect_solves(trial, tridiagonal, std::min((n + 1) / 2, 6));
+    expect_solves(trial, tridiagonal, std::min((n + 1) / 2, 10));
   }
 }
 
@@ -86,17 +87,17 @@ void known_matrices(Trial& trial) {
   expect_solves(trial,
                 sparse_system("2-D Poisson", solver::poisson_2d(grid), random.normals(grid * grid),
                               8 * std::pow(std::sin(std::numbers::pi / (2 * (grid + 1))), 2)),
-                random.integer(6, 10));
+                random.integer(16, 20));
 
   const int n = random.integer(40, 60);
   const double least = 4 * std::pow(std::sin(std::numbers::pi / (2 * (n + 1))), 2);
-  expect_solves(trial, sparse_system("string", solver::tridiagonal(n, 2, -1), random.normals(n), least), 10);
+  expect_solves(trial, sparse_system("string", solver::tridiagonal(n, 2, -1), random.normals(n), least), 20);
 
   for (double condition : {1e2, 1e3})
     expect_solves(trial,
                   spectral_system("random, condition " + std::to_string(condition),
                                   log_spaced(random.integer(40, 80), 1, condition), random),
-                  random.integer(8, 12));
+                  random.integer(16, 20));
 
   // Smallest eigenvalues, from below: 1 / ||H^-1||, with ||H^-1|| at most the sum of the inverse's entries'
   // sizes.
@@ -296,16 +297,17 @@ void return_value(Trial& trial) {
 void scaling(Trial& trial) {
   const LinearSystem system =
       spectral_system("scale 1", log_spaced(trial.random.integer(8, 12), 1, 20), trial.random);
-  const auto [epsilon, steps] = tolerance_after(system, 4);
+  const double epsilon = tolerance_after(system, 4).epsilon;
   const Solution plain = solve(trial, system, epsilon, 0);
-  expect_steps(trial, plain, steps);
+  expect_solved(trial, system, plain, epsilon);
   for (int power : {-465, 465, -200, 200}) {
     LinearSystem scaled = system;
     scaled.name = "scale 2^" + std::to_string(power);
     for (double& value : scaled.b) value = std::ldexp(value, power);
     for (double& value : scaled.solution) value = std::ldexp(value, power);
     const Solution solution = solve(trial, scaled, std::ldexp(epsilon, 2 * power), 0);
-    expect_steps(trial, solution, steps);
+    trial.expect(solution.steps == plain.steps, "scaling b changes the number of steps",
+                 std::to_string(solution.steps) + " instead of " + std::to_string(plain.steps));
     // Multiplying by a power of two commutes with every rounding, but where a square falls among the
     // subnormal numbers.
     std::vector<double> difference = solution.x;

@@ -111,8 +111,7 @@ std::optional<Answer> Student::start() {
     }
     throw MalformedMessage("something else than a greeting");
   } catch (const MalformedMessage& error) {
-    finish();
-    return Answer{Outcome::broke_rules, MessageReader({}), error.what()};
+    return broke_rules(error);
   }
 }
 
@@ -122,9 +121,16 @@ Answer Student::ask(const MessageWriter& request, const Products& products) {
   try {
     return converse(request, products);
   } catch (const MalformedMessage& error) {
-    finish();
-    return {Outcome::broke_rules, MessageReader({}), error.what()};
+    return broke_rules(error);
   }
+}
+
+// A worker that does not keep to the protocol is not asked again; a new one may be.
+Answer Student::broke_rules(const MalformedMessage& error) {
+  finish();
+  const Answer answer{Outcome::broke_rules, MessageReader({}), error.what()};
+  if (starts_ > kMostRestarts) gave_up_ = answer;
+  return answer;
 }
 
 Answer Student::converse(const MessageWriter& request, const Products& products) {

@@ -66,6 +66,7 @@ class Student {
 
   std::optional<Answer> start();
   Answer converse(const MessageWriter& request, const Products& products);
+  Answer broke_rules(const MalformedMessage& error);
   Answer ended(const std::string& during);
 
   WorkerSetup setup_;

@@ -126,7 +126,7 @@ void Grading::grade_exercise(const Exercise& exercise, const Submission& submiss
     result.status = status;
     result.feedback = feedback;
   };
-  if (!submission.problem.empty()) return without_cases(Status::broke_rules, submission.problem);
+  if (!submission.problem.empty()) return without_cases(Status::missing, submission.problem);
   const auto file = submission.files.find(exercise.file);
   if (file == submission.files.end()) return without_cases(Status::missing, sentence_for(Status::missing));
   if (!file->second.problem.empty()) return without_cases(Status::missing, file->second.problem);
