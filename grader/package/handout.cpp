@@ -5,10 +5,10 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "grader/archive/archive_writer.h"
 #include "grader/course/bad_input.h"
 #include "grader/intake/archive.h"
 #include "grader/package/manifest.h"
-#include "grader/samples/archive_writer.h"
 
 namespace grader {
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "grader/archive/archive_writer.h"
 #include "grader/course/bad_input.h"
-#include "grader/samples/archive_writer.h"
 #include "grader/samples/sample.h"
 #include "grader/samples/solution_files.h"
 

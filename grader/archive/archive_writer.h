@@ -1,5 +1,6 @@
-// STAFF ONLY. Archives as students upload them, and as attackers would: any path, links, files larger than
-// any disk. The same entries give the same bytes, if the time zone is UTC and the locale's encoding UTF-8.
+// STAFF ONLY. Archives as the handout ships, as students upload them, and as attackers would: any path,
+// links, files larger than any disk. The same entries give the same bytes, if the time zone is UTC and the
+// locale's encoding UTF-8.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // STAFF ONLY.
-#include "grader/samples/archive_writer.h"
+#include "grader/archive/archive_writer.h"
 
 #include <archive.h>
 #include <archive_entry.h>
