@@ -1,0 +1,93 @@
+// STAFF ONLY.
+#include "grader/suite/trial.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace grader {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+
+// What a student and staff read when `error` meets `bound`; a status of `passed` if it holds.
+CaseFailed verdict(double error, double bound) {
+  Student nobody{WorkerSetup{}};
+  Trial trial(nobody, Random("seed", "verdict"));
+  trial.describe("a hidden case");
+  try {
+    trial.expect_at_most(error, bound, "the error of x", "more for staff");
+  } catch (const CaseFailed& failure) {
+    return failure;
+  }
+  return {Status::passed, "", ""};
+}
+
+TEST(Band, GrowsWithTheRatioAlone) {
+  const std::string up_to_10 = band(2, 1), to_1000 = band(20, 1), to_a_million = band(2e3, 1),
+                    more = band(2e6, 1);
+  EXPECT_EQ(band(9.99e-20, 1e-20), up_to_10);
+  EXPECT_EQ(band(10, 1), to_1000);
+  EXPECT_EQ(band(999e200, 1e200), to_1000);
+  EXPECT_EQ(band(1e3, 1), to_a_million);
+  EXPECT_EQ(band(1e6, 1), more);
+  EXPECT_EQ(band(1e-300, 0), more);
+  EXPECT_NE(up_to_10, to_1000);
+  EXPECT_NE(to_1000, to_a_million);
+  EXPECT_NE(to_a_million, more);
+}
+
+TEST(Bound, HoldsUpToItselfAndNotForNan) {
+  EXPECT_EQ(verdict(1, 1).status, Status::passed);
+  EXPECT_EQ(verdict(0, 0).status, Status::passed);
+  EXPECT_EQ(verdict(1.0000001, 1).status, Status::wrong);
+  EXPECT_EQ(verdict(kNan, 1).status, Status::wrong);
+  EXPECT_EQ(verdict(1, kNan).status, Status::wrong);
+  EXPECT_EQ(verdict(std::numeric_limits<double>::infinity(), 1).status, Status::wrong);
+}
+
+TEST(Feedback, TellsStudentsABandAndStaffTheNumbers) {
+  const CaseFailed failure = verdict(0.0625, 0.03125);
+  EXPECT_EQ(failure.feedback, "the error of x is up to 10 times as large as allowed");
+  EXPECT_EQ(failure.detail, "a hidden case: the error of x: 0.0625, bound 0.03125; more for staff");
+}
+
+TEST(Random, IsTheSameOnEveryMachine) {
+  // The standard fixes std::seed_seq and std::mt19937_64 to the bit.
+  Random random("seed", "purpose");
+  EXPECT_EQ(random.uniform(), 0x1.7b321b0acccecp-1);
+  EXPECT_EQ(random.integer(0, 1'000'000), 303'773);
+}
+
+TEST(Random, DependsOnSeedAndPurpose) {
+  const double first = Random("seed", "purpose").uniform();
+  EXPECT_EQ(Random("seed", "purpose").uniform(), first);
+  EXPECT_NE(Random("seed", "another").uniform(), first);
+  EXPECT_NE(Random("another", "purpose").uniform(), first);
+}
+
+// Means of 10,000 draws, within five standard deviations of theirs: off by chance once in two million, and the
+// seed is fixed.
+TEST(Random, DrawsFromTheDistributionsNamed) {
+  constexpr int kDraws = 10'000;
+  Random random("seed", "distributions");
+  double uniform = 0, normal = 0, squared = 0;
+  bool low = false, high = false;
+  for (int i = 0; i < kDraws; ++i) {
+    const double u = random.uniform(-1, 3), z = random.normal(), l = random.log_uniform(1e-8, 1);
+    const int k = random.integer(-2, 2);
+    EXPECT_TRUE(u >= -1 && u < 3 && l >= 0.999e-8 && l <= 1.001 && k >= -2 && k <= 2);
+    low |= k == -2;
+    high |= k == 2;
+    uniform += u / kDraws;
+    normal += z / kDraws;
+    squared += z * z / kDraws;
+  }
+  EXPECT_NEAR(uniform, 1, 5 * 4 / std::sqrt(12.0 * kDraws));
+  EXPECT_NEAR(normal, 0, 5 / std::sqrt(kDraws));
+  EXPECT_NEAR(squared, 1, 5 * std::sqrt(2.0 / kDraws));  // the variance of z^2 is 2
+  EXPECT_TRUE(low && high);
+}
+
+}  // namespace
+}  // namespace grader
