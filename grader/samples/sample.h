@@ -6,15 +6,16 @@
 //     "shows":   "..."                         the bug, or what is right, in a line
 //     "form":    "zip" | "tar.gz" | "folder"
 //     "files":   {PATH IN THE ARCHIVE: CONTENT, ...}
-//     "patch":   "wrong-beta.patch"            optional: from patches/, applied to the solution files with
-//     -p1 "windows": true                          optional: solution files begin with a byte order mark and
-//     have CR LF "cut":     1000                          optional: the archive's bytes that are left, as
-//     after a broken upload "expect":  {"S1": {"status": "partly", "points": 12}, ...}   points: optional
+//     "patch":   "wrong-beta.patch"            optional: from patches/, applied to the solution files with -p1
+//     "windows": true                          optional: solution files begin with a byte order mark and have CR LF
+//     "cut":     1000                          optional: the bytes of the archive that are left, as after a
+//                                              broken upload
+//     "expect":  {"S1": {"status": "partly", "points": 12}, ...}
+//                                              without points: all of them if it passed, or else none
 //   }, ...]}
 //
 // CONTENT is "reference", "stub" or a folder of solutions/, which hold an exercise file of that name;
-// {"text": "..."};
-// {"link": TARGET}, a symbolic link; or {"zeros": BYTES}, so many zero bytes.
+// {"text": "..."}; {"link": TARGET}, a symbolic link; or {"zeros": BYTES}, so many zero bytes.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +40,7 @@ struct SampleFile {
 
 struct ExpectedResult {
   std::string status;            // as to_string(Status) has it
-  std::optional<double> points;  // nothing: not pinned
+  std::optional<double> points;  // nothing: all if it passed, or else none
 };
 
 struct Sample {

@@ -23,16 +23,20 @@ namespace {
 
 enum : int { kRequests = 3, kReplies = 4, kInfo = 5, kFilter = 6 };
 
-std::string replace_all(std::string text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-  return text;
-}
-
-std::string outside(const Cage& cage, std::string path) {
-  for (const Mount& mount : cage.mounts)
-    if (mount.source != mount.target) path = replace_all(path, mount.target, mount.source.string());
-  return path;
+// A word of a command with the path in it that some mount puts there replaced by the path out here; the longest such path counts.
+std::string outside(const Cage& cage, const std::string& word) {
+  const Mount* found = nullptr;
+  std::size_t place = std::string::npos;
+  for (const Mount& mount : cage.mounts) {
+    const std::size_t at = word.find(mount.target);
+    const std::size_t end = at + mount.target.size();
+    if (at == std::string::npos || (end != word.size() && word[end] != '/')) continue;
+    if (found != nullptr && found->target.size() >= mount.target.size()) continue;
+    found = &mount;
+    place = at;
+  }
+  if (found == nullptr) return word;
+  return word.substr(0, place) + found->source.string() + word.substr(place + found->target.size());
 }
 
 std::vector<std::string> bwrap_command(const Cage& cage, const std::vector<std::string>& command,

@@ -169,7 +169,9 @@ void expect_counted_products(Trial& trial, const LinearSystem& system, const Sol
 
 void expect_solved_or_at_limit(Trial& trial, const LinearSystem& system, const Solution& solution,
                                double epsilon, int limit) {
-  if (solution.value <= epsilon)
+  const double residual = true_residual(system, solution.x);
+  const bool solved = residual <= std::sqrt(epsilon) + drift(system, solution.x, residual * residual);
+  if (solved || solution.value <= epsilon)
     expect_solved(trial, system, solution, epsilon);
   else
     trial.expect(solution.products >= 1 + limit_of(system.n(), limit),

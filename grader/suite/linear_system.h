@@ -79,7 +79,8 @@ void expect_steps(Trial& trial, const Solution& solution, int expected);
 void expect_honest_value(Trial& trial, const LinearSystem& system, const Solution& solution);
 // products = 1 + steps + floor(steps / 64), give or take two for an ill-conditioned system; b as it was.
 void expect_counted_products(Trial& trial, const LinearSystem& system, const Solution& solution);
-// Solved, if the return value says so; else at the step limit. For systems on which rounding decides.
+// Solved, as it must be if the return value says so; else at the step limit. For systems on which rounding
+// decides.
 void expect_solved_or_at_limit(Trial& trial, const LinearSystem& system, const Solution& solution,
                                double epsilon, int limit);
 

@@ -1,0 +1,147 @@
+// STAFF ONLY. The sample class, graded once by the test grade_sample_class: everybody gets what they must, nothing of the staff's is on a
+// student's page, and nothing outside of the sandbox has changed.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "grader/report/report.h"
+#include "grader/report/result.h"
+#include "grader/samples/sample.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string read_file(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// As intake cleans a name.
+std::string submission_name(std::string name) {
+  for (char& letter : name)
+    if (!isalnum(static_cast<unsigned char>(letter)) && std::string("._-").find(letter) == std::string::npos)
+      letter = '_';
+  return name;
+}
+
+std::vector<Sample> samples() {
+  return read_samples(fs::path(HAIR_PROJECT) / "grader/samples/samples.json");
+}
+
+SubmissionResult result_of(const std::string& name) {
+  std::optional<SubmissionResult> result = read_results(HAIR_GRADED, name);
+  if (!result) throw std::runtime_error("no result for " + name);
+  return *result;
+}
+
+TEST(SampleClass, EverybodyGetsTheirStatusesAndPoints) {
+  for (const Sample& sample : samples()) {
+    SCOPED_TRACE(sample.name + ": " + sample.shows);
+    const SubmissionResult result = result_of(submission_name(sample.name));
+    ASSERT_EQ(result.exercises.size(), sample.expected.size());
+    for (const ExerciseResult& exercise : result.exercises) {
+      const ExpectedResult& expected = sample.expected.at(exercise.id);
+      std::string failures;
+      for (const CaseResult& one : exercise.cases)
+        if (one.status != Status::passed)
+          failures += "\n  " + one.name + ": " + one.feedback + " | " + one.detail;
+      EXPECT_EQ(to_string(exercise.status), expected.status) << exercise.id << failures << "\n"
+                                                             << exercise.staff_log;
+      const double otherwise = expected.status == "passed" ? exercise.max_points : 0;
+      EXPECT_NEAR(exercise.points, expected.points.value_or(otherwise), 1e-9) << exercise.id << failures;
+    }
+  }
+}
+
+TEST(SampleClass, HasEveryStatus) {
+  std::map<std::string, int> seen;
+  for (const Sample& sample : samples())
+    for (const auto& [exercise, expected] : sample.expected) ++seen[expected.status];
+  for (int status = static_cast<int>(Status::passed); status <= static_cast<int>(Status::broke_rules);
+       ++status)
+    EXPECT_GT(seen[to_string(static_cast<Status>(status))], 0) << to_string(static_cast<Status>(status));
+  EXPECT_GE(samples().size(), 24U);
+}
+
+TEST(SampleClass, AttacksCostNobodyElseAnything) {
+  // S2 of an attack on S1 is the reference's, and graded as such beside it.
+  for (const char* attack :
+       {"allocates-without-end", "exits", "forks", "forges-replies", "infinite-loop", "kills", "sleeps"}) {
+    const SubmissionResult result = result_of(attack);
+    EXPECT_EQ(result.exercises.at(0).points, 0) << attack;
+    EXPECT_EQ(result.exercises.at(1).status, Status::passed) << attack;
+  }
+}
+
+TEST(SampleClass, ChangesNothingOutsideOfTheSandbox) {
+  const std::string trace = "hair-sample-was-here";
+  std::vector<fs::path> places = {"/tmp",      "/var/tmp",       "/", "/dev/shm", fs::current_path(),
+                                  HAIR_GRADED, HAIR_SAMPLE_CLASS};
+  if (const char* home = std::getenv("HOME")) places.push_back(home);
+  for (const fs::path& place : places) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(place, error))
+      EXPECT_EQ(entry.path().filename().string().find(trace), std::string::npos) << entry.path();
+  }
+}
+
+TEST(SampleClass, PagesForStudentsHoldNothingOfTheStaffs) {
+  for (const Sample& sample : samples()) {
+    const std::string name = submission_name(sample.name);
+    const SubmissionResult result = result_of(name);
+    for (const char* file : {"results.json", "report.html"}) {
+      SCOPED_TRACE(name + "/" + file);
+      const std::string page = read_file(fs::path(HAIR_GRADED) / name / file);
+      ASSERT_FALSE(page.empty());
+      for (const ExerciseResult& exercise : result.exercises)
+        for (const CaseResult& one : exercise.cases)
+          if (one.detail.size() > 12) {
+            EXPECT_EQ(page.find(one.detail), std::string::npos) << one.detail;
+          }
+      for (const std::string& secret :
+           {std::string(HAIR_BUILD), std::string(HAIR_PROJECT), std::string("hairgrade-"),
+            std::string("/kit"), std::string("serve_")})
+        EXPECT_EQ(page.find(secret), std::string::npos) << secret;
+      EXPECT_EQ(page.find("<script>alert"), std::string::npos);
+    }
+  }
+}
+
+TEST(SampleClass, ResultsAreInGradescopesSchema) {
+  for (const Sample& sample : samples()) {
+    const std::string name = submission_name(sample.name);
+    SCOPED_TRACE(name);
+    const nlohmann::json results =
+        nlohmann::json::parse(read_file(fs::path(HAIR_GRADED) / name / "results.json"));
+    double sum = 0;
+    for (const nlohmann::json& test : results.at("tests")) {
+      sum += test.at("score").get<double>();
+      EXPECT_LE(test.at("score"), test.at("max_score"));
+      const std::string exercise = test.at("tags").at(0);
+      EXPECT_EQ(test.at("number").get<std::string>().rfind(exercise, 0), 0U);
+      EXPECT_TRUE(test.at("status") == "passed" || test.at("status") == "failed");
+    }
+    EXPECT_NEAR(sum, results.at("score").get<double>(), 1e-9);
+  }
+}
+
+TEST(SampleClass, TimesStandInTimingJsonAlone) {
+  const nlohmann::json timing = nlohmann::json::parse(read_file(fs::path(HAIR_GRADED) / "timing.json"));
+  EXPECT_GT(timing.at("reference").at("S1").at("worker_cpu_seconds"), 0);
+  EXPECT_GT(timing.at("submissions").at("perfect").at("S1").at("worker_cpu_seconds"), 0);
+  for (const auto& entry : fs::recursive_directory_iterator(HAIR_GRADED))
+    if (entry.is_regular_file() && entry.path().filename() != "timing.json") {
+      EXPECT_EQ(read_file(entry.path()).find("cpu_seconds"), std::string::npos) << entry.path();
+    }
+}
+
+}  // namespace
+}  // namespace grader

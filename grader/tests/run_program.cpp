@@ -1,0 +1,46 @@
+// STAFF ONLY.
+#include "grader/tests/run_program.h"
+
+#include <spawn.h>
+#include <sys/wait.h>
+
+#include <system_error>
+#include <thread>
+
+#include "grader/sandbox/descriptor.h"
+
+extern char** environ;
+
+namespace grader {
+
+ProgramRun run_hairgrade(const std::vector<std::string>& arguments,
+                         const std::function<void(int)>& meanwhile) {
+  Pipe out = make_pipe(), errors = make_pipe();
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, out.write_end.get(), 1);
+  posix_spawn_file_actions_adddup2(&actions, errors.write_end.get(), 2);
+  std::vector<std::string> words = {HAIRGRADE};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  pid_t process = 0;
+  const int error = posix_spawn(&process, argv[0], &actions, nullptr, argv.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (error != 0) throw std::system_error(error, std::generic_category(), HAIRGRADE);
+  out.write_end.close();
+  errors.write_end.close();
+
+  ProgramRun run;
+  std::jthread reader([&] { run.errors = read_all(errors.read_end, 1 << 20); });
+  if (meanwhile) meanwhile(process);
+  run.output = read_all(out.read_end, 1 << 20);
+  reader.join();
+  int status = 0;
+  waitpid(process, &status, 0);
+  run.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  return run;
+}
+
+}  // namespace grader

@@ -1,0 +1,19 @@
+// STAFF ONLY. hairgrade as a person runs it.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace grader {
+
+struct ProgramRun {
+  int code = 0;  // what it returned; -1: a signal ended it
+  std::string output, errors;
+};
+
+// Runs hairgrade with these arguments. `meanwhile` gets its process number once it runs.
+ProgramRun run_hairgrade(const std::vector<std::string>& arguments,
+                         const std::function<void(int)>& meanwhile = {});
+
+}  // namespace grader
