@@ -8,6 +8,7 @@ to_build() {
 g++                  # compiles the project, and submissions
 cmake                # the build,
 ninja-build          #   and what runs it
+make                 # builds the handout as students do
 pkg-config           # finds libseccomp and libsodium
 libeigen3-dev        # Eigen: linear algebra
 libgtest-dev         # GoogleTest: tests, public checks, grading suite
