@@ -1,0 +1,206 @@
+// STAFF ONLY. How many submissions a minute are graded, and where the time goes, as Markdown tables.
+//
+//   grading_bench [SUBMISSIONS]
+//
+// A batch (24, if not said otherwise) of right submissions, of all that the course assigns, two at a time:
+// first with nothing in the cache of compiled objects, then with all of them in it. Then the parts of it, one at
+// a time, beside the plain compiler outside of any cage. Every part is checked to have done its work.
+#include <signal.h>
+#include <sodium.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <stdexcept>
+
+#include "grader/bench/cost.h"
+#include "grader/suite/student.h"
+#include "grader/tool/batch.h"
+#include "grader/tool/grading.h"
+#include "grader/tool/suite_run.h"
+
+namespace grader_bench {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace grader;
+
+constexpr int kJobs = 2, kRounds = 9;
+constexpr double kGoal = 60;  // submissions a minute
+
+void require(bool holds, const std::string& what) {
+  if (!holds) throw std::runtime_error(what);
+}
+
+std::string read_file(const fs::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  require(in.good(), path.string() + " can't be read");
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+// A right solution, one of those of the sample class, and no two the same bytes.
+Submission submission(const Course& course, int number) {
+  static const fs::path solutions = fs::path(HAIR_PROJECT) / "grader/samples/solutions";
+  static const fs::path folders[] = {fs::path(HAIR_PROJECT) / "reference", solutions / "plain",
+                                     solutions / "other-order", solutions / "same-names",
+                                     solutions / "vector-class"};
+  Submission result;
+  result.name = "submission-" + std::to_string(number);
+  for (const Exercise& exercise : course.exercises)
+    result.files[exercise.file].text =
+        read_file(folders[number % std::size(folders)] / exercise.file) + "// " + result.name + "\n";
+  return result;
+}
+
+struct TemporaryFolder {
+  fs::path path;
+  TemporaryFolder() {
+    std::string pattern = (fs::temp_directory_path() / "grading-bench-XXXXXX").string();
+    require(mkdtemp(pattern.data()) != nullptr, pattern + " can't be made");
+    path = pattern;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path, ignored);
+  }
+};
+
+void time_batches(const Course& course, const fs::path& scratch, int count) {
+  GradingSettings settings;
+  settings.course = course;
+  settings.kit = HAIR_KIT_DIR;
+  settings.suite = HAIR_SUITE;
+  settings.cache = scratch / "cache";
+  settings.secret = "the secret of the benchmark";
+  const Grading grading(settings);
+  std::vector<Submission> submissions;
+  for (int i = 0; i < count; ++i) submissions.push_back(submission(course, i));
+
+  std::printf(
+      "| %d submissions, %d at a time | seconds | CPU seconds | a minute | a minute, if all of %d cores were "
+      "its own |\n",
+      count, kJobs, kJobs);
+  std::printf("|---|--:|--:|--:|--:|\n");
+  for (const char* cache : {"cold", "warm"}) {
+    BatchSettings batch;
+    batch.out = scratch / cache;
+    batch.jobs = kJobs;
+    Batch result;
+    const Cost cost =
+        cost_of([&] { result = grade_batch(grading, submissions, batch, std::atomic<bool>(false)); });
+    require(result.graded == count, "not all are graded");
+    for (const SubmissionResult& one : result.results)
+      require(points(one) == max_points(one), one.name + " has not got full points");
+    const double minute = 60.0 * count;
+    std::printf("| %s cache | %.1f | %.1f | %.0f | %.0f |\n", cache, cost.wall, cost.cpu, minute / cost.wall,
+                kJobs * minute / cost.cpu);
+  }
+  std::printf("\nThe goal: at least %.0f a minute.\n\n", kGoal);
+}
+
+// The parts of grading one exercise.
+void time_parts(const Course& course, const Exercise& exercise, const fs::path& scratch) {
+  const StagedKit kit(HAIR_KIT_DIR, course);
+  const Compiler compiler(kit, scratch / "parts", true);
+  const std::string id = exercise.id,
+                    source = read_file(fs::path(HAIR_PROJECT) / "reference" / exercise.file);
+  const std::string file = (scratch / exercise.file).string(), object = (scratch / (id + ".o")).string();
+  std::ofstream(file) << source;
+
+  std::vector<std::string> compile = {"/usr/bin/g++",      "-std=c++20", "-O2", "-fPIC",
+                                      "-ffp-contract=off", "-pipe",      "-I"};
+  compile.insert(compile.end(), {(kit.folder() / "include").string(), "-c", file, "-o", object});
+  std::vector<std::string> link = {"/usr/bin/g++", "-shared", "-s", "-Wl,-z,defs", "-Wl,-z,now"};
+  link.insert(link.end(), {"-Wl,--version-script=" + (kit.folder() / "export" / (id + ".map")).string(), "-o",
+                           (scratch / (id + ".so")).string(), object});
+  std::vector<fs::path> objects;
+  for (const std::string& prerequisite : exercise.prerequisites)
+    objects.push_back(kit.folder() / "lib" / (prerequisite + ".so"));
+  link.insert(link.end(), objects.begin(), objects.end());
+  objects.push_back(kit.folder() / "lib" / (id + ".so"));
+
+  Cage toolchain;
+  toolchain.mounts = toolchain_mounts(kit.empty_folder(), exercise.libraries);
+  toolchain.tmp_bytes = 64 << 20;
+  toolchain.syscalls = Syscalls::toolchain;
+
+  int round = 0;
+  auto compile_in_cages = [&](const std::string& text) {
+    const Compiled compiled = compiler.compile(exercise, text, kit.new_job(id + std::to_string(round++)));
+    require(!compiled.object.empty(), exercise.file + " does not compile: " + compiled.log);
+  };
+  auto start_worker = [&] {
+    WorkerSetup setup;
+    setup.kit = kit.folder();
+    setup.exercise = id;
+    setup.objects = objects;
+    setup.log = scratch / "log";
+    Student student(setup);
+    // A request that holds nothing: the server can only say that it makes no sense.
+    const Answer answer = student.ask({}, {});
+    require(answer.outcome == Outcome::threw, "the worker does not answer: " + answer.note);
+    student.finish();
+  };
+  auto run_cases = [&] {
+    const SuiteResult found =
+        run_suite(HAIR_SUITE, {id, "a seed", kit.folder(), objects, scratch / "log", true, 10});
+    for (const CaseResult& one : found.cases)
+      require(one.status == Status::passed, "the reference fails in " + one.name);
+  };
+  compile_in_cages(source);
+
+  const std::vector<Part> parts = {
+      {"g++ -c", [&] { require(run_program(compile) == 0, "g++ -c fails"); }},
+      {"g++ -shared", [&] { require(run_program(link) == 0, "g++ -shared fails"); }},
+      {"compile and link, in cages",
+       [&] { compile_in_cages(source + "// " + std::to_string(round) + "\n"); }},
+      {"the same, cached", [&] { compile_in_cages(source); }},
+      {"an empty cage",
+       [&] { require(CagedProcess(toolchain, {"/usr/bin/true"}, -1, -1, -1).wait(10).well(), "no cage"); }},
+      {"a suite without a job",
+       [&] { require(run_program({HAIR_SUITE}) == 2, "the suite takes no job for one"); }},
+      {"a worker's start and end", start_worker},
+      {"suite, worker and cases", run_cases}};
+  const std::vector<Cost> costs = median_costs(parts, kRounds);
+
+  std::printf("| %s | ms | CPU ms | times as long as outside |\n|---|--:|--:|--:|\n", id.c_str());
+  const Cost outside = costs[0] + costs[1];
+  auto row = [](const std::string& name, const Cost& cost, const std::string& ratio = "") {
+    std::printf("| %s | %.0f | %.0f | %s |\n", name.c_str(), 1e3 * cost.wall, 1e3 * cost.cpu, ratio.c_str());
+  };
+  char ratio[80];
+  std::snprintf(ratio, sizeof ratio, "%.2f (CPU %.2f)", costs[2].wall / outside.wall,
+                costs[2].cpu / outside.cpu);
+  for (std::size_t i = 0; i < parts.size(); ++i) row(parts[i].name, costs[i], i == 2 ? ratio : "");
+  row("so the cases alone", costs[7] - costs[6] - costs[5]);
+  std::printf("\n");
+}
+
+}  // namespace
+}  // namespace grader_bench
+
+int main(int argc, char* argv[]) {
+  const int count = argc > 1 ? std::atoi(argv[1]) : 24;
+  if (argc > 2 || count < 1) {
+    std::cerr << "usage: grading_bench [SUBMISSIONS]; a number from 1\n";
+    return 2;
+  }
+  signal(SIGPIPE, SIG_IGN);
+  try {
+    if (sodium_init() < 0) throw std::runtime_error("no source of random numbers");
+    const grader_bench::TemporaryFolder scratch;
+    const grader::Course course =
+        grader::read_course(std::filesystem::path(HAIR_PROJECT) / "handout/exercises.json");
+    grader_bench::time_batches(course, scratch.path, count);
+    for (const grader::Exercise& exercise : course.exercises)
+      grader_bench::time_parts(course, exercise, scratch.path);
+  } catch (const std::exception& error) {
+    std::cerr << "grading_bench: " << error.what() << "\n";
+    return 1;
+  }
+  return 0;
+}
