@@ -64,9 +64,7 @@ void expect_product(Trial& trial, MessageReader& reply, const std::vector<double
   const std::vector<double> x_after = reply.get_doubles(x.size());
   const std::vector<double> second = reply.get_doubles(expected.size());
   reply.expect_end();
-  std::vector<double> difference = first;
-  for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= expected[i];
-  trial.expect_at_most(norm(difference), rounding, "the error of " + what);
+  trial.expect_at_most(distance(first, expected), rounding, "the error of " + what);
   trial.expect(std::memcmp(x.data(), x_after.data(), x.size() * sizeof(double)) == 0, what + " changes x");
   trial.expect(first == second, what + " gives another result the second time");
 }
@@ -120,29 +118,29 @@ NormalSolution solve(Trial& trial, const std::string& name, const Table& table, 
   return solution;
 }
 
-// The drift of `linear_system.h` for the matrix A'A, whose products have the error of two dot products.
+// The drift of linear_system.h for the matrix A'A, whose products have the error of two dot products.
 double drift(const Table& table, const std::vector<double>& x, const std::vector<double>& Atb) {
   const double error = table.rows + table.cols + 2, squared = table.norm() * table.norm();
-  return kUnit * (65 * (10 + 2 * error) * squared * (3 * norm(x) + norm(Atb)) + 2 * error * norm(Atb));
+  return kUnit * (65 * (10 + 2 * error) * squared * (2 * norm(x) + norm(Atb)) + 2 * error * norm(Atb));
 }
 
-// x solves A'A x = A'b within what epsilon and rounding leave, and `expected` within that over `smallest`, a
-// lower bound of A's smallest singular value.
+// ||A'(b - Ax)||, by the suite's own products.
+double normal_residual(const Table& table, const std::vector<double>& x, std::vector<double> b) {
+  const std::vector<double> Ax = table.times(x);
+  for (std::size_t i = 0; i < b.size(); ++i) b[i] -= Ax[i];
+  return norm(table.transposed().times(b));
+}
+
+// x solves A'A x = A'b within what epsilon and rounding leave, and is as close to `expected` as that says; `smallest` is a lower bound of
+// A's smallest singular value.
 void expect_solves(Trial& trial, const std::string& name, const Table& table, const std::vector<double>& b,
                    const std::vector<double>& expected, double smallest) {
-  const Table transposed = table.transposed();
-  const std::vector<double> Atb = transposed.times(b);
+  const std::vector<double> Atb = table.transposed().times(b);
   const double epsilon = std::pow(1e-9 * norm(Atb), 2);
   const NormalSolution solution = solve(trial, name, table, b, epsilon, 0);
-  std::vector<double> r = table.times(solution.x);
-  for (std::size_t i = 0; i < r.size(); ++i) r[i] = b[i] - r[i];
-  const double residual = norm(transposed.times(r)), rounding = drift(table, solution.x, Atb);
-  trial.expect_at_most(residual, std::sqrt(epsilon) + rounding, "the norm of A'(b - Ax)");
-  std::vector<double> error = solution.x;
-  for (std::size_t i = 0; i < error.size(); ++i) error[i] -= expected[i];
-  trial.expect_at_most(norm(error),
-                       (std::sqrt(solution.value) + drift(table, solution.x, Atb)) / (smallest * smallest),
-                       "the error of x");
+  const double allowed = std::sqrt(epsilon) + drift(table, expected, Atb);
+  trial.expect_at_most(normal_residual(table, solution.x, b), allowed, "the norm of A'(b - Ax)");
+  trial.expect_at_most(distance(solution.x, expected), allowed / (smallest * smallest), "the error of x");
 }
 
 // A = D + N: D diagonal with entries of size `large` or more, ||N||_F <= 1, so that no singular value is
@@ -283,10 +281,8 @@ void steps_and_products(Trial& trial) {
                  "the number of products is not 1 + steps + floor(steps / 64) with A, and one more with A'",
                  std::to_string(solution.products) + " and " + std::to_string(solution.transposed_products));
     trial.expect(!solution.b_changed, "b is changed, or a product's input and output overlap");
-    std::vector<double> r = A.times(solution.x);
-    for (int i = 0; i < n; ++i) r[i] = b[i] - r[i];
-    trial.expect_at_most(std::abs(std::sqrt(solution.value) - norm(A.transposed().times(r))),
-                         drift(A, solution.x, Atb) + kUnit * (n + 2) * std::sqrt(solution.value),
+    trial.expect_at_most(std::abs(std::sqrt(solution.value) - normal_residual(A, solution.x, b)),
+                         drift(A, x, Atb) + kUnit * (n + 2) * std::sqrt(solution.value),
                          "the difference between the return value and the squared norm of A'(b - Ax)");
   }
 }

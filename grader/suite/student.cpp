@@ -2,18 +2,14 @@
 #include "grader/suite/student.h"
 
 #include <fcntl.h>
-#include <poll.h>
 #include <signal.h>
 #include <sodium.h>
 
 #include <cerrno>
-#include <chrono>
 #include <memory>
 
 namespace grader {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 // Larger than any array that a case sends; a worker that announces more has broken the protocol.
 constexpr std::size_t kLargestMessage = std::size_t{8} << 20;
@@ -50,43 +46,22 @@ struct Student::Worker {
   Pipe requests = make_pipe(), replies = make_pipe();
   Descriptor log;
   CagedProcess process;
-  double idle_seconds;
-  bool waited_in_vain = false;
+  Watchdog watchdog;
   Channel channel;
 
   Worker(const WorkerSetup& setup, const Cage& cage)
       : log(open(setup.log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600)),
         process(cage, worker_command(setup, cage.limits), requests.read_end.get(), replies.write_end.get(),
                 log.get()),
-        idle_seconds(setup.idle_seconds),
+        watchdog(process, setup.patience),
         channel(replies.read_end.get(), requests.write_end.get(),
-                [this](int descriptor, short events) { return wait_for(descriptor, events); }) {
+                [this](int descriptor, short events) { return watchdog.wait_for(descriptor, events); }) {
     requests.read_end.close();
     replies.write_end.close();
     fcntl(requests.write_end.get(), F_SETFL, O_NONBLOCK);
     // Fewer turns for large vectors; refused, the usual size does.
     fcntl(requests.write_end.get(), F_SETPIPE_SZ, 1 << 18);
     fcntl(replies.read_end.get(), F_SETPIPE_SZ, 1 << 18);
-  }
-
-  // The watchdog. The worker's CPU time is limited from inside; out here only one that sleeps, on the
-  // machine's clock, is ended, so that a machine that is busy with others costs nobody points.
-  bool wait_for(int descriptor, short events) {
-    pollfd wanted{descriptor, events, 0};
-    std::optional<CagedProcess::Activity> last;
-    auto last_active = Clock::now();
-    for (;;) {
-      const int ready = poll(&wanted, 1, 250);
-      if (ready > 0) return true;
-      if (ready < 0 && errno != EINTR) return false;
-      const CagedProcess::Activity now = process.activity();
-      if (!last || !now.asleep || now.cpu_seconds != last->cpu_seconds) last_active = Clock::now();
-      last = now;
-      if (Clock::now() - last_active > std::chrono::duration<double>(idle_seconds)) {
-        waited_in_vain = true;
-        return false;
-      }
-    }
   }
 };
 
@@ -190,7 +165,7 @@ Answer Student::converse(const MessageWriter& request, const Products& products)
 
 // The worker is gone, or asleep for good. Says how, and gives up after too many.
 Answer Student::ended(const std::string& during) {
-  const bool asleep = worker_->waited_in_vain;
+  const bool asleep = worker_->watchdog.waited_in_vain();
   // A worker that has closed its pipes may still run.
   const Ending ending = worker_->process.wait(asleep ? 0 : 1);
   worker_.reset();
@@ -218,8 +193,6 @@ void Student::finish() {
   worker_->requests.write_end.close();
   worker_->process.wait(1);
   worker_.reset();
-  if (starts_ > kMostRestarts && !gave_up_)
-    gave_up_ = Answer{Outcome::crashed, MessageReader({}), "too many restarts"};
 }
 
 }  // namespace grader

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "grader/sandbox/cage.h"
+#include "grader/suite/watchdog.h"
 #include "grader/wire/channel.h"
 #include "grader/wire/message.h"
 
@@ -20,8 +21,8 @@ struct WorkerSetup {
   std::vector<std::filesystem::path> objects;  // in the order in which they are loaded; the student's last
   std::filesystem::path log;                   // what the worker prints is appended here
   bool isolated = true;
-  int cpu_seconds = 10;     // of one worker
-  double idle_seconds = 5;  // asleep that long with an answer due: it will not come
+  int cpu_seconds = 10;  // of one worker
+  Watchdog::Patience patience = {};
 };
 
 enum class Outcome {
