@@ -190,6 +190,7 @@ int main(int argc, char* argv[]) {
     return 2;
   }
   signal(SIGPIPE, SIG_IGN);
+  std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // rows as they are measured, also into a pipe
   try {
     if (sodium_init() < 0) throw std::runtime_error("no source of random numbers");
     const grader_bench::TemporaryFolder scratch;
