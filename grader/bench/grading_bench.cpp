@@ -124,7 +124,9 @@ void time_parts(const Course& course, const Exercise& exercise, const fs::path& 
   objects.push_back(kit.folder() / "lib" / (id + ".so"));
 
   Cage toolchain;
-  toolchain.mounts = toolchain_mounts(kit.empty_folder(), exercise.libraries);
+  toolchain.mounts = toolchain_mounts();
+  for (const Mount& mount : header_mounts(kit.empty_folder(), exercise.libraries))
+    toolchain.mounts.push_back(mount);
   toolchain.tmp_bytes = 64 << 20;
   toolchain.syscalls = Syscalls::toolchain;
 

@@ -19,7 +19,6 @@ struct Compiled {
   std::filesystem::path object;  // empty: it did not compile
   std::string messages;          // for the student: what the compiler says about their own lines
   std::string log;               // for staff: all that compiler and linker printed
-  bool timed_out = false;
 };
 
 class Compiler {
@@ -28,11 +27,13 @@ class Compiler {
   // cache.
   Compiler(const StagedKit& kit, std::filesystem::path cache, bool isolated);
 
-  // `job` is a folder of the kit's for this one file; the object is written into it as <id>.so.
+  // `job` is a folder of the kit's for this one file; the object is written into it as <id>.so. Throws std::runtime_error if it is
+  // the machine that fails.
   Compiled compile(const Exercise& exercise, const std::string& source,
                    const std::filesystem::path& job) const;
 
  private:
+  std::string key(const Exercise& exercise, const std::string& source) const;
   Compiled run_compiler(const Exercise& exercise, const std::string& source,
                         const std::filesystem::path& job) const;
   Compiled run_linker(const Exercise& exercise, const std::filesystem::path& job) const;

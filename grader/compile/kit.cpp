@@ -1,7 +1,9 @@
 // STAFF ONLY.
 #include "grader/compile/kit.h"
 
+#include <fcntl.h>
 #include <stdlib.h>
+#include <sys/file.h>
 
 #include <cerrno>
 #include <cstring>
@@ -14,6 +16,23 @@ namespace grader {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+constexpr const char* kPrefix = "hairgrade-";
+constexpr const char* kLock = "lock";
+
+// Folders of graders that were killed: nobody holds their lock any more.
+void remove_stale() {
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(fs::temp_directory_path(), error)) {
+    if (!entry.path().filename().string().starts_with(kPrefix) || entry.is_symlink(error)) continue;
+    const Descriptor lock(open((entry.path() / kLock).c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC));
+    if (lock && flock(lock.get(), LOCK_EX | LOCK_NB) == 0) fs::remove_all(entry.path(), error);
+  }
+}
+
+}  // namespace
+
 StagedKit::StagedKit(const fs::path& kit, const Course& course) {
   for (const Exercise& exercise : course.exercises)
     for (const fs::path& part :
@@ -22,10 +41,13 @@ StagedKit::StagedKit(const fs::path& kit, const Course& course) {
       if (!fs::exists(kit / part))
         throw BadInput((kit / part).string() + " is missing; build the target grading_kit");
 
-  std::string pattern = (fs::temp_directory_path() / "hairgrade-XXXXXX").string();
+  remove_stale();
+  std::string pattern = (fs::temp_directory_path() / (std::string(kPrefix) + "XXXXXX")).string();
   if (mkdtemp(pattern.data()) == nullptr)
     throw BadInput(pattern + ": can't make a folder for temporary files: " + std::strerror(errno));
   root_ = pattern;
+  lock_ = Descriptor(open((root_ / kLock).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
+  flock(lock_.get(), LOCK_EX);
   share_with_sandbox(root_, false);
   fs::copy(kit, folder(), fs::copy_options::recursive);
   fs::create_directory(empty_folder());

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "grader/course/course.h"
+#include "grader/sandbox/descriptor.h"
 
 namespace grader {
 
@@ -29,6 +30,7 @@ class StagedKit {
 
  private:
   std::filesystem::path root_;
+  Descriptor lock_;  // held as long as the folder is in use
   std::string hash_;
 };
 

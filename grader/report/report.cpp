@@ -36,6 +36,7 @@ void write_submission_reports(const fs::path& dir, const SubmissionResult& resul
   write_file(dir / result.name / "results.json", student_json(result));
   write_file(dir / result.name / "report.html", student_page(result));
   write_file(dir / "staff" / (result.name + ".html"), staff_page(result));
+  fs::permissions(dir / "staff", fs::perms::owner_all);  // hidden inputs and expected values
   write_file(record, staff_json(result));
 }
 

@@ -40,8 +40,8 @@ constexpr std::array<Wording, 10> wordings{{
      "The code asked for more memory than it was given. A few vectors of length n are all that is needed; "
      "free what you allocate."},
     {Status::broke_rules, "broke the rules",
-     "The code did something that an exercise may not do, such as opening files or connections or ending the "
-     "program. It needs only to compute and return."},
+     "The code did something that an exercise may not do, such as opening files or connections. It needs "
+     "only to compute and return."},
 }};
 
 const Wording& wording_of(Status status) {

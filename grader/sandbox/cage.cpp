@@ -59,8 +59,8 @@ std::vector<std::string> bwrap_command(const Cage& cage, const std::vector<std::
   auto append = [&all](std::initializer_list<std::string> words) { all.insert(all.end(), words); };
   if (filtered) append({"--seccomp", std::to_string(kFilter)});
   if (cage.tmp_bytes > 0)
-    append({"--size", std::to_string(cage.tmp_bytes), "--tmpfs", "/tmp", "--dev", "/dev", "--remount-ro",
-            "/dev"});
+    append({"--size", std::to_string(cage.tmp_bytes), "--tmpfs", "/tmp", "--dev-bind", "/dev/null",
+            "/dev/null"});
   for (const Mount& mount : cage.mounts) {
     std::error_code error;
     if (std::filesystem::is_symlink(mount.source, error) && mount.source == mount.target)
@@ -95,8 +95,9 @@ struct Child {
     int sources[] = {output, output, requests, replies, info, filter};
     const int targets[] = {1, 2, kRequests, kReplies, kInfo, kFilter};
     for (int& source : sources)
-      if (source >= 0) source = fcntl(source, F_DUPFD_CLOEXEC, 32);  // out of the targets' way
-    syscall(SYS_close_range, 3, ~0U, 4U /* CLOSE_RANGE_CLOEXEC */);
+      if (source >= 0 && (source = fcntl(source, F_DUPFD_CLOEXEC, 32)) < 0)
+        _exit(126);  // out of the targets' way
+    if (syscall(SYS_close_range, 3, ~0U, 4U /* CLOSE_RANGE_CLOEXEC */) != 0) _exit(126);
     for (int i = 0; i < 6; ++i)
       if (sources[i] >= 0 && dup2(sources[i], targets[i]) < 0) _exit(126);
     const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
@@ -230,7 +231,8 @@ CagedProcess::Activity CagedProcess::activity() const {
   std::string line;
   std::getline(file, line);
   const std::size_t name_end = line.rfind(')');  // pid (name) state ...
-  now.asleep = name_end != std::string::npos && line.compare(name_end, 3, ") S") == 0;
+  now.wants_to_run = name_end != std::string::npos &&
+                     (line.compare(name_end, 3, ") R") == 0 || line.compare(name_end, 3, ") D") == 0);
   return now;
 }
 

@@ -4,9 +4,12 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include <atomic>
+#include <cerrno>
 #include <chrono>
+#include <cstdlib>
+#include <cstring>
 #include <fstream>
+#include <random>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -52,6 +55,20 @@ fs::path own_group(const std::string& controller) {
   return {};
 }
 
+constexpr const char* kPrefix =
+    "hairgrade-";  // then the number of the process that made it, and a random one
+
+// Groups of graders that were killed. One that is in use can't be removed; one that is about to be belongs to a live process.
+void remove_stale(const fs::path& parent) {
+  std::error_code error;
+  for (const fs::directory_entry& entry : fs::directory_iterator(parent, error)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(kPrefix)) continue;
+    const pid_t maker = std::atoi(name.c_str() + std::strlen(kPrefix));
+    if (maker > 0 && kill(maker, 0) != 0 && errno == ESRCH) fs::remove(entry.path(), error);
+  }
+}
+
 using Settings = std::vector<std::pair<std::string, std::string>>;
 
 // A new group with these settings, below our own group or else at the top of the hierarchy.
@@ -60,6 +77,7 @@ std::optional<fs::path> make_group(const std::string& controller, const std::str
   const std::optional<fs::path> top = mount_point(controller);
   if (!top) return {};
   for (const fs::path& parent : {*top / own_group(controller), *top}) {
+    remove_stale(parent);
     const fs::path folder = parent / name;
     std::error_code error;
     if (!fs::create_directory(folder, error)) continue;
@@ -75,8 +93,7 @@ std::optional<fs::path> make_group(const std::string& controller, const std::str
 }  // namespace
 
 std::optional<ControlGroup> ControlGroup::create(std::size_t memory_bytes, int processes) {
-  static std::atomic<int> count = 0;
-  const std::string name = "hairgrade-" + std::to_string(getpid()) + "-" + std::to_string(++count);
+  const std::string name = kPrefix + std::to_string(getpid()) + "-" + std::to_string(std::random_device()());
   const std::string memory = std::to_string(memory_bytes), pids = std::to_string(processes);
   if (auto both = make_group("", name, {{"memory.max", memory}, {"pids.max", pids}}))
     return ControlGroup({*both});
@@ -95,7 +112,8 @@ ControlGroup::~ControlGroup() {
     // A process that was killed leaves its group a moment later.
     for (int i = 0; i < 200 && !fs::remove(folder, error) && fs::exists(folder, error); ++i) {
       std::ifstream processes(folder / "cgroup.procs");
-      for (pid_t process; processes >> process;) kill(process, SIGKILL);
+      for (pid_t process; processes >> process;)
+        if (process > 0) kill(process, SIGKILL);
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
   }

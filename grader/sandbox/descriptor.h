@@ -31,7 +31,7 @@ struct Pipe {
 
 Pipe make_pipe();  // throws std::system_error
 
-// All that can be read until the other side closes, at most `limit` bytes.
-std::string read_all(const Descriptor& from, std::size_t limit);
+// All that can be read until the other side closes or the time is up, at most `limit` bytes.
+std::string read_all(const Descriptor& from, std::size_t limit, double seconds);
 
 }  // namespace grader

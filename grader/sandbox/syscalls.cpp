@@ -10,9 +10,11 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <initializer_list>
+#include <iterator>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -28,8 +30,8 @@ constexpr const char* kCompute[] = {
     "mmap", "munmap", "mremap", "mprotect", "madvise", "brk", "mincore",
     // signals and threads
     "rt_sigprocmask", "rt_sigreturn", "sigaltstack", "futex", "sched_yield", "sched_getaffinity",
-    "set_robust_list", "rseq", "set_tid_address", "arch_prctl", "tgkill", "exit", "exit_group",
-    "restart_syscall", "membarrier", "getcpu",
+    "set_robust_list", "rseq", "set_tid_address", "arch_prctl", "exit", "exit_group", "restart_syscall",
+    "membarrier", "getcpu",
     // time and identity
     "clock_gettime", "clock_getres", "gettimeofday", "time", "nanosleep", "clock_nanosleep", "getrandom",
     "getpid", "gettid", "getppid", "getuid", "geteuid", "getgid", "getegid", "getcwd", "uname", "sysinfo",
@@ -42,9 +44,9 @@ constexpr const char* kToolchain[] = {
     "dup", "dup2", "dup3", "pipe", "pipe2", "poll", "ppoll", "select", "pselect6", "pwrite64", "fallocate",
     "fadvise64", "copy_file_range", "sendfile", "flock",
     // processes
-    "fork", "vfork", "clone", "execve", "wait4", "waitid", "kill", "setpgid", "getpgrp", "getpgid", "getsid",
-    "prlimit64", "setrlimit", "rt_sigaction", "rt_sigpending", "rt_sigtimedwait", "rt_sigsuspend", "pause",
-    "alarm", "setitimer", "prctl", "getgroups", "getresuid", "getresgid", "getpriority", "ioctl",
+    "fork", "vfork", "clone", "tgkill", "execve", "wait4", "waitid", "kill", "setpgid", "getpgrp", "getpgid",
+    "getsid", "prlimit64", "setrlimit", "rt_sigaction", "rt_sigpending", "rt_sigtimedwait", "rt_sigsuspend",
+    "pause", "alarm", "setitimer", "prctl", "getgroups", "getresuid", "getresgid", "getpriority", "ioctl",
     "close_range", "eventfd2"};
 
 struct Denied {
@@ -63,7 +65,8 @@ const std::initializer_list<Denied> kDenied = {
       "symlink",  "symlinkat", "chmod",    "fchmod",    "fchmodat", "chown",    "fchown",
       "lchown",   "fchownat",  "truncate", "ftruncate", "mknod",    "mknodat",  "memfd_create"}},
     {"to look into or stop another process",
-     {"ptrace", "process_vm_readv", "process_vm_writev", "kill", "tkill", "pidfd_open", "pidfd_getfd"}},
+     {"ptrace", "process_vm_readv", "process_vm_writev", "kill", "tkill", "tgkill", "pidfd_open",
+      "pidfd_getfd"}},
     {"to change the limits that it runs under",
      {"setrlimit", "prlimit64", "prctl", "seccomp", "rt_sigaction"}},
     {"to change the machine",
@@ -71,6 +74,9 @@ const std::initializer_list<Denied> kDenied = {
       "bpf",         "perf_event_open", "userfaultfd",  "io_uring_setup", "keyctl",  "add_key",
       "request_key", "init_module",     "finit_module", "kexec_load",     "reboot",  "setuid",
       "setgid",      "setresuid",       "setresgid",    "setgroups",      "capset"}}};
+
+// Denied for some arguments only.
+constexpr const char* kConditional[] = {"openat", "open", "clone", "prlimit64", "rt_sigaction", "tgkill"};
 
 using Filter = std::unique_ptr<void, decltype(&seccomp_release)>;
 
@@ -102,12 +108,13 @@ void add_compute_rules(const Filter& filter) {
   add(filter, SCMP_ACT_TRAP, "prlimit64", {{2, SCMP_CMP_NE, 0, 0}});
   add(filter, SCMP_ACT_ALLOW, "rt_sigaction", {{0, SCMP_CMP_NE, SIGSYS, 0}});
   add(filter, SCMP_ACT_TRAP, "rt_sigaction", {{0, SCMP_CMP_EQ, SIGSYS, 0}});
+  add(filter, SCMP_ACT_ALLOW, "tgkill", {{2, SCMP_CMP_EQ, SIGABRT, 0}});  // abort
+  add(filter, SCMP_ACT_TRAP, "tgkill", {{2, SCMP_CMP_NE, SIGABRT, 0}});
   add(filter, SCMP_ACT_ALLOW, "ioctl", {{1, SCMP_CMP_EQ, TCGETS, 0}});  // isatty, which printf asks
   for (const Denied& denied : kDenied)
     for (const char* name : denied.names) {
-      const bool has_conditions = std::strcmp(name, "openat") == 0 || std::strcmp(name, "open") == 0 ||
-                                  std::strcmp(name, "clone") == 0 || std::strcmp(name, "prlimit64") == 0 ||
-                                  std::strcmp(name, "rt_sigaction") == 0 || std::strcmp(name, "prctl") == 0;
+      const bool has_conditions = std::any_of(std::begin(kConditional), std::end(kConditional),
+                                              [&](const char* one) { return std::strcmp(name, one) == 0; });
       if (!has_conditions) add(filter, SCMP_ACT_TRAP, name);
     }
 }
@@ -115,6 +122,8 @@ void add_compute_rules(const Filter& filter) {
 Filter make_filter(Syscalls kept) {
   Filter filter(seccomp_init(SCMP_ACT_ERRNO(EPERM)), seccomp_release);
   if (!filter) throw std::runtime_error("seccomp: no memory for a filter");
+  // Calls in another architecture's numbers (int 0x80, x32) end the process, not the calling thread alone.
+  seccomp_attr_set(filter.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS);
   for (const char* name : kCompute) add(filter, SCMP_ACT_ALLOW, name);
   add(filter, SCMP_ACT_ERRNO(ENOSYS), "clone3");
   if (kept == Syscalls::toolchain) {

@@ -40,12 +40,18 @@ std::vector<Mount> runtime_library_mounts() {
   return mounts;
 }
 
-std::vector<Mount> toolchain_mounts(const fs::path& empty_folder, const std::vector<std::string>& folders) {
+std::vector<Mount> toolchain_mounts() {
   std::vector<Mount> mounts;
   std::error_code error;
-  for (const char* path : {"/usr/bin", "/usr/lib", "/usr/lib64", "/usr/libexec", "/usr/include", "/bin",
-                           "/lib", "/lib64", "/etc/alternatives"})
+  for (const char* path :
+       {"/usr/bin", "/usr/lib", "/usr/lib64", "/usr/libexec", "/bin", "/lib", "/lib64", "/etc/alternatives"})
     if (fs::exists(path, error)) mounts.push_back({path, path});
+  return mounts;
+}
+
+std::vector<Mount> header_mounts(const fs::path& empty_folder, const std::vector<std::string>& folders) {
+  std::vector<Mount> mounts = {{"/usr/include", "/usr/include"}};
+  std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator("/usr/include", error)) {
     const std::string name = entry.path().filename();
     if (entry.is_directory(error) && !entry.is_symlink(error) && !is_standard(name) &&

@@ -8,7 +8,10 @@
 //   {"cases": [{"name", "status", "weight", "points", "feedback", "detail"}...], "cpu_seconds": 0.1,
 //   "starts": 1}
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <sodium.h>
+#include <sys/prctl.h>
+#include <unistd.h>
 
 #include <iostream>
 #include <nlohmann/json.hpp>
@@ -89,6 +92,10 @@ class CategoryTest : public testing::Test {
 }  // namespace
 
 int main(int argc, char* argv[]) {
+  // Ends with hairgrade, whatever ends that, and its worker with it.
+  prctl(PR_SET_PDEATHSIG, SIGTERM);
+  signal(SIGPIPE, SIG_IGN);
+  for (int ending : {SIGINT, SIGTERM, SIGHUP}) signal(ending, [](int number) { _exit(128 + number); });
   testing::InitGoogleTest(&argc, argv);
   if (sodium_init() < 0) return 1;
   try {

@@ -112,6 +112,8 @@ NormalSolution solve(Trial& trial, const std::string& name, const Table& table, 
   const int overlaps = reply.get<int>();
   reply.expect_end();
 
+  trial.expect(solution.steps >= 0 && solution.steps <= limit + 1,
+               "the number of steps is negative, or far beyond the limit", std::to_string(solution.steps));
   solution.b_changed = overlaps > 0 || std::memcmp(b.data(), b_after.data(), b.size() * sizeof(double)) != 0;
   solution.products = served.products;
   solution.transposed_products = served.transposed_products;

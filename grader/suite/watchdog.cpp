@@ -3,6 +3,7 @@
 
 #include <poll.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 
@@ -12,25 +13,22 @@ bool Watchdog::wait_for(int descriptor, short events) {
   using Clock = std::chrono::steady_clock;
   constexpr int kLookEvery = 250;  // milliseconds
   pollfd wanted{descriptor, events, 0};
-  CagedProcess::Activity last;
+  CagedProcess::Activity last = {};
   bool looked = false;
-  double asleep = 0;
   for (auto start = Clock::now();;) {
     const int ready = poll(&wanted, 1, kLookEvery);
-    const double waited = std::chrono::duration<double>(Clock::now() - start).count();
+    const double elapsed = std::chrono::duration<double>(Clock::now() - start).count();
     start = Clock::now();
-    total_waited_ += waited;
+    waited_ += elapsed;
     if (ready < 0 && errno != EINTR) return false;
     if (ready == 0) {
-      // Asleep at both ends, and at work for less than half of the time between: threads of its own may work while it waits for them.
       const CagedProcess::Activity now = process_.activity();
-      const bool idle =
-          looked && now.asleep && last.asleep && now.cpu_seconds - last.cpu_seconds < waited / 2;
-      asleep = idle ? asleep + waited : 0;
+      // Threads of its own may compute while the first one waits for them.
+      if (looked && !now.wants_to_run) idle_ += std::max(0.0, elapsed - (now.cpu_seconds - last.cpu_seconds));
       last = now;
       looked = true;
     }
-    if (asleep > patience_.asleep_seconds || total_waited_ > patience_.total_seconds) {
+    if (idle_ > patience_.idle_seconds || waited_ > patience_.total_seconds) {
       waited_in_vain_ = true;
       return false;
     }

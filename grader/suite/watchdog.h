@@ -8,10 +8,11 @@ namespace grader {
 
 class Watchdog {
  public:
+  // Of all waits for one worker together.
   struct Patience {
-    double asleep_seconds = 5;  // in one wait, so long asleep with an answer due: it will not come
+    double idle_seconds = 5;  // neither computing nor waiting for a processor, as far as can be seen
     double total_seconds =
-        120;  // of all waits together: ends one that dozes between answers, some 400 times what it takes
+        120;  // ends one that dozes in naps too short to be seen; some 400 times what all answers take
   };
 
   Watchdog(const CagedProcess& process, Patience patience) : process_(process), patience_(patience) {}
@@ -24,7 +25,7 @@ class Watchdog {
  private:
   const CagedProcess& process_;
   Patience patience_;
-  double total_waited_ = 0;
+  double idle_ = 0, waited_ = 0;
   bool waited_in_vain_ = false;
 };
 

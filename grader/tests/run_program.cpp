@@ -33,9 +33,9 @@ ProgramRun run_hairgrade(const std::vector<std::string>& arguments,
   errors.write_end.close();
 
   ProgramRun run;
-  std::jthread reader([&] { run.errors = read_all(errors.read_end, 1 << 20); });
+  std::jthread reader([&] { run.errors = read_all(errors.read_end, 1 << 20, 600); });
   if (meanwhile) meanwhile(process);
-  run.output = read_all(out.read_end, 1 << 20);
+  run.output = read_all(out.read_end, 1 << 20, 600);
   reader.join();
   int status = 0;
   waitpid(process, &status, 0);

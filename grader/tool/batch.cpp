@@ -34,6 +34,28 @@ class Progress {
   bool shown_;
 };
 
+std::string names_of(const std::vector<Submission>& submissions) {
+  constexpr std::size_t kMost = 20;
+  std::string names;
+  for (std::size_t i = 0; i < submissions.size() && i < kMost; ++i)
+    names += (i > 0 ? ", " : "") + submissions[i].name;
+  return names + (submissions.size() > kMost ? " and more" : "");
+}
+
+// Adds what an earlier run found of exercises that this one was not asked for, in the order of their ids. Then no fingerprint is
+// right for all of them.
+void keep_other_exercises(SubmissionResult& result, const std::optional<SubmissionResult>& earlier) {
+  if (!earlier) return;
+  for (const ExerciseResult& old : earlier->exercises)
+    if (std::none_of(result.exercises.begin(), result.exercises.end(),
+                     [&](const ExerciseResult& one) { return one.id == old.id; })) {
+      result.exercises.push_back(old);
+      result.fingerprint.clear();
+    }
+  std::sort(result.exercises.begin(), result.exercises.end(),
+            [](const ExerciseResult& a, const ExerciseResult& b) { return a.id < b.id; });
+}
+
 }  // namespace
 
 Batch grade_batch(const Grading& grading, const std::vector<Submission>& submissions,
@@ -41,7 +63,7 @@ Batch grade_batch(const Grading& grading, const std::vector<Submission>& submiss
   if (settings.only && std::none_of(submissions.begin(), submissions.end(),
                                     [&](const Submission& s) { return s.name == *settings.only; }))
     throw BadInput("--only " + *settings.only + ": no submission has that name; there are " +
-                   std::to_string(submissions.size()));
+                   names_of(submissions));
   std::error_code error;
   std::filesystem::create_directories(settings.out, error);
   if (error || access(settings.out.c_str(), W_OK) != 0)
@@ -72,10 +94,12 @@ Batch grade_batch(const Grading& grading, const std::vector<Submission>& submiss
     Graded graded = grading.grade(submission);
     // Ctrl-C reaches the suite, too: what it left is no result.
     if (interrupted) return;
+    if (settings.merge) keep_other_exercises(graded.result, read_results(settings.out, submission.name));
     write_submission_reports(settings.out, graded.result);
     const std::lock_guard lock(shared);
     batch.results.push_back(std::move(graded.result));
     timing[submission.name] = std::move(graded.timing);
+    batch.problems.insert(batch.problems.end(), graded.problems.begin(), graded.problems.end());
     ++batch.graded;
     progress.step(submission.name);
   };
@@ -96,6 +120,14 @@ Batch grade_batch(const Grading& grading, const std::vector<Submission>& submiss
   if (!failure.empty()) throw BadInput(failure);
 
   batch.interrupted = interrupted;
+  if (interrupted) {
+    // Those that were not reached keep what an earlier run found.
+    for (const Submission& submission : submissions)
+      if (std::none_of(batch.results.begin(), batch.results.end(),
+                       [&](const SubmissionResult& result) { return result.name == submission.name; }))
+        if (std::optional<SubmissionResult> earlier = read_results(settings.out, submission.name))
+          batch.results.push_back(std::move(*earlier));
+  }
   std::sort(batch.results.begin(), batch.results.end(),
             [](const SubmissionResult& a, const SubmissionResult& b) { return a.name < b.name; });
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -19,11 +19,13 @@ struct BatchSettings {
   int jobs = 1;
   bool resume = false;              // keep results whose fingerprint has not changed
   std::optional<std::string> only;  // grade this submission alone; others' results are kept as they are
+  bool merge = false;               // an exercise alone is graded: keep the earlier results of the others
 };
 
 struct Batch {
   std::vector<SubmissionResult> results;  // sorted by name; those that there are
   int graded = 0, kept = 0;
+  std::vector<std::string> problems;  // ours: what could not be graded, a line each
   bool interrupted = false;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <stdexcept>
 
 #include "grader/compile/hash.h"
 #include "grader/course/bad_input.h"
@@ -109,9 +110,11 @@ Graded Grading::grade(const Submission& submission) const {
     } catch (const std::exception& problem) {  // ours, not the student's; and it stops no other submission
       result = describe(exercise);
       result.status = Status::crashed;
-      result.feedback = "The grader could not finish with this file. The staff see why.";
+      result.feedback =
+          "The grader could not finish with this file; that is not your fault. The staff see why.";
       result.staff_log = problem.what();
       graded.result.fingerprint.clear();  // to be graded again
+      graded.problems.push_back(submission.name + ": " + exercise.id + ": " + problem.what());
     }
     graded.result.exercises.push_back(std::move(result));
   }
@@ -166,6 +169,16 @@ void Grading::run_cases(const Exercise& exercise, const std::string& student, co
   timing.worker_starts = found.starts;
   double weights = 0;
   for (const CaseResult& one : found.cases) weights += one.max_points;
+  const bool nothing_to_call = std::all_of(found.cases.begin(), found.cases.end(), [](const CaseResult& one) {
+    return one.status == Status::does_not_compile;
+  });
+  if (nothing_to_call) {
+    result.status = Status::does_not_compile;
+    result.feedback = "The file compiles, but does not define the functions of " + exercise.header +
+                      " as they are declared there.";
+    result.staff_log += found.cases.front().detail + "\n";
+    return;
+  }
   result.points = 0;
   for (CaseResult& one : found.cases) {
     one.points *= exercise.points / weights;
@@ -190,8 +203,8 @@ void Grading::measure_reference() {
               measured[exercise.id]);
     for (const CaseResult& one : result.cases)
       if (one.status != Status::passed)
-        throw BadInput("the reference fails its own suite for " + exercise.id + ", in \"" + one.name +
-                       "\": " + one.feedback + "; " + one.detail);
+        throw std::runtime_error("the reference fails its own suite for " + exercise.id + ", in \"" +
+                                 one.name + "\": " + one.feedback + "; " + one.detail);
   }
   reference_ = std::move(measured);
 }

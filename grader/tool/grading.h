@@ -35,6 +35,7 @@ struct ExerciseTiming {
 struct Graded {
   SubmissionResult result;
   std::map<std::string, ExerciseTiming> timing;  // by exercise
+  std::vector<std::string> problems;             // ours: what kept us from grading, a line each
 };
 
 class Grading {

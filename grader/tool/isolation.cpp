@@ -16,7 +16,7 @@ std::string why_not_isolated(const StagedKit& kit) {
   Pipe output = make_pipe();
   CagedProcess process(cage, {"/worker"}, -1, -1, output.write_end.get());
   output.write_end.close();
-  const std::string text = read_all(output.read_end, 1000);
+  const std::string text = read_all(output.read_end, 1000, 10);
   const Ending ending = process.wait(10);
   constexpr int kWorkerWithoutArguments = 2;
   if (ending.code == kWorkerWithoutArguments) return {};

@@ -52,13 +52,22 @@ fs::path default_cache() {
   throw BadInput("HOME is not set, so there is no place for compiled objects; name a folder with --cache");
 }
 
+std::string asked_for(const Course& course) {
+  std::string ids;
+  for (const Exercise& exercise : course.exercises)
+    if (exercise.role == Role::assigned || exercise.role == Role::optional)
+      ids += (ids.empty() ? "" : ", ") + exercise.id;
+  return ids;
+}
+
 int grade(const GradeOptions& options) {
   GradingSettings settings;
   settings.course = read_course(HAIR_EXERCISES_JSON, options.course);
   if (options.exercise) {
     const Exercise* exercise = settings.course.find(*options.exercise);
     if (exercise == nullptr || exercise->role == Role::given || exercise->role == Role::absent)
-      throw BadInput("--exercise " + *options.exercise + ": the course does not ask for it");
+      throw BadInput("--exercise " + *options.exercise + ": the course does not ask for it; it asks for " +
+                     asked_for(settings.course));
   }
   settings.exercise = options.exercise;
   settings.kit = HAIR_KIT_DIR;
@@ -72,22 +81,30 @@ int grade(const GradeOptions& options) {
   action.sa_handler = [](int) { interrupted = true; };
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  sigaction(SIGHUP, &action, nullptr);
   signal(SIGPIPE, SIG_IGN);
 
   const Grading grading(std::move(settings));
-  const Batch batch = grade_batch(grading, submissions, options.batch, interrupted);
+  BatchSettings batch_settings = options.batch;
+  batch_settings.merge = options.exercise.has_value();
+  const Batch batch = grade_batch(grading, submissions, batch_settings, interrupted);
   print_table(std::cout, batch.results);
   std::cout << "\n" << batch.graded << " graded";
   if (batch.kept > 0) std::cout << ", " << batch.kept << " kept from before";
   if (options.unsafe) std::cout << ", without a sandbox";
   std::cout << "\n" << fs::absolute(options.batch.out / "index.html").lexically_normal().string() << "\n";
-  if (!batch.interrupted) return 0;
+  for (const std::string& problem : batch.problems)
+    std::cerr << "hairgrade: could not grade " << problem << "\n";
+  if (!batch.interrupted) return batch.problems.empty() ? 0 : 1;
   std::cerr << "hairgrade: interrupted after " << batch.results.size() << " of " << submissions.size()
             << " submissions; the same command with --resume goes on\n";
   return 130;
 }
 
 int handout(const HandoutOptions& options) {
+  const std::string name = options.out.filename().string();
+  if (!name.ends_with(".tar.gz") && !name.ends_with(".tgz"))
+    throw BadInput("--out " + options.out.string() + ": the handout is a .tar.gz; give it such a name");
   const Course course = read_course(HAIR_EXERCISES_JSON, options.course);
   make_handout({HAIR_SOURCE_DIR, HAIR_GOLDEN_DIR}, course, options.out);
   std::cout << options.out.string() << "\n";
@@ -135,8 +152,16 @@ int main(int argc, char* argv[]) {
 
   try {
     app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    const bool without_command =
+        argc > 1 && argv[1][0] != '-' && std::string(argv[1]) != "grade" && std::string(argv[1]) != "handout";
+    std::cerr << "hairgrade: "
+              << (without_command ? std::string(argv[1]) + " is no command; there are grade and handout"
+                                  : error.what())
+              << "; see hairgrade --help\n";
+    return 2;
   }
   try {
     return *grade_command ? grade(grading) : handout(handing_out);

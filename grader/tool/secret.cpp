@@ -52,7 +52,8 @@ std::string read_secret(const std::optional<fs::path>& file) {
   if (!file && !fs::exists(path)) make_secret(path);
   std::ifstream in(path, std::ios::binary);
   std::string secret{std::istreambuf_iterator<char>(in), {}};
-  if (!in && secret.empty()) throw BadInput(path.string() + ": can't read the staff's secret");
+  if (!in && secret.empty())
+    throw BadInput(path.string() + ": can't read the staff's secret; name a file of 16 random bytes or more");
   if (secret.size() < kLeastBytes)
     throw BadInput(path.string() + ": a secret of " + std::to_string(secret.size()) +
                    " bytes; it takes 16 or more");

@@ -1,6 +1,7 @@
 // STAFF ONLY.
 #include "grader/tool/suite_run.h"
 
+#include <signal.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -20,6 +21,8 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t kMostOutput = std::size_t{16} << 20;
+// The suite's watchdog ends a student's worker long before; this is for the suite itself.
+constexpr double kMostSeconds = 1200;
 
 json to_json(const SuiteJob& job) {
   json objects = json::array();
@@ -48,7 +51,10 @@ std::string run_trusted(const std::filesystem::path& program, const std::string&
   if (write(in.write_end.get(), input.data(), input.size()) != static_cast<ssize_t>(input.size()))
     throw std::runtime_error(name + " does not read its job");
   in.write_end.close();
-  const std::string output = read_all(out.read_end, kMostOutput);
+  const std::string output = read_all(out.read_end, kMostOutput, kMostSeconds);
+  out.read_end.close();
+  if (output.empty() || output.back() != '\n')
+    kill(process, SIGKILL);  // it has not ended, and is not waited for
   int status = 0;
   while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
   }

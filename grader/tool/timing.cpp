@@ -3,7 +3,8 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
+
+#include "grader/report/write_file.h"
 
 namespace grader {
 namespace {
@@ -25,7 +26,7 @@ json to_json(const TimingByExercise& timing) {
 void write_timing(const std::filesystem::path& out, const TimingByExercise& reference,
                   const std::map<std::string, TimingByExercise>& submissions, double wall_seconds, int graded,
                   int jobs) {
-  const std::filesystem::path file = out / "timing.json", temporary = out / ".timing.json.new";
+  const std::filesystem::path file = out / "timing.json";
   json all = json::object();
   std::ifstream before(file);
   if (before) {
@@ -38,8 +39,7 @@ void write_timing(const std::filesystem::path& out, const TimingByExercise& refe
                      {"graded", graded},
                      {"jobs", jobs},
                      {"submissions_per_minute", wall_seconds > 0 ? 60 * graded / wall_seconds : 0}};
-  std::ofstream(temporary) << all.dump(2, ' ', false, json::error_handler_t::replace) << "\n";
-  std::filesystem::rename(temporary, file);
+  write_file(file, all.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace grader

@@ -1,6 +1,8 @@
 // STAFF ONLY.
 #include "grader/wire/message.h"
 
+#include <algorithm>
+
 namespace grader {
 
 MessageWriter& MessageWriter::put(std::span<const double> values) {
@@ -38,9 +40,14 @@ std::vector<double> MessageReader::get_doubles(std::size_t expected) {
 }
 
 std::string MessageReader::get_text() {
+  constexpr std::uint64_t kMost = 1000;
   const auto size = get<std::uint64_t>();
   if (size > bytes_.size() - at_) throw MalformedMessage("a text that is longer than its message");
-  return size == 0 ? std::string() : std::string(reinterpret_cast<const char*>(take(size)), size);
+  if (size == 0) return {};
+  std::string text(reinterpret_cast<const char*>(take(size)), std::min(size, kMost));
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char letter) { return letter < ' '; }, ' ');
+  return text;
 }
 
 void MessageReader::expect_end() const {

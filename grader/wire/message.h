@@ -49,7 +49,7 @@ class MessageReader {
   }
   std::vector<double> get_doubles();
   std::vector<double> get_doubles(std::size_t expected);  // MalformedMessage for another number of them
-  std::string get_text();
+  std::string get_text();  // its first 1000 bytes, control characters as spaces: the sender may be anybody
   void expect_end() const;
 
  private:

@@ -52,7 +52,7 @@ void on_denied(int /*signal*/, siginfo_t* info, void* context) {
 }
 
 void lock_down(int cpu_seconds, rlim_t memory, rlim_t threads) {
-  syscall(SYS_close_range, kOut + 1, ~0U, 0U);
+  if (syscall(SYS_close_range, kOut + 1, ~0U, 0U) != 0) _exit(120);
   limit(RLIMIT_CPU, cpu_seconds, cpu_seconds + 1);
   limit(RLIMIT_AS, memory, memory);
   limit(RLIMIT_NPROC, threads, threads);
