@@ -8,8 +8,8 @@
 
 namespace solver {
 
-// An m x n matrix in compressed rows: row i holds values[k] in column columns[k], for row_begin[i] <= k <
-// row_begin[i + 1].
+// An m x n matrix in compressed rows: row i holds values[k] in column columns[k],
+// for row_begin[i] <= k < row_begin[i + 1].
 class SparseMatrix : public implicitMatrix {
  public:
   struct Entry {
@@ -40,16 +40,16 @@ class SparseMatrix : public implicitMatrix {
 // diag(d).
 SparseMatrix diagonal(const std::vector<double>& d);
 
-// The n x n matrix with `main` on the diagonal and `off` beside it. Eigenvalues main + 2 off cos(k pi / (n +
-// 1)), k = 1..n.
+// The n x n matrix with `main` on the diagonal and `off` beside it.
+// Eigenvalues main + 2 off cos(k pi / (n + 1)), k = 1..n.
 SparseMatrix tridiagonal(int n, double main, double off);
 
 // The five-point Laplacian on an n x n grid with zero boundary values, times h^2: n^2 unknowns, 4 on the
 // diagonal. Eigenvalues 4 - 2 cos(i pi / (n + 1)) - 2 cos(j pi / (n + 1)).
 SparseMatrix poisson_2d(int n);
 
-// H_ij = 1 / (i + j + 1), i and j from 0: symmetric, positive definite and nearly singular, cond(H) ~ e^(3.5
-// n).
+// H_ij = 1 / (i + j + 1), i and j from 0: symmetric, positive definite and nearly singular,
+// cond(H) ~ e^(3.5 n).
 SparseMatrix hilbert(int n);
 
 // The matrix M + h^2 K of an implicit Euler step of a straight strand along z, clamped at its upper end:

@@ -26,9 +26,8 @@ std::unique_ptr<implicitMatrix> dense_matrix(int rows, int cols, const double a[
 //
 //   A                 matVecMult takes cols values to rows values
 //   A_transposed      matVecMult takes rows values to cols values
-//   matVecMult(x, b)  b = A'(A x), with cols values in x and in b: one product with A and one with A', and no
-//   other work.
-//                     It allocates nothing
+//   matVecMult(x, b)  b = A'(A x), with cols values in x and in b: one product with A and one with A', and
+//                     no other work; it allocates nothing
 //
 // The result refers to A and A_transposed, and owns neither.
 std::unique_ptr<implicitMatrix> normal_matrix(int rows, int cols, implicitMatrix* A,

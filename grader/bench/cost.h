@@ -21,7 +21,8 @@ struct Part {
   std::function<void()> work;
 };
 
-// The median of each part's costs. The parts take turns, so that what else the machine does meets all of them.
+// The median of each part's costs. The parts take turns, so that what else the machine does meets all of
+// them.
 std::vector<Cost> median_costs(const std::vector<Part>& parts, int rounds);
 
 // Runs a program with nothing on its standard input and its output thrown away; its exit code.

@@ -3,8 +3,8 @@
 //   grading_bench [SUBMISSIONS]
 //
 // A batch (24, if not said otherwise) of right submissions, of all that the course assigns, two at a time:
-// first with nothing in the cache of compiled objects, then with all of them in it. Then the parts of it, one at
-// a time, beside the plain compiler outside of any cage. Every part is checked to have done its work.
+// first with nothing in the cache of compiled objects, then with all of them in it. Then the parts of it, one
+// at a time, beside the plain compiler outside of any cage. Every part is checked to have done its work.
 #include <signal.h>
 #include <sodium.h>
 #include <stdlib.h>

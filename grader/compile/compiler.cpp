@@ -72,7 +72,8 @@ Run run(const Cage& cage, const std::vector<std::string>& command) {
   return {ending, std::move(text)};
 }
 
-// What the tool wrote; nothing if that is no plain file, or larger than any exercise's. Not through a link, which it could have left.
+// What the tool wrote; nothing if that is no plain file, or larger than any exercise's. Not through a link,
+// which it could have left.
 std::optional<std::string> read_written(const fs::path& path) {
   constexpr off_t kMost = 8 << 20;
   const Descriptor file(open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));

@@ -27,8 +27,8 @@ class Compiler {
   // cache.
   Compiler(const StagedKit& kit, std::filesystem::path cache, bool isolated);
 
-  // `job` is a folder of the kit's for this one file; the object is written into it as <id>.so. Throws std::runtime_error if it is
-  // the machine that fails.
+  // `job` is a folder of the kit's for this one file; the object is written into it as <id>.so. Throws
+  // std::runtime_error if it is the machine that fails.
   Compiled compile(const Exercise& exercise, const std::string& source,
                    const std::filesystem::path& job) const;
 

@@ -23,7 +23,8 @@ namespace {
 
 enum : int { kRequests = 3, kReplies = 4, kInfo = 5, kFilter = 6 };
 
-// A word of a command with the path in it that some mount puts there replaced by the path out here; the longest such path counts.
+// A word of a command with the path in it that some mount puts there replaced by the path out here; the
+// longest such path counts.
 std::string outside(const Cage& cage, const std::string& word) {
   const Mount* found = nullptr;
   std::size_t place = std::string::npos;

@@ -70,8 +70,8 @@ class CagedProcess {
   // Waits until it ends by itself or the time is up, then kills it.
   Ending wait(double seconds);
 
-  // What a watchdog looks at. A process that a busy machine does not let run, or that waits for the disk, wants to run; one that
-  // sleeps, is stopped or has left its threads alone does not.
+  // What a watchdog looks at. A process that a busy machine does not let run, or that waits for the disk,
+  // wants to run; one that sleeps, is stopped or has left its threads alone does not.
   struct Activity {
     bool wants_to_run = false;
     double cpu_seconds = 0;
@@ -99,7 +99,8 @@ std::vector<Mount> runtime_library_mounts();
 // Mounts for the system's compiler and linker, without any headers.
 std::vector<Mount> toolchain_mounts();
 
-// Mounts for the headers of the C and C++ libraries; of others that are installed, none but those in `folders` of /usr/include.
+// Mounts for the headers of the C and C++ libraries; of others that are installed, none but those in
+// `folders` of /usr/include.
 std::vector<Mount> header_mounts(const std::filesystem::path& empty_folder,
                                  const std::vector<std::string>& folders = {});
 

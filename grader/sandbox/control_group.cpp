@@ -58,7 +58,8 @@ fs::path own_group(const std::string& controller) {
 constexpr const char* kPrefix =
     "hairgrade-";  // then the number of the process that made it, and a random one
 
-// Groups of graders that were killed. One that is in use can't be removed; one that is about to be belongs to a live process.
+// Groups of graders that were killed. One that is in use can't be removed; one that is about to be belongs to
+// a live process.
 void remove_stale(const fs::path& parent) {
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(parent, error)) {

@@ -6,8 +6,8 @@ namespace grader {
 
 enum class Syscalls {
   // Compute, allocate, print, start threads, read files that are there. No processes, no sockets, no writing
-  // to files. What
-  // student code has no honest use for (see `denied_syscall`) raises SIGSYS, so that the worker can say so.
+  // to files. What student code has no honest use for (see `denied_syscall`) raises SIGSYS, so that the
+  // worker can say so.
   compute,
   // What a compiler and a linker need beside: processes and files.
   toolchain,

@@ -142,7 +142,8 @@ Solution solve(Trial& trial, const LinearSystem& system, double epsilon, int ste
 
   solution.b_changed =
       overlaps > 0 || std::memcmp(b_after.data(), system.b.data(), b_after.size() * sizeof(double)) != 0;
-  // One more than the limit is a mistake that the step limit's category is about; what lies further off is no count of steps.
+  // One more than the limit is a mistake that the step limit's category is about; what lies further off is no
+  // count of steps.
   trial.expect(solution.steps >= 0 && solution.steps <= limit + 1,
                "the number of steps is negative, or far beyond the limit", numbers(solution, epsilon, steps));
   trial.expect(!all_finite(system.b) || all_finite(solution.x), "x holds values that are not finite",

@@ -1,12 +1,13 @@
 // STAFF ONLY. Systems Ax = b with all that is known of them, and a student's ConjGrad put to work on them.
 //
-// Bounds. With u = 2^-53, e the rounding error of a product over u, ||A|| and X = 2||x*|| + ||b||, the header's contract gives
+// Bounds. With u = 2^-53, e the rounding error of a product over u, ||A|| and X = 2||x*|| + ||b||, the
+// header's contract gives
 //
 //   drift = 65 (10 + 2e) u ||A|| X + (n + 2) u sqrt(value)
 //
-// between the square root of the return value and the true ||b - Ax||: 65, one more than the header's 64, for the true residual
-// that is taken here, and n + 2 roundings for a sum of n squares. Where no solution is known, or A is singular, the x that came
-// back stands for x*. Then
+// between the square root of the return value and the true ||b - Ax||: 65, one more than the header's 64, for
+// the true residual that is taken here, and n + 2 roundings for a sum of n squares. Where no solution is
+// known, or A is singular, the x that came back stands for x*. Then
 //
 //   ||x - x*|| <= (sqrt(epsilon) + drift) / lambda_min.
 #pragma once

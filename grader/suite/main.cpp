@@ -5,8 +5,8 @@
 //
 //   {"exercise": "S1", "seed": "...", "kit": DIR, "objects": [FILE...], "log": FILE, "isolated": true,
 //    "cpu_seconds": 10}
-//   {"cases": [{"name", "status", "weight", "points", "feedback", "detail"}...], "cpu_seconds": 0.1,
-//   "starts": 1}
+//   {"cases": [{"name", "status", "weight", "points", "feedback", "detail"}...],
+//    "cpu_seconds": 0.1, "starts": 1}
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sodium.h>

@@ -124,7 +124,8 @@ void ill_conditioned(Trial& trial) {
       expect_counted_products(trial, system, solution);
     }
   }
-  // Rounded to doubles, these may have a negative eigenvalue: where CG then ends is open, but not that it says what it has reached.
+  // Rounded to doubles, these may have a negative eigenvalue: where CG then ends is open, but not that it
+  // says what it has reached.
   for (int size = 8; size <= 12; ++size) {
     const LinearSystem system = sparse_system("Hilbert", solver::hilbert(size), random.normals(size), 0);
     for (double epsilon : {std::pow(1e-8 * norm(system.b), 2), 0.0}) {
@@ -227,8 +228,9 @@ void step_limit(Trial& trial) {
   const Solution one = solve(trial, system, epsilon, 1);
   expect_steps(trial, one, 1);
   const Solution first = reference_solution(system, epsilon, 1);
-  // x = b + alpha r with alpha = r'r / r'Ar. Here lambda_min = 1, so r'Ar, off by (e + n) u ||A|| ||r||^2, is so by (e + n) u cond(A)
-  // of itself, and r, off by (e + 2) u ||A|| ||b||, reaches x through alpha <= 1: four such terms twice, for either side has them.
+  // x = b + alpha r with alpha = r'r / r'Ar. Here lambda_min = 1, so r'Ar, off by (e + n) u ||A|| ||r||^2, is
+  // so by (e + n) u cond(A) of itself, and r, off by (e + 2) u ||A|| ||b||, reaches x through alpha <= 1:
+  // four such terms twice, for either side has them.
   const double rounding = 0x1p-53 * 8 * (system.product_error + system.n()) * system.norm;
   trial.expect_at_most(distance(one.x, first.x), rounding * 2 * (norm(system.solution) + norm(system.b)),
                        "the error of x after one step");

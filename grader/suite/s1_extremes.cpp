@@ -105,7 +105,8 @@ void not_finite(Trial& trial) {
     expect_steps(trial, nothing, 0);
     trial.expect(!std::isfinite(nothing.value), "b is not finite, and yet the return value is");
 
-    // The first product is the first residual's, product k + 1 is step k's; the 66th replaces the residual of step 64.
+    // The first product is the first residual's, product k + 1 is step k's; the 66th replaces the residual of
+    // step 64.
     for (int at : {1, 2, 4, 66}) {
       LinearSystem poisoned = system;
       poisoned.name = "a product is not finite";

@@ -133,8 +133,8 @@ double normal_residual(const Table& table, const std::vector<double>& x, std::ve
   return norm(table.transposed().times(b));
 }
 
-// x solves A'A x = A'b within what epsilon and rounding leave, and is as close to `expected` as that says; `smallest` is a lower bound of
-// A's smallest singular value.
+// x solves A'A x = A'b within what epsilon and rounding leave, and is as close to `expected` as that says;
+// `smallest` is a lower bound of A's smallest singular value.
 void expect_solves(Trial& trial, const std::string& name, const Table& table, const std::vector<double>& b,
                    const std::vector<double>& expected, double smallest) {
   const std::vector<double> Atb = table.transposed().times(b);

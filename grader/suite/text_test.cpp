@@ -1,4 +1,5 @@
-// STAFF ONLY. What the assignment texts promise is what the suites grade: the same categories, the same points.
+// STAFF ONLY. What the assignment texts promise is what the suites grade: the same categories, the same
+// points.
 #include <gtest/gtest.h>
 
 #include <filesystem>

@@ -66,8 +66,8 @@ TEST(Random, DependsOnSeedAndPurpose) {
   EXPECT_NE(Random("another", "purpose").uniform(), first);
 }
 
-// Means of 10,000 draws, within five standard deviations of theirs: off by chance once in two million, and the
-// seed is fixed.
+// Means of 10,000 draws, within five standard deviations of theirs: off by chance once in two million, and
+// the seed is fixed.
 TEST(Random, DrawsFromTheDistributionsNamed) {
   constexpr int kDraws = 10'000;
   Random random("seed", "distributions");

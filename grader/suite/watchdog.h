@@ -1,5 +1,6 @@
-// STAFF ONLY. Waits for a worker, and says when there is no point in it. A worker's CPU time is limited from inside; what the
-// watchdog ends is one that sleeps instead, and it tells that from one which a busy machine does not let run.
+// STAFF ONLY. Waits for a worker, and says when there is no point in it. A worker's CPU time is limited from
+// inside; what the watchdog ends is one that sleeps instead, and it tells that from one which a busy machine
+// does not let run.
 #pragma once
 
 #include "grader/sandbox/cage.h"

@@ -1,5 +1,5 @@
-// STAFF ONLY. The sample class, graded once by the test grade_sample_class: everybody gets what they must, nothing of the staff's is on a
-// student's page, and nothing outside of the sandbox has changed.
+// STAFF ONLY. The sample class, graded once by the test grade_sample_class: everybody gets what they must,
+// nothing of the staff's is on a student's page, and nothing outside of the sandbox has changed.
 #include <gtest/gtest.h>
 
 #include <algorithm>

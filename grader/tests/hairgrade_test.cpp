@@ -69,14 +69,14 @@ class Hairgrade : public testing::Test {
 };
 
 TEST_F(Hairgrade, RefusesBadUsageInOneLine) {
-  EXPECT_EQ(run_hairgrade({}).code, 2);
-  EXPECT_EQ(run_hairgrade({"grade"}).code, 2);
-  EXPECT_EQ(run_hairgrade({"degrade"}).code, 2);
-  EXPECT_EQ(grade({sample("perfect.tar.gz")}).code, 2);  // no --out
+  expect_refused(run_hairgrade({}), {"--help"});
+  expect_refused(run_hairgrade({"grade"}), {"SUBMISSION", "--help"});
+  expect_refused(run_hairgrade({"degrade"}), {"degrade", "grade and handout"});
+  expect_refused(grade({sample("perfect.tar.gz")}), {"--out"});
+  expect_refused(grade({sample("perfect.tar.gz"), "--out", out(), "--quickly"}), {"--quickly"});
   for (const char* jobs : {"0", "-1", "many", "1e9"})
-    EXPECT_EQ(grade({sample("perfect.tar.gz"), "--out", out(), "-j", jobs}).code, 2) << jobs;
+    expect_refused(grade({sample("perfect.tar.gz"), "--out", out(), "-j", jobs}), {"-j"});
   EXPECT_EQ(run_hairgrade({"--help"}).code, 0);
-  EXPECT_FALSE(fs::exists(out()));
 }
 
 TEST_F(Hairgrade, RefusesSubmissionsThatAreNone) {
@@ -111,11 +111,11 @@ TEST_F(Hairgrade, RefusesBadCourseFiles) {
 }
 
 TEST_F(Hairgrade, RefusesExercisesAndNamesThatAreNotThere) {
-  expect_refused(grade({sample("perfect.tar.gz"), "--out", out(), "--exercise", "H2"}), {"H2"});
+  expect_refused(grade({sample("perfect.tar.gz"), "--out", out(), "--exercise", "H2"}), {"H2", "S1, S2"});
   const string given = write("course.json", R"({"exercises": {"S1": {"role": "given"}}})");
   expect_refused(grade({sample("perfect.tar.gz"), "--out", out(), "--exercise", "S1", "--course", given}),
                  {"S1"});
-  expect_refused(grade({sample("perfect.tar.gz"), "--out", out(), "--only", "alice"}), {"alice"});
+  expect_refused(grade({sample("perfect.tar.gz"), "--out", out(), "--only", "alice"}), {"alice", "perfect"});
 }
 
 TEST_F(Hairgrade, RefusesAShortOrMissingSecret) {
@@ -187,6 +187,27 @@ TEST_F(Hairgrade, GradesOneExerciseAlone) {
   for (const nlohmann::json& test : results.at("tests")) EXPECT_EQ(test.at("tags").at(0), "S2");
 }
 
+TEST_F(Hairgrade, KeepsTheOtherExercisesOfAnEarlierRun) {
+  ASSERT_EQ(grade({sample("perfect.tar.gz"), "--out", out()}).code, 0);
+  ASSERT_EQ(grade({sample("perfect.tar.gz"), "--out", out(), "--exercise", "S1"}).code, 0);
+  EXPECT_EQ(nlohmann::json::parse(read_file(fs::path(out()) / "perfect" / "results.json")).at("score"), 50);
+}
+
+TEST_F(Hairgrade, KeepsNoObjectThatWasCompiledWithoutASandbox) {
+  // Outside of the sandbox the staff's files can be included; that object must not serve a run inside.
+  fs::create_directory(folder_ / "thief");
+  std::ofstream(folder_ / "thief" / "conj_grad.cpp")
+      << "#include \"" HAIR_PROJECT "/reference/conj_grad.cpp\"\n";
+  const string thief = (folder_ / "thief").string();
+  auto score = [&] {
+    return nlohmann::json::parse(read_file(fs::path(out()) / "thief" / "results.json")).at("score");
+  };
+  ASSERT_EQ(grade({thief, "--out", out(), "--unsafe-no-sandbox"}).code, 0);
+  EXPECT_EQ(score(), 30);
+  ASSERT_EQ(grade({thief, "--out", out()}).code, 0);
+  EXPECT_EQ(score(), 0);
+}
+
 TEST_F(Hairgrade, TakesPointsAndRolesFromTheCourse) {
   const string course = write(
       "course.json", R"({"exercises": {"S1": {"points": 60}, "S2": {"role": "optional", "points": 5}}})");
@@ -195,14 +216,20 @@ TEST_F(Hairgrade, TakesPointsAndRolesFromTheCourse) {
 }
 
 TEST_F(Hairgrade, KeepsWhatIsFinishedWhenInterrupted) {
-  // One at a time: the first is graded at once, the second sleeps until the watchdog comes.
   fs::create_directory(folder_ / "class");
-  for (const char* name : {"perfect", "sleeps"})
+  auto add = [&](const string& name) {
     for (const char* ending : {".zip", ".tar.gz"})
       if (fs::exists(sample(name) + ending))
-        fs::copy_file(sample(name) + ending, folder_ / "class" / (string(name) + ending));
+        fs::copy_file(sample(name) + ending, folder_ / "class" / (name + ending));
+  };
+  const string everybody = (folder_ / "class").string();
+  add("stubs");
+  ASSERT_EQ(grade({everybody, "--out", out()}).code, 0);
+  // One at a time: `perfect` is graded at once, `sleeps` sleeps until the watchdog comes, and `stubs` is not reached.
+  add("perfect");
+  add("sleeps");
   const fs::path first = fs::path(out()) / "perfect" / "results.json";
-  const ProgramRun run = grade({(folder_ / "class").string(), "--out", out(), "-j", "1"}, [&](int process) {
+  const ProgramRun run = grade({everybody, "--out", out(), "-j", "1"}, [&](int process) {
     for (int i = 0; i < 400 && !fs::exists(first); ++i) usleep(50000);
     kill(process, SIGINT);
   });
@@ -210,7 +237,9 @@ TEST_F(Hairgrade, KeepsWhatIsFinishedWhenInterrupted) {
   EXPECT_NE(run.errors.find("--resume"), string::npos) << run.errors;
   EXPECT_EQ(nlohmann::json::parse(read_file(first)).at("score"), 50);
   EXPECT_FALSE(fs::exists(fs::path(out()) / "sleeps"));
-  EXPECT_TRUE(fs::exists(fs::path(out()) / "grades.csv"));
+  const string gradebook = read_file(fs::path(out()) / "grades.csv");
+  EXPECT_NE(gradebook.find("perfect,50"), string::npos) << gradebook;
+  EXPECT_NE(gradebook.find("stubs,0"), string::npos) << gradebook;
 }
 
 TEST_F(Hairgrade, StampsWhatWasGradedWithoutASandbox) {

@@ -42,8 +42,8 @@ std::string names_of(const std::vector<Submission>& submissions) {
   return names + (submissions.size() > kMost ? " and more" : "");
 }
 
-// Adds what an earlier run found of exercises that this one was not asked for, in the order of their ids. Then no fingerprint is
-// right for all of them.
+// Adds what an earlier run found of exercises that this one was not asked for, in the order of their ids.
+// Then no fingerprint is right for all of them.
 void keep_other_exercises(SubmissionResult& result, const std::optional<SubmissionResult>& earlier) {
   if (!earlier) return;
   for (const ExerciseResult& old : earlier->exercises)

@@ -1,8 +1,8 @@
 // STAFF ONLY. Serves S2, by function:
 //   0 dense_matrix            rows, cols, a, x, junk           -> result, x; result again
 //   1 normal_matrix           rows, cols, x, junk              -> result, x; result again
-//   2 solve_normal_equations  rows, cols, epsilon, steps, x, b -> return value, steps, x, b, overlapping
-//   products
+//   2 solve_normal_equations  rows, cols, epsilon, steps, x, b -> return value, steps, x, b,
+//                                                                 overlapping products
 // `junk` is what the result's buffer holds before the product.
 #include <algorithm>
 #include <limits>

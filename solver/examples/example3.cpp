@@ -81,9 +81,8 @@ Cost cost(solver::SpectralMatrix A, const Vector& exact, bool normal) {
   return {steps, norm(x) / norm(exact)};
 }
 
-// ||r_k|| <= 2 sqrt(c) ((sqrt(c) - 1) / (sqrt(c) + 1))^k ||r_0|| for the condition number c, and ||r_0|| <= 2
-// ||b||, since
-// ||A|| = 1. So ||r_k|| <= kTolerance ||b|| after about this many steps.
+// ||r_k|| <= 2 sqrt(c) ((sqrt(c) - 1) / (sqrt(c) + 1))^k ||r_0|| for the condition number c, and
+// ||r_0|| <= 2 ||b||, since ||A|| = 1. So ||r_k|| <= kTolerance ||b|| after about this many steps.
 double most_steps(double c) {
   return std::ceil(std::sqrt(c) / 2 * std::log(4 * std::sqrt(c) / kTolerance));
 }
