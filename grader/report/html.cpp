@@ -8,32 +8,6 @@
 namespace grader {
 namespace {
 
-std::string escaped(std::string_view bytes) {
-  std::string text;
-  for (const char c : readable(bytes)) {
-    switch (c) {
-      case '&':
-        text += "&amp;";
-        break;
-      case '<':
-        text += "&lt;";
-        break;
-      case '>':
-        text += "&gt;";
-        break;
-      case '"':
-        text += "&quot;";
-        break;
-      case '\'':
-        text += "&#39;";
-        break;
-      default:
-        text += c;
-    }
-  }
-  return text;
-}
-
 // Colours: text on its background has a contrast of at least 4.5 in both schemes.
 constexpr std::string_view style = R"css(
 :root {
@@ -100,9 +74,9 @@ th[aria-sort=ascending] button::after { content: " \2191"; } th[aria-sort=descen
 
 }  // namespace
 
-HtmlPart::HtmlPart(const char* text) : html_(escaped(text)) {}
-HtmlPart::HtmlPart(const std::string& text) : html_(escaped(text)) {}
-HtmlPart::HtmlPart(std::string_view text) : html_(escaped(text)) {}
+HtmlPart::HtmlPart(const char* text) : html_(escaped_markup(text)) {}
+HtmlPart::HtmlPart(const std::string& text) : html_(escaped_markup(text)) {}
+HtmlPart::HtmlPart(std::string_view text) : html_(escaped_markup(text)) {}
 
 Html html(std::string_view pattern, std::initializer_list<HtmlPart> parts) {
   Html result;

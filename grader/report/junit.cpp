@@ -9,31 +9,16 @@ struct Counts {
   std::size_t tests = 0, failures = 0, errors = 0, skipped = 0;
 };
 
+// Line breaks and tabs would become spaces in an attribute.
 std::string attribute(const std::string& bytes) {
   std::string text;
-  for (const char c : readable(bytes)) {
-    switch (c) {
-      case '&':
-        text += "&amp;";
-        break;
-      case '<':
-        text += "&lt;";
-        break;
-      case '>':
-        text += "&gt;";
-        break;
-      case '"':
-        text += "&quot;";
-        break;
-      case '\n':
-        text += "&#10;";
-        break;
-      case '\t':
-        text += "&#9;";
-        break;
-      default:
-        text += c;
-    }
+  for (const char c : escaped_markup(bytes)) {
+    if (c == '\n')
+      text += "&#10;";
+    else if (c == '\t')
+      text += "&#9;";
+    else
+      text += c;
   }
   return text;
 }

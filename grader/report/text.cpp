@@ -71,6 +71,32 @@ std::string readable(std::string_view bytes) {
   return text;
 }
 
+std::string escaped_markup(std::string_view bytes) {
+  std::string text;
+  for (const char c : readable(bytes)) {
+    switch (c) {
+      case '&':
+        text += "&amp;";
+        break;
+      case '<':
+        text += "&lt;";
+        break;
+      case '>':
+        text += "&gt;";
+        break;
+      case '"':
+        text += "&quot;";
+        break;
+      case '\'':
+        text += "&#39;";
+        break;
+      default:
+        text += c;
+    }
+  }
+  return text;
+}
+
 std::string shown_points(double points) {
   std::array<char, 400> digits;
   const int length = std::snprintf(digits.data(), digits.size(), "%.2f", points);

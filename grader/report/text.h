@@ -14,6 +14,9 @@ std::string valid_utf8(std::string_view bytes);
 // U+FFFD.
 std::string readable(std::string_view bytes);
 
+// The readable text with & < > " ' as entities: fit for HTML and XML, attributes included.
+std::string escaped_markup(std::string_view bytes);
+
 // Points as people write them: two decimals at most, no trailing zeros.
 std::string shown_points(double points);
 

@@ -6,23 +6,18 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "grader/report/report.h"
 #include "grader/report/result.h"
 #include "grader/samples/sample.h"
+#include "grader/tests/run_program.h"
 
 namespace grader {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string read_file(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 
 // As intake cleans a name.
 std::string submission_name(std::string name) {

@@ -4,6 +4,8 @@
 #include <spawn.h>
 #include <sys/wait.h>
 
+#include <fstream>
+#include <iterator>
 #include <system_error>
 #include <thread>
 
@@ -41,6 +43,11 @@ ProgramRun run_hairgrade(const std::vector<std::string>& arguments,
   waitpid(process, &status, 0);
   run.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   return run;
+}
+
+std::string read_file(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace grader

@@ -1,6 +1,7 @@
 // STAFF ONLY. hairgrade as a person runs it.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -15,5 +16,8 @@ struct ProgramRun {
 // Runs hairgrade with these arguments. `meanwhile` gets its process number once it runs.
 ProgramRun run_hairgrade(const std::vector<std::string>& arguments,
                          const std::function<void(int)>& meanwhile = {});
+
+// A file's bytes; empty if it can't be read.
+std::string read_file(const std::filesystem::path& path);
 
 }  // namespace grader
