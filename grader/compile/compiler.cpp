@@ -65,6 +65,10 @@ Run run(const Cage& cage, const std::vector<std::string>& command) {
   std::string text = read_all(output.read_end, kMostOutput, cage.limits.wall_seconds);
   // It may still run: out of time, or with more to say than anybody reads.
   Ending ending = process.wait(text.size() >= kMostOutput ? 0 : 1);
+  // Which limit a bomb meets first differs from run to run; that it met one does not.
+  for (const char* sign : {"Killed signal", "memory exhausted", "out of memory", "CPU time limit"})
+    if (text.find(sign) != std::string::npos || text.size() >= kMostOutput)
+      text = "a limit on time, memory or output was reached\n";
   // What keeps a compiler from starting is the machine's fault, and no student's.
   if (ending.code == 126 || ending.code == 127 || text.find("cannot execute") != std::string::npos ||
       text.find("Resource temporarily unavailable") != std::string::npos)

@@ -2,7 +2,9 @@
 #include "grader/suite/linear_system.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <sstream>
 
@@ -39,6 +41,12 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
   std::vector<double> difference = a;
   for (std::size_t i = 0; i < difference.size(); ++i) difference[i] -= b[i];
   return norm(difference);
+}
+
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) {
+    return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
+  });
 }
 
 LinearSystem scaled(LinearSystem system, double factor) {
@@ -140,8 +148,7 @@ Solution solve(Trial& trial, const LinearSystem& system, double epsilon, int ste
   const int overlaps = reply.get<int>();
   reply.expect_end();
 
-  solution.b_changed =
-      overlaps > 0 || std::memcmp(b_after.data(), system.b.data(), b_after.size() * sizeof(double)) != 0;
+  solution.b_changed = overlaps > 0 || !same_bits(b_after, system.b);
   // One more than the limit is a mistake that the step limit's category is about; what lies further off is no
   // count of steps.
   trial.expect(solution.steps >= 0 && solution.steps <= limit + 1,

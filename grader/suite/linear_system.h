@@ -54,7 +54,9 @@ struct Solution {
 };
 
 double norm(const std::vector<double>& v);
-double distance(const std::vector<double>& a, const std::vector<double>& b);     // ||a - b||
+double distance(const std::vector<double>& a, const std::vector<double>& b);  // ||a - b||
+// The same bits: a NaN equals itself, 0 and -0 differ.
+bool same_bits(const std::vector<double>& a, const std::vector<double>& b);
 LinearSystem scaled(LinearSystem system, double factor);                         // b and the solution
 double true_residual(const LinearSystem& system, const std::vector<double>& x);  // ||b - Ax||
 double drift(const LinearSystem& system, const std::vector<double>& x, double value);

@@ -65,7 +65,7 @@ void expect_product(Trial& trial, MessageReader& reply, const std::vector<double
   const std::vector<double> second = reply.get_doubles(expected.size());
   reply.expect_end();
   trial.expect_at_most(distance(first, expected), rounding, "the error of " + what);
-  trial.expect(std::memcmp(x.data(), x_after.data(), x.size() * sizeof(double)) == 0, what + " changes x");
+  trial.expect(same_bits(x, x_after), what + " changes x");
   trial.expect(first == second, what + " gives another result the second time");
 }
 
@@ -114,7 +114,7 @@ NormalSolution solve(Trial& trial, const std::string& name, const Table& table, 
 
   trial.expect(solution.steps >= 0 && solution.steps <= limit + 1,
                "the number of steps is negative, or far beyond the limit", std::to_string(solution.steps));
-  solution.b_changed = overlaps > 0 || std::memcmp(b.data(), b_after.data(), b.size() * sizeof(double)) != 0;
+  solution.b_changed = overlaps > 0 || !same_bits(b, b_after);
   solution.products = served.products;
   solution.transposed_products = served.transposed_products;
   return solution;
