@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <initializer_list>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -57,22 +58,34 @@ struct Run {
   std::string output;
 };
 
-Run run(const Cage& cage, const std::vector<std::string>& command) {
+// True if the tool itself, and not a message about the student's own lines, which may quote anything, says one of these.
+bool tool_says(const std::string& log, const std::string& student_file,
+               std::initializer_list<const char*> sayings) {
+  std::istringstream lines(log);
+  for (std::string line; std::getline(lines, line);)
+    if (!line.starts_with(student_file + ":"))
+      for (const char* saying : sayings)
+        if (line.find(saying) != std::string::npos) return true;
+  return false;
+}
+
+Run run(const Cage& cage, const std::vector<std::string>& command, const std::string& student_file) {
   Pipe output = make_pipe();
   const std::vector<std::string> limited = cage.isolated ? with_inner_limits(cage.limits, command) : command;
   CagedProcess process(cage, limited, -1, -1, output.write_end.get());
   output.write_end.close();
   std::string text = read_all(output.read_end, kMostOutput, cage.limits.wall_seconds);
+  const bool flood = text.size() >= kMostOutput;
   // It may still run: out of time, or with more to say than anybody reads.
-  Ending ending = process.wait(text.size() >= kMostOutput ? 0 : 1);
-  // Which limit a bomb meets first differs from run to run; that it met one does not.
-  for (const char* sign : {"Killed signal", "memory exhausted", "out of memory", "CPU time limit"})
-    if (text.find(sign) != std::string::npos || text.size() >= kMostOutput)
-      text = "a limit on time, memory or output was reached\n";
+  const Ending ending = process.wait(flood ? 0 : 1);
   // What keeps a compiler from starting is the machine's fault, and no student's.
-  if (ending.code == 126 || ending.code == 127 || text.find("cannot execute") != std::string::npos ||
-      text.find("Resource temporarily unavailable") != std::string::npos)
+  if (ending.code == 126 || ending.code == 127 ||
+      tool_says(text, student_file, {"cannot execute", "Resource temporarily unavailable"}))
     throw std::runtime_error("the compiler could not run: " + text.substr(0, 500));
+  // Which limit a bomb meets first differs from run to run; that it met one does not.
+  if (flood ||
+      tool_says(text, student_file, {"Killed signal", "memory exhausted", "out of memory", "CPU time limit"}))
+    text = "a limit on time, memory or output was reached\n";
   return {ending, std::move(text)};
 }
 
@@ -155,7 +168,7 @@ Compiled Compiler::run_compiler(const Exercise& exercise, const std::string& sou
     command.insert(command.end(), {"-isystem", "/usr/include/" + library});
   command.insert(command.end(), {"-I/given", exercise.file, "-o", "/out/object.o"});
 
-  const auto [ending, output] = run(cage, command);
+  const auto [ending, output] = run(cage, command, exercise.file);
   Compiled compiled{ending.well() ? out / "object.o" : fs::path(), own_messages(output, exercise.file),
                     output};
   if (!ending.well() && compiled.messages.empty())
@@ -182,7 +195,7 @@ Compiled Compiler::run_linker(const Exercise& exercise, const fs::path& job) con
     command.push_back("/lib-given/" + id + ".so");
   }
 
-  const auto [ending, output] = run(cage, command);
+  const auto [ending, output] = run(cage, command, exercise.file);
   Compiled compiled{{}, {}, output};
   if (!ending.well()) {
     compiled.messages =
