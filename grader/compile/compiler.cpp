@@ -58,7 +58,8 @@ struct Run {
   std::string output;
 };
 
-// True if the tool itself, and not a message about the student's own lines, which may quote anything, says one of these.
+// True if the tool itself, and not a message about the student's own lines, which may quote anything, says
+// one of these.
 bool tool_says(const std::string& log, const std::string& student_file,
                std::initializer_list<const char*> sayings) {
   std::istringstream lines(log);

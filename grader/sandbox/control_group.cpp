@@ -4,10 +4,7 @@
 #include <signal.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <chrono>
-#include <cstdlib>
-#include <cstring>
 #include <fstream>
 #include <random>
 #include <sstream>
@@ -58,16 +55,16 @@ fs::path own_group(const std::string& controller) {
 constexpr const char* kPrefix =
     "hairgrade-";  // then the number of the process that made it, and a random one
 
-// Groups of graders that were killed. One that is in use can't be removed; one that is about to be belongs to
-// a live process.
+// Groups of graders that were killed. One that is in use can't be removed, and one that is a minute old is
+// not about to be used. (Its maker's number says nothing: a container may share our control groups, and not
+// our processes.)
 void remove_stale(const fs::path& parent) {
   std::error_code error;
-  for (const fs::directory_entry& entry : fs::directory_iterator(parent, error)) {
-    const std::string name = entry.path().filename().string();
-    if (!name.starts_with(kPrefix)) continue;
-    const pid_t maker = std::atoi(name.c_str() + std::strlen(kPrefix));
-    if (maker > 0 && kill(maker, 0) != 0 && errno == ESRCH) fs::remove(entry.path(), error);
-  }
+  const auto old = fs::file_time_type::clock::now() - std::chrono::minutes(1);
+  for (const fs::directory_entry& entry : fs::directory_iterator(parent, error))
+    if (entry.path().filename().string().starts_with(kPrefix) &&
+        fs::last_write_time(entry.path(), error) < old && !error)
+      fs::remove(entry.path(), error);
 }
 
 using Settings = std::vector<std::pair<std::string, std::string>>;

@@ -219,7 +219,8 @@ TEST_F(Hairgrade, KeepsWhatIsFinishedWhenInterrupted) {
   const string everybody = (folder_ / "class").string();
   add("stubs");
   ASSERT_EQ(grade({everybody, "--out", out()}).code, 0);
-  // One at a time: `perfect` is graded at once, `sleeps` sleeps until the watchdog comes, and `stubs` is not reached.
+  // One at a time: `perfect` is graded at once, `sleeps` sleeps until the watchdog comes, and `stubs` is not
+  // reached.
   add("perfect");
   add("sleeps");
   const fs::path first = fs::path(out()) / "perfect" / "results.json";
