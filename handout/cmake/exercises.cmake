@@ -1,7 +1,9 @@
 # Builds exercises from exercises.json, the one list of them.
 #
 #   HAIR_EXERCISES                 the ids, in the file's order
-#   HAIR_<id>_<FIELD>              file, header, checks, role, prerequisites, functions of each
+#   HAIR_<id>_<FIELD>              file, header, checks, role, prerequisites, libraries, functions of each. Input, Output and
+#                                  Scratch (particles/vectors.h) in a function's signature are spelled out as compilers do
+#   hair_use_libraries(TARGET ID)  the libraries beside the standard one that exercise ID may include
 #   hair_compile_settings(TARGET)  C++20 and the flags that results depend on, for all code
 #   hair_own_code(TARGET)          the same and warnings, for our code, never for a student's file. They are errors in the staff's
 #                                  build alone: a student's compiler may be newer than ours
@@ -39,7 +41,14 @@ foreach(i RANGE ${last})
   string(JSON HAIR_${id}_CHECKS GET "${exercise}" checks)
   string(JSON HAIR_${id}_ROLE GET "${exercise}" role)
   hair_json_list(HAIR_${id}_PREREQUISITES "${exercise}" prerequisites)
-  hair_json_list(HAIR_${id}_FUNCTIONS "${exercise}" functions)
+  hair_json_list(HAIR_${id}_LIBRARIES "${exercise}" libraries)
+  hair_json_list(functions "${exercise}" functions)
+  set(vector "Eigen::Matrix<double, -1, 1, 0, -1, 1>")
+  list(TRANSFORM functions REPLACE "Input" "Eigen::Ref<${vector} const, 0, Eigen::InnerStride<1> > const&")
+  list(TRANSFORM functions REPLACE "Output" "Eigen::Ref<${vector}, 0, Eigen::InnerStride<1> >")
+  list(TRANSFORM functions REPLACE "Scratch"
+       "Eigen::Ref<Eigen::Matrix<double, -1, -1, 0, -1, -1>, 0, Eigen::OuterStride<-1> >")
+  set(HAIR_${id}_FUNCTIONS "${functions}")
 endforeach()
 
 function(hair_compile_settings TARGET)
@@ -57,6 +66,20 @@ function(hair_own_code TARGET)
                          $<$<BOOL:${HAIR_STAFF}>:-Werror>)
 endfunction()
 
+# Eigen, for the given code and for the exercises that may include it.
+find_package(Eigen3 3.3 QUIET NO_MODULE)
+if(NOT TARGET Eigen3::Eigen)
+  message(FATAL_ERROR "Eigen is missing. Debian, Ubuntu, WSL2: sudo apt install libeigen3-dev. macOS: brew install eigen")
+endif()
+
+function(hair_use_libraries TARGET ID)
+  foreach(library ${HAIR_${ID}_LIBRARIES})
+    if(library STREQUAL "eigen")
+      target_link_libraries(${TARGET} PUBLIC Eigen3::Eigen)
+    endif()
+  endforeach()
+endfunction()
+
 function(hair_exercise_libraries NAME DIR)
   foreach(id ${HAIR_EXERCISES})
     if(NOT EXISTS "${DIR}/${HAIR_${id}_FILE}")
@@ -67,6 +90,7 @@ function(hair_exercise_libraries NAME DIR)
     target_compile_options(${NAME}_${id} PRIVATE $<$<CONFIG:Release>:-O2>)
     set_target_properties(${NAME}_${id} PROPERTIES POSITION_INDEPENDENT_CODE ON)
     target_link_libraries(${NAME}_${id} PUBLIC hair_interfaces)
+    hair_use_libraries(${NAME}_${id} ${id})
   endforeach()
   foreach(id ${HAIR_EXERCISES})
     foreach(prerequisite ${HAIR_${id}_PREREQUISITES})
