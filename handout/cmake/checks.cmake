@@ -16,11 +16,11 @@ else()
 endif()
 
 if(NOT TARGET hair_check)
-  add_library(hair_check STATIC "${HAIR_HANDOUT_DIR}/checks/check.cpp")
+  add_library(hair_check STATIC "${HAIR_HANDOUT_DIR}/checks/check.cpp" "${HAIR_HANDOUT_DIR}/checks/derivative.cpp")
   hair_own_code(hair_check)
   target_include_directories(hair_check PUBLIC "${HAIR_HANDOUT_DIR}/checks")
   target_compile_definitions(hair_check PRIVATE "HAIR_GOLDEN_DIR=\"${HAIR_GOLDEN_DIR}\"")
-  target_link_libraries(hair_check PUBLIC hair_solver GTest::gtest)
+  target_link_libraries(hair_check PUBLIC hair_solver Eigen3::Eigen GTest::gtest)
 endif()
 
 function(hair_checks NAME)

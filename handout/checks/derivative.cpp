@@ -1,0 +1,139 @@
+#include "derivative.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <cstdint>
+#include <sstream>
+
+namespace checks {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double kStep = 0x1p-14, kRelative = 1e-6, kRounding = 0x1p-36;
+
+double largest(const VectorXd& x) {
+  return x.size() == 0 ? 0 : x.lpNorm<Eigen::Infinity>();
+}
+
+// "particle 2, y", of three numbers a particle.
+std::string name_of(Eigen::Index entry) {
+  return "particle " + std::to_string(entry / 3) + ", " + "xyz"[entry % 3];
+}
+
+std::string bound_in_words(double expected, double scale) {
+  std::ostringstream text;
+  text << "1e-6 of the largest expected entry, " << expected << ", + 2^-36 of " << scale
+       << ": what central differences leave, see checks/derivative.h";
+  return text.str();
+}
+
+}  // namespace
+
+VectorXd force_by_differences(const Energy& energy, const VectorXd& x, double length) {
+  VectorXd force(x.size()), moved = x;
+  for (Eigen::Index i = 0; i < x.size(); ++i) {
+    const double after = x[i] + kStep * length, before = x[i] - kStep * length;
+    moved[i] = after;
+    const double energy_after = energy(moved);
+    moved[i] = before;
+    // What the coordinates really differ by, rounded as they are.
+    force[i] = -(energy_after - energy(moved)) / (after - before);
+    moved[i] = x[i];
+  }
+  return force;
+}
+
+VectorXd product_by_differences(const Field& force, const VectorXd& x, const VectorXd& dx, double length) {
+  const double size = largest(dx);
+  if (size == 0) return VectorXd::Zero(x.size());
+  const double h = kStep * length / size;
+  return (force(x + h * dx) - force(x - h * dx)) / (2 * h);
+}
+
+void expect_entries(const VectorXd& actual, const VectorXd& expected, double bound, const std::string& what,
+                    const std::string& source_of_bound) {
+  ASSERT_EQ(actual.size(), expected.size());
+  Eigen::Index worst = 0;
+  double error = 0;
+  for (Eigen::Index i = 0; i < actual.size(); ++i) {
+    const double here = std::abs(actual[i] - expected[i]);
+    if (here <= error) continue;
+    worst = i;
+    error = here;
+    if (std::isnan(here)) break;
+  }
+  if (error <= bound) return;
+  ADD_FAILURE() << what << ", the worst entry: " << name_of(worst) << "\n"
+                << "expected = " << expected[worst] << ", all of it: " << particles_in_words(expected) << "\n"
+                << "actual   = " << actual[worst] << ", all of it: " << particles_in_words(actual) << "\n"
+                << "error    = " << error << "\n"
+                << "bound    = " << bound << " = " << source_of_bound;
+}
+
+void expect_force(const VectorXd& actual, const Energy& energy, const VectorXd& x, double length,
+                  double scale) {
+  const VectorXd expected = force_by_differences(energy, x, length);
+  expect_entries(actual, expected, kRelative * largest(expected) + kRounding * scale,
+                 "the force at x = " + particles_in_words(x) + " against -dE/dx of your own energy",
+                 bound_in_words(largest(expected), scale));
+}
+
+void expect_product(const VectorXd& actual, const Field& force, const VectorXd& x, const VectorXd& dx,
+                    double length, double scale) {
+  const VectorXd expected = product_by_differences(force, x, dx, length);
+  const double size = scale * largest(dx);
+  expect_entries(actual, expected, kRelative * largest(expected) + kRounding * size,
+                 "(df/dx) dx at x = " + particles_in_words(x) + ", dx = " + particles_in_words(dx) +
+                     ", against the change of your own force",
+                 bound_in_words(largest(expected), size));
+}
+
+void expect_balanced(const VectorXd& force, const VectorXd& x, double bound,
+                     const std::string& source_of_bound) {
+  Vector3d sum = Vector3d::Zero(), torque = Vector3d::Zero();
+  for (Eigen::Index i = 0; i + 3 <= force.size(); i += 3) {
+    const Vector3d f = force.segment<3>(i);
+    sum += f;
+    torque += x.segment<3>(i).cross(f);
+  }
+  expect_entries(sum, Vector3d::Zero(), bound, "the sum of all forces, " + particles_in_words(force),
+                 source_of_bound);
+  expect_entries(torque, Vector3d::Zero(), bound * largest(x),
+                 "the sum of all torques about the origin, of the forces " + particles_in_words(force) +
+                     " at x = " + particles_in_words(x),
+                 "the largest coordinate of x times that of forces: " + source_of_bound);
+}
+
+void expect_symmetric(const Operator& K, const VectorXd& a, const VectorXd& b, double bound,
+                      const std::string& source_of_bound) {
+  const double ab = a.dot(K(b)), ba = b.dot(K(a));
+  EXPECT_LE(std::abs(ab - ba), bound) << "not symmetric: a . K b = " << ab << ", but b . K a = " << ba << "\n"
+                                      << "a = " << particles_in_words(a) << "\n"
+                                      << "b = " << particles_in_words(b) << "\n"
+                                      << "bound = " << source_of_bound;
+}
+
+VectorXd scattered_vector(int n, int which) {
+  VectorXd values(n);
+  std::uint32_t state = 2654435769U * static_cast<std::uint32_t>(which + 1);
+  for (double& value : values) {
+    state = 1664525 * state + 1013904223;
+    value = state / 2147483648.0 - 1;
+  }
+  return values;
+}
+
+std::string particles_in_words(const VectorXd& x) {
+  const Eigen::Index count = x.size() / 3, shown = count <= 8 ? count : 6;
+  std::ostringstream text;
+  for (Eigen::Index i = 0; i < shown; ++i)
+    text << (i == 0 ? "(" : " (") << x[3 * i] << ", " << x[3 * i + 1] << ", " << x[3 * i + 2] << ")";
+  if (shown < count) text << " ... " << count - shown << " more";
+  return text.str();
+}
+
+}  // namespace checks

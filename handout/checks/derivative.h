@@ -1,0 +1,59 @@
+// What the checks of forces share: derivatives by central differences, and an error beside its bound for each.
+//
+//   (g(x + h) - g(x - h)) / 2h = g'(x) + h^2 g'''/6 + ...
+//
+// A step of h = 2^-14 (6e-5) of `length`, the length over which g changes by its own size, leaves an error of about
+// h^2 = 4e-9 relative; what g rounds by is divided by 2h, and so becomes 2^-39 (2e-12) of g's size over `length`. So
+// what is compared agrees to
+//
+//   1e-6 of the largest entry + 2^-36 of `scale`,
+//
+// where `scale` is the size that an entry has when lengths and angles are off by all of themselves: the second part
+// is for what should be 0, but rounds.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+
+namespace checks {
+
+using Energy = std::function<double(const Eigen::VectorXd& x)>;
+using Field = std::function<Eigen::VectorXd(const Eigen::VectorXd& x)>;  // of forces, at positions x
+using Operator = std::function<Eigen::VectorXd(const Eigen::VectorXd& dx)>;
+
+// -dE/dx, entry by entry.
+Eigen::VectorXd force_by_differences(const Energy& energy, const Eigen::VectorXd& x, double length);
+
+// (df/dx) dx: the change of f along dx, for a step that moves no coordinate by more than h.
+Eigen::VectorXd product_by_differences(const Field& force, const Eigen::VectorXd& x,
+                                       const Eigen::VectorXd& dx, double length);
+
+// `actual` is the force that belongs to `energy`.
+void expect_force(const Eigen::VectorXd& actual, const Energy& energy, const Eigen::VectorXd& x,
+                  double length, double scale);
+
+// `actual` is (df/dx) dx; `scale` as above, for a dx whose largest entry is 1.
+void expect_product(const Eigen::VectorXd& actual, const Field& force, const Eigen::VectorXd& x,
+                    const Eigen::VectorXd& dx, double length, double scale);
+
+// No entry of `actual` is off by more than `bound`. `what` names them in a failure, which shows the worst.
+void expect_entries(const Eigen::VectorXd& actual, const Eigen::VectorXd& expected, double bound,
+                    const std::string& what, const std::string& source_of_bound);
+
+// The forces on all particles add up to no force and no torque, to within `bound` N and `bound` times the largest
+// coordinate of x.
+void expect_balanced(const Eigen::VectorXd& force, const Eigen::VectorXd& x, double bound,
+                     const std::string& source_of_bound);
+
+// a . (K b) = b . (K a), to within `bound`.
+void expect_symmetric(const Operator& K, const Eigen::VectorXd& a, const Eigen::VectorXd& b, double bound,
+                      const std::string& source_of_bound);
+
+// n numbers between -1 and 1 without a pattern, the same ones for the same `which`.
+Eigen::VectorXd scattered_vector(int n, int which);
+
+// "(0, 0, 0) (0, 0, -0.01) ...": three coordinates a particle, of a long vector the first six particles.
+std::string particles_in_words(const Eigen::VectorXd& x);
+
+}  // namespace checks
