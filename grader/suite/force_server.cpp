@@ -1,0 +1,38 @@
+// STAFF ONLY.
+#include "grader/suite/force_server.h"
+
+namespace grader {
+
+bool ForceServer::operator()(int which, const std::vector<double>& question, std::vector<double>& answer) {
+  const int vectors = which == kForceEnergy ? 1 : which == kForceForce ? 2 : 3;
+  if (which < kForceEnergy || which > kForceDfdv) throw MalformedMessage("an operator that is not there");
+  if (static_cast<int>(question.size()) != vectors * size_)
+    throw MalformedMessage("a question that makes no sense");
+
+  const auto vector = [&](int i) {
+    return Eigen::Map<const Eigen::VectorXd>(question.data() + static_cast<std::ptrdiff_t>(i) * size_, size_);
+  };
+  answer.assign(which == kForceEnergy ? 1 : size_, 0.0);
+  Eigen::Map<Eigen::VectorXd> result(answer.data(), static_cast<Eigen::Index>(answer.size()));
+  switch (which) {
+    case kForceEnergy:
+      ++energies;
+      result[0] = force_.energy(vector(0));
+      break;
+    case kForceForce:
+      ++forces;
+      forces_at.emplace_back(question.begin(), question.begin() + size_);
+      force_.add_force(vector(0), vector(1), result);
+      break;
+    case kForceDfdx:
+      ++dfdx;
+      force_.add_dfdx(vector(0), vector(1), vector(2), result);
+      break;
+    default:
+      ++dfdv;
+      force_.add_dfdv(vector(0), vector(1), vector(2), result);
+  }
+  return energies + forces + dfdx + dfdv <= most_;
+}
+
+}  // namespace grader

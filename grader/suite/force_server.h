@@ -1,0 +1,29 @@
+// STAFF ONLY. A force that a student's code is served: the suite's side of grader/worker/served_force.h. It
+// counts what it is asked for, and keeps where it was asked.
+#pragma once
+
+#include <vector>
+
+#include "grader/wire/force_message.h"
+#include "grader/wire/message.h"
+#include "particles/force.h"
+
+namespace grader {
+
+class ForceServer {
+ public:
+  // Of n particles; it answers `most` questions and then stops the request.
+  ForceServer(const particles::Force& force, int n, int most) : force_(force), size_(3 * n), most_(most) {}
+
+  // As Student::Products asks for it.
+  bool operator()(int which, const std::vector<double>& question, std::vector<double>& answer);
+
+  int energies = 0, forces = 0, dfdx = 0, dfdv = 0;  // questions so far
+  std::vector<std::vector<double>> forces_at;        // x of each evaluation of the force
+
+ private:
+  const particles::Force& force_;
+  int size_, most_;
+};
+
+}  // namespace grader

@@ -1,0 +1,81 @@
+// STAFF ONLY. A force that the suite holds: the worker asks for each value and each product through the pipe,
+// so that the suite's counts are the true ones. Its other side is grader/suite/force_server.h.
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "grader/wire/force_message.h"
+#include "grader/worker/session.h"
+#include "particles/force.h"
+
+namespace grader {
+
+class ServedForce : public particles::Force {
+ public:
+  // Of n particles.
+  ServedForce(Session& session, int n) : session_(session), size_(3 * n) {}
+
+  double energy(particles::Input x) const override {
+    double energy = 0;
+    session_.product(kForceEnergy, joined({&x}), {&energy, 1});
+    return energy;
+  }
+  void add_force(particles::Input x, particles::Input v, particles::Output f) const override {
+    add(kForceForce, joined({&x, &v}), f);
+  }
+  void add_dfdx(particles::Input x, particles::Input v, particles::Input dx,
+                particles::Output df) const override {
+    note_overlap(dx, df);
+    add(kForceDfdx, joined({&x, &v, &dx}), df);
+  }
+  void add_dfdv(particles::Input x, particles::Input v, particles::Input dv,
+                particles::Output df) const override {
+    note_overlap(dv, df);
+    add(kForceDfdv, joined({&x, &v, &dv}), df);
+  }
+
+  // Products that were to be added to their own input, which no contract allows.
+  int mistakes() const { return mistakes_; }
+
+ private:
+  using View = Eigen::Ref<const Eigen::VectorXd>;
+
+  std::vector<double> joined(std::initializer_list<const View*> vectors) const {
+    std::vector<double> all;
+    all.reserve(vectors.size() * size_);
+    for (const View* vector : vectors) {
+      expect_size(vector->size());
+      all.insert(all.end(), vector->data(), vector->data() + size_);
+    }
+    return all;
+  }
+
+  void add(int which, const std::vector<double>& question, particles::Output& output) const {
+    expect_size(output.size());
+    std::vector<double> answer(size_);
+    session_.product(which, question, answer);
+    output += Eigen::Map<const Eigen::VectorXd>(answer.data(), size_);
+  }
+
+  void expect_size(Eigen::Index size) const {
+    if (size != size_)
+      throw std::invalid_argument("a vector of " + std::to_string(size) + " numbers for a force on " +
+                                  std::to_string(size_ / 3) + " particles");
+  }
+
+  void note_overlap(const View& input, const particles::Output& output) const {
+    const std::less<const double*> before;
+    if (before(input.data(), output.data() + output.size()) &&
+        before(output.data(), input.data() + input.size()))
+      ++mistakes_;
+  }
+
+  Session& session_;
+  Eigen::Index size_;
+  mutable int mistakes_ = 0;
+};
+
+}  // namespace grader
