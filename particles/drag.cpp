@@ -1,0 +1,31 @@
+#include "particles/drag.h"
+
+#include <utility>
+
+#include "particles/require.h"
+
+namespace particles {
+
+Drag::Drag(Eigen::VectorXd coefficients, const Vector3d& wind)
+    : coefficients_(std::move(coefficients)), wind_(wind) {
+  for (int i = 0; i < coefficients_.size(); ++i)
+    require(coefficients_[i] >= 0, "Drag: coefficient", coefficients_[i], "must be >= 0");
+}
+
+double Drag::energy(Input /*x*/) const {
+  return 0;
+}
+
+void Drag::add_force(Input /*x*/, Input v, Output f) const {
+  for (int i = 0; i < coefficients_.size(); ++i)
+    f.segment<3>(3 * i) -= coefficients_[i] * (v.segment<3>(3 * i) - wind_);
+}
+
+void Drag::add_dfdx(Input /*x*/, Input /*v*/, Input /*dx*/, Output /*df*/) const {}
+
+void Drag::add_dfdv(Input /*x*/, Input /*v*/, Input dv, Output df) const {
+  for (int i = 0; i < coefficients_.size(); ++i)
+    df.segment<3>(3 * i) -= coefficients_[i] * dv.segment<3>(3 * i);
+}
+
+}  // namespace particles

@@ -1,0 +1,24 @@
+// Linear drag against air that moves: f_i = -c_i (v_i - wind) on each particle. It has no energy.
+#pragma once
+
+#include "particles/force.h"
+
+namespace particles {
+
+class Drag : public Force {
+ public:
+  // coefficients c: n, N s/m, >= 0, or std::invalid_argument; wind: the air's velocity, m/s. For the same
+  // coefficient everywhere: Drag(Eigen::VectorXd::Constant(n, c)).
+  explicit Drag(Eigen::VectorXd coefficients, const Vector3d& wind = Vector3d::Zero());
+
+  double energy(Input x) const override;  // 0
+  void add_force(Input x, Input v, Output f) const override;
+  void add_dfdx(Input x, Input v, Input dx, Output df) const override;  // 0
+  void add_dfdv(Input x, Input v, Input dv, Output df) const override;
+
+ private:
+  Eigen::VectorXd coefficients_;
+  Vector3d wind_;
+};
+
+}  // namespace particles

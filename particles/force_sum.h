@@ -1,0 +1,41 @@
+// Several forces as one. It owns its parts; without any it is no force at all.
+#pragma once
+
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "particles/force.h"
+
+namespace particles {
+
+class ForceSum : public Force {
+ public:
+  void add(std::unique_ptr<const Force> part) { parts_.push_back(std::move(part)); }
+
+  // add(std::make_unique<Part>(arguments...)).
+  template <typename Part, typename... Arguments>
+  void emplace(Arguments&&... arguments) {
+    add(std::make_unique<const Part>(std::forward<Arguments>(arguments)...));
+  }
+
+  double energy(Input x) const override {
+    double energy = 0;
+    for (const auto& part : parts_) energy += part->energy(x);
+    return energy;
+  }
+  void add_force(Input x, Input v, Output f) const override {
+    for (const auto& part : parts_) part->add_force(x, v, f);
+  }
+  void add_dfdx(Input x, Input v, Input dx, Output df) const override {
+    for (const auto& part : parts_) part->add_dfdx(x, v, dx, df);
+  }
+  void add_dfdv(Input x, Input v, Input dv, Output df) const override {
+    for (const auto& part : parts_) part->add_dfdv(x, v, dv, df);
+  }
+
+ private:
+  std::vector<std::unique_ptr<const Force>> parts_;
+};
+
+}  // namespace particles

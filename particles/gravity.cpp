@@ -1,0 +1,24 @@
+#include "particles/gravity.h"
+
+#include <utility>
+
+namespace particles {
+
+Gravity::Gravity(Eigen::VectorXd mass, const Vector3d& acceleration)
+    : mass_(std::move(mass)), acceleration_(acceleration) {}
+
+double Gravity::energy(Input x) const {
+  double energy = 0;
+  for (int i = 0; i < mass_.size(); ++i) energy -= mass_[i] * acceleration_.dot(x.segment<3>(3 * i));
+  return energy;
+}
+
+void Gravity::add_force(Input /*x*/, Input /*v*/, Output f) const {
+  for (int i = 0; i < mass_.size(); ++i) f.segment<3>(3 * i) += mass_[i] * acceleration_;
+}
+
+void Gravity::add_dfdx(Input /*x*/, Input /*v*/, Input /*dx*/, Output /*df*/) const {}
+
+void Gravity::add_dfdv(Input /*x*/, Input /*v*/, Input /*dv*/, Output /*df*/) const {}
+
+}  // namespace particles

@@ -1,0 +1,23 @@
+// Gravity: f_i = m_i g on each particle, E = -sum m_i g . x_i.
+#pragma once
+
+#include "particles/force.h"
+
+namespace particles {
+
+class Gravity : public Force {
+ public:
+  // mass: n, kg; acceleration g in m/s^2, (0, 0, -9.81) on earth.
+  Gravity(Eigen::VectorXd mass, const Vector3d& acceleration);
+
+  double energy(Input x) const override;
+  void add_force(Input x, Input v, Output f) const override;
+  void add_dfdx(Input x, Input v, Input dx, Output df) const override;  // 0
+  void add_dfdv(Input x, Input v, Input dv, Output df) const override;  // 0
+
+ private:
+  Eigen::VectorXd mass_;
+  Vector3d acceleration_;
+};
+
+}  // namespace particles

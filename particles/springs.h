@@ -1,0 +1,43 @@
+// Damped springs between pairs of particles. With d = x_i - x_j, l = |d|, u = d / l, and w the relative velocity
+// v_i - v_j, a spring has
+//
+//   E = k (l - l0)^2 / 2,   f_i = -(k (l - l0) + c w . u) u = -f_j.
+//
+// The damping c acts along the spring alone, so that turning costs nothing. A spring of length 0 has no direction:
+// it pulls nowhere, and its derivatives are 0.
+//
+// Products with df/dx, Products::definite: the geometric term k (1 - l0/l) (I - u u^T) is left out in compression, and
+// the damping's part is left out. Source: D. Baraff and A. Witkin, "Large Steps in Cloth Simulation" (SIGGRAPH
+// 1998), section 4.
+#pragma once
+
+#include <vector>
+
+#include "particles/force.h"
+#include "particles/products.h"
+
+namespace particles {
+
+struct Spring {
+  int i, j;            // i != j
+  double stiffness;    // k, N/m, >= 0
+  double rest_length;  // l0, m, >= 0
+  double damping = 0;  // c, N s/m, >= 0
+};
+
+class DampedSprings : public Force {
+ public:
+  // Throws std::invalid_argument for values outside of their bounds.
+  explicit DampedSprings(std::vector<Spring> springs, Products products = Products::exact);
+
+  double energy(Input x) const override;
+  void add_force(Input x, Input v, Output f) const override;
+  void add_dfdx(Input x, Input v, Input dx, Output df) const override;
+  void add_dfdv(Input x, Input v, Input dv, Output df) const override;
+
+ private:
+  std::vector<Spring> springs_;
+  Products products_;
+};
+
+}  // namespace particles
