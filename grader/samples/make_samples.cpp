@@ -1,5 +1,5 @@
 // STAFF ONLY. Packs the sample class: make_samples PROJECT OUT makes the folder OUT anew, with an archive or
-// a folder for each sample of PROJECT/grader/samples/samples.json.
+// a folder for each sample of PROJECT/grader/samples/list.
 #include <clocale>
 #include <cstdlib>
 #include <filesystem>
@@ -80,8 +80,7 @@ void check_patches_are_used(const std::vector<Sample>& samples, const fs::path& 
   for (const Sample& sample : samples) used.insert(sample.patch);
   for (const auto& file : fs::directory_iterator(patches)) {
     if (!used.count(file.path().filename().string())) {
-      throw grader::BadInput(file.path().string() +
-                             ": no sample uses it; name it in samples.json or delete it");
+      throw grader::BadInput(file.path().string() + ": no sample uses it; name it in list/ or delete it");
     }
   }
 }
@@ -98,7 +97,7 @@ int main(int argc, char** argv) {
   if (!std::setlocale(LC_CTYPE, "C.UTF-8")) std::setlocale(LC_CTYPE, "en_US.UTF-8");
   try {
     const fs::path project = argv[1], out = argv[2], unfinished = out.string() + ".unfinished";
-    const auto samples = grader::read_samples(project / "grader" / "samples" / "samples.json");
+    const auto samples = grader::read_samples(project);
     check_patches_are_used(samples, project / "grader" / "samples" / "patches");
     fs::remove_all(unfinished);
     fs::create_directories(unfinished);

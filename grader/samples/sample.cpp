@@ -1,11 +1,13 @@
 // STAFF ONLY.
 #include "grader/samples/sample.h"
 
+#include <algorithm>
 #include <array>
 #include <set>
 #include <string_view>
 #include <utility>
 
+#include "grader/course/course.h"
 #include "grader/course/strict_json.h"
 
 namespace grader {
@@ -39,6 +41,71 @@ SampleFile read_file(const std::string& path, const JsonValue& json, bool is_obj
   return {path, SampleFile::Kind::zeros, "", read_bytes(json["zeros"])};
 }
 
+ExpectedResult read_expected(const JsonValue& json, const Exercise& exercise) {
+  json.check_keys({"status"}, {"points"});
+  ExpectedResult expected{json["status"].text(), {}};
+  if (json.has("points")) expected.points = json["points"].number(0, exercise.points);
+  return expected;
+}
+
+// Fills in "others", and what each exercise of the course is expected to give.
+void complete(Sample& sample, const JsonValue& json, const Course& course) {
+  std::string others;
+  if (json.has("others")) {
+    others = json["others"].text();
+    if (others != "reference" && others != "stub") json["others"].fail("write reference or stub");
+  }
+  for (const std::string& id : json["expect"].keys())
+    if (!course.find(id)) json["expect"].fail("there is no exercise " + id);
+
+  const std::vector<SampleFile> named = sample.files;
+  for (const Exercise& exercise : course.exercises) {
+    const bool has_file = std::any_of(named.begin(), named.end(), [&](const SampleFile& file) {
+      return std::filesystem::path(file.path).filename() == exercise.file;
+    });
+    const bool filled_in = !has_file && !others.empty();
+    if (filled_in) sample.files.push_back({exercise.file, SampleFile::Kind::solution, others, 0});
+    if (json["expect"].has(exercise.id)) {
+      if (filled_in) json["expect"].fail("names " + exercise.id + ", which \"others\" fills in");
+      sample.listed.push_back(exercise.id);
+      sample.expected[exercise.id] = read_expected(json["expect"][exercise.id], exercise);
+    } else if (has_file) {
+      json["expect"].fail("does not say what " + exercise.id + " gets for its " + exercise.file);
+    } else {
+      const char* status = !filled_in ? "missing" : others == "stub" ? "not implemented" : "passed";
+      sample.expected[exercise.id] = {status, {}};
+    }
+  }
+  std::sort(sample.files.begin(), sample.files.end(),
+            [](const SampleFile& a, const SampleFile& b) { return a.path < b.path; });
+}
+
+// Adds the samples of one list; `names` are those that are taken.
+void read_list(const std::filesystem::path& list, const Course& course, std::set<std::string>& names,
+               std::vector<Sample>& samples) {
+  const nlohmann::json document = read_json(list);
+  const JsonValue top(document, list);
+  top.check_keys({"samples"});
+  const std::vector<JsonValue> items = top["samples"].items();
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const JsonValue& json = items[i];
+    json.check_keys({"name", "shows", "form", "files", "expect"}, {"others", "patch", "windows", "cut"});
+    Sample sample;
+    sample.name = json["name"].text();
+    if (!names.insert(sample.name).second) json["name"].fail("this name is taken; give each sample its own");
+    sample.shows = json["shows"].text();
+    sample.form = read_form(json["form"]);
+    const nlohmann::json& raw = document["samples"][i];
+    for (const std::string& path : json["files"].keys())
+      sample.files.push_back(read_file(path, json["files"][path], raw["files"][path].is_object()));
+    if (json.has("patch")) sample.patch = json["patch"].text();
+    sample.windows = raw.value("windows", false);
+    if (json.has("cut")) sample.cut = read_bytes(json["cut"]);
+    complete(sample, json, course);
+    samples.push_back(std::move(sample));
+  }
+}
+
 }  // namespace
 
 std::string Sample::file_name() const {
@@ -48,37 +115,15 @@ std::string Sample::file_name() const {
   return name;
 }
 
-std::vector<Sample> read_samples(const std::filesystem::path& samples_json) {
-  const nlohmann::json document = read_json(samples_json);
-  const JsonValue top(document, samples_json);
-  top.check_keys({"samples"});
+std::vector<Sample> read_samples(const std::filesystem::path& project) {
+  const Course course = read_course(project / "handout" / "exercises.json");
+  std::vector<std::filesystem::path> lists;
+  for (const auto& entry : std::filesystem::directory_iterator(project / "grader" / "samples" / "list"))
+    if (entry.path().extension() == ".json") lists.push_back(entry.path());
+  std::sort(lists.begin(), lists.end());
   std::vector<Sample> samples;
   std::set<std::string> names;
-  const std::vector<JsonValue> items = top["samples"].items();
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    const JsonValue& json = items[i];
-    json.check_keys({"name", "shows", "form", "files", "expect"}, {"patch", "windows", "cut"});
-    Sample sample;
-    sample.name = json["name"].text();
-    if (!names.insert(sample.name).second) json["name"].fail("this name is taken; give each sample its own");
-    sample.shows = json["shows"].text();
-    sample.form = read_form(json["form"]);
-    const nlohmann::json& raw = document["samples"][i];
-    for (const std::string& path : json["files"].keys()) {
-      sample.files.push_back(read_file(path, json["files"][path], raw["files"][path].is_object()));
-    }
-    if (json.has("patch")) sample.patch = json["patch"].text();
-    sample.windows = raw.value("windows", false);
-    if (json.has("cut")) sample.cut = read_bytes(json["cut"]);
-    for (const std::string& id : json["expect"].keys()) {
-      const JsonValue expected = json["expect"][id];
-      expected.check_keys({"status"}, {"points"});
-      ExpectedResult& result = sample.expected[id];
-      result.status = expected["status"].text();
-      if (expected.has("points")) result.points = expected["points"].number(0, 1e6);
-    }
-    samples.push_back(std::move(sample));
-  }
+  for (const std::filesystem::path& list : lists) read_list(list, course, names, samples);
   return samples;
 }
 

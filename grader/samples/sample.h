@@ -1,11 +1,13 @@
-// STAFF ONLY. The sample class: submissions with known bugs and attacks, and what grading them must give.
-// samples.json lists them:
+// STAFF ONLY. The sample class: submissions with known bugs and attacks, and what grading them must give. The
+// files of list/, in the order of their names, list them:
 //
 //   {"samples": [{
 //     "name":    "wrong-beta"                  of the archive or folder, without its ending
 //     "shows":   "..."                         the bug, or what is right, in a line
 //     "form":    "zip" | "tar.gz" | "folder"
 //     "files":   {PATH IN THE ARCHIVE: CONTENT, ...}
+//     "others":  "reference" | "stub"          optional: the files of all exercises that "files" does not name, at the
+//                                              archive's top level
 //     "patch":   "wrong-beta.patch"            optional: from patches/, applied to the solution files with -p1
 //     "windows": true                          optional: solution files begin with a byte order mark and have CR LF
 //     "cut":     1000                          optional: the bytes of the archive that are left, as after a
@@ -16,6 +18,9 @@
 //
 // CONTENT is "reference", "stub" or a folder of solutions/, which hold an exercise file of that name;
 // {"text": "..."}; {"link": TARGET}, a symbolic link; or {"zeros": BYTES}, so many zero bytes.
+//
+// "expect" names every exercise whose file "files" names. What "others" fills in is expected to have passed
+// ("reference") or not to be implemented ("stub"); all other exercises that "expect" does not name, to be missing.
 #pragma once
 
 #include <cstdint>
@@ -50,12 +55,14 @@ struct Sample {
   std::string patch;              // empty: none
   bool windows = false;
   std::optional<std::uint64_t> cut;
-  std::map<std::string, ExpectedResult> expected;  // by exercise id
+  std::map<std::string, ExpectedResult> expected;  // by exercise id: every exercise of the course
+  std::vector<std::string> listed;                 // of these, the ids that "expect" names
 
   std::string file_name() const;  // "wrong-beta.zip"
 };
 
-// Throws BadInput with the file and the JSON path.
-std::vector<Sample> read_samples(const std::filesystem::path& samples_json);
+// The lists of PROJECT/grader/samples/list, for the exercises of PROJECT/handout/exercises.json. Throws BadInput
+// with the file and the JSON path.
+std::vector<Sample> read_samples(const std::filesystem::path& project);
 
 }  // namespace grader

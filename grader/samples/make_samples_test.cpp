@@ -1,0 +1,189 @@
+// STAFF ONLY. The sample class's lists are read strictly, and packed the same way each time.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iterator>
+
+#include "grader/course/bad_input.h"
+#include "grader/samples/sample.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kProject = HAIR_PROJECT;
+
+std::string bytes_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+// Of this test alone: others run at the same time.
+fs::path scratch(const std::string& name) {
+  const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+  return fs::path(testing::TempDir()) / ("make_samples_test_" + std::string(test->name()) + "_" + name);
+}
+
+constexpr const char* kExercises = R"json({"exercises": [
+    {"id": "A", "title": "a", "file": "a.cpp", "functions": ["a()"], "header": "a.h", "text": "a.md",
+     "checks": "a_check.cpp", "prerequisites": [], "libraries": [], "points": 5, "role": "assigned"},
+    {"id": "B", "title": "b", "file": "b.cpp", "functions": ["b()"], "header": "b.h", "text": "b.md",
+     "checks": "b_check.cpp", "prerequisites": [], "libraries": [], "points": 5, "role": "assigned"}]})json";
+
+// A project with two exercises and one sample, whose patch turns "one" to "two" in a file that reads `source`.
+fs::path small_project(const std::string& source) {
+  const fs::path project = scratch("project");
+  const fs::path samples = project / "grader" / "samples";
+  fs::remove_all(project);
+  for (const char* folder : {"list", "patches", "solutions/plain"}) fs::create_directories(samples / folder);
+  for (const char* folder : {"handout/student", "reference"}) fs::create_directories(project / folder);
+  std::ofstream(project / "handout" / "exercises.json") << kExercises;
+  std::ofstream(project / "handout" / "student" / "b.cpp") << "stub\n";
+  std::ofstream(project / "reference" / "b.cpp") << "reference\n";
+  std::ofstream(samples / "solutions" / "plain" / "a.cpp") << source;
+  std::ofstream(samples / "patches" / "bug.patch") << "--- a/a.cpp\n+++ b/a.cpp\n@@ -1 +1 @@\n-one\n+two\n";
+  std::ofstream(samples / "list" / "bugs.json")
+      << R"({"samples": [{"name": "bug", "shows": "A bug.", "form": "folder", "files": {"a.cpp": "plain"},
+             "patch": "bug.patch", "expect": {"A": {"status": "wrong", "points": 3}}}]})";
+  return project;
+}
+
+// Adds a list with one sample, which has these further entries.
+void add_sample(const fs::path& project, const std::string& name, const std::string& entries) {
+  std::ofstream(project / "grader" / "samples" / "list" / "more.json")
+      << R"({"samples": [{"name": ")" << name << R"(", "shows": "It.", )" << entries << "}]}";
+}
+
+void expect_refused(const fs::path& project, const std::string& words) {
+  try {
+    read_samples(project);
+    FAIL() << "read, for all that: " << words;
+  } catch (const BadInput& error) {
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+  }
+}
+
+struct Outcome {
+  int code;
+  std::string output;
+};
+
+Outcome make_samples(const fs::path& project, const fs::path& out) {
+  const fs::path log = scratch("log");
+  const std::string command = std::string("'") + HAIR_MAKE_SAMPLES + "' '" + project.string() + "' '" +
+                              out.string() + "' >'" + log.string() + "' 2>&1";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(log)};
+}
+
+TEST(MakeSamples, GivesTheSameBytesWhateverTheTimeZoneAndLocale) {
+  const fs::path project = small_project("one\n"), out = project / "class", again = project / "again";
+  ASSERT_EQ(make_samples(kProject, out).code, 0);
+  setenv("TZ", "America/New_York", 1);
+  setenv("LC_ALL", "C", 1);
+  ASSERT_EQ(make_samples(kProject, again).code, 0);
+  unsetenv("TZ");
+  unsetenv("LC_ALL");
+  for (const Sample& sample : read_samples(kProject)) {
+    if (sample.form == SampleForm::folder) continue;
+    EXPECT_TRUE(bytes_of(out / sample.file_name()) == bytes_of(again / sample.file_name())) << sample.name;
+  }
+  fs::remove_all(project);
+}
+
+TEST(MakeSamples, AppliesThePatch) {
+  const fs::path project = small_project("one\n");
+  const Outcome run = make_samples(project, project / "class");
+  EXPECT_EQ(run.code, 0) << run.output;
+  EXPECT_EQ(bytes_of(project / "class" / "bug" / "a.cpp"), "two\n");
+}
+
+TEST(MakeSamples, RefusesAPatchThatDoesNotApply) {
+  const fs::path project = small_project("three\n");
+  const Outcome run = make_samples(project, project / "class");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.output.find("bug.patch does not apply"), std::string::npos) << run.output;
+  EXPECT_FALSE(fs::exists(project / "class"));
+}
+
+TEST(MakeSamples, RefusesAPatchThatNoSampleUses) {
+  const fs::path project = small_project("one\n");
+  std::ofstream(project / "grader" / "samples" / "patches" / "forgotten.patch") << "";
+  const Outcome run = make_samples(project, project / "class");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.output.find("forgotten.patch: no sample uses it"), std::string::npos) << run.output;
+}
+
+TEST(MakeSamples, NamesASolutionThatIsNotThere) {
+  const fs::path project = small_project("one\n");
+  fs::remove(project / "grader" / "samples" / "solutions" / "plain" / "a.cpp");
+  const Outcome run = make_samples(project, project / "class");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.output.find("sample \"bug\": a.cpp: "), std::string::npos) << run.output;
+}
+
+TEST(MakeSamples, FillsInTheOtherExercises) {
+  const fs::path project = small_project("one\n"), out = project / "class";
+  for (const auto& [others, bytes] : {std::pair("stub", "stub\n"), std::pair("reference", "reference\n")}) {
+    add_sample(project, "more",
+               R"("form": "folder", "files": {"src/a.cpp": "plain"}, "others": ")" + std::string(others) +
+                   R"(", "expect": {"A": {"status": "passed"}})");
+    const Outcome run = make_samples(project, out);
+    EXPECT_EQ(run.code, 0) << run.output;
+    EXPECT_EQ(bytes_of(out / "more" / "b.cpp"), bytes);
+    EXPECT_EQ(bytes_of(out / "more" / "src" / "a.cpp"), "one\n");
+  }
+}
+
+TEST(ReadSamples, ReadsPointsAndLeavesThemOpen) {
+  const auto samples = read_samples(small_project("one\n"));
+  ASSERT_EQ(samples.size(), 1u);
+  EXPECT_EQ(samples[0].expected.at("A").status, "wrong");
+  EXPECT_EQ(samples[0].expected.at("A").points, 3.0);
+  EXPECT_EQ(samples[0].expected.at("B").points, std::nullopt);
+}
+
+TEST(ReadSamples, ReadsTheListsInTheOrderOfTheirNames) {
+  const fs::path project = small_project("one\n");
+  add_sample(project, "more", R"("form": "zip", "files": {}, "expect": {})");
+  const auto samples = read_samples(project);
+  ASSERT_EQ(samples.size(), 2u);
+  EXPECT_EQ(samples[0].name, "bug");
+  EXPECT_EQ(samples[1].name, "more");
+}
+
+TEST(ReadSamples, ExpectsWhatIsNeitherListedNorFilledInToBeMissing) {
+  const fs::path project = small_project("one\n");
+  EXPECT_EQ(read_samples(project)[0].expected.at("B").status, "missing");
+  EXPECT_EQ(read_samples(project)[0].listed, std::vector<std::string>{"A"});
+  add_sample(project, "more", R"("form": "zip", "files": {}, "others": "reference", "expect": {})");
+  EXPECT_EQ(read_samples(project)[1].expected.at("B").status, "passed");
+  add_sample(project, "more", R"("form": "zip", "files": {}, "others": "stub", "expect": {})");
+  EXPECT_EQ(read_samples(project)[1].expected.at("B").status, "not implemented");
+}
+
+TEST(ReadSamples, NamesWhatIsNotRight) {
+  const fs::path project = small_project("one\n");
+  add_sample(project, "more", R"("form": "rar", "files": {}, "expect": {})");
+  expect_refused(project, "more.json: samples[0].form: unknown form; write zip");
+  add_sample(project, "bug", R"("form": "zip", "files": {}, "expect": {})");
+  expect_refused(project, "samples[0].name: this name is taken");
+  add_sample(project, "more", R"("form": "zip", "files": {}, "others": "plain", "expect": {})");
+  expect_refused(project, "samples[0].others: write reference or stub");
+  add_sample(project, "more", R"("form": "zip", "files": {}, "expect": {"C": {"status": "passed"}})");
+  expect_refused(project, "samples[0].expect: there is no exercise C");
+  add_sample(project, "more", R"("form": "zip", "files": {"b/b.cpp": "stub"}, "expect": {})");
+  expect_refused(project, "samples[0].expect: does not say what B gets for its b.cpp");
+  add_sample(project, "more",
+             R"("form": "zip", "files": {}, "others": "stub", "expect": {"A": {"status": "passed"}})");
+  expect_refused(project, "samples[0].expect: names A, which \"others\" fills in");
+  add_sample(project, "more",
+             R"("form": "zip", "files": {}, "expect": {"A": {"status": "partly", "points": 6}})");
+  expect_refused(project, "samples[0].expect.A.points: 6 is not right; give a number from 0 to 5");
+}
+
+}  // namespace
+}  // namespace grader
