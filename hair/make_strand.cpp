@@ -41,7 +41,7 @@ Strand uniform_strand(const Material& material, int segments, double length) {
 
 Strand strand_from_rest(const Material& material, particles::Input x) {
   require_at_least("the numbers in a strand's positions", x.size(), 3);
-  require("the numbers in a strand's positions", static_cast<double>(x.size()), x.size() % 3 == 0,
+  require(x.size() % 3 == 0, "the numbers in a strand's positions", static_cast<double>(x.size()),
           "a multiple of 3");
   for (double value : x) require_finite("a strand's position", value);
   const Eigen::Index n = x.size() / 3;

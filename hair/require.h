@@ -1,15 +1,13 @@
-// Preconditions: each throws std::invalid_argument that says what was given and what would have been right.
+// Preconditions of strands: each throws std::invalid_argument, "<what> is <value>; it must be <bound>".
 #pragma once
 
 #include <string>
 
 namespace hair {
 
-// "WHAT is VALUE; it must be BOUND"
-void require(const std::string& what, double value, bool holds, const std::string& bound);
-
+void require(bool holds, const std::string& what, double value, const std::string& bound);
 void require_finite(const std::string& what, double value);
-void require_positive(const std::string& what, double value);  // and normal, so that 1 / value is finite
+void require_positive(const std::string& what, double value);                // and normal: 1 / value is finite
 void require_at_least(const std::string& what, double value, double bound);  // and finite
 
 }  // namespace hair

@@ -17,13 +17,13 @@ void check(int segments, double length, const RootFrame& frame) {
   for (double value : frame.position) require_finite("the root's position", value);
   const double tolerance = 1e-9;
   auto near = [&](double value, double wanted) { return std::abs(value - wanted) <= tolerance; };
-  require("the length of the root's axis", frame.axis.norm(), near(frame.axis.norm(), 1), "1");
-  require("the length of the root's side", frame.side.norm(), near(frame.side.norm(), 1), "1");
-  require("axis . side", frame.axis.dot(frame.side), near(frame.axis.dot(frame.side), 0), "0");
+  require(near(frame.axis.norm(), 1), "the length of the root's axis", frame.axis.norm(), "1");
+  require(near(frame.side.norm(), 1), "the length of the root's side", frame.side.norm(), "1");
+  require(near(frame.axis.dot(frame.side), 0), "axis . side", frame.axis.dot(frame.side), "0");
 }
 
 void check_resolved(double segment, double wave) {
-  require("the length of a segment over that of a wave or turn", segment / wave, segment <= wave / 4,
+  require(segment <= wave / 4, "the length of a segment over that of a wave or turn", segment / wave,
           "at most 1/4");
 }
 
@@ -48,8 +48,8 @@ RestShape wavy_shape(int segments, double length, double amplitude, double wavel
                      const RootFrame& frame) {
   check(segments, length, frame);
   require_positive("a wavelength", wavelength);
-  require("a wave's amplitude over its length", amplitude / wavelength,
-          amplitude >= 0 && amplitude <= wavelength, "from 0 to 1");
+  require(amplitude >= 0 && amplitude <= wavelength, "a wave's amplitude over its length",
+          amplitude / wavelength, "from 0 to 1");
   const double segment = length / segments;
   check_resolved(segment, wavelength);
 

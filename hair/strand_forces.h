@@ -1,5 +1,5 @@
-// The forces within a strand as particles::Force, for what moves particles. Each refers to a strand, which must
-// outlive it and may change between calls, such as the root's tangent does when the root turns.
+// The forces within a strand as particles::Force, for what moves particles. Each refers to a strand, which
+// must outlive it and may change between calls, such as the root's tangent does when the root turns.
 #pragma once
 
 #include "hair/jacobian.h"
