@@ -84,7 +84,7 @@ TEST_F(StudentsWay, LeadsFromTheArchiveToTheHandIn) {
   ran = run("cmake --build build -j 2");
   ASSERT_EQ(ran.code, 0) << ran.output;
 
-  ran = run("cmake --build build --target check_S1");
+  ran = run("cmake --build build --target check-S1");
   EXPECT_NE(ran.code, 0);
   EXPECT_NE(ran.output.find("\nS1 ConjGrad is not implemented yet\n"), std::string::npos) << ran.output;
   ran = run("cmake --build build --target check");
@@ -94,7 +94,7 @@ TEST_F(StudentsWay, LeadsFromTheArchiveToTheHandIn) {
 
   const fs::path s2 = folder_ / "hair-assignment/student/normal_equations.cpp";
   fs::copy_file(sources_.root / "reference/normal_equations.cpp", s2, fs::copy_options::overwrite_existing);
-  ran = run("cmake --build build --target check_S2");
+  ran = run("cmake --build build --target check-S2");
   EXPECT_NE(ran.code, 0) << "S2 can't pass without S1";
   EXPECT_NE(ran.output.find("\nS1 ConjGrad is not implemented yet\n"), std::string::npos) << ran.output;
 

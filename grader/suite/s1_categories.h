@@ -1,11 +1,13 @@
-// STAFF ONLY. S1's categories; each sends its cases to the student's ConjGrad and throws CaseFailed at the
-// first that fails.
+// STAFF ONLY. S1's categories.
 #pragma once
 
 #include "grader/suite/trial.h"
 
 namespace grader::s1 {
 
+std::vector<Category> categories();
+
+// Each sends its cases to the student's ConjGrad and throws CaseFailed at the first that fails.
 void examples(Trial& trial);
 void sizes(Trial& trial);
 void known_matrices(Trial& trial);

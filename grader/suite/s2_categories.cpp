@@ -155,8 +155,6 @@ Table dominant(Random& random, const std::vector<double>& diagonal) {
   return table;
 }
 
-}  // namespace
-
 void table(Trial& trial) {
   Random& random = trial.random;
   expect_dense_product(trial, "Example 1", {2, 2, {2, 0, 0, 1}}, {0.5, 1});
@@ -286,6 +284,17 @@ void steps_and_products(Trial& trial) {
                          drift(A, x, Atb) + kUnit * (n + 2) * std::sqrt(solution.value),
                          "the difference between the return value and the squared norm of A'(b - Ax)");
   }
+}
+
+}  // namespace
+
+std::vector<Category> categories() {
+  return {{"Table", "A matrix from a table", 4, table},
+          {"NormalOperator", "A'A as an operator", 4, normal_operator},
+          {"NonSymmetric", "Non-symmetric systems", 4, non_symmetric},
+          {"Indefinite", "Indefinite systems", 3, indefinite},
+          {"LeastSquares", "Least squares", 2, least_squares},
+          {"StepsAndProducts", "Steps and products", 3, steps_and_products}};
 }
 
 }  // namespace grader::s2
