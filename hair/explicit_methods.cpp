@@ -1,0 +1,27 @@
+#include "hair/methods.h"
+#include "particles/explicit_integrators.h"
+
+namespace hair {
+
+namespace {
+
+using Integrator = void (*)(particles::Dynamics&, double, particles::Output, particles::Output,
+                            particles::Scratch);
+
+template <Integrator integrator>
+StepOutcome take_step(MovingStrand& moving, const StepOptions& options, particles::Scratch scratch) {
+  integrator(moving.system, options.h, moving.state.x, moving.state.v, scratch);
+  return {.suspect = Stage::integration};
+}
+
+template <Integrator integrator>
+constexpr StepMethod kMethod{take_step<integrator>, particles::kIntegratorScratch};
+
+}  // namespace
+
+const StepMethod kForwardEuler = kMethod<particles::forward_euler>;
+const StepMethod kSymplecticEuler = kMethod<particles::symplectic_euler>;
+const StepMethod kMidpoint = kMethod<particles::midpoint>;
+const StepMethod kRungeKutta4 = kMethod<particles::runge_kutta_4>;
+
+}  // namespace hair

@@ -1,0 +1,34 @@
+// How one strand takes one step: the exercises' methods behind one signature.
+#pragma once
+
+#include "hair/blow_up.h"
+#include "hair/moving_strand.h"
+
+namespace hair {
+
+// What a step took, and where it went wrong if it did.
+struct StepOutcome {
+  long solver_steps = 0;               // of ConjGrad
+  int unconverged = 0;                 // solves and corrections that ended above their tolerance
+  long correction_steps = 0;           // Newton steps of the length correction
+  Stage suspect = Stage::integration;  // where numbers stopped being finite; else the last stage
+};
+
+struct StepOptions {
+  double h;          // s
+  double tolerance;  // of implicit solves, relative
+};
+
+struct StepMethod {
+  StepOutcome (*step)(MovingStrand&, const StepOptions&, particles::Scratch);
+  int scratch;  // columns of 3n numbers
+};
+
+// P1
+extern const StepMethod kForwardEuler, kSymplecticEuler, kMidpoint, kRungeKutta4;
+// H4
+extern const StepMethod kImplicitEuler;
+// H6
+extern const StepMethod kPredictorCorrector;
+
+}  // namespace hair

@@ -1,0 +1,32 @@
+#include <cmath>
+
+#include "hair/methods.h"
+#include "hair/predictor_corrector.h"
+
+namespace hair {
+
+namespace {
+
+bool is_finite(const particles::SolveReport& report) {
+  return std::isfinite(report.rhs) && std::isfinite(report.residual);
+}
+
+StepOutcome take_step(MovingStrand& moving, const StepOptions& options, particles::Scratch scratch) {
+  const StepReport report = predictor_corrector(moving.force, moving.particles, moving.strand, options.h,
+                                                options.tolerance, moving.state, scratch);
+  StepOutcome outcome;
+  outcome.solver_steps = report.filter.steps + report.second_filter.steps;
+  outcome.unconverged =
+      !report.filter.converged + !report.correction.converged + !report.second_filter.converged;
+  outcome.correction_steps = report.correction.iterations;
+  outcome.suspect = !is_finite(report.filter)                 ? Stage::filter
+                    : !std::isfinite(report.correction.error) ? Stage::correction
+                                                              : Stage::second_filter;
+  return outcome;
+}
+
+}  // namespace
+
+const StepMethod kPredictorCorrector{take_step, kPredictorCorrectorScratch};
+
+}  // namespace hair

@@ -1,0 +1,147 @@
+#include "hair/simulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "hair/require.h"
+#include "hair/simulation_parts.h"
+
+namespace hair {
+
+namespace {
+
+void check_vector(const std::string& what, particles::Input values) {
+  for (double value : values) require_finite(what, value);
+}
+
+void check_direction(const std::string& what, const Vector3d& direction) {
+  require(std::abs(direction.norm() - 1) <= 1e-9, "the length of " + what, direction.norm(), "1");
+}
+
+void check_strand(const std::string& name, const StrandStart& start) {
+  const Strand& strand = start.strand;
+  const int n = strand.count();
+  require_at_least(name + ": the number of particles", n, 1);
+  require(strand.segments() == n - 1, name + ": the number of segments", strand.segments(),
+          std::to_string(n - 1));
+  require(start.state.x.size() == 3 * n, name + ": the numbers in x", start.state.x.size(),
+          std::to_string(3 * n));
+  require(start.state.v.size() == 3 * n, name + ": the numbers in v", start.state.v.size(),
+          std::to_string(3 * n));
+  for (double mass : strand.mass) require_positive(name + ": a mass", mass);
+  for (double length : strand.rest_length) require_positive(name + ": a rest length", length);
+  require_at_least(name + ": EA", strand.stretch_rigidity, 0);
+  require_at_least(name + ": EI", strand.bend_rigidity, 0);
+  require_at_least(name + ": the rigidity of springs that skip a particle", strand.skip_rigidity, 0);
+  if (strand.clamped) check_direction(name + ": the root's tangent", strand.root_tangent);
+  check_vector(name + ": a position", start.state.x);
+  check_vector(name + ": a velocity", start.state.v);
+}
+
+void check(const Description& description) {
+  require_positive("the step", description.step);
+  require_at_least("the tolerance", description.tolerance, 0);
+  require_at_least("the drag", description.drag, 0);
+  check_vector("gravity", description.gravity);
+  check_vector("the wind", description.wind);
+  for (const Obstacle& obstacle : description.obstacles) check_obstacle(obstacle);
+  for (std::size_t i = 0; i < description.strands.size(); ++i)
+    check_strand("strand " + std::to_string(i), description.strands[i]);
+}
+
+// False for NaN, too.
+bool within(const Eigen::VectorXd& values, double bound) {
+  return (values.array().abs() <= bound).all();
+}
+
+bool is_sound(const particles::State& state) {
+  return within(state.x, kFarthest) && within(state.v, kFastest);
+}
+
+}  // namespace
+
+Simulation::Simulation(Description description)
+    : method_(method_of(description.method)),
+      options_{description.step, description.tolerance},
+      obstacles_(description.obstacles) {
+  check(description);
+  int most = 0;
+  for (StrandStart& start : description.strands) {
+    MovingStrand& moving = strands_.emplace_back(std::move(start.strand), std::move(start.state));
+    add_forces(description, moving);
+    most = std::max(most, moving.strand.count());
+  }
+  scratch_.resize(3 * most, method_.scratch);
+  if (!obstacles_.empty()) x_before_.resize(3 * most);
+}
+
+std::optional<Stage> Simulation::step_strand(MovingStrand& moving) {
+  const int size = 3 * moving.strand.count();
+  if (!obstacles_.empty()) x_before_.head(size) = moving.state.x;
+
+  const StepOutcome outcome = method_.step(moving, options_, scratch_.topRows(size));
+  ++work_.strand_steps;
+  work_.solver_steps += outcome.solver_steps;
+  work_.correction_steps += outcome.correction_steps;
+  work_.unconverged += outcome.unconverged;
+  if (!is_sound(moving.state)) return outcome.suspect;
+
+  if (obstacles_.empty()) return {};
+  const CollisionReport collisions =
+      collide(obstacles_, moving.particles, options_.h, x_before_.head(size), moving.state);
+  work_.contacts += collisions.contacts;
+  work_.penetration = std::max(work_.penetration, collisions.penetration);
+  if (!is_sound(moving.state)) return Stage::collision;
+  return {};
+}
+
+std::optional<BlowUp> Simulation::step() {
+  if (blow_up_) return blow_up_;
+  ++steps_;
+  for (Obstacle& obstacle : obstacles_) move_obstacle(obstacle, options_.h);
+  for (int i = 0; i < strands(); ++i)
+    if (const auto stage = step_strand(strands_[i]); stage && !blow_up_) blow_up_ = {i, steps_, *stage};
+  return blow_up_;
+}
+
+std::optional<BlowUp> Simulation::advance(long steps) {
+  for (long k = 0; k < steps; ++k)
+    if (step()) break;
+  return blow_up_;
+}
+
+void Simulation::set_root_velocity(int strand, const Vector3d& velocity) {
+  check_vector("a root's velocity", velocity);
+  strands_.at(strand).state.v.head<3>() = velocity;
+}
+
+void Simulation::set_root_tangent(int strand, const Vector3d& tangent) {
+  check_direction("a root's tangent", tangent);
+  strands_.at(strand).strand.root_tangent = tangent;
+}
+
+void Simulation::set_obstacle_velocity(int obstacle, const Vector3d& velocity) {
+  check_vector("an obstacle's velocity", velocity);
+  obstacles_.at(obstacle).velocity = velocity;
+}
+
+const char* stage_name(Stage stage) {
+  switch (stage) {
+    case Stage::integration:
+      return "integration";
+    case Stage::filter:
+      return "filter";
+    case Stage::correction:
+      return "correction";
+    case Stage::second_filter:
+      return "second filter";
+    case Stage::collision:
+      return "collision";
+  }
+  return "";
+}
+
+}  // namespace hair

@@ -1,0 +1,82 @@
+#include "hair/simulation_parts.h"
+
+#include <stdexcept>
+#include <string>
+
+#include "particles/drag.h"
+#include "particles/gravity.h"
+
+namespace hair {
+
+namespace {
+
+// HAIR_HAS_H1 and the like are defined for the course's exercises.
+[[maybe_unused, noreturn]] void leave_out(const std::string& what, const std::string& exercise) {
+  throw std::invalid_argument(what + " needs exercise " + exercise + ", which this course leaves out");
+}
+
+}  // namespace
+
+StepMethod method_of(Method method) {
+  switch (method) {
+#ifdef HAIR_HAS_P1
+    case Method::forward_euler:
+      return kForwardEuler;
+    case Method::symplectic_euler:
+      return kSymplecticEuler;
+    case Method::midpoint:
+      return kMidpoint;
+    case Method::runge_kutta_4:
+      return kRungeKutta4;
+#endif
+#ifdef HAIR_HAS_H4
+    case Method::implicit_euler:
+      return kImplicitEuler;
+#endif
+#ifdef HAIR_HAS_H6
+    case Method::predictor_corrector:
+      return kPredictorCorrector;
+#endif
+    default:
+      break;
+  }
+  if (method == Method::predictor_corrector) leave_out("the predictor-corrector", "H6");
+  if (method == Method::implicit_euler) leave_out("implicit Euler", "H4");
+  leave_out("an explicit method", "P1");
+}
+
+void add_forces(const Description& description, MovingStrand& moving) {
+  const Strand& strand = moving.strand;
+  if (strand.stretch_rigidity > 0) {
+#ifdef HAIR_HAS_H1
+    moving.force.emplace<StretchForce>(strand, description.geometric_term);
+#else
+    leave_out("stretching", "H1");
+#endif
+  }
+  if (strand.bend_rigidity > 0) {
+#ifdef HAIR_HAS_H2
+    moving.force.emplace<BendForce>(strand, description.bend_product);
+#else
+    leave_out("bending", "H2");
+#endif
+  }
+  if (strand.skip_rigidity > 0) {
+#ifdef HAIR_HAS_H3
+    moving.force.emplace<BendSpringForce>(strand, description.geometric_term);
+#else
+    leave_out("springs that skip a particle", "H3");
+#endif
+  }
+  if (description.gravity != Vector3d::Zero())
+    moving.force.emplace<particles::Gravity>(strand.mass, description.gravity);
+  if (description.drag > 0) {
+    // Half of the segments on either side, as for masses.
+    Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(strand.count());
+    coefficients.head(strand.segments()) += description.drag / 2 * strand.rest_length;
+    coefficients.tail(strand.segments()) += description.drag / 2 * strand.rest_length;
+    moving.force.emplace<particles::Drag>(std::move(coefficients), description.wind);
+  }
+}
+
+}  // namespace hair
