@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 #include <initializer_list>
 #include <optional>
@@ -101,6 +102,12 @@ std::optional<std::string> read_written(const fs::path& path) {
   return read_all(file, kMost, 10);
 }
 
+// Where the headers of an exercise's libraries are, in /usr/include.
+std::vector<std::string> header_folders(std::vector<std::string> libraries) {
+  std::replace(libraries.begin(), libraries.end(), std::string("eigen"), std::string("eigen3"));
+  return libraries;
+}
+
 fs::path writable_folder(const fs::path& path) {
   fs::create_directory(path);
   share_with_sandbox(path, true);
@@ -157,16 +164,16 @@ Compiled Compiler::run_compiler(const Exercise& exercise, const std::string& sou
   fs::permissions(in / exercise.file, fs::perms(0644));
 
   Cage cage = toolchain_cage(isolated_);
-  for (const Mount& mount : header_mounts(kit_.empty_folder(), exercise.libraries))
-    cage.mounts.push_back(mount);
+  const std::vector<std::string> libraries = header_folders(exercise.libraries);
+  for (const Mount& mount : header_mounts(kit_.empty_folder(), libraries)) cage.mounts.push_back(mount);
   cage.mounts.push_back({kit_.folder() / "include", "/given"});
   cage.mounts.push_back({in, "/student"});
   cage.mounts.push_back({out, "/out", true});
   cage.folder = "/student";
   std::vector<std::string> command = {program_};
   command.insert(command.end(), kCompile.begin(), kCompile.end());
-  for (const std::string& library : exercise.libraries)
-    command.insert(command.end(), {"-isystem", "/usr/include/" + library});
+  for (const std::string& folder : libraries)
+    command.insert(command.end(), {"-isystem", "/usr/include/" + folder});
   command.insert(command.end(), {"-I/given", exercise.file, "-o", "/out/object.o"});
 
   const auto [ending, output] = run(cage, command, exercise.file);

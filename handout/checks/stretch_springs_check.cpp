@@ -1,0 +1,219 @@
+// The public checks of H1. Every failure prints the input, what was expected, what came, the error and its bound. The
+// contract is in hair/stretch_springs.h.
+
+#include "hair/stretch_springs.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "check.h"
+#include "derivative.h"
+
+using namespace checks;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using hair::GeometricTerm;
+using hair::Strand;
+
+namespace {
+
+const double kU = std::ldexp(1.0, -53);
+
+// EA = 12 N, and masses and lengths that are neither equal nor 1.
+Strand strand_of(const VectorXd& rest_length) {
+  Strand strand;
+  strand.mass = VectorXd::LinSpaced(rest_length.size() + 1, 2, 3);
+  strand.rest_length = rest_length;
+  strand.stretch_rigidity = 12;
+  strand.bend_rigidity = strand.skip_rigidity = 1e9;  // H1 has no use for them.
+  return strand;
+}
+
+// Rest lengths between 0.5 and 1.5 m; bent all over, each segment 0.6 to 1.6 times as long as at rest.
+struct Case {
+  Strand strand;
+  VectorXd x;
+};
+Case bent(int count, int which) {
+  const VectorXd numbers = scattered_vector(5 * count, which);
+  Case result{strand_of(VectorXd::Ones(count - 1) + numbers.head(count - 1) / 2), VectorXd::Zero(3 * count)};
+  for (int i = 0; i + 1 < count; ++i) {
+    const Vector3d direction = (Vector3d(0, 0, -0.7) + numbers.segment<3>(count + 3 * i) / 2).normalized();
+    const double stretch = 1.1 + numbers[4 * count + i] / 2;
+    result.x.segment<3>(3 * i + 3) =
+        result.x.segment<3>(3 * i) + stretch * result.strand.rest_length[i] * direction;
+  }
+  return result;
+}
+
+VectorXd force(const Strand& strand, const VectorXd& x) {
+  VectorXd f = VectorXd::Zero(x.size());
+  add_stretch_force(strand, x, f);
+  return f;
+}
+
+VectorXd product(const Strand& strand, const VectorXd& x, GeometricTerm term, const VectorXd& dx) {
+  VectorXd df = VectorXd::Zero(x.size());
+  add_stretch_product(strand, x, term, dx, df);
+  return df;
+}
+
+VectorXd vector(std::initializer_list<double> values) {
+  return Eigen::Map<const VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()));
+}
+
+const Strand kOne = strand_of(vector({2}));                   // k = EA / l0 = 6 N/m
+const VectorXd kStretched = vector({1, 0, 0, 1, 0, -2.5});    // 0.5 m too long
+const VectorXd kCompressed = vector({1, 0, 0, 1, 0, -1.25});  // 0.75 m too short
+
+}  // namespace
+
+TEST(StretchEnergy, OfOneSpring) {
+  SCOPED_TRACE("EA = 12 N, one segment of rest length 2 m and length 2.5 m: k = 6 N/m, E = 6 * 0.5^2 / 2 J");
+  EXPECT_DOUBLE_EQ(stretch_energy(kOne, kStretched), 0.75);
+  EXPECT_DOUBLE_EQ(stretch_energy(kOne, kCompressed), 1.6875) << "compressed to 1.25 m: 6 * 0.75^2 / 2 J";
+}
+
+TEST(StretchEnergy, DoesNotDependOnTheSampling) {
+  // 3 m, stretched to 3.3 m: E = EA * 0.1^2 / 2 * 3 m, in however many segments.
+  for (int segments : {1, 2, 4, 8}) {
+    const Strand strand = strand_of(VectorXd::Constant(segments, 3.0 / segments));
+    VectorXd x = VectorXd::Zero(3 * segments + 3);
+    for (int i = 0; i <= segments; ++i) x[3 * i + 2] = -3.3 * i / segments;
+    EXPECT_NEAR(stretch_energy(strand, x), 12 * 0.01 / 2 * 3, 1e-12)
+        << segments
+        << " segments of 3 m in all, stretched by 10 %; EA = 12 N; bound: rounding, 64 u of E over 0.1";
+  }
+}
+
+TEST(StretchEnergy, OfOneParticleIsZero) {
+  EXPECT_EQ(stretch_energy(strand_of(VectorXd(0)), vector({1, 2, 3})), 0);
+}
+
+TEST(AddStretchForce, OfOneSpring) {
+  const std::string source = "32 u of k (l + l0): rounding";
+  expect_entries(force(kOne, kStretched), vector({0, 0, -3, 0, 0, 3}), 32 * kU * 6 * 4.5,
+                 "the force of one spring, EA = 12 N, l0 = 2 m, at x = " + particles_in_words(kStretched),
+                 source);
+  expect_entries(force(kOne, kCompressed), vector({0, 0, 4.5, 0, 0, -4.5}), 32 * kU * 6 * 3.25,
+                 "the force of one spring, EA = 12 N, l0 = 2 m, at x = " + particles_in_words(kCompressed),
+                 source);
+}
+
+TEST(AddStretchForce, IsMinusTheEnergysGradient) {
+  for (int count : {2, 3, 7}) {
+    const Case c = bent(count, count);
+    // The shortest segment is not below 0.3 m; EA is the force at twice the length.
+    expect_force(
+        force(c.strand, c.x), [&](const VectorXd& x) { return stretch_energy(c.strand, x); }, c.x, 0.3, 12);
+  }
+}
+
+TEST(AddStretchForce, GivesNoNetForceOrTorque) {
+  const Case c = bent(9, 3);
+  const VectorXd f = force(c.strand, c.x);
+  EXPECT_GT(f.norm(), 1) << "no force at all";
+  expect_balanced(f, c.x, 9 * 32 * kU * 36, "rounding: 32 u of EA (1 + l/l0) for each of 9 particles");
+}
+
+TEST(AddStretchForce, IsAddedToWhatFHolds) {
+  const Case c = bent(5, 1);
+  const VectorXd before = scattered_vector(15, 8);
+  VectorXd f = before;
+  add_stretch_force(c.strand, c.x, f);
+  expect_entries(f, before + force(c.strand, c.x), 8 * kU * 36, "f, which held " + particles_in_words(before),
+                 "8 u of the largest force: rounding");
+}
+
+TEST(AddStretchForce, OfASegmentWithoutLengthIsZero) {
+  const VectorXd f = force(kOne, vector({1, 2, 3, 1, 2, 3}));
+  EXPECT_EQ(f, VectorXd::Zero(6)) << "two particles in the same place; actual: " << particles_in_words(f);
+}
+
+TEST(AddStretchProduct, OfOneSpring) {
+  // Along the spring: -k. Across: -k (1 - l0/l), which is -6 * 0.2 stretched, and -6 * -0.6 compressed.
+  const VectorXd along = vector({0, 0, 0, 0, 0, 1}), across = vector({0, 0, 0, 1, 0, 0});
+  struct Row {
+    const VectorXd &x, &dx;
+    GeometricTerm term;
+    double expected;
+    const char* name;
+  };
+  for (const Row& row :
+       {Row{kStretched, along, GeometricTerm::full, -6, "stretched, along, full"},
+        Row{kStretched, along, GeometricTerm::dropped, -6, "stretched, along, dropped"},
+        Row{kStretched, across, GeometricTerm::full, -1.2, "stretched, across, full"},
+        Row{kStretched, across, GeometricTerm::filtered, -1.2, "stretched, across, filtered"},
+        Row{kStretched, across, GeometricTerm::dropped, 0, "stretched, across, dropped"},
+        Row{kCompressed, along, GeometricTerm::filtered, -6, "compressed, along, filtered"},
+        Row{kCompressed, across, GeometricTerm::full, 3.6, "compressed, across, full"},
+        Row{kCompressed, across, GeometricTerm::filtered, 0, "compressed, across, filtered"},
+        Row{kCompressed, across, GeometricTerm::dropped, 0, "compressed, across, dropped"}}) {
+    VectorXd expected = row.expected * row.dx;
+    expected.head<3>() = -expected.tail<3>();
+    expect_entries(product(kOne, row.x, row.term, row.dx), expected, 64 * kU * 12,
+                   "the product of one spring, k = 6 N/m, " + std::string(row.name) +
+                       ", dx = " + particles_in_words(row.dx),
+                   "64 u of k (1 + l0/l): rounding");
+  }
+}
+
+TEST(AddStretchProduct, IsTheForcesDerivative) {
+  for (int count : {2, 3, 7}) {
+    const Case c = bent(count, count + 20);
+    const VectorXd dx = scattered_vector(3 * count, 5);
+    // 36 N/m: k (1 + l0/l) of the stiffest spring.
+    expect_product(
+        product(c.strand, c.x, GeometricTerm::full, dx),
+        [&](const VectorXd& x) { return force(c.strand, x); }, c.x, dx, 0.3, 64);
+  }
+}
+
+TEST(AddStretchProduct, IsSymmetric) {
+  const Case c = bent(8, 2);
+  for (GeometricTerm term : {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped}) {
+    expect_symmetric([&](const VectorXd& dx) { return product(c.strand, c.x, term, dx); },
+                     scattered_vector(24, 1), scattered_vector(24, 2), 24 * 64 * kU * 64,
+                     "24 entries, 64 u of k (1 + l0/l) each: rounding");
+  }
+}
+
+TEST(AddStretchProduct, WithoutTheNegativeTermIsNegativeSemidefinite) {
+  const Case c = bent(8, 4);
+  for (GeometricTerm term : {GeometricTerm::filtered, GeometricTerm::dropped}) {
+    for (int which = 0; which < 20; ++which) {
+      const VectorXd dx = scattered_vector(24, which);
+      EXPECT_LE(dx.dot(product(c.strand, c.x, term, dx)), 24 * 64 * kU * 64)
+          << "dx . (df/dx) dx for dx = " << particles_in_words(dx)
+          << "; bound: rounding, 64 u of k (1 + l0/l) an entry";
+    }
+  }
+}
+
+TEST(AddStretchProduct, IsAddedToWhatDfHolds) {
+  const Case c = bent(5, 6);
+  const VectorXd dx = scattered_vector(15, 2), before = scattered_vector(15, 9);
+  VectorXd df = before;
+  add_stretch_product(c.strand, c.x, GeometricTerm::full, dx, df);
+  expect_entries(df, before + product(c.strand, c.x, GeometricTerm::full, dx), 8 * kU * 128,
+                 "df, which held " + particles_in_words(before), "8 u of the largest product: rounding");
+}
+
+TEST(AddStretchProduct, OfASegmentWithoutLengthIsZero) {
+  for (GeometricTerm term : {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped}) {
+    const VectorXd df = product(kOne, vector({1, 2, 3, 1, 2, 3}), term, vector({1, 0, 0, 0, 1, 0}));
+    EXPECT_EQ(df, VectorXd::Zero(6)) << "two particles in the same place; actual: " << particles_in_words(df);
+  }
+}
+
+int main(int argc, char** argv) {
+  static const Strand lone = strand_of(VectorXd(0));
+  static const VectorXd x = VectorXd::Zero(3);
+  static VectorXd out = x;
+  return run(argc, argv,
+             {{"stretch_energy", "StretchEnergy", [] { stretch_energy(lone, x); }},
+              {"add_stretch_force", "AddStretchForce", [] { add_stretch_force(lone, x, out); }},
+              {"add_stretch_product", "AddStretchProduct",
+               [] { add_stretch_product(lone, x, GeometricTerm::full, x, out); }}});
+}
