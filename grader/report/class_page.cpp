@@ -192,12 +192,14 @@ Html class_row(const SubmissionResult& result, const std::vector<Column>& column
   for (const Column& column : columns) {
     const ExerciseResult* exercise = find_exercise(result, column.id);
     if (!exercise) {
-      row += html("<td class=\"quiet\" data-value=\"-1\">not graded</td>");
+      row += html("<td class=\"quiet\" data-value=\"-1\" title=\"not graded\"></td>");
       continue;
     }
-    row += html("<td data-value=\"{}\"><span class=\"points\">{}</span>{}</td>",
-                {shown_points(exercise->points),
-                 staff_link(result, column.id, shown_points(exercise->points)), badge(exercise->status)});
+    row += html(
+        "<td class=\"number\" data-value=\"{}\"><a class=\"badge {}\" href=\"staff/{}.html#{}\" title=\"{}: "
+        "{}\">{}</a></td>",
+        {shown_points(exercise->points), look_of(exercise->status), result.name, column.id, column.id,
+         to_string(exercise->status), in_short(*exercise)});
   }
   return row += html(
              "<td class=\"number\" data-value=\"{}\"><strong>{}</strong></td><td><a "
@@ -211,8 +213,9 @@ Html class_table(const Results& results, const std::vector<Column>& columns) {
 <div class="wide"><table class="class">
 <thead><tr><th scope="col" data-sort="text">Submission</th>)");
   for (const Column& column : columns) {
-    table += html("<th scope=\"col\" data-sort=\"number\" title=\"{}\">{} of {}</th>",
-                  {column.title, column.id, shown_points(column.max_points)});
+    table += html("<th scope=\"col\" class=\"number\" data-sort=\"number\" title=\"{}{}\">{}<br>{}{}</th>",
+                  {column.title, column.extra_credit ? ", extra credit" : "", column.id,
+                   column.extra_credit ? "+" : "of ", shown_points(column.max_points)});
   }
   table += html(
       "<th scope=\"col\" class=\"number\" data-sort=\"number\">Total</th><th "

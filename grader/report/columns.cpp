@@ -3,7 +3,37 @@
 
 #include <algorithm>
 
+#include "grader/report/text.h"
+
 namespace grader {
+namespace {
+
+std::string word(Status status) {
+  switch (status) {
+    case Status::passed:
+    case Status::partly:
+      return "0";  // of an exercise that is worth nothing
+    case Status::wrong:
+      return "wrong";
+    case Status::not_implemented:
+      return "stub";
+    case Status::missing:
+      return "-";
+    case Status::does_not_compile:
+      return "build";
+    case Status::crashed:
+      return "crash";
+    case Status::timed_out:
+      return "time";
+    case Status::out_of_memory:
+      return "mem";
+    case Status::broke_rules:
+      return "rules";
+  }
+  return "";
+}
+
+}  // namespace
 
 std::vector<Column> columns_of(const std::vector<SubmissionResult>& results) {
   std::vector<Column> columns;
@@ -22,6 +52,12 @@ const ExerciseResult* find_exercise(const SubmissionResult& result, const std::s
   const auto found = std::find_if(result.exercises.begin(), result.exercises.end(),
                                   [&](const ExerciseResult& exercise) { return exercise.id == id; });
   return found == result.exercises.end() ? nullptr : &*found;
+}
+
+std::string in_short(const ExerciseResult& exercise) {
+  if (exercise.points <= 0) return word(exercise.status);
+  const bool to_its_end = exercise.status == Status::passed || exercise.status == Status::partly;
+  return short_points(exercise.points) + (to_its_end ? "" : "!");
 }
 
 bool all_isolated(const std::vector<SubmissionResult>& results) {

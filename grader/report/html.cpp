@@ -62,10 +62,9 @@ tfoot th, tfoot td { border-bottom: 0; color: var(--quiet); }
 .share span { background: var(--link); opacity: .75; }
 details { margin: .35rem 0; } summary { cursor: pointer; } details ul { margin: .4rem 0; padding-left: 1.25rem; }
 .category { width: 27%; } .status { width: 9rem; } .saw { width: 40%; }
-.points { display: inline-block; min-width: 2.75rem; text-align: right; }
 nav { margin-top: .75rem; font-size: .9375rem; } nav a { margin-right: 1rem; }
 .wide { overflow-x: auto; } .wide table { min-width: 40rem; } body:has(.class) { max-width: 84rem; }
-.class th, .class td { padding: .35rem .6rem; } .who { columns: 12rem; } .class tbody td { white-space: nowrap; } .class .badge { margin-left: .35rem; }
+.class th, .class td { padding: .35rem .6rem; } .who { columns: 12rem; } .class tbody td { white-space: nowrap; } .class a.badge { text-decoration: none; min-width: 3.75rem; text-align: right; } .class a.badge:hover { text-decoration: underline; }
 th button { all: unset; cursor: pointer; } th button:hover { text-decoration: underline; }
 th button:focus-visible { outline: 2px solid var(--link); outline-offset: 2px; }
 th[aria-sort=ascending] button::after { content: " \2191"; } th[aria-sort=descending] button::after { content: " \2193"; }

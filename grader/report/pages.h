@@ -14,6 +14,7 @@ std::string student_page(
 std::string staff_page(const SubmissionResult& result);  // staff/NAME.html
 std::string class_page(const std::vector<SubmissionResult>& results);  // index.html
 
-Html badge(Status status);  // its words, coloured by how good it is
+const char* look_of(Status status);  // how good it is, as a class of the style sheet
+Html badge(Status status);           // its words, coloured by how good it is
 
 }  // namespace grader

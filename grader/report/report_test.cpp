@@ -167,14 +167,26 @@ TEST(Table, IsAlignedAndAscii) {
   std::ostringstream out;
   print_table(out, results);
   for (const char c : out.str()) EXPECT_TRUE(c == '\n' || (c >= 0x20 && c < 0x7f));
-  EXPECT_EQ(out.str(), R"(submission              S1             S2             P1            total
-alice                30/30 passed   20/20 passed     5/5 passed     55/50
-b\xc3\xb6b\x1b[31m   15/30 partly   10/20 partly   2.5/5 partly   27.5/50
-carol                30/30 passed   10/20 crash      0/5 wrong      40/50
-dave                  0/30 stub     10/20 partly     0/5 stub       10/50
-4 submissions, mean 33.12
+  EXPECT_EQ(out.str(), R"(submission            S1    S2     P1  total
+of                    30    20     +5     50
+alice                 30    20      5     55
+b\xc3\xb6b\x1b[31m    15    10    2.5   27.5
+carol                 30   10!  wrong     40
+dave                stub    10   stub     10
+mean of 4           18.8  12.5    1.9   33.1
+! points from before or after a crash or a limit
 GRADED WITHOUT A SANDBOX
 )");
+}
+
+TEST(Table, FitsTenExercisesIn100Columns) {
+  std::vector<SubmissionResult> results = class_of_ten_exercises(30);
+  results[3].name = "a-student-with-a-name-that-never-ends_s0123456789";
+  std::ostringstream out;
+  print_table(out, results);
+  std::istringstream lines(out.str());
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
+  EXPECT_NE(out.str().find("a-student-with-a-nam..."), std::string::npos);
 }
 
 TEST(Statuses, HaveNamesThatReadBackAndSentencesOfTheirOwn) {

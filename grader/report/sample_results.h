@@ -16,6 +16,9 @@ constexpr Status all_statuses[] = {Status::passed,          Status::partly,    S
 // A class of `size` in which every status occurs, from the tenth submission on twice, and so forth.
 std::vector<SubmissionResult> sample_class(int size);
 
+// The same with the course's ten exercises in each, two of them extra credit.
+std::vector<SubmissionResult> class_of_ten_exercises(int size);
+
 // A submission whose every text is `text`, staff's texts too.
 SubmissionResult submission_full_of(const std::string& text);
 

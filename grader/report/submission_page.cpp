@@ -83,12 +83,22 @@ Html body_of(const SubmissionResult& result, Reader reader) {
 
 }  // namespace
 
+const char* look_of(Status status) {
+  switch (status) {
+    case Status::passed:
+      return "good";
+    case Status::partly:
+      return "part";
+    case Status::missing:
+    case Status::not_implemented:
+      return "none";
+    default:
+      return "bad";
+  }
+}
+
 Html badge(Status status) {
-  const char* look = "bad";
-  if (status == Status::passed) look = "good";
-  if (status == Status::partly) look = "part";
-  if (status == Status::missing || status == Status::not_implemented) look = "none";
-  return html("<span class=\"badge {}\">{}</span>", {look, to_string(status)});
+  return html("<span class=\"badge {}\">{}</span>", {look_of(status), to_string(status)});
 }
 
 std::string student_page(const SubmissionResult& result) {

@@ -40,6 +40,17 @@ bool is_control(std::string_view sequence) {
   return sequence == "\xef\xbf\xbe" || sequence == "\xef\xbf\xbf";
 }
 
+// At most so many, and no trailing zeros.
+std::string with_decimals(double value, int most) {
+  std::array<char, 400> digits;
+  const int length = std::snprintf(digits.data(), digits.size(), "%.*f", most, value);
+  std::string text(digits.data(), static_cast<std::size_t>(length));
+  if (text.find('.') == std::string::npos) return text;
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text == "-0" ? "0" : text;
+}
+
 }  // namespace
 
 std::string valid_utf8(std::string_view bytes) {
@@ -98,13 +109,11 @@ std::string escaped_markup(std::string_view bytes) {
 }
 
 std::string shown_points(double points) {
-  std::array<char, 400> digits;
-  const int length = std::snprintf(digits.data(), digits.size(), "%.2f", points);
-  std::string text(digits.data(), static_cast<std::size_t>(length));
-  if (text.find('.') == std::string::npos) return text;
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text == "-0" ? "0" : text;
+  return with_decimals(points, 2);
+}
+
+std::string short_points(double points) {
+  return with_decimals(points, 1);
 }
 
 double rounded_points(double points) {
