@@ -22,6 +22,9 @@ struct StepOptions {
 struct StepMethod {
   StepOutcome (*step)(MovingStrand&, const StepOptions&, particles::Scratch);
   int scratch;  // columns of 3n numbers
+
+  // Null, or brings a strand back to what the method promises after something else moved it: a collision.
+  void (*mend)(MovingStrand&, particles::Scratch) = nullptr;
 };
 
 // P1

@@ -117,7 +117,10 @@ CollisionReport collide(const std::vector<Obstacle>& obstacles, const particles:
         const double speed = -n.dot(u);
         if (speed > 0) v += speed * n - friction(u, n, obstacle.friction * speed);
       }
-      if (pass == 0 && deepest > 0) ++report.contacts;
+      if (pass == 0 && deepest > 0) {
+        ++report.contacts;
+        report.deepest = std::max(report.deepest, deepest);
+      }
       if (deepest <= rounding(x)) break;
     }
     if (deepest <= rounding(x)) continue;

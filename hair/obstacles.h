@@ -56,6 +56,7 @@ void move_obstacle(Obstacle& obstacle, double h);
 
 struct CollisionReport {
   int contacts = 0;        // particles that were inside an obstacle
+  double deepest = 0;      // m, how deep the deepest of them was
   double penetration = 0;  // m, the deepest that is left: > 0 only where obstacles leave no room between them
 };
 

@@ -25,8 +25,17 @@ StepOutcome take_step(MovingStrand& moving, const StepOptions& options, particle
   return outcome;
 }
 
+// Lengths as in step 3, and velocities that keep them. Slower than kSlow no hair gets visibly longer.
+constexpr double kSlow = 1e-6;  // m/s
+constexpr int kMostSweeps = 100;
+
+void mend(MovingStrand& moving, particles::Scratch scratch) {
+  correct_lengths(moving.strand, kLengthTolerance, kMostCorrections, moving.state.x, scratch);
+  correct_velocities(moving.strand, moving.state.x, kSlow, kMostSweeps, moving.state.v, scratch);
+}
+
 }  // namespace
 
-const StepMethod kPredictorCorrector{take_step, kPredictorCorrectorScratch};
+const StepMethod kPredictorCorrector{take_step, kPredictorCorrectorScratch, mend};
 
 }  // namespace hair

@@ -52,6 +52,10 @@ void check(const Description& description) {
     check_strand("strand " + std::to_string(i), description.strands[i]);
 }
 
+constexpr double kDeepEnough =
+    1e-7;  // m: what a particle that is pushed out so far does to lengths is nothing
+constexpr int kMostMends = 20;
+
 // False for NaN, too.
 bool within(const Eigen::VectorXd& values, double bound) {
   return (values.array().abs() <= bound).all();
@@ -90,12 +94,23 @@ std::optional<Stage> Simulation::step_strand(MovingStrand& moving) {
   if (!is_sound(moving.state)) return outcome.suspect;
 
   if (obstacles_.empty()) return {};
-  const CollisionReport collisions =
-      collide(obstacles_, moving.particles, options_.h, x_before_.head(size), moving.state);
-  work_.contacts += collisions.contacts;
-  work_.penetration = std::max(work_.penetration, collisions.penetration);
+  collide_strand(moving);
   if (!is_sound(moving.state)) return Stage::collision;
   return {};
+}
+
+// Pushed out of obstacles, segments have other lengths, and with their lengths back particles are inside
+// obstacles again, but less each time. The last word have the obstacles.
+void Simulation::collide_strand(MovingStrand& moving) {
+  const int size = 3 * moving.strand.count();
+  CollisionReport report;
+  for (int pass = 0;; ++pass) {
+    report = collide(obstacles_, moving.particles, options_.h, x_before_.head(size), moving.state);
+    if (pass == 0) work_.contacts += report.contacts;
+    if (!method_.mend || report.deepest <= kDeepEnough || pass == kMostMends) break;
+    method_.mend(moving, scratch_.topRows(size));
+  }
+  work_.penetration = std::max(work_.penetration, report.penetration);
 }
 
 std::optional<BlowUp> Simulation::step() {

@@ -1,8 +1,9 @@
 // Strands that move: assembled once from plain data, with only the parts that the data ask for.
 //
-// A strand has a stretch part if EA > 0, a bending part if EI > 0, springs that skip a particle if skip_rigidity
-// > 0, a rest curvature instead of angular springs if it has a rest shape; gravity and drag if they are not 0. A
-// simulation without obstacles has no collision stage. Nothing couples strands, and so each is stepped by itself.
+// A strand has a stretch part if EA > 0, a bending part if EI > 0, springs that skip a particle if
+// skip_rigidity > 0, a rest curvature instead of angular springs if it has a rest shape; gravity and drag if
+// they are not 0. A simulation without obstacles has no collision stage. Nothing couples strands, and so each
+// is stepped by itself.
 #pragma once
 
 #include <deque>
@@ -62,8 +63,8 @@ struct Work {
 
 class Simulation {
  public:
-  // Throws std::invalid_argument for what is out of bounds, not finite or of the wrong size, and for what needs
-  // an exercise that the course leaves out.
+  // Throws std::invalid_argument for what is out of bounds, not finite or of the wrong size, and for what
+  // needs an exercise that the course leaves out.
   explicit Simulation(Description description);
 
   // One step of all strands. Allocates nothing beyond what ConjGrad does.
@@ -93,6 +94,7 @@ class Simulation {
 
  private:
   std::optional<Stage> step_strand(MovingStrand& moving);
+  void collide_strand(MovingStrand& moving);
 
   StepMethod method_;
   StepOptions options_;
