@@ -1,5 +1,6 @@
 #include "hair/measures.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "particles/system.h"
@@ -7,14 +8,14 @@
 namespace hair {
 
 double largest_stretch(const Strand& strand, particles::Input x) {
-  double largest = 0;
+  double worst = 0;
   for (int i = 0; i < strand.segments(); ++i) {
-    const double length = (x.segment<3>(3 * i + 3) - x.segment<3>(3 * i)).norm();
-    const double stretch = std::abs(length / strand.rest_length[i] - 1);
-    if (!(stretch <= largest)) largest = stretch;
-    if (std::isnan(largest)) break;
+    const Eigen::Vector3d along = x.segment<3>(3 * i + 3) - x.segment<3>(3 * i);
+    const double stretch = std::abs(along.norm() / strand.rest_length[i] - 1);
+    if (std::isnan(stretch)) return stretch;
+    worst = std::max(worst, stretch);
   }
-  return largest;
+  return worst;
 }
 
 Measures measure(const Strand& strand, const particles::Particles& particles, const particles::Force& force,
