@@ -18,7 +18,9 @@
 // there. At the fold, phi = pi, the axis is lost and phi b with it. The force has the size k pi / |e| in any
 // direction nearby, and at the fold itself, where all directions are alike, it is 0 by definition: a balance on a
 // needle's point. A joint with a segment of length 0 has the angle 0, no energy, no force and no products.
-// Nothing here is ever NaN for finite x. x, f, dx and df have 3n entries.
+//
+// Nothing here is NaN or infinite as long as all lengths are 0 or between 1e-100 and 1e100 m. x, f, dx and df
+// have 3n entries.
 #pragma once
 
 #include "hair/strand.h"
@@ -35,8 +37,9 @@ double bend_energy(const Strand& strand, Input x);
 // f += -dE/dx, N.
 void add_bend_force(const Strand& strand, Input x, Output f);
 
-// df += (df/dx) dx, N, exact. Indefinite at any bend: with p = phi tan(phi/2), turning both ends out of the
-// bend's plane has the eigenvalue -k p of d2E (in units of the segments' lengths). At the fold df += 0.
+// df += (df/dx) dx, N, exact. Indefinite at any bend: moving the two ends out of the bend's plane, one to either
+// side, is an eigenvector of d2E, with the eigenvalue -k phi tan(phi/2) / |e|^2 where both segments have the
+// length |e|. At the fold df += 0.
 void add_bend_product(const Strand& strand, Input x, Input dx, Output df);
 
 // df -= S dx with S positive semi-definite, for implicit steps: per joint
@@ -45,7 +48,8 @@ void add_bend_product(const Strand& strand, Input x, Input dx, Output df);
 //
 // where g is the derivative of the bend out of the plane: g . dx = b . (de2 / |e2| - de1 / |e1|) with de the
 // change of e. The first part is Gauss and Newton's. At phi = 0 S is exact, for any axis b perpendicular to
-// the strand. At the fold df += 0.
+// the strand; and at a bend of rounding errors such an axis is needed, for what is left of u1 x u2 then points
+// anywhere. At the fold df += 0.
 void add_bend_product_spd(const Strand& strand, Input x, Input dx, Output df);
 
 }  // namespace hair

@@ -3,6 +3,7 @@
 
 #include "grader/course/bad_input.h"
 #include "grader/suite/h1_categories.h"
+#include "grader/suite/h2_categories.h"
 #include "grader/suite/s1_categories.h"
 #include "grader/suite/s2_categories.h"
 #include "grader/suite/trial.h"
@@ -12,6 +13,7 @@ namespace grader {
 std::vector<Category> categories(const std::string& exercise) {
   static const std::map<std::string, std::vector<Category> (*)()> suites = {
       {"H1", h1::categories},
+      {"H2", h2::categories},
       {"S1", s1::categories},
       {"S2", s2::categories},
   };

@@ -1,0 +1,307 @@
+// The public checks of H2. Every failure prints the input, what was expected, what came, the error and its bound. The
+// contract is in hair/angular_springs.h.
+
+#include "hair/angular_springs.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "check.h"
+#include "derivative.h"
+
+using namespace checks;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using hair::Strand;
+using std::numbers::pi;
+
+namespace {
+
+const double kU = std::ldexp(1.0, -53);
+
+// EI = 4 N m^2, and masses and lengths that are neither equal nor 1.
+Strand strand_of(const VectorXd& rest_length) {
+  Strand strand;
+  strand.mass = VectorXd::LinSpaced(rest_length.size() + 1, 2, 3);
+  strand.rest_length = rest_length;
+  strand.bend_rigidity = 4;
+  strand.stretch_rigidity = strand.skip_rigidity = 1e9;  // H2 has no use for them.
+  return strand;
+}
+
+VectorXd vector(std::initializer_list<double> values) {
+  return Eigen::Map<const VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()));
+}
+
+// Segments of 1 m whose rest lengths are 1 m: k = EI = 4 N m. First down, then turned by `bend` each, in planes that turn.
+struct Case {
+  Strand strand;
+  VectorXd x;
+};
+Case bent(int count, double bend) {
+  Case result{strand_of(VectorXd::Ones(count - 1)), VectorXd::Zero(3 * count)};
+  Vector3d direction(0, 0, -1), axis(1, 0, 0);
+  for (int i = 0; i + 1 < count; ++i) {
+    result.x.segment<3>(3 * i + 3) = result.x.segment<3>(3 * i) + direction;
+    direction = (Eigen::AngleAxisd(bend, axis) * direction).normalized();
+    axis = (Eigen::AngleAxisd(0.8 * i, direction) * axis.cross(direction).cross(direction)).normalized();
+  }
+  return result;
+}
+
+// Lengths and rest lengths between 0.5 and 1.5 m, bent every way by up to 2 radians or so.
+Case uneven(int count, int which) {
+  const VectorXd numbers = scattered_vector(5 * count, which);
+  Case result{strand_of(VectorXd::Ones(count - 1) + numbers.head(count - 1) / 2), VectorXd::Zero(3 * count)};
+  for (int i = 0; i + 1 < count; ++i) {
+    const Vector3d direction = (Vector3d(0, 0, -0.5) + numbers.segment<3>(count + 3 * i)).normalized();
+    result.x.segment<3>(3 * i + 3) =
+        result.x.segment<3>(3 * i) + (1 + numbers[4 * count + i] / 2) * direction;
+  }
+  return result;
+}
+
+Case clamped(Case c) {
+  c.strand.clamped = true;
+  c.strand.root_tangent = Vector3d(0, 0.6, -0.8);
+  return c;
+}
+
+VectorXd force(const Strand& strand, const VectorXd& x) {
+  VectorXd f = VectorXd::Zero(x.size());
+  add_bend_force(strand, x, f);
+  return f;
+}
+
+VectorXd product(const Strand& strand, const VectorXd& x, const VectorXd& dx) {
+  VectorXd df = VectorXd::Zero(x.size());
+  add_bend_product(strand, x, dx, df);
+  return df;
+}
+
+VectorXd product_spd(const Strand& strand, const VectorXd& x, const VectorXd& dx) {
+  VectorXd df = VectorXd::Zero(x.size());
+  add_bend_product_spd(strand, x, dx, df);
+  return df;
+}
+
+const VectorXd kRightAngle = vector({0, 0, 0, 0, 0, -1, 0, 1, -1});
+const VectorXd kFold = vector({0, 0, 0, 0, 0, -1, 0, 0, 0});
+
+}  // namespace
+
+TEST(BendEnergy, OfOneJoint) {
+  const Strand strand = strand_of(vector({1, 1}));
+  SCOPED_TRACE("EI = 4 N m^2, rest lengths 1 m and 1 m: k = 4 N m, E = 4 * phi^2 / 2 J");
+  EXPECT_NEAR(bend_energy(strand, kRightAngle), 2 * pi * pi / 4, 32 * kU * 4)
+      << "phi = pi/2; bound: rounding";
+  EXPECT_EQ(bend_energy(strand, vector({0, 0, 0, 0, 0, -1, 0, 0, -2})), 0) << "straight";
+  EXPECT_NEAR(bend_energy(strand, kFold), 2 * pi * pi, 32 * kU * 4) << "folded, phi = pi; bound: rounding";
+}
+
+TEST(BendEnergy, TakesTheMeanOfTwoRestLengths) {
+  EXPECT_NEAR(bend_energy(strand_of(vector({0.5, 2.5})), kRightAngle), 4 / 1.5 * pi * pi / 8, 32 * kU * 4)
+      << "EI = 4 N m^2, rest lengths 0.5 m and 2.5 m: k = 4 / 1.5 N m, whatever the lengths are now; phi = "
+         "pi/2";
+}
+
+TEST(BendEnergy, OfTheLecturesCircleDoesNotDependOnTheSampling) {
+  const double R = 0.3;
+  for (int n : {8, 16, 32}) {
+    const double l = 2 * pi * R / n;
+    const Strand strand = strand_of(VectorXd::Constant(n, l));
+    VectorXd x = VectorXd::Zero(3 * n + 3);
+    for (int i = 0; i < n; ++i)
+      x.segment<3>(3 * i + 3) =
+          x.segment<3>(3 * i) + l * Vector3d(std::cos(2 * pi * i / n), std::sin(2 * pi * i / n), 0);
+    // The last segment does not meet the first one: n - 1 joints.
+    EXPECT_NEAR(bend_energy(strand, x) * n / (n - 1), pi * 4 / R, 1e-10)
+        << "a circle of radius 0.3 m in " << n
+        << " segments, EI = 4 N m^2: pi EI / R; bound: rounding, 64 u n^2 of it";
+  }
+}
+
+TEST(BendEnergy, OfSmallAnglesKeepsItsDigits) {
+  for (double phi : {1e-3, 1e-5, 1e-7}) {
+    // tan(phi) is phi to third order, and this strand turns by exactly atan(phi).
+    const double E = bend_energy(strand_of(vector({1, 1})), vector({0, 0, 0, 0, 0, -1, 0, phi, -2}));
+    const double expected = 2 * std::atan(phi) * std::atan(phi);
+    EXPECT_NEAR(E, expected, 128 * kU * phi)
+        << "phi = atan(" << phi
+        << "), k = 4 N m; bound: phi known to a few u. Does your angle come from acos?";
+  }
+}
+
+TEST(BendEnergy, OfAClampedRoot) {
+  const Case c = clamped({strand_of(vector({0.5})), vector({0, 0, 0, 0, 0.8, 0.6})});
+  EXPECT_NEAR(bend_energy(c.strand, c.x), 16 * pi * pi / 8, 32 * kU * 16)
+      << "one segment of rest length 0.5 m at a right angle to root_tangent: k = 2 EI / l = 16 N m; bound: "
+         "rounding";
+}
+
+TEST(BendEnergy, WithoutAJointIsZero) {
+  EXPECT_EQ(bend_energy(strand_of(VectorXd(0)), vector({1, 2, 3})), 0) << "one particle";
+  EXPECT_EQ(bend_energy(strand_of(vector({1})), vector({1, 2, 3, 3, 3, 3})), 0) << "two particles";
+  EXPECT_EQ(bend_energy(strand_of(vector({1, 1})), vector({0, 0, 0, 0, 1, 0, 0, 1, 0})), 0)
+      << "a segment of length 0";
+}
+
+TEST(AddBendForce, OfOneJoint) {
+  // k phi / |e| = 2 pi, at right angles to each segment, against the bend.
+  expect_entries(force(strand_of(vector({1, 1})), kRightAngle),
+                 2 * pi * vector({0, 1, 0, 0, -1, -1, 0, 0, 1}) * -1, 64 * kU * 4 * pi,
+                 "the force of one joint, k = 4 N m, at x = " + particles_in_words(kRightAngle),
+                 "64 u of k phi / |e|: rounding");
+}
+
+TEST(AddBendForce, IsMinusTheEnergysGradient) {
+  for (double bend : {1e-6, 0.3, 1.5, 2.8}) {
+    const Case c = bent(6, bend);
+    SCOPED_TRACE("each joint bent by " + std::to_string(bend));
+    // Next to the fold all changes within pi - phi.
+    expect_force(
+        force(c.strand, c.x), [&](const VectorXd& x) { return bend_energy(c.strand, x); }, c.x,
+        std::min(1.0, pi - bend), 4 * pi);
+  }
+  for (const Case& c : {uneven(7, 1), clamped(uneven(2, 2)), clamped(uneven(5, 3))})
+    expect_force(
+        force(c.strand, c.x), [&](const VectorXd& x) { return bend_energy(c.strand, x); }, c.x, 0.1, 16 * pi);
+}
+
+TEST(AddBendForce, GivesNoNetForceOrTorque) {
+  const Case c = uneven(9, 4);
+  const VectorXd f = force(c.strand, c.x);
+  EXPECT_GT(f.norm(), 1) << "no force at all";
+  expect_balanced(f, c.x, 9 * 256 * kU * 16 * pi, "rounding: 256 u of k pi / |e| for each of 9 particles");
+}
+
+TEST(AddBendForce, IsAddedToWhatFHolds) {
+  const Case c = uneven(5, 1);
+  const VectorXd before = scattered_vector(15, 8);
+  VectorXd f = before;
+  add_bend_force(c.strand, c.x, f);
+  expect_entries(f, before + force(c.strand, c.x), 16 * kU * 100,
+                 "f, which held " + particles_in_words(before), "16 u of the largest force: rounding");
+}
+
+TEST(AddBendForce, WhereDirectionsAreLostIsZero) {
+  const Strand strand = strand_of(vector({1, 1}));
+  for (const VectorXd& x : {kFold, vector({0, 0, 0, 0, 0, -1, 0, 0, -2}), vector({0, 0, 0, 0, 0, 0, 0, 1, 0}),
+                            vector({0, 0, 0, 0, 1, 0, 0, 1, 0}), vector({1, 1, 1, 1, 1, 1, 1, 1, 1})}) {
+    const VectorXd f = force(strand, x);
+    EXPECT_EQ(f, VectorXd::Zero(9)) << "folded, straight, or with a segment of length 0: x = "
+                                    << particles_in_words(x) << "; actual: " << particles_in_words(f);
+  }
+}
+
+TEST(AddBendProduct, IsTheForcesDerivative) {
+  for (double bend : {1e-6, 0.3, 1.5, 2.8}) {
+    const Case c = bent(6, bend);
+    const VectorXd dx = scattered_vector(18, 5);
+    SCOPED_TRACE("each joint bent by " + std::to_string(bend));
+    expect_product(
+        product(c.strand, c.x, dx), [&](const VectorXd& x) { return force(c.strand, x); }, c.x, dx,
+        std::min(1.0, pi - bend), 4 * pi / std::min(1.0, pi - bend));
+  }
+  for (const Case& c : {uneven(7, 1), clamped(uneven(2, 2)), clamped(uneven(5, 3))}) {
+    const VectorXd dx = scattered_vector(static_cast<int>(c.x.size()), 6);
+    expect_product(
+        product(c.strand, c.x, dx), [&](const VectorXd& x) { return force(c.strand, x); }, c.x, dx, 0.1, 200);
+  }
+}
+
+TEST(AddBendProduct, IsSymmetric) {
+  const Case c = clamped(uneven(8, 2));
+  expect_symmetric([&](const VectorXd& dx) { return product(c.strand, c.x, dx); }, scattered_vector(24, 1),
+                   scattered_vector(24, 2), 24 * 1024 * kU * 200,
+                   "24 entries, 1024 u of k pi / |e|^2 each: rounding");
+}
+
+TEST(AddBendProduct, IsIndefinite) {
+  // phi = pi/2, k = 4, |e| = 1: the ends out of the bend's plane, one to either side, have -k phi tan(phi/2) = -2 pi.
+  const Strand strand = strand_of(vector({1, 1}));
+  const VectorXd out = vector({1, 0, 0, 0, 0, 0, -1, 0, 0}), df = product(strand, kRightAngle, out);
+  EXPECT_NEAR(out.dot(df) / 2, 2 * pi, 64 * kU * 4 * pi)
+      << "out . (df/dx) out / |out|^2 for a right angle, k = 4 N m, out = " << particles_in_words(out)
+      << ": the energy falls along it, by k phi tan(phi/2) = 2 pi; (df/dx) out = " << particles_in_words(df);
+}
+
+TEST(AddBendProductSpd, IsNegativeSemidefinite) {
+  for (const Case& c : {bent(6, 0.3), bent(6, 2.8), clamped(uneven(7, 2))}) {
+    for (int which = 0; which < 20; ++which) {
+      const VectorXd dx = scattered_vector(static_cast<int>(c.x.size()), which);
+      EXPECT_LE(dx.dot(product_spd(c.strand, c.x, dx)), 24 * 1024 * kU * 200)
+          << "dx . df at x = " << particles_in_words(c.x) << ", dx = " << particles_in_words(dx)
+          << "; df is -S dx with S semi-definite; bound: rounding";
+    }
+  }
+}
+
+TEST(AddBendProductSpd, IsTheFormula) {
+  const Strand strand = strand_of(vector({1, 1}));
+  // phi = pi/2: cot(phi) = 0, and only the bend itself counts: k grad phi grad phi^T.
+  const VectorXd gradient = vector({0, 1, 0, 0, -1, -1, 0, 0, 1});
+  for (const VectorXd& dx : {gradient, scattered_vector(9, 3)})
+    expect_entries(product_spd(strand, kRightAngle, dx), -4 * gradient * gradient.dot(dx), 256 * kU * 4 * 9,
+                   "-k grad phi (grad phi . dx) at a right angle, k = 4 N m, dx = " + particles_in_words(dx),
+                   "256 u of k / |e|^2: rounding");
+  // phi = 1, phi cot(phi) = 0.642: out of the plane the bend resists with that.
+  const VectorXd x = vector({0, 0, 0, 0, 0, -1, 0, std::sin(1), -1 - std::cos(1)}),
+                 out = vector({1, 0, 0, 0, 0, 0, 1, 0, 0});
+  const double turn = -4 / std::tan(1) * 2;  // g . out = 2 b . (1, 0, 0), over two entries
+  expect_entries(product_spd(strand, x, out), vector({turn, 0, 0, -2 * turn, 0, 0, turn, 0, 0}),
+                 256 * kU * 4 * 9,
+                 "-k phi cot(phi) g (g . dx) at phi = 1, k = 4 N m, dx = " + particles_in_words(out),
+                 "256 u of k / |e|^2: rounding");
+}
+
+TEST(AddBendProductSpd, IsExactForAStraightStrand) {
+  Case c = bent(6, 0);
+  const VectorXd dx = scattered_vector(18, 4);
+  for (const Vector3d& direction :
+       {Vector3d(0, 0, -1), Vector3d(0.36, 0.48, -0.8), Vector3d(0.3, -0.5, -0.7)}) {
+    for (int i = 0; i < 6; ++i) c.x.segment<3>(3 * i) = 0.1 * i * direction;
+    expect_entries(product_spd(c.strand, c.x, dx), product(c.strand, c.x, dx), 1e-4 * 4 * 100,
+                   "the semi-definite product of a strand along " + particles_in_words(direction) +
+                       ", against your exact one; dx = " + particles_in_words(dx),
+                   "1e-4 of k / |e|^2. A bend that is nothing but rounding has no axis: choose one");
+  }
+}
+
+TEST(AddBendProductSpd, IsAddedToWhatDfHolds) {
+  const Case c = uneven(5, 6);
+  const VectorXd dx = scattered_vector(15, 2), before = scattered_vector(15, 9);
+  VectorXd df = before, df_spd = before;
+  add_bend_product(c.strand, c.x, dx, df);
+  add_bend_product_spd(c.strand, c.x, dx, df_spd);
+  const std::string source = "64 u of the largest product: rounding";
+  expect_entries(df, before + product(c.strand, c.x, dx), 64 * kU * 200,
+                 "df, which held " + particles_in_words(before), source);
+  expect_entries(df_spd, before + product_spd(c.strand, c.x, dx), 64 * kU * 200,
+                 "df (semi-definite), which held " + particles_in_words(before), source);
+}
+
+TEST(AddBendProductSpd, WhereDirectionsAreLostIsZero) {
+  const Strand strand = strand_of(vector({1, 1}));
+  const VectorXd dx = scattered_vector(9, 1);
+  for (const VectorXd& x :
+       {kFold, vector({0, 0, 0, 0, 0, 0, 0, 1, 0}), vector({1, 1, 1, 1, 1, 1, 1, 1, 1})}) {
+    EXPECT_EQ(product(strand, x, dx), VectorXd::Zero(9)) << "exact, x = " << particles_in_words(x);
+    EXPECT_EQ(product_spd(strand, x, dx), VectorXd::Zero(9))
+        << "semi-definite, x = " << particles_in_words(x);
+  }
+}
+
+int main(int argc, char** argv) {
+  static const Strand lone = strand_of(VectorXd(0));
+  static const VectorXd x = VectorXd::Zero(3);
+  static VectorXd out = x;
+  return run(argc, argv,
+             {{"bend_energy", "BendEnergy", [] { bend_energy(lone, x); }},
+              {"add_bend_force", "AddBendForce", [] { add_bend_force(lone, x, out); }},
+              {"add_bend_product", "AddBendProduct", [] { add_bend_product(lone, x, x, out); }},
+              {"add_bend_product_spd", "AddBendProductSpd", [] { add_bend_product_spd(lone, x, x, out); }}});
+}
