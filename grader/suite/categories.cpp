@@ -4,6 +4,7 @@
 #include "grader/course/bad_input.h"
 #include "grader/suite/h1_categories.h"
 #include "grader/suite/h2_categories.h"
+#include "grader/suite/h3_categories.h"
 #include "grader/suite/s1_categories.h"
 #include "grader/suite/s2_categories.h"
 #include "grader/suite/trial.h"
@@ -14,6 +15,7 @@ std::vector<Category> categories(const std::string& exercise) {
   static const std::map<std::string, std::vector<Category> (*)()> suites = {
       {"H1", h1::categories},
       {"H2", h2::categories},
+      {"H3", h3::categories},
       {"S1", s1::categories},
       {"S2", s2::categories},
   };

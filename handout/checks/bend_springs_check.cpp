@@ -1,0 +1,212 @@
+// The public checks of H3. Every failure prints the input, what was expected, what came, the error and its bound. The
+// contract is in hair/bend_springs.h.
+
+#include "hair/bend_springs.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "check.h"
+#include "derivative.h"
+
+using namespace checks;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using hair::GeometricTerm;
+using hair::Strand;
+
+namespace {
+
+const double kU = std::ldexp(1.0, -53);
+
+// skip_rigidity = 10 N, and masses and lengths that are neither equal nor 1.
+Strand strand_of(const VectorXd& rest_length) {
+  Strand strand;
+  strand.mass = VectorXd::LinSpaced(rest_length.size() + 1, 2, 3);
+  strand.rest_length = rest_length;
+  strand.skip_rigidity = 10;
+  strand.stretch_rigidity = strand.bend_rigidity = 1e9;  // H3 has no use for them.
+  return strand;
+}
+
+VectorXd vector(std::initializer_list<double> values) {
+  return Eigen::Map<const VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()));
+}
+
+// Rest lengths between 0.5 and 1.5 m, bent by up to a right angle or so; lengths of 0.6 to 1.6 m.
+struct Case {
+  Strand strand;
+  VectorXd x;
+};
+Case bent(int count, int which) {
+  const VectorXd numbers = scattered_vector(5 * count, which);
+  Case result{strand_of(VectorXd::Ones(count - 1) + numbers.head(count - 1) / 2), VectorXd::Zero(3 * count)};
+  for (int i = 0; i + 1 < count; ++i) {
+    const Vector3d direction = (Vector3d(0, 0, -1) + numbers.segment<3>(count + 3 * i) / 2).normalized();
+    result.x.segment<3>(3 * i + 3) =
+        result.x.segment<3>(3 * i) + (1.1 + numbers[4 * count + i] / 2) * direction;
+  }
+  return result;
+}
+
+VectorXd force(const Strand& strand, const VectorXd& x) {
+  VectorXd f = VectorXd::Zero(x.size());
+  add_bend_spring_force(strand, x, f);
+  return f;
+}
+
+VectorXd product(const Strand& strand, const VectorXd& x, GeometricTerm term, const VectorXd& dx) {
+  VectorXd df = VectorXd::Zero(x.size());
+  add_bend_spring_product(strand, x, term, dx, df);
+  return df;
+}
+
+const Strand kTwo = strand_of(vector({1.5, 2.5}));               // d0 = 4 m, k = 2.5 N/m
+const VectorXd kBent = vector({0, 0, 0, 0, 1.5, 0, 0, 1.5, 2});  // d = 2.5 m
+const VectorXd kLong = vector({0, 0, 0, 0, 0.5, -3, 0, 0, -5});  // d = 5 m
+const VectorXd kMeeting = vector({1, 2, 3, 1, 3, 3, 1, 2, 3});   // d = 0
+
+}  // namespace
+
+TEST(BendSpringEnergy, OfOneSpring) {
+  SCOPED_TRACE("skip_rigidity = 10 N, rest lengths 1.5 m and 2.5 m: d0 = 4 m, k = 2.5 N/m");
+  EXPECT_DOUBLE_EQ(bend_spring_energy(kTwo, kBent), 2.8125) << "d = 2.5 m: 2.5 * 1.5^2 / 2 J";
+  EXPECT_DOUBLE_EQ(bend_spring_energy(kTwo, kLong), 1.25) << "d = 5 m: 2.5 * 1^2 / 2 J";
+}
+
+TEST(BendSpringEnergy, SeesStretchingAndHardlyBending) {
+  const Strand strand = strand_of(vector({1, 1}));  // k = 5 N/m
+  EXPECT_NEAR(bend_spring_energy(strand, vector({0, 0, 0, 0, 0, -1.01, 0, 0, -2.02})), 5 * 4e-4 / 2, 1e-15)
+      << "straight, stretched by 1 %: d - d0 = 0.02 m; bound: rounding";
+  // Both segments 1 m, a right turn by 0.01: d = 2 cos(0.005), d - d0 = -2.5e-5 m to fourth order.
+  const double E =
+      bend_spring_energy(strand, vector({0, 0, 0, 0, 0, -1, 0, std::sin(0.01), -1 - std::cos(0.01)}));
+  EXPECT_NEAR(E, 5 * std::pow(4 * std::pow(std::sin(0.0025), 2), 2) / 2, 1e-9 * E)
+      << "bent by 0.01: the energy is of fourth order in the angle; bound: rounding of d, 8 u, over 2.5e-5";
+}
+
+TEST(BendSpringEnergy, OfFewerThanThreeParticlesIsZero) {
+  EXPECT_EQ(bend_spring_energy(strand_of(VectorXd(0)), vector({1, 2, 3})), 0) << "one particle";
+  EXPECT_EQ(bend_spring_energy(strand_of(vector({1})), vector({1, 2, 3, 4, 5, 6})), 0) << "two particles";
+}
+
+TEST(AddBendSpringForce, OfOneSpring) {
+  const std::string source = "64 u of k (d + d0): rounding";
+  // k (d - d0) = -3.75 N, along (0, 0.6, 0.8), from particle 0 to particle 2; nothing on particle 1.
+  expect_entries(force(kTwo, kBent), vector({0, -2.25, -3, 0, 0, 0, 0, 2.25, 3}), 64 * kU * 2.5 * 6.5,
+                 "the force of one spring, k = 2.5 N/m, d0 = 4 m, at x = " + particles_in_words(kBent),
+                 source);
+  expect_entries(force(kTwo, kLong), vector({0, 0, -2.5, 0, 0, 0, 0, 0, 2.5}), 64 * kU * 2.5 * 9,
+                 "the force of one spring, k = 2.5 N/m, d0 = 4 m, at x = " + particles_in_words(kLong),
+                 source);
+}
+
+TEST(AddBendSpringForce, IsMinusTheEnergysGradient) {
+  for (int count : {3, 4, 8}) {
+    const Case c = bent(count, count);
+    expect_force(
+        force(c.strand, c.x), [&](const VectorXd& x) { return bend_spring_energy(c.strand, x); }, c.x, 1, 10);
+  }
+}
+
+TEST(AddBendSpringForce, GivesNoNetForceOrTorque) {
+  const Case c = bent(9, 3);
+  const VectorXd f = force(c.strand, c.x);
+  EXPECT_GT(f.norm(), 1) << "no force at all";
+  expect_balanced(f, c.x, 9 * 64 * kU * 40, "rounding: 64 u of k (d + d0) for each of 9 particles");
+}
+
+TEST(AddBendSpringForce, IsAddedToWhatFHolds) {
+  const Case c = bent(6, 1);
+  const VectorXd before = scattered_vector(18, 8);
+  VectorXd f = before;
+  add_bend_spring_force(c.strand, c.x, f);
+  expect_entries(f, before + force(c.strand, c.x), 8 * kU * 40, "f, which held " + particles_in_words(before),
+                 "8 u of the largest force: rounding");
+}
+
+TEST(AddBendSpringForce, OfParticlesThatMeetIsZero) {
+  const VectorXd f = force(kTwo, kMeeting);
+  EXPECT_EQ(f, VectorXd::Zero(9)) << "particles 0 and 2 in the same place; actual: " << particles_in_words(f);
+}
+
+TEST(AddBendSpringProduct, IsTheForcesDerivative) {
+  for (int count : {3, 4, 8}) {
+    const Case c = bent(count, count + 20);
+    const VectorXd dx = scattered_vector(3 * count, 5);
+    expect_product(
+        product(c.strand, c.x, GeometricTerm::full, dx),
+        [&](const VectorXd& x) { return force(c.strand, x); }, c.x, dx, 1, 40);
+  }
+}
+
+TEST(AddBendSpringProduct, LetsThroughWhatItIsToldTo) {
+  const VectorXd across = vector({1, 0, 0, 0, 0, 0, 0, 0, 0});
+  struct Row {
+    const VectorXd& x;
+    GeometricTerm term;
+    double expected;  // -k (1 - d0/d)
+    const char* name;
+  };
+  for (const Row& row : {Row{kLong, GeometricTerm::full, -0.5, "longer than at rest, full"},
+                         Row{kLong, GeometricTerm::filtered, -0.5, "longer than at rest, filtered"},
+                         Row{kLong, GeometricTerm::dropped, 0, "longer than at rest, dropped"},
+                         Row{kBent, GeometricTerm::full, 1.5, "shorter than at rest, full"},
+                         Row{kBent, GeometricTerm::filtered, 0, "shorter than at rest, filtered"},
+                         Row{kBent, GeometricTerm::dropped, 0, "shorter than at rest, dropped"}}) {
+    expect_entries(
+        product(kTwo, row.x, row.term, across), row.expected * vector({1, 0, 0, 0, 0, 0, -1, 0, 0}),
+        64 * kU * 2.5 * 3,
+        "the product of one spring, k = 2.5 N/m, d0 = 4 m, with a dx across it, " + std::string(row.name),
+        "64 u of k (1 + d0/d): rounding");
+  }
+}
+
+TEST(AddBendSpringProduct, IsSymmetric) {
+  const Case c = bent(8, 2);
+  for (GeometricTerm term : {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped})
+    expect_symmetric([&](const VectorXd& dx) { return product(c.strand, c.x, term, dx); },
+                     scattered_vector(24, 1), scattered_vector(24, 2), 24 * 64 * kU * 40,
+                     "24 entries, 64 u of k (1 + d0/d) each: rounding");
+}
+
+TEST(AddBendSpringProduct, WithoutTheNegativeTermIsNegativeSemidefinite) {
+  const Case c = bent(8, 4);
+  for (GeometricTerm term : {GeometricTerm::filtered, GeometricTerm::dropped}) {
+    for (int which = 0; which < 20; ++which) {
+      const VectorXd dx = scattered_vector(24, which);
+      EXPECT_LE(dx.dot(product(c.strand, c.x, term, dx)), 24 * 64 * kU * 40)
+          << "dx . (df/dx) dx for dx = " << particles_in_words(dx)
+          << "; bound: rounding, 64 u of k (1 + d0/d) an entry";
+    }
+  }
+}
+
+TEST(AddBendSpringProduct, IsAddedToWhatDfHolds) {
+  const Case c = bent(6, 6);
+  const VectorXd dx = scattered_vector(18, 2), before = scattered_vector(18, 9);
+  VectorXd df = before;
+  add_bend_spring_product(c.strand, c.x, GeometricTerm::full, dx, df);
+  expect_entries(df, before + product(c.strand, c.x, GeometricTerm::full, dx), 8 * kU * 80,
+                 "df, which held " + particles_in_words(before), "8 u of the largest product: rounding");
+}
+
+TEST(AddBendSpringProduct, OfParticlesThatMeetIsZero) {
+  for (GeometricTerm term : {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped}) {
+    const VectorXd df = product(kTwo, kMeeting, term, scattered_vector(9, 1));
+    EXPECT_EQ(df, VectorXd::Zero(9)) << "particles 0 and 2 in the same place; actual: "
+                                     << particles_in_words(df);
+  }
+}
+
+int main(int argc, char** argv) {
+  static const Strand lone = strand_of(VectorXd(0));
+  static const VectorXd x = VectorXd::Zero(3);
+  static VectorXd out = x;
+  return run(argc, argv,
+             {{"bend_spring_energy", "BendSpringEnergy", [] { bend_spring_energy(lone, x); }},
+              {"add_bend_spring_force", "AddBendSpringForce", [] { add_bend_spring_force(lone, x, out); }},
+              {"add_bend_spring_product", "AddBendSpringProduct",
+               [] { add_bend_spring_product(lone, x, GeometricTerm::full, x, out); }}});
+}
