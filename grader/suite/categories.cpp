@@ -5,6 +5,9 @@
 #include "grader/suite/h1_categories.h"
 #include "grader/suite/h2_categories.h"
 #include "grader/suite/h3_categories.h"
+#include "grader/suite/h4_categories.h"
+#include "grader/suite/h5_categories.h"
+#include "grader/suite/h6_categories.h"
 #include "grader/suite/s1_categories.h"
 #include "grader/suite/s2_categories.h"
 #include "grader/suite/trial.h"
@@ -16,6 +19,9 @@ std::vector<Category> categories(const std::string& exercise) {
       {"H1", h1::categories},
       {"H2", h2::categories},
       {"H3", h3::categories},
+      {"H4", h4::categories},
+      {"H5", h5::categories},
+      {"H6", h6::categories},
       {"S1", s1::categories},
       {"S2", s2::categories},
   };

@@ -1,0 +1,343 @@
+// STAFF ONLY. H4: hidden cases of implicit_matrix, solve_implicit and implicit_euler.
+#include "grader/suite/h4_categories.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "grader/suite/force_server.h"
+#include "grader/suite/implicit_system.h"
+#include "grader/wire/particles_message.h"
+#include "particles/springs.h"
+
+namespace grader::h4 {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double kUnit = 0x1p-53, kTolerance = particles::kSolveTolerance;
+constexpr int kProduct = 0, kSolve = 1, kEuler = 2;  // as in serve_H4.cpp
+
+struct Report {
+  int steps;
+  double residual, rhs;
+  bool converged;
+};
+
+struct Solution {
+  VectorXd dv;
+  VectorXd x, v;  // after a step of implicit_euler
+  Report report;
+  int forces, dfdx, dfdv;  // as the suite counted them
+};
+
+int step_limit(const Cloud& cloud) {
+  return std::max(100, 60 * cloud.count());
+}
+
+// More than an honest solve can take.
+int most_questions(const Cloud& cloud) {
+  return 3 * (step_limit(cloud) + step_limit(cloud) / 64) + 20;
+}
+
+MessageWriter request(int function, const Cloud& cloud) {
+  MessageWriter message;
+  message.put(function);
+  put(message, cloud.particles);
+  put(message, cloud.state);
+  return message;
+}
+
+Report get_report(MessageReader& reply) {
+  Report report;
+  report.steps = reply.get<int>();
+  report.residual = reply.get<double>();
+  report.rhs = reply.get<double>();
+  report.converged = reply.get<std::uint8_t>() != 0;
+  return report;
+}
+
+void expect_no_overlap(Trial& trial, MessageReader& reply) {
+  const int mistakes = reply.get<int>();
+  reply.expect_end();
+  trial.expect(mistakes == 0, "a product with df/dx or df/dv is added to its own input");
+}
+
+Solution solve(Trial& trial, const Cloud& cloud, double a, double b, double tolerance = kTolerance) {
+  trial.describe(cloud.name + ", solve_implicit");
+  MessageWriter message = request(kSolve, cloud);
+  message.put(a).put(b).put(tolerance);
+  put(message, random_vector(trial.random, 3 * cloud.count(), 1e3));
+  ForceServer server(*cloud.force, cloud.count(), most_questions(cloud));
+  MessageReader reply = trial.ask(message, std::ref(server));
+  Solution solution;
+  solution.dv = get_vector(reply, 3 * cloud.count());
+  solution.report = get_report(reply);
+  expect_no_overlap(trial, reply);
+  solution.forces = server.forces;
+  solution.dfdx = server.dfdx;
+  solution.dfdv = server.dfdv;
+  return solution;
+}
+
+Solution step(Trial& trial, const Cloud& cloud, double h, double tolerance = kTolerance) {
+  trial.describe(cloud.name + ", implicit_euler");
+  MessageWriter message = request(kEuler, cloud);
+  message.put(h).put(tolerance);
+  ForceServer server(*cloud.force, cloud.count(), most_questions(cloud));
+  MessageReader reply = trial.ask(message, std::ref(server));
+  Solution solution;
+  solution.x = get_vector(reply, 3 * cloud.count());
+  solution.v = get_vector(reply, 3 * cloud.count());
+  solution.dv = solution.v - cloud.state.v;
+  solution.report = get_report(reply);
+  expect_no_overlap(trial, reply);
+  solution.forces = server.forces;
+  solution.dfdx = server.dfdx;
+  solution.dfdv = server.dfdv;
+  return solution;
+}
+
+// The matrix' product, twice, is that of the table.
+void expect_matrix(Trial& trial, const Cloud& cloud, double a, double b) {
+  trial.describe(cloud.name + ", implicit_matrix");
+  const int size = 3 * cloud.count();
+  const ImplicitSystem system = implicit_system(cloud, a, b);
+  const VectorXd x = random_vector(trial.random, size);
+  for (double junk : {0.0, 1e3, std::numeric_limits<double>::quiet_NaN()}) {
+    MessageWriter message = request(kProduct, cloud);
+    message.put(a).put(b);
+    put(message, x);
+    put(message, VectorXd::Constant(size, junk));
+    ForceServer server(*cloud.force, cloud.count(), 20);
+    MessageReader reply = trial.ask(message, std::ref(server));
+    const VectorXd first = get_vector(reply, size), after = get_vector(reply, size),
+                   second = get_vector(reply, size);
+    expect_no_overlap(trial, reply);
+    trial.expect(after == x, "matVecMult changes its input");
+    // 3n terms in each of the two products, and what puts them together.
+    trial.expect_at_most((first - system.A * x).norm(), 4 * (size + 8) * kUnit * system.norm * x.norm(),
+                         "the error of the matrix' product");
+    trial.expect(first == second, "the matrix' product is another one the second time");
+  }
+}
+
+// dv solves the system, by the suite's own table.
+void expect_solves(Trial& trial, const ImplicitSystem& system, const VectorXd& dv,
+                   double tolerance = kTolerance) {
+  const double allowed = tolerance * system.rhs.norm() + system.rounding;
+  trial.expect_at_most(system.residual(dv), allowed, "the residual of the implicit step's system");
+  trial.expect_at_most((dv - system.dv).norm(), allowed / system.smallest + 4 * kUnit * system.dv.norm(),
+                       "the error of dv");
+}
+
+void matrix(Trial& trial) {
+  Random& random = trial.random;
+  for (int n : {1, 2, 5, 12}) {
+    const Cloud cloud = random_cloud(random, "particles of 1 kg", n, 1, 1, 3, 0);
+    expect_matrix(trial, cloud, random.uniform(0.2, 0.8), random.uniform(0.2, 0.8));
+  }
+}
+
+void damping(Trial& trial) {
+  Random& random = trial.random;
+  for (int n : {1, 4, 9}) {
+    const Cloud cloud = random_cloud(random, "damped particles of 1 kg", n, 1, 1, 2, 4);
+    const double a = random.uniform(0.2, 0.8), b = random.uniform(0.2, 0.8);
+    expect_matrix(trial, cloud, a, b);
+    expect_solves(trial, implicit_system(cloud, a, b), solve(trial, cloud, a, b).dv);
+  }
+}
+
+void pinned(Trial& trial) {
+  Random& random = trial.random;
+  for (int n : {1, 2, 6}) {
+    Cloud cloud = random_cloud(random, "pinned particles", n, 1, 1, 3, 0);
+    cloud.particles.pinned[random.integer(0, n - 1)] = 1;
+    if (n > 3) cloud.particles.pinned[0] = cloud.particles.pinned[n - 1] = 1;
+    const double h = random.uniform(0.2, 0.8);
+    expect_matrix(trial, cloud, h, random.uniform(0.2, 0.8));
+    const Solution solution = step(trial, cloud, h);
+    for (int i = 0; i < n; ++i) {
+      if (!cloud.particles.is_pinned(i)) continue;
+      const Eigen::Vector3d v = cloud.state.v.segment<3>(3 * i);
+      trial.expect(solution.v.segment<3>(3 * i) == v, "a pinned particle changes its velocity");
+      const Eigen::Vector3d x = cloud.state.x.segment<3>(3 * i) + h * v;
+      trial.expect_at_most((solution.x.segment<3>(3 * i) - x).norm(), 4 * kUnit * (x.norm() + h * v.norm()),
+                           "the error of a pinned particle's position");
+    }
+    expect_solves(trial, implicit_system(cloud, h, h), solution.dv);
+  }
+}
+
+void masses(Trial& trial) {
+  Random& random = trial.random;
+  for (int n : {1, 3, 8}) {
+    const double unit = random.log_uniform(1e-6, 1e-3);
+    const Cloud cloud =
+        random_cloud(random, "light particles, masses 1:100", n, unit, 100 * unit, 10 * unit, 0);
+    const double a = random.uniform(0.2, 0.8), b = random.uniform(0.2, 0.8);
+    expect_matrix(trial, cloud, a, b);
+    expect_solves(trial, implicit_system(cloud, a, b), solve(trial, cloud, a, b).dv);
+  }
+}
+
+void system(Trial& trial) {
+  Random& random = trial.random;
+  for (int n : {1, 2, 5, 12, 20}) {
+    const Cloud cloud = random_cloud(random, "particles of 1 kg", n, 1, 1, random.log_uniform(0.1, 30), 0);
+    const double a = random.uniform(0.2, 0.8), b = random.uniform(0.2, 0.8);
+    const ImplicitSystem system = implicit_system(cloud, a, b);
+    const Solution solution = solve(trial, cloud, a, b);
+    expect_solves(trial, system, solution.dv);
+    trial.expect_at_most(std::abs(solution.report.rhs - system.rhs.norm()),
+                         system.rounding + 1e-12 * system.rhs.norm(),
+                         "the error of the report's norm of the right-hand side");
+  }
+}
+
+void a_step(Trial& trial) {
+  Random& random = trial.random;
+  for (int n : {1, 3, 10}) {
+    const Cloud cloud = random_cloud(random, "particles of 1 kg", n, 1, 1, 3, 0);
+    const double h = random.uniform(0.2, 0.8);
+    const ImplicitSystem system = implicit_system(cloud, h, h);
+    const Solution solution = step(trial, cloud, h);
+    expect_solves(trial, system, solution.dv);
+    const VectorXd x = cloud.state.x + h * solution.v;
+    trial.expect_at_most((solution.x - x).norm(), 4 * kUnit * (x.norm() + h * solution.v.norm()),
+                         "the difference between x and the old x + h times the new v");
+  }
+  for (int n : {2, 12}) {
+    const double h = 1.0 / random.integer(60, 240);
+    const Cloud cloud = chain(random, n, 1e-7, random.log_uniform(0.1, 100), h);
+    expect_solves(trial, implicit_system(cloud, h, h), step(trial, cloud, h).dv);
+  }
+}
+
+void tolerance(Trial& trial) {
+  Random& random = trial.random;
+  const double h = 1.0 / random.integer(60, 240);
+  const Cloud hair = chain(random, random.integer(20, 30), 1e-7, 1e5, h);
+  const ImplicitSystem system = implicit_system(hair, h, h);
+  const Solution fine = solve(trial, hair, h, h);
+  expect_solves(trial, system, fine.dv);
+  const Solution coarse = solve(trial, hair, h, h, 1e-2);
+  expect_solves(trial, system, coarse.dv, 1e-2);
+  trial.expect(coarse.report.steps < fine.report.steps && coarse.dfdx < fine.dfdx,
+               "a tolerance of 1e-2 takes as many steps as one of 1e-10",
+               std::to_string(coarse.report.steps) + " and " + std::to_string(fine.report.steps));
+  for (const Solution& solution : {fine, coarse}) {
+    trial.expect_at_most(std::abs(solution.report.residual - system.residual(solution.dv)),
+                         system.rounding + 1e-9 * system.residual(solution.dv),
+                         "the error of the report's residual");
+    trial.expect(solution.report.converged, "a solve that meets its tolerance is reported as not converged");
+  }
+}
+
+void cost(Trial& trial) {
+  Random& random = trial.random;
+  const double h = 1.0 / random.integer(60, 240);
+  for (int n : {4, 16, 64, 256}) {
+    // Masses of 0.7 to 1.4 and h^2 k = 2, in units of 1e-7 kg: no eigenvalue is below 0.7 or above 1.4 + 4 * 2,
+    // whatever n, so that the condition number is at most 13.5.
+    const Cloud cloud = chain(random, n, 1e-7, 2, h);
+    const Solution solution = step(trial, cloud, h);
+    trial.expect(solution.forces == 1, "a step does not take one evaluation of the force",
+                 std::to_string(solution.forces));
+    const int products = 1 + solution.report.steps + solution.report.steps / 64;
+    trial.expect(solution.dfdv == products && solution.dfdx == products + 1,
+                 "a step does not take one product with df/dx and one with df/dv for each product that "
+                 "ConjGrad takes, and one with df/dx for the right-hand side",
+                 std::to_string(solution.dfdx) + " and " + std::to_string(solution.dfdv) + ", ConjGrad's " +
+                     std::to_string(products));
+    // sqrt(13.5) = 3.7: the residual falls to 2 * 3.7 ((3.7 - 1) / (3.7 + 1))^k of the first in k steps (Greenbaum,
+    // "Iterative Methods", 1997, section 3.1), to 1e-10 in 45; a third more for rounding.
+    trial.expect_at_most(solution.report.steps, 60, "the number of steps for a chain that is not stiff");
+  }
+}
+
+// A particle of mass m on a spring, turning around its pinned end.
+Cloud turning(double stiffness_over_mass, particles::Products products) {
+  Cloud cloud;
+  cloud.name = "turning on a stiff spring";
+  cloud.particles = {Eigen::Vector2d(0.7, 0.7), {1, 0}};
+  cloud.state = {VectorXd::Zero(6), VectorXd::Zero(6)};
+  cloud.state.x[3] = 0.3;
+  cloud.state.v[4] = 0.3 * 2 * std::numbers::pi;
+  cloud.force = std::make_shared<particles::DampedSprings>(
+      std::vector<particles::Spring>{{0, 1, 0.7 * stiffness_over_mass, 0.3}}, products);
+  return cloud;
+}
+
+// Both numbers are those of the assignment's table: any right implementation has them, to the tolerance.
+void revolution(Trial& trial) {
+  Cloud cloud = turning(1e8, particles::Products::definite);
+  const double h = 1.0 / 60, before = 0.3 * 0.3 * 2 * std::numbers::pi;
+  for (int i = 0; i < 60; ++i) {
+    const Solution solution = step(trial, cloud, h);
+    trial.expect(solution.x.allFinite() && solution.v.allFinite(), "a step is not finite");
+    cloud.state = {solution.x, solution.v};
+  }
+  const Eigen::Vector3d x = cloud.state.x.tail<3>(), v = cloud.state.v.tail<3>();
+  trial.expect_at_most(std::abs(x.cross(v)[2] / before - 0.0049), 1e-4,
+                       "the error of the angular momentum that is left after a revolution");
+
+  // A linear oscillator: backward Euler's amplitude per step is 1 / sqrt(1 + h^2 w^2).
+  const double w = trial.random.uniform(5, 300);
+  Cloud oscillator = turning(w * w, particles::Products::exact);
+  oscillator.name = "an oscillator";
+  oscillator.state.x[3] = 0.3 + 0.01;
+  oscillator.state.v.setZero();
+  const auto amplitude = [w](const VectorXd& position, const VectorXd& velocity) {
+    return std::hypot(position[3] - 0.3, velocity[3] / w);
+  };
+  for (int i = 0; i < 3; ++i) {
+    const Solution solution = step(trial, oscillator, h);
+    const double ratio =
+        amplitude(solution.x, solution.v) / amplitude(oscillator.state.x, oscillator.state.v);
+    // Positions round by 2^-53 of 0.3 m, amplitudes are at least 0.01 m / (1 + h^2 w^2)^(3/2), h w at most 5.
+    trial.expect_at_most(std::abs(ratio * std::sqrt(1 + h * h * w * w) - 1), 1e-8,
+                         "the error of the amplitude that an oscillator has after a step");
+    oscillator.state = {solution.x, solution.v};
+  }
+}
+
+void unsolvable(Trial& trial) {
+  Random& random = trial.random;
+  expect_solves(trial, implicit_system(turning(100, particles::Products::exact), 0.1, 0.1),
+                solve(trial, turning(100, particles::Products::exact), 0.1, 0.1).dv);
+  // A spring under compression, h^2 k/m (l0/l - 1) > 1: the matrix has two negative eigenvalues.
+  Cloud compressed = turning(1e4, particles::Products::exact);
+  compressed.state.x[3] = 0.3 * random.uniform(0.3, 0.6);
+  compressed.state.v = random_vector(random, 6);
+  const Solution indefinite = solve(trial, compressed, 0.1, 0.1);
+  trial.expect(indefinite.dv.allFinite(), "dv is not finite, where the matrix is not positive definite");
+  const ImplicitSystem system = implicit_system(compressed, 0.1, 0.1);
+  const bool solved = system.residual(indefinite.dv) <= kTolerance * system.rhs.norm() + system.rounding;
+  trial.expect(indefinite.report.converged ? solved : true,
+               "a solve that does not meet its tolerance is reported as converged");
+  // A force that is not a number is none that can be solved for.
+  Cloud broken = turning(100, particles::Products::exact);
+  broken.state.x[4] = std::numeric_limits<double>::quiet_NaN();
+  trial.expect(!solve(trial, broken, 0.1, 0.1).report.converged,
+               "a system with numbers that are not finite is reported as solved");
+}
+
+}  // namespace
+
+std::vector<Category> categories() {
+  return {{"Matrix", "The matrix", 4, matrix},
+          {"Damping", "Damping", 3, damping},
+          {"Pinned", "Pinned particles", 3, pinned},
+          {"Masses", "Masses", 2, masses},
+          {"System", "The system, solved", 4, system},
+          {"Step", "A step", 3, a_step},
+          {"Tolerance", "The tolerance", 2, tolerance},
+          {"Cost", "Evaluations and products", 2, cost},
+          {"Revolution", "A revolution, an oscillation", 1, revolution},
+          {"Unsolvable", "What can't be solved", 1, unsolvable}};
+}
+
+}  // namespace grader::h4

@@ -1,0 +1,130 @@
+// STAFF ONLY.
+#include "grader/suite/implicit_system.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "particles/springs.h"
+
+namespace grader {
+namespace {
+
+constexpr double kUnit = 0x1p-53;
+
+// Symmetric, its eigenvalues between half of `size` and about five times it.
+Eigen::MatrixXd definite(Random& random, int n, double size) {
+  Eigen::MatrixXd R(n, n);
+  for (double& entry : R.reshaped()) entry = random.normal();
+  return size * (R * R.transpose() / n + 0.5 * Eigen::MatrixXd::Identity(n, n));
+}
+
+}  // namespace
+
+Eigen::VectorXd to_vector(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
+Eigen::VectorXd random_vector(Random& random, int size, double scale) {
+  return to_vector(random.normals(size, scale));
+}
+
+CoupledForce::CoupledForce(Random& random, int n, double stiffness, double damping)
+    : f0_(random_vector(random, 3 * n)),
+      cubic_(3 * n),
+      K_(definite(random, 3 * n, stiffness)),
+      D_(definite(random, 3 * n, damping)) {
+  for (double& value : cubic_) value = stiffness * random.uniform(0.5, 2);
+}
+
+double CoupledForce::energy(particles::Input x) const {
+  return -f0_.dot(x) + 0.5 * x.dot(K_ * x) + 0.25 * (cubic_.array() * x.array().pow(4)).sum();
+}
+
+void CoupledForce::add_force(particles::Input x, particles::Input v, particles::Output f) const {
+  f += f0_ - K_ * x - D_ * v - (cubic_.array() * x.array().cube()).matrix();
+}
+
+void CoupledForce::add_dfdx(particles::Input x, particles::Input, particles::Input dx,
+                            particles::Output df) const {
+  df -= K_ * dx + (3 * cubic_.array() * x.array().square() * dx.array()).matrix();
+}
+
+void CoupledForce::add_dfdv(particles::Input, particles::Input, particles::Input dv,
+                            particles::Output df) const {
+  df -= D_ * dv;
+}
+
+Cloud random_cloud(Random& random, std::string name, int n, double lightest, double heaviest,
+                   double stiffness, double damping) {
+  Cloud cloud;
+  cloud.name = std::move(name);
+  cloud.particles.mass.resize(n);
+  for (double& mass : cloud.particles.mass) mass = random.log_uniform(lightest, heaviest);
+  cloud.particles.pinned.assign(n, 0);
+  cloud.state = {random_vector(random, 3 * n, 0.5), random_vector(random, 3 * n)};
+  cloud.force = std::make_shared<CoupledForce>(random, n, stiffness, damping);
+  return cloud;
+}
+
+Cloud chain(Random& random, int n, double mass, double stiff, double h) {
+  Cloud cloud;
+  cloud.name = "a chain of " + std::to_string(n);
+  cloud.particles.mass.resize(n);
+  for (double& value : cloud.particles.mass) value = mass * random.uniform(0.7, 1.4);
+  cloud.particles.pinned.assign(n, 0);
+  cloud.particles.pinned[0] = 1;
+  cloud.state = {Eigen::VectorXd::Zero(3 * n), random_vector(random, 3 * n, 0.1)};
+  cloud.state.v.head<3>().setZero();
+  std::vector<particles::Spring> springs;
+  Eigen::Vector3d along = Eigen::Vector3d(random.normal(), random.normal(), random.normal()).normalized();
+  for (int i = 1; i < n; ++i) {
+    along += 0.3 * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+    along.normalize();
+    const double length = 0.01 * random.uniform(0.8, 1.2);
+    cloud.state.x.segment<3>(3 * i) =
+        cloud.state.x.segment<3>(3 * i - 3) + length * random.uniform(1, 1.001) * along;
+    springs.push_back({i - 1, i, stiff * mass / (h * h), length});
+  }
+  cloud.force = std::make_shared<particles::DampedSprings>(std::move(springs), particles::Products::definite);
+  return cloud;
+}
+
+ImplicitSystem implicit_system(const Cloud& cloud, double a, double b) {
+  const int size = 3 * cloud.count();
+  const particles::State& state = cloud.state;
+  ImplicitSystem system;
+  system.A.setZero(size, size);
+  for (int j = 0; j < size; ++j) {
+    const Eigen::VectorXd e = Eigen::VectorXd::Unit(size, j);
+    Eigen::VectorXd dfdx = Eigen::VectorXd::Zero(size), dfdv = dfdx;
+    cloud.force->add_dfdx(state.x, state.v, e, dfdx);
+    cloud.force->add_dfdv(state.x, state.v, e, dfdv);
+    system.A.col(j) = -a * dfdv - a * b * dfdx;
+    system.A(j, j) += cloud.particles.mass[j / 3];
+  }
+  Eigen::VectorXd f = Eigen::VectorXd::Zero(size), Kv = f;
+  cloud.force->add_force(state.x, state.v, f);
+  cloud.force->add_dfdx(state.x, state.v, state.v, Kv);
+  system.rhs = a * (f + b * Kv);
+  double in_rhs = kUnit * (size + 8) * a * (f.norm() + b * Kv.norm());
+  for (int i = 0; i < cloud.count(); ++i) {
+    if (!cloud.particles.is_pinned(i)) continue;
+    system.A.middleRows<3>(3 * i).setZero();
+    system.A.middleCols<3>(3 * i).setZero();
+    system.A.block<3, 3>(3 * i, 3 * i).setIdentity();
+    system.rhs.segment<3>(3 * i).setZero();
+  }
+  const Eigen::LDLT<Eigen::MatrixXd> factors(system.A);
+  system.dv = factors.solve(system.rhs);
+  for (int i = 0; i < 2; ++i) system.dv += factors.solve(system.rhs - system.A * system.dv);
+  system.norm = system.A.norm();
+  system.smallest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(system.A, Eigen::EigenvaluesOnly)
+                        .eigenvalues()
+                        .minCoeff();
+  const double e = 2 * (size + 8), X = 2 * system.dv.norm() + system.rhs.norm();
+  system.rounding = 65 * (10 + 2 * e) * kUnit * system.norm * X + in_rhs;
+  return system;
+}
+
+}  // namespace grader

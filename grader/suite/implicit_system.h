@@ -1,0 +1,74 @@
+// STAFF ONLY. Particles under a force, and the system of an implicit step on them: written out as a table, so that
+// the suite can say how wrong a dv is without a solver.
+//
+// Bounds. With u = 2^-53, A the matrix, e the rounding of a product with it over u ||A||, X = 2 ||dv*|| + ||rhs||,
+// solver/linearSolver.h gives, as in linear_system.h,
+//
+//   ||rhs - A dv|| <= tolerance ||rhs|| + 65 (10 + 2e) u ||A|| X,   ||dv - dv*|| <= that / lambda_min,
+//
+// where ||A|| is the norm of all |a_ij|, at most Frobenius'. e: a product of ours sums up 3n terms in each of df/dx and
+// df/dv, and a few more operations put them together: 2 (3n + 8). The right-hand side rounds by as much.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "grader/suite/random.h"
+#include "particles/force.h"
+#include "particles/implicit_euler.h"
+#include "particles/state.h"
+
+namespace grader {
+
+struct Cloud {
+  std::string name;
+  particles::Particles particles;
+  particles::State state;
+  std::shared_ptr<const particles::Force> force;
+
+  int count() const { return particles.count(); }
+};
+
+// f = f0 - K x - s x^3 - D v, with full symmetric, positive definite tables K and D, and the cube of each
+// coordinate: everything acts on everything, and df/dx is another one at another x.
+class CoupledForce : public particles::Force {
+ public:
+  // Of n particles; the eigenvalues of K and D are about `stiffness` (N/m) and `damping` (N s/m).
+  CoupledForce(Random& random, int n, double stiffness, double damping);
+
+  double energy(particles::Input x) const override;
+  void add_force(particles::Input x, particles::Input v, particles::Output f) const override;
+  void add_dfdx(particles::Input x, particles::Input v, particles::Input dx,
+                particles::Output df) const override;
+  void add_dfdv(particles::Input x, particles::Input v, particles::Input dv,
+                particles::Output df) const override;
+
+ private:
+  Eigen::VectorXd f0_, cubic_;
+  Eigen::MatrixXd K_, D_;
+};
+
+// n particles anywhere, the masses between `lightest` and `heaviest`.
+Cloud random_cloud(Random& random, std::string name, int n, double lightest, double heaviest,
+                   double stiffness, double damping);
+
+// A chain of springs of lengths about 1 cm, stretched and turned a little, whose root is pinned; masses of about
+// `mass`, stiffness such that h^2 k / m = `stiff`.
+Cloud chain(Random& random, int n, double mass, double stiff, double h);
+
+struct ImplicitSystem {
+  Eigen::MatrixXd A;
+  Eigen::VectorXd rhs, dv;  // dv solves it
+  double norm, smallest;    // Frobenius' of A, A's smallest eigenvalue
+  double rounding;          // 65 (10 + 2e) u ||A|| X, and the right-hand side's
+
+  double residual(const Eigen::VectorXd& other) const { return (rhs - A * other).norm(); }
+};
+
+ImplicitSystem implicit_system(const Cloud& cloud, double a, double b);
+
+Eigen::VectorXd to_vector(const std::vector<double>& values);
+Eigen::VectorXd random_vector(Random& random, int size, double scale = 1);
+
+}  // namespace grader

@@ -1,0 +1,134 @@
+// The public checks of H6. Every failure prints the input, what was expected, what came, the error and its bound. The
+// contract is in hair/predictor_corrector.h. They need S1, H4 and H5.
+
+#include "hair/predictor_corrector.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "check.h"
+#include "derivative.h"
+#include "stepping.h"
+
+using namespace checks;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using hair::GeometricTerm;
+using hair::StepReport;
+using hair::Strand;
+using particles::Particles;
+using particles::State;
+
+namespace {
+
+const double kU = std::ldexp(1.0, -53);
+
+// A root and a particle of 2 kg, 1 m apart at rest.
+Strand two() {
+  Strand strand;
+  strand.mass = Eigen::Vector2d(2, 2);
+  strand.rest_length = VectorXd::Ones(1);
+  return strand;
+}
+
+const Particles kTwo{Eigen::Vector2d(2, 2), {1, 0}};
+
+// At rest length along x, moving with (1, 2, 0) m/s.
+State moving() {
+  State state{VectorXd::Zero(6), VectorXd::Zero(6)};
+  state.x[3] = 1;
+  state.v[3] = 1;
+  state.v[4] = 2;
+  return state;
+}
+
+StepReport step(const particles::Force& force, double h, State& state) {
+  MatrixXd scratch = MatrixXd::Constant(6, hair::kPredictorCorrectorScratch, 1e3);
+  return predictor_corrector(force, kTwo, two(), h, 1e-10, state, scratch);
+}
+
+VectorXd six(const Vector3d& root, const Vector3d& other) {
+  VectorXd values(6);
+  values << root, other;
+  return values;
+}
+
+}  // namespace
+
+TEST(PredictorCorrector, WithoutForcesCorrectsAndGivesTheImpulse) {
+  const Spring none(0, 1, GeometricTerm::full);
+  State state = moving();
+  step(none, 0.5, state);
+  // 2: x = (1.5, 1). 3: back to length 1. 4: the velocity that leads there from (1, 0).
+  const Vector3d x = Vector3d(1.5, 1, 0).normalized(), v = (x - Vector3d(1, 0, 0)) / 0.5;
+  expect_entries(state.x, six(Vector3d::Zero(), x), 1e-11,
+                 "x after a step of 0.5 s without forces, from (1, 0, 0) m at (1, 2, 0) m/s, length 1 m",
+                 "ten times the tolerance of lengths");
+  expect_entries(state.v, six(Vector3d::Zero(), v), 1e-11, "v of the same",
+                 "ten times the tolerance of lengths");
+}
+
+TEST(PredictorCorrector, TakesTheFiveStepsOnASpring) {
+  // h^2 k/m = 1: every step shows. The spring is at rest length along x, so that in step 1 df/dx is -k along x.
+  const double h = 0.5, k = 8;
+  const Spring spring(k, 1, GeometricTerm::dropped);
+  State state = moving();
+  step(spring, h, state);
+  const double half = h * h * k / 2;                    // 1
+  const Vector3d v1(1 + -half * 1 / (2 + half), 2, 0);  // (2 + half) dv = h/2 (0 - h k 1)
+  const Vector3d predicted = Vector3d(1, 0, 0) + h * v1, u = predicted.normalized();
+  const Vector3d v2 = v1 + (u - predicted) / h;
+  const Vector3d v3 = v2 - half * u.dot(v2) / (2 + half) * u;  // the force at x~ is 0
+  expect_entries(state.x, six(Vector3d::Zero(), u), 1e-9,
+                 "x after a step of 0.5 s from (1, 0, 0) m at (1, 2, 0) m/s, 2 kg, a spring of 8 N/m and 1 m",
+                 "1e-10 of the solves, ten times");
+  expect_entries(state.v, six(Vector3d::Zero(), v3), 1e-9, "v of the same", "1e-10 of the solves, ten times");
+}
+
+TEST(PredictorCorrector, EvaluatesTheForceTwice) {
+  const Spring spring(8, 1, GeometricTerm::dropped);
+  State state = moving();
+  const StepReport report = step(spring, 0.5, state);
+  EXPECT_EQ(spring.forces, 2) << "evaluations of the force in a step";
+  EXPECT_TRUE(report.filter.converged && report.correction.converged && report.second_filter.converged)
+      << "the report of a step that is easy";
+  EXPECT_GT(report.correction.iterations, 0) << "iterations of the correction";
+}
+
+TEST(PredictorCorrector, LeavesTheRootItsVelocity) {
+  const Spring spring(8, 1, GeometricTerm::dropped);
+  State state = moving();
+  state.v[1] = 0.25;
+  step(spring, 0.5, state);
+  expect_entries(state.v.head<3>(), Vector3d(0, 0.25, 0), 0, "the velocity of a root that moves",
+                 "nothing acts on it");
+  expect_entries(state.x.head<3>(), Vector3d(0, 0.125, 0), 4 * kU, "the position of a root that moves",
+                 "rounding");
+}
+
+TEST(PredictorCorrector, AMassThatTurnsOnAStiffSpring) {
+  const auto turn = [](const particles::Force& force, const Particles& particles, double h, State& state) {
+    Strand strand;
+    strand.mass = particles.mass;
+    strand.rest_length = VectorXd::Constant(1, 0.3);
+    MatrixXd scratch(6, hair::kPredictorCorrectorScratch);
+    predictor_corrector(force, particles, strand, h, particles::kSolveTolerance, state, scratch);
+  };
+  std::printf("One revolution, h = 1/60 s, k/m = 1e8 / s^2: your row of the table in the assignment\n");
+  const Revolution after = revolve("predictor-corrector", GeometricTerm::filtered, turn);
+  const double h = 1.0 / 60, omega = 2 * std::numbers::pi;
+  EXPECT_NEAR(after.momentum, 1 / std::sqrt(1 + omega * omega * h), 1e-4) << "L/L0: 1/sqrt(1 + Omega^2 h t)";
+  EXPECT_LE(after.length, 1e-12) << "the largest error of the length";
+  EXPECT_LE(after.radial, 2e-5) << "the largest velocity along the spring, m/s: step 5 filters it out";
+}
+
+int main(int argc, char** argv) {
+  return run(argc, argv, {{"predictor_corrector", "PredictorCorrector", [] {
+                             const Spring none(0, 1, GeometricTerm::full);
+                             State state = moving();
+                             step(none, 0.5, state);
+                           }}});
+}
