@@ -36,12 +36,16 @@ std::string bound_in_words(double expected, double scale) {
 VectorXd force_by_differences(const Energy& energy, const VectorXd& x, double length) {
   VectorXd force(x.size()), moved = x;
   for (Eigen::Index i = 0; i < x.size(); ++i) {
-    const double after = x[i] + kStep * length, before = x[i] - kStep * length;
-    moved[i] = after;
-    const double energy_after = energy(moved);
-    moved[i] = before;
-    // What the coordinates really differ by, rounded as they are.
-    force[i] = -(energy_after - energy(moved)) / (after - before);
+    auto slope = [&](double h) {
+      const double after = x[i] + h, before = x[i] - h;
+      moved[i] = after;
+      const double energy_after = energy(moved);
+      moved[i] = before;
+      // Over what the coordinates really differ by, rounded as they are.
+      return (energy_after - energy(moved)) / (after - before);
+    };
+    const double h = kStep * length;
+    force[i] = -(4 * slope(h / 2) - slope(h)) / 3;
     moved[i] = x[i];
   }
   return force;
@@ -51,7 +55,10 @@ VectorXd product_by_differences(const Field& force, const VectorXd& x, const Vec
   const double size = largest(dx);
   if (size == 0) return VectorXd::Zero(x.size());
   const double h = kStep * length / size;
-  return (force(x + h * dx) - force(x - h * dx)) / (2 * h);
+  auto slope = [&](double step) -> VectorXd {
+    return (force(x + step * dx) - force(x - step * dx)) / (2 * step);
+  };
+  return (4 * slope(h / 2) - slope(h)) / 3;
 }
 
 void expect_entries(const VectorXd& actual, const VectorXd& expected, double bound, const std::string& what,

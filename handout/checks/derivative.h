@@ -1,10 +1,10 @@
 // What the checks of forces share: derivatives by central differences, and an error beside its bound for each.
 //
-//   (g(x + h) - g(x - h)) / 2h = g'(x) + h^2 g'''/6 + ...
+//   D(h) = (g(x + h) - g(x - h)) / 2h = g'(x) + h^2 g'''/6 + ...,    g'(x) = (4 D(h/2) - D(h)) / 3 + O(h^4)
 //
-// A step of h = 2^-14 (6e-5) of `length`, the length over which g changes by its own size, leaves an error of about
-// h^2 = 4e-9 relative; what g rounds by is divided by 2h, and so becomes 2^-39 (2e-12) of g's size over `length`. So
-// what is compared agrees to
+// With h = 2^-14 (6e-5) of `length`, the length over which g changes by its own size, the second formula (Richardson's)
+// is off by no more than rounding is; and what g rounds by is divided by h, and so becomes 2^-38 (4e-12) of g's size
+// over `length`. So what is compared agrees to
 //
 //   1e-6 of the largest entry + 2^-36 of `scale`,
 //

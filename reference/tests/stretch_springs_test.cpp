@@ -1,0 +1,252 @@
+// STAFF ONLY. What hair/stretch_springs.h promises, and what physics does.
+
+#include "hair/stretch_springs.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <numbers>
+
+#include "hair/make_strand.h"
+#include "reference/tests/allocations.h"
+#include "reference/tests/strand_states.h"
+
+namespace reference_tests {
+namespace {
+
+using hair::GeometricTerm;
+using std::numbers::pi;
+
+VectorXd force(const Strand& strand, const VectorXd& x) {
+  VectorXd f = VectorXd::Zero(x.size());
+  add_stretch_force(strand, x, f);
+  return f;
+}
+
+VectorXd product(const Strand& strand, const VectorXd& x, const VectorXd& dx, GeometricTerm term) {
+  VectorXd df = VectorXd::Zero(x.size());
+  add_stretch_product(strand, x, term, dx, df);
+  return df;
+}
+
+MatrixXd matrix(const Strand& strand, const VectorXd& x, GeometricTerm term) {
+  return matrix_of([&](const VectorXd& dx) { return product(strand, x, dx, term); }, x.size());
+}
+
+ForceUnderTest under_test(const Strand& strand) {
+  return {[&](const VectorXd& x) { return stretch_energy(strand, x); },
+          [&](const VectorXd& x) { return force(strand, x); },
+          [&](const VectorXd& x, const VectorXd& dx) { return product(strand, x, dx, GeometricTerm::full); }};
+}
+
+// k (1 + l0/l) of the spring that has most of it: what a product's entry can be.
+double largest_stiffness(const StrandState& s) {
+  return 2 * s.strand.stretch_rigidity / s.strand.rest_length.minCoeff() * (1 + 1.5 / s.shortest);
+}
+
+TEST(StretchSprings, AgreeWithCentralDifferencesInEveryState) {
+  for (const StrandState& s : strand_states()) {
+    SCOPED_TRACE(s.name + ", " + std::to_string(s.strand.count()) + " particles");
+    expect_derivatives(under_test(s.strand), s.x, s.shortest, 100, largest_stiffness(s));
+  }
+}
+
+TEST(StretchSprings, LeaveLinearAndAngularMomentumAlone) {
+  for (const StrandState& s : strand_states()) {
+    SCOPED_TRACE(s.name);
+    // 64 u of k (l + l0) <= 25 / 0.5 * 5 N for each particle.
+    expect_no_momentum(force(s.strand, s.x), s.x, s.strand.count() * 64 * kUnit * 250);
+  }
+}
+
+TEST(StretchSprings, HaveASymmetricDerivative) {
+  for (const StrandState& s : strand_states())
+    for (GeometricTerm term : {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped}) {
+      SCOPED_TRACE(s.name);
+      expect_symmetric_matrix(matrix(s.strand, s.x, term), 16 * kUnit * largest_stiffness(s));
+    }
+}
+
+TEST(StretchSprings, TurnWithARigidMotion) {
+  const RigidMotion motion = some_motion();
+  for (const StrandState& s : strand_states()) {
+    const VectorXd x = motion.points(s.x), dx = VectorXd::LinSpaced(x.size(), -1, 1);
+    const double E = stretch_energy(s.strand, s.x);
+    SCOPED_TRACE(s.name);
+    // Positions of a few metres round by 8 u, lengths by 16 u, energies by EA / l0 of that and their own rounding.
+    EXPECT_NEAR(stretch_energy(s.strand, x), E, 64 * kUnit * (std::sqrt(E * 50 * 6) * 10 + E) + 1e-28);
+    EXPECT_LE((force(s.strand, x) - motion.vectors(force(s.strand, s.x))).norm(),
+              1e3 * 64 * kUnit / s.shortest);
+    EXPECT_LE((product(s.strand, x, motion.vectors(dx), GeometricTerm::full) -
+               motion.vectors(product(s.strand, s.x, dx, GeometricTerm::full)))
+                  .norm(),
+              1e3 * 64 * kUnit * largest_stiffness(s) / s.shortest);
+  }
+}
+
+TEST(StretchSprings, FilteredAreExactInTensionAndLoseTheTermInCompression) {
+  for (const StrandState& s : strand_states()) {
+    SCOPED_TRACE(s.name);
+    const MatrixXd full = matrix(s.strand, s.x, GeometricTerm::full),
+                   filtered = matrix(s.strand, s.x, GeometricTerm::filtered),
+                   dropped = matrix(s.strand, s.x, GeometricTerm::dropped);
+    if (s.name.starts_with("stretched")) {
+      EXPECT_EQ(filtered, full);
+    } else if (s.name.starts_with("compressed")) {
+      EXPECT_EQ(filtered, dropped);
+    }
+  }
+}
+
+TEST(StretchSprings, AreNeverNegativeOnceFiltered) {
+  for (const StrandState& s : strand_states()) {
+    for (GeometricTerm term : {GeometricTerm::filtered, GeometricTerm::dropped}) {
+      SCOPED_TRACE(s.name);
+      const MatrixXd K = -matrix(s.strand, s.x, term);
+      const VectorXd eigenvalues = Eigen::SelfAdjointEigenSolver<MatrixXd>(K).eigenvalues();
+      // An eigenvalue moves by no more than the matrix does (Weyl).
+      EXPECT_GE(eigenvalues.minCoeff(), -64 * kUnit * static_cast<double>(K.rows()) * largest_stiffness(s));
+    }
+  }
+}
+
+TEST(StretchSprings, OfACompressedStrandAreIndefiniteWithTheFullTerm) {
+  for (const StrandState& s : strand_states())
+    if (s.name.starts_with("compressed")) {
+      const MatrixXd K = -matrix(s.strand, s.x, GeometricTerm::full);
+      EXPECT_LT(Eigen::SelfAdjointEigenSolver<MatrixXd>(K).eigenvalues().minCoeff(), -1) << s.name;
+    }
+}
+
+TEST(StretchSprings, StoreTheSameEnergyHoweverTheStrandIsDivided) {
+  // The same strain all along: exactly EA strain^2 L / 2.
+  for (int n : {1, 2, 4, 8, 64}) {
+    const Strand strand = hair::uniform_strand({}, n, 0.3);
+    VectorXd x = VectorXd::Zero(3 * n + 3);
+    for (int i = 0; i <= n; ++i) x[3 * i + 1] = 0.303 * i / n;
+    const double expected = strand.stretch_rigidity * 1e-4 * 0.3 / 2;
+    EXPECT_NEAR(stretch_energy(strand, x), expected, expected * 64 * kUnit / 0.01 * n) << n << " segments";
+  }
+}
+
+// A strand whose points are at r(s) has E = EA/2 int (|r'| - 1)^2 ds.
+TEST(StretchSprings, ApproachTheContinuumsEnergyToSecondOrder) {
+  // r' has the length 1 + 0.1 sin(s), along a helix; the integral over 0 to 2 of 0.01 sin^2.
+  const double EA = 25, exact = EA / 2 * 0.01 * (1 - std::sin(4.0) / 4);
+  std::vector<double> errors;
+  for (int n : {8, 16, 32, 64}) {
+    Strand strand = test_strand(n + 1);
+    strand.rest_length.setConstant(2.0 / n);
+    VectorXd x = VectorXd::Zero(3 * n + 3);
+    // r by Simpson's rule, to an error of 1e-12 or so.
+    for (int i = 0; i < n; ++i) {
+      Vector3d sum = Vector3d::Zero();
+      const int parts = 256;
+      for (int k = 0; k <= parts; ++k) {
+        const double s = (i + static_cast<double>(k) / parts) * 2 / n;
+        const double weight = (k == 0 || k == parts) ? 1 : (k % 2 == 1 ? 4 : 2);
+        sum += weight * (1 + 0.1 * std::sin(s)) * Vector3d(0.6 * std::cos(s), 0.6 * std::sin(s), 0.8);
+      }
+      x.segment<3>(3 * i + 3) = x.segment<3>(3 * i) + sum * (2.0 / n / parts / 3);
+    }
+    errors.push_back(std::abs(stretch_energy(strand, x) - exact));
+  }
+  for (std::size_t i = 1; i < errors.size(); ++i)
+    EXPECT_NEAR(errors[i - 1] / errors[i], 4, 0.4)
+        << "halving the segments, the " << i << "th time: second order";
+}
+
+TEST(StretchSprings, HangUnderTheirOwnWeightByRhoGLSquaredOver2E) {
+  const hair::Material material;
+  const double g = 9.81, L = 0.3, exact = material.density * g * L * L / (2 * material.young_modulus);
+  for (int n : {1, 2, 5, 30, 1000}) {
+    const Strand strand = hair::uniform_strand(material, n, L);
+    VectorXd x = VectorXd::Zero(3 * n + 3);
+    // Each segment carries what hangs below it.
+    double below = strand.mass.sum();
+    for (int i = 0; i < n; ++i) {
+      below -= strand.mass[i];
+      x[3 * i + 5] = x[3 * i + 2] - strand.rest_length[i] * (1 + below * g / strand.stretch_rigidity);
+    }
+    EXPECT_NEAR(-x[3 * n + 2] - L, exact, 8 * n * kUnit * L) << n << " segments; bound: rounding of n sums";
+    const VectorXd f = force(strand, x);
+    for (int i = 1; i <= n; ++i)  // A length is known to u L.
+      EXPECT_NEAR(f[3 * i + 2], strand.mass[i] * g, 4 * kUnit * L * strand.stretch_rigidity / (L / n))
+          << "in balance at particle " << i << " of " << n;
+  }
+}
+
+TEST(StretchSprings, SwingAxiallyAtTheKnownFrequencies) {
+  for (int n : {1, 2, 7, 30}) {
+    const Strand strand = hair::uniform_strand({}, n, 0.3);
+    const double k = strand.stretch_rigidity * n / 0.3, m = hair::Material().line_density() * 0.3 / n;
+    VectorXd x = VectorXd::Zero(3 * n + 3);
+    for (int i = 0; i <= n; ++i) x[3 * i + 2] = -0.3 * i / n;
+    // The axial part of M^-1/2 K M^-1/2, root fixed.
+    MatrixXd A(n, n);
+    for (int j = 1; j <= n; ++j) {
+      const VectorXd column = -product(strand, x, VectorXd::Unit(x.size(), 3 * j + 2), GeometricTerm::full);
+      for (int i = 1; i <= n; ++i)
+        A(i - 1, j - 1) = column[3 * i + 2] / std::sqrt(strand.mass[i] * strand.mass[j]);
+    }
+    const VectorXd squared = Eigen::SelfAdjointEigenSolver<MatrixXd>(A).eigenvalues();
+    for (int j = 1; j <= n; ++j) {
+      const double omega = 2 * std::sqrt(k / m) * std::sin((2 * j - 1) * pi / (4 * n));
+      EXPECT_NEAR(squared[j - 1], omega * omega, 16 * n * kUnit * 4 * k / m)
+          << "mode " << j << " of " << n << "; bound: rounding, of the largest eigenvalue 4 k/m";
+    }
+  }
+}
+
+TEST(StretchSprings, OfParticlesInOnePlaceAreNothingButEnergy) {
+  const Strand strand = test_strand(4);
+  const VectorXd x = VectorXd::Ones(12), dx = VectorXd::LinSpaced(12, -1, 1);
+  EXPECT_NEAR(stretch_energy(strand, x), 25 * strand.rest_length.sum() / 2, 8 * kUnit * 100)
+      << "k l0^2 / 2 each";
+  EXPECT_EQ(force(strand, x), VectorXd::Zero(12));
+  for (GeometricTerm term : {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped})
+    EXPECT_EQ(product(strand, x, dx, term), VectorXd::Zero(12));
+}
+
+TEST(StretchSprings, OfOneParticleAreNothing) {
+  const Strand strand = test_strand(1);
+  const VectorXd x = VectorXd::Ones(3);
+  EXPECT_EQ(stretch_energy(strand, x), 0);
+  EXPECT_EQ(force(strand, x), VectorXd::Zero(3));
+  EXPECT_EQ(product(strand, x, x, GeometricTerm::full), VectorXd::Zero(3));
+}
+
+TEST(StretchSprings, AreAddedToWhatIsThere) {
+  const StrandState s = strand_states()[2];
+  VectorXd f = VectorXd::Constant(s.x.size(), 3), df = f;
+  add_stretch_force(s.strand, s.x, f);
+  add_stretch_product(s.strand, s.x, GeometricTerm::full, s.x, df);
+  EXPECT_LE((f - force(s.strand, s.x)).array().abs().maxCoeff(), 3 + 1e-13);
+  EXPECT_GE((f - force(s.strand, s.x)).array().abs().minCoeff(), 3 - 1e-13);
+  EXPECT_GE((df - product(s.strand, s.x, s.x, GeometricTerm::full)).minCoeff(), 3 - 1e-12);
+}
+
+TEST(StretchSprings, StayFiniteHoweverStiffOrLong) {
+  Strand strand = test_strand(10000);
+  strand.stretch_rigidity *= 1e6;
+  VectorXd x(30000);
+  for (int i = 0; i < x.size(); ++i) x[i] = std::sin(1.0 * i * i);
+  EXPECT_TRUE(std::isfinite(stretch_energy(strand, x)));
+  EXPECT_TRUE(force(strand, x).allFinite());
+  EXPECT_TRUE(product(strand, x, x, GeometricTerm::full).allFinite());
+}
+
+TEST(StretchSprings, AllocateNothing) {
+  const StrandState s = strand_states()[2];
+  VectorXd out = VectorXd::Zero(s.x.size());
+  const long before = allocations();
+  ASSERT_GT(before, 0) << "nothing is counted";
+  stretch_energy(s.strand, s.x);
+  add_stretch_force(s.strand, s.x, out);
+  add_stretch_product(s.strand, s.x, GeometricTerm::filtered, s.x, out);
+  EXPECT_EQ(allocations(), before);
+}
+
+}  // namespace
+}  // namespace reference_tests
