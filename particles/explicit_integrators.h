@@ -1,22 +1,27 @@
 // P1. Four explicit integrators of x' = v, v' = a(x, v). Each function takes one step of h seconds, from the
 // state at t in x and v to the state at t + h in the same place.
 //
-//                      order   evaluations of a   source
-//   forward_euler        1            1           Hairer, Norsett and Wanner, "Solving Ordinary Differential
-//   symplectic_euler     1            1           Equations I" (1993), sections I.7 and II.1; symplectic: Hairer,
-//   midpoint             2            2           Lubich and Wanner, "Geometric Numerical Integration" (2006),
-//   runge_kutta_4        4            4           equation (I.1.9)
+//                      order   evaluations of a
+//   forward_euler        1            1
+//   symplectic_euler     1            1
+//   midpoint             2            2
+//   runge_kutta_4        4            4
+//
+// Sources: E. Hairer, S. P. Norsett and G. Wanner, "Solving Ordinary Differential Equations I" (1993), sections
+// I.7 and II.1; symplectic: E. Hairer, C. Lubich and G. Wanner, "Geometric Numerical Integration" (2006),
+// equation (I.1.9).
 //
 // The number of evaluations is part of the contract: it is what a step costs. h may have either sign; h = 0
-// changes nothing. x and v have 3n entries and don't overlap. What overflows becomes an infinity or a NaN in x
-// or v: the caller looks for it, the integrator does not.
+// changes nothing. x and v have 3n entries, n >= 0, and don't overlap; no step allocates memory. Values that
+// overflow become infinities or NaNs in x and v, and every step still returns: the caller looks for them, the
+// integrator does not.
 #pragma once
 
 #include "particles/dynamics.h"
 
 namespace particles {
 
-// Columns of 3n numbers that `scratch` has: as many as any of the four could need.
+// Columns of 3n numbers that `scratch` has, or more: as many as any of the four could need.
 inline constexpr int kIntegratorScratch = 10;
 
 // x(t+h) = x + h v,  v(t+h) = v + h a(x, v): both from the state at t.
@@ -29,7 +34,8 @@ void symplectic_euler(Dynamics& dynamics, double h, Output x, Output v, Scratch 
 // velocity and the acceleration found there.
 void midpoint(Dynamics& dynamics, double h, Output x, Output v, Scratch scratch);
 
-// The classical method of Runge and Kutta: slopes at t, twice at t + h/2, and at t + h, weighted 1:2:2:1.
+// The classical method of Runge and Kutta: slopes at t, twice at t + h/2, and at t + h, weighted 1:2:2:1. Each
+// slope is (v, a) of a state that starts at t again and goes along the slope before it.
 void runge_kutta_4(Dynamics& dynamics, double h, Output x, Output v, Scratch scratch);
 
 }  // namespace particles

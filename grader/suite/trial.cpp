@@ -6,13 +6,14 @@
 
 namespace grader {
 
-MessageReader Trial::ask(const MessageWriter& request, const Student::Products& products) {
+MessageReader Trial::ask(const MessageWriter& request, const Student::Products& products,
+                         const std::string& stopped) {
   Answer answer = student_.ask(request, products);
   switch (answer.outcome) {
     case Outcome::done:
       return std::move(answer.reply);
     case Outcome::stopped:
-      fail(Status::wrong, "takes more products with the matrix than the step limit allows", "stopped");
+      fail(Status::wrong, stopped, "stopped");
     case Outcome::not_implemented:
       fail(Status::not_implemented, "not implemented yet", answer.note);
     case Outcome::threw:

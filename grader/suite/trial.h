@@ -23,8 +23,11 @@ class Trial {
  public:
   Trial(Student& student, const Random& source) : random(source), student_(student) {}
 
-  // What the student's function returned. Throws CaseFailed if it did not return.
-  MessageReader ask(const MessageWriter& request, const Student::Products& products);
+  // What the student's function returned. Throws CaseFailed if it did not return; with the feedback `stopped` if
+  // `products` had enough.
+  MessageReader ask(
+      const MessageWriter& request, const Student::Products& products,
+      const std::string& stopped = "takes more products with the matrix than the step limit allows");
 
   // What the cases from here on try, for staff: "tridiagonal, n = 10".
   void describe(const std::string& text) { description_ = text; }

@@ -1,0 +1,35 @@
+// STAFF ONLY. Dynamics that a student's code is served: the suite's side of grader/worker/served_dynamics.h.
+#pragma once
+
+#include <vector>
+
+#include "grader/wire/message.h"
+#include "particles/dynamics.h"
+
+namespace grader {
+
+class DynamicsServer {
+ public:
+  // Of n particles; it answers `most` questions and then stops the request.
+  DynamicsServer(particles::Dynamics& dynamics, int n, int most)
+      : dynamics_(dynamics), size_(3 * n), most_(most) {}
+
+  // As Student::Products asks for it.
+  bool operator()(int which, const std::vector<double>& question, std::vector<double>& answer) {
+    if (which != 0 || static_cast<int>(question.size()) != 2 * size_)
+      throw MalformedMessage("a question that makes no sense");
+    answer.assign(size_, 0.0);
+    Eigen::Map<Eigen::VectorXd> a(answer.data(), size_);
+    dynamics_.acceleration(Eigen::Map<const Eigen::VectorXd>(question.data(), size_),
+                           Eigen::Map<const Eigen::VectorXd>(question.data() + size_, size_), a);
+    return ++evaluations <= most_;
+  }
+
+  int evaluations = 0;  // so far
+
+ private:
+  particles::Dynamics& dynamics_;
+  int size_, most_;
+};
+
+}  // namespace grader
