@@ -18,7 +18,7 @@ void check_vector(const std::string& what, particles::Input values) {
 }
 
 void check_direction(const std::string& what, const Vector3d& direction) {
-  require(std::abs(direction.norm() - 1) <= 1e-9, "the length of " + what, direction.norm(), "1");
+  require(std::abs(direction.norm() - 1) <= 1e-9, what + ": its length", direction.norm(), "1");
 }
 
 void check_strand(const std::string& name, const StrandStart& start) {
