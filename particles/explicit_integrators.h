@@ -7,9 +7,9 @@
 //   midpoint             2            2
 //   runge_kutta_4        4            4
 //
-// Sources: E. Hairer, S. P. Norsett and G. Wanner, "Solving Ordinary Differential Equations I" (1993), sections
-// I.7 and II.1; symplectic: E. Hairer, C. Lubich and G. Wanner, "Geometric Numerical Integration" (2006),
-// equation (I.1.9).
+// Sources: E. Hairer, S. P. Norsett and G. Wanner, "Solving Ordinary Differential Equations I" (1993),
+// sections I.7 and II.1; symplectic: E. Hairer, C. Lubich and G. Wanner, "Geometric Numerical Integration"
+// (2006), equation (I.1.9).
 //
 // The number of evaluations is part of the contract: it is what a step costs. h may have either sign; h = 0
 // changes nothing. x and v have 3n entries, n >= 0, and don't overlap; no step allocates memory. Values that
@@ -34,8 +34,8 @@ void symplectic_euler(Dynamics& dynamics, double h, Output x, Output v, Scratch 
 // velocity and the acceleration found there.
 void midpoint(Dynamics& dynamics, double h, Output x, Output v, Scratch scratch);
 
-// The classical method of Runge and Kutta: slopes at t, twice at t + h/2, and at t + h, weighted 1:2:2:1. Each
-// slope is (v, a) of a state that starts at t again and goes along the slope before it.
+// The classical method of Runge and Kutta: slopes at t, twice at t + h/2, and at t + h, weighted 1:2:2:1.
+// Each slope is (v, a) of a state that starts at t again and goes along the slope before it.
 void runge_kutta_4(Dynamics& dynamics, double h, Output x, Output v, Scratch scratch);
 
 }  // namespace particles

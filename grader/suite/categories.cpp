@@ -9,6 +9,7 @@
 #include "grader/suite/h5_categories.h"
 #include "grader/suite/h6_categories.h"
 #include "grader/suite/p1_categories.h"
+#include "grader/suite/p2_categories.h"
 #include "grader/suite/s1_categories.h"
 #include "grader/suite/s2_categories.h"
 #include "grader/suite/trial.h"
@@ -24,6 +25,7 @@ std::vector<Category> categories(const std::string& exercise) {
       {"H5", h5::categories},
       {"H6", h6::categories},
       {"P1", p1::categories},
+      {"P2", p2::categories},
       {"S1", s1::categories},
       {"S2", s2::categories},
   };

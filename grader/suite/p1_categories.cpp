@@ -1,5 +1,5 @@
-// STAFF ONLY. P1: hidden cases of the four integrators. The values of a method's step are looked at in its own
-// category alone, so that one wrong method does not fail them all.
+// STAFF ONLY. P1: hidden cases of the four integrators. The values of a method's step are looked at in its
+// own category alone, so that one wrong method does not fail them all.
 #include "grader/suite/p1_categories.h"
 
 #include <algorithm>

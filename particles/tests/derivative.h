@@ -1,6 +1,6 @@
 // A force compared with its own energy, and its products with its own differences, by central differences
-// (g(e) - g(-e)) / 2e. With the step e = 1e-5 of lengths of about 1, they are off by e^2/6 g''' and u |g| / e,
-// about 1e-10 and 1e-11 of g: the bound 1e-6 leaves room for third derivatives 1e4 times as large as g.
+// (g(e) - g(-e)) / 2e. With the step e = 1e-5 of lengths of about 1, they are off by e^2/6 g''' and u |g| /
+// e, about 1e-10 and 1e-11 of g: the bound 1e-6 leaves room for third derivatives 1e4 times as large as g.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -1,0 +1,294 @@
+// The public checks of P2. Every failure prints the input, what was expected, what came, the error and its
+// bound. The contract is in particles/constraint_forces.h. The checks of solve_constraints need S1: it calls
+// your ConjGrad.
+
+#include "particles/constraint_forces.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "check.h"
+#include "derivative.h"
+
+using namespace checks;
+using namespace particles;
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+namespace {
+
+const double kUnit = std::ldexp(1.0, -53), kNaN = std::numeric_limits<double>::quiet_NaN();
+
+struct Example {
+  Constraints constraints;
+  Particles particles;
+  State state;
+  VectorXd f;
+};
+
+// Particle 1 hangs from particle 0, which is pinned, on a rod of 0.5 m: mass 2 kg, angle 0.5 to the side.
+Example pendulum() {
+  Example system;
+  system.constraints.rods = {{1, 0, 0.5}};
+  system.particles = {Vector2d(3, 2), {1, 0}};
+  system.state = {VectorXd::Zero(6), VectorXd::Zero(6)};
+  system.state.x.tail<3>() = 0.5 * Vector3d(std::sin(0.5), 0, -std::cos(0.5));
+  system.f = VectorXd::Zero(6);
+  system.f[5] = -9.81 * 2;
+  return system;
+}
+
+// A bead of 0.25 kg on a level wire of radius 2 around (1, 0, 3).
+Example bead() {
+  Example system;
+  system.constraints.wires = {{0, Vector3d(1, 0, 3), Vector3d(0, 0, 1), 2}};
+  system.particles = {VectorXd::Constant(1, 0.25), {0}};
+  system.state = {Vector3d(1, 2, 3), Vector3d::Zero()};
+  system.f = Vector3d(0, 0, -9.81 * 0.25);
+  return system;
+}
+
+// Five particles without a pattern, four rods between them and two wires; nothing holds.
+Example tangle() {
+  Example system;
+  system.constraints.rods = {{0, 1, 0.7}, {2, 1, 1.1}, {3, 2, 0.9}, {1, 4, 0.4}};
+  system.constraints.wires = {{3, Vector3d(0.2, -1, 0.5), Vector3d(0.6, 0, -0.8), 0.8},
+                              {0, Vector3d(-1, 0.3, 0.1), Vector3d(0, 1, 0), 1.5}};
+  system.particles = {(VectorXd(5) << 0.3, 2, 0.7, 5, 1.1).finished(), {0, 0, 0, 0, 1}};
+  system.state = {scattered_vector(15, 1), scattered_vector(15, 2)};
+  system.f = scattered_vector(15, 3);
+  return system;
+}
+
+VectorXd values(const Example& system, const VectorXd& x) {
+  VectorXd C = VectorXd::Constant(system.constraints.rows(), kNaN);
+  constraint_values(system.constraints, x, C);
+  return C;
+}
+
+VectorXd rates(const Example& system, const VectorXd& v) {
+  VectorXd result = VectorXd::Constant(system.constraints.rows(), kNaN);
+  constraint_rates(system.constraints, system.state.x, v, result);
+  return result;
+}
+
+VectorXd forces(const Example& system, const VectorXd& lambda) {
+  VectorXd f = VectorXd::Zero(system.state.x.size());
+  add_constraint_forces(system.constraints, system.state.x, lambda, f);
+  return f;
+}
+
+VectorXd product(const Example& system, VectorXd y) {
+  VectorXd result = VectorXd::Constant(y.size(), kNaN);
+  constraint_matrix(system.constraints, system.particles, system.state)->matVecMult(y.data(), result.data());
+  return result;
+}
+
+VectorXd solve(const Example& system) {
+  VectorXd lambda = VectorXd::Constant(system.constraints.rows(), 1e3);
+  solve_constraints(system.constraints, system.particles, system.state, system.f, lambda);
+  return lambda;
+}
+
+// W (f + J^T lambda).
+VectorXd accelerations(const Example& system) {
+  VectorXd a = system.f + forces(system, solve(system));
+  for (int i = 0; i < system.particles.count(); ++i)
+    a.segment<3>(3 * i) *= system.particles.is_pinned(i) ? 0 : 1 / system.particles.mass[i];
+  return a;
+}
+
+void expect_vector(const VectorXd& actual, const VectorXd& expected, double bound, const std::string& what,
+                   const std::string& source) {
+  ASSERT_EQ(actual.size(), expected.size());
+  const double error = (actual - expected).lpNorm<Eigen::Infinity>();
+  EXPECT_TRUE(error <= bound) << what << "\nexpected = " << expected.transpose()
+                              << "\nactual   = " << actual.transpose() << "\nerror    = " << error
+                              << "\nbound    = " << bound << " = " << source;
+}
+
+}  // namespace
+
+TEST(ConstraintValues, OfARodAreHalfTheDifferenceOfSquares) {
+  Example system = pendulum();
+  VectorXd x(6);
+  x << 0, 0, 0, 1, 2, 2;
+  expect_vector(values(system, x), VectorXd::Constant(1, (9 - 0.25) / 2), 0,
+                "rod of length 0.5 between (0, 0, 0) and (1, 2, 2)", "these numbers are exact");
+}
+
+TEST(ConstraintValues, OfAWireAreItsSphereAndItsPlane) {
+  expect_vector(values(bead(), Vector3d(1, 2, 3)), Vector2d(0, 0), 0, "a bead on its wire", "exact");
+  expect_vector(values(bead(), Vector3d(1, 0, 5)), Vector2d(0, 2), 0,
+                "a bead on the sphere of radius 2 around (1, 0, 3), above its pole", "exact");
+  expect_vector(values(bead(), Vector3d(4, 0, 3)), Vector2d(2.5, 0), 0,
+                "a bead in the plane, 3 from the centre", "exact");
+}
+
+TEST(ConstraintValues, ComeRodsFirst) {
+  const Example system = tangle();
+  const VectorXd C = values(system, system.state.x);
+  ASSERT_EQ(C.size(), 8);
+  EXPECT_TRUE(C.allFinite()) << "all rows are overwritten; C = " << C.transpose();
+  Example rods = system;
+  rods.constraints.wires.clear();
+  expect_vector(C.head<4>(), values(rods, rods.state.x), 0, "the first four rows, of four rods",
+                "the same numbers");
+}
+
+TEST(ConstraintRates, AreTheChangeOfTheValues) {
+  const Example system = tangle();
+  const double h = std::ldexp(1.0, -14);
+  const VectorXd v = system.state.v;
+  const VectorXd expected =
+      (values(system, system.state.x + h * v) - values(system, system.state.x - h * v)) / (2 * h);
+  expect_vector(rates(system, v), expected, 1e-10,
+                "J v against (C(x + h v) - C(x - h v)) / 2h of your own constraint_values, h = 2^-14",
+                "C is quadratic, so that only rounding is left: 16 u / h, u = 2^-53");
+}
+
+TEST(ConstraintRates, OfASpinAreZero) {
+  // Turning around the pivot, and around the wire's axis.
+  expect_vector(rates(pendulum(), (VectorXd(6) << 0, 0, 0, std::cos(0.5), 0, std::sin(0.5)).finished()),
+                VectorXd::Zero(1), 8 * kUnit, "a pendulum that swings", "rounding");
+  expect_vector(rates(bead(), Vector3d(-7, 0, 0)), Vector2d(0, 0), 0, "a bead that slides", "exact");
+}
+
+TEST(ConstraintForces, AreTheTransposeOfTheRates) {
+  const Example system = tangle();
+  const VectorXd lambda = scattered_vector(8, 4), v = system.state.v;
+  EXPECT_NEAR(forces(system, lambda).dot(v), lambda.dot(rates(system, v)), 1e-14)
+      << "(J^T lambda) . v against lambda . (J v), lambda = " << lambda.transpose()
+      << "; bound: some 50 roundings of numbers about 1";
+}
+
+TEST(ConstraintForces, AreAddedToWhatIsThere) {
+  const Example system = tangle();
+  const VectorXd lambda = scattered_vector(8, 4), there = VectorXd::Constant(15, 8);
+  VectorXd f = there;
+  add_constraint_forces(system.constraints, system.state.x, lambda, f);
+  expect_vector(f, there + forces(system, lambda), 100 * kUnit, "f, which held 8s",
+                "10 roundings of numbers about 10");
+}
+
+TEST(ConstraintForces, OfRodsAreEqualAndOpposite) {
+  Example system = tangle();
+  system.constraints.wires.clear();
+  expect_balanced(forces(system, scattered_vector(4, 4)), system.state.x, 50 * kUnit,
+                  "50 roundings of numbers about 1");
+}
+
+TEST(ConstraintMatrix, IsTheTableOfItsProducts) {
+  const Example system = tangle();
+  const int rows = system.constraints.rows();
+  for (int k = 0; k < rows; ++k) {
+    SCOPED_TRACE("column " + std::to_string(k));
+    const VectorXd unit = VectorXd::Unit(rows, k);
+    VectorXd change = forces(system, unit);
+    for (int i = 0; i < 5; ++i) change.segment<3>(3 * i) *= i == 4 ? 0 : 1 / system.particles.mass[i];
+    expect_vector(product(system, unit), rates(system, change), 1e-13,
+                  "J W J^T e_k against your own rates of W times your own forces; particle 4 is pinned",
+                  "some 50 roundings of numbers up to 10");
+  }
+}
+
+TEST(ConstraintMatrix, IsSymmetricAndNeverNegative) {
+  const Example system = tangle();
+  const VectorXd a = scattered_vector(8, 5), b = scattered_vector(8, 6);
+  expect_symmetric([&](const VectorXd& y) { return product(system, y); }, a, b, 1e-12, "some 100 roundings");
+  EXPECT_GT(a.dot(product(system, a)), 0);
+}
+
+TEST(ConstraintMatrix, OfPinnedParticlesIsZero) {
+  Example system = pendulum();
+  system.particles.pinned = {1, 1};
+  expect_vector(product(system, VectorXd::Ones(1)), VectorXd::Zero(1), 0, "a rod between pinned particles",
+                "0 is exact");
+}
+
+TEST(SolveConstraints, CarriesAPendulum) {
+  Example system = pendulum();
+  // At rest the rod pulls with m g cos(angle); in a swing of 3 m/s with m v^2 / length more.
+  const double pull = 2 * 9.81 * std::cos(0.5);
+  expect_vector(solve(system), VectorXd::Constant(1, -pull / 0.5), 1e-8 * pull, "lambda at rest",
+                "the tolerance, 1e-10, with room");
+  system.state.v.tail<3>() = 3 * Vector3d(std::cos(0.5), 0, std::sin(0.5));
+  expect_vector(solve(system), VectorXd::Constant(1, -(pull + 2 * 9 / 0.5) / 0.5), 1e-8 * (pull + 36),
+                "lambda at 3 m/s", "the tolerance, 1e-10, with room");
+}
+
+TEST(SolveConstraints, HoldsABead) {
+  Example system = bead();
+  system.state.v = Vector3d(-4, 0, 0);
+  const Vector2d expected(-0.25 * 16 / 2 / 2, 9.81 * 0.25);
+  expect_vector(solve(system), expected, 1e-8 * expected.norm(),
+                "lambda of a bead at 4 m/s on a level wire of radius 2: (-m v^2 / r^2, m g)",
+                "the tolerance, 1e-10, with room");
+}
+
+TEST(SolveConstraints, LeavesConstraintsNoAcceleration) {
+  const Example system = tangle();
+  // C'' = J a + J' v by differences of J v along the motion x + t v + t^2/2 a.
+  const VectorXd a = accelerations(system), v = system.state.v;
+  const double h = std::ldexp(1.0, -14);
+  const auto rates_at = [&](double t) {
+    Example moved = system;
+    moved.state.x += t * v + t * t / 2 * a;
+    return rates(moved, v + t * a);
+  };
+  expect_vector((rates_at(h) - rates_at(-h)) / (2 * h), VectorXd::Zero(8), 1e-6,
+                "C'' of the moving system, by differences of your own constraint_rates, h = 2^-14",
+                "h^2 times fourth derivatives of C, about 3 |a|^2, |a| about 5: 3e-7");
+}
+
+TEST(SolveConstraints, FeedsErrorsBack) {
+  Example system = tangle();
+  system.constraints.stiffness = 40;
+  system.constraints.damping = 6;
+  const VectorXd a = accelerations(system), v = system.state.v;
+  const VectorXd expected = -40 * values(system, system.state.x) - 6 * rates(system, v);
+  // J' v: rates are linear in x, but for what does not depend on it.
+  Example moved = system, still = system;
+  moved.state.x += v;
+  const VectorXd curvature = rates(moved, v) - rates(still, v);
+  expect_vector(rates(system, a) + curvature, expected, 1e-8 * expected.norm(),
+                "C'' = J a + J' v against -stiffness C - damping C'", "the tolerance, 1e-10, with room");
+}
+
+TEST(SolveConstraints, SharesTheForceOfARodThatIsThereTwice) {
+  Example once = pendulum(), twice = pendulum();
+  twice.constraints.rods.push_back({0, 1, 0.5});
+  expect_vector(forces(twice, solve(twice)).tail<3>(), forces(once, solve(once)).tail<3>(), 1e-8 * 9.81 * 2,
+                "the force on a pendulum with the same rod twice", "the tolerance, 1e-10, with room");
+}
+
+TEST(SolveConstraints, ReportsHowFarItCame) {
+  const Example system = tangle();
+  VectorXd lambda(8);
+  const ConstraintReport report =
+      solve_constraints(system.constraints, system.particles, system.state, system.f, lambda);
+  EXPECT_GT(report.steps, 0);
+  EXPECT_LE(report.residual, 1e-8)
+      << "||right-hand side - J W J^T lambda||, for a right-hand side of about 10";
+}
+
+int main(int argc, char** argv) {
+  static const Example none;
+  static VectorXd nothing;
+  return run(
+      argc, argv,
+      {{"constraint_values", "ConstraintValues", [] { constraint_values({}, nothing, nothing); }},
+       {"constraint_rates", "ConstraintRates", [] { constraint_rates({}, nothing, nothing, nothing); }},
+       {"add_constraint_forces", "ConstraintForces",
+        [] { add_constraint_forces({}, nothing, nothing, nothing); }},
+       {"constraint_matrix", "ConstraintMatrix",
+        [] { constraint_matrix(none.constraints, none.particles, none.state); }},
+       {"solve_constraints", "SolveConstraints", [] {
+          const Example system = pendulum();
+          VectorXd lambda(1);
+          solve_constraints(system.constraints, system.particles, system.state, system.f, lambda);
+        }}});
+}
