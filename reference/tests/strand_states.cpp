@@ -9,8 +9,6 @@
 #include <numbers>
 #include <random>
 
-#include "handout/checks/derivative.h"
-
 namespace reference_tests {
 namespace {
 
@@ -90,7 +88,7 @@ std::vector<StrandState> strand_states() {
   return states;
 }
 
-MatrixXd matrix_of(const std::function<VectorXd(const VectorXd&)>& product, Eigen::Index size) {
+MatrixXd matrix_of(const checks::Operator& product, Eigen::Index size) {
   MatrixXd K(size, size);
   for (Eigen::Index i = 0; i < size; ++i) K.col(i) = product(VectorXd::Unit(size, i));
   return K;

@@ -1,12 +1,11 @@
 // STAFF ONLY. Strands and states that the forces of H1, H2 and H3 are tried in, and what all of them must satisfy.
 #pragma once
 
-#include <Eigen/Core>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "hair/strand.h"
+#include "handout/checks/derivative.h"
 
 namespace reference_tests {
 
@@ -33,13 +32,13 @@ std::vector<StrandState> strand_states();
 
 // A force without its strand: what tests of any force need of it.
 struct ForceUnderTest {
-  std::function<double(const VectorXd& x)> energy;
-  std::function<VectorXd(const VectorXd& x)> force;
+  checks::Energy energy;
+  checks::Field force;
   std::function<VectorXd(const VectorXd& x, const VectorXd& dx)> product;
 };
 
 // The matrix of `product` at x, by its columns.
-MatrixXd matrix_of(const std::function<VectorXd(const VectorXd& dx)>& product, Eigen::Index size);
+MatrixXd matrix_of(const checks::Operator& product, Eigen::Index size);
 
 // f = -dE/dx and df = f'(x) dx by central differences with steps of 2^-14 of `length`, to 1e-6 of the largest entry,
 // and to 2^-36 of `scale` (N, N/m) where that is smaller: what differences leave of 0.

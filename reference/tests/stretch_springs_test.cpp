@@ -19,15 +19,15 @@ using hair::GeometricTerm;
 using std::numbers::pi;
 
 VectorXd force(const Strand& strand, const VectorXd& x) {
-  VectorXd f = VectorXd::Zero(x.size());
-  add_stretch_force(strand, x, f);
-  return f;
+  VectorXd result = VectorXd::Zero(x.size());
+  add_stretch_force(strand, x, result);
+  return result;
 }
 
 VectorXd product(const Strand& strand, const VectorXd& x, const VectorXd& dx, GeometricTerm term) {
-  VectorXd df = VectorXd::Zero(x.size());
-  add_stretch_product(strand, x, term, dx, df);
-  return df;
+  VectorXd result = VectorXd::Zero(x.size());
+  add_stretch_product(strand, x, term, dx, result);
+  return result;
 }
 
 MatrixXd matrix(const Strand& strand, const VectorXd& x, GeometricTerm term) {

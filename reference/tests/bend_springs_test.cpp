@@ -1,0 +1,198 @@
+// STAFF ONLY. What hair/bend_springs.h promises, and the lecture's criticism as measurements.
+
+#include "hair/bend_springs.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <numbers>
+
+#include "hair/stretch_springs.h"
+#include "reference/tests/allocations.h"
+#include "reference/tests/bend.h"
+#include "reference/tests/strand_states.h"
+
+namespace reference_tests {
+namespace {
+
+using hair::GeometricTerm;
+using std::numbers::pi;
+
+VectorXd force(const Strand& strand, const VectorXd& x) {
+  VectorXd result = VectorXd::Zero(x.size());
+  add_bend_spring_force(strand, x, result);
+  return result;
+}
+
+VectorXd product(const Strand& strand, const VectorXd& x, const VectorXd& dx, GeometricTerm term) {
+  VectorXd result = VectorXd::Zero(x.size());
+  add_bend_spring_product(strand, x, term, dx, result);
+  return result;
+}
+
+MatrixXd matrix(const Strand& strand, const VectorXd& x, GeometricTerm term) {
+  return matrix_of([&](const VectorXd& dx) { return product(strand, x, dx, term); }, x.size());
+}
+
+// The shortest distance of particles i and i + 2.
+double shortest(const StrandState& s) {
+  double result = s.shortest;
+  for (int i = 0; i + 2 < s.strand.count(); ++i)
+    result = std::min(result, (s.x.segment<3>(3 * i + 6) - s.x.segment<3>(3 * i)).norm());
+  return result;
+}
+
+// k (1 + d0/d), of k at most 9 N over 1 m and d0 at most 3 m, twice.
+double largest_stiffness(const StrandState& s) {
+  return 2 * 9 * (1 + 3 / shortest(s));
+}
+
+TEST(BendSprings, AgreeWithCentralDifferencesInEveryState) {
+  for (const StrandState& s : strand_states()) {
+    if (s.name.starts_with("nearly folded"))
+      continue;  // The distance is then close to any number, 0 included.
+    SCOPED_TRACE(s.name + ", " + std::to_string(s.strand.count()) + " particles");
+    const ForceUnderTest f = {
+        [&](const VectorXd& x) { return bend_spring_energy(s.strand, x); },
+        [&](const VectorXd& x) { return force(s.strand, x); },
+        [&](const VectorXd& x, const VectorXd& dx) { return product(s.strand, x, dx, GeometricTerm::full); }};
+    expect_derivatives(f, s.x, shortest(s), 60, largest_stiffness(s));
+  }
+}
+
+TEST(BendSprings, LeaveLinearAndAngularMomentumAlone) {
+  for (const StrandState& s : strand_states()) {
+    SCOPED_TRACE(s.name);
+    expect_no_momentum(force(s.strand, s.x), s.x, s.strand.count() * 64 * kUnit * 9 * 7);
+  }
+}
+
+TEST(BendSprings, HaveASymmetricDerivative) {
+  for (const StrandState& s : strand_states())
+    for (GeometricTerm term : {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped}) {
+      SCOPED_TRACE(s.name);
+      expect_symmetric_matrix(matrix(s.strand, s.x, term), 16 * kUnit * largest_stiffness(s));
+    }
+}
+
+TEST(BendSprings, AreNeverNegativeOnceFiltered) {
+  for (const StrandState& s : strand_states()) {
+    for (GeometricTerm term : {GeometricTerm::filtered, GeometricTerm::dropped}) {
+      const MatrixXd K = -matrix(s.strand, s.x, term);
+      EXPECT_GE(Eigen::SelfAdjointEigenSolver<MatrixXd>(K).eigenvalues().minCoeff(),
+                -64 * kUnit * static_cast<double>(K.rows()) * largest_stiffness(s))
+          << s.name;
+    }
+  }
+}
+
+TEST(BendSprings, TurnWithARigidMotion) {
+  const RigidMotion motion = some_motion();
+  for (const StrandState& s : strand_states()) {
+    const VectorXd x = motion.points(s.x), dx = VectorXd::LinSpaced(x.size(), -1, 1);
+    SCOPED_TRACE(s.name);
+    EXPECT_NEAR(bend_spring_energy(s.strand, x), bend_spring_energy(s.strand, s.x), 64 * kUnit * 9 * 9 * 7);
+    // Positions of a few metres round by 16 u, directions by that over the distance.
+    EXPECT_LE((force(s.strand, x) - motion.vectors(force(s.strand, s.x))).norm(),
+              1e3 * 64 * kUnit / shortest(s));
+    EXPECT_LE((product(s.strand, x, motion.vectors(dx), GeometricTerm::full) -
+               motion.vectors(product(s.strand, s.x, dx, GeometricTerm::full)))
+                  .norm(),
+              1e3 * 64 * kUnit * largest_stiffness(s) / shortest(s));
+  }
+}
+
+TEST(BendSprings, OfParticlesThatMeetAreNothingButEnergy) {
+  Strand strand = test_strand(3);
+  strand.rest_length << 1, 2;
+  VectorXd x(9);
+  x << 1, 2, 3, 4, 5, 6, 1, 2, 3;
+  EXPECT_EQ(bend_spring_energy(strand, x), 9.0 / 3 * 9 / 2);
+  EXPECT_EQ(force(strand, x), VectorXd::Zero(9));
+  for (GeometricTerm term : {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped})
+    EXPECT_EQ(product(strand, x, x, term), VectorXd::Zero(9));
+}
+
+TEST(BendSprings, OfOneOrTwoParticlesAreNothing) {
+  for (int count : {1, 2}) {
+    const Strand strand = test_strand(count);
+    const VectorXd x = VectorXd::LinSpaced(3 * count, 0, 1), zero = VectorXd::Zero(3 * count);
+    EXPECT_EQ(bend_spring_energy(strand, x), 0);
+    EXPECT_EQ(force(strand, x), zero);
+    EXPECT_EQ(product(strand, x, x, GeometricTerm::full), zero);
+  }
+}
+
+TEST(BendSprings, ServeTenThousandParticlesAndAllocateNothing) {
+  const Strand strand = test_strand(10000);
+  VectorXd x(30000), f = VectorXd::Zero(30000), df = f;
+  for (int i = 0; i < x.size(); ++i) x[i] = std::sin(1.0 * i * i);
+  const long before = allocations();
+  ASSERT_GT(before, 0) << "nothing is counted";
+  EXPECT_TRUE(std::isfinite(bend_spring_energy(strand, x)));
+  add_bend_spring_force(strand, x, f);
+  add_bend_spring_product(strand, x, GeometricTerm::filtered, x, df);
+  EXPECT_EQ(allocations(), before);
+  EXPECT_TRUE(f.allFinite());
+  EXPECT_TRUE(df.allFinite());
+}
+
+// The lecture: "Difficulty: Each spring constant affects both bending and stretching". A uniform strand of length 1 with
+// n segments, stretched by 1 %, and bent into an arc of radius 1 with its segments as long as at rest.
+struct Measured {
+  double stretch;  // the energy over EA strain^2 L / 2: how many strands stretch like it
+  double bend;     // the energy over EI / R^2 L / 2 at EI = 1
+};
+Measured measured(int n, double EA, double S) {
+  Strand strand = test_strand(n + 1);
+  strand.rest_length.setConstant(1.0 / n);
+  strand.stretch_rigidity = EA;
+  strand.skip_rigidity = S;
+  VectorXd stretched = VectorXd::Zero(3 * n + 3), arc = stretched;
+  for (int i = 0; i < n; ++i) {
+    stretched[3 * i + 3] = 1.01 * (i + 1) / n;
+    arc.segment<3>(3 * i + 3) =
+        arc.segment<3>(3 * i) + Vector3d(std::cos(1.0 * i / n), std::sin(1.0 * i / n), 0) / n;
+  }
+  auto energy = [&](const VectorXd& x) { return stretch_energy(strand, x) + bend_spring_energy(strand, x); };
+  return {energy(stretched) / (1e-4 / 2), energy(arc) / 0.5};
+}
+
+TEST(BendSprings, StiffenAgainstStretchingByTwiceTheirRigidity) {
+  // n - 1 springs of 2 L/n each: EA + 2 S (1 - 1/n).
+  for (int n : {4, 8, 16, 32})
+    for (double S : {0.0, 1.0, 10.0})
+      EXPECT_NEAR(measured(n, 25, S).stretch, 25 + 2 * S * (1 - 1.0 / n), 1e-10 * (25 + 2 * S))
+          << n << ", " << S;
+}
+
+TEST(BendSprings, ResistABendWithTheFourthPowerOfASegmentsLength) {
+  // d = 2 l cos(phi/2), and so (d - d0)^2 = (4 l sin^2(phi/4))^2, (l phi^2 / 4)^2 for small phi: at the same curvature
+  // the resistance falls by 16 when the segments are halved. What a constant means depends on the sampling.
+  for (int n : {8, 16, 32}) {
+    const double l = 1.0 / n, phi = 1.0 / n, k = 10 / (2 * l);
+    const double exact = (n - 1) * k * std::pow(4 * l * std::pow(std::sin(phi / 4), 2), 2);
+    EXPECT_NEAR(measured(n, 25, 10).bend, exact, 1e-6 * exact)
+        << n;  // d - d0 is known to u l, and is l phi^2 / 4
+    EXPECT_NEAR(measured(n, 25, 10).bend / measured(2 * n, 25, 10).bend, 16, 32.0 / n) << n;
+  }
+}
+
+TEST(BendSprings, ResistASmallBendNotAtAll) {
+  // The exact derivative of a straight strand: a change across it costs nothing, where angular springs have EI / l^3.
+  Strand strand = test_strand(3);
+  strand.rest_length.setOnes();
+  VectorXd x = VectorXd::Zero(9), across = x;
+  x << 0, 0, 0, 0, 0, -1, 0, 0, -2;
+  across[3] = 1;
+  EXPECT_EQ(product(strand, x, across, GeometricTerm::full), VectorXd::Zero(9));
+  EXPECT_LE(
+      (bend_product(strand, x, across) -
+       4 * VectorXd(Eigen::Map<const VectorXd>(std::array<double, 9>{2, 0, 0, -4, 0, 0, 2, 0, 0}.data(), 9)))
+          .norm(),
+      64 * kUnit * 16);
+}
+
+}  // namespace
+}  // namespace reference_tests
