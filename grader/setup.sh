@@ -13,6 +13,7 @@ pkg-config           # finds libseccomp and libsodium
 libeigen3-dev        # Eigen: linear algebra
 libgtest-dev         # GoogleTest: tests, public checks, grading suite
 libbenchmark-dev     # Google Benchmark
+libbullet-dev        # Bullet: its rope is what hair is timed beside
 libstb-dev           # reads and writes images
 nlohmann-json3-dev   # JSON: exercises, courses, results
 libcli11-dev         # the command line of hairgrade

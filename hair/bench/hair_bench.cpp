@@ -1,0 +1,186 @@
+// What a step of hair costs: by method and number of strands, by part, by stiffness, and beside Bullet's rope.
+//
+// All hair is human hair in segments of 1 cm that starts level and swings down for `kWarmUp` steps before it is
+// timed, so that it is bent and moves.
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <vector>
+
+#include "hair/bench/bullet_rope.h"
+#include "hair/bench/staged_step.h"
+#include "hair/length_correction.h"
+#include "hair/make_strand.h"
+#include "hair/measures.h"
+#include "hair/predictor_corrector.h"
+#include "hair/rest_shape.h"
+#include "hair/simulation.h"
+
+namespace hair_bench {
+namespace {
+
+using Eigen::Vector3d;
+using hair::Description;
+using hair::Method;
+using hair::Simulation;
+
+constexpr double kStep = 1.0 / 240;
+constexpr int kWarmUp = 20;
+
+hair::StrandStart level_hair(int segments, const hair::Material& material = {}) {
+  const Eigen::VectorXd x = hair::straight_shape(segments, 0.01 * segments,
+                                                 {Vector3d::Zero(), Vector3d::UnitX(), Vector3d::UnitY()})
+                                .x;
+  return {hair::strand_from_rest(material, x), {x, Eigen::VectorXd::Zero(x.size())}};
+}
+
+Simulation swinging(Method method, int strands, int segments, double step,
+                    const hair::Material& material = {}) {
+  Description description;
+  description.method = method;
+  description.step = step;
+  description.strands.assign(strands, level_hair(segments, material));
+  Simulation simulation(std::move(description));
+  simulation.advance(kWarmUp);
+  return simulation;
+}
+
+// CPU seconds: other programs on the machine matter less.
+template <class Work>
+double seconds(Work work) {
+  const std::clock_t start = std::clock();
+  work();
+  return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+double median(std::vector<double> values) {
+  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+  return values[values.size() / 2];
+}
+
+// Arguments: number of strands, of 16 particles each.
+void steps(benchmark::State& state, Method method) {
+  constexpr int kParticles = 16;
+  const int strands = static_cast<int>(state.range(0));
+  Simulation simulation = swinging(method, strands, kParticles - 1, kStep);
+  const long solver_steps = simulation.work().solver_steps;
+  long taken = 0;
+  double fastest = INFINITY;
+  for (auto _ : state) {
+    const double time = seconds([&] { simulation.step(); });
+    fastest = std::min(fastest, time);
+    state.SetIterationTime(time);
+    ++taken;
+  }
+  const double particle_steps = static_cast<double>(kParticles) * strands;
+  state.counters["ns"] = fastest * 1e9 / particle_steps;
+  state.counters["CG"] = static_cast<double>(simulation.work().solver_steps - solver_steps) /
+                         static_cast<double>(taken * strands);
+}
+BENCHMARK_CAPTURE(steps, H4, Method::implicit_euler)->Arg(1)->Iterations(400)->UseManualTime();
+BENCHMARK_CAPTURE(steps, H4, Method::implicit_euler)->Arg(100)->Iterations(20)->UseManualTime();
+BENCHMARK_CAPTURE(steps, H4, Method::implicit_euler)->Arg(10'000)->Iterations(3)->UseManualTime();
+BENCHMARK_CAPTURE(steps, H6, Method::predictor_corrector)->Arg(1)->Iterations(400)->UseManualTime();
+BENCHMARK_CAPTURE(steps, H6, Method::predictor_corrector)->Arg(100)->Iterations(20)->UseManualTime();
+BENCHMARK_CAPTURE(steps, H6, Method::predictor_corrector)->Arg(10'000)->Iterations(3)->UseManualTime();
+
+// Where a step of H6 spends its time. Arguments: segments.
+void shares(benchmark::State& state) {
+  const int segments = static_cast<int>(state.range(0));
+  Simulation simulation = swinging(Method::predictor_corrector, 1, segments, kStep);
+  particles::State moving = simulation.state(0);
+  Eigen::MatrixXd scratch(moving.x.size(), hair::kPredictorCorrectorScratch);
+  Stages stages;
+  for (auto _ : state) {
+    const double before = stages.all;
+    staged_step(simulation.force(0), simulation.particles(0), simulation.strand(0), kStep, moving, scratch,
+                stages);
+    state.SetIterationTime(stages.all - before);
+  }
+  state.counters["products_%"] = 100 * stages.products / stages.all;
+  state.counters["solver_%"] = 100 * stages.solver / stages.all;
+  state.counters["forces_%"] = 100 * stages.forces / stages.all;
+  state.counters["correction_%"] = 100 * stages.correction / stages.all;
+}
+BENCHMARK(shares)->Arg(10)->Arg(30)->Arg(100)->Iterations(50)->UseManualTime()->Unit(benchmark::kMicrosecond);
+
+// Iterations of ConjGrad for a solve, 30 segments. Arguments: the logarithm of how many times hair's stiffness.
+void stiffness(benchmark::State& state, Method method) {
+  hair::Material material;
+  material.young_modulus *= std::pow(10, static_cast<double>(state.range(0)));
+  Simulation simulation = swinging(method, 1, 30, kStep, material);
+  const hair::Work before = simulation.work();
+  for (auto _ : state) state.SetIterationTime(seconds([&] { simulation.step(); }));
+  const double solves = static_cast<double>(simulation.work().strand_steps - before.strand_steps) *
+                        (method == Method::implicit_euler ? 1 : 2);
+  state.counters["CG"] = static_cast<double>(simulation.work().solver_steps - before.solver_steps) / solves;
+  state.counters["unconverged_%"] =
+      100 * static_cast<double>(simulation.work().unconverged - before.unconverged) / solves;
+  state.counters["stretch"] = hair::largest_stretch(simulation.strand(0), simulation.state(0).x);
+}
+BENCHMARK_CAPTURE(stiffness, H4, Method::implicit_euler)
+    ->DenseRange(-4, 6, 2)
+    ->Iterations(40)
+    ->UseManualTime()
+    ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(stiffness, H6, Method::predictor_corrector)
+    ->DenseRange(-4, 6, 2)
+    ->Iterations(40)
+    ->UseManualTime()
+    ->Unit(benchmark::kMicrosecond);
+
+constexpr int kTurn = 5;  // steps: enough for the clock, which counts microseconds
+
+// A swing of half a second, by H4 or H6 and by Bullet's rope, turn by turn. Arguments: steps a second, Bullet's
+// iterations. Without bending, which the rope has not. `stretch` and `bullet_stretch` are the largest on the way.
+void beside_bullet(benchmark::State& state, Method method) {
+  const double step = 1.0 / static_cast<double>(state.range(0));
+  const int iterations = static_cast<int>(state.range(1)), steps = static_cast<int>(state.range(0)) / 2;
+  Description description;
+  description.method = method;
+  description.step = step;
+  description.strands = {level_hair(30)};
+  description.strands[0].strand.bend_rigidity = 0;
+
+  std::vector<double> ratios, ours, bullets;
+  double stretch = 0, bullet_stretch = 0;
+  for (auto _ : state) {
+    Simulation simulation(description);
+    const hair::Strand& strand = simulation.strand(0);
+    BulletRope rope(strand, iterations);
+    double our_time = 0, bullet_time = 0;
+    for (int k = 0; k < steps; k += kTurn) {
+      our_time += seconds([&] { simulation.advance(kTurn); });
+      bullet_time += seconds([&] {
+        for (int turn = 0; turn < kTurn; ++turn) rope.step(step);
+      });
+      stretch = std::max(stretch, hair::largest_stretch(strand, simulation.state(0).x));
+      bullet_stretch = std::max(bullet_stretch, hair::largest_stretch(strand, rope.positions()));
+    }
+    ours.push_back(our_time / steps);
+    bullets.push_back(bullet_time / steps);
+    ratios.push_back(our_time / bullet_time);
+    state.SetIterationTime(our_time);
+  }
+  state.counters["us"] = 1e6 * *std::min_element(ours.begin(), ours.end());
+  state.counters["bullet_us"] = 1e6 * *std::min_element(bullets.begin(), bullets.end());
+  state.counters["ratio"] = median(ratios);
+  state.counters["stretch"] = stretch;
+  state.counters["bullet_stretch"] = bullet_stretch;
+}
+BENCHMARK_CAPTURE(beside_bullet, H4, Method::implicit_euler)
+    ->ArgsProduct({{60, 240, 960}, {10}})
+    ->Iterations(5)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(beside_bullet, H6, Method::predictor_corrector)
+    ->ArgsProduct({{60, 240, 960}, {1, 10, 100, 1000}})
+    ->Iterations(5)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace hair_bench

@@ -1,0 +1,84 @@
+#include "hair/bench/staged_step.h"
+
+#include <chrono>
+
+#include "hair/length_correction.h"
+#include "hair/predictor_corrector.h"
+#include "particles/implicit_euler.h"
+
+namespace hair_bench {
+
+namespace {
+
+using particles::Input;
+using particles::Output;
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// Adds the time until it goes to `sum`.
+class Stopwatch {
+ public:
+  explicit Stopwatch(double& sum) : sum_(sum), start_(now()) {}
+  ~Stopwatch() { sum_ += now() - start_; }
+  Stopwatch(const Stopwatch&) = delete;
+  Stopwatch& operator=(const Stopwatch&) = delete;
+
+ private:
+  double& sum_;
+  double start_;
+};
+
+class TimedForce : public particles::Force {
+ public:
+  TimedForce(const particles::Force& force, Stages& stages) : force_(force), stages_(stages) {}
+  double energy(Input x) const override { return force_.energy(x); }
+  void add_force(Input x, Input v, Output f) const override {
+    const Stopwatch watch(stages_.forces);
+    force_.add_force(x, v, f);
+  }
+  void add_dfdx(Input x, Input v, Input dx, Output df) const override {
+    const Stopwatch watch(stages_.products);
+    force_.add_dfdx(x, v, dx, df);
+  }
+  void add_dfdv(Input x, Input v, Input dv, Output df) const override { force_.add_dfdv(x, v, dv, df); }
+
+ private:
+  const particles::Force& force_;
+  Stages& stages_;
+};
+
+}  // namespace
+
+void staged_step(const particles::Force& force, const particles::Particles& particles,
+                 const hair::Strand& strand, double h, particles::State& state, Eigen::MatrixXd& scratch,
+                 Stages& stages) {
+  const double before = stages.products + stages.forces;
+  const TimedForce timed(force, stages);
+  double solves = 0;
+  {
+    const Stopwatch watch(stages.all);
+    auto solve_scratch = scratch.leftCols(particles::kImplicitScratch);
+    auto correction_scratch = scratch.middleCols(particles::kImplicitScratch, hair::kCorrectionScratch);
+    auto dv = scratch.col(hair::kPredictorCorrectorScratch - 1);
+    auto predicted = scratch.col(hair::kPredictorCorrectorScratch - 2);
+    const auto solve = [&] {
+      const Stopwatch solve_watch(solves);
+      solve_implicit(timed, particles, state, h / 2, h, particles::kSolveTolerance, dv, solve_scratch);
+      state.v += dv;
+    };
+    solve();
+    state.x += h * state.v;
+    predicted = state.x;
+    {
+      const Stopwatch correction_watch(stages.correction);
+      correct_lengths(strand, hair::kLengthTolerance, hair::kMostCorrections, state.x, correction_scratch);
+    }
+    state.v += (state.x - predicted) / h;
+    solve();
+  }
+  stages.solver += solves - (stages.products + stages.forces - before);
+}
+
+}  // namespace hair_bench

@@ -1,0 +1,23 @@
+// H6 step by step with a clock beside it: which part takes how long.
+#pragma once
+
+#include "hair/strand.h"
+#include "particles/force.h"
+#include "particles/state.h"
+
+namespace hair_bench {
+
+// Seconds, summed up.
+struct Stages {
+  double products = 0;  // with df/dx and df/dv
+  double forces = 0;
+  double solver = 0;  // ConjGrad's own sweeps over vectors
+  double correction = 0;
+  double all = 0;
+};
+
+void staged_step(const particles::Force& force, const particles::Particles& particles,
+                 const hair::Strand& strand, double h, particles::State& state, Eigen::MatrixXd& scratch,
+                 Stages& stages);
+
+}  // namespace hair_bench
