@@ -196,8 +196,9 @@ Compiled Compiler::run_linker(const Exercise& exercise, const fs::path& job) con
   command.insert(command.end(), kLink.begin(), kLink.end());
   if (fs::exists("/usr/bin/ld.gold"))
     command.push_back("-fuse-ld=gold");  // a third of the default linker's time
-  command.insert(command.end(), {"-Wl,--version-script=/export.map", "-o", "/out/" + exercise.id + ".so",
-                                 "/object/object.o"});
+  // Under its name other exercises' objects find it, where all run together.
+  command.insert(command.end(), {"-Wl,-soname," + exercise.id + ".so", "-Wl,--version-script=/export.map",
+                                 "-o", "/out/" + exercise.id + ".so", "/object/object.o"});
   for (const std::string& id : exercise.prerequisites) {
     cage.mounts.push_back({kit_.folder() / "lib" / (id + ".so"), "/lib-given/" + id + ".so"});
     command.push_back("/lib-given/" + id + ".so");

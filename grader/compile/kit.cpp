@@ -36,7 +36,8 @@ void remove_stale() {
 StagedKit::StagedKit(const fs::path& kit, const Course& course) {
   for (const Exercise& exercise : course.exercises)
     for (const fs::path& part :
-         {fs::path("worker"), fs::path("include") / exercise.header, fs::path("lib") / (exercise.id + ".so"),
+         {fs::path("worker"), fs::path("serve/runs.so"), fs::path("include") / exercise.header,
+          fs::path("lib") / (exercise.id + ".so"), fs::path("stub") / (exercise.id + ".so"),
           fs::path("serve") / (exercise.id + ".so"), fs::path("export") / (exercise.id + ".map")})
       if (!fs::exists(kit / part))
         throw BadInput((kit / part).string() + " is missing; build the target grading_kit");

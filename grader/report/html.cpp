@@ -61,6 +61,7 @@ tfoot th, tfoot td { border-bottom: 0; color: var(--quiet); }
   background: var(--none-soft); margin-top: .45rem; }
 .share span { background: var(--link); opacity: .75; }
 details { margin: .35rem 0; } summary { cursor: pointer; } details ul { margin: .4rem 0; padding-left: 1.25rem; }
+.overview { width: auto; } .overview th, .overview td { padding: .3rem 1.5rem .3rem 0; }
 .category { width: 27%; } .status { width: 9rem; } .saw { width: 40%; }
 nav { margin-top: .75rem; font-size: .9375rem; } nav a { margin-right: 1rem; }
 .wide { overflow-x: auto; } .wide table { min-width: 40rem; } body:has(.class) { max-width: 84rem; }

@@ -75,6 +75,7 @@ TEST(Pages, StudentsSeeNothingOfTheStaffs) {
   result.exercises[0].staff_log = "STAFFSECRET";
   result.exercises[0].cases[0].detail = "STAFFSECRET";
   result.fingerprint = "STAFFSECRET";
+  result.runs[0].detail = "STAFFSECRET";
   result.exercises[1].cases.clear();
   result.exercises[1].status = Status::does_not_compile;
   result.exercises[1].compiler_messages = "yourline";

@@ -88,6 +88,20 @@ TEST_F(Reports, ResultsComeBackWhole) {
   }
 }
 
+TEST_F(Reports, RunsComeBackWhole) {
+  const SubmissionResult result = sample_class(1).front();
+  write_submission_reports(dir_, result);
+  const SubmissionResult read = read_results(dir_, result.name).value();
+  ASSERT_EQ(read.runs.size(), result.runs.size());
+  for (std::size_t i = 0; i < read.runs.size(); ++i) {
+    EXPECT_EQ(read.runs[i].name, result.runs[i].name);
+    EXPECT_EQ(read.runs[i].shows, result.runs[i].shows);
+    EXPECT_EQ(read.runs[i].outcome, result.runs[i].outcome);
+    EXPECT_EQ(read.runs[i].feedback, result.runs[i].feedback);
+    EXPECT_EQ(read.runs[i].detail, result.runs[i].detail);
+  }
+}
+
 TEST_F(Reports, WhatIsNotWholeIsNotRead) {
   const SubmissionResult alice = sample_class(1).front();
   EXPECT_FALSE(read_results(dir_, "alice"));

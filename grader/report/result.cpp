@@ -51,6 +51,8 @@ const Wording& wording_of(Status status) {
   throw std::invalid_argument("there is no status " + std::to_string(static_cast<int>(status)));
 }
 
+constexpr std::array<const char*, 5> outcomes{"same", "differs", "blew up", "failed", "not run"};
+
 }  // namespace
 
 std::string to_string(Status status) {
@@ -66,6 +68,16 @@ Status status_from_string(const std::string& name) {
 
 std::string sentence_for(Status status) {
   return wording_of(status).sentence;
+}
+
+std::string to_string(RunOutcome outcome) {
+  return outcomes.at(static_cast<std::size_t>(outcome));
+}
+
+RunOutcome run_outcome_from_string(const std::string& name) {
+  for (std::size_t i = 0; i < outcomes.size(); ++i)
+    if (name == outcomes[i]) return static_cast<RunOutcome>(i);
+  throw std::invalid_argument("\"" + name + "\" is no outcome of a run");
 }
 
 double points(const SubmissionResult& result) {

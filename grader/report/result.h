@@ -43,9 +43,23 @@ struct ExerciseResult {
   std::string staff_log;  // all that compiler, linker and worker printed
 };
 
+enum class RunOutcome { same, differs, blew_up, failed, not_run };
+
+std::string to_string(RunOutcome outcome);               // "blew up"
+RunOutcome run_outcome_from_string(const std::string&);  // throws std::invalid_argument
+
+// A scene that all of a submission's exercises run together: shown, and not scored.
+struct RunResult {
+  std::string name, shows;  // "strand-swing", and what there is to see
+  RunOutcome outcome = RunOutcome::not_run;
+  std::string feedback;  // for students
+  std::string detail;    // for staff
+};
+
 struct SubmissionResult {
   std::string name;
   std::vector<ExerciseResult> exercises;
+  std::vector<RunResult> runs;
   std::string note;         // not empty: what is wrong with the submission as a whole, for the student
   std::string fingerprint;  // of the submission's bytes and of the suite, in hexadecimal
   bool isolated = true;     // false: graded without a sandbox; every page says so

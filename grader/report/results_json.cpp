@@ -79,6 +79,33 @@ ExerciseResult exercise_from(const Json& json) {
   return exercise;
 }
 
+// Gradescope shows it; it changes no score.
+Json run_test(const RunResult& run, const std::string& number) {
+  return {{"name", "End to end: " + readable(run.shows)},
+          {"number", number},
+          {"score", 0},
+          {"max_score", 0},
+          {"status", run.outcome == RunOutcome::same ? "passed" : "failed"},
+          {"output", readable(to_string(run.outcome) + ": " + run.feedback)},
+          {"output_format", "text"},
+          {"tags", Json::array({"runs"})},
+          {"visibility", "visible"},
+          {"extra_data", {{"run", readable(run.name)}, {"outcome", to_string(run.outcome)}}}};
+}
+
+Json run_json(const RunResult& run) {
+  return {{"name", valid_utf8(run.name)},
+          {"shows", valid_utf8(run.shows)},
+          {"outcome", to_string(run.outcome)},
+          {"feedback", valid_utf8(run.feedback)},
+          {"detail", valid_utf8(run.detail)}};
+}
+
+RunResult run_from(const Json& json) {
+  return {json.at("name"), json.at("shows"), run_outcome_from_string(json.at("outcome")), json.at("feedback"),
+          json.at("detail")};
+}
+
 }  // namespace
 
 std::string student_json(const SubmissionResult& result) {
@@ -100,6 +127,8 @@ std::string student_json(const SubmissionResult& result) {
                               {"extra_credit", exercise.extra_credit},
                               {"output", readable(exercise.feedback)}};
   }
+  for (std::size_t i = 0; i < result.runs.size(); ++i)
+    tests.push_back(run_test(result.runs[i], "runs." + std::to_string(i + 1)));
   const std::string stamp = result.isolated ? "" : "Graded without a sandbox.";
   return dumped({{"score", rounded_points(points(result))},
                  {"output", joined(stamp, readable(result.note))},
@@ -113,11 +142,14 @@ std::string student_json(const SubmissionResult& result) {
 std::string staff_json(const SubmissionResult& result) {
   Json exercises = Json::array();
   for (const ExerciseResult& exercise : result.exercises) exercises.push_back(exercise_json(exercise));
+  Json runs = Json::array();
+  for (const RunResult& run : result.runs) runs.push_back(run_json(run));
   return dumped({{"name", valid_utf8(result.name)},
                  {"fingerprint", valid_utf8(result.fingerprint)},
                  {"isolated", result.isolated},
                  {"note", valid_utf8(result.note)},
-                 {"exercises", exercises}});
+                 {"exercises", exercises},
+                 {"runs", runs}});
 }
 
 std::optional<SubmissionResult> result_from_staff_json(const std::string& text) {
@@ -129,10 +161,11 @@ std::optional<SubmissionResult> result_from_staff_json(const std::string& text) 
     result.isolated = json.at("isolated");
     result.note = json.at("note");
     for (const Json& exercise : json.at("exercises")) result.exercises.push_back(exercise_from(exercise));
+    for (const Json& run : json.at("runs")) result.runs.push_back(run_from(run));
     return result;
   } catch (const Json::exception&) {
     return {};
-  } catch (const std::invalid_argument&) {  // an unknown status
+  } catch (const std::invalid_argument&) {  // an unknown status or outcome
     return {};
   }
 }

@@ -65,6 +65,10 @@ std::vector<SubmissionResult> sample_class(int size) {
     result.exercises.push_back(
         exercise("P1", "Explicit integrators", "explicit_integrators.cpp", 5, all_statuses[i % 10], i + 2));
     result.exercises.back().extra_credit = true;
+    for (int j = 0; j < 5; ++j)
+      result.runs.push_back({"run-" + std::to_string(j), "a hair swings down", static_cast<RunOutcome>(j),
+                             "Apart from ours by 1 to 10 % of the scene's size.",
+                             "largest distance 0.0314159"});
     if (i == 14) {
       result.note =
           "handin.tar.gz can't be read: it is damaged or cut short. Pack it again, and check that it opens.";
@@ -110,6 +114,7 @@ SubmissionResult submission_full_of(const std::string& text) {
   exercise.max_points = 10;
   exercise.cases.push_back({text, Status::wrong, 0, 10, text, text});
   result.exercises.push_back(exercise);
+  result.runs.push_back({text, text, RunOutcome::blew_up, text, text});
   return result;
 }
 

@@ -57,6 +57,49 @@ Html exercise_section(const ExerciseResult& exercise, Reader reader) {
   return section += html("</section>\n");
 }
 
+const char* look_of(RunOutcome outcome) {
+  switch (outcome) {
+    case RunOutcome::same:
+      return "good";
+    case RunOutcome::differs:
+      return "part";
+    case RunOutcome::not_run:
+      return "none";
+    default:
+      return "bad";
+  }
+}
+
+Html runs_section(const SubmissionResult& result, Reader reader) {
+  if (result.runs.empty()) return {};
+  Html section = html(R"(<section id="runs">
+<h2>End to end</h2>
+<p>All exercises together move something, beside ours. This is to look at: it gives no points and takes none.</p>
+<div class="wide"><table>
+<thead><tr><th scope="col" class="category">Scene</th><th scope="col" class="status">Outcome</th><th scope="col">What we saw</th></tr></thead>
+<tbody>
+)");
+  for (const RunResult& run : result.runs) {
+    section += html("<tr><th scope=\"row\">{}</th><td><span class=\"badge {}\">{}</span></td><td>{}",
+                    {run.shows, look_of(run.outcome), to_string(run.outcome), run.feedback});
+    if (reader == Reader::staff && !run.detail.empty()) section += html("<pre>{}</pre>", {run.detail});
+    section += html("</td></tr>\n");
+  }
+  return section += html("</tbody>\n</table></div>\n</section>\n");
+}
+
+// All exercises at a glance.
+Html overview(const SubmissionResult& result) {
+  if (result.exercises.size() < 2) return {};
+  Html table = html("<div class=\"wide\"><table class=\"overview\">\n<tbody>\n");
+  for (const ExerciseResult& exercise : result.exercises)
+    table += html(
+        "<tr><th scope=\"row\"><a href=\"#{}\">{} {}</a></th><td>{}</td><td class=\"number\">{}</td></tr>\n",
+        {exercise.id, exercise.id, exercise.title, badge(exercise.status),
+         (exercise.extra_credit ? "+ " : "") + points_of(exercise.points, exercise.max_points)});
+  return table += html("</tbody>\n</table></div>\n");
+}
+
 Html total_line(const SubmissionResult& result) {
   double extra = 0;
   for (const ExerciseResult& exercise : result.exercises)
@@ -77,7 +120,9 @@ Html body_of(const SubmissionResult& result, Reader reader) {
   }
   body += html("</header>\n<main>\n");
   if (!result.note.empty()) body += html("<p class=\"note\">{}</p>\n", {result.note});
+  body += overview(result);
   for (const ExerciseResult& exercise : result.exercises) body += exercise_section(exercise, reader);
+  body += runs_section(result, reader);
   return body += html("</main>\n");
 }
 

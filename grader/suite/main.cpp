@@ -7,6 +7,11 @@
 //    "cpu_seconds": 10}
 //   {"cases": [{"name", "status", "weight", "points", "feedback", "detail"}...],
 //    "cpu_seconds": 0.1, "starts": 1}
+//
+// Of the exercise "runs", which stands for all of them end to end, the job says more, and another result comes out:
+//
+//   {..., "left_out": ["P2"...], "unavailable": {"H4": "does not compile"...}}
+//   {"runs": [{"name", "shows", "outcome", "feedback", "detail"}...], "cpu_seconds": 0.1, "starts": 1}
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sodium.h>
@@ -17,6 +22,7 @@
 #include <nlohmann/json.hpp>
 
 #include "grader/course/bad_input.h"
+#include "grader/suite/end_to_end.h"
 #include "grader/suite/trial.h"
 
 namespace {
@@ -27,6 +33,7 @@ using nlohmann::json;
 struct Job {
   std::string exercise, seed;
   grader::WorkerSetup worker;
+  grader::AvailableExercises exercises;  // for runs
 };
 
 Job read_job(std::istream& in) {
@@ -41,6 +48,10 @@ Job read_job(std::istream& in) {
     job.worker.log = document.at("log").get<std::string>();
     job.worker.isolated = document.at("isolated");
     job.worker.cpu_seconds = document.at("cpu_seconds");
+    if (job.exercise == "runs") {
+      document.at("left_out").get_to(job.exercises.left_out);
+      document.at("unavailable").get_to(job.exercises.unavailable);
+    }
     return job;
   } catch (const json::exception& error) {
     throw grader::BadInput(std::string("standard input: ") + error.what() +
@@ -89,6 +100,33 @@ class CategoryTest : public testing::Test {
   json& cases_;
 };
 
+// Null if a category has no result, which is our fault.
+json run_categories(const Job& job, grader::Student& student) {
+  const std::vector<Category> categories = grader::categories(job.exercise);
+  json cases = json::array();
+  for (const Category& category : categories)
+    testing::RegisterTest(
+        job.exercise.c_str(), category.name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
+        [&]() -> testing::Test* { return new CategoryTest(category, student, job.seed, cases); });
+
+  // Standard output carries the result, and nothing else.
+  testing::TestEventListeners& listeners = testing::UnitTest::GetInstance()->listeners();
+  delete listeners.Release(listeners.default_result_printer());
+  const bool ran = RUN_ALL_TESTS() >= 0;  // a category that fails is a result, not an error
+  return ran && cases.size() == categories.size() ? json{{"cases", cases}} : json();
+}
+
+json run_scenes(const Job& job, grader::Student& student) {
+  json runs = json::array();
+  for (const grader::RunResult& run : grader::run_end_to_end(student, job.exercises))
+    runs.push_back({{"name", run.name},
+                    {"shows", run.shows},
+                    {"outcome", grader::to_string(run.outcome)},
+                    {"feedback", run.feedback},
+                    {"detail", run.detail}});
+  return {{"runs", runs}};
+}
+
 }  // namespace
 
 int main(int argc, char* argv[]) {
@@ -101,22 +139,13 @@ int main(int argc, char* argv[]) {
   try {
     const Job job = read_job(std::cin);
     grader::Student student(job.worker);
-    const std::vector<Category> categories = grader::categories(job.exercise);
-    json cases = json::array();
-    for (const Category& category : categories)
-      testing::RegisterTest(
-          job.exercise.c_str(), category.name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
-          [&]() -> testing::Test* { return new CategoryTest(category, student, job.seed, cases); });
-
-    // Standard output carries the result, and nothing else.
-    testing::TestEventListeners& listeners = testing::UnitTest::GetInstance()->listeners();
-    delete listeners.Release(listeners.default_result_printer());
-    const bool ran = RUN_ALL_TESTS() >= 0;  // a category that fails is a result, not an error
+    json result = job.exercise == "runs" ? run_scenes(job, student) : run_categories(job, student);
     student.finish();
-    const json result = {
-        {"cases", cases}, {"cpu_seconds", student.cpu_seconds()}, {"starts", student.starts()}};
+    const bool whole = !result.is_null();
+    result["cpu_seconds"] = student.cpu_seconds();
+    result["starts"] = student.starts();
     std::cout << result.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
-    return ran && cases.size() == categories.size() ? 0 : 1;
+    return whole ? 0 : 1;
   } catch (const grader::BadInput& error) {
     std::cerr << "hairsuite: " << error.what() << "\n";
     return 2;

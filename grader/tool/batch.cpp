@@ -42,9 +42,10 @@ std::string names_of(const std::vector<Submission>& submissions) {
   return names + (submissions.size() > kMost ? " and more" : "");
 }
 
-// Adds what an earlier run found of exercises that this one was not asked for, in the order of their ids.
-// Then no fingerprint is right for all of them.
-void keep_other_exercises(SubmissionResult& result, const std::optional<SubmissionResult>& earlier) {
+// Adds what an earlier run found of exercises that this one was not asked for, in the course's order, and of
+// all of them together. Then no fingerprint is right for all of it.
+void keep_other_exercises(SubmissionResult& result, const std::optional<SubmissionResult>& earlier,
+                          const Course& course) {
   if (!earlier) return;
   for (const ExerciseResult& old : earlier->exercises)
     if (std::none_of(result.exercises.begin(), result.exercises.end(),
@@ -52,8 +53,10 @@ void keep_other_exercises(SubmissionResult& result, const std::optional<Submissi
       result.exercises.push_back(old);
       result.fingerprint.clear();
     }
+  const auto place = [&](const ExerciseResult& one) { return course.find(one.id); };
   std::sort(result.exercises.begin(), result.exercises.end(),
-            [](const ExerciseResult& a, const ExerciseResult& b) { return a.id < b.id; });
+            [&](const ExerciseResult& a, const ExerciseResult& b) { return place(a) < place(b); });
+  result.runs = earlier->runs;
 }
 
 }  // namespace
@@ -94,7 +97,8 @@ Batch grade_batch(const Grading& grading, const std::vector<Submission>& submiss
     Graded graded = grading.grade(submission);
     // Ctrl-C reaches the suite, too: what it left is no result.
     if (interrupted) return;
-    if (settings.merge) keep_other_exercises(graded.result, read_results(settings.out, submission.name));
+    if (settings.merge)
+      keep_other_exercises(graded.result, read_results(settings.out, submission.name), grading.course());
     write_submission_reports(settings.out, graded.result);
     const std::lock_guard lock(shared);
     batch.results.push_back(std::move(graded.result));

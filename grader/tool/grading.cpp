@@ -12,7 +12,6 @@
 #include "grader/course/bad_input.h"
 #include "grader/tool/isolation.h"
 #include "grader/tool/secret.h"
-#include "grader/tool/suite_run.h"
 
 namespace grader {
 namespace {
@@ -49,6 +48,28 @@ ExerciseResult describe(const Exercise& exercise) {
   result.extra_credit = exercise.role == Role::optional;
   result.max_points = exercise.points;
   return result;
+}
+
+constexpr const char* kRuns = "runs";  // all exercises end to end, for the suite and in the timing
+
+// Why an exercise of a submission is not called in scenes that run end to end; nothing if it is.
+std::string why_not_called(Status status) {
+  switch (status) {
+    case Status::missing:
+      return "is missing";
+    case Status::not_implemented:
+      return "is not implemented yet";
+    case Status::does_not_compile:
+      return "does not compile";
+    case Status::timed_out:
+      return "takes too long";
+    case Status::out_of_memory:
+      return "takes too much memory";
+    case Status::broke_rules:
+      return "breaks the rules";
+    default:
+      return "";
+  }
 }
 
 }  // namespace
@@ -118,6 +139,14 @@ Graded Grading::grade(const Submission& submission) const {
     }
     graded.result.exercises.push_back(std::move(result));
   }
+  if (!settings_.exercise) {
+    try {
+      run_end_to_end(job, graded.result, graded.timing[kRuns]);
+    } catch (const std::exception& problem) {
+      graded.result.fingerprint.clear();
+      graded.problems.push_back(submission.name + ": end to end: " + problem.what());
+    }
+  }
   std::error_code ignored;
   fs::remove_all(job, ignored);
   return graded;
@@ -145,28 +174,37 @@ void Grading::grade_exercise(const Exercise& exercise, const Submission& submiss
   run_cases(exercise, submission.name, compiled.object, job, result, timing);
 }
 
-void Grading::run_cases(const Exercise& exercise, const std::string& student, const fs::path& object,
-                        const fs::path& job, ExerciseResult& result, ExerciseTiming& timing) const {
-  const Stopwatch running;
+SuiteJob Grading::suite_job(const std::string& exercise, const fs::path& job) const {
   SuiteJob suite;
-  suite.exercise = exercise.id;
-  suite.seed = seed_for(settings_.secret, student, exercise.id);
+  suite.exercise = exercise;
   suite.kit = kit_.folder();
-  for (const std::string& id : exercise.prerequisites)
-    suite.objects.push_back(kit_.folder() / "lib" / (id + ".so"));
-  suite.objects.push_back(object);
   suite.log = job / "output";
   suite.isolated = settings_.isolated;
   suite.cpu_seconds = kLeastCpuSeconds;
-  if (const auto reference = reference_.find(exercise.id); reference != reference_.end())
+  if (const auto reference = reference_.find(exercise); reference != reference_.end())
     suite.cpu_seconds =
         std::max(kLeastCpuSeconds,
                  static_cast<int>(std::ceil(kTimesReference * reference->second.worker_cpu_seconds)));
+  return suite;
+}
 
-  SuiteResult found = run_suite(settings_.suite, suite);
+SuiteResult Grading::timed(const SuiteJob& job, ExerciseTiming& timing) const {
+  const Stopwatch running;
+  SuiteResult found = run_suite(settings_.suite, job);
   timing.suite_seconds = running.seconds();
   timing.worker_cpu_seconds = found.cpu_seconds;
   timing.worker_starts = found.starts;
+  return found;
+}
+
+void Grading::run_cases(const Exercise& exercise, const std::string& student, const fs::path& object,
+                        const fs::path& job, ExerciseResult& result, ExerciseTiming& timing) const {
+  SuiteJob suite = suite_job(exercise.id, job);
+  suite.seed = seed_for(settings_.secret, student, exercise.id);
+  for (const std::string& id : exercise.prerequisites)
+    suite.objects.push_back(kit_.folder() / "lib" / (id + ".so"));
+  suite.objects.push_back(object);
+  SuiteResult found = timed(suite, timing);
   double weights = 0;
   for (const CaseResult& one : found.cases) weights += one.max_points;
   const bool nothing_to_call = std::all_of(found.cases.begin(), found.cases.end(), [](const CaseResult& one) {
@@ -191,6 +229,29 @@ void Grading::run_cases(const Exercise& exercise, const std::string& student, co
   result.staff_log += beginning_of(suite.log, kMostLog);
 }
 
+// One worker for all of a submission's objects. The reference's stand in for exercises that are given, and stubs
+// for those that can't be called: scenes that need these are not run.
+void Grading::run_end_to_end(const fs::path& job, SubmissionResult& result, ExerciseTiming& timing) const {
+  SuiteJob suite = suite_job(kRuns, kit_.new_job(job.filename() / kRuns));
+  for (const Exercise& exercise : settings_.course.exercises) {
+    const std::string file = exercise.id + ".so";
+    fs::path object = kit_.folder() / (exercise.role == Role::given ? "lib" : "stub") / file;
+    if (exercise.role == Role::absent) suite.left_out.push_back(exercise.id);
+    for (const ExerciseResult& graded : result.exercises) {
+      if (graded.id != exercise.id) continue;
+      const fs::path compiled = job / exercise.id / file;
+      std::string why = why_not_called(graded.status);
+      if (why.empty() && !fs::exists(compiled)) why = "could not be graded";
+      if (why.empty())
+        object = compiled;
+      else
+        suite.unavailable[exercise.id] = why;
+    }
+    suite.objects.push_back(object);
+  }
+  result.runs = timed(suite, timing).runs;
+}
+
 // Every batch begins with the reference in a worker like the students': it must pass, and its CPU time sets
 // theirs.
 void Grading::measure_reference() {
@@ -205,6 +266,15 @@ void Grading::measure_reference() {
       if (one.status != Status::passed)
         throw std::runtime_error("the reference fails its own suite for " + exercise.id + ", in \"" +
                                  one.name + "\": " + one.feedback + "; " + one.detail);
+  }
+  if (!settings_.exercise) {
+    SuiteJob suite = suite_job(kRuns, kit_.new_job("reference-runs"));
+    for (const Exercise& exercise : settings_.course.exercises)
+      suite.objects.push_back(kit_.folder() / "lib" / (exercise.id + ".so"));
+    for (const RunResult& run : timed(suite, measured[kRuns]).runs)
+      if (run.outcome != RunOutcome::same)
+        throw std::runtime_error("the reference does not run as it should end to end, in \"" + run.name +
+                                 "\": " + run.feedback + "; " + run.detail);
   }
   reference_ = std::move(measured);
 }

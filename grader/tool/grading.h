@@ -1,6 +1,6 @@
 // STAFF ONLY. One submission from its files to its result: compile and link each exercise's file in cages,
-// run its hidden suite against it, and say what became of it. Needs no lock: submissions are graded side by
-// side.
+// run its hidden suite against it, and say what became of it; then run them all together, which gives no points.
+// Needs no lock: submissions are graded side by side.
 #pragma once
 
 #include <filesystem>
@@ -13,6 +13,7 @@
 #include "grader/course/course.h"
 #include "grader/intake/submission.h"
 #include "grader/report/result.h"
+#include "grader/tool/suite_run.h"
 
 namespace grader {
 
@@ -34,7 +35,7 @@ struct ExerciseTiming {
 
 struct Graded {
   SubmissionResult result;
-  std::map<std::string, ExerciseTiming> timing;  // by exercise
+  std::map<std::string, ExerciseTiming> timing;  // by exercise, and of "runs"
   std::vector<std::string> problems;             // ours: what kept us from grading, a line each
 };
 
@@ -50,6 +51,8 @@ class Grading {
   // Of the submission's bytes, and of all else that its result depends on.
   std::string fingerprint(const Submission& submission) const;
 
+  const Course& course() const { return settings_.course; }
+
   // The reference in an identical worker.
   const std::map<std::string, ExerciseTiming>& reference_timing() const { return reference_; }
 
@@ -58,6 +61,10 @@ class Grading {
                       const std::filesystem::path& job, ExerciseResult& result, ExerciseTiming& timing) const;
   void run_cases(const Exercise& exercise, const std::string& student, const std::filesystem::path& object,
                  const std::filesystem::path& job, ExerciseResult& result, ExerciseTiming& timing) const;
+  void run_end_to_end(const std::filesystem::path& job, SubmissionResult& result,
+                      ExerciseTiming& timing) const;
+  SuiteJob suite_job(const std::string& exercise, const std::filesystem::path& job) const;
+  SuiteResult timed(const SuiteJob& job, ExerciseTiming& timing) const;
   void measure_reference();
   bool selected(const Exercise& exercise) const;
 

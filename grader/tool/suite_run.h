@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,15 +12,21 @@
 namespace grader {
 
 struct SuiteJob {
-  std::string exercise, seed;
+  std::string exercise;  // or "runs"
+  std::string seed;
   std::filesystem::path kit;
   std::vector<std::filesystem::path> objects;  // in the order in which they are loaded
   std::filesystem::path log;
   bool isolated = true;
   int cpu_seconds = 10;
+
+  // Of "runs" alone, see grader/suite/end_to_end.h.
+  std::vector<std::string> left_out = {};
+  std::map<std::string, std::string> unavailable = {};
 };
 
 struct SuiteResult {
+  std::vector<RunResult> runs;    // of "runs"
   std::vector<CaseResult> cases;  // points are weights, not yet scaled to the exercise's points
   double cpu_seconds = 0;         // of the worker
   int starts = 0;

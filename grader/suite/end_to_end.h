@@ -1,0 +1,24 @@
+// STAFF ONLY. End to end: all of a submission's files together run the scenes of hair/runs.h, beside the
+// reference. What comes out is shown and not scored.
+#pragma once
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "grader/report/result.h"
+#include "grader/suite/student.h"
+
+namespace grader {
+
+struct AvailableExercises {
+  std::set<std::string> left_out;                  // by the course: scenes that call one are no part of it
+  std::map<std::string, std::string> unavailable;  // why a submission's can't be called: "does not compile"
+};
+
+// A result for each scene of the course, in the order of hair/runs.h. Scenes that can't be run don't start a
+// worker.
+std::vector<RunResult> run_end_to_end(Student& student, const AvailableExercises& exercises);
+
+}  // namespace grader
