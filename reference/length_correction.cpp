@@ -168,7 +168,7 @@ CorrectionReport correct_lengths(const Strand& strand, double tolerance, int mos
     report.error = largest_error(strand, x);
     if (!newton) break;
   }
-  report.converged = report.error <= goal;
+  report.converged = report.error <= goal && std::isfinite(report.error);
   return report;
 }
 

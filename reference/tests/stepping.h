@@ -1,0 +1,107 @@
+// STAFF ONLY. Hairs and forces for the tests of what steps them: H4, H5, H6.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+#include "hair/make_strand.h"
+#include "hair/predictor_corrector.h"
+#include "hair/strand_forces.h"
+#include "particles/force_sum.h"
+#include "particles/gravity.h"
+#include "particles/implicit_euler.h"
+
+namespace reference_tests {
+
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+inline constexpr double kUnit = 0x1p-53, kGravity = 9.81;
+
+// A strand, its root pinned, under its springs and gravity. `strand` must outlive it.
+struct Hair {
+  Hair(const hair::Strand& of, hair::GeometricTerm term, double gravity = kGravity)
+      : strand(of), particles{of.mass, std::vector<char>(of.count(), 0)} {
+    particles.pinned[0] = 1;
+    force.emplace<hair::StretchForce>(strand, term);
+    force.emplace<particles::Gravity>(strand.mass, gravity * Vector3d(0, 0, -1));
+    scratch.resize(3 * strand.count(), hair::kPredictorCorrectorScratch);
+  }
+
+  // At rest lengths along `direction`, at rest.
+  void place(const Vector3d& direction) {
+    state = {VectorXd::Zero(3 * strand.count()), VectorXd::Zero(3 * strand.count())};
+    for (int i = 0; i < strand.segments(); ++i)
+      state.x.segment<3>(3 * i + 3) = state.x.segment<3>(3 * i) + strand.rest_length[i] * direction;
+  }
+
+  particles::SolveReport implicit_step(double h, double tolerance = particles::kSolveTolerance) {
+    return particles::implicit_euler(force, particles, h, tolerance, state, scratch);
+  }
+  hair::StepReport corrected_step(double h, double tolerance = particles::kSolveTolerance) {
+    return hair::predictor_corrector(force, particles, strand, h, tolerance, state, scratch);
+  }
+
+  const hair::Strand& strand;
+  particles::Particles particles;
+  particles::ForceSum force;
+  particles::State state;
+  MatrixXd scratch;
+};
+
+inline Vector3d segment(const VectorXd& x, int i) {
+  return x.segment<3>(3 * i + 3) - x.segment<3>(3 * i);
+}
+
+// The largest |l - l0| / l0.
+inline double largest_error(const hair::Strand& strand, const VectorXd& x) {
+  double largest = 0;
+  for (int i = 0; i < strand.segments(); ++i)
+    largest = std::max(largest, std::abs(segment(x, i).norm() / strand.rest_length[i] - 1));
+  return largest;
+}
+
+// The largest velocity that stretches a segment, m/s.
+inline double largest_rate(const hair::Strand& strand, const VectorXd& x, const VectorXd& v) {
+  double largest = 0;
+  for (int i = 0; i < strand.segments(); ++i)
+    largest = std::max(largest, std::abs(segment(x, i).normalized().dot(segment(v, i))));
+  return largest;
+}
+
+// The matrix of an implicit step as a table, by products with unit vectors.
+inline MatrixXd table(implicitMatrix& matrix, Eigen::Index size) {
+  MatrixXd A(size, size);
+  for (Eigen::Index j = 0; j < size; ++j) {
+    VectorXd e = VectorXd::Unit(size, j), column(size);
+    matrix.matVecMult(e.data(), column.data());
+    A.col(j) = column;
+  }
+  return A;
+}
+
+// a (f + b df/dx v), 0 where a particle is pinned.
+inline VectorXd right_hand_side(const particles::Force& force, const particles::Particles& particles,
+                                const particles::State& state, double a, double b) {
+  VectorXd rhs = VectorXd::Zero(state.x.size());
+  force.add_force(state.x, state.v, rhs);
+  force.add_dfdx(state.x, state.v, VectorXd(b * state.v), rhs);
+  for (int i = 0; i < particles.count(); ++i)
+    if (particles.is_pinned(i)) rhs.segment<3>(3 * i).setZero();
+  return a * rhs;
+}
+
+// n numbers between -1 and 1 without a pattern, the same ones for the same `which`.
+inline VectorXd scattered(Eigen::Index n, unsigned which) {
+  VectorXd values(n);
+  unsigned state = 2654435761u * (which + 1);
+  for (double& value : values) {
+    state = 1664525u * state + 1013904223u;
+    value = state / 2147483648.0 - 1;
+  }
+  return values;
+}
+
+}  // namespace reference_tests
