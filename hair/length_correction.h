@@ -44,6 +44,11 @@ CorrectionReport relax_lengths(const Strand& strand, double tolerance, int most_
 // has a tridiagonal matrix, since a segment meets only its two neighbours, and takes linear time. A hair takes
 // about 3 steps in a simulation. Ends as above, after at most `most_iterations`. Any method that keeps the
 // promises at the top will do.
+//
+// Newton's method alone goes astray where a step turns segments far: after a root that was flung away, or with masses
+// that differ by 1e6. What is tried then is free, and may leave the masses out of account; but x stays finite, and
+// `converged` is true only if the lengths are right. Positions round: a tolerance below 2^-51 max|x_i| / min(l0) may
+// count as that.
 CorrectionReport correct_lengths(const Strand& strand, double tolerance, int most_iterations, Output x,
                                  Scratch scratch);
 
