@@ -140,6 +140,7 @@ void judge(RunResult& result, const hair::RunResult& theirs, const hair::RunResu
 void run_scene(Student& student, const hair::Run& run, RunResult& result) {
   try {
     Trial trial(student, Random("", run.name));
+    trial.describe(run.name);
     MessageWriter request;
     request.put(run.name);
     MessageReader reply = trial.ask(request, [](int, const auto&, auto&) -> bool {

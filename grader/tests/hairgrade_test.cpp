@@ -66,10 +66,10 @@ TEST_F(Hairgrade, RefusesBadUsageInOneLine) {
   expect_refused(run_hairgrade({}), {"--help"});
   expect_refused(run_hairgrade({"grade"}), {"SUBMISSION", "--help"});
   expect_refused(run_hairgrade({"degrade"}), {"degrade", "grade and handout"});
-  expect_refused(grade({sample("perfect.tar.gz")}), {"--out"});
-  expect_refused(grade({sample("perfect.tar.gz"), "--out", out(), "--quickly"}), {"--quickly"});
+  expect_refused(grade({sample("other-order.tar.gz")}), {"--out"});
+  expect_refused(grade({sample("other-order.tar.gz"), "--out", out(), "--quickly"}), {"--quickly"});
   for (const char* jobs : {"0", "-1", "many", "1e9"})
-    expect_refused(grade({sample("perfect.tar.gz"), "--out", out(), "-j", jobs}), {"-j"});
+    expect_refused(grade({sample("other-order.tar.gz"), "--out", out(), "-j", jobs}), {"-j"});
   EXPECT_EQ(run_hairgrade({"--help"}).code, 0);
 }
 
@@ -82,14 +82,14 @@ TEST_F(Hairgrade, RefusesSubmissionsThatAreNone) {
 
 TEST_F(Hairgrade, RefusesTwoSubmissionsOfOneName) {
   fs::create_directory(folder_ / "late");
-  fs::copy_file(sample("perfect.tar.gz"), folder_ / "late" / "perfect.tar.gz");
-  expect_refused(
-      grade({sample("perfect.tar.gz"), (folder_ / "late" / "perfect.tar.gz").string(), "--out", out()}),
-      {sample("perfect.tar.gz"), (folder_ / "late" / "perfect.tar.gz").string()});
+  fs::copy_file(sample("other-order.tar.gz"), folder_ / "late" / "other-order.tar.gz");
+  expect_refused(grade({sample("other-order.tar.gz"), (folder_ / "late" / "other-order.tar.gz").string(),
+                        "--out", out()}),
+                 {sample("other-order.tar.gz"), (folder_ / "late" / "other-order.tar.gz").string()});
 }
 
 TEST_F(Hairgrade, RefusesBadCourseFiles) {
-  const string submission = sample("perfect.tar.gz");
+  const string submission = sample("other-order.tar.gz");
   const std::map<string, std::vector<string>> bad = {
       {"{", {"course.json"}},
       {R"({"exercises": {"S9": {"role": "given"}}})", {"course.json", "S9"}},
@@ -105,24 +105,28 @@ TEST_F(Hairgrade, RefusesBadCourseFiles) {
 }
 
 TEST_F(Hairgrade, RefusesExercisesAndNamesThatAreNotThere) {
-  expect_refused(grade({sample("perfect.tar.gz"), "--out", out(), "--exercise", "H2"}), {"H2", "S1, S2"});
+  expect_refused(grade({sample("other-order.tar.gz"), "--out", out(), "--exercise", "X1"}),
+                 {"X1", "S1, S2, P1, P2, H1, H2, H3, H4, H5, H6"});
   const string given = write("course.json", R"({"exercises": {"S1": {"role": "given"}}})");
-  expect_refused(grade({sample("perfect.tar.gz"), "--out", out(), "--exercise", "S1", "--course", given}),
+  expect_refused(grade({sample("other-order.tar.gz"), "--out", out(), "--exercise", "S1", "--course", given}),
                  {"S1"});
-  expect_refused(grade({sample("perfect.tar.gz"), "--out", out(), "--only", "alice"}), {"alice", "perfect"});
+  expect_refused(grade({sample("other-order.tar.gz"), "--out", out(), "--only", "alice"}),
+                 {"alice", "other-order"});
 }
 
 TEST_F(Hairgrade, RefusesAShortOrMissingSecret) {
   const string short_secret = write("short", "123");
-  expect_refused(run_hairgrade({"grade", sample("perfect.tar.gz"), "--out", out(), "--secret", short_secret}),
-                 {"short", "16"});
-  expect_refused(run_hairgrade({"grade", sample("perfect.tar.gz"), "--out", out(), "--secret", "/no/secret"}),
-                 {"/no/secret"});
+  expect_refused(
+      run_hairgrade({"grade", sample("other-order.tar.gz"), "--out", out(), "--secret", short_secret}),
+      {"short", "16"});
+  expect_refused(
+      run_hairgrade({"grade", sample("other-order.tar.gz"), "--out", out(), "--secret", "/no/secret"}),
+      {"/no/secret"});
 }
 
 TEST_F(Hairgrade, RefusesAnOutputThatIsAFile) {
   const string file = write("file", "not a folder");
-  const ProgramRun run = grade({sample("perfect.tar.gz"), "--out", file});
+  const ProgramRun run = grade({sample("other-order.tar.gz"), "--out", file});
   EXPECT_EQ(run.code, 2);
   EXPECT_NE(run.errors.find(file), string::npos) << run.errors;
   EXPECT_EQ(read_file(file), "not a folder");
@@ -135,7 +139,7 @@ TEST_F(Hairgrade, RefusesAHandoutThatCanNotBeWritten) {
 }
 
 TEST_F(Hairgrade, GivesTheSameBytesAgain) {
-  const std::vector<string> class_of_four = {sample("perfect.tar.gz"), sample("stubs.zip"),
+  const std::vector<string> class_of_four = {sample("other-order.tar.gz"), sample("stubs.zip"),
                                              sample("wrong-beta.zip"), sample("segfault.zip")};
   std::vector<string> present;
   for (const string& archive : class_of_four)
@@ -162,29 +166,30 @@ TEST_F(Hairgrade, GivesTheSameBytesAgain) {
 }
 
 TEST_F(Hairgrade, ResumesWhatHasNotChanged) {
-  ASSERT_EQ(grade({sample("perfect.tar.gz"), "--out", out()}).code, 0);
-  const auto before = fs::last_write_time(fs::path(out()) / "perfect" / "results.json");
-  const ProgramRun again = grade({sample("perfect.tar.gz"), "--out", out(), "--resume"});
+  ASSERT_EQ(grade({sample("other-order.tar.gz"), "--out", out()}).code, 0);
+  const auto before = fs::last_write_time(fs::path(out()) / "other-order" / "results.json");
+  const ProgramRun again = grade({sample("other-order.tar.gz"), "--out", out(), "--resume"});
   EXPECT_NE(again.output.find("0 graded, 1 kept"), string::npos) << again.output;
-  EXPECT_EQ(fs::last_write_time(fs::path(out()) / "perfect" / "results.json"), before);
+  EXPECT_EQ(fs::last_write_time(fs::path(out()) / "other-order" / "results.json"), before);
   // Another secret is another suite.
   write("secret", "quite another secret");
-  EXPECT_NE(grade({sample("perfect.tar.gz"), "--out", out(), "--resume"}).output.find("1 graded"),
+  EXPECT_NE(grade({sample("other-order.tar.gz"), "--out", out(), "--resume"}).output.find("1 graded"),
             string::npos);
 }
 
 TEST_F(Hairgrade, GradesOneExerciseAlone) {
-  ASSERT_EQ(grade({sample("perfect.tar.gz"), "--out", out(), "--exercise", "S2"}).code, 0);
+  ASSERT_EQ(grade({sample("other-order.tar.gz"), "--out", out(), "--exercise", "S2"}).code, 0);
   const nlohmann::json results =
-      nlohmann::json::parse(read_file(fs::path(out()) / "perfect" / "results.json"));
+      nlohmann::json::parse(read_file(fs::path(out()) / "other-order" / "results.json"));
   EXPECT_EQ(results.at("score"), 20);
   for (const nlohmann::json& test : results.at("tests")) EXPECT_EQ(test.at("tags").at(0), "S2");
 }
 
 TEST_F(Hairgrade, KeepsTheOtherExercisesOfAnEarlierRun) {
-  ASSERT_EQ(grade({sample("perfect.tar.gz"), "--out", out()}).code, 0);
-  ASSERT_EQ(grade({sample("perfect.tar.gz"), "--out", out(), "--exercise", "S1"}).code, 0);
-  EXPECT_EQ(nlohmann::json::parse(read_file(fs::path(out()) / "perfect" / "results.json")).at("score"), 50);
+  ASSERT_EQ(grade({sample("other-order.tar.gz"), "--out", out()}).code, 0);
+  ASSERT_EQ(grade({sample("other-order.tar.gz"), "--out", out(), "--exercise", "S1"}).code, 0);
+  EXPECT_EQ(nlohmann::json::parse(read_file(fs::path(out()) / "other-order" / "results.json")).at("score"),
+            50);
 }
 
 TEST_F(Hairgrade, KeepsNoObjectThatWasCompiledWithoutASandbox) {
@@ -205,8 +210,9 @@ TEST_F(Hairgrade, KeepsNoObjectThatWasCompiledWithoutASandbox) {
 TEST_F(Hairgrade, TakesPointsAndRolesFromTheCourse) {
   const string course = write(
       "course.json", R"({"exercises": {"S1": {"points": 60}, "S2": {"role": "optional", "points": 5}}})");
-  ASSERT_EQ(grade({sample("perfect.tar.gz"), "--out", out(), "--course", course}).code, 0);
-  EXPECT_EQ(nlohmann::json::parse(read_file(fs::path(out()) / "perfect" / "results.json")).at("score"), 65);
+  ASSERT_EQ(grade({sample("other-order.tar.gz"), "--out", out(), "--course", course}).code, 0);
+  EXPECT_EQ(nlohmann::json::parse(read_file(fs::path(out()) / "other-order" / "results.json")).at("score"),
+            65);
 }
 
 TEST_F(Hairgrade, KeepsWhatIsFinishedWhenInterrupted) {
@@ -219,11 +225,11 @@ TEST_F(Hairgrade, KeepsWhatIsFinishedWhenInterrupted) {
   const string everybody = (folder_ / "class").string();
   add("stubs");
   ASSERT_EQ(grade({everybody, "--out", out()}).code, 0);
-  // One at a time: `perfect` is graded at once, `sleeps` sleeps until the watchdog comes, and `stubs` is not
+  // One at a time: `other-order` is graded at once, `sleeps` sleeps until the watchdog comes, and `stubs` is not
   // reached.
-  add("perfect");
+  add("other-order");
   add("sleeps");
-  const fs::path first = fs::path(out()) / "perfect" / "results.json";
+  const fs::path first = fs::path(out()) / "other-order" / "results.json";
   const ProgramRun run = grade({everybody, "--out", out(), "-j", "1"}, [&](int process) {
     for (int i = 0; i < 400 && !fs::exists(first); ++i) usleep(50000);
     kill(process, SIGINT);
@@ -233,15 +239,17 @@ TEST_F(Hairgrade, KeepsWhatIsFinishedWhenInterrupted) {
   EXPECT_EQ(nlohmann::json::parse(read_file(first)).at("score"), 50);
   EXPECT_FALSE(fs::exists(fs::path(out()) / "sleeps"));
   const string gradebook = read_file(fs::path(out()) / "grades.csv");
-  EXPECT_NE(gradebook.find("perfect,50"), string::npos) << gradebook;
+  EXPECT_NE(gradebook.find("other-order,50"), string::npos) << gradebook;
   EXPECT_NE(gradebook.find("stubs,0"), string::npos) << gradebook;
 }
 
 TEST_F(Hairgrade, StampsWhatWasGradedWithoutASandbox) {
-  ASSERT_EQ(grade({sample("perfect.tar.gz"), "--out", out(), "--unsafe-no-sandbox"}).code, 0);
-  EXPECT_NE(read_file(fs::path(out()) / "perfect" / "report.html").find("without a sandbox"), string::npos);
+  ASSERT_EQ(grade({sample("other-order.tar.gz"), "--out", out(), "--unsafe-no-sandbox"}).code, 0);
+  EXPECT_NE(read_file(fs::path(out()) / "other-order" / "report.html").find("without a sandbox"),
+            string::npos);
   EXPECT_NE(read_file(fs::path(out()) / "index.html").find("without a sandbox"), string::npos);
-  EXPECT_EQ(nlohmann::json::parse(read_file(fs::path(out()) / "perfect" / "results.json")).at("score"), 50);
+  EXPECT_EQ(nlohmann::json::parse(read_file(fs::path(out()) / "other-order" / "results.json")).at("score"),
+            50);
 }
 
 TEST_F(Hairgrade, WritesTheHandout) {
