@@ -1,0 +1,34 @@
+// STAFF ONLY. Particles under constraints, P2's functions on them in short, and their motion in time.
+#pragma once
+
+#include "particles/constraint_forces.h"
+#include "particles/dynamics.h"
+
+namespace reference_tests {
+
+struct ConstrainedMotion : particles::Dynamics {
+  particles::Constraints constraints;
+  particles::Particles particles;
+  particles::State state;
+  Eigen::VectorXd f, lambda;
+
+  // Solves at x, v, which become the state; x and v are not parts of it.
+  void acceleration(particles::Input x, particles::Input v, particles::Output a) override;
+
+  Eigen::VectorXd values() const;
+  Eigen::VectorXd rates() const;
+  Eigen::VectorXd forces(const Eigen::VectorXd& multipliers) const;  // J^T multipliers
+  particles::ConstraintReport solve();                               // for lambda
+  Eigen::VectorXd accelerations() const;                             // W (f + J^T lambda)
+
+  // Tables, from the functions above alone: J by the rates of unit vectors, A by products.
+  Eigen::MatrixXd jacobian() const;
+  Eigen::MatrixXd matrix() const;
+  Eigen::VectorXd curvature() const;        // J' v = J(x + v) v - J(x) v: J is linear in x, up to a constant
+  Eigen::VectorXd right_hand_side() const;  // of the equation for lambda
+};
+
+// n particles of masses 1, 2, 1, 2, ... along x, particle 0 pinned, with rods between neighbours.
+ConstrainedMotion straight_chain(int n, double length);
+
+}  // namespace reference_tests
