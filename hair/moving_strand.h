@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "hair/rest_curvature.h"
 #include "hair/strand.h"
 #include "particles/force_sum.h"
 #include "particles/state.h"
@@ -26,7 +27,8 @@ struct MovingStrand {
   particles::Particles particles;  // the strand's masses; the root is pinned
   particles::State state;
   particles::ForceSum force;
-  particles::ParticleSystem system;  // what explicit methods see
+  RestCurvature* rest_curvature = nullptr;  // a part of `force`, or none
+  particles::ParticleSystem system;         // what explicit methods see
 };
 
 }  // namespace hair

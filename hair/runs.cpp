@@ -110,6 +110,18 @@ Description strand_over_sphere() {
   return description;
 }
 
+// H4 with a rest curvature: a soft curl sags, and lags behind its root.
+Description curly_hair() {
+  Description description;
+  description.method = Method::implicit_euler;
+  description.step = kStep;
+  const Material soft{.young_modulus = 1e8};
+  StrandStart start = start_at_rest(soft, curly_shape(9, 0.06, 0.006, 0.015, RootFrame{}));
+  start.state.v.head<3>() = Vector3d(0, 0.3, 0);
+  description.strands.push_back(std::move(start));
+  return description;
+}
+
 // H3: springs that skip a particle hold a hair up a little.
 Description skip_springs() {
   Description description;
@@ -205,7 +217,7 @@ class Constrained : public particles::Dynamics {
 
 // P2: a bead on a wire, from which two rods hang.
 RunResult bead_on_wire() {
-  constexpr int kSteps = 10;
+  constexpr int kSteps = 20;
   constexpr double kBeadStep = 2e-3, kRod = 0.4;
   const Particles bead{Eigen::Vector3d(0.5, 0.2, 0.1), {0, 0, 0}};
   particles::Constraints constraints;
@@ -257,6 +269,8 @@ const std::vector<Entry>& entries() {
        [] { return simulate(skip_springs(), 2); }},
       {{"strand-swing", "a hair swings down", {"S1", "H1", "H2", "H4", "H5", "H6"}, {11}},
        [] { return simulate(strand_swing(), 4); }},
+      {{"curly-hair", "a curl sags under its weight", {"S1", "H1", "H4"}, {10}},
+       [] { return simulate(curly_hair(), 3); }},
       {{"strand-over-sphere", "two hairs fall over a head", {"S1", "H1", "H2", "H4", "H5", "H6"}, {11, 11}},
        [] { return simulate(strand_over_sphere(), 3); }},
   };

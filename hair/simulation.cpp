@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "hair/make_strand.h"
 #include "hair/require.h"
 #include "hair/simulation_parts.h"
 
@@ -67,6 +68,15 @@ bool is_sound(const particles::State& state) {
 
 }  // namespace
 
+StrandStart start_at_rest(const Material& material, const RestShape& shape) {
+  StrandStart start{strand_from_rest(material, shape.x), {shape.x, Eigen::VectorXd::Zero(shape.x.size())}};
+  start.strand.clamped = true;
+  start.strand.root_tangent = shape.tangent;
+  start.rest_curvature = bend_components(shape.x, shape.tangent, shape.normal);
+  start.root_normal = shape.normal;
+  return start;
+}
+
 Simulation::Simulation(Description description)
     : method_(method_of(description.method)),
       options_{description.step, description.tolerance},
@@ -75,7 +85,7 @@ Simulation::Simulation(Description description)
   int most = 0;
   for (StrandStart& start : description.strands) {
     MovingStrand& moving = strands_.emplace_back(std::move(start.strand), std::move(start.state));
-    add_forces(description, moving);
+    add_forces(description, start, moving);
     most = std::max(most, moving.strand.count());
   }
   scratch_.resize(3 * most, method_.scratch);
@@ -133,9 +143,13 @@ void Simulation::set_root_velocity(int strand, const Vector3d& velocity) {
   strands_.at(strand).state.v.head<3>() = velocity;
 }
 
-void Simulation::set_root_tangent(int strand, const Vector3d& tangent) {
+void Simulation::set_root_frame(int strand, const Vector3d& tangent, const Vector3d& normal) {
+  MovingStrand& moving = strands_.at(strand);
   check_direction("a root's tangent", tangent);
-  strands_.at(strand).strand.root_tangent = tangent;
+  check_direction("a root's normal", normal);
+  require(std::abs(tangent.dot(normal)) <= 1e-6, "a root's tangent . normal", tangent.dot(normal), "0");
+  moving.strand.root_tangent = tangent;
+  if (moving.rest_curvature) moving.rest_curvature->set_root_normal(normal);
 }
 
 void Simulation::set_obstacle_velocity(int obstacle, const Vector3d& velocity) {

@@ -12,9 +12,11 @@
 
 #include "hair/blow_up.h"
 #include "hair/jacobian.h"
+#include "hair/material.h"
 #include "hair/methods.h"
 #include "hair/moving_strand.h"
 #include "hair/obstacles.h"
+#include "hair/rest_shape.h"
 #include "hair/strand.h"
 #include "hair/strand_forces.h"
 #include "particles/state.h"
@@ -34,7 +36,15 @@ enum class Method {
 struct StrandStart {
   Strand strand;
   particles::State state;  // 3n each; the root goes on with the velocity that it has
+
+  // Of a strand that is not straight at rest: two components for each segment (bend_components), and the normal
+  // at the root that they count from. It must be clamped, and bends by its rest curvature instead of H2's springs.
+  Eigen::VectorXd rest_curvature = {};
+  Vector3d root_normal = Vector3d::UnitX();
 };
+
+// A clamped strand that rests in the given shape, and starts there.
+StrandStart start_at_rest(const Material& material, const RestShape& shape);
 
 struct Description {
   std::vector<StrandStart> strands;
@@ -87,10 +97,11 @@ class Simulation {
   const particles::Force& force(int i) const { return strands_[i].force; }  // all that acts, but obstacles
   const std::vector<Obstacle>& obstacles() const { return obstacles_; }     // where they are now
 
-  // From the next step on. Throw std::invalid_argument for what is not finite, or a tangent not of length 1.
-  void set_root_velocity(int strand, const Vector3d& velocity);        // m/s
-  void set_root_tangent(int strand, const Vector3d& tangent);          // of a clamped strand
-  void set_obstacle_velocity(int obstacle, const Vector3d& velocity);  // m/s
+  // From the next step on. Throw std::invalid_argument for what is not finite, or directions that are not of length
+  // 1. The normal is that of a rest curvature; to other strands it does not matter.
+  void set_root_velocity(int strand, const Vector3d& velocity);                      // m/s
+  void set_root_frame(int strand, const Vector3d& tangent, const Vector3d& normal);  // of a clamped strand
+  void set_obstacle_velocity(int obstacle, const Vector3d& velocity);                // m/s
 
  private:
   std::optional<Stage> step_strand(MovingStrand& moving);

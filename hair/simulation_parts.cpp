@@ -1,8 +1,11 @@
 #include "hair/simulation_parts.h"
 
+#include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
+#include "hair/rest_curvature.h"
 #include "particles/drag.h"
 #include "particles/gravity.h"
 
@@ -45,7 +48,7 @@ StepMethod method_of(Method method) {
   leave_out("an explicit method", "P1");
 }
 
-void add_forces(const Description& description, MovingStrand& moving) {
+void add_forces(const Description& description, const StrandStart& start, MovingStrand& moving) {
   const Strand& strand = moving.strand;
   if (strand.stretch_rigidity > 0) {
 #ifdef HAIR_HAS_H1
@@ -54,7 +57,12 @@ void add_forces(const Description& description, MovingStrand& moving) {
     leave_out("stretching", "H1");
 #endif
   }
-  if (strand.bend_rigidity > 0) {
+  if (strand.bend_rigidity > 0 && start.rest_curvature.size() > 0) {
+    auto rest = std::make_unique<RestCurvature>(strand, start.rest_curvature, start.root_normal,
+                                                description.bend_product);
+    moving.rest_curvature = rest.get();
+    moving.force.add(std::move(rest));
+  } else if (strand.bend_rigidity > 0) {
 #ifdef HAIR_HAS_H2
     moving.force.emplace<BendForce>(strand, description.bend_product);
 #else

@@ -8,7 +8,7 @@ namespace hair {
 
 StepMethod method_of(Method method);
 
-// The forces that the description asks for. Its strands have been moved from.
-void add_forces(const Description& description, MovingStrand& moving);
+// The forces that the description asks for, to a strand that was made of `start` (whose strand may be gone).
+void add_forces(const Description& description, const StrandStart& start, MovingStrand& moving);
 
 }  // namespace hair

@@ -124,6 +124,30 @@ TEST(StrandPhysics, AFlungRootStrainsByItsSpeedOverTheSpeedOfSound) {
   EXPECT_LE(std::abs(particle(simulation, 260)[2] + 0.26), 1e-6);
 }
 
+// 30 cm of hair, 1 g: every segment has its length to 1e-10, and neighbours move apart by at most 1e-4 m/s.
+TEST(StrandPhysics, ASwingingHairKeepsItsLengthsWithThePredictorCorrector) {
+  for (const double step : {1.0 / 60, 1.0 / 240, 1.0 / 960}) {
+    Description description =
+        alone(straight_hair(30, 0.3, Vector3d::UnitX()), Method::predictor_corrector, step);
+    description.gravity = kG * kDown;
+    Simulation simulation(std::move(description));
+    double stretch = 0, apart = 0;
+    while (simulation.time() < 0.4) {
+      ASSERT_FALSE(simulation.step());
+      stretch = std::max(stretch, hair::largest_stretch(simulation.strand(0), simulation.state(0).x));
+      for (int i = 0; i < 30; ++i) {
+        const Vector3d along = (particle(simulation, i + 1) - particle(simulation, i)).normalized();
+        const Vector3d dv =
+            simulation.state(0).v.segment<3>(3 * i + 3) - simulation.state(0).v.segment<3>(3 * i);
+        apart = std::max(apart, std::abs(along.dot(dv)));
+      }
+    }
+    EXPECT_LE(stretch, 1e-10) << "h = " << step;
+    EXPECT_LE(apart, 1e-4) << "h = " << step;
+    EXPECT_LT(particle(simulation, 30)[2], -0.1) << "h = " << step;
+  }
+}
+
 // --- Energy, in units of m g L: what a hair that stands has above one that is level ---
 
 struct EnergyGain {
