@@ -36,8 +36,8 @@ struct SolveReport {
   bool converged = false;
 };
 
-// The matrix above. matVecMult takes one product with df/dx and one with df/dv, and allocates nothing. Refers
-// to force, particles and state, which must outlive it.
+// The matrix above. matVecMult takes one product with df/dx and one with df/dv, and allocates nothing (or the matrix
+// is written out as a table, once, by 3n of each). Refers to force, particles and state, which must outlive it.
 std::unique_ptr<implicitMatrix> implicit_matrix(const Force& force, const Particles& particles,
                                                 const State& state, double a, double b);
 

