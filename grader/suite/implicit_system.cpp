@@ -30,7 +30,7 @@ Eigen::VectorXd random_vector(Random& random, int size, double scale) {
 }
 
 CoupledForce::CoupledForce(Random& random, int n, double stiffness, double damping)
-    : f0_(random_vector(random, 3 * n)),
+    : f0_(random_vector(random, 3 * n, stiffness)),
       cubic_(3 * n),
       K_(definite(random, 3 * n, stiffness)),
       D_(definite(random, 3 * n, damping)) {
