@@ -74,8 +74,8 @@ std::unique_ptr<implicitMatrix> constraint_matrix(const Constraints& constraints
 // Redundant constraints share their force: any lambda that solves the equation will do, and W J^T lambda is
 // the same for all. ConjGrad finds one wherever there is one, because its first guess, the right-hand side,
 // is in the span of J W J^T, and it never leaves that. Where the right-hand side contradicts itself (two rods
-// of different lengths between the same particles, with feedback) it ends, and the report says how far it
-// came.
+// of different lengths between the same particles, with feedback; a rod of length 0 whose ends part) there is
+// none: it ends, the report has a residual above the tolerance, and lambda may be as large as numbers go.
 ConstraintReport solve_constraints(const Constraints& constraints, const Particles& particles,
                                    const State& state, Input f, Output lambda);
 

@@ -135,12 +135,15 @@ ConstrainedSystem random_chain(Random& random, int n) {
     const bool turned = random.integer(0, 1) == 1;
     system.constraints.rods.push_back({turned ? i + 1 : i, turned ? i : i + 1, random.uniform(0.7, 1.3)});
   }
-  const Vector3d centre = at(system.state.x, 0) + random_point(random).normalized() * random.uniform(0.5, 2);
-  // The normal stands across the radius, up to what random states are off.
-  const Vector3d normal = (at(system.state.x, 0) - centre).cross(random_point(random)).normalized();
-  system.constraints.wires.push_back(
-      {0, centre, (normal + 0.1 * random_point(random)).normalized(), random.uniform(0.5, 2)});
   return system;
+}
+
+void add_wire(Random& random, ConstrainedSystem& system, int i) {
+  const Vector3d centre = at(system.state.x, i) + random_point(random).normalized() * random.uniform(0.5, 2);
+  // The normal stands across the radius, but for some tenths.
+  const Vector3d normal = (at(system.state.x, i) - centre).cross(random_point(random)).normalized();
+  system.constraints.wires.push_back(
+      {i, centre, (normal + 0.1 * random_point(random)).normalized(), random.uniform(0.5, 2)});
 }
 
 ConstrainedSystem held(ConstrainedSystem system) {

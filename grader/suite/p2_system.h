@@ -39,9 +39,12 @@ struct ConstrainedSystem {
   double residual_rounding(const Eigen::VectorXd& lambda) const;
 };
 
-// n particles, about 1 apart and of masses from 0.1 to 10, where nothing holds: a chain of n - 1 rods, and a
-// wire on the particle 0. They move, and other forces pull; there is no feedback.
+// n particles, about 1 apart and of masses from 0.1 to 10, in a chain of n - 1 rods. They move, other forces
+// pull at them, and no rod has its length; there is no feedback.
 ConstrainedSystem random_chain(Random& random, int n);
+
+// A wire for the particle i, which is not on it.
+void add_wire(Random& random, ConstrainedSystem& system, int i);
 
 // The system with its rods' and its wires' sizes such that C = 0.
 ConstrainedSystem held(ConstrainedSystem system);
