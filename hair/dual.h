@@ -1,5 +1,6 @@
-// Dual numbers: a value and its derivative along one direction. A function that is written for any type of number, and
-// called with x + dx as duals, returns its directional derivative beside its value, exact to rounding.
+// Dual numbers: a value and its derivative along one direction. A function that is written for any type of
+// number, and called with x + dx as duals, returns its directional derivative beside its value, exact to
+// rounding.
 #pragma once
 
 #include <Eigen/Core>

@@ -24,8 +24,8 @@ struct Quotient {
     using std::atan2, std::sqrt;
     const T z = T(2) * (T(1) - cosine);  // (2 sin(phi/2))^2
     if (value_of(z) < 0.1) {
-      // arcsin(t) / (t sqrt(1 - t^2)) = sum (k!)^2 / (2k+1)! (2t)^2k with t = sin(phi/2). Each term is less than a
-      // fortieth of the one before.
+      // arcsin(t) / (t sqrt(1 - t^2)) = sum (k!)^2 / (2k+1)! (2t)^2k with t = sin(phi/2). Each term is less
+      // than a fortieth of the one before.
       value = T(0);
       slope = T(0);
       double coefficient = 1;
@@ -122,8 +122,8 @@ void walk(const Strand& strand, const Eigen::VectorXd& rest, const Vector3d& roo
   }
 }
 
-// Adds the force that belongs to errors `by` of the components: f += -J^T k by. `total` is the sum of k turn(by) of
-// all joints, `passed` that of the joints up to and with this one.
+// Adds the force that belongs to errors `by` of the components: f += -J^T k by. `total` is the sum of k
+// turn(by) of all joints, `passed` that of the joints up to and with this one.
 template <typename T, typename Add>
 void spread(const Joint<T>& joint, const T by[2], const T& total, const T& passed, Add add) {
   if (joint.folded) return;

@@ -1,22 +1,25 @@
-// Bending of hair that is wavy or curly at rest. It takes the place of H2's angular springs for such a strand.
+// Bending of hair that is wavy or curly at rest. It takes the place of H2's angular springs for such a
+// strand.
 //
-// An angle from 0 to pi can't hold a curl: a spring whose rest angle is not 0 has no direction at phi = 0, and lets a
-// helix unwind freely, for the planes of its bends may turn about the strand at no cost. So a joint's bend is held as
-// the vector phi b, of size phi along the axis b of the bend, by its two components in a frame that moves with the
-// strand. At rest nothing is left to turn, as long as the frame at the root is held. Sources: M. Bergou et al., "Discrete
-// Elastic Rods" (SIGGRAPH 2008), sections 4.2 and 6, for the frames and how they turn; the lecture, "Discretization".
+// An angle from 0 to pi can't hold a curl: a spring whose rest angle is not 0 has no direction at phi = 0,
+// and lets a helix unwind freely, for the planes of its bends may turn about the strand at no cost. So a
+// joint's bend is held as the vector phi b, of size phi along the axis b of the bend, by its two components
+// in a frame that moves with the strand. At rest nothing is left to turn, as long as the frame at the root is
+// held. Sources: M. Bergou et al., "Discrete Elastic Rods" (SIGGRAPH 2008), sections 4.2 and 6, for the
+// frames and how they turn; the lecture, "Discretization".
 //
-// With u_{i-1} and u_i the directions of the segments that meet at joint i, u_{-1} = root_tangent, and phi_i the angle
-// between them:
+// With u_{i-1} and u_i the directions of the segments that meet at joint i, u_{-1} = root_tangent, and phi_i
+// the angle between them:
 //
 //   w_i = phi_i b_i,  b_i the direction of u_{i-1} x u_i
-//   frame -1: root_tangent, root_normal, and their cross product; frame i: frame i-1, turned about b_i by phi_i
-//             ("parallel transport": it bends with the strand, and never turns about it)
+//   frame -1: root_tangent, root_normal, and their cross product
+//   frame i: frame i-1, turned about b_i by phi_i ("parallel transport": it bends with the strand, and never
+//            turns about it)
 //   kappa_i = (w_i . second, w_i . third vector of frame i-1)
 //   E = sum_i k_i |kappa_i - rest_i|^2 / 2,    k_0 = 2 EI / l_0,   k_i = EI / l, l = (l_{i-1} + l_i) / 2
 //
-// for i = 0 (the root's own joint, where half of the first segment bends) to the number of segments - 1. The unit of
-// kappa is the radian. With rest = 0 the frames cancel, and what is left are H2's energies.
+// for i = 0 (the root's own joint, where half of the first segment bends) to the number of segments - 1. The
+// unit of kappa is the radian. With rest = 0 the frames cancel, and what is left are H2's energies.
 //
 // A change of a segment turns all frames below it, by psi about the strand,
 //
@@ -24,11 +27,11 @@
 //
 // and so every joint has its say in the forces above it: two walks down the strand, O(n).
 //
-// The strand must be clamped. A segment of length 0 has no direction: it is skipped, and the joints at its two ends have
-// no energy, force or product. At the fold, phi = pi, the axis is lost: such a joint has the energy k (pi^2 + |rest|^2) / 2
-// and no force, and the frame turns about its second vector. Close to it, forces of joints above grow like 1 / (pi - phi)
-// where those below are not at rest. That is where frames that move with the strand end; a strand that never folds
-// within one joint never meets it.
+// The strand must be clamped. A segment of length 0 has no direction: it is skipped, and the joints at its
+// two ends have no energy, force or product. At the fold, phi = pi, the axis is lost: such a joint has the
+// energy k (pi^2 + |rest|^2) / 2 and no force, and the frame turns about its second vector. Close to it,
+// forces of joints above grow like 1 / (pi - phi) where those below are not at rest. That is where frames
+// that move with the strand end; a strand that never folds within one joint never meets it.
 #pragma once
 
 #include "hair/strand_forces.h"
@@ -37,18 +40,20 @@ namespace hair {
 
 using Eigen::Vector3d;
 
-// The components kappa of a strand that lies at x, two for each segment; the rest_i of a strand that is at rest there.
-// x: 3n, m. tangent and normal: of length 1, perpendicular to each other. Throws std::invalid_argument if x is not that
-// of at least one particle, or if two neighbours are in the same place.
+// The components kappa of a strand that lies at x, two for each segment; the rest_i of a strand that is at
+// rest there. x: 3n, m. tangent and normal: of length 1, perpendicular to each other. Throws
+// std::invalid_argument if x is not that of at least one particle, or if two neighbours are in the same
+// place.
 Eigen::VectorXd bend_components(Input x, const Vector3d& tangent, const Vector3d& normal);
 
 class RestCurvature final : public particles::Force {
  public:
-  // Refers to the strand. `rest` has two entries for each segment; `root_normal` is perpendicular to root_tangent, to
-  // within 1e-6. Throws std::invalid_argument otherwise, and for a strand that is not clamped.
+  // Refers to the strand. `rest` has two entries for each segment; `root_normal` is perpendicular to
+  // root_tangent, to within 1e-6. Throws std::invalid_argument otherwise, and for a strand that is not
+  // clamped.
   //
-  // Products: exact, or spd, which is that of Gauss and Newton, -J^T k J with J = dkappa/dx, and equal to the exact one
-  // at rest.
+  // Products: exact, or spd, which is that of Gauss and Newton, -J^T k J with J = dkappa/dx, and equal to the
+  // exact one at rest.
   RestCurvature(const Strand& strand, Eigen::VectorXd rest, const Vector3d& root_normal, BendProduct product);
 
   // When the root turns, its normal does with root_tangent.

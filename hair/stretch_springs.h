@@ -5,8 +5,8 @@
 //   E = sum_i k_i (l - l0)^2 / 2      k_i = EA / l0, N/m: k_i ~ 1/l_i
 //   f on i = k_i (l - l0) u, and on i + 1 the opposite
 //
-// A segment of length 0 has no direction, and so gives neither force nor product (its energy stays k l0^2 / 2).
-// A strand of 1 particle has no segments, and an energy of 0. x, f, dx and df have 3n entries.
+// A segment of length 0 has no direction, and so gives neither force nor product (its energy stays k l0^2 /
+// 2). A strand of 1 particle has no segments, and an energy of 0. x, f, dx and df have 3n entries.
 #pragma once
 
 #include "hair/jacobian.h"
@@ -24,8 +24,8 @@ double stretch_energy(const Strand& strand, Input x);
 // f += -dE/dx, N.
 void add_stretch_force(const Strand& strand, Input x, Output f);
 
-// df += (df/dx) dx, N: symmetric, and with the full geometric term exact. Filtered or dropped, -df/dx is positive
-// semi-definite.
+// df += (df/dx) dx, N: symmetric, and with the full geometric term exact. Filtered or dropped, -df/dx is
+// positive semi-definite.
 void add_stretch_product(const Strand& strand, Input x, GeometricTerm term, Input dx, Output df);
 
 }  // namespace hair

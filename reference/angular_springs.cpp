@@ -43,8 +43,8 @@ struct Joint {
   // phi cot(phi).
   double p() const { return sine > 0 ? phi * cosine / sine : 1; }
 
-  // The axis of the bend. Next to phi = 0 u1 x u2 is a rounding error, and points anywhere; what b has to be in any
-  // case is perpendicular to the strand.
+  // The axis of the bend. Next to phi = 0 u1 x u2 is a rounding error, and points anywhere; what b has to be
+  // in any case is perpendicular to the strand.
   Vector3d axis() const {
     const Vector3d along = (arm1.direction + arm2.direction).stableNormalized();
     const Vector3d across = u1_x_u2 - along * along.dot(u1_x_u2);
@@ -62,12 +62,14 @@ struct Joint {
   bool folded = false;
 };
 
-// Something that lives on the two segments of a joint: their vectors, their changes, the energy's derivatives.
+// Something that lives on the two segments of a joint: their vectors, their changes, the energy's
+// derivatives.
 struct Pair {
   Vector3d first, second;
 };
 
-// Calls visit(i, joint) for joint i, at the particles i - 1, i and i + 1; joint 0, of a clamped strand, is at 0 and 1.
+// Calls visit(i, joint) for joint i, at the particles i - 1, i and i + 1; joint 0, of a clamped strand, is at
+// 0 and 1.
 template <typename Visit>
 void for_each_joint(const Strand& strand, Input x, Visit visit) {
   auto segment = [&](int i) -> Vector3d { return x.segment<3>(3 * i + 3) - x.segment<3>(3 * i); };

@@ -1,8 +1,8 @@
 // STAFF ONLY. H1: hidden cases of stretch_energy, add_stretch_force and add_stretch_product.
 //
-// Rounding. A segment's vector comes out of one subtraction, so that its length l has a relative error of a few u =
-// 2^-53, wherever the strand is. What is compared has gone through less than 16 more operations in either program, hence
-// 64 u of
+// Rounding. A segment's vector comes out of one subtraction, so that its length l has a relative error of a
+// few u = 2^-53, wherever the strand is. What is compared has gone through less than 16 more operations in
+// either program, hence 64 u of
 //
 //   k (l + l0)              N        for a spring's force
 //   k (1 + l0/l) |de|       N        for its product with a change de
@@ -220,7 +220,8 @@ void no_direction(Trial& trial) {
   trial.expect(ask_force(trial, lone).isZero(0), "a strand of one particle has a force");
   trial.expect(ask_product(trial, lone, dx).isZero(0), "a strand of one particle has a product");
 
-  // Segments of length 0, at the root, the tip, in between, and everywhere. What the others give is another category's.
+  // Segments of length 0, at the root, the tip, in between, and everywhere. What the others give is another
+  // category's.
   for (int which : {0, 2, 4, -1}) {
     Posed posed = random_pose(random, toy_strand(random, 6), kMixed, kAnyBend, "coincident particles");
     for (int i = 0; i < 5; ++i)

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "hair/angular_springs.h"
+
 namespace grader::h2 {
 
 using Eigen::Vector3d;
@@ -55,6 +57,38 @@ double product_rounding(const Posed& posed, const VectorXd& dx) {
     if (s > 4 * kUnit) most = std::max(most, joint.stiffness / std::pow(joint.arm * s, 2));
   }
   return 512 * kUnit * std::numbers::pi * most * 4 * largest(dx);
+}
+
+void expect_energy(Trial& trial, const Posed& posed) {
+  trial.expect_at_most(std::abs(ask_energy(trial, posed) - hair::bend_energy(posed.strand, posed.x)),
+                       energy_rounding(posed), "the error of the energy");
+}
+
+VectorXd reference_force(const Posed& posed) {
+  VectorXd f = VectorXd::Zero(posed.x.size());
+  hair::add_bend_force(posed.strand, posed.x, f);
+  return f;
+}
+
+void expect_force(Trial& trial, const Posed& posed) {
+  expect_vector(trial, ask_force(trial, posed), reference_force(posed), force_rounding(posed), "the force");
+}
+
+VectorXd ask_spd(Trial& trial, const Posed& posed, const VectorXd& dx) {
+  return ask_product(trial, posed, dx, GeometricTerm::full, kSpdProduct);
+}
+
+VectorXd reference_product(const Posed& posed, const VectorXd& dx, int function) {
+  VectorXd df = VectorXd::Zero(dx.size());
+  (function == kProduct ? hair::add_bend_product : hair::add_bend_product_spd)(posed.strand, posed.x, dx, df);
+  return df;
+}
+
+void expect_product(Trial& trial, const Posed& posed, int function, double rounding_of_straight) {
+  const VectorXd dx = random_vector(trial.random, posed.x.size());
+  const VectorXd df = ask_product(trial, posed, dx, GeometricTerm::full, function);
+  expect_vector(trial, df, reference_product(posed, dx, function),
+                product_rounding(posed, dx) + rounding_of_straight * largest(dx), "the product");
 }
 
 }  // namespace grader::h2

@@ -193,7 +193,8 @@ void no_direction(Trial& trial) {
     trial.expect(ask_force(trial, posed).isZero(0), "a strand of fewer than 3 particles has a force");
     trial.expect(ask_product(trial, posed, dx).isZero(0), "a strand of fewer than 3 particles has a product");
   }
-  // Particles i and i + 2 in the same place: folded; and all of them. What the others give is another category's.
+  // Particles i and i + 2 in the same place: folded; and all of them. What the others give is another
+  // category's.
   for (int which : {0, 3, -1}) {
     Posed posed = random_pose(random, half_metres(random, 6), kStretch, kBend, "coincident particles");
     for (int i = 0; i < 6; ++i)

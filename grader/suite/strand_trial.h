@@ -1,5 +1,5 @@
-// STAFF ONLY. What the hidden cases of H1, H2 and H3 share: a student's force of a strand, asked across the pipe; the
-// strands and states that it is asked about; its answers beside the reference's.
+// STAFF ONLY. What the hidden cases of H1, H2 and H3 share: a student's force of a strand, asked across the
+// pipe; the strands and states that it is asked about; its answers beside the reference's.
 #pragma once
 
 #include <Eigen/Core>
@@ -42,8 +42,8 @@ double largest(const VectorXd& v);
 void expect_vector(Trial& trial, const VectorXd& actual, const VectorXd& expected, double bound,
                    const std::string& what);
 
-// Between a hundredth and a hundred times of what it should be: for cases that ask for a property, so that zeros don't
-// have it, and another mistake does not cost it.
+// Between a hundredth and a hundred times of what it should be: for cases that ask for a property, so that
+// zeros don't have it, and another mistake does not cost it.
 void expect_size(Trial& trial, double actual, double expected, const std::string& what);
 
 // Numbers that differ by no more than `relative` of the largest.
@@ -57,9 +57,9 @@ struct Range {
   double low, high;
 };
 
-// A random pose: segments are `stretch` times their rest length, each turned from the one before by an angle in `bend`
-// about an axis without preference. The root, and the first direction (root_tangent if clamped, turned likewise), are
-// drawn.
+// A random pose: segments are `stretch` times their rest length, each turned from the one before by an angle
+// in `bend` about an axis without preference. The root, and the first direction (root_tangent if clamped,
+// turned likewise), are drawn.
 Posed random_pose(Random& random, const Strand& strand, Range stretch, Range bend, const std::string& name);
 
 // On a line through the root: segments of the lengths given, along `direction`.

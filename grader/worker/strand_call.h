@@ -1,5 +1,5 @@
-// STAFF ONLY. What a request of H1, H2 or H3 asks for, and the memory that it is done in. Function 0 is the energy, 1
-// the force, 2 and up are products:
+// STAFF ONLY. What a request of H1, H2 or H3 asks for, and the memory that it is done in. Function 0 is the
+// energy, 1 the force, 2 and up are products:
 //
 //   function, geometric term, strand, x, dx, what f or df holds beforehand  ->  E | f | df
 #pragma once

@@ -56,7 +56,8 @@ VectorXd eigenvalues(const MatrixXd& matrix) {
   return Eigen::SelfAdjointEigenSolver<MatrixXd>((matrix + matrix.transpose()) / 2).eigenvalues();
 }
 
-// Energies, forces and products are as large as k pi, k pi / l and k pi / l^2, with frames that add up along the strand.
+// Energies, forces and products are as large as k pi, k pi / l and k pi / l^2, with frames that add up along
+// the strand.
 struct Scales {
   explicit Scales(const StrandState& s)
       : energy(2 * s.strand.bend_rigidity / s.strand.rest_length.minCoeff() * pi * pi * s.strand.count()),
@@ -224,8 +225,9 @@ TEST(RestCurvature, LeavesAClampedHelixNoZeroEnergyMode) {
     const int free = 3 * segments;
     const VectorXd all = eigenvalues(
         -(matrix_of(force, shape.x) + stretch_matrix(strand, shape.x)).bottomRightCorner(free, free));
-    // The softest thing that this much hair can do is to bend as a straight beam does in its first mode: 1.875^4 = 12.36
-    // EI / L^4 for each metre, and so 12.36 EI / (n L^3) for each particle. A helix is shorter, and stiffer.
+    // The softest thing that this much hair can do is to bend as a straight beam does in its first mode:
+    // 1.875^4 = 12.36 EI / L^4 for each metre, and so 12.36 EI / (n L^3) for each particle. A helix is
+    // shorter, and stiffer.
     const double L = strand.rest_length.sum(),
                  softest = 12.36 * strand.bend_rigidity / (segments * L * L * L);
     EXPECT_GE(all.minCoeff(), softest) << segments << " segments";
@@ -234,8 +236,8 @@ TEST(RestCurvature, LeavesAClampedHelixNoZeroEnergyMode) {
   }
 }
 
-// What the header says of springs with a rest angle: E = sum k (phi - phi_rest)^2 / 2 holds angles, and nothing holds
-// the planes of the bends.
+// What the header says of springs with a rest angle: E = sum k (phi - phi_rest)^2 / 2 holds angles, and
+// nothing holds the planes of the bends.
 TEST(RestCurvature, IsNeededBecauseUnsignedAnglesLeaveAHelixZeroEnergyModes) {
   const int segments = 24, free = 3 * segments;
   const auto [shape, strand] = helix(segments);

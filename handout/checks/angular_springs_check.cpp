@@ -1,5 +1,5 @@
-// The public checks of H2. Every failure prints the input, what was expected, what came, the error and its bound. The
-// contract is in hair/angular_springs.h.
+// The public checks of H2. Every failure prints the input, what was expected, what came, the error and its
+// bound. The contract is in hair/angular_springs.h.
 
 #include "hair/angular_springs.h"
 
@@ -36,7 +36,8 @@ VectorXd vector(std::initializer_list<double> values) {
   return Eigen::Map<const VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()));
 }
 
-// Segments of 1 m whose rest lengths are 1 m: k = EI = 4 N m. First down, then turned by `bend` each, in planes that turn.
+// Segments of 1 m whose rest lengths are 1 m: k = EI = 4 N m. First down, then turned by `bend` each, in
+// planes that turn.
 struct Case {
   Strand strand;
   VectorXd x;
@@ -221,7 +222,8 @@ TEST(AddBendProduct, IsSymmetric) {
 }
 
 TEST(AddBendProduct, IsIndefinite) {
-  // phi = pi/2, k = 4, |e| = 1: the ends out of the bend's plane, one to either side, have -k phi tan(phi/2) = -2 pi.
+  // phi = pi/2, k = 4, |e| = 1: the ends out of the bend's plane, one to either side, have -k phi tan(phi/2)
+  // = -2 pi.
   const Strand strand = strand_of(vector({1, 1}));
   const VectorXd out = vector({1, 0, 0, 0, 0, 0, -1, 0, 0}), df = product(strand, kRightAngle, out);
   EXPECT_NEAR(out.dot(df) / 2, 2 * pi, 64 * kU * 4 * pi)

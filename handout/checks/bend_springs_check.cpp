@@ -1,5 +1,5 @@
-// The public checks of H3. Every failure prints the input, what was expected, what came, the error and its bound. The
-// contract is in hair/bend_springs.h.
+// The public checks of H3. Every failure prints the input, what was expected, what came, the error and its
+// bound. The contract is in hair/bend_springs.h.
 
 #include "hair/bend_springs.h"
 

@@ -1,15 +1,16 @@
-// What the checks of forces share: derivatives by central differences, and an error beside its bound for each.
+// What the checks of forces share: derivatives by central differences, and an error beside its bound for
+// each.
 //
 //   D(h) = (g(x + h) - g(x - h)) / 2h = g'(x) + h^2 g'''/6 + ...,    g'(x) = (4 D(h/2) - D(h)) / 3 + O(h^4)
 //
-// With h = 2^-14 (6e-5) of `length`, the length over which g changes by its own size, the second formula (Richardson's)
-// is off by no more than rounding is; and what g rounds by is divided by h, and so becomes 2^-38 (4e-12) of g's size
-// over `length`. So what is compared agrees to
+// With h = 2^-14 (6e-5) of `length`, the length over which g changes by its own size, the second formula
+// (Richardson's) is off by no more than rounding is; and what g rounds by is divided by h, and so becomes
+// 2^-38 (4e-12) of g's size over `length`. So what is compared agrees to
 //
 //   1e-6 of the largest entry + 2^-36 of `scale`,
 //
-// where `scale` is the size that an entry has when lengths and angles are off by all of themselves: the second part
-// is for what should be 0, but rounds.
+// where `scale` is the size that an entry has when lengths and angles are off by all of themselves: the
+// second part is for what should be 0, but rounds.
 #pragma once
 
 #include <Eigen/Core>
@@ -41,8 +42,8 @@ void expect_product(const Eigen::VectorXd& actual, const Field& force, const Eig
 void expect_entries(const Eigen::VectorXd& actual, const Eigen::VectorXd& expected, double bound,
                     const std::string& what, const std::string& source_of_bound);
 
-// The forces on all particles add up to no force and no torque, to within `bound` N and `bound` times the largest
-// coordinate of x.
+// The forces on all particles add up to no force and no torque, to within `bound` N and `bound` times the
+// largest coordinate of x.
 void expect_balanced(const Eigen::VectorXd& force, const Eigen::VectorXd& x, double bound,
                      const std::string& source_of_bound);
 

@@ -1,5 +1,5 @@
-// The public checks of H1. Every failure prints the input, what was expected, what came, the error and its bound. The
-// contract is in hair/stretch_springs.h.
+// The public checks of H1. Every failure prints the input, what was expected, what came, the error and its
+// bound. The contract is in hair/stretch_springs.h.
 
 #include "hair/stretch_springs.h"
 

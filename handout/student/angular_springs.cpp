@@ -1,4 +1,5 @@
-// H2: angular springs. The contract is in hair/angular_springs.h, the text in assignment/H2-angular-springs.md.
+// H2: angular springs. The contract is in hair/angular_springs.h, the text in
+// assignment/H2-angular-springs.md.
 
 #include "hair/angular_springs.h"
 

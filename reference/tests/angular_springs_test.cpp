@@ -25,8 +25,8 @@ ForceUnderTest under_test(const Strand& strand) {
           [&](const VectorXd& x, const VectorXd& dx) { return bend_product(strand, x, dx); }};
 }
 
-// k pi / l and k pi / l^2 of the stiffest joint, 2 EI over the shortest rest length; next to the fold divided by how
-// much angle is left.
+// k pi / l and k pi / l^2 of the stiffest joint, 2 EI over the shortest rest length; next to the fold divided
+// by how much angle is left.
 double force_scale(const StrandState& s) {
   return 2 * s.strand.bend_rigidity / s.strand.rest_length.minCoeff() * pi / s.shortest;
 }
@@ -77,7 +77,8 @@ TEST(AngularSprings, TurnWithARigidMotion) {
     Strand turned = s.strand;
     turned.root_tangent = motion.rotation * s.strand.root_tangent;
     const VectorXd x = motion.points(s.x), dx = VectorXd::LinSpaced(x.size(), -1, 1);
-    // Positions of a few metres round by 16 u, angles by that over the shortest segment, and what follows in proportion.
+    // Positions of a few metres round by 16 u, angles by that over the shortest segment, and what follows in
+    // proportion.
     const double angle = 64 * kUnit * 4 / s.shortest, relative = angle / std::min(1.0, s.least_bend);
     EXPECT_NEAR(bend_energy(turned, x), bend_energy(s.strand, s.x),
                 angle * force_scale(s) * s.strand.count());

@@ -12,8 +12,8 @@ VectorXd bend_product_spd(const Strand& strand, const VectorXd& x, const VectorX
 MatrixXd bend_matrix(const Strand& strand, const VectorXd& x);
 MatrixXd bend_matrix_spd(const Strand& strand, const VectorXd& x);
 
-// A circle of radius R as a regular polygon of n sides, gone round once and one side more, so that all n corners are
-// joints. Rest lengths are the sides.
+// A circle of radius R as a regular polygon of n sides, gone round once and one side more, so that all n
+// corners are joints. Rest lengths are the sides.
 Strand circle_strand(int n, double R, double EI);
 VectorXd circle(int n, double R);
 

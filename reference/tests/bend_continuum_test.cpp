@@ -1,5 +1,5 @@
-// STAFF ONLY. Angular springs against the continuum that they stand for: energies and shapes do not depend on how
-// finely a strand is divided, to second order.
+// STAFF ONLY. Angular springs against the continuum that they stand for: energies and shapes do not depend on
+// how finely a strand is divided, to second order.
 
 #include <gtest/gtest.h>
 
@@ -109,8 +109,8 @@ TEST(AngularSprings, GiveTheSameStaticShapeHoweverTheStrandIsDivided) {
         << "how far the tip moves when the segments are halved, the " << i << "th time: second order";
 }
 
-// Degrees that each joint of human hair, on a hinge and in segments of 1 cm, may be bent by until M + h^2 K is no longer
-// positive definite, to a quarter; h = 1/60 s.
+// Degrees that each joint of human hair, on a hinge and in segments of 1 cm, may be bent by until M + h^2 K
+// is no longer positive definite, to a quarter; h = 1/60 s.
 double bend_that_is_too_much(int n, bool spd) {
   const double l = 0.01, h = 1.0 / 60;
   const Strand strand = hair::uniform_strand({}, n, n * l);

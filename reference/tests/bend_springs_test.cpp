@@ -138,8 +138,9 @@ TEST(BendSprings, ServeTenThousandParticlesAndAllocateNothing) {
   EXPECT_TRUE(df.allFinite());
 }
 
-// The lecture: "Difficulty: Each spring constant affects both bending and stretching". A uniform strand of length 1 with
-// n segments, stretched by 1 %, and bent into an arc of radius 1 with its segments as long as at rest.
+// The lecture: "Difficulty: Each spring constant affects both bending and stretching". A uniform strand of
+// length 1 with n segments, stretched by 1 %, and bent into an arc of radius 1 with its segments as long as
+// at rest.
 struct Measured {
   double stretch;  // the energy over EA strain^2 L / 2: how many strands stretch like it
   double bend;     // the energy over EI / R^2 L / 2 at EI = 1
@@ -168,8 +169,9 @@ TEST(BendSprings, StiffenAgainstStretchingByTwiceTheirRigidity) {
 }
 
 TEST(BendSprings, ResistABendWithTheFourthPowerOfASegmentsLength) {
-  // d = 2 l cos(phi/2), and so (d - d0)^2 = (4 l sin^2(phi/4))^2, (l phi^2 / 4)^2 for small phi: at the same curvature
-  // the resistance falls by 16 when the segments are halved. What a constant means depends on the sampling.
+  // d = 2 l cos(phi/2), and so (d - d0)^2 = (4 l sin^2(phi/4))^2, (l phi^2 / 4)^2 for small phi: at the same
+  // curvature the resistance falls by 16 when the segments are halved. What a constant means depends on the
+  // sampling.
   for (int n : {8, 16, 32}) {
     const double l = 1.0 / n, phi = 1.0 / n, k = 10 / (2 * l);
     const double exact = (n - 1) * k * std::pow(4 * l * std::pow(std::sin(phi / 4), 2), 2);
@@ -180,7 +182,8 @@ TEST(BendSprings, ResistABendWithTheFourthPowerOfASegmentsLength) {
 }
 
 TEST(BendSprings, ResistASmallBendNotAtAll) {
-  // The exact derivative of a straight strand: a change across it costs nothing, where angular springs have EI / l^3.
+  // The exact derivative of a straight strand: a change across it costs nothing, where angular springs have
+  // EI / l^3.
   Strand strand = test_strand(3);
   strand.rest_length.setOnes();
   VectorXd x = VectorXd::Zero(9), across = x;

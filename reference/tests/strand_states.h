@@ -1,4 +1,5 @@
-// STAFF ONLY. Strands and states that the forces of H1, H2 and H3 are tried in, and what all of them must satisfy.
+// STAFF ONLY. Strands and states that the forces of H1, H2 and H3 are tried in, and what all of them must
+// satisfy.
 #pragma once
 
 #include <string>
@@ -40,8 +41,8 @@ struct ForceUnderTest {
 // The matrix of `product` at x, by its columns.
 MatrixXd matrix_of(const checks::Operator& product, Eigen::Index size);
 
-// f = -dE/dx and df = f'(x) dx by central differences with steps of 2^-14 of `length`, to 1e-6 of the largest entry,
-// and to 2^-36 of `scale` (N, N/m) where that is smaller: what differences leave of 0.
+// f = -dE/dx and df = f'(x) dx by central differences with steps of 2^-14 of `length`, to 1e-6 of the largest
+// entry, and to 2^-36 of `scale` (N, N/m) where that is smaller: what differences leave of 0.
 void expect_derivatives(const ForceUnderTest& f, const VectorXd& x, double length, double scale,
                         double product_scale);
 

@@ -74,7 +74,8 @@ TEST(StretchSprings, TurnWithARigidMotion) {
     const VectorXd x = motion.points(s.x), dx = VectorXd::LinSpaced(x.size(), -1, 1);
     const double E = stretch_energy(s.strand, s.x);
     SCOPED_TRACE(s.name);
-    // Positions of a few metres round by 8 u, lengths by 16 u, energies by EA / l0 of that and their own rounding.
+    // Positions of a few metres round by 8 u, lengths by 16 u, energies by EA / l0 of that and their own
+    // rounding.
     EXPECT_NEAR(stretch_energy(s.strand, x), E, 64 * kUnit * (std::sqrt(E * 50 * 6) * 10 + E) + 1e-28);
     EXPECT_LE((force(s.strand, x) - motion.vectors(force(s.strand, s.x))).norm(),
               1e3 * 64 * kUnit / s.shortest);

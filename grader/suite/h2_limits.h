@@ -1,0 +1,13 @@
+// STAFF ONLY. Some of H2's categories; see h2_categories.cpp.
+#pragma once
+
+#include "grader/suite/trial.h"
+
+namespace grader::h2 {
+
+void clamped_root(Trial& trial);
+void nearly_straight(Trial& trial);
+void straight_products(Trial& trial);
+void lost_directions(Trial& trial);
+
+}  // namespace grader::h2
