@@ -7,10 +7,11 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 
 #include "grader/compile/kit.h"
+#include "grader/compile/precompiled.h"
+#include "grader/compile/toolchain.h"
 #include "grader/course/course.h"
 
 namespace grader {
@@ -38,10 +39,9 @@ class Compiler {
                         const std::filesystem::path& job) const;
   Compiled run_linker(const Exercise& exercise, const std::filesystem::path& job) const;
 
-  const StagedKit& kit_;
+  Toolchain toolchain_;
+  PrecompiledHeader precompiled_;
   std::filesystem::path cache_;
-  bool isolated_;
-  std::string program_, version_;
 };
 
 // The lines of a compiler's output that speak of `file`, a line each, none of another file's text.

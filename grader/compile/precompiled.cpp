@@ -1,0 +1,82 @@
+// STAFF ONLY.
+#include "grader/compile/precompiled.h"
+
+#include <fstream>
+
+#include "grader/compile/cache.h"
+#include "grader/compile/hash.h"
+#include "grader/sandbox/identity.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostBytes = std::size_t{512} << 20;
+const std::vector<std::string> kLibraries = {"eigen"};
+constexpr const char* kText =
+    "#include <algorithm>\n#include <cmath>\n#include <memory>\n#include <vector>\n\n"
+    "#include \"particles/vectors.h\"\n";
+
+}  // namespace
+
+bool PrecompiledHeader::use(const std::vector<std::string>& libraries, Cage& cage,
+                            std::vector<std::string>& command) const {
+  if (libraries != kLibraries) return false;
+  std::call_once(made_, [this] { make(); });
+  if (folder_.empty()) return false;
+  cage.mounts.push_back({folder_, "/precompiled"});
+  command.insert(command.end(), {"-include", "/precompiled/given.h"});
+  return true;
+}
+
+void PrecompiledHeader::make() const {
+  const fs::path folder = toolchain_.kit().new_job("precompiled");
+  const fs::path file = folder / "given.h.gch";
+  std::ofstream(folder / "given.h") << kText;
+  fs::permissions(folder / "given.h", fs::perms(0644));
+
+  const fs::path cached =
+      cache_ /
+      ("given-" + sha256(toolchain_.version() + kText + sha256_of(toolchain_.kit().folder() / "include")) +
+       ".gch");
+  std::error_code error;
+  if (!toolchain_.isolated() || !fs::copy_file(cached, file, error)) {
+    const std::optional<std::string> bytes = compile();
+    if (!bytes) return;
+    std::ofstream(file, std::ios::binary) << *bytes;
+    if (toolchain_.isolated()) {
+      // One is enough: it is large, and of use for one kit and one compiler.
+      for (const auto& entry : fs::directory_iterator(cache_, error))
+        if (entry.path().extension() == ".gch") fs::remove(entry.path(), error);
+      keep_copy(file, cached);
+    }
+  }
+  fs::permissions(file, fs::perms(0644));
+  folder_ = folder;
+}
+
+std::optional<std::string> PrecompiledHeader::compile() const {
+  const fs::path job = toolchain_.kit().new_job("precompile"), in = job / "source";
+  fs::create_directory(in);
+  share_with_sandbox(in, false);
+  std::ofstream(in / "given.h") << kText;
+  fs::permissions(in / "given.h", fs::perms(0644));
+  const fs::path out = writable_folder(job / "object");
+
+  Cage cage = toolchain_.compiling(kLibraries);
+  cage.limits.file_bytes = kMostBytes;
+  cage.mounts.push_back({in, "/student"});
+  cage.mounts.push_back({out, "/out", true});
+  cage.folder = "/student";
+  std::vector<std::string> command = toolchain_.compile_command(kLibraries);
+  command.insert(command.end(), {"-x", "c++-header", "given.h", "-o", "/out/given.h.gch"});
+  const Toolchain::Run run = toolchain_.run(cage, command, "given.h");
+  std::optional<std::string> bytes =
+      run.ending.well() ? read_written(out / "given.h.gch", kMostBytes) : std::nullopt;
+  std::error_code ignored;
+  fs::remove_all(job, ignored);
+  return bytes;
+}
+
+}  // namespace grader

@@ -1,0 +1,139 @@
+// STAFF ONLY.
+#include "grader/compile/toolchain.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+
+#include <initializer_list>
+#include <sstream>
+#include <stdexcept>
+
+#include "grader/compile/hash.h"
+#include "grader/course/bad_input.h"
+#include "grader/sandbox/identity.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostOutput = 64 << 10;
+
+const std::vector<std::string> kCompile = {"-std=c++20",
+                                           "-O2",
+                                           "-fPIC",
+                                           "-ffp-contract=off",
+                                           "-pipe",
+                                           "-fmax-errors=20",
+                                           "-fno-diagnostics-show-caret",
+                                           "-fdiagnostics-color=never"};
+const std::vector<std::string> kLink = {"-shared",     "-s",        "-fno-lto", "-fno-use-linker-plugin",
+                                        "-Wl,-z,defs", "-Wl,-z,now"};
+
+std::string find_compiler() {
+  for (const char* name : {"/usr/bin/g++", "/usr/bin/c++", "/usr/bin/clang++"})
+    if (fs::exists(name)) return fs::canonical(name).string();
+  throw BadInput("no C++ compiler in /usr/bin; install g++");
+}
+
+// Where its headers are, below /usr/include.
+std::string folder_of(const std::string& library) {
+  return library == "eigen" ? "eigen3" : library;
+}
+
+// True if the tool itself, and not a message about the student's own lines, which may quote anything, says
+// one of these.
+bool tool_says(const std::string& log, const std::string& student_file,
+               std::initializer_list<const char*> sayings) {
+  std::istringstream lines(log);
+  for (std::string line; std::getline(lines, line);)
+    if (!line.starts_with(student_file + ":"))
+      for (const char* saying : sayings)
+        if (line.find(saying) != std::string::npos) return true;
+  return false;
+}
+
+}  // namespace
+
+Toolchain::Toolchain(const StagedKit& kit, bool isolated)
+    : kit_(kit), isolated_(isolated), program_(find_compiler()) {
+  std::string all = sha256_of(program_);
+  for (const auto* words : {&kCompile, &kLink})
+    for (const std::string& word : *words) all += '\0' + word;
+  version_ = sha256(all);
+}
+
+Toolchain::Run Toolchain::run(const Cage& cage, const std::vector<std::string>& command,
+                              const std::string& file) const {
+  Pipe output = make_pipe();
+  const std::vector<std::string> limited = cage.isolated ? with_inner_limits(cage.limits, command) : command;
+  CagedProcess process(cage, limited, -1, -1, output.write_end.get());
+  output.write_end.close();
+  std::string text = read_all(output.read_end, kMostOutput, cage.limits.wall_seconds);
+  const bool flood = text.size() >= kMostOutput;
+  // It may still run: out of time, or with more to say than anybody reads.
+  const Ending ending = process.wait(flood ? 0 : 1);
+  // What keeps a compiler from starting is the machine's fault, and no student's.
+  if (ending.code == 126 || ending.code == 127 ||
+      tool_says(text, file, {"cannot execute", "Resource temporarily unavailable"}))
+    throw std::runtime_error("the compiler could not run: " + text.substr(0, 500));
+  // Which limit a bomb meets first differs from run to run; that it met one does not.
+  if (flood ||
+      tool_says(text, file, {"Killed signal", "memory exhausted", "out of memory", "CPU time limit"}))
+    text = "a limit on time, memory or output was reached\n";
+  return {ending, std::move(text)};
+}
+
+Cage Toolchain::linking() const {
+  Cage cage;
+  cage.mounts = toolchain_mounts();
+  cage.tmp_bytes = 64 << 20;
+  cage.syscalls = Syscalls::toolchain;
+  cage.limits.memory_bytes = std::size_t{2} << 30;
+  cage.limits.cpu_seconds = 15;
+  cage.isolated = isolated_;
+  return cage;
+}
+
+Cage Toolchain::compiling(const std::vector<std::string>& libraries) const {
+  Cage cage = linking();
+  std::vector<std::string> folders;
+  for (const std::string& library : libraries) folders.push_back(folder_of(library));
+  for (const Mount& mount : header_mounts(kit_.empty_folder(), folders)) cage.mounts.push_back(mount);
+  cage.mounts.push_back({kit_.folder() / "include", "/given"});
+  return cage;
+}
+
+std::vector<std::string> Toolchain::compile_command(const std::vector<std::string>& libraries) const {
+  std::vector<std::string> command = {program_};
+  command.insert(command.end(), kCompile.begin(), kCompile.end());
+  for (const std::string& library : libraries)
+    command.insert(command.end(), {"-isystem", "/usr/include/" + folder_of(library)});
+  command.emplace_back("-I/given");
+  return command;
+}
+
+std::vector<std::string> Toolchain::link_command() const {
+  std::vector<std::string> command = {program_};
+  command.insert(command.end(), kLink.begin(), kLink.end());
+  if (fs::exists("/usr/bin/ld.gold"))
+    command.emplace_back("-fuse-ld=gold");  // a third of the default linker's time
+  return command;
+}
+
+fs::path writable_folder(const fs::path& path) {
+  fs::create_directory(path);
+  share_with_sandbox(path, true);
+  return path;
+}
+
+std::optional<std::string> read_written(const fs::path& path, std::size_t most) {
+  const Descriptor file(open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  struct stat status = {};
+  if (!file || fstat(file.get(), &status) != 0 || !S_ISREG(status.st_mode) ||
+      status.st_size > static_cast<off_t>(most))
+    return {};
+  return read_all(file, most, 10);
+}
+
+}  // namespace grader
