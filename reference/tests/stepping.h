@@ -97,9 +97,9 @@ inline VectorXd right_hand_side(const particles::Force& force, const particles::
 inline VectorXd scattered(Eigen::Index n, unsigned which) {
   VectorXd values(n);
   unsigned state = 2654435761u * (which + 1);
-  for (double& value : values) {
+  for (Eigen::Index i = 0; i < n; ++i) {
     state = 1664525u * state + 1013904223u;
-    value = state / 2147483648.0 - 1;
+    values[i] = state / 2147483648.0 - 1;
   }
   return values;
 }
