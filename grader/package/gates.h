@@ -23,9 +23,9 @@ void check_listing(const Files& handout, const Paths& listed);
 // exercises, which do.
 void check_canary(const Files& handout, const Paths& solved);
 
-// No four consecutive lines of the reference appear in a file, but in `solved`: blank lines and the space
-// around a line do not count, nor do four lines that the stub of the same name has, too. `reference` and
-// `stubs` are by name ("conj_grad.cpp").
+// No four consecutive lines of the reference appear in a file, but in `solved`: blank lines, #include and the
+// space around a line do not count, nor do four lines that the stub of the same name has, too. `reference`
+// and `stubs` are by name ("conj_grad.cpp").
 void check_reference_lines(const Files& handout, const Files& reference, const Files& stubs,
                            const Paths& solved);
 

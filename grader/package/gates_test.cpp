@@ -78,6 +78,17 @@ TEST(ReferenceLinesGate, OpensForThreeLines) {
             "");
 }
 
+TEST(ReferenceLinesGate, OverlooksWhatIsIncluded) {
+  const std::string includes =
+      "#include <cmath>\n#include <limits>\n\n  #include <string>\n#include <vector>\n";
+  const Files reference = {{"f.cpp", includes + solution}};
+  EXPECT_EQ(complaint([&] { check_reference_lines({{"g.cpp", includes}}, reference, {}, {}); }), "");
+  EXPECT_NE(complaint([&] {
+              check_reference_lines({{"g.cpp", includes + solution}}, reference, {}, {});
+            }),
+            "");
+}
+
 TEST(ReferenceLinesGate, OpensForLinesThatTheStubHasToo) {
   const Files handout = {{"checks/f_check.cpp", solution}};
   EXPECT_EQ(complaint([&] {

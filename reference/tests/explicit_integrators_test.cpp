@@ -39,7 +39,8 @@ constexpr double kUnit = 0x1p-53, kNaN = std::numeric_limits<double>::quiet_NaN(
 
 struct Method {
   const char* name;
-  int order, evaluations;
+  int order;
+  int evaluations;
   void (*step)(Dynamics&, double, Output, Output, Scratch);
 };
 
