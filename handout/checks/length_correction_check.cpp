@@ -156,6 +156,7 @@ TEST(CorrectLengths, TakesFewIterations) {
 
 TEST(CorrectLengths, GivesASegmentOfNoLengthADirection) {
   Strand strand = strand_of(2);
+  strand.rest_length[0] = 1;
   strand.root_tangent = Vector3d(0, 1, 0);
   VectorXd x = VectorXd::Zero(6);
   EXPECT_TRUE(correct(strand, 1e-9, 100000, x).converged);
