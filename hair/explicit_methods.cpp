@@ -9,7 +9,7 @@ using Integrator = void (*)(particles::Dynamics&, double, particles::Output, par
                             particles::Scratch);
 
 template <Integrator integrator>
-StepOutcome take_step(MovingStrand& moving, const StepOptions& options, particles::Scratch scratch) {
+StepOutcome take_step(MovingStrand& moving, const StepOptions& options, const particles::Scratch& scratch) {
   integrator(moving.system, options.h, moving.state.x, moving.state.v, scratch);
   return {.suspect = Stage::integration};
 }

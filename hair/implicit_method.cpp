@@ -5,7 +5,7 @@ namespace hair {
 
 namespace {
 
-StepOutcome take_step(MovingStrand& moving, const StepOptions& options, particles::Scratch scratch) {
+StepOutcome take_step(MovingStrand& moving, const StepOptions& options, const particles::Scratch& scratch) {
   const particles::SolveReport report = particles::implicit_euler(moving.force, moving.particles, options.h,
                                                                   options.tolerance, moving.state, scratch);
   return {.solver_steps = report.steps, .unconverged = !report.converged, .suspect = Stage::filter};

@@ -20,11 +20,11 @@ struct StepOptions {
 };
 
 struct StepMethod {
-  StepOutcome (*step)(MovingStrand&, const StepOptions&, particles::Scratch);
+  StepOutcome (*step)(MovingStrand&, const StepOptions&, const particles::Scratch&);
   int scratch;  // columns of 3n numbers
 
   // Null, or brings a strand back to what the method promises after something else moved it: a collision.
-  void (*mend)(MovingStrand&, particles::Scratch) = nullptr;
+  void (*mend)(MovingStrand&, const particles::Scratch&) = nullptr;
 };
 
 // P1

@@ -11,7 +11,7 @@ bool is_finite(const particles::SolveReport& report) {
   return std::isfinite(report.rhs) && std::isfinite(report.residual);
 }
 
-StepOutcome take_step(MovingStrand& moving, const StepOptions& options, particles::Scratch scratch) {
+StepOutcome take_step(MovingStrand& moving, const StepOptions& options, const particles::Scratch& scratch) {
   const StepReport report = predictor_corrector(moving.force, moving.particles, moving.strand, options.h,
                                                 options.tolerance, moving.state, scratch);
   StepOutcome outcome;
@@ -29,7 +29,7 @@ StepOutcome take_step(MovingStrand& moving, const StepOptions& options, particle
 constexpr double kSlow = 1e-6;  // m/s
 constexpr int kMostSweeps = 100;
 
-void mend(MovingStrand& moving, particles::Scratch scratch) {
+void mend(MovingStrand& moving, const particles::Scratch& scratch) {
   correct_lengths(moving.strand, kLengthTolerance, kMostCorrections, moving.state.x, scratch);
   correct_velocities(moving.strand, moving.state.x, kSlow, kMostSweeps, moving.state.v, scratch);
 }
