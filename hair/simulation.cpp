@@ -40,6 +40,7 @@ void check_strand(const std::string& name, const StrandStart& start) {
   if (strand.clamped) check_direction(name + ": the root's tangent", strand.root_tangent);
   check_vector(name + ": a position", start.state.x);
   check_vector(name + ": a velocity", start.state.v);
+  check_vector(name + ": a component of the rest curvature", start.rest_curvature);
 }
 
 void check(const Description& description) {

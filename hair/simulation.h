@@ -39,6 +39,7 @@ struct StrandStart {
 
   // Of a strand that is not straight at rest: two components for each segment (bend_components), and the normal
   // at the root that they count from. It must be clamped, and bends by its rest curvature instead of H2's springs.
+  // Without effect if EI = 0: what resists no bend has no shape to go back to.
   Eigen::VectorXd rest_curvature = {};
   Vector3d root_normal = Vector3d::UnitX();
 };

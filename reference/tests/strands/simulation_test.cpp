@@ -131,59 +131,6 @@ TEST(Simulation, ImplicitMethodsNameTheStageThatBroke) {
   }
 }
 
-// --- Collisions ---
-
-TEST(Simulation, NoParticleIsInsideAnObstacleAfterAStep) {
-  for (Method method : {Method::implicit_euler, Method::predictor_corrector}) {
-    Description description = alone(straight_hair(12, 0.12, Vector3d::UnitX()), method, 1.0 / 240);
-    description.gravity = kG * kDown;
-    description.strands[0].state.x -= Vector3d(0.04, 0.01, -0.07).replicate(13, 1);
-    description.obstacles = {{hair::Sphere{Vector3d(0, 0, 0), 0.06}, 0.3},
-                             {hair::Plane{Vector3d(0, 0, 0), Vector3d::UnitZ()}, 0.3}};
-    Simulation simulation(std::move(description));
-    for (int step = 0; step < 120; ++step) {
-      ASSERT_FALSE(simulation.step());
-      for (int i = 1; i <= 12; ++i)
-        for (const hair::Obstacle& obstacle : simulation.obstacles())
-          ASSERT_GE(surface_at(obstacle, particle(simulation, i)).distance, -1e-13)
-              << name_of(method) << ", step " << step << ", particle " << i;
-    }
-    EXPECT_GT(simulation.work().contacts, 100) << name_of(method);
-    EXPECT_LE(simulation.work().penetration, 1e-13) << name_of(method);
-  }
-}
-
-// With H6 segments keep their lengths in contact, too. What is left is what pushing a particle out by kDeepEnough,
-// 1e-7 m, does to a segment of 1 cm, on either side.
-TEST(Simulation, LengthsAndObstaclesAgree) {
-  Description description =
-      alone(straight_hair(12, 0.12, Vector3d::UnitX()), Method::predictor_corrector, 1.0 / 240);
-  description.gravity = kG * kDown;
-  description.strands[0].state.x -= Vector3d(0.04, 0.01, -0.07).replicate(13, 1);
-  description.obstacles = {{hair::Sphere{Vector3d(0, 0, 0), 0.06}, 0.3}};
-  Simulation simulation(std::move(description));
-  double stretch = 0;
-  for (int step = 0; step < 240; ++step) {
-    ASSERT_FALSE(simulation.step());
-    stretch = std::max(stretch, hair::largest_stretch(simulation.strand(0), simulation.state(0).x));
-  }
-  EXPECT_GT(simulation.work().contacts, 100);
-  EXPECT_LE(stretch, 2 * 1e-7 / 0.01);
-}
-
-TEST(Simulation, AHairThatFallsToTheGroundComesToRest) {
-  Description description =
-      alone(straight_hair(10, 0.1, Vector3d::UnitX()), Method::predictor_corrector, 1.0 / 240);
-  description.gravity = kG * kDown;
-  description.obstacles = {{hair::Plane{Vector3d(0, 0, -0.02), Vector3d::UnitZ()}, 0.5}};
-  Simulation simulation(std::move(description));
-  ASSERT_FALSE(simulation.advance(480));
-  const particles::State& state = simulation.state(0);
-  EXPECT_LE(state.v.cwiseAbs().maxCoeff(),
-            0.05 * std::sqrt(2 * kG * 0.02));  // of the speed that it fell with
-  EXPECT_NEAR(particle(simulation, 10)[2], -0.02, 1e-6);
-}
-
 // --- Bad input ---
 
 std::string refusal(const std::function<void(Description&)>& spoil) {
@@ -242,6 +189,22 @@ TEST(Simulation, RefusesARestCurvatureThatDoesNotFit) {
               d.strands[0].strand.clamped = false;
             }),
             "");
+  for (const double rigidity : {0.0, curl.strand.bend_rigidity})
+    EXPECT_EQ(refusal([&](Description& d) {
+                d.strands = {curl};
+                d.strands[0].strand.bend_rigidity = rigidity;
+                d.strands[0].rest_curvature[5] = std::numeric_limits<double>::quiet_NaN();
+              }),
+              "strand 0: a component of the rest curvature is nan; it must be finite");
+}
+
+TEST(Simulation, ARestCurvatureOfWhatDoesNotBendHasNoEffect) {
+  StrandStart curl = hair::start_at_rest({}, hair::curly_shape(12, 0.1, 0.01, 0.03, {}));
+  curl.strand.stretch_rigidity = curl.strand.bend_rigidity = 0;
+  curl.rest_curvature.array() += 1;
+  Simulation simulation(alone(curl, Method::implicit_euler, 0.01));
+  EXPECT_FALSE(simulation.advance(10));
+  EXPECT_EQ(simulation.state(0).x, curl.state.x);
 }
 
 // --- Memory ---

@@ -34,6 +34,23 @@ StrandStart hanging_hair(int segments, double length, const hair::Material& mate
   return start;
 }
 
+// A hair that turns about its root as a whole: sum m r^2 w, wherever it is. There, a lever is known to 2^-51 m, and
+// again in the velocity.
+TEST(StrandPhysics, AngularMomentumIsAboutTheRoot) {
+  StrandStart start = straight_hair(10, 0.1);
+  const Vector3d root(3, -2, 1), turn(0, 7, 0);
+  double inertia = 0;
+  for (int i = 0; i <= 10; ++i) {
+    const Vector3d lever = start.state.x.segment<3>(3 * i);
+    inertia += start.strand.mass[i] * lever.squaredNorm();
+    start.state.v.segment<3>(3 * i) = turn.cross(lever);
+    start.state.x.segment<3>(3 * i) += root;
+  }
+  const double bound = 2 * 0x1p-51 * start.strand.mass.sum() * 0.1 * turn.norm();
+  const Simulation simulation(alone(std::move(start), Method::implicit_euler, 0.01));
+  EXPECT_LE((measures(simulation).angular_momentum - inertia * turn).norm(), bound);
+}
+
 TEST(StrandPhysics, StretchUnderItsOwnWeightIsRhoGLSquaredOver2EForAnyNumberOfSegments) {
   const double length = 0.3;
   const hair::Material soft{.young_modulus = 3e5};
