@@ -19,7 +19,7 @@ class ForceServer {
   bool operator()(int which, const std::vector<double>& question, std::vector<double>& answer);
 
   int energies = 0, forces = 0, dfdx = 0, dfdv = 0;  // questions so far
-  std::vector<std::vector<double>> forces_at;        // x of each evaluation of the force
+  std::vector<std::vector<double>> forces_at;        // x of the first evaluations of the force
 
  private:
   const particles::Force& force_;

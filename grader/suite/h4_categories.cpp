@@ -9,6 +9,7 @@
 #include "grader/suite/force_server.h"
 #include "grader/suite/implicit_system.h"
 #include "grader/wire/particles_message.h"
+#include "grader/wire/strand_message.h"
 #include "particles/springs.h"
 
 namespace grader::h4 {

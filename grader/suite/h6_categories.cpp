@@ -13,6 +13,7 @@
 #include "grader/suite/force_server.h"
 #include "grader/suite/implicit_system.h"
 #include "grader/wire/particles_message.h"
+#include "grader/wire/strand_message.h"
 #include "hair/predictor_corrector.h"
 #include "particles/force_sum.h"
 #include "particles/gravity.h"
@@ -142,7 +143,9 @@ void lengths(Trial& trial) {
       const Step after = step(trial, hair);
       trial.expect_at_most(largest_length_error(hair.strand, after.x), 1e-10, "the error of a length");
       const Vector3d v = hair.cloud.state.v.head<3>(), x = hair.cloud.state.x.head<3>() + hair.h * v;
-      trial.expect(after.v.head<3>() == v, "the root changes its velocity");
+      // A velocity may come out of a difference of positions over h.
+      trial.expect_at_most((after.v.head<3>() - v).norm(), 0x1p-50 * (x.norm() / hair.h + v.norm()),
+                           "how much the root changes its velocity");
       trial.expect_at_most((after.x.head<3>() - x).norm(), 0x1p-50 * (x.norm() + hair.h * v.norm()),
                            "the error of the root's position");
       hair.cloud.state = {after.x, after.v};
@@ -263,7 +266,7 @@ void human_hair(Trial& trial) {
       const Vector3d u = (after.x.segment<3>(3 * j + 3) - after.x.segment<3>(3 * j)).normalized();
       along = std::max(along, std::abs(u.dot(after.v.segment<3>(3 * j + 3) - after.v.segment<3>(3 * j))));
     }
-    trial.expect_at_most(along, 1e-3, "the velocity that stretches a segment");
+    trial.expect_at_most(along, 1e-4, "the velocity that stretches a segment");
     hair.cloud.state = {after.x, after.v};
   }
 }

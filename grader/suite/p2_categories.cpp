@@ -12,6 +12,7 @@
 #include "grader/suite/linear_system.h"
 #include "grader/suite/p2_system.h"
 #include "grader/wire/constraints_message.h"
+#include "grader/wire/particles_message.h"
 #include "grader/wire/strand_message.h"
 #include "particles/explicit_integrators.h"
 

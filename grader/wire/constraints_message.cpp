@@ -48,19 +48,4 @@ particles::Constraints get_constraints(MessageReader& message) {
   return constraints;
 }
 
-void put(MessageWriter& message, const particles::Particles& particles) {
-  message.put(
-      std::span<const double>(particles.mass.data(), static_cast<std::size_t>(particles.mass.size())));
-  for (char pinned : particles.pinned) message.put(static_cast<std::uint8_t>(pinned != 0));
-}
-
-particles::Particles get_particles(MessageReader& message) {
-  const std::vector<double> mass = message.get_doubles();
-  particles::Particles particles;
-  particles.mass = Eigen::Map<const Eigen::VectorXd>(mass.data(), static_cast<Eigen::Index>(mass.size()));
-  for (std::size_t i = 0; i < mass.size(); ++i)
-    particles.pinned.push_back(static_cast<char>(message.get<std::uint8_t>()));
-  return particles;
-}
-
 }  // namespace grader

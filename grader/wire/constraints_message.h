@@ -1,4 +1,4 @@
-// STAFF ONLY. Constraints and particles in a message.
+// STAFF ONLY. Constraints in a message.
 #pragma once
 
 #include "grader/wire/message.h"
@@ -8,8 +8,5 @@ namespace grader {
 
 void put(MessageWriter& message, const particles::Constraints& constraints);
 particles::Constraints get_constraints(MessageReader& message);
-
-void put(MessageWriter& message, const particles::Particles& particles);
-particles::Particles get_particles(MessageReader& message);
 
 }  // namespace grader

@@ -5,6 +5,7 @@
 // and at the end of each reply the products that were to be added to their own input. `junk` is what the result's
 // buffer holds before; a report is steps, residual, rhs, converged.
 #include "grader/wire/particles_message.h"
+#include "grader/wire/strand_message.h"
 #include "grader/worker/guarded_vectors.h"
 #include "grader/worker/served_force.h"
 #include "particles/implicit_euler.h"

@@ -1,6 +1,7 @@
 // STAFF ONLY. Serves H6, its forces held by the suite. Request: strand, particles, state, h, tolerance. Reply: x, v,
 // the report of step 1, of step 3, of step 5, products that were to be added to their own input.
 #include "grader/wire/particles_message.h"
+#include "grader/wire/strand_message.h"
 #include "grader/worker/guarded_vectors.h"
 #include "grader/worker/served_force.h"
 #include "hair/predictor_corrector.h"

@@ -6,6 +6,7 @@
 //   4 solve_constraints      f, junk              -> steps, residual, lambda
 // `junk` is what the output's buffer holds before the call.
 #include "grader/wire/constraints_message.h"
+#include "grader/wire/particles_message.h"
 #include "grader/worker/session.h"
 
 namespace {
