@@ -136,6 +136,23 @@ Description skip_springs() {
 
 // --- Particles ---
 
+// Takes steps, and a frame before them and after every `steps_per_frame`; ends early before one that is not finite.
+RunResult record(int steps_per_frame, const std::function<Frame(int step)>& frame,
+                 const std::function<void()>& take_step) {
+  RunResult result{{frame(0)}, ""};
+  for (int step = 1; step <= kFrames * steps_per_frame; ++step) {
+    take_step();
+    if (step % steps_per_frame != 0) continue;
+    Frame next = frame(step);
+    if (!is_finite(next)) {
+      result.trouble = "step " + std::to_string(step) + ": not finite";
+      break;
+    }
+    result.frames.push_back(std::move(next));
+  }
+  return result;
+}
+
 // P1: the same double pendulum of springs four times, side by side, each with its own integrator.
 RunResult pendulums() {
   constexpr int kEach = 3, kSteps = 40;
@@ -171,19 +188,11 @@ RunResult pendulums() {
     }
     return result;
   };
-  RunResult result{{frame(0)}, ""};
-  for (int step = 1; step <= kFrames * kSteps; ++step) {
+  return record(kSteps, frame, [&] {
     for (int c = 0; c < copies; ++c)
       integrators[c](system, kPendulumStep, all.x.segment(c * size, size), all.v.segment(c * size, size),
                      scratch);
-    if (step % kSteps != 0) continue;
-    result.frames.push_back(frame(step));
-    if (is_finite(result.frames.back())) continue;
-    result.frames.pop_back();
-    result.trouble = "step " + std::to_string(step) + ": not finite";
-    break;
-  }
-  return result;
+  });
 }
 
 // What P2's constraints leave of gravity.
@@ -241,17 +250,8 @@ RunResult bead_on_wire() {
     result.energy = gravity.energy(state.x) + particles::kinetic_energy(bead, state.v);
     return result;
   };
-  RunResult result{{frame(0)}, ""};
-  for (int step = 1; step <= kFrames * kSteps; ++step) {
-    particles::runge_kutta_4(dynamics, kBeadStep, state.x, state.v, scratch);
-    if (step % kSteps != 0) continue;
-    result.frames.push_back(frame(step));
-    if (is_finite(result.frames.back())) continue;
-    result.frames.pop_back();
-    result.trouble = "step " + std::to_string(step) + ": not finite";
-    break;
-  }
-  return result;
+  return record(kSteps, frame,
+                [&] { particles::runge_kutta_4(dynamics, kBeadStep, state.x, state.v, scratch); });
 }
 
 struct Entry {
