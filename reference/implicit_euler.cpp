@@ -4,9 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <stdexcept>
-#include <string>
+#include <utility>
 
 namespace particles {
 namespace {
@@ -17,7 +15,7 @@ class ImplicitMatrix : public implicitMatrix {
  public:
   ImplicitMatrix(const Force& force, const Particles& particles, const State& state, double a, double b,
                  Scratch work)
-      : force_(force), particles_(particles), state_(state), a_(a), b_(b), work_(work) {}
+      : force_(force), particles_(particles), state_(state), a_(a), b_(b), work_(std::move(work)) {}
 
   void matVecMult(double x[], double b[]) override {
     const Eigen::Index size = state_.x.size();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hair {
 namespace {
@@ -57,7 +58,7 @@ double squared_errors(const Strand& strand, Input x) {
 class Multipliers {
  public:
   // Four columns of work.
-  Multipliers(const Strand& strand, Scratch work) : strand_(strand), work_(work) {}
+  Multipliers(const Strand& strand, Scratch work) : strand_(strand), work_(std::move(work)) {}
 
   void factor(Input x) {
     Vector3d before = strand_.root_tangent;
