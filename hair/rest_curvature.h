@@ -28,10 +28,23 @@
 // and so every joint has its say in the forces above it: two walks down the strand, O(n).
 //
 // The strand must be clamped. A segment of length 0 has no direction: it is skipped, and the joints at its
-// two ends have no energy, force or product. At the fold, phi = pi, the axis is lost: such a joint has the
-// energy k (pi^2 + |rest|^2) / 2 and no force, and the frame turns about its second vector. Close to it,
-// forces of joints above grow like 1 / (pi - phi) where those below are not at rest. That is where frames
-// that move with the strand end; a strand that never folds within one joint never meets it.
+// two ends have no energy, force or product.
+//
+// At the fold, phi = pi, the axis is lost, and on the way there a frame turns by 2 / (pi - phi) times what the
+// segments do. So joints that close forget: with y = (1 + cos(phi) - 0.01) / 0.09 between 0 and 1, a joint keeps the
+// share c = y^2 (3 - 2y), and
+//
+//   s_i = c_0 c_1 ... c_i,   E = sum_i k_i (s_i |kappa_i - rest_i|^2 + (1 - s_i) (|kappa_i|^2 + |rest_i|^2)) / 2.
+//
+// Up to phi = 2.69 (154 degrees) in all joints, s = 1 and this is the sum above. From 3.00 (172 degrees) on, the
+// joint and those below it are H2's angular springs, at a constant k |rest|^2 / 2 above those of straight hair, until
+// it opens again. The energy is continuous with its first derivative, and forces are bounded by multiples of
+// k / |e| (of all k in the sum for segments above), at the fold as anywhere; only H2's own jump of direction at phi = pi
+// is left. At the fold itself a joint has the energy k (pi^2 + |rest|^2) / 2 and no force or product; the frame turns
+// about its second vector.
+//
+// Forces and products still grow like 1 / |e| and 1 / |e|^2 as a segment vanishes, as H2's do. What comes of it
+// in a simulation is in README.md.
 #pragma once
 
 #include "hair/strand_forces.h"
@@ -39,6 +52,8 @@
 namespace hair {
 
 using Eigen::Vector3d;
+
+inline constexpr double kMostRest = 2.69;  // radians: up to here a joint keeps its frame
 
 // The components kappa of a strand that lies at x, two for each segment; the rest_i of a strand that is at
 // rest there. x: 3n, m. tangent and normal: of length 1, perpendicular to each other. Throws
@@ -49,11 +64,13 @@ Eigen::VectorXd bend_components(Input x, const Vector3d& tangent, const Vector3d
 class RestCurvature final : public particles::Force {
  public:
   // Refers to the strand. `rest` has two entries for each segment; `root_normal` is perpendicular to
-  // root_tangent, to within 1e-6. Throws std::invalid_argument otherwise, and for a strand that is not
-  // clamped.
+  // root_tangent, to within 1e-6; no joint rests at more than kMostRest. Throws std::invalid_argument otherwise, and
+  // for a strand that is not clamped.
   //
-  // Products: exact, or spd, which is that of Gauss and Newton, -J^T k J with J = dkappa/dx, and equal to the
-  // exact one at rest.
+  // Products: exact, or spd, which is that of Gauss and Newton, -J^T k J with J = dr/dx of the r whose squares E adds
+  // up (next to a fold without what turns kappa and has no energy there), and equal to the exact one at rest. The
+  // force is -J^T k r with the same J, and so a step (M + h^2 J^T k J) dv = -h J^T k r gives the strand a kinetic
+  // energy of at most E / 4, whatever h.
   RestCurvature(const Strand& strand, Eigen::VectorXd rest, const Vector3d& root_normal, BendProduct product);
 
   // When the root turns, its normal does with root_tangent.

@@ -30,6 +30,28 @@ Eigen::VectorXd zigzag(int n, double length) {
   return x;
 }
 
+// Curls that methods must live with.
+std::vector<Case> extreme_curls() {
+  std::vector<Case> all;
+  const auto add = [&](const std::string& name, auto change) {
+    all.push_back({"a curl, " + name, hair::start_at_rest({}, hair::curly_shape(12, 0.12, 0.01, 0.02, {}))});
+    change(all.back().start.state);
+  };
+  add("at rest", [](particles::State&) {});
+  add("all particles in one place", [](particles::State& state) { state.x.setZero(); });
+  add("two neighbours in one place",
+      [](particles::State& state) { state.x.segment<3>(9) = Eigen::Vector3d(state.x.segment<3>(6)); });
+  add("compressed to 1 %", [](particles::State& state) { state.x *= 0.01; });
+  add("stretched to 300 %", [](particles::State& state) { state.x *= 3; });
+  add("folded at pi", [](particles::State& state) { state.x = zigzag(13, 0.01); });
+  add("nearly folded", [](particles::State& state) {
+    state.x = zigzag(13, 0.01);
+    for (int i = 0; i < 13; ++i) state.x[3 * i + 1] = 1e-9 * i;
+  });
+  add("a root flung at 100 m/s", [](particles::State& state) { state.v.head<3>() = Vector3d(60, 80, 0); });
+  return all;
+}
+
 // Strands that methods must live with, of hair `stiffer` times as stiff in stretching and bending.
 std::vector<Case> extreme_strands(double stiffer) {
   hair::Material material;
@@ -138,6 +160,14 @@ TEST(Extremes, ThePredictorCorrectorNeverBreaksAndKeepsLengths) {
             << extreme.name << ", " << stiffer << " times as stiff, h = " << h;
       }
   EXPECT_GT(within_reach, 150);  // of 192
+}
+
+TEST(Extremes, CurlsNeverBreak) {
+  for (const Method method : {Method::implicit_euler, Method::predictor_corrector})
+    for (const Case& extreme : extreme_curls())
+      for (const double h : {1e-6, 1e-5, 1e-4, 1e-3, 1.0 / 240, 1.0 / 60, 0.1})
+        EXPECT_FALSE(breaks(extreme, alone(extreme.start, method, h), 100))
+            << extreme.name << ", " << name_of(method) << ", h = " << h;
 }
 
 // Without the geometric term nothing holds a taut hair across its length but the explicit force, with a limit of its
