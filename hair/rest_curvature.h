@@ -39,8 +39,8 @@
 // Up to phi = 2.69 (154 degrees) in all joints, s = 1 and this is the sum above. From 3.00 (172 degrees) on, the
 // joint and those below it are H2's angular springs, at a constant k |rest|^2 / 2 above those of straight hair, until
 // it opens again. The energy is continuous with its first derivative, and forces are bounded by multiples of
-// k / |e| (of all k in the sum for segments above), at the fold as anywhere; only H2's own jump of direction at phi = pi
-// is left. At the fold itself a joint has the energy k (pi^2 + |rest|^2) / 2 and no force or product; the frame turns
+// k / |e| (of all k in the sum for segments above), at the fold as anywhere; only H2's own jump of direction at
+// phi = pi is left. At the fold itself a joint has the energy k (pi^2 + |rest|^2) / 2 and no force or product; the frame turns
 // about its second vector.
 //
 // Forces and products still grow like 1 / |e| and 1 / |e|^2 as a segment vanishes, as H2's do. What comes of it

@@ -106,9 +106,11 @@ double most_gained(Method method, double step) {
   return most;
 }
 
+// There is no theorem. Measured: 2.0e-2 at 1/60, where a step is long beside a curl's bounces, and nothing from 1/90 on.
+// The bound at 1/60 is twice that; at 1/120, the one of straight hair.
 TEST(RestShapeMotion, ACurlGainsEnergyOnlyFromLongSteps) {
-  for (double h : {1.0 / 30, 1.0 / 60, 1.0 / 90, 1.0 / 120, 1.0 / 240})
-    std::printf("H6 h %g: %g\n", h, most_gained(Method::predictor_corrector, h));
+  EXPECT_LE(most_gained(Method::predictor_corrector, 1.0 / 60), 0.04);
+  EXPECT_LE(most_gained(Method::predictor_corrector, 1.0 / 120), 0.01);
 }
 
 }  // namespace
