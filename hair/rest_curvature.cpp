@@ -7,9 +7,12 @@
 #include <utility>
 
 #include "hair/dual.h"
-#include "hair/require.h"
+#include "particles/require.h"
 
 namespace hair {
+
+using particles::require;
+
 namespace {
 
 // Numbers are double, or Dual for derivatives along a direction.

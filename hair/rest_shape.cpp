@@ -3,9 +3,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "hair/require.h"
+#include "particles/require.h"
 
 namespace hair {
+
+using particles::require, particles::require_at_least, particles::require_finite, particles::require_positive;
 
 namespace {
 

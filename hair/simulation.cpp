@@ -7,10 +7,12 @@
 #include <utility>
 
 #include "hair/make_strand.h"
-#include "hair/require.h"
 #include "hair/simulation_parts.h"
+#include "particles/require.h"
 
 namespace hair {
+
+using particles::require, particles::require_at_least, particles::require_finite, particles::require_positive;
 
 namespace {
 

@@ -8,8 +8,8 @@ namespace particles {
 namespace {
 
 void require_penalty(double stiffness, double damping) {
-  require(stiffness >= 0, "contact: stiffness", stiffness, "must be >= 0");
-  require(damping >= 0, "contact: damping", damping, "must be >= 0");
+  require(stiffness >= 0, "contact: stiffness", stiffness, ">= 0");
+  require(damping >= 0, "contact: damping", damping, ">= 0");
 }
 
 struct Surface {
@@ -29,7 +29,7 @@ Surface below(const Vector3d& centre, double radius, const Vector3d& x) {
 PlaneContact::PlaneContact(const Vector3d& point, const Vector3d& normal, double stiffness, double damping)
     : point_(point), normal_(normal / normal.norm()), stiffness_(stiffness), damping_(damping) {
   require(normal.norm() > 0 && std::isfinite(normal.norm()), "PlaneContact: length of the normal",
-          normal.norm(), "must be > 0 and finite");
+          normal.norm(), "> 0 and finite");
   require_penalty(stiffness, damping);
 }
 
@@ -69,7 +69,7 @@ void PlaneContact::add_dfdv(Input x, Input v, Input dv, Output df) const {
 SphereContact::SphereContact(const Vector3d& centre, double radius, double stiffness, double damping,
                              Products products)
     : centre_(centre), radius_(radius), stiffness_(stiffness), damping_(damping), products_(products) {
-  require(radius > 0, "SphereContact: radius", radius, "must be > 0");
+  require(radius > 0, "SphereContact: radius", radius, "> 0");
   require_penalty(stiffness, damping);
 }
 

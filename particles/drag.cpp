@@ -9,7 +9,7 @@ namespace particles {
 Drag::Drag(Eigen::VectorXd coefficients, const Vector3d& wind)
     : coefficients_(std::move(coefficients)), wind_(wind) {
   for (int i = 0; i < coefficients_.size(); ++i)
-    require(coefficients_[i] >= 0, "Drag: coefficient", coefficients_[i], "must be >= 0");
+    require(coefficients_[i] >= 0, "Drag: coefficient", coefficients_[i], ">= 0");
 }
 
 double Drag::energy(Input /*x*/) const {

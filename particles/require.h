@@ -1,19 +1,14 @@
-// Preconditions of the given code: what is wrong, its value, and what would be right.
+// Preconditions of what is given: each throws std::invalid_argument, "<what> is <value>; it must be <bound>". NaN holds
+// for nothing that is compared.
 #pragma once
 
-#include <sstream>
-#include <stdexcept>
+#include <string>
 
 namespace particles {
 
-// Throws std::invalid_argument("<what> is <value>; it <bound>") unless it holds. NaN holds for nothing that
-// is compared.
-inline void require(bool holds, const char* what, double value, const char* bound) {
-  if (holds) return;
-  std::ostringstream message;
-  message.precision(17);
-  message << what << " is " << value << "; it " << bound;
-  throw std::invalid_argument(message.str());
-}
+void require(bool holds, const std::string& what, double value, const std::string& bound);
+void require_finite(const std::string& what, double value);
+void require_positive(const std::string& what, double value);  // and normal: 1 / value is finite
+void require_at_least(const std::string& what, double value, double bound);  // and finite
 
 }  // namespace particles

@@ -23,12 +23,12 @@ void add_pair(const Spring& spring, const Vector3d& on_i, Output f) {
 DampedSprings::DampedSprings(std::vector<Spring> springs, Products products)
     : springs_(std::move(springs)), products_(products) {
   for (const Spring& spring : springs_) {
-    require(spring.i >= 0, "DampedSprings: i", spring.i, "must be >= 0");
-    require(spring.j >= 0, "DampedSprings: j", spring.j, "must be >= 0");
-    require(spring.i != spring.j, "DampedSprings: j", spring.j, "must not be i");
-    require(spring.stiffness >= 0, "DampedSprings: stiffness", spring.stiffness, "must be >= 0");
-    require(spring.rest_length >= 0, "DampedSprings: rest length", spring.rest_length, "must be >= 0");
-    require(spring.damping >= 0, "DampedSprings: damping", spring.damping, "must be >= 0");
+    require(spring.i >= 0, "DampedSprings: i", spring.i, ">= 0");
+    require(spring.j >= 0, "DampedSprings: j", spring.j, ">= 0");
+    require(spring.i != spring.j, "DampedSprings: j", spring.j, "other than i");
+    require(spring.stiffness >= 0, "DampedSprings: stiffness", spring.stiffness, ">= 0");
+    require(spring.rest_length >= 0, "DampedSprings: rest length", spring.rest_length, ">= 0");
+    require(spring.damping >= 0, "DampedSprings: damping", spring.damping, ">= 0");
   }
 }
 

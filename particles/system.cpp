@@ -7,9 +7,9 @@ namespace particles {
 ParticleSystem::ParticleSystem(const Particles& particles, const Force& force)
     : particles_(particles), force_(force) {
   for (int i = 0; i < particles.count(); ++i)
-    require(particles.mass[i] > 0, "ParticleSystem: mass", particles.mass[i], "must be > 0");
+    require(particles.mass[i] > 0, "ParticleSystem: mass", particles.mass[i], "> 0");
   require(static_cast<int>(particles.pinned.size()) == particles.count(), "ParticleSystem: size of pinned",
-          static_cast<double>(particles.pinned.size()), "must be the number of masses");
+          static_cast<double>(particles.pinned.size()), "the number of masses");
 }
 
 void ParticleSystem::acceleration(Input x, Input v, Output a) {

@@ -1,15 +1,18 @@
-#include "hair/require.h"
+#include "particles/require.h"
 
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <stdexcept>
 
-#include "particles/require.h"
-
-namespace hair {
+namespace particles {
 
 void require(bool holds, const std::string& what, double value, const std::string& bound) {
-  if (!holds) particles::require(false, what.c_str(), value, ("must be " + bound).c_str());
+  if (holds) return;
+  std::ostringstream message;
+  message.precision(17);
+  message << what << " is " << value << "; it must be " << bound;
+  throw std::invalid_argument(message.str());
 }
 
 void require_finite(const std::string& what, double value) {
@@ -27,4 +30,4 @@ void require_at_least(const std::string& what, double value, double bound) {
   require(std::isfinite(value) && value >= bound, what, value, text.str());
 }
 
-}  // namespace hair
+}  // namespace particles
