@@ -46,7 +46,7 @@ std::unique_ptr<implicitMatrix> implicit_matrix(const Force& force, const Partic
 // ConjGrad gets max(100, 20 * 3n) steps. A stiff system can't be solved to any tolerance: rounding leaves a residual
 // of about 2^-53 ||matrix|| (||dv|| + ||rhs||), and a ConjGrad that is asked for less uses all steps up and ends
 // anywhere, metres a second off. So where all of them are used up, it may be asked again, for a residual a hundred times
-// as large each time, until it gets there; `converged` stays false. A matrix that is not positive definite, or
+// as large each time, until it gets there, but for none above 1e-6; `converged` stays false. A matrix that is not positive definite, or
 // numbers that are not finite, end ConjGrad early: then `converged` is false and dv what it had.
 SolveReport solve_implicit(const Force& force, const Particles& particles, const State& state, double a,
                            double b, double tolerance, Output dv, Scratch scratch);

@@ -62,7 +62,7 @@ class OwningImplicitMatrix : public implicitMatrix {
   ImplicitMatrix matrix_;
 };
 
-// Of what is tried where rounding keeps a solve from its tolerance.
+// Of what is tried where rounding keeps a solve from its tolerance: at 1e-4 hair loses gravity.
 constexpr double kLoosestTolerance = 1e-6;
 
 }  // namespace
@@ -90,7 +90,7 @@ SolveReport solve_implicit(const Force& force, const Particles& particles, const
   report.rhs = rhs.norm();
   ImplicitMatrix matrix(force, particles, state, a, b, scratch.leftCols(2));
   const int most = std::max(100, 20 * size);
-  for (double reach = tolerance;; reach *= 100) {
+  for (double reach = tolerance;; reach = std::min(100 * reach, kLoosestTolerance)) {
     const double epsilon = std::pow(reach * report.rhs, 2);
     int steps = most;
     const double squared = ConjGrad(size, &matrix, dv.data(), rhs.data(), epsilon, &steps);
@@ -98,7 +98,7 @@ SolveReport solve_implicit(const Force& force, const Particles& particles, const
     report.residual = std::sqrt(squared);
     report.converged = reach == tolerance && squared <= epsilon;
     // With all steps used up, rounding is all that ConjGrad sees, and its dv may be far off.
-    if (steps < most || squared <= epsilon || reach > kLoosestTolerance) break;
+    if (steps < most || squared <= epsilon || reach >= kLoosestTolerance) break;
   }
   return report;
 }

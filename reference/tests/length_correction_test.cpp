@@ -202,6 +202,27 @@ TEST(CorrectLengths, SurvivesExtremes) {
     }
 }
 
+// Full steps turn segments by so much that particles move ten times as far as they have to, or more.
+TEST(CorrectLengths, MovesACompressedHairNotMuchFartherThanRelaxationDoes) {
+  for (int n : {30, 100}) {
+    const Strand strand = uniform(n);
+    const VectorXd before = 0.01 * bent(strand, 0.1);
+    VectorXd newton = before, relaxed = before;
+    EXPECT_LE(correct(strand, newton).iterations, 6) << "no give-up";
+    EXPECT_TRUE(relax_lengths(strand, 1e-10, 20000, relaxed).converged);
+    EXPECT_LE(moved(strand, before, newton), 3 * moved(strand, before, relaxed)) << n << " segments";
+  }
+}
+
+TEST(CorrectLengths, GivesUpNewtonsMethodWhereItGetsNowhere) {
+  const Strand strand = uniform(1000);
+  VectorXd x = 100 * bent(strand, 0.1);
+  const CorrectionReport report = correct(strand, x);
+  EXPECT_TRUE(report.converged);
+  EXPECT_LE(report.iterations, 20)
+      << "it would take all 30 of Newton's steps with smaller and smaller parts of them";
+}
+
 TEST(CorrectLengths, GivesUpOnWhatIsNotFinite) {
   const Strand strand = uniform(5);
   for (double bad : {NAN, INFINITY}) {

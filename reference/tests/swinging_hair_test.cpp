@@ -68,14 +68,17 @@ TEST(SwingingHair, PredictorCorrectorKeepsEverySegmentsLength) {
 }
 
 TEST(SwingingHair, LinearlyImplicitEulerStretchesIt) {
+  const double steps[] = {1.0 / 60, 1.0 / 240, 1.0 / 960};
   for (GeometricTerm term : {GeometricTerm::full, GeometricTerm::filtered}) {
-    EXPECT_GT(swing(term, 1.0 / 60, implicit).length, 0.3);
-    EXPECT_NEAR(swing(term, 1.0 / 240, implicit).length, 0.0425, 0.002);
-    EXPECT_NEAR(swing(term, 1.0 / 960, implicit).length, 3.7e-4, 2e-5);
+    const bool full = term == GeometricTerm::full;
+    const double lengths[] = {0.6784, full ? 0.0427 : 0.0422, 3.70e-4};
+    for (int i = 0; i < 3; ++i)
+      EXPECT_NEAR(swing(term, steps[i], implicit).length, lengths[i], 0.02 * lengths[i]) << steps[i];
   }
-  EXPECT_GT(swing(GeometricTerm::dropped, 1.0 / 60, implicit).length, 10);
-  EXPECT_GT(swing(GeometricTerm::dropped, 1.0 / 240, implicit).length, 1);
-  EXPECT_NEAR(swing(GeometricTerm::dropped, 1.0 / 960, implicit).length, 0.15, 0.05);
+  // Where it is far too long, it is chaotic, too.
+  EXPECT_NEAR(swing(GeometricTerm::dropped, steps[0], implicit).length, 42, 0.2 * 42);
+  EXPECT_NEAR(swing(GeometricTerm::dropped, steps[1], implicit).length, 4.44, 0.1 * 4.44);
+  EXPECT_NEAR(swing(GeometricTerm::dropped, steps[2], implicit).length, 0.1534, 0.02 * 0.1534);
 }
 
 // One pass from the root to the tip gets every length right, too, if it shifts all that comes after. But it knows no
@@ -248,22 +251,6 @@ TEST(SwingingHair, HasALimitOfTheTimeStep) {
   EXPECT_GE(growth(1.02 * limit, 29, 200, true, h4), 1e4);
   EXPECT_LE(growth(0.98 * limit, 29, 1000, false, h6), 10);
   EXPECT_GE(growth(1.02 * limit, 29, 200, false, h6), 1e4);
-}
-
-// Asked for less than rounding leaves, ConjGrad uses up its steps and comes back with anything.
-TEST(SwingingHair, StaysPutWhereItsToleranceCanNotBeMet) {
-  Strand strand = human_hair();
-  strand.stretch_rigidity *= 1e6;
-  Hair hair(strand, GeometricTerm::dropped);
-  hair.place(Vector3d::UnitX());
-  int not_met = 0;
-  for (int i = 0; i < 10; ++i) {
-    const particles::SolveReport report = hair.implicit_step(1.0 / 60);
-    not_met += !report.converged;
-    EXPECT_LE(report.residual, 1e-6 * report.rhs);
-    EXPECT_LE(hair.state.v.cwiseAbs().maxCoeff(), 10) << "m/s, step " << i;
-  }
-  EXPECT_GT(not_met, 0) << "nothing is shown";
 }
 
 TEST(FlungRoot, StrainsHairByItsSpeedOverThatOfSound) {
