@@ -26,6 +26,7 @@ using hair::Strand;
 
 constexpr double kUnit = 0x1p-53;
 constexpr int kRelax = 0, kCorrect = 1, kVelocities = 2;  // as in serve_H5.cpp
+constexpr double kFar = 5;                                // see expect_near
 constexpr int kMostSweeps = 200000;                       // more than any case here needs
 
 struct Corrected {
@@ -175,15 +176,24 @@ void expect_lengths(Trial& trial, int function, const Strand& strand, double tol
   trial.expect(corrected.report.converged, name_of(function) + " reports that it has not converged");
 }
 
+// Coarse: whatever the order of impulses along the segments, they add up to about what has to be moved, and
+// even those that know no masses move a few times as much. What is put elsewhere is far beyond.
+void expect_near(Trial& trial, int function, const Strand& strand, const VectorXd& x, const VectorXd& after) {
+  trial.expect_at_most(moved(strand, x, after), kFar * moved(strand, x, reference_lengths(strand, x)),
+                       "how far " + name_of(function) + " moves particles, by their masses");
+}
+
 void relaxation(Trial& trial) {
   Random& random = trial.random;
   for (int n : {2, 3, 8, 15}) {
     trial.describe("relax_lengths, " + std::to_string(n) + " particles");
     const Strand strand = random_strand(random, n, 1);
     const VectorXd x = disturbed(random, placed(random, strand, 0.3), 0.05);
-    for (double tolerance : {1e-3, 1e-8})
-      expect_lengths(trial, kRelax, strand, tolerance,
-                     correct(trial, kRelax, strand, x, tolerance, kMostSweeps));
+    for (double tolerance : {1e-3, 1e-8}) {
+      const Corrected corrected = correct(trial, kRelax, strand, x, tolerance, kMostSweeps);
+      expect_lengths(trial, kRelax, strand, tolerance, corrected);
+      expect_near(trial, kRelax, strand, x, corrected.result);
+    }
   }
 }
 
@@ -193,9 +203,11 @@ void lengths(Trial& trial) {
     trial.describe("correct_lengths, " + std::to_string(n) + " particles");
     const Strand strand = random_strand(random, n, 1);
     const VectorXd x = disturbed(random, placed(random, strand, 0.3), 0.05);
-    for (double tolerance : {1e-4, 1e-10})
-      expect_lengths(trial, kCorrect, strand, tolerance,
-                     correct(trial, kCorrect, strand, x, tolerance, kMostSweeps));
+    for (double tolerance : {1e-4, 1e-10}) {
+      const Corrected corrected = correct(trial, kCorrect, strand, x, tolerance, kMostSweeps);
+      expect_lengths(trial, kCorrect, strand, tolerance, corrected);
+      expect_near(trial, kCorrect, strand, x, corrected.result);
+    }
   }
 }
 
@@ -241,6 +253,7 @@ void report(Trial& trial) {
     const Corrected all = correct(trial, function, strand, x, 1e-9, kMostSweeps);
     trial.expect(all.report.converged && all.report.iterations > 0,
                  name + " takes no iterations, or does not converge", std::to_string(all.report.iterations));
+    expect_near(trial, function, strand, x, all.result);
     const int most = all.report.iterations;
     const Corrected same = correct(trial, function, strand, x, 1e-9, most);
     trial.expect(same.result == all.result && same.report.iterations == most,
@@ -302,6 +315,15 @@ void distance(Trial& trial) {
   }
 }
 
+// Anything, and a turn around the root, which stretches nothing and is many times as fast: it has to stay.
+VectorXd turning(Random& random, const Strand& strand, const VectorXd& x) {
+  VectorXd v = random_vector(random, 3 * strand.count());
+  const Vector3d turn = 100 / strand.rest_length.sum() * Vector3d(random_vector(random, 3)).normalized();
+  for (int i = 1; i < strand.count(); ++i)
+    v.segment<3>(3 * i) += turn.cross(Vector3d(x.segment<3>(3 * i) - x.head<3>()));
+  return v;
+}
+
 // With `values`, beside the reference's: corrections differ by what the tolerance leaves, r of size tolerance in each
 // segment, which is sqrt(r' (J W J')^-1 r) in the norm of `moved`.
 void expect_velocities(Trial& trial, const Strand& strand, const VectorXd& x, const VectorXd& v,
@@ -313,11 +335,13 @@ void expect_velocities(Trial& trial, const Strand& strand, const VectorXd& x, co
   trial.expect(corrected.report.converged, "correct_velocities reports that it has not converged");
   trial.expect_at_most(std::abs(corrected.report.error - largest_rate(strand, x, corrected.result)), round,
                        "the error of the error that correct_velocities reports");
-  if (!values) return;
-
   VectorXd expected = v;
   MatrixXd scratch(v.size(), hair::kCorrectionScratch);
   hair::correct_velocities(strand, x, 1e-14 * speed, 10, expected, scratch);
+  trial.expect_at_most(moved(strand, v, corrected.result), kFar * moved(strand, v, expected),
+                       "how much correct_velocities changes velocities, by the masses");
+  if (!values) return;
+
   const double smallest =
       Eigen::SelfAdjointEigenSolver<MatrixXd>(multiplier_matrix(strand, x), Eigen::EigenvaluesOnly)
           .eigenvalues()
@@ -332,7 +356,7 @@ void velocities(Trial& trial) {
   for (int n : {2, 3, 8, 15}) {
     trial.describe("correct_velocities, " + std::to_string(n) + " particles");
     const Strand strand = random_strand(random, n, 1);
-    const VectorXd x = placed(random, strand, 0.5), v = random_vector(random, 3 * n);
+    const VectorXd x = placed(random, strand, 0.5), v = turning(random, strand, x);
     for (double tolerance : {1e-3, 1e-9}) expect_velocities(trial, strand, x, v, tolerance, false);
   }
 }
@@ -345,6 +369,15 @@ void velocity_impulses(Trial& trial) {
     const VectorXd x = placed(random, strand, 0.5), v = random_vector(random, 3 * n);
     expect_velocities(trial, strand, x, v, 1e-9, true);
   }
+}
+
+// All segments lay along one line through the root, in the direction u: impulses along them leave particles there.
+void expect_on_line(Trial& trial, const Strand& strand, const Vector3d& u, const VectorXd& x) {
+  double farthest = 0;
+  for (int i = 1; i < strand.count(); ++i)
+    farthest = std::max(farthest, u.cross(Vector3d(x.segment<3>(3 * i) - x.head<3>())).norm());
+  trial.expect_at_most(farthest, 1e-4 * strand.rest_length.minCoeff(),
+                       "how far particles of a strand on a line are moved away from it");
 }
 
 // Folds, particles in the same place, a strand of one particle, one far too long or too short.
@@ -374,8 +407,9 @@ void degenerate(Trial& trial) {
     const Vector3d out = folded.segment<3>(9) - folded.head<3>();
     for (int i = 3; i < 6; ++i)
       folded.segment<3>(3 * i) = folded.head<3>() + random.uniform(0.9, 1.1) * (i % 2) * out / 3;
-    expect_lengths(trial, function, strand, 1e-9,
-                   correct(trial, function, strand, folded, 1e-9, kMostSweeps));
+    const Corrected unfolded = correct(trial, function, strand, folded, 1e-9, kMostSweeps);
+    expect_lengths(trial, function, strand, 1e-9, unfolded);
+    expect_on_line(trial, strand, out.normalized(), unfolded.result);
 
     for (double factor : {0.01, 3.0}) {
       VectorXd x = placed(random, strand, 0);
@@ -398,7 +432,9 @@ void long_strands(Trial& trial) {
     const VectorXd x = disturbed(random, placed(random, strand, 3), 0.05);
     for (int function : {kRelax, kCorrect}) {
       trial.describe(name_of(function) + ", " + std::to_string(n) + " particles");
-      expect_lengths(trial, function, strand, 1e-8, correct(trial, function, strand, x, 1e-8, 1000));
+      const Corrected corrected = correct(trial, function, strand, x, 1e-8, 1000);
+      expect_lengths(trial, function, strand, 1e-8, corrected);
+      expect_near(trial, function, strand, x, corrected.result);
     }
     trial.describe("correct_velocities, " + std::to_string(n) + " particles");
     expect_velocities(trial, strand, x, random_vector(random, 3 * n), 1e-8, false);

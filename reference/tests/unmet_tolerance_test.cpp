@@ -51,8 +51,8 @@ TEST(UnmetTolerance, NothingAbove1eMinus6IsTried) {
   EXPECT_EQ(steps(1e-6), most);
 }
 
-// Beyond the limit of its time step hair without drag jitters, and the springs' force is large beside what is left of it:
-// H6's first solve misses 1e-10 in half of the steps. No loss: 1e-8 is enough for the lengths and the second solve.
+// At 1/60 s H6's first solve misses 1e-10 in half of the steps. No loss: 1e-8 is enough for the lengths and the
+// second solve.
 TEST(UnmetTolerance, CorrectedStepsOfHumanHairComeCloseToIt) {
   const Strand strand = human_hair();
   for (double h : {1.0 / 60, 1.0 / 240, 1.0 / 960}) {
