@@ -18,16 +18,9 @@ namespace grader {
 
 std::vector<Category> categories(const std::string& exercise) {
   static const std::map<std::string, std::vector<Category> (*)()> suites = {
-      {"H1", h1::categories},
-      {"H2", h2::categories},
-      {"H3", h3::categories},
-      {"H4", h4::categories},
-      {"H5", h5::categories},
-      {"H6", h6::categories},
-      {"P1", p1::categories},
-      {"P2", p2::categories},
-      {"S1", s1::categories},
-      {"S2", s2::categories},
+      {"H1", h1::categories}, {"H2", h2::categories}, {"H3", h3::categories}, {"H4", h4::categories},
+      {"H5", h5::categories}, {"H6", h6::categories}, {"P1", p1::categories}, {"P2", p2::categories},
+      {"S1", s1::categories}, {"S2", s2::categories},
   };
   const auto suite = suites.find(exercise);
   if (suite == suites.end())

@@ -64,7 +64,8 @@ TEST(Obstacles, NothingIsInsideAfterwards) {
   EXPECT_LE(report.penetration, 1e-9);
   for (int i = 0; i < n; ++i)
     for (const Obstacle& obstacle : obstacles)
-      EXPECT_GE(surface_at(obstacle, state.x.segment<3>(3 * i)).distance, -std::max(report.penetration, 4e-14));
+      EXPECT_GE(surface_at(obstacle, state.x.segment<3>(3 * i)).distance,
+                -std::max(report.penetration, 4e-14));
 }
 
 TEST(Obstacles, WhatIsOutsideOrPinnedStaysAsItIs) {

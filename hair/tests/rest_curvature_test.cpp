@@ -232,8 +232,7 @@ TEST(RestCurvature, LeavesAClampedHelixNoZeroEnergyMode) {
     const double L = strand.rest_length.sum(),
                  softest = 12.36 * strand.bend_rigidity / (segments * L * L * L);
     EXPECT_GE(all.minCoeff(), softest) << segments << " segments";
-    EXPECT_GE(all.minCoeff(), 100 * kUnit * all.maxCoeff())
-        << "far above what the largest one rounds by";
+    EXPECT_GE(all.minCoeff(), 100 * kUnit * all.maxCoeff()) << "far above what the largest one rounds by";
   }
 }
 
