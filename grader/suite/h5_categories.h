@@ -7,4 +7,18 @@ namespace grader::h5 {
 
 std::vector<Category> categories();
 
+// Each sends its cases to the student's functions and throws CaseFailed at the first that fails.
+void relaxation(Trial& trial);
+void relaxation_masses(Trial& trial);
+void lengths(Trial& trial);
+void impulses(Trial& trial);
+void masses(Trial& trial);
+void distance(Trial& trial);
+void root(Trial& trial);
+void report(Trial& trial);
+void velocities(Trial& trial);
+void velocity_impulses(Trial& trial);
+void degenerate(Trial& trial);
+void long_strands(Trial& trial);
+
 }  // namespace grader::h5

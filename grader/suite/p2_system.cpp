@@ -157,4 +157,47 @@ ConstrainedSystem held(ConstrainedSystem system) {
   return system;
 }
 
+ConstrainedSystem at_rest(ConstrainedSystem system) {
+  system.state.v.setZero();
+  return system;
+}
+
+std::vector<ConstrainedSystem> chains(Random& random) {
+  std::vector<ConstrainedSystem> systems;
+  for (int n : {2, 3, random.integer(5, 8), random.integer(9, 15)})
+    systems.push_back(random_chain(random, n));
+  return systems;
+}
+
+std::vector<ConstrainedSystem> beads(Random& random) {
+  std::vector<ConstrainedSystem> systems;
+  for (int n : {1, 2, 4}) {
+    systems.push_back(random_chain(random, n));
+    systems.back().name = "beads";
+    systems.back().constraints.rods.clear();
+    for (int i = n - 1; i >= 0; --i) add_wire(random, systems.back(), (i + 1) % n);
+  }
+  return systems;
+}
+
+std::vector<ConstrainedSystem> hung_chains(Random& random) {
+  std::vector<ConstrainedSystem> systems;
+  for (int n : {2, 3, random.integer(5, 8)}) {
+    systems.push_back(random_chain(random, n));
+    systems.back().name = "hung chain";
+    add_wire(random, systems.back(), n - 1);
+    add_wire(random, systems.back(), 0);
+  }
+  return systems;
+}
+
+ConstrainedSystem rigid_body(Random& random, int n) {
+  ConstrainedSystem body = random_chain(random, n);
+  body.name = "rigid body";
+  body.constraints = {};
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < i; ++j) body.constraints.rods.push_back({i, j, 1});
+  return held(body);
+}
+
 }  // namespace grader

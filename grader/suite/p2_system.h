@@ -7,6 +7,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "grader/suite/random.h"
 #include "particles/constraint_forces.h"
@@ -48,5 +49,20 @@ void add_wire(Random& random, ConstrainedSystem& system, int i);
 
 // The system with its rods' and its wires' sizes such that C = 0.
 ConstrainedSystem held(ConstrainedSystem system);
+
+// The same system where nothing moves.
+ConstrainedSystem at_rest(ConstrainedSystem system);
+
+// Chains of rods, long and short.
+std::vector<ConstrainedSystem> chains(Random& random);
+
+// Beads that nothing else holds, the wires not in their order.
+std::vector<ConstrainedSystem> beads(Random& random);
+
+// Chains with a bead at either end.
+std::vector<ConstrainedSystem> hung_chains(Random& random);
+
+// All distances of so many particles.
+ConstrainedSystem rigid_body(Random& random, int n);
 
 }  // namespace grader
