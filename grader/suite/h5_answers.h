@@ -1,8 +1,8 @@
-// STAFF ONLY. A student's corrections, asked across the pipe, and what holds for all of them. Sweeps may go in any
-// order and methods differ, so that values are compared with the reference's only where all must agree:
+// STAFF ONLY. A student's corrections, asked across the pipe, and what holds for all of them. Sweeps may go in
+// any order and methods differ, so that values are compared with the reference's only where all must agree:
 //
-//   - small errors: a correction is W J^T lambda with J at some state on the way. Where errors are of size e, all these
-//     states differ by O(e), and so do corrections, relative to their size;
+//   - small errors: a correction is W J^T lambda with J at some state on the way. Where errors are of size e,
+//     all these states differ by O(e), and so do corrections, relative to their size;
 //   - velocities: what makes J v = 0 and is W J^T lambda is one and the same for all.
 #pragma once
 
@@ -41,8 +41,8 @@ void expect_lengths(Trial& trial, int function, const Strand& strand, double tol
 // even those that know no masses move a few times as much. What is put elsewhere is far beyond.
 void expect_near(Trial& trial, int function, const Strand& strand, const VectorXd& x, const VectorXd& after);
 
-// With `values`, beside the reference's: corrections differ by what the tolerance leaves, r of size tolerance in each
-// segment, which is sqrt(r' (J W J')^-1 r) in the norm of `moved`.
+// With `values`, beside the reference's: corrections differ by what the tolerance leaves, r of size tolerance
+// in each segment, which is sqrt(r' (J W J')^-1 r) in the norm of `moved`.
 void expect_velocities(Trial& trial, const Strand& strand, const VectorXd& x, const VectorXd& v,
                        double tolerance, bool values);
 

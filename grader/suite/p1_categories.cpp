@@ -4,148 +4,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
-#include <sstream>
 
-#include "grader/suite/dynamics_server.h"
 #include "grader/suite/linear_system.h"
+#include "grader/suite/p1_dynamics.h"
+#include "grader/suite/p1_runs.h"
 #include "particles/explicit_integrators.h"
 
 namespace grader::p1 {
 namespace {
 
-using Eigen::Map;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using particles::Dynamics;
-using particles::Input;
-using particles::Output;
-using particles::Scratch;
 
 constexpr double kUnit = 0x1p-53;
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-struct Method {
-  int number;  // as in serve_P1.cpp
-  const char* name;
-  int evaluations, order;
-  void (*reference)(Dynamics&, double, Output, Output, Scratch);
-};
-
-const Method kMethods[] = {{0, "forward_euler", 1, 1, particles::forward_euler},
-                           {1, "symplectic_euler", 1, 1, particles::symplectic_euler},
-                           {2, "midpoint", 2, 2, particles::midpoint},
-                           {3, "runge_kutta_4", 4, 4, particles::runge_kutta_4}};
-
-VectorXd vector_of(const std::vector<double>& values) {
-  return Map<const VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
 
 bool same_vectors(const VectorXd& a, const VectorXd& b) {
   return same_bits({a.begin(), a.end()}, {b.begin(), b.end()});
-}
-
-// a = -omega^2 x.
-class Oscillator : public Dynamics {
- public:
-  explicit Oscillator(double omega) : omega_(omega) {}
-  void acceleration(Input x, Input /*v*/, Output a) override { a = -omega_ * omega_ * x; }
-
- private:
-  double omega_;
-};
-
-// a = A sin(x) + B sin(v), entry by entry: not linear, and everything depends on everything. Pinned particles
-// have rows of zeros.
-class Waves : public Dynamics {
- public:
-  Waves(Random& random, int n) : A(3 * n, 3 * n), B(3 * n, 3 * n) {
-    for (MatrixXd* matrix : {&A, &B})
-      for (double& entry : matrix->reshaped()) entry = random.normal() / std::sqrt(3 * n);
-  }
-  void pin(int i) { A.middleRows(3 * i, 3).setZero(), B.middleRows(3 * i, 3).setZero(); }
-
-  void acceleration(Input x, Input v, Output a) override {
-    a = A * x.array().sin().matrix() + B * v.array().sin().matrix();
-  }
-
-  MatrixXd A, B;
-};
-
-// a = -c sin(x), with another c for each coordinate of a particle: each for itself, and the same forwards and
-// backwards in time.
-class Pendulums : public Dynamics {
- public:
-  explicit Pendulums(Random& random)
-      : strength_(random.uniform(0.5, 2), random.uniform(0.5, 2), random.uniform(0.5, 2)) {}
-  void acceleration(Input x, Input /*v*/, Output a) override {
-    for (Eigen::Index i = 0; i < x.size(); ++i) a[i] = -strength_[i % 3] * std::sin(x[i]);
-  }
-
- private:
-  Eigen::Vector3d strength_;
-};
-
-struct State {
-  VectorXd x, v;
-};
-
-State random_state(Random& random, int n) {
-  return {vector_of(random.normals(3 * n)), vector_of(random.normals(3 * n))};
-}
-
-struct Run {
-  std::vector<State> states;  // after each step
-  int evaluations = 0;
-  bool overlaps = false;  // an acceleration was to overwrite the x or v that it was asked for
-
-  const State& end() const { return states.back(); }
-};
-
-struct Setting {
-  double h;
-  int steps = 1;
-  int columns = particles::kIntegratorScratch;
-  double junk = kNaN;  // what scratch holds on entry
-};
-
-// The student's steps.
-Run run(Trial& trial, const Method& method, Dynamics& dynamics, const State& start, const Setting& setting) {
-  const int size = static_cast<int>(start.x.size()), n = size / 3;
-  std::ostringstream text;
-  text << method.name << ", n = " << n << ", h = " << setting.h << ", " << setting.steps
-       << " steps, scratch of " << setting.columns << " columns with " << setting.junk;
-  trial.describe(text.str());
-
-  MessageWriter request;
-  request.put(method.number).put(n).put(setting.h).put(setting.steps).put(setting.columns).put(setting.junk);
-  for (const VectorXd* vector : {&start.x, &start.v})
-    request.put(std::span<const double>(vector->data(), vector->size()));
-  // Ten times what is needed, so that it is a category of its own that counts.
-  DynamicsServer server(dynamics, n, 10 * method.evaluations * setting.steps);
-  MessageReader reply =
-      trial.ask(request, std::ref(server), "evaluates the acceleration far more often than it should");
-  const std::vector<double> numbers =
-      reply.get_doubles(2 * static_cast<std::size_t>(size) * static_cast<std::size_t>(setting.steps));
-  Run result;
-  result.overlaps = reply.get<int>() != 0;
-  reply.expect_end();
-  result.evaluations = server.evaluations;
-  for (int step = 0; step < setting.steps; ++step) {
-    const double* at = numbers.data() + std::ptrdiff_t{2} * size * step;
-    result.states.push_back({Map<const VectorXd>(at, size), Map<const VectorXd>(at + size, size)});
-  }
-  return result;
-}
-
-// A category about how steps are taken gives nothing to a function that takes none: for a short step the
-// particles move by about h v.
-void expect_moves(Trial& trial, const Method& method, const State& start, double h, const State& end) {
-  trial.expect((end.x - start.x - h * start.v).norm() <= 0.5 * (h * start.v).norm() && end.v != start.v,
-               std::string(method.name) + " does not move the particles");
 }
 
 // The error of (x, v / omega) at t = 2 / omega, for steps of h omega = 2 / steps: the sine is 0.91 there.

@@ -1,5 +1,4 @@
-// STAFF ONLY. A student's answers about a system of rods and wires, asked across the pipe, beside the tables of
-// p2_system.h.
+// STAFF ONLY. A student's answers about rods and wires, asked across the pipe, beside p2_system.h's tables.
 #pragma once
 
 #include <initializer_list>
@@ -13,8 +12,8 @@ namespace grader::p2 {
 inline constexpr double kUnit = 0x1p-53;
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-// The residual that the categories which solve allow, of the right-hand side: coarse, so that the tolerance is looked
-// at in its own category alone.
+// The residual that the categories which solve allow, of the right-hand side: coarse, so that the tolerance is
+// looked at in its own category alone.
 inline constexpr double kTolerance = 1e-3;
 
 inline constexpr int kValues = 0, kRates = 1, kForces = 2, kMatrix = 3, kSolve = 4;  // as in serve_P2.cpp

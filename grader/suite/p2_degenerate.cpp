@@ -1,4 +1,4 @@
-// STAFF ONLY. P2: hidden cases where J W J^T has rows or eigenvalues of 0, or lambda is not the only solution.
+// STAFF ONLY. P2: hidden cases of pinned particles and of constraints that say the same twice, or nothing.
 #include <cmath>
 
 #include "grader/suite/p2_answers.h"

@@ -1,6 +1,7 @@
 // STAFF ONLY. P2: a hidden case of constraints over many steps.
 #include <Eigen/Geometry>
 #include <cmath>
+#include <utility>
 
 #include "grader/suite/p2_answers.h"
 #include "grader/suite/p2_categories.h"

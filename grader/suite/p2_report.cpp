@@ -1,6 +1,7 @@
 // STAFF ONLY. P2: hidden cases of how tightly lambda is solved for, and of what is reported about that.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "grader/suite/linear_system.h"
 #include "grader/suite/p2_answers.h"

@@ -1,7 +1,7 @@
-// STAFF ONLY. P2: hidden cases of solve_constraints, each with only those terms on the right-hand side that it is
-// about.
+// STAFF ONLY. P2: hidden cases of the solve, each with only those right-hand side terms that it is about.
 #include <Eigen/Geometry>
 #include <cmath>
+#include <utility>
 
 #include "grader/suite/p2_answers.h"
 #include "grader/suite/p2_categories.h"

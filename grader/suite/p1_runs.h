@@ -1,0 +1,53 @@
+// STAFF ONLY. The student's integrators, run across the pipe on accelerations that the suite serves.
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <vector>
+
+#include "grader/suite/trial.h"
+#include "particles/explicit_integrators.h"
+
+namespace grader::p1 {
+
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+struct Method {
+  int number;  // as in serve_P1.cpp
+  const char* name;
+  int evaluations, order;
+  void (*reference)(particles::Dynamics&, double, particles::Output, particles::Output, particles::Scratch);
+};
+
+extern const Method kMethods[4];
+
+struct State {
+  Eigen::VectorXd x, v;
+};
+
+State random_state(Random& random, int n);
+
+struct Run {
+  std::vector<State> states;  // after each step
+  int evaluations = 0;
+  bool overlaps = false;  // an acceleration was to overwrite the x or v that it was asked for
+
+  const State& end() const { return states.back(); }
+};
+
+struct Setting {
+  double h;
+  int steps = 1;
+  int columns = particles::kIntegratorScratch;
+  double junk = kNaN;  // what scratch holds on entry
+};
+
+// The student's steps.
+Run run(Trial& trial, const Method& method, particles::Dynamics& dynamics, const State& start,
+        const Setting& setting);
+
+// A category about how steps are taken gives nothing to a function that takes none: for a short step the
+// particles move by about h v.
+void expect_moves(Trial& trial, const Method& method, const State& start, double h, const State& end);
+
+}  // namespace grader::p1
