@@ -62,7 +62,8 @@ double true_residual(const LinearSystem& system, const std::vector<double>& x); 
 double drift(const LinearSystem& system, const std::vector<double>& x, double value);
 
 // A tolerance at which CG takes a certain number of steps, whatever the order of summation: the geometric
-// mean of the squared residuals before and after that step, where they differ enough.
+// mean of the squared residuals before and after that step, where they differ enough. If CG is done before
+// `least_steps`, the last step that is clear.
 struct Tolerance {
   double epsilon;
   int steps;

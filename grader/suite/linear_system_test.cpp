@@ -96,6 +96,16 @@ TEST(ToleranceAfter, IsMetByTheSameStepInEveryOrderOfSummation) {
   }
 }
 
+TEST(ToleranceAfter, IsFoundWhereEigenvaluesHappenToBeOne) {
+  for (double gap : {1e-6, 1e-12, 0.0}) {
+    const LinearSystem system =
+        sparse_system("diagonal", solver::diagonal({7, 7 * (1 + gap), 7}), {1, -2, 0.5}, 7);
+    const auto [epsilon, steps] = tolerance_after(system, 3);
+    EXPECT_GE(steps, 1) << gap;
+    EXPECT_EQ(reference_solution(system, epsilon, 0).steps, steps) << gap;
+  }
+}
+
 // How far the return value's root is from the true ||b - Ax||, over what `drift` allows.
 double part_of_drift(const LinearSystem& system, double epsilon, int steps) {
   const Solution solution = reference_solution(system, epsilon, steps);
