@@ -9,8 +9,9 @@
 #                                  build alone: a student's compiler may be newer than ours
 #   hair_exercise_libraries(NAME DIR)
 #                                  one static library <NAME>_<id> for each exercise file in DIR, compiled as for grading
-#   hair_test(NAME SOURCES ... LIBRARIES ...)
-#                                  a GoogleTest program of our own, each of its tests known to ctest
+#   hair_test(NAME [SLOW] SOURCES ... LIBRARIES ...)
+#                                  a GoogleTest program of our own, each of its tests known to ctest; SLOW for
+#                                  what takes minutes without optimisation
 
 set(HAIR_HANDOUT_DIR "${CMAKE_CURRENT_LIST_DIR}/..")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${HAIR_HANDOUT_DIR}/exercises.json")
@@ -100,11 +101,15 @@ function(hair_exercise_libraries NAME DIR)
 endfunction()
 
 function(hair_test NAME)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SOURCES;LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "SLOW" "" "SOURCES;LIBRARIES")
   find_package(GTest REQUIRED)
   include(GoogleTest)
   add_executable(${NAME} ${ARG_SOURCES})
   hair_own_code(${NAME})
   target_link_libraries(${NAME} PRIVATE ${ARG_LIBRARIES} GTest::gtest_main)
-  gtest_discover_tests(${NAME} NO_PRETTY_VALUES TEST_PREFIX "${NAME}." PROPERTIES TIMEOUT 120 DISCOVERY_TIMEOUT 60)
+  set(labels)
+  if(ARG_SLOW)
+    set(labels LABELS slow)
+  endif()
+  gtest_discover_tests(${NAME} NO_PRETTY_VALUES TEST_PREFIX "${NAME}." DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 120 ${labels})
 endfunction()
