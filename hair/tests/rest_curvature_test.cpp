@@ -183,7 +183,7 @@ TEST(RestCurvature, IsNeededBecauseUnsignedAnglesLeaveAHelixZeroEnergyModes) {
   const int segments = 24, free = 3 * segments;
   const auto [shape, strand] = helix(segments);
   MatrixXd K = -stretch_matrix(strand, shape.x);
-  auto angle = [&](const VectorXd& x, int joint) {
+  auto angle = [&strand = strand](const VectorXd& x, int joint) {
     const Vector3d e = x.segment<3>(3 * joint + 3) - x.segment<3>(3 * joint);
     const Vector3d above =
         joint == 0 ? strand.root_tangent : Vector3d(x.segment<3>(3 * joint) - x.segment<3>(3 * joint - 3));
