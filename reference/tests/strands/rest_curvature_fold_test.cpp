@@ -1,9 +1,9 @@
-// What hair/rest_curvature.h promises of joints that close up to the fold, and of segments without a direction.
+// STAFF ONLY. What hair/rest_curvature.h promises of joints that close up to the fold, and of segments without a direction.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "hair/tests/rest_curvature_cases.h"
+#include "reference/tests/strands/rest_curvature_cases.h"
 
 namespace hair {
 namespace {

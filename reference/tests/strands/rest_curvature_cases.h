@@ -1,4 +1,4 @@
-// What tests of hair/rest_curvature.h share.
+// STAFF ONLY. What tests of hair/rest_curvature.h share.
 #pragma once
 
 #include <Eigen/Eigenvalues>

@@ -1,4 +1,4 @@
-// What hair/rest_curvature.h promises, but for what happens at the fold.
+// STAFF ONLY. What hair/rest_curvature.h promises, but for what happens at the fold.
 #include "hair/rest_curvature.h"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include "hair/make_strand.h"
 #include "hair/rest_shape.h"
 #include "hair/stretch_springs.h"
-#include "hair/tests/rest_curvature_cases.h"
+#include "reference/tests/strands/rest_curvature_cases.h"
 
 namespace hair {
 namespace {
