@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace particles {
 namespace {
@@ -15,7 +14,7 @@ class ImplicitMatrix : public implicitMatrix {
  public:
   ImplicitMatrix(const Force& force, const Particles& particles, const State& state, double a, double b,
                  Scratch work)
-      : force_(force), particles_(particles), state_(state), a_(a), b_(b), work_(std::move(work)) {}
+      : force_(force), particles_(particles), state_(state), a_(a), b_(b), work_(work) {}
 
   void matVecMult(double x[], double b[]) override {
     const Eigen::Index size = state_.x.size();

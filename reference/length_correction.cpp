@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace hair {
 namespace {
@@ -58,7 +57,7 @@ double squared_errors(const Strand& strand, Input x) {
 class Multipliers {
  public:
   // Four columns of work.
-  Multipliers(const Strand& strand, Scratch work) : strand_(strand), work_(std::move(work)) {}
+  Multipliers(const Strand& strand, Scratch work) : strand_(strand), work_(work) {}
 
   void factor(Input x) {
     Vector3d before = strand_.root_tangent;
