@@ -6,7 +6,7 @@
 
 #include "grader/compile/cache.h"
 #include "grader/compile/hash.h"
-#include "grader/course/bad_input.h"
+#include "grader/course/input.h"
 #include "grader/sandbox/identity.h"
 
 namespace grader {

@@ -8,7 +8,7 @@
 #include <iterator>
 #include <vector>
 
-#include "grader/course/bad_input.h"
+#include "grader/course/input.h"
 
 namespace grader {
 namespace {

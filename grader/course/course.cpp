@@ -6,7 +6,7 @@
 #include <string_view>
 #include <utility>
 
-#include "grader/course/strict_json.h"
+#include "grader/course/input.h"
 
 namespace grader {
 namespace {

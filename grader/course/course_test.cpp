@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "grader/course/bad_input.h"
+#include "grader/course/input.h"
 
 namespace grader {
 namespace {

@@ -12,7 +12,7 @@
 #include <system_error>
 #include <utility>
 
-#include "grader/course/printable.h"
+#include "grader/course/input.h"
 
 namespace grader {
 namespace {

@@ -10,7 +10,7 @@
 #include <system_error>
 #include <utility>
 
-#include "grader/course/printable.h"
+#include "grader/course/input.h"
 #include "grader/intake/layout.h"
 
 namespace grader {

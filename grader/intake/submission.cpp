@@ -10,8 +10,7 @@
 #include <string_view>
 #include <utility>
 
-#include "grader/course/bad_input.h"
-#include "grader/course/printable.h"
+#include "grader/course/input.h"
 #include "grader/intake/archive.h"
 #include "grader/intake/folder.h"
 #include "grader/intake/layout.h"

@@ -11,7 +11,7 @@
 #include <fstream>
 #include <string>
 
-#include "grader/course/bad_input.h"
+#include "grader/course/input.h"
 #include "grader/intake/archive_builder.h"
 
 namespace grader {

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "grader/archive/archive_writer.h"
-#include "grader/course/bad_input.h"
+#include "grader/course/input.h"
 #include "grader/intake/archive.h"
 #include "grader/package/manifest.h"
 

@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "grader/course/bad_input.h"
+#include "grader/course/input.h"
 #include "grader/package/manifest.h"
 
 namespace grader {

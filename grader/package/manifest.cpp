@@ -6,7 +6,7 @@
 #include <map>
 #include <sstream>
 
-#include "grader/course/bad_input.h"
+#include "grader/course/input.h"
 
 namespace grader {
 namespace {

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "grader/course/bad_input.h"
+#include "grader/course/input.h"
 
 namespace grader {
 namespace {

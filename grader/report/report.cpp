@@ -6,11 +6,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "grader/course/printable.h"
+#include "grader/course/input.h"
 #include "grader/report/gradebook.h"
 #include "grader/report/pages.h"
 #include "grader/report/results_json.h"
-#include "grader/report/write_file.h"
 
 namespace grader {
 namespace {

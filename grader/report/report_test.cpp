@@ -12,9 +12,8 @@
 #include <sstream>
 #include <string>
 
-#include "grader/course/bad_input.h"
+#include "grader/course/input.h"
 #include "grader/report/sample_results.h"
-#include "grader/report/write_file.h"
 
 namespace grader {
 namespace {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <ostream>
 
-#include "grader/course/printable.h"
+#include "grader/course/input.h"
 #include "grader/report/columns.h"
 #include "grader/report/report.h"
 #include "grader/report/text.h"

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "grader/archive/archive_writer.h"
-#include "grader/course/bad_input.h"
+#include "grader/course/input.h"
 #include "grader/samples/sample.h"
 #include "grader/samples/solution_files.h"
 

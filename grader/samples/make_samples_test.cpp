@@ -6,7 +6,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "grader/course/bad_input.h"
+#include "grader/course/input.h"
 #include "grader/samples/sample.h"
 
 namespace grader {

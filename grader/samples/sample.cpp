@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "grader/course/course.h"
-#include "grader/course/strict_json.h"
+#include "grader/course/input.h"
 
 namespace grader {
 namespace {

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "grader/course/bad_input.h"
+#include "grader/course/input.h"
 
 namespace grader {
 namespace {

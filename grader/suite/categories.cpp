@@ -1,7 +1,7 @@
 // STAFF ONLY. Which exercise has which hidden suite.
 #include <map>
 
-#include "grader/course/bad_input.h"
+#include "grader/course/input.h"
 #include "grader/suite/h1_categories.h"
 #include "grader/suite/h2_categories.h"
 #include "grader/suite/h3_categories.h"

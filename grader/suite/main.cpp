@@ -21,7 +21,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
-#include "grader/course/bad_input.h"
+#include "grader/course/input.h"
 #include "grader/suite/end_to_end.h"
 #include "grader/suite/trial.h"
 

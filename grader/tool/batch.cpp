@@ -10,7 +10,7 @@
 #include <mutex>
 #include <thread>
 
-#include "grader/course/bad_input.h"
+#include "grader/course/input.h"
 #include "grader/report/report.h"
 #include "grader/tool/timing.h"
 

@@ -9,7 +9,7 @@
 #include <stdexcept>
 
 #include "grader/compile/hash.h"
-#include "grader/course/bad_input.h"
+#include "grader/course/input.h"
 #include "grader/tool/isolation.h"
 #include "grader/tool/secret.h"
 

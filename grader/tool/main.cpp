@@ -14,8 +14,8 @@
 #include <iostream>
 #include <thread>
 
-#include "grader/course/bad_input.h"
 #include "grader/course/course.h"
+#include "grader/course/input.h"
 #include "grader/intake/submission.h"
 #include "grader/package/handout.h"
 #include "grader/report/report.h"

@@ -10,7 +10,7 @@
 #include <iterator>
 
 #include "grader/compile/hash.h"
-#include "grader/course/bad_input.h"
+#include "grader/course/input.h"
 
 namespace grader {
 namespace {

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "grader/report/write_file.h"
+#include "grader/course/input.h"
 
 namespace grader {
 namespace {

@@ -1,5 +1,4 @@
-// STAFF ONLY.
-#include "grader/report/write_file.h"
+#include "hair/files/write_file.h"
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -8,10 +7,10 @@
 #include <string>
 #include <system_error>
 
-#include "grader/course/bad_input.h"
-#include "grader/course/printable.h"
+#include "hair/files/bad_input.h"
+#include "hair/files/printable.h"
 
-namespace grader {
+namespace hair {
 namespace {
 
 namespace fs = std::filesystem;
@@ -54,4 +53,4 @@ void write_file(const fs::path& file, std::string_view bytes) {
   }
 }
 
-}  // namespace grader
+}  // namespace hair

@@ -1,5 +1,4 @@
-// STAFF ONLY.
-#include "grader/course/strict_json.h"
+#include "hair/files/strict_json.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -10,10 +9,10 @@
 #include <system_error>
 #include <utility>
 
-#include "grader/course/bad_input.h"
-#include "grader/course/printable.h"
+#include "hair/files/bad_input.h"
+#include "hair/files/printable.h"
 
-namespace grader {
+namespace hair {
 namespace {
 
 using nlohmann::json;
@@ -54,8 +53,11 @@ std::string reason_of(const json::exception& error) {
 }  // namespace
 
 json read_json(const std::filesystem::path& file) {
-  const std::string text = read_text(file);
-  const std::string name = printable(file.string(), 4096);
+  return parse_json(read_text(file), file.string());
+}
+
+json parse_json(const std::string& text, const std::string& file) {
+  const std::string name = printable(file, 4096);
   std::vector<std::set<std::string>> keys;
   const auto no_key_twice = [&](int, json::parse_event_t event, json& parsed) {
     if (event == json::parse_event_t::object_start) keys.emplace_back();
@@ -159,4 +161,4 @@ double JsonValue::number(double lowest, double highest) const {
   return number;
 }
 
-}  // namespace grader
+}  // namespace hair

@@ -1,11 +1,10 @@
-// STAFF ONLY.
-#include "grader/course/printable.h"
+#include "hair/files/printable.h"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
-namespace grader {
+namespace hair {
 namespace {
 
 TEST(Printable, PlainNamesStay) {
@@ -30,4 +29,4 @@ TEST(Printable, LongTextIsCut) {
 }
 
 }  // namespace
-}  // namespace grader
+}  // namespace hair

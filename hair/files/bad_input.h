@@ -1,13 +1,13 @@
-// STAFF ONLY. What a person gave us is wrong: one line that says what, where and what would be right.
+// What a person gave us is wrong: one line that says what, where and what would be right.
 // Programs print it and exit with code 2.
 #pragma once
 
 #include <stdexcept>
 
-namespace grader {
+namespace hair {
 
 class BadInput : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-}  // namespace grader
+}  // namespace hair

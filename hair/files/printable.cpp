@@ -1,7 +1,6 @@
-// STAFF ONLY.
-#include "grader/course/printable.h"
+#include "hair/files/printable.h"
 
-namespace grader {
+namespace hair {
 
 std::string printable(std::string_view bytes, std::size_t most) {
   constexpr char digits[] = "0123456789abcdef";
@@ -17,4 +16,4 @@ std::string printable(std::string_view bytes, std::size_t most) {
   return bytes.size() > most ? line + "..." : line;
 }
 
-}  // namespace grader
+}  // namespace hair

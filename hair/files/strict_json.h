@@ -1,4 +1,4 @@
-// STAFF ONLY. JSON files that people write: read strictly, so that a slip of the pen is reported and not
+// JSON files that people write: read strictly, so that a slip of the pen is reported and not
 // passed over.
 #pragma once
 
@@ -9,11 +9,14 @@
 #include <string_view>
 #include <vector>
 
-namespace grader {
+namespace hair {
 
 // A file's JSON. Throws BadInput with file, line and column; a key that stands twice in an object is an
 // error, too.
 nlohmann::json read_json(const std::filesystem::path& file);
+
+// The same of text that is at hand; `name` stands for the file in what is thrown.
+nlohmann::json parse_json(const std::string& text, const std::string& name);
 
 // A value and where it stands. Every check that fails throws BadInput: "FILE: exercises[0].points: what is
 // wrong; what would be right". The document must outlive it.
@@ -44,4 +47,4 @@ class JsonValue {
   std::string where_;
 };
 
-}  // namespace grader
+}  // namespace hair

@@ -1,13 +1,13 @@
-// STAFF ONLY. Names and text from outside as one line that can do nothing to a terminal.
+// Names and text from outside as one line that can do nothing to a terminal.
 #pragma once
 
 #include <string>
 #include <string_view>
 
-namespace grader {
+namespace hair {
 
 // Control characters, bytes outside ASCII and the backslash as \xNN; more than `most` bytes are cut and end
 // with "...".
 std::string printable(std::string_view bytes, std::size_t most = 200);
 
-}  // namespace grader
+}  // namespace hair

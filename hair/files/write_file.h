@@ -1,13 +1,13 @@
-// STAFF ONLY. Files appear whole or not at all.
+// Files appear whole or not at all.
 #pragma once
 
 #include <filesystem>
 #include <string_view>
 
-namespace grader {
+namespace hair {
 
 // Writes to a temporary name beside `file` and renames. Makes missing folders. If anything fails, the
 // temporary file is removed, an earlier `file` stays as it was, and BadInput says which path and why.
 void write_file(const std::filesystem::path& file, std::string_view bytes);
 
-}  // namespace grader
+}  // namespace hair

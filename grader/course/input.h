@@ -1,0 +1,14 @@
+// STAFF ONLY. How files are read and written, and how bad input is reported, is the same for all of the
+// project's programs.
+#pragma once
+
+#include "hair/files/bad_input.h"
+#include "hair/files/printable.h"
+#include "hair/files/strict_json.h"
+#include "hair/files/write_file.h"
+
+namespace grader {
+
+using hair::BadInput, hair::JsonValue, hair::printable, hair::read_json, hair::write_file;
+
+}  // namespace grader

@@ -1,0 +1,30 @@
+// Where pictures are taken from.
+#pragma once
+
+#include "particles/vectors.h"
+
+namespace hair {
+
+using Eigen::Vector3d;
+
+struct Camera {
+  Vector3d eye = Vector3d(0, -1, 0), target = Vector3d::Zero(), up = Vector3d(0, 0, 1);
+  double field_of_view = 0.5;  // rad, of the picture's height
+};
+
+// A box, from which a camera is made that has all of it in the picture.
+struct Bounds {
+  Vector3d low = Vector3d::Constant(1e300), high = Vector3d::Constant(-1e300);
+
+  void add(const Vector3d& point) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  bool empty() const { return !(low.array() <= high.array()).all(); }
+};
+
+// Looks at the box from `direction` (from the box to the eye; any length but 0), from as near as `aspect`
+// (width / height) allows.
+Camera frame_camera(const Bounds& bounds, double aspect, const Vector3d& direction = Vector3d(0.35, -1, 0.2));
+
+}  // namespace hair

@@ -1,0 +1,55 @@
+// What there is to draw, as plain data: the renderer knows nothing of scenes, simulations or exercises.
+#pragma once
+
+#include <vector>
+
+#include "hair/obstacles.h"
+
+namespace hair {
+
+using Colour = Eigen::Vector3f;  // linear, 0 to 1
+
+// Strands: one after the other, each a line through its points.
+struct StrandsDrawing {
+  std::vector<int> sizes;        // points of each strand, >= 1
+  std::vector<Vector3d> points;  // m, strand after strand
+  double width = 1e-4;           // m, of a strand
+  Colour root = {0.10f, 0.05f, 0.02f}, tip = {0.22f, 0.12f, 0.05f};
+};
+
+// What toys are made of: rods and springs between points, wires, and cloth.
+struct Tube {
+  Vector3d a, b;  // m
+  double radius;  // m
+  Colour colour;
+};
+
+struct Ball {
+  Vector3d centre;
+  double radius;
+  Colour colour;
+};
+
+struct Ring {
+  Vector3d centre, normal;
+  double radius, thickness;
+  Colour colour;
+};
+
+// A grid of rows x columns points, seen from both sides.
+struct Sheet {
+  int rows, columns;
+  std::vector<Vector3d> points;
+  Colour colour;
+};
+
+struct Drawing {
+  StrandsDrawing strands;
+  std::vector<Tube> tubes;
+  std::vector<Ball> balls;
+  std::vector<Ring> rings;
+  std::vector<Sheet> sheets;
+  std::vector<Obstacle> obstacles;  // head, ground, limbs: where they are
+};
+
+}  // namespace hair

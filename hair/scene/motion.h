@@ -1,0 +1,33 @@
+// Rigid motion by key frames: how a head, a hand, the roots of hair move.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <vector>
+
+#include "particles/vectors.h"
+
+namespace hair {
+
+using Eigen::Vector3d;
+
+// x -> rotation x + position.
+struct Pose {
+  Vector3d position = Vector3d::Zero();  // m
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+};
+
+struct Key {
+  double time;  // s
+  Pose pose;
+};
+
+// Keys at increasing times, at least one. Before the first and after the last it rests.
+struct Motion {
+  std::vector<Key> keys;
+
+  // Between two keys it speeds up and slows down smoothly: 3 s^2 - 2 s^3 of the way after a part s of the
+  // time, at rest at each key.
+  Pose at(double time) const;
+};
+
+}  // namespace hair

@@ -1,0 +1,54 @@
+// A scene that plays: assembled once, with the parts that it needs and no others, then frame after frame.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hair/scene/scene.h"
+#include "particles/state.h"
+
+namespace hair {
+
+// Of all strands and of the toy together.
+struct FrameMeasures {
+  double stretch = 0;                    // the largest |l - l0| / l0 of all segments, springs and rods
+  double kinetic = 0, potential = 0;     // J
+  Vector3d momentum = Vector3d::Zero();  // kg m/s
+  Vector3d angular_momentum = Vector3d::Zero();  // kg m^2/s, about the origin
+
+  double energy() const { return kinetic + potential; }
+};
+
+class Playback {
+ public:
+  // Throws std::invalid_argument as Simulation does.
+  explicit Playback(const Scene& scene);
+  ~Playback();
+  Playback(const Playback&) = delete;
+  Playback& operator=(const Playback&) = delete;
+
+  // To the next frame. Nothing, or where it broke: "strand 0, step 17: filter". After that it stays where it
+  // is and says the same. What a stub throws, passes.
+  std::optional<std::string> advance();
+
+  double time() const;  // s
+  int frame() const;    // 0 at the start
+
+  // All particles: strand after strand, then the toy's.
+  particles::State state() const;
+  const std::vector<int>& strands() const;         // the number of particles of each strand
+  const std::vector<Obstacle>& obstacles() const;  // where they are now
+  Work work() const;                               // of the hair; of a toy the solver's steps
+
+  // Of any state of the scene's particles at the present frame: a state that came from elsewhere is measured
+  // by our own forces.
+  FrameMeasures measure(const particles::State& state) const;
+
+ private:
+  class Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace hair
