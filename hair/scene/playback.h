@@ -11,7 +11,7 @@
 
 namespace hair {
 
-// Of all strands and of the toy together.
+// Of all strands and toys together.
 struct FrameMeasures {
   double stretch = 0;                    // the largest |l - l0| / l0 of all segments, springs and rods
   double kinetic = 0, potential = 0;     // J
@@ -36,11 +36,11 @@ class Playback {
   double time() const;  // s
   int frame() const;    // 0 at the start
 
-  // All particles: strand after strand, then the toy's.
+  // All particles: strand after strand, then toy after toy.
   particles::State state() const;
   const std::vector<int>& strands() const;         // the number of particles of each strand
   const std::vector<Obstacle>& obstacles() const;  // where they are now
-  Work work() const;                               // of the hair; of a toy the solver's steps
+  Work work() const;                               // of the hair; of toys the solver's steps
 
   // Of any state of the scene's particles at the present frame: a state that came from elsewhere is measured
   // by our own forces.

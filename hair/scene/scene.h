@@ -39,7 +39,7 @@ struct Scene {
   int steps_per_frame = 8;  // 1 / (frames_per_second * hair.step), which is a whole number
   Description hair;         // no strands: there is no hair simulation
   std::vector<Rider> riders;
-  std::optional<Toy> toy;    // particles with springs, rods, wires: for P1 and P2, and cloth
+  std::vector<Toy> toys;     // particles with springs, rods, wires: for P1 and P2, and cloth
   std::optional<Look> look;  // none: there is nothing to render
 };
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "particles/constraint_forces.h"
+#include "particles/constraints.h"
 #include "particles/springs.h"
 #include "particles/state.h"
 
