@@ -13,6 +13,7 @@
 #include <string>
 
 #include "grader/course/input.h"
+#include "grader/report/base64.h"
 #include "grader/report/sample_results.h"
 
 namespace grader {
@@ -99,6 +100,32 @@ TEST_F(Reports, RunsComeBackWhole) {
     EXPECT_EQ(read.runs[i].feedback, result.runs[i].feedback);
     EXPECT_EQ(read.runs[i].detail, result.runs[i].detail);
   }
+}
+
+TEST_F(Reports, PicturesComeBackWhole) {
+  SubmissionResult result = sample_class(1).front();
+  std::string all_bytes;
+  for (int byte = 0; byte < 256; ++byte) all_bytes += static_cast<char>(byte);
+  result.exercises[0].pictures = {{"0.50 s", 0.125, 1e-17 / 3, all_bytes, "r", ""}};
+  result.runs[0].pictures = {{"1 s", 0, 1, "s", all_bytes + "x", "heat"}};
+  result.images = false;
+  write_submission_reports(dir_, result);
+  const SubmissionResult read = read_results(dir_, result.name).value();
+  EXPECT_FALSE(read.images);
+  const auto expect_same = [](const std::vector<PictureResult>& found,
+                              const std::vector<PictureResult>& written) {
+    ASSERT_EQ(found.size(), written.size());
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      EXPECT_EQ(found[i].name, written[i].name);
+      EXPECT_EQ(found[i].blurred_rmse, written[i].blurred_rmse);
+      EXPECT_EQ(found[i].flip, written[i].flip);
+      EXPECT_EQ(found[i].student, written[i].student);
+      EXPECT_EQ(found[i].reference, written[i].reference);
+      EXPECT_EQ(found[i].heat, written[i].heat);
+    }
+  };
+  expect_same(read.exercises[0].pictures, result.exercises[0].pictures);
+  expect_same(read.runs[0].pictures, result.runs[0].pictures);
 }
 
 TEST_F(Reports, WhatIsNotWholeIsNotRead) {
@@ -200,6 +227,33 @@ TEST(Table, FitsTenExercisesIn100Columns) {
   std::istringstream lines(out.str());
   for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 100u) << line;
   EXPECT_NE(out.str().find("a-student-with-a-nam..."), std::string::npos);
+}
+
+TEST(PictureDistance, IsTheLargestOfTheGradedOnes) {
+  SubmissionResult result = sample_class(1).front();
+  for (ExerciseResult& exercise : result.exercises) exercise.pictures.clear();
+  result.runs[0].pictures = {{"1 s", 1, 1, "", "", ""}};
+  EXPECT_FALSE(picture_distance(result));
+  result.exercises[1].pictures = {{"1 s", 0.9, 0.1, "", "", ""}, {"2 s", 0, 0.3, "", "", ""}};
+  result.exercises[2].pictures = {{"1 s", 0.9, 0.2, "", "", ""}};
+  EXPECT_EQ(picture_distance(result), 0.3);
+}
+
+// RFC 4648, section 10.
+TEST(Base64, IsTheRfcs) {
+  const std::map<std::string, std::string> vectors{{"", ""},
+                                                   {"f", "Zg=="},
+                                                   {"fo", "Zm8="},
+                                                   {"foo", "Zm9v"},
+                                                   {"foob", "Zm9vYg=="},
+                                                   {"fooba", "Zm9vYmE="},
+                                                   {"foobar", "Zm9vYmFy"}};
+  for (const auto& [bytes, text] : vectors) {
+    EXPECT_EQ(base64(bytes), text);
+    EXPECT_EQ(from_base64(text), bytes);
+  }
+  for (const char* bad : {"Zg", "Zg=", "Zg==\n", "Zm9v!", "Zh==", "====", "Z"})
+    EXPECT_THROW(from_base64(bad), std::invalid_argument) << bad;
 }
 
 TEST(Statuses, HaveNamesThatReadBackAndSentencesOfTheirOwn) {

@@ -1,6 +1,7 @@
 // STAFF ONLY.
 #include "grader/report/result.h"
 
+#include <algorithm>
 #include <array>
 #include <numeric>
 #include <stdexcept>
@@ -90,6 +91,14 @@ double max_points(const SubmissionResult& result) {
                          [](double sum, const ExerciseResult& exercise) {
                            return exercise.extra_credit ? sum : sum + exercise.max_points;
                          });
+}
+
+std::optional<double> picture_distance(const SubmissionResult& result) {
+  std::optional<double> largest;
+  for (const ExerciseResult& exercise : result.exercises)
+    for (const PictureResult& picture : exercise.pictures)
+      largest = std::max(largest.value_or(0), picture.flip);
+  return largest;
 }
 
 }  // namespace grader

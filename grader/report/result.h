@@ -1,6 +1,7 @@
 // STAFF ONLY. What grading found, as plain data: made by the suite and the build, read by the reports.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,14 @@ struct CaseResult {
   std::string detail;    // for staff: inputs, expected and actual values
 };
 
+// A moment of a run, drawn by us from the states that a submission's code reached and from the reference's. No
+// text and no name of a student's is in it.
+struct PictureResult {
+  std::string name;                      // "0.50 s"
+  double blurred_rmse = 0, flip = 0;     // 0 to 1, see compare/compare.h; flip: the mean
+  std::string student, reference, heat;  // PNG files' bytes; heat is empty where the two are the same
+};
+
 struct ExerciseResult {
   std::string id, title, file;
   bool extra_credit = false;  // an optional exercise: its points are not in the total to reach
@@ -40,7 +49,8 @@ struct ExerciseResult {
   std::string feedback;           // for students
   std::string compiler_messages;  // for students: what the compiler says about their own lines
   std::vector<CaseResult> cases;
-  std::string staff_log;  // all that compiler, linker and worker printed
+  std::vector<PictureResult> pictures;  // of the whole run
+  std::string staff_log;                // all that compiler, linker and worker printed
 };
 
 enum class RunOutcome { same, differs, blew_up, failed, not_run };
@@ -54,6 +64,7 @@ struct RunResult {
   RunOutcome outcome = RunOutcome::not_run;
   std::string feedback;  // for students
   std::string detail;    // for staff
+  std::vector<PictureResult> pictures = {};
 };
 
 struct SubmissionResult {
@@ -63,9 +74,13 @@ struct SubmissionResult {
   std::string note;         // not empty: what is wrong with the submission as a whole, for the student
   std::string fingerprint;  // of the submission's bytes and of the suite, in hexadecimal
   bool isolated = true;     // false: graded without a sandbox; every page says so
+  bool images = true;       // false: graded without pictures; every page says so
 };
 
 double points(const SubmissionResult&);
 double max_points(const SubmissionResult&);  // without extra credit
+
+// The largest FLIP of the exercises' pictures; nothing without pictures.
+std::optional<double> picture_distance(const SubmissionResult&);
 
 }  // namespace grader

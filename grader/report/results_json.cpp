@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "grader/report/base64.h"
 #include "grader/report/text.h"
 
 namespace grader {
@@ -47,6 +48,27 @@ CaseResult case_from(const Json& json) {
           json.at("feedback"), json.at("detail")};
 }
 
+Json pictures_json(const std::vector<PictureResult>& pictures) {
+  Json all = Json::array();
+  for (const PictureResult& picture : pictures)
+    all.push_back({{"name", valid_utf8(picture.name)},
+                   {"blurred_rmse", picture.blurred_rmse},
+                   {"flip", picture.flip},
+                   {"student", base64(picture.student)},
+                   {"reference", base64(picture.reference)},
+                   {"heat", base64(picture.heat)}});
+  return all;
+}
+
+std::vector<PictureResult> pictures_from(const Json& json) {
+  std::vector<PictureResult> pictures;
+  const auto bytes = [](const Json& text) { return from_base64(text.get_ref<const std::string&>()); };
+  for (const Json& one : json)
+    pictures.push_back({one.at("name"), one.at("blurred_rmse"), one.at("flip"), bytes(one.at("student")),
+                        bytes(one.at("reference")), bytes(one.at("heat"))});
+  return pictures;
+}
+
 Json exercise_json(const ExerciseResult& exercise) {
   Json cases = Json::array();
   for (const CaseResult& one : exercise.cases) cases.push_back(case_json(one));
@@ -60,6 +82,7 @@ Json exercise_json(const ExerciseResult& exercise) {
           {"feedback", valid_utf8(exercise.feedback)},
           {"compiler_messages", valid_utf8(exercise.compiler_messages)},
           {"cases", cases},
+          {"pictures", pictures_json(exercise.pictures)},
           {"staff_log", valid_utf8(exercise.staff_log)}};
 }
 
@@ -75,6 +98,7 @@ ExerciseResult exercise_from(const Json& json) {
   exercise.feedback = json.at("feedback");
   exercise.compiler_messages = json.at("compiler_messages");
   for (const Json& one : json.at("cases")) exercise.cases.push_back(case_from(one));
+  exercise.pictures = pictures_from(json.at("pictures"));
   exercise.staff_log = json.at("staff_log");
   return exercise;
 }
@@ -94,16 +118,14 @@ Json run_test(const RunResult& run, const std::string& number) {
 }
 
 Json run_json(const RunResult& run) {
-  return {{"name", valid_utf8(run.name)},
-          {"shows", valid_utf8(run.shows)},
-          {"outcome", to_string(run.outcome)},
-          {"feedback", valid_utf8(run.feedback)},
-          {"detail", valid_utf8(run.detail)}};
+  return {{"name", valid_utf8(run.name)},      {"shows", valid_utf8(run.shows)},
+          {"outcome", to_string(run.outcome)}, {"feedback", valid_utf8(run.feedback)},
+          {"detail", valid_utf8(run.detail)},  {"pictures", pictures_json(run.pictures)}};
 }
 
 RunResult run_from(const Json& json) {
-  return {json.at("name"), json.at("shows"), run_outcome_from_string(json.at("outcome")), json.at("feedback"),
-          json.at("detail")};
+  return {json.at("name"),     json.at("shows"),  run_outcome_from_string(json.at("outcome")),
+          json.at("feedback"), json.at("detail"), pictures_from(json.at("pictures"))};
 }
 
 }  // namespace
@@ -129,14 +151,16 @@ std::string student_json(const SubmissionResult& result) {
   }
   for (std::size_t i = 0; i < result.runs.size(); ++i)
     tests.push_back(run_test(result.runs[i], "runs." + std::to_string(i + 1)));
-  const std::string stamp = result.isolated ? "" : "Graded without a sandbox.";
-  return dumped({{"score", rounded_points(points(result))},
-                 {"output", joined(stamp, readable(result.note))},
-                 {"output_format", "text"},
-                 {"visibility", "visible"},
-                 {"stdout_visibility", "hidden"},
-                 {"tests", tests},
-                 {"extra_data", {{"exercises", exercises}, {"isolated", result.isolated}}}});
+  const std::string stamp = joined(result.isolated ? "" : "Graded without a sandbox.",
+                                   result.images ? "" : "Graded without pictures.");
+  return dumped(
+      {{"score", rounded_points(points(result))},
+       {"output", joined(stamp, readable(result.note))},
+       {"output_format", "text"},
+       {"visibility", "visible"},
+       {"stdout_visibility", "hidden"},
+       {"tests", tests},
+       {"extra_data", {{"exercises", exercises}, {"isolated", result.isolated}, {"images", result.images}}}});
 }
 
 std::string staff_json(const SubmissionResult& result) {
@@ -147,6 +171,7 @@ std::string staff_json(const SubmissionResult& result) {
   return dumped({{"name", valid_utf8(result.name)},
                  {"fingerprint", valid_utf8(result.fingerprint)},
                  {"isolated", result.isolated},
+                 {"images", result.images},
                  {"note", valid_utf8(result.note)},
                  {"exercises", exercises},
                  {"runs", runs}});
@@ -159,13 +184,14 @@ std::optional<SubmissionResult> result_from_staff_json(const std::string& text) 
     result.name = json.at("name");
     result.fingerprint = json.at("fingerprint");
     result.isolated = json.at("isolated");
+    result.images = json.at("images");
     result.note = json.at("note");
     for (const Json& exercise : json.at("exercises")) result.exercises.push_back(exercise_from(exercise));
     for (const Json& run : json.at("runs")) result.runs.push_back(run_from(run));
     return result;
   } catch (const Json::exception&) {
     return {};
-  } catch (const std::invalid_argument&) {  // an unknown status or outcome
+  } catch (const std::invalid_argument&) {  // an unknown status or outcome, a damaged picture
     return {};
   }
 }

@@ -1,0 +1,14 @@
+// STAFF ONLY. Bytes as text, for pages and JSON: base64 with padding (RFC 4648, section 4).
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace grader {
+
+std::string base64(std::string_view bytes);
+
+// The bytes again. Throws std::invalid_argument for text that base64() can't have made.
+std::string from_base64(std::string_view text);
+
+}  // namespace grader
