@@ -1,0 +1,183 @@
+// STAFF ONLY.
+#include "grader/compare/flip.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "grader/compare/color.h"
+
+namespace grader {
+namespace {
+
+using hair::Image;
+using std::numbers::pi;
+using Channels = std::array<Plane, 3>;
+
+// The paper's constants: exponents q, the knee of the redistribution of errors (p_c, p_t), the width of what
+// is an edge to the eye, in degrees.
+constexpr double q_color = 0.7, q_feature = 0.5, p_color = 0.4, p_target = 0.95, feature_width = 0.082;
+
+void check_sizes(const Image& a, const Image& b) {
+  const auto shown = [](const Image& image) {
+    return std::to_string(image.width) + " x " + std::to_string(image.height);
+  };
+  if (a.width != b.width || a.height != b.height || a.pixels.size() != b.pixels.size())
+    throw std::invalid_argument("FLIP: pictures of " + shown(a) + " and " + shown(b) +
+                                " pixels; it needs two of the same size");
+}
+
+Channels ycxcz_of(const Image& image) {
+  std::array<double, 256> linear{};
+  for (int i = 0; i < 256; ++i)
+    linear[static_cast<std::size_t>(i)] = linear_from_srgb(static_cast<std::uint8_t>(i));
+  Channels channels{Plane(image.width, image.height), Plane(image.width, image.height),
+                    Plane(image.width, image.height)};
+  for (std::size_t i = 0; i < channels[0].values.size(); ++i) {
+    const std::uint8_t* pixel = image.pixels.data() + 3 * i;
+    const Color color =
+        ycxcz_from_xyz(xyz_from_linear({linear[pixel[0]], linear[pixel[1]], linear[pixel[2]]}));
+    for (std::size_t c = 0; c < 3; ++c) channels[c].values[i] = static_cast<float>(color[c]);
+  }
+  return channels;
+}
+
+// What the eye resolves, a term of the contrast sensitivity of a channel: in frequencies a exp(-b f^2), in
+// degrees a sqrt(pi / b) exp(-pi^2 x^2 / b).
+struct Sensitivity {
+  double a, b;
+};
+constexpr Sensitivity achromatic{1, 0.0047}, red_green{1, 0.0053};
+constexpr std::array<Sensitivity, 2> blue_yellow{{{34.1, 0.04}, {13.5, 0.025}}};
+
+double sigma_of(const Sensitivity& term) {  // in degrees
+  return std::sqrt(term.b / 2) / pi;
+}
+
+// A sum of Gaussians is no product of a row and a column, but each of them is.
+Plane seen(const Plane& channel, const Sensitivity& term, double pixels_per_degree) {
+  // Three standard deviations of the widest term, for all of them.
+  const int radius = static_cast<int>(std::ceil(3 * sigma_of(blue_yellow[0]) * pixels_per_degree));
+  const Kernel kernel = gaussian(sigma_of(term) * pixels_per_degree, radius);
+  return filtered(channel, kernel, kernel);
+}
+
+Plane seen_blue_yellow(const Plane& channel, double pixels_per_degree) {
+  // The integral over the plane of a sqrt(pi / b) exp(-pi^2 r^2 / b) is a sqrt(b / pi).
+  const auto integral = [](const Sensitivity& term) { return term.a * std::sqrt(term.b / pi); };
+  const double share = integral(blue_yellow[0]) / (integral(blue_yellow[0]) + integral(blue_yellow[1]));
+  Plane sum = seen(channel, blue_yellow[0], pixels_per_degree);
+  const Plane second = seen(channel, blue_yellow[1], pixels_per_degree);
+  for (std::size_t i = 0; i < sum.values.size(); ++i)
+    sum.values[i] = static_cast<float>(share * sum.values[i] + (1 - share) * second.values[i]);
+  return sum;
+}
+
+// L*a*b* in which what is dark has less colour: the Hunt effect.
+Color hunt_lab(const Color& xyz) {
+  const Color lab = lab_from_xyz(xyz);
+  return {lab[0], 0.01 * lab[0] * lab[1], 0.01 * lab[0] * lab[2]};
+}
+
+// S. Abasi, M. Amani Tehran and M. D. Fairchild, "Distance metrics for very large color differences", 2020.
+double hyab(const Color& a, const Color& b) {
+  return std::abs(a[0] - b[0]) + std::hypot(a[1] - b[1], a[2] - b[2]);
+}
+
+// From 0 to the largest difference there is, green to blue: most of the range goes to differences below p_c
+// of it.
+double redistributed(double difference) {
+  static const double largest =
+      std::pow(hyab(hunt_lab(xyz_from_linear({0, 1, 0})), hunt_lab(xyz_from_linear({0, 0, 1}))), q_color);
+  const double value = std::pow(difference, q_color), knee = p_color * largest;
+  if (value < knee) return p_target / knee * value;
+  return std::min(1.0, p_target + (value - knee) / (largest - knee) * (1 - p_target));
+}
+
+Plane color_differences(const Channels& reference, const Channels& test, double pixels_per_degree) {
+  std::array<Channels, 2> both;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Channels& channels = i == 0 ? reference : test;
+    both[i] = {seen(channels[0], achromatic, pixels_per_degree),
+               seen(channels[1], red_green, pixels_per_degree),
+               seen_blue_yellow(channels[2], pixels_per_degree)};
+  }
+  // Filtering can leave the colours that a screen shows.
+  const auto shown = [](const Channels& channels, std::size_t i) {
+    Color rgb = linear_from_xyz(
+        xyz_from_ycxcz({channels[0].values[i], channels[1].values[i], channels[2].values[i]}));
+    for (double& value : rgb) value = std::clamp(value, 0.0, 1.0);
+    return hunt_lab(xyz_from_linear(rgb));
+  };
+  Plane differences(reference[0].width, reference[0].height);
+  for (std::size_t i = 0; i < differences.values.size(); ++i)
+    differences.values[i] = static_cast<float>(redistributed(hyab(shown(both[0], i), shown(both[1], i))));
+  return differences;
+}
+
+// The first or second derivative of a Gaussian, its positive weights scaled to the sum 1, its negative ones
+// to -1.
+enum class Feature { edge, point };
+
+Kernel detector(Feature feature, double sigma, int radius) {
+  std::vector<double> weights;
+  double positive = 0, negative = 0;
+  for (int i = -radius; i <= radius; ++i) {
+    const double square = i * i / (sigma * sigma);
+    const double weight = (feature == Feature::edge ? -i : square - 1) * std::exp(-0.5 * square);
+    (weight > 0 ? positive : negative) += std::abs(weight);
+    weights.push_back(weight);
+  }
+  Kernel kernel;
+  for (const double weight : weights)
+    kernel.push_back(static_cast<float>(weight / (weight > 0 ? positive : negative)));
+  return kernel;
+}
+
+// How strong an edge or a point is in each pixel: the norm of the two directions' answers.
+Plane strength(Feature feature, const Plane& brightness, double pixels_per_degree) {
+  const double sigma = 0.5 * feature_width * pixels_per_degree;
+  const int radius = static_cast<int>(std::ceil(3 * sigma));
+  const Kernel across = detector(feature, sigma, radius), along = gaussian(sigma, radius);
+  Plane result = filtered(brightness, across, along);
+  const Plane other = filtered(brightness, along, across);
+  for (std::size_t i = 0; i < result.values.size(); ++i)
+    result.values[i] = std::sqrt(result.values[i] * result.values[i] + other.values[i] * other.values[i]);
+  return result;
+}
+
+Plane feature_differences(const Plane& reference, const Plane& test, double pixels_per_degree) {
+  Plane largest(reference.width, reference.height);
+  for (const Feature feature : {Feature::edge, Feature::point}) {
+    const Plane a = strength(feature, reference, pixels_per_degree);
+    const Plane b = strength(feature, test, pixels_per_degree);
+    for (std::size_t i = 0; i < largest.values.size(); ++i)
+      largest.values[i] = std::max(largest.values[i], std::abs(a.values[i] - b.values[i]));
+  }
+  return largest;
+}
+
+// Y_y as 0 to 1.
+Plane brightness_of(Plane achromatic_channel) {
+  for (float& value : achromatic_channel.values) value = (value + 16) / 116;
+  return achromatic_channel;
+}
+
+}  // namespace
+
+ErrorMap flip(const Image& reference, const Image& test, double pixels_per_degree) {
+  check_sizes(reference, test);
+  const Channels a = ycxcz_of(reference), b = ycxcz_of(test);
+  ErrorMap map = color_differences(a, b, pixels_per_degree);
+  const Plane features = feature_differences(brightness_of(a[0]), brightness_of(b[0]), pixels_per_degree);
+  for (std::size_t i = 0; i < map.values.size(); ++i) {
+    const double feature = std::pow(features.values[i] / std::numbers::sqrt2, q_feature);
+    map.values[i] = static_cast<float>(std::pow(map.values[i], 1 - std::min(1.0, feature)));
+  }
+  return map;
+}
+
+}  // namespace grader

@@ -1,0 +1,32 @@
+// STAFF ONLY. A number for each pixel, and filters that run along rows and columns.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace grader {
+
+struct Plane {
+  int width = 0, height = 0;
+  std::vector<float> values;  // rows from the top down
+
+  Plane() = default;
+  Plane(int w, int h)
+      : width(w), height(h), values(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+  float* row(int y) { return values.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width); }
+  const float* row(int y) const {
+    return values.data() + static_cast<std::size_t>(y) * static_cast<std::size_t>(width);
+  }
+};
+
+// Weights from -r to r, an odd number of them.
+using Kernel = std::vector<float>;
+
+// exp(-i^2 / (2 sigma^2)) for i from -radius to radius, scaled to the sum 1. sigma in pixels, > 0.
+Kernel gaussian(double sigma, int radius);
+
+// out(x, y) = sum over i and j of along_rows[i] along_columns[j] in(x + i, y + j). Beyond its border the plane
+// goes on as it ends there.
+Plane filtered(const Plane& in, const Kernel& along_rows, const Kernel& along_columns);
+
+}  // namespace grader
