@@ -1,0 +1,130 @@
+// STAFF ONLY.
+#include "grader/compare/flip.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <numeric>
+
+#include "grader/compare/color.h"
+#include "grader/compare/test_pictures.h"
+#include "hair/image/png.h"
+
+namespace grader {
+namespace {
+
+using hair::Image;
+
+double mean(const ErrorMap& map) {
+  return std::accumulate(map.values.begin(), map.values.end(), 0.0) / static_cast<double>(map.values.size());
+}
+
+double largest(const ErrorMap& map) {
+  return *std::max_element(map.values.begin(), map.values.end());
+}
+
+// A photograph and what a video codec made of it. Published with 67.02 pixels per degree: the mean within 1e-4.
+TEST(Flip, OfThePublishedPairIsThePublishedOne) {
+  const char* folder = std::getenv("HAIR_IMAGES");
+  if (folder == nullptr) GTEST_SKIP() << "HAIR_IMAGES is not set to the folder with tree-ref.png";
+  const Image reference = hair::read_png(std::filesystem::path(folder) / "tree-ref.png");
+  const Image test = hair::read_png(std::filesystem::path(folder) / "tree-test.png");
+  const ErrorMap map = flip(reference, test, 67.02);
+  EXPECT_NEAR(mean(map), 0.133285, 1e-4);
+  EXPECT_NEAR(largest(map), 0.983044, 1e-4);
+}
+
+TEST(Flip, OfAPictureAndItselfIsZero) {
+  const Image image = strands(64, 48, 5);
+  for (const float value : flip(image, image).values) EXPECT_EQ(value, 0);
+}
+
+TEST(Flip, IsSymmetric) {
+  const Image a = strands(64, 48, 5), b = strands(64, 48, 7);
+  const ErrorMap forth = flip(a, b), back = flip(b, a);
+  EXPECT_EQ(forth.values, back.values);
+}
+
+// Even pictures have no features, and filters leave them as they are, so that colours alone decide. CIELAB of
+// sRGB's primaries from B. Lindbloom, www.brucelindbloom.com, four decimals: (87.7347, -86.1827, 83.1793) is
+// green, (32.2970, 79.1875, -107.8602) is blue.
+TEST(Flip, OfEvenPicturesFollowsFromTheirColours) {
+  const auto hunt_distance = [](const Color& a, const Color& b) {
+    const auto hunt = [](const Color& lab, std::size_t i) { return 0.01 * lab[0] * lab[i]; };
+    return std::abs(a[0] - b[0]) + std::hypot(hunt(a, 1) - hunt(b, 1), hunt(a, 2) - hunt(b, 2));
+  };
+  const double most =
+      std::pow(hunt_distance({87.7347, -86.1827, 83.1793}, {32.2970, 79.1875, -107.8602}), 0.7);
+  const auto expect = [](const Image& a, const Image& b, double value) {
+    for (const float found : flip(a, b).values) ASSERT_NEAR(found, value, 2e-5);
+  };
+  // Black and white: L* 0 and 100, beyond the knee at 0.4.
+  const double contrast = std::pow(100, 0.7) / most;
+  ASSERT_GT(contrast, 0.4);
+  expect(even({0, 0, 0}), even({255, 255, 255}), 0.95 + 0.05 * (contrast - 0.4) / 0.6);
+  // The largest of all.
+  expect(even({0, 255, 0}), even({0, 0, 255}), 1);
+  // Two greys: sRGB 119 has L* 50.0344, 118 has 49.6365.
+  const double step = std::pow(50.0344 - 49.6365, 0.7) / most;
+  expect(even({119, 119, 119}), even({118, 118, 118}), 0.95 * step / 0.4);
+}
+
+// A point of one pixel at a distance where the eye can't resolve it is less than one from near.
+TEST(Flip, SeesLessFromFurtherAway) {
+  Image dot = even({0, 0, 0});
+  std::fill_n(dot.pixels.begin() + 3 * (16 * dot.width + 16), 3, 255);
+  double before = 1;
+  for (const double pixels_per_degree : {20.0, 40.0, 80.0, 160.0}) {
+    const double now = largest(flip(even({0, 0, 0}), dot, pixels_per_degree));
+    EXPECT_LT(now, before) << pixels_per_degree;
+    EXPECT_GT(now, 0);
+    before = now;
+  }
+}
+
+// Of strands a pixel wide FLIP sees even the smallest shift; compare_test.cpp has the measure that does not.
+TEST(Flip, AShiftIsTheMoreTheLargerItIs) {
+  double before = 0;
+  for (int shift = 1; shift <= 3; ++shift) {
+    const double now = mean(flip(strands(160, 120, 20), strands(160, 120, 20, shift)));
+    EXPECT_GT(now, before) << shift;
+    before = now;
+  }
+}
+
+// A difference in a corner reaches no further than the widest filter does: 10 px and 9 px at this distance.
+TEST(Flip, ADifferenceStaysWhereItIsAndBordersAddNothing) {
+  const Image before = strands(64, 48, 5);
+  Image after = before;
+  after.pixels[0] ^= 255;
+  const ErrorMap map = flip(before, after);
+  EXPECT_GT(map.values[0], 0.01);
+  for (int y = 0; y < map.height; ++y)
+    for (int x = 0; x < map.width; ++x)
+      if (x > 10 || y > 10) {
+        EXPECT_EQ(map.row(y)[x], 0) << x << ", " << y;
+      }
+}
+
+TEST(Flip, IsANumberBetween0And1ForAnyPictures) {
+  for (const auto& [width, height] : {std::pair{1, 1}, {1, 40}, {40, 1}, {3, 2}, {64, 48}}) {
+    const Image a = noise(width, height, 1), b = noise(width, height, 2);
+    for (const double pixels_per_degree : {1.0, 67.0, 300.0})
+      for (const float value : flip(a, b, pixels_per_degree).values) {
+        EXPECT_GE(value, 0);
+        EXPECT_LE(value, 1);
+      }
+  }
+  EXPECT_TRUE(flip({}, {}).values.empty());
+}
+
+TEST(Flip, NeedsTwoOfTheSameSize) {
+  EXPECT_THROW(flip(noise(3, 2, 1), noise(2, 3, 1)), std::invalid_argument);
+  EXPECT_THROW(flip(noise(3, 2, 1), {}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace grader
