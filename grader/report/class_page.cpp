@@ -6,6 +6,7 @@
 
 #include "grader/report/columns.h"
 #include "grader/report/pages.h"
+#include "grader/report/pictures.h"
 #include "grader/report/text.h"
 
 namespace grader {
@@ -234,23 +235,26 @@ std::string class_page(const Results& results) {
     totals.push_back(points(result));
     reachable = std::max(reachable, max_points(result));
   }
-  Html body = html(
+  Html body = stamps(all_isolated(results), all_with_images(results));
+  body += html(
       "<header>\n<h1>Grades of the class</h1>\n<p class=\"total\"><strong>{}</strong> of {} points on "
       "average, median {}, {} submissions</p>\n"
       "<p class=\"quiet\"><a href=\"grades.csv\">grades.csv</a> &middot; <a "
       "href=\"junit.xml\">junit.xml</a></p>\n"
       "<nav><a href=\"#look\">Worth a look</a> <a href=\"#submissions\">Submissions</a> <a "
-      "href=\"#exercises\">Exercises</a> <a href=\"#distribution\">Distribution</a> <a "
+      "href=\"#pictures\">Pictures</a> <a href=\"#exercises\">Exercises</a> <a "
+      "href=\"#distribution\">Distribution</a> <a "
       "href=\"#categories\">Categories</a></nav>\n</header>\n<main>\n",
       {shown_points(mean(totals)), shown_points(reachable), shown_points(median(totals)), results.size()});
   body += to_look_at(results);
   body += class_table(results, columns);
+  body += pictures_by_distance(results);
   body += means_table(results, columns);
   body += distribution(results);
   body += categories_table(results);
   body += html("</main>\n");
   body += Html{std::string(sort_script)};
-  return html_page("Grades of the class", all_isolated(results), body, Scripts::on);
+  return html_page("Grades of the class", body, Scripts::on);
 }
 
 }  // namespace grader

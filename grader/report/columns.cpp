@@ -65,4 +65,9 @@ bool all_isolated(const std::vector<SubmissionResult>& results) {
                      [](const SubmissionResult& result) { return result.isolated; });
 }
 
+bool all_with_images(const std::vector<SubmissionResult>& results) {
+  return std::all_of(results.begin(), results.end(),
+                     [](const SubmissionResult& result) { return result.images; });
+}
+
 }  // namespace grader

@@ -23,5 +23,6 @@ const ExerciseResult* find_exercise(const SubmissionResult& result,
 std::string in_short(const ExerciseResult& exercise);
 
 bool all_isolated(const std::vector<SubmissionResult>& results);
+bool all_with_images(const std::vector<SubmissionResult>& results);
 
 }  // namespace grader

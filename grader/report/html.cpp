@@ -69,6 +69,13 @@ nav { margin-top: .75rem; font-size: .9375rem; } nav a { margin-right: 1rem; }
 th button { all: unset; cursor: pointer; } th button:hover { text-decoration: underline; }
 th button:focus-visible { outline: 2px solid var(--link); outline-offset: 2px; }
 th[aria-sort=ascending] button::after { content: " \2191"; } th[aria-sort=descending] button::after { content: " \2193"; }
+.moment { margin: .75rem 0 1.25rem; }
+.pictures { display: grid; grid-template-columns: repeat(auto-fit, minmax(17rem, 1fr)); gap: .5rem .75rem; }
+.pictures.one { grid-template-columns: minmax(0, 30rem); }
+figure { margin: 0; } figcaption { color: var(--quiet); font-size: .875rem; }
+figure img { display: block; width: 100%; height: auto; border-radius: .25rem; background: #000; }
+.scale { display: inline-block; width: 5rem; height: .6rem; margin: 0 .35rem; border-radius: .125rem; }
+.small { display: block; width: 10rem; height: auto; border-radius: .25rem; }
 @media print { body { max-width: none; padding: 0; } .badge, .note, .stamp { border: 1px solid; } }
 )css";
 
@@ -93,15 +100,10 @@ Html html(std::string_view pattern, std::initializer_list<HtmlPart> parts) {
   return result;
 }
 
-std::string html_page(const std::string& title, bool isolated, const Html& body, Scripts scripts) {
+std::string html_page(const std::string& title, const Html& body, Scripts scripts) {
   const std::string policy =
-      "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'" +
+      "default-src 'none'; img-src data:; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'" +
       std::string(scripts == Scripts::on ? "; script-src 'unsafe-inline'" : "");
-  const Html stamp =
-      isolated ? Html{}
-               : html(
-                     "<p class=\"stamp\" role=\"note\">Graded without a sandbox. These results are not "
-                     "protected against what the code may have done.</p>\n");
   return html(R"(<!DOCTYPE html>
 <html lang="en">
 <head>
@@ -112,10 +114,10 @@ std::string html_page(const std::string& title, bool isolated, const Html& body,
 <style>{}</style>
 </head>
 <body>
-{}{}</body>
+{}</body>
 </html>
 )",
-              {policy, title, Html{std::string(style)}, stamp, body})
+              {policy, title, Html{std::string(style)}, body})
       .text;
 }
 

@@ -37,9 +37,8 @@ Html html(std::string_view pattern, std::initializer_list<HtmlPart> parts = {});
 
 enum class Scripts { off, on };
 
-// A whole page: its style is in it, and it may load nothing. Only a page with Scripts::on runs its own inline
-// script. Without isolation it carries a stamp that says so.
-std::string html_page(const std::string& title, bool isolated, const Html& body,
-                      Scripts scripts = Scripts::off);
+// A whole page: its style and its pictures are in it, and it may load nothing. Only a page with Scripts::on
+// runs its own inline script.
+std::string html_page(const std::string& title, const Html& body, Scripts scripts = Scripts::off);
 
 }  // namespace grader

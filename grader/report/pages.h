@@ -17,4 +17,7 @@ std::string class_page(const std::vector<SubmissionResult>& results);  // index.
 const char* look_of(Status status);  // how good it is, as a class of the style sheet
 Html badge(Status status);           // its words, coloured by how good it is
 
+// What every page says about results that were graded without a sandbox, or without pictures.
+Html stamps(bool isolated, bool images);
+
 }  // namespace grader

@@ -39,6 +39,7 @@ struct PictureResult {
   std::string name;                      // "0.50 s"
   double blurred_rmse = 0, flip = 0;     // 0 to 1, see compare/compare.h; flip: the mean
   std::string student, reference, heat;  // PNG files' bytes; heat is empty where the two are the same
+  double limit = 0;                      // of blurred_rmse, for points; 0: shown, and not scored
 };
 
 struct ExerciseResult {

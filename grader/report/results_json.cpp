@@ -56,7 +56,8 @@ Json pictures_json(const std::vector<PictureResult>& pictures) {
                    {"flip", picture.flip},
                    {"student", base64(picture.student)},
                    {"reference", base64(picture.reference)},
-                   {"heat", base64(picture.heat)}});
+                   {"heat", base64(picture.heat)},
+                   {"limit", picture.limit}});
   return all;
 }
 
@@ -65,7 +66,7 @@ std::vector<PictureResult> pictures_from(const Json& json) {
   const auto bytes = [](const Json& text) { return from_base64(text.get_ref<const std::string&>()); };
   for (const Json& one : json)
     pictures.push_back({one.at("name"), one.at("blurred_rmse"), one.at("flip"), bytes(one.at("student")),
-                        bytes(one.at("reference")), bytes(one.at("heat"))});
+                        bytes(one.at("reference")), bytes(one.at("heat")), one.at("limit")});
   return pictures;
 }
 

@@ -1,5 +1,6 @@
 // STAFF ONLY.
 #include "grader/report/pages.h"
+#include "grader/report/pictures.h"
 #include "grader/report/text.h"
 
 namespace grader {
@@ -9,6 +10,10 @@ enum class Reader { student, staff };
 
 // Long logs tell at their beginning what happened; the rest stays in staff/NAME.json.
 constexpr std::size_t most_log = 20000;
+
+const char* whose(Reader reader) {
+  return reader == Reader::student ? "Yours" : "The student's";
+}
 
 std::string points_of(double points, double max_points) {
   return shown_points(points) + " / " + shown_points(max_points);
@@ -52,6 +57,7 @@ Html exercise_section(const ExerciseResult& exercise, Reader reader) {
             exercise.file, exercise.feedback.empty() ? sentence_for(exercise.status) : exercise.feedback});
   section += block("What the compiler says", exercise.compiler_messages);
   section += cases_table(exercise, reader);
+  section += moments(exercise.pictures, "The whole run in pictures", whose(reader));
   if (reader == Reader::staff)
     section += block("What compiler, linker and worker printed", exercise.staff_log);
   return section += html("</section>\n");
@@ -85,7 +91,9 @@ Html runs_section(const SubmissionResult& result, Reader reader) {
     if (reader == Reader::staff && !run.detail.empty()) section += html("<pre>{}</pre>", {run.detail});
     section += html("</td></tr>\n");
   }
-  return section += html("</tbody>\n</table></div>\n</section>\n");
+  section += html("</tbody>\n</table></div>\n");
+  for (const RunResult& run : result.runs) section += moments(run.pictures, run.shows, whose(reader));
+  return section += html("</section>\n");
 }
 
 // All exercises at a glance.
@@ -110,7 +118,8 @@ Html total_line(const SubmissionResult& result) {
 }
 
 Html body_of(const SubmissionResult& result, Reader reader) {
-  Html body = html("<header>\n<h1>{}</h1>\n", {result.name});
+  Html body = stamps(result.isolated, result.images);
+  body += html("<header>\n<h1>{}</h1>\n", {result.name});
   body += total_line(result);
   if (reader == Reader::staff) {
     body += html(
@@ -142,16 +151,29 @@ const char* look_of(Status status) {
   }
 }
 
+Html stamps(bool isolated, bool images) {
+  Html all;
+  if (!isolated)
+    all += html(
+        "<p class=\"stamp\" role=\"note\">Graded without a sandbox. These results are not protected against "
+        "what the code may have done.</p>\n");
+  if (!images)
+    all += html(
+        "<p class=\"stamp\" role=\"note\">Graded without pictures, for this machine has no OpenGL. What they "
+        "would show is not in the points.</p>\n");
+  return all;
+}
+
 Html badge(Status status) {
   return html("<span class=\"badge {}\">{}</span>", {look_of(status), to_string(status)});
 }
 
 std::string student_page(const SubmissionResult& result) {
-  return html_page("Report for " + result.name, result.isolated, body_of(result, Reader::student));
+  return html_page("Report for " + result.name, body_of(result, Reader::student));
 }
 
 std::string staff_page(const SubmissionResult& result) {
-  return html_page(result.name + " (staff)", result.isolated, body_of(result, Reader::staff));
+  return html_page(result.name + " (staff)", body_of(result, Reader::staff));
 }
 
 }  // namespace grader

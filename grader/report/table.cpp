@@ -87,6 +87,7 @@ void print_table(std::ostream& out, const std::vector<SubmissionResult>& results
   }
   if (any_ended) out << "! points from before or after a crash or a limit\n";
   if (!all_isolated(results)) out << "GRADED WITHOUT A SANDBOX\n";
+  if (!all_with_images(results)) out << "GRADED WITHOUT PICTURES\n";
 }
 
 }  // namespace grader

@@ -1,0 +1,57 @@
+// STAFF ONLY.
+#include "grader/compare/montage.h"
+
+#include <gtest/gtest.h>
+
+#include "grader/compare/test_pictures.h"
+
+namespace grader {
+namespace {
+
+using hair::Image;
+
+TEST(SideBySide, KeepsEveryPixelAndPutsALineBetween) {
+  const Image a = noise(5, 4, 1), b = noise(3, 4, 2);
+  const Image both = side_by_side({a, b});
+  ASSERT_EQ(both.width, 5 + 8 + 3);
+  ASSERT_EQ(both.pixels.size(), 3u * 16 * 4);
+  for (int y = 0; y < 4; ++y)
+    for (int x = 0; x < 16; ++x)
+      for (int c = 0; c < 3; ++c) {
+        const int expected = x < 5 ? a.at(x, y)[c] : x < 13 ? 24 : b.at(x - 13, y)[c];
+        EXPECT_EQ(both.at(x, y)[c], expected) << x << ", " << y;
+      }
+  EXPECT_EQ(side_by_side({a}), a);
+}
+
+TEST(SideBySide, NeedsPicturesOfOneHeight) {
+  EXPECT_THROW(side_by_side({}), std::invalid_argument);
+  EXPECT_THROW(side_by_side({noise(5, 4, 1), noise(5, 3, 1)}), std::invalid_argument);
+}
+
+TEST(Shrunk, EachPixelIsTheMeanOfWhatItCovers) {
+  Image image{4, 2, {}};
+  for (const int value : {0, 100, 10, 20, 40, 60, 30, 40})
+    image.pixels.insert(image.pixels.end(), 3, static_cast<std::uint8_t>(value));
+  const Image half = shrunk(image, 2);
+  EXPECT_EQ(half.width, 2);
+  EXPECT_EQ(half.height, 1);
+  EXPECT_EQ(half.pixels, (std::vector<std::uint8_t>{50, 50, 50, 25, 25, 25}));
+}
+
+// Three pixels become two: each covers one and a half.
+TEST(Shrunk, PixelsAreSharedWhereTheyMust) {
+  Image image{3, 1, {}};
+  for (const int value : {30, 60, 90})
+    image.pixels.insert(image.pixels.end(), 3, static_cast<std::uint8_t>(value));
+  EXPECT_EQ(shrunk(image, 2).pixels, (std::vector<std::uint8_t>{40, 40, 40, 80, 80, 80}));
+}
+
+TEST(Shrunk, EvenStaysEvenAndSmallStaysAsItIs) {
+  EXPECT_EQ(shrunk(even({10, 20, 30}, 100, 37), 33), even({10, 20, 30}, 33, 12));
+  EXPECT_EQ(shrunk(noise(5, 4, 1), 5), noise(5, 4, 1));
+  EXPECT_EQ(shrunk(even({1, 2, 3}, 100, 1), 10), even({1, 2, 3}, 10, 1));
+}
+
+}  // namespace
+}  // namespace grader

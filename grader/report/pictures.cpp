@@ -1,0 +1,164 @@
+// STAFF ONLY.
+#include "grader/report/pictures.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <utility>
+
+#include "grader/compare/heat_map.h"
+#include "grader/compare/montage.h"
+#include "grader/course/input.h"
+#include "grader/report/base64.h"
+#include "hair/image/png.h"
+
+namespace grader {
+namespace {
+
+constexpr std::size_t kMostSmallPictures = 20;  // rows of the class's page with pictures, some 30 KB each
+constexpr int kSmallWidth = 192;                // px
+
+std::string shown(double distance) {
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.4f", distance);
+  return text.data();
+}
+
+Html figure(const std::string& png, const std::string& alt, const Html& caption) {
+  return html("<figure>{}<figcaption>{}</figcaption></figure>\n", {image(png, alt), caption});
+}
+
+Html moment(const PictureResult& picture, const std::string& whose) {
+  if (picture.heat.empty()) {
+    return html(
+        "<div class=\"moment\">\n<div class=\"line\"><strong>{}</strong><span>the same, pixel for "
+        "pixel</span></div>\n<div class=\"pictures one\">\n{}</div>\n</div>\n",
+        {picture.name, figure(picture.student, whose + " and the reference's hair at " + picture.name,
+                              html("{} and the reference&#39;s", {whose}))});
+  }
+  const bool over = picture.limit > 0 && picture.blurred_rmse > picture.limit;
+  const Html limit =
+      picture.limit > 0
+          ? html(" <span class=\"badge {}\">{}, the limit is {}</span>",
+                 {over ? "bad" : "good", over ? "too far" : "close enough", shown(picture.limit)})
+          : Html{};
+  return html(
+      "<div class=\"moment\">\n<div class=\"line\"><strong>{}</strong><span>blurred RMSE "
+      "{}{}</span><span>FLIP "
+      "{}</span></div>\n<div class=\"pictures\">\n{}{}{}</div>\n</div>\n",
+      {picture.name, shown(picture.blurred_rmse), limit, shown(picture.flip),
+       figure(picture.student, whose + " at " + picture.name, html("{}", {whose})),
+       figure(picture.reference, "The reference's at " + picture.name, html("The reference&#39;s")),
+       figure(picture.heat, "Where the two differ at " + picture.name,
+              html("Where they differ {}", {heat_scale()}))});
+}
+
+// The picture of a submission that is furthest from the reference's.
+struct Worst {
+  const SubmissionResult* result = nullptr;
+  const ExerciseResult* exercise = nullptr;
+  const PictureResult* picture = nullptr;
+};
+
+std::vector<Worst> worst_first(const std::vector<SubmissionResult>& results) {
+  std::vector<Worst> all;
+  for (const SubmissionResult& result : results) {
+    Worst worst{&result};
+    for (const ExerciseResult& exercise : result.exercises)
+      for (const PictureResult& picture : exercise.pictures)
+        if (worst.picture == nullptr || picture.flip > worst.picture->flip)
+          worst = {&result, &exercise, &picture};
+    if (worst.picture != nullptr) all.push_back(worst);
+  }
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Worst& a, const Worst& b) { return a.picture->flip > b.picture->flip; });
+  return all;
+}
+
+// Nothing of a picture that can't be read: a record may be damaged.
+Html small(const std::string& png, const std::string& alt) {
+  try {
+    return image(hair::encode_png(shrunk(hair::decode_png(png, alt), kSmallWidth)), alt, "small");
+  } catch (const BadInput&) {
+    return {};
+  }
+}
+
+Html row(const Worst& worst, bool with_pictures) {
+  const std::string at = worst.exercise->id + " at " + worst.picture->name;
+  Html pictures;
+  if (with_pictures)
+    pictures = html("<td>{}</td><td>{}</td><td>{}</td>",
+                    {small(worst.picture->student, worst.result->name + ", " + at),
+                     small(worst.picture->reference, "The reference, " + at),
+                     worst.picture->heat.empty() ? Html{} : small(worst.picture->heat, "Difference, " + at)});
+  else
+    pictures = html("<td></td><td></td><td></td>");
+  return html(
+      "<tr><th scope=\"row\"><a href=\"staff/{}.html#{}\">{}</a></th><td class=\"number\">{}</td><td "
+      "class=\"number\">{}</td><td>{}</td>{}</tr>\n",
+      {worst.result->name, worst.exercise->id, worst.result->name, shown(worst.picture->flip),
+       shown(worst.picture->blurred_rmse), at, pictures});
+}
+
+}  // namespace
+
+Html image(const std::string& png, const std::string& alt, const char* look) {
+  return html("<img{}alt=\"{}\" src=\"data:image/png;base64,{}\">",
+              {*look == '\0' ? html(" ") : html(" class=\"{}\" ", {look}), alt, Html{base64(png)}});
+}
+
+Html heat_scale() {
+  std::string colors;
+  for (const HeatColor& color : kHeatColors)
+    colors += (colors.empty() ? "rgb(" : ", rgb(") + std::to_string(color[0]) + " " +
+              std::to_string(color[1]) + " " + std::to_string(color[2]) + ")";
+  return html(
+      "<span class=\"quiet\">0<span class=\"scale\" style=\"background:linear-gradient(to right, {})\" "
+      "aria-hidden=\"true\"></span>1</span>",
+      {colors});
+}
+
+Html moments(const std::vector<PictureResult>& pictures, const std::string& heading,
+             const std::string& whose) {
+  if (pictures.empty()) return {};
+  double flip = 0;
+  bool open = false;
+  Html rows;
+  for (const PictureResult& picture : pictures) {
+    flip = std::max(flip, picture.flip);
+    open = open || picture.blurred_rmse > picture.limit;
+    rows += moment(picture, whose);
+  }
+  return html("<details{}><summary>{}: FLIP up to {}</summary>\n{}</details>\n",
+              {open ? " open" : "", heading, shown(flip), rows});
+}
+
+Html pictures_by_distance(const std::vector<SubmissionResult>& results) {
+  const std::vector<Worst> all = worst_first(results);
+  if (all.empty()) return {};
+  std::size_t same = 0;
+  Html rows;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].picture->flip > 0)
+      rows += row(all[i], i < kMostSmallPictures);
+    else
+      ++same;
+  }
+  Html section = html(R"(<section id="pictures">
+<h2>Pictures, furthest from the reference&#39;s first</h2>
+<p class="quiet">The worst picture of each submission&#39;s graded runs, by its FLIP. The same as the reference&#39;s in all pictures: {}. Without pictures: {}.</p>
+)",
+                      {same, results.size() - all.size()});
+  if (!rows.text.empty())
+    section += html(R"(<div class="wide"><table>
+<thead><tr><th scope="col">Submission</th><th scope="col" class="number">FLIP</th><th scope="col" class="number">Blurred RMSE</th><th scope="col">Where</th><th scope="col">Theirs</th><th scope="col">The reference&#39;s</th><th scope="col">Difference {}</th></tr></thead>
+<tbody>
+{}</tbody>
+</table></div>
+)",
+                    {heat_scale(), rows});
+  return section += html("</section>\n");
+}
+
+}  // namespace grader

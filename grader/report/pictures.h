@@ -1,0 +1,28 @@
+// STAFF ONLY. What a run looked like, for pages: a submission's picture, the reference's and the heat map of
+// their difference side by side.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "grader/report/html.h"
+#include "grader/report/result.h"
+
+namespace grader {
+
+// A PNG file's bytes as a part of the page. `look` is a class of the style sheet, or "".
+Html image(const std::string& png, const std::string& alt, const char* look = "");
+
+// A row for each moment, with its distances, under a heading that opens and closes. Open from the start if one
+// is over its limit. Nothing without pictures. `whose` captions the submission's: "Yours".
+Html moments(const std::vector<PictureResult>& pictures, const std::string& heading,
+             const std::string& whose);
+
+// A section of the class's page: submissions by how far their pictures are from the reference's, worst first,
+// and small pictures of the worst.
+Html pictures_by_distance(const std::vector<SubmissionResult>& results);
+
+// The colours of a heat map, with their ends named.
+Html heat_scale();
+
+}  // namespace grader
