@@ -23,8 +23,12 @@ struct Bounds {
   bool empty() const { return !(low.array() <= high.array()).all(); }
 };
 
+// The part of the picture's height and width that the box may take.
+inline constexpr double kFramed = 0.9;
+
 // Looks at the box from `direction` (from the box to the eye; any length but 0), from as near as `aspect`
-// (width / height) allows.
+// (width / height) allows. A box that is empty, or a point, is seen from some millimetres. Throws
+// std::invalid_argument for what is not finite, and for an aspect that is not positive.
 Camera frame_camera(const Bounds& bounds, double aspect, const Vector3d& direction = Vector3d(0.35, -1, 0.2));
 
 }  // namespace hair

@@ -1,0 +1,312 @@
+#include "hair/render/renderer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <map>
+#include <optional>
+
+#include "hair/render/check_drawing.h"
+#include "hair/render/gl_context.h"
+#include "hair/render/gl_objects.h"
+#include "hair/render/light.h"
+#include "hair/render/mesh.h"
+#include "hair/render/ribbons.h"
+#include "hair/render/view.h"
+#include "particles/require.h"
+
+namespace hair {
+namespace {
+
+constexpr int kSamples = 2;  // in a pixel's width, and as many in its height: shaders.cpp counts on it
+
+RenderSettings checked(const RenderSettings& settings) {
+  for (const int side : {settings.width, settings.height}) {
+    particles::require(side >= 16 && side <= 4096, "a side of the picture", side, "16 to 4096 pixels");
+  }
+  return settings;
+}
+
+// As fine as samples are, for a map as wide as the picture is high; a multiple of the tiles that software
+// draws in.
+int map_size(const RenderSettings& settings) {
+  return std::clamp(settings.height * 3 / 2 / 64 * 64, 256, 2048);
+}
+
+// Where layers of hair end, as parts of the map's width.
+const Eigen::Vector4f kLayers(0.015F, 0.05F, 0.15F, 0.5F);
+
+class Stopwatch {
+ public:
+  explicit Stopwatch(bool on) : on_(on) { last_ = now(); }
+
+  // Adds the time since the last lap, when OpenGL is done with what it was told.
+  void lap(const gl::Functions& gl, double& sum) {
+    if (!on_) return;
+    gl.Finish();
+    const double time = now();
+    sum += time - last_;
+    last_ = time;
+  }
+
+ private:
+  static double now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  }
+  bool on_;
+  double last_;
+};
+
+}  // namespace
+
+class Renderer::Parts {
+ public:
+  explicit Parts(const RenderSettings& settings)
+      : settings_(checked(settings)), context_(settings.library), gl_(context_.functions()) {}
+
+  Image draw(const Drawing& drawing, const Camera& camera) {
+    check_drawing(drawing);
+    const View view(camera, static_cast<double>(settings_.width) / settings_.height);
+    const GlContext::Current current(context_);
+    Stopwatch watch(measured);
+    const Content content = send(drawing, view);
+    watch.lap(gl_, times.upload);
+    if (content.shadows()) draw_maps(content);
+    watch.lap(gl_, times.shadow);
+    draw_samples(drawing, view, content);
+    resolve();
+    watch.lap(gl_, times.draw);
+    Image image = read_back();
+    watch.lap(gl_, times.read_back);
+    if (gl_.GetError() != gl::kNoError) throw std::runtime_error("OpenGL failed: is there enough memory?");
+    return image;
+  }
+
+  std::string about() const { return context_.about(); }
+
+  bool measured = false;
+  RenderTimes times;
+
+ private:
+  // What a drawing has, for what it needs.
+  struct Content {
+    bool hair = false, solids = false;                 // to see
+    bool hair_shadows = false, solid_shadows = false;  // to throw shadows
+    std::size_t casting = 0;
+    float half_width = 0;
+    LightMap light = {};
+
+    bool shadows() const { return hair_shadows || solid_shadows; }
+  };
+
+  Content send(const Drawing& drawing, const View& view) {
+    Content content;
+    const std::vector<RibbonVertex> ribbons = ribbon_vertices(drawing.strands, view);
+    const Mesh mesh = mesh_of(drawing, view, kSamples * settings_.height);
+    content.hair = !ribbons.empty();
+    content.solids = !mesh.indices.empty();
+    content.casting = mesh.casting;
+    content.hair_shadows = settings_.shadows && content.hair;
+    content.solid_shadows = settings_.shadows && mesh.casting > 0;
+    content.half_width = view.length(drawing.strands.width / 2);
+    if (content.shadows()) content.light = light_map(ribbons, mesh);
+    if (content.hair) {
+      if (!ribbons_) ribbons_.emplace(gl_, std::vector{3, 3, 2});
+      ribbons_->send(ribbons.data(), ribbons.size() * sizeof(RibbonVertex),
+                     ribbon_indices(drawing.strands.sizes));
+    }
+    if (content.solids) {
+      if (!mesh_) mesh_.emplace(gl_, std::vector{3, 3, 4});
+      mesh_->send(mesh.vertices.data(), mesh.vertices.size() * sizeof(MeshVertex), mesh.indices);
+    }
+    return content;
+  }
+
+  // The light's view: how far what is not hair is, how far hair is, and how many strands are in its layers.
+  void draw_maps(const Content& content) {
+    const int size = map_size(settings_);
+    if (content.solid_shadows) {
+      if (!solid_map_) solid_map_ = make_target(gl_, size, size, 0, true);
+      clear(*solid_map_);
+      const gl::Program& program = this->program("mesh depth", mesh_depth_shader);
+      set(program, "to_clip", content.light.to);
+      mesh_->draw(gl::kTriangles, content.casting);
+    }
+    if (content.hair_shadows) {
+      if (!hair_map_) {
+        hair_map_ = make_target(gl_, size, size, 0, true);
+        count_map_ = make_target(gl_, size, size, gl::kRgba16F, false);
+      }
+      clear(*hair_map_);
+      const gl::Program& depth = program("ribbon depth", ribbon_depth_shader);
+      aim_at_light(depth, content);
+      draw_ribbons();
+
+      clear(*count_map_);
+      gl_.Disable(gl::kDepthTest);
+      gl_.Enable(gl::kBlend);
+      gl_.BlendFunc(gl::kOne, gl::kOne);
+      const gl::Program& count = program("ribbon count", ribbon_count_shader);
+      aim_at_light(count, content);
+      set(count, "layers", layers(content));
+      set(count, "hair_depth", 0, hair_map_->depth);
+      draw_ribbons();
+      gl_.Disable(gl::kBlend);
+    }
+  }
+
+  void draw_samples(const Drawing& drawing, const View& view, const Content& content) {
+    if (!samples_) {
+      samples_ =
+          make_target(gl_, kSamples * settings_.width, kSamples * settings_.height, gl::kRgba16F, true);
+    }
+    clear(*samples_);
+    const std::string header = std::string(content.hair_shadows ? "#define HAIR_SHADOWS\n" : "") +
+                               (content.solid_shadows ? "#define SOLID_SHADOWS\n" : "");
+    if (content.solids) {
+      const gl::Program& program = this->program("mesh", mesh_shader, header);
+      light(program, view, content);
+      mesh_->draw(gl::kTriangles, mesh_->size());
+    }
+    if (content.hair) {
+      const gl::Program& program = this->program("ribbon", ribbon_shader, header);
+      light(program, view, content);
+      set(program, "half_width", content.half_width);
+      set(program, "half_sample", view.tangent_y() / static_cast<float>(kSamples * settings_.height));
+      set(program, "seen_from", Eigen::Vector4f(0, 0, 0, 1));
+      set(program, "root_colour", drawing.strands.root);
+      set(program, "tip_colour", drawing.strands.tip);
+      draw_ribbons();
+    }
+  }
+
+  void resolve() {
+    if (!picture_) {
+      picture_ = make_target(gl_, settings_.width, settings_.height, gl::kRgba8, false);
+      gl_.GenVertexArrays(1, &no_vertices_);
+    }
+    draw_into(gl_, *picture_);
+    gl_.Disable(gl::kDepthTest);
+    const gl::Program& program = this->program("resolve", resolve_shader);
+    set(program, "samples", 0, samples_->colour);
+    gl_.BindVertexArray(no_vertices_);
+    gl_.DrawArrays(gl::kTriangles, 0, 3);
+  }
+
+  // OpenGL's rows go from the bottom up.
+  Image read_back() {
+    const auto width = static_cast<std::size_t>(settings_.width),
+               height = static_cast<std::size_t>(settings_.height);
+    std::vector<std::uint8_t> rgba(4 * width * height);
+    gl_.ReadPixels(0, 0, settings_.width, settings_.height, gl::kRgba, gl::kUnsignedByte, rgba.data());
+    Image image{settings_.width, settings_.height, std::vector<std::uint8_t>(3 * width * height)};
+    for (std::size_t y = 0; y < height; ++y) {
+      const std::uint8_t* from = rgba.data() + 4 * width * (height - 1 - y);
+      std::uint8_t* to = image.pixels.data() + 3 * width * y;
+      for (std::size_t x = 0; x < width; ++x) std::copy_n(from + 4 * x, 3, to + 3 * x);
+    }
+    return image;
+  }
+
+  void clear(const gl::Target& target) {
+    draw_into(gl_, target);
+    gl_.Enable(gl::kDepthTest);
+    gl_.Clear(gl::kColourBufferBit | gl::kDepthBufferBit);
+  }
+
+  void draw_ribbons() {
+    gl_.Enable(gl::kPrimitiveRestart);
+    gl_.PrimitiveRestartIndex(kRestart);
+    ribbons_->draw(gl::kTriangleStrip, ribbons_->size());
+    gl_.Disable(gl::kPrimitiveRestart);
+  }
+
+  float half_texel(const Content& content) const {
+    return content.light.radius / static_cast<float>(map_size(settings_));
+  }
+
+  static Eigen::Vector4f layers(const Content& content) {
+    return kLayers * content.light.radius / LightMap::kDepth;
+  }
+
+  void aim_at_light(const gl::Program& program, const Content& content) {
+    set(program, "to_clip", content.light.to);
+    set(program, "seen_from", Eigen::Vector4f(kKeyLight[0], kKeyLight[1], kKeyLight[2], 0));
+    set(program, "half_width", content.half_width);
+    set(program, "half_sample", half_texel(content));
+  }
+
+  void light(const gl::Program& program, const View& view, const Content& content) {
+    set(program, "to_clip", view.projection());
+    set(program, "key_light", kKeyLight);
+    set(program, "up", view.direction(Vector3d(0, 0, 1)));
+    if (!content.shadows()) return;
+    set(program, "to_light", content.light.to);
+    if (content.hair_shadows) {
+      const float half = half_texel(content);
+      set(program, "opacity", content.half_width / std::max(content.half_width, half));
+      set(program, "layers", layers(content));
+      set(program, "hair_depth", 0, hair_map_->depth);
+      set(program, "hair_count", 1, count_map_->colour);
+    }
+    if (content.solid_shadows) {
+      set(program, "bias", 4 * half_texel(content) / LightMap::kDepth);
+      set(program, "solid_depth", 2, solid_map_->depth);
+    }
+  }
+
+  // Made when it is first needed.
+  const gl::Program& program(const std::string& name, ShaderPair (*shaders)(),
+                             const std::string& header = "") {
+    const auto [place, is_new] = programs_.try_emplace(name + header, nullptr);
+    if (is_new) place->second = std::make_unique<gl::Program>(gl_, shaders(), header);
+    place->second->use();
+    return *place->second;
+  }
+
+  void set(const gl::Program& program, const char* name, float value) {
+    gl_.Uniform1f(program.uniform(name), value);
+  }
+  void set(const gl::Program& program, const char* name, const Eigen::Vector3f& value) {
+    gl_.Uniform3f(program.uniform(name), value[0], value[1], value[2]);
+  }
+  void set(const gl::Program& program, const char* name, const Eigen::Vector4f& value) {
+    gl_.Uniform4f(program.uniform(name), value[0], value[1], value[2], value[3]);
+  }
+  void set(const gl::Program& program, const char* name, const Eigen::Matrix4f& value) {
+    gl_.UniformMatrix4fv(program.uniform(name), 1, 0, value.data());
+  }
+  void set(const gl::Program& program, const char* name, int unit, gl::Name texture) {
+    gl_.ActiveTexture(gl::kTexture0 + static_cast<unsigned>(unit));
+    gl_.BindTexture(gl::kTexture2D, texture);
+    gl_.Uniform1i(program.uniform(name), unit);
+  }
+
+  RenderSettings settings_;
+  GlContext context_;
+  const gl::Functions& gl_;
+  std::map<std::string, std::unique_ptr<gl::Program>> programs_;
+  std::optional<gl::Triangles> ribbons_, mesh_;
+  std::optional<gl::Target> solid_map_, hair_map_, count_map_, samples_, picture_;
+  gl::Name no_vertices_ = 0;
+};
+
+Renderer::Renderer(const RenderSettings& settings) : parts_(std::make_unique<Parts>(settings)) {}
+Renderer::~Renderer() = default;
+
+Image Renderer::draw(const Drawing& drawing, const Camera& camera) {
+  return parts_->draw(drawing, camera);
+}
+
+void Renderer::measure(bool on) {
+  parts_->measured = on;
+}
+
+const RenderTimes& Renderer::times() const {
+  return parts_->times;
+}
+
+std::string Renderer::about() const {
+  return parts_->about();
+}
+
+}  // namespace hair

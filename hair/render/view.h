@@ -1,0 +1,34 @@
+// What a camera sees, in its own axes: x to the right, y up, z towards the eye, which is the origin. The unit
+// is the distance from eye to target, so that a millimetre and a kilometre are drawn with the same numbers.
+#pragma once
+
+#include "hair/render/camera.h"
+
+namespace hair {
+
+// Rows: right, up, back. `back` and `up` may not be parallel.
+Eigen::Matrix3d view_axes(const Vector3d& back, const Vector3d& up);
+
+class View {
+ public:
+  // Throws std::invalid_argument for a camera that looks nowhere.
+  View(const Camera& camera, double aspect);
+
+  // Of a point. What is very far away stays finite.
+  Eigen::Vector3f at(const Vector3d& point) const;
+  Eigen::Vector3f direction(const Vector3d& direction) const { return (axes_ * direction).cast<float>(); }
+  float length(double metres) const;
+
+  float tangent_x() const { return static_cast<float>(tangent_x_); }  // of half the picture's angle of view
+  float tangent_y() const { return static_cast<float>(tangent_y_); }
+
+  // From here to clip space, column by column.
+  Eigen::Matrix4f projection() const;
+
+ private:
+  Eigen::Matrix3d axes_;
+  Vector3d eye_;
+  double unit_, tangent_x_, tangent_y_;
+};
+
+}  // namespace hair
