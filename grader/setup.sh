@@ -15,6 +15,9 @@ libgtest-dev         # GoogleTest: tests, public checks, grading suite
 libbenchmark-dev     # Google Benchmark
 libbullet-dev        # Bullet: its rope is what hair is timed beside
 libstb-dev           # reads and writes images
+libosmesa6           # OpenGL without a window: draws what is graded
+libegl1              # the other way to it: tests compare both
+libegl-mesa0
 nlohmann-json3-dev   # JSON: exercises, courses, results
 libcli11-dev         # the command line of hairgrade
 libarchive-dev       # reads and writes .zip and .tar.gz

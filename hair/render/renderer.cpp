@@ -257,10 +257,10 @@ class Renderer::Parts {
   // Made when it is first needed.
   const gl::Program& program(const std::string& name, ShaderPair (*shaders)(),
                              const std::string& header = "") {
-    const auto [place, is_new] = programs_.try_emplace(name + header, nullptr);
-    if (is_new) place->second = std::make_unique<gl::Program>(gl_, shaders(), header);
-    place->second->use();
-    return *place->second;
+    auto place = programs_.find(name + header);
+    if (place == programs_.end()) place = programs_.try_emplace(name + header, gl_, shaders(), header).first;
+    place->second.use();
+    return place->second;
   }
 
   void set(const gl::Program& program, const char* name, float value) {
@@ -284,7 +284,7 @@ class Renderer::Parts {
   RenderSettings settings_;
   GlContext context_;
   const gl::Functions& gl_;
-  std::map<std::string, std::unique_ptr<gl::Program>> programs_;
+  std::map<std::string, gl::Program> programs_;
   std::optional<gl::Triangles> ribbons_, mesh_;
   std::optional<gl::Target> solid_map_, hair_map_, count_map_, samples_, picture_;
   gl::Name no_vertices_ = 0;
