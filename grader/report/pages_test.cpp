@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "grader/report/base64.h"
 #include "grader/report/gradebook.h"
 #include "grader/report/results_json.h"
 #include "grader/report/sample_results.h"
@@ -39,7 +40,7 @@ TEST(Pages, HostileTextBecomesNoMarkup) {
   const SubmissionResult result = submission_full_of(hostile);
   for (const std::string& page : {student_page(result), staff_page(result), class_page({result})}) {
     EXPECT_EQ(count(page, "<script>alert"), 0u);
-    EXPECT_EQ(count(page, "<img"), 0u);
+    EXPECT_EQ(count(page, "<img src=x"), 0u);
     EXPECT_GT(count(page, "&lt;script&gt;alert(1)&lt;/script&gt; &quot;quoted&#39; &amp;amp; ]]&gt;"), 0u);
     expect_clean(page);
   }
@@ -59,9 +60,11 @@ TEST(Pages, HostileTextKeepsTheGradebookWellFormed) {
 TEST(Pages, LoadNothingAndRunNothingOfTheirText) {
   const std::vector<SubmissionResult> results = sample_class(30);
   for (const std::string& page : {student_page(results[1]), staff_page(results[1]), class_page(results)}) {
-    for (const char* outside : {"http:", "https:", "src=", "@import", "url("})
+    for (const char* outside : {"http:", "https:", "@import", "url("})
       EXPECT_EQ(count(page, outside), 0u) << outside;
-    EXPECT_EQ(count(page, "default-src &#39;none&#39;"), 1u);
+    EXPECT_EQ(count(page, "default-src &#39;none&#39;; img-src data:;"), 1u);
+    EXPECT_GT(count(page, "src="), 0u);
+    EXPECT_EQ(count(page, "src="), count(page, "src=\"data:image/png;base64,"));
     EXPECT_EQ(count(page, "<html lang=\"en\">"), 1u);
     EXPECT_EQ(count(page, "<title>"), 1u);
     EXPECT_EQ(count(page, "<section"), count(page, "</section>"));
@@ -101,6 +104,86 @@ TEST(Pages, WithoutASandboxEveryPageSaysSo) {
   EXPECT_EQ(count(student_json(results[1]), "Graded without a sandbox"), 1u);
   EXPECT_EQ(count(junit_xml(results), "graded without a sandbox"), 1u);
   EXPECT_EQ(count(grades_csv(results), ",no,"), 1u);
+}
+
+TEST(Pages, WithoutPicturesEveryPageSaysSo) {
+  std::vector<SubmissionResult> results = sample_class(2);
+  EXPECT_EQ(count(class_page(results) + student_page(results[1]) + staff_page(results[1]) +
+                      student_json(results[1]) + junit_xml(results),
+                  "raded without pictures"),
+            0u);
+  results[1].images = false;
+  for (const std::string& page : {class_page(results), student_page(results[1]), staff_page(results[1])})
+    EXPECT_EQ(count(page, "Graded without pictures"), 1u);
+  EXPECT_EQ(count(student_page(results[0]), "Graded without pictures"), 0u);
+  EXPECT_EQ(count(student_json(results[1]), "Graded without pictures"), 1u);
+  EXPECT_EQ(count(junit_xml(results), "graded without pictures"), 1u);
+}
+
+TEST(Pages, ShowAMomentsThreePicturesWithTheirDistancesAndInWords) {
+  SubmissionResult result = sample_class(1).front();
+  for (ExerciseResult& exercise : result.exercises) exercise.pictures.clear();
+  result.runs.clear();
+  result.exercises[1].pictures = {{"0.50 s", 0.0123, 0.0456, "theirs", "ours", "heat", 0.01}};
+  for (const std::string& page : {student_page(result), staff_page(result)}) {
+    for (const char* bytes : {"theirs", "ours", "heat"})
+      EXPECT_EQ(count(page, "base64," + base64(bytes) + "\""), 1u) << bytes;
+    EXPECT_EQ(count(page, "<img"), 3u);
+    EXPECT_EQ(count(page, " at 0.50 s\""), 3u);
+    for (const char* words : {"0.0123", "0.0456", "too far, the limit is 0.0100", "<details open>"})
+      EXPECT_GE(count(page, words), 1u) << words;
+  }
+}
+
+TEST(Pages, PicturesWithinTheirLimitAreThereToOpen) {
+  SubmissionResult result = sample_class(1).front();
+  for (ExerciseResult& exercise : result.exercises) exercise.pictures.clear();
+  result.runs.clear();
+  result.exercises[1].pictures = {{"0.50 s", 0.009, 0.0456, "theirs", "ours", "heat", 0.01}};
+  const std::string page = student_page(result);
+  EXPECT_EQ(count(page, "<details><summary>"), 1u);
+  EXPECT_EQ(count(page, "close enough"), 1u);
+  EXPECT_EQ(count(page, "too far"), 0u);
+}
+
+TEST(Pages, TheSamePictureIsShownOnce) {
+  SubmissionResult result = sample_class(1).front();
+  for (ExerciseResult& exercise : result.exercises) exercise.pictures.clear();
+  result.runs.clear();
+  result.exercises[1].pictures = {{"0.50 s", 0, 0, "both", "both", "", 0.01}};
+  const std::string page = student_page(result);
+  EXPECT_EQ(count(page, "<img"), 1u);
+  EXPECT_EQ(count(page, "the same, pixel for pixel"), 1u);
+}
+
+TEST(Pages, TheClassIsSortedByItsWorstPictures) {
+  std::vector<SubmissionResult> results = sample_class(4);
+  for (SubmissionResult& result : results)
+    for (ExerciseResult& exercise : result.exercises) exercise.pictures.clear();
+  const PictureResult near = sample_picture("0.50 s", 1, 0), far = sample_picture("1.00 s", 40, 0),
+                      same = sample_picture("2.00 s", 0, 0);
+  results[0].exercises[2].pictures = {same, near};
+  results[1].exercises[1].pictures = {same};
+  results[2].exercises[0].pictures = {near, far, near};
+  const std::string page = class_page(results);
+  const std::string section = page.substr(page.find("<section id=\"pictures\">"));
+  const std::string rows = section.substr(0, section.find("</section>"));
+  EXPECT_EQ(count(rows, "<tr><th scope=\"row\">"), 2u);
+  const std::size_t first = rows.find("carol.html#S1"), second = rows.find("alice.html#P1");
+  ASSERT_NE(first, std::string::npos);
+  ASSERT_NE(second, std::string::npos);
+  EXPECT_LT(first, second);
+  EXPECT_EQ(count(rows, "S1 at 1.00 s"), 1u + 3);
+  EXPECT_EQ(count(rows, "in all pictures: 1. Without pictures: 1."), 1u);
+  EXPECT_EQ(count(rows, "<img"), 6u);
+}
+
+// A class page of a thousand would hold 60 MB of them.
+TEST(Pages, TheClassShowsPicturesOfTheWorstTwentyAlone) {
+  std::vector<SubmissionResult> results = sample_class(30);
+  const PictureResult far = sample_picture("1.00 s", 40, 0);
+  for (SubmissionResult& result : results) result.exercises[0].pictures = {far};
+  EXPECT_EQ(count(class_page(results), "<img"), 3u * 20);
 }
 
 TEST(Pages, TheClassShowsEverySubmissionAndStatus) {

@@ -3,6 +3,11 @@
 
 #include <array>
 
+#include "grader/compare/compare.h"
+#include "grader/compare/heat_map.h"
+#include "grader/compare/test_pictures.h"
+#include "hair/image/png.h"
+
 namespace grader {
 namespace {
 
@@ -49,9 +54,26 @@ ExerciseResult exercise(const char* id, const char* title, const char* file, dou
 
 }  // namespace
 
+PictureResult sample_picture(const std::string& name, int shift, double limit) {
+  constexpr int kWidth = 160, kHeight = 90;
+  const hair::Image student = strands(kWidth, kHeight, 20, shift), reference = strands(kWidth, kHeight, 20);
+  const ErrorMap map = flip(reference, student);
+  const PictureDistance distance = compare_pictures(reference, student, map);
+  return {name,
+          distance.blurred_rmse,
+          distance.flip_mean,
+          hair::encode_png(student),
+          hair::encode_png(reference),
+          distance.identical ? "" : hair::encode_png(heat_map(map)),
+          limit};
+}
+
 std::vector<SubmissionResult> sample_class(int size) {
   constexpr std::array<const char*, 10> names{"alice",  "bob",   "carol", "dave", "erin",
                                               "faythe", "grace", "heidi", "ivan", "judy"};
+  const std::array<PictureResult, 3> pictures{sample_picture("0.50 s", 0, 0.01),
+                                              sample_picture("0.50 s", 1, 0.01),
+                                              sample_picture("0.50 s", 30, 0.01)};
   std::vector<SubmissionResult> results;
   for (int i = 0; i < size; ++i) {
     SubmissionResult result;
@@ -65,10 +87,19 @@ std::vector<SubmissionResult> sample_class(int size) {
     result.exercises.push_back(
         exercise("P1", "Explicit integrators", "explicit_integrators.cpp", 5, all_statuses[i % 10], i + 2));
     result.exercises.back().extra_credit = true;
+    for (ExerciseResult& one : result.exercises)
+      if (runs(one.status)) {
+        one.pictures.assign(3, pictures[one.status == Status::passed   ? 0
+                                        : one.status == Status::partly ? 1
+                                                                       : 2]);
+        one.pictures[1].name = "1.00 s";
+        one.pictures[2].name = "2.00 s";
+      }
     for (int j = 0; j < 5; ++j)
       result.runs.push_back({"run-" + std::to_string(j), "a hair swings down", static_cast<RunOutcome>(j),
                              "Apart from ours by 1 to 10 % of the scene's size.",
                              "largest distance 0.0314159"});
+    result.runs[1].pictures = {pictures[2]};
     if (i == 14) {
       result.note =
           "handin.tar.gz can't be read: it is damaged or cut short. Pack it again, and check that it opens.";
@@ -113,8 +144,9 @@ SubmissionResult submission_full_of(const std::string& text) {
   exercise.status = Status::wrong;
   exercise.max_points = 10;
   exercise.cases.push_back({text, Status::wrong, 0, 10, text, text});
+  exercise.pictures = {{text, 1, 1, text, text, text}};
   result.exercises.push_back(exercise);
-  result.runs.push_back({text, text, RunOutcome::blew_up, text, text});
+  result.runs.push_back({text, text, RunOutcome::blew_up, text, text, exercise.pictures});
   return result;
 }
 
