@@ -5,44 +5,70 @@
 #include <cmath>
 #include <sstream>
 
+#include "grader/suite/end_to_end_scenes.h"
 #include "grader/suite/trial.h"
-#include "hair/runs.h"
+#include "hair/scene/playback.h"
 
 namespace grader {
 namespace {
 
-constexpr std::uint64_t kMostFrames = 10000;
 // Two ways to add the same numbers are apart by rounding, which a swinging strand makes larger; what is below
 // this nobody sees.
 constexpr double kSame = 1e-3;
 
-// What a worker's server wrote: see grader/worker/serve_runs.cpp.
-hair::RunResult get_run(MessageReader& reply, const hair::Run& run) {
-  std::size_t size = 0;
-  for (const int particles : run.strands) size += 3 * static_cast<std::size_t>(particles);
-  hair::RunResult result;
-  result.trouble = reply.get_text();
+struct Frame {
+  double time;  // s
+  particles::State state;
+  hair::FrameMeasures measures;
+};
+
+// A scene as it was played: its frames until the end, or until it broke.
+struct Play {
+  std::vector<Frame> frames;
+  std::string trouble;  // empty, or where it broke
+};
+
+Frame frame_of(const hair::Playback& playback, double time, particles::State state) {
+  const hair::FrameMeasures measures = playback.measure(state);
+  return {time, std::move(state), measures};
+}
+
+Play play(const hair::Scene& scene) {
+  hair::Playback playback(scene);
+  Play play{{frame_of(playback, 0, playback.state())}, ""};
+  for (int k = 0; k < scene.frames && play.trouble.empty(); ++k) {
+    play.trouble = playback.advance().value_or("");
+    if (play.trouble.empty()) play.frames.push_back(frame_of(playback, playback.time(), playback.state()));
+  }
+  return play;
+}
+
+// What a worker's server wrote: see grader/worker/serve_runs.cpp. Stretch and energy are the reference's of
+// those states.
+Play get_play(MessageReader& reply, const hair::Scene& scene) {
+  const hair::Playback start(scene);
+  const auto size = static_cast<std::size_t>(start.state().x.size());
+  Play play;
+  play.trouble = reply.get_text();
   const auto frames = reply.get<std::uint64_t>();
-  if (frames > kMostFrames) throw MalformedMessage("too many frames");
+  if (frames > static_cast<std::uint64_t>(scene.frames) + 1) throw MalformedMessage("too many frames");
   for (std::uint64_t i = 0; i < frames; ++i) {
-    hair::Frame frame;
-    frame.time = reply.get<double>();
-    for (Eigen::VectorXd* part : {&frame.state.x, &frame.state.v}) {
+    const double time = reply.get<double>();
+    particles::State state;
+    for (Eigen::VectorXd* part : {&state.x, &state.v}) {
       const std::vector<double> values = reply.get_doubles(size);
       *part = Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(size));
     }
-    frame.stretch = reply.get<double>();
-    frame.energy = reply.get<double>();
-    result.frames.push_back(std::move(frame));
+    play.frames.push_back(frame_of(start, time, std::move(state)));
   }
   reply.expect_end();
-  return result;
+  return play;
 }
 
 // The diagonal of the box that holds all particles in all frames.
-double extent(const hair::RunResult& run) {
+double extent(const Play& run) {
   Eigen::Array3d low = Eigen::Array3d::Constant(INFINITY), high = -low;
-  for (const hair::Frame& frame : run.frames)
+  for (const Frame& frame : run.frames)
     for (Eigen::Index i = 0; i < frame.state.x.size(); i += 3) {
       low = low.min(frame.state.x.segment<3>(i).array());
       high = high.max(frame.state.x.segment<3>(i).array());
@@ -59,11 +85,11 @@ struct Difference {
   double energy = 0, our_energy = 0;  // J, at the end
 };
 
-Difference compare(const hair::RunResult& theirs, const hair::RunResult& ours) {
+Difference compare(const Play& theirs, const Play& ours) {
   Difference difference;
   const double size = extent(ours);
   for (std::size_t i = 0; i < std::min(theirs.frames.size(), ours.frames.size()); ++i) {
-    const hair::Frame &a = theirs.frames[i], &b = ours.frames[i];
+    const Frame &a = theirs.frames[i], &b = ours.frames[i];
     double distance = 0;
     for (Eigen::Index j = 0; j < a.state.x.size(); j += 3)
       distance = std::max(distance, (a.state.x.segment<3>(j) - b.state.x.segment<3>(j)).norm() / size);
@@ -72,10 +98,10 @@ Difference compare(const hair::RunResult& theirs, const hair::RunResult& ours) {
       difference.at = b.time;
     }
     if (distance > kSame && difference.first < 0) difference.first = b.time;
-    difference.stretch = std::max(difference.stretch, a.stretch);
-    difference.our_stretch = std::max(difference.our_stretch, b.stretch);
-    difference.energy = a.energy;
-    difference.our_energy = b.energy;
+    difference.stretch = std::max(difference.stretch, a.measures.stretch);
+    difference.our_stretch = std::max(difference.our_stretch, b.measures.stretch);
+    difference.energy = a.measures.energy();
+    difference.our_energy = b.measures.energy();
   }
   return difference;
 }
@@ -96,7 +122,7 @@ std::string lengths(const Difference& difference) {
   return std::string("; lengths are off by ") + band + ", ours by much less";
 }
 
-std::string numbers(const hair::RunResult& theirs, const Difference& difference) {
+std::string numbers(const Play& theirs, const Difference& difference) {
   std::ostringstream text;
   text << "largest distance " << difference.distance << " of the scene's size, at " << seconds(difference.at)
        << "; largest stretch " << difference.stretch << ", the reference's " << difference.our_stretch
@@ -105,14 +131,14 @@ std::string numbers(const hair::RunResult& theirs, const Difference& difference)
   return text.str();
 }
 
-bool all_finite(const hair::RunResult& run) {
-  return std::all_of(run.frames.begin(), run.frames.end(), [](const hair::Frame& frame) {
-    return frame.state.x.allFinite() && frame.state.v.allFinite() && std::isfinite(frame.stretch) &&
-           std::isfinite(frame.energy);
+bool all_finite(const Play& run) {
+  return std::all_of(run.frames.begin(), run.frames.end(), [](const Frame& frame) {
+    return frame.state.x.allFinite() && frame.state.v.allFinite() && std::isfinite(frame.measures.stretch) &&
+           std::isfinite(frame.measures.energy());
   });
 }
 
-void judge(RunResult& result, const hair::RunResult& theirs, const hair::RunResult& ours) {
+void judge(RunResult& result, const Play& theirs, const Play& ours) {
   const Difference difference = compare(theirs, ours);
   result.detail = numbers(theirs, difference);
   if (!all_finite(theirs)) {
@@ -137,16 +163,16 @@ void judge(RunResult& result, const hair::RunResult& theirs, const hair::RunResu
   }
 }
 
-void run_scene(Student& student, const hair::Run& run, RunResult& result) {
+void run_scene(Student& student, const SceneText& text, const hair::Scene& scene, RunResult& result) {
   try {
-    Trial trial(student, Random("", run.name));
-    trial.describe(run.name);
+    Trial trial(student, Random("", text.name));
+    trial.describe(text.name);
     MessageWriter request;
-    request.put(run.name);
+    request.put(text.json);
     MessageReader reply = trial.ask(request, [](int, const auto&, auto&) -> bool {
       throw MalformedMessage("a product that nobody asked for");
     });
-    judge(result, get_run(reply, run), hair::do_run(run.name));
+    judge(result, get_play(reply, scene), play(scene));
   } catch (const CaseFailed& failure) {
     const bool stub = failure.status == Status::not_implemented;
     result.outcome = stub ? RunOutcome::not_run : RunOutcome::failed;
@@ -164,20 +190,22 @@ void run_scene(Student& student, const hair::Run& run, RunResult& result) {
 
 std::vector<RunResult> run_end_to_end(Student& student, const AvailableExercises& exercises) {
   std::vector<RunResult> results;
-  for (const hair::Run& run : hair::runs()) {
+  for (const SceneText& text : end_to_end_scenes()) {
+    const hair::Scene scene = hair::parse_scene(text.json, text.name);
+    const std::vector<std::string> called = hair::exercises_of(scene);
     const auto calls = [&](const auto& ids) {
-      return std::any_of(run.exercises.begin(), run.exercises.end(),
+      return std::any_of(called.begin(), called.end(),
                          [&](const std::string& id) { return ids.count(id) > 0; });
     };
     if (calls(exercises.left_out)) continue;
-    RunResult result{run.name, run.shows, RunOutcome::not_run, "", ""};
+    RunResult result{text.name, scene.shows, RunOutcome::not_run, "", ""};
     if (calls(exercises.unavailable)) {
-      for (const std::string& id : run.exercises)
+      for (const std::string& id : called)
         if (const auto why = exercises.unavailable.find(id); why != exercises.unavailable.end())
           result.feedback += (result.feedback.empty() ? "" : ", ") + id + " " + why->second;
       result.feedback += ".";
     } else {
-      run_scene(student, run, result);
+      run_scene(student, text, scene, result);
     }
     results.push_back(std::move(result));
   }

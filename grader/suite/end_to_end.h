@@ -1,5 +1,5 @@
-// STAFF ONLY. End to end: all of a submission's files together run the scenes of hair/runs.h, beside the
-// reference. What comes out is shown and not scored.
+// STAFF ONLY. End to end: all of a submission's files together run small scenes beside the reference. What
+// comes out is shown and not scored.
 #pragma once
 
 #include <map>
@@ -17,8 +17,8 @@ struct AvailableExercises {
   std::map<std::string, std::string> unavailable;  // why a submission's can't be called: "does not compile"
 };
 
-// A result for each scene of the course, in the order of hair/runs.h. Scenes that can't be run don't start a
-// worker.
+// A result for each scene of the course, in the order of end_to_end_scenes.h. Scenes that can't be run don't
+// start a worker.
 std::vector<RunResult> run_end_to_end(Student& student, const AvailableExercises& exercises);
 
 }  // namespace grader

@@ -39,6 +39,13 @@ std::vector<double> MessageReader::get_doubles(std::size_t expected) {
   return values;
 }
 
+std::string MessageReader::get_document() {
+  const auto size = get<std::uint64_t>();
+  if (size > bytes_.size() - at_) throw MalformedMessage("a text that is longer than its message");
+  if (size == 0) return {};
+  return {reinterpret_cast<const char*>(take(size)), size};
+}
+
 std::string MessageReader::get_text() {
   constexpr std::uint64_t kMost = 1000;
   const auto size = get<std::uint64_t>();

@@ -50,6 +50,7 @@ class MessageReader {
   std::vector<double> get_doubles();
   std::vector<double> get_doubles(std::size_t expected);  // MalformedMessage for another number of them
   std::string get_text();  // its first 1000 bytes, control characters as spaces: the sender may be anybody
+  std::string get_document();  // all of a text, as it is: from a sender who is trusted
   void expect_end() const;
 
  private:

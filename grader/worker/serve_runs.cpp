@@ -1,19 +1,29 @@
-// STAFF ONLY. Serves the scenes of hair/runs.h, with all of a submission's files together.
+// STAFF ONLY. Plays a scene with all of a submission's files together.
 //
-//   name -> trouble, number of frames; of each: time, x, v, stretch, energy
+//   JSON -> trouble, number of frames; of each: time, x, v
+#include <vector>
+
 #include "grader/worker/session.h"
-#include "hair/runs.h"
+#include "hair/scene/playback.h"
 
 extern "C" __attribute__((visibility("default"))) void serve(grader::Session& session) {
-  const hair::RunResult run = hair::do_run(session.request.get_text());
+  const hair::Scene scene = hair::parse_scene(session.request.get_document(), "scene");
+  hair::Playback playback(scene);
+  struct Frame {
+    double time;
+    particles::State state;
+  };
+  std::vector<Frame> frames{{0, playback.state()}};
+  std::string trouble;
+  for (int k = 0; k < scene.frames && trouble.empty(); ++k) {
+    trouble = playback.advance().value_or("");
+    if (trouble.empty()) frames.push_back({playback.time(), playback.state()});
+  }
+
   const auto span = [](const Eigen::VectorXd& values) {
     return std::span<const double>(values.data(), static_cast<std::size_t>(values.size()));
   };
-  session.reply.put(run.trouble).put(static_cast<std::uint64_t>(run.frames.size()));
-  for (const hair::Frame& frame : run.frames)
-    session.reply.put(frame.time)
-        .put(span(frame.state.x))
-        .put(span(frame.state.v))
-        .put(frame.stretch)
-        .put(frame.energy);
+  session.reply.put(trouble).put(static_cast<std::uint64_t>(frames.size()));
+  for (const Frame& frame : frames)
+    session.reply.put(frame.time).put(span(frame.state.x)).put(span(frame.state.v));
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <set>
@@ -27,10 +28,14 @@ std::string read_text(const std::filesystem::path& file) {
   errno = 0;
   std::ifstream in(file, std::ios::binary);
   if (!in) fail(errno);
-  std::ostringstream text;
-  text << in.rdbuf();
+  std::string text;
+  std::array<char, 65536> part;
+  while (in.read(part.data(), part.size()), in.gcount() > 0) {
+    text.append(part.data(), static_cast<std::size_t>(in.gcount()));
+    if (text.size() > kMostJsonBytes) fail(EFBIG);
+  }
   if (in.bad()) fail(errno ? errno : EIO);
-  return std::move(text).str();
+  return text;
 }
 
 std::string line_and_column(const std::string& text, std::size_t byte) {
@@ -39,6 +44,12 @@ std::string line_and_column(const std::string& text, std::size_t byte) {
   const std::size_t start = before.rfind('\n');
   const std::size_t column = before.size() - (start == std::string_view::npos ? 0 : start + 1) + 1;
   return "line " + std::to_string(line) + ", column " + std::to_string(column);
+}
+
+std::string listed(std::initializer_list<std::string_view> words) {
+  std::string list;
+  for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + std::string(word);
+  return list;
 }
 
 // The library's reason, without its own prefix and position: "syntax error while parsing ...".
@@ -59,7 +70,10 @@ json read_json(const std::filesystem::path& file) {
 json parse_json(const std::string& text, const std::string& file) {
   const std::string name = printable(file, 4096);
   std::vector<std::set<std::string>> keys;
-  const auto no_key_twice = [&](int, json::parse_event_t event, json& parsed) {
+  const auto no_key_twice = [&](int depth, json::parse_event_t event, json& parsed) {
+    if (depth > kMostJsonDepth)
+      throw BadInput(name + ": more than " + std::to_string(kMostJsonDepth) +
+                     " lists and objects within each other; nothing here needs as many");
     if (event == json::parse_event_t::object_start) keys.emplace_back();
     if (event == json::parse_event_t::object_end) keys.pop_back();
     if (event == json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second) {
@@ -101,10 +115,8 @@ std::vector<std::string> JsonValue::keys() const {
 
 void JsonValue::check_keys(std::initializer_list<std::string_view> required,
                            std::initializer_list<std::string_view> optional) const {
-  std::string known;
-  for (const auto& list : {required, optional}) {
-    for (const std::string_view key : list) known += (known.empty() ? "" : ", ") + std::string(key);
-  }
+  const std::string known =
+      listed(required) + (required.size() > 0 && optional.size() > 0 ? ", " : "") + listed(optional);
   for (const std::string& key : keys()) {
     const auto names = [&](std::initializer_list<std::string_view> list) {
       return std::find(list.begin(), list.end(), key) != list.end();
@@ -148,6 +160,46 @@ std::vector<std::string> JsonValue::texts() const {
     texts.push_back(item.text());
   }
   return texts;
+}
+
+long JsonValue::whole_number(long lowest, long highest) const {
+  const double number = value_->is_number() ? value_->get<double>() : NAN;
+  if (!(number >= static_cast<double>(lowest) && number <= static_cast<double>(highest)) ||
+      std::floor(number) != number) {
+    fail(shown() + " is not right; give a whole number from " + std::to_string(lowest) + " to " +
+         std::to_string(highest));
+  }
+  return static_cast<long>(number);
+}
+
+std::array<double, 3> JsonValue::three_numbers(double lowest, double highest) const {
+  if (!value_->is_array() || value_->size() != 3)
+    fail(shown() + " is not a list of three numbers, [x, y, z]");
+  const std::vector<JsonValue> parts = items();
+  return {parts[0].number(lowest, highest), parts[1].number(lowest, highest),
+          parts[2].number(lowest, highest)};
+}
+
+bool JsonValue::boolean() const {
+  if (!value_->is_boolean()) fail(shown() + " is not right; write true or false");
+  return value_->get<bool>();
+}
+
+std::size_t JsonValue::word(std::initializer_list<std::string_view> words) const {
+  if (value_->is_string()) {
+    const auto found = std::find(words.begin(), words.end(), value_->get_ref<const std::string&>());
+    if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  }
+  fail(shown() + " is not right; write one of: " + listed(words));
+}
+
+std::string JsonValue::only_key(std::initializer_list<std::string_view> choices) const {
+  const std::vector<std::string> found = keys();
+  if (found.size() != 1)
+    fail("has " + std::to_string(found.size()) + " keys; give one of: " + listed(choices));
+  if (std::find(choices.begin(), choices.end(), found[0]) == choices.end())
+    fail("unknown key \"" + printable(found[0]) + "\"; known here: " + listed(choices));
+  return found[0];
 }
 
 double JsonValue::number(double lowest, double highest) const {

@@ -2,6 +2,7 @@
 // passed over.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
@@ -11,8 +12,11 @@
 
 namespace hair {
 
+inline constexpr std::size_t kMostJsonBytes = 64 << 20;
+inline constexpr int kMostJsonDepth = 64;
+
 // A file's JSON. Throws BadInput with file, line and column; a key that stands twice in an object is an
-// error, too.
+// error, too, and so is a file of more than kMostJsonBytes or a value within more than kMostJsonDepth others.
 nlohmann::json read_json(const std::filesystem::path& file);
 
 // The same of text that is at hand; `name` stands for the file in what is thrown.
@@ -35,6 +39,12 @@ class JsonValue {
   std::string text() const;                // a string that is not empty
   std::vector<std::string> texts() const;  // an array of such strings, no two of them equal
   double number(double lowest, double highest) const;
+  long whole_number(long lowest, long highest) const;                        // also written as 3.0 or 3e2
+  std::array<double, 3> three_numbers(double lowest, double highest) const;  // an array of them
+  bool boolean() const;
+  std::size_t word(std::initializer_list<std::string_view> words) const;  // one of them: which
+  // An object's only key, one of `choices`.
+  std::string only_key(std::initializer_list<std::string_view> choices) const;
 
   [[noreturn]] void fail(const std::string& what) const;
 

@@ -1,0 +1,34 @@
+#include "hair/scene/json/parts.h"
+#include "hair/scene/json/values.h"
+
+namespace hair::json {
+
+namespace {
+
+Vector3d colour_or(const JsonValue& object, const std::string& key, const Vector3d& otherwise) {
+  if (!object.has(key)) return otherwise;
+  const auto parts = object[key].three_numbers(0, 1);
+  return {parts[0], parts[1], parts[2]};
+}
+
+int pixels_or(const JsonValue& object, const std::string& key, int otherwise) {
+  return object.has(key) ? static_cast<int>(object[key].whole_number(16, 8192)) : otherwise;
+}
+
+}  // namespace
+
+Look read_look(const JsonValue& object) {
+  object.check_keys({},
+                    {"width", "root_colour", "tip_colour", "view", "image_width", "image_height", "shadows"});
+  Look look;
+  look.width = number_or(object, "width", look.width, 1e-6, 1);
+  look.root_colour = colour_or(object, "root_colour", look.root_colour);
+  look.tip_colour = colour_or(object, "tip_colour", look.tip_colour);
+  if (object.has("view")) look.view = direction(object["view"]);
+  look.image_width = pixels_or(object, "image_width", look.image_width);
+  look.image_height = pixels_or(object, "image_height", look.image_height);
+  look.shadows = boolean_or(object, "shadows", look.shadows);
+  return look;
+}
+
+}  // namespace hair::json

@@ -1,0 +1,16 @@
+// Roots of a group of strands, from JSON.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "hair/files/strict_json.h"
+#include "hair/rest_shape.h"
+
+namespace hair::json {
+
+// `expect` is told how many there will be before there are any, and throws for too many.
+std::vector<RootFrame> read_roots(const JsonValue& object,
+                                  const std::function<void(const JsonValue& where, long count)>& expect);
+
+}  // namespace hair::json

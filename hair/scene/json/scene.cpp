@@ -1,0 +1,131 @@
+#include <cmath>
+
+#include "hair/scene/json/parts.h"
+#include "hair/scene/json/values.h"
+
+namespace hair::json {
+
+namespace {
+
+// The exercises that this course has.
+bool has_exercise(const std::string& id) {
+  const char* const there[] = {
+#ifdef HAIR_HAS_S1
+      "S1",
+#endif
+#ifdef HAIR_HAS_P1
+      "P1",
+#endif
+#ifdef HAIR_HAS_P2
+      "P2",
+#endif
+#ifdef HAIR_HAS_H1
+      "H1",
+#endif
+#ifdef HAIR_HAS_H2
+      "H2",
+#endif
+#ifdef HAIR_HAS_H3
+      "H3",
+#endif
+#ifdef HAIR_HAS_H4
+      "H4",
+#endif
+#ifdef HAIR_HAS_H5
+      "H5",
+#endif
+#ifdef HAIR_HAS_H6
+      "H6",
+#endif
+      ""};
+  for (const char* const one : there)
+    if (id == one) return true;
+  return false;
+}
+
+void read_times(const JsonValue& object, Scene& scene) {
+  scene.frames = static_cast<int>(object["frames"].whole_number(1, kMostFrames));
+  scene.frames_per_second = number_or(object, "frames_per_second", scene.frames_per_second, 1e-3, 1e6);
+  if (object.has("step") && object.has("steps_per_frame"))
+    object["step"].fail("\"steps_per_frame\" says it already; keep one of the two");
+  if (object.has("steps_per_frame"))
+    scene.steps_per_frame = static_cast<int>(object["steps_per_frame"].whole_number(1, 1'000'000));
+  if (object.has("step")) {
+    const double steps = 1 / (scene.frames_per_second * object["step"].number(1e-9, 10));
+    if (!(std::abs(steps - std::round(steps)) <= 1e-6 * steps) || steps > 1e6 + 0.5)
+      object["step"].fail("makes " + nlohmann::json(steps).dump() +
+                          " steps a frame; give one that makes a whole number, from 1 to 1000000");
+    scene.steps_per_frame = static_cast<int>(std::lround(steps));
+  }
+  scene.hair.step = 1 / (scene.frames_per_second * scene.steps_per_frame);
+}
+
+void read_method(const JsonValue& object, Description& hair) {
+  if (object.has("method")) {
+    constexpr Method kMethods[] = {Method::forward_euler,  Method::symplectic_euler,
+                                   Method::midpoint,       Method::runge_kutta_4,
+                                   Method::implicit_euler, Method::predictor_corrector};
+    hair.method = kMethods[object["method"].word({"forward_euler", "symplectic_euler", "midpoint",
+                                                  "runge_kutta_4", "implicit_euler", "predictor_corrector"})];
+  }
+  if (object.has("geometric_term")) {
+    constexpr GeometricTerm kTerms[] = {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped};
+    hair.geometric_term = kTerms[object["geometric_term"].word({"full", "filtered", "dropped"})];
+  }
+  if (object.has("bend_product")) {
+    constexpr BendProduct kProducts[] = {BendProduct::exact, BendProduct::spd};
+    hair.bend_product = kProducts[object["bend_product"].word({"exact", "definite"})];
+  }
+  hair.tolerance = number_or(object, "tolerance", hair.tolerance, 0, 1);
+}
+
+// What has nothing that it could be for.
+void check_use(const JsonValue& object, const Reading& reading) {
+  if (reading.particles == 0) object.fail("there is nothing that moves; give \"hair\" or \"toys\"");
+  if (reading.scene.hair.strands.empty()) {
+    for (const char* key : {"method", "drag", "geometric_term", "bend_product", "obstacles"})
+      if (object.has(key)) object[key].fail("is for hair, and there is none; leave it out");
+  }
+  for (const auto& [name, rider] : reading.motions)
+    if (reading.scene.riders[rider].strands.empty() && reading.scene.riders[rider].obstacles.empty())
+      object["motions"].fail("nothing moves with \"" + name +
+                             "\"; write it as \"moves_with\", or leave it out");
+}
+
+}  // namespace
+
+void Reading::expect(const JsonValue& where, long strands, long of_each) {
+  particles += strands * of_each;
+  if (particles > kMostParticles)
+    where.fail("makes " + std::to_string(particles) + " particles in all; a scene has at most " +
+               std::to_string(kMostParticles));
+  if (particles * scene.frames > kMostStates)
+    where.fail("makes " + std::to_string(particles) + " particles in " + std::to_string(scene.frames) +
+               " frames; particles times frames are at most " + std::to_string(kMostStates));
+}
+
+Scene scene_of(const nlohmann::json& document, const std::filesystem::path& file, Reading reading) {
+  const JsonValue object(document, file);
+  object.check_keys({"shows", "frames"}, {"frames_per_second", "steps_per_frame", "step", "gravity", "wind",
+                                          "method", "drag", "geometric_term", "bend_product", "tolerance",
+                                          "hair", "obstacles", "motions", "toys", "render"});
+  Scene& scene = reading.scene;
+  scene.name = file.stem().string();
+  scene.shows = object["shows"].text();
+  read_times(object, scene);
+  read_method(object, scene.hair);
+  scene.hair.gravity = vector_or(object, "gravity", scene.hair.gravity, kFast);
+  scene.hair.wind = vector_or(object, "wind", scene.hair.wind, kFast);
+  scene.hair.drag = number_or(object, "drag", scene.hair.drag, 0, 1e6);
+  if (object.has("motions")) read_motions(object["motions"], reading);
+  if (object.has("obstacles")) read_obstacles(object["obstacles"], reading);
+  if (object.has("hair")) read_hair(object["hair"], reading);
+  if (object.has("toys")) read_toys(object["toys"], reading);
+  if (object.has("render")) scene.look = read_look(object["render"]);
+  check_use(object, reading);
+  for (const std::string& id : exercises_of(scene))
+    if (!has_exercise(id)) object.fail("needs exercise " + id + ", which this course leaves out");
+  return std::move(scene);
+}
+
+}  // namespace hair::json

@@ -1,0 +1,9 @@
+#include "hair/scene/json/parts.h"
+
+namespace hair {
+
+Scene parse_scene(const std::string& text, const std::string& name) {
+  return json::scene_of(parse_json(text, name), name, {});
+}
+
+}  // namespace hair
