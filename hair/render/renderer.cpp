@@ -244,12 +244,14 @@ class Renderer::Parts {
     if (content.hair_shadows) {
       const float half = half_texel(content);
       set(program, "opacity", content.half_width / std::max(content.half_width, half));
+      set(program, "skip", 2 * std::max(content.half_width, half) / LightMap::kDepth);
       set(program, "layers", layers(content));
       set(program, "hair_depth", 0, hair_map_->depth);
       set(program, "hair_count", 1, count_map_->colour);
     }
     if (content.solid_shadows) {
-      set(program, "bias", 4 * half_texel(content) / LightMap::kDepth);
+      set(program, "bias", 3 * half_texel(content) / LightMap::kDepth);
+      set(program, "away", 4 * half_texel(content));
       set(program, "solid_depth", 2, solid_map_->depth);
     }
   }

@@ -5,12 +5,12 @@
 namespace hair {
 namespace {
 
-// As many pieces in a strand as make a curl round.
-constexpr int kPieces = 90;
+// A strand is drawn in at least as many pieces, so that its bends are round.
+constexpr int kPieces = 60;
 
 // In how many pieces a segment is drawn. Two points are a straight line.
 int pieces_of(int points) {
-  return points <= 2 ? 1 : std::clamp(kPieces / (points - 1), 1, 12);
+  return points <= 2 ? 1 : std::clamp((kPieces + points - 2) / (points - 1), 1, 12);
 }
 
 // A number from -1 to 1 for each strand, without a pattern. The steps are those of the finaliser of

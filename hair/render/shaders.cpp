@@ -36,12 +36,12 @@ const std::string kShadow = R"(
 uniform mat4 to_light;
 uniform float opacity;    // of a strand in a texel that it meets
 uniform vec4 layers;      // where the layers end, in the map's depth
-uniform float bias;
+uniform float bias, skip, away;  // so that no surface and no strand shades itself: in depth, and along its normal
 uniform sampler2D hair_depth, hair_count, solid_depth;
 #ifdef HAIR_SHADOWS
 float hairs_at(ivec2 texel, float depth) {
   if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, textureSize(hair_depth, 0)))) return 0.0;
-  float behind = depth - texelFetch(hair_depth, texel, 0).r;
+  float behind = depth - skip - texelFetch(hair_depth, texel, 0).r;
   if (behind <= 0.0) return 0.0;
   vec4 count = texelFetch(hair_count, texel, 0), begin = vec4(0.0, layers.xyz);
   return dot(count - vec4(0.0, count.xyz), clamp((behind - begin) / (layers - begin), 0.0, 1.0));
@@ -105,14 +105,14 @@ void main() {
   vec3 towards = normalize(eye - dot(eye, t) * t);
   vec3 own = mix(root_colour, tip_colour, along) * (1.0 + 0.3 * tone);
   float hairs = hairs_before(place);
-  vec3 key = past_solids(place) * exp(-0.45 * hairs * vec3(0.85, 1.0, 1.15));
-  float open = 0.35 + 0.65 * exp(-0.2 * hairs);
+  vec3 key = past_solids(place) * exp(-0.5 * hairs * vec3(0.85, 1.0, 1.15));
+  float open = 0.3 + 0.7 * exp(-0.25 * hairs);
   float sky = 0.65 + 0.35 * dot(towards, up);
   vec3 half_way = normalize(key_light + eye);
   vec3 fill = normalize(vec3(0.8, 0.15, 0.5));
-  vec3 body = own * (1.5 * key * diffuse(t, key_light) + open * (0.35 * diffuse(t, fill) + 0.55 * sky));
-  vec3 shine = key * (0.16 * lobe(t, towards, half_way, -0.10 + 0.04 * tone, 70.0) +
-                      1.6 * own * lobe(t, towards, half_way, 0.14 + 0.06 * tone, 18.0));
+  vec3 body = own * (0.9 * key * diffuse(t, key_light) + open * (0.2 * diffuse(t, fill) + 0.4 * sky));
+  vec3 shine = key * (0.22 * lobe(t, towards, half_way, -0.10 + 0.04 * tone, 90.0) +
+                      1.5 * own * lobe(t, towards, half_way, 0.14 + 0.06 * tone, 20.0));
   colour = vec4(min((body + shine) * (1.0 - 0.3 * side * side), 1.0), 1);
 }
 )";
@@ -142,7 +142,7 @@ void main() {
   vec3 eye = normalize(-place), n = normalize(facing);
   n = dot(n, eye) < 0.0 ? -n : n;
   float hairs = hairs_before(place);
-  float key = past_solids(place) * exp(-0.9 * hairs) * max((dot(n, key_light) + 0.1) / 1.1, 0.0);
+  float key = past_solids(place + away * n) * exp(-0.9 * hairs) * max((dot(n, key_light) + 0.1) / 1.1, 0.0);
   float sky = 0.6 + 0.4 * dot(n, up);
   float fill = max(dot(n, normalize(vec3(0.8, 0.15, 0.5))), 0.0);
   float shine = pow(max(dot(n, normalize(key_light + eye)), 0.0), 30.0);
