@@ -11,8 +11,8 @@ namespace hair {
 
 namespace {
 
-// What has no size is taken to be as large as this.
-constexpr double kSmallest = 1e-3;  // m
+// What is smaller than the one is taken to be as large as the other.
+constexpr double kNoSize = 1e-9, kSmallest = 1e-3;  // m
 
 }  // namespace
 
@@ -25,7 +25,7 @@ Camera frame_camera(const Bounds& bounds, double aspect, const Vector3d& directi
   const double size = (box.high - box.low).maxCoeff();
   particles::require(std::isfinite(size) && size < 1e100, "the size of what is to be seen", size,
                      "at most 1e100 m");
-  if (size < kSmallest * 1e-3) {
+  if (size < kNoSize) {
     box.low.array() -= kSmallest;
     box.high.array() += kSmallest;
   }

@@ -42,6 +42,9 @@ void check_drawing(const Drawing& drawing) {
     check_colour(strands.root, "roots");
     check_colour(strands.tip, "tips");
   }
+  const std::size_t round = drawing.tubes.size() + drawing.balls.size() + drawing.rings.size();
+  require(round <= kMostRound, "the number of tubes, balls and rings", static_cast<double>(round),
+          "at most 100000");
   for (const Tube& tube : drawing.tubes) {
     check_points({tube.a, tube.b}, "a tube");
     particles::require_positive("the radius of a tube", tube.radius);
@@ -63,6 +66,7 @@ void check_drawing(const Drawing& drawing) {
     require(sheet.rows >= 2 && sheet.columns >= 2, "the rows or columns of a sheet",
             sheet.rows < sheet.columns ? sheet.rows : sheet.columns, "at least 2");
     const auto size = static_cast<double>(sheet.rows) * sheet.columns;
+    require(size <= 1e6, "the number of a sheet's points", size, "at most a million");
     require(size == static_cast<double>(sheet.points.size()), "the number of a sheet's points",
             static_cast<double>(sheet.points.size()), "its rows times its columns");
     check_points(sheet.points, "a sheet");

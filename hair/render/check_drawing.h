@@ -5,10 +5,10 @@
 
 namespace hair {
 
-inline constexpr std::size_t kMostStrandPoints = 20'000'000;
+inline constexpr std::size_t kMostStrandPoints = 20'000'000, kMostRound = 100'000;
 
 // Throws std::invalid_argument, which names what is wrong: a number that is not finite, a radius or width
-// that is not positive, sizes that don't match their points, more points than kMostStrandPoints.
+// that is not positive, sizes that don't match their points, more than there is memory for.
 void check_drawing(const Drawing& drawing);
 
 }  // namespace hair

@@ -76,6 +76,7 @@ inline constexpr Enum kNoError = 0;
   X(void, TexParameteri, (Enum, Enum, int))                                            \
   X(void, Uniform1f, (int, float))                                                     \
   X(void, Uniform1i, (int, int))                                                       \
+  X(void, Uniform2f, (int, float, float))                                              \
   X(void, Uniform3f, (int, float, float, float))                                       \
   X(void, Uniform4f, (int, float, float, float, float))                                \
   X(void, UniformMatrix4fv, (int, int, unsigned char, const float*))                   \

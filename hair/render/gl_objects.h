@@ -33,7 +33,8 @@ struct Target {
   int width = 0, height = 0;
 };
 
-// `colour_format` 0: no colours. `depth`: a texture to use, that of another target if one is given; 0: a new one.
+// `colour_format` 0: no colours. `depth`: a texture to use, that of another target if one is given; 0: a new
+// one.
 Target make_target(const Functions& gl, int width, int height, Enum colour_format, bool with_depth,
                    Name depth = 0);
 void draw_into(const Functions& gl, const Target& target);

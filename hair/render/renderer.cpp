@@ -128,7 +128,7 @@ class Renderer::Parts {
       if (!solid_map_) solid_map_ = make_target(gl_, size, size, 0, true);
       clear(*solid_map_);
       const gl::Program& program = this->program("mesh depth", mesh_depth_shader);
-      set(program, "to_clip", content.light.to);
+      aim(program, content.light.to, *solid_map_);
       mesh_->draw(gl::kTriangles, content.casting);
     }
     if (content.hair_shadows) {
@@ -228,15 +228,21 @@ class Renderer::Parts {
     return kLayers * content.light.radius / LightMap::kDepth;
   }
 
+  void aim(const gl::Program& program, const Eigen::Matrix4f& to_clip, const gl::Target& target) {
+    set(program, "to_clip", to_clip);
+    gl_.Uniform2f(program.uniform("grid"), 128.0F * static_cast<float>(target.width),
+                  128.0F * static_cast<float>(target.height));
+  }
+
   void aim_at_light(const gl::Program& program, const Content& content) {
-    set(program, "to_clip", content.light.to);
+    aim(program, content.light.to, *hair_map_);
     set(program, "seen_from", Eigen::Vector4f(kKeyLight[0], kKeyLight[1], kKeyLight[2], 0));
     set(program, "half_width", content.half_width);
     set(program, "half_sample", half_texel(content));
   }
 
   void light(const gl::Program& program, const View& view, const Content& content) {
-    set(program, "to_clip", view.projection());
+    aim(program, view.projection(), *samples_);
     set(program, "key_light", kKeyLight);
     set(program, "up", view.direction(Vector3d(0, 0, 1)));
     if (!content.shadows()) return;

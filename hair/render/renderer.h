@@ -21,7 +21,7 @@ class NoOpenGl : public std::runtime_error {
 struct RenderSettings {
   int width = 1280, height = 720;  // pixels, 16 to 4096
   bool shadows = true;             // without, what a shadow needs is not there
-  std::string library;             // that brings OpenGL, such as "libEGL.so.1"; empty: OSMesa, else EGL
+  std::string library = {};        // that brings OpenGL, such as "libEGL.so.1"; empty: OSMesa, else EGL
 };
 
 // What each part of the pipeline took, in seconds, summed over all pictures. The clock waits for OpenGL to

@@ -3,9 +3,19 @@
 namespace hair {
 namespace {
 
+// Rasterisers round corners to their own grid, of 1/256 of a sample where they have one. Corners that are
+// already on it are met alike by all of them.
+const std::string kOnGrid = R"(
+uniform vec2 grid;  // steps in half the picture's width and height
+vec4 on_grid(vec4 clip) {
+  if (clip.w > 0.0) clip.xy = round(clip.xy / clip.w * grid) / grid * clip.w;
+  return clip;
+}
+)";
+
 // A strand's point goes half a width to either side, across what it is seen along; never less than half a
 // sample, so that thin hair does not break up. seen_from is the eye, or the direction to the light with a 0.
-const std::string kRibbonVertex = R"(
+const std::string kRibbonVertex = kOnGrid + R"(
 layout(location = 0) in vec3 at;
 layout(location = 1) in vec3 tangent;
 layout(location = 2) in vec2 along_tone;
@@ -24,14 +34,14 @@ void main() {
   place = at + side * max(half_width, least) * across;
   direction = tangent;
   along_tone_side = vec3(along_tone, side);
-  gl_Position = to_clip * vec4(place, 1);
+  gl_Position = on_grid(to_clip * vec4(place, 1));
 }
 )";
 
 // How much of the key light comes through. Hair: deep opacity maps, C. Yuksel and J. Keyser, "Deep Opacity
 // Maps", Computer Graphics Forum 27(2), 2008: strands are counted in layers that begin where the light first
-// meets hair, so that layers follow the hair's shape. Between layers, and between a map's texels, the count is
-// interpolated. All else: a depth map.
+// meets hair, so that layers follow the hair's shape. Between layers, and between a map's texels, the count
+// is interpolated. All else: a depth map.
 const std::string kShadow = R"(
 uniform mat4 to_light;
 uniform float opacity;    // of a strand in a texel that it meets
@@ -84,8 +94,8 @@ float past_solids(vec3 at) {
 
 // J. T. Kajiya and T. L. Kay, "Rendering Fur with Three Dimensional Textures", SIGGRAPH 1989: what a strand
 // throws back depends on its direction alone. Two highlights, one shifted to the root and white, one to the
-// tip and of the hair's colour, as S. R. Marschner et al., "Light Scattering from Human Hair Fibers" (SIGGRAPH
-// 2003) found them.
+// tip and of the hair's colour, as S. R. Marschner et al., "Light Scattering from Human Hair Fibers"
+// (SIGGRAPH 2003) found them.
 const std::string kRibbonFragment = R"(
 in vec3 place, direction;
 in vec3 along_tone_side;
@@ -117,7 +127,7 @@ void main() {
 }
 )";
 
-const std::string kMeshVertex = R"(
+const std::string kMeshVertex = kOnGrid + R"(
 layout(location = 0) in vec3 at;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 paint;
@@ -128,7 +138,7 @@ void main() {
   place = at;
   facing = normal;
   own = paint;
-  gl_Position = to_clip * vec4(at, 1);
+  gl_Position = on_grid(to_clip * vec4(at, 1));
 }
 )";
 

@@ -1,0 +1,98 @@
+// What another machine may draw: another library, vectors of another width, another driver. Each draws in a
+// process of its own.
+#include <gtest/gtest.h>
+#include <spawn.h>
+#include <stdlib.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "hair/image/png.h"
+#include "hair/image/same_picture.h"
+#include "hair/render/renderer.h"
+#include "hair/render/test_drawing.h"
+
+namespace hair {
+namespace {
+
+Image drawn_here() {
+  const TestScene scene = test_scene(16.0 / 9);
+  return Renderer({.width = 240, .height = 135}).draw(scene.drawing, scene.camera);
+}
+
+// Drawn in a fresh process with one more variable in its environment.
+Image drawn_there(const std::string& library, const std::string& variable) {
+  const std::filesystem::path file =
+      std::filesystem::temp_directory_path() / ("hair-other-machine-" + std::to_string(getpid()) + ".png");
+  std::vector<std::string> words = {HAIR_DRAW_TEST_SCENE, library, file.string()};
+  std::vector<char*> arguments, environment;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  for (char** one = environ; *one != nullptr; ++one) environment.push_back(*one);
+  std::string added = variable;
+  if (!added.empty()) environment.push_back(added.data());
+  environment.push_back(nullptr);
+  pid_t child = 0;
+  int status = -1;
+  if (posix_spawn(&child, HAIR_DRAW_TEST_SCENE, nullptr, nullptr, arguments.data(), environment.data()) ==
+      0) {
+    waitpid(child, &status, 0);
+  }
+  Image image;
+  if (status == 0) image = read_png(file);
+  std::error_code ignored;
+  std::filesystem::remove(file, ignored);
+  return image;
+}
+
+bool has(const std::string& library) {
+  try {
+    const Renderer renderer({.width = 16, .height = 16, .library = library});
+    return true;
+  } catch (const NoOpenGl&) {
+    return false;
+  }
+}
+
+std::string difference(const Image& a, const Image& b) {
+  if (a.pixels.size() != b.pixels.size()) return "sizes differ";
+  std::size_t off = 0;
+  double squares = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    const int d = a.pixels[i] - b.pixels[i];
+    off += d > 2 || d < -2 ? 1 : 0;
+    squares += d * d;
+  }
+  return std::to_string(off) + " of " + std::to_string(a.pixels.size()) +
+         " values are off by more than 2, RMSE " +
+         std::to_string(std::sqrt(squares / static_cast<double>(a.pixels.size()))) + " / 255";
+}
+
+TEST(OtherMachine, AFreshProcessDrawsTheSameBytes) {
+  EXPECT_TRUE(drawn_there("", "") == drawn_here());
+}
+
+TEST(OtherMachine, EglDrawsTheSamePicture) {
+  if (!has("libEGL.so.1")) GTEST_SKIP() << "no EGL here";
+  const Image here = drawn_here(), there = drawn_there("libEGL.so.1", "");
+  RecordProperty("difference", difference(here, there));
+  EXPECT_TRUE(same_on_another_machine(here, there)) << difference(here, there);
+}
+
+TEST(OtherMachine, NarrowerVectorsDrawTheSamePicture) {
+  const Image here = drawn_here(), there = drawn_there("", "LP_NATIVE_VECTOR_WIDTH=128");
+  RecordProperty("difference", difference(here, there));
+  EXPECT_TRUE(same_on_another_machine(here, there)) << difference(here, there);
+}
+
+TEST(OtherMachine, AnotherDriverDrawsTheSamePicture) {
+  const Image here = drawn_here(), there = drawn_there("", "GALLIUM_DRIVER=softpipe");
+  RecordProperty("difference", difference(here, there));
+  EXPECT_TRUE(same_on_another_machine(here, there)) << difference(here, there);
+}
+
+}  // namespace
+}  // namespace hair

@@ -1,0 +1,18 @@
+// A drawing with something of everything, for tests.
+#pragma once
+
+#include "hair/render/camera.h"
+#include "hair/render/drawing.h"
+
+namespace hair {
+
+struct TestScene {
+  Drawing drawing;
+  Camera camera;
+};
+
+// Two hundred wavy strands on a head, ground, a limb, tubes, a ball, a ring, a sheet; a metre wide, or
+// `scale`.
+TestScene test_scene(double aspect, double scale = 1);
+
+}  // namespace hair
