@@ -1,0 +1,34 @@
+// What somebody would write who needs one kind of scene and nothing else: straight strands without bending,
+// stretch springs, gravity and a method. It calls the exercises' functions itself, looks for no blow-up,
+// counts nothing, and knows no obstacles, motions, toys or pictures.
+#pragma once
+
+#include <vector>
+
+#include "hair/simulation.h"
+
+namespace hair_bench {
+
+class PlainProgram {
+ public:
+  // Of the description's strands, method (H4, H6, symplectic Euler or RK4), step and gravity along z.
+  explicit PlainProgram(const hair::Description& description);
+
+  void steps(int count);
+  const particles::State& state(int strand) const { return strands_[strand].state; }
+
+ private:
+  struct Hair {
+    hair::Strand strand;
+    particles::Particles particles;
+    particles::State state;
+  };
+
+  hair::Method method_;
+  double h_, tolerance_, gravity_;
+  hair::GeometricTerm term_;
+  std::vector<Hair> strands_;
+  Eigen::MatrixXd scratch_;
+};
+
+}  // namespace hair_bench

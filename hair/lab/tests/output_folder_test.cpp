@@ -1,0 +1,116 @@
+// A run's folder appears whole or not at all, and nobody's files are lost.
+#include "hair/lab/output_folder.h"
+
+#include <gtest/gtest.h>
+
+#include "hair/files/bad_input.h"
+#include "hair/lab/output_file.h"
+#include "hair/lab/run_record.h"
+#include "hair/lab/tests/run_hairlab.h"
+
+namespace hair {
+namespace {
+
+namespace fs = std::filesystem;
+
+void write_run(const fs::path& folder, const std::string& text) {
+  OutputFolder out(folder);
+
+  OutputFile record(out.now("run.json"), out.then("run.json"));
+  record.write(std::string(kRunRecordBegin) + text);
+  record.close();
+  out.keep();
+}
+
+std::string why_refused(const fs::path& folder) {
+  try {
+    OutputFolder out(folder);
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(OutputFolderTest, IsThereWholeOrNotAtAll) {
+  const TestFolder test;
+  {
+    const OutputFolder dropped(test / "out");
+    EXPECT_EQ(test.names().size(), 1u) << "the hidden one";
+  }
+  EXPECT_TRUE(test.names().empty());
+  write_run(test / "out", "1");
+  EXPECT_EQ(test.names(), std::vector<std::string>{"out"});
+}
+
+TEST(OutputFolderTest, ReplacesAnEarlierRunOnlyAtTheEnd) {
+  const TestFolder test;
+  write_run(test / "out", "1");
+  test.write("out/frame-0012.png", "");
+  {
+    const OutputFolder dropped(test / "out");
+    EXPECT_TRUE(fs::exists(test / "out/frame-0012.png"));
+  }
+  EXPECT_TRUE(fs::exists(test / "out/frame-0012.png"));
+  write_run(test / "out", "2");
+  EXPECT_EQ(test.names("out"), std::vector<std::string>{"run.json"});
+  EXPECT_EQ(read_bytes(test / "out/run.json"), std::string(kRunRecordBegin) + "2");
+  EXPECT_EQ(test.names(), std::vector<std::string>{"out"});
+}
+
+TEST(OutputFolderTest, ReplacesNothingElse) {
+  const TestFolder test;
+  test.write("file", "mine");
+  EXPECT_NE(why_refused(test / "file").find("is a file"), std::string::npos);
+  EXPECT_NE(why_refused(test / "file/out"), "");
+  EXPECT_NE(why_refused("/"), "");
+  EXPECT_NE(why_refused("."), "");
+
+  fs::create_directory(test / "mine");
+  test.write("mine/notes.txt", "mine");
+  EXPECT_NE(why_refused(test / "mine").find("not from hairlab"), std::string::npos);
+  test.write("mine/run.json", "{\"program\": \"another\"}");
+  EXPECT_NE(why_refused(test / "mine"), "");
+
+  write_run(test / "out", "1");
+  for (const std::string name : {"notes.txt", "frame-.png", "frame-1a.png", "frame-0001.png.txt"}) {
+    test.write("out/" + name, "mine");
+    EXPECT_NE(why_refused(test / "out").find(name), std::string::npos) << name;
+    fs::remove(test / ("out/" + name));
+  }
+  EXPECT_EQ(why_refused(test / "out"), "");
+  EXPECT_EQ(test.names(), (std::vector<std::string>{"file", "mine", "out"}));
+}
+
+TEST(OutputFolderTest, TakesAnEmptyFolderALinkAndASlashAtTheEnd) {
+  const TestFolder test;
+  fs::create_directory(test / "empty");
+  write_run(test / "empty/", "1");
+  EXPECT_TRUE(fs::exists(test / "empty/run.json"));
+  fs::create_directory_symlink("empty", test / "link");
+  write_run(test / "link", "2");
+  EXPECT_TRUE(fs::is_symlink(test / "link"));
+  EXPECT_EQ(read_bytes(test / "empty/run.json"), std::string(kRunRecordBegin) + "2");
+}
+
+// What a run that was killed left behind goes; what one that still runs has written stays.
+TEST(OutputFolderTest, RemovesTheRemainsOfWhatWasKilled) {
+  const TestFolder test;
+  const std::string dead = ".hairlab-out-" + std::to_string(1 << 22 | 1);  // above the largest process number
+  fs::create_directory(test / dead);
+  test.write(dead + "/states.bin", "");
+  fs::create_directory(test / ".hairlab-out-1");
+  fs::create_directory(test / ".hairlab-out-x");
+  const OutputFolder out(test / "out");
+  EXPECT_FALSE(fs::exists(test / dead));
+  EXPECT_TRUE(fs::exists(test / ".hairlab-out-1"));
+  EXPECT_TRUE(fs::exists(test / ".hairlab-out-x"));
+}
+
+TEST(OutputFolderTest, NamesFramesInOrder) {
+  EXPECT_EQ(frame_name(0), "frame-0000.png");
+  EXPECT_EQ(frame_name(123), "frame-0123.png");
+  EXPECT_EQ(frame_name(12345), "frame-12345.png");
+}
+
+}  // namespace
+}  // namespace hair

@@ -1,0 +1,47 @@
+// hairlab as a person runs it.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace hair {
+
+struct ProgramRun {
+  int code = 0;  // what it returned; -1: a signal ended it
+  std::string output, errors;
+};
+
+struct ProgramSettings {
+  std::string program = HAIRLAB;
+  std::vector<std::string> environment = {};  // "NAME=value", beside ours
+  long file_limit = -1;                       // the largest file that it may write, in units of 512 bytes
+  std::function<void(int)> meanwhile = {};    // gets its process number once it runs
+};
+
+ProgramRun run_hairlab(const std::vector<std::string>& arguments, const ProgramSettings& settings = {});
+
+// A file's bytes; empty if it can't be read.
+std::string read_bytes(const std::filesystem::path& file);
+
+// A folder of a test's own, which goes with it.
+class TestFolder {
+ public:
+  TestFolder();
+  ~TestFolder();
+  TestFolder(const TestFolder&) = delete;
+  TestFolder& operator=(const TestFolder&) = delete;
+
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  const std::filesystem::path& path() const { return path_; }
+  std::vector<std::string> names(const std::string& folder = "") const;  // of all that is in it, in order
+
+  // Writes a file, and returns its path.
+  std::string write(const std::string& name, const std::string& bytes) const;
+
+ private:
+  std::filesystem::path path_;
+};
+
+}  // namespace hair
