@@ -83,11 +83,6 @@ void explain_hair(const Scene& scene, Parts& parts) {
       count_strands(scene, [](const StrandStart& start) { return start.strand.skip_rigidity > 0; });
   parts.add("springs that skip", skipping > 0, "H3, springs that skip a particle, " + of(skipping),
             why_not("no strand has them"));
-  parts.add("gravity", any && hair.gravity != Vector3d::Zero(), shown(hair.gravity) + " m/s^2",
-            why_not("it is 0"));
-  parts.add("drag", any && hair.drag > 0, shown(hair.drag) + " N s/m^2", why_not("it is 0"));
-  parts.add("wind", any && hair.drag > 0 && hair.wind != Vector3d::Zero(), shown(hair.wind) + " m/s",
-            why_not(hair.wind == Vector3d::Zero() ? "the air is at rest" : "without drag it moves nothing"));
   parts.add("collisions", any && !hair.obstacles.empty(), counted(hair.obstacles.size(), "obstacle"),
             why_not("the scene has no obstacles, and so no collision stage"));
   parts.add("key frames", !scene.riders.empty(), counted(scene.riders.size(), "motion"),
@@ -107,6 +102,21 @@ void explain_toys(const Scene& scene, Parts& parts) {
   const auto held = count_toys(scene, [](const Toy& toy) { return toy.constraints.rows() > 0; });
   parts.add("constraints", held > 0, "P2, rods and wires of " + counted(held, "toy"),
             any ? "no toy has rods or wires" : none);
+}
+
+// What acts on hair and toys alike.
+void explain_surroundings(const Scene& scene, Parts& parts) {
+  const Description& hair = scene.hair;
+  const bool any = !hair.strands.empty();
+  const Vector3d none = Vector3d::Zero();
+  const bool gravity = (any && hair.gravity != none) ||
+                       count_toys(scene, [&](const Toy& toy) { return toy.gravity != none; }) > 0;
+  parts.add("gravity", gravity, shown(hair.gravity) + " m/s^2", "it is 0");
+  const bool drag =
+      (any && hair.drag > 0) || count_toys(scene, [](const Toy& toy) { return toy.drag > 0; }) > 0;
+  parts.add("drag", drag, "the air's", "it is 0");
+  parts.add("wind", drag && hair.wind != none, shown(hair.wind) + " m/s",
+            hair.wind == none ? "the air is at rest" : "without drag it moves nothing");
 }
 
 void explain_exercises(const Scene& scene, Parts& parts) {
@@ -137,6 +147,7 @@ std::vector<Part> explain(const Scene& scene, bool render) {
   Parts parts;
   explain_hair(scene, parts);
   explain_toys(scene, parts);
+  explain_surroundings(scene, parts);
   explain_exercises(scene, parts);
   explain_pictures(scene, render, parts);
   return parts.take();

@@ -1,6 +1,7 @@
 // Pictures of a scene while it plays. What draws them is loaded when this is made, and not before.
 #pragma once
 
+#include "hair/render/camera.h"
 #include "hair/render/renderer.h"
 #include "hair/scene/playback.h"
 #include "hair/scene/scene.h"

@@ -68,17 +68,17 @@ Json or_null(const std::optional<std::string>& text) {
 const char* method_name(Method method) {
   switch (method) {
     case Method::forward_euler:
-      return "forward-euler";
+      return "forward_euler";
     case Method::symplectic_euler:
-      return "symplectic-euler";
+      return "symplectic_euler";
     case Method::midpoint:
       return "midpoint";
     case Method::runge_kutta_4:
-      return "runge-kutta-4";
+      return "runge_kutta_4";
     case Method::implicit_euler:
-      return "implicit-euler";
+      return "implicit_euler";
     case Method::predictor_corrector:
-      return "predictor-corrector";
+      return "predictor_corrector";
   }
   return "";
 }
