@@ -98,7 +98,9 @@ StatesFile read_states(const std::filesystem::path& file) {
            std::to_string(particles) + " in all");
     states.strands.push_back(static_cast<int>(count));
   }
-  in.ignore(static_cast<std::streamsize>(padding(strands)));
+  std::uint32_t zeros = numbers[3];
+  if (zeros == 0) read(&zeros, padding(strands));
+  if (zeros != 0) fail("has something else where zeros belong");
   const auto numbers_each = static_cast<Eigen::Index>(3 * particles);
   for (std::uint64_t k = 0; k < frames; ++k) {
     StateFrame& next = states.frames.emplace_back();
