@@ -1,0 +1,88 @@
+#include "hair/render/scene_drawing.h"
+
+#include <array>
+#include <cmath>
+
+#include "hair/render/scene_bounds.h"
+#include "particles/require.h"
+
+namespace hair {
+namespace {
+
+// Toys are told apart by their colour, and what is pinned is dark.
+const std::array<Colour, 5> kToyColours = {Colour(0.60F, 0.09F, 0.06F), Colour(0.05F, 0.22F, 0.50F),
+                                           Colour(0.10F, 0.35F, 0.12F), Colour(0.60F, 0.36F, 0.03F),
+                                           Colour(0.32F, 0.10F, 0.38F)};
+const Colour kPinned(0.06F, 0.06F, 0.07F), kRod(0.20F, 0.22F, 0.25F), kWire(0.45F, 0.36F, 0.12F);
+
+// Parts of the picture's height.
+constexpr double kBall = 0.018, kTube = 0.005, kRing = 0.0035;
+
+}  // namespace
+
+SceneDrawing::SceneDrawing(const Scene& scene) : scene_(scene), look_(scene.look.value_or(Look())) {
+  camera_ = frame_camera(scene_bounds(scene), static_cast<double>(look_.image_width) / look_.image_height,
+                         look_.view);
+  unit_ = 2 * std::tan(camera_.field_of_view / 2) * (camera_.eye - camera_.target).norm();
+}
+
+RenderSettings SceneDrawing::settings() const {
+  return {.width = look_.image_width, .height = look_.image_height, .shadows = look_.shadows};
+}
+
+Drawing SceneDrawing::at(const particles::State& state, const std::vector<Obstacle>& obstacles) const {
+  Drawing drawing;
+  drawing.obstacles = obstacles;
+  drawing.strands.width = look_.width;
+  drawing.strands.root = look_.root_colour.cast<float>();
+  drawing.strands.tip = look_.tip_colour.cast<float>();
+  Eigen::Index particles = 0;
+  for (const StrandStart& start : scene_.hair.strands) {
+    drawing.strands.sizes.push_back(start.strand.count());
+    particles += start.strand.count();
+  }
+  const Eigen::Index of_strands = particles;
+  for (const Toy& toy : scene_.toys) particles += toy.particles.count();
+  particles::require(state.x.size() == 3 * particles, "the number of the state's coordinates",
+                     static_cast<double>(state.x.size()),
+                     std::to_string(3 * particles) + ", 3 for each particle");
+
+  drawing.strands.points.reserve(static_cast<std::size_t>(of_strands));
+  for (Eigen::Index i = 0; i < of_strands; ++i)
+    drawing.strands.points.emplace_back(state.x.segment<3>(3 * i));
+  Eigen::Index first = of_strands;
+  int toy_index = 0;
+  for (const Toy& toy : scene_.toys) {
+    add_toy(toy, toy_index++, state.x.segment(3 * first, 3 * toy.particles.count()), drawing);
+    first += toy.particles.count();
+  }
+  return drawing;
+}
+
+void SceneDrawing::add_toy(const Toy& toy, int toy_index, particles::Input x, Drawing& drawing) const {
+  const Colour colour = kToyColours[static_cast<std::size_t>(toy_index) % kToyColours.size()];
+  const auto point = [&](int i) { return Vector3d(x.segment<3>(3 * i)); };
+  const int cloth = toy.rows > 1 && toy.columns > 1 ? toy.rows * toy.columns : 0;
+  if (cloth > 0) {
+    Sheet sheet{toy.rows, toy.columns, {}, colour};
+    for (int i = 0; i < cloth; ++i) sheet.points.push_back(point(i));
+    drawing.sheets.push_back(sheet);
+  }
+  for (const particles::Spring& spring : toy.springs) {
+    if (spring.i < cloth && spring.j < cloth) continue;
+    drawing.tubes.push_back({point(spring.i), point(spring.j), kTube * unit_, colour});
+  }
+  for (const particles::Rod& rod : toy.constraints.rods) {
+    drawing.tubes.push_back({point(rod.i), point(rod.j), kTube * unit_, kRod});
+  }
+  for (int i = 0; i < toy.particles.count(); ++i) {
+    const bool pinned = toy.particles.is_pinned(i);
+    if (i < cloth && !pinned) continue;
+    drawing.balls.push_back({point(i), (i < cloth ? kTube : kBall) * unit_, pinned ? kPinned : colour});
+  }
+  for (const particles::Wire& wire : toy.constraints.wires) {
+    drawing.rings.push_back({wire.centre, wire.normal, wire.radius, kRing * unit_, kWire});
+  }
+}
+
+}  // namespace hair
