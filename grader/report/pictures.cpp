@@ -18,12 +18,6 @@ namespace {
 constexpr std::size_t kMostSmallPictures = 20;  // rows of the class's page with pictures, some 30 KB each
 constexpr int kSmallWidth = 192;                // px
 
-std::string shown(double distance) {
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.4f", distance);
-  return text.data();
-}
-
 Html figure(const std::string& png, const std::string& alt, const Html& caption) {
   return html("<figure>{}<figcaption>{}</figcaption></figure>\n", {image(png, alt), caption});
 }
@@ -40,13 +34,13 @@ Html moment(const PictureResult& picture, const std::string& whose) {
   const Html limit =
       picture.limit > 0
           ? html(" <span class=\"badge {}\">{}, the limit is {}</span>",
-                 {over ? "bad" : "good", over ? "too far" : "close enough", shown(picture.limit)})
+                 {over ? "bad" : "good", over ? "too far" : "close enough", shown_distance(picture.limit)})
           : Html{};
   return html(
       "<div class=\"moment\">\n<div class=\"line\"><strong>{}</strong><span>blurred RMSE "
       "{}{}</span><span>FLIP "
       "{}</span></div>\n<div class=\"pictures\">\n{}{}{}</div>\n</div>\n",
-      {picture.name, shown(picture.blurred_rmse), limit, shown(picture.flip),
+      {picture.name, shown_distance(picture.blurred_rmse), limit, shown_distance(picture.flip),
        figure(picture.student, whose + " at " + picture.name, html("{}", {whose})),
        figure(picture.reference, "The reference's at " + picture.name, html("The reference&#39;s")),
        figure(picture.heat, "Where the two differ at " + picture.name,
@@ -97,11 +91,17 @@ Html row(const Worst& worst, bool with_pictures) {
   return html(
       "<tr><th scope=\"row\"><a href=\"staff/{}.html#{}\">{}</a></th><td class=\"number\">{}</td><td "
       "class=\"number\">{}</td><td>{}</td>{}</tr>\n",
-      {worst.result->name, worst.exercise->id, worst.result->name, shown(worst.picture->flip),
-       shown(worst.picture->blurred_rmse), at, pictures});
+      {worst.result->name, worst.exercise->id, worst.result->name, shown_distance(worst.picture->flip),
+       shown_distance(worst.picture->blurred_rmse), at, pictures});
 }
 
 }  // namespace
+
+std::string shown_distance(double distance) {
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.4f", distance);
+  return text.data();
+}
 
 Html image(const std::string& png, const std::string& alt, const char* look) {
   return html("<img{}alt=\"{}\" src=\"data:image/png;base64,{}\">",
@@ -130,8 +130,12 @@ Html moments(const std::vector<PictureResult>& pictures, const std::string& head
     open = open || picture.blurred_rmse > picture.limit;
     rows += moment(picture, whose);
   }
-  return html("<details{}><summary>{}: FLIP up to {}</summary>\n{}</details>\n",
-              {open ? " open" : "", heading, shown(flip), rows});
+  return html(
+      "<details{}><summary>{}: FLIP up to {}</summary>\n{}<p class=\"quiet\">Blurred RMSE is how far they "
+      "are "
+      "apart once both are blurred by 4 pixels, 1 for black and white. FLIP is how different they look to a "
+      "person who flips between them, 0 to 1.</p>\n</details>\n",
+      {open ? " open" : "", heading, shown_distance(flip), rows});
 }
 
 Html pictures_by_distance(const std::vector<SubmissionResult>& results) {

@@ -22,6 +22,8 @@ Html moments(const std::vector<PictureResult>& pictures, const std::string& head
 // and small pictures of the worst.
 Html pictures_by_distance(const std::vector<SubmissionResult>& results);
 
+std::string shown_distance(double distance);  // "0.0123"
+
 // The colours of a heat map, with their ends named.
 Html heat_scale();
 

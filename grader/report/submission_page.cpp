@@ -159,7 +159,7 @@ Html stamps(bool isolated, bool images) {
         "what the code may have done.</p>\n");
   if (!images)
     all += html(
-        "<p class=\"stamp\" role=\"note\">Graded without pictures, for this machine has no OpenGL. What they "
+        "<p class=\"stamp\" role=\"note\">Graded without pictures. What these "
         "would show is not in the points.</p>\n");
   return all;
 }

@@ -65,7 +65,7 @@ class Hairgrade : public testing::Test {
 TEST_F(Hairgrade, RefusesBadUsageInOneLine) {
   expect_refused(run_hairgrade({}), {"--help"});
   expect_refused(run_hairgrade({"grade"}), {"SUBMISSION", "--help"});
-  expect_refused(run_hairgrade({"degrade"}), {"degrade", "grade and handout"});
+  expect_refused(run_hairgrade({"degrade"}), {"degrade", "grade, compare and handout"});
   expect_refused(grade({sample("other-order.tar.gz")}), {"--out"});
   expect_refused(grade({sample("other-order.tar.gz"), "--out", out(), "--quickly"}), {"--quickly"});
   for (const char* jobs : {"0", "-1", "many", "1e9"})

@@ -12,27 +12,11 @@
 
 #include "grader/course/input.h"
 #include "grader/report/report.h"
+#include "grader/tool/progress.h"
 #include "grader/tool/timing.h"
 
 namespace grader {
 namespace {
-
-// One line on a terminal; nothing in a pipe.
-class Progress {
- public:
-  explicit Progress(std::size_t total) : total_(total), shown_(isatty(STDERR_FILENO) != 0) {}
-  ~Progress() {
-    if (shown_) std::cerr << "\r\033[K" << std::flush;
-  }
-  void step(const std::string& name) {
-    ++done_;
-    if (shown_) std::cerr << "\r\033[K[" << done_ << "/" << total_ << "] " << name << std::flush;
-  }
-
- private:
-  std::size_t total_, done_ = 0;
-  bool shown_;
-};
 
 std::string names_of(const std::vector<Submission>& submissions) {
   constexpr std::size_t kMost = 20;

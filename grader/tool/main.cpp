@@ -1,4 +1,4 @@
-// STAFF ONLY. hairgrade: grades submissions, and makes the handout.
+// STAFF ONLY. hairgrade: grades submissions, compares pictures, and makes the handout.
 //
 // Exit code 0: all submissions have results (or the handout is written). 1: the grader itself failed, or a
 // gate of the handout closed. 2: bad input or usage. 130: interrupted; what was finished is kept, and
@@ -20,6 +20,7 @@
 #include "grader/package/handout.h"
 #include "grader/report/report.h"
 #include "grader/tool/batch.h"
+#include "grader/tool/comparing.h"
 #include "grader/tool/grading.h"
 #include "grader/tool/secret.h"
 
@@ -60,6 +61,15 @@ std::string asked_for(const Course& course) {
   return ids;
 }
 
+void note_interruptions() {
+  struct sigaction action = {};
+  action.sa_handler = [](int) { interrupted = true; };
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+  sigaction(SIGHUP, &action, nullptr);
+  signal(SIGPIPE, SIG_IGN);
+}
+
 int grade(const GradeOptions& options) {
   GradingSettings settings;
   settings.course = read_course(HAIR_EXERCISES_JSON, options.course);
@@ -77,13 +87,7 @@ int grade(const GradeOptions& options) {
   settings.cache = options.cache ? *options.cache : default_cache();
   settings.secret = read_secret(options.secret);
 
-  struct sigaction action = {};
-  action.sa_handler = [](int) { interrupted = true; };
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
-  sigaction(SIGHUP, &action, nullptr);
-  signal(SIGPIPE, SIG_IGN);
-
+  note_interruptions();
   const Grading grading(std::move(settings));
   BatchSettings batch_settings = options.batch;
   batch_settings.merge = options.exercise.has_value();
@@ -150,20 +154,34 @@ int main(int argc, char* argv[]) {
   handout_command->add_option("--course", handing_out.course,
                               "The course file: roles and points of the exercises");
 
+  CompareSettings comparing;
+  CLI::App* compare_command =
+      app.add_subcommand("compare", "Compare two pictures, or two folders of frames, worst first");
+  compare_command->add_option("A", comparing.reference, "A PNG picture, or a folder of them")->required();
+  compare_command->add_option("B", comparing.test, "What is compared with it: a picture, or a folder")
+      ->required();
+  compare_command->add_option("--out", comparing.out,
+                              "A folder for heat maps, pictures side by side and a page of the worst");
+  compare_command->add_flag("--json", comparing.json, "Print JSON in place of a table");
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
-    const bool without_command =
-        argc > 1 && argv[1][0] != '-' && std::string(argv[1]) != "grade" && std::string(argv[1]) != "handout";
+    const bool without_command = argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty();
     std::cerr << "hairgrade: "
-              << (without_command ? std::string(argv[1]) + " is no command; there are grade and handout"
-                                  : error.what())
+              << (without_command
+                      ? std::string(argv[1]) + " is no command; there are grade, compare and handout"
+                      : error.what())
               << "; see hairgrade --help\n";
     return 2;
   }
   try {
+    if (*compare_command) {
+      note_interruptions();
+      return compare(comparing, std::cout, interrupted);
+    }
     return *grade_command ? grade(grading) : handout(handing_out);
   } catch (const BadInput& error) {
     std::cerr << "hairgrade: " << error.what() << "\n";

@@ -1,0 +1,35 @@
+// STAFF ONLY. What comparing pictures found.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "grader/compare/compare.h"
+
+namespace grader {
+
+struct ComparedPair {
+  std::string name;
+  int width = 0, height = 0;
+  PictureDistance distance;
+};
+
+struct Comparison {
+  std::string reference, test;      // as they were named
+  std::vector<ComparedPair> pairs;  // worst first
+  std::vector<std::string> only_in_reference, only_in_test;
+};
+
+// By FLIP's mean, then its maximum, then the name.
+bool is_worse(const ComparedPair& a, const ComparedPair& b);
+
+std::size_t count_identical(const Comparison& comparison);
+
+// For a terminal: ASCII. Those that are the same are counted, and not listed.
+std::string comparison_table(const Comparison& comparison);
+
+// {"pairs": [{"name", "width", "height", "identical", "blurred_rmse", "flip_mean", "flip_max"}], worst first,
+// "only_in_first": [names], "only_in_second": [names]}
+std::string comparison_json(const Comparison& comparison);
+
+}  // namespace grader

@@ -1,0 +1,144 @@
+// STAFF ONLY.
+#include "grader/tool/comparing.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <iostream>
+#include <set>
+
+#include "grader/compare/comparison.h"
+#include "grader/compare/heat_map.h"
+#include "grader/compare/montage.h"
+#include "grader/compare/pairs.h"
+#include "grader/course/input.h"
+#include "grader/report/comparison_page.h"
+#include "grader/tool/progress.h"
+#include "hair/image/png.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+using hair::Image;
+
+constexpr std::size_t kMostShown = 12;    // pairs whose pictures are in the page
+constexpr int kSmallWidth = 480;          // px, of these
+constexpr int kMostPixels = 4096 * 4096;  // FLIP needs some 70 bytes for each
+
+// A folder in the making beside what is in `out` already; its files move there once all of them are whole.
+class Staging {
+ public:
+  explicit Staging(const fs::path& out) : out_(out), made_out_(!fs::exists(out)) {
+    std::error_code error;
+    fs::create_directories(out_, error);
+    folder_ = out_ / (".compare." + std::to_string(getpid()) + ".part");
+    if (!error) fs::create_directory(folder_, error);
+    if (error)
+      throw BadInput(printable(out.string(), 4096) + ": can't be written (" + error.message() +
+                     "); give a folder that can be written, with room in it");
+  }
+  Staging(const Staging&) = delete;
+  Staging& operator=(const Staging&) = delete;
+  ~Staging() {
+    std::error_code ignored;
+    fs::remove_all(folder_, ignored);
+    if (made_out_) fs::remove(out_, ignored);  // if nothing is in it
+  }
+
+  void write(const std::string& name, std::string_view bytes) {
+    write_file(folder_ / name, bytes);
+    names_.insert(name);
+  }
+  void finish() {
+    for (const std::string& name : names_) {
+      std::error_code error;
+      fs::rename(folder_ / name, out_ / name, error);
+      if (error)
+        throw BadInput(printable((out_ / name).string(), 4096) + ": can't be written (" + error.message() +
+                       "); remove what is in its place");
+    }
+  }
+
+ private:
+  fs::path out_, folder_;
+  bool made_out_;
+  std::set<std::string> names_;
+};
+
+std::string size_of(const Image& image) {
+  return std::to_string(image.width) + " x " + std::to_string(image.height);
+}
+
+// Both pictures of a pair, which can be compared.
+std::pair<Image, Image> read_pair(const PicturePair& pair) {
+  std::pair<Image, Image> both{hair::read_png(pair.reference), hair::read_png(pair.test)};
+  const auto& [reference, test] = both;
+  const auto shown = [](const fs::path& path) { return printable(path.string(), 4096); };
+  if (reference.width != test.width || reference.height != test.height)
+    throw BadInput(shown(pair.reference) + " is " + size_of(reference) + " pixels and " + shown(pair.test) +
+                   " " + size_of(test) + "; pictures that are compared have one size");
+  if (reference.width > kMostPixels / reference.height)
+    throw BadInput(shown(pair.reference) + " is " + size_of(reference) +
+                   " pixels; pictures that are compared have at most 4096 x 4096");
+  return both;
+}
+
+void check_out(const CompareSettings& settings) {
+  std::error_code error;
+  for (const fs::path& folder : {settings.reference, settings.test})
+    if (fs::equivalent(folder, *settings.out, error))
+      throw BadInput("--out " + printable(settings.out->string(), 4096) +
+                     ": is what is compared; give another folder");
+}
+
+}  // namespace
+
+int compare(const CompareSettings& settings, std::ostream& output, const std::atomic<bool>& interrupted) {
+  PicturePairs found = find_pairs(settings.reference, settings.test);
+  if (settings.out) check_out(settings);
+  std::optional<Staging> staging;
+  if (settings.out) staging.emplace(*settings.out);
+
+  Comparison comparison{settings.reference.string(),
+                        settings.test.string(),
+                        {},
+                        std::move(found.only_in_reference),
+                        std::move(found.only_in_test)};
+  std::vector<SmallPair> worst;
+  {
+    Progress progress(found.pairs.size());
+    for (const PicturePair& pair : found.pairs) {
+      if (interrupted) return 130;
+      const auto [reference, test] = read_pair(pair);
+      const ErrorMap map = flip(reference, test);
+      const ComparedPair compared{pair.name, reference.width, reference.height,
+                                  compare_pictures(reference, test, map)};
+      comparison.pairs.push_back(compared);
+      if (staging) {
+        const Image heat = heat_map(map);
+        staging->write(side_file(pair.name), hair::encode_png(side_by_side({reference, test, heat})));
+        if (!compared.distance.identical) {
+          staging->write(heat_file(pair.name), hair::encode_png(heat));
+          const auto small = [](const Image& image) { return hair::encode_png(shrunk(image, kSmallWidth)); };
+          worst.push_back({compared, small(reference), small(test), small(heat)});
+          std::sort(worst.begin(), worst.end(),
+                    [](const SmallPair& a, const SmallPair& b) { return is_worse(a.pair, b.pair); });
+          if (worst.size() > kMostShown) worst.pop_back();
+        }
+      }
+      progress.step(printable(pair.name));
+    }
+  }
+  std::sort(comparison.pairs.begin(), comparison.pairs.end(), is_worse);
+  if (staging) {
+    staging->write("index.html", comparison_page(comparison, worst));
+    staging->finish();
+  }
+  output << (settings.json ? comparison_json(comparison) : comparison_table(comparison));
+  if (settings.out && !settings.json)
+    output << fs::absolute(*settings.out / "index.html").lexically_normal().string() << "\n";
+  return 0;
+}
+
+}  // namespace grader
