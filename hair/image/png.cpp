@@ -61,7 +61,7 @@ Image decode_png(std::string_view bytes, const std::string& name) {
   {
     // stb takes as much memory as the data ask for: those that ask for too much never reach it.
     const PngChunks chunks = read_png_chunks(bytes, name);
-    if (!stb_inflates(chunks.data, chunks.inflated)) {
+    if (!stb_inflates(chunks.data, chunks.most)) {
       fail("its data are damaged, or more than its header says; make it anew");
     }
   }

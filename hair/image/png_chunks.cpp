@@ -12,6 +12,9 @@ namespace {
 constexpr std::string_view kSignature = "\x89PNG\r\n\x1a\n";
 constexpr std::size_t kFrame = 12;  // bytes of a chunk beside its data: length, type, checksum
 
+// Deflate makes at most 258 bytes of two bits.
+constexpr std::size_t kMostInflation = 1032;
+
 std::uint32_t big_endian(std::string_view bytes) {
   std::uint32_t number = 0;
   for (const char c : bytes.substr(0, 4)) number = number << 8 | static_cast<std::uint8_t>(c);
@@ -87,11 +90,13 @@ PngChunks read_png_chunks(std::string_view bytes, const std::string& name) {
       if (samples == 0 || bits < 1 || bits > 16) fail("is not a PNG picture: its header is wrong");
       // Rows begin with a byte each; seven interlaced passes have at most a row for each of the picture's,
       // twice over, and a byte for what does not fill one.
-      chunks.inflated = (width * samples * bits + 7) / 8 * height + 4 * height + 8 * (width + height);
+      chunks.least = (width * samples * bits + 7) / 8 * height;
+      chunks.most = chunks.least + 4 * height + 8 * (width + height);
     }
     if (type == "IDAT") chunks.data += data;
     ended = type == "IEND";
   }
+  if (chunks.least / kMostInflation > chunks.data.size()) fail("has too few data for its size; make it anew");
   return chunks;
 }
 

@@ -13,8 +13,8 @@ inline constexpr std::size_t kMostPixels = 64'000'000;
 
 struct PngChunks {
   int width = 0, height = 0;
-  std::string data;          // zlib's: all that the IDAT chunks hold
-  std::size_t inflated = 0;  // what they may inflate to, at most
+  std::string data;                 // zlib's: all that the IDAT chunks hold
+  std::size_t least = 0, most = 0;  // bytes that they inflate to
 };
 
 // Throws BadInput, which begins with `name`: not a PNG, cut off, damaged (a checksum), too large.
