@@ -1,0 +1,86 @@
+// What --explain says of each part, and that it is what a scene calls.
+#include "hair/lab/explain.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace hair {
+namespace {
+
+std::map<std::string, Part> parts_of(const std::string& json, bool render = true) {
+  std::map<std::string, Part> parts;
+  const Scene scene = parse_scene(json, "scene.json");
+  for (const Part& part : explain(scene, render)) {
+    EXPECT_FALSE(part.why.empty()) << part.name;
+    EXPECT_TRUE(parts.emplace(part.name, part).second) << part.name << " is there twice";
+  }
+  for (const std::string& id : exercises_of(scene)) EXPECT_TRUE(parts["exercise " + id].used) << id;
+  // A force and its exercise go together.
+  EXPECT_EQ(parts["stretching"].used, parts["exercise H1"].used);
+  EXPECT_EQ(parts["bending"].used, parts["exercise H2"].used);
+  EXPECT_EQ(parts["springs that skip"].used, parts["exercise H3"].used);
+  EXPECT_EQ(parts["constraints"].used, parts["exercise P2"].used);
+  return parts;
+}
+
+std::string names(const std::map<std::string, Part>& parts, bool used) {
+  std::string all;
+  for (const auto& [name, part] : parts)
+    if (part.used == used && !name.starts_with("exercise") && name != "film")
+      all += (all.empty() ? "" : ", ") + name;
+  return all;
+}
+
+const std::string kRoots = R"("roots": {"list": [{"position": [0, 0, 0]}]})";
+
+TEST(Explain, LeavesOutOfALimpHairAllButStretchingAndGravity) {
+  const auto parts = parts_of(R"({"shows": "x", "frames": 1, "hair": [{"segments": 3, "length": 0.1,
+    "material": {"bend_factor": 0}, )" +
+                              kRoots + "}]}");
+  EXPECT_EQ(names(parts, true), "gravity, hair, method, stretching");
+  EXPECT_EQ(parts.at("bending").why, "no strand resists it: EI is 0");
+  EXPECT_EQ(parts.at("OpenGL").why, "the scene has no \"render\": no library is loaded");
+}
+
+TEST(Explain, UsesAllPartsOfASceneThatHasThem) {
+  const auto parts = parts_of(R"({"shows": "x", "frames": 1, "method": "implicit_euler", "drag": 1e-5,
+    "wind": [1, 0, 0], "hair": [
+      {"segments": 3, "length": 0.1, "material": {"skip_factor": 0.1}, "moves_with": "head", )" +
+                              kRoots + R"(},
+      {"segments": 9, "length": 0.1, "shape": {"curly": {"radius": 0.01, "pitch": 0.02}}, )" +
+                              kRoots + R"(}],
+    "obstacles": [{"sphere": {"centre": [0, 0, 0], "radius": 0.1}}],
+    "motions": [{"name": "head", "keys": [{"time": 0}]}],
+    "toys": [{"particles": [{"position": [0, 0, 0], "mass": 1, "pinned": true},
+                            {"position": [1, 0, 0], "mass": 1}],
+              "springs": [{"between": [0, 1], "stiffness": 1}], "rods": [{"between": [0, 1]}]}],
+    "render": {}})");
+  EXPECT_EQ(names(parts, false), "");
+  EXPECT_EQ(parts.at("bending").why, "H2, angular springs at the joints of 1 strand");
+  EXPECT_EQ(parts.at("rest curvature").why, "given, at the joints of 1 strand");
+}
+
+TEST(Explain, SaysWhyPartsThatAreAskedForAreLeftOut) {
+  const std::string scene = R"({"shows": "x", "frames": 1, "wind": [1, 0, 0], "gravity": [0, 0, 0],
+    "hair": [{"segments": 9, "length": 0.1, "shape": {"curly": {"radius": 0.01, "pitch": 0.02}}, )" +
+                            kRoots + R"(}], "render": {"shadows": false}})";
+  auto parts = parts_of(scene);
+  EXPECT_EQ(parts["wind"].why, "without drag it moves nothing");
+  EXPECT_EQ(parts["bending"].why, "rest curvature takes its place");
+  EXPECT_EQ(parts["shadows"].why, "\"shadows\" is false");
+  EXPECT_FALSE(parts["gravity"].used);
+  parts = parts_of(scene, false);
+  for (const char* name : {"pictures", "shadows", "film"}) EXPECT_EQ(parts[name].why, "--no-render") << name;
+  EXPECT_FALSE(parts["OpenGL"].used);
+}
+
+TEST(Explain, SaysOfAToyThatThereIsNoHair) {
+  const auto parts = parts_of(R"({"shows": "x", "frames": 1, "toys": [{"particles": [
+    {"position": [0, 0, 0], "mass": 1}]}]})");
+  EXPECT_EQ(names(parts, true), "gravity, toys");
+  EXPECT_EQ(parts.at("stretching").why, "the scene has no hair");
+}
+
+}  // namespace
+}  // namespace hair

@@ -1,0 +1,351 @@
+// hairlab from outside: what it writes, what it says, what it returns.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
+
+#include "hair/lab/states_csv.h"
+#include "hair/lab/states_file.h"
+#include "hair/lab/tests/run_hairlab.h"
+
+namespace hair {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+const char* const kSwing = R"({"shows": "a hair swings down", "frames": 4, "frames_per_second": 60,
+ "steps_per_frame": 4, "hair": [{"segments": 6, "length": 0.06, "clamped": false,
+ "roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}],
+ "render": {"image_width": 64, "image_height": 48}})";
+
+// 1 kg at the end of a rod of 1 m, level at the start.
+const char* const kPendulum = R"({"shows": "a pendulum", "frames": 60, "frames_per_second": 60,
+ "steps_per_frame": 10, "toys": [{"particles": [{"position": [0, 0, 0], "mass": 1, "pinned": true},
+ {"position": [1, 0, 0], "mass": 1}], "rods": [{"between": [0, 1]}],
+ "feedback": {"stiffness": 100, "damping": 20}}]})";
+
+// Stiff springs and a long step: an explicit method can't.
+const char* const kBlowUp = R"({"shows": "breaks", "frames": 400, "frames_per_second": 60,
+ "steps_per_frame": 1, "method": "forward_euler", "hair": [{"segments": 4, "length": 0.04, "clamped": false,
+ "roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}]})";
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+std::ptrdiff_t lines_of(const std::string& text) {
+  return std::count(text.begin(), text.end(), '\n');
+}
+
+Json read_run(const fs::path& folder) {
+  return Json::parse(read_bytes(folder / "run.json"));
+}
+
+class Hairlab : public testing::Test {
+ protected:
+  // Runs a scene into `out` of the test's folder.
+  ProgramRun play(const char* scene, std::vector<std::string> options = {},
+                  const ProgramSettings& settings = {}) const {
+    const std::string file = folder_.write("scene.json", scene);
+    options.insert(options.begin(), {"run", file, "--out", out_.string()});
+    return run_hairlab(options, settings);
+  }
+
+  // It says one line with `part` on the error output, returns `code`, and writes nothing.
+  void expect_refused(const ProgramRun& run, int code, const std::string& part) const {
+    EXPECT_EQ(run.code, code);
+    EXPECT_TRUE(has(run.errors, part)) << run.errors;
+    EXPECT_EQ(lines_of(run.errors), 1) << run.errors;
+    EXPECT_TRUE(run.errors.starts_with("hairlab: ")) << run.errors;
+    EXPECT_EQ(run.output, "");
+    for (const std::string& name : folder_.names()) EXPECT_NE(name.substr(0, 8), ".hairlab") << name;
+  }
+
+  TestFolder folder_;
+  fs::path out_ = folder_ / "out";
+};
+
+TEST_F(Hairlab, WritesStatesMeasuresAndNothingElseWithoutPictures) {
+  const ProgramRun run = play(kSwing, {"--no-render"});
+  ASSERT_EQ(run.code, 0) << run.errors;
+  EXPECT_EQ(run.errors, "");
+  EXPECT_EQ(run.output, out_.string() + ": 5 frames, no pictures\n");
+  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"out", "scene.json"}));
+  EXPECT_EQ(folder_.names("out"), (std::vector<std::string>{"run.json", "states.bin", "states.csv"}));
+
+  const StatesFile states = read_states(out_ / "states.bin");
+  EXPECT_EQ(states.strands, std::vector<int>{7});
+  EXPECT_EQ(states.particles, 7);
+  ASSERT_EQ(states.frames.size(), 5u);
+  std::istringstream csv(read_bytes(out_ / "states.csv"));
+  std::string line;
+  std::getline(csv, line);
+  for (int k = 0; k < 5; ++k)
+    for (int i = 0; i < 7; ++i) {
+      ASSERT_TRUE(std::getline(csv, line));
+      std::istringstream fields(line);
+      std::vector<double> numbers;
+      for (std::string field; std::getline(fields, field, ',');)
+        std::from_chars(field.data(), field.data() + field.size(), numbers.emplace_back());
+      const StateFrame& frame = states.frames[k];
+      ASSERT_EQ(numbers.size(), 10u);
+      EXPECT_EQ(numbers[0], k);
+      EXPECT_EQ(numbers[1], frame.time);
+      EXPECT_EQ(numbers[3], i);
+      for (int axis = 0; axis < 3; ++axis) {
+        EXPECT_EQ(numbers[4 + axis], frame.state.x[3 * i + axis]);
+        EXPECT_EQ(numbers[7 + axis], frame.state.v[3 * i + axis]);
+      }
+    }
+  EXPECT_FALSE(std::getline(csv, line));
+  EXPECT_EQ(states.frames[4].time, 4.0 / 60);
+  EXPECT_LT(states.frames[4].state.x[3 * 6 + 2], -0.01) << "the tip has not fallen";
+
+  const Json record = read_run(out_);
+  EXPECT_EQ(record["scene"], "scene");
+  EXPECT_EQ(record["ended"], "finished");
+  EXPECT_EQ(record["no_pictures"], "--no-render");
+  EXPECT_EQ(record["frames_written"], 5);
+  ASSERT_EQ(record["frames"].size(), 5u);
+  long solver_steps = 0;
+  for (int k = 0; k < 5; ++k) {
+    EXPECT_EQ(record["frames"][k]["time"], states.frames[k].time);
+    solver_steps += record["frames"][k]["solver_steps"].get<long>();
+  }
+  EXPECT_EQ(record["work"]["solver_steps"], solver_steps);
+  EXPECT_EQ(record["work"]["strand_steps"], 16);
+  EXPECT_GT(record["seconds"]["simulate"], 0);
+}
+
+// Rod and point: E = 0 at the start, and v^2 / 2 = g times the height that it has fallen.
+TEST_F(Hairlab, MeasuresAPendulumAsItsClosedFormSays) {
+  const ProgramRun run = play(kPendulum);
+  ASSERT_EQ(run.code, 0) << run.errors;
+  const Json frames = read_run(out_)["frames"];
+  const StatesFile states = read_states(out_ / "states.bin");
+  ASSERT_EQ(frames.size(), 61u);
+  ASSERT_EQ(states.frames.size(), 61u);
+  EXPECT_TRUE(states.strands.empty());
+  // RK4 with steps of 1/600 s; a swing turns by 3.9 rad/s at most, (3.9 / 600)^4 = 2e-9 a step, 600 steps.
+  constexpr double kBound = 1e-6 * 9.81;
+  double deepest = 0;
+  for (std::size_t k = 0; k < 61; ++k) {
+    const particles::State& state = states.frames[k].state;
+    const double height = state.x[5], speed = state.v.tail<3>().norm();
+    deepest = std::min(deepest, height);
+    EXPECT_NEAR(frames[k]["kinetic"], speed * speed / 2, 1e-12) << k;
+    EXPECT_NEAR(frames[k]["potential"], 9.81 * height, 1e-12) << k;
+    EXPECT_NEAR(frames[k]["energy"], 0, kBound) << k;
+    EXPECT_NEAR(frames[k]["momentum"][2], state.v[5], 1e-12) << k;
+    // x cross v, about y, of a point on a circle of radius 1.
+    EXPECT_NEAR(std::abs(frames[k]["angular_momentum"][1].get<double>()), speed, kBound) << k;
+    EXPECT_LT(frames[k]["stretch"], 1e-6) << k;
+  }
+  // A quarter of the period, T/4 = K(1/sqrt 2) sqrt(l/g) = 0.592 s, is within the second.
+  EXPECT_LT(deepest, -0.99);
+}
+
+TEST_F(Hairlab, DoesTheSameTwice) {
+  ASSERT_EQ(play(kSwing).code, 0);
+  const std::vector<std::string> names = folder_.names("out");
+  EXPECT_TRUE(std::find(names.begin(), names.end(), "frame-0004.png") != names.end());
+  fs::rename(out_, folder_ / "first");
+  ASSERT_EQ(play(kSwing).code, 0);
+  ASSERT_EQ(folder_.names("first"), names);
+  for (const std::string& name : names) {
+    if (name == "run.json") continue;
+    EXPECT_EQ(read_bytes(folder_ / ("first/" + name)), read_bytes(out_ / name)) << name;
+  }
+  Json first = read_run(folder_ / "first"), second = read_run(out_);
+  EXPECT_EQ(first.erase("seconds"), 1u);
+  second.erase("seconds");
+  EXPECT_EQ(first, second);
+}
+
+TEST_F(Hairlab, PlaysAsManyFramesAsAskedFor) {
+  for (const int frames : {0, 1, 7}) {
+    ASSERT_EQ(play(kSwing, {"--no-render", "--frames", std::to_string(frames)}).code, 0);
+    EXPECT_EQ(read_states(out_ / "states.bin").frames.size(), frames + 1u);
+    EXPECT_EQ(read_run(out_)["frames_asked"], frames + 1);
+  }
+}
+
+// LD_DEBUG has the loader write each library's name.
+TEST_F(Hairlab, LoadsOpenGlForPicturesAlone) {
+  const ProgramSettings watched{.environment = {"LD_DEBUG=files"}};
+  const auto loads = [](const ProgramRun& run) {
+    EXPECT_EQ(run.code, 0);
+    EXPECT_TRUE(has(run.errors, "libc.so")) << "the loader says nothing";
+    return has(run.errors, "OSMesa") || has(run.errors, "libEGL") || has(run.errors, "libGL");
+  };
+  EXPECT_TRUE(loads(play(kSwing, {}, watched)));
+  EXPECT_FALSE(loads(play(kSwing, {"--no-render"}, watched)));
+  EXPECT_FALSE(loads(play(kPendulum, {}, watched)));
+  EXPECT_EQ(read_run(out_)["no_pictures"], "the scene has no \"render\"");
+}
+
+// Files that are no libraries stand where the loader looks first.
+TEST_F(Hairlab, WritesAllButPicturesWithoutOpenGl) {
+  for (const char* name : {"libOSMesa.so.8", "libOSMesa.so.6", "libEGL.so.1"}) folder_.write(name, "");
+  const ProgramRun run = play(kSwing, {}, {.environment = {"LD_LIBRARY_PATH=" + folder_.path().string()}});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_TRUE(has(run.errors, "no pictures: ")) << run.errors;
+  EXPECT_TRUE(has(run.errors, "libosmesa6")) << run.errors;
+  EXPECT_EQ(lines_of(run.errors), 1) << run.errors;
+  EXPECT_EQ(folder_.names("out"), (std::vector<std::string>{"run.json", "states.bin", "states.csv"}));
+  EXPECT_TRUE(has(read_run(out_)["no_pictures"], "libosmesa6"));
+}
+
+TEST_F(Hairlab, KeepsWhatCameBeforeABlowUp) {
+  const ProgramRun run = play(kBlowUp);
+  EXPECT_EQ(run.code, 1);
+  const Json record = read_run(out_);
+  EXPECT_EQ(record["ended"], "blow-up");
+  const std::string where = record["blow_up"];
+  EXPECT_TRUE(where.starts_with("strand 0, step ")) << where;
+  EXPECT_TRUE(where.ends_with(": integration")) << where;
+  EXPECT_EQ(run.errors, "hairlab: scene broke: " + where + "; what came before is kept\n");
+  const StatesFile states = read_states(out_ / "states.bin");
+  EXPECT_GT(states.frames.size(), 1u);
+  EXPECT_LT(states.frames.size(), 401u);
+  EXPECT_EQ(record["frames"].size(), states.frames.size());
+  for (const StateFrame& frame : states.frames) EXPECT_TRUE(frame.state.x.allFinite());
+}
+
+TEST_F(Hairlab, KeepsWhatIsFinishedWhenItIsInterrupted) {
+  ProgramSettings settings;
+  settings.meanwhile = [&](int process) {
+    // As soon as it plays, its hidden folder is there.
+    const std::string playing = ".hairlab-out-" + std::to_string(process);
+    for (int k = 0; k < 2000 && !fs::exists(folder_ / (playing + "/frame-0003.png")); ++k)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    EXPECT_FALSE(fs::exists(out_));
+    kill(process, SIGINT);
+  };
+  const ProgramRun run = play(kSwing, {"--frames", "100000"}, settings);
+  EXPECT_EQ(run.code, 130);
+  EXPECT_TRUE(has(run.errors, "interrupted after ")) << run.errors;
+  const Json record = read_run(out_);
+  EXPECT_EQ(record["ended"], "interrupted");
+  const std::size_t frames = record["frames"].size();
+  EXPECT_GE(frames, 4u);
+  EXPECT_EQ(read_states(out_ / "states.bin").frames.size(), frames);
+  std::size_t pictures = 0;
+  for (const std::string& name : folder_.names("out")) pictures += name.starts_with("frame-");
+  EXPECT_EQ(pictures, frames);
+}
+
+TEST_F(Hairlab, NamesTheExerciseThatAStubIsOf) {
+  const ProgramSettings student{.program = STUDENT_HAIRLAB};
+  expect_refused(play(kSwing, {}, student), 3,
+                 "scene needs H1: student/stretch_springs.cpp, stretch_energy is not implemented yet");
+  expect_refused(play(kPendulum, {}, student), 3, "P2: student/constraint_forces.cpp, ");
+  EXPECT_FALSE(fs::exists(out_));
+
+  ASSERT_EQ(play(kSwing, {"--no-render"}).code, 0);
+  const std::string before = read_bytes(out_ / "run.json");
+  EXPECT_EQ(play(kSwing, {}, student).code, 3);
+  EXPECT_EQ(read_bytes(out_ / "run.json"), before) << "an earlier run is lost";
+}
+
+TEST_F(Hairlab, RefusesBadScenesWithTheirJsonPath) {
+  std::string negative = kPendulum;
+  negative.replace(negative.find("\"mass\": 1}]"), 9, "\"mass\": -1");
+  expect_refused(play(negative.c_str()), 2, "scene.json: toys[0].particles[1].mass: ");
+  std::string unknown = kSwing;
+  unknown.replace(unknown.find("segments"), 8, "segmnets");
+  expect_refused(play(unknown.c_str()), 2, "scene.json: hair[0]: unknown key \"segmnets\"");
+  expect_refused(play("{\"shows\": "), 2, "scene.json");
+  EXPECT_FALSE(fs::exists(out_));
+}
+
+TEST_F(Hairlab, RefusesWrongUsage) {
+  const std::string scene = folder_.write("scene.json", kSwing), out = out_.string();
+  expect_refused(run_hairlab({}), 2, "");
+  expect_refused(run_hairlab({"play"}), 2, "");
+  expect_refused(run_hairlab({"run"}), 2, "SCENE");
+  expect_refused(run_hairlab({"run", scene}), 2, "--out");
+  for (const std::string frames : {"-1", "1.5", "many", "1000001"})
+    expect_refused(run_hairlab({"run", scene, "--out", out, "--frames", frames}), 2, "--frames");
+  expect_refused(run_hairlab({"run", scene, "--out", out, "--fast"}), 2, "--fast");
+  expect_refused(run_hairlab({"run", "no-such-scene", "--out", out}), 2,
+                 "no-such-scene: there is no such file");
+  expect_refused(run_hairlab({"run", folder_.path().string(), "--out", out}), 2, "is a folder");
+  EXPECT_FALSE(fs::exists(out_));
+}
+
+TEST_F(Hairlab, RefusesFoldersThatCanNotBeWrittenOrHoldSomethingElse) {
+  const std::string scene = folder_.write("scene.json", kSwing);
+  const auto into = [&](const std::string& out) {
+    return run_hairlab({"run", scene, "--out", out, "--no-render"});
+  };
+  expect_refused(into(scene), 2, scene + ": is a file");
+  expect_refused(into(scene + "/out"), 2, scene + "/out: can't be made");
+  expect_refused(into("/proc/out"), 2, "/proc/out: can't be made");
+  expect_refused(into("/"), 2, "is the root");
+  expect_refused(into(folder_.path().string()), 2, "is not empty, and not from hairlab");
+  EXPECT_EQ(read_bytes(scene), kSwing);
+
+  ASSERT_EQ(into(out_.string()).code, 0);
+  ASSERT_EQ(into(out_.string()).code, 0) << "an earlier run is replaced";
+  folder_.write("out/notes.txt", "mine");
+  expect_refused(into(out_.string()), 2, "holds notes.txt");
+  EXPECT_EQ(read_bytes(out_ / "notes.txt"), "mine");
+}
+
+// A limit on the size of files acts as a disk that is full: first for the table of states, with less for all.
+TEST_F(Hairlab, WritesNothingOnAFullDisk) {
+  for (const int limit : {0, 1, 8}) {
+    const ProgramRun run = play(kSwing, {"--no-render", "--frames", "40"}, {.file_limit = limit});
+    // With a limit of nothing, what it says has no room, either.
+    if (limit == 0)
+      EXPECT_EQ(run.code, 2);
+    else
+      expect_refused(run, 2, "can't be written (File too large)");
+    EXPECT_EQ(folder_.names(), std::vector<std::string>{"scene.json"});
+  }
+  const ProgramRun run = play(kSwing, {}, {.file_limit = 2});
+  expect_refused(run, 2, out_.string() + "/");
+  EXPECT_EQ(folder_.names(), std::vector<std::string>{"scene.json"});
+}
+
+TEST_F(Hairlab, ExplainsWithoutRunning) {
+  const std::string scene = folder_.write("scene.json", kSwing);
+  const ProgramRun run = run_hairlab({"run", scene, "--explain"});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_EQ(run.errors, "");
+  EXPECT_TRUE(run.output.starts_with("scene: a hair swings down\n")) << run.output;
+  EXPECT_TRUE(has(run.output, "\n  bending            used      H2, ")) << run.output;
+  EXPECT_TRUE(has(run.output, "\n  OpenGL             used      ")) << run.output;
+  EXPECT_EQ(folder_.names(), std::vector<std::string>{"scene.json"});
+  const ProgramRun both = play(kSwing, {"--explain", "--no-render"});
+  EXPECT_TRUE(has(both.output, "\n  OpenGL             left out  --no-render: no library is loaded\n"))
+      << both.output;
+  EXPECT_TRUE(fs::exists(out_ / "run.json"));
+}
+
+TEST_F(Hairlab, ListsTheScenesThatComeAlong) {
+  const ProgramRun run = run_hairlab({"scenes"});
+  EXPECT_EQ(run.code, 0) << run.errors;
+  std::ptrdiff_t scenes = 0;
+  for (const fs::directory_entry& entry : fs::directory_iterator(HAIR_SCENES_DIR))
+    if (entry.path().extension() == ".json") {
+      ++scenes;
+      EXPECT_TRUE(has("\n" + run.output, "\n" + entry.path().stem().string() + ": ")) << run.output;
+    }
+  EXPECT_GT(scenes, 0);
+  EXPECT_EQ(lines_of(run.output), scenes);
+  const ProgramRun missing = run_hairlab({"run", "strand-swnig", "--explain"});
+  EXPECT_TRUE(has(missing.errors, "strand-swing, ")) << missing.errors;
+  EXPECT_EQ(run_hairlab({"run", "strand-swing", "--explain"}).code, 0);
+}
+
+}  // namespace
+}  // namespace hair
