@@ -1,8 +1,8 @@
 // Pictures of a scene while it plays. What draws them is loaded when this is made, and not before.
 #pragma once
 
-#include "hair/render/camera.h"
 #include "hair/render/renderer.h"
+#include "hair/render/scene_drawing.h"
 #include "hair/scene/playback.h"
 #include "hair/scene/scene.h"
 
@@ -19,9 +19,8 @@ class Pictures {
   std::string about() const { return renderer_.about(); }
 
  private:
-  const Scene& scene_;
+  SceneDrawing drawing_;
   Renderer renderer_;
-  Camera camera_;
 };
 
 }  // namespace hair

@@ -246,7 +246,7 @@ TEST_F(Hairlab, NamesTheExerciseThatAStubIsOf) {
   const ProgramSettings student{.program = STUDENT_HAIRLAB};
   expect_refused(play(kSwing, {}, student), 3,
                  "scene needs H1: student/stretch_springs.cpp, stretch_energy is not implemented yet");
-  expect_refused(play(kPendulum, {}, student), 3, "P2: student/constraint_forces.cpp, ");
+  expect_refused(play(kPendulum, {}, student), 3, "scene needs P1: student/explicit_integrators.cpp, ");
   EXPECT_FALSE(fs::exists(out_));
 
   ASSERT_EQ(play(kSwing, {"--no-render"}).code, 0);

@@ -12,7 +12,7 @@ Vector3d colour_or(const JsonValue& object, const std::string& key, const Vector
 }
 
 int pixels_or(const JsonValue& object, const std::string& key, int otherwise) {
-  return object.has(key) ? static_cast<int>(object[key].whole_number(16, 8192)) : otherwise;
+  return object.has(key) ? static_cast<int>(object[key].whole_number(16, 4096)) : otherwise;
 }
 
 }  // namespace
