@@ -26,7 +26,9 @@ Kind kind_of(const fs::path& path) {
   const fs::file_status status = fs::status(path, error);
   if (fs::is_directory(status)) return Kind::folder;
   if (fs::is_regular_file(status)) return Kind::file;
-  const std::string why = fs::exists(status) ? "is neither" : error ? error.message() : "is not there";
+  const std::string why = fs::exists(status) ? "is neither a file nor a folder"
+                          : error            ? error.message()
+                                             : "is not there";
   throw BadInput(shown(path) + ": " + why + "; give two PNG pictures, or two folders of them");
 }
 

@@ -102,10 +102,12 @@ std::string comparison_page(const Comparison& comparison, const std::vector<Smal
   body += missing(comparison.test, comparison.only_in_test);
   if (!worst.empty()) {
     body += html(
-        "<section id=\"worst\">\n<h2>The worst {}</h2>\n<p class=\"quiet\">Press a picture, or hold the key "
+        "<section id=\"worst\">\n<h2>{}</h2>\n<p class=\"quiet\">Press a picture, or hold the key "
         "F for "
         "all of them, to flip between the first and the second.</p>\n",
-        {worst.size()});
+        {worst.size() + count_identical(comparison) == comparison.pairs.size()
+             ? "Those that differ"
+             : "The worst " + std::to_string(worst.size())});
     for (const SmallPair& small : worst) body += shown_pair(small);
     body += html("</section>\n");
   }

@@ -180,7 +180,9 @@ int main(int argc, char* argv[]) {
   try {
     if (*compare_command) {
       note_interruptions();
-      return compare(comparing, std::cout, interrupted);
+      const int code = compare(comparing, std::cout, interrupted);
+      if (code == 130) std::cerr << "hairgrade: interrupted; nothing was written\n";
+      return code;
     }
     return *grade_command ? grade(grading) : handout(handing_out);
   } catch (const BadInput& error) {

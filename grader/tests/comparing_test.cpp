@@ -1,0 +1,263 @@
+// STAFF ONLY. hairgrade compare, as a TA meets it.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "grader/compare/compare.h"
+#include "grader/compare/test_pictures.h"
+#include "grader/tests/run_program.h"
+#include "hair/image/png.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+using hair::Image;
+using nlohmann::json;
+using std::string;
+
+constexpr int kWidth = 96, kHeight = 64;
+
+Image frame(int shift) {
+  return strands(kWidth, kHeight, 10, shift);
+}
+
+class Comparing : public testing::Test {
+ protected:
+  Comparing() {
+    string pattern = (fs::temp_directory_path() / "comparing-test-XXXXXX").string();
+    folder_ = mkdtemp(pattern.data());
+  }
+  ~Comparing() override { fs::remove_all(folder_); }
+
+  string path(const string& name) const { return (folder_ / name).string(); }
+  string out() const { return path("out"); }
+  string put(const string& name, const Image& image) const {
+    hair::write_png(folder_ / name, image);
+    return path(name);
+  }
+
+  // Two folders: one frame the same, one near, one far, and one in each that the other lacks.
+  void two_folders() const {
+    put("a/frame-0001.png", frame(0));
+    put("b/frame-0001.png", frame(0));
+    put("a/frame-0002.png", frame(0));
+    put("b/frame-0002.png", frame(1));
+    put("a/frame-0003.png", frame(0));
+    put("b/frame-0003.png", frame(40));
+    put("a/frame-0004.png", frame(0));
+    put("b/frame-0005.png", frame(0));
+  }
+
+  ProgramRun compare(std::vector<string> arguments) const {
+    arguments.insert(arguments.begin(), "compare");
+    return run_hairgrade(arguments);
+  }
+
+  // Bad input: exit code 2, one line that holds these words, and nothing written.
+  void expect_refused(const std::vector<string>& arguments, const std::vector<string>& words) const {
+    std::vector<string> with_out = arguments;
+    if (std::find(arguments.begin(), arguments.end(), "--out") == arguments.end())
+      with_out.insert(with_out.end(), {"--out", out()});
+    const ProgramRun run = compare(with_out);
+    EXPECT_EQ(run.code, 2) << run.errors;
+    EXPECT_EQ(run.output, "");
+    EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
+    for (const string& word : words)
+      EXPECT_NE(run.errors.find(word), string::npos) << "no \"" << word << "\" in: " << run.errors;
+    EXPECT_FALSE(fs::exists(out()));
+  }
+
+  static std::map<string, string> files(const fs::path& folder) {
+    std::map<string, string> all;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+      all[fs::relative(entry.path(), folder).string()] = read_file(entry.path());
+    return all;
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(Comparing, TwoPicturesGiveTheirDistances) {
+  const string a = put("a.png", frame(0)), b = put("b.png", frame(3));
+  const PictureDistance expected = compare_pictures(frame(0), frame(3));
+  const ProgramRun run = compare({a, b, "--json"});
+  EXPECT_EQ(run.code, 0) << run.errors;
+  EXPECT_EQ(run.errors, "");
+  const json pairs = json::parse(run.output).at("pairs");
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_EQ(pairs[0].at("name"), "b.png");
+  EXPECT_EQ(pairs[0].at("width"), kWidth);
+  EXPECT_EQ(pairs[0].at("height"), kHeight);
+  EXPECT_EQ(pairs[0].at("identical"), false);
+  EXPECT_EQ(pairs[0].at("blurred_rmse"), expected.blurred_rmse);
+  EXPECT_EQ(pairs[0].at("flip_mean"), expected.flip_mean);
+  EXPECT_EQ(pairs[0].at("flip_max"), expected.flip_max);
+
+  char line[100];
+  snprintf(line, sizeof line, "\nb.png    %12.4f  %6.4f  %8.4f\n", expected.blurred_rmse, expected.flip_mean,
+           expected.flip_max);
+  const ProgramRun table = compare({a, b});
+  EXPECT_NE(table.output.find(line), string::npos) << table.output << line;
+  EXPECT_EQ(compare({a, a}).output, "1 of 1 the same, pixel for pixel\n");
+}
+
+TEST_F(Comparing, FoldersAreSortedWorstFirstAndWhatIsMissingIsNamed) {
+  two_folders();
+  const ProgramRun run = compare({path("a"), path("b")});
+  EXPECT_EQ(run.code, 0) << run.errors;
+  const std::size_t far = run.output.find("\nframe-0003.png"), near = run.output.find("\nframe-0002.png");
+  ASSERT_NE(far, string::npos) << run.output;
+  ASSERT_NE(near, string::npos);
+  EXPECT_LT(far, near);
+  for (const string& words :
+       {string("1 of 3 the same, pixel for pixel\n"), "only in " + path("a") + ": frame-0004.png\n",
+        "only in " + path("b") + ": frame-0005.png\n"})
+    EXPECT_NE(run.output.find(words), string::npos) << run.output << words;
+
+  const json all = json::parse(compare({path("a"), path("b"), "--json"}).output);
+  ASSERT_EQ(all.at("pairs").size(), 3u);
+  EXPECT_EQ(all.at("pairs")[0].at("name"), "frame-0003.png");
+  EXPECT_EQ(all.at("pairs")[2].at("identical"), true);
+  EXPECT_EQ(all.at("only_in_first"), json::array({"frame-0004.png"}));
+  EXPECT_EQ(all.at("only_in_second"), json::array({"frame-0005.png"}));
+}
+
+TEST_F(Comparing, PicturesAndAPageAreWritten) {
+  two_folders();
+  const ProgramRun run = compare({path("a"), path("b"), "--out", out()});
+  EXPECT_EQ(run.code, 0) << run.errors;
+  EXPECT_TRUE(run.output.ends_with(out() + "/index.html\n")) << run.output;
+  const std::map<string, string> written = files(out());
+  std::vector<string> names;
+  for (const auto& [name, bytes] : written) names.push_back(name);
+  EXPECT_EQ(names, (std::vector<string>{"frame-0001-side.png", "frame-0002-heat.png", "frame-0002-side.png",
+                                        "frame-0003-heat.png", "frame-0003-side.png", "index.html"}));
+  const Image heat = hair::read_png(out() + "/frame-0003-heat.png");
+  EXPECT_EQ(heat.width, kWidth);
+  EXPECT_EQ(heat.height, kHeight);
+  EXPECT_EQ(hair::read_png(out() + "/frame-0003-side.png").width, 3 * kWidth + 2 * 8);
+  const string page = written.at("index.html");
+  EXPECT_LT(page.find("<strong>frame-0003.png"), page.find("<strong>frame-0002.png"));
+  for (std::size_t at = page.find("src="); at != string::npos; at = page.find("src=", at + 1)) {
+    EXPECT_TRUE(page.substr(at).starts_with("src=\"data:image/png;base64,")) << page.substr(at, 40);
+  }
+  EXPECT_EQ(page.find("http"), page.find("http-equiv"));
+}
+
+TEST_F(Comparing, AgainItGivesTheSameBytes) {
+  two_folders();
+  for (const char* folder : {"first", "second", "second"})
+    ASSERT_EQ(compare({path("a"), path("b"), "--out", path(folder)}).code, 0);
+  EXPECT_EQ(files(path("first")), files(path("second")));
+}
+
+TEST_F(Comparing, StrangeNamesAreWrittenAsTheyAreAndShownSafely) {
+  const string name = "<b>#1 50%?\x1b[31m.png";
+  put("a/" + name, frame(0));
+  put("b/" + name, frame(1));
+  const ProgramRun run = compare({path("a"), path("b"), "--out", out()});
+  EXPECT_EQ(run.code, 0) << run.errors;
+  EXPECT_EQ(run.output.find('\x1b'), string::npos);
+  EXPECT_TRUE(fs::exists(out() + "/<b>#1 50%?\x1b[31m-heat.png"));
+  const string page = read_file(out() + "/index.html");
+  EXPECT_EQ(page.find("<b>"), string::npos);
+  EXPECT_NE(page.find("href=\"%3Cb%3E%231%2050%25%3F%1B%5B31m-heat.png\""), string::npos);
+}
+
+TEST_F(Comparing, WhatIsNoPairIsRefused) {
+  two_folders();
+  const string picture = put("picture.png", frame(0));
+  fs::create_directory(folder_ / "empty");
+  put("c/other.png", frame(0));
+  expect_refused({path("a")}, {"B", "--help"});
+  expect_refused({path("a"), path("nowhere")}, {path("nowhere"), "No such file"});
+  expect_refused({path("nowhere"), path("a")}, {path("nowhere"), "No such file"});
+  expect_refused({path("a"), picture}, {path("a") + " is a folder", picture + " is a file"});
+  expect_refused({picture, path("a")}, {picture + " is a file", path("a") + " is a folder"});
+  expect_refused({path("a"), path("empty")}, {path("empty"), "*.png"});
+  expect_refused({path("a"), path("c")}, {path("a"), path("c"), "other.png", "names"});
+  expect_refused({path("a"), "/dev/null"}, {"/dev/null", "neither"});
+}
+
+TEST_F(Comparing, SizesThatDifferAreNamedAndNothingIsLeft) {
+  two_folders();
+  put("b/frame-0003.png", strands(kWidth, kHeight + 1, 10));
+  expect_refused({path("a"), path("b")},
+                 {path("a/frame-0003.png"), "96 x 64", path("b/frame-0003.png"), "96 x 65"});
+}
+
+TEST_F(Comparing, PicturesThatCanNotBeReadAreNamed) {
+  two_folders();
+  const string whole = read_file(path("b/frame-0002.png"));
+  for (const string& bytes : {string(), string("no picture"), whole.substr(0, whole.size() / 2)}) {
+    std::ofstream(path("b/frame-0002.png"), std::ios::binary) << bytes;
+    expect_refused({path("a"), path("b")}, {path("b/frame-0002.png")});
+  }
+}
+
+TEST_F(Comparing, AFolderThatCanNotBeWrittenIsNamedAndWhatWasThereStays) {
+  two_folders();
+  std::ofstream(path("file")) << "kept";
+  expect_refused({path("a"), path("b"), "--out", path("file")}, {path("file"), "Not a directory"});
+  expect_refused({path("a"), path("b"), "--out", path("file/in")}, {path("file/in"), "Not a directory"});
+  EXPECT_EQ(read_file(path("file")), "kept");
+  const std::map<string, string> before = files(path("a"));
+  expect_refused({path("a"), path("b"), "--out", path("a")}, {"--out " + path("a"), "another folder"});
+  EXPECT_EQ(files(path("a")), before);
+}
+
+// A limit on files' sizes stands for a full disk.
+TEST_F(Comparing, AFullDiskIsNamedAndEarlierFilesStay) {
+  two_folders();
+  fs::create_directory(out());
+  std::ofstream(out() + "/index.html") << "earlier";
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const auto old_handler = ::signal(SIGXFSZ, SIG_IGN);  // the program inherits both
+  rlimit small = before;
+  small.rlim_cur = 500;
+  setrlimit(RLIMIT_FSIZE, &small);
+  const ProgramRun run = compare({path("a"), path("b"), "--out", out()});
+  setrlimit(RLIMIT_FSIZE, &before);
+  ::signal(SIGXFSZ, old_handler);
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.errors.find("can't be written (File too large)"), string::npos) << run.errors;
+  EXPECT_EQ(files(out()), (std::map<string, string>{{"index.html", "earlier"}}));
+}
+
+TEST_F(Comparing, InterruptedItLeavesNothing) {
+  for (int i = 0; i < 200; ++i) {
+    const string name = "frame-" + std::to_string(i) + ".png";
+    put("a/" + name, frame(0));
+    put("b/" + name, frame(i));
+  }
+  const ProgramRun run = run_hairgrade({"compare", path("a"), path("b"), "--out", out()}, [&](int process) {
+    while (!fs::exists(out())) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    kill(process, SIGINT);
+  });
+  EXPECT_EQ(run.code, 130);
+  EXPECT_EQ(run.errors, "hairgrade: interrupted; nothing was written\n");
+  EXPECT_FALSE(fs::exists(out()));
+}
+
+TEST_F(Comparing, NeedsNoHome) {
+  const char* home = getenv("HOME");
+  const string kept = home == nullptr ? "" : home;
+  unsetenv("HOME");
+  const ProgramRun run = compare({put("a.png", frame(0)), put("b.png", frame(1))});
+  if (home != nullptr) setenv("HOME", kept.c_str(), 1);
+  EXPECT_EQ(run.code, 0) << run.errors;
+}
+
+}  // namespace
+}  // namespace grader
