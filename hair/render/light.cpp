@@ -16,7 +16,8 @@ LightMap light_map(const std::vector<RibbonVertex>& ribbons, const Mesh& mesh) {
   const Eigen::Vector3f up = kKeyLight.cross(across);
   float radius = 0;
   const auto add = [&](const Eigen::Vector3f& at) {
-    radius = std::max({radius, std::abs(across.dot(at - kTarget)), std::abs(up.dot(at - kTarget))});
+    const float distance = std::max(std::abs(across.dot(at - kTarget)), std::abs(up.dot(at - kTarget)));
+    if (distance < kLargest) radius = std::max(radius, distance);
   };
   for (const RibbonVertex& vertex : ribbons) add(vertex.at);
   for (const MeshVertex& vertex : mesh.vertices) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -53,7 +54,12 @@ TEST(Renderer, DrawsTheSameBytesAgain) {
   Renderer renderer(kSmall);
   const Image first = renderer.draw(scene.drawing, scene.camera);
   EXPECT_TRUE(renderer.draw(scene.drawing, scene.camera) == first) << "at once";
-  renderer.draw(strand({Vector3d(0, 0, 0), Vector3d(0, 0, 1)}, 0.01), kFront);
+  Drawing few = strand({}, 0.01);
+  few.strands.sizes = {2, 2, 2};
+  for (const double x : {-0.1, 0.0, 0.1}) {
+    for (const double z : {0.1, -0.1}) few.strands.points.emplace_back(x, 0, z);
+  }
+  EXPECT_TRUE(renderer.draw(few, kFront) == Renderer(kSmall).draw(few, kFront)) << "after a larger one";
   renderer.draw({}, kFront);
   EXPECT_TRUE(renderer.draw(scene.drawing, scene.camera) == first) << "after other drawings";
   EXPECT_TRUE(Renderer(kSmall).draw(scene.drawing, scene.camera) == first) << "by a fresh renderer";
@@ -201,13 +207,26 @@ TEST(Renderer, NothingIsAPictureToo) {
       << "a strand whose points are all in one place";
 }
 
-// A strand that flew away is not in the picture; all else is as it was.
+// A tip that flew away draws its strand's last piece across the picture, and changes nothing else; how far it
+// flew is all the same.
 TEST(Renderer, WhatIsAsFarAsNumbersGoDoesNoHarm) {
   TestScene scene = test_scene(kAspect);
   Renderer renderer(kSmall);
-  for (const double far : {1e9, 1e200, std::numeric_limits<double>::max()}) {
+  const Image before = renderer.draw(scene.drawing, scene.camera);
+  const auto flown = [&](double far) {
     scene.drawing.strands.points.back() = Vector3d(far, far, -far);
-    EXPECT_NO_THROW(renderer.draw(scene.drawing, scene.camera)) << far;
+    return renderer.draw(scene.drawing, scene.camera);
+  };
+  const Image after = flown(1e9);
+  int other = 0;
+  for (int i = 0; i < kWidth * kHeight; ++i) {
+    other += std::equal(after.at(i, 0), after.at(i, 0) + 3, before.at(i, 0)) ? 0 : 1;
+  }
+  // At most a line through the picture, as wide as its filter, and its shadow.
+  EXPECT_GT(other, 0);
+  EXPECT_LT(other, 2 * 4 * (kWidth + kHeight));
+  for (const double far : {1e50, 1e200, std::numeric_limits<double>::max()}) {
+    EXPECT_TRUE(flown(far) == after) << far;
   }
 }
 
