@@ -1,5 +1,5 @@
-// STAFF ONLY. Colours, as FLIP needs them. XYZ stands for CIE 1931 XYZ divided by that of D65's white, so that
-// grey has three equal values and white is (1, 1, 1).
+// STAFF ONLY. Colours, as FLIP needs them. XYZ stands for CIE 1931 XYZ divided by that of D65's white, so
+// that grey has three equal values and white is (1, 1, 1).
 //
 // Sources: IEC 61966-2-1 (sRGB); CIE 15 (L*a*b*); X. Zhang and B. A. Wandell, "A spatial extension of CIELAB
 // for digital color-image reproduction", 1997 (Y_y C_x C_z, linear in XYZ).

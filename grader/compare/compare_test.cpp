@@ -31,8 +31,8 @@ TEST(ComparePictures, BlackIsOneFromWhite) {
               kRounding);
 }
 
-// The squares of a Gaussian's weights sum to about 1 / (4 pi sigma^2); cut off at 3 sigma and sampled, to within
-// a hundredth.
+// The squares of a Gaussian's weights sum to about 1 / (4 pi sigma^2); cut off at 3 sigma and sampled, to
+// within a hundredth.
 TEST(ComparePictures, OfADotIsTheNormOfTheGaussian) {
   const int size = 64;
   Image dot = even({0, 0, 0}, size, size);

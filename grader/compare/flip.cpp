@@ -9,12 +9,12 @@
 #include <string>
 
 #include "grader/compare/color.h"
+#include "grader/compare/contrast_sensitivity.h"
 
 namespace grader {
 namespace {
 
 using hair::Image;
-using std::numbers::pi;
 using Channels = std::array<Plane, 3>;
 
 // The paper's constants: exponents q, the knee of the redistribution of errors (p_c, p_t), the width of what
@@ -45,37 +45,6 @@ Channels ycxcz_of(const Image& image) {
   return channels;
 }
 
-// What the eye resolves, a term of the contrast sensitivity of a channel: in frequencies a exp(-b f^2), in
-// degrees a sqrt(pi / b) exp(-pi^2 x^2 / b).
-struct Sensitivity {
-  double a, b;
-};
-constexpr Sensitivity achromatic{1, 0.0047}, red_green{1, 0.0053};
-constexpr std::array<Sensitivity, 2> blue_yellow{{{34.1, 0.04}, {13.5, 0.025}}};
-
-double sigma_of(const Sensitivity& term) {  // in degrees
-  return std::sqrt(term.b / 2) / pi;
-}
-
-// A sum of Gaussians is no product of a row and a column, but each of them is.
-Plane seen(const Plane& channel, const Sensitivity& term, double pixels_per_degree) {
-  // Three standard deviations of the widest term, for all of them.
-  const int radius = static_cast<int>(std::ceil(3 * sigma_of(blue_yellow[0]) * pixels_per_degree));
-  const Kernel kernel = gaussian(sigma_of(term) * pixels_per_degree, radius);
-  return filtered(channel, kernel, kernel);
-}
-
-Plane seen_blue_yellow(const Plane& channel, double pixels_per_degree) {
-  // The integral over the plane of a sqrt(pi / b) exp(-pi^2 r^2 / b) is a sqrt(b / pi).
-  const auto integral = [](const Sensitivity& term) { return term.a * std::sqrt(term.b / pi); };
-  const double share = integral(blue_yellow[0]) / (integral(blue_yellow[0]) + integral(blue_yellow[1]));
-  Plane sum = seen(channel, blue_yellow[0], pixels_per_degree);
-  const Plane second = seen(channel, blue_yellow[1], pixels_per_degree);
-  for (std::size_t i = 0; i < sum.values.size(); ++i)
-    sum.values[i] = static_cast<float>(share * sum.values[i] + (1 - share) * second.values[i]);
-  return sum;
-}
-
 // L*a*b* in which what is dark has less colour: the Hunt effect.
 Color hunt_lab(const Color& xyz) {
   const Color lab = lab_from_xyz(xyz);
@@ -101,9 +70,9 @@ Plane color_differences(const Channels& reference, const Channels& test, double 
   std::array<Channels, 2> both;
   for (std::size_t i = 0; i < 2; ++i) {
     const Channels& channels = i == 0 ? reference : test;
-    both[i] = {seen(channels[0], achromatic, pixels_per_degree),
-               seen(channels[1], red_green, pixels_per_degree),
-               seen_blue_yellow(channels[2], pixels_per_degree)};
+    both[i] = {seen(channels[0], Opponent::achromatic, pixels_per_degree),
+               seen(channels[1], Opponent::red_green, pixels_per_degree),
+               seen(channels[2], Opponent::blue_yellow, pixels_per_degree)};
   }
   // Filtering can leave the colours that a screen shows.
   const auto shown = [](const Channels& channels, std::size_t i) {

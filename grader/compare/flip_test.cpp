@@ -26,7 +26,8 @@ double largest(const ErrorMap& map) {
   return *std::max_element(map.values.begin(), map.values.end());
 }
 
-// A photograph and what a video codec made of it. Published with 67.02 pixels per degree: the mean within 1e-4.
+// A photograph and what a video codec made of it. Published with 67.02 pixels per degree: the mean within
+// 1e-4.
 TEST(Flip, OfThePublishedPairIsThePublishedOne) {
   const char* folder = std::getenv("HAIR_IMAGES");
   if (folder == nullptr) GTEST_SKIP() << "HAIR_IMAGES is not set to the folder with tree-ref.png";

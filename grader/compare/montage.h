@@ -11,8 +11,8 @@ namespace grader {
 // std::invalid_argument.
 hair::Image side_by_side(const std::vector<hair::Image>& images);
 
-// At most `width` pixels wide, its sides as they were to each other: each pixel is the mean of what it covers.
-// A picture that is narrower stays as it is.
+// At most `width` pixels wide, its sides as they were to each other: each pixel is the mean of what it
+// covers. A picture that is narrower stays as it is.
 hair::Image shrunk(const hair::Image& image, int width);
 
 }  // namespace grader

@@ -17,8 +17,8 @@ struct PicturePairs {
   std::vector<std::string> only_in_reference, only_in_test;
 };
 
-// Two files, or the files *.png of two folders, matched by their names. Throws BadInput: nothing there, one file
-// and one folder, a folder without pictures, no name that is in both.
+// Two files, or the files *.png of two folders, matched by their names. Throws BadInput: nothing there, one
+// file and one folder, a folder without pictures, no name that is in both.
 PicturePairs find_pairs(const std::filesystem::path& reference, const std::filesystem::path& test);
 
 }  // namespace grader

@@ -25,8 +25,8 @@ using Kernel = std::vector<float>;
 // exp(-i^2 / (2 sigma^2)) for i from -radius to radius, scaled to the sum 1. sigma in pixels, > 0.
 Kernel gaussian(double sigma, int radius);
 
-// out(x, y) = sum over i and j of along_rows[i] along_columns[j] in(x + i, y + j). Beyond its border the plane
-// goes on as it ends there.
+// out(x, y) = sum over i and j of along_rows[i] along_columns[j] in(x + i, y + j). Beyond its border the
+// plane goes on as it ends there.
 Plane filtered(const Plane& in, const Kernel& along_rows, const Kernel& along_columns);
 
 }  // namespace grader

@@ -18,8 +18,8 @@ std::vector<Column> columns_of(const std::vector<SubmissionResult>& results);  /
 const ExerciseResult* find_exercise(const SubmissionResult& result,
                                     const std::string& id);  // null if there is none
 
-// A result in five letters: the points, "stub", "crash". Points with "!" were won although a case crashed, ran
-// into a limit or broke the rules.
+// A result in five letters: the points, "stub", "crash". Points with "!" were won although a case crashed,
+// ran into a limit or broke the rules.
 std::string in_short(const ExerciseResult& exercise);
 
 bool all_isolated(const std::vector<SubmissionResult>& results);

@@ -1,5 +1,5 @@
-// STAFF ONLY. A page for TAs: pictures compared, worst first. What it shows is in it; what it links to, in full
-// size, stands beside it.
+// STAFF ONLY. A page for TAs: pictures compared, worst first. What it shows is in it; what it links to, in
+// full size, stands beside it.
 #pragma once
 
 #include <string>

@@ -13,8 +13,8 @@ namespace grader {
 // A PNG file's bytes as a part of the page. `look` is a class of the style sheet, or "".
 Html image(const std::string& png, const std::string& alt, const char* look = "");
 
-// A row for each moment, with its distances, under a heading that opens and closes. Open from the start if one
-// is over its limit. Nothing without pictures. `whose` captions the submission's: "Yours".
+// A row for each moment, with its distances, under a heading that opens and closes. Open from the start if
+// one is over its limit. Nothing without pictures. `whose` captions the submission's: "Yours".
 Html moments(const std::vector<PictureResult>& pictures, const std::string& heading,
              const std::string& whose);
 

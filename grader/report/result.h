@@ -33,8 +33,8 @@ struct CaseResult {
   std::string detail;    // for staff: inputs, expected and actual values
 };
 
-// A moment of a run, drawn by us from the states that a submission's code reached and from the reference's. No
-// text and no name of a student's is in it.
+// A moment of a run, drawn by us from the states that a submission's code reached and from the reference's.
+// No text and no name of a student's is in it.
 struct PictureResult {
   std::string name;                      // "0.50 s"
   double blurred_rmse = 0, flip = 0;     // 0 to 1, see compare/compare.h; flip: the mean

@@ -16,8 +16,8 @@ constexpr Status all_statuses[] = {Status::passed,          Status::partly,    S
 // A moment of strands, the student's moved to the right by so many pixels.
 PictureResult sample_picture(const std::string& name, int shift, double limit);
 
-// A class of `size` in which every status occurs, from the tenth submission on twice, and so forth. What runs has pictures: the same if it
-// passed, near if it partly did, far if it is wrong.
+// A class of `size` in which every status occurs, from the tenth submission on twice, and so forth. What runs
+// has pictures: the same if it passed, near if it partly did, far if it is wrong.
 std::vector<SubmissionResult> sample_class(int size);
 
 // The same with the course's ten exercises in each, two of them extra credit.
