@@ -250,7 +250,7 @@ class Renderer::Parts {
     if (content.hair_shadows) {
       const float half = half_texel(content);
       set(program, "opacity", content.half_width / std::max(content.half_width, half));
-      set(program, "skip", 2 * std::max(content.half_width, half) / LightMap::kDepth);
+      set(program, "skip", 4 * std::max(content.half_width, half) / LightMap::kDepth);
       set(program, "layers", layers(content));
       set(program, "hair_depth", 0, hair_map_->depth);
       set(program, "hair_count", 1, count_map_->colour);

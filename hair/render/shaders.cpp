@@ -48,9 +48,12 @@ uniform float opacity;    // of a strand in a texel that it meets
 uniform vec4 layers;      // where the layers end, in the map's depth
 uniform float bias, skip, away;  // so that no surface and no strand shades itself: in depth, and along its normal
 uniform sampler2D hair_depth, hair_count, solid_depth;
+bool outside(vec2 map) {
+  return any(lessThan(map, vec2(0.0))) || any(greaterThan(map, vec2(1.0)));
+}
 #ifdef HAIR_SHADOWS
 float hairs_at(ivec2 texel, float depth) {
-  if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, textureSize(hair_depth, 0)))) return 0.0;
+  texel = clamp(texel, ivec2(0), textureSize(hair_depth, 0) - 1);
   float behind = depth - skip - texelFetch(hair_depth, texel, 0).r;
   if (behind <= 0.0) return 0.0;
   vec4 count = texelFetch(hair_count, texel, 0), begin = vec4(0.0, layers.xyz);
@@ -60,6 +63,7 @@ float hairs_at(ivec2 texel, float depth) {
 float hairs_before(vec3 at) {
 #ifdef HAIR_SHADOWS
   vec3 map = 0.5 + 0.5 * (to_light * vec4(at, 1)).xyz;
+  if (outside(map.xy)) return 0.0;
   vec2 texels = map.xy * vec2(textureSize(hair_depth, 0)) - 0.5;
   ivec2 i = ivec2(floor(texels));
   vec2 f = fract(texels);
@@ -72,20 +76,20 @@ float hairs_before(vec3 at) {
 float past_solids(vec3 at) {
 #ifdef SOLID_SHADOWS
   vec3 map = 0.5 + 0.5 * (to_light * vec4(at, 1)).xyz;
-  ivec2 size = textureSize(solid_depth, 0);
-  vec2 texels = map.xy * vec2(size) - 0.5;
+  if (outside(map.xy)) return 1.0;
+  ivec2 last = textureSize(solid_depth, 0) - 1;
+  vec2 texels = map.xy * vec2(last + 1);
   ivec2 i = ivec2(floor(texels));
   vec2 f = fract(texels);
+  vec3 weights_x = vec3(1.0 - f.x, 1.0, f.x), weights_y = vec3(1.0 - f.y, 1.0, f.y);
   float lit = 0.0;
-  for (int y = -1; y <= 2; ++y) {
-    for (int x = -1; x <= 2; ++x) {
-      ivec2 texel = i + ivec2(x, y);
-      bool outside = any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, size));
-      float weight = (x == -1 ? 1.0 - f.x : x == 2 ? f.x : 1.0) * (y == -1 ? 1.0 - f.y : y == 2 ? f.y : 1.0);
-      lit += outside || texelFetch(solid_depth, texel, 0).r > map.z - bias ? weight : 0.0;
+  for (int y = 0; y < 3; ++y) {
+    for (int x = 0; x < 3; ++x) {
+      ivec2 texel = clamp(i + ivec2(x, y) - 1, ivec2(0), last);
+      if (texelFetch(solid_depth, texel, 0).r > map.z - bias) lit += weights_x[x] * weights_y[y];
     }
   }
-  return lit / 9.0;
+  return lit / 4.0;
 #else
   return 1.0;
 #endif
@@ -115,14 +119,14 @@ void main() {
   vec3 towards = normalize(eye - dot(eye, t) * t);
   vec3 own = mix(root_colour, tip_colour, along) * (1.0 + 0.3 * tone);
   float hairs = hairs_before(place);
-  vec3 key = past_solids(place) * exp(-0.5 * hairs * vec3(0.85, 1.0, 1.15));
+  vec3 key = past_solids(place) * exp(-0.6 * hairs * vec3(0.85, 1.0, 1.15));
   float open = 0.3 + 0.7 * exp(-0.25 * hairs);
   float sky = 0.65 + 0.35 * dot(towards, up);
   vec3 half_way = normalize(key_light + eye);
   vec3 fill = normalize(vec3(0.8, 0.15, 0.5));
   vec3 body = own * (0.9 * key * diffuse(t, key_light) + open * (0.2 * diffuse(t, fill) + 0.4 * sky));
-  vec3 shine = key * (0.22 * lobe(t, towards, half_way, -0.10 + 0.04 * tone, 90.0) +
-                      1.5 * own * lobe(t, towards, half_way, 0.14 + 0.06 * tone, 20.0));
+  vec3 shine = key * (0.28 * lobe(t, towards, half_way, -0.10 + 0.04 * tone, 90.0) +
+                      1.4 * own * lobe(t, towards, half_way, 0.14 + 0.06 * tone, 20.0));
   colour = vec4(min((body + shine) * (1.0 - 0.3 * side * side), 1.0), 1);
 }
 )";
