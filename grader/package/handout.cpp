@@ -1,6 +1,7 @@
 // STAFF ONLY.
 #include "grader/package/handout.h"
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -47,7 +48,20 @@ std::string course_json(const std::string& text, const Course& course) {
   return json.dump(2) + "\n";
 }
 
-// The index with each exercise's row as the course has it, and without those of absent ones.
+// Whether it is the row of a scene, "| `pendulum` | S1, P1 | ...", that calls an exercise that the course lacks.
+bool is_of_absent_scene(const std::string& line, const Course& course) {
+  if (!line.starts_with("| `")) return false;
+  std::istringstream cells(line);
+  std::string cell, id;
+  for (int k = 0; k < 3; ++k) std::getline(cells, cell, '|');
+  std::replace(cell.begin(), cell.end(), ',', ' ');
+  for (std::istringstream ids(cell); ids >> id;)
+    if (const Exercise* exercise = course.find(id); exercise && exercise->role == Role::absent) return true;
+  return false;
+}
+
+// The index with each exercise's row as the course has it, without the rows of absent ones and of scenes that
+// call them.
 std::string course_index(const std::string& text, const Course& course) {
   std::istringstream in(text);
   std::string result, line;
@@ -55,6 +69,7 @@ std::string course_index(const std::string& text, const Course& course) {
     const Exercise* row_of = nullptr;
     for (const Exercise& exercise : course.exercises)
       if (line.starts_with("| " + exercise.id + " |")) row_of = &exercise;
+    if (!row_of && is_of_absent_scene(line, course)) continue;
     if (!row_of)
       result += line + "\n";
     else if (row_of->role != Role::absent)

@@ -39,7 +39,8 @@ class SmallProject : public testing::Test {
     write("handout/exercises.json",
           R"({"exercises": [{"id": "E1", "file": "f.cpp", "points": 1, "role": "assigned"},
                                                       {"id": "E2", "file": "g.cpp", "points": 1, "role": "assigned"}]})");
-    write("handout/assignment/README.md", "# Exercises\n| E1 | old |\n| E2 | old |\nGood luck\n");
+    write("handout/assignment/README.md",
+          "# Exercises\n| E1 | old |\n| E2 | old |\n| `one` | E1 | x |\n| `two` | E1, E2 | x |\nGood luck\n");
     write("handout/student/f.cpp", "int f();\n");
     write("handout/student/g.cpp", "int g();\n");
     write("reference/f.cpp", solution);
@@ -99,6 +100,7 @@ TEST_F(SmallProject, LeavesNoTraceOfAnAbsentExercise) {
   const Files shipped = files();
   EXPECT_FALSE(shipped.contains("student/g.cpp") || shipped.contains("checks/golden/g.mtx"));
   for (const auto& [path, text] : shipped) EXPECT_EQ(text.find("E2"), std::string::npos) << path;
+  EXPECT_NE(shipped.at("assignment/README.md").find("| `one` |"), std::string::npos);
 }
 
 TEST_F(SmallProject, ShipsTheCoursesRolesAndPoints) {
@@ -111,7 +113,8 @@ TEST_F(SmallProject, ShipsTheCoursesRolesAndPoints) {
   EXPECT_EQ(json["exercises"][1]["role"], "optional");
   EXPECT_EQ(shipped.at("assignment/README.md"),
             "# Exercises\n| E1 | [Exercise E1](E1.md) | `student/f.cpp` | - | 7.5 |\n"
-            "| E2 | [Exercise E2](E2.md) | `student/g.cpp` | - | 3, extra credit |\nGood luck\n");
+            "| E2 | [Exercise E2](E2.md) | `student/g.cpp` | - | 3, extra credit |\n"
+            "| `one` | E1 | x |\n| `two` | E1, E2 | x |\nGood luck\n");
 }
 
 TEST_F(SmallProject, GivesTheSameBytesAgain) {

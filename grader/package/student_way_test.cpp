@@ -123,6 +123,40 @@ TEST_F(StudentsWay, LeadsFromTheArchiveToTheHandIn) {
               bytes_of(sources_.root / "reference" / exercise.file));
 }
 
+// Stubs: it says which exercise is missing. Solved: pictures.
+TEST_F(StudentsWay, ShowsTheirHair) {
+  unpack();
+  Ran ran = run(configure_);
+  ASSERT_EQ(ran.code, 0) << ran.output;
+  ran = run("cmake --build build -j 2 --target hairlab");
+  ASSERT_EQ(ran.code, 0) << ran.output;
+  ran = run("build/hairlab run strand-swing --out swing --frames 2");
+  EXPECT_EQ(ran.code, 3);
+  EXPECT_EQ(
+      ran.output,
+      "hairlab: strand-swing needs H1: student/stretch_springs.cpp, stretch_energy is not implemented yet\n");
+  const fs::path swing = folder_ / "hair-assignment/swing";
+  EXPECT_FALSE(fs::exists(swing));
+
+  solve();
+  ran = run("cmake --build build -j 2 --target hairlab");
+  ASSERT_EQ(ran.code, 0) << ran.output;
+  ran = run("build/hairlab run strand-swing --out swing --frames 2");
+  EXPECT_EQ(ran.code, 0) << ran.output;
+  for (const char* name : {"frame-0000.png", "frame-0002.png", "run.json", "states.bin", "states.csv"})
+    EXPECT_TRUE(fs::exists(swing / name)) << name << "\n" << ran.output;
+}
+
+// What hairlab alone needs is not there: it is named, and the rest is configured.
+TEST_F(StudentsWay, GoesWithoutHairlabsPackages) {
+  unpack();
+  const Ran ran = run(configure_ +
+                      " -DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON");
+  EXPECT_EQ(ran.code, 0) << ran.output;
+  EXPECT_NE(ran.output.find("It needs the packages nlohmann-json3-dev libcli11-dev;"), std::string::npos)
+      << ran.output;
+}
+
 TEST_F(StudentsWay, LeavesGivenExercisesOutOfTheHandIn) {
   course_.exercises[0].role = Role::given;
   unpack();

@@ -85,12 +85,15 @@ int run(const RunOptions& options) {
 }
 
 int list_scenes() {
-  for (const std::string& name : shipped_scenes(HAIR_SCENES_DIR)) {
-    const Scene scene = read_scene(find_scene(name, HAIR_SCENES_DIR));
-    std::string exercises;
-    for (const std::string& id : exercises_of(scene)) exercises += (exercises.empty() ? "" : " ") + id;
-    std::cout << name << ": " << scene.shows << " (" << exercises << ")\n";
-  }
+  for (const std::string& name : shipped_scenes(HAIR_SCENES_DIR)) try {
+      const Scene scene = read_scene(find_scene(name, HAIR_SCENES_DIR));
+      std::string exercises;
+      for (const std::string& id : exercises_of(scene)) exercises += (exercises.empty() ? "" : ", ") + id;
+      std::cout << name << ": " << scene.shows << " (" << exercises << ")\n";
+    } catch (const BadInput& error) {
+      // One that needs what this course leaves out says so.
+      std::cout << name << ": can't be played: " << error.what() << "\n";
+    }
   return 0;
 }
 
