@@ -18,7 +18,6 @@ class Gravity : public Force {
  private:
   Eigen::VectorXd mass_;
   Vector3d acceleration_;
-  Eigen::VectorXd weight_;  // 3n, N
 };
 
 }  // namespace particles

@@ -5,20 +5,22 @@
 namespace particles {
 
 ParticleSystem::ParticleSystem(const Particles& particles, const Force& force)
-    : particles_(particles), force_(force), mass_of_each_(3 * particles.count()) {
+    : particles_(particles), force_(force) {
   for (int i = 0; i < particles.count(); ++i)
     require(particles.mass[i] > 0, "ParticleSystem: mass", particles.mass[i], "> 0");
   require(static_cast<int>(particles.pinned.size()) == particles.count(), "ParticleSystem: size of pinned",
           static_cast<double>(particles.pinned.size()), "the number of masses");
-  for (int i = 0; i < particles.count(); ++i) mass_of_each_.segment<3>(3 * i).setConstant(particles.mass[i]);
 }
 
 void ParticleSystem::acceleration(Input x, Input v, Output a) {
   a.setZero();
   force_.add_force(x, v, a);
-  a.array() /= mass_of_each_.array();
-  for (int i = 0; i < particles_.count(); ++i)
-    if (particles_.is_pinned(i)) a.segment<3>(3 * i).setZero();
+  for (int i = 0; i < particles_.count(); ++i) {
+    if (particles_.is_pinned(i))
+      a.segment<3>(3 * i).setZero();
+    else
+      a.segment<3>(3 * i) /= particles_.mass[i];
+  }
 }
 
 double kinetic_energy(const Particles& particles, Input v) {

@@ -7,8 +7,7 @@
 
 namespace particles {
 
-// a = f(x, v) / m, and 0 for pinned particles. Refers to both arguments, which must outlive it; masses stay what
-// they are.
+// a = f(x, v) / m, and 0 for pinned particles. Refers to both arguments, which must outlive it.
 class ParticleSystem : public Dynamics {
  public:
   // Throws std::invalid_argument for a mass that is not > 0, or another number of `pinned`.
@@ -19,7 +18,6 @@ class ParticleSystem : public Dynamics {
  private:
   const Particles& particles_;
   const Force& force_;
-  Eigen::VectorXd mass_of_each_;  // 3n: of each coordinate, so that all are divided at once
 };
 
 // Sums over all particles, those that are pinned included.

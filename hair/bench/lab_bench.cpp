@@ -187,9 +187,10 @@ void beside() {
       ratios.push_back(times[1] / times[0]);
     }
     const particles::State state = playback.state();
+    bool same = true;
     for (int i = 0; i < row.strands; ++i)
-      if (state.x.segment(3 * (kSegments + 1) * i, 3 * (kSegments + 1)) != plain.state(i).x)
-        std::printf("strand %d is elsewhere: these two don't do the same\n", i);
+      same = same && state.x.segment(3 * (kSegments + 1) * i, 3 * (kSegments + 1)) == plain.state(i).x;
+    if (!same) std::puts("these two don't do the same:");
     std::sort(ratios.begin(), ratios.end());
     std::printf("| %s | %d | %.1f | %.1f | %.3f | %.3f to %.3f |\n", row.name, row.strands, median(plains),
                 median(scenes), ratios[kTurns / 2], ratios[kTurns / 4], ratios[3 * kTurns / 4]);

@@ -15,7 +15,9 @@ TEST(SceneTable, HasTheRowOfEachSceneAndNoOthers) {
   std::set<std::string> rows;
   std::istringstream text(read_bytes(std::string(HAIR_PROJECT) + "/handout/assignment/README.md"));
   for (std::string line; std::getline(text, line);)
-    if (line.starts_with("| `")) EXPECT_TRUE(rows.insert(line).second) << line;
+    if (line.starts_with("| `")) {
+      EXPECT_TRUE(rows.insert(line).second) << line;
+    }
 
   const std::filesystem::path folder = HAIR_SCENES_DIR;
   ASSERT_FALSE(shipped_scenes(folder).empty());
