@@ -139,6 +139,10 @@ Plane brightness_of(Plane achromatic_channel) {
 
 ErrorMap flip(const Image& reference, const Image& test, double pixels_per_degree) {
   check_sizes(reference, test);
+  if (!(pixels_per_degree >= 1 && pixels_per_degree <= 1000))
+    throw std::invalid_argument("FLIP: " + std::to_string(pixels_per_degree) +
+                                " pixels per degree; it needs 1 to 1000");
+  if (reference == test) return {reference.width, reference.height};  // as most frames of a film are
   const Channels a = ycxcz_of(reference), b = ycxcz_of(test);
   ErrorMap map = color_differences(a, b, pixels_per_degree);
   const Plane features = feature_differences(brightness_of(a[0]), brightness_of(b[0]), pixels_per_degree);

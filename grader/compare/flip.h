@@ -18,7 +18,7 @@ using ErrorMap = Plane;  // 0 (no difference) to 1
 // Half a metre and more from a screen of 0.25 mm a pixel.
 inline constexpr double kPixelsPerDegree = 67;
 
-// Both of the same size, else std::invalid_argument. It is symmetric.
+// Both of the same size, and 1 to 1000 pixels per degree, else std::invalid_argument. It is symmetric.
 ErrorMap flip(const hair::Image& reference, const hair::Image& test,
               double pixels_per_degree = kPixelsPerDegree);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <limits>
 #include <numeric>
 
 #include "grader/compare/color.h"
@@ -125,6 +126,11 @@ TEST(Flip, IsANumberBetween0And1ForAnyPictures) {
 TEST(Flip, NeedsTwoOfTheSameSize) {
   EXPECT_THROW(flip(noise(3, 2, 1), noise(2, 3, 1)), std::invalid_argument);
   EXPECT_THROW(flip(noise(3, 2, 1), {}), std::invalid_argument);
+}
+
+TEST(Flip, NeedsADistanceFromTheScreen) {
+  for (const double bad : {0.0, -67.0, 0.5, 1e9, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_THROW(flip(noise(3, 2, 1), noise(3, 2, 2), bad), std::invalid_argument) << bad;
 }
 
 }  // namespace

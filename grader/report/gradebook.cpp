@@ -28,7 +28,7 @@ std::string line(const std::vector<std::string>& cells) {
 
 std::string grades_csv(const std::vector<SubmissionResult>& results) {
   const std::vector<Column> columns = columns_of(results);
-  std::vector<std::string> head{"submission", "total", "of", "sandbox"};
+  std::vector<std::string> head{"submission", "total", "of", "sandbox", "pictures"};
   for (const Column& column : columns) {
     head.push_back(column.id);
     head.push_back(column.id + " status");
@@ -37,7 +37,8 @@ std::string grades_csv(const std::vector<SubmissionResult>& results) {
   std::string text = line(head);
   for (const SubmissionResult& result : results) {
     std::vector<std::string> cells{result.name, shown_points(points(result)),
-                                   shown_points(max_points(result)), result.isolated ? "yes" : "no"};
+                                   shown_points(max_points(result)), result.isolated ? "yes" : "no",
+                                   result.images ? "yes" : "no"};
     for (const Column& column : columns) {
       const ExerciseResult* exercise = find_exercise(result, column.id);
       cells.push_back(exercise ? shown_points(exercise->points) : "");

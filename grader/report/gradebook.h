@@ -8,9 +8,9 @@
 
 namespace grader {
 
-// RFC 4180. A line a submission: name, total, points to reach, whether a sandbox held it, then points and
-// status of each exercise, then what is wrong with it as a whole. A cell that a spreadsheet would run as a
-// formula begins with ' instead.
+// RFC 4180. A line a submission: name, total, points to reach, whether a sandbox held it, whether its
+// pictures were graded, then points and status of each exercise, then what is wrong with it as a whole. A
+// cell that a spreadsheet would run as a formula begins with ' instead.
 std::string grades_csv(const std::vector<SubmissionResult>& results);
 
 // A suite a submission, a case a category; "S1" alone for an exercise without categories. What a student did

@@ -118,6 +118,7 @@ TEST(Pages, WithoutPicturesEveryPageSaysSo) {
   EXPECT_EQ(count(student_page(results[0]), "Graded without pictures"), 0u);
   EXPECT_EQ(count(student_json(results[1]), "Graded without pictures"), 1u);
   EXPECT_EQ(count(junit_xml(results), "graded without pictures"), 1u);
+  EXPECT_EQ(count(grades_csv(results), ",yes,no,"), 1u);
 }
 
 TEST(Pages, ShowAMomentsThreePicturesWithTheirDistancesAndInWords) {
@@ -242,11 +243,11 @@ TEST(GradesCsv, HasALineASubmissionAndSameColumnsInEach) {
   std::vector<SubmissionResult> results = sample_class(3);
   results[0].exercises.pop_back();
   EXPECT_EQ(grades_csv(results).substr(0, grades_csv(results).find('\r')),
-            "submission,total,of,sandbox,S1,S1 status,S2,S2 status,P1,P1 status,note");
+            "submission,total,of,sandbox,pictures,S1,S1 status,S2,S2 status,P1,P1 status,note");
   std::string csv = grades_csv(results);
   EXPECT_EQ(count(csv, "\r\n"), 4u);
-  EXPECT_EQ(count(csv, ","), 4u * 10);
-  EXPECT_NE(csv.find("alice,50,50,yes,30,passed,20,passed,,,\r\n"), std::string::npos) << csv;
+  EXPECT_EQ(count(csv, ","), 4u * 11);
+  EXPECT_NE(csv.find("alice,50,50,yes,yes,30,passed,20,passed,,,\r\n"), std::string::npos) << csv;
 }
 
 TEST(Junit, CountsWhatItLists) {
