@@ -25,10 +25,10 @@ Plane random_plane(int width, int height) {
 float at(const Plane& in, const Kernel& rows, const Kernel& columns, int x, int y) {
   double sum = 0;
   const int side = static_cast<int>(rows.size() / 2), up = static_cast<int>(columns.size() / 2);
-  for (int i = -side; i <= side; ++i)
-    for (int j = -up; j <= up; ++j)
-      sum += double{rows[static_cast<std::size_t>(i + side)]} * columns[static_cast<std::size_t>(j + up)] *
-             in.row(std::clamp(y + j, 0, in.height - 1))[std::clamp(x + i, 0, in.width - 1)];
+  for (int i = 0; i <= 2 * side; ++i)
+    for (int j = 0; j <= 2 * up; ++j)
+      sum += double{rows[static_cast<std::size_t>(i)]} * columns[static_cast<std::size_t>(j)] *
+             in.row(std::clamp(y + j - up, 0, in.height - 1))[std::clamp(x + i - side, 0, in.width - 1)];
   return static_cast<float>(sum);
 }
 
