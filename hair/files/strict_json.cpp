@@ -1,42 +1,19 @@
 #include "hair/files/strict_json.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <set>
 #include <sstream>
-#include <system_error>
 #include <utility>
 
 #include "hair/files/bad_input.h"
 #include "hair/files/printable.h"
+#include "hair/files/read_file.h"
 
 namespace hair {
 namespace {
 
 using nlohmann::json;
-
-std::string read_text(const std::filesystem::path& file) {
-  const auto fail = [&](int error) {
-    throw BadInput(printable(file.string(), 4096) + ": can't be read (" +
-                   std::generic_category().message(error) + "); give the path of a JSON file");
-  };
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) fail(EISDIR);
-  errno = 0;
-  std::ifstream in(file, std::ios::binary);
-  if (!in) fail(errno);
-  std::string text;
-  std::array<char, 65536> part;
-  while (in.read(part.data(), part.size()), in.gcount() > 0) {
-    text.append(part.data(), static_cast<std::size_t>(in.gcount()));
-    if (text.size() > kMostJsonBytes) fail(EFBIG);
-  }
-  if (in.bad()) fail(errno ? errno : EIO);
-  return text;
-}
 
 std::string line_and_column(const std::string& text, std::size_t byte) {
   const std::string_view before(text.data(), std::min(byte > 0 ? byte - 1 : 0, text.size()));
@@ -52,6 +29,29 @@ std::string listed(std::initializer_list<std::string_view> words) {
   return list;
 }
 
+// Where in the text the parser gives up: what it says of a number beyond all bounds does not tell.
+class PlaceOfError : public json::json_sax_t {
+ public:
+  std::size_t byte = 0;
+
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(json::number_integer_t) override { return true; }
+  bool number_unsigned(json::number_unsigned_t) override { return true; }
+  bool number_float(json::number_float_t, const json::string_t&) override { return true; }
+  bool string(json::string_t&) override { return true; }
+  bool binary(json::binary_t&) override { return true; }
+  bool start_object(std::size_t) override { return true; }
+  bool key(json::string_t&) override { return true; }
+  bool end_object() override { return true; }
+  bool start_array(std::size_t) override { return true; }
+  bool end_array() override { return true; }
+  bool parse_error(std::size_t position, const std::string&, const json::exception&) override {
+    byte = position;
+    return false;
+  }
+};
+
 // The library's reason, without its own prefix and position: "syntax error while parsing ...".
 std::string reason_of(const json::exception& error) {
   const std::string_view what = error.what();
@@ -64,7 +64,7 @@ std::string reason_of(const json::exception& error) {
 }  // namespace
 
 json read_json(const std::filesystem::path& file) {
-  return parse_json(read_text(file), file.string());
+  return parse_json(read_file(file, kMostJsonBytes, "a JSON file"), file.string());
 }
 
 json parse_json(const std::string& text, const std::string& file) {
@@ -87,7 +87,9 @@ json parse_json(const std::string& text, const std::string& file) {
   } catch (const json::parse_error& error) {
     throw BadInput(name + ": " + line_and_column(text, error.byte) + ": not JSON: " + reason_of(error));
   } catch (const json::exception& error) {
-    throw BadInput(name + ": not JSON: " + reason_of(error));
+    PlaceOfError place;
+    json::sax_parse(text, &place);
+    throw BadInput(name + ": " + line_and_column(text, place.byte) + ": not JSON: " + reason_of(error));
   }
 }
 

@@ -1,9 +1,19 @@
+#include "hair/files/bad_input.h"
+#include "hair/groom/hair_file.h"
 #include "hair/scene/json/parts.h"
 
 namespace hair {
 
 Scene read_scene(const std::filesystem::path& file) {
-  return json::scene_of(read_json(file), file, {});
+  json::Reading reading;
+  reading.groom = [&](const JsonValue& name) {
+    try {
+      return read_hair_file(file.parent_path() / name.text()).strands;
+    } catch (const BadInput& error) {
+      name.fail(error.what());
+    }
+  };
+  return json::scene_of(read_json(file), file, std::move(reading));
 }
 
 }  // namespace hair

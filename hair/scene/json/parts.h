@@ -35,7 +35,9 @@ inline constexpr long kMostStates = 1'000'000'000;  // particles times frames
 void read_motions(const JsonValue& list, Reading& reading);
 void read_obstacles(const JsonValue& list, Reading& reading);
 void read_hair(const JsonValue& list, Reading& reading);
+void read_groom(const JsonValue& group, Reading& reading);  // of "hair", one with "groom"
 void read_toys(const JsonValue& list, Reading& reading);
+Toy read_cloth(const JsonValue& object, Reading& reading);  // particles, springs, rows and columns
 Look read_look(const JsonValue& object);
 
 // All of it.

@@ -70,8 +70,14 @@ void read_wires(const JsonValue& list, Toy& toy) {
 }
 
 Toy read_toy(const JsonValue& item, Reading& reading) {
-  item.check_keys({"particles"}, {"method", "springs", "rods", "wires", "feedback", "drag"});
   Toy toy;
+  if (item.has("cloth")) {
+    item.check_keys({"cloth"}, {"method", "drag"});
+    toy = read_cloth(item["cloth"], reading);
+  } else {
+    item.check_keys({"particles"}, {"method", "springs", "rods", "wires", "feedback", "drag"});
+    read_particles(item["particles"], reading, toy);
+  }
   toy.gravity = reading.scene.hair.gravity;
   toy.wind = reading.scene.hair.wind;
   if (item.has("method")) {
@@ -82,7 +88,6 @@ Toy read_toy(const JsonValue& item, Reading& reading) {
         {"forward_euler", "symplectic_euler", "midpoint", "runge_kutta_4", "implicit_euler"})];
   }
   toy.drag = number_or(item, "drag", 0, 0, 1e6);
-  read_particles(item["particles"], reading, toy);
   if (item.has("springs")) read_springs(item["springs"], toy);
   if (item.has("rods")) read_rods(item["rods"], toy);
   if (item.has("wires")) read_wires(item["wires"], toy);

@@ -1,0 +1,14 @@
+// A whole file's bytes.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+namespace hair {
+
+// Throws BadInput for what can't be read, is a folder, or has more than `most` bytes; none more than these are
+// read. `wanted` ends the sentence "give the path of ...": "a JSON file".
+std::string read_file(const std::filesystem::path& file, std::size_t most, const std::string& wanted);
+
+}  // namespace hair

@@ -1,0 +1,63 @@
+#include "hair/scene/json/fibre.h"
+
+#include "hair/make_strand.h"
+#include "hair/scene/json/values.h"
+
+namespace hair::json {
+
+StrandStart Fibre::strand(const RestShape& rest, bool straight, bool clamped) const {
+  StrandStart start;
+  if (straight || !clamped) {
+    start = {strand_from_rest(material, rest.x), {rest.x, Eigen::VectorXd::Zero(rest.x.size())}};
+    start.strand.clamped = clamped;
+    start.strand.root_tangent = rest.tangent;
+    start.root_normal = rest.normal;
+  } else {
+    start = start_at_rest(material, rest);
+  }
+  start.strand.stretch_rigidity *= stretch_factor;
+  start.strand.bend_rigidity *= bend_factor;
+  start.strand.skip_rigidity = skip_factor * start.strand.stretch_rigidity;
+  return start;
+}
+
+void Held::apply(StrandStart& start) const {
+  if (!differently) return;
+  Eigen::VectorXd& x = start.state.x;
+  for (int i = 0; i < start.strand.segments(); ++i) {
+    const double along = (folded && i % 2 == 1 ? -stretch : stretch) * start.strand.rest_length[i];
+    x.segment<3>(3 * i + 3) = x.segment<3>(3 * i) + along * direction;
+  }
+}
+
+Fibre read_fibre(const JsonValue& group) {
+  Fibre fibre;
+  if (!group.has("material")) return fibre;
+  const JsonValue object = group["material"];
+  object.check_keys({},
+                    {"radius", "density", "young_modulus", "stretch_factor", "bend_factor", "skip_factor"});
+  Material& material = fibre.material;
+  material.radius = number_or(object, "radius", material.radius, 1e-7, 1);
+  material.density = number_or(object, "density", material.density, 1e-3, 1e6);
+  material.young_modulus = number_or(object, "young_modulus", material.young_modulus, 1, 1e15);
+  fibre.stretch_factor = number_or(object, "stretch_factor", 1, 0, 1e12);
+  fibre.bend_factor = number_or(object, "bend_factor", 1, 0, 1e12);
+  fibre.skip_factor = number_or(object, "skip_factor", 0, 0, 1e12);
+  return fibre;
+}
+
+Held read_held(const JsonValue& group) {
+  if (!group.has("start")) return {};
+  const JsonValue object = group["start"];
+  object.check_keys({"direction"}, {"stretch", "folded"});
+  return {true, direction(object["direction"]), number_or(object, "stretch", 1, 0, 100),
+          boolean_or(object, "folded", false)};
+}
+
+Vector3d read_root_velocity(const JsonValue& group) {
+  if (group.has("root_velocity") && group.has("moves_with"))
+    group["root_velocity"].fail("these roots move with a motion already; keep one of the two");
+  return vector_or(group, "root_velocity", Vector3d::Zero(), kFast);
+}
+
+}  // namespace hair::json

@@ -1,0 +1,46 @@
+// STAFF ONLY. This program has the stub of exercise STUB, and the reference's of all others.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "hair/scene/playback.h"
+#include "solver/not_implemented.h"
+
+namespace reference_tests {
+namespace {
+
+// What the first step and measuring stop at, or nothing.
+std::string stub_of(hair::Scene scene) {
+  scene.steps_per_frame = 1;
+  try {
+    hair::Playback playback(scene);
+    playback.advance();
+    playback.measure(playback.state());
+  } catch (const NotImplemented& stub) {
+    return std::string(stub.what()).substr(0, 2);
+  }
+  return "";
+}
+
+TEST(STUB_SUITE, AreThoseThatASceneStopsWithout) {
+  int need = 0, scenes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(HAIR_SCENES)) {
+    if (entry.path().extension() != ".json") continue;
+    const hair::Scene scene = hair::read_scene(entry.path());
+    const std::vector<std::string> called = hair::exercises_of(scene);
+    const bool needed = std::count(called.begin(), called.end(), STUB) > 0;
+    EXPECT_EQ(stub_of(scene), needed ? STUB : "") << scene.name;
+    need += needed;
+    ++scenes;
+  }
+  // S2 is for linear systems that no scene has.
+  EXPECT_GT(scenes, 10);
+  if (std::string(STUB) == "S2") {
+    EXPECT_EQ(need, 0);
+  } else {
+    EXPECT_GT(need, 0);
+  }
+}
+
+}  // namespace
+}  // namespace reference_tests

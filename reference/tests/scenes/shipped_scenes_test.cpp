@@ -1,0 +1,72 @@
+// STAFF ONLY. The scenes that ship, with the reference: a few frames of each.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <set>
+
+#include "hair/scene/playback.h"
+
+namespace reference_tests {
+namespace {
+
+std::vector<std::filesystem::path> shipped() {
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(HAIR_SCENES))
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+TEST(ShippedScenes, AreThoseThatAUserIsPromised) {
+  std::set<std::string> names;
+  for (const auto& file : shipped()) names.insert(file.stem().string());
+  for (const char* name :
+       {"strand-swing", "long-straight", "short-curly", "wavy", "strand-over-sphere", "ponytail", "pendulum",
+        "bead-on-wire", "cloth-patch", "stiff", "extreme", "wind", "head-of-hair"})
+    EXPECT_TRUE(names.count(name)) << name;
+}
+
+TEST(ShippedScenes, AreInTheReadmeWithWhatTheyShowAndCall) {
+  std::ifstream in(HAIR_SCENES "/README.md");
+  const std::string readme{std::istreambuf_iterator<char>(in), {}};
+  for (const auto& file : shipped()) {
+    const hair::Scene scene = hair::read_scene(file);
+    std::string called;
+    for (const std::string& id : hair::exercises_of(scene)) called += (called.empty() ? "" : ", ") + id;
+    const std::string row =
+        "| [" + scene.name + "](" + scene.name + ".json) | " + scene.shows + " | " + called + " |\n";
+    EXPECT_NE(readme.find(row), std::string::npos) << row;
+  }
+}
+
+TEST(ShippedScenes, APonytailHas200Strands) {
+  EXPECT_EQ(hair::read_scene(HAIR_SCENES "/ponytail.json").hair.strands.size(), 200U);
+}
+
+TEST(ShippedScenes, PlayAndMove) {
+  for (const auto& file : shipped()) {
+    const hair::Scene scene = hair::read_scene(file);
+    hair::Playback playback(scene);
+    const particles::State start = playback.state();
+    // The more particles, the fewer frames.
+    const int frames = std::clamp(static_cast<int>(3000 / start.x.size()), 1, 4);
+    for (int k = 0; k < frames; ++k) {
+      const auto trouble = playback.advance();
+      ASSERT_FALSE(trouble) << scene.name << ": " << *trouble;
+    }
+    const particles::State end = playback.state();
+    EXPECT_TRUE(end.x.allFinite() && end.v.allFinite()) << scene.name;
+    const hair::FrameMeasures measures = playback.measure(end);
+    EXPECT_TRUE(std::isfinite(measures.energy()) && std::isfinite(measures.stretch)) << scene.name;
+    EXPECT_GT((end.x - start.x).cwiseAbs().maxCoeff(), 1e-5) << scene.name;
+    EXPECT_EQ(playback.frame(), frames);
+    EXPECT_TRUE(scene.look) << scene.name;
+    EXPECT_GE(scene.frames, 30) << scene.name;
+  }
+}
+
+}  // namespace
+}  // namespace reference_tests
