@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "hair/make_strand.h"
@@ -16,12 +17,13 @@ using particles::require, particles::require_at_least, particles::require_finite
 
 namespace {
 
-void check_vector(const std::string& what, particles::Input values) {
+void check_vector(std::string_view what, particles::Input values) {
   for (double value : values) require_finite(what, value);
 }
 
-void check_direction(const std::string& what, const Vector3d& direction) {
-  require(std::abs(direction.norm() - 1) <= 1e-9, what + ": its length", direction.norm(), "1");
+void check_direction(std::string_view what, const Vector3d& direction) {
+  if (std::abs(direction.norm() - 1) <= 1e-9) return;
+  require(false, std::string(what) + ": its length", direction.norm(), "1");
 }
 
 void check_strand(const std::string& name, const StrandStart& start) {

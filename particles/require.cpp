@@ -7,7 +7,7 @@
 
 namespace particles {
 
-void require(bool holds, const std::string& what, double value, const std::string& bound) {
+void require(bool holds, std::string_view what, double value, std::string_view bound) {
   if (holds) return;
   std::ostringstream message;
   message.precision(17);
@@ -15,19 +15,20 @@ void require(bool holds, const std::string& what, double value, const std::strin
   throw std::invalid_argument(message.str());
 }
 
-void require_finite(const std::string& what, double value) {
+void require_finite(std::string_view what, double value) {
   require(std::isfinite(value), what, value, "finite");
 }
 
-void require_positive(const std::string& what, double value) {
+void require_positive(std::string_view what, double value) {
   require(std::isfinite(value) && value >= std::numeric_limits<double>::min(), what, value, "finite and > 0");
 }
 
-void require_at_least(const std::string& what, double value, double bound) {
+void require_at_least(std::string_view what, double value, double bound) {
+  if (std::isfinite(value) && value >= bound) return;
   std::ostringstream text;
   text.precision(17);
   text << "finite and at least " << bound;
-  require(std::isfinite(value) && value >= bound, what, value, text.str());
+  require(false, what, value, text.str());
 }
 
 }  // namespace particles

@@ -1,14 +1,14 @@
 // Preconditions of what is given: each throws std::invalid_argument, "<what> is <value>; it must be <bound>". NaN holds
-// for nothing that is compared.
+// for nothing that is compared. What holds costs no memory, so that steps can check, too.
 #pragma once
 
-#include <string>
+#include <string_view>
 
 namespace particles {
 
-void require(bool holds, const std::string& what, double value, const std::string& bound);
-void require_finite(const std::string& what, double value);
-void require_positive(const std::string& what, double value);  // and normal: 1 / value is finite
-void require_at_least(const std::string& what, double value, double bound);  // and finite
+void require(bool holds, std::string_view what, double value, std::string_view bound);
+void require_finite(std::string_view what, double value);
+void require_positive(std::string_view what, double value);  // and normal: 1 / value is finite
+void require_at_least(std::string_view what, double value, double bound);  // and finite
 
 }  // namespace particles

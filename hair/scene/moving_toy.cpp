@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "hair/scene/toy_methods.h"
 #include "particles/drag.h"
@@ -22,7 +23,7 @@ namespace {
   throw std::invalid_argument(what + " needs exercise " + exercise + ", which this course leaves out");
 }
 
-void check_vector(const std::string& what, particles::Input values) {
+void check_vector(std::string_view what, particles::Input values) {
   for (double value : values) require_finite(what, value);
 }
 

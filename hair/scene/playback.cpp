@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <deque>
 #include <stdexcept>
+#include <string>
 
 #include "hair/measures.h"
 #include "hair/scene/moving_toy.h"
