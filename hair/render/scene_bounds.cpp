@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
+#include <set>
+#include <utility>
+#include <vector>
 
 namespace hair {
 namespace {
-
-using particles::State;
 
 constexpr int kBetweenKeys = 8;  // poses that are looked at from one key to the next
 
@@ -16,11 +16,12 @@ void add_ball(Bounds& bounds, const Vector3d& centre, double radius) {
   bounds.add(centre.array() + radius);
 }
 
-// Around a circle: along each axis it reaches as far as the axis leaves its normal.
-void add_circle(Bounds& bounds, const particles::Wire& wire) {
-  const Vector3d reach = wire.radius * (1 - wire.normal.array().square()).max(0).sqrt();
-  bounds.add(wire.centre - reach);
-  bounds.add(wire.centre + reach);
+// What is at most `reach` from a circle. Along each axis the circle goes as far as the axis leaves its
+// normal.
+void add_circle(Bounds& bounds, const particles::Wire& wire, double reach) {
+  const Vector3d half = wire.radius * (1 - wire.normal.array().square()).max(0).sqrt() + reach;
+  bounds.add(wire.centre - half);
+  bounds.add(wire.centre + half);
 }
 
 // Above all planes.
@@ -39,31 +40,37 @@ Vector3d mirrored(const Vector3d& point, const Vector3d& pivot, const Vector3d& 
   return pivot + 2 * arm.dot(down) * down - arm;
 }
 
-// What hangs or swings from `pivot` and starts at `point`.
-void add_swing(Bounds& bounds, const Vector3d& point, const Vector3d& pivot, const Vector3d& gravity) {
+// What starts at `point` and hangs or swings from `pivot`, on a line that is `reach` long.
+void add_swing(Bounds& bounds, const Vector3d& point, const Vector3d& pivot, double reach,
+               const Vector3d& gravity) {
   bounds.add(point);
   if (gravity.norm() == 0) return;
-  bounds.add(pivot + (point - pivot).norm() * gravity.stableNormalized());
+  bounds.add(pivot + reach * gravity.stableNormalized());
   bounds.add(mirrored(point, pivot, gravity));
+}
+
+// How far from its root a strand gets: all its length, unless it rests in curls.
+double reach_of(const StrandStart& start) {
+  if (start.rest_curvature.size() == 0) return start.strand.rest_length.sum();
+  double reach = 0;
+  for (int i = 0; i < start.strand.count(); ++i) {
+    reach = std::max(reach, (start.state.x.segment<3>(3 * i) - start.state.x.head<3>()).norm());
+  }
+  return reach;
 }
 
 // A strand whose root is carried by `carry`.
 template <class Carry>
 void add_strand(Bounds& bounds, const Description& hair, const StrandStart& start, const Carry& carry) {
-  const Vector3d root = start.state.x.head<3>();
-  const Vector3d carried = carry(root);
-  double reach = 0;
+  const Vector3d root = carry(Vector3d(start.state.x.head<3>()));
+  const double reach = reach_of(start);
+  Bounds swing;
   for (int i = 0; i < start.strand.count(); ++i) {
-    const Vector3d point = start.state.x.segment<3>(3 * i);
-    reach = std::max(reach, (point - root).norm());
-    bounds.add(carry(point));
+    add_swing(swing, carry(Vector3d(start.state.x.segment<3>(3 * i))), root, reach, hair.gravity);
   }
-  if (hair.gravity.norm() > 0) {
-    bounds.add(above(hair.obstacles, carried + reach * hair.gravity.stableNormalized()));
-  }
-  if (hair.drag > 0 && hair.wind.norm() > 0) {
-    bounds.add(above(hair.obstacles, carried + reach * hair.wind.stableNormalized()));
-  }
+  if (hair.drag > 0 && hair.wind.norm() > 0) swing.add(root + reach * hair.wind.stableNormalized());
+  bounds.add(above(hair.obstacles, swing.low));
+  bounds.add(above(hair.obstacles, swing.high));
 }
 
 template <class Carry>
@@ -92,36 +99,75 @@ void add_rider(Bounds& bounds, const Description& hair, const Rider& rider) {
   }
 }
 
-// Whatever holds a toy's particles: those that are pinned, and wires.
-std::optional<Vector3d> nearest_pin(const Toy& toy, const Vector3d& point) {
-  std::optional<Vector3d> nearest;
-  for (int i = 0; i < toy.particles.count(); ++i) {
-    if (!toy.particles.is_pinned(i)) continue;
-    const Vector3d pin = toy.start.x.segment<3>(3 * i);
-    if (!nearest || (pin - point).norm() < (*nearest - point).norm()) nearest = pin;
+// What holds a particle: the nearest one, along springs and rods, that is pinned or on a wire.
+struct Hold {
+  int by = -1;  // none
+  double reach = std::numeric_limits<double>::infinity();
+};
+
+// E. W. Dijkstra, "A Note on Two Problems in Connexion with Graphs", 1959.
+std::vector<Hold> holds_of(const Toy& toy) {
+  const int n = toy.particles.count();
+  std::vector<std::vector<std::pair<int, double>>> neighbours(n);
+  const auto join = [&](int i, int j, double length) {
+    neighbours[i].emplace_back(j, length);
+    neighbours[j].emplace_back(i, length);
+  };
+  for (const particles::Spring& spring : toy.springs) join(spring.i, spring.j, spring.rest_length);
+  for (const particles::Rod& rod : toy.constraints.rods) join(rod.i, rod.j, rod.length);
+
+  std::vector<Hold> holds(n);
+  std::set<std::pair<double, int>> waiting;
+  const auto reach = [&](int i, const Hold& hold) {
+    if (hold.reach >= holds[i].reach) return;
+    waiting.erase({holds[i].reach, i});
+    holds[i] = hold;
+    waiting.insert({hold.reach, i});
+  };
+  for (int i = 0; i < n; ++i) {
+    if (toy.particles.is_pinned(i)) reach(i, {i, 0});
   }
-  return nearest;
+  for (const particles::Wire& wire : toy.constraints.wires) reach(wire.i, {wire.i, 0});
+  while (!waiting.empty()) {
+    const int i = waiting.begin()->second;
+    waiting.erase(waiting.begin());
+    for (const auto& [j, length] : neighbours[i]) reach(j, {holds[i].by, holds[i].reach + length});
+  }
+  return holds;
+}
+
+// What nothing holds, falls.
+void add_fall(Bounds& bounds, const Toy& toy, const std::vector<int>& free, double seconds) {
+  double mass = 0;
+  Vector3d momentum = Vector3d::Zero();
+  for (const int i : free) {
+    mass += toy.particles.mass[i];
+    momentum += toy.particles.mass[i] * toy.start.v.segment<3>(3 * i);
+  }
+  for (int part = 0; part <= 16 && !free.empty(); ++part) {
+    const double t = seconds * part / 16;
+    const Vector3d way = t * momentum / mass + t * t / 2 * toy.gravity;
+    for (const int i : free) bounds.add(toy.start.x.segment<3>(3 * i) + way);
+  }
 }
 
 void add_toy(Bounds& bounds, const Toy& toy, double seconds) {
   const int n = toy.particles.count();
-  for (const particles::Wire& wire : toy.constraints.wires) add_circle(bounds, wire);
-  const bool held = std::any_of(toy.particles.pinned.begin(), toy.particles.pinned.end(),
-                                [](char pin) { return pin != 0; });
+  const std::vector<Hold> holds = holds_of(toy);
+  std::vector<double> from_wires(n, 0);  // the reach of all that hangs on a particle
+  std::vector<int> free;
   for (int i = 0; i < n; ++i) {
     const Vector3d point = toy.start.x.segment<3>(3 * i);
-    bounds.add(point);
-    if (const auto pin = nearest_pin(toy, point)) add_swing(bounds, point, *pin, toy.gravity);
+    const Hold& hold = holds[i];
+    if (hold.by < 0) {
+      free.push_back(i);
+    } else {
+      from_wires[hold.by] = std::max(from_wires[hold.by], hold.reach);
+      add_swing(bounds, point, toy.start.x.segment<3>(3 * hold.by), hold.reach, toy.gravity);
+    }
   }
-  if (held || !toy.constraints.wires.empty()) return;
-  Vector3d velocity = Vector3d::Zero();
-  for (int i = 0; i < n; ++i)
-    velocity += toy.particles.mass[i] / toy.particles.mass.sum() * toy.start.v.segment<3>(3 * i);
-  for (int part = 1; part <= 16; ++part) {
-    const double t = seconds * part / 16;
-    const Vector3d way = t * velocity + t * t / 2 * toy.gravity;
-    for (int i = 0; i < n; ++i) bounds.add(toy.start.x.segment<3>(3 * i) + way);
-  }
+  for (const particles::Wire& wire : toy.constraints.wires) add_circle(bounds, wire, from_wires[wire.i]);
+  add_fall(bounds, toy, free, seconds);
 }
 
 }  // namespace

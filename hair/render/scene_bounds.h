@@ -7,9 +7,9 @@
 
 namespace hair {
 
-// Where things start, where key frames take them, where hair hangs from its roots (as far below as it reaches
-// at the start, and as far with the wind), and the other side of what swings. What nothing holds falls for as
-// long as the scene lasts.
+// Where things start, and where key frames take them; where hair hangs from its roots, or goes with the wind;
+// the other side of what swings, for it gets no higher there. What hangs on a wire is inside wherever its
+// bead is, and what nothing holds, falls for as long as the scene lasts.
 Bounds scene_bounds(const Scene& scene);
 
 }  // namespace hair

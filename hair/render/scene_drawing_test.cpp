@@ -50,6 +50,7 @@ TEST(SceneBounds, HairIsInsideWhereItStartsWhereItHangsAndWhereKeysTakeIt) {
   for (const double y : {0.0, 1.0}) {
     expect_inside(bounds, Vector3d(kLength, y, 0));
     expect_inside(bounds, Vector3d(0, y, -kLength));
+    expect_inside(bounds, Vector3d(-kLength, y, 0));
     expect_inside(bounds, Vector3d(-0.19, y, 0.09));
   }
   EXPECT_LT(bounds.high[0], 1.01 * kLength) << "and no larger than that";
@@ -80,6 +81,28 @@ TEST(SceneBounds, ABeadIsInsideOnItsWire) {
   const Bounds bounds = scene_bounds(scene);
   expect_inside(bounds, Vector3d(0.25, 0, 0.25));
   EXPECT_NEAR(bounds.high[1], 0, 1e-12);
+}
+
+// A particle on a rod below the bead can be as far from the wire as the rod is long.
+TEST(SceneBounds, WhatHangsOnABeadIsInside) {
+  Scene scene;
+  Toy toy = pendulum();
+  toy.constraints.wires.push_back({0, Vector3d(0, 0, 0.25), Vector3d(0, 1, 0), 0.25});
+  toy.particles.pinned = {0, 0};
+  scene.toys.push_back(toy);
+  expect_inside(scene_bounds(scene), Vector3d(0.75, 0, 0.25));
+}
+
+// Two rods that start folded hang as long as both are.
+TEST(SceneBounds, WhatStartsFoldedIsInsideStretchedOut) {
+  Scene scene;
+  Toy toy = pendulum();
+  toy.particles = {Eigen::VectorXd::Ones(3), {1, 0, 0}};
+  toy.start = {Eigen::VectorXd::Zero(9), Eigen::VectorXd::Zero(9)};
+  toy.start.x[3] = 0.5;
+  toy.constraints.rods.push_back({1, 2, 0.5});
+  scene.toys.push_back(toy);
+  expect_inside(scene_bounds(scene), Vector3d(0, 0, -1));
 }
 
 TEST(SceneBounds, WhatNothingHoldsFalls) {
