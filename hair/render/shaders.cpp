@@ -124,9 +124,9 @@ void main() {
   float sky = 0.65 + 0.35 * dot(towards, up);
   vec3 half_way = normalize(key_light + eye);
   vec3 fill = normalize(vec3(0.8, 0.15, 0.5));
-  vec3 body = own * (0.9 * key * diffuse(t, key_light) + open * (0.2 * diffuse(t, fill) + 0.4 * sky));
-  vec3 shine = key * (0.28 * lobe(t, towards, half_way, -0.10 + 0.04 * tone, 90.0) +
-                      1.4 * own * lobe(t, towards, half_way, 0.14 + 0.06 * tone, 20.0));
+  vec3 body = own * (0.75 * key * diffuse(t, key_light) + open * (0.15 * diffuse(t, fill) + 0.35 * sky));
+  vec3 shine = key * (0.22 * lobe(t, towards, half_way, -0.10 + 0.04 * tone, 90.0) +
+                      1.1 * own * lobe(t, towards, half_way, 0.14 + 0.06 * tone, 20.0));
   colour = vec4(min((body + shine) * (1.0 - 0.3 * side * side), 1.0), 1);
 }
 )";
