@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -125,13 +126,14 @@ TEST(Pages, ShowAMomentsThreePicturesWithTheirDistancesAndInWords) {
   SubmissionResult result = sample_class(1).front();
   for (ExerciseResult& exercise : result.exercises) exercise.pictures.clear();
   result.runs.clear();
-  result.exercises[1].pictures = {{"0.50 s", 0.0123, 0.0456, "theirs", "ours", "heat", 0.01}};
+  result.exercises[1].pictures = {{"0.50 s", 0.0123, 0.0456, "theirs", "ours", "heat", 0.01, 0.05}};
   for (const std::string& page : {student_page(result), staff_page(result)}) {
     for (const char* bytes : {"theirs", "ours", "heat"})
       EXPECT_EQ(count(page, "base64," + base64(bytes) + "\""), 1u) << bytes;
     EXPECT_EQ(count(page, "<img"), 3u);
     EXPECT_EQ(count(page, " at 0.50 s\""), 3u);
-    for (const char* words : {"0.0123", "0.0456", "too far, the limit is 0.0100", "<details open>"})
+    for (const char* words : {"0.0123", "0.0456", "too far", "0.0123 of at most 0.0100",
+                              "0.0456 of at most 0.0500", "<details open>"})
       EXPECT_GE(count(page, words), 1u) << words;
   }
 }
@@ -145,6 +147,21 @@ TEST(Pages, PicturesWithinTheirLimitAreThereToOpen) {
   EXPECT_EQ(count(page, "<details><summary>"), 1u);
   EXPECT_EQ(count(page, "close enough"), 1u);
   EXPECT_EQ(count(page, "too far"), 0u);
+}
+
+// Either limit is enough to be too far; without a limit nothing is.
+TEST(TooFar, IsWhatIsOverALimit) {
+  PictureResult picture{"1 s", 0.1, 0.2, "", "", ""};
+  EXPECT_FALSE(too_far(picture));
+  picture.blurred_rmse_limit = 0.1;
+  picture.flip_limit = 0.2;
+  EXPECT_FALSE(too_far(picture));
+  picture.flip = 0.21;
+  EXPECT_TRUE(too_far(picture));
+  picture.flip_limit = 0;
+  EXPECT_FALSE(too_far(picture));
+  picture.blurred_rmse = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(too_far(picture));
 }
 
 TEST(Pages, TheSamePictureIsShownOnce) {

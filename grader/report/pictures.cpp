@@ -30,17 +30,21 @@ Html moment(const PictureResult& picture, const std::string& whose) {
         {picture.name, figure(picture.student, whose + " and the reference's hair at " + picture.name,
                               html("{} and the reference&#39;s", {whose}))});
   }
-  const bool over = picture.limit > 0 && picture.blurred_rmse > picture.limit;
-  const Html limit =
-      picture.limit > 0
-          ? html(" <span class=\"badge {}\">{}, the limit is {}</span>",
-                 {over ? "bad" : "good", over ? "too far" : "close enough", shown_distance(picture.limit)})
-          : Html{};
+  const auto measured = [](const char* what, double value, double limit) {
+    return html("<span>{} {}{}</span>",
+                {what, shown_distance(value), limit > 0 ? " of at most " + shown_distance(limit) : ""});
+  };
+  const bool scored = picture.blurred_rmse_limit > 0 || picture.flip_limit > 0;
+  const bool far = too_far(picture);
   return html(
-      "<div class=\"moment\">\n<div class=\"line\"><strong>{}</strong><span>blurred RMSE "
-      "{}{}</span><span>FLIP "
-      "{}</span></div>\n<div class=\"pictures\">\n{}{}{}</div>\n</div>\n",
-      {picture.name, shown_distance(picture.blurred_rmse), limit, shown_distance(picture.flip),
+      "<div class=\"moment\">\n<div class=\"line\"><strong>{}</strong>{}{}{}</div>\n<div "
+      "class=\"pictures\">\n{}{}{}</div>\n</div>\n",
+      {picture.name,
+       scored ? html("<span class=\"badge {}\">{}</span>",
+                     {far ? "bad" : "good", far ? "too far" : "close enough"})
+              : Html{},
+       measured("blurred RMSE", picture.blurred_rmse, picture.blurred_rmse_limit),
+       measured("FLIP", picture.flip, picture.flip_limit),
        figure(picture.student, whose + " at " + picture.name, html("{}", {whose})),
        figure(picture.reference, "The reference's at " + picture.name, html("The reference&#39;s")),
        figure(picture.heat, "Where the two differ at " + picture.name,
@@ -127,7 +131,8 @@ Html moments(const std::vector<PictureResult>& pictures, const std::string& head
   Html rows;
   for (const PictureResult& picture : pictures) {
     flip = std::max(flip, picture.flip);
-    open = open || picture.blurred_rmse > picture.limit;
+    const bool scored = picture.blurred_rmse_limit > 0 || picture.flip_limit > 0;
+    open = open || (scored ? too_far(picture) : picture.flip > 0);
     rows += moment(picture, whose);
   }
   return html(

@@ -14,7 +14,8 @@ namespace grader {
 Html image(const std::string& png, const std::string& alt, const char* look = "");
 
 // A row for each moment, with its distances, under a heading that opens and closes. Open from the start if
-// one is over its limit. Nothing without pictures. `whose` captions the submission's: "Yours".
+// one is too far, or differs and is not scored. Nothing without pictures. `whose` captions the submission's:
+// "Yours".
 Html moments(const std::vector<PictureResult>& pictures, const std::string& heading,
              const std::string& whose);
 

@@ -106,7 +106,7 @@ TEST_F(Reports, PicturesComeBackWhole) {
   SubmissionResult result = sample_class(1).front();
   std::string all_bytes;
   for (int byte = 0; byte < 256; ++byte) all_bytes += static_cast<char>(byte);
-  result.exercises[0].pictures = {{"0.50 s", 0.125, 1e-17 / 3, all_bytes, "r", "", 0.01}};
+  result.exercises[0].pictures = {{"0.50 s", 0.125, 1e-17 / 3, all_bytes, "r", "", 0.01, 0.02}};
   result.runs[0].pictures = {{"1 s", 0, 1, "s", all_bytes + "x", "heat"}};
   result.images = false;
   write_submission_reports(dir_, result);
@@ -122,7 +122,8 @@ TEST_F(Reports, PicturesComeBackWhole) {
       EXPECT_EQ(found[i].student, written[i].student);
       EXPECT_EQ(found[i].reference, written[i].reference);
       EXPECT_EQ(found[i].heat, written[i].heat);
-      EXPECT_EQ(found[i].limit, written[i].limit);
+      EXPECT_EQ(found[i].blurred_rmse_limit, written[i].blurred_rmse_limit);
+      EXPECT_EQ(found[i].flip_limit, written[i].flip_limit);
     }
   };
   expect_same(read.exercises[0].pictures, result.exercises[0].pictures);

@@ -93,6 +93,11 @@ double max_points(const SubmissionResult& result) {
                          });
 }
 
+bool too_far(const PictureResult& picture) {
+  const auto over = [](double value, double limit) { return limit > 0 && !(value <= limit); };
+  return over(picture.blurred_rmse, picture.blurred_rmse_limit) || over(picture.flip, picture.flip_limit);
+}
+
 std::optional<double> picture_distance(const SubmissionResult& result) {
   std::optional<double> largest;
   for (const ExerciseResult& exercise : result.exercises)

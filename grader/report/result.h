@@ -39,7 +39,8 @@ struct PictureResult {
   std::string name;                      // "0.50 s"
   double blurred_rmse = 0, flip = 0;     // 0 to 1, see compare/compare.h; flip: the mean
   std::string student, reference, heat;  // PNG files' bytes; heat is empty where the two are the same
-  double limit = 0;                      // of blurred_rmse, for points; 0: shown, and not scored
+  // The largest that give points; 0: shown, and not scored.
+  double blurred_rmse_limit = 0, flip_limit = 0;
 };
 
 struct ExerciseResult {
@@ -77,6 +78,8 @@ struct SubmissionResult {
   bool isolated = true;     // false: graded without a sandbox; every page says so
   bool images = true;       // false: graded without pictures; every page says so
 };
+
+bool too_far(const PictureResult&);  // over a limit
 
 double points(const SubmissionResult&);
 double max_points(const SubmissionResult&);  // without extra credit

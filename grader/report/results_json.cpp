@@ -57,7 +57,8 @@ Json pictures_json(const std::vector<PictureResult>& pictures) {
                    {"student", base64(picture.student)},
                    {"reference", base64(picture.reference)},
                    {"heat", base64(picture.heat)},
-                   {"limit", picture.limit}});
+                   {"blurred_rmse_limit", picture.blurred_rmse_limit},
+                   {"flip_limit", picture.flip_limit}});
   return all;
 }
 
@@ -66,7 +67,8 @@ std::vector<PictureResult> pictures_from(const Json& json) {
   const auto bytes = [](const Json& text) { return from_base64(text.get_ref<const std::string&>()); };
   for (const Json& one : json)
     pictures.push_back({one.at("name"), one.at("blurred_rmse"), one.at("flip"), bytes(one.at("student")),
-                        bytes(one.at("reference")), bytes(one.at("heat")), one.at("limit")});
+                        bytes(one.at("reference")), bytes(one.at("heat")), one.at("blurred_rmse_limit"),
+                        one.at("flip_limit")});
   return pictures;
 }
 
