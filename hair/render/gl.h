@@ -30,62 +30,63 @@ inline constexpr Enum kCompileStatus = 0x8B81, kLinkStatus = 0x8B82;
 inline constexpr Enum kRenderer = 0x1F01, kVersion = 0x1F02;
 inline constexpr Enum kNoError = 0;
 
-// X(result, name, arguments), without the prefix gl.
-#define HAIR_GL_FUNCTIONS(X)                                                           \
-  X(void, ActiveTexture, (Enum))                                                       \
-  X(void, AttachShader, (Name, Name))                                                  \
-  X(void, BindBuffer, (Enum, Name))                                                    \
-  X(void, BindFramebuffer, (Enum, Name))                                               \
-  X(void, BindTexture, (Enum, Name))                                                   \
-  X(void, BindVertexArray, (Name))                                                     \
-  X(void, BlendFunc, (Enum, Enum))                                                     \
-  X(void, BufferData, (Enum, std::ptrdiff_t, const void*, Enum))                       \
-  X(Enum, CheckFramebufferStatus, (Enum))                                              \
-  X(void, Clear, (unsigned))                                                           \
-  X(void, ClearColor, (float, float, float, float))                                    \
-  X(void, CompileShader, (Name))                                                       \
-  X(Name, CreateProgram, ())                                                           \
-  X(Name, CreateShader, (Enum))                                                        \
-  X(void, DeleteShader, (Name))                                                        \
-  X(void, DepthMask, (unsigned char))                                                  \
-  X(void, Disable, (Enum))                                                             \
-  X(void, DrawArrays, (Enum, int, int))                                                \
-  X(void, DrawBuffer, (Enum))                                                          \
-  X(void, DrawElements, (Enum, int, Enum, const void*))                                \
-  X(void, Enable, (Enum))                                                              \
-  X(void, EnableVertexAttribArray, (unsigned))                                         \
-  X(void, Finish, ())                                                                  \
-  X(void, FramebufferTexture2D, (Enum, Enum, Enum, Name, int))                         \
-  X(void, GenBuffers, (int, Name*))                                                    \
-  X(void, GenFramebuffers, (int, Name*))                                               \
-  X(void, GenTextures, (int, Name*))                                                   \
-  X(void, GenVertexArrays, (int, Name*))                                               \
-  X(Enum, GetError, ())                                                                \
-  X(void, GetProgramInfoLog, (Name, int, int*, char*))                                 \
-  X(void, GetProgramiv, (Name, Enum, int*))                                            \
-  X(void, GetShaderInfoLog, (Name, int, int*, char*))                                  \
-  X(void, GetShaderiv, (Name, Enum, int*))                                             \
-  X(const unsigned char*, GetString, (Enum))                                           \
-  X(int, GetUniformLocation, (Name, const char*))                                      \
-  X(void, LinkProgram, (Name))                                                         \
-  X(void, PrimitiveRestartIndex, (unsigned))                                           \
-  X(void, ReadBuffer, (Enum))                                                          \
-  X(void, ReadPixels, (int, int, int, int, Enum, Enum, void*))                         \
-  X(void, ShaderSource, (Name, int, const char* const*, const int*))                   \
-  X(void, TexImage2D, (Enum, int, int, int, int, int, Enum, Enum, const void*))        \
-  X(void, TexParameteri, (Enum, Enum, int))                                            \
-  X(void, Uniform1f, (int, float))                                                     \
-  X(void, Uniform1i, (int, int))                                                       \
-  X(void, Uniform2f, (int, float, float))                                              \
-  X(void, Uniform3f, (int, float, float, float))                                       \
-  X(void, Uniform4f, (int, float, float, float, float))                                \
-  X(void, UniformMatrix4fv, (int, int, unsigned char, const float*))                   \
-  X(void, UseProgram, (Name))                                                          \
-  X(void, VertexAttribPointer, (unsigned, int, Enum, unsigned char, int, const void*)) \
-  X(void, Viewport, (int, int, int, int))
+// X(name without its prefix gl, type). What is an offset into a buffer is a number here, though OpenGL's own
+// headers call it a pointer.
+#define HAIR_GL_FUNCTIONS(X)                                                         \
+  X(ActiveTexture, void(Enum))                                                       \
+  X(AttachShader, void(Name, Name))                                                  \
+  X(BindBuffer, void(Enum, Name))                                                    \
+  X(BindFramebuffer, void(Enum, Name))                                               \
+  X(BindTexture, void(Enum, Name))                                                   \
+  X(BindVertexArray, void(Name))                                                     \
+  X(BlendFunc, void(Enum, Enum))                                                     \
+  X(BufferData, void(Enum, std::ptrdiff_t, const void*, Enum))                       \
+  X(CheckFramebufferStatus, Enum(Enum))                                              \
+  X(Clear, void(unsigned))                                                           \
+  X(CompileShader, void(Name))                                                       \
+  X(CreateProgram, Name())                                                           \
+  X(CreateShader, Name(Enum))                                                        \
+  X(Disable, void(Enum))                                                             \
+  X(DrawArrays, void(Enum, int, int))                                                \
+  X(DrawBuffer, void(Enum))                                                          \
+  X(DrawElements, void(Enum, int, Enum, const void*))                                \
+  X(Enable, void(Enum))                                                              \
+  X(EnableVertexAttribArray, void(unsigned))                                         \
+  X(Finish, void())                                                                  \
+  X(FramebufferTexture2D, void(Enum, Enum, Enum, Name, int))                         \
+  X(GenBuffers, void(int, Name*))                                                    \
+  X(GenFramebuffers, void(int, Name*))                                               \
+  X(GenTextures, void(int, Name*))                                                   \
+  X(GenVertexArrays, void(int, Name*))                                               \
+  X(GetError, Enum())                                                                \
+  X(GetProgramInfoLog, void(Name, int, int*, char*))                                 \
+  X(GetProgramiv, void(Name, Enum, int*))                                            \
+  X(GetShaderInfoLog, void(Name, int, int*, char*))                                  \
+  X(GetShaderiv, void(Name, Enum, int*))                                             \
+  X(GetString, const unsigned char*(Enum))                                           \
+  X(GetUniformLocation, int(Name, const char*))                                      \
+  X(LinkProgram, void(Name))                                                         \
+  X(PrimitiveRestartIndex, void(unsigned))                                           \
+  X(ReadBuffer, void(Enum))                                                          \
+  X(ReadPixels, void(int, int, int, int, Enum, Enum, void*))                         \
+  X(ShaderSource, void(Name, int, const char* const*, const int*))                   \
+  X(TexImage2D, void(Enum, int, int, int, int, int, Enum, Enum, const void*))        \
+  X(TexParameteri, void(Enum, Enum, int))                                            \
+  X(Uniform1f, void(int, float))                                                     \
+  X(Uniform1i, void(int, int))                                                       \
+  X(Uniform2f, void(int, float, float))                                              \
+  X(Uniform3f, void(int, float, float, float))                                       \
+  X(Uniform4f, void(int, float, float, float, float))                                \
+  X(UniformMatrix4fv, void(int, int, unsigned char, const float*))                   \
+  X(UseProgram, void(Name))                                                          \
+  X(VertexAttribPointer, void(unsigned, int, Enum, unsigned char, int, std::size_t)) \
+  X(Viewport, void(int, int, int, int))
+
+template <class Type>
+using Pointer = Type*;
 
 struct Functions {
-#define HAIR_GL_MEMBER(result, name, arguments) result(*name) arguments = nullptr;
+#define HAIR_GL_MEMBER(name, type) Pointer<type> name = nullptr;
   HAIR_GL_FUNCTIONS(HAIR_GL_MEMBER)
 #undef HAIR_GL_MEMBER
 };

@@ -121,8 +121,8 @@ bool GlContext::find_functions(Function (*find)(const char*)) {
   bool all = true;
   // Looked up while the context is current: only then does each library promise an answer.
   if (!make_current(true)) return false;
-#define HAIR_GL_FIND(result, name, arguments)                                           \
-  functions_.name = as<result(*) arguments>(reinterpret_cast<void*>(find("gl" #name))); \
+#define HAIR_GL_FIND(name, type)                                                              \
+  functions_.name = as<decltype(functions_.name)>(reinterpret_cast<void*>(find("gl" #name))); \
   all = all && functions_.name != nullptr;
   using namespace gl;
   HAIR_GL_FUNCTIONS(HAIR_GL_FIND)

@@ -97,9 +97,7 @@ Triangles::Triangles(const Functions& functions, const std::vector<int>& attribu
   std::size_t offset = 0;
   for (unsigned i = 0; i < attributes.size(); ++i) {
     gl_.EnableVertexAttribArray(i);
-    // An offset into the buffer goes where an address once went.
-    gl_.VertexAttribPointer(i, attributes[i], kFloat, 0, floats * static_cast<int>(sizeof(float)),
-                            reinterpret_cast<const void*>(offset));
+    gl_.VertexAttribPointer(i, attributes[i], kFloat, 0, floats * static_cast<int>(sizeof(float)), offset);
     offset += static_cast<std::size_t>(attributes[i]) * sizeof(float);
   }
 }
