@@ -1,8 +1,7 @@
 // STAFF ONLY. How far a picture is from another, as numbers.
 //
 // A thin strand that moves by a pixel is wrong in all of its pixels, and yet looks the same. The blurred RMSE
-// looks past that: it is the measure for points. FLIP tells what a person sees who flips between the two, a
-// moved strand included: it is what is shown.
+// looks past that. FLIP tells what a person sees who flips between the two, a moved strand included.
 #pragma once
 
 #include "grader/compare/flip.h"
