@@ -32,7 +32,8 @@ to_lint() {
   sed 's/#.*//' <<'LIST'
 clang                # the second compiler for the handout
 clang-format         # layout
-clang-tidy           # common mistakes, names
+clang-tidy           # common mistakes, names,
+python3              #   and what runs it
 shellcheck           # these scripts
 LIST
 }
