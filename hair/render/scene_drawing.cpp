@@ -60,7 +60,7 @@ Drawing SceneDrawing::at(const particles::State& state, const std::vector<Obstac
 }
 
 void SceneDrawing::add_toy(const Toy& toy, int toy_index, particles::Input x, Drawing& drawing) const {
-  const Colour colour = kToyColours[static_cast<std::size_t>(toy_index) % kToyColours.size()];
+  const Colour& colour = kToyColours[static_cast<std::size_t>(toy_index) % kToyColours.size()];
   const auto point = [&](int i) { return Vector3d(x.segment<3>(3 * i)); };
   const int cloth = toy.rows > 1 && toy.columns > 1 ? toy.rows * toy.columns : 0;
   if (cloth > 0) {
