@@ -8,7 +8,7 @@ namespace particles {
 
 void require(bool holds, std::string_view what, double value, std::string_view bound);
 void require_finite(std::string_view what, double value);
-void require_positive(std::string_view what, double value);  // and normal: 1 / value is finite
+void require_positive(std::string_view what, double value);                // and normal: 1 / value is finite
 void require_at_least(std::string_view what, double value, double bound);  // and finite
 
 }  // namespace particles
