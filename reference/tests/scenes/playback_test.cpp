@@ -91,6 +91,20 @@ TEST(Playback, StretchIsTheLargestOfAnySpringOrRod) {
   EXPECT_TRUE(std::isnan(playback.measure(state).stretch));
 }
 
+TEST(Motion, SpeedsUpAndSlowsDownBetweenKeysAndRestsOutsideOfThem) {
+  const hair::Motion motion = scene_of(kRiders).riders[1].motion;  // 1 m in 0.1 s
+  const auto height = [&](double time) { return motion.at(time).position.z(); };
+  EXPECT_EQ(height(-1), 0);
+  EXPECT_NEAR(height(0.025), 5.0 / 32, 1e-15);
+  EXPECT_NEAR(height(0.05), 0.5, 1e-15);
+  EXPECT_NEAR(height(0.075), 27.0 / 32, 1e-15);
+  EXPECT_EQ(height(0.1), 1);
+  EXPECT_EQ(height(7), 1);
+  // 3 s^2 of the way at first, and as much is missing at last.
+  EXPECT_NEAR(height(1e-4), 3e-6, 3e-9);
+  EXPECT_NEAR(1 - height(0.1 - 1e-4), 3e-6, 3e-9);
+}
+
 TEST(Playback, RidersAreWhereTheirMotionSaysAfterEveryFrame) {
   const Scene scene = scene_of(kRiders, R"("method": "implicit_euler", )");
   Playback playback(scene);
