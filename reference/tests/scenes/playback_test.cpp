@@ -74,7 +74,15 @@ TEST(Playback, StrandsComeBeforeToysAndAllAreMeasuredTogether) {
   EXPECT_DOUBLE_EQ(sum.potential, one.potential + two.potential);
   EXPECT_NEAR((sum.momentum - one.momentum - two.momentum).norm(), 0, 1e-15);
   EXPECT_EQ(sum.stretch, one.stretch);
-  // m x times v, about the origin and not about a root.
+  // The sum of m x times v is about the origin, and not about a root.
+  const Scene scene = scene_of(kHair);
+  particles::State state = hair.state();
+  state.v.setOnes();
+  Vector3d turning = Vector3d::Zero();
+  for (Eigen::Index k = 0; k < 10; ++k)
+    turning += scene.hair.strands[static_cast<std::size_t>(k / 5)].strand.mass[k % 5] *
+               Vector3d(state.x.segment<3>(3 * k)).cross(Vector3d::Ones());
+  EXPECT_NEAR((hair.measure(state).angular_momentum - turning).norm(), 0, 1e-12 * turning.norm());
   EXPECT_NEAR((two.angular_momentum - 2 * Vector3d(ball.state().x).cross(Vector3d(ball.state().v))).norm(), 0,
               1e-14);
 }
