@@ -2,7 +2,9 @@
 // comes out is shown and not scored.
 #pragma once
 
+#include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -18,7 +20,8 @@ struct AvailableExercises {
 };
 
 // A result for each scene of the course, in the order of end_to_end_scenes.h. Scenes that can't be run don't
-// start a worker.
-std::vector<RunResult> run_end_to_end(Student& student, const AvailableExercises& exercises);
+// start a worker. The reference's pictures are kept in `kept_pictures`; without it none are drawn.
+std::vector<RunResult> run_end_to_end(Student& student, const AvailableExercises& exercises,
+                                      const std::optional<std::filesystem::path>& kept_pictures);
 
 }  // namespace grader

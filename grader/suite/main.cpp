@@ -4,14 +4,21 @@
 // Reads a job as JSON from standard input and writes what it found as JSON to standard output:
 //
 //   {"exercise": "S1", "seed": "...", "kit": DIR, "objects": [FILE...], "log": FILE, "isolated": true,
-//    "cpu_seconds": 10}
+//    "cpu_seconds": 10, "pictures": DIR}
 //   {"cases": [{"name", "status", "weight", "points", "feedback", "detail"}...],
 //    "cpu_seconds": 0.1, "starts": 1}
+//
+// "pictures" is where the reference's are kept; null, and none are drawn. Of an exercise with a whole run the job says
+// more, and its two categories come last, with its pictures:
+//
+//   {..., "whole_run": {"scene": FILE, "seed": "...", "exercises": ["S1"...], "cpu_seconds": 10}}
+//   {..., "pictures": [{"name", "blurred_rmse", "flip", "student", "reference", "heat"}...],
+//    "run_cpu_seconds": 0.1, "picture_cpu_seconds": 0.1}
 //
 // Of the exercise "runs", which stands for all of them end to end, the job says more, and another result comes out:
 //
 //   {..., "left_out": ["P2"...], "unavailable": {"H4": "does not compile"...}}
-//   {"runs": [{"name", "shows", "outcome", "feedback", "detail"}...], "cpu_seconds": 0.1, "starts": 1}
+//   {"runs": [{"name", "shows", "outcome", "feedback", "detail", "pictures"}...], "cpu_seconds": 0.1, "starts": 1}
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sodium.h>
@@ -22,8 +29,10 @@
 #include <nlohmann/json.hpp>
 
 #include "grader/course/input.h"
+#include "grader/report/base64.h"
 #include "grader/suite/end_to_end.h"
 #include "grader/suite/trial.h"
+#include "grader/suite/whole_run.h"
 
 namespace {
 
@@ -34,6 +43,15 @@ struct Job {
   std::string exercise, seed;
   grader::WorkerSetup worker;
   grader::AvailableExercises exercises;  // for runs
+  std::optional<std::filesystem::path> pictures;
+
+  struct WholeRun {
+    std::filesystem::path scene;
+    std::string seed;
+    std::vector<std::string> exercises;
+    int cpu_seconds = 10;
+  };
+  std::optional<WholeRun> whole_run;
 };
 
 Job read_job(std::istream& in) {
@@ -48,6 +66,13 @@ Job read_job(std::istream& in) {
     job.worker.log = document.at("log").get<std::string>();
     job.worker.isolated = document.at("isolated");
     job.worker.cpu_seconds = document.at("cpu_seconds");
+    if (const json& folder = document.at("pictures"); !folder.is_null())
+      job.pictures = folder.get<std::string>();
+    if (document.contains("whole_run")) {
+      const json& run = document.at("whole_run");
+      job.whole_run = {run.at("scene").get<std::string>(), run.at("seed"), run.at("exercises"),
+                       run.at("cpu_seconds")};
+    }
     if (job.exercise == "runs") {
       document.at("left_out").get_to(job.exercises.left_out);
       document.at("unavailable").get_to(job.exercises.unavailable);
@@ -100,30 +125,63 @@ class CategoryTest : public testing::Test {
   json& cases_;
 };
 
+json to_json(const std::vector<grader::PictureResult>& pictures) {
+  json all = json::array();
+  for (const grader::PictureResult& picture : pictures)
+    all.push_back({{"name", picture.name},
+                   {"blurred_rmse", picture.blurred_rmse},
+                   {"flip", picture.flip},
+                   {"student", grader::base64(picture.student)},
+                   {"reference", grader::base64(picture.reference)},
+                   {"heat", grader::base64(picture.heat)}});
+  return all;
+}
+
 // Null if a category has no result, which is our fault.
 json run_categories(const Job& job, grader::Student& student) {
   const std::vector<Category> categories = grader::categories(job.exercise);
   json cases = json::array();
-  for (const Category& category : categories)
+  auto add = [&](const Category& category, grader::Student& who) {
     testing::RegisterTest(
         job.exercise.c_str(), category.name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
-        [&]() -> testing::Test* { return new CategoryTest(category, student, job.seed, cases); });
+        [&]() -> testing::Test* { return new CategoryTest(category, who, job.seed, cases); });
+  };
+  for (const Category& category : categories) add(category, student);
+  std::optional<grader::WholeRun> run;
+  std::vector<Category> of_the_run;
+  if (job.whole_run) {
+    grader::HiddenScene scene = grader::read_hidden_scene(job.whole_run->scene, job.whole_run->seed);
+    grader::WorkerSetup worker = grader::whole_run_worker(job.worker, scene.scene, job.whole_run->exercises);
+    worker.cpu_seconds = job.whole_run->cpu_seconds;
+    run.emplace(std::move(worker), std::move(scene), job.pictures, student);
+    of_the_run = run->categories(job.exercise);
+    for (const Category& category : of_the_run) add(category, run->student());
+  }
 
   // Standard output carries the result, and nothing else.
   testing::TestEventListeners& listeners = testing::UnitTest::GetInstance()->listeners();
   delete listeners.Release(listeners.default_result_printer());
   const bool ran = RUN_ALL_TESTS() >= 0;  // a category that fails is a result, not an error
-  return ran && cases.size() == categories.size() ? json{{"cases", cases}} : json();
+  if (!ran || cases.size() != categories.size() + of_the_run.size()) return {};
+  json result = {{"cases", cases}};
+  if (run) {
+    run->student().finish();
+    result["pictures"] = to_json(run->pictures());
+    result["run_cpu_seconds"] = run->student().cpu_seconds();
+    result["picture_cpu_seconds"] = run->picture_seconds();
+  }
+  return result;
 }
 
 json run_scenes(const Job& job, grader::Student& student) {
   json runs = json::array();
-  for (const grader::RunResult& run : grader::run_end_to_end(student, job.exercises))
+  for (const grader::RunResult& run : grader::run_end_to_end(student, job.exercises, job.pictures))
     runs.push_back({{"name", run.name},
                     {"shows", run.shows},
                     {"outcome", grader::to_string(run.outcome)},
                     {"feedback", run.feedback},
-                    {"detail", run.detail}});
+                    {"detail", run.detail},
+                    {"pictures", to_json(run.pictures)}});
   return {{"runs", runs}};
 }
 

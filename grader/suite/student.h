@@ -60,6 +60,7 @@ class Student {
   // Of the workers that `finish` ended; what one used that died by itself is not known.
   double cpu_seconds() const { return cpu_seconds_; }
   int starts() const { return starts_; }
+  const std::optional<Answer>& gave_up() const { return gave_up_; }  // the last answer, for good
   void finish();
 
  private:

@@ -10,6 +10,7 @@
 
 #include "grader/course/course.h"
 #include "grader/suite/trial.h"
+#include "grader/suite/whole_run.h"
 
 namespace grader {
 namespace {
@@ -47,6 +48,11 @@ TEST(AssignmentText, ListsTheCategoriesThatAreGradedWithTheirPoints) {
     for (const Category& category : categories(exercise.id)) {
       graded[category.title] = category.weight;
       sum += category.weight;
+    }
+    if (const WholeRunPoints run = whole_run_points(exercise.id); run.run > 0) {
+      graded[kRunTitle] = run.run;
+      graded[kPicturesTitle] = run.pictures;
+      sum += run.run + run.pictures;
     }
     const Promise promise = promise_of(std::filesystem::path(HAIR_HANDOUT) / exercise.text);
     EXPECT_EQ(promise.table, graded);

@@ -8,7 +8,10 @@ namespace grader {
 
 MessageReader Trial::ask(const MessageWriter& request, const Student::Products& products,
                          const std::string& stopped) {
-  Answer answer = student_.ask(request, products);
+  return reply_of(student_.ask(request, products), stopped);
+}
+
+MessageReader Trial::reply_of(Answer answer, const std::string& stopped) const {
   switch (answer.outcome) {
     case Outcome::done:
       return std::move(answer.reply);

@@ -5,6 +5,7 @@
 // bands; staff see inputs, expected and actual values.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ class Trial {
       const MessageWriter& request, const Student::Products& products,
       const std::string& stopped = "takes more products with the matrix than the step limit allows");
 
+  // The reply of an answer; throws CaseFailed as above if it is none.
+  MessageReader reply_of(Answer answer, const std::string& stopped = {}) const;
+
   // What the cases from here on try, for staff: "tridiagonal, n = 10".
   void describe(const std::string& text) { description_ = text; }
 
@@ -51,7 +55,7 @@ struct Category {
   std::string name;   // in the suite's own output: "Examples"
   std::string title;  // for students: "The lecture's examples"
   double weight;      // in points of an exercise whose points are the weights' sum
-  void (*run)(Trial&);
+  std::function<void(Trial&)> run;
 };
 
 // How many times the bound an error is, in bands: an exact figure would be a hidden case's value in disguise.

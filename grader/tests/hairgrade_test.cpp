@@ -189,7 +189,7 @@ TEST_F(Hairgrade, KeepsTheOtherExercisesOfAnEarlierRun) {
   ASSERT_EQ(grade({sample("other-order.tar.gz"), "--out", out()}).code, 0);
   ASSERT_EQ(grade({sample("other-order.tar.gz"), "--out", out(), "--exercise", "S1"}).code, 0);
   EXPECT_EQ(nlohmann::json::parse(read_file(fs::path(out()) / "other-order" / "results.json")).at("score"),
-            50);
+            52);
 }
 
 TEST_F(Hairgrade, KeepsNoObjectThatWasCompiledWithoutASandbox) {
@@ -202,7 +202,7 @@ TEST_F(Hairgrade, KeepsNoObjectThatWasCompiledWithoutASandbox) {
     return nlohmann::json::parse(read_file(fs::path(out()) / "thief" / "results.json")).at("score");
   };
   ASSERT_EQ(grade({thief, "--out", out(), "--unsafe-no-sandbox"}).code, 0);
-  EXPECT_EQ(score(), 30);
+  EXPECT_EQ(score(), 32);
   ASSERT_EQ(grade({thief, "--out", out()}).code, 0);
   EXPECT_EQ(score(), 0);
 }
@@ -236,10 +236,10 @@ TEST_F(Hairgrade, KeepsWhatIsFinishedWhenInterrupted) {
   });
   EXPECT_EQ(run.code, 130) << run.errors;
   EXPECT_NE(run.errors.find("--resume"), string::npos) << run.errors;
-  EXPECT_EQ(nlohmann::json::parse(read_file(first)).at("score"), 50);
+  EXPECT_EQ(nlohmann::json::parse(read_file(first)).at("score"), 52);
   EXPECT_FALSE(fs::exists(fs::path(out()) / "sleeps"));
   const string gradebook = read_file(fs::path(out()) / "grades.csv");
-  EXPECT_NE(gradebook.find("other-order,50"), string::npos) << gradebook;
+  EXPECT_NE(gradebook.find("other-order,52"), string::npos) << gradebook;
   EXPECT_NE(gradebook.find("stubs,0"), string::npos) << gradebook;
 }
 
@@ -249,7 +249,47 @@ TEST_F(Hairgrade, StampsWhatWasGradedWithoutASandbox) {
             string::npos);
   EXPECT_NE(read_file(fs::path(out()) / "index.html").find("without a sandbox"), string::npos);
   EXPECT_EQ(nlohmann::json::parse(read_file(fs::path(out()) / "other-order" / "results.json")).at("score"),
-            50);
+            52);
+}
+
+TEST_F(Hairgrade, WithoutImagesTheOtherCategoriesHaveTheirPoints) {
+  const std::vector<string> submission = {sample("other-order.tar.gz"), "--out", out()};
+  ASSERT_EQ(grade(submission).code, 0);
+  const fs::path results = fs::path(out()) / "other-order" / "results.json";
+  const auto numbers = [&] {
+    std::map<string, double> points;
+    for (const nlohmann::json& test : nlohmann::json::parse(read_file(results)).at("tests"))
+      if (test.at("tags").at(0) == "S1") points[test.at("name")] = test.at("max_score");
+    return points;
+  };
+  const std::map<string, double> with = numbers();
+  EXPECT_EQ(with.at("Pictures of it"), 1);
+  std::vector<string> without_images = submission;
+  without_images.insert(without_images.end(), {"--no-images", "--resume"});
+  // Another result, which --resume must not keep.
+  EXPECT_NE(grade(without_images).output.find("1 graded, without pictures"), string::npos);
+  std::map<string, double> without = numbers();
+  EXPECT_EQ(without.count("Pictures of it"), 0U);
+  EXPECT_EQ(without.size() + 1, with.size());
+  for (const auto& [name, points] : without) EXPECT_NEAR(points, with.at(name) * 32 / 31, 1e-3) << name;
+  EXPECT_EQ(nlohmann::json::parse(read_file(results)).at("score"), 52);
+  for (const char* page : {"other-order/report.html", "index.html"})
+    EXPECT_NE(read_file(fs::path(out()) / page).find("without pictures"), string::npos) << page;
+  EXPECT_NE(grade({submission[0], "--out", out(), "--resume"}).output.find("1 graded"), string::npos);
+}
+
+TEST_F(Hairgrade, KeepsTheReferencesPicturesForTheNextBatch) {
+  const auto kept = [&] {
+    std::map<string, fs::file_time_type> all;
+    for (const auto& entry : fs::recursive_directory_iterator(folder_ / "cache" / "pictures"))
+      if (entry.is_regular_file()) all[entry.path().string()] = entry.last_write_time();
+    return all;
+  };
+  ASSERT_EQ(grade({sample("other-order.tar.gz"), "--out", out()}).code, 0);
+  const auto first = kept();
+  EXPECT_GE(first.size(), 9U * 3);
+  ASSERT_EQ(grade({sample("other-order.tar.gz"), "--out", out()}).code, 0);
+  EXPECT_EQ(kept(), first);
 }
 
 TEST_F(Hairgrade, WritesTheHandout) {

@@ -12,6 +12,7 @@
 #include "grader/course/input.h"
 #include "grader/tool/isolation.h"
 #include "grader/tool/secret.h"
+#include "hair/render/renderer.h"
 
 namespace grader {
 namespace {
@@ -50,6 +51,11 @@ ExerciseResult describe(const Exercise& exercise) {
   return result;
 }
 
+// What a worker may take, of the reference's.
+int cpu_limit(double reference) {
+  return std::max(kLeastCpuSeconds, static_cast<int>(std::ceil(kTimesReference * reference)));
+}
+
 constexpr const char* kRuns = "runs";  // all exercises end to end, for the suite and in the timing
 
 // Why an exercise of a submission is not called in scenes that run end to end; nothing if it is.
@@ -69,6 +75,21 @@ std::string why_not_called(Status status) {
       return "breaks the rules";
     default:
       return "";
+  }
+}
+
+// What draws here: OpenGL and its version. Throws BadInput where there is none.
+std::string what_draws() {
+  try {
+    hair::RenderSettings least;
+    least.width = least.height = 16;
+    least.shadows = false;
+    return hair::Renderer(least).about();
+  } catch (const hair::NoOpenGl& none) {
+    throw BadInput(
+        std::string("this machine can't draw: ") + none.what() +
+        "; install libosmesa6, or grade with --no-images, which leaves the pictures' points to the "
+        "other categories and stamps the report");
   }
 }
 
@@ -95,8 +116,10 @@ Grading::Grading(GradingSettings settings)
       throw BadInput("this machine can't isolate student code: " + why +
                      "; --unsafe-no-sandbox runs it all the same, and stamps the report");
   }
-  base_fingerprint_ = kit_.hash() + sha256_of(settings_.suite) + sha256(settings_.secret) +
-                      (settings_.isolated ? "" : "unsafe");
+  const std::string suite = sha256_of(settings_.suite), drawn = settings_.images ? what_draws() : "";
+  base_fingerprint_ = kit_.hash() + suite + sha256_of(settings_.scenes) + sha256(settings_.secret) +
+                      (settings_.isolated ? "" : "unsafe") + (settings_.images ? drawn : "no images");
+  if (settings_.images) pictures_ = settings_.cache / "pictures" / sha256(suite + drawn);
   for (const Exercise& exercise : settings_.course.exercises)
     if (selected(exercise))
       base_fingerprint_ += exercise.id + to_string(exercise.role) + std::to_string(exercise.points);
@@ -121,6 +144,7 @@ Graded Grading::grade(const Submission& submission) const {
   graded.result.note = submission.problem;
   graded.result.fingerprint = fingerprint(submission);
   graded.result.isolated = settings_.isolated;
+  graded.result.images = settings_.images;
   const fs::path job = kit_.new_job("submission-" + submission.name);
   for (const Exercise& exercise : settings_.course.exercises) {
     if (!selected(exercise)) continue;
@@ -182,10 +206,21 @@ SuiteJob Grading::suite_job(const std::string& exercise, const fs::path& job) co
   suite.isolated = settings_.isolated;
   suite.cpu_seconds = kLeastCpuSeconds;
   if (const auto reference = reference_.find(exercise); reference != reference_.end())
-    suite.cpu_seconds =
-        std::max(kLeastCpuSeconds,
-                 static_cast<int>(std::ceil(kTimesReference * reference->second.worker_cpu_seconds)));
+    suite.cpu_seconds = cpu_limit(reference->second.worker_cpu_seconds);
   return suite;
+}
+
+std::optional<SuiteJob::WholeRun> Grading::whole_run(const std::string& exercise) const {
+  const fs::path scene = settings_.scenes / (exercise + ".json");
+  if (!fs::exists(scene)) return {};
+  SuiteJob::WholeRun run;
+  run.scene = scene;
+  run.seed = seed_for(settings_.secret, "the class", exercise);  // no submission's name has a space
+  for (const Exercise& one : settings_.course.exercises) run.exercises.push_back(one.id);
+  run.cpu_seconds = kLeastCpuSeconds;
+  if (const auto reference = reference_.find(exercise); reference != reference_.end())
+    run.cpu_seconds = cpu_limit(reference->second.run_cpu_seconds);
+  return run;
 }
 
 SuiteResult Grading::timed(const SuiteJob& job, ExerciseTiming& timing) const {
@@ -194,6 +229,8 @@ SuiteResult Grading::timed(const SuiteJob& job, ExerciseTiming& timing) const {
   timing.suite_seconds = running.seconds();
   timing.worker_cpu_seconds = found.cpu_seconds;
   timing.worker_starts = found.starts;
+  timing.run_cpu_seconds = found.run_cpu_seconds;
+  timing.picture_cpu_seconds = found.picture_cpu_seconds;
   return found;
 }
 
@@ -204,6 +241,9 @@ void Grading::run_cases(const Exercise& exercise, const std::string& student, co
   for (const std::string& id : exercise.prerequisites)
     suite.objects.push_back(kit_.folder() / "lib" / (id + ".so"));
   suite.objects.push_back(object);
+  suite.whole_run = whole_run(exercise.id);
+  if (pictures_ && suite.whole_run)
+    suite.pictures = *pictures_ / sha256(sha256_of(suite.whole_run->scene) + suite.whole_run->seed);
   SuiteResult found = timed(suite, timing);
   double weights = 0;
   for (const CaseResult& one : found.cases) weights += one.max_points;
@@ -224,6 +264,7 @@ void Grading::run_cases(const Exercise& exercise, const std::string& student, co
     result.points += one.points;
   }
   result.cases = std::move(found.cases);
+  result.pictures = std::move(found.pictures);
   result.status = overall_status(result.cases);
   result.feedback = sentence_for(result.status);
   result.staff_log += beginning_of(suite.log, kMostLog);
@@ -249,6 +290,7 @@ void Grading::run_end_to_end(const fs::path& job, SubmissionResult& result, Exer
     }
     suite.objects.push_back(object);
   }
+  if (pictures_) suite.pictures = *pictures_ / kRuns;
   result.runs = timed(suite, timing).runs;
 }
 
@@ -269,6 +311,7 @@ void Grading::measure_reference() {
   }
   if (!settings_.exercise) {
     SuiteJob suite = suite_job(kRuns, kit_.new_job("reference-runs"));
+    if (pictures_) suite.pictures = *pictures_ / kRuns;
     for (const Exercise& exercise : settings_.course.exercises)
       suite.objects.push_back(kit_.folder() / "lib" / (exercise.id + ".so"));
     for (const RunResult& run : timed(suite, measured[kRuns]).runs)

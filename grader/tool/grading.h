@@ -20,9 +20,10 @@ namespace grader {
 struct GradingSettings {
   Course course;
   std::optional<std::string> exercise;  // grade this one alone
-  std::filesystem::path kit, suite, cache;
+  std::filesystem::path kit, suite, scenes, cache;
   std::string secret;
   bool isolated = true;
+  bool images = true;  // draw whole runs
 };
 
 // What an exercise cost; the only part of a result that differs from run to run.
@@ -31,6 +32,8 @@ struct ExerciseTiming {
   double suite_seconds = 0;    // by the wall clock
   double worker_cpu_seconds = 0;
   int worker_starts = 0;
+  double run_cpu_seconds = 0;      // of the worker that plays the whole run
+  double picture_cpu_seconds = 0;  // to draw and compare its pictures
 };
 
 struct Graded {
@@ -41,8 +44,8 @@ struct Graded {
 
 class Grading {
  public:
-  // Throws BadInput if this machine can't isolate student code and `isolated` asks for it, or if the
-  // reference does not get full points.
+  // Throws BadInput if this machine can't isolate student code and `isolated` asks for it, if it can't draw and
+  // `images` asks for that, or if the reference does not get full points.
   explicit Grading(GradingSettings settings);
 
   // What goes wrong on our side is said in the result, which then has no fingerprint.
@@ -63,6 +66,7 @@ class Grading {
                  const std::filesystem::path& job, ExerciseResult& result, ExerciseTiming& timing) const;
   void run_end_to_end(const std::filesystem::path& job, SubmissionResult& result,
                       ExerciseTiming& timing) const;
+  std::optional<SuiteJob::WholeRun> whole_run(const std::string& exercise) const;
   SuiteJob suite_job(const std::string& exercise, const std::filesystem::path& job) const;
   SuiteResult timed(const SuiteJob& job, ExerciseTiming& timing) const;
   void measure_reference();
@@ -72,6 +76,7 @@ class Grading {
   StagedKit kit_;
   Compiler compiler_;
   std::string base_fingerprint_;
+  std::optional<std::filesystem::path> pictures_;  // where the reference's are kept, if any are drawn
   std::map<std::string, ExerciseTiming> reference_;
 };
 

@@ -36,7 +36,7 @@ struct GradeOptions {
   std::vector<fs::path> submissions;
   std::optional<fs::path> course, secret, cache;
   std::optional<std::string> exercise;
-  bool unsafe = false;
+  bool unsafe = false, no_images = false;
   BatchSettings batch;
 };
 
@@ -82,7 +82,9 @@ int grade(const GradeOptions& options) {
   settings.exercise = options.exercise;
   settings.kit = HAIR_KIT_DIR;
   settings.suite = HAIR_SUITE;
+  settings.scenes = HAIR_HIDDEN_SCENES;
   settings.isolated = !options.unsafe;
+  settings.images = !options.no_images;
   const std::vector<Submission> submissions = read_submissions(options.submissions, settings.course);
   settings.cache = options.cache ? *options.cache : default_cache();
   settings.secret = read_secret(options.secret);
@@ -96,6 +98,7 @@ int grade(const GradeOptions& options) {
   std::cout << "\n" << batch.graded << " graded";
   if (batch.kept > 0) std::cout << ", " << batch.kept << " kept from before";
   if (options.unsafe) std::cout << ", without a sandbox";
+  if (options.no_images) std::cout << ", without pictures";
   std::cout << "\n" << fs::absolute(options.batch.out / "index.html").lexically_normal().string() << "\n";
   for (const std::string& problem : batch.problems)
     std::cerr << "hairgrade: could not grade " << problem << "\n";
@@ -147,6 +150,9 @@ int main(int argc, char* argv[]) {
                             "A folder for compiled objects (default: ~/.cache/hairgrade)");
   grade_command->add_flag("--unsafe-no-sandbox", grading.unsafe,
                           "Run student code unprotected; every report says so");
+  grade_command->add_flag("--no-images", grading.no_images,
+                          "Draw nothing, where there is no OpenGL: the pictures' points go to the other "
+                          "categories, and every report says so");
 
   HandoutOptions handing_out;
   CLI::App* handout_command = app.add_subcommand("handout", "Make the archive that students get");

@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "grader/report/base64.h"
 #include "grader/sandbox/descriptor.h"
 
 extern char** environ;
@@ -24,13 +25,23 @@ constexpr std::size_t kMostOutput = std::size_t{16} << 20;
 // The suite's watchdog ends a student's worker long before; this is for the suite itself.
 constexpr double kMostSeconds = 1200;
 
+json texts(const std::vector<std::filesystem::path>& paths) {
+  json all = json::array();
+  for (const auto& path : paths) all.push_back(path.string());
+  return all;
+}
+
 json to_json(const SuiteJob& job) {
-  json objects = json::array();
-  for (const auto& object : job.objects) objects.push_back(object.string());
-  json all = {{"exercise", job.exercise},      {"seed", job.seed},
-              {"kit", job.kit.string()},       {"objects", objects},
-              {"log", job.log.string()},       {"isolated", job.isolated},
-              {"cpu_seconds", job.cpu_seconds}};
+  json all = {
+      {"exercise", job.exercise},       {"seed", job.seed},
+      {"kit", job.kit.string()},        {"objects", texts(job.objects)},
+      {"log", job.log.string()},        {"isolated", job.isolated},
+      {"cpu_seconds", job.cpu_seconds}, {"pictures", job.pictures ? json(job.pictures->string()) : json()}};
+  if (job.whole_run)
+    all["whole_run"] = {{"scene", job.whole_run->scene.string()},
+                        {"seed", job.whole_run->seed},
+                        {"exercises", job.whole_run->exercises},
+                        {"cpu_seconds", job.whole_run->cpu_seconds}};
   if (job.exercise == "runs") {
     all["left_out"] = job.left_out;
     all["unavailable"] = job.unavailable;
@@ -67,6 +78,15 @@ std::string run_trusted(const std::filesystem::path& program, const std::string&
   return output;
 }
 
+std::vector<PictureResult> pictures_from(const json& found) {
+  std::vector<PictureResult> pictures;
+  const auto bytes = [](const json& text) { return from_base64(text.get_ref<const std::string&>()); };
+  for (const json& one : found)
+    pictures.push_back({one.at("name"), one.at("blurred_rmse"), one.at("flip"), bytes(one.at("student")),
+                        bytes(one.at("reference")), bytes(one.at("heat"))});
+  return pictures;
+}
+
 }  // namespace
 
 SuiteResult run_suite(const std::filesystem::path& suite, const SuiteJob& job) {
@@ -74,12 +94,15 @@ SuiteResult run_suite(const std::filesystem::path& suite, const SuiteJob& job) {
   SuiteResult result;
   result.cpu_seconds = found.at("cpu_seconds");
   result.starts = found.at("starts");
+  result.run_cpu_seconds = found.value("run_cpu_seconds", 0.0);
+  result.picture_cpu_seconds = found.value("picture_cpu_seconds", 0.0);
+  result.pictures = pictures_from(found.value("pictures", json::array()));
   for (const json& one : found.value("cases", json::array()))
     result.cases.push_back({one.at("name"), status_from_string(one.at("status")), one.at("points"),
                             one.at("weight"), one.at("feedback"), one.at("detail")});
   for (const json& one : found.value("runs", json::array()))
     result.runs.push_back({one.at("name"), one.at("shows"), run_outcome_from_string(one.at("outcome")),
-                           one.at("feedback"), one.at("detail")});
+                           one.at("feedback"), one.at("detail"), pictures_from(one.at("pictures"))});
   return result;
 }
 

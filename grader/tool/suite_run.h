@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,17 @@ struct SuiteJob {
   std::filesystem::path log;
   bool isolated = true;
   int cpu_seconds = 10;
+  std::optional<std::filesystem::path> pictures =
+      {};  // where the reference's are kept; nothing: none are drawn
+
+  // Of an exercise with a whole run, see grader/suite/whole_run.h.
+  struct WholeRun {
+    std::filesystem::path scene;
+    std::string seed;
+    std::vector<std::string> exercises;  // all that the kit has, in their order
+    int cpu_seconds = 10;
+  };
+  std::optional<WholeRun> whole_run = {};
 
   // Of "runs" alone, see grader/suite/end_to_end.h.
   std::vector<std::string> left_out = {};
@@ -28,7 +40,10 @@ struct SuiteJob {
 struct SuiteResult {
   std::vector<RunResult> runs;    // of "runs"
   std::vector<CaseResult> cases;  // points are weights, not yet scaled to the exercise's points
-  double cpu_seconds = 0;         // of the worker
+  std::vector<PictureResult> pictures;
+  double cpu_seconds = 0;          // of the worker
+  double run_cpu_seconds = 0;      // of the worker that played the whole run
+  double picture_cpu_seconds = 0;  // of ours: drawn and compared
   int starts = 0;
 };
 

@@ -1,0 +1,120 @@
+// STAFF ONLY. What the scores of whole runs tell apart, as Markdown: each exercise's hidden scene, played by
+// the reference as it is, and with a small difference.
+//
+//   picture_scores [SEED...]
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "grader/course/course.h"
+#include "grader/suite/whole_run.h"
+#include "hair/scene/playback.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace grader;
+
+double cpu_seconds() {
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+Played play(const hair::Scene& scene) {
+  hair::Playback playback(scene);
+  Played played{{playback.state()}, ""};
+  for (int frame = 0; frame < scene.frames && played.trouble.empty(); ++frame) {
+    played.trouble = playback.advance().value_or("");
+    if (played.trouble.empty()) played.frames.push_back(playback.state());
+  }
+  return played;
+}
+
+// Every number of the start moved by a few roundings: what another order of summation does, many times over.
+hair::Scene with_other_roundings(hair::Scene scene) {
+  Random random("", "roundings");
+  const auto move = [&](Eigen::VectorXd& x) {
+    const double size = x.cwiseAbs().maxCoeff();
+    for (double& entry : x) entry += 1e-13 * size * random.uniform(-1, 1);
+  };
+  for (hair::StrandStart& start : scene.hair.strands) move(start.state.x);
+  for (hair::Toy& toy : scene.toys) move(toy.start.x);
+  return scene;
+}
+
+hair::Scene with_gravity_times(double factor, hair::Scene scene) {
+  scene.hair.gravity *= factor;
+  for (hair::Toy& toy : scene.toys) toy.gravity *= factor;
+  return scene;
+}
+
+void print_row(const char* exercise, const std::string& difference, const RunComparison& run,
+               const std::vector<PictureResult>& pictures) {
+  double energy = 0, apart = 0, blurred = 0, flip = 0;
+  for (const Moment& moment : run.moments) {
+    energy = std::max(energy, std::abs(moment.theirs.energy() - moment.ours.energy()) / run.kinetic);
+    apart = std::max(apart, moment.apart / run.size);
+  }
+  for (const PictureResult& picture : pictures) {
+    blurred = std::max(blurred, picture.blurred_rmse);
+    flip = std::max(flip, picture.flip);
+  }
+  std::printf("| %s | %s | %.1e | %.1e | %.5f | %.5f |\n", exercise, difference.c_str(), apart, energy,
+              blurred, flip);
+}
+
+void print_scene(const std::string& exercise, const HiddenScene& hidden, const fs::path& kept) {
+  const auto row = [&](const std::string& difference, const hair::Scene& other, const hair::Scene& scene,
+                       std::size_t without = 1000) {
+    RunComparison run = compare_runs(scene, hidden.pictures, play(other));
+    for (Shot& shot : run.shots) {
+      shot.same = false;
+      if (without < shot.student.strands.sizes.size()) {
+        hair::StrandsDrawing& strands = shot.student.strands;
+        int before = 0;
+        for (std::size_t i = 0; i < without; ++i) before += strands.sizes[i];
+        strands.points.erase(strands.points.begin() + before,
+                             strands.points.begin() + before + strands.sizes[without]);
+        strands.sizes.erase(strands.sizes.begin() + static_cast<std::ptrdiff_t>(without));
+      }
+    }
+    print_row(exercise.c_str(), difference, run, draw_shots(run.shots, run.camera, kept));
+  };
+  const double start = cpu_seconds();
+  play(hidden.scene);
+  std::printf("| %s | %s, %.3f s of CPU time | | | | |\n", exercise.c_str(), hidden.scene.shows.c_str(),
+              cpu_seconds() - start);
+  row("the start moved by 1e-13", with_other_roundings(hidden.scene), hidden.scene);
+  row("gravity 1 % larger", with_gravity_times(1.01, hidden.scene), hidden.scene);
+  if (!hidden.scene.hair.strands.empty())
+    row("one strand of " + std::to_string(hidden.scene.hair.strands.size()) + " missing", hidden.scene,
+        hidden.scene, hidden.scene.hair.strands.size() / 2);
+}
+
+}  // namespace
+
+int main(int argc, char* argv[]) {
+  try {
+    std::vector<std::string> seeds(argv + 1, argv + argc);
+    if (seeds.empty()) seeds = {"a", "b", "c"};
+    std::printf(
+        "| scene | difference | particles, of its size | energy, of the kinetic | blurred RMSE | FLIP |\n");
+    std::printf("|---|---|--:|--:|--:|--:|\n");
+    for (const Exercise& exercise :
+         read_course(fs::path(HAIR_PROJECT) / "handout/exercises.json").exercises) {
+      const fs::path file = fs::path(HAIR_PROJECT) / "grader/suite/scenes" / (exercise.id + ".json");
+      if (!fs::exists(file)) continue;
+      for (const std::string& seed : seeds) {
+        const fs::path kept = fs::path(HAIR_KEPT) / (exercise.id + "-" + seed);
+        fs::remove_all(kept);
+        print_scene(exercise.id, read_hidden_scene(file, seed), kept);
+      }
+    }
+    return 0;
+  } catch (const std::exception& error) {
+    std::cerr << "picture_scores: " << error.what() << "\n";
+    return 1;
+  }
+}

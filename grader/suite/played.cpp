@@ -1,0 +1,34 @@
+// STAFF ONLY.
+#include "grader/suite/played.h"
+
+namespace grader {
+
+Played play_elsewhere(Trial& trial, const std::string& text, const hair::Scene& scene) {
+  MessageWriter request;
+  request.put(text);
+  MessageReader reply = trial.ask(request, [](int, const auto&, auto&) -> bool {
+    throw MalformedMessage("a product that nobody asked for");
+  });
+
+  std::size_t size = 0;
+  for (const hair::StrandStart& start : scene.hair.strands)
+    size += static_cast<std::size_t>(start.state.x.size());
+  for (const hair::Toy& toy : scene.toys) size += static_cast<std::size_t>(toy.start.x.size());
+  Played played;
+  played.trouble = reply.get_text();
+  const auto frames = reply.get<std::uint64_t>();
+  if (frames > static_cast<std::uint64_t>(scene.frames) + 1) throw MalformedMessage("too many frames");
+  for (std::uint64_t i = 0; i < frames; ++i) {
+    reply.get<double>();  // the time that it was there: ours is the scene's
+    particles::State state;
+    for (Eigen::VectorXd* part : {&state.x, &state.v}) {
+      const std::vector<double> values = reply.get_doubles(size);
+      *part = Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(size));
+    }
+    played.frames.push_back(std::move(state));
+  }
+  reply.expect_end();
+  return played;
+}
+
+}  // namespace grader

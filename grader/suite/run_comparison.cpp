@@ -1,0 +1,111 @@
+// STAFF ONLY.
+#include "grader/suite/run_comparison.h"
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+
+#include "hair/render/scene_drawing.h"
+
+namespace grader {
+namespace {
+
+// Apart by less, as a part of the scene's size, nobody can tell particles apart: a thousandth of a pixel.
+constexpr double kSameParticles = 1e-6;
+// What is further out than this, in the scene's size, is not drawn: a picture would not show it.
+constexpr double kFarthestDrawn = 100;
+
+std::string seconds(double time) {
+  std::ostringstream text;
+  text.setf(std::ios::fixed);
+  text.precision(2);
+  text << time << " s";
+  return text.str();
+}
+
+// Which particles are held where their motion has them: the roots of strands, and what is pinned of toys.
+std::vector<bool> held_particles(const hair::Scene& scene) {
+  std::vector<bool> held;
+  for (const hair::StrandStart& start : scene.hair.strands)
+    for (int i = 0; i < start.strand.count(); ++i) held.push_back(i == 0);
+  for (const hair::Toy& toy : scene.toys)
+    for (int i = 0; i < toy.particles.count(); ++i) held.push_back(toy.particles.is_pinned(i));
+  return held;
+}
+
+// Nearer than a scene's own camera, which has to have room for whatever may happen. Where there is more to
+// see than particles and wires, that one it is.
+hair::Camera camera_of(const hair::Scene& scene, const hair::SceneDrawing& drawing, hair::Bounds bounds) {
+  if (!scene.hair.obstacles.empty()) return drawing.camera();
+  for (const hair::Toy& toy : scene.toys)
+    for (const particles::Wire& wire : toy.constraints.wires) {
+      const Eigen::Vector3d reach = wire.radius * (1 - wire.normal.array().square()).max(0).sqrt();
+      bounds.add(wire.centre - reach);
+      bounds.add(wire.centre + reach);
+    }
+  return hair::frame_camera(bounds, static_cast<double>(kPictureWidth) / kPictureHeight,
+                            scene.look.value_or(hair::Look()).view);
+}
+
+bool is_finite(const particles::State& state) {
+  return state.x.allFinite() && state.v.allFinite();
+}
+
+double distance(const particles::State& a, const particles::State& b, std::size_t i) {
+  const auto at = static_cast<Eigen::Index>(3 * i);
+  return (a.x.segment<3>(at) - b.x.segment<3>(at)).norm();
+}
+
+// What a picture is drawn of.
+struct Taken {
+  Moment moment;
+  particles::State ours, theirs;
+  std::vector<hair::Obstacle> obstacles;
+};
+
+}  // namespace
+
+RunComparison compare_runs(const hair::Scene& scene, const std::vector<int>& pictures, const Played& theirs) {
+  RunComparison result;
+  const std::vector<bool> held = held_particles(scene);
+  hair::Playback ours(scene);
+  const hair::SceneDrawing drawing(scene);
+  hair::Bounds bounds;
+  std::vector<Taken> taken;
+  for (int frame = 0; frame <= scene.frames; ++frame) {
+    if (frame > 0)
+      if (const auto trouble = ours.advance())
+        throw std::logic_error("the reference breaks in " + scene.name + ": " + *trouble);
+    const particles::State state = ours.state();
+    for (std::size_t i = 0; i < held.size(); ++i)
+      bounds.add(state.x.segment<3>(3 * static_cast<Eigen::Index>(i)));
+    const hair::FrameMeasures measures = ours.measure(state);
+    result.kinetic = std::max(result.kinetic, measures.kinetic);
+
+    if (static_cast<std::size_t>(frame) >= theirs.frames.size()) continue;
+    const particles::State& their = theirs.frames[frame];
+    result.finite = result.finite && is_finite(their);
+    if (!result.finite) continue;
+    Moment moment{ours.time(), measures, ours.measure(their), 0, 0};
+    for (std::size_t i = 0; i < held.size(); ++i) {
+      const double apart = distance(state, their, i);
+      moment.apart = std::max(moment.apart, apart);
+      if (held[i]) moment.held_apart = std::max(moment.held_apart, apart);
+    }
+    if (std::find(pictures.begin(), pictures.end(), frame) != pictures.end())
+      taken.push_back({moment, state, their, ours.obstacles()});
+    result.moments.push_back(moment);
+  }
+  result.size = (bounds.high - bounds.low).norm();
+  result.camera = camera_of(scene, drawing, bounds);
+
+  for (const Taken& one : taken) {
+    if (!(one.moment.apart <= kFarthestDrawn * result.size)) break;
+    result.shots.push_back({seconds(one.moment.time), drawing.at(one.ours, one.obstacles),
+                            drawing.at(one.theirs, one.obstacles),
+                            one.moment.apart <= kSameParticles * result.size});
+  }
+  return result;
+}
+
+}  // namespace grader

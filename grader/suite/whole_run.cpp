@@ -1,0 +1,107 @@
+// STAFF ONLY.
+#include "grader/suite/whole_run.h"
+
+#include <time.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+namespace grader {
+namespace {
+
+double cpu_seconds() {
+  timespec time = {};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+std::string at(const Moment& moment) {
+  std::ostringstream text;
+  text << "at " << moment.time << " s: energy " << moment.theirs.energy() << " J, ours "
+       << moment.ours.energy() << " J; stretch " << moment.theirs.stretch << ", ours " << moment.ours.stretch
+       << "; particles apart by " << moment.apart << " m, held ones by " << moment.held_apart << " m";
+  return text.str();
+}
+
+}  // namespace
+
+WholeRunPoints whole_run_points(const std::string& exercise) {
+  static const std::map<std::string, WholeRunPoints> points = {
+      {"S1", {1, 1}}, {"P1", {1, 2}}, {"P2", {1, 2}}, {"H1", {1, 3}}, {"H2", {2, 3}},
+      {"H3", {1, 1}}, {"H4", {2, 3}}, {"H5", {2, 3}}, {"H6", {2, 4}}};
+  const auto found = points.find(exercise);
+  return found == points.end() ? WholeRunPoints() : found->second;
+}
+
+WorkerSetup whole_run_worker(const WorkerSetup& cases, const hair::Scene& scene,
+                             const std::vector<std::string>& exercises) {
+  const std::vector<std::string> called = hair::exercises_of(scene);
+  WorkerSetup setup = cases;
+  setup.exercise = "runs";
+  setup.objects.clear();
+  for (const std::string& id : exercises) {
+    const bool needed = std::find(called.begin(), called.end(), id) != called.end();
+    setup.objects.push_back(id == cases.exercise ? cases.objects.back()
+                                                 : cases.kit / (needed ? "lib" : "stub") / (id + ".so"));
+  }
+  return setup;
+}
+
+WholeRun::WholeRun(WorkerSetup worker, HiddenScene scene, std::optional<std::filesystem::path> kept_pictures,
+                   const Student& cases)
+    : student_(std::move(worker)),
+      hidden_(std::move(scene)),
+      kept_pictures_(std::move(kept_pictures)),
+      cases_(cases) {}
+
+std::vector<Category> WholeRun::categories(const std::string& exercise) {
+  const WholeRunPoints points = whole_run_points(exercise);
+  std::vector<Category> all = {
+      {"WholeRun", kRunTitle, points.run, [this](Trial& trial) { judge_run(trial); }}};
+  if (kept_pictures_)
+    all.push_back(
+        {"Pictures", kPicturesTitle, points.pictures, [this](Trial& trial) { judge_pictures(trial); }});
+  return all;
+}
+
+void WholeRun::judge_run(Trial& trial) {
+  trial.describe(hidden_.scene.name);
+  // A code that never answers would cost its limits once more.
+  if (cases_.gave_up()) trial.reply_of(*cases_.gave_up());
+
+  const Played theirs = play_elsewhere(trial, hidden_.text, hidden_.scene);
+  run_ = compare_runs(hidden_.scene, hidden_.pictures, theirs);
+  trial.expect(run_->finite, "numbers that are not finite");
+  trial.expect(theirs.trouble.empty() && run_->moments.size() == hidden_.scene.frames + std::size_t{1},
+               "the run breaks off", theirs.trouble);
+  trial.expect(run_->moments.front().apart == 0, "the run does not start where the scene does");
+  for (const Moment& moment : run_->moments) {
+    trial.expect_at_most(moment.held_apart, kHeld * run_->size,
+                         "the distance of what is held from where it is held", at(moment));
+    trial.expect_at_most(std::abs(moment.theirs.energy() - moment.ours.energy()), kEnergy * run_->kinetic,
+                         "the difference of the energy from ours", at(moment));
+    trial.expect_at_most(moment.theirs.stretch, std::max(kStretch * moment.ours.stretch, kLeastStretch),
+                         "the stretch", at(moment));
+  }
+}
+
+void WholeRun::judge_pictures(Trial& trial) {
+  trial.describe(hidden_.scene.name);
+  trial.expect(run_.has_value(), "there is no run to draw");
+  const double start = cpu_seconds();
+  pictures_ = draw_shots(run_->shots, run_->camera, *kept_pictures_);
+  picture_seconds_ = cpu_seconds() - start;
+  for (const PictureResult& picture : pictures_) {
+    std::ostringstream scores;
+    scores << "at " << picture.name << ": blurred RMSE " << picture.blurred_rmse << ", FLIP " << picture.flip;
+    trial.expect_at_most(picture.blurred_rmse, kBlurredRmse,
+                         "the difference of the blurred pictures at " + picture.name, scores.str());
+    trial.expect_at_most(picture.flip, kFlip,
+                         "the difference that is seen between the pictures at " + picture.name, scores.str());
+  }
+  trial.expect(pictures_.size() == hidden_.pictures.size(), "the run ends before its last picture");
+}
+
+}  // namespace grader
