@@ -63,6 +63,7 @@ class OwningImplicitMatrix : public implicitMatrix {
 
 // Of what is tried where rounding keeps a solve from its tolerance: at 1e-4 hair loses gravity.
 constexpr double kLoosestTolerance = 1e-6;
+constexpr double kTightestTolerance = 1e-14;  // the second try's, for a tolerance of 0
 
 }  // namespace
 
@@ -89,7 +90,7 @@ SolveReport solve_implicit(const Force& force, const Particles& particles, const
   report.rhs = rhs.norm();
   ImplicitMatrix matrix(force, particles, state, a, b, scratch.leftCols(2));
   const int most = std::max(100, 20 * size);
-  for (double reach = tolerance;; reach = std::min(100 * reach, kLoosestTolerance)) {
+  for (double reach = tolerance;; reach = std::clamp(100 * reach, kTightestTolerance, kLoosestTolerance)) {
     const double epsilon = std::pow(reach * report.rhs, 2);
     int steps = most;
     const double squared = ConjGrad(size, &matrix, dv.data(), rhs.data(), epsilon, &steps);

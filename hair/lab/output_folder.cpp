@@ -83,6 +83,7 @@ void remove_remains(const fs::path& folder) {
 }  // namespace
 
 OutputFolder::OutputFolder(const fs::path& folder) {
+  if (folder.empty()) refuse("--out", "is empty; give the path of a folder");
   std::error_code error;
   folder_ = fs::weakly_canonical(fs::absolute(folder, error), error);
   if (error) cannot_make(folder, error);

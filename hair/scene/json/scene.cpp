@@ -7,6 +7,9 @@ namespace hair::json {
 
 namespace {
 
+// Of a solve's tolerance: rounding leaves more, and a solver that waits for 0 waits forever.
+constexpr double kTightest = 1e-15;
+
 // The exercises that this course has.
 bool has_exercise(const std::string& id) {
   const char* const there[] = {
@@ -76,7 +79,7 @@ void read_method(const JsonValue& object, Description& hair) {
     constexpr BendProduct kProducts[] = {BendProduct::exact, BendProduct::spd};
     hair.bend_product = kProducts[object["bend_product"].word({"exact", "definite"})];
   }
-  hair.tolerance = number_or(object, "tolerance", hair.tolerance, 0, 1);
+  hair.tolerance = number_or(object, "tolerance", hair.tolerance, kTightest, 1);
 }
 
 // What has nothing that it could be for.

@@ -76,6 +76,8 @@ INSTANTIATE_TEST_SUITE_P(
              "hair[0].segments: 0 is not right; give a whole number from 1 to 10000"},
         Slip{R"("steps_per_frame": 8)", R"("step": 0)",
              "step: 0 is not right; give a number from 1e-09 to 10"},
+        Slip{R"("tolerance": 1e-10)", R"("tolerance": 0)",
+             "tolerance: 0 is not right; give a number from 1e-15 to 1"},
         Slip{R"("steps_per_frame": 8)", R"("step": -0.001)",
              "step: -0.001 is not right; give a number from 1e-09 to 10"},
         Slip{R"("steps_per_frame": 8)", R"("step": 0.01)",
