@@ -34,6 +34,7 @@ clang                # the second compiler for the handout
 clang-format         # layout
 clang-tidy           # common mistakes, names,
 python3              #   and what runs it
+ccache               # remembers what was compiled
 shellcheck           # these scripts
 LIST
 }

@@ -23,6 +23,9 @@ constexpr double kBall = 0.018, kTube = 0.005, kRing = 0.0035;
 SceneDrawing::SceneDrawing(const Scene& scene) : scene_(scene), look_(scene.look.value_or(Look())) {
   camera_ = frame_camera(scene_bounds(scene), static_cast<double>(look_.image_width) / look_.image_height,
                          look_.view);
+  const Vector3d target = look_.look_at.value_or(camera_.target);
+  camera_.eye = target + (camera_.eye - camera_.target) / look_.zoom;
+  camera_.target = target;
   unit_ = 2 * std::tan(camera_.field_of_view / 2) * (camera_.eye - camera_.target).norm();
 }
 

@@ -19,6 +19,8 @@ struct Look {
   Vector3d root_colour = {0.10, 0.05, 0.02};  // linear, 0 to 1
   Vector3d tip_colour = {0.22, 0.12, 0.05};
   Vector3d view = Vector3d(0.35, -1, 0.2);  // from the scene to the camera
+  std::optional<Vector3d> look_at = {};     // m; none: the middle of all that there will be to see
+  double zoom = 1;                          // times as near; above 1 something may be outside of the picture
   int image_width = 1280, image_height = 720;
   bool shadows = true;
 };

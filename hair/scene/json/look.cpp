@@ -18,13 +18,15 @@ int pixels_or(const JsonValue& object, const std::string& key, int otherwise) {
 }  // namespace
 
 Look read_look(const JsonValue& object) {
-  object.check_keys({},
-                    {"width", "root_colour", "tip_colour", "view", "image_width", "image_height", "shadows"});
+  object.check_keys({}, {"width", "root_colour", "tip_colour", "view", "look_at", "zoom", "image_width",
+                         "image_height", "shadows"});
   Look look;
   look.width = number_or(object, "width", look.width, 1e-6, 1);
   look.root_colour = colour_or(object, "root_colour", look.root_colour);
   look.tip_colour = colour_or(object, "tip_colour", look.tip_colour);
   if (object.has("view")) look.view = direction(object["view"]);
+  if (object.has("look_at")) look.look_at = vector(object["look_at"], kFar);
+  look.zoom = number_or(object, "zoom", look.zoom, 0.1, 100);
   look.image_width = pixels_or(object, "image_width", look.image_width);
   look.image_height = pixels_or(object, "image_height", look.image_height);
   look.shadows = boolean_or(object, "shadows", look.shadows);
