@@ -11,6 +11,7 @@
 #include <iostream>
 
 #include "hair/files/bad_input.h"
+#include "hair/files/printable.h"
 #include "hair/lab/explain.h"
 #include "hair/lab/run.h"
 #include "hair/lab/shipped_scenes.h"
@@ -51,7 +52,7 @@ struct RunOptions {
 int run(const RunOptions& options) {
   const Scene scene = read_scene(find_scene(options.scene, HAIR_SCENES_DIR));
   if (options.explain) {
-    std::cout << scene.name << ": " << scene.shows << "\n"
+    std::cout << scene.name << ": " << printable(scene.shows, 200) << "\n"
               << explanation(explain(scene, options.settings.render)) << std::flush;
     if (options.settings.out.empty()) return 0;
   }
@@ -89,7 +90,7 @@ int list_scenes() {
       const Scene scene = read_scene(find_scene(name, HAIR_SCENES_DIR));
       std::string exercises;
       for (const std::string& id : exercises_of(scene)) exercises += (exercises.empty() ? "" : ", ") + id;
-      std::cout << name << ": " << scene.shows << " (" << exercises << ")\n";
+      std::cout << name << ": " << printable(scene.shows, 200) << " (" << exercises << ")\n";
     } catch (const BadInput& error) {
       // One that needs what this course leaves out says so.
       std::cout << name << ": can't be played: " << error.what() << "\n";

@@ -12,6 +12,8 @@
 namespace reference_tests {
 namespace {
 
+constexpr int kMostStrands = 100;
+
 std::vector<std::filesystem::path> shipped() {
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(HAIR_SCENES))
@@ -48,7 +50,13 @@ TEST(ShippedScenes, APonytailHas200Strands) {
 
 TEST(ShippedScenes, PlayAndMove) {
   for (const auto& file : shipped()) {
-    const hair::Scene scene = hair::read_scene(file);
+    hair::Scene scene = hair::read_scene(file);
+    // Hundreds of hairs move like the first ones.
+    if (scene.hair.strands.size() > kMostStrands) {
+      scene.hair.strands.resize(kMostStrands);
+      for (hair::Rider& rider : scene.riders)
+        std::erase_if(rider.strands, [](int strand) { return strand >= kMostStrands; });
+    }
     hair::Playback playback(scene);
     const particles::State start = playback.state();
     // The more particles, the fewer frames.
