@@ -258,7 +258,8 @@ TEST_F(Hairgrade, WithoutImagesTheOtherCategoriesHaveTheirPoints) {
   const fs::path results = fs::path(out()) / "other-order" / "results.json";
   const auto numbers = [&] {
     std::map<string, double> points;
-    for (const nlohmann::json& test : nlohmann::json::parse(read_file(results)).at("tests"))
+    const nlohmann::json document = nlohmann::json::parse(read_file(results));
+    for (const nlohmann::json& test : document.at("tests"))
       if (test.at("tags").at(0) == "S1") points[test.at("name")] = test.at("max_score");
     return points;
   };
