@@ -1,7 +1,9 @@
 // STAFF ONLY. What the scores of whole runs tell apart, as Markdown: each exercise's hidden scene, played by
-// the reference as it is, and with a small difference.
+// the reference as it is, by the reference as another compiler has it (target `other_objects`, if it was
+// built), and with a small difference.
 //
 //   picture_scores [SEED...]
+#include <algorithm>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
@@ -32,6 +34,30 @@ Played play(const hair::Scene& scene) {
   return played;
 }
 
+std::vector<std::string> other_compilers() {
+  std::vector<std::string> names;
+  if (fs::exists(HAIR_OTHER_OBJECTS))
+    for (const fs::directory_entry& folder : fs::directory_iterator(HAIR_OTHER_OBJECTS))
+      names.push_back(folder.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+// By a worker, as a submission's object for `exercise` is played.
+Played play_object(const std::string& exercise, const fs::path& object, const HiddenScene& hidden,
+                   const std::vector<std::string>& exercises) {
+  WorkerSetup cases;
+  cases.kit = HAIR_KIT_DIR;
+  cases.exercise = exercise;
+  cases.objects = {object};
+  cases.log = fs::path(HAIR_KEPT) / "worker.log";
+  cases.isolated = false;
+  cases.cpu_seconds = 100;  // what is not optimised takes its time
+  Student student(whole_run_worker(cases, hidden.scene, exercises));
+  Trial trial(student, Random("", ""));
+  return play_elsewhere(trial, hidden.text, hidden.scene);
+}
+
 // Every number of the start moved by a few roundings: what another order of summation does, many times over.
 hair::Scene with_other_roundings(hair::Scene scene) {
   Random random("", "roundings");
@@ -52,23 +78,24 @@ hair::Scene with_gravity_times(double factor, hair::Scene scene) {
 
 void print_row(const char* exercise, const std::string& difference, const RunComparison& run,
                const std::vector<PictureResult>& pictures) {
-  double energy = 0, apart = 0, blurred = 0, flip = 0;
+  double energy = 0, stretch = 0, apart = 0, blurred = 0, flip = 0;
   for (const Moment& moment : run.moments) {
     energy = std::max(energy, std::abs(moment.theirs.energy() - moment.ours.energy()) / run.kinetic);
+    stretch = std::max(stretch, moment.theirs.stretch / std::max(moment.ours.stretch, kLeastStretch));
     apart = std::max(apart, moment.apart / run.size);
   }
   for (const PictureResult& picture : pictures) {
     blurred = std::max(blurred, picture.blurred_rmse);
     flip = std::max(flip, picture.flip);
   }
-  std::printf("| %s | %s | %.1e | %.1e | %.5f | %.5f |\n", exercise, difference.c_str(), apart, energy,
-              blurred, flip);
+  std::printf("| %s | %s | %.1e | %.1e | %.3f | %.5f | %.5f |\n", exercise, difference.c_str(), apart, energy,
+              stretch, blurred, flip);
 }
 
-void print_scene(const std::string& exercise, const HiddenScene& hidden, const fs::path& kept) {
-  const auto row = [&](const std::string& difference, const hair::Scene& other, const hair::Scene& scene,
-                       std::size_t without = 1000) {
-    RunComparison run = compare_runs(scene, hidden.pictures, play(other));
+void print_scene(const std::string& exercise, const HiddenScene& hidden, const fs::path& kept,
+                 const std::vector<std::string>& exercises) {
+  const auto row = [&](const std::string& difference, const Played& played, std::size_t without = 1000) {
+    RunComparison run = compare_runs(hidden.scene, hidden.pictures, played);
     for (Shot& shot : run.shots) {
       shot.same = false;
       if (without < shot.student.strands.sizes.size()) {
@@ -83,14 +110,18 @@ void print_scene(const std::string& exercise, const HiddenScene& hidden, const f
     print_row(exercise.c_str(), difference, run, draw_shots(run.shots, run.camera, kept));
   };
   const double start = cpu_seconds();
-  play(hidden.scene);
-  std::printf("| %s | %s, %.3f s of CPU time | | | | |\n", exercise.c_str(), hidden.scene.shows.c_str(),
+  const Played right = play(hidden.scene);
+  std::printf("| %s | %s, %.3f s of CPU time | | | | | |\n", exercise.c_str(), hidden.scene.shows.c_str(),
               cpu_seconds() - start);
-  row("the start moved by 1e-13", with_other_roundings(hidden.scene), hidden.scene);
-  row("gravity 1 % larger", with_gravity_times(1.01, hidden.scene), hidden.scene);
+  for (const std::string& compiler : other_compilers()) {
+    const fs::path object = fs::path(HAIR_OTHER_OBJECTS) / compiler / (exercise + ".so");
+    if (fs::exists(object)) row(compiler, play_object(exercise, object, hidden, exercises));
+  }
+  row("the start moved by 1e-13", play(with_other_roundings(hidden.scene)));
+  row("gravity 1 % larger", play(with_gravity_times(1.01, hidden.scene)));
   if (!hidden.scene.hair.strands.empty())
-    row("one strand of " + std::to_string(hidden.scene.hair.strands.size()) + " missing", hidden.scene,
-        hidden.scene, hidden.scene.hair.strands.size() / 2);
+    row("one strand of " + std::to_string(hidden.scene.hair.strands.size()) + " missing", right,
+        hidden.scene.hair.strands.size() / 2);
 }
 
 }  // namespace
@@ -100,19 +131,28 @@ int main(int argc, char* argv[]) {
     std::vector<std::string> seeds(argv + 1, argv + argc);
     if (seeds.empty()) seeds = {"a", "b", "c"};
     std::printf(
-        "| scene | difference | particles, of its size | energy, of the kinetic | blurred RMSE | FLIP |\n");
-    std::printf("|---|---|--:|--:|--:|--:|\n");
-    for (const Exercise& exercise :
-         read_course(fs::path(HAIR_PROJECT) / "handout/exercises.json").exercises) {
-      const fs::path file = fs::path(HAIR_PROJECT) / "grader/suite/scenes" / (exercise.id + ".json");
+        "| scene | difference | particles, of its size | energy, of the kinetic | stretch, of ours | blurred "
+        "RMSE | "
+        "FLIP |\n");
+    std::printf("|---|---|--:|--:|--:|--:|--:|\n");
+    const std::vector<Exercise> course =
+        read_course(fs::path(HAIR_PROJECT) / "handout/exercises.json").exercises;
+    std::vector<std::string> exercises;
+    for (const Exercise& exercise : course) exercises.push_back(exercise.id);
+    fs::create_directories(HAIR_KEPT);
+    for (const std::string& exercise : exercises) {
+      const fs::path file = fs::path(HAIR_PROJECT) / "grader/suite/scenes" / (exercise + ".json");
       if (!fs::exists(file)) continue;
       for (const std::string& seed : seeds) {
-        const fs::path kept = fs::path(HAIR_KEPT) / (exercise.id + "-" + seed);
+        const fs::path kept = fs::path(HAIR_KEPT) / (exercise + "-" + seed);
         fs::remove_all(kept);
-        print_scene(exercise.id, read_hidden_scene(file, seed), kept);
+        print_scene(exercise, read_hidden_scene(file, seed), kept, exercises);
       }
     }
     return 0;
+  } catch (const CaseFailed& failure) {
+    std::cerr << "picture_scores: " << failure.feedback << "\n" << failure.detail << "\n";
+    return 1;
   } catch (const std::exception& error) {
     std::cerr << "picture_scores: " << error.what() << "\n";
     return 1;
