@@ -14,7 +14,7 @@ Image grey() {
 // Grey, and so many pixels off by so much in one channel.
 Image off(int pixels, int by) {
   Image image = grey();
-  for (int i = 0; i < pixels; ++i) image.pixels[static_cast<std::size_t>(3 * i + i % 3)] += by;
+  for (int i = 0; i < pixels; ++i) image.pixels[3 * static_cast<std::size_t>(i) + i % 3] += by;
   return image;
 }
 
