@@ -1,0 +1,50 @@
+// How a problem really moves: the solution of its ordinary differential equations, by SUNDIALS' CVODE, with the
+// strand's sparsity, as accurate as pays. It is what a method's time error is measured against.
+//
+//   M x'' = f(x, x') for the particles that are free; those that are held move as the scene says.
+//
+// CVODE is asked twice, in two ways; how far the two agree is said, and no error below that means anything. A strand
+// so hard to stretch that CVODE would take minutes (kHardToStretch times hair's EA) moves as one that does not stretch
+// at all: the equations are those with rigid segments, and what differs is below that, too.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "hair/study/problem.h"
+#include "hair/study/trajectory.h"
+
+namespace hair {
+
+inline constexpr double kTightest =
+    1e-12;  // a relative tolerance: below it CVODE takes minutes, and learns nothing
+inline constexpr double kLeastError = 1e-10;   // m: nothing below is quoted
+inline constexpr double kHardToStretch = 100;  // times the EA of hair as thick
+
+struct AccurateMotion {
+  Trajectory states;
+  double agreement = 0;  // m, the largest distance of a particle at any moment, between the two solutions
+  std::string method;    // "CVODE 6.4.1 (BDF), relative tolerance 1e-12; beside Adams, 1e-12"
+  bool inextensible = false;
+  bool from_cache = false;
+  double cpu_seconds = 0;  // when it was computed
+  long evaluations = 0;    // of the forces
+
+  double least_error() const;  // max(agreement, kLeastError): below it no error is quoted
+};
+
+struct AccurateSettings {
+  double tolerance = kTightest;
+  std::optional<std::filesystem::path> cache =
+      {};  // a folder that motions are kept in, by the content of problem and method
+};
+
+// Throws BadInput for a problem that has none, std::runtime_error where CVODE gives up, and std::invalid_argument
+// without SUNDIALS: have_accurate_motion() tells before. Empty if `interrupted` before it was done.
+std::optional<AccurateMotion> accurate_motion(const Problem& problem, const AccurateSettings& settings,
+                                              const std::atomic<bool>& interrupted);
+bool have_accurate_motion();
+
+}  // namespace hair
