@@ -1,5 +1,5 @@
-// A page that stands alone: headings, text, figures, tables, in one HTML file, readable with scripts off and by a
-// screen reader; and tables as CSV.
+// A page that stands alone: headings, text, figures, tables, in one HTML file, readable with scripts off and
+// by a screen reader; and tables as CSV.
 #pragma once
 
 #include <string>
@@ -34,5 +34,8 @@ std::string to_csv(const Table& table);
 
 // Enough digits to see a difference, few enough to read: "1.23e-5".
 std::string to_text(double value);
+
+// The fewest digits that read back as the same number: for CSV.
+std::string to_exact_text(double value);
 
 }  // namespace hair
