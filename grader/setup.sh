@@ -20,6 +20,7 @@ libegl1              # the other way to it: tests compare both
 libegl-mesa0
 nlohmann-json3-dev   # JSON: exercises, courses, results
 libcli11-dev         # the command line of hairgrade
+libsundials-dev      # CVODE: how things really move, which errors are measured against
 libarchive-dev       # reads and writes .zip and .tar.gz
 libseccomp-dev       # the sandbox's system call filter
 libsodium-dev        # seeds and fingerprints: HMAC, hashes

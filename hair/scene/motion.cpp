@@ -16,4 +16,15 @@ Pose Motion::at(double time) const {
           from.pose.rotation.slerp(way, to.pose.rotation).normalized()};
 }
 
+Way way_at(const Motion& motion, double time) {
+  const Pose now = motion.at(time), first = motion.keys.front().pose;
+  return {now.rotation * first.rotation.conjugate(), first.position, now.position};
+}
+
+bool turns(const Motion& motion) {
+  for (const Key& key : motion.keys)
+    if (key.pose.rotation.angularDistance(motion.keys.front().pose.rotation) != 0) return true;
+  return false;
+}
+
 }  // namespace hair

@@ -30,4 +30,15 @@ struct Motion {
   Pose at(double time) const;
 };
 
+// A pose relative to a motion's first: x -> rotation (x - from) + to, where x is a place at the first key.
+struct Way {
+  Eigen::Quaterniond rotation;
+  Vector3d from, to;
+
+  Vector3d operator()(const Vector3d& x) const { return rotation * (x - from) + to; }
+};
+
+Way way_at(const Motion& motion, double time);
+bool turns(const Motion& motion);
+
 }  // namespace hair

@@ -23,12 +23,6 @@ Vector3d place(const Capsule& capsule) {
   return capsule.a;
 }
 
-bool turns(const Motion& motion) {
-  for (const Key& key : motion.keys)
-    if (key.pose.rotation.angularDistance(motion.keys.front().pose.rotation) != 0) return true;
-  return false;
-}
-
 void check(const Motion& motion) {
   if (motion.keys.empty()) throw std::invalid_argument("a motion without keys; give one at least");
   for (std::size_t k = 0; k < motion.keys.size(); ++k) {
@@ -41,19 +35,6 @@ void check(const Motion& motion) {
       require(key.time > motion.keys[k - 1].time, "the time of key " + std::to_string(k), key.time,
               "later than that of the key before it");
   }
-}
-
-// A pose relative to the motion's first: x -> rotation (x - first) + position.
-struct Way {
-  Eigen::Quaterniond rotation;
-  Vector3d from, to;
-
-  Vector3d operator()(const Vector3d& x) const { return rotation * (x - from) + to; }
-};
-
-Way way_at(const Motion& motion, double time) {
-  const Pose now = motion.at(time), first = motion.keys.front().pose;
-  return {now.rotation * first.rotation.conjugate(), first.position, now.position};
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ inline constexpr double kHardToStretch = 100;  // times the EA of hair as thick
 struct AccurateMotion {
   Trajectory states;
   double agreement = 0;  // m, the largest distance of a particle at any moment, between the two solutions
-  std::string method;    // "CVODE 6.4.1 (BDF), relative tolerance 1e-12; beside Adams, 1e-12"
+  std::string method;    // "CVODE 6.4.1: Adams at 1e-12, beside BDF at 1e-12"
   bool inextensible = false;
   bool from_cache = false;
   double cpu_seconds = 0;  // when it was computed

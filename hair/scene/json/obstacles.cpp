@@ -25,12 +25,6 @@ std::variant<Plane, Sphere, Capsule> read_shape(const JsonValue& obstacle) {
   return Capsule{vector(capsule["from"], kFar), vector(capsule["to"], kFar), length(capsule["radius"])};
 }
 
-bool turns(const Motion& motion) {
-  return std::any_of(motion.keys.begin(), motion.keys.end(), [&](const Key& key) {
-    return key.pose.rotation.angularDistance(motion.keys.front().pose.rotation) > 0;
-  });
-}
-
 }  // namespace
 
 void read_obstacles(const JsonValue& list, Reading& reading) {

@@ -1,0 +1,92 @@
+#include "hair/study/accurate_motion.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <ctime>
+#include <memory>
+#include <stdexcept>
+
+#include "hair/files/bad_input.h"
+#include "hair/study/cvode.h"
+#include "hair/study/strand_ode.h"
+#include "hair/study/toy_ode.h"
+#include "particles/require.h"
+
+namespace hair {
+
+namespace {
+
+// A full matrix that is larger costs more than all the rest.
+constexpr double kLargestMatrix = 2e5;  // entries
+
+using Ways = std::array<CvodeWay, 2>;
+
+// As different as CVODE has them; and where Newton's method would be too dear, two tolerances.
+Ways ways_for(const Ode& ode, double tolerance) {
+  const double entries = static_cast<double>(ode.size()) * (ode.above() + 1 + ode.below());
+  if (entries > kLargestMatrix)
+    return {{{CvodeMethod::adams, tolerance}, {CvodeMethod::adams, 10 * tolerance}}};
+  return {{{CvodeMethod::adams, tolerance}, {CvodeMethod::bdf, tolerance}}};
+}
+
+std::string name_of(const CvodeWay& way) {
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%s at %.0e", way.method == CvodeMethod::bdf ? "BDF" : "Adams",
+                way.tolerance);
+  return text.data();
+}
+
+double cpu_seconds() {
+  timespec time;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+double largest_distance(const Trajectory& a, const Trajectory& b) {
+  double largest = 0;
+  for (std::size_t k = 0; k < a.size(); ++k)
+    for (Eigen::Index i = 0; i < a[k].x.size(); i += 3)
+      largest = std::max(largest, (a[k].x.segment<3>(i) - b[k].x.segment<3>(i)).norm());
+  return largest;
+}
+
+std::unique_ptr<Ode> ode_of(const Problem& problem) {
+  if (problem.is_toy()) return std::make_unique<ToyOde>(problem);
+  return std::make_unique<StrandOde>(problem);
+}
+
+}  // namespace
+
+double AccurateMotion::least_error() const {
+  return std::max(agreement, kLeastError);
+}
+
+bool have_accurate_motion() {
+  return have_cvode();
+}
+
+std::optional<AccurateMotion> accurate_motion(const Problem& problem, const AccurateSettings& settings,
+                                              const std::atomic<bool>& interrupted) {
+  particles::require_positive("the tolerance of an accurate motion", settings.tolerance);
+  const std::unique_ptr<Ode> ode = ode_of(problem);
+  const Ways ways = ways_for(*ode, std::max(settings.tolerance, kTightest));
+
+  AccurateMotion motion;
+  const double start = cpu_seconds();
+  std::array<Trajectory, ways.size()> found;
+  for (std::size_t k = 0; k < ways.size(); ++k) {
+    std::optional<CvodeRun> run =
+        run_cvode(*ode, problem.duration, problem.scene.frames, ways[k], interrupted);
+    if (!run) return {};
+    motion.evaluations += run->evaluations;
+    found[k] = std::move(run->states);
+  }
+  motion.cpu_seconds = cpu_seconds() - start;
+  motion.agreement = largest_distance(found[0], found[1]);
+  motion.states = std::move(found[0]);
+  motion.method = "CVODE " + cvode_version() + ": " + name_of(ways[0]) + ", beside " + name_of(ways[1]);
+  return motion;
+}
+
+}  // namespace hair
