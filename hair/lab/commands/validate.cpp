@@ -1,0 +1,137 @@
+#include <unistd.h>
+
+#include <ctime>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "hair/files/bad_input.h"
+#include "hair/files/printable.h"
+#include "hair/files/write_file.h"
+#include "hair/lab/commands/command.h"
+#include "hair/lab/interruption.h"
+#include "hair/lab/stub.h"
+#include "hair/validate/record.h"
+
+namespace hair {
+
+namespace {
+
+struct Options {
+  std::vector<std::string> ids;
+  bool quick = false, list = false;
+  std::filesystem::path out;
+};
+
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+int list_validations() {
+  for (const Validation& one : all_validations()) {
+    std::string exercises;
+    for (const std::string& id : one.exercises) exercises += (exercises.empty() ? "" : ", ") + id;
+    std::cout << one.id << ": " << one.title << " (" << exercises << ")\n";
+  }
+  return 0;
+}
+
+// Those that are asked for, in the list's order; all, if none is.
+std::vector<Validation> chosen(const std::vector<std::string>& ids) {
+  std::vector<Validation> all = all_validations();
+  std::string known;
+  for (const Validation& one : all) known += (known.empty() ? "" : ", ") + one.id;
+  for (const std::string& id : ids)
+    if (std::none_of(all.begin(), all.end(), [&](const Validation& one) { return one.id == id; }))
+      throw BadInput("there is no validation " + printable(id) + "; there are " + known);
+  if (!ids.empty())
+    std::erase_if(
+        all, [&](const Validation& one) { return std::find(ids.begin(), ids.end(), one.id) == ids.end(); });
+  return all;
+}
+
+// Throws Interrupted.
+ValidationRecord run_one(const Validation& one, const ValidationSettings& settings) {
+  ValidationRecord record{one.id, one.title, one.exercises, {}};
+  const double start = cpu_seconds();
+  try {
+    record.result = one.run(settings);
+  } catch (const NotImplemented& stub) {
+    record.left_out = missing_part(stub);
+  } catch (const std::exception& error) {
+    record.broke = printable(error.what(), 500);
+  }
+  record.cpu_seconds = cpu_seconds() - start;
+  return record;
+}
+
+void write_results(const std::filesystem::path& folder, const std::vector<ValidationRecord>& records,
+                   bool quick) {
+  write_file(folder / "validate.csv", to_csv(table_of_checks(records)));
+  write_file(folder / "index.html", to_html(page_of(records, quick)));
+  write_file(folder / "validate.json", json_of(records, quick));
+  std::cout << (folder / "index.html").string() << "\n";
+}
+
+int run(const Options& options) {
+  if (options.list) return list_validations();
+  const std::vector<Validation> validations = chosen(options.ids);
+  const std::atomic<bool>& interrupted = catch_interruption("\nhairlab: stopping; once more ends at once\n");
+  const ValidationSettings settings{options.quick, &interrupted};
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+
+  std::vector<ValidationRecord> records;
+  for (const Validation& one : validations) {
+    if (terminal)
+      std::cerr << "\r\x1b[K" << records.size() + 1 << " of " << validations.size() << ": " << one.id
+                << std::flush;
+    std::optional<ValidationRecord> record;
+    try {
+      record = run_one(one, settings);
+    } catch (const Interrupted&) {
+    }
+    if (terminal) std::cerr << "\r\x1b[K" << std::flush;
+    if (!record) break;
+    std::cout << terminal_text(*record) << std::flush;
+    records.push_back(std::move(*record));
+  }
+  if (!options.out.empty() && !records.empty()) write_results(options.out, records, options.quick);
+  if (records.size() < validations.size()) {
+    std::cerr << "hairlab: interrupted after " << records.size() << " of " << validations.size()
+              << " validations\n";
+    return kInterrupted;
+  }
+
+  const auto stub =
+      std::find_if(records.begin(), records.end(), [](const ValidationRecord& one) { return !one.ran(); });
+  if (std::none_of(records.begin(), records.end(), [](const ValidationRecord& one) { return one.ran(); })) {
+    std::cerr << "hairlab: this needs " << stub->left_out << "\n";
+    return kNotWritten;
+  }
+  const auto left_out =
+      std::count_if(records.begin(), records.end(), [](const ValidationRecord& one) { return !one.ran(); });
+  std::cout << summary(records);
+  if (left_out > 0) std::cout << "; " << left_out << " of " << records.size() << " validations are left out";
+  std::cout << "\n";
+  return std::all_of(records.begin(), records.end(),
+                     [](const ValidationRecord& one) { return !one.ran() || one.holds(); })
+             ? 0
+             : kBroke;
+}
+
+}  // namespace
+
+Command add_validate_command(CLI::App& program) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* app =
+      program.add_subcommand("validate", "Compare with what theory says: published numbers, exact solutions");
+  app->add_option("ID", options->ids, "Which (default: all)");
+  app->add_flag("--list", options->list, "Say which there are, and the exercises that they call");
+  app->add_flag("--quick", options->quick, "Fewer and coarser: seconds instead of a minute");
+  app->add_option("--out", options->out, "A folder for the same as page, CSV and JSON");
+  return {app, [options] { return run(*options); }};
+}
+
+}  // namespace hair

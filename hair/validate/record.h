@@ -1,0 +1,35 @@
+// What validations found, as text for a terminal, a page, JSON and CSV.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hair/validate/validation.h"
+
+namespace hair {
+
+struct ValidationRecord {
+  std::string id, title;
+  std::vector<std::string> exercises;
+  ValidationResult result;
+  std::string left_out = {};  // not run: the exercise that is not written yet, with its file and function
+  std::string broke = {};     // what was thrown on the way
+  double cpu_seconds = 0;
+
+  bool ran() const { return left_out.empty(); }
+  bool holds() const;  // it ran, and all of its checks hold
+};
+
+// Of all that ran: "41 of 42 hold".
+std::string summary(const std::vector<ValidationRecord>& records);
+
+// A line for each check in aligned columns, with a heading, for a terminal of 120 columns.
+std::string terminal_text(const ValidationRecord& record);
+
+// All checks of all validations, a row each.
+Table table_of_checks(const std::vector<ValidationRecord>& records);
+
+Page page_of(const std::vector<ValidationRecord>& records, bool quick);
+std::string json_of(const std::vector<ValidationRecord>& records, bool quick);
+
+}  // namespace hair
