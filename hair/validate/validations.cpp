@@ -26,7 +26,11 @@ void ValidationSettings::go_on() const {
 }
 
 std::vector<Validation> all_validations() {
-  std::vector<Validation> validations = {};
+  std::vector<Validation> validations;
+  for (const ChainMethod* method : {&chain_by_h6(), &chain_by_rods()}) {
+    validations.push_back(chain_oscillations(*method));
+    validations.push_back(double_pendulums(*method));
+  }
   std::erase_if(validations, [](const Validation& one) { return !has_all(one.exercises); });
   return validations;
 }
