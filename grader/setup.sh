@@ -24,6 +24,7 @@ libsundials-dev      # CVODE: how things really move, which errors are measured 
 libarchive-dev       # reads and writes .zip and .tar.gz
 libseccomp-dev       # the sandbox's system call filter
 libsodium-dev        # seeds and fingerprints: HMAC, hashes
+libxml2-dev          # tests read figures and pages with it
 bubblewrap           # the sandbox
 patch                # makes the sample class
 LIST
@@ -37,6 +38,7 @@ clang-tidy           # common mistakes, names,
 python3              #   and what runs it
 ccache               # remembers what was compiled
 shellcheck           # these scripts
+chromium             # opens the pages that studies write
 LIST
 }
 

@@ -63,7 +63,7 @@ void draw_failed(XmlWriter& xml, const Figure& figure, const std::vector<Look>& 
                      {"width", band.width},
                      {"height", band.height},
                      {"fill", "#f3f3f3"}});
-  write(xml, band.left - 9, band.top + band.height / 2 + 4, "failed", {.anchor = "end"});
+  write(xml, band.left - 9, band.top + kFailedRow / 2 + 4, "failed", {.anchor = "end"});
   double y = band.top + kFailedRow / 2;
   for (std::size_t i = 0; i < figure.series.size(); ++i) {
     const Series& series = figure.series[i];
@@ -175,7 +175,7 @@ std::string to_svg(const Figure& figure) {
   const std::vector<FailedNote> notes = failed_notes(figure);
 
   const Box band = {kLeftMargin, kTitleHeight, kFigureWidth - kLeftMargin - 2 * kGap - legend.width(),
-                    kFailedRow * static_cast<double>(notes.size())};
+                    notes.empty() ? 0 : kFailedRow * static_cast<double>(notes.size()) + 4};
   const Box box = {band.left, band.bottom(), band.width, kPlotHeight};
   const std::string what = "figure \"" + figure.id + "\"";
   const Scale x(figure.x, values(figure, true), kRoom, box.left, box.right(), what);

@@ -13,6 +13,14 @@ bool begins_character(char c) {
   return (static_cast<unsigned char>(c) & 0xC0) != 0x80;
 }
 
+// Where the character after the first `characters` begins.
+std::size_t begin_of_character(std::string_view text, std::size_t characters) {
+  std::size_t at = 0;
+  for (; at < text.size(); ++at)
+    if (begins_character(text[at]) && characters-- == 0) break;
+  return at;
+}
+
 }  // namespace
 
 double text_width(std::string_view text, double size) {
@@ -21,6 +29,7 @@ double text_width(std::string_view text, double size) {
 
 std::vector<std::string> wrapped(std::string_view text, double width, double size) {
   const auto fits = [&](std::string_view line) { return text_width(line, size) <= width; };
+  const auto letters_in_a_line = std::max<std::size_t>(1, static_cast<std::size_t>(width / (kWide * size)));
   std::vector<std::string> lines;
   std::string line;
   const auto end_line = [&] {
@@ -34,11 +43,8 @@ std::vector<std::string> wrapped(std::string_view text, double width, double siz
     if (word.empty()) continue;
     if (!line.empty() && !fits(line + " " + std::string(word))) end_line();
     while (!fits(word)) {
-      std::size_t cut = word.size();
-      while (cut > 1 && (!begins_character(word[cut - 1]) || !fits(word.substr(0, cut - 1)))) --cut;
-      cut = std::max<std::size_t>(1, cut - 1);
-      while (cut < word.size() && !begins_character(word[cut])) ++cut;
-      if (cut == word.size()) break;  // a single letter
+      const std::size_t cut = begin_of_character(word, letters_in_a_line);
+      if (cut == word.size()) break;  // a line that is narrower than a letter
       lines.emplace_back(word.substr(0, cut));
       word.remove_prefix(cut);
     }

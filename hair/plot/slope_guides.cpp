@@ -28,12 +28,43 @@ std::vector<Spot> spots_of(const PlacedGuide& guide, double label_width) {
   return spots;
 }
 
-double distance(const std::vector<Spot>& some, const std::vector<Spot>& others) {
+// How far it is from anywhere in a box to the nearest spot that is taken, to about half a cell.
+class Clearance {
+ public:
+  explicit Clearance(const Box& box)
+      : box_(box),
+        columns_(1 + static_cast<int>(box.width / kCell)),
+        rows_(1 + static_cast<int>(box.height / kCell)),
+        squared_(static_cast<std::size_t>(columns_) * rows_, kFar * kFar) {}
+
+  void take(const std::vector<Spot>& spots) {
+    for (int row = 0; row < rows_; ++row)
+      for (int column = 0; column < columns_; ++column) {
+        double& least = squared_[static_cast<std::size_t>(row) * columns_ + column];
+        const double x = box_.left + (column + 0.5) * kCell, y = box_.top + (row + 0.5) * kCell;
+        for (const Spot& spot : spots)
+          least = std::min(least, (spot.x - x) * (spot.x - x) + (spot.y - y) * (spot.y - y));
+      }
+  }
+
+  double at(const Spot& spot) const {
+    const int column = std::clamp(static_cast<int>((spot.x - box_.left) / kCell), 0, columns_ - 1);
+    const int row = std::clamp(static_cast<int>((spot.y - box_.top) / kCell), 0, rows_ - 1);
+    return std::sqrt(squared_[static_cast<std::size_t>(row) * columns_ + column]);
+  }
+
+ private:
+  static constexpr double kCell = 8, kFar = 1e4;  // pixels
+
+  Box box_;
+  int columns_, rows_;
+  std::vector<double> squared_;
+};
+
+double clearance_of(const std::vector<Spot>& spots, const Clearance& clearance) {
   double least = std::numeric_limits<double>::infinity();
-  for (const Spot& a : some)
-    for (const Spot& b : others)
-      least = std::min(least, (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y));
-  return std::sqrt(least);
+  for (const Spot& spot : spots) least = std::min(least, clearance.at(spot));
+  return least;
 }
 
 // Beyond what is comfortable, nearer is better.
@@ -42,7 +73,7 @@ double quality(double distance) {
 }
 
 PlacedGuide place(const SlopeGuide& guide, const Box& box, const Scale& x, const Scale& y,
-                  const std::vector<Spot>& taken) {
+                  const Clearance& clearance) {
   const double across = box.width / (x.place(x.high()) - x.place(x.low()));  // pixels a decade
   const double up = box.height / (y.place(y.high()) - y.place(y.low()));
   const double norm = std::hypot(across, guide.slope * up);
@@ -64,7 +95,7 @@ PlacedGuide place(const SlopeGuide& guide, const Box& box, const Scale& x, const
                    std::max(0.0, -along.y);
       one.to = {one.from.x + along.x, one.from.y + along.y};
       one.label = {one.to.x + margin, one.to.y + kSmall / 3};
-      const double q = taken.empty() ? 0 : quality(distance(spots_of(one, label_width), taken));
+      const double q = quality(clearance_of(spots_of(one, label_width), clearance));
       if (q > best_quality) {
         best_quality = q;
         best = one;
@@ -76,12 +107,13 @@ PlacedGuide place(const SlopeGuide& guide, const Box& box, const Scale& x, const
 }  // namespace
 
 std::vector<PlacedGuide> place_guides(const std::vector<SlopeGuide>& guides, const Box& box, const Scale& x,
-                                      const Scale& y, std::vector<Spot> taken) {
+                                      const Scale& y, const std::vector<Spot>& taken) {
   std::vector<PlacedGuide> placed;
+  Clearance clearance(box);
+  clearance.take(taken);
   for (const SlopeGuide& guide : guides) {
-    placed.push_back(place(guide, box, x, y, taken));
-    const std::vector<Spot> spots = spots_of(placed.back(), text_width(guide.name, kSmall));
-    taken.insert(taken.end(), spots.begin(), spots.end());
+    placed.push_back(place(guide, box, x, y, clearance));
+    clearance.take(spots_of(placed.back(), text_width(guide.name, kSmall)));
   }
   return placed;
 }

@@ -11,12 +11,14 @@ namespace {
 
 constexpr double kLargestInFull = 1e6, kSmallestInFull = 1e-3;
 
-// "1.23e-05" and "1.00e+12" as "1.23e-5" and "1e12".
-std::string short_exponent(std::string text) {
+// "1.20e-05" and "1.00e+12" as "1.2e-5" and "1e12".
+std::string shortened(const std::string& text) {
   const std::size_t e = text.find('e');
   if (e == std::string::npos) return text;
-  const int exponent = std::stoi(text.substr(e + 1));
-  return text.substr(0, e) + "e" + std::to_string(exponent);
+  std::string mantissa = text.substr(0, e);
+  if (mantissa.find('.') != std::string::npos) mantissa.resize(mantissa.find_last_not_of('0') + 1);
+  if (mantissa.back() == '.') mantissa.pop_back();
+  return mantissa + "e" + std::to_string(std::stoi(text.substr(e + 1)));
 }
 
 std::string formatted(double value, std::chars_format format, int precision) {
@@ -36,13 +38,13 @@ std::string to_text(double value) {
   const auto format =
       size >= kSmallestInFull && size < 1000 ? std::chars_format::general : std::chars_format::scientific;
   if (format == std::chars_format::general) return formatted(value, format, 3);
-  return short_exponent(formatted(value, format, 2));
+  return shortened(formatted(value, format, 2));
 }
 
 std::string to_exact_text(double value) {
   if (!std::isfinite(value)) return to_text(value);
   std::array<char, 32> text = {};
-  return short_exponent({text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr});
+  return shortened({text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr});
 }
 
 }  // namespace hair
