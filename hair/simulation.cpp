@@ -152,6 +152,29 @@ std::optional<BlowUp> Simulation::advance(long steps) {
   return blow_up_;
 }
 
+void Simulation::restart(const Description& description) {
+  require_positive("the step", description.step);
+  require(static_cast<int>(description.strands.size()) == strands(),
+          "the strands of a simulation that starts anew", static_cast<double>(description.strands.size()),
+          std::to_string(strands()));
+  require(description.obstacles.size() == obstacles_.size(), "the obstacles of a simulation that starts anew",
+          static_cast<double>(description.obstacles.size()), std::to_string(obstacles_.size()));
+  for (int i = 0; i < strands(); ++i) {
+    const StrandStart& start = description.strands[i];
+    MovingStrand& moving = strands_[i];
+    require(start.state.x.size() == moving.state.x.size(), "the numbers in x of a strand that starts anew",
+            static_cast<double>(start.state.x.size()), std::to_string(moving.state.x.size()));
+    moving.state = start.state;
+    moving.strand.root_tangent = start.strand.root_tangent;
+    if (moving.rest_curvature) moving.rest_curvature->set_root_normal(start.root_normal);
+  }
+  options_.h = description.step;
+  obstacles_ = description.obstacles;
+  steps_ = 0;
+  work_ = {};
+  blow_up_.reset();
+}
+
 void Simulation::set_root_velocity(int strand, const Vector3d& velocity) {
   check_vector("a root's velocity", velocity);
   strands_.at(strand).state.v.head<3>() = velocity;

@@ -87,6 +87,11 @@ class Simulation {
   // Steps until `steps` more are done, or a strand breaks.
   std::optional<BlowUp> advance(long steps);
 
+  // Back to the start, and on from there in steps of `description.step`. The description is else that which the
+  // simulation was made of, so that nothing is assembled anew. Work is counted from 0. Throws std::invalid_argument
+  // for other strands or obstacles, and a step that is not > 0.
+  void restart(const Description& description);
+
   double time() const { return static_cast<double>(steps_) * options_.h; }  // s
   long steps() const { return steps_; }
   const Work& work() const { return work_; }

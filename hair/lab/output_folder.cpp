@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <charconv>
 #include <fstream>
@@ -32,36 +31,37 @@ constexpr std::string_view kTemporary = ".hairlab-";
          "can't be made (" + error.message() + "); give a folder that can be written, with room in it");
 }
 
-bool is_run_file(const std::string& name) {
-  constexpr std::array<std::string_view, 4> kNames = {"film.mp4", "run.json", "states.bin", "states.csv"};
-  if (std::find(kNames.begin(), kNames.end(), name) != kNames.end()) return true;
+bool is_of(const OutputKind& kind, const std::string& name) {
+  if (name == kind.record) return true;
+  if (std::find(kind.files.begin(), kind.files.end(), name) != kind.files.end()) return true;
+  if (!kind.frames) return false;
   constexpr std::string_view kFrame = "frame-", kPng = ".png";
   return name.starts_with(kFrame) && name.ends_with(kPng) && name.size() > kFrame.size() + kPng.size() &&
          std::all_of(name.begin() + kFrame.size(), name.end() - kPng.size(),
                      [](char c) { return c >= '0' && c <= '9'; });
 }
 
-bool begins_as_run_record(const fs::path& file) {
-  std::string first(kRunRecordBegin.size(), '\0');
+bool begins_with(const fs::path& file, std::string_view begin) {
+  std::string first(begin.size(), '\0');
   std::ifstream in(file, std::ios::binary);
   in.read(first.data(), static_cast<std::streamsize>(first.size()));
-  return in && first == kRunRecordBegin;
+  return in && first == begin;
 }
 
-void check_replaceable(const fs::path& folder) {
+void check_replaceable(const fs::path& folder, const OutputKind& kind) {
   std::error_code error;
   const fs::file_status status = fs::status(folder, error);
   if (!fs::exists(status)) return;
-  if (!fs::is_directory(status)) refuse(folder, "is a file; give a folder for what a run writes");
+  if (!fs::is_directory(status)) refuse(folder, "is a file; give a folder");
   if (fs::equivalent(folder, fs::current_path(error), error))
     refuse(folder, "is the folder that you are in; give one below it");
   fs::directory_iterator entries(folder, error);
   if (error) refuse(folder, "can't be read (" + error.message() + "); give another folder");
   if (entries == fs::directory_iterator()) return;
-  if (!begins_as_run_record(folder / "run.json"))
+  if (!begins_with(folder / kind.record, kind.begin))
     refuse(folder, "is not empty, and not from hairlab; give an empty folder, or one that is not there yet");
   for (const fs::directory_entry& entry : entries)
-    if (!is_run_file(entry.path().filename().string()))
+    if (!is_of(kind, entry.path().filename().string()))
       refuse(folder, "holds " + printable(entry.path().filename().string()) +
                          ", which is not from hairlab; move it away, or give another folder");
 }
@@ -82,14 +82,19 @@ void remove_remains(const fs::path& folder) {
 
 }  // namespace
 
-OutputFolder::OutputFolder(const fs::path& folder) {
+const OutputKind& run_output() {
+  static const OutputKind kind{"run.json", kRunRecordBegin, {"film.mp4", "states.bin", "states.csv"}, true};
+  return kind;
+}
+
+OutputFolder::OutputFolder(const fs::path& folder, const OutputKind& kind) : kind_(kind) {
   if (folder.empty()) refuse("--out", "is empty; give the path of a folder");
   std::error_code error;
   folder_ = fs::weakly_canonical(fs::absolute(folder, error), error);
   if (error) cannot_make(folder, error);
   if (!folder_.has_filename()) folder_ = folder_.parent_path();
   if (folder_ == folder_.root_path()) refuse(folder, "is the root of all files; give a folder of its own");
-  check_replaceable(folder_);
+  check_replaceable(folder_, kind_);
 
   fs::create_directories(folder_.parent_path(), error);
   if (error) cannot_make(folder_, error);
@@ -107,7 +112,7 @@ OutputFolder::~OutputFolder() {
 }
 
 void OutputFolder::keep() {
-  check_replaceable(folder_);  // it may have changed meanwhile
+  check_replaceable(folder_, kind_);  // it may have changed meanwhile
   std::error_code error;
   const fs::path before = temporary_.string() + "-before";
   const bool replaces = fs::exists(folder_, error);

@@ -28,6 +28,12 @@ bool is_sound(const particles::State& state) {
   return (state.x.array().abs() <= kFarthest).all() && (state.v.array().abs() <= kFastest).all();
 }
 
+void check_times(const Scene& scene) {
+  particles::require_at_least("the steps of a frame", scene.steps_per_frame, 1);
+  particles::require_positive("the frames of a second", scene.frames_per_second);
+  particles::require_positive("the step", scene.hair.step);
+}
+
 }  // namespace
 
 class Playback::Parts {
@@ -37,9 +43,7 @@ class Playback::Parts {
         steps_per_frame_(scene.steps_per_frame),
         frames_per_second_(scene.frames_per_second),
         still_(scene.hair.obstacles) {
-    particles::require_at_least("the steps of a frame", scene.steps_per_frame, 1);
-    particles::require_positive("the frames of a second", scene.frames_per_second);
-    particles::require_positive("the step", scene.hair.step);
+    check_times(scene);
     if (!scene.hair.strands.empty()) simulation_.emplace(scene.hair);
     if (simulation_)
       for (const Rider& rider : scene.riders) riding_.emplace_back(rider, scene.hair);
@@ -48,6 +52,23 @@ class Playback::Parts {
     size_ = 0;
     for (const int count : strands_) size_ += 3 * count;
     for (const MovingToy& toy : toys_) size_ += static_cast<int>(toy.state.x.size());
+  }
+
+  void restart(const Scene& scene) {
+    check_times(scene);
+    particles::require(scene.toys.size() == toys_.size(), "the toys of a scene that starts anew",
+                       static_cast<double>(scene.toys.size()), std::to_string(toys_.size()));
+    if (simulation_) simulation_->restart(scene.hair);
+    for (MovingToy& toy : toys_) {
+      toy.state = toy.toy.start;
+      toy.solves = {};
+    }
+    options_.h = scene.hair.step;
+    steps_per_frame_ = scene.steps_per_frame;
+    frames_per_second_ = scene.frames_per_second;
+    frame_ = 0;
+    steps_ = 0;
+    trouble_.reset();
   }
 
   std::optional<std::string> advance() {
@@ -159,6 +180,9 @@ class Playback::Parts {
 Playback::Playback(const Scene& scene) : parts_(std::make_unique<Parts>(scene)) {}
 Playback::~Playback() = default;
 
+void Playback::restart(const Scene& scene) {
+  parts_->restart(scene);
+}
 std::optional<std::string> Playback::advance() {
   return parts_->advance();
 }

@@ -29,6 +29,11 @@ class Playback {
   Playback(const Playback&) = delete;
   Playback& operator=(const Playback&) = delete;
 
+  // Back to the start, and on from there in the steps of `scene`, which is else that which it was made of, so that
+  // nothing is assembled anew: for those who play it again and again. Work is counted from 0. Throws
+  // std::invalid_argument for other particles.
+  void restart(const Scene& scene);
+
   // To the next frame. Nothing, or where it broke: "strand 0, step 17: filter". After that it stays where it
   // is and says the same. What a stub throws, passes.
   std::optional<std::string> advance();
