@@ -9,6 +9,7 @@
 
 #include "hair/files/bad_input.h"
 #include "hair/study/cvode.h"
+#include "hair/study/rigid_strand_ode.h"
 #include "hair/study/strand_ode.h"
 #include "hair/study/toy_ode.h"
 #include "particles/require.h"
@@ -51,10 +52,21 @@ double largest_distance(const Trajectory& a, const Trajectory& b) {
   return largest;
 }
 
+bool moves_as_rigid(const Problem& problem) {
+  if (problem.is_toy()) return false;
+  const Strand& strand = problem.scene.hair.strands[0].strand;
+  return strand.segments() > 0 && times_the_ea_of_hair(strand) > kHardToStretch && starts_rigid(problem);
+}
+
 std::unique_ptr<Ode> ode_of(const Problem& problem) {
   if (problem.is_toy()) return std::make_unique<ToyOde>(problem);
+  if (moves_as_rigid(problem)) return std::make_unique<RigidStrandOde>(problem);
   return std::make_unique<StrandOde>(problem);
 }
+
+// How far a strand that stretches is from the limit, in units of what its tensions stretch it by: 1.0 to 1.1 where it
+// was let go, and up to 2 where it rings.
+constexpr double kOfStretch = 2;
 
 }  // namespace
 
@@ -85,7 +97,12 @@ std::optional<AccurateMotion> accurate_motion(const Problem& problem, const Accu
   motion.cpu_seconds = cpu_seconds() - start;
   motion.agreement = largest_distance(found[0], found[1]);
   motion.states = std::move(found[0]);
-  motion.method = "CVODE " + cvode_version() + ": " + name_of(ways[0]) + ", beside " + name_of(ways[1]);
+  if (const auto* rigid = dynamic_cast<const RigidStrandOde*>(ode.get())) {
+    motion.inextensible = true;
+    motion.agreement = std::max(motion.agreement, kOfStretch * rigid->stretch());
+  }
+  motion.method = "CVODE " + cvode_version() + ": " + name_of(ways[0]) + ", beside " + name_of(ways[1]) +
+                  (motion.inextensible ? ", of rigid segments" : "");
   return motion;
 }
 

@@ -6,10 +6,8 @@ namespace hair {
 
 namespace {
 
-int reach_of(const StrandStart& start) {
-  const Strand& strand = start.strand;
-  if (strand.bend_rigidity > 0 && start.rest_curvature.size() > 0) return strand.count();
-  return strand.bend_rigidity > 0 || strand.skip_rigidity > 0 ? 2 : 1;
+bool rests_curved(const StrandStart& start) {
+  return start.strand.bend_rigidity > 0 && start.rest_curvature.size() > 0;
 }
 
 }  // namespace
@@ -35,7 +33,7 @@ StrandOde::StrandOde(const Problem& problem)
       simulation_(exact_description(problem)),
       root_(scene_),
       n_(scene_.hair.strands[0].strand.count()),
-      reach_(std::min(reach_of(scene_.hair.strands[0]), n_)),
+      apart_(rests_curved(scene_.hair.strands[0]) ? n_ : 2 * kReach + 1),
       scales_(strand_scales(problem)),
       state_(scene_.hair.strands[0].state),
       force_(3 * n_),
@@ -82,15 +80,15 @@ void StrandOde::rates(double t, particles::Input y, particles::Output dy) {
   }
 }
 
-// Row 6i + 3 + a has df/dx of particles i - reach to i + reach: columns 6 (i +- reach) + b, with a and b from 0 to 2.
+// Row 6i + 3 + a has df/dx of particles i - kReach to i + kReach: columns 6 (i +- kReach) + b, with a and b from 0 to 2.
 int StrandOde::above() const {
-  return std::min(6 * reach_ - 1, size() - 1);
+  return std::min(6 * kReach - 1, size() - 1);
 }
 int StrandOde::below() const {
-  return std::min(6 * reach_ + 5, size() - 1);
+  return std::min(6 * kReach + 5, size() - 1);
 }
 
-// Particles that are 2 reach + 1 apart change no force together: one product for all of them, and each axis. A. R.
+// Particles that are 2 kReach + 1 apart change no force together: one product for all of them, and each axis. A. R.
 // Curtis, M. J. D. Powell and J. K. Reid, "On the Estimation of Sparse Jacobian Matrices", J. Inst. Maths Applics 13
 // (1974).
 bool StrandOde::jacobian(double t, particles::Input y, BandMatrix& df) {
@@ -99,17 +97,16 @@ bool StrandOde::jacobian(double t, particles::Input y, BandMatrix& df) {
   const Eigen::VectorXd& mass = simulation_.particles(0).mass;
   for (int k = 0; k < size(); k += 6)
     for (int axis = 0; axis < 3; ++axis) df(k + axis, k + 3 + axis) = 1;
-  const int apart = 2 * reach_ + 1;
-  for (int first = 1; first <= std::min(apart, n_ - 1); ++first) {
+  for (int first = 1; first <= std::min(apart_, n_ - 1); ++first) {
     for (int axis = 0; axis < 3; ++axis) {
       change_.setZero();
-      for (int i = first; i < n_; i += apart) change_[3 * i + axis] = 1;
+      for (int i = first; i < n_; i += apart_) change_[3 * i + axis] = 1;
       by_x_.setZero();
       by_v_.setZero();
       force.add_dfdx(state_.x, state_.v, change_, by_x_);
       force.add_dfdv(state_.x, state_.v, change_, by_v_);
-      for (int j = first; j < n_; j += apart) {
-        for (int i = std::max(1, j - reach_); i <= std::min(n_ - 1, j + reach_); ++i) {
+      for (int j = first; j < n_; j += apart_) {
+        for (int i = std::max(1, j - kReach); i <= std::min(n_ - 1, j + kReach); ++i) {
           for (int row = 0; row < 3; ++row) {
             const int k = 6 * i - 3 + row, l = 6 * j - 6 + axis;
             df(k, l) = by_x_[3 * i + row] / mass[i];

@@ -3,7 +3,8 @@
 // particle between them, make a band of df/dy. The forces are those of a simulation of the problem's scene, with
 // products that are derivatives and nothing else. The root moves by itself.
 //
-// A strand that rests curved has a full matrix: the frame at a joint depends on all joints before it.
+// A strand that rests curved has a full matrix, for the frame at a joint depends on all joints before it. It is given
+// the band alone: what is hard, stretching, is in there, and Newton's method converges as fast without the rest.
 #pragma once
 
 #include "hair/simulation.h"
@@ -22,6 +23,9 @@ struct Scales {
   double position, velocity;  // m, m/s
 };
 Scales strand_scales(const Problem& problem);
+
+// Forces on particle i depend on i - kReach to i + kReach.
+inline constexpr int kReach = 2;
 
 class StrandOde : public Ode {
  public:
@@ -46,7 +50,7 @@ class StrandOde : public Ode {
   Simulation simulation_;
   StrandRoot root_;
   int n_;      // particles
-  int reach_;  // forces on particle i depend on i - reach_ to i + reach_
+  int apart_;  // particles whose columns of df/dy have no row of the band in common
   Scales scales_;
   particles::State state_;
   Eigen::VectorXd force_, change_, by_x_, by_v_;
