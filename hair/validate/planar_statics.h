@@ -1,0 +1,30 @@
+// Strands at rest, in the plane y = 0: where all forces balance, by Newton's method with the forces' own exact
+// products. For strands whose particle 0 is held and whose forces keep them in that plane.
+//
+// Unknowns are (x, z) of particles 1 to n - 1: 2(n - 1) numbers.
+#pragma once
+
+#include "hair/strand.h"
+#include "particles/force.h"
+
+namespace hair {
+
+// K = -df/dx, N/m, by one product with add_dfdx for each of 10 groups of columns: forces that reach two particles far
+// have five diagonals of blocks. x: 3n.
+Eigen::MatrixXd planar_stiffness(const particles::Force& force, particles::Input x);
+
+struct Balance {
+  Eigen::VectorXd x;    // 3n, m
+  int iterations = 0;   // of Newton's method
+  double change = 1;    // radians, or a part of a segment's length: the most that the last of them changed
+  double residual = 0;  // N, the largest force on a free particle
+  double rounding = 0;  // N, what of it rounding may leave
+  bool found() const { return residual <= rounding && change <= 1e-9; }
+};
+
+// From x on. A step turns segments and makes them longer, each by what Newton's method says of its ends, but none by more
+// than half a radian: to move the ends straight on would stretch what turns, and hair is stiff. So straight hair finds the
+// way to its elastica in 4 to 16 steps, without a continuation in the load.
+Balance planar_balance(const Strand& strand, const particles::Force& force, Eigen::VectorXd x);
+
+}  // namespace hair
