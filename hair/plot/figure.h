@@ -50,8 +50,8 @@ struct Figure {
   std::string title;        // a line
   std::string description;  // what is seen in it, in a sentence or two, for those who can't see it
   Axis x, y;
-  std::vector<Series> series;
-  std::vector<SlopeGuide> guides;
+  std::vector<Series> series = {};
+  std::vector<SlopeGuide> guides = {};
 };
 
 // A map: a class for each cell of a grid.

@@ -31,13 +31,24 @@ inline constexpr int kElasticaParts = 80;
 struct Elastica {
   // Columns: where s = 0, 1 / kElasticaParts, ..., 1 is, over L: level, away from the clamp, and down.
   Eigen::Matrix2Xd points;
-  double error = 0;  // of a point, estimated: from the same curve with twice the steps
+  double error = 0;  // of a point, estimated: from the same curve with half the steps
 
-  double width() const { return points(0, kElasticaParts); }  // of the tip, over L
-  double drop() const { return points(1, kElasticaParts); }
+  Eigen::Vector2d tip() const { return points.col(kElasticaParts); }
 };
 
-// gamma > 0, at most 1e6; stretch = W / EA >= 0. Throws std::invalid_argument for others.
+// gamma > 0, at most 1e6; stretch = W / EA from 0 to 1.
+//
+// With `segments` the curve is that on which a strand's particles lie, to fourth order in h = 1 / segments (backward error
+// analysis; E. Hairer, C. Lubich and G. Wanner, "Geometric Numerical Integration", 2006, chapter IX). Its segments
+// have the angles psi_j in their middles, its joints are springs, its load lies on particles, and so
+//
+//   (psi_{j+1} - 2 psi_j + psi_{j-1}) / h^2 = Gamma t_j sin(psi_j),
+//   psi_{-1} = psi_0 at the tip,   (psi_{n-1} + psi_n) / 2 = pi/2 at the clamp, which bends half of a segment,
+//
+// which is, to fourth order, psi'' + h^2/12 psi'''' = Gamma t sin(psi), psi' = -h^2/24 psi''' at the tip and psi = pi/2 -
+// h^2/8 psi'' at the clamp. Particles are sums over segments, the midpoint rule. At least sqrt(Gamma) segments.
+//
+// Throws std::invalid_argument for what is out of bounds.
 Elastica elastica(double gamma, double stretch = 0,
                   double segments = std::numeric_limits<double>::infinity());
 

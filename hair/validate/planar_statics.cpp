@@ -74,6 +74,10 @@ Eigen::MatrixXd planar_stiffness(const particles::Force& force, particles::Input
   return K;
 }
 
+Eigen::Vector2d planar_tip(particles::Input x) {
+  return {x[x.size() - 3], -x[x.size() - 1]};
+}
+
 Balance planar_balance(const Strand& strand, const particles::Force& force, Eigen::VectorXd x) {
   Balance balance;
   balance.x = std::move(x);

@@ -13,6 +13,9 @@ namespace hair {
 // have five diagonals of blocks. x: 3n.
 Eigen::MatrixXd planar_stiffness(const particles::Force& force, particles::Input x);
 
+// The last particle: how far it is from the origin along x, and how far down.
+Eigen::Vector2d planar_tip(particles::Input x);
+
 struct Balance {
   Eigen::VectorXd x;    // 3n, m
   int iterations = 0;   // of Newton's method

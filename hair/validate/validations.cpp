@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <utility>
+
+#include "hair/validate/bending_validations.h"
 
 namespace hair {
 
@@ -31,6 +34,7 @@ std::vector<Validation> all_validations() {
     validations.push_back(chain_oscillations(*method));
     validations.push_back(double_pendulums(*method));
   }
+  for (Validation& one : bending_validations()) validations.push_back(std::move(one));
   std::erase_if(validations, [](const Validation& one) { return !has_all(one.exercises); });
   return validations;
 }

@@ -1,0 +1,15 @@
+// Time that a computation takes, whatever else the machine does.
+#pragma once
+
+#include <ctime>
+
+namespace hair {
+
+// s, of this thread, since some moment.
+inline double cpu_seconds() {
+  timespec time;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+}  // namespace hair

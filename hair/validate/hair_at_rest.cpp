@@ -1,0 +1,156 @@
+// Hair that is clamped level and bends under its own weight, at rest, beside the elastica: the error against the number of
+// segments, and against the time that it takes to find.
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "hair/validate/bending_validations.h"
+#include "hair/validate/clamped_hair.h"
+#include "hair/validate/cpu_time.h"
+#include "hair/validate/elastica.h"
+#include "hair/validate/planar_statics.h"
+
+namespace hair {
+
+namespace {
+
+struct Rest {
+  int segments;
+  double error;     // of the tip, over L
+  double expected;  // the same, by the curve that the strand follows to fourth order; 0 of too few segments
+  double seconds;   // of CPU time, to find it
+};
+
+// Hair of one length in more and more segments.
+struct Sweep {
+  double gamma, length, stretch;
+  std::vector<Rest> rests;
+};
+
+// Segments shorter than the layer at the clamp: from here on errors have an order.
+bool has_an_order(double gamma, int segments) {
+  return segments >= 1.3 * std::sqrt(gamma);
+}
+
+// What an error's next term is, over the first. Down the layer at the clamp, 4 n^2 sinh^2(mu / 2n) = Gamma: the strand's
+// decay is mu = sqrt(Gamma) (1 - q / 24 + 3 q^2 / 640 - ...), q = Gamma / n^2, and of that the second term is 9/80 q.
+double next_term(double gamma, int segments) {
+  return 9.0 / 80 * gamma / (segments * segments);
+}
+
+Rest find_rest(const Material& material, const Sweep& sweep, int segments) {
+  const StrandStart start = clamped_hair(material, segments, sweep.length, Vector3d::UnitX());
+  const auto strand = under_gravity(start, Vector3d(0, 0, -kEarth));
+  const double before = cpu_seconds();
+  const Balance balance = planar_balance(strand->strand, strand->force, start.state.x);
+  const double seconds = cpu_seconds() - before;
+  if (!balance.found())
+    throw std::runtime_error("Newton's method finds no rest for Gamma = " + to_text(sweep.gamma) + ", " +
+                             std::to_string(segments) + " segments: a force of " + to_text(balance.residual) +
+                             " N is left");
+  const Eigen::Vector2d tip = planar_tip(balance.x) / sweep.length;
+  const Eigen::Vector2d curve = elastica(sweep.gamma, sweep.stretch).tip();
+  const double expected = has_an_order(sweep.gamma, segments)
+                              ? (elastica(sweep.gamma, sweep.stretch, segments).tip() - curve).norm()
+                              : 0;
+  return {segments, (tip - curve).norm(), expected, seconds};
+}
+
+Sweep sweep_segments(const Material& material, double gamma, const ValidationSettings& settings) {
+  Sweep sweep{gamma, length_of(material, gamma), 0, {}};
+  sweep.stretch = material.line_density() * kEarth * sweep.length / material.stretch_rigidity();
+  for (int segments : {10, 20, 40, 80}) {
+    settings.go_on();
+    if (settings.quick && segments > 40) break;
+    sweep.rests.push_back(find_rest(material, sweep, segments));
+  }
+  return sweep;
+}
+
+// Between two numbers of segments of which one is twice the other.
+double order(const Rest& coarse, const Rest& fine) {
+  return std::log2(coarse.error / fine.error);
+}
+
+void check(const Sweep& sweep, std::vector<Check>& checks) {
+  const std::string gamma = to_text(sweep.gamma);
+  for (std::size_t i = 0; i < sweep.rests.size(); ++i) {
+    const Rest& rest = sweep.rests[i];
+    if (!has_an_order(sweep.gamma, rest.segments)) continue;
+    const std::string n = std::to_string(rest.segments), id = "gamma" + gamma + "-n" + n;
+    checks.push_back(
+        {id + "-error", "Gamma = " + gamma + ", " + n + " segments: the tip's error over L",
+         "the elastica, and the one that such a strand follows to fourth order", rest.expected, rest.error,
+         rest.expected * (next_term(sweep.gamma, rest.segments) + sweep.stretch) + 1e-12,
+         "the error's next term, 9/80 Gamma / n^2 of it, its stretch, and where Newton's method ends"});
+    if (i == 0) continue;
+    checks.push_back({id + "-order", "Gamma = " + gamma + ", " + n + " segments: order of convergence",
+                      "central differences, clamped by half a segment", 2, order(sweep.rests[i - 1], rest),
+                      1.1 * next_term(sweep.gamma, rest.segments / 2),
+                      "the error's next term: 3/4 of it at half as many segments, over log(2)"});
+  }
+}
+
+Table table_of(const std::vector<Sweep>& sweeps) {
+  Table table{"Hair at rest: the error of the tip over L, and its order",
+              {"Gamma", "length, m", "segments", "error", "expected", "order", "CPU time, s"},
+              {}};
+  for (const Sweep& sweep : sweeps)
+    for (std::size_t i = 0; i < sweep.rests.size(); ++i) {
+      const Rest& rest = sweep.rests[i];
+      const bool ordered = has_an_order(sweep.gamma, rest.segments);
+      table.rows.push_back({to_text(sweep.gamma), to_text(sweep.length), std::to_string(rest.segments),
+                            to_text(rest.error), ordered ? to_text(rest.expected) : "too few segments",
+                            i == 0 ? "" : to_text(order(sweep.rests[i - 1], rest)), to_text(rest.seconds)});
+    }
+  return table;
+}
+
+Figure figure_of(const std::vector<Sweep>& sweeps, bool against_time) {
+  Figure figure{
+      against_time ? "elastica-error-time" : "elastica-error-segments",
+      against_time ? "The elastica: error against the time to find it"
+                   : "The elastica: error against segments",
+      against_time
+          ? "CPU time of Newton's method, from straight hair on, with 10, 20, 40 and 80 segments."
+          : "Where segments are shorter than the layer at the clamp, n > 1.3 sqrt(Gamma), errors fall by "
+            "four when segments are halved; before, hardly.",
+      {against_time ? "CPU time, s" : "segments"},
+      {"error of the tip, over L"}};
+  for (const Sweep& sweep : sweeps) {
+    Series& series = figure.series.emplace_back(Series{"Gamma = " + to_text(sweep.gamma), {}});
+    for (const Rest& rest : sweep.rests)
+      series.points.push_back(
+          {against_time ? rest.seconds : rest.segments, rest.error,
+           std::to_string(rest.segments) + " segments" +
+               (has_an_order(sweep.gamma, rest.segments) ? "" : ", too few for an order")});
+  }
+  if (!against_time) figure.guides.push_back({-2, "order 2"});
+  return figure;
+}
+
+ValidationResult run(const ValidationSettings& settings) {
+  const Material hair;
+  std::vector<Sweep> sweeps;
+  for (const double gamma : {0.1, 1.0, 10.0, 100.0, 1e3, 1e4, 1e5})
+    sweeps.push_back(sweep_segments(hair, gamma, settings));
+  ValidationResult result;
+  for (const Sweep& sweep : sweeps) check(sweep, result.checks);
+  result.figures = {figure_of(sweeps, false), figure_of(sweeps, true)};
+  result.tables = {table_of(sweeps)};
+  return result;
+}
+
+}  // namespace
+
+Validation hair_at_rest() {
+  return {"elastica",
+          "Hair that is clamped level bends under its own weight like the elastica",
+          {"H1", "H2"},
+          run};
+}
+
+}  // namespace hair
