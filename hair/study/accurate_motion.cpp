@@ -5,10 +5,11 @@
 #include <cstdio>
 #include <ctime>
 #include <memory>
-#include <stdexcept>
+#include <tuple>
 
 #include "hair/files/bad_input.h"
 #include "hair/study/cvode.h"
+#include "hair/study/motion_cache.h"
 #include "hair/study/rigid_strand_ode.h"
 #include "hair/study/strand_ode.h"
 #include "hair/study/toy_ode.h"
@@ -83,10 +84,20 @@ std::optional<AccurateMotion> accurate_motion(const Problem& problem, const Accu
   particles::require_positive("the tolerance of an accurate motion", settings.tolerance);
   const std::unique_ptr<Ode> ode = ode_of(problem);
   const Ways ways = ways_for(*ode, std::max(settings.tolerance, kTightest));
+  const auto* rigid = dynamic_cast<const RigidStrandOde*>(ode.get());
 
   AccurateMotion motion;
+  motion.inextensible = rigid != nullptr;
+  motion.method = "CVODE " + cvode_version() + ": " + name_of(ways[0]) + ", beside " + name_of(ways[1]) +
+                  (rigid ? ", of rigid segments" : "");
+  std::string key;
+  if (settings.cache) {
+    key = motion_key(problem, *ode, motion.method);
+    if (auto kept = find_motion(*settings.cache, key)) return kept;
+  }
+
   const double start = cpu_seconds();
-  std::array<Trajectory, ways.size()> found;
+  std::array<Trajectory, std::tuple_size_v<Ways>> found;
   for (std::size_t k = 0; k < ways.size(); ++k) {
     std::optional<CvodeRun> run =
         run_cvode(*ode, problem.duration, problem.scene.frames, ways[k], interrupted);
@@ -96,13 +107,15 @@ std::optional<AccurateMotion> accurate_motion(const Problem& problem, const Accu
   }
   motion.cpu_seconds = cpu_seconds() - start;
   motion.agreement = largest_distance(found[0], found[1]);
+  if (rigid) motion.agreement = std::max(motion.agreement, kOfStretch * rigid->stretch());
   motion.states = std::move(found[0]);
-  if (const auto* rigid = dynamic_cast<const RigidStrandOde*>(ode.get())) {
-    motion.inextensible = true;
-    motion.agreement = std::max(motion.agreement, kOfStretch * rigid->stretch());
+  if (settings.cache) {
+    try {
+      keep_motion(*settings.cache, key, motion);
+    } catch (const BadInput&) {
+      // A folder that can't be written costs time the next time, and nothing now.
+    }
   }
-  motion.method = "CVODE " + cvode_version() + ": " + name_of(ways[0]) + ", beside " + name_of(ways[1]) +
-                  (motion.inextensible ? ", of rigid segments" : "");
   return motion;
 }
 

@@ -1,42 +1,10 @@
 #include "hair/study/content.h"
 
-#include <array>
-#include <bit>
-#include <cstdint>
-#include <cstdio>
+#include "hair/study/digest.h"
 
 namespace hair {
 
 namespace {
-
-// FNV-1a, 64 bits (G. Fowler, L. C. Noll, K.-P. Vo; RFC 9923): no secret, and no protection against who wants a clash.
-class Digest {
- public:
-  Digest& add(std::uint64_t bits) {
-    for (int i = 0; i < 64; i += 8) sum_ = (sum_ ^ ((bits >> i) & 0xff)) * 0x100000001b3;
-    return *this;
-  }
-  Digest& add(double value) { return add(std::bit_cast<std::uint64_t>(value)); }
-  Digest& add(int value) { return add(static_cast<std::uint64_t>(static_cast<std::int64_t>(value))); }
-  Digest& add(bool value) { return add(static_cast<std::uint64_t>(value)); }
-
-  // The size first, so that what follows is not taken for a part of it.
-  template <typename Derived>
-  Digest& add(const Eigen::MatrixBase<Derived>& values) {
-    add(static_cast<std::uint64_t>(values.size()));
-    for (Eigen::Index i = 0; i < values.size(); ++i) add(static_cast<double>(values[i]));
-    return *this;
-  }
-
-  std::string text() const {
-    std::array<char, 17> digits;
-    std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(sum_));
-    return digits.data();
-  }
-
- private:
-  std::uint64_t sum_ = 0xcbf29ce484222325;
-};
 
 void add(Digest& digest, const StrandStart& start) {
   const Strand& strand = start.strand;
