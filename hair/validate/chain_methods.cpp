@@ -1,6 +1,5 @@
 #include "hair/validate/chain_methods.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "hair/scene/moving_toy.h"
@@ -12,15 +11,6 @@ namespace hair {
 namespace {
 
 constexpr double kSolves = 1e-12;
-
-// T/EA of the whole chain's weight: so little that its error is small beside what else there is, or as little as
-// rounding allows. Nothing turns faster than x = 2 (T_i + T_{i+1}) / (m_i g), the largest row of the equations.
-double stretch_of(const HangingChain& chain) {
-  double highest = 0;
-  for (int i = 0; i < chain.count(); ++i)
-    highest = std::max(highest, 4 * chain.tension(i) / (chain.mass[i] * chain.gravity));
-  return std::clamp(1e-7 / highest, 1e-11, 1e-9);
-}
 
 Eigen::VectorXd masses_with_hinge(const HangingChain& chain) {
   Eigen::VectorXd mass(chain.count() + 1);
@@ -40,7 +30,7 @@ class MassSpringChain : public MovingChain {
     Strand strand;
     strand.mass = masses_with_hinge(chain);
     strand.rest_length = Eigen::VectorXd::Constant(chain.count(), chain.link);
-    strand.stretch_rigidity = chain.tension(0) / stretch_of(chain);
+    strand.stretch_rigidity = chain.tension(0) / chain.stretch;
     Description description;
     description.strands = {{strand, state}};
     description.method = Method::predictor_corrector;
@@ -82,7 +72,7 @@ class ChainOfRods : public MovingChain {
 
 // What stretching leaves, see dispersion.h.
 double h6_error(const HangingChain& chain, double x) {
-  return chain.count() * stretch_of(chain) * x / 4;
+  return chain.count() * chain.stretch * x / 4;
 }
 
 // P2 solves to r = 1e-10 of a right-hand side that is l g. The inverse of J W J^T has the entries

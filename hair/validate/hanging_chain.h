@@ -18,9 +18,10 @@
 namespace hair {
 
 struct HangingChain {
-  Eigen::VectorXd mass;  // n, kg, from the top
-  double link = 0.01;    // m
-  double gravity = 9.81;
+  Eigen::VectorXd mass;   // n, kg, from the top
+  double link = 0.01;     // m
+  double gravity = 9.81;  // m/s^2
+  double stretch = 1e-9;  // T_0/EA, where the links are springs: as little as rounding lets be
 
   int count() const { return static_cast<int>(mass.size()); }
   double tension(int i) const { return gravity * mass.tail(count() - i).sum(); }  // N, of link i

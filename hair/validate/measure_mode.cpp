@@ -55,10 +55,10 @@ MeasuredMode measure_mode(const ChainMethod& method, const HangingChain& chain, 
   }
   const Sinusoid fit = fit_sinusoid(out);
   const double measured = method.undo(fit.frequency / result.step, result.step);
-  result.square = measured * measured / chain.square_unit();
-  const double left = std::min(kWorstFit, fit.residual / fit.amplitude);
-  result.tolerance = 2 * (std::abs(result.softening) + 2 * method.other_error(chain, x) +
-                          2 * 10 * left / (w * result.step * steps));
+  result.square = measured * measured / chain.square_unit() / (1 + result.softening);
+  const double left = std::min(kWorstFit, fit.residual / fit.amplitude), turn = w * result.step;
+  result.tolerance = 2 * (turn * turn * std::abs(result.softening) + 2 * method.other_error(chain, x) +
+                          2 * 10 * left / (turn * steps));
   return result;
 }
 

@@ -8,23 +8,24 @@
 namespace hair {
 
 struct MeasuredMode {
-  double square = 0;     // l w^2 / g, the integrator's dispersion undone
-  double softening = 0;  // what the swing's size makes of it, relative, as theory has it: 2 c A^2
+  double square = 0;  // l w^2 / g of a small swing: the integrator's dispersion and the swing's size undone
   double tolerance = 0;  // relative, as below
-  double step = 0, angle = 0, steps = 0;
+  double softening = 0;  // what the swing's size did to it, relative: 2 c A^2
+  double step = 0, angle = 0;
+  int steps = 0;
 };
 
 // x is what theory says of `square`, and `highest` that of the chain's fastest mode.
 //
 // The angle A is the largest that keeps c A^2 (softening, hanging_chain.h) below kSoftest, and kLargestAngle at most.
-// w may be off by a multiple of
+// Then w may be off by
 //
-//   |c| A^2             what the swing's size does,
+//   (w h)^2 |c| A^2     by which a step changes c, which is the equations' own,
 //   other_error         of the method (chain_methods.h),
 //   10 r / phase        what the fit resolves: r is what the sinusoid leaves, relative to its amplitude, and phase all
 //                       that it turns. r counts kWorstFit at most: what is no sinusoid is no reason to allow more.
 //
-// The tolerance is twice their sum for terms beyond the first, and twice that for a square.
+// The tolerance is twice their sum, for terms beyond the first, and twice that for a square.
 MeasuredMode measure_mode(const ChainMethod& method, const HangingChain& chain, double x, double highest,
                           const ValidationSettings& settings);
 
@@ -32,6 +33,6 @@ inline constexpr double kSoftest = 1e-6, kLargestAngle = 1e-3, kWorstFit = 1e-5;
 
 // For reports: where the tolerance comes from.
 inline constexpr const char* kModeTolerance =
-    "twice: the swing's size, stretch or solves, what the fit resolves; and twice for a square";
+    "twice the sum of: what a step makes of the swing's size; stretch or solves; what the fit resolves";
 
 }  // namespace hair

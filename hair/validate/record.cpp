@@ -47,7 +47,8 @@ std::string outcome(const ValidationRecord& record) {
 
 Section section_of_checks(const ValidationRecord& record) {
   Section section{record.title,
-                  {"hairlab validate " + record.id + " calls " + joined(record.exercises) + ": " +
+                  {"hairlab validate " + record.id + " calls " +
+                   (record.exercises.empty() ? "no exercise" : joined(record.exercises)) + ": " +
                    outcome(record) + ". " + number("%.2g", record.cpu_seconds) + " s of CPU time."}};
   if (record.result.checks.empty()) return section;
   Table& table = section.tables.emplace_back(Table{"Checks of " + record.id, kColumns, {}});

@@ -29,8 +29,9 @@ void ValidationSettings::go_on() const {
 }
 
 std::vector<Validation> all_validations() {
-  std::vector<Validation> validations;
+  std::vector<Validation> validations = {published_numbers()};
   for (const ChainMethod* method : {&chain_by_h6(), &chain_by_rods()}) {
+    validations.push_back(pendulum_period(*method));
     validations.push_back(chain_oscillations(*method));
     validations.push_back(double_pendulums(*method));
   }

@@ -6,7 +6,11 @@
 
 namespace hair {
 
-// chain_oscillations.cpp. They keep a reference to the method.
+// published_numbers.cpp, which calls no exercise
+Validation published_numbers();
+
+// Those with a method keep a reference to it. pendulum_period.cpp, then chain_oscillations.cpp
+Validation pendulum_period(const ChainMethod& method);
 Validation chain_oscillations(const ChainMethod& method);
 Validation double_pendulums(const ChainMethod& method);
 
