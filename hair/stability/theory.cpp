@@ -1,0 +1,150 @@
+#include "hair/stability/theory.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <stdexcept>
+
+#include "particles/require.h"
+
+namespace hair {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// 1, 1/2, 1/6, ...: the polynomials of the three methods are exponential series that end after so many powers.
+int powers_of(Method method) {
+  switch (method) {
+    case Method::forward_euler:
+      return 1;
+    case Method::midpoint:
+      return 2;
+    case Method::runge_kutta_4:
+      return 4;
+    default:
+      throw std::invalid_argument("a method that is not one of P1's has no stability polynomial");
+  }
+}
+
+double amplification(int powers, Complex z) {
+  Complex sum = 1, term = 1;
+  for (int k = 1; k <= powers; ++k) sum += term *= z / static_cast<double>(k);
+  return std::abs(sum);
+}
+
+// The first h > 0 beyond which |R(h lambda)| > growth. |h lambda| = 4 is outside of all three regions, and they are seen
+// whole from 0: on a ray from there one leaves them once.
+double polynomial_limit(int powers, Complex lambda, double growth) {
+  const double size = std::abs(lambda);
+  if (size == 0) return kInfinity;
+  // Rounding of a sum of numbers up to 1; RK4 is within 1e-15 of 1 for |z| < 0.02.
+  const double bound = growth + 1e-15;
+  constexpr double kStride = 1.0 / 64;
+  double low = 0, high = 0;
+  do {
+    low = high;
+    high += kStride;
+  } while (amplification(powers, high / size * lambda) <= bound);
+  for (int k = 0; k < 60; ++k) {
+    const double middle = (low + high) / 2;
+    (amplification(powers, middle / size * lambda) <= bound ? low : high) = middle;
+  }
+  // Midpoint without drag: 1 + z^4/8 is 1 as far as numbers go, up to 3e-4.
+  return low < 1e-3 && lambda.real() == 0 && growth == 1 ? 0 : low / size;
+}
+
+}  // namespace
+
+double explicit_limit(Method method, const Oscillator& oscillator, double growth) {
+  const auto [omega, gamma] = oscillator;
+  particles::require_at_least("a frequency", omega, 0);
+  particles::require_at_least("drag", gamma, 0);
+  particles::require_at_least("the growth in a step", growth, 1);
+  if (method == Method::symplectic_euler) {
+    // z^2 - (2 - h gamma - h^2 omega^2) z + (1 - h gamma) = 0 at z = -growth.
+    const double both = (growth + 1) * gamma,
+                 root = std::hypot(both, 2 * omega * std::sqrt(growth) * (growth + 1));
+    return both + root == 0 ? kInfinity : 2 * (growth + 1) * (growth + 1) / (both + root);
+  }
+  const int powers = powers_of(method);
+  const double discriminant = gamma * gamma / 4 - omega * omega;
+  if (discriminant < 0) return polynomial_limit(powers, {-gamma / 2, std::sqrt(-discriminant)}, growth);
+  return polynomial_limit(powers, {-gamma / 2 - std::sqrt(discriminant), 0},
+                          growth);  // the faster of the two
+}
+
+double implicit_limit(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness,
+                      const Eigen::MatrixXd& in_matrix, double gamma) {
+  const Eigen::VectorXd scale = mass.cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd matrix = scale.asDiagonal() * (stiffness - 2 * in_matrix) * scale.asDiagonal();
+  const Eigen::VectorXd values =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
+  const double mu = values.maxCoeff();
+  // What is below the rounding of the largest is 0.
+  if (mu <= 1e-12 * values.cwiseAbs().maxCoeff()) return kInfinity;
+  return (gamma + std::sqrt(gamma * gamma + 4 * mu)) / mu;
+}
+
+Eigen::MatrixXd predictor_corrector_step(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness,
+                                         const Eigen::MatrixXd& in_matrix, double gamma, double h) {
+  const Eigen::Index n = mass.size();
+  const Eigen::MatrixXd masses = mass.asDiagonal();
+  const Eigen::PartialPivLU<Eigen::MatrixXd> s((1 + h * gamma / 2) * masses + h * h / 2 * in_matrix);
+  const Eigen::MatrixXd from_v = s.solve(masses), from_x = s.solve(-h / 2 * stiffness);
+  // Rows: w, then x' = x + h w, then v' of w and x'.
+  Eigen::MatrixXd w(n, 2 * n), step(2 * n, 2 * n);
+  w << from_x, from_v;
+  step.topRows(n) = h * w;
+  step.topLeftCorner(n, n).diagonal().array() += 1;
+  step.bottomRows(n) = from_v * w + from_x * step.topRows(n);
+  return step;
+}
+
+double predictor_corrector_limit(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness,
+                                 const Eigen::MatrixXd& in_matrix, double gamma, double least, double most) {
+  // An error z = -1 has x' = -x, so that w = -2 x / h, and with T = S^-1 M and x changing its sign each step
+  // w' = T^2 w - (T + 1) S^-1 (h/2 K) x' = -w becomes (2 (1 + T^2) - h (T + 1) S^-1 (h/2 K)) x = 0. For small steps T is
+  // near 1, and the determinant positive.
+  const Eigen::MatrixXd masses = mass.asDiagonal(), one = Eigen::MatrixXd::Identity(mass.size(), mass.size());
+  const auto positive = [&](double h) {
+    const Eigen::PartialPivLU<Eigen::MatrixXd> s((1 + h * gamma / 2) * masses + h * h / 2 * in_matrix);
+    const Eigen::MatrixXd t = s.solve(masses);
+    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(2 * (one + t * t) -
+                                                  (t + one) * s.solve(h * h / 2 * stiffness));
+    double sign = lu.permutationP().determinant();
+    for (const double pivot : lu.matrixLU().diagonal()) sign *= pivot < 0 ? -1 : 1;
+    return sign > 0;
+  };
+  constexpr double kStride = 1.05;  // two modes whose limits are nearer than this could hide each other
+  double low = least, high = least;
+  while (positive(high)) {
+    if (high >= most) return kInfinity;
+    low = high;
+    high *= kStride;
+  }
+  if (low == high) return least;
+  for (int k = 0; k < 40; ++k) {
+    const double middle = std::sqrt(low * high);
+    (positive(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+double largest_laguerre_zero(int n) {
+  particles::require_at_least("the degree of a Laguerre polynomial", n, 1);
+  // Zeros are the eigenvalues of the recurrence's matrix (G. H. Golub and J. H. Welsch, "Calculation of Gauss
+  // Quadrature Rules", Mathematics of Computation 23, 1969): 2k + 1 on the diagonal, k beside it.
+  Eigen::VectorXd diagonal(n), beside(n - 1);
+  for (int k = 0; k < n; ++k) diagonal[k] = 2 * k + 1;
+  for (int k = 1; k < n; ++k) beside[k - 1] = k;
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+  solver.computeFromTridiagonal(diagonal, beside, Eigen::EigenvaluesOnly);
+  return solver.eigenvalues()[n - 1];
+}
+
+}  // namespace hair
