@@ -56,14 +56,6 @@ double reference_frequency(const Description& hair, const StudyMethod& method) {
   return std::isfinite(mu) ? 2 / mu : hanging.across_modes.omega.maxCoeff();
 }
 
-double least_explicit_limit(Method method, const Hanging& hanging, double gamma, double growth) {
-  double least = kInfinity;
-  for (const Modes* modes : {&hanging.along_modes, &hanging.across_modes})
-    for (const double omega : modes->omega)
-      least = std::min(least, explicit_limit(method, {omega, gamma}, growth));
-  return least;
-}
-
 const char* limit_name(const StudyMethod& method) {
   switch (method.method) {
     case Method::forward_euler:
@@ -97,39 +89,44 @@ Station make_station(const Description& hair, const StudyMethod& method, Sweep s
   return station;
 }
 
-double implicit_theory(const Description& hair, const StudyMethod& method, const Station& station,
-                       const std::vector<double>& hs) {
+// The largest step with which nothing grows by more than `growth` in a step.
+double theory_of(const Description& hair, const StudyMethod& method, const Station& station,
+                 const std::vector<double>& hs, double growth) {
   const Hanging& hanging = station.hanging;
+  const Modes &along = hanging.along_modes, &across = hanging.across_modes;
   const double gamma = hanging.drag_per_mass * station.drag;
+  if (method.is_explicit) {
+    double least = kInfinity;
+    for (const Modes* modes : {&along, &across})
+      for (const double omega : modes->omega)
+        least = std::min(least, explicit_limit(method.method, {omega, gamma}, growth));
+    return least;
+  }
   const Products products = products_of(hair, hanging, method.geometric_term, method.bend_product);
-  if (method.method == Method::predictor_corrector)
-    return predictor_corrector_limit(hanging.mass, hanging.across_modes.stiffness, products.across, gamma,
-                                     hs.front() / 4, hs.back() * 4);
-  return std::min(implicit_limit(hanging.mass, hanging.along_modes.stiffness, products.along, gamma),
-                  implicit_limit(hanging.mass, hanging.across_modes.stiffness, products.across, gamma));
+  if (keeps_lengths(method))
+    return predictor_corrector_limit(hanging.mass, across.stiffness, products.across, gamma, hs.front() / 4,
+                                     hs.back() * 4, growth);
+  return std::min(implicit_limit(hanging.mass, along.stiffness, products.along, gamma, growth),
+                  implicit_limit(hanging.mass, across.stiffness, products.across, gamma, growth));
 }
 
 std::vector<Limit> limits_of(const Description& hair, const StudyMethod& method,
                              const std::vector<Station>& stations, const std::vector<double>& hs,
                              long steps) {
-  std::vector<Limit> limits = {{limit_name(method), {}, false}};
-  if (!method.is_explicit) {
-    for (const Station& station : stations) limits[0].h.push_back(implicit_theory(hair, method, station, hs));
-    return limits;
-  }
-  limits.push_back({"theory: what " + std::to_string(steps) + " steps show", {}, true});
+  Limit limit{limit_name(method), {}, false};
+  Limit shown{"theory: what " + std::to_string(steps) + " steps show", {}, true};
   const double growth = std::pow(kWrongGrowth, 0.5 / static_cast<double>(steps));
   bool differs = false;
   for (const Station& station : stations) {
-    const double gamma = station.hanging.drag_per_mass * station.drag;
-    const double limit = least_explicit_limit(method.method, station.hanging, gamma, 1);
-    const double shown = least_explicit_limit(method.method, station.hanging, gamma, growth);
-    limits[0].h.push_back(limit);
-    limits[1].h.push_back(shown);
-    differs = differs || shown * shown * hs[0] > limit * limit * hs[1];  // by half a cell
+    const double h = theory_of(hair, method, station, hs, 1),
+                 later = theory_of(hair, method, station, hs, growth);
+    limit.h.push_back(h);
+    shown.h.push_back(later);
+    // By half a cell, somewhere on the map.
+    differs = differs || (h < hs.back() && later * later * hs[0] > h * h * hs[1]);
   }
-  if (!differs) limits.pop_back();
-  return limits;
+  if (!differs) return {limit};
+  return {limit, shown};
 }
 
 }  // namespace
@@ -196,7 +193,7 @@ StabilityMap make_map(const Description& hair, const StudyMethod& method, Sweep 
   map.sweep = sweep;
   map.steps = steps_of(method, settings);
   map.hs = method.is_explicit ? logarithmic(3e-3 / omega, 60 / omega, settings.rows)
-                              : logarithmic(0.04 / omega, 200 / omega, settings.rows);
+                              : logarithmic(0.04 / omega, 40 / omega, settings.rows);
   if (sweep == Sweep::stiffness) {
     map.xs = logarithmic(kSofter, kStiffer, settings.columns);
   } else {

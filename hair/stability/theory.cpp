@@ -79,15 +79,17 @@ double explicit_limit(Method method, const Oscillator& oscillator, double growth
 }
 
 double implicit_limit(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness,
-                      const Eigen::MatrixXd& in_matrix, double gamma) {
+                      const Eigen::MatrixXd& in_matrix, double gamma, double growth) {
   const Eigen::VectorXd scale = mass.cwiseSqrt().cwiseInverse();
-  const Eigen::MatrixXd matrix = scale.asDiagonal() * (stiffness - 2 * in_matrix) * scale.asDiagonal();
+  const Eigen::MatrixXd matrix =
+      scale.asDiagonal() * (growth * stiffness - growth * (growth + 1) * in_matrix) * scale.asDiagonal();
   const Eigen::VectorXd values =
       Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
   const double mu = values.maxCoeff();
   // What is below the rounding of the largest is 0.
   if (mu <= 1e-12 * values.cwiseAbs().maxCoeff()) return kInfinity;
-  return (gamma + std::sqrt(gamma * gamma + 4 * mu)) / mu;
+  const double drag = growth * (growth + 1) * gamma, least = 2 * (growth + 1) * std::sqrt(mu);
+  return (drag + std::hypot(drag, least)) / (2 * mu);
 }
 
 Eigen::MatrixXd predictor_corrector_step(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness,
@@ -106,16 +108,17 @@ Eigen::MatrixXd predictor_corrector_step(const Eigen::VectorXd& mass, const Eige
 }
 
 double predictor_corrector_limit(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness,
-                                 const Eigen::MatrixXd& in_matrix, double gamma, double least, double most) {
-  // An error z = -1 has x' = -x, so that w = -2 x / h, and with T = S^-1 M and x changing its sign each step
-  // w' = T^2 w - (T + 1) S^-1 (h/2 K) x' = -w becomes (2 (1 + T^2) - h (T + 1) S^-1 (h/2 K)) x = 0. For small steps T is
-  // near 1, and the determinant positive.
+                                 const Eigen::MatrixXd& in_matrix, double gamma, double least, double most,
+                                 double growth) {
+  // With T = S^-1 M a step from w to w is x' = x + h w, w' = T^2 w - (T + 1) S^-1 (h/2 K) x'. An error z = -g has x' = -g x,
+  // so that w = -(1 + g) x / h, and ((1 + g) (g + T^2) - g (T + 1) S^-1 (h^2/2 K)) x = 0. For small steps T is near 1, and
+  // the determinant positive.
   const Eigen::MatrixXd masses = mass.asDiagonal(), one = Eigen::MatrixXd::Identity(mass.size(), mass.size());
   const auto positive = [&](double h) {
     const Eigen::PartialPivLU<Eigen::MatrixXd> s((1 + h * gamma / 2) * masses + h * h / 2 * in_matrix);
     const Eigen::MatrixXd t = s.solve(masses);
-    const Eigen::PartialPivLU<Eigen::MatrixXd> lu(2 * (one + t * t) -
-                                                  (t + one) * s.solve(h * h / 2 * stiffness));
+    const Eigen::PartialPivLU<Eigen::MatrixXd> lu((1 + growth) * (growth * one + t * t) -
+                                                  growth * (t + one) * s.solve(h * h / 2 * stiffness));
     double sign = lu.permutationP().determinant();
     for (const double pivot : lu.matrixLU().diagonal()) sign *= pivot < 0 ? -1 : 1;
     return sign > 0;

@@ -48,7 +48,7 @@ double explicit_limit(Method method, const Oscillator& oscillator, double growth
 // it P holds the hair along and against bending, K - P is the tension, and hair without bending has 2/omega_t, the
 // limit of an explicit method across the hair. `stiffness` and `in_matrix` are K and P, symmetric; mass: M's diagonal.
 double implicit_limit(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness,
-                      const Eigen::MatrixXd& in_matrix, double gamma);
+                      const Eigen::MatrixXd& in_matrix, double gamma, double growth = 1);
 
 // H6's, across a hair that keeps its lengths. With S = (1 + h gamma/2) M + h^2 P/2 a step is
 //
@@ -56,7 +56,8 @@ double implicit_limit(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffn
 //
 // Its least h with an error z = -1; none below `most` is infinity. Without bending and drag (S = M) it is 2/omega_t.
 double predictor_corrector_limit(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness,
-                                 const Eigen::MatrixXd& in_matrix, double gamma, double least, double most);
+                                 const Eigen::MatrixXd& in_matrix, double gamma, double least, double most,
+                                 double growth = 1);
 
 // The matrix of that step: (x, v) at its end, 2n, of (x, v) at its start.
 Eigen::MatrixXd predictor_corrector_step(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness,
