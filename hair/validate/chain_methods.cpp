@@ -75,8 +75,8 @@ double h6_error(const HangingChain& chain, double x) {
   return chain.count() * chain.stretch * x / 4;
 }
 
-// P2 solves to r = 1e-10 of a right-hand side that is l g. The inverse of J W J^T has the entries
-// sum_{k >= max(i,j)} m_k / l^2, so that the tension is off by n (T_0 / g) r / l at most, and w by half of its part of
+// P2 solves to r = 1e-10 of a right-hand side that is l g. The inverse of J W J^T has the entries sum_{k >=
+// max(i,j)} m_k / l^2, so that the tension is off by n (T_0 / g) r / l at most, and w by half of its part of
 // the smallest tension.
 double rods_error(const HangingChain& chain, double) {
   return 1e-10 * chain.count() * chain.tension(0) / chain.tension(chain.count() - 1) / 2;

@@ -27,8 +27,8 @@ struct ChainMethod {
   // The frequency that it was asked to move by, from the one that it moved by (dispersion.h).
   double (*undo)(double measured, double step);
 
-  // A bound of how far a small oscillation of w^2 = (g/l) x is off for other reasons than its step and its amplitude,
-  // relative to w.
+  // A bound of how far a small oscillation of w^2 = (g/l) x is off for other reasons than its step and its
+  // amplitude, relative to w.
   double (*other_error)(const HangingChain& chain, double x);
 
   std::unique_ptr<MovingChain> (*start)(const HangingChain& chain, const particles::State& state,

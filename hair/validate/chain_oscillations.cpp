@@ -97,7 +97,8 @@ ValidationResult swing_double_pendulums(const ChainMethod& method, const Validat
     if (settings.quick && ratio != 1 && ratio != 1e6) continue;
     HangingChain chain{Eigen::Vector2d(kMass, ratio * kMass), kLink};
     const Eigen::Vector2d squares = double_pendulum_squares(ratio);
-    // The fast mode feels it times x. Less than 1e-11, and a length that is right to 1e-12 is no length any more.
+    // The fast mode feels it times x. Less than 1e-11, and a length that is right to 1e-12 is no length any
+    // more.
     chain.stretch = std::clamp(1e-7 / squares[1], 1e-11, 1e-9);
     for (const int k : {0, 1}) {
       const MeasuredMode mode = measure_mode(method, chain, squares[k], squares[1], settings);

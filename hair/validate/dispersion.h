@@ -1,33 +1,35 @@
-// What an integrator makes of a frequency. An oscillation x'' = -w^2 x, taken in steps of h, comes out with another
-// frequency W; what is measured is W, and these functions give w back.
+// What an integrator makes of a frequency. An oscillation x'' = -w^2 x, taken in steps of h, comes out with
+// another frequency W; what is measured is W, and these functions give w back.
 #pragma once
 
 namespace hair {
 
-// H6, of small oscillations across segments that don't stretch. The lecture's five steps, at first order in the angles
-// and as EA goes to infinity: lengths demand nothing of what goes sideways but the tension's part of it, -w^2 x,
-// which is half in the first and half in the second filter, each at its own place:
+// H6, of small oscillations across segments that don't stretch. The lecture's five steps, at first order in
+// the angles and as EA goes to infinity: lengths demand nothing of what goes sideways but the tension's part
+// of it, -w^2 x, which is half in the first and half in the second filter, each at its own place:
 //
 //   v(n+1/2) = v(n) - (h/2) w^2 x(n),   x(n+1) = x(n) + h v(n+1/2),   v(n+1) = v(n+1/2) - (h/2) w^2 x(n+1).
 //
-// (The springs' own products act along the segments alone; the correction and its impulse are of second order.) That is
-// the leapfrog method: x(n+1) - 2 x(n) + x(n-1) = -h^2 w^2 x(n), with x(n) = cos(W h n) 2 cos(Wh) - 2 = -h^2 w^2, and
+// (The springs' own products act along the segments alone; the correction and its impulse are of second
+// order.) That is the leapfrog method: x(n+1) - 2 x(n) + x(n-1) = -h^2 w^2 x(n), with x(n) = cos(W h n) 2
+// cos(Wh) - 2 = -h^2 w^2, and
 //
 //   w = (2/h) sin(W h / 2).
 //
-// A segment that stretches by the part s = T/EA of its length under its load is made so much longer by each step, and the
-// correction takes it back: a part e of the kick h w^2 x is not given at x(n), but, along the segment as it is then, at
-// x(n+1). The correction moves mass i of a chain by the sum of the stretches above it, n s l at most, which is a velocity
-// of n s l / h beside the gravity's h g: e h^2 w^2 <= n s x, with w^2 = (g/l) x. Then
+// A segment that stretches by the part s = T/EA of its length under its load is made so much longer by each
+// step, and the correction takes it back: a part e of the kick h w^2 x is not given at x(n), but, along the
+// segment as it is then, at x(n+1). The correction moves mass i of a chain by the sum of the stretches above
+// it, n s l at most, which is a velocity of n s l / h beside the gravity's h g: e h^2 w^2 <= n s x, with w^2
+// = (g/l) x. Then
 //
 //   x(n+1) - 2 x(n) + x(n-1) = -h^2 w^2 ((1 - e) x(n) + e x(n+1)),
 //
-// and at first order the amplitude decays by e h^2 w^2 / 2 in each step and W is lower by the part e h^2 w^2 / 4, at most
-// n s x / 4, whatever h is.
+// and at first order the amplitude decays by e h^2 w^2 / 2 in each step and W is lower by the part e h^2 w^2
+// / 4, at most n s x / 4, whatever h is.
 double undo_leapfrog(double measured, double step);
 
-// Runge and Kutta's classical method: a step multiplies by R(z) = 1 + z + z^2/2 + z^3/6 + z^4/24, z = iwh (E. Hairer and
-// G. Wanner, "Solving Ordinary Differential Equations II", IV.2), and so, with y = wh,
+// Runge and Kutta's classical method: a step multiplies by R(z) = 1 + z + z^2/2 + z^3/6 + z^4/24, z = iwh (E.
+// Hairer and G. Wanner, "Solving Ordinary Differential Equations II", IV.2), and so, with y = wh,
 //
 //   W h = arg R = atan2(y - y^3/6, 1 - y^2/2 + y^4/24).
 //

@@ -16,8 +16,8 @@ constexpr double kMostSteps = 20000;     // beyond, fewer periods will do,
 constexpr double kFewestPeriods = 1.75;  // as long as it changes its sign three times
 constexpr int kStepsInARow = 1000;       // between looks at Ctrl-C
 
-// How far all masses are out in the mode: the product with its shape that leaves other modes out, for shapes are
-// orthogonal in the masses.
+// How far all masses are out in the mode: the product with its shape that leaves other modes out, for shapes
+// are orthogonal in the masses.
 Eigen::VectorXd weights_of(const HangingChain& chain, const Eigen::VectorXd& angles) {
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(3 * chain.count() + 3);
   double sideways = 0;

@@ -1,5 +1,5 @@
-// A mode of a hanging chain, swung and measured: the chain starts at rest in the mode's shape, so that one sinusoid is
-// all that there is.
+// A mode of a hanging chain, swung and measured: the chain starts at rest in the mode's shape, so that one
+// sinusoid is all that there is.
 #pragma once
 
 #include "hair/validate/chain_methods.h"
@@ -17,8 +17,8 @@ struct MeasuredMode {
 
 // x is what theory says of `square`, and `highest` that of the chain's fastest mode.
 //
-// The angle A is the largest that keeps c A^2 (softening, hanging_chain.h) below kSoftest, and kLargestAngle at most.
-// Then w may be off by
+// The angle A is the largest that keeps c A^2 (softening, hanging_chain.h) below kSoftest, and kLargestAngle
+// at most. Then w may be off by
 //
 //   (w h)^2 |c| A^2     by which a step changes c, which is the equations' own,
 //   other_error         of the method (chain_methods.h),

@@ -19,8 +19,9 @@ Swing swing_of(const HangingChain& chain, const particles::State& state) {
   return {angle, (state.v[3] * std::cos(angle) + state.v[5] * std::sin(angle)) / chain.link};
 }
 
-// Which part of a step of h it takes from `before` to hang straight: a zero of the cubic with both angles and rates.
-// Where a pendulum hangs its angle's second and fourth derivatives are 0, so that this is better than most methods.
+// Which part of a step of h it takes from `before` to hang straight: a zero of the cubic with both angles and
+// rates. Where a pendulum hangs its angle's second and fourth derivatives are 0, so that this is better than
+// most methods.
 double part_until_straight(const Swing& before, const Swing& after, double h) {
   const auto angle = [&](double t) {
     const double u = 1 - t;

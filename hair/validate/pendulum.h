@@ -10,12 +10,13 @@ namespace hair {
 //
 //   T/T0 = (2/pi) K(sin(angle/2)) = 1 / agm(1, cos(angle/2)),
 //
-// K the complete elliptic integral of the first kind, agm the arithmetic-geometric mean (L. D. Landau and E. M.
-// Lifshitz, "Mechanics", section 11, problem 1; M. Abramowitz and I. A. Stegun, 17.6). 0 <= angle < pi.
+// K the complete elliptic integral of the first kind, agm the arithmetic-geometric mean (L. D. Landau and E.
+// M. Lifshitz, "Mechanics", section 11, problem 1; M. Abramowitz and I. A. Stegun, 17.6). 0 <= angle < pi.
 double period_ratio(double angle);
 
-// The same of one mass on one link, in `steps_per_small_period` steps for T0: four times the time from its release to
-// its lowest point, so that what a method loses when it is fast has no time left to matter. NaN, if it never gets there.
+// The same of one mass on one link, in `steps_per_small_period` steps for T0: four times the time from its
+// release to its lowest point, so that what a method loses when it is fast has no time left to matter. NaN,
+// if it never gets there.
 double measured_period_ratio(const ChainMethod& method, double angle, int steps_per_small_period,
                              const ValidationSettings& settings);
 

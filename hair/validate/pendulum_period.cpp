@@ -10,8 +10,8 @@ namespace hair {
 
 namespace {
 
-// Of the error's series a h^p + b h^(p+1) + ... two runs take away the first term (L. F. Richardson): with `coarse` of
-// steps of h and `fine` of h/2.
+// Of the error's series a h^p + b h^(p+1) + ... two runs take away the first term (L. F. Richardson): with
+// `coarse` of steps of h and `fine` of h/2.
 double extrapolated(double coarse, double fine, int order) {
   return fine + (fine - coarse) / (std::exp2(order) - 1);
 }

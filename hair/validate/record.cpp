@@ -24,19 +24,21 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-const std::vector<std::string> kColumns = {"check",     "what",           "expected", "measured", "error",
-                                           "tolerance", "tolerance from", "source",   "holds"};
+// What a check found, and why it says so.
+const std::vector<std::string> kFound = {"what", "expected", "measured", "error", "tolerance", "holds"};
+const std::vector<std::string> kWhy = {"check", "expected: source", "tolerance: from"};
 
-std::vector<std::string> row_of(const Check& check) {
-  return {check.id,
-          with_unit(check),
+std::vector<std::string> found(const Check& check) {
+  return {with_unit(check),
           number("%.9g", check.expected),
           number("%.9g", check.measured),
           number("%.1e", check.error()),
           number("%.1e", check.tolerance),
-          check.tolerance_from,
-          check.source,
           check.holds() ? "yes" : "NO"};
+}
+
+std::vector<std::string> why(const Check& check) {
+  return {check.id, check.source, check.tolerance_from};
 }
 
 std::string outcome(const ValidationRecord& record) {
@@ -51,8 +53,18 @@ Section section_of_checks(const ValidationRecord& record) {
                    (record.exercises.empty() ? "no exercise" : joined(record.exercises)) + ": " +
                    outcome(record) + ". " + number("%.2g", record.cpu_seconds) + " s of CPU time."}};
   if (record.result.checks.empty()) return section;
-  Table& table = section.tables.emplace_back(Table{"Checks of " + record.id, kColumns, {}});
-  for (const Check& check : record.result.checks) table.rows.push_back(row_of(check));
+  Table& table = section.tables.emplace_back(Table{"Checks of " + record.id, kFound, {}});
+  for (const Check& check : record.result.checks) table.rows.push_back(found(check));
+  return section;
+}
+
+Section section_of_details(const ValidationRecord& record) {
+  Section section{record.title + ": in detail"};
+  for (const Figure& figure : record.result.figures) section.figures.push_back(to_svg(figure));
+  section.tables = record.result.tables;
+  Table& table = section.tables.emplace_back(
+      Table{"Where expected values and tolerances of " + record.id + " come from", kWhy, {}});
+  for (const Check& check : record.result.checks) table.rows.push_back(why(check));
   return section;
 }
 
@@ -64,7 +76,7 @@ Json json_of_check(const Check& check) {
           {"unit", check.unit},
           {"source", check.source},
           {"expected", check.expected},
-          {"measured", check.measured},  // null, if it is not finite
+          {"measured", check.measured},
           {"tolerance", check.tolerance},
           {"tolerance_from", check.tolerance_from},
           {"holds", check.holds()}};
@@ -103,20 +115,24 @@ std::string terminal_text(const ValidationRecord& record) {
   };
   text += line("", columns("expected", "measured", "error", "tolerance", ""));
   for (const Check& check : record.result.checks) {
-    const std::vector<std::string> row = row_of(check);
-    text += line(with_unit(check), columns(row[2].c_str(), row[3].c_str(), row[4].c_str(), row[5].c_str(),
-                                           check.holds() ? "ok" : "DOES NOT HOLD"));
+    const std::vector<std::string> row = found(check);
+    text += line(row[0], columns(row[1].c_str(), row[2].c_str(), row[3].c_str(), row[4].c_str(),
+                                 check.holds() ? "ok" : "DOES NOT HOLD"));
   }
   return text;
 }
 
 Table table_of_checks(const std::vector<ValidationRecord>& records) {
   Table table{"Checks", {"validation"}, {}};
-  table.header.insert(table.header.end(), kColumns.begin(), kColumns.end());
+  table.header.insert(table.header.end(), kWhy.begin(), kWhy.end());
+  table.header.insert(table.header.end(), kFound.begin(), kFound.end());
   for (const ValidationRecord& record : records)
     for (const Check& check : record.result.checks) {
-      std::vector<std::string>& row = table.rows.emplace_back(row_of(check));
-      row.insert(row.begin(), record.id);
+      std::vector<std::string>& row = table.rows.emplace_back(std::vector<std::string>{record.id});
+      for (const std::vector<std::string>& part : {why(check), found(check)})
+        row.insert(row.end(), part.begin(), part.end());
+      row[5] = to_exact_text(check.expected);
+      row[6] = to_exact_text(check.measured);
     }
   return table;
 }
@@ -131,10 +147,7 @@ Page page_of(const std::vector<ValidationRecord>& records, bool quick) {
   if (quick) page.paragraphs.emplace_back("A quick run: fewer and coarser.");
   for (const ValidationRecord& record : records) {
     page.sections.push_back(section_of_checks(record));
-    if (record.result.figures.empty() && record.result.tables.empty()) continue;
-    Section& section = page.sections.emplace_back(Section{record.title + ": in detail"});
-    for (const Figure& figure : record.result.figures) section.figures.push_back(to_svg(figure));
-    section.tables = record.result.tables;
+    if (!record.result.checks.empty()) page.sections.push_back(section_of_details(record));
   }
   return page;
 }
@@ -151,6 +164,9 @@ std::string json_of(const std::vector<ValidationRecord>& records, bool quick) {
     if (!record.ran()) one["left_out"] = record.left_out;
     if (!record.broke.empty()) one["broke"] = record.broke;
     one["checks"] = std::move(checks);
+    one["tables"] = Json::array();
+    for (const Table& table : record.result.tables)
+      one["tables"].push_back({{"caption", table.caption}, {"header", table.header}, {"rows", table.rows}});
     one["cpu_seconds"] = record.cpu_seconds;
     validations.push_back(std::move(one));
   }

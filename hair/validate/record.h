@@ -2,11 +2,15 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hair/validate/validation.h"
 
 namespace hair {
+
+// How every validate.json begins.
+inline constexpr std::string_view kValidationJsonBegin = "{\n \"format\": \"hairlab validate 1\"";
 
 struct ValidationRecord {
   std::string id, title;
@@ -30,6 +34,9 @@ std::string terminal_text(const ValidationRecord& record);
 Table table_of_checks(const std::vector<ValidationRecord>& records);
 
 Page page_of(const std::vector<ValidationRecord>& records, bool quick);
+
+// validate.json: all of it but the figures. `measured` is null where it is not finite. All but "cpu_seconds"
+// is the same whenever the same is run again.
 std::string json_of(const std::vector<ValidationRecord>& records, bool quick);
 
 }  // namespace hair

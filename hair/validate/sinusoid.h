@@ -12,8 +12,9 @@ struct Sinusoid {
   double residual = 0;  // root of the mean square of what is left
 };
 
-// Fits exp(-decay k) (a cos(frequency k) + b sin(frequency k)) to samples k = 0, 1, ... by least squares: Gauss and
-// Newton's method, from the frequency at which the signal changes its sign. It must do so three times or more.
+// Fits exp(-decay k) (a cos(frequency k) + b sin(frequency k)) to samples k = 0, 1, ... by least squares:
+// Gauss and Newton's method, from the frequency at which the signal changes its sign. It must do so three
+// times or more.
 Sinusoid fit_sinusoid(const Eigen::VectorXd& samples);
 
 }  // namespace hair

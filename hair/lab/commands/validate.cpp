@@ -1,6 +1,6 @@
 #include <unistd.h>
 
-#include <ctime>
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <optional>
@@ -10,7 +10,9 @@
 #include "hair/files/write_file.h"
 #include "hair/lab/commands/command.h"
 #include "hair/lab/interruption.h"
+#include "hair/lab/output_folder.h"
 #include "hair/lab/stub.h"
+#include "hair/validate/cpu_time.h"
 #include "hair/validate/record.h"
 
 namespace hair {
@@ -19,21 +21,16 @@ namespace {
 
 struct Options {
   std::vector<std::string> ids;
-  bool quick = false, list = false;
+  bool quick = false, list = false, writes = false;
   std::filesystem::path out;
 };
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
 
 int list_validations() {
   for (const Validation& one : all_validations()) {
     std::string exercises;
     for (const std::string& id : one.exercises) exercises += (exercises.empty() ? "" : ", ") + id;
-    std::cout << one.id << ": " << one.title << " (" << exercises << ")\n";
+    std::cout << one.id << ": " << one.title << " (" << (exercises.empty() ? "no exercise" : exercises)
+              << ")\n";
   }
   return 0;
 }
@@ -67,17 +64,24 @@ ValidationRecord run_one(const Validation& one, const ValidationSettings& settin
   return record;
 }
 
-void write_results(const std::filesystem::path& folder, const std::vector<ValidationRecord>& records,
-                   bool quick) {
-  write_file(folder / "validate.csv", to_csv(table_of_checks(records)));
-  write_file(folder / "index.html", to_html(page_of(records, quick)));
-  write_file(folder / "validate.json", json_of(records, quick));
-  std::cout << (folder / "index.html").string() << "\n";
+const OutputKind& validate_output() {
+  static const OutputKind kind{"validate.json", kValidationJsonBegin, {"index.html", "validate.csv"}};
+  return kind;
+}
+
+void write_results(OutputFolder& folder, const std::vector<ValidationRecord>& records, bool quick) {
+  write_file(folder.now("validate.csv"), to_csv(table_of_checks(records)));
+  write_file(folder.now("index.html"), to_html(page_of(records, quick)));
+  write_file(folder.now("validate.json"), json_of(records, quick));
+  folder.keep();
+  std::cout << folder.then("index.html").string() << "\n";
 }
 
 int run(const Options& options) {
   if (options.list) return list_validations();
   const std::vector<Validation> validations = chosen(options.ids);
+  std::optional<OutputFolder> folder;
+  if (options.writes) folder.emplace(options.out, validate_output());
   const std::atomic<bool>& interrupted = catch_interruption("\nhairlab: stopping; once more ends at once\n");
   const ValidationSettings settings{options.quick, &interrupted};
   const bool terminal = isatty(STDERR_FILENO) != 0;
@@ -97,7 +101,7 @@ int run(const Options& options) {
     std::cout << terminal_text(*record) << std::flush;
     records.push_back(std::move(*record));
   }
-  if (!options.out.empty() && !records.empty()) write_results(options.out, records, options.quick);
+  if (folder && !records.empty()) write_results(*folder, records, options.quick);
   if (records.size() < validations.size()) {
     std::cerr << "hairlab: interrupted after " << records.size() << " of " << validations.size()
               << " validations\n";
@@ -132,7 +136,8 @@ Command add_validate_command(CLI::App& program) {
   app->add_option("ID", options->ids, "Which (default: all)");
   app->add_flag("--list", options->list, "Say which there are, and the exercises that they call");
   app->add_flag("--quick", options->quick, "Fewer and coarser: seconds instead of a minute");
-  app->add_option("--out", options->out, "A folder for the same as page, CSV and JSON");
+  CLI::Option* out = app->add_option("--out", options->out, "A folder for the same as page, CSV and JSON");
+  app->final_callback([options, out] { options->writes = out->count() > 0; });
   return {app, [options] { return run(*options); }};
 }
 
