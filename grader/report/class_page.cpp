@@ -204,8 +204,9 @@ Html class_row(const SubmissionResult& result, const std::vector<Column>& column
   }
   return row += html(
              "<td class=\"number\" data-value=\"{}\"><strong>{}</strong></td><td><a "
-             "href=\"{}/report.html\">report</a></td></tr>\n",
-             {shown_points(points(result)), shown_points(points(result)), result.name});
+             "href=\"{}/report.html\">report</a>{}</td></tr>\n",
+             {shown_points(points(result)), shown_points(points(result)), result.name,
+              result.studied ? html(" <a href=\"{}/study.html\">study</a>", {result.name}) : Html()});
 }
 
 Html class_table(const Results& results, const std::vector<Column>& columns) {

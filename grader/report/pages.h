@@ -6,12 +6,18 @@
 
 #include "grader/report/html.h"
 #include "grader/report/result.h"
+#include "grader/report/study_result.h"
 
 namespace grader {
 
 std::string student_page(
     const SubmissionResult& result);                     // NAME/report.html: nothing of the staff's is in it
 std::string staff_page(const SubmissionResult& result);  // staff/NAME.html
+
+// NAME/study.html, for both. `beside_itself` is the reference's, which tells what is noise.
+std::string study_page(const SubmissionResult& result, const SubmissionStudy& study,
+                       const SubmissionStudy& beside_itself);
+
 std::string class_page(const std::vector<SubmissionResult>& results);  // index.html
 
 const char* look_of(Status status);  // how good it is, as a class of the style sheet

@@ -10,6 +10,7 @@
 #include "grader/report/gradebook.h"
 #include "grader/report/pages.h"
 #include "grader/report/results_json.h"
+#include "grader/report/study_json.h"
 
 namespace grader {
 namespace {
@@ -37,6 +38,19 @@ void write_submission_reports(const fs::path& dir, const SubmissionResult& resul
   write_file(dir / "staff" / (result.name + ".html"), staff_page(result));
   fs::permissions(dir / "staff", fs::perms::owner_all);  // hidden inputs and expected values
   write_file(record, staff_json(result));
+}
+
+void write_study(const fs::path& dir, const SubmissionResult& result, const SubmissionStudy& study,
+                 const SubmissionStudy& beside_itself) {
+  check_name(result.name);
+  write_file(dir / result.name / "study.json", study_json(study));
+  write_file(dir / result.name / "study.html", study_page(result, study, beside_itself));
+}
+
+void remove_study(const fs::path& dir, const SubmissionResult& result) {
+  check_name(result.name);
+  std::error_code not_there;
+  for (const char* file : {"study.html", "study.json"}) fs::remove(dir / result.name / file, not_there);
 }
 
 void write_class_reports(const fs::path& dir, const std::vector<SubmissionResult>& results) {

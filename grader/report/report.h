@@ -6,6 +6,7 @@
 //   DIR/NAME/report.html   for the student
 //   DIR/staff/NAME.html    for staff: inputs, expected and actual values, what compiler and worker printed
 //   DIR/staff/NAME.json    all of it, from which --resume goes on
+//   DIR/NAME/study.html, study.json  with studies: error against time; the only ones of these with measured times in them
 //   DIR/grades.csv, index.html, junit.xml  the class
 //
 // Text of students is escaped for what it is written into: invalid UTF-8, control characters and terminal
@@ -19,12 +20,18 @@
 #include <vector>
 
 #include "grader/report/result.h"
+#include "grader/report/study_result.h"
 
 namespace grader {
 
 // Throws std::invalid_argument for a name that intake can't have given: empty, with '/', with a dot in front,
 // "staff".
 void write_submission_reports(const std::filesystem::path& dir, const SubmissionResult& result);
+// Its pages of a study, before its reports, which lead to them if result.studied; and away with those that there are.
+void write_study(const std::filesystem::path& dir, const SubmissionResult& result,
+                 const SubmissionStudy& study, const SubmissionStudy& beside_itself);
+void remove_study(const std::filesystem::path& dir, const SubmissionResult& result);
+
 void write_class_reports(const std::filesystem::path& dir, const std::vector<SubmissionResult>& results);
 
 // What write_submission_reports wrote for `name` in `dir`, read back, the staff's part included; nothing if a

@@ -77,6 +77,7 @@ struct SubmissionResult {
   std::string fingerprint;  // of the submission's bytes and of the suite, in hexadecimal
   bool isolated = true;     // false: graded without a sandbox; every page says so
   bool images = true;       // false: graded without pictures; every page says so
+  bool studied = false;     // there is a study.html, which pages lead to
 };
 
 bool too_far(const PictureResult&);  // over a limit

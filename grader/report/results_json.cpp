@@ -171,13 +171,15 @@ std::string staff_json(const SubmissionResult& result) {
   for (const ExerciseResult& exercise : result.exercises) exercises.push_back(exercise_json(exercise));
   Json runs = Json::array();
   for (const RunResult& run : result.runs) runs.push_back(run_json(run));
-  return dumped({{"name", valid_utf8(result.name)},
-                 {"fingerprint", valid_utf8(result.fingerprint)},
-                 {"isolated", result.isolated},
-                 {"images", result.images},
-                 {"note", valid_utf8(result.note)},
-                 {"exercises", exercises},
-                 {"runs", runs}});
+  Json all = {{"name", valid_utf8(result.name)},
+              {"fingerprint", valid_utf8(result.fingerprint)},
+              {"isolated", result.isolated},
+              {"images", result.images},
+              {"note", valid_utf8(result.note)},
+              {"exercises", exercises},
+              {"runs", runs}};
+  if (result.studied) all["studied"] = true;
+  return dumped(all);
 }
 
 std::optional<SubmissionResult> result_from_staff_json(const std::string& text) {
@@ -189,6 +191,7 @@ std::optional<SubmissionResult> result_from_staff_json(const std::string& text) 
     result.isolated = json.at("isolated");
     result.images = json.at("images");
     result.note = json.at("note");
+    result.studied = json.value("studied", false);
     for (const Json& exercise : json.at("exercises")) result.exercises.push_back(exercise_from(exercise));
     for (const Json& run : json.at("runs")) result.runs.push_back(run_from(run));
     return result;

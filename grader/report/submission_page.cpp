@@ -92,6 +92,10 @@ Html runs_section(const SubmissionResult& result, Reader reader) {
     section += html("</td></tr>\n");
   }
   section += html("</tbody>\n</table></div>\n");
+  if (result.studied)
+    section +=
+        html("<p><a href=\"{}study.html\">Error against run time</a> of these scenes, beside ours.</p>\n",
+             {reader == Reader::staff ? "../" + result.name + "/" : std::string()});
   for (const RunResult& run : result.runs) section += moments(run.pictures, run.shows, whose(reader));
   return section += html("</section>\n");
 }

@@ -119,26 +119,28 @@ void run_scene(Student& student, const SceneText& text, const hair::Scene& scene
 
 }  // namespace
 
+bool is_left_out(const hair::Scene& scene, const AvailableExercises& exercises) {
+  const std::vector<std::string> called = hair::exercises_of(scene);
+  return std::any_of(called.begin(), called.end(),
+                     [&](const std::string& id) { return exercises.left_out.count(id) > 0; });
+}
+
+std::string why_not_run(const hair::Scene& scene, const AvailableExercises& exercises) {
+  std::string all;
+  for (const std::string& id : hair::exercises_of(scene))
+    if (const auto why = exercises.unavailable.find(id); why != exercises.unavailable.end())
+      all += (all.empty() ? "" : ", ") + id + " " + why->second;
+  return all.empty() ? all : all + ".";
+}
+
 std::vector<RunResult> run_end_to_end(Student& student, const AvailableExercises& exercises,
                                       const std::optional<std::filesystem::path>& kept_pictures) {
   std::vector<RunResult> results;
   for (const SceneText& text : end_to_end_scenes()) {
     const hair::Scene scene = hair::parse_scene(text.json, text.name);
-    const std::vector<std::string> called = hair::exercises_of(scene);
-    const auto calls = [&](const auto& ids) {
-      return std::any_of(called.begin(), called.end(),
-                         [&](const std::string& id) { return ids.count(id) > 0; });
-    };
-    if (calls(exercises.left_out)) continue;
-    RunResult result{text.name, scene.shows, RunOutcome::not_run, "", ""};
-    if (calls(exercises.unavailable)) {
-      for (const std::string& id : called)
-        if (const auto why = exercises.unavailable.find(id); why != exercises.unavailable.end())
-          result.feedback += (result.feedback.empty() ? "" : ", ") + id + " " + why->second;
-      result.feedback += ".";
-    } else {
-      run_scene(student, text, scene, kept_pictures, result);
-    }
+    if (is_left_out(scene, exercises)) continue;
+    RunResult result{text.name, scene.shows, RunOutcome::not_run, why_not_run(scene, exercises), ""};
+    if (result.feedback.empty()) run_scene(student, text, scene, kept_pictures, result);
     results.push_back(std::move(result));
   }
   return results;

@@ -19,6 +19,12 @@
 //
 //   {..., "left_out": ["P2"...], "unavailable": {"H4": "does not compile"...}}
 //   {"runs": [{"name", "shows", "outcome", "feedback", "detail", "pictures"}...], "cpu_seconds": 0.1, "starts": 1}
+//
+// The exercise "study" is "runs" once more, beside a worker with other objects, the reference's; "motions" is where what
+// is true of a scene is kept:
+//
+//   {..., "left_out": [...], "unavailable": {...}, "reference_objects": [FILE...], "motions": DIR}
+//   {"study": STUDY, "cpu_seconds": 0.1, "starts": 1}                                   see grader/report/study_json.h
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sodium.h>
@@ -30,6 +36,8 @@
 
 #include "grader/course/input.h"
 #include "grader/report/base64.h"
+#include "grader/report/study_json.h"
+#include "grader/study/submission_study.h"
 #include "grader/suite/end_to_end.h"
 #include "grader/suite/trial.h"
 #include "grader/suite/whole_run.h"
@@ -42,7 +50,9 @@ using nlohmann::json;
 struct Job {
   std::string exercise, seed;
   grader::WorkerSetup worker;
-  grader::AvailableExercises exercises;  // for runs
+  grader::AvailableExercises exercises;  // for runs and studies
+  std::vector<std::filesystem::path> reference_objects;
+  std::filesystem::path motions;
   std::optional<std::filesystem::path> pictures;
 
   struct WholeRun {
@@ -73,7 +83,13 @@ Job read_job(std::istream& in) {
       job.whole_run = {run.at("scene").get<std::string>(), run.at("seed"), run.at("exercises"),
                        run.at("cpu_seconds")};
     }
-    if (job.exercise == "runs") {
+    if (job.exercise == "study") {
+      job.worker.exercise = "runs";
+      for (const std::string object : document.at("reference_objects"))
+        job.reference_objects.push_back(object);
+      job.motions = document.at("motions").get<std::string>();
+    }
+    if (job.worker.exercise == "runs") {
       document.at("left_out").get_to(job.exercises.left_out);
       document.at("unavailable").get_to(job.exercises.unavailable);
     }
@@ -185,6 +201,21 @@ json run_scenes(const Job& job, grader::Student& student) {
   return {{"runs", runs}};
 }
 
+json study(const Job& job, grader::Student& student) {
+  grader::WorkerSetup setup = job.worker;
+  setup.objects = job.reference_objects;
+  grader::Student reference(setup);
+  return {{"study", json::parse(grader::study_json(
+                        grader::study_submission(student, reference, job.exercises, job.motions)))}};
+}
+
+// What a job's result holds beside the worker's CPU time; null if a category has none.
+json run(const Job& job, grader::Student& student) {
+  if (job.exercise == "runs") return run_scenes(job, student);
+  if (job.exercise == "study") return study(job, student);
+  return run_categories(job, student);
+}
+
 }  // namespace
 
 int main(int argc, char* argv[]) {
@@ -197,7 +228,7 @@ int main(int argc, char* argv[]) {
   try {
     const Job job = read_job(std::cin);
     grader::Student student(job.worker);
-    json result = job.exercise == "runs" ? run_scenes(job, student) : run_categories(job, student);
+    json result = run(job, student);
     student.finish();
     const bool whole = !result.is_null();
     result["cpu_seconds"] = student.cpu_seconds();

@@ -3,9 +3,9 @@
 
 namespace grader {
 
-Played play_elsewhere(Trial& trial, const std::string& text, const hair::Scene& scene) {
+Played play_elsewhere(Trial& trial, const std::string& text, const hair::Scene& scene, int times) {
   MessageWriter request;
-  request.put(text);
+  request.put(text).put(times);
   MessageReader reply = trial.ask(request, [](int, const auto&, auto&) -> bool {
     throw MalformedMessage("a product that nobody asked for");
   });
@@ -16,6 +16,10 @@ Played play_elsewhere(Trial& trial, const std::string& text, const hair::Scene& 
   for (const hair::Toy& toy : scene.toys) size += static_cast<std::size_t>(toy.start.x.size());
   Played played;
   played.trouble = reply.get_text();
+  for (std::int64_t* steps : {&played.solver_steps, &played.correction_steps}) {
+    *steps = reply.get<std::int64_t>();
+    if (*steps < 0) throw MalformedMessage("less than no steps");
+  }
   const auto frames = reply.get<std::uint64_t>();
   if (frames > static_cast<std::uint64_t>(scene.frames) + 1) throw MalformedMessage("too many frames");
   for (std::uint64_t i = 0; i < frames; ++i) {

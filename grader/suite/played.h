@@ -1,6 +1,7 @@
 // STAFF ONLY. What a worker's server of scenes answers: see grader/worker/serve_runs.cpp.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,10 +15,14 @@ namespace grader {
 struct Played {
   std::vector<particles::State> frames;  // the first is the start; at most those of the scene
   std::string trouble;                   // empty, or where it broke
+
+  // What it says that it took, none of it negative.
+  std::int64_t solver_steps = 0;      // of ConjGrad
+  std::int64_t correction_steps = 0;  // of the length correction
 };
 
-// Has the student's worker play a scene: it gets the text, of which we made `scene`. Throws CaseFailed, or
-// MalformedMessage if the answer has another form.
-Played play_elsewhere(Trial& trial, const std::string& text, const hair::Scene& scene);
+// Has the student's worker play a scene, `times` times: it gets the text, of which we made `scene`. Throws CaseFailed,
+// or MalformedMessage if the answer has another form.
+Played play_elsewhere(Trial& trial, const std::string& text, const hair::Scene& scene, int times = 1);
 
 }  // namespace grader

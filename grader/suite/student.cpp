@@ -187,6 +187,11 @@ Answer Student::ended(const std::string& during) {
   return answer;
 }
 
+std::optional<double> Student::worker_cpu_seconds() const {
+  if (!worker_) return {};
+  return worker_->process.activity().cpu_seconds;
+}
+
 void Student::finish() {
   if (!worker_) return;
   cpu_seconds_ += worker_->process.activity().cpu_seconds;

@@ -59,6 +59,10 @@ class Student {
 
   // Of the workers that `finish` ended; what one used that died by itself is not known.
   double cpu_seconds() const { return cpu_seconds_; }
+
+  // What the worker that there is now has used so far, all its threads together, by the kernel's clock: nothing that
+  // runs in it can turn that back. Nothing if there is none.
+  std::optional<double> worker_cpu_seconds() const;
   int starts() const { return starts_; }
   const std::optional<Answer>& gave_up() const { return gave_up_; }  // the last answer, for good
   void finish();

@@ -41,6 +41,7 @@ void keep_other_exercises(SubmissionResult& result, const std::optional<Submissi
   std::sort(result.exercises.begin(), result.exercises.end(),
             [&](const ExerciseResult& a, const ExerciseResult& b) { return place(a) < place(b); });
   result.runs = earlier->runs;
+  result.studied = earlier->studied;
 }
 
 }  // namespace
@@ -69,7 +70,8 @@ Batch grade_batch(const Grading& grading, const std::vector<Submission>& submiss
     const bool selected = !settings.only || *settings.only == submission.name;
     if (!selected || settings.resume) {
       std::optional<SubmissionResult> earlier = read_results(settings.out, submission.name);
-      if (earlier && (!selected || earlier->fingerprint == grading.fingerprint(submission))) {
+      const bool complete = earlier && (earlier->studied || !grading.reference_study());
+      if (earlier && (!selected || (complete && earlier->fingerprint == grading.fingerprint(submission)))) {
         const std::lock_guard lock(shared);
         batch.results.push_back(std::move(*earlier));
         ++batch.kept;
@@ -83,6 +85,12 @@ Batch grade_batch(const Grading& grading, const std::vector<Submission>& submiss
     if (interrupted) return;
     if (settings.merge)
       keep_other_exercises(graded.result, read_results(settings.out, submission.name), grading.course());
+    if (graded.study) {
+      graded.result.studied = true;
+      write_study(settings.out, graded.result, *graded.study, *grading.reference_study());
+    } else if (!graded.result.studied) {
+      remove_study(settings.out, graded.result);
+    }
     write_submission_reports(settings.out, graded.result);
     const std::lock_guard lock(shared);
     batch.results.push_back(std::move(graded.result));

@@ -56,7 +56,10 @@ int cpu_limit(double reference) {
   return std::max(kLeastCpuSeconds, static_cast<int>(std::ceil(kTimesReference * reference)));
 }
 
-constexpr const char* kRuns = "runs";  // all exercises end to end, for the suite and in the timing
+// For the suite and in the timing: all exercises end to end, and the same with more steps and fewer.
+constexpr const char* kRuns = "runs";
+constexpr const char* kStudy = "study";
+constexpr int kStudySeconds = 20;  // of CPU time, for one submission's worker
 
 // Why an exercise of a submission is not called in scenes that run end to end; nothing if it is.
 std::string why_not_called(Status status) {
@@ -165,7 +168,7 @@ Graded Grading::grade(const Submission& submission) const {
   }
   if (!settings_.exercise) {
     try {
-      run_end_to_end(job, graded.result, graded.timing[kRuns]);
+      run_end_to_end(job, graded);
     } catch (const std::exception& problem) {
       graded.result.fingerprint.clear();
       graded.problems.push_back(submission.name + ": end to end: " + problem.what());
@@ -272,7 +275,7 @@ void Grading::run_cases(const Exercise& exercise, const std::string& student, co
 
 // One worker for all of a submission's objects. The reference's stand in for exercises that are given, and stubs
 // for those that can't be called: scenes that need these are not run.
-void Grading::run_end_to_end(const fs::path& job, SubmissionResult& result, ExerciseTiming& timing) const {
+SuiteJob Grading::end_to_end_job(const fs::path& job, const SubmissionResult& result) const {
   SuiteJob suite = suite_job(kRuns, kit_.new_job(job.filename() / kRuns));
   for (const Exercise& exercise : settings_.course.exercises) {
     const std::string file = exercise.id + ".so";
@@ -291,7 +294,28 @@ void Grading::run_end_to_end(const fs::path& job, SubmissionResult& result, Exer
     suite.objects.push_back(object);
   }
   if (pictures_) suite.pictures = *pictures_ / kRuns;
-  result.runs = timed(suite, timing).runs;
+  return suite;
+}
+
+void Grading::run_end_to_end(const fs::path& job, Graded& graded) const {
+  const SuiteJob runs = end_to_end_job(job, graded.result);
+  graded.result.runs = timed(runs, graded.timing[kRuns]).runs;
+  if (!settings_.study) return;
+  try {
+    graded.study = study(runs, graded.timing[kStudy]);
+  } catch (const std::exception& problem) {  // the grade stands
+    graded.problems.push_back(graded.result.name + ": study: " + problem.what());
+  }
+}
+
+// Scenes as they run end to end, in two workers of which one has nothing but the reference's objects.
+SubmissionStudy Grading::study(SuiteJob runs, ExerciseTiming& timing) const {
+  runs.exercise = kStudy;
+  runs.cpu_seconds = kStudySeconds;
+  runs.motions = settings_.cache / "motions" / sha256_of(settings_.suite);
+  for (const Exercise& exercise : settings_.course.exercises)
+    runs.reference_objects.push_back(kit_.folder() / "lib" / (exercise.id + ".so"));
+  return timed(runs, timing).study.value();
 }
 
 // Every batch begins with the reference in a worker like the students': it must pass, and its CPU time sets
@@ -318,6 +342,7 @@ void Grading::measure_reference() {
       if (run.outcome != RunOutcome::same)
         throw std::runtime_error("the reference does not run as it should end to end, in \"" + run.name +
                                  "\": " + run.feedback + "; " + run.detail);
+    if (settings_.study) reference_study_ = study(suite, measured[kStudy]);
   }
   reference_ = std::move(measured);
 }

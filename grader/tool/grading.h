@@ -24,6 +24,7 @@ struct GradingSettings {
   std::string secret;
   bool isolated = true;
   bool images = true;  // draw whole runs
+  bool study = false;  // error against time, beside the reference: shown, and not scored
 };
 
 // What an exercise cost; the only part of a result that differs from run to run.
@@ -38,8 +39,9 @@ struct ExerciseTiming {
 
 struct Graded {
   SubmissionResult result;
-  std::map<std::string, ExerciseTiming> timing;  // by exercise, and of "runs"
-  std::vector<std::string> problems;             // ours: what kept us from grading, a line each
+  std::map<std::string, ExerciseTiming> timing;  // by exercise, and of "runs" and "study"
+  std::optional<SubmissionStudy> study;
+  std::vector<std::string> problems;  // ours: what kept us from grading, a line each
 };
 
 class Grading {
@@ -59,13 +61,17 @@ class Grading {
   // The reference in an identical worker.
   const std::map<std::string, ExerciseTiming>& reference_timing() const { return reference_; }
 
+  // The reference beside itself: what is not 1 in its ratios is noise. Nothing without studies.
+  const std::optional<SubmissionStudy>& reference_study() const { return reference_study_; }
+
  private:
   void grade_exercise(const Exercise& exercise, const Submission& submission,
                       const std::filesystem::path& job, ExerciseResult& result, ExerciseTiming& timing) const;
   void run_cases(const Exercise& exercise, const std::string& student, const std::filesystem::path& object,
                  const std::filesystem::path& job, ExerciseResult& result, ExerciseTiming& timing) const;
-  void run_end_to_end(const std::filesystem::path& job, SubmissionResult& result,
-                      ExerciseTiming& timing) const;
+  SuiteJob end_to_end_job(const std::filesystem::path& job, const SubmissionResult& result) const;
+  void run_end_to_end(const std::filesystem::path& job, Graded& graded) const;
+  SubmissionStudy study(SuiteJob runs, ExerciseTiming& timing) const;
   std::optional<SuiteJob::WholeRun> whole_run(const std::string& exercise) const;
   SuiteJob suite_job(const std::string& exercise, const std::filesystem::path& job) const;
   SuiteResult timed(const SuiteJob& job, ExerciseTiming& timing) const;
@@ -78,6 +84,7 @@ class Grading {
   std::string base_fingerprint_;
   std::optional<std::filesystem::path> pictures_;  // where the reference's are kept, if any are drawn
   std::map<std::string, ExerciseTiming> reference_;
+  std::optional<SubmissionStudy> reference_study_;
 };
 
 // An exercise's status from those of its cases.

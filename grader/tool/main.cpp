@@ -36,7 +36,7 @@ struct GradeOptions {
   std::vector<fs::path> submissions;
   std::optional<fs::path> course, secret, cache;
   std::optional<std::string> exercise;
-  bool unsafe = false, no_images = false;
+  bool unsafe = false, no_images = false, study = false;
   BatchSettings batch;
 };
 
@@ -79,12 +79,15 @@ int grade(const GradeOptions& options) {
       throw BadInput("--exercise " + *options.exercise + ": the course does not ask for it; it asks for " +
                      asked_for(settings.course));
   }
+  if (options.study && options.exercise)
+    throw BadInput("--study: it needs all exercises; leave out --exercise " + *options.exercise);
   settings.exercise = options.exercise;
   settings.kit = HAIR_KIT_DIR;
   settings.suite = HAIR_SUITE;
   settings.scenes = HAIR_HIDDEN_SCENES;
   settings.isolated = !options.unsafe;
   settings.images = !options.no_images;
+  settings.study = options.study;
   const std::vector<Submission> submissions = read_submissions(options.submissions, settings.course);
   settings.cache = options.cache ? *options.cache : default_cache();
   settings.secret = read_secret(options.secret);
@@ -153,6 +156,10 @@ int main(int argc, char* argv[]) {
   grade_command->add_flag("--no-images", grading.no_images,
                           "Draw nothing, where there is no OpenGL: the pictures' points go to the other "
                           "categories, and every report says so");
+  grade_command->add_flag(
+      "--study", grading.study,
+      "Show error against run time beside the reference's, in study.html; gives no points and "
+      "takes none, but some seconds of CPU time for each submission");
 
   HandoutOptions handing_out;
   CLI::App* handout_command = app.add_subcommand("handout", "Make the archive that students get");

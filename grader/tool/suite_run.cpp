@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "grader/report/base64.h"
+#include "grader/report/study_json.h"
 #include "grader/sandbox/descriptor.h"
 
 extern char** environ;
@@ -42,7 +43,11 @@ json to_json(const SuiteJob& job) {
                         {"seed", job.whole_run->seed},
                         {"exercises", job.whole_run->exercises},
                         {"cpu_seconds", job.whole_run->cpu_seconds}};
-  if (job.exercise == "runs") {
+  if (job.exercise == "study") {
+    all["reference_objects"] = texts(job.reference_objects);
+    all["motions"] = job.motions.string();
+  }
+  if (job.exercise == "runs" || job.exercise == "study") {
     all["left_out"] = job.left_out;
     all["unavailable"] = job.unavailable;
   }
@@ -103,6 +108,7 @@ SuiteResult run_suite(const std::filesystem::path& suite, const SuiteJob& job) {
   for (const json& one : found.value("runs", json::array()))
     result.runs.push_back({one.at("name"), one.at("shows"), run_outcome_from_string(one.at("outcome")),
                            one.at("feedback"), one.at("detail"), pictures_from(one.at("pictures"))});
+  if (found.contains("study")) result.study = study_from_json(found.at("study").dump());
   return result;
 }
 

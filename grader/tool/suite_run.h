@@ -9,11 +9,12 @@
 #include <vector>
 
 #include "grader/report/result.h"
+#include "grader/report/study_result.h"
 
 namespace grader {
 
 struct SuiteJob {
-  std::string exercise;  // or "runs"
+  std::string exercise;  // or "runs", or "study"
   std::string seed;
   std::filesystem::path kit;
   std::vector<std::filesystem::path> objects;  // in the order in which they are loaded
@@ -32,14 +33,19 @@ struct SuiteJob {
   };
   std::optional<WholeRun> whole_run = {};
 
-  // Of "runs" alone, see grader/suite/end_to_end.h.
+  // Of "runs" and "study" alone, see grader/suite/end_to_end.h.
   std::vector<std::string> left_out = {};
   std::map<std::string, std::string> unavailable = {};
+
+  // Of "study" alone, see grader/study/submission_study.h.
+  std::vector<std::filesystem::path> reference_objects = {};
+  std::filesystem::path motions = {};  // where what is true of scenes is kept
 };
 
 struct SuiteResult {
-  std::vector<RunResult> runs;    // of "runs"
-  std::vector<CaseResult> cases;  // points are weights, not yet scaled to the exercise's points
+  std::vector<RunResult> runs;           // of "runs"
+  std::optional<SubmissionStudy> study;  // of "study"
+  std::vector<CaseResult> cases;         // points are weights, not yet scaled to the exercise's points
   std::vector<PictureResult> pictures;
   double cpu_seconds = 0;          // of the worker
   double run_cpu_seconds = 0;      // of the worker that played the whole run

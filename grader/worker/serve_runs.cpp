@@ -1,29 +1,46 @@
-// STAFF ONLY. Plays a scene with all of a submission's files together.
+// STAFF ONLY. Plays a scene with all of a submission's files together, as often as asked, each time from its beginning.
 //
-//   JSON -> trouble, number of frames; of each: time, x, v
+//   JSON, times -> trouble, work, number of frames; of each: time, x, v    (all of the last time)
 #include <vector>
 
 #include "grader/worker/session.h"
 #include "hair/scene/playback.h"
 
-extern "C" __attribute__((visibility("default"))) void serve(grader::Session& session) {
-  const hair::Scene scene = hair::parse_scene(session.request.get_document(), "scene");
+namespace {
+
+struct Frame {
+  double time;
+  particles::State state;
+};
+
+// Until it ends or breaks.
+std::string play(const hair::Scene& scene, std::vector<Frame>& frames, hair::Work& work) {
   hair::Playback playback(scene);
-  struct Frame {
-    double time;
-    particles::State state;
-  };
-  std::vector<Frame> frames{{0, playback.state()}};
+  frames.assign(1, {0, playback.state()});
   std::string trouble;
   for (int k = 0; k < scene.frames && trouble.empty(); ++k) {
     trouble = playback.advance().value_or("");
     if (trouble.empty()) frames.push_back({playback.time(), playback.state()});
   }
+  work = playback.work();
+  return trouble;
+}
+
+}  // namespace
+
+extern "C" __attribute__((visibility("default"))) void serve(grader::Session& session) {
+  const hair::Scene scene = hair::parse_scene(session.request.get_document(), "scene");
+  const int times = session.request.get<int>();
+  std::vector<Frame> frames;
+  hair::Work work;
+  std::string trouble;
+  for (int i = 0; i < times; ++i) trouble = play(scene, frames, work);
 
   const auto span = [](const Eigen::VectorXd& values) {
     return std::span<const double>(values.data(), static_cast<std::size_t>(values.size()));
   };
-  session.reply.put(trouble).put(static_cast<std::uint64_t>(frames.size()));
+  session.reply.put(trouble).put<std::int64_t>(work.solver_steps).put<std::int64_t>(work.correction_steps);
+  session.reply.put(static_cast<std::uint64_t>(frames.size()));
   for (const Frame& frame : frames)
     session.reply.put(frame.time).put(span(frame.state.x)).put(span(frame.state.v));
 }

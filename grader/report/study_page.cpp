@@ -1,0 +1,201 @@
+// STAFF ONLY.
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+#include "grader/report/pages.h"
+#include "hair/plot/figure.h"
+#include "hair/plot/page.h"
+
+namespace grader {
+namespace {
+
+using hair::to_text;
+
+std::string rounded(double value) {
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
+}
+
+// "1/240 s"
+std::string step_text(const PartStudy& part, int steps) {
+  return "1/" + rounded(1 / step_of(part, steps)) + " s";
+}
+
+const StudyPoint* with_steps(const StudyCurve& curve, int steps) {
+  for (const StudyPoint& point : curve.points)
+    if (point.steps == steps) return &point;
+  return nullptr;
+}
+
+hair::Series series_of(const PartStudy& part, const StudyCurve& curve, const std::string& name) {
+  hair::Series series{name, {}};
+  for (const StudyPoint& point : curve.points) {
+    const bool failed = point.end != StudyEnd::finished;
+    // Where it has no time of its own, it stands where the other one took as many steps.
+    std::vector<double> seconds = point.seconds;
+    for (const StudyCurve* other : {&part.reference, &part.student})
+      if (const StudyPoint* same = with_steps(*other, point.steps); seconds.empty() && same != nullptr)
+        seconds = same->seconds;
+    if (seconds.empty()) continue;
+    std::string note = "h = " + step_text(part, point.steps);
+    if (point.steps == part.own_steps) note += ", the scene's own";
+    if (failed) note += ": " + to_string(point.end) + ", " + point.note;
+    series.points.push_back({1e3 * median(seconds), std::max(point.error, part.least_error), note, failed});
+  }
+  return series;
+}
+
+Html figure_of(const PartStudy& part, const std::string& id) {
+  hair::Figure figure;
+  figure.id = id;
+  figure.title = part.name;
+  figure.description =
+      "Error against CPU time, one point for each step size, of your code and of ours. What is further to "
+      "the "
+      "left and further down is better.";
+  figure.x.title = "CPU time of one run, ms";
+  figure.y.title = "error, m";
+  figure.series = {series_of(part, part.student, "yours"), series_of(part, part.reference, "ours")};
+  std::erase_if(figure.series, [](const hair::Series& series) { return series.points.empty(); });
+  if (figure.series.empty()) return {};
+  figure.guides = {{-static_cast<double>(part.order), "order " + std::to_string(part.order)}};
+  return html(
+      "<figure style=\"background:#fff;border-radius:.375rem;padding:.5rem;margin:.75rem 0\">{}</figure>\n",
+      {Html{to_svg(figure)}});
+}
+
+std::string stability(const PartStudy& part, const StudyCurve& curve) {
+  if (curve.points.empty()) return "not known";
+  if (curve.stable_steps == 0) return "none";
+  return std::string(curve.stable_everywhere ? "all that were tried, up to " : "up to ") +
+         "h = " + step_text(part, curve.stable_steps);
+}
+
+std::string ratio_text(const PartStudy::Ratio& ratio) {
+  return rounded(ratio.median) + " (" + rounded(ratio.least) + " to " + rounded(ratio.most) + ")";
+}
+
+Html cell(const StudyPoint* point, const std::string& text) {
+  return html("<td class=\"number\">{}</td>", {point == nullptr ? "" : text});
+}
+
+Html error_cell(const StudyPoint* point) {
+  if (point == nullptr) return html("<td class=\"number quiet\">not run</td>");
+  if (point->end != StudyEnd::finished)
+    return html("<td class=\"number\" title=\"{}\">{}</td>", {point->note, to_string(point->end)});
+  return cell(point, to_text(point->error));
+}
+
+Html time_cell(const StudyPoint* point) {
+  return cell(point, point == nullptr || point->seconds.empty() ? "" : rounded(1e3 * median(point->seconds)));
+}
+
+Html table_of(const PartStudy& part) {
+  std::vector<int> all;
+  for (const StudyCurve* curve : {&part.student, &part.reference})
+    for (const StudyPoint& point : curve->points) all.push_back(point.steps);
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  Html table = html(R"(<details><summary>Numbers of {}</summary>
+<div class="wide"><table>
+<thead><tr><th scope="col" class="number">Steps</th><th scope="col" class="number">h</th><th scope="col" class="number">Your error, m</th><th scope="col" class="number">Ours, m</th><th scope="col" class="number">Your time, ms</th><th scope="col" class="number">Ours, ms</th><th scope="col" class="number">Your solver steps</th><th scope="col" class="number">Ours</th></tr></thead>
+<tbody>
+)",
+                    {part.name});
+  for (const int steps : all) {
+    const StudyPoint *one = with_steps(part.student, steps), *two = with_steps(part.reference, steps);
+    table +=
+        html("<tr><th scope=\"row\" class=\"number\">{}</th><td class=\"number\">{}</td>{}{}{}{}{}{}</tr>\n",
+             {std::to_string(steps) + (steps == part.own_steps ? " (the scene)" : ""), step_text(part, steps),
+              error_cell(one), error_cell(two), time_cell(one), time_cell(two),
+              cell(one, one == nullptr ? "" : std::to_string(one->solver_steps)),
+              cell(two, two == nullptr ? "" : std::to_string(two->solver_steps))});
+  }
+  return table += html("</tbody>\n</table></div></details>\n");
+}
+
+Html part_of(const PartStudy& part, const std::string& id) {
+  Html all = html("<h3>{}</h3>\n", {part.name});
+  if (!part.note.empty()) all += html("<p class=\"note\">{}</p>\n", {part.note});
+  all += html(
+      "<p>{}</p>\n",
+      {part.ratio ? "For the same error your code takes " + ratio_text(*part.ratio) + " times our time."
+                  : std::string("There is no error that both reach, so their times can't be compared.")});
+  all += html("<p>Stable: {} (ours: {}).</p>\n",
+              {stability(part, part.student), stability(part, part.reference)});
+  all += figure_of(part, id);
+  all += table_of(part);
+  return all += html("<p class=\"quiet\">Errors are against {}; what is below {} m says nothing.</p>\n",
+                     {part.truth, to_text(part.least_error)});
+}
+
+// How far the reference's ratios to itself are from 1: what no ratio here can be better than.
+Html noise_of(const SubmissionStudy& beside_itself) {
+  std::vector<double> medians;
+  for (const SceneStudy& scene : beside_itself.scenes)
+    for (const PartStudy& part : scene.parts)
+      if (part.ratio) medians.push_back(part.ratio->median);
+  if (medians.empty()) return {};
+  const auto [least, most] = std::minmax_element(medians.begin(), medians.end());
+  return html(
+      "<p>Our code beside itself, measured like this before the batch, gave {} to {}: what is nearer to 1 "
+      "than that is noise.</p>\n",
+      {rounded(*least), rounded(*most)});
+}
+
+Html summary_of(const SubmissionStudy& study) {
+  Html table = html(R"(<div class="wide"><table>
+<thead><tr><th scope="col">Motion</th><th scope="col" class="number">Your time for the same error, ours is 1</th><th scope="col">Your steps are stable</th><th scope="col">Ours</th></tr></thead>
+<tbody>
+)");
+  for (const SceneStudy& scene : study.scenes) {
+    if (!scene.left_out.empty())
+      table += html("<tr><th scope=\"row\">{}</th><td colspan=\"3\">Left out: {}</td></tr>\n",
+                    {scene.name, scene.left_out});
+    for (const PartStudy& part : scene.parts)
+      table +=
+          html("<tr><th scope=\"row\">{}</th><td class=\"number\">{}</td><td>{}</td><td>{}</td></tr>\n",
+               {part.name, part.ratio ? ratio_text(*part.ratio) : std::string("no error that both reach"),
+                stability(part, part.student), stability(part, part.reference)});
+  }
+  return table += html("</tbody>\n</table></div>\n");
+}
+
+}  // namespace
+
+std::string study_page(const SubmissionResult& result, const SubmissionStudy& study,
+                       const SubmissionStudy& beside_itself) {
+  Html body = stamps(result.isolated, true);
+  body += html(
+      "<header>\n<h1>Error against run time: {}</h1>\n<p class=\"quiet\"><a href=\"report.html\">The "
+      "report</a> &middot; "
+      "<a href=\"study.json\">study.json</a></p>\n</header>\n<main>\n"
+      "<p>The scenes that run end to end, with more steps and with fewer, by your code and by ours. This is "
+      "to look "
+      "at: it gives no points and takes none. Another run gives other times.</p>\n"
+      "<p>Error: the root mean square of the particles&#39; distances from where they should be, over the "
+      "whole motion. "
+      "Time: CPU time of a whole run, the median of five rounds in which your code and ours took turns, each "
+      "in a worker "
+      "of its own. Ratios are medians of these rounds, with the least and the largest. Steps are stable "
+      "if no particle is ever further from where it should be than the motion is large, with these and with "
+      "all shorter "
+      "ones.</p>\n",
+      {result.name});
+  body += noise_of(beside_itself);
+  body += summary_of(study);
+  for (std::size_t i = 0; i < study.scenes.size(); ++i) {
+    const SceneStudy& scene = study.scenes[i];
+    if (scene.parts.empty()) continue;
+    body += html("<section id=\"{}\">\n<h2>{}</h2>\n", {scene.name, scene.shows});
+    for (std::size_t k = 0; k < scene.parts.size(); ++k)
+      body += part_of(scene.parts[k], "plot-" + std::to_string(i + 1) + "-" + std::to_string(k + 1));
+    body += html("</section>\n");
+  }
+  body += html("</main>\n");
+  return html_page("Error against run time: " + result.name, body);
+}
+
+}  // namespace grader
