@@ -167,10 +167,9 @@ class PartStudied {
   }
 
   static bool measured(const Side& side) {
-    return std::any_of(side.runs.begin(), side.runs.end(),
-                       [](const Side::Run& run) {
-                         return run.point.end == StudyEnd::finished && !run.point.seconds.empty();
-                       });
+    return std::any_of(side.runs.begin(), side.runs.end(), [](const Side::Run& run) {
+      return run.point.end == StudyEnd::finished && !run.point.seconds.empty();
+    });
   }
 
   // Of code that had no time left for more, what the first plays took is all that is known.
