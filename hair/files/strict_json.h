@@ -33,6 +33,7 @@ class JsonValue {
                   std::initializer_list<std::string_view> optional = {}) const;
   bool has(const std::string& key) const { return value_->contains(key); }
   JsonValue operator[](const std::string& key) const;  // of an object, a key that it has
+  bool is_null() const { return value_->is_null(); }
 
   std::vector<std::string> keys() const;   // of an object
   std::vector<JsonValue> items() const;    // of an array

@@ -1,0 +1,183 @@
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+
+#include "hair/files/bad_input.h"
+#include "hair/files/printable.h"
+#include "hair/lab/commands/command.h"
+#include "hair/lab/interruption.h"
+#include "hair/lab/output_file.h"
+#include "hair/lab/output_folder.h"
+#include "hair/lab/shipped_scenes.h"
+#include "hair/lab/stub.h"
+#include "hair/study/study_page.h"
+#include "hair/study/study_record.h"
+#include "hair/study/sweep.h"
+
+namespace hair {
+
+namespace {
+
+// What a run may take at most: evaluations and iterations times particles. A second or so, and a fifth of that.
+constexpr double kMostWork = 1e7, kMostQuickWork = 1e6;
+
+struct Options {
+  std::string scene;
+  std::filesystem::path out, cache;
+  bool quick = false, resume = false, no_cache = false;
+  int strand = 0;
+  std::optional<double> duration;
+  std::vector<std::string> methods;
+};
+
+const OutputKind& study_output() {
+  static const OutputKind kind{"study.json", kStudyRecordBegin, {"study.csv", "index.html"}};
+  return kind;
+}
+
+std::optional<std::filesystem::path> cache_folder(const Options& options) {
+  if (options.no_cache) return {};
+  if (!options.cache.empty()) return options.cache;
+  const auto variable = [](const char* name) {
+    const char* value = std::getenv(name);
+    return std::filesystem::path(value ? value : "");
+  };
+  if (const auto folder = variable("XDG_CACHE_HOME"); folder.is_absolute()) return folder / "hairlab";
+  if (const auto home = variable("HOME"); home.is_absolute()) return home / ".cache" / "hairlab";
+  return {};
+}
+
+ProblemSettings problem_settings(const Scene& scene, const Options& options) {
+  ProblemSettings settings{options.strand, options.duration, {}};
+  const std::vector<StrandStart>& strands = scene.hair.strands;
+  if (!options.quick || options.strand < 0 || options.strand >= static_cast<int>(strands.size()))
+    return settings;
+  const StrandStart& start = strands[options.strand];
+  // One that rests curved can't be divided anew.
+  if (start.rest_curvature.size() == 0 && start.strand.segments() > kQuickSegments)
+    settings.segments = kQuickSegments;
+  return settings;
+}
+
+std::vector<StudyMethod> chosen_methods(const Problem& problem, const std::vector<std::string>& ids) {
+  std::vector<StudyMethod> methods = methods_for(problem);
+  std::string known;
+  for (const StudyMethod& method : methods) known += (known.empty() ? "" : ", ") + method.id;
+  for (const std::string& id : ids)
+    if (std::none_of(methods.begin(), methods.end(), [&](const StudyMethod& one) { return one.id == id; }))
+      throw BadInput("--methods: there is no " + printable(id) + " for this scene; there are " + known);
+  if (!ids.empty())
+    std::erase_if(methods, [&](const StudyMethod& one) {
+      return std::find(ids.begin(), ids.end(), one.id) == ids.end();
+    });
+  if (methods.empty()) throw BadInput(problem.scene.name + ": this course leaves out all methods for it");
+  return methods;
+}
+
+void write_whole(const OutputFolder& folder, const std::string& name, std::string_view bytes) {
+  OutputFile file(folder.now(name), folder.then(name));
+  file.write(bytes);
+  file.close();
+}
+
+// A line that is written over and over, on a terminal alone.
+class Progress {
+ public:
+  void say(const std::string& what) const {
+    if (terminal_) std::cerr << "\r\x1b[K" << what << std::flush;
+  }
+  void clear() const { say(""); }
+
+ private:
+  bool terminal_ = isatty(STDERR_FILENO) != 0;
+};
+
+// Whether a run got anywhere.
+bool has_runs(const Study& study) {
+  return std::any_of(study.sweeps.begin(), study.sweeps.end(),
+                     [](const Sweep& sweep) { return !sweep.runs.empty(); });
+}
+
+int run(const Options& options) {
+  if (!have_accurate_motion()) {
+    std::cerr
+        << "hairlab: a study needs SUNDIALS, and this hairlab was built without it: install libsundials-dev, "
+           "then configure and build anew\n";
+    return kBroke;
+  }
+  const Scene scene = read_scene(find_scene(options.scene, HAIR_SCENES_DIR));
+  const Problem problem = make_problem(scene, problem_settings(scene, options));
+  const std::vector<StudyMethod> methods = chosen_methods(problem, options.methods);
+  OutputFolder folder(options.out, study_output());
+  const std::atomic<bool>& interrupted =
+      catch_interruption("\nhairlab: keeping what is finished; once more ends at once\n");
+  const Progress progress;
+
+  progress.say("the accurate motion");
+  const std::optional<AccurateMotion> motion =
+      accurate_motion(problem, {kTightest, cache_folder(options)}, interrupted);
+  progress.clear();
+  if (!motion) {
+    std::cerr << "hairlab: interrupted before the accurate motion was known; nothing is written\n";
+    return kInterrupted;
+  }
+
+  StudySettings settings;
+  settings.most_work = options.quick ? kMostQuickWork : kMostWork;
+  settings.progress = [&](const std::string& what) { progress.say(what); };
+  Study study = prepare_study(problem, *motion, methods, settings);
+  study.quick = options.quick;
+  study.strand = options.strand;
+  if (options.resume) read_runs(folder.then("study.json"), study);
+  const bool finished = finish_study(problem, *motion, settings, study, interrupted);
+  progress.clear();
+
+  if (!has_runs(study)) {
+    if (!finished) {
+      std::cerr << "hairlab: interrupted before a run was finished; nothing is written\n";
+      return kInterrupted;
+    }
+    std::cerr << "hairlab: " << study.scene << " needs " << missing_part(study.sweeps[0].left_out) << "\n";
+    return kNotWritten;
+  }
+  write_whole(folder, "study.csv", to_csv(table_of_runs(study)));
+  write_whole(folder, "index.html", to_html(study_page(study)));
+  write_whole(folder, "study.json", study_json(study));
+  folder.keep();
+
+  for (const Sweep& sweep : study.sweeps)
+    if (!sweep.left_out.empty())
+      std::cerr << "hairlab: " << sweep.method.name << " is left out: " << missing_part(sweep.left_out)
+                << "\n";
+  std::cout << (folder.path() / "index.html").string() << "\n";
+  if (!finished) {
+    std::cerr << "hairlab: interrupted; what is finished is kept, and --resume goes on\n";
+    return kInterrupted;
+  }
+  return 0;
+}
+
+}  // namespace
+
+Command add_study_command(CLI::App& program) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* app = program.add_subcommand("study", "Error against run time, of each method that fits a scene");
+  app->add_option("SCENE", options->scene, "A scene's file, or the name of one that comes along")->required();
+  app->add_option("--out", options->out, "The folder for index.html, study.csv and study.json")->required();
+  app->add_flag("--quick", options->quick, "10 segments, and shorter sweeps: seconds instead of a minute");
+  app->add_flag("--resume", options->resume, "Go on with the study in the folder, which was interrupted");
+  app->add_option("--strand", options->strand, "Which of the scene's strands, or toys (default: 0)")
+      ->check(CLI::Range(0, 10'000'000));
+  app->add_option("--duration", options->duration, "s (default: the scene's, but at most 0.2)")
+      ->check(CLI::Range(1e-6, 1000.0));
+  app->add_option("--methods", options->methods, "Which, with commas between (default: all that fit)")
+      ->delimiter(',');
+  CLI::Option* cache = app->add_option("--cache", options->cache, "Where accurate motions are kept");
+  app->add_flag("--no-cache", options->no_cache, "Keep none, and use none that was kept")->excludes(cache);
+  return {app, [options] { return run(*options); }};
+}
+
+}  // namespace hair

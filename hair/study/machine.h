@@ -1,0 +1,20 @@
+// What measured: times mean nothing without it.
+#pragma once
+
+#include <string>
+
+namespace hair {
+
+struct Machine {
+  std::string processor;  // "AMD EPYC 9654 96-Core Processor"
+  int cores = 0;          // that the system has
+  std::string compiler;   // "GCC 12.2.0"
+  std::string build;      // "Release, -O3 -DNDEBUG; ... -O3"
+  std::string eigen;      // "3.4.0"
+
+  bool operator==(const Machine&) const = default;
+};
+
+Machine this_machine();
+
+}  // namespace hair

@@ -1,0 +1,232 @@
+#include "hair/study/study_record.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "hair/files/bad_input.h"
+#include "hair/files/printable.h"
+#include "hair/files/strict_json.h"
+
+namespace hair {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr double kMost = 1e300;
+constexpr long kMostCount = 1L << 52;
+
+constexpr std::array<const char*, 3> kEndings = {"finished", "broke", "useless"};
+constexpr std::array<const char*, 5> kSweepEnds = {"unfinished", "below the reference's floor",
+                                                   "smaller steps make no difference",
+                                                   "the next would take too long", "not written"};
+
+// A norm that the problem has not is left out.
+template <typename Value>
+Json json_of(const Errors& errors, Value value) {
+  Json json = Json::object();
+  for (int k = 0; k < kNorms; ++k) {
+    const Norm norm = static_cast<Norm>(k);
+    if (!std::isnan(errors[norm])) json[name_of(norm).id] = value(norm);
+  }
+  return json;
+}
+
+Json json_of(const MethodRun& run, const Errors& floors) {
+  const Counts& counts = run.counts;
+  Json json = {{"steps_per_moment", run.steps_per_moment},
+               {"step", run.step},
+               {"ending", name_of(run.ending)},
+               {"trouble", run.trouble},
+               {"steps", counts.steps},
+               {"evaluations", counts.evaluations},
+               {"iterations", counts.iterations},
+               {"corrections", counts.corrections},
+               {"unconverged", counts.unconverged}};
+  if (run.ending == RunEnding::finished)
+    json["errors"] = json_of(run.errors, [&](Norm norm) {
+      return run.errors[norm] < floors[norm] ? Json(nullptr) : Json(run.errors[norm]);
+    });
+  json["time"] = run.time();
+  json["seconds"] = run.seconds;
+  return json;
+}
+
+Json json_of(const Machine& machine) {
+  return {{"processor", machine.processor},
+          {"cores", machine.cores},
+          {"compiler", machine.compiler},
+          {"build", machine.build},
+          {"eigen", machine.eigen}};
+}
+
+Errors read_errors(const JsonValue& json) {
+  Errors errors;
+  for (int k = 0; k < kNorms; ++k) {
+    const Norm norm = static_cast<Norm>(k);
+    errors[norm] = std::nan("");
+    if (!json.has(name_of(norm).id)) continue;
+    const JsonValue error = json[name_of(norm).id];
+    errors[norm] = error.is_null() ? 0 : error.number(0, kMost);
+  }
+  return errors;
+}
+
+MethodRun read_run(const JsonValue& json) {
+  json.check_keys({"steps_per_moment", "step", "ending", "trouble", "steps", "evaluations", "iterations",
+                   "corrections", "unconverged", "time", "seconds"},
+                  {"errors"});
+  MethodRun run;
+  run.steps_per_moment = static_cast<int>(json["steps_per_moment"].whole_number(1, 1 << 30));
+  run.step = json["step"].number(0, kMost);
+  run.ending = static_cast<RunEnding>(json["ending"].word({kEndings[0], kEndings[1], kEndings[2]}));
+  if (run.ending != RunEnding::finished) run.trouble = json["trouble"].text();
+  run.counts = {json["steps"].whole_number(0, kMostCount), json["evaluations"].whole_number(0, kMostCount),
+                json["iterations"].whole_number(0, kMostCount),
+                json["corrections"].whole_number(0, kMostCount),
+                json["unconverged"].whole_number(0, kMostCount)};
+  if (run.ending == RunEnding::finished) run.errors = read_errors(json["errors"]);
+  for (const JsonValue& seconds : json["seconds"].items()) run.seconds.push_back(seconds.number(0, kMost));
+  return run;
+}
+
+// All but the runs, which are written a line each.
+Json head_of(const Study& study) {
+  bool finished = true;
+  Json methods = Json::array();
+  for (const Sweep& sweep : study.sweeps) {
+    finished = finished && sweep.end != SweepEnd::unfinished;
+    methods.push_back({{"id", sweep.method.id},
+                       {"name", sweep.method.name},
+                       {"order", sweep.method.order},
+                       {"explicit", sweep.method.is_explicit},
+                       {"end", name_of(sweep.end)},
+                       {"left_out", sweep.left_out}});
+  }
+  return {{"program", "hairlab study"},
+          {"format", kStudyFormat},
+          {"finished", finished},
+          {"scene", study.scene},
+          {"shows", study.shows},
+          {"content", study.content},
+          {"quick", study.quick},
+          {"duration", study.duration},
+          {"strand", study.strand},
+          {"particles", study.particles},
+          {"size", study.size},
+          {"tolerance", study.tolerance},
+          {"most_work", study.most_work},
+          {"machine", json_of(study.machine)},
+          {"reference",
+           {{"method", study.reference},
+            {"agreement", study.agreement},
+            {"least_error", study.least_error},
+            {"inextensible", study.inextensible},
+            {"from_cache", study.from_cache},
+            {"seconds", study.reference_seconds}}},
+          {"floors", json_of(study.floors, [&](Norm norm) { return Json(study.floors[norm]); })},
+          {"methods", methods}};
+}
+
+// What must be the same, for runs to go on from: everything that the record says but the runs themselves, how long
+// the reference took, and whether it is finished.
+nlohmann::json identity(nlohmann::json same) {
+  same.erase("finished");
+  same["reference"].erase("seconds");
+  same["reference"].erase("from_cache");
+  for (nlohmann::json& method : same["methods"])
+    for (const char* key : {"end", "left_out", "runs"}) method.erase(key);
+  return same;
+}
+
+// The first key whose values differ.
+std::string difference(const nlohmann::json& before, const nlohmann::json& now) {
+  for (const auto& [key, value] : now.items())
+    if (!before.contains(key) || before[key] != value) {
+      const auto shown = [&](const nlohmann::json& json) {
+        return json.contains(key) ? printable(json[key].dump(), 120) : std::string("nothing");
+      };
+      return "its \"" + key + "\" is " + shown(before) + ", not " + shown(now);
+    }
+  return "it is of another form";
+}
+
+}  // namespace
+
+const char* name_of(RunEnding ending) {
+  return kEndings[static_cast<int>(ending)];
+}
+
+const char* name_of(SweepEnd end) {
+  return kSweepEnds[static_cast<int>(end)];
+}
+
+std::string study_json(const Study& study) {
+  const Json head = head_of(study);
+  std::string text = "{\n";
+  for (const auto& [key, value] : head.items())
+    if (key != "methods") text += "  " + Json(key).dump() + ": " + value.dump() + ",\n";
+  text += "  \"methods\": [";
+  for (std::size_t i = 0; i < study.sweeps.size(); ++i) {
+    const std::string about = head["methods"][i].dump();
+    text += (i == 0 ? "\n    " : ",\n    ") + about.substr(0, about.size() - 1) + ", \"runs\": [";
+    const std::vector<MethodRun>& runs = study.sweeps[i].runs;
+    for (std::size_t k = 0; k < runs.size(); ++k)
+      text += (k == 0 ? "\n      " : ",\n      ") + json_of(runs[k], study.floors).dump();
+    text += "]}";
+  }
+  return text + "\n  ]\n}\n";
+}
+
+void read_runs(const std::filesystem::path& file, Study& study) {
+  const nlohmann::json record = read_json(file);
+  const std::string name = printable(file.string(), 4096);
+  if (!record.is_object() || !record.contains("program") || record["program"] != "hairlab study" ||
+      !record.contains("methods") || !record["methods"].is_array() || !record.contains("reference") ||
+      !record["reference"].is_object())
+    throw BadInput(name + ": is not from hairlab study; give the --out of an earlier study");
+  const nlohmann::json now = identity(head_of(study)), before = identity(record);
+  if (before != now)
+    throw BadInput(name + ": is another study, and can't be resumed: " + difference(before, now) +
+                   "; give another --out, or leave out --resume to replace it");
+  const std::vector<JsonValue> methods = JsonValue(record, file)["methods"].items();
+  for (std::size_t i = 0; i < methods.size(); ++i)
+    for (const JsonValue& run : methods[i]["runs"].items()) study.sweeps[i].runs.push_back(read_run(run));
+}
+
+Table table_of_runs(const Study& study) {
+  Table table;
+  table.caption = "All runs";
+  table.header = {"method",      "steps_per_moment", "step_s",      "ending",      "trouble", "steps",
+                  "evaluations", "iterations",       "corrections", "unconverged", "cpu_s",   "repeats"};
+  for (int k = 0; k < kNorms; ++k) table.header.emplace_back(name_of(static_cast<Norm>(k)).id);
+  for (const Sweep& sweep : study.sweeps)
+    for (const MethodRun& run : sweep.runs) {
+      const Counts& counts = run.counts;
+      std::vector<std::string> row = {sweep.method.id,
+                                      std::to_string(run.steps_per_moment),
+                                      to_exact_text(run.step),
+                                      name_of(run.ending),
+                                      run.trouble,
+                                      std::to_string(counts.steps),
+                                      std::to_string(counts.evaluations),
+                                      std::to_string(counts.iterations),
+                                      std::to_string(counts.corrections),
+                                      std::to_string(counts.unconverged),
+                                      to_exact_text(run.time()),
+                                      std::to_string(run.seconds.size())};
+      for (int k = 0; k < kNorms; ++k) {
+        const Norm norm = static_cast<Norm>(k);
+        const double error = run.errors[norm];
+        row.push_back(run.ending != RunEnding::finished || std::isnan(error) ? ""
+                      : error < study.floors[norm] ? "below " + to_exact_text(study.floors[norm])
+                                                   : to_exact_text(error));
+      }
+      table.rows.push_back(std::move(row));
+    }
+  return table;
+}
+
+}  // namespace hair
