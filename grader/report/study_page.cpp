@@ -29,20 +29,25 @@ const StudyPoint* with_steps(const StudyCurve& curve, int steps) {
   return nullptr;
 }
 
+// Where a run stands that has no time of its own: what as many steps take of those that have one, the reference's first.
+double expected_seconds(const PartStudy& part, int steps) {
+  for (const StudyCurve* curve : {&part.reference, &part.student})
+    for (const StudyPoint& point : curve->points)
+      if (point.steps >= steps && !point.seconds.empty()) return median(point.seconds) * steps / point.steps;
+  return 0;
+}
+
 hair::Series series_of(const PartStudy& part, const StudyCurve& curve, const std::string& name) {
   hair::Series series{name, {}};
   for (const StudyPoint& point : curve.points) {
     const bool failed = point.end != StudyEnd::finished;
-    // Where it has no time of its own, it stands where the other one took as many steps.
-    std::vector<double> seconds = point.seconds;
-    for (const StudyCurve* other : {&part.reference, &part.student})
-      if (const StudyPoint* same = with_steps(*other, point.steps); seconds.empty() && same != nullptr)
-        seconds = same->seconds;
-    if (seconds.empty()) continue;
+    const double seconds =
+        point.seconds.empty() ? expected_seconds(part, point.steps) : median(point.seconds);
+    if (!(seconds > 0)) continue;
     std::string note = "h = " + step_text(part, point.steps);
     if (point.steps == part.own_steps) note += ", the scene's own";
     if (failed) note += ": " + to_string(point.end) + ", " + point.note;
-    series.points.push_back({1e3 * median(seconds), std::max(point.error, part.least_error), note, failed});
+    series.points.push_back({1e3 * seconds, std::max(point.error, part.least_error), note, failed});
   }
   return series;
 }

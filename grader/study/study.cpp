@@ -11,13 +11,14 @@ namespace grader {
 namespace {
 
 constexpr int kMostTimes = 500;
+constexpr std::size_t kMostTrouble = 100;  // letters: whoever wrote them may be anybody
 
 // The student or the reference, in one part.
 struct Side {
   struct Run {
     Division division;
     StudyPoint point;
-    double first_seconds = 0;  // of the first play
+    double seconds = 0;  // of one play, when it was last asked for without being measured
   };
   Player& player;
   bool is_student;
@@ -53,7 +54,7 @@ StudyPoint judged(const Division& division, const Played& played, const Truth& t
     }
   }
   if (!played.trouble.empty()) {
-    point.note = "it broke off: " + played.trouble;
+    point.note = "it broke off: " + played.trouble.substr(0, kMostTrouble);
     return point;
   }
   if (played.frames.size() != static_cast<std::size_t>(division.frames) + 1)
@@ -95,12 +96,15 @@ class PartStudied {
     for (Side* side : {&theirs, &ours}) ask(*side, own, 1);  // to warm up
     for (const Division& division : divisions_of(part_.scene))
       for (Side* side : {&theirs, &ours}) play_first(*side, division);
-    for (int round = 0; round < settings_.rounds; ++round)
+    // A short play can be told from the asking for it if it is repeated: how often, ours says, when repeated as often as
+    // its first time suggests.
+    for (Side::Run& run : ours.runs)
+      if (run.point.end == StudyEnd::finished) ask(ours, run.division, times_of(run), &run.seconds);
+    for (int round = 0; round < settings_.rounds && !theirs.over; ++round)
       for (std::size_t i = 0; i < ours.runs.size(); ++i) {
         const int times = times_of(ours.runs[i]);
-        for (Side* side : {&theirs, &ours}) measure(*side, i, times);
+        for (int turn = 0; turn < 2; ++turn) measure((round + turn) % 2 == 0 ? theirs : ours, i, times);
       }
-
     if (!measured(theirs))
       for (Side* side : {&theirs, &ours}) keep_first(*side);
 
@@ -154,8 +158,7 @@ class PartStudied {
   void play_first(Side& side, const Division& division) {
     if (side.over) return;
     Side::Run run{division, {.steps = division.steps(), .end = StudyEnd::broke, .note = "no answer"}};
-    if (const auto point = ask(side, division, 1, &run.first_seconds)) run.point = *point;
-    if (run.point.end == StudyEnd::ran_away && run.first_seconds > 0) run.point.seconds = {run.first_seconds};
+    if (const auto point = ask(side, division, 1, &run.seconds)) run.point = *point;
     side.runs.push_back(std::move(run));
   }
 
@@ -167,21 +170,19 @@ class PartStudied {
   }
 
   static bool measured(const Side& side) {
-    return std::any_of(side.runs.begin(), side.runs.end(), [](const Side::Run& run) {
-      return run.point.end == StudyEnd::finished && !run.point.seconds.empty();
-    });
+    return std::any_of(side.runs.begin(), side.runs.end(),
+                       [](const Side::Run& run) { return !run.point.seconds.empty(); });
   }
 
   // Of code that had no time left for more, what the first plays took is all that is known.
   static void keep_first(Side& side) {
     for (Side::Run& run : side.runs)
-      if (run.point.end == StudyEnd::finished && run.first_seconds > 0)
-        run.point.seconds = {run.first_seconds};
+      if (run.point.end == StudyEnd::finished && run.seconds > 0) run.point.seconds = {run.seconds};
   }
 
   int times_of(const Side::Run& ours) const {
-    if (!(ours.first_seconds > 0)) return 1;
-    const double times = std::ceil(settings_.least_seconds / ours.first_seconds);
+    if (!(ours.seconds > 0)) return 1;
+    const double times = std::ceil(settings_.least_seconds / ours.seconds);
     return static_cast<int>(std::clamp(times, 1.0, static_cast<double>(kMostTimes)));
   }
 

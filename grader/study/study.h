@@ -1,8 +1,8 @@
 // STAFF ONLY. Error against time of a submission's code, beside the reference's in an identical worker.
 //
-// Both play each part with the same numbers of steps, in turns: student, reference, student, reference, and so on
-// through all numbers of steps, then all of it again. What else the machine does meets both, and their ratio is of
-// times that were taken side by side. A first round is for errors alone, and warms up.
+// Both play each part with the same numbers of steps, in turns: student, reference, student, reference, and so on through
+// all numbers of steps; then again with the reference first, and so on. What else the machine does meets both, and their
+// ratio is of times that were taken side by side. A first round is for errors alone, and warms up.
 //
 // Nothing of it gives points or takes any.
 #pragma once
