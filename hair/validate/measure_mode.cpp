@@ -47,11 +47,12 @@ MeasuredMode measure_mode(const ChainMethod& method, const HangingChain& chain, 
   const Eigen::VectorXd weights = weights_of(chain, angles);
   const std::unique_ptr<MovingChain> moving = method.start(chain, start, result.step);
   Eigen::VectorXd out(steps + 1);
-  out[0] = 1;
-  for (int k = 1; k <= steps; ++k) {
+  const double first = weights.dot(start.x);
+  for (int k = 0;; ++k) {
+    out[k] = weights.dot(moving->state().x) / first;
+    if (k == steps) break;
     if (k % kStepsInARow == 0) settings.go_on();
     moving->step();
-    out[k] = weights.dot(moving->state().x) / weights.dot(start.x);
   }
   const Sinusoid fit = fit_sinusoid(out);
   const double measured = method.undo(fit.frequency / result.step, result.step);

@@ -29,7 +29,7 @@ struct MeasuredMode {
 MeasuredMode measure_mode(const ChainMethod& method, const HangingChain& chain, double x, double highest,
                           const ValidationSettings& settings);
 
-inline constexpr double kSoftest = 1e-6, kLargestAngle = 1e-3, kWorstFit = 1e-5;
+inline constexpr double kSoftest = 1e-6, kLargestAngle = 1e-3, kWorstFit = 1e-6;
 
 // For reports: where the tolerance comes from.
 inline constexpr const char* kModeTolerance =

@@ -23,6 +23,7 @@ double frequency_of_signs(const Eigen::VectorXd& samples) {
 }
 
 constexpr int kMostSteps = 30;
+constexpr double kClose = 1e-14;
 
 }  // namespace
 
@@ -37,19 +38,22 @@ Sinusoid fit_sinusoid(const Eigen::VectorXd& samples) {
   double a = samples[0], b = 0;
   Eigen::MatrixXd derivatives(n, 4);  // by a, b, frequency, decay
   Eigen::VectorXd left(n);
-  for (int step = 0; step < kMostSteps; ++step) {
+  bool done = false;
+  for (int step = 0;; ++step) {
     for (Eigen::Index k = 0; k < n; ++k) {
       const double t = static_cast<double>(k), fading = std::exp(-fit.decay * t);
       const double c = fading * std::cos(fit.frequency * t), s = fading * std::sin(fit.frequency * t);
       left[k] = samples[k] - (a * c + b * s);
       derivatives.row(k) << c, s, t * (b * c - a * s), -t * (a * c + b * s);
     }
+    if (done || step == kMostSteps) break;
     const Eigen::Vector4d change = derivatives.householderQr().solve(left);
     a += change[0];
     b += change[1];
     fit.frequency += change[2];
     fit.decay += change[3];
-    if (std::abs(change[2]) <= 1e-15 * fit.frequency) break;
+    done = change.head<2>().norm() <= kClose * std::hypot(a, b) &&
+           std::abs(change[2]) + std::abs(change[3]) <= kClose * fit.frequency;
   }
   fit.amplitude = std::hypot(a, b);
   fit.residual = std::sqrt(left.squaredNorm() / static_cast<double>(n));

@@ -1,7 +1,6 @@
 #include "hair/validate/validations.h"
 
 #include <algorithm>
-#include <cmath>
 #include <string_view>
 #include <utility>
 
@@ -19,14 +18,6 @@ bool has_all(const std::vector<std::string>& exercises) {
 }
 
 }  // namespace
-
-bool Check::holds() const {
-  return std::isfinite(measured) && std::isfinite(expected) && std::abs(error()) <= tolerance;
-}
-
-void ValidationSettings::go_on() const {
-  if (interrupted && *interrupted) throw Interrupted();
-}
 
 std::vector<Validation> all_validations() {
   std::vector<Validation> validations = {published_numbers()};

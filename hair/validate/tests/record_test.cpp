@@ -1,0 +1,100 @@
+#include "hair/validate/record.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace hair {
+namespace {
+
+using Json = nlohmann::json;
+
+Check a_check(double measured) {
+  return {"one", "a length", "a book", 2, measured, 0.5, "a theorem", "m"};
+}
+
+ValidationRecord a_record(double measured) {
+  return {"first", "The first", {"S1"}, {{a_check(measured)}}};
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Check, HoldsWithinItsTolerance) {
+  EXPECT_TRUE(a_check(2.5).holds());
+  EXPECT_TRUE(a_check(1.5).holds());
+  EXPECT_FALSE(a_check(2.5000001).holds());
+  EXPECT_FALSE(a_check(1.4999999).holds());
+}
+
+TEST(Check, NothingHoldsForWhatIsNoNumber) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               infinity = std::numeric_limits<double>::infinity();
+  for (const double none : {nan, infinity, -infinity}) {
+    EXPECT_FALSE(a_check(none).holds());
+    Check check = a_check(2);
+    check.tolerance = nan;
+    EXPECT_FALSE(check.holds());
+    check = a_check(none);
+    check.tolerance = infinity;
+    EXPECT_FALSE(check.holds());
+  }
+}
+
+TEST(ValidationRecord, HoldsIfItRanToItsEndAndAllChecksHold) {
+  EXPECT_TRUE(a_record(2).holds());
+  EXPECT_FALSE(a_record(3).holds());
+  ValidationRecord record = a_record(2);
+  record.broke = "it threw";
+  EXPECT_FALSE(record.holds());
+  record = a_record(2);
+  record.left_out = "S1: student/conj_grad.cpp";
+  EXPECT_FALSE(record.holds());
+}
+
+TEST(ValidationRecord, SaysOnTheTerminalWhatDoesNotHold) {
+  EXPECT_TRUE(has(terminal_text(a_record(2)), " ok\n"));
+  EXPECT_FALSE(has(terminal_text(a_record(2)), "DOES NOT HOLD"));
+  EXPECT_TRUE(has(terminal_text(a_record(3)), "a length, m"));
+  EXPECT_TRUE(has(terminal_text(a_record(3)), "DOES NOT HOLD"));
+  EXPECT_EQ(summary({a_record(2), a_record(3)}), "1 of 2 checks hold");
+}
+
+TEST(ValidationRecord, IsOnThePageWithSourcesAndTolerances) {
+  const std::string page = to_html(page_of({a_record(3)}, true));
+  for (const char* part :
+       {"The first", "a length, m", "a book", "a theorem", "NO", "0 of 1 checks hold", "quick"})
+    EXPECT_TRUE(has(page, part)) << part;
+}
+
+TEST(ValidationRecord, IsInJsonAsItIsFound) {
+  ValidationRecord left_out{"second", "The second", {"H2"}, {}};
+  left_out.left_out = "H2: student/angular_springs.cpp";
+  ValidationRecord broke{"third", "The third", {}, {}};
+  broke.broke = "it threw";
+  const std::string text = json_of({a_record(2.25), left_out, broke}, false);
+  EXPECT_EQ(text.substr(0, kValidationJsonBegin.size()), kValidationJsonBegin);
+  const Json json = Json::parse(text);
+  const Json& first = json["validations"][0];
+  EXPECT_EQ(first["holds"], true);
+  EXPECT_EQ(first["checks"][0]["measured"], 2.25);
+  EXPECT_EQ(first["checks"][0]["tolerance_from"], "a theorem");
+  EXPECT_TRUE(json["validations"][1]["holds"].is_null());
+  EXPECT_EQ(json["validations"][1]["left_out"], left_out.left_out);
+  EXPECT_EQ(json["validations"][2]["holds"], false);
+  EXPECT_EQ(json["validations"][2]["broke"], "it threw");
+  EXPECT_TRUE(Json::parse(json_of({a_record(std::numeric_limits<double>::quiet_NaN())},
+                                  false))["validations"][0]["checks"][0]["measured"]
+                  .is_null());
+}
+
+TEST(ValidationRecord, EachRowOfItsTableIsAsLongAsTheHeader) {
+  const Table table = table_of_checks({a_record(2), a_record(3)});
+  ASSERT_EQ(table.rows.size(), 2u);
+  for (const std::vector<std::string>& row : table.rows) EXPECT_EQ(row.size(), table.header.size());
+}
+
+}  // namespace
+}  // namespace hair
