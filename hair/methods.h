@@ -30,7 +30,7 @@ struct StepMethod {
 // P1
 extern const StepMethod kForwardEuler, kSymplecticEuler, kMidpoint, kRungeKutta4;
 // H4
-extern const StepMethod kImplicitEuler;
+extern const StepMethod kImplicitEuler, kNewtonEuler;
 // H6
 extern const StepMethod kPredictorCorrector;
 

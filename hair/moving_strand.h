@@ -2,6 +2,7 @@
 #pragma once
 
 #include <utility>
+#include <vector>
 
 #include "hair/rest_curvature.h"
 #include "hair/strand.h"
@@ -27,8 +28,10 @@ struct MovingStrand {
   particles::Particles particles;  // the strand's masses; the root is pinned
   particles::State state;
   particles::ForceSum force;
-  RestCurvature* rest_curvature = nullptr;  // a part of `force`, or none
-  particles::ParticleSystem system;         // what explicit methods see
+  // Newton's method alone: the same forces with products that are definite. For others nothing.
+  particles::ForceSum definite_force;
+  std::vector<RestCurvature*> rest_curvatures;  // parts of these sums, if the strand rests curved
+  particles::ParticleSystem system;             // what explicit methods see
 };
 
 }  // namespace hair

@@ -166,7 +166,7 @@ void Simulation::restart(const Description& description) {
             static_cast<double>(start.state.x.size()), std::to_string(moving.state.x.size()));
     moving.state = start.state;
     moving.strand.root_tangent = start.strand.root_tangent;
-    if (moving.rest_curvature) moving.rest_curvature->set_root_normal(start.root_normal);
+    for (RestCurvature* rest : moving.rest_curvatures) rest->set_root_normal(start.root_normal);
   }
   options_.h = description.step;
   obstacles_ = description.obstacles;
@@ -186,7 +186,7 @@ void Simulation::set_root_frame(int strand, const Vector3d& tangent, const Vecto
   check_direction("a root's normal", normal);
   require(std::abs(tangent.dot(normal)) <= 1e-6, "a root's tangent . normal", tangent.dot(normal), "0");
   moving.strand.root_tangent = tangent;
-  if (moving.rest_curvature) moving.rest_curvature->set_root_normal(normal);
+  for (RestCurvature* rest : moving.rest_curvatures) rest->set_root_normal(normal);
 }
 
 void Simulation::set_obstacle_velocity(int obstacle, const Vector3d& velocity) {

@@ -24,12 +24,13 @@
 namespace hair {
 
 enum class Method {
-  forward_euler,       // P1
-  symplectic_euler,    // P1
-  midpoint,            // P1
-  runge_kutta_4,       // P1
-  implicit_euler,      // H4
-  predictor_corrector  // H6
+  forward_euler,        // P1
+  symplectic_euler,     // P1
+  midpoint,             // P1
+  runge_kutta_4,        // P1
+  implicit_euler,       // H4
+  predictor_corrector,  // H6
+  newton_euler          // H4's matrix, by Newton's method to convergence: for studies, not for hair
 };
 
 // A strand, and where it starts.
@@ -56,7 +57,7 @@ struct Description {
   Vector3d wind = Vector3d::Zero();          // m/s, of the air that drags
   std::vector<Obstacle> obstacles;
 
-  // Of implicit methods alone.
+  // Of implicit methods alone; newton_euler, whose result they don't change, has products of its own choice.
   GeometricTerm geometric_term = GeometricTerm::filtered;
   BendProduct bend_product = BendProduct::spd;
   double tolerance = 1e-10;  // of a solve's residual, relative to its right-hand side

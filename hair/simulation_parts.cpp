@@ -35,6 +35,8 @@ StepMethod method_of(Method method) {
 #ifdef HAIR_HAS_H4
     case Method::implicit_euler:
       return kImplicitEuler;
+    case Method::newton_euler:
+      return kNewtonEuler;
 #endif
 #ifdef HAIR_HAS_H6
     case Method::predictor_corrector:
@@ -44,46 +46,63 @@ StepMethod method_of(Method method) {
       break;
   }
   if (method == Method::predictor_corrector) leave_out("the predictor-corrector", "H6");
-  if (method == Method::implicit_euler) leave_out("implicit Euler", "H4");
+  if (method == Method::implicit_euler || method == Method::newton_euler) leave_out("implicit Euler", "H4");
   leave_out("an explicit method", "P1");
 }
 
-void add_forces(const Description& description, const StrandStart& start, MovingStrand& moving) {
+namespace {
+
+// To `sum`, with products as said.
+void add_parts(const Description& description, const StrandStart& start, GeometricTerm geometric_term,
+               BendProduct bend_product, MovingStrand& moving, particles::ForceSum& sum) {
   const Strand& strand = moving.strand;
   if (strand.stretch_rigidity > 0) {
 #ifdef HAIR_HAS_H1
-    moving.force.emplace<StretchForce>(strand, description.geometric_term);
+    sum.emplace<StretchForce>(strand, geometric_term);
 #else
     leave_out("stretching", "H1");
 #endif
   }
   if (strand.bend_rigidity > 0 && start.rest_curvature.size() > 0) {
-    auto rest = std::make_unique<RestCurvature>(strand, start.rest_curvature, start.root_normal,
-                                                description.bend_product);
-    moving.rest_curvature = rest.get();
-    moving.force.add(std::move(rest));
+    auto rest =
+        std::make_unique<RestCurvature>(strand, start.rest_curvature, start.root_normal, bend_product);
+    moving.rest_curvatures.push_back(rest.get());
+    sum.add(std::move(rest));
   } else if (strand.bend_rigidity > 0) {
 #ifdef HAIR_HAS_H2
-    moving.force.emplace<BendForce>(strand, description.bend_product);
+    sum.emplace<BendForce>(strand, bend_product);
 #else
     leave_out("bending", "H2");
 #endif
   }
   if (strand.skip_rigidity > 0) {
 #ifdef HAIR_HAS_H3
-    moving.force.emplace<BendSpringForce>(strand, description.geometric_term);
+    sum.emplace<BendSpringForce>(strand, geometric_term);
 #else
     leave_out("springs that skip a particle", "H3");
 #endif
   }
   if (description.gravity != Vector3d::Zero())
-    moving.force.emplace<particles::Gravity>(strand.mass, description.gravity);
+    sum.emplace<particles::Gravity>(strand.mass, description.gravity);
   if (description.drag > 0) {
     // Half of the segments on either side, as for masses.
     Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(strand.count());
     coefficients.head(strand.segments()) += description.drag / 2 * strand.rest_length;
     coefficients.tail(strand.segments()) += description.drag / 2 * strand.rest_length;
-    moving.force.emplace<particles::Drag>(std::move(coefficients), description.wind);
+    sum.emplace<particles::Drag>(std::move(coefficients), description.wind);
+  }
+}
+
+}  // namespace
+
+void add_forces(const Description& description, const StrandStart& start, MovingStrand& moving) {
+  using enum GeometricTerm;
+  using enum BendProduct;
+  if (description.method == Method::newton_euler) {
+    add_parts(description, start, full, exact, moving, moving.force);
+    add_parts(description, start, filtered, spd, moving, moving.definite_force);
+  } else {
+    add_parts(description, start, description.geometric_term, description.bend_product, moving, moving.force);
   }
 }
 

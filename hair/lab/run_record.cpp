@@ -79,6 +79,8 @@ const char* method_name(Method method) {
       return "implicit_euler";
     case Method::predictor_corrector:
       return "predictor_corrector";
+    case Method::newton_euler:
+      return "newton_euler";
   }
   return "";
 }

@@ -12,6 +12,7 @@ void add_strands(const Description& hair, std::set<std::string>& called) {
       called.insert({"S1", "H4", "H5", "H6"});
       break;
     case Method::implicit_euler:
+    case Method::newton_euler:
       called.insert({"S1", "H4"});
       break;
     default:

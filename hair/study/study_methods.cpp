@@ -20,9 +20,28 @@ const std::vector<StudyMethod>& all_methods() {
       {"h4-full", "H4, full", Method::implicit_euler, full, spd},
       {"h4-full-exact", "H4, full, exact bending", Method::implicit_euler, full, BendProduct::exact},
       {"h4-dropped", "H4, dropped", Method::implicit_euler, dropped, spd},
+      {"newton-euler", "implicit Euler to convergence", Method::newton_euler, full, BendProduct::exact},
       {"h6", "H6", Method::predictor_corrector, filtered, spd},
   };
   return methods;
+}
+
+// HAIR_HAS_P1 and the like are defined for the course's exercises.
+bool is_taught(const StudyMethod& method) {
+  if (method.is_explicit) {
+#ifdef HAIR_HAS_P1
+    return true;
+#else
+    return false;
+#endif
+  }
+#ifdef HAIR_HAS_H6
+  if (method.method == Method::predictor_corrector) return true;
+#endif
+#ifdef HAIR_HAS_H4
+  if (method.method != Method::predictor_corrector) return true;
+#endif
+  return false;
 }
 
 bool fits(const StudyMethod& method, const Problem& problem) {
@@ -33,7 +52,8 @@ bool fits(const StudyMethod& method, const Problem& problem) {
   }
   // Without bending there is no choice of its product.
   const bool bends = problem.scene.hair.strands[0].strand.bend_rigidity > 0;
-  return bends || method.is_explicit || method.bend_product == BendProduct::spd;
+  return bends || method.is_explicit || method.method == Method::newton_euler ||
+         method.bend_product == BendProduct::spd;
 }
 
 ToyMethod toy_method(Method method) {
@@ -56,7 +76,7 @@ ToyMethod toy_method(Method method) {
 std::vector<StudyMethod> methods_for(const Problem& problem) {
   std::vector<StudyMethod> methods;
   for (const StudyMethod& method : all_methods())
-    if (fits(method, problem)) methods.push_back(method);
+    if (is_taught(method) && fits(method, problem)) methods.push_back(method);
   return methods;
 }
 

@@ -65,11 +65,12 @@ void read_times(const JsonValue& object, Scene& scene) {
 
 void read_method(const JsonValue& object, Description& hair) {
   if (object.has("method")) {
-    constexpr Method kMethods[] = {Method::forward_euler,  Method::symplectic_euler,
-                                   Method::midpoint,       Method::runge_kutta_4,
-                                   Method::implicit_euler, Method::predictor_corrector};
-    hair.method = kMethods[object["method"].word({"forward_euler", "symplectic_euler", "midpoint",
-                                                  "runge_kutta_4", "implicit_euler", "predictor_corrector"})];
+    constexpr Method kMethods[] = {
+        Method::forward_euler,  Method::symplectic_euler,    Method::midpoint,    Method::runge_kutta_4,
+        Method::implicit_euler, Method::predictor_corrector, Method::newton_euler};
+    hair.method =
+        kMethods[object["method"].word({"forward_euler", "symplectic_euler", "midpoint", "runge_kutta_4",
+                                        "implicit_euler", "predictor_corrector", "newton_euler"})];
   }
   if (object.has("geometric_term")) {
     constexpr GeometricTerm kTerms[] = {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped};

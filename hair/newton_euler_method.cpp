@@ -1,0 +1,18 @@
+#include "hair/methods.h"
+#include "hair/newton_euler.h"
+
+namespace hair {
+
+namespace {
+
+StepOutcome take_step(MovingStrand& moving, const StepOptions& options, const particles::Scratch& scratch) {
+  const NewtonReport report =
+      newton_euler(moving.force, moving.definite_force, moving.particles, options.h, moving.state, scratch);
+  return {.solver_steps = report.solver_steps, .unconverged = !report.converged, .suspect = Stage::filter};
+}
+
+}  // namespace
+
+const StepMethod kNewtonEuler{take_step, kNewtonScratch};
+
+}  // namespace hair
