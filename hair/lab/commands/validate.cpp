@@ -80,10 +80,10 @@ void write_results(OutputFolder& folder, const std::vector<ValidationRecord>& re
 int run(const Options& options) {
   if (options.list) return list_validations();
   const std::vector<Validation> validations = chosen(options.ids);
-  std::optional<OutputFolder> folder;
-  if (options.writes) folder.emplace(options.out, validate_output());
   const std::atomic<bool>& interrupted = catch_interruption("\nhairlab: stopping; once more ends at once\n");
   const ValidationSettings settings{options.quick, &interrupted};
+  std::optional<OutputFolder> folder;
+  if (options.writes) folder.emplace(options.out, validate_output());
   const bool terminal = isatty(STDERR_FILENO) != 0;
 
   std::vector<ValidationRecord> records;
