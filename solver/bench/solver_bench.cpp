@@ -12,7 +12,7 @@
 #include <cmath>
 #include <vector>
 
-#include "solver/bench/eigen_conj_grad.h"
+#include "solver/study/eigen_conj_grad.h"
 #include "solver/bench/operators.h"
 #include "solver/normal_equations.h"
 
@@ -65,7 +65,7 @@ void compare(benchmark::State& state, implicitMatrix& A, int n) {
     });
     const double eigen_time = seconds([&] {
       for (int k = 0; k < repeats; ++k)
-        eigen_conj_grad(n, &A, x.data(), b.data(), kTolerance, &(eigen_steps = kMostSteps));
+        solver::study::eigen_conj_grad(n, &A, x.data(), b.data(), kTolerance, &(eigen_steps = kMostSteps));
     });
     const double operator_time = seconds([&] {
       for (int k = 0; k < 20 * repeats; ++k) A.matVecMult(b.data(), product.data());

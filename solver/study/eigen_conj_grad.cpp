@@ -1,4 +1,4 @@
-#include "solver/bench/eigen_conj_grad.h"
+#include "solver/study/eigen_conj_grad.h"
 
 #include <Eigen/Core>
 #include <Eigen/IterativeLinearSolvers>
@@ -51,7 +51,7 @@ struct Eigen::internal::generic_product_impl<Operator, X, Eigen::SparseShape, Ei
   }
 };
 
-namespace solver_bench {
+namespace solver::study {
 
 void eigen_conj_grad(int n, implicitMatrix* A, double x[], double b[], double tolerance, int* steps) {
   const Operator matrix(n, A);
@@ -65,4 +65,4 @@ void eigen_conj_grad(int n, implicitMatrix* A, double x[], double b[], double to
   *steps = static_cast<int>(solver.iterations()) + (solver.info() == Eigen::Success ? 1 : 0);
 }
 
-}  // namespace solver_bench
+}  // namespace solver::study

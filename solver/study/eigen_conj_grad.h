@@ -4,9 +4,9 @@
 
 #include "solver/linearSolver.h"
 
-namespace solver_bench {
+namespace solver::study {
 
 // As ConjGrad, but ends when ||b - Ax|| < tolerance ||b||.
 void eigen_conj_grad(int n, implicitMatrix* A, double x[], double b[], double tolerance, int* steps);
 
-}  // namespace solver_bench
+}  // namespace solver::study

@@ -1,0 +1,111 @@
+#include <unistd.h>
+
+#include <iostream>
+#include <memory>
+
+#include "hair/files/bad_input.h"
+#include "hair/files/write_file.h"
+#include "hair/lab/commands/command.h"
+#include "hair/lab/interruption.h"
+#include "hair/lab/output_folder.h"
+#include "hair/lab/solver_page.h"
+#include "hair/lab/solver_record.h"
+#include "hair/lab/solver_tables.h"
+#include "hair/lab/stub.h"
+#include "solver/normal_equations.h"
+#if __has_include("hair/study/machine.h")
+#include "hair/study/machine.h"
+#endif
+
+namespace hair {
+
+namespace {
+
+std::string machine_line() {
+#if __has_include("hair/study/machine.h")
+  const Machine machine = this_machine();
+  return machine.processor + ", " + std::to_string(machine.cores) + " cores; " + machine.compiler + ", " + machine.build +
+         "; Eigen " + machine.eigen + ".";
+#else
+  return "";
+#endif
+}
+
+struct Options {
+  std::filesystem::path out;
+  solver::study::Settings settings;
+};
+
+const OutputKind& solver_output() {
+  static const OutputKind kind = {"solver.json",
+                                  kSolverRecordBegin,
+                                  {"index.html", "convergence.csv", "time.csv", "direct.csv",
+                                   "iterations.csv", "digits.csv", "products.csv"}};
+  return kind;
+}
+
+// The exercises that the course has.
+solver::study::Functions functions() {
+  solver::study::Functions all;
+#ifdef HAIR_HAS_S1
+  all.conj_grad = ConjGrad;
+#endif
+#ifdef HAIR_HAS_S2
+  all.normal_equations = solve_normal_equations;
+#endif
+  return all;
+}
+
+void write(const OutputFolder& folder, const solver::study::SolverStudy& study, const std::string& left_out) {
+  const std::string machine = machine_line();
+  write_file(folder.now("solver.json"), solver_json(study, machine, left_out));
+  for (const NamedTable& table : solver_tables(study))
+    write_file(folder.now(table.file), to_csv(table.table));
+  write_file(folder.now("index.html"), to_html(solver_page(study, machine, left_out)));
+}
+
+int run(const Options& options) {
+  const solver::study::Functions studied = functions();
+  if (!studied.conj_grad) throw BadInput("this course leaves out S1, ConjGrad; there is no solver to study");
+  OutputFolder folder(options.out, solver_output());
+  const std::atomic<bool>& interrupted = catch_interruption("\nhairlab: stopping; once more ends at once\n");
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  const auto say = [&](const std::string& what) {
+    if (terminal) std::cerr << "\r\x1b[K" << what << std::flush;
+  };
+  std::optional<solver::study::SolverStudy> study;
+  try {
+    study = solver::study::study_solvers(studied, options.settings, interrupted, say);
+  } catch (const NotImplemented&) {
+    say("");
+    throw;
+  }
+  say("");
+  if (!study) {
+    std::cerr << "hairlab: interrupted; nothing is written\n";
+    return kInterrupted;
+  }
+  std::string left_out;
+  if (study->not_written)
+    left_out = missing_part(*study->not_written);
+  else if (!studied.normal_equations)
+    left_out = "this course has no S2";
+  write(folder, *study, left_out);
+  folder.keep();
+  std::cout << (folder.path() / "index.html").string() << "\n";
+  if (!left_out.empty()) std::cout << "without the normal equations: " << left_out << "\n";
+  return 0;
+}
+
+}  // namespace
+
+Command add_solver_command(CLI::App& program) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* app = program.add_subcommand(
+      "solver", "Study ConjGrad and the normal equations: error against iterations, products and time");
+  app->add_option("--out", options->out, "The folder for page, JSON and CSV")->required();
+  app->add_flag("--quick", options->settings.quick, "Fewer points, and shorter repeats");
+  return {app, [options] { return run(*options); }};
+}
+
+}  // namespace hair

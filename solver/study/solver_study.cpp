@@ -1,0 +1,177 @@
+#include "solver/study/solver_study.h"
+
+#include <cmath>
+
+#include "solver/study/banded_cholesky.h"
+#include "solver/study/eigen_conj_grad.h"
+#include "solver/study/systems.h"
+
+namespace solver::study {
+
+namespace {
+
+constexpr int kMostIterations = 30000, kMostIterationsQuick = 4000;
+constexpr double kClusteredCondition = 1e4;
+constexpr int kSegments = 30;
+
+// Eigen's behind ConjGrad's interface.
+double eigen_as_conj_grad(int n, implicitMatrix* A, double x[], double b[], double epsilon, int* steps) {
+  double squared_b = 0;
+  for (int i = 0; i < n; ++i) squared_b += b[i] * b[i];
+  eigen_conj_grad(n, A, x, b, std::sqrt(epsilon / squared_b), steps);
+  return std::nan("");  // it does not say
+}
+
+class Study {
+ public:
+  Study(const Functions& functions, const Settings& settings, const Watch& watch,
+        const std::function<void(const std::string&)>& say)
+      : functions_(functions), watch_(watch), say_(say) {
+    study_.quick = settings.quick;
+    study_.most_iterations = settings.quick ? kMostIterationsQuick : kMostIterations;
+    timing_ = settings.quick ? Timing{2e-5, 3} : Timing{2e-4, 9};
+  }
+
+  SolverStudy run() {
+    const double start = cpu_seconds();
+    histories();
+    timed_histories();
+    needed();
+    if (functions_.normal_equations) digits();
+    products();
+    study_.cpu_seconds = cpu_seconds() - start;
+    return std::move(study_);
+  }
+
+ private:
+  History conj_grad_history(const System& system) {
+    return history_of(functions_.conj_grad, "ConjGrad", system, study_.most_iterations, nullptr, watch_);
+  }
+
+  void histories() {
+    say_("error against iterations");
+    for (const double condition : {1e1, 1e2, 1e3, 1e4, 1e6}) {
+      if (study_.quick && condition > 1e4) continue;
+      study_.conditions.push_back(conj_grad_history(spread_system(kUnknowns, condition)));
+    }
+    for (const int clusters : {2, 5, 10, 20})
+      study_.clusters.push_back(
+          conj_grad_history(clustered_system(kUnknowns, kClusteredCondition, clusters)));
+    study_.clusters.push_back(conj_grad_history(spread_system(kUnknowns, kClusteredCondition)));
+    study_.clusters.back().system = std::to_string(kUnknowns) + " eigenvalues";
+    for (const double step : {1e-5, 1e-4, 1e-3, 1e-2})
+      study_.strands.push_back(conj_grad_history(strand_system(kSegments, step)));
+  }
+
+  void timed_histories() {
+    say_("error against time");
+    for (const double step : {1e-4, 1e-2}) {
+      const System system = strand_system(kSegments, step);
+      study_.timed.push_back(
+          history_of(functions_.conj_grad, "ConjGrad", system, study_.most_iterations, &timing_, watch_));
+      study_.timed.push_back(history_of(eigen_as_conj_grad, "Eigen's ConjugateGradient", system,
+                                        study_.most_iterations, &timing_, watch_));
+      study_.direct.push_back(cholesky(system, strand_matrix(kSegments, step)));
+    }
+  }
+
+  DirectSolve cholesky(const System& system, const SparseMatrix& matrix) const {
+    BandedCholesky factored(matrix);
+    Vector x = system.right_side;
+    factored.solve(x.data());
+    DirectSolve direct = {system.name, "banded Cholesky"};
+    direct.error = energy_norm(*system.matrix, difference(x, system.solution)) /
+                   energy_norm(*system.matrix, difference(system.right_side, system.solution));
+    direct.squared_residual = squared_norm(difference(system.right_side, product(*system.matrix, x))) /
+                              squared_norm(system.right_side);
+    direct.factor_seconds = median_seconds(timing_, [&] { factored.factor(); });
+    // The copy is part of it: the right-hand side is still needed.
+    direct.solve_seconds = median_seconds(timing_, [&] {
+      x = system.right_side;
+      factored.solve(x.data());
+    });
+    return direct;
+  }
+
+  std::optional<int> iterations(const ConjGradFunction& solve, const System& system) const {
+    Vector x(system.solution.size()), b = system.right_side;
+    int steps = study_.most_iterations;
+    solve(system.n(), system.matrix.get(), x.data(), b.data(),
+          kNeededTolerance * kNeededTolerance * squared_norm(b), &steps);
+    return steps < study_.most_iterations ? std::optional(steps) : std::nullopt;
+  }
+
+  void needed() {
+    say_("iterations against condition number");
+    for (const double condition : log_spaced(study_.quick ? 5 : 13, 1e1, study_.quick ? 1e5 : 1e7)) {
+      watch_.look();
+      const System system = spread_system(kUnknowns, condition);
+      IterationsNeeded one;
+      one.condition = condition;
+      one.conj_grad = iterations(functions_.conj_grad, system);
+      one.eigen = iterations(eigen_as_conj_grad, system);
+      one.clustered =
+          iterations(functions_.conj_grad, clustered_system(kUnknowns, condition, kNeededClusters));
+      if (functions_.normal_equations && !study_.not_written) try {
+          one.normal_equations = normal_iterations(system);
+        } catch (const NotImplemented& stub) {
+          study_.not_written = stub;
+        }
+      one.bound = needed_at_most(condition);
+      study_.needed.push_back(one);
+    }
+  }
+
+  std::optional<int> normal_iterations(const System& system) const {
+    Vector x(system.solution.size()), b = system.right_side;
+    const double squared = squared_norm(product(*system.matrix, b));  // A is its own transpose
+    int steps = study_.most_iterations;
+    functions_.normal_equations(system.n(), system.n(), system.matrix.get(), system.matrix.get(), x.data(),
+                                b.data(), kNeededTolerance * kNeededTolerance * squared, &steps);
+    return steps < study_.most_iterations ? std::optional(steps) : std::nullopt;
+  }
+
+  void digits() {
+    if (study_.not_written) return;
+    say_("digits lost by the normal equations");
+    for (const double condition : log_spaced(study_.quick ? 8 : 15, 1, 1e14)) {
+      watch_.look();
+      study_.digits.push_back(digits_lost(functions_.normal_equations, condition, 3, study_.most_iterations));
+    }
+  }
+
+  void products() {
+    say_("products by a formula and by a table");
+    for (const int particles : {10, 30, 100, 300, 1000}) {
+      watch_.look();
+      if (study_.quick && particles > 300) continue;
+      study_.products.push_back(product_cost(particles, timing_));
+    }
+  }
+
+  const Functions& functions_;
+  const Watch& watch_;
+  const std::function<void(const std::string&)>& say_;
+  Timing timing_;
+  SolverStudy study_;
+};
+
+}  // namespace
+
+double needed_at_most(double condition) {
+  const double root = std::sqrt(condition);
+  return std::ceil(root / 2 * std::log(2 * root / kNeededTolerance));
+}
+
+std::optional<SolverStudy> study_solvers(const Functions& functions, const Settings& settings,
+                                         const std::atomic<bool>& interrupted,
+                                         const std::function<void(const std::string&)>& say) {
+  const Watch watch = {&interrupted};
+  try {
+    return Study(functions, settings, watch, say).run();
+  } catch (const Interrupted&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace solver::study
