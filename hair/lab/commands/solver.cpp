@@ -12,7 +12,9 @@
 #include "hair/lab/solver_record.h"
 #include "hair/lab/solver_tables.h"
 #include "hair/lab/stub.h"
+#ifdef HAIR_HAS_S2
 #include "solver/normal_equations.h"
+#endif
 #if __has_include("hair/study/machine.h")
 #include "hair/study/machine.h"
 #endif
@@ -24,8 +26,8 @@ namespace {
 std::string machine_line() {
 #if __has_include("hair/study/machine.h")
   const Machine machine = this_machine();
-  return machine.processor + ", " + std::to_string(machine.cores) + " cores; " + machine.compiler + ", " + machine.build +
-         "; Eigen " + machine.eigen + ".";
+  return machine.processor + ", " + std::to_string(machine.cores) + " cores; " + machine.compiler + ", " +
+         machine.build + "; Eigen " + machine.eigen + ".";
 #else
   return "";
 #endif
