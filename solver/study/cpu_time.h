@@ -1,8 +1,9 @@
-// How long a call takes: time of this thread's processor, the median of repeats.
+// How long calls take: time of this thread's processor, medians of repeats.
 #pragma once
 
 #include <algorithm>
 #include <ctime>
+#include <functional>
 #include <vector>
 
 namespace solver::study {
@@ -18,24 +19,36 @@ inline double cpu_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// Seconds that a call takes. The first calls, which count how many are in a repeat, warm up.
-template <class Call>
-double median_seconds(const Timing& timing, const Call& call) {
-  const auto seconds = [&](long calls) {
+// Seconds that each of the calls takes. They are repeated in turn, so that a machine that slows down for a while slows
+// down all of them. The first calls, which count how many make a repeat, warm up.
+inline std::vector<double> median_seconds(const Timing& timing,
+                                          const std::vector<std::function<void()>>& calls) {
+  const auto seconds = [&](std::size_t call, long times) {
     const double start = cpu_seconds();
-    for (long i = 0; i < calls; ++i) call();
+    for (long i = 0; i < times; ++i) calls[call]();
     return cpu_seconds() - start;
   };
-  long calls = 1;
-  double taken = seconds(calls);
-  while (taken < timing.least_seconds && calls < (1L << 30)) {
-    calls = std::max(2 * calls, taken > 0 ? static_cast<long>(calls * timing.least_seconds / taken) : 0);
-    taken = seconds(calls);
+  std::vector<long> times(calls.size(), 1);
+  for (std::size_t call = 0; call < calls.size(); ++call)
+    for (double taken = seconds(call, 1); taken < timing.least_seconds && times[call] < (1L << 30);
+         taken = seconds(call, times[call])) {
+      const double needed = taken > 0 ? static_cast<double>(times[call]) * timing.least_seconds / taken : 0;
+      times[call] = std::max(2 * times[call], static_cast<long>(needed));
+    }
+  std::vector<std::vector<double>> all(calls.size());
+  for (int repeat = 0; repeat < timing.repeats; ++repeat)
+    for (std::size_t call = 0; call < calls.size(); ++call)
+      all[call].push_back(seconds(call, times[call]) / static_cast<double>(times[call]));
+  std::vector<double> medians;
+  for (std::vector<double>& one : all) {
+    std::nth_element(one.begin(), one.begin() + one.size() / 2, one.end());
+    medians.push_back(one[one.size() / 2]);
   }
-  std::vector<double> all;
-  for (int i = 0; i < timing.repeats; ++i) all.push_back(seconds(calls) / static_cast<double>(calls));
-  std::nth_element(all.begin(), all.begin() + all.size() / 2, all.end());
-  return all[all.size() / 2];
+  return medians;
+}
+
+inline double median_seconds(const Timing& timing, const std::function<void()>& call) {
+  return median_seconds(timing, std::vector{call})[0];
 }
 
 }  // namespace solver::study

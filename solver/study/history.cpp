@@ -28,6 +28,18 @@ Progress after(const ConjGradFunction& solve, const System& system, int iteratio
   return progress;
 }
 
+void time_all(const ConjGradFunction& solve, const System& system, const Timing& timing, History& history) {
+  Vector x(system.solution.size()), b = system.right_side;
+  std::vector<std::function<void()>> calls;
+  for (const Progress& progress : history.progress)
+    calls.emplace_back([&, m = progress.iterations] {
+      int steps = m;
+      solve(system.n(), system.matrix.get(), x.data(), b.data(), 0, &steps);
+    });
+  const std::vector<double> seconds = median_seconds(timing, calls);
+  for (std::size_t i = 0; i < seconds.size(); ++i) history.progress[i].seconds = seconds[i];
+}
+
 }  // namespace
 
 History history_of(const ConjGradFunction& solve, const std::string& name, const System& system, int most,
@@ -42,19 +54,13 @@ History history_of(const ConjGradFunction& solve, const std::string& name, const
     if (progress.iterations < m && !history.progress.empty() &&
         progress.iterations <= history.progress.back().iterations)
       break;  // it ended by itself before, too
-    if (timing) {
-      Vector x(system.solution.size()), b = system.right_side;
-      progress.seconds = median_seconds(*timing, [&] {
-        int steps = m;
-        solve(system.n(), system.matrix.get(), x.data(), b.data(), 0, &steps);
-      });
-    }
     history.progress.push_back(progress);
     if (!std::isfinite(progress.error)) break;
     without_progress = progress.error < 0.9 * best ? 0 : without_progress + 1;
     best = std::min(best, progress.error);
     if (best < kDone && without_progress >= kPatience) break;
   }
+  if (timing) time_all(solve, system, *timing, history);
   return history;
 }
 

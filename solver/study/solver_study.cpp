@@ -69,8 +69,8 @@ class Study {
       const System system = strand_system(kSegments, step);
       study_.timed.push_back(
           history_of(functions_.conj_grad, "ConjGrad", system, study_.most_iterations, &timing_, watch_));
-      study_.timed.push_back(history_of(eigen_as_conj_grad, "Eigen's ConjugateGradient", system,
-                                        study_.most_iterations, &timing_, watch_));
+      study_.timed.push_back(
+          history_of(eigen_as_conj_grad, "Eigen's CG", system, study_.most_iterations, &timing_, watch_));
       study_.direct.push_back(cholesky(system, strand_matrix(kSegments, step)));
     }
   }

@@ -12,11 +12,9 @@
 #include "hair/lab/solver_record.h"
 #include "hair/lab/solver_tables.h"
 #include "hair/lab/stub.h"
+#include "hair/study/machine.h"
 #ifdef HAIR_HAS_S2
 #include "solver/normal_equations.h"
-#endif
-#if __has_include("hair/study/machine.h")
-#include "hair/study/machine.h"
 #endif
 
 namespace hair {
@@ -24,13 +22,10 @@ namespace hair {
 namespace {
 
 std::string machine_line() {
-#if __has_include("hair/study/machine.h")
   const Machine machine = this_machine();
-  return machine.processor + ", " + std::to_string(machine.cores) + " cores; " + machine.compiler + ", " +
-         machine.build + "; Eigen " + machine.eigen + ".";
-#else
-  return "";
-#endif
+  return "Measured on " + machine.processor + ", " + std::to_string(machine.cores) +
+         " cores, one of them used; " + machine.compiler + ", " + machine.build + "; Eigen " + machine.eigen +
+         ".";
 }
 
 struct Options {
