@@ -12,7 +12,7 @@ namespace {
 using particles::Force, particles::Particles, particles::State;
 using Column = Eigen::Ref<Eigen::VectorXd>;
 
-constexpr int kMostNewtonSteps = 100;
+constexpr int kMostNewtonSteps = 30;
 constexpr int kMostHalvings = 30;
 constexpr double kSame = 1e-12;         // of the largest velocity
 constexpr double kSamePlace = 0x1p-50;  // of the largest position: a few roundings

@@ -1,0 +1,109 @@
+#include "hair/study/space_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <memory>
+
+#include "hair/study/cvode.h"
+#include "hair/study/rigid_strand_ode.h"
+#include "hair/study/strand_ode.h"
+
+namespace hair {
+
+namespace {
+
+constexpr int kLevels = 4;
+constexpr double kTolerance = 1e-9;       // of the accurate motions
+constexpr double kOtherTolerance = 1e-8;  // that tells how good the finest is
+constexpr int kMostSegments = 400;        // beyond it takes minutes
+constexpr double kAsHardAsHair = 0.3;     // times hair's EA, from which on stretching is left out
+
+double cpu_seconds() {
+  timespec time;
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+std::string why_not(const Problem& problem) {
+  if (problem.is_toy()) return "a toy is no continuum";
+  const StrandStart& start = problem.scene.hair.strands[0];
+  if (start.strand.segments() < 1) return "a strand of one particle is no continuum";
+  if (start.rest_curvature.size() > 0) return "a strand that rests curved can't be divided anew";
+  if (!starts_rigid(problem) && times_the_ea_of_hair(start.strand) > kAsHardAsHair)
+    return "a strand that starts stretched or compressed rings, and to follow that through the finest takes "
+           "minutes";
+  return "";
+}
+
+// The places that all have, of all moments after the start, in one column.
+Eigen::VectorXd places_of(const Trajectory& states, int base) {
+  const Eigen::Index moments = static_cast<Eigen::Index>(states.size()) - 1;
+  const Eigen::Index apart = (states[0].x.size() / 3 - 1) / base;
+  Eigen::VectorXd places(3 * moments * base);
+  for (Eigen::Index k = 0; k < moments; ++k)
+    for (int i = 0; i < base; ++i)
+      places.segment<3>(3 * (k * base + i)) = states[k + 1].x.segment<3>(3 * apart * (i + 1));
+  return places;
+}
+
+double largest_distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+  double largest = 0;
+  for (Eigen::Index i = 0; i < a.size(); i += 3)
+    largest = std::max(largest, (a.segment<3>(i) - b.segment<3>(i)).norm());
+  return largest;
+}
+
+}  // namespace
+
+std::optional<SpaceError> space_error(const Problem& problem, const std::atomic<bool>& interrupted) {
+  SpaceError result;
+  result.left_out = why_not(problem);
+  if (!result.left_out.empty()) return result;
+
+  const StrandStart& start = problem.scene.hair.strands[0];
+  const int own = start.strand.segments(), base = own % 2 == 0 ? own / 2 : own;
+  if (base << (kLevels - 1) > kMostSegments) {
+    result.left_out = "strands of so many segments, divided further, take minutes";
+    return result;
+  }
+  const bool rigid = starts_rigid(problem) && times_the_ea_of_hair(start.strand) >= kAsHardAsHair;
+  const double began = cpu_seconds();
+  const auto move = [&](int segments, double tolerance) -> std::optional<Eigen::VectorXd> {
+    Problem divided = problem;
+    divided.scene.hair.strands[0] = divide_anew(start, segments);
+    std::unique_ptr<Ode> ode;
+    if (rigid)
+      ode = std::make_unique<RigidStrandOde>(divided);
+    else
+      ode = std::make_unique<StrandOde>(divided);
+    const auto run =
+        run_cvode(*ode, problem.duration, problem.scene.frames, {CvodeMethod::adams, tolerance}, interrupted);
+    if (!run) return {};
+    if (rigid) result.stretch = std::max(result.stretch, static_cast<RigidStrandOde&>(*ode).stretch());
+    return places_of(run->states, base);
+  };
+
+  std::vector<Eigen::VectorXd> places;
+  for (int level = 0; level < kLevels; ++level) {
+    auto moved = move(base << level, kTolerance);
+    if (!moved) return {};
+    places.push_back(std::move(*moved));
+  }
+  const auto other = move(base << (kLevels - 1), kOtherTolerance);
+  if (!other) return {};
+
+  const Eigen::VectorXd &finest = places[3], &second = places[2], &third = places[1];
+  result.time_error = largest_distance(finest, *other);
+  result.order = std::log2(largest_distance(third, second) / largest_distance(second, finest));
+  // Where the differences are no power of n yet, one is as good a guess as another, and the finest is the limit.
+  const double shrinks = std::exp2(result.order) - 1;
+  const Eigen::VectorXd limit =
+      shrinks > 0.5 ? Eigen::VectorXd(finest + (finest - second) / shrinks) : finest;
+  for (int level = 0; level < kLevels; ++level)
+    result.levels.push_back({base << level, largest_distance(places[level], limit)});
+  result.cpu_seconds = cpu_seconds() - began;
+  return result;
+}
+
+}  // namespace hair
