@@ -19,4 +19,13 @@ double undo_runge_kutta_4(double measured, double step) {
   return y / step;
 }
 
+double undo_implicit_euler(double measured, double step) {
+  return std::tan(measured * step) / step;
+}
+
+double undo_filters(double measured, double step) {
+  const double sine = std::sin(measured * step / 2);  // 1 / cos - 1 = 2 sine^2 / cos, without a difference
+  return 2 * sine / std::sqrt(std::cos(measured * step)) / step;
+}
+
 }  // namespace hair

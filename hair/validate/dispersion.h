@@ -36,4 +36,18 @@ double undo_leapfrog(double measured, double step);
 // Solved for y by Newton's method; for W h < 1.9.
 double undo_runge_kutta_4(double measured, double step);
 
+// H4, of springs whose products it has: a step divides by 1 - iwh, which turns by W h = atan(wh) and divides the amplitude
+// by sqrt(1 + (wh)^2) = 1 / cos(W h). w = tan(W h) / h; W h < pi/2.
+double undo_implicit_euler(double measured, double step);
+
+// H6, of springs whose products it has, such as bending, and where lengths are right to first order. With c =
+// (z^2/2) / (1 + z^2/2), z = wh, its two filters and what is between them multiply (x, h v) by
+//
+//   (1 - c) (   1      1    )
+//           ( -2 c  1 - 2 c ),
+//
+// of which the determinant is (1 - c)^2 and the trace 2 (1 - c)^2: so cos(W h) = 1 - c = 1 / (1 + z^2/2), and that is what the
+// amplitude is multiplied by, too. W h < pi/2.
+double undo_filters(double measured, double step);
+
 }  // namespace hair

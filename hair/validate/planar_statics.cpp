@@ -1,56 +1,104 @@
 #include "hair/validate/planar_statics.h"
 
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace hair {
 
 namespace {
 
 constexpr int kMostIterations = 200;
-constexpr double kMostChange = 0.5, kLeastChange = 1e-12;
+constexpr double kMostChange = 1, kLeastChange = 1e-12;
 
 // Unknown j of 2(n - 1), among the 3n numbers.
 Eigen::Index place(Eigen::Index unknown) {
   return 3 * (unknown / 2 + 1) + (unknown % 2 == 0 ? 0 : 2);
 }
 
-Eigen::VectorXd planar(const Eigen::VectorXd& all) {
-  Eigen::VectorXd result(2 * (all.size() / 3 - 1));
-  for (Eigen::Index j = 0; j < result.size(); ++j) result[j] = all[place(j)];
-  return result;
+// The two numbers of each segment: what sums over the particles below it are.
+void add_up_below(Eigen::Ref<Eigen::MatrixXd> rows) {
+  for (Eigen::Index i = rows.rows() - 3; i >= 0; --i) rows.row(i) += rows.row(i + 2);
 }
 
-Eigen::VectorXd force_at(const particles::Force& force, const Eigen::VectorXd& x) {
-  Eigen::VectorXd f = Eigen::VectorXd::Zero(x.size());
-  force.add_force(x, Eigen::VectorXd::Zero(x.size()), f);
-  return f;
+// Segment j as a direction and a length, and what acts at its end with all that acts below.
+struct Segment {
+  Eigen::Vector2d u;
+  double length;
+
+  Segment(const Eigen::VectorXd& x, Eigen::Index j)
+      : u(x[3 * j + 3] - x[3 * j], x[3 * j + 5] - x[3 * j + 2]) {
+    length = u.norm();
+    u /= length;
+  }
+
+  Eigen::Vector2d across() const { return {-u[1], u[0]}; }
+  Eigen::Matrix2d frame() const {
+    Eigen::Matrix2d columns;
+    columns << across(), u;
+    return columns;
+  }
+};
+
+// Newton's step: how far each segment's end goes across and along, if it turns and gets longer. With K_e the stiffness against
+// changes of segments and F what acts at a segment's end, both sums over particles,
+//
+//   (K_e, in the segments' frames, + (u . F, -across . F; -across . F, 0) / length) step = F in its frame:
+//
+// the second term is what makes a turn not a straight line.
+Eigen::VectorXd newton_step(const particles::Force& force, const Eigen::VectorXd& x,
+                            const Eigen::VectorXd& f) {
+  Eigen::MatrixXd K = planar_stiffness(force, x);
+  add_up_below(K);
+  K.transposeInPlace();
+  add_up_below(K);
+  Eigen::MatrixXd F = f;
+  add_up_below(F);
+  std::vector<Eigen::Matrix2d> frames;
+  for (Eigen::Index j = 0; 2 * j < f.size(); ++j) {
+    const Segment segment(x, j);
+    frames.push_back(segment.frame());
+    F.middleRows<2>(2 * j) = segment.frame().transpose() * F.middleRows<2>(2 * j);
+  }
+  for (std::size_t j = 0; j < frames.size(); ++j)
+    for (std::size_t k = 0; k < frames.size(); ++k)
+      K.block<2, 2>(2 * j, 2 * k) = frames[j].transpose() * K.block<2, 2>(2 * j, 2 * k) * frames[k];
+  for (Eigen::Index j = 0; 2 * j < f.size(); ++j) {
+    const double length = Segment(x, j).length;
+    K(2 * j, 2 * j) += F(2 * j + 1, 0) / length;
+    K(2 * j, 2 * j + 1) -= F(2 * j, 0) / length;
+    K(2 * j + 1, 2 * j) -= F(2 * j, 0) / length;
+  }
+  return K.ldlt().solve(F.col(0));
 }
 
-// Where x + dx goes if segments turn on the way.
-Eigen::VectorXd turned(const Eigen::VectorXd& x, const Eigen::VectorXd& dx) {
+// The largest angle that the step turns a segment by, or part of its length that it adds.
+double largest_change(const Eigen::VectorXd& x, const Eigen::VectorXd& step) {
+  double largest = 0;
+  for (Eigen::Index j = 0; 2 * j < step.size(); ++j)
+    largest = std::max(largest, step.segment<2>(2 * j).norm() / Segment(x, j).length);
+  return largest;
+}
+
+Eigen::VectorXd take(const Eigen::VectorXd& x, const Eigen::VectorXd& step) {
   Eigen::VectorXd result = x;
-  for (Eigen::Index i = 0; i + 3 < x.size(); i += 3) {
-    const Eigen::Vector2d e(x[i + 3] - x[i], x[i + 5] - x[i + 2]);
-    const Eigen::Vector2d de(dx[i + 3] - dx[i], dx[i + 5] - dx[i + 2]);
-    const double length = e.norm();
-    const Eigen::Vector2d u = e / length, across(-u[1], u[0]);
-    const double angle = across.dot(de) / length, longer = length + u.dot(de);
-    const Eigen::Vector2d moved = longer * (std::cos(angle) * u + std::sin(angle) * across);
-    result[i + 3] = result[i] + moved[0];
-    result[i + 5] = result[i + 2] + moved[1];
+  for (Eigen::Index j = 0; 2 * j < step.size(); ++j) {
+    const Segment segment(x, j);
+    const double angle = step[2 * j] / segment.length, length = segment.length + step[2 * j + 1];
+    const Eigen::Vector2d e = length * (std::cos(angle) * segment.u + std::sin(angle) * segment.across());
+    result[3 * j + 3] = result[3 * j] + e[0];
+    result[3 * j + 5] = result[3 * j + 2] + e[1];
   }
   return result;
 }
 
-// The largest angle, and the largest part of its length, that dx changes a segment by.
-double largest_change(const Eigen::VectorXd& x, const Eigen::VectorXd& dx) {
-  double largest = 0;
-  for (Eigen::Index i = 0; i + 3 < x.size(); i += 3)
-    largest = std::max(largest, (dx.segment<3>(i + 3) - dx.segment<3>(i)).norm() /
-                                    (x.segment<3>(i + 3) - x.segment<3>(i)).norm());
-  return largest;
+Eigen::VectorXd forces(const particles::Force& force, const Eigen::VectorXd& x) {
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(x.size()), result(2 * (x.size() / 3 - 1));
+  force.add_force(x, Eigen::VectorXd::Zero(x.size()), all);
+  for (Eigen::Index j = 0; j < result.size(); ++j) result[j] = all[place(j)];
+  return result;
 }
 
 }  // namespace
@@ -74,6 +122,15 @@ Eigen::MatrixXd planar_stiffness(const particles::Force& force, particles::Input
   return K;
 }
 
+double slowest_frequency(const Strand& strand, const particles::Force& force, particles::Input x) {
+  const Eigen::MatrixXd K = planar_stiffness(force, x);
+  Eigen::VectorXd weights(K.rows());
+  for (Eigen::Index j = 0; j < weights.size(); ++j) weights[j] = 1 / std::sqrt(strand.mass[j / 2 + 1]);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(weights.asDiagonal() * K * weights.asDiagonal(),
+                                                              Eigen::EigenvaluesOnly);
+  return std::sqrt(solver.eigenvalues()[0]);
+}
+
 Eigen::Vector2d planar_tip(particles::Input x) {
   return {x[x.size() - 3], -x[x.size() - 1]};
 }
@@ -85,16 +142,12 @@ Balance planar_balance(const Strand& strand, const particles::Force& force, Eige
   const double length = strand.rest_length.sum(), segment = strand.rest_length.minCoeff();
   balance.rounding = 16 * 0x1p-53 * strand.stretch_rigidity * length / segment;
   for (;;) {
-    const Eigen::VectorXd f = planar(force_at(force, balance.x));
+    const Eigen::VectorXd f = forces(force, balance.x);
     balance.residual = f.cwiseAbs().maxCoeff();
     if (!(balance.change > kLeastChange) || balance.iterations == kMostIterations) return balance;
-    const Eigen::LDLT<Eigen::MatrixXd> factors(planar_stiffness(force, balance.x));
-    const Eigen::VectorXd step = factors.solve(f);
-    Eigen::VectorXd dx = Eigen::VectorXd::Zero(balance.x.size());
-    for (Eigen::Index j = 0; j < step.size(); ++j) dx[place(j)] = step[j];
-    balance.change = largest_change(balance.x, dx);
-    dx *= std::min(1.0, kMostChange / balance.change);
-    balance.x = turned(balance.x, dx);
+    const Eigen::VectorXd step = newton_step(force, balance.x, f);
+    balance.change = largest_change(balance.x, step);
+    balance.x = take(balance.x, std::min(1.0, kMostChange / balance.change) * step);
     ++balance.iterations;
   }
 }

@@ -1,0 +1,32 @@
+#include "hair/validate/settle.h"
+
+#include <stdexcept>
+
+#include "hair/validate/clamped_hair.h"
+#include "hair/validate/cpu_time.h"
+
+namespace hair {
+
+Settled settle(const StrandStart& start, const Material& material, Method method, double slowest, double step,
+               const ValidationSettings& settings) {
+  Description description;
+  description.strands = {start};
+  description.method = method;
+  description.step = step;
+  description.gravity = Vector3d(0, 0, -kEarth);
+  description.drag = 2 * slowest * material.line_density();
+  Simulation simulation(std::move(description));
+  const particles::State& state = simulation.state(0);
+  Settled result;
+  const double before = cpu_seconds();
+  while (simulation.time() < 60 / slowest) {
+    settings.go_on();
+    if (simulation.step()) throw std::runtime_error("the strand broke");
+  }
+  result.cpu_seconds = cpu_seconds() - before;
+  result.x = state.x;
+  result.speed = state.v.cwiseAbs().maxCoeff();
+  return result;
+}
+
+}  // namespace hair
