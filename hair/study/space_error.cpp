@@ -15,9 +15,10 @@ namespace {
 
 constexpr int kLevels = 4;
 constexpr double kTolerance = 1e-9;       // of the accurate motions
-constexpr double kOtherTolerance = 1e-8;  // that tells how good the finest is
+constexpr double kOtherTolerance = 1e-8;  // that tells how good they are
 constexpr int kMostSegments = 400;        // beyond it takes minutes
-constexpr double kAsHardAsHair = 0.3;     // times hair's EA, from which on stretching is left out
+constexpr double kLeastOrder = 0.5;
+constexpr double kAsHardAsHair = 0.3;  // times hair's EA, from which on stretching is left out
 
 double cpu_seconds() {
   timespec time;
@@ -90,19 +91,22 @@ std::optional<SpaceError> space_error(const Problem& problem, const std::atomic<
     if (!moved) return {};
     places.push_back(std::move(*moved));
   }
-  const auto other = move(base << (kLevels - 1), kOtherTolerance);
+  const auto other = move(base << (kLevels - 2), kOtherTolerance);
   if (!other) return {};
 
   const Eigen::VectorXd &finest = places[3], &second = places[2], &third = places[1];
-  result.time_error = largest_distance(finest, *other);
+  result.time_error = largest_distance(second, *other);
   result.order = std::log2(largest_distance(third, second) / largest_distance(second, finest));
-  // Where the differences are no power of n yet, one is as good a guess as another, and the finest is the limit.
-  const double shrinks = std::exp2(result.order) - 1;
-  const Eigen::VectorXd limit =
-      shrinks > 0.5 ? Eigen::VectorXd(finest + (finest - second) / shrinks) : finest;
+  result.cpu_seconds = cpu_seconds() - began;
+  if (!(result.order >= kLeastOrder)) {
+    result.left_out =
+        "more segments lead to no limit, or to none that is in sight yet: so it is with a strand that starts "
+        "with a kink";
+    return result;
+  }
+  const Eigen::VectorXd limit = finest + (finest - second) / (std::exp2(result.order) - 1);
   for (int level = 0; level < kLevels; ++level)
     result.levels.push_back({base << level, largest_distance(places[level], limit)});
-  result.cpu_seconds = cpu_seconds() - began;
   return result;
 }
 

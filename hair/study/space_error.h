@@ -27,12 +27,12 @@ struct SpaceLevel {
 
 struct SpaceError {
   std::vector<SpaceLevel> levels;  // 4, one of them with the problem's own segments
-  double order = 0;       // p; from 2 on what theory says of smooth motions: k_i ~ 1/l_i, masses at ends
-  double time_error = 0;  // m, of the finest, estimated by another tolerance: far below its space error
+  double order = 0;                // p; 2 in theory, of a smooth motion
+  double time_error = 0;  // m, of the finest but one, by another tolerance: far below its space error
   double stretch = 0;     // m, what rigid segments leave out, about; 0 if they stretch
   double cpu_seconds = 0;
 
-  // Why there is none, and then all else is empty: a toy, a strand that rests curved, ...
+  // Why there is none, and then there are no levels: a toy, a strand that rests curved, no order in sight, ...
   std::string left_out = {};
 };
 
