@@ -29,6 +29,8 @@ Known known(hair::Method method) {
       return {"Runge-Kutta 4", 4};
     case hair::Method::implicit_euler:
       return {"implicit Euler", 1};
+    case hair::Method::newton_euler:
+      return {"implicit Euler by Newton's method", 1};
     case hair::Method::predictor_corrector:
       break;
   }

@@ -1,0 +1,181 @@
+// STAFF ONLY. hairgrade --study from outside, without hair: a class of three is graded with it and without.
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "grader/tests/run_program.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using std::string;
+
+constexpr const char* kNoHair = R"({"exercises": {
+  "H1": {"role": "absent"}, "H2": {"role": "absent"}, "H3": {"role": "absent"},
+  "H4": {"role": "absent"}, "H5": {"role": "absent"}, "H6": {"role": "absent"}}})";
+
+// Everything is graded once, for all tests.
+class Studying : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    string pattern = (fs::temp_directory_path() / "hairgrade-study-XXXXXX").string();
+    folder_ = mkdtemp(pattern.data());
+    std::ofstream(folder_ / "secret") << "a secret for this test";
+    std::ofstream(folder_ / "course.json") << kNoHair;
+    without_ = grade("without", {});
+    with_ = grade("with", {"--study"});
+  }
+  static void TearDownTestSuite() { fs::remove_all(folder_); }
+
+  static ProgramRun grade(const string& where, const std::vector<string>& more) {
+    std::vector<string> arguments = {"grade"};
+    for (const char* name : {"perfect.tar.gz", "p1-midpoint-full-step.tar.gz", "segfault.tar.gz"})
+      arguments.push_back((fs::path(HAIR_SAMPLE_CLASS) / name).string());
+    for (const char* word : {"--secret", "secret", "--cache", "cache", "--course", "course.json"})
+      arguments.push_back(word[0] == '-' ? string(word) : (folder_ / word).string());
+    arguments.insert(arguments.end(), {"--out", (folder_ / where).string()});
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_hairgrade(arguments);
+  }
+
+  static json study_of(const string& name) {
+    return json::parse(read_file(folder_ / "with" / name / "study.json"));
+  }
+
+  static json part_of(const json& study, const string& name) {
+    for (const json& scene : study.at("scenes"))
+      for (const json& part : scene.at("parts"))
+        if (part.at("name") == name) return part;
+    throw std::runtime_error("no " + name + " in " + study.dump(1));
+  }
+
+  inline static fs::path folder_;
+  inline static ProgramRun without_, with_;
+};
+
+string without(string text, const string& part) {
+  for (std::size_t at = text.find(part); at != string::npos; at = text.find(part, at))
+    text.erase(at, part.size());
+  return text;
+}
+
+TEST_F(Studying, ChangesNothingButThatThereIsALink) {
+  ASSERT_EQ(without_.code, 0) << without_.errors;
+  ASSERT_EQ(with_.code, 0) << with_.errors;
+  EXPECT_EQ(without(with_.output, "/with/"), without(without_.output, "/without/"));
+  int files = 0, links = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder_ / "without")) {
+    if (!entry.is_regular_file() || entry.path().filename() == "timing.json") continue;
+    ++files;
+    const fs::path name = fs::relative(entry.path(), folder_ / "without");
+    const string before = read_file(entry.path()), after = read_file(folder_ / "with" / name);
+    const bool student =
+        name.filename() == "results.json" || name.extension() == ".csv" || name.extension() == ".xml";
+    if (student) EXPECT_EQ(after, before) << name;
+    // Of pages, a line that leads to the study; of the staff's record, that there is one.
+    string stripped = after;
+    const string owner = name.stem().string();
+    for (const string& place : {string(), "../" + owner + "/"})
+      stripped = without(stripped,
+                         "<p><a href=\"" + place +
+                             "study.html\">Error against run time</a> of these scenes, beside ours.</p>\n");
+    for (const char* who : {"perfect", "p1-midpoint-full-step", "segfault"})
+      stripped = without(stripped, " <a href=\"" + string(who) + "/study.html\">study</a>");
+    stripped = without(stripped, ",\n \"studied\": true");
+    EXPECT_EQ(stripped, before) << name;
+    links += after != before;
+  }
+  EXPECT_EQ(files, 3 * 4 + 3);
+  EXPECT_EQ(links, 3 * 3 + 1);  // both pages and the record of each, and the class's
+}
+
+TEST_F(Studying, OfTheReferencesFilesHasTheReferencesErrorsBitByBit) {
+  const json study = study_of("perfect");
+  int points = 0;
+  for (const json& scene : study.at("scenes")) {
+    EXPECT_EQ(scene.at("left_out"), "");
+    for (const json& part : scene.at("parts")) {
+      const json &theirs = part.at("student"), &ours = part.at("reference");
+      ASSERT_EQ(theirs.at("points").size(), ours.at("points").size());
+      EXPECT_EQ(theirs.at("stable_steps"), ours.at("stable_steps"));
+      for (std::size_t i = 0; i < ours.at("points").size(); ++i) {
+        json one = theirs.at("points")[i], two = ours.at("points")[i];
+        EXPECT_EQ(one.at("seconds").size(), two.at("seconds").size());
+        for (const json& seconds : one.at("seconds")) EXPECT_GT(seconds, 0);
+        one.erase("seconds");
+        two.erase("seconds");
+        EXPECT_EQ(one, two) << part.at("name");  // errors, work, how it ended
+        ++points;
+      }
+      ASSERT_TRUE(part.at("time_ratio").is_object());  // how large it is, is noise
+      EXPECT_EQ(part.at("note"), "");
+    }
+  }
+  EXPECT_GT(points, 40);
+}
+
+TEST_F(Studying, ShowsALostOrder) {
+  const json part = part_of(study_of("p1-midpoint-full-step"), "pendulums, midpoint");
+  const auto order = [](const json& curve) {
+    const json& points = curve.at("points");
+    return std::log2(points[points.size() - 2].at("error").get<double>() /
+                     points[points.size() - 1].at("error").get<double>());
+  };
+  EXPECT_NEAR(order(part.at("student")), 1, 0.2);
+  EXPECT_NEAR(order(part.at("reference")), 2, 0.2);
+  // The other integrators of the same file are right: as near as roundings let them be.
+  const json right = part_of(study_of("p1-midpoint-full-step"), "pendulums, symplectic Euler");
+  for (std::size_t i = 0; i < right.at("student").at("points").size(); ++i)
+    EXPECT_NEAR(right["student"]["points"][i]["error"], right["reference"]["points"][i]["error"], 1e-9);
+}
+
+TEST_F(Studying, OfCodeThatCrashesSaysSoAndGoesOn) {
+  const json study = study_of("segfault");  // in S1, which the pendulums do without
+  EXPECT_EQ(part_of(study, "pendulums, midpoint").at("note"), "");
+  const json wire = part_of(study, "bead-on-wire, Runge-Kutta 4");
+  EXPECT_NE(wire.at("note").get<string>().find("the program ended"), string::npos) << wire.at("note");
+  EXPECT_TRUE(wire.at("time_ratio").is_null());
+  EXPECT_FALSE(wire.at("reference").at("points").empty());
+}
+
+TEST_F(Studying, IsMadeUpForByResume) {
+  const ProgramRun first = grade("without", {"--resume"});
+  EXPECT_NE(first.output.find("0 graded, 3 kept"), string::npos) << first.output;
+  const ProgramRun again = grade("with", {"--resume", "--study"});
+  EXPECT_NE(again.output.find("0 graded, 3 kept"), string::npos) << again.output;
+  fs::copy(folder_ / "without", folder_ / "later", fs::copy_options::recursive);
+  const ProgramRun later = grade("later", {"--resume", "--study", "--only", "perfect"});
+  EXPECT_NE(later.output.find("1 graded"), string::npos) << later.output;
+  EXPECT_TRUE(fs::exists(folder_ / "later" / "perfect" / "study.html"));
+  // Graded again without one, nothing leads to an old one.
+  ASSERT_EQ(grade("later", {"--only", "perfect"}).code, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "later" / "perfect" / "study.html"));
+  EXPECT_FALSE(fs::exists(folder_ / "later" / "perfect" / "study.json"));
+}
+
+TEST_F(Studying, NeedsAllExercises) {
+  const ProgramRun run = grade("nothing", {"--study", "--exercise", "S1"});
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.errors.find("leave out --exercise S1"), string::npos) << run.errors;
+}
+
+TEST_F(Studying, PageStandsAlone) {
+  for (const char* name : {"perfect", "p1-midpoint-full-step", "segfault"}) {
+    const string page = read_file(folder_ / "with" / name / "study.html");
+    EXPECT_NE(page.find("<svg"), string::npos) << name;
+    for (const char* word : {"<script", "src=", "http://", "https://", "/tmp", "hairgrade-"})
+      if (string(word) != "http://")  // the name space of SVG is one
+        EXPECT_EQ(page.find(word), string::npos) << name << ": " << word;
+    EXPECT_NE(page.find("Our code beside itself"), string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace grader
