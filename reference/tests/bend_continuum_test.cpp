@@ -1,11 +1,9 @@
-// STAFF ONLY. Angular springs against the continuum that they stand for: energies and shapes do not depend on
-// how finely a strand is divided, to second order.
+// STAFF ONLY. Angular springs against the continuum that they stand for: energies do not depend on how finely a strand is
+// divided, to second order; shapes and frequencies are in validate/. And what bending makes of an implicit step.
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -42,71 +40,6 @@ TEST(AngularSprings, ApproachTheContinuumsEnergyToSecondOrder) {
   for (std::size_t i = 1; i < errors.size(); ++i)
     EXPECT_NEAR(errors[i - 1] / errors[i], 4, 0.4)
         << "halving the segments, the " << i << "th time: second order";
-}
-
-// A clamped strand along x in gravity, at rest: Newton's method on the energy, loads in steps, root fixed.
-VectorXd static_shape(const Strand& strand, double weight) {
-  const int n = strand.segments(), free = 3 * n;
-  VectorXd x = VectorXd::Zero(3 * n + 3);
-  for (int i = 0; i < n; ++i) x[3 * i + 3] = x[3 * i] + strand.rest_length[i];
-  // A coordinate is known to u, and so a segment's force to EA / l0 of that.
-  const double rounding = 8 * kUnit * strand.stretch_rigidity * n;
-  for (int load = 1; load <= 8; ++load) {
-    double residual = 1;
-    for (int iteration = 0; iteration < 60 && residual > rounding; ++iteration) {
-      VectorXd f = bend_force(strand, x);
-      add_stretch_force(strand, x, f);
-      for (int i = 1; i <= n; ++i) f[3 * i + 2] -= weight * load / 8 * strand.mass[i] / strand.mass.sum();
-      MatrixXd K = -bend_matrix(strand, x);
-      K -= matrix_of(
-          [&](const VectorXd& dx) {
-            VectorXd df = VectorXd::Zero(x.size());
-            add_stretch_product(strand, x, hair::GeometricTerm::full, dx, df);
-            return df;
-          },
-          x.size());
-      VectorXd step = K.bottomRightCorner(free, free).ldlt().solve(f.tail(free));
-      step *= std::min(1.0, 0.2 / step.lpNorm<Eigen::Infinity>());
-      x.tail(free) += step;
-      residual = f.tail(free).norm();
-    }
-    EXPECT_LE(residual, 8 * rounding) << "Newton's method has not converged";
-  }
-  return x;
-}
-
-Strand cantilever(int n) {
-  Strand strand = test_strand(n + 1);
-  strand.rest_length.setConstant(1.0 / n);
-  strand.mass.setConstant(1.0 / n);
-  strand.mass[0] /= 2;
-  strand.mass[n] /= 2;
-  strand.bend_rigidity = 1;
-  strand.stretch_rigidity = 1e4;
-  strand.clamped = true;
-  strand.root_tangent = Vector3d::UnitX();
-  return strand;
-}
-
-TEST(AngularSprings, GiveAClampedBeamItsSmallDeflection) {
-  // A weight w spread along the beam: w L^3 / 8 EI at the tip (Euler, Bernoulli).
-  std::vector<double> errors;
-  for (int n : {4, 8, 16, 32})
-    errors.push_back(std::abs(-static_shape(cantilever(n), 1e-3)[3 * n + 2] - 1e-3 / 8));
-  for (std::size_t i = 1; i < errors.size(); ++i)
-    EXPECT_NEAR(errors[i - 1] / errors[i], 4, 0.4)
-        << "halving the segments, the " << i << "th time: second order";
-  EXPECT_LE(errors.back(), 1e-3 / 8 * 2 / (32 * 32));
-}
-
-TEST(AngularSprings, GiveTheSameStaticShapeHoweverTheStrandIsDivided) {
-  // w L^2 / EI = 5: the tip hangs half of the length down.
-  std::vector<Vector3d> tips;
-  for (int n : {4, 8, 16, 32}) tips.push_back(static_shape(cantilever(n), 5).tail<3>());
-  EXPECT_LT(tips.back().z(), -0.4);
-  for (std::size_t i = 2; i < tips.size(); ++i)
-    EXPECT_NEAR((tips[i - 1] - tips[i - 2]).norm() / (tips[i] - tips[i - 1]).norm(), 4, 0.6)
-        << "how far the tip moves when the segments are halved, the " << i << "th time: second order";
 }
 
 // Degrees that each joint of human hair, on a hinge and in segments of 1 cm, may be bent by until M + h^2 K
