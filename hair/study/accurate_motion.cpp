@@ -65,9 +65,9 @@ std::unique_ptr<Ode> ode_of(const Problem& problem) {
   return std::make_unique<StrandOde>(problem);
 }
 
-// How far a strand that stretches is from the limit, in units of what its tensions stretch it by: 1.0 to 1.1 where it
-// was let go, and up to 2 where it rings.
-constexpr double kOfStretch = 2;
+// How far a strand that stretches is from the limit, in units of what its tensions stretch it by at most: 1.0 to 1.1
+// where it was let go, and 2.0 where its root is jerked; twice that is believed.
+constexpr double kOfStretch = 4;
 
 }  // namespace
 

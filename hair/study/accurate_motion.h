@@ -27,7 +27,7 @@ inline constexpr double kHardToStretch = 100;  // times the EA of hair as thick
 struct AccurateMotion {
   Trajectory states;
   double agreement =
-      0;  // m, the largest distance of a particle at any moment, between the two solutions, or (twice
+      0;  // m, the largest distance of a particle at any moment, between the two solutions, or (four times
           // what tensions stretch it by) between the limit and the strand that stretches
   std::string method;  // "CVODE 6.4.1: Adams at 1e-12, beside BDF at 1e-12"
   bool inextensible = false;

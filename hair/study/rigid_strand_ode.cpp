@@ -118,15 +118,14 @@ void RigidStrandOde::rates(double t, particles::Input y, particles::Output dy) {
   a_.col(0) = at_root_.acceleration;
   for (int i = 1; i <= segments_; ++i) a_.col(i) = force_.segment<3>(3 * i) / strand.mass[i];
   find_tensions();
+  const double stretch = tension_.cwiseAbs().dot(strand.rest_length) / strand.stretch_rigidity;
+  stretch_ = std::max(stretch_, stretch);
   for (int i = 0; i < segments_; ++i)
     dy.segment<6>(6 * i) << w_.col(i), (a_.col(i + 1) - a_.col(i)) / strand.rest_length[i];
 }
 
 particles::State RigidStrandOde::state(double t, particles::Input y) {
-  Eigen::VectorXd dy(size());
-  rates(t, y, dy);
-  const Strand& strand = scene_.hair.strands[0].strand;
-  stretch_ = std::max(stretch_, tension_.cwiseAbs().dot(strand.rest_length) / strand.stretch_rigidity);
+  unpack(t, y);
   return state_;
 }
 

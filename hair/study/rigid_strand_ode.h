@@ -31,8 +31,8 @@ class RigidStrandOde : public Ode {
   void rates(double t, particles::Input y, particles::Output dy) override;
   particles::State state(double t, particles::Input y) override;
 
-  // By how much the tensions would stretch the strand that the problem has, all segments together: the most of all
-  // states so far, m. What sets this motion apart from that strand's, but for a factor of the order of 1.
+  // By how much the tensions would stretch the strand that the problem has, all segments together: the most
+  // since it was made, m. What sets this motion apart from that strand's, but for a factor of the order of 1.
   double stretch() const { return stretch_; }
 
  private:
