@@ -11,9 +11,9 @@
 int main(int argc, char* argv[]) {
   CLI::App app("hairlab: plays scenes of hair with your code");
   app.require_subcommand(1);
-  const std::vector<hair::Command> commands = {hair::add_run_command(app), hair::add_scenes_command(app),
-                                               hair::add_solver_command(app), hair::add_study_command(app),
-                                               hair::add_validate_command(app)};
+  const std::vector<hair::Command> commands = {
+      hair::add_run_command(app),       hair::add_scenes_command(app), hair::add_solver_command(app),
+      hair::add_stability_command(app), hair::add_study_command(app),  hair::add_validate_command(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

@@ -70,8 +70,9 @@ const char* limit_name(const StudyMethod& method) {
       return "theory: what its matrix leaves out";
     case Method::predictor_corrector:
       return "theory: across the hair";
+    default:
+      return "theory";
   }
-  return "theory";
 }
 
 // One column's hair.

@@ -21,6 +21,7 @@ struct Command {
 Command add_run_command(CLI::App& program);
 Command add_scenes_command(CLI::App& program);
 Command add_solver_command(CLI::App& program);
+Command add_stability_command(CLI::App& program);
 Command add_study_command(CLI::App& program);
 Command add_validate_command(CLI::App& program);
 

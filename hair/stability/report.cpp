@@ -1,0 +1,140 @@
+#include "hair/stability/report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include "hair/files/bad_input.h"
+#include "hair/stability/theory.h"
+
+namespace hair {
+
+namespace {
+
+double cpu_now() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+Problem problem_of(const Scene& scene, const StabilitySettings& settings) {
+  if (scene.hair.strands.empty())
+    throw BadInput(scene.name + ": it has no hair; stability maps are of a strand that hangs");
+  Scene bare = scene;  // what it hangs among does not matter
+  bare.hair.obstacles.clear();
+  bare.riders.clear();
+  for (StrandStart& start : bare.hair.strands) start.rest_curvature.resize(0);
+  ProblemSettings one;
+  one.strand = settings.strand;
+  one.segments = settings.segments;
+  if (!one.segments && settings.strand >= 0 &&
+      static_cast<std::size_t>(settings.strand) < scene.hair.strands.size())
+    one.segments = std::min(std::max(scene.hair.strands[settings.strand].strand.segments(), 1), kMapSegments);
+  return make_problem(bare, one);
+}
+
+Frequencies frequencies_of(const Description& hair) {
+  const Hanging hanging = hang(hair, 1, false);
+  const Products products = products_of(hair, hanging, GeometricTerm::dropped, BendProduct::exact);
+  const Eigen::Index n = hanging.mass.size();
+  const double limit = implicit_limit(hanging.mass, hanging.across_modes.stiffness - products.across,
+                                      Eigen::MatrixXd::Zero(n, n), 0);
+  const Strand& strand = hanging.start.strand;
+  const double l = strand.rest_length.sum() / strand.segments();
+  return {hanging.along_modes.omega.maxCoeff(), hanging.across_modes.omega.maxCoeff(), 2 / limit,
+          std::sqrt(hair.gravity.norm() / l * largest_laguerre_zero(strand.segments()))};
+}
+
+}  // namespace
+
+MapSettings quick_maps() {
+  return {32, 32, 2000, 48};
+}
+
+StabilityReport study_stability(const Scene& scene, const StabilitySettings& settings,
+                                const std::atomic<bool>& interrupted, const Tell& tell) {
+  const double start = cpu_now();
+  const Problem problem = problem_of(scene, settings);
+  const Description& hair = problem.scene.hair;
+  const StrandStart& original = scene.hair.strands[settings.strand];
+  const Strand& strand = hair.strands[0].strand;
+  StabilityReport report;
+  report.scene = scene.name;
+  report.quick = settings.quick;
+  report.segments = strand.segments();
+  report.scene_segments = original.strand.segments();
+  report.length = strand.rest_length.sum();
+  report.EA = strand.stretch_rigidity;
+  report.EI = strand.bend_rigidity;
+  report.mass = strand.mass.sum();
+  report.drag = hair.drag;
+  report.was_curved = original.rest_curvature.size() > 0;
+
+  // Methods that make the same matrix of this hair share a map.
+  std::vector<StudyMethod> methods;
+  std::vector<std::vector<StudyMethod>> alike;
+  const auto leave_out = [&](const StudyMethod& method, const std::exception& error,
+                             const std::optional<NotImplemented>& stub) {
+    if (std::none_of(report.left_out.begin(), report.left_out.end(),
+                     [&](const LeftOut& one) { return one.method.id == method.id; }))
+      report.left_out.push_back({method, error.what(), stub});
+  };
+  // What an exercise throws costs its methods only.
+  const auto guarded = [&](const StudyMethod& method, const auto& work) {
+    try {
+      work();
+      return true;
+    } catch (const BadInput&) {
+      throw;
+    } catch (const NotImplemented& stub) {
+      leave_out(method, stub, stub);
+    } catch (const std::exception& error) {
+      leave_out(method, error, {});
+    }
+    return false;
+  };
+  const std::vector<StudyMethod> all = methods_for(problem);
+  for (const StudyMethod& method : all) {
+    guarded(method, [&] {
+      for (std::size_t i = 0; i < methods.size(); ++i)
+        if (alike_when_hanging(hair, methods[i], method)) {
+          alike[i].push_back(method);
+          return;
+        }
+      methods.push_back(method);
+      alike.emplace_back();
+    });
+  }
+  report.maps_asked = static_cast<int>(2 * methods.size());
+  if (!methods.empty())
+    guarded(methods[0], [&] { report.frequencies = frequencies_of(with_options(hair, methods[0])); });
+
+  int number = 0;
+  for (std::size_t i = 0; i < methods.size() && !interrupted; ++i)
+    for (const Sweep sweep : {Sweep::stiffness, Sweep::drag}) {
+      const std::string what = "map " + std::to_string(++number) + " of " +
+                               std::to_string(report.maps_asked) + ": " + methods[i].name +
+                               (sweep == Sweep::stiffness ? ", stiffness" : ", drag");
+      const bool went = guarded(methods[i], [&] {
+        StabilityMap map = make_map(hair, methods[i], sweep, settings.maps, interrupted, [&](long runs) {
+          if (runs % 10 == 1) tell(what + ": " + std::to_string(runs) + " runs");
+        });
+        map.alike = alike[i];
+        if (map.grid.complete) report.maps.push_back(std::move(map));
+      });
+      if (!went || interrupted) break;
+    }
+  for (const StudyMethod& method : all) {
+    if (interrupted) break;
+    tell("extreme cases: " + method.name);
+    guarded(method, [&] {
+      for (ExtremeRun& run : run_extremes(hair, method, interrupted))
+        report.extremes.push_back(std::move(run));
+    });
+  }
+  report.interrupted = interrupted;
+  report.cpu_seconds = cpu_now() - start;
+  return report;
+}
+
+}  // namespace hair
