@@ -1,6 +1,6 @@
-// Solving Ax = b by elimination where A has entries near its diagonal only: A = LL', L as narrow as A's lower half. What a
-// strand's matrix is: 3 below the diagonal. O(n w^2) work once, O(n w) for each b.
-// Source: Golub and Van Loan, "Matrix Computations", 4th edition, section 4.3.5.
+// Solving Ax = b by elimination where A has entries near its diagonal only: A = LL', L as narrow as A's lower
+// half. What a strand's matrix is: 3 below the diagonal. O(n w^2) work once, O(n w) for each b. Source: Golub
+// and Van Loan, "Matrix Computations", 4th edition, section 4.3.5.
 #pragma once
 
 #include <vector>
@@ -11,8 +11,8 @@ namespace solver::study {
 
 class BandedCholesky {
  public:
-  // A is symmetric and positive definite; its lower half is read. Throws std::invalid_argument if it is not square, or
-  // not positive definite.
+  // A is symmetric and positive definite; its lower half is read. Throws std::invalid_argument if it is not
+  // square, or not positive definite.
   explicit BandedCholesky(const SparseMatrix& A);
 
   int size() const { return n_; }

@@ -19,8 +19,8 @@ inline double cpu_seconds() {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// Seconds that each of the calls takes. They are repeated in turn, so that a machine that slows down for a while slows
-// down all of them. The first calls, which count how many make a repeat, warm up.
+// Seconds that each of the calls takes. They are repeated in turn, so that a machine that slows down for a
+// while slows down all of them. The first calls, which count how many make a repeat, warm up.
 inline std::vector<double> median_seconds(const Timing& timing,
                                           const std::vector<std::function<void()>>& calls) {
   const auto seconds = [&](std::size_t call, long times) {

@@ -1,7 +1,8 @@
 // How a method of conjugate gradients gets on, from iteration to iteration.
 //
-// ConjGrad tells nothing on its way, and any may be asked: so it is called anew for 1, 2, 3, ... iterations, and for fewer
-// and fewer numbers of them further on; what it returns each time is compared with the solution that is known.
+// ConjGrad tells nothing on its way, and any may be asked: so it is called anew for 1, 2, 3, ... iterations,
+// and for fewer and fewer numbers of them further on; what it returns each time is compared with the solution
+// that is known.
 #pragma once
 
 #include <atomic>
@@ -45,13 +46,13 @@ struct History {
   std::vector<Progress> progress;
 };
 
-// Until the solver gets no better, ends by itself, or has taken `most` iterations. Values that are not finite are kept as
-// they are, and end it.
+// Until the solver gets no better, ends by itself, or has taken `most` iterations. Values that are not finite
+// are kept as they are, and end it.
 History history_of(const ConjGradFunction& solve, const std::string& name, const System& system, int most,
                    const Timing* timing, const Watch& watch);
 
-// What the error can be at most after so many iterations, without rounding: 2 ((sqrt(c) - 1) / (sqrt(c) + 1))^m for the
-// condition number c (Golub and Van Loan, "Matrix Computations", 4th edition, theorem 11.3.3).
+// What the error can be at most after so many iterations, without rounding: 2 ((sqrt(c) - 1) / (sqrt(c) +
+// 1))^m for the condition number c (Golub and Van Loan, "Matrix Computations", 4th edition, theorem 11.3.3).
 double error_bound(double condition, int iterations);
 
 // Counts the products with a matrix.

@@ -1,7 +1,7 @@
-// What the normal equations cost in digits: A'A x = A'b has the square of A's condition number, and loses twice as many
-// digits as a way that works on A itself.
-// Source: Golub and Van Loan, "Matrix Computations", 4th edition, section 5.3.7; Higham, "Accuracy and Stability of
-// Numerical Algorithms", 2nd edition, theorem 19.5 and section 20.4.
+// What the normal equations cost in digits: A'A x = A'b has the square of A's condition number, and loses
+// twice as many digits as a way that works on A itself. Source: Golub and Van Loan, "Matrix Computations",
+// 4th edition, section 5.3.7; Higham, "Accuracy and Stability of Numerical Algorithms", 2nd edition, theorem
+// 19.5 and section 20.4.
 #pragma once
 
 #include <functional>
@@ -31,9 +31,9 @@ struct DigitsLost {
 
 inline constexpr int kDigitsUnknowns = 40;
 
-// A is 40 x 40 and not symmetric, with singular values from 1/condition to 1, their logarithms evenly spaced; the errors
-// are the medians of `draws` matrices and solutions. The normal equations end where rounding ends them, or after
-// most_iterations.
+// A is 40 x 40 and not symmetric, with singular values from 1/condition to 1, their logarithms evenly spaced;
+// the errors are the medians of `draws` matrices and solutions. The normal equations end where rounding ends
+// them, or after most_iterations.
 DigitsLost digits_lost(const NormalEquationsFunction& solve, double condition, int draws,
                        int most_iterations);
 

@@ -1,5 +1,5 @@
-// The lecture's "Why implicitMatrix?": what a product with a strand's matrix costs by its formula, and by the table of its
-// entries.
+// The lecture's "Why implicitMatrix?": what a product with a strand's matrix costs by its formula, and by the
+// table of its entries.
 #pragma once
 
 #include <cstddef>

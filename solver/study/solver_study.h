@@ -1,5 +1,5 @@
-// What ConjGrad and the normal equations do, measured beside other ways, as plain data: see solver/README.md for what is
-// learned from it.
+// What ConjGrad and the normal equations do, measured beside other ways, as plain data: see solver/README.md
+// for what is learned from it.
 #pragma once
 
 #include <atomic>
@@ -33,8 +33,8 @@ struct DirectSolve {
   double factor_seconds = 0, solve_seconds = 0;
 };
 
-// Iterations until ||b - Ax|| <= 1e-8 ||b||; of the normal equations until ||A'(b - Ax)|| <= 1e-8 ||A'b||. None: not
-// within most_iterations.
+// Iterations until ||b - Ax|| <= 1e-8 ||b||; of the normal equations until ||A'(b - Ax)|| <= 1e-8 ||A'b||.
+// None: not within most_iterations.
 struct IterationsNeeded {
   double condition = 1;
   std::optional<int> conj_grad, eigen, clustered, normal_equations;
@@ -44,8 +44,8 @@ struct IterationsNeeded {
 inline constexpr double kNeededTolerance = 1e-8;
 inline constexpr int kUnknowns = 200, kNeededClusters = 5;
 
-// sqrt(c)/2 log(2 sqrt(c) / 1e-8): more are not needed without rounding, as error_bound gives ||r_m|| <= 2 sqrt(c)
-// ((sqrt(c) - 1) / (sqrt(c) + 1))^m ||r_0||, where ||r_0|| <= ||b|| (see kLargestEigenvalue).
+// sqrt(c)/2 log(2 sqrt(c) / 1e-8): more are not needed without rounding, as error_bound gives ||r_m|| <= 2
+// sqrt(c) ((sqrt(c) - 1) / (sqrt(c) + 1))^m ||r_0||, where ||r_0|| <= ||b|| (see kLargestEigenvalue).
 double needed_at_most(double condition);
 
 struct SolverStudy {

@@ -64,7 +64,8 @@ SparseMatrix strand_matrix(int segments, double step) {
 
 System strand_system(int segments, double step) {
   const StrandNumbers strand = strand_numbers(segments);
-  // A chain of equal masses, held at one end: the springs' part of an eigenvalue is 4 k sin^2 of these angles.
+  // A chain of equal masses, held at one end: the springs' part of an eigenvalue is 4 k sin^2 of these
+  // angles.
   const auto eigenvalue = [&](double k, int j) {
     const double sine = std::sin((2 * j - 1) * std::numbers::pi / (2 * (2 * segments + 1)));
     return strand.mass + 4 * step * step * k * sine * sine;

@@ -1,4 +1,5 @@
-// Systems Ax = b to watch a solver on: symmetric, positive definite, with a solution and a spectrum that are known.
+// Systems Ax = b to watch a solver on: symmetric, positive definite, with a solution and a spectrum that are
+// known.
 #pragma once
 
 #include <memory>
@@ -22,8 +23,8 @@ struct System {
   double condition() const { return largest / smallest; }
 };
 
-// The largest eigenvalue of the two below. The first guess is b, so that an eigenvalue of 1 would have its part of the
-// solution for nothing; and as |1 - eigenvalue| <= 1, the first residual is no longer than b.
+// The largest eigenvalue of the two below. The first guess is b, so that an eigenvalue of 1 would have its
+// part of the solution for nothing; and as |1 - eigenvalue| <= 1, the first residual is no longer than b.
 inline constexpr double kLargestEigenvalue = 2;
 
 // Eigenvalues whose logarithms are evenly spaced: no two of them help each other.
@@ -32,15 +33,15 @@ System spread_system(int n, double condition);
 // Eigenvalues in `clusters` >= 2 places whose logarithms are evenly spaced, n / clusters in each.
 System clustered_system(int n, double condition, int clusters);
 
-// A step of `step` seconds of implicit Euler of a hair: 30 cm long, in so many segments, straight and clamped. Its
-// unknowns are 3 segments, its condition number grows with step^2 EA / (l m).
+// A step of `step` seconds of implicit Euler of a hair: 30 cm long, in so many segments, straight and
+// clamped. Its unknowns are 3 segments, its condition number grows with step^2 EA / (l m).
 System strand_system(int segments, double step);
 
 // The same as a matrix in rows: SparseMatrix entries.
 SparseMatrix strand_matrix(int segments, double step);
 
-// What a strand is made of: human hair (C. R. Robbins, "Chemical and Physical Behavior of Human Hair", 5th edition, 2012,
-// chapter 9), for `segments` springs.
+// What a strand is made of: human hair (C. R. Robbins, "Chemical and Physical Behavior of Human Hair", 5th
+// edition, 2012, chapter 9), for `segments` springs.
 struct StrandNumbers {
   double mass;     // kg, of a particle
   double stretch;  // N/m, EA / l

@@ -64,8 +64,8 @@ void write(const OutputFolder& folder, const solver::study::SolverStudy& study, 
 int run(const Options& options) {
   const solver::study::Functions studied = functions();
   if (!studied.conj_grad) throw BadInput("this course leaves out S1, ConjGrad; there is no solver to study");
-  OutputFolder folder(options.out, solver_output());
   const std::atomic<bool>& interrupted = catch_interruption("\nhairlab: stopping; once more ends at once\n");
+  OutputFolder folder(options.out, solver_output());
   const bool terminal = isatty(STDERR_FILENO) != 0;
   const auto say = [&](const std::string& what) {
     if (terminal) std::cerr << "\r\x1b[K" << what << std::flush;

@@ -1,0 +1,167 @@
+// The study's own parts: systems that are what they say, the ways from outside, counts of products, a solver
+// that is wrong.
+#include "solver/study/solver_study.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numeric>
+#include <stdexcept>
+
+#include "solver/study/banded_cholesky.h"
+#include "solver/study/eigen_conj_grad.h"
+#include "solver/study/systems.h"
+
+namespace solver::study {
+namespace {
+
+double dot(const Vector& a, const Vector& b) {
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+// Whether sign (A - shift I) is positive definite: all of A's eigenvalues lie above the shift, or below it.
+bool definite(const SparseMatrix& A, double sign, double shift) {
+  std::vector<SparseMatrix::Entry> entries = A.entries();
+  for (SparseMatrix::Entry& entry : entries) entry.value *= sign;
+  for (int i = 0; i < A.rows(); ++i) entries.push_back({i, i, -sign * shift});
+  try {
+    BandedCholesky(SparseMatrix(A.rows(), A.cols(), entries));
+    return true;
+  } catch (const std::invalid_argument&) {
+    return false;
+  }
+}
+
+TEST(Systems, AStrandHasTheEigenvaluesThatItSays) {
+  constexpr double kClose =
+      1e-9;  // rounding moves them by about u times the condition number, here below 1e5
+  for (const double step : {1e-5, 1e-4, 1e-3}) {
+    const System system = strand_system(10, step);
+    const SparseMatrix A = strand_matrix(10, step);
+    EXPECT_TRUE(definite(A, 1, (1 - kClose) * system.smallest)) << step;
+    EXPECT_FALSE(definite(A, 1, (1 + kClose) * system.smallest)) << step;
+    EXPECT_TRUE(definite(A, -1, (1 + kClose) * system.largest)) << step;
+    EXPECT_FALSE(definite(A, -1, (1 - kClose) * system.largest)) << step;
+  }
+}
+
+TEST(Systems, TheSolutionSolvesThem) {
+  for (const System& system : {spread_system(50, 1e4), clustered_system(50, 1e4, 3), strand_system(5, 1e-3)})
+    EXPECT_EQ(product(*system.matrix, system.solution), system.right_side) << system.name;
+  EXPECT_THROW(clustered_system(50, 1e4, 1), std::invalid_argument);
+}
+
+TEST(BandedCholeskyTest, SolvesAStrandAndRefusesWhatIsNotDefinite) {
+  const SparseMatrix A = strand_matrix(30, 1e-2);
+  const System system = strand_system(30, 1e-2);
+  const BandedCholesky factored(A);
+  EXPECT_EQ(factored.width(), 3);
+  Vector x = system.right_side;
+  factored.solve(x.data());
+  // Higham, theorem 10.4, for a band of w = 3: ||b - Ax|| <= 4 (3w + 1) u || |L||L'| || ||x||, and |L||L'| is
+  // at most w + 1 times as large as A.
+  const double residual = std::sqrt(squared_norm(difference(system.right_side, product(*system.matrix, x))));
+  EXPECT_LE(residual, 4 * 10 * 4 * kRounding * A.norm_bound() * std::sqrt(squared_norm(x)));
+  EXPECT_THROW(BandedCholesky(tridiagonal(5, 1, -1)), std::invalid_argument)
+      << "an eigenvalue is 1 - sqrt(3)";
+  EXPECT_THROW(BandedCholesky(SparseMatrix(2, 3, {})), std::invalid_argument);
+}
+
+TEST(ProductCostTest, FormulaAndTableAreTheSameMatrix) {
+  const int particles = 7, n = 3 * particles;
+  const StrandFormula formula = strand_formula(particles, 1e-3);
+  const Table table = table_of(formula, n);
+  SparseMatrix sparse = strand_matrix(particles, 1e-3);
+  const Vector x = scattered(n, 9), expected = product(sparse, x);
+  Vector by_formula(n), by_table(n);
+  formula.multiply(n, x.data(), by_formula.data());
+  table.multiply(n, x.data(), by_table.data());
+  for (int i = 0; i < n; ++i) {
+    // Three terms, rounded once each and added: 4 u of the largest entry's size.
+    const double bound = 4 * kRounding * sparse.norm_bound();
+    EXPECT_NEAR(by_formula[i], expected[i], bound) << i;
+    EXPECT_NEAR(by_table[i], expected[i], bound) << i;
+  }
+}
+
+TEST(ProductCostTest, MultiplicationsAndBytesGrowWithNAndWithItsSquare) {
+  const Timing once = {0, 1};
+  const ProductCost small = product_cost(20, once), large = product_cost(200, once);
+  EXPECT_EQ(small.table.multiplications, 60L * 60);
+  EXPECT_EQ(large.table.multiplications, 600L * 600);
+  EXPECT_EQ(large.table.bytes, 100 * small.table.bytes);
+  EXPECT_EQ(large.formula.bytes, 10 * small.formula.bytes);
+  // Three for each unknown, less one for each of the 6 at the ends.
+  EXPECT_EQ(small.formula.multiplications, 3 * 60 - 6);
+  EXPECT_EQ(large.formula.multiplications, 3 * 600 - 6);
+}
+
+double eigen(int n, implicitMatrix* A, double x[], double b[], double, int* steps) {
+  eigen_conj_grad(n, A, x, b, 0, steps);
+  return 0;
+}
+
+// A method that is not conjugate gradients, and says that it is: steepest descent.
+double steepest_descent(int n, implicitMatrix* A, double x[], double b[], double epsilon, int* steps) {
+  Vector r(n), q(n);
+  std::copy(b, b + n, x);
+  const int most = *steps;
+  double squared = 0;
+  for (int k = 0;; ++k) {
+    A->matVecMult(x, q.data());
+    for (int i = 0; i < n; ++i) r[i] = b[i] - q[i];
+    squared = squared_norm(r);
+    *steps = k;
+    if (k == most || squared <= epsilon) return squared;
+    A->matVecMult(r.data(), q.data());
+    const double alpha = squared / dot(r, q);
+    for (int i = 0; i < n; ++i) x[i] += alpha * r[i];
+  }
+}
+
+// How often an error is above the bound of conjugate gradients, before it comes near what rounding leaves.
+int violations(const History& history) {
+  int count = 0;
+  for (const Progress& one : history.progress)
+    count += one.error > 1e-9 && one.error > error_bound(history.condition, one.iterations);
+  return count;
+}
+
+TEST(HistoryTest, ConjugateGradientsStayBelowTheBoundAndSteepestDescentDoesNot) {
+  for (const double condition : {10.0, 1e2, 1e3}) {
+    const System system = spread_system(100, condition);
+    EXPECT_EQ(violations(history_of(eigen, "Eigen", system, 2000, nullptr, {})), 0) << condition;
+    EXPECT_GT(violations(history_of(steepest_descent, "steepest descent", system, 2000, nullptr, {})), 3)
+        << condition;
+  }
+}
+
+TEST(HistoryTest, AnInterruptionEndsTheStudyAndNoNumberEndsAHistory) {
+  const std::atomic<bool> interrupted = true;
+  EXPECT_FALSE(study_solvers({eigen, {}}, {true}, interrupted, [](const std::string&) {}));
+  const auto broken = [](int n, implicitMatrix*, double x[], double[], double, int*) {
+    std::fill(x, x + n, std::nan(""));
+    return std::nan("");
+  };
+  EXPECT_EQ(history_of(broken, "broken", spread_system(10, 10), 100, nullptr, {}).progress.size(), 1);
+}
+
+TEST(SolverStudyTest, StubsAreNamed) {
+  const std::atomic<bool> interrupted = false;
+  const auto hush = [](const std::string&) {};
+  const auto no_conj_grad = [](int, implicitMatrix*, double[], double[], double, int*) -> double {
+    throw NotImplemented("S1 ConjGrad");
+  };
+  EXPECT_THROW(study_solvers({no_conj_grad, {}}, {true}, interrupted, hush), NotImplemented);
+  const auto no_normal = [](int, int, implicitMatrix*, implicitMatrix*, double[], double[], double,
+                            int*) -> double { throw NotImplemented("S2 solve_normal_equations"); };
+  const auto study = study_solvers({eigen, no_normal}, {true}, interrupted, hush);
+  ASSERT_TRUE(study);
+  ASSERT_TRUE(study->not_written);
+  EXPECT_STREQ(study->not_written->what(), "S2 solve_normal_equations is not implemented yet");
+  EXPECT_TRUE(study->digits.empty());
+  EXPECT_FALSE(study->products.empty());
+}
+
+}  // namespace
+}  // namespace solver::study
