@@ -10,7 +10,7 @@ namespace hair {
 struct StepOutcome {
   long solver_steps = 0;               // of ConjGrad
   int unconverged = 0;                 // solves and corrections that ended above their tolerance
-  long correction_steps = 0;           // Newton steps of the length correction
+  long correction_steps = 0;           // Newton steps: of the length correction, or of newton_euler
   Stage suspect = Stage::integration;  // where numbers stopped being finite; else the last stage
 };
 

@@ -8,7 +8,10 @@ namespace {
 StepOutcome take_step(MovingStrand& moving, const StepOptions& options, const particles::Scratch& scratch) {
   const NewtonReport report =
       newton_euler(moving.force, moving.definite_force, moving.particles, options.h, moving.state, scratch);
-  return {.solver_steps = report.solver_steps, .unconverged = !report.converged, .suspect = Stage::filter};
+  return {.solver_steps = report.solver_steps,
+          .unconverged = !report.converged,
+          .correction_steps = report.newton_steps,
+          .suspect = Stage::filter};
 }
 
 }  // namespace

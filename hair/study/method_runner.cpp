@@ -11,7 +11,7 @@ namespace hair {
 
 namespace {
 
-// What a step's evaluations of the forces are, by the contracts of P1, H4 and H6.
+// What a step's evaluations of the forces are, by the contracts of P1, H4 and H6, and to begin with.
 long evaluations_of_a_step(Method method) {
   switch (method) {
     case Method::midpoint:
@@ -102,9 +102,11 @@ void MethodRunner::count(MethodRun& run) const {
   Counts& counts = run.counts;
   counts.steps =
       problem_.is_toy() ? static_cast<long>(playback_->frame()) * run.steps_per_moment : work.strand_steps;
-  counts.evaluations = counts.steps * evaluations_of_a_step(method_.method);
   counts.iterations = work.solver_steps;
   counts.corrections = work.correction_steps;
+  counts.evaluations = counts.steps * evaluations_of_a_step(method_.method);
+  // Each of its Newton steps looks where it led to.
+  if (method_.method == Method::newton_euler) counts.evaluations += counts.corrections;
   counts.unconverged = work.unconverged;
 }
 

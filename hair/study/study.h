@@ -23,7 +23,7 @@ struct Counts {
   long steps = 0;
   long evaluations = 0;  // of the forces, as many as the method's contract says
   long iterations = 0;   // of ConjGrad: each a product with a matrix
-  long corrections = 0;  // Newton steps of the length correction
+  long corrections = 0;  // Newton steps: of H6's length correction, or of implicit Euler to convergence
   long unconverged = 0;  // solves and corrections that ended above their tolerance
 
   long work() const { return evaluations + iterations; }

@@ -1,0 +1,142 @@
+// STAFF ONLY. What a study keeps: failures by name, runs to resume from.
+#include "hair/study/study_record.h"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "hair/files/bad_input.h"
+#include "hair/files/write_file.h"
+#include "hair/study/study_page.h"
+#include "studies.h"
+
+namespace reference_tests {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+class StudyRecord : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "hair-study-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  fs::path keep(const hair::Study& study) const {
+    hair::write_file(folder_ / "study.json", hair::study_json(study));
+    return folder_ / "study.json";
+  }
+  std::string why_refused(const fs::path& file, hair::Study study) const {
+    try {
+      hair::read_runs(file, study);
+    } catch (const hair::BadInput& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  fs::path folder_;
+};
+
+// Without what differs from time to time.
+std::string timeless(const hair::Study& study) {
+  Json json = Json::parse(hair::study_json(study));
+  json["reference"].erase("seconds");
+  for (Json& method : json["methods"])
+    for (Json& run : method["runs"]) {
+      run.erase("time");
+      run.erase("seconds");
+    }
+  return json.dump(1);
+}
+
+const std::vector<std::string> kMethods = {"forward-euler", "runge-kutta-4", "h4-filtered"};
+
+TEST_F(StudyRecord, ARunThatBrokeStaysByNameInAllThatIsWritten) {
+  const hair::Study study = studied(kHair, 0.02, {"forward-euler", "runge-kutta-4"}, 3e5).whole();
+  const hair::MethodRun& first = sweep_of(study, "forward-euler").runs.at(0);
+  ASSERT_EQ(first.ending, hair::RunEnding::broke) << shown(sweep_of(study, "forward-euler"));
+  ASSERT_TRUE(first.trouble.starts_with("strand 0, step ")) << first.trouble;
+  EXPECT_LT(first.counts.steps, first.steps_per_moment * hair::kMoments) << "it is not stopped at once";
+  const Json run = Json::parse(hair::study_json(study))["methods"][0]["runs"][0];
+  EXPECT_EQ(run["ending"], "broke");
+  EXPECT_EQ(run["trouble"], first.trouble);
+  EXPECT_FALSE(run.contains("errors"));
+  EXPECT_NE(hair::to_csv(hair::table_of_runs(study)).find(first.trouble), std::string::npos);
+  EXPECT_NE(hair::to_html(hair::study_page(study)).find(first.trouble), std::string::npos);
+}
+
+TEST_F(StudyRecord, ErrorsBelowTheFloorAreNoNumbers) {
+  const hair::Study study = studied(kPendulum, 0.1, {"runge-kutta-4"}, 1e7).whole();
+  const Json json = Json::parse(hair::study_json(study));
+  const Json& errors = json["methods"][0]["runs"].back()["errors"];
+  EXPECT_TRUE(errors["final_largest"].is_null()) << errors.dump();
+  for (const Json& run : json["methods"][0]["runs"])
+    for (const auto& [norm, error] : run["errors"].items())
+      EXPECT_TRUE(error.is_null() || error.get<double>() >= json["floors"][norm].get<double>())
+          << norm << ": " << error;
+}
+
+TEST_F(StudyRecord, ResumedItIsTheSameAsOneThatWasNeverInterrupted) {
+  const Studied all = studied(kSoftHair, 0.1, kMethods, 3e5);
+  const hair::Study whole = all.whole();
+  for (const int runs : {1, 7}) {
+    std::atomic<bool> interrupted = false;
+    int started = 0;
+    hair::StudySettings settings = all.settings;
+    settings.progress = [&](const std::string&) { interrupted = started++ == runs; };
+    hair::Study part = all.empty();
+    EXPECT_FALSE(hair::finish_study(all.problem, all.motion, settings, part, interrupted));
+    const fs::path file = keep(part);
+    EXPECT_EQ(Json::parse(hair::study_json(part))["finished"], false);
+
+    hair::Study resumed = all.empty();
+    hair::read_runs(file, resumed);
+    int kept = 0;
+    for (const hair::Sweep& sweep : resumed.sweeps) kept += static_cast<int>(sweep.runs.size());
+    EXPECT_EQ(kept, runs);
+    started = 0;
+    settings.progress = [&](const std::string&) { ++started; };
+    EXPECT_TRUE(hair::finish_study(all.problem, all.motion, settings, resumed, false));
+    EXPECT_EQ(timeless(resumed), timeless(whole));
+    int in_all = 0;
+    for (const hair::Sweep& sweep : whole.sweeps) in_all += static_cast<int>(sweep.runs.size());
+    EXPECT_EQ(started, in_all - runs) << "runs that were there are run again";
+  }
+}
+
+TEST_F(StudyRecord, OfSomethingElseIsRefusedAndSaysWhatDiffers) {
+  const Studied all = studied(kSoftHair, 0.1, kMethods, 1e4);
+  const fs::path file = keep(all.whole());
+  EXPECT_EQ(why_refused(file, all.empty()), "");
+
+  hair::Study other = all.empty();
+  other.content = "0";
+  EXPECT_NE(why_refused(file, other).find("its \"content\" is "), std::string::npos)
+      << why_refused(file, other);
+  other = all.empty();
+  other.machine.processor = "abacus";
+  EXPECT_NE(why_refused(file, other).find("\"machine\""), std::string::npos);
+  other = all.empty();
+  other.sweeps.pop_back();
+  EXPECT_NE(why_refused(file, other).find("\"methods\""), std::string::npos);
+  other = all.empty();
+  other.most_work *= 2;
+  EXPECT_NE(why_refused(file, other).find("\"most_work\""), std::string::npos);
+
+  Json broken = Json::parse(hair::study_json(all.whole()));
+  broken["format"] = 2;
+  hair::write_file(file, broken.dump());
+  EXPECT_NE(why_refused(file, all.empty()).find("\"format\""), std::string::npos);
+  hair::write_file(file, "{}");
+  EXPECT_NE(why_refused(file, all.empty()).find("is not from hairlab study"), std::string::npos);
+  EXPECT_NE(why_refused(folder_ / "none.json", all.empty()), "");
+}
+
+}  // namespace
+}  // namespace reference_tests
