@@ -1,0 +1,125 @@
+// hairlab study from outside: what it writes, what it says, how it goes on.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "hair/lab/tests/run_hairlab.h"
+
+namespace hair {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+// Soft, so that it takes no time.
+const char* const kSoftHair = R"({"shows": "soft hair", "frames": 3, "hair": [{"segments": 6, "length": 0.12,
+ "clamped": false, "material": {"stretch_factor": 1e-4},
+ "roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}]})";
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+class HairlabStudy : public testing::Test {
+ protected:
+  // Short sweeps of few methods.
+  ProgramRun study(std::vector<std::string> more = {}, ProgramSettings settings = {}) {
+    std::vector<std::string> arguments = {
+        "study", folder_.write("scene.json", kSoftHair), "--out", out_.string(), "--quick", "--duration",
+        "0.05"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    settings.environment.push_back("XDG_CACHE_HOME=" + (folder_ / "cache").string());
+    return run_hairlab(arguments, settings);
+  }
+  Json record() const { return Json::parse(read_bytes(out_ / "study.json")); }
+  void expect_refused(const ProgramRun& run, int code, const std::string& part) {
+    EXPECT_EQ(run.code, code) << run.errors;
+    EXPECT_TRUE(has(run.errors, part)) << run.errors;
+    EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
+  }
+
+  TestFolder folder_;
+  const fs::path out_ = folder_ / "out";
+  const std::vector<std::string> kFew = {"--methods", "symplectic-euler,runge-kutta-4"};
+};
+
+TEST_F(HairlabStudy, WritesRecordTableAndPageAndIsQuietInAPipe) {
+  const ProgramRun run = study(kFew);
+  ASSERT_EQ(run.code, 0) << run.errors;
+  EXPECT_EQ(run.output, (out_ / "index.html").string() + "\n");
+  EXPECT_EQ(run.errors, "");
+  EXPECT_EQ(folder_.names("out"), (std::vector<std::string>{"index.html", "study.csv", "study.json"}));
+  const Json json = record();
+  EXPECT_EQ(json["finished"], true);
+  ASSERT_EQ(json["methods"].size(), 2u);
+  EXPECT_EQ(json["methods"][1]["id"], "runge-kutta-4");
+  std::size_t runs = 0;
+  for (const Json& method : json["methods"]) runs += method["runs"].size();
+  const std::string csv = read_bytes(out_ / "study.csv");
+  EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), runs + 1);
+  EXPECT_TRUE(has(read_bytes(out_ / "index.html"), "<svg"));
+
+  // The accurate motion is kept, and the same as before; a finished study has nothing to go on with.
+  EXPECT_EQ(json["reference"]["from_cache"], false);
+  ASSERT_EQ(study({"--methods", "symplectic-euler,runge-kutta-4", "--resume"}).code, 0);
+  const Json again = record();
+  EXPECT_EQ(again["reference"]["from_cache"], true);
+  EXPECT_EQ(again["methods"], json["methods"]);
+}
+
+TEST_F(HairlabStudy, InterruptedKeepsWhatIsFinishedAndGoesOn) {
+  ProgramSettings settings;
+  settings.meanwhile = [&](int process) {
+    // As soon as the accurate motion is there, runs begin.
+    for (int k = 0;
+         k < 4000 && (!fs::exists(folder_ / "cache/hairlab") || fs::is_empty(folder_ / "cache/hairlab")); ++k)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    EXPECT_FALSE(fs::exists(out_));
+    kill(process, SIGINT);
+  };
+  const std::vector<std::string> slow = {"--methods", "symplectic-euler,h4-filtered,h6"};
+  const ProgramRun run = study(slow, settings);
+  ASSERT_EQ(run.code, 130) << run.output << run.errors;
+  EXPECT_TRUE(has(run.errors, "interrupted; what is finished is kept, and --resume goes on")) << run.errors;
+  const Json part = record();
+  EXPECT_EQ(part["finished"], false);
+  EXPECT_TRUE(has(read_bytes(out_ / "index.html"), "--resume goes on"));
+
+  // Of something else it can't.
+  expect_refused(study({"--resume", "--methods", "h6"}), 2,
+                 "is another study, and can't be resumed: its \"methods\"");
+  EXPECT_EQ(record(), part);
+
+  ASSERT_EQ(study({"--resume", "--methods", "symplectic-euler,h4-filtered,h6"}).code, 0);
+  const Json whole = record();
+  EXPECT_EQ(whole["finished"], true);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Json &before = part["methods"][i]["runs"], &after = whole["methods"][i]["runs"];
+    ASSERT_LE(before.size(), after.size());
+    for (std::size_t k = 0; k < before.size(); ++k) EXPECT_EQ(before[k], after[k]) << "times and all";
+  }
+}
+
+TEST_F(HairlabStudy, BadInputIsRefusedInOneLine) {
+  expect_refused(study({"--methods", "leapfrog"}), 2,
+                 "--methods: there is no leapfrog for this scene; there are forward-euler, ");
+  expect_refused(study({"--strand", "1"}), 2, "there is no strand 1");
+  expect_refused(study({"--resume"}), 2, "study.json");
+  const fs::path mine = folder_.write("mine.txt", "");
+  expect_refused(run_hairlab({"study", "strand-swing", "--out", folder_.path().string()}), 2,
+                 "is not empty, and not from hairlab");
+  EXPECT_FALSE(fs::exists(out_));
+}
+
+TEST_F(HairlabStudy, NamesTheExerciseThatAStubIsOf) {
+  expect_refused(study(kFew, {.program = STUDENT_HAIRLAB}), 3,
+                 "needs H1: student/stretch_springs.cpp, stretch_");
+  EXPECT_FALSE(fs::exists(out_));
+}
+
+}  // namespace
+}  // namespace hair
