@@ -117,7 +117,7 @@ TEST_F(HairlabStudy, BadInputIsRefusedInOneLine) {
 
 TEST_F(HairlabStudy, NamesTheExerciseThatAStubIsOf) {
   expect_refused(study(kFew, {.program = STUDENT_HAIRLAB}), 3,
-                 "needs H1: student/stretch_springs.cpp, stretch_");
+                 "hairlab: this needs H1: student/stretch_springs.cpp, ");
   EXPECT_FALSE(fs::exists(out_));
 }
 
