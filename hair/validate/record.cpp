@@ -110,7 +110,7 @@ std::string terminal_text(const ValidationRecord& record) {
   };
   const auto columns = [](const char* a, const char* b, const char* c, const char* d, const char* e) {
     char rest[120];
-    std::snprintf(rest, sizeof rest, " %14s %14s %9s %9s  %s", a, b, c, d, e);
+    std::snprintf(rest, sizeof rest, " %13s %13s %8s %8s  %s", a, b, c, d, e);
     return std::string(rest);
   };
   text += line("", columns("expected", "measured", "error", "tolerance", ""));
