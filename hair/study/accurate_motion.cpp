@@ -65,8 +65,8 @@ std::unique_ptr<Ode> ode_of(const Problem& problem) {
   return std::make_unique<StrandOde>(problem);
 }
 
-// How far a strand that stretches is from the limit, in units of what its tensions stretch it by at most: 1.0 to 1.1
-// where it was let go, and 2.0 where its root is jerked; twice that is believed.
+// How far a strand that stretches is from the limit, in units of what its tensions stretch it by at most: 1.0 to 1.6
+// where it was let go, 2.4 where its root is carried about. Not derived, and so with room.
 constexpr double kOfStretch = 4;
 
 }  // namespace

@@ -26,9 +26,9 @@ inline constexpr double kHardToStretch = 100;  // times the EA of hair as thick
 
 struct AccurateMotion {
   Trajectory states;
-  double agreement =
-      0;  // m, the largest distance of a particle at any moment, between the two solutions, or (four times
-          // what tensions stretch it by) between the limit and the strand that stretches
+  // m, the largest distance of a particle at any moment between the two solutions; or between the limit of rigid
+  // segments and the strand that stretches (four times what tensions stretch it by), if that is more.
+  double agreement = 0;
   std::string method;  // "CVODE 6.4.1: Adams at 1e-12, beside BDF at 1e-12"
   bool inextensible = false;
   bool from_cache = false;
