@@ -8,7 +8,7 @@ namespace hair::plot {
 
 namespace {
 
-constexpr double kWidestName = 190, kLine = 16, kBetween = 7, kAfterSample = 8;
+constexpr double kWidestName = 200, kLine = 16, kBetween = 7, kAfterSample = 8;
 
 }  // namespace
 

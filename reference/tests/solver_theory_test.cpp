@@ -22,7 +22,7 @@ double rounding_floor(const System& system) {
 }
 
 History history(const System& system, int most = 20000) {
-  return history_of(ConjGrad, "ConjGrad", system, most, nullptr, {});
+  return history_of(ConjGrad, "ConjGrad", system, most, {});
 }
 
 TEST(SolverTheory, TheErrorInTheANormIsBelowTheBoundOfConjugateGradients) {

@@ -28,22 +28,10 @@ Progress after(const ConjGradFunction& solve, const System& system, int iteratio
   return progress;
 }
 
-void time_all(const ConjGradFunction& solve, const System& system, const Timing& timing, History& history) {
-  Vector x(system.solution.size()), b = system.right_side;
-  std::vector<std::function<void()>> calls;
-  for (const Progress& progress : history.progress)
-    calls.emplace_back([&, m = progress.iterations] {
-      int steps = m;
-      solve(system.n(), system.matrix.get(), x.data(), b.data(), 0, &steps);
-    });
-  const std::vector<double> seconds = median_seconds(timing, calls);
-  for (std::size_t i = 0; i < seconds.size(); ++i) history.progress[i].seconds = seconds[i];
-}
-
 }  // namespace
 
 History history_of(const ConjGradFunction& solve, const std::string& name, const System& system, int most,
-                   const Timing* timing, const Watch& watch) {
+                   const Watch& watch) {
   History history = {system.name, name, system.n(), system.condition(), {}};
   const double first_error = energy_norm(*system.matrix, difference(system.right_side, system.solution));
   double best = std::numeric_limits<double>::infinity();
@@ -60,8 +48,23 @@ History history_of(const ConjGradFunction& solve, const std::string& name, const
     best = std::min(best, progress.error);
     if (best < kDone && without_progress >= kPatience) break;
   }
-  if (timing) time_all(solve, system, *timing, history);
   return history;
+}
+
+void time_in_turn(const System& system, const std::vector<TimedHistory>& all, const Timing& timing) {
+  Vector x(system.solution.size()), b = system.right_side;
+  std::vector<std::function<void()>> calls;
+  std::vector<Progress*> timed;
+  for (const TimedHistory& one : all)
+    for (Progress& progress : one.history->progress) {
+      calls.emplace_back([&, solve = one.solve, most = progress.iterations] {
+        int steps = most;
+        (*solve)(system.n(), system.matrix.get(), x.data(), b.data(), 0, &steps);
+      });
+      timed.push_back(&progress);
+    }
+  const std::vector<double> seconds = median_seconds(timing, calls);
+  for (std::size_t i = 0; i < timed.size(); ++i) timed[i]->seconds = seconds[i];
 }
 
 double error_bound(double condition, int iterations) {

@@ -49,7 +49,15 @@ struct History {
 // Until the solver gets no better, ends by itself, or has taken `most` iterations. Values that are not finite
 // are kept as they are, and end it.
 History history_of(const ConjGradFunction& solve, const std::string& name, const System& system, int most,
-                   const Timing* timing, const Watch& watch);
+                   const Watch& watch);
+
+// Sets the seconds of histories of one system, each by the solver beside it: all in turn, so that they can be
+// compared.
+struct TimedHistory {
+  const ConjGradFunction* solve;
+  History* history;
+};
+void time_in_turn(const System& system, const std::vector<TimedHistory>& all, const Timing& timing);
 
 // What the error can be at most after so many iterations, without rounding: 2 ((sqrt(c) - 1) / (sqrt(c) +
 // 1))^m for the condition number c (Golub and Van Loan, "Matrix Computations", 4th edition, theorem 11.3.3).

@@ -45,7 +45,7 @@ class Study {
 
  private:
   History conj_grad_history(const System& system) {
-    return history_of(functions_.conj_grad, "ConjGrad", system, study_.most_iterations, nullptr, watch_);
+    return history_of(functions_.conj_grad, "ConjGrad", system, study_.most_iterations, watch_);
   }
 
   void histories() {
@@ -67,10 +67,12 @@ class Study {
     say_("error against time");
     for (const double step : {1e-4, 1e-2}) {
       const System system = strand_system(kSegments, step);
-      study_.timed.push_back(
-          history_of(functions_.conj_grad, "ConjGrad", system, study_.most_iterations, &timing_, watch_));
-      study_.timed.push_back(
-          history_of(eigen_as_conj_grad, "Eigen's CG", system, study_.most_iterations, &timing_, watch_));
+      History ours = conj_grad_history(system);
+      const ConjGradFunction eigen = eigen_as_conj_grad;
+      History eigens = history_of(eigen, "Eigen's CG", system, study_.most_iterations, watch_);
+      time_in_turn(system, {{&functions_.conj_grad, &ours}, {&eigen, &eigens}}, timing_);
+      study_.timed.push_back(std::move(ours));
+      study_.timed.push_back(std::move(eigens));
       study_.direct.push_back(cholesky(system, strand_matrix(kSegments, step)));
     }
   }

@@ -130,9 +130,8 @@ int violations(const History& history) {
 TEST(HistoryTest, ConjugateGradientsStayBelowTheBoundAndSteepestDescentDoesNot) {
   for (const double condition : {10.0, 1e2, 1e3}) {
     const System system = spread_system(100, condition);
-    EXPECT_EQ(violations(history_of(eigen, "Eigen", system, 2000, nullptr, {})), 0) << condition;
-    EXPECT_GT(violations(history_of(steepest_descent, "steepest descent", system, 2000, nullptr, {})), 3)
-        << condition;
+    EXPECT_EQ(violations(history_of(eigen, "Eigen", system, 2000, {})), 0) << condition;
+    EXPECT_GT(violations(history_of(steepest_descent, "steepest descent", system, 2000, {})), 3) << condition;
   }
 }
 
@@ -143,7 +142,7 @@ TEST(HistoryTest, AnInterruptionEndsTheStudyAndNoNumberEndsAHistory) {
     std::fill(x, x + n, std::nan(""));
     return std::nan("");
   };
-  EXPECT_EQ(history_of(broken, "broken", spread_system(10, 10), 100, nullptr, {}).progress.size(), 1);
+  EXPECT_EQ(history_of(broken, "broken", spread_system(10, 10), 100, {}).progress.size(), 1);
 }
 
 TEST(SolverStudyTest, StubsAreNamed) {
