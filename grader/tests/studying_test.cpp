@@ -40,7 +40,7 @@ class Studying : public testing::Test {
       arguments.push_back((fs::path(HAIR_SAMPLE_CLASS) / name).string());
     for (const char* word : {"--secret", "secret", "--cache", "cache", "--course", "course.json"})
       arguments.push_back(word[0] == '-' ? string(word) : (folder_ / word).string());
-    arguments.insert(arguments.end(), {"--out", (folder_ / where).string()});
+    arguments.insert(arguments.end(), {"--no-images", "--out", (folder_ / where).string()});
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_hairgrade(arguments);
   }
@@ -146,8 +146,6 @@ TEST_F(Studying, OfCodeThatCrashesSaysSoAndGoesOn) {
 }
 
 TEST_F(Studying, IsMadeUpForByResume) {
-  const ProgramRun first = grade("without", {"--resume"});
-  EXPECT_NE(first.output.find("0 graded, 3 kept"), string::npos) << first.output;
   const ProgramRun again = grade("with", {"--resume", "--study"});
   EXPECT_NE(again.output.find("0 graded, 3 kept"), string::npos) << again.output;
   fs::copy(folder_ / "without", folder_ / "later", fs::copy_options::recursive);
