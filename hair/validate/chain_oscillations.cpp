@@ -64,7 +64,7 @@ ValidationResult swing_chains(const ChainMethod& method, const ValidationSetting
       const MeasuredMode measured = measure_mode(method, chain, x, zeros[n - 1], settings);
       const std::string number = std::to_string(mode);
       const double error = std::abs(measured.square / x - 1);
-      errors.points.push_back({static_cast<double>(mode), std::max(error, 1e-16)});
+      errors.points.push_back({static_cast<double>(mode), std::max(error, 1e-16), {}, !std::isfinite(error)});
       tolerances.points.push_back({static_cast<double>(mode), measured.tolerance});
       table.rows.push_back(row_of(number, chain, measured, x));
       if (!has_check(mode, n)) {

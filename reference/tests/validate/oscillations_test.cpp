@@ -3,11 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "hair/validate/dispersion.h"
 #include "hair/validate/measure_mode.h"
 #include "hair/validate/pendulum.h"
+#include "hair/validate/record.h"
 #include "hair/validate/validations.h"
 
 namespace hair {
@@ -113,6 +115,35 @@ TEST(Oscillations, AnotherMethodsDispersionIsFoundOut) {
   ChainMethod wrong = chain_by_rods();
   wrong.undo = undo_leapfrog;
   EXPECT_GT(error_over_tolerance(wrong), 1000);
+}
+
+// What a student's method may do: no number at all from the third step on.
+class BrokenChain : public MovingChain {
+ public:
+  explicit BrokenChain(const particles::State& state) : state_(state) {}
+  void step() override {
+    if (++steps_ == 3) state_.x.setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
+  const particles::State& state() const override { return state_; }
+
+ private:
+  particles::State state_;
+  int steps_ = 0;
+};
+
+TEST(Oscillations, WhatBreaksDoesNotHoldAndIsShown) {
+  ChainMethod broken = chain_by_h6();
+  broken.start = [](const HangingChain&, const particles::State& state,
+                    double) -> std::unique_ptr<MovingChain> { return std::make_unique<BrokenChain>(state); };
+  for (const Validation& one :
+       {pendulum_period(broken), chain_oscillations(broken), double_pendulums(broken)}) {
+    const ValidationRecord record{one.id, one.title, one.exercises, one.run(kQuick)};
+    for (const Check& check : record.result.checks)
+      EXPECT_FALSE(check.holds()) << one.id << ", " << check.shows;
+    EXPECT_NE(to_html(page_of({record}, true)).find(one.id), std::string::npos);
+    EXPECT_FALSE(json_of({record}, true).empty());
+    EXPECT_FALSE(to_csv(table_of_checks({record})).empty());
+  }
 }
 
 // One pendulum by the lecture's five steps, written as angles: with all of the force at the start of a step instead of
