@@ -1,5 +1,5 @@
-// Hair that is clamped and weighs nothing swings in its first mode: a method's frequency, its own dispersion undone, is
-// that of the strand's matrices.
+// Hair that is clamped and weighs nothing swings in its first mode: a method's frequency, its own dispersion
+// undone, is that of the strand's matrices.
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -47,8 +47,8 @@ struct Swing {
   Sinusoid fit;
 };
 
-// The first mode, sampled 40 times a period; far less than a hair's radius high: moved sideways by a, a strand is longer by
-// a^2 / 2 L, and pulls back by EA of that.
+// The first mode, sampled 40 times a period; far less than a hair's radius high: moved sideways by a, a
+// strand is longer by a^2 / 2 L, and pulls back by EA of that.
 constexpr double kHeight = 1e-9;  // over L
 
 Swing swing(const StrandStart& rest, const BeamModes& modes, Method method,

@@ -1,5 +1,5 @@
-// Hair that moves comes to rest where all forces balance: clamped level, and standing, below and above the height at which it
-// buckles.
+// Hair that moves comes to rest where all forces balance: clamped level, and standing, below and above the
+// height at which it buckles.
 #include <cmath>
 #include <stdexcept>
 #include <string>

@@ -1,4 +1,5 @@
-// A curl without gravity stays as it is, wherever it is and however it is turned: nothing moves beyond rounding.
+// A curl without gravity stays as it is, wherever it is and however it is turned: nothing moves beyond
+// rounding.
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -11,7 +12,8 @@ namespace hair {
 
 namespace {
 
-// At rest near the origin; then turned and moved by as much as it is long, so that all coordinates are rounded anew.
+// At rest near the origin; then turned and moved by as much as it is long, so that all coordinates are
+// rounded anew.
 StrandStart turned_curl(const Material& material, int segments, double length) {
   const RestShape shape = curly_shape(segments, length, 0.01, 0.02, {});
   StrandStart start = start_at_rest(material, shape);
@@ -24,9 +26,10 @@ StrandStart turned_curl(const Material& material, int segments, double length) {
   return start;
 }
 
-// m. Coordinates and rest lengths are rounded: a length is off by e, 2^-51 of the largest coordinate, and the energy by n EA
-// e^2 / 2 l. As no method gains energy, the softest mode of stiffness c, c r^2 = n EA e^2 / l, is moved by r at most. Of a straight
-// hair c = 12.36 EI / n L^3 (clamped_beam.h: b^4 of mode 1); that of a curl is higher (../README.md).
+// m. Coordinates and rest lengths are rounded: a length is off by e, 2^-51 of the largest coordinate, and the
+// energy by n EA e^2 / 2 l. As no method gains energy, the softest mode of stiffness c, c r^2 = n EA e^2 / l,
+// is moved by r at most. Of a straight hair c = 12.36 EI / n L^3 (clamped_beam.h: b^4 of mode 1); that of a
+// curl is higher (../README.md).
 double moved_by_rounding(const Strand& strand, const Eigen::VectorXd& x) {
   const double n = strand.segments(), length = strand.rest_length.sum();
   const double e = 0x1p-51 * x.cwiseAbs().maxCoeff();

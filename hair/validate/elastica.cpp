@@ -29,13 +29,15 @@ struct Rod {
   double slope_at_tip(double psi) const { return -square / 24 * gamma * std::sin(psi); }
   double psi_at_root() const { return std::numbers::pi / 2 - square / 8 * gamma; }
 
-  // From the tip to here, by the midpoint rule: what it has beside the integral is a derivative at either end.
+  // From the tip to here, by the midpoint rule: what it has beside the integral is a derivative at either
+  // end.
   Eigen::Vector2d place(const Values& y) const {
     return y.tail<2>() - square / 24 * y[1] * Eigen::Vector2d(std::cos(y[0]), -std::sin(y[0]));
   }
 };
 
-// The curve from the tip to the clamp, kElasticaParts + 1 columns, by the classical method of Runge and Kutta.
+// The curve from the tip to the clamp, kElasticaParts + 1 columns, by the classical method of Runge and
+// Kutta.
 Eigen::Matrix4Xd shoot(const Rod& rod, double psi_at_tip, int steps_per_part) {
   Eigen::Matrix4Xd columns(4, kElasticaParts + 1);
   Values y(psi_at_tip, rod.slope_at_tip(psi_at_tip), 0, 0);
@@ -53,9 +55,9 @@ Eigen::Matrix4Xd shoot(const Rod& rod, double psi_at_tip, int steps_per_part) {
   return columns;
 }
 
-// The logarithm of psi at the clamp grows with that of psi at the tip, the more slowly the further it is: sin(psi) / psi
-// falls. And psi grows by exp(2/3 sqrt(Gamma)) at most, for psi' / psi stays below sqrt(Gamma t). So the first guess is too
-// small, and so is every secant's.
+// The logarithm of psi at the clamp grows with that of psi at the tip, the more slowly the further it is:
+// sin(psi) / psi falls. And psi grows by exp(2/3 sqrt(Gamma)) at most, for psi' / psi stays below sqrt(Gamma
+// t). So the first guess is too small, and so is every secant's.
 Eigen::Matrix2Xd solve(const Rod& rod, int steps_per_part) {
   const double target = std::log(rod.psi_at_root());
   double guess = target - 2.0 / 3 * std::sqrt(rod.gamma * (1 + rod.stretch)), slope = 1;

@@ -1,8 +1,8 @@
 // Hair that is clamped, weighs nothing and is bent by a moment at its tip: an arc, up to a full circle.
 //
-// A rod's curvature is M / EI everywhere. Of a strand each joint bends by a = M l / EI, the clamp by half of that, and so
-// segments have exactly the arc's angles in their middles: particles lie on an arc as well, which is larger by
-// (a/2) / sin(a/2), 1 + a^2/24 + ...; a full circle closes.
+// A rod's curvature is M / EI everywhere. Of a strand each joint bends by a = M l / EI, the clamp by half of
+// that, and so segments have exactly the arc's angles in their middles: particles lie on an arc as well,
+// which is larger by (a/2) / sin(a/2), 1 + a^2/24 + ...; a full circle closes.
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -19,8 +19,8 @@ namespace {
 
 constexpr double kLength = 0.05;  // m
 
-// The moment M on the last segment e, in the plane y = 0, from x down: forces M J e / |e|^2 and the opposite on its ends, with
-// J (x, z) = (z, -x). They turn with it. As an energy, -M times the angle.
+// The moment M on the last segment e, in the plane y = 0, from x down: forces M J e / |e|^2 and the opposite
+// on its ends, with J (x, z) = (z, -x). They turn with it. As an energy, -M times the angle.
 class EndMoment final : public particles::Force {
  public:
   explicit EndMoment(double moment) : moment_(moment) {}

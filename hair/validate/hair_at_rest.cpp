@@ -1,5 +1,5 @@
-// Hair that is clamped level and bends under its own weight, at rest, beside the elastica: the error against the number of
-// segments, and against the time that it takes to find.
+// Hair that is clamped level and bends under its own weight, at rest, beside the elastica: the error against
+// the number of segments, and against the time that it takes to find.
 
 #include <algorithm>
 #include <cmath>
@@ -35,8 +35,9 @@ bool has_an_order(double gamma, int segments) {
   return segments >= 1.3 * std::sqrt(gamma);
 }
 
-// What an error's next term is, over the first. Down the layer at the clamp, 4 n^2 sinh^2(mu / 2n) = Gamma: the strand's
-// decay is mu = sqrt(Gamma) (1 - q / 24 + 3 q^2 / 640 - ...), q = Gamma / n^2, and of that the second term is 9/80 q.
+// What an error's next term is, over the first. Down the layer at the clamp, 4 n^2 sinh^2(mu / 2n) = Gamma:
+// the strand's decay is mu = sqrt(Gamma) (1 - q / 24 + 3 q^2 / 640 - ...), q = Gamma / n^2, and of that the
+// second term is 9/80 q.
 double next_term(double gamma, int segments) {
   return 9.0 / 80 * gamma / (segments * segments);
 }

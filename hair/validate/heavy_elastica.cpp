@@ -1,4 +1,5 @@
-// The elastica that strands are compared with, itself beside what is published and what is known of its limits.
+// The elastica that strands are compared with, itself beside what is published and what is known of its
+// limits.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -32,12 +33,13 @@ double slope(double gamma) {
   return curve.tip()[1] / curve.tip()[0];
 }
 
-// Of the limits see elastica.h; H is the tip's drop, W its x. In the boundary layer, with e = 1 / sqrt(Gamma),
+// Of the limits see elastica.h; H is the tip's drop, W its x. In the boundary layer, with e = 1 /
+// sqrt(Gamma),
 //
 //   H / L = 1 - e (2 - sqrt(2)) + ...,   W / L = e sqrt(2) + e^2 (pi/2 - sqrt(2) + 1) + ...:
 //
-// multiplied by psi', the equation integrates once, and what the lighter load further down takes away (1 - s instead of 1) is
-// e times the integral of 1 - cos(psi).
+// multiplied by psi', the equation integrates once, and what the lighter load further down takes away (1 - s
+// instead of 1) is e times the integral of 1 - cos(psi).
 void check_limits(ValidationResult& result) {
   const double light = 0.01;
   result.checks.push_back(

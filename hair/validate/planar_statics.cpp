@@ -42,8 +42,8 @@ struct Segment {
   }
 };
 
-// Newton's step: how far each segment's end goes across and along, if it turns and gets longer. With K_e the stiffness against
-// changes of segments and F what acts at a segment's end, both sums over particles,
+// Newton's step: how far each segment's end goes across and along, if it turns and gets longer. With K_e the
+// stiffness against changes of segments and F what acts at a segment's end, both sums over particles,
 //
 //   (K_e, in the segments' frames, + (u . F, -across . F; -across . F, 0) / length) step = F in its frame:
 //

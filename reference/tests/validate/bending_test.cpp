@@ -1,4 +1,5 @@
-// STAFF ONLY. All that bends: the reference bends as theory says, and a clamp or a mass that is a little wrong is found out.
+// STAFF ONLY. All that bends: the reference bends as theory says, and a clamp or a mass that is a little
+// wrong is found out.
 #include <gtest/gtest.h>
 
 #include <algorithm>
