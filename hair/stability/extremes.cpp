@@ -42,19 +42,17 @@ ExtremeRun run_extreme(const Description& description, double at_rest, long step
   run.h = description.step;
   Simulation simulation(description);
   const double given = energy_of(simulation) - at_rest;
-  bool blown = false;
-  while (simulation.steps() < steps && !blown) {
+  while (simulation.steps() < steps) {
     if (const auto blow_up = simulation.step()) {
       run.blow_up = "step " + std::to_string(blow_up->step) + ": " + stage_name(blow_up->stage);
-      blown = true;
       break;
     }
     run.last_stretch = largest_stretch(simulation.strand(0), simulation.state(0).x);
     run.stretch = std::max(run.stretch, run.last_stretch);
     run.last_energy = (energy_of(simulation) - at_rest) / given;
     run.most_energy = std::max(run.most_energy, run.last_energy);
-    blown = !(run.last_energy <= kBlownEnergy);
   }
+  const bool blown = !run.blow_up.empty() || !(run.last_energy <= kBlownEnergy);
   run.steps = simulation.steps();
   run.fate = blown                            ? Fate::blown_up
              : run.most_energy > kWrongEnergy ? Fate::wrong

@@ -3,7 +3,7 @@
 // No air drags, and so the true motion keeps its energy, counted from what hair that hangs at rest has, and relative to
 // the root, which moves steadily. What became of a run is said in the words of maps:
 //
-//   blown up     the simulation says so, or it has kBlownEnergy times the energy of the start
+//   blown up     the simulation says so, or at the end it has kBlownEnergy times the energy of the start
 //   wrong        at some moment more than kWrongEnergy times the energy of the start
 //   damped out   at the end less than a tenth of it
 //   stable       none of these

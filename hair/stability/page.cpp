@@ -253,12 +253,13 @@ Page page_of(const StabilityReport& report) {
   }
   if (!report.extremes.empty()) {
     Section section{"Extreme cases"};
-    section.paragraphs = {"Half a second without air (" + std::to_string(kMostExtremeSteps) +
-                          " steps at most). Energy counts from that of hair that hangs at rest, relative to "
-                          "the root's motion; the true motion keeps it. Blown up: the "
-                          "simulation says so, or a thousand times the energy of the start. Wrong: at some "
-                          "moment more than twice that. Damped out: "
-                          "less than a tenth is left at the end."};
+    section.paragraphs = {
+        "Half a second without air (" + std::to_string(kMostExtremeSteps) +
+        " steps at most). Energy counts from that of hair that hangs at rest, relative to "
+        "the root's motion; the true motion keeps it. Blown up: the "
+        "simulation says so, or at the end it has a thousand times the energy of the start. Wrong: at some "
+        "moment more than twice that. Damped out: "
+        "less than a tenth is left at the end."};
     section.tables = {summary_of(report.extremes, "h = 1/60 s",
                                  [](const ExtremeRun& run) { return !run.own_step && run.h > 0.01; }),
                       summary_of(report.extremes, "h = 1/240 s",
