@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 namespace hair {
 
@@ -60,7 +61,12 @@ Section section_of_checks(const ValidationRecord& record) {
 
 Section section_of_details(const ValidationRecord& record) {
   Section section{record.title + ": in detail"};
-  for (const Figure& figure : record.result.figures) section.figures.push_back(to_svg(figure));
+  // An exercise's numbers may be none: that must not cost the page.
+  for (const Figure& figure : record.result.figures) try {
+      section.figures.push_back(to_svg(figure));
+    } catch (const std::invalid_argument& error) {
+      section.paragraphs.push_back(std::string("A figure can't be drawn: ") + error.what() + ".");
+    }
   section.tables = record.result.tables;
   Table& table = section.tables.emplace_back(
       Table{"Where expected values and tolerances of " + record.id + " come from", kWhy, {}});

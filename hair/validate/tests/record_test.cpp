@@ -69,6 +69,17 @@ TEST(ValidationRecord, IsOnThePageWithSourcesAndTolerances) {
     EXPECT_TRUE(has(page, part)) << part;
 }
 
+TEST(ValidationRecord, AFigureThatCannotBeDrawnDoesNotCostThePage) {
+  ValidationRecord record = a_record(3);
+  Figure figure;
+  figure.id = "broken";
+  figure.series = {{"nothing", {{1, std::numeric_limits<double>::quiet_NaN()}}}};
+  record.result.figures = {figure};
+  const std::string page = to_html(page_of({record}, false));
+  EXPECT_TRUE(has(page, "a theorem"));
+  EXPECT_TRUE(has(page, "A figure can")) << page;
+}
+
 TEST(ValidationRecord, IsInJsonAsItIsFound) {
   ValidationRecord left_out{"second", "The second", {"H2"}, {}};
   left_out.left_out = "H2: student/angular_springs.cpp";

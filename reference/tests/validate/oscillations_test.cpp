@@ -146,8 +146,7 @@ TEST(Oscillations, WhatBreaksDoesNotHoldAndIsShown) {
   }
 }
 
-// One pendulum by the lecture's five steps, written as angles: with all of the force at the start of a step instead of
-// half at either end it swings as slowly, but not as far.
+// One pendulum by the lecture's five steps, written as angles, with the parts of a step for which its filters act.
 class HalfStepPendulum : public MovingChain {
  public:
   HalfStepPendulum(const HangingChain& chain, const particles::State& state, double step, double first,
