@@ -8,8 +8,8 @@
 
 namespace hair {
 
-// The CPU time with which a method gets to an error, s: between two of its runs along the line that joins them in the
-// diagram. From there on all finer runs are at least as good. None if it does not get there.
+// The CPU time with which a method gets to an error, s: between two of its runs along the line that joins
+// them in the diagram. From there on all finer runs are at least as good. None if it does not get there.
 std::optional<double> time_for(const Sweep& sweep, Norm norm, double error);
 
 struct Cost {

@@ -1,6 +1,7 @@
 // How far a run is from the accurate motion, in several norms, at the problem's moments.
 //
-// With x_i the run's particles, y_i the accurate ones, l_j and m_j the lengths of their segments (or springs and rods):
+// With x_i the run's particles, y_i the accurate ones, l_j and m_j the lengths of their segments (or springs
+// and rods):
 //
 //   final_largest     max_i |x_i - y_i| at the end, m
 //   final_rms         sqrt(mean_i |x_i - y_i|^2) at the end, m
@@ -49,12 +50,12 @@ struct RestLength {
 // Of a strand's segments, or of a toy's springs and rods that are longer than 0.
 std::vector<RestLength> rest_lengths(const Problem& problem);
 
-// Below these nothing is quoted. Where positions are known to `least` metres, so are lengths at either end, and
-// relative to its size the rest.
+// Below these nothing is quoted. Where positions are known to `least` metres, so are lengths at either end,
+// and relative to its size the rest.
 Errors floors(const Problem& problem, double least);
 
-// m, what an error is large or small beside: the strand's length, or the largest distance of a toy's particle from
-// its first at the start; of a lone particle 1.
+// m, what an error is large or small beside: the strand's length, or the largest distance of a toy's particle
+// from its first at the start; of a lone particle 1.
 double size_of(const Problem& problem);
 
 // Compares a run with the accurate motion while it goes on.

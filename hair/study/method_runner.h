@@ -27,13 +27,14 @@ class MethodRunner {
   // problem's moments. Throws std::invalid_argument for what can't be assembled.
   MethodRunner(const Problem& problem, const StudyMethod& method, const Trajectory& accurate);
 
-  // Empty if interrupted. What a stub throws, passes. Times are of the steps alone, and not of what measures them.
+  // Empty if interrupted. What a stub throws, passes. Times are of the steps alone, and not of what measures
+  // them.
   std::optional<MethodRun> run(int steps_per_moment, const Repeats& repeats,
                                const std::atomic<bool>& interrupted);
 
  private:
-  // From the start, so many moments, unless `look`, if there is one, says false of one. Adds the time to the run's.
-  // False if interrupted.
+  // From the start, so many moments, unless `look`, if there is one, says false of one. Adds the time to the
+  // run's. False if interrupted.
   bool play(const Scene& scene, int advances, const std::atomic<bool>& interrupted, MethodRun& run,
             const std::function<bool(const std::optional<std::string>&)>& look);
   void count(MethodRun& run) const;

@@ -39,17 +39,17 @@ ObservedOrder observed_order(const Sweep& sweep, Norm norm, double floor) {
   const auto flat = [&](int k) { return std::abs(all[k].order) < kFlat; };
   if (count >= 2 && flat(count - 1) && flat(count - 2)) observed.stays_at = sweep.runs.back().errors[norm];
 
-  // From the finest pair that agrees and is not flat on to coarser ones, as long as these agree with it.
-  for (int last = count - 1; last >= 1; --last) {
-    if (flat(last) || all[last].order < 0 || std::abs(all[last].order - all[last - 1].order) > kAgree)
-      continue;
-    double sum = all[last].order;
-    int first = last;
-    while (first > 0 && std::abs(all[first - 1].order - all[last].order) <= kAgree) sum += all[--first].order;
+  // From the finest halving that is not flat on to coarser ones, as long as these agree with it. What agrees
+  // further up alone is no asymptotic part.
+  int last = count - 1;
+  while (last >= 0 && flat(last)) --last;
+  int first = last;
+  double sum = last >= 0 ? all[last].order : 0;
+  while (first > 0 && std::abs(all[first - 1].order - all[last].order) <= kAgree) sum += all[--first].order;
+  if (first < last && sum > 0) {
     observed.order = sum / (last - first + 1);
     observed.coarsest = all[first].before;
     observed.finest = all[last].after;
-    break;
   }
   return observed;
 }
@@ -60,7 +60,7 @@ std::string verdict(const Sweep& sweep, const ObservedOrder& observed) {
   if (!sweep.left_out.empty()) return "not written";
   if (!any) return "no run got to the end";
   if (observed.stays_at) return "stays " + to_text(*observed.stays_at) + " m off, however small the step";
-  if (!observed.order) return "no order seen";
+  if (!observed.order) return "no order seen: not asymptotic";
   if (std::abs(*observed.order - sweep.method.order) <= kAsTheory) return "as theory has it";
   return std::string(*observed.order < sweep.method.order ? "less" : "more") + " than theory says";
 }

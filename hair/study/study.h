@@ -1,5 +1,5 @@
-// A study as plain data: how far methods are from a problem's accurate motion, with each of their steps, and what that
-// takes.
+// A study as plain data: how far methods are from a problem's accurate motion, with each of their steps, and
+// what that takes.
 #pragma once
 
 #include <optional>
@@ -8,6 +8,7 @@
 
 #include "hair/study/errors.h"
 #include "hair/study/machine.h"
+#include "hair/study/space_error.h"
 #include "hair/study/study_methods.h"
 
 namespace hair {
@@ -76,6 +77,9 @@ struct Study {
   Errors floors;
 
   std::vector<Sweep> sweeps;
+
+  // What is wrong however small the step: of a study that asked for it.
+  std::optional<SpaceError> space_error;
 };
 
 }  // namespace hair

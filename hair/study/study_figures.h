@@ -8,8 +8,8 @@ namespace hair {
 
 enum class Against { time, step, work };
 
-// A run that did not get to its end stands at the upper edge, where the whole run would have been; an error that is
-// below what the reference knows, on the line that says so.
+// A run that did not get to its end stands at the upper edge, where the whole run would have been; an error
+// that is below what the reference knows, on the line that says so.
 Figure error_figure(const Study& study, Norm norm, Against against);
 
 }  // namespace hair

@@ -120,6 +120,27 @@ std::string reference_text(const Study& study) {
   return text;
 }
 
+Section space_section(const SpaceError& space) {
+  Section section{.heading = "What more segments would gain"};
+  if (!space.left_out.empty()) {
+    section.paragraphs.push_back("Not known: " + space.left_out + ".");
+    return section;
+  }
+  section.paragraphs.push_back(
+      "All errors above are of time: how far a method is from the same segments moved without error. This is "
+      "how far "
+      "these segments are from a strand of infinitely many, and no smaller step takes it away. It falls with "
+      "the order " +
+      to_text(std::round(space.order * 100) / 100) + " (theory: 2).");
+  Table table{"Space error: the largest distance of a place from the limit, at any moment",
+              {"segments", "error, m"},
+              {}};
+  for (const SpaceLevel& level : space.levels)
+    table.rows.push_back({std::to_string(level.segments), to_text(level.error)});
+  section.tables.push_back(std::move(table));
+  return section;
+}
+
 std::string machine_text(const Study& study) {
   const Machine& machine = study.machine;
   return "Measured on " + machine.processor + ", " + std::to_string(machine.cores) +
@@ -187,6 +208,7 @@ Page study_page(const Study& study) {
               "when a particle is further off than all is long."},
          .tables = {failed}});
   page.sections.push_back({.heading = "What it is measured against", .paragraphs = {reference_text(study)}});
+  if (study.space_error) page.sections.push_back(space_section(*study.space_error));
   page.sections.push_back({.heading = "The machine", .paragraphs = {machine_text(study)}});
   page.sections.push_back({.heading = "All runs", .tables = {run_table(study)}});
   return page;

@@ -1,4 +1,5 @@
-// A study as a page for people: which method is the cheapest at which error, which orders it shows, what failed.
+// A study as a page for people: which method is the cheapest at which error, which orders it shows, what
+// failed.
 #pragma once
 
 #include "hair/plot/page.h"

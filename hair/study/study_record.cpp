@@ -62,6 +62,19 @@ Json json_of(const Machine& machine) {
           {"eigen", machine.eigen}};
 }
 
+Json json_of(const std::optional<SpaceError>& space) {
+  if (!space) return nullptr;
+  if (!space->left_out.empty()) return {{"left_out", space->left_out}};
+  Json levels = Json::array();
+  for (const SpaceLevel& level : space->levels)
+    levels.push_back({{"segments", level.segments}, {"error", level.error}});
+  return {{"levels", levels},
+          {"order", space->order},
+          {"time_error", space->time_error},
+          {"stretch", space->stretch},
+          {"seconds", space->cpu_seconds}};
+}
+
 Errors read_errors(const JsonValue& json) {
   Errors errors;
   for (int k = 0; k < kNorms; ++k) {
@@ -127,13 +140,15 @@ Json head_of(const Study& study) {
             {"from_cache", study.from_cache},
             {"seconds", study.reference_seconds}}},
           {"floors", json_of(study.floors, [&](Norm norm) { return Json(study.floors[norm]); })},
+          {"space_error", json_of(study.space_error)},
           {"methods", methods}};
 }
 
-// What must be the same, for runs to go on from: everything that the record says but the runs themselves, how long
-// the reference took, and whether it is finished.
+// What must be the same, for runs to go on from: everything that the record says but the runs themselves, how
+// long the reference took, and whether it is finished.
 nlohmann::json identity(nlohmann::json same) {
   same.erase("finished");
+  same.erase("space_error");
   same["reference"].erase("seconds");
   same["reference"].erase("from_cache");
   for (nlohmann::json& method : same["methods"])

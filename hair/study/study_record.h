@@ -4,6 +4,7 @@
 //   scene, shows, content, quick, duration, strand, particles, size, tolerance, most_work    the problem, and how far runs go
 //   machine          processor, cores, compiler, build, eigen
 //   reference        method, agreement, least_error, inextensible, from_cache, seconds
+//   space_error      null, or levels (segments, error), order, time_error, stretch, seconds; or left_out, why there is none
 //   floors           by norm: below it nothing is quoted
 //   methods          id, name, order (that theory promises), explicit, end (why there are no finer steps), left_out, runs
 //   runs             steps_per_moment, step, ending, trouble, steps, evaluations, iterations, corrections, unconverged,
@@ -25,8 +26,9 @@ inline constexpr std::string_view kStudyRecordBegin = "{\n  \"program\": \"hairl
 
 std::string study_json(const Study& study);
 
-// The sweeps of a study that was written before, for one that would be the same: `study` has no runs yet. Throws
-// BadInput for a file that is none, and for a study of something else, or from elsewhere: it names what differs.
+// The sweeps of a study that was written before, for one that would be the same: `study` has no runs yet.
+// Throws BadInput for a file that is none, and for a study of something else, or from elsewhere: it names
+// what differs.
 void read_runs(const std::filesystem::path& file, Study& study);
 
 Table table_of_runs(const Study& study);  // all of them; for the CSV

@@ -17,8 +17,8 @@ constexpr int kMostSteps = 1 << 24;
 constexpr double kNoBetter = 0.98;  // times the error before: a half step should halve it at least
 constexpr int kStalls = 3;          // so often in a row
 
-// An upper bound of the squares of the angular frequencies with which springs swing, 1/s^2: twice the largest sum of
-// the stiffnesses at a particle, over its mass (Gershgorin).
+// An upper bound of the squares of the angular frequencies with which springs swing, 1/s^2: twice the largest
+// sum of the stiffnesses at a particle, over its mass (Gershgorin).
 double fastest_squared(const Problem& problem) {
   const Eigen::VectorXd& mass =
       problem.is_toy() ? problem.scene.toys[0].particles.mass : problem.scene.hair.strands[0].strand.mass;

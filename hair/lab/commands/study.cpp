@@ -21,13 +21,14 @@ namespace hair {
 
 namespace {
 
-// What a run may take at most: evaluations and iterations times particles. A second or so, and a fifth of that.
+// What a run may take at most: evaluations and iterations times particles. A second or so, and a fifth of
+// that.
 constexpr double kMostWork = 1e7, kMostQuickWork = 1e6;
 
 struct Options {
   std::string scene;
   std::filesystem::path out, cache;
-  bool quick = false, resume = false, no_cache = false;
+  bool quick = false, resume = false, no_cache = false, space = false;
   int strand = 0;
   std::optional<double> duration;
   std::vector<std::string> methods;
@@ -132,7 +133,12 @@ int run(const Options& options) {
   study.quick = options.quick;
   study.strand = options.strand;
   if (options.resume) read_runs(folder.then("study.json"), study);
-  const bool finished = finish_study(problem, *motion, settings, study, interrupted);
+  bool finished = finish_study(problem, *motion, settings, study, interrupted);
+  if (finished && options.space) {
+    progress.say("the space error");
+    study.space_error = space_error(problem, interrupted);
+    finished = study.space_error.has_value();
+  }
   progress.clear();
 
   if (!has_runs(study)) {
@@ -169,6 +175,8 @@ Command add_study_command(CLI::App& program) {
   app->add_option("--out", options->out, "The folder for index.html, study.csv and study.json")->required();
   app->add_flag("--quick", options->quick, "10 segments, and shorter sweeps: seconds instead of a minute");
   app->add_flag("--resume", options->resume, "Go on with the study in the folder, which was interrupted");
+  app->add_flag("--space", options->space,
+                "Also how far the strand's segments are from infinitely many: seconds, of soft hair minutes");
   app->add_option("--strand", options->strand, "Which of the scene's strands, or toys (default: 0)")
       ->check(CLI::Range(0, 10'000'000));
   app->add_option("--duration", options->duration, "s (default: the scene's, but at most 0.2)")
