@@ -11,6 +11,7 @@ struct StepOutcome {
   long solver_steps = 0;               // of ConjGrad
   int unconverged = 0;                 // solves and corrections that ended above their tolerance
   long correction_steps = 0;           // Newton steps: of the length correction, or of newton_euler
+  long halvings = 0;                   // of newton_euler's steps: each evaluates the forces once more
   Stage suspect = Stage::integration;  // where numbers stopped being finite; else the last stage
 };
 

@@ -54,6 +54,7 @@ class Step {
       go_to(force, before_ + change_);
       for (int k = 0; k < kMostHalvings && !report.converged && too_far(slope); ++k) {
         part /= 2;
+        ++report.halvings;
         go_to(force, before_ + part * change_);
       }
     }

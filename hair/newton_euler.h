@@ -24,13 +24,15 @@ struct NewtonReport {
   int newton_steps = 0;
   long solver_steps = 0;   // of ConjGrad
   int definite_steps = 0;  // Newton steps with the definite matrix
+  int halvings = 0;        // of steps that went too far: each evaluates the forces once more
   bool converged = false;
 };
 
 // One step of h > 0 seconds. Products of `force` are exact, those of `definite`, which is the same force, definite.
-// Converged: the last Newton step changed no velocity by more than 1e-12 of the largest, or moved no particle by more
-// than 2^-50 of the largest position, a few roundings. If not, the state is as the last step left it. Pinned particles keep their velocity. Allocates what implicit_matrix and ConjGrad
-// do.
+// The forces are evaluated once, once for each Newton step and once for each halving. Converged: the last Newton step
+// changed no velocity by more than 1e-12 of the largest, or moved no particle by more than 2^-50 of the largest
+// position, a few roundings. If not, the state is as the last step left it. Pinned particles keep their velocity.
+// Allocates what implicit_matrix and ConjGrad do.
 NewtonReport newton_euler(const particles::Force& force, const particles::Force& definite,
                           const particles::Particles& particles, double h, particles::State& state,
                           particles::Scratch scratch);

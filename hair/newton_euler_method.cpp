@@ -11,6 +11,7 @@ StepOutcome take_step(MovingStrand& moving, const StepOptions& options, const pa
   return {.solver_steps = report.solver_steps,
           .unconverged = !report.converged,
           .correction_steps = report.newton_steps,
+          .halvings = report.halvings,
           .suspect = Stage::filter};
 }
 

@@ -114,6 +114,7 @@ std::optional<Stage> Simulation::step_strand(MovingStrand& moving) {
   ++work_.strand_steps;
   work_.solver_steps += outcome.solver_steps;
   work_.correction_steps += outcome.correction_steps;
+  work_.halvings += outcome.halvings;
   work_.unconverged += outcome.unconverged;
   if (!is_sound(moving.state)) return outcome.suspect;
 

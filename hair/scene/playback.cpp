@@ -79,6 +79,7 @@ class Playback::Parts {
 
   double time() const { return frame_ / frames_per_second_; }
   int frame() const { return frame_; }
+  long steps() const { return steps_; }
   const std::vector<int>& strands() const { return strands_; }
   const std::vector<Obstacle>& obstacles() const { return simulation_ ? simulation_->obstacles() : still_; }
 
@@ -146,9 +147,8 @@ class Playback::Parts {
   }
 
   void step() {
-    const double time = static_cast<double>(steps_) * options_.h;
+    const double time = static_cast<double>(steps_++) * options_.h;
     for (const Riding& riding : riding_) riding.lead(*simulation_, time, options_.h);
-    ++steps_;
     if (simulation_)
       if (const auto blow_up = simulation_->step())
         trouble_ = "strand " + std::to_string(blow_up->strand) + ", step " + std::to_string(blow_up->step) +
@@ -191,6 +191,9 @@ double Playback::time() const {
 }
 int Playback::frame() const {
   return parts_->frame();
+}
+long Playback::steps() const {
+  return parts_->steps();
 }
 particles::State Playback::state() const {
   return parts_->state();

@@ -40,6 +40,7 @@ class Playback {
 
   double time() const;  // s
   int frame() const;    // 0 at the start
+  long steps() const;   // since the start, the one that broke among them
 
   // All particles: strand after strand, then toy after toy.
   particles::State state() const;

@@ -25,6 +25,29 @@ hair::NewtonReport step(const particles::Force& force, const particles::Force& d
   return hair::newton_euler(force, definite, particles, h, state, scratch);
 }
 
+// Counts how often it is asked for its forces.
+class Counted : public particles::Force {
+ public:
+  explicit Counted(const particles::Force& force) : force_(force) {}
+  double energy(particles::Input x) const override { return force_.energy(x); }
+  void add_force(particles::Input x, particles::Input v, particles::Output f) const override {
+    ++count;
+    force_.add_force(x, v, f);
+  }
+  void add_dfdx(particles::Input x, particles::Input v, particles::Input dx,
+                particles::Output df) const override {
+    force_.add_dfdx(x, v, dx, df);
+  }
+  void add_dfdv(particles::Input x, particles::Input v, particles::Input dv,
+                particles::Output df) const override {
+    force_.add_dfdv(x, v, dv, df);
+  }
+  mutable int count = 0;
+
+ private:
+  const particles::Force& force_;
+};
+
 // A spring of no length at rest is linear.
 TEST(NewtonEuler, IsH4OfLinearForces) {
   const particles::Particles particles{Eigen::Vector3d(1, 2, 0.5), {1, 0, 0}};
@@ -97,9 +120,13 @@ TEST(NewtonEuler, TakesTheDefiniteMatrixWhereTheExactOneIsNot) {
   definite.emplace<hair::StretchForce>(strand, hair::GeometricTerm::filtered);
   const particles::Particles particles{strand.mass, {1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}};
   State state = description.strands[0].state;
-  const hair::NewtonReport report = step(exact, definite, particles, 0.02, state);
+  const Counted counted(exact);
+  const hair::NewtonReport report = step(counted, definite, particles, 0.02, state);
   EXPECT_TRUE(report.converged);
   EXPECT_GT(report.definite_steps, 0);
+  EXPECT_GT(report.halvings, 0);
+  EXPECT_EQ(counted.count, 1 + report.newton_steps + report.halvings)
+      << "evaluations that the report leaves out";
 }
 
 TEST(NewtonEuler, IsOfFirstOrder) {

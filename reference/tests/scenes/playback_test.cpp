@@ -66,6 +66,7 @@ TEST(Playback, RestartedItMovesAsOneMadeAnew) {
     again.restart(scene);
     EXPECT_EQ(again.frame(), 0);
     EXPECT_EQ(again.work().strand_steps, 0);
+    EXPECT_EQ(again.steps(), 0);
     Playback fresh(scene);
     for (int k = 0; k < 5; ++k) {
       EXPECT_EQ(again.state().x, fresh.state().x) << "frame " << k << " in steps of " << steps;
@@ -74,6 +75,7 @@ TEST(Playback, RestartedItMovesAsOneMadeAnew) {
       EXPECT_EQ(again.work().solver_steps, fresh.work().solver_steps);
       ASSERT_FALSE(again.advance());
       ASSERT_FALSE(fresh.advance());
+      EXPECT_EQ(again.steps(), (k + 1) * steps);
     }
   }
   // Also after a blow-up.
@@ -82,6 +84,8 @@ TEST(Playback, RestartedItMovesAsOneMadeAnew) {
   scene.steps_per_frame = 1000;
   Playback broken(scene);
   ASSERT_TRUE(broken.advance());
+  EXPECT_EQ(broken.steps(), broken.work().strand_steps) << "the step that broke counts, later ones do not";
+  EXPECT_LT(broken.steps(), scene.steps_per_frame);
   scene.hair.step = 1e-7;
   scene.steps_per_frame = 2;
   broken.restart(scene);
