@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "hair/files/bad_input.h"
+#include "hair/plot/page.h"
 #include "hair/study/cvode.h"
 #include "hair/study/motion_cache.h"
 #include "hair/study/rigid_strand_ode.h"
@@ -34,7 +35,7 @@ Ways ways_for(const Ode& ode, double tolerance) {
 
 std::string name_of(const CvodeWay& way) {
   std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%s at %.0e", way.method == CvodeMethod::bdf ? "BDF" : "Adams",
+  std::snprintf(text.data(), text.size(), "%s at %.2g", way.method == CvodeMethod::bdf ? "BDF" : "Adams",
                 way.tolerance);
   return text.data();
 }
@@ -92,7 +93,9 @@ std::optional<AccurateMotion> accurate_motion(const Problem& problem, const Accu
                   (rigid ? ", of rigid segments" : "");
   std::string key;
   if (settings.cache) {
-    key = motion_key(problem, *ode, motion.method);
+    // Of equations of its own, since those that are solved remember what they were asked.
+    key = motion_key(problem, *ode_of(problem),
+                     motion.method + ", exactly " + to_exact_text(ways[0].tolerance));
     if (auto kept = find_motion(*settings.cache, key)) return kept;
   }
 

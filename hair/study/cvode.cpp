@@ -216,8 +216,9 @@ std::vector<Stop> stops(const Ode& ode, double duration, int moments) {
     const auto at =
         std::find_if(all.begin(), all.end(), [&](const Stop& stop) { return time <= stop.time + same; });
     if (at == all.end() || time <= same) continue;
+    // What ends a span must not be earlier than what the next begins with, not even by a rounding.
     if (time >= at->time - same)
-      at->is_break = true;
+      *at = {time, at->is_moment, true};
     else
       all.insert(at, {time, false, true});
   }

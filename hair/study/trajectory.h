@@ -7,7 +7,7 @@
 
 namespace hair {
 
-// states[k] is at time duration * k / moments; states[0] is the start. Shorter, if it broke on the way.
+// states[k] is at time duration * k / moments; states[0] is the start.
 using Trajectory = std::vector<particles::State>;
 
 }  // namespace hair

@@ -61,6 +61,24 @@ TEST_F(MotionCache, GivesBackTheSameBits) {
   EXPECT_EQ(first.cpu_seconds, second.cpu_seconds);
 }
 
+// A key is made of forces at states that the motion never comes to.
+TEST_F(MotionCache, ChangesNothing) {
+  Problem hard = level_strand(200);
+  hard.duration = 1e-3;  // tensions grow from nothing
+  const std::atomic<bool> interrupted = false;
+  const AccurateMotion alone = hair::accurate_motion(hard, {1e-6, {}}, interrupted).value();
+  ASSERT_TRUE(alone.inextensible);
+  expect_same(alone, hair::accurate_motion(hard, {1e-6, folder_}, interrupted).value());
+}
+
+// As near as two tolerances are that a person gives.
+TEST_F(MotionCache, KnowsTolerancesApart) {
+  const std::atomic<bool> interrupted = false;
+  for (const double tolerance : {1e-6, 1.4e-6, 1.4001e-6})
+    EXPECT_FALSE(hair::accurate_motion(level_strand(), {tolerance, folder_}, interrupted)->from_cache)
+        << tolerance;
+}
+
 TEST_F(MotionCache, BelievesNoFileThatIsNotWhole) {
   const AccurateMotion first = motion();
   std::ostringstream whole;

@@ -70,5 +70,21 @@ TEST(StrandOde, ItsRootIsWhereItsRiderIs) {
               1e-15);
 }
 
+// A moment's time, 12 sixteenths of the duration, may be a rounding below the key's.
+TEST(StrandOde, ItsRootStopsAtAKeyThatIsAMoment) {
+  for (const auto& [duration, key] : {std::pair(0.15, 0.1125), {0.3, 0.225}, {0.6, 0.45}, {0.1, 0.075}}) {
+    Problem problem = level_strand();
+    problem.duration = duration;
+    hair::Motion motion;
+    motion.keys.push_back({0, {}});
+    motion.keys.push_back({key, {{0.01, 0, 0}, Eigen::Quaterniond::Identity()}});
+    problem.scene.riders = {{motion, {0}, {}}};
+    const hair::Trajectory states = motion_of(problem, 1e-5).states;
+    EXPECT_GT(states[6].v.head<3>().norm(), 0.01 / duration) << "halfway it moves";
+    for (int k = 13; k <= hair::kMoments; ++k)
+      EXPECT_EQ(states[k].v.head<3>().norm(), 0) << "duration " << duration << ", moment " << k;
+  }
+}
+
 }  // namespace
 }  // namespace reference_tests
