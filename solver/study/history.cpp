@@ -18,6 +18,7 @@ Progress after(const ConjGradFunction& solve, const System& system, int iteratio
   int steps = iterations;
   const double returned = solve(system.n(), &A, x.data(), b.data(), 0, &steps);
   Progress progress;
+  progress.asked = iterations;
   progress.iterations = steps;
   progress.products = A.count();
   progress.error = energy_norm(*system.matrix, difference(x, system.solution)) / first_error;
@@ -51,13 +52,15 @@ History history_of(const ConjGradFunction& solve, const std::string& name, const
   return history;
 }
 
-void time_in_turn(const System& system, const std::vector<TimedHistory>& all, const Timing& timing) {
+void time_in_turn(const System& system, const std::vector<TimedHistory>& all, const Timing& timing,
+                  const Watch& watch) {
   Vector x(system.solution.size()), b = system.right_side;
   std::vector<std::function<void()>> calls;
   std::vector<Progress*> timed;
   for (const TimedHistory& one : all)
     for (Progress& progress : one.history->progress) {
-      calls.emplace_back([&, solve = one.solve, most = progress.iterations] {
+      calls.emplace_back([&, solve = one.solve, most = progress.asked] {
+        watch.look();
         int steps = most;
         (*solve)(system.n(), system.matrix.get(), x.data(), b.data(), 0, &steps);
       });

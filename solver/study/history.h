@@ -31,6 +31,7 @@ struct Watch {
 };
 
 struct Progress {
+  int asked = 0;  // how many iterations it might take
   int iterations = 0;
   long products = 0;            // with A, counted
   double error = 0;             // ||x - x*||_A / ||b - x*||_A: 1 at the first guess
@@ -57,7 +58,8 @@ struct TimedHistory {
   const ConjGradFunction* solve;
   History* history;
 };
-void time_in_turn(const System& system, const std::vector<TimedHistory>& all, const Timing& timing);
+void time_in_turn(const System& system, const std::vector<TimedHistory>& all, const Timing& timing,
+                  const Watch& watch);
 
 // What the error can be at most after so many iterations, without rounding: 2 ((sqrt(c) - 1) / (sqrt(c) +
 // 1))^m for the condition number c (Golub and Van Loan, "Matrix Computations", 4th edition, theorem 11.3.3).

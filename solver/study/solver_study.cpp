@@ -22,6 +22,29 @@ double eigen_as_conj_grad(int n, implicitMatrix* A, double x[], double b[], doub
   return std::nan("");  // it does not say
 }
 
+// What a solver that was asked for kNeededTolerance did, for a matrix of norm `norm`.
+struct Solved {
+  int steps;      // as it says
+  long products;  // counted
+  double norm, solution, right_side, residual;
+};
+
+// Its steps, if the residual is true and the products are those of so many: one each, now and then a second.
+// Roundings may keep the recurrence's residual apart from the true one, by what linearSolver.h says of a
+// residual that is never replaced: products' errors of n u, as reflections have them.
+std::optional<int> believed(const Solved& solved, int n, int most) {
+  const double steps = solved.steps;
+  const double rounding =
+      (steps + 1) * (10 + 2.0 * n) * kRounding * solved.norm * (2 * solved.solution + solved.right_side);
+  const bool is_true = steps >= 0 && steps <= most && solved.products <= 2 * (steps + 1) &&
+                       solved.residual <= kNeededTolerance * solved.right_side + rounding;
+  return is_true ? std::optional(solved.steps) : std::nullopt;
+}
+
+double norm_of(const Vector& x) {
+  return std::sqrt(squared_norm(x));
+}
+
 class Study {
  public:
   Study(const Functions& functions, const Settings& settings, const Watch& watch,
@@ -70,7 +93,7 @@ class Study {
       History ours = conj_grad_history(system);
       const ConjGradFunction eigen = eigen_as_conj_grad;
       History eigens = history_of(eigen, "Eigen's CG", system, study_.most_iterations, watch_);
-      time_in_turn(system, {{&functions_.conj_grad, &ours}, {&eigen, &eigens}}, timing_);
+      time_in_turn(system, {{&functions_.conj_grad, &ours}, {&eigen, &eigens}}, timing_, watch_);
       study_.timed.push_back(std::move(ours));
       study_.timed.push_back(std::move(eigens));
       study_.direct.push_back(cholesky(system, strand_matrix(kSegments, step)));
@@ -95,14 +118,6 @@ class Study {
     return direct;
   }
 
-  std::optional<int> iterations(const ConjGradFunction& solve, const System& system) const {
-    Vector x(system.solution.size()), b = system.right_side;
-    int steps = study_.most_iterations;
-    solve(system.n(), system.matrix.get(), x.data(), b.data(),
-          kNeededTolerance * kNeededTolerance * squared_norm(b), &steps);
-    return steps < study_.most_iterations ? std::optional(steps) : std::nullopt;
-  }
-
   void needed() {
     say_("iterations against condition number");
     for (const double condition : log_spaced(study_.quick ? 5 : 13, 1e1, study_.quick ? 1e5 : 1e7)) {
@@ -110,27 +125,20 @@ class Study {
       const System system = spread_system(kUnknowns, condition);
       IterationsNeeded one;
       one.condition = condition;
-      one.conj_grad = iterations(functions_.conj_grad, system);
-      one.eigen = iterations(eigen_as_conj_grad, system);
+      one.conj_grad = iterations_needed(functions_.conj_grad, system, study_.most_iterations);
+      one.eigen = iterations_needed(eigen_as_conj_grad, system, study_.most_iterations);
       one.clustered =
-          iterations(functions_.conj_grad, clustered_system(kUnknowns, condition, kNeededClusters));
+          iterations_needed(functions_.conj_grad, clustered_system(kUnknowns, condition, kNeededClusters),
+                            study_.most_iterations);
       if (functions_.normal_equations && !study_.not_written) try {
-          one.normal_equations = normal_iterations(system);
+          one.normal_equations =
+              normal_iterations_needed(functions_.normal_equations, system, study_.most_iterations);
         } catch (const NotImplemented& stub) {
           study_.not_written = stub;
         }
       one.bound = needed_at_most(condition);
       study_.needed.push_back(one);
     }
-  }
-
-  std::optional<int> normal_iterations(const System& system) const {
-    Vector x(system.solution.size()), b = system.right_side;
-    const double squared = squared_norm(product(*system.matrix, b));  // A is its own transpose
-    int steps = study_.most_iterations;
-    functions_.normal_equations(system.n(), system.n(), system.matrix.get(), system.matrix.get(), x.data(),
-                                b.data(), kNeededTolerance * kNeededTolerance * squared, &steps);
-    return steps < study_.most_iterations ? std::optional(steps) : std::nullopt;
   }
 
   void digits() {
@@ -163,6 +171,31 @@ class Study {
 double needed_at_most(double condition) {
   const double root = std::sqrt(condition);
   return std::ceil(root / 2 * std::log(2 * root / kNeededTolerance));
+}
+
+std::optional<int> iterations_needed(const ConjGradFunction& solve, const System& system, int most) {
+  CountingMatrix A(*system.matrix);
+  Vector x(system.solution.size()), b = system.right_side;
+  const double right_side = norm_of(b);
+  int steps = most;
+  solve(system.n(), &A, x.data(), b.data(), std::pow(kNeededTolerance * right_side, 2), &steps);
+  const Vector residual = difference(system.right_side, product(*system.matrix, x));
+  return believed({steps, A.count(), system.largest, norm_of(system.solution), right_side, norm_of(residual)},
+                  system.n(), most);
+}
+
+std::optional<int> normal_iterations_needed(const NormalEquationsFunction& solve, const System& system,
+                                            int most) {
+  CountingMatrix A(*system.matrix);
+  Vector x(system.solution.size()), b = system.right_side;
+  const double right_side = norm_of(product(*system.matrix, b));  // A is its own transpose
+  int steps = most;
+  solve(system.n(), system.n(), &A, system.matrix.get(), x.data(), b.data(),
+        std::pow(kNeededTolerance * right_side, 2), &steps);
+  const Vector residual = product(*system.matrix, difference(system.right_side, product(*system.matrix, x)));
+  return believed({steps, A.count(), system.largest * system.largest, norm_of(system.solution), right_side,
+                   norm_of(residual)},
+                  system.n(), most);
 }
 
 std::optional<SolverStudy> study_solvers(const Functions& functions, const Settings& settings,

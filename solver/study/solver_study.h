@@ -34,12 +34,11 @@ struct DirectSolve {
 };
 
 // Iterations until ||b - Ax|| <= 1e-8 ||b||; of the normal equations until ||A'(b - Ax)|| <= 1e-8 ||A'b||.
-// None: not within most_iterations.
+// None: not within most_iterations, or not true (see iterations_needed).
 struct IterationsNeeded {
   double condition = 1;
   std::optional<int> conj_grad, eigen, clustered, normal_equations;
-  double bound =
-      1;  // sqrt(c)/2 log(4 sqrt(c) / 1e-8): more are not needed without rounding, see needed_at_most
+  double bound = 1;  // needed_at_most
 };
 inline constexpr double kNeededTolerance = 1e-8;
 inline constexpr int kUnknowns = 200, kNeededClusters = 5;
@@ -47,6 +46,13 @@ inline constexpr int kUnknowns = 200, kNeededClusters = 5;
 // sqrt(c)/2 log(2 sqrt(c) / 1e-8): more are not needed without rounding, as error_bound gives ||r_m|| <= 2
 // sqrt(c) ((sqrt(c) - 1) / (sqrt(c) + 1))^m ||r_0||, where ||r_0|| <= ||b|| (see kLargestEigenvalue).
 double needed_at_most(double condition);
+
+// How many iterations a solver says that it took to get there, within `most`. None if it did not: the residual
+// is computed from x, and allowed what rounding may do to it. None, too, if it took more than twice as many
+// products as that many iterations do, so that it did not count. (Of the normal equations: products with A.)
+std::optional<int> iterations_needed(const ConjGradFunction& solve, const System& system, int most);
+std::optional<int> normal_iterations_needed(const NormalEquationsFunction& solve, const System& system,
+                                            int most);
 
 struct SolverStudy {
   bool quick = false;

@@ -145,6 +145,86 @@ TEST(HistoryTest, AnInterruptionEndsTheStudyAndNoNumberEndsAHistory) {
   EXPECT_EQ(history_of(broken, "broken", spread_system(10, 10), 100, {}).progress.size(), 1);
 }
 
+double honest(int n, implicitMatrix* A, double x[], double b[], double epsilon, int* steps) {
+  eigen_conj_grad(n, A, x, b, std::sqrt(epsilon / squared_norm(Vector(b, b + n))), steps);
+  return epsilon;
+}
+
+TEST(IterationsNeededTest, AreOnlyThoseThatLedThere) {
+  const System system = spread_system(100, 1e3);
+  const std::optional<int> needed = iterations_needed(honest, system, 1000);
+  ASSERT_TRUE(needed);
+  EXPECT_GT(*needed, 20);
+  EXPECT_LE(*needed, needed_at_most(1e3));
+  EXPECT_EQ(iterations_needed(honest, system, *needed), needed) << "exactly as many as allowed";
+  EXPECT_EQ(iterations_needed(honest, system, *needed - 2), std::nullopt);
+
+  const auto breaks_off = [](int n, implicitMatrix* A, double x[], double b[], double, int* steps) {
+    *steps = 1;
+    return honest(n, A, x, b, 0, steps);
+  };
+  EXPECT_EQ(iterations_needed(breaks_off, system, 1000), std::nullopt);
+  const auto does_not_count = [](int n, implicitMatrix* A, double x[], double b[], double epsilon,
+                                 int* steps) {
+    const double squared = honest(n, A, x, b, epsilon, steps);
+    *steps = 1;
+    return squared;
+  };
+  EXPECT_EQ(iterations_needed(does_not_count, system, 1000), std::nullopt);
+  const auto no_numbers = [](int n, implicitMatrix*, double x[], double[], double, int* steps) {
+    std::fill(x, x + n, std::nan(""));
+    *steps = 5;
+    return 0.0;
+  };
+  EXPECT_EQ(iterations_needed(no_numbers, system, 1000), std::nullopt);
+}
+
+TEST(IterationsNeededTest, OfTheNormalEquationsToo) {
+  const System system = spread_system(100, 10);
+  const auto solve = [](int n, int, implicitMatrix* A, implicitMatrix* At, double x[], double b[],
+                        double epsilon, int* steps) {
+    class Normal : public implicitMatrix {
+     public:
+      Normal(int size, implicitMatrix* first, implicitMatrix* second)
+          : between_(size), first_(first), second_(second) {}
+      void matVecMult(double from[], double to[]) override {
+        first_->matVecMult(from, between_.data());
+        second_->matVecMult(between_.data(), to);
+      }
+
+     private:
+      Vector between_;
+      implicitMatrix *first_, *second_;
+    } normal(n, A, At);
+    Vector right_side(n);
+    At->matVecMult(b, right_side.data());
+    return honest(n, &normal, x, right_side.data(), epsilon, steps);
+  };
+  const std::optional<int> needed = normal_iterations_needed(solve, system, 1000);
+  ASSERT_TRUE(needed);
+  EXPECT_LE(*needed, needed_at_most(100)) << "A'A has the square of the condition number";
+  EXPECT_EQ(normal_iterations_needed(solve, system, *needed), needed);
+  EXPECT_EQ(normal_iterations_needed(solve, system, *needed - 2), std::nullopt);
+}
+
+// The solver is asked for as many iterations as before, and not for those that it says it took.
+TEST(HistoryTest, TimesWhatWasAskedFor) {
+  const System system = spread_system(10, 10);
+  int smallest = 1 << 30;
+  const ConjGradFunction watched = [&](int n, implicitMatrix*, double x[], double b[], double, int* steps) {
+    smallest = std::min(smallest, *steps);
+    std::copy(b, b + n, x);
+    *steps = 0;
+    return 0.0;
+  };
+  History history = history_of(watched, "lazy", system, 3, {});
+  time_in_turn(system, {{&watched, &history}}, {0, 1}, {});
+  EXPECT_EQ(smallest, 1);
+
+  const std::atomic<bool> interrupted = true;
+  EXPECT_THROW(time_in_turn(system, {{&watched, &history}}, {0, 1}, {&interrupted}), Interrupted);
+}
+
 TEST(SolverStudyTest, StubsAreNamed) {
   const std::atomic<bool> interrupted = false;
   const auto hush = [](const std::string&) {};
