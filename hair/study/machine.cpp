@@ -1,10 +1,17 @@
 #include "hair/study/machine.h"
 
 #include <Eigen/Core>
+#include <array>
 #include <fstream>
+#include <string_view>
 #include <thread>
 
+#ifdef __APPLE__
+#include <mach-o/dyld.h>
+#endif
+
 #include "hair/files/printable.h"
+#include "hair/study/digest.h"
 
 namespace hair {
 
@@ -32,12 +39,34 @@ std::string compiler() {
 #endif
 }
 
+// The program that runs, as a file.
+std::string this_program() {
+#ifdef __APPLE__
+  std::array<char, 4096> path;
+  uint32_t size = path.size();
+  if (_NSGetExecutablePath(path.data(), &size) == 0) return path.data();
+#endif
+  return "/proc/self/exe";
+}
+
 }  // namespace
 
 Machine this_machine() {
   return {processor(), static_cast<int>(std::thread::hardware_concurrency()), compiler(), HAIR_BUILD,
           std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
               std::to_string(EIGEN_MINOR_VERSION)};
+}
+
+std::string program_digest() {
+  std::ifstream file(this_program(), std::ios::binary);
+  if (!file) return "unknown";
+  Digest digest;
+  std::array<char, 1 << 16> bytes;
+  while (file) {
+    file.read(bytes.data(), bytes.size());
+    digest.add(std::string_view(bytes.data(), static_cast<std::size_t>(file.gcount())));
+  }
+  return digest.text();
 }
 
 }  // namespace hair

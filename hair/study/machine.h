@@ -17,4 +17,8 @@ struct Machine {
 
 Machine this_machine();
 
+// Of the bytes of the program that runs, with all that was linked into it; where the system has no way to read them,
+// "unknown".
+std::string program_digest();
+
 }  // namespace hair

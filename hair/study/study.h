@@ -68,6 +68,7 @@ struct Study {
   double tolerance = 0;  // of implicit solves
   double most_work = 0;  // of a run: StudySettings
   Machine machine;
+  std::string program_digest;  // of whoever wants to resume it: program_digest()
 
   // The accurate motion.
   std::string reference;

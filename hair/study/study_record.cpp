@@ -132,6 +132,7 @@ Json head_of(const Study& study) {
           {"tolerance", study.tolerance},
           {"most_work", study.most_work},
           {"machine", json_of(study.machine)},
+          {"program_digest", study.program_digest},
           {"reference",
            {{"method", study.reference},
             {"agreement", study.agreement},
@@ -152,7 +153,8 @@ nlohmann::json identity(nlohmann::json same) {
   same["reference"].erase("seconds");
   same["reference"].erase("from_cache");
   for (nlohmann::json& method : same["methods"])
-    for (const char* key : {"end", "left_out", "runs"}) method.erase(key);
+    if (method.is_object())
+      for (const char* key : {"end", "left_out", "runs"}) method.erase(key);
   return same;
 }
 
@@ -203,12 +205,18 @@ void read_runs(const std::filesystem::path& file, Study& study) {
       !record["reference"].is_object())
     throw BadInput(name + ": is not from hairlab study; give the --out of an earlier study");
   const nlohmann::json now = identity(head_of(study)), before = identity(record);
+  if (!before.contains("program_digest") || before["program_digest"] != now["program_digest"])
+    throw BadInput(name +
+                   ": can't be resumed: the program is another than the one that began this study; "
+                   "build that one again, or leave out --resume to replace the study");
   if (before != now)
     throw BadInput(name + ": is another study, and can't be resumed: " + difference(before, now) +
                    "; give another --out, or leave out --resume to replace it");
   const std::vector<JsonValue> methods = JsonValue(record, file)["methods"].items();
-  for (std::size_t i = 0; i < methods.size(); ++i)
+  for (std::size_t i = 0; i < methods.size(); ++i) {
+    methods[i].check_keys({"id", "name", "order", "explicit", "end", "left_out", "runs"});
     for (const JsonValue& run : methods[i]["runs"].items()) study.sweeps[i].runs.push_back(read_run(run));
+  }
 }
 
 Table table_of_runs(const Study& study) {

@@ -3,6 +3,7 @@
 //   program, format, finished
 //   scene, shows, content, quick, duration, strand, particles, size, tolerance, most_work    the problem, and how far runs go
 //   machine          processor, cores, compiler, build, eigen
+//   program_digest   of the program's own bytes: with another, forces and methods may be others
 //   reference        method, agreement, least_error, inextensible, from_cache, seconds
 //   space_error      null, or levels (segments, error), order, time_error, stretch, seconds; or left_out, why there is none
 //   floors           by norm: below it nothing is quoted
@@ -27,8 +28,8 @@ inline constexpr std::string_view kStudyRecordBegin = "{\n  \"program\": \"hairl
 std::string study_json(const Study& study);
 
 // The sweeps of a study that was written before, for one that would be the same: `study` has no runs yet.
-// Throws BadInput for a file that is none, and for a study of something else, or from elsewhere: it names
-// what differs.
+// Throws BadInput for a file that is none, and for a study of something else, from elsewhere, or by another program: it
+// names what differs.
 void read_runs(const std::filesystem::path& file, Study& study);
 
 Table table_of_runs(const Study& study);  // all of them; for the CSV

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "hair/files/bad_input.h"
+#include "hair/files/printable.h"
 #include "hair/study/content.h"
 #include "solver/not_implemented.h"
 
@@ -131,7 +132,7 @@ bool finish_study(const Problem& problem, const AccurateMotion& motion, const St
         if (!run) return false;
         sweep.runs.push_back(std::move(*run));
       } catch (const NotImplemented& stub) {
-        sweep.left_out = stub.what();
+        sweep.left_out = printable(stub.what());
       } catch (const std::invalid_argument& error) {
         throw BadInput(problem.scene.name + ": " + error.what());
       }

@@ -45,9 +45,9 @@ int run(const Options& options) {
   StabilitySettings settings = options.settings;
   settings.quick = options.quick;
   if (options.quick) settings.maps = quick_maps();
-  OutputFolder folder(options.out, stability_output());
   const std::atomic<bool>& interrupted =
       catch_interruption("\nhairlab: stopping, what is finished is kept; once more ends at once\n");
+  OutputFolder folder(options.out, stability_output());
   const bool terminal = isatty(STDERR_FILENO) != 0;
   StabilityReport report = study_stability(scene, settings, interrupted, [&](const std::string& what) {
     if (terminal) std::cerr << "\r\x1b[K" << what << std::flush;

@@ -1,6 +1,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <iostream>
 #include <memory>
@@ -13,6 +14,7 @@
 #include "hair/lab/output_folder.h"
 #include "hair/lab/shipped_scenes.h"
 #include "hair/lab/stub.h"
+#include "hair/study/machine.h"
 #include "hair/study/study_page.h"
 #include "hair/study/study_record.h"
 #include "hair/study/sweep.h"
@@ -24,6 +26,9 @@ namespace {
 // What a run may take at most: evaluations and iterations times particles. A second or so, and a fifth of
 // that.
 constexpr double kMostWork = 1e7, kMostQuickWork = 1e6;
+
+using Clock = std::chrono::steady_clock;
+constexpr Clock::duration kKeptEvery = std::chrono::seconds(1);
 
 struct Options {
   std::string scene;
@@ -84,6 +89,13 @@ void write_whole(const OutputFolder& folder, const std::string& name, std::strin
   file.close();
 }
 
+void keep(const Study& study, OutputFolder& folder) {
+  write_whole(folder, "study.csv", to_csv(table_of_runs(study)));
+  write_whole(folder, "index.html", to_html(study_page(study)));
+  write_whole(folder, "study.json", study_json(study));
+  folder.keep();
+}
+
 // A line that is written over and over, on a terminal alone.
 class Progress {
  public:
@@ -112,9 +124,9 @@ int run(const Options& options) {
   const Scene scene = read_scene(find_scene(options.scene, HAIR_SCENES_DIR));
   const Problem problem = make_problem(scene, problem_settings(scene, options));
   const std::vector<StudyMethod> methods = chosen_methods(problem, options.methods);
-  OutputFolder folder(options.out, study_output());
   const std::atomic<bool>& interrupted =
       catch_interruption("\nhairlab: keeping what is finished; once more ends at once\n");
+  std::optional<OutputFolder> folder(std::in_place, options.out, study_output());
   const Progress progress;
 
   progress.say("the accurate motion");
@@ -128,11 +140,21 @@ int run(const Options& options) {
 
   StudySettings settings;
   settings.most_work = options.quick ? kMostQuickWork : kMostWork;
-  settings.progress = [&](const std::string& what) { progress.say(what); };
   Study study = prepare_study(problem, *motion, methods, settings);
   study.quick = options.quick;
   study.strand = options.strand;
-  if (options.resume) read_runs(folder.then("study.json"), study);
+  study.program_digest = program_digest();
+  if (options.resume) read_runs(folder->then("study.json"), study);
+
+  // A run that never ends, in an exercise, loses no more than what came within a second before it.
+  auto kept = Clock::now() - kKeptEvery;
+  settings.progress = [&](const std::string& what) {
+    progress.say(what);
+    if (!has_runs(study) || Clock::now() - kept < kKeptEvery) return;
+    keep(study, *folder);
+    folder.emplace(options.out, study_output());
+    kept = Clock::now();
+  };
   bool finished = finish_study(problem, *motion, settings, study, interrupted);
   if (finished && options.space) {
     progress.say("the space error");
@@ -149,16 +171,13 @@ int run(const Options& options) {
     std::cerr << "hairlab: " << study.scene << " needs " << missing_part(study.sweeps[0].left_out) << "\n";
     return kNotWritten;
   }
-  write_whole(folder, "study.csv", to_csv(table_of_runs(study)));
-  write_whole(folder, "index.html", to_html(study_page(study)));
-  write_whole(folder, "study.json", study_json(study));
-  folder.keep();
+  keep(study, *folder);
 
   for (const Sweep& sweep : study.sweeps)
     if (!sweep.left_out.empty())
       std::cerr << "hairlab: " << sweep.method.name << " is left out: " << missing_part(sweep.left_out)
                 << "\n";
-  std::cout << (folder.path() / "index.html").string() << "\n";
+  std::cout << (folder->path() / "index.html").string() << "\n";
   if (!finished) {
     std::cerr << "hairlab: interrupted; what is finished is kept, and --resume goes on\n";
     return kInterrupted;

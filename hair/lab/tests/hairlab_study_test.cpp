@@ -34,6 +34,11 @@ class HairlabStudy : public testing::Test {
     settings.environment.push_back("XDG_CACHE_HOME=" + (folder_ / "cache").string());
     return run_hairlab(arguments, settings);
   }
+  // Until a run is finished and kept; half a minute at most.
+  void wait_for_a_run() const {
+    for (int k = 0; k < 30000 && !fs::exists(out_ / "study.json"); ++k)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
   Json record() const { return Json::parse(read_bytes(out_ / "study.json")); }
   void expect_refused(const ProgramRun& run, int code, const std::string& part) {
     EXPECT_EQ(run.code, code) << run.errors;
@@ -44,6 +49,7 @@ class HairlabStudy : public testing::Test {
   TestFolder folder_;
   const fs::path out_ = folder_ / "out";
   const std::vector<std::string> kFew = {"--methods", "symplectic-euler,runge-kutta-4"};
+  const std::vector<std::string> kMany = {"--methods", "symplectic-euler,h4-filtered,h6"};
 };
 
 TEST_F(HairlabStudy, WritesRecordTableAndPageAndIsQuietInAPipe) {
@@ -73,16 +79,11 @@ TEST_F(HairlabStudy, WritesRecordTableAndPageAndIsQuietInAPipe) {
 TEST_F(HairlabStudy, InterruptedKeepsWhatIsFinishedAndGoesOn) {
   ProgramSettings settings;
   settings.meanwhile = [&](int process) {
-    // As soon as the accurate motion is there, runs begin.
-    for (int k = 0;
-         k < 4000 && (!fs::exists(folder_ / "cache/hairlab") || fs::is_empty(folder_ / "cache/hairlab")); ++k)
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    std::this_thread::sleep_for(std::chrono::milliseconds(150));
-    EXPECT_FALSE(fs::exists(out_));
+    wait_for_a_run();
     kill(process, SIGINT);
   };
-  const std::vector<std::string> slow = {"--methods", "symplectic-euler,h4-filtered,h6"};
-  const ProgramRun run = study(slow, settings);
+  const ProgramRun run = study(kMany, settings);
+  if (run.code == 0) GTEST_SKIP() << "it was finished before it was interrupted";
   ASSERT_EQ(run.code, 130) << run.output << run.errors;
   EXPECT_TRUE(has(run.errors, "interrupted; what is finished is kept, and --resume goes on")) << run.errors;
   const Json part = record();
@@ -94,7 +95,7 @@ TEST_F(HairlabStudy, InterruptedKeepsWhatIsFinishedAndGoesOn) {
                  "is another study, and can't be resumed: its \"methods\"");
   EXPECT_EQ(record(), part);
 
-  ASSERT_EQ(study({"--resume", "--methods", "symplectic-euler,h4-filtered,h6"}).code, 0);
+  ASSERT_EQ(study({"--resume", "--methods", kMany[1]}).code, 0);
   const Json whole = record();
   EXPECT_EQ(whole["finished"], true);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -102,6 +103,39 @@ TEST_F(HairlabStudy, InterruptedKeepsWhatIsFinishedAndGoesOn) {
     ASSERT_LE(before.size(), after.size());
     for (std::size_t k = 0; k < before.size(); ++k) EXPECT_EQ(before[k], after[k]) << "times and all";
   }
+}
+
+// As with an exercise that never returns, and a second Ctrl-C.
+TEST_F(HairlabStudy, KilledKeepsTheRunsOfBefore) {
+  ProgramSettings settings;
+  settings.meanwhile = [&](int process) {
+    wait_for_a_run();
+    kill(process, SIGKILL);
+  };
+  const ProgramRun run = study(kMany, settings);
+  if (run.code == 0) GTEST_SKIP() << "it was finished before it was killed";
+  ASSERT_EQ(run.code, -1) << run.output << run.errors;
+  const Json part = record();
+  EXPECT_EQ(part["finished"], false);
+  ASSERT_FALSE(part["methods"][0]["runs"].empty());
+  ASSERT_EQ(study({"--resume", "--methods", kMany[1]}).code, 0);
+  const Json whole = record();
+  EXPECT_EQ(whole["finished"], true);
+  EXPECT_EQ(whole["methods"][0]["runs"][0], part["methods"][0]["runs"][0]) << "times and all";
+  for (const std::string& name : folder_.names()) EXPECT_FALSE(name.starts_with(".hairlab-")) << name;
+}
+
+TEST_F(HairlabStudy, AnotherProgramCanNotResume) {
+  ASSERT_EQ(study(kFew).code, 0);
+  const Json before = record();
+  const std::string same = folder_.write("same", read_bytes(HAIRLAB)),
+                    other = folder_.write("other", read_bytes(HAIRLAB) + "x");
+  for (const std::string& program : {same, other}) fs::permissions(program, fs::perms::owner_all);
+  const std::vector<std::string> resume = {"--methods", kFew[1], "--resume"};
+  EXPECT_EQ(study(resume, {.program = same}).code, 0);
+  expect_refused(study(resume, {.program = other}), 2,
+                 "the program is another than the one that began this study; ");
+  EXPECT_EQ(record()["methods"], before["methods"]);
 }
 
 TEST_F(HairlabStudy, BadInputIsRefusedInOneLine) {

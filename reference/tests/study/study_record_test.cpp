@@ -129,7 +129,22 @@ TEST_F(StudyRecord, OfSomethingElseIsRefusedAndSaysWhatDiffers) {
   other.most_work *= 2;
   EXPECT_NE(why_refused(file, other).find("\"most_work\""), std::string::npos);
 
+  other = all.empty();
+  other.program_digest = "of another";
+  EXPECT_NE(why_refused(file, other).find("the program is another than the one that began this study; "),
+            std::string::npos);
+
   Json broken = Json::parse(hair::study_json(all.whole()));
+  const Json whole = broken;
+  broken["methods"] = {1};
+  hair::write_file(file, broken.dump());
+  EXPECT_NE(why_refused(file, all.empty()).find("its \"methods\" is [1], not "), std::string::npos);
+  broken = whole;
+  broken["methods"][0].erase("runs");
+  hair::write_file(file, broken.dump());
+  EXPECT_NE(why_refused(file, all.empty()).find("methods[0]: \"runs\" is missing"), std::string::npos)
+      << why_refused(file, all.empty());
+  broken = whole;
   broken["format"] = 2;
   hair::write_file(file, broken.dump());
   EXPECT_NE(why_refused(file, all.empty()).find("\"format\""), std::string::npos);
