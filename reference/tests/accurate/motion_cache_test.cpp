@@ -66,9 +66,9 @@ TEST_F(MotionCache, ChangesNothing) {
   Problem hard = level_strand(200);
   hard.duration = 1e-3;  // tensions grow from nothing
   const std::atomic<bool> interrupted = false;
-  const AccurateMotion alone = hair::accurate_motion(hard, {1e-6, {}}, interrupted).value();
+  const AccurateMotion alone = hair::accurate_motion(hard, {hair::kTightest, {}}, interrupted).value();
   ASSERT_TRUE(alone.inextensible);
-  expect_same(alone, hair::accurate_motion(hard, {1e-6, folder_}, interrupted).value());
+  expect_same(alone, hair::accurate_motion(hard, {hair::kTightest, folder_}, interrupted).value());
 }
 
 // As near as two tolerances are that a person gives.
