@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
+#include <exception>
 #include <memory>
 
+#include "hair/files/printable.h"
+#include "hair/study/cpu_time.h"
 #include "hair/study/cvode.h"
 #include "hair/study/rigid_strand_ode.h"
 #include "hair/study/strand_ode.h"
@@ -19,12 +21,6 @@ constexpr double kOtherTolerance = 1e-8;  // that tells how good they are
 constexpr int kMostSegments = 400;        // beyond it takes minutes
 constexpr double kLeastOrder = 0.5;
 constexpr double kAsHardAsHair = 0.3;  // times hair's EA, from which on stretching is left out
-
-double cpu_seconds() {
-  timespec time;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 std::string why_not(const Problem& problem) {
   if (problem.is_toy()) return "a toy is no continuum";
@@ -55,9 +51,8 @@ double largest_distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
   return largest;
 }
 
-}  // namespace
-
-std::optional<SpaceError> space_error(const Problem& problem, const std::atomic<bool>& interrupted) {
+std::optional<SpaceError> divided_ever_finer(const Problem& problem, Patience patience,
+                                             const std::atomic<bool>& interrupted) {
   SpaceError result;
   result.left_out = why_not(problem);
   if (!result.left_out.empty()) return result;
@@ -69,6 +64,13 @@ std::optional<SpaceError> space_error(const Problem& problem, const std::atomic<
     return result;
   }
   const bool rigid = starts_rigid(problem) && times_the_ea_of_hair(start.strand) >= kAsHardAsHair;
+  if (!rigid && patience == Patience::seconds) {
+    result.left_out =
+        "to follow how so soft a strand stretches through the finest segments may take minutes; --space "
+        "waits "
+        "for them";
+    return result;
+  }
   const double began = cpu_seconds();
   const auto move = [&](int segments, double tolerance) -> std::optional<Eigen::VectorXd> {
     Problem divided = problem;
@@ -108,6 +110,25 @@ std::optional<SpaceError> space_error(const Problem& problem, const std::atomic<
   for (int level = 0; level < kLevels; ++level)
     result.levels.push_back({base << level, largest_distance(places[level], limit)});
   return result;
+}
+
+}  // namespace
+
+std::optional<double> SpaceError::error_of(int segments) const {
+  for (const SpaceLevel& level : levels)
+    if (level.segments == segments) return level.error;
+  return {};
+}
+
+std::optional<SpaceError> space_error(const Problem& problem, Patience patience,
+                                      const std::atomic<bool>& interrupted) {
+  try {
+    return divided_ever_finer(problem, patience, interrupted);
+  } catch (const std::exception& error) {
+    SpaceError none;
+    none.left_out = printable(error.what());
+    return none;
+  }
 }
 
 }  // namespace hair

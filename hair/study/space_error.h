@@ -34,9 +34,15 @@ struct SpaceError {
 
   // Why there is none, and then there are no levels: a toy, a strand that rests curved, no order in sight, ...
   std::string left_out = {};
+
+  std::optional<double> error_of(int segments) const;  // m; none of segments that are no level
 };
 
-// Empty if `interrupted`. Throws as accurate_motion does.
-std::optional<SpaceError> space_error(const Problem& problem, const std::atomic<bool>& interrupted);
+// Which strands are waited for: all, or those whose segments may be rigid, which take no more than seconds.
+enum class Patience { seconds, minutes };
+
+// Empty if `interrupted`. Where CVODE gives up, or forces throw, there is none either, and `left_out` says so.
+std::optional<SpaceError> space_error(const Problem& problem, Patience patience,
+                                      const std::atomic<bool>& interrupted);
 
 }  // namespace hair

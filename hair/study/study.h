@@ -79,7 +79,7 @@ struct Study {
 
   std::vector<Sweep> sweeps;
 
-  // What is wrong however small the step: of a study that asked for it.
+  // What is wrong however small the step. None before it is known.
   std::optional<SpaceError> space_error;
 };
 

@@ -9,6 +9,8 @@ namespace hair {
 
 namespace {
 
+constexpr double kTick = 1e-9;  // s
+
 struct AxisName {
   const char *id, *title, *words;
 };
@@ -24,13 +26,14 @@ AxisName name_of(Against against) {
   }
 }
 
-// Of a run that ended early: what all of it would have taken.
+// Of a run that ended early: what all of it would have taken. Even one that broke before its first step was begun
+// evaluated something, and took what a clock can tell.
 double place(const MethodRun& run, Against against) {
   if (against == Against::step) return run.step;
   const double whole = static_cast<double>(run.steps_per_moment) * kMoments;
   const double share = whole / static_cast<double>(std::max(1L, run.counts.steps));
-  const double taken = against == Against::time ? run.time() : static_cast<double>(run.counts.work());
-  return std::max(share * taken, 1e-12);
+  return share * (against == Against::time ? std::max(run.time(), kTick)
+                                           : static_cast<double>(std::max(1L, run.counts.work())));
 }
 
 std::string note_of(const MethodRun& run) {

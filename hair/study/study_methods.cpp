@@ -20,6 +20,7 @@ const std::vector<StudyMethod>& all_methods() {
       {"h4-full", "H4, full", Method::implicit_euler, full, spd},
       {"h4-full-exact", "H4, full, exact bending", Method::implicit_euler, full, BendProduct::exact},
       {"h4-dropped", "H4, dropped", Method::implicit_euler, dropped, spd},
+      {"h4-dropped-exact", "H4, dropped, exact bending", Method::implicit_euler, dropped, BendProduct::exact},
       {"newton-euler", "implicit Euler to convergence", Method::newton_euler, full, BendProduct::exact},
       {"h6", "H6", Method::predictor_corrector, filtered, spd},
   };

@@ -120,7 +120,7 @@ std::string reference_text(const Study& study) {
   return text;
 }
 
-Section space_section(const SpaceError& space) {
+Section space_section(const SpaceError& space, int own) {
   Section section{.heading = "What more segments would gain"};
   if (!space.left_out.empty()) {
     section.paragraphs.push_back("Not known: " + space.left_out + ".");
@@ -129,8 +129,9 @@ Section space_section(const SpaceError& space) {
   section.paragraphs.push_back(
       "All errors above are of time: how far a method is from the same segments moved without error. This is "
       "how far "
-      "these segments are from a strand of infinitely many, and no smaller step takes it away. It falls with "
-      "the order " +
+      "these segments are from a strand of infinitely many, " +
+      to_text(space.error_of(own).value_or(0)) +
+      " m, and no smaller step takes it away. It falls with the order " +
       to_text(std::round(space.order * 100) / 100) + " (theory: 2).");
   Table table{"Space error: the largest distance of a place from the limit, at any moment",
               {"segments", "error, m"},
@@ -146,8 +147,10 @@ std::string machine_text(const Study& study) {
   return "Measured on " + machine.processor + ", " + std::to_string(machine.cores) +
          " cores, one of them used; " + machine.compiler + ", " + machine.build + "; Eigen " + machine.eigen +
          ". A time is the median of up to seven repeats of CPU time (long runs have fewer), without the "
-         "first of short "
-         "ones, and without what measures errors. Other work on the machine makes times longer, not errors.";
+         "first of short ones, and without what measures errors. Runs shorter than a millisecond are played "
+         "many "
+         "times in a row between two looks at the clock; what going back to the start takes is measured by "
+         "itself and taken off. Other work on the machine makes times longer, not errors.";
 }
 
 }  // namespace
@@ -189,7 +192,8 @@ Page study_page(const Study& study) {
       {.heading = "The same without a clock",
        .paragraphs =
            {"Evaluations of forces and iterations of ConjGrad, each a product with a matrix, cost about the "
-            "same; they are the same on every machine."},
+            "same; they are the same on every machine. Not in it: H6's length corrections, Newton steps of a "
+            "tridiagonal system each, which study.csv counts."},
        .figures = {figure(study, Norm::final_largest, Against::work)}});
   Section others{.heading = "Other ways to measure the error"};
   for (const Norm norm : {Norm::trajectory, Norm::length, Norm::energy, Norm::angular_momentum}) {
@@ -208,7 +212,7 @@ Page study_page(const Study& study) {
               "when a particle is further off than all is long."},
          .tables = {failed}});
   page.sections.push_back({.heading = "What it is measured against", .paragraphs = {reference_text(study)}});
-  if (study.space_error) page.sections.push_back(space_section(*study.space_error));
+  if (study.space_error) page.sections.push_back(space_section(*study.space_error, study.particles - 1));
   page.sections.push_back({.heading = "The machine", .paragraphs = {machine_text(study)}});
   page.sections.push_back({.heading = "All runs", .tables = {run_table(study)}});
   return page;

@@ -225,6 +225,9 @@ Table table_of_runs(const Study& study) {
   table.header = {"method",      "steps_per_moment", "step_s",      "ending",      "trouble", "steps",
                   "evaluations", "iterations",       "corrections", "unconverged", "cpu_s",   "repeats"};
   for (int k = 0; k < kNorms; ++k) table.header.emplace_back(name_of(static_cast<Norm>(k)).id);
+  table.header.emplace_back("space_error");
+  std::optional<double> space;
+  if (study.space_error) space = study.space_error->error_of(study.particles - 1);
   for (const Sweep& sweep : study.sweeps)
     for (const MethodRun& run : sweep.runs) {
       const Counts& counts = run.counts;
@@ -247,6 +250,7 @@ Table table_of_runs(const Study& study) {
                       : error < study.floors[norm] ? "below " + to_exact_text(study.floors[norm])
                                                    : to_exact_text(error));
       }
+      row.push_back(space ? to_exact_text(*space) : "");
       table.rows.push_back(std::move(row));
     }
   return table;

@@ -42,11 +42,12 @@ bool is_below(const MethodRun& run, const Errors& floors) {
 }
 
 // The last halvings of the step made no difference.
-bool stalls(const std::vector<MethodRun>& runs) {
+bool stalls(const std::vector<MethodRun>& runs, const Errors& floors) {
   if (runs.size() <= kStalls) return false;
   for (std::size_t k = runs.size() - kStalls; k < runs.size(); ++k) {
     const MethodRun &before = runs[k - 1], &after = runs[k];
     if (before.ending != RunEnding::finished || after.ending != RunEnding::finished) return false;
+    if (after.errors[Norm::trajectory] < floors[Norm::trajectory]) return false;  // nothing is known of it
     if (after.errors[Norm::trajectory] < kNoBetter * before.errors[Norm::trajectory]) return false;
   }
   return true;
@@ -54,9 +55,19 @@ bool stalls(const std::vector<MethodRun>& runs) {
 
 // Of the whole run that comes after this one, if it takes twice as much.
 double work_of_next(const MethodRun& run, int particles) {
-  if (run.counts.steps == 0) return 0;
-  const double of_a_step = static_cast<double>(run.counts.work()) / static_cast<double>(run.counts.steps);
+  const double of_a_step = static_cast<double>(std::max(1L, run.counts.work())) /
+                           static_cast<double>(std::max(1L, run.counts.steps));
   return 2 * of_a_step * run.steps_per_moment * kMoments * particles;
+}
+
+// Throws BadInput for what can't be assembled.
+std::unique_ptr<MethodRunner> make_runner(const Problem& problem, const StudyMethod& method,
+                                          const Trajectory& accurate, const Errors& floors) {
+  try {
+    return std::make_unique<MethodRunner>(problem, method, accurate, floors);
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(problem.scene.name + ": " + error.what());
+  }
 }
 
 }  // namespace
@@ -81,7 +92,7 @@ std::optional<int> next_steps(Sweep& sweep, const Errors& floors, int first, dou
     return first;
   } else if (is_below(sweep.runs.back(), floors)) {
     sweep.end = SweepEnd::floor;
-  } else if (stalls(sweep.runs)) {
+  } else if (stalls(sweep.runs, floors)) {
     sweep.end = SweepEnd::stalls;
   } else if (work_of_next(sweep.runs.back(), particles) > most_work ||
              sweep.runs.back().steps_per_moment >= kMostSteps) {
@@ -127,14 +138,12 @@ bool finish_study(const Problem& problem, const AccurateMotion& motion, const St
       if (settings.progress)
         settings.progress(sweep.method.name + ", " + std::to_string(*steps) + " steps a moment");
       try {
-        if (!runners[i]) runners[i] = std::make_unique<MethodRunner>(problem, sweep.method, motion.states);
+        if (!runners[i]) runners[i] = make_runner(problem, sweep.method, motion.states, study.floors);
         std::optional<MethodRun> run = runners[i]->run(*steps, settings.repeats, interrupted);
         if (!run) return false;
         sweep.runs.push_back(std::move(*run));
       } catch (const NotImplemented& stub) {
         sweep.left_out = printable(stub.what());
-      } catch (const std::invalid_argument& error) {
-        throw BadInput(problem.scene.name + ": " + error.what());
       }
       more = true;
     }

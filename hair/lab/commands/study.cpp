@@ -155,12 +155,10 @@ int run(const Options& options) {
     folder.emplace(options.out, study_output());
     kept = Clock::now();
   };
-  bool finished = finish_study(problem, *motion, settings, study, interrupted);
-  if (finished && options.space) {
-    progress.say("the space error");
-    study.space_error = space_error(problem, interrupted);
-    finished = study.space_error.has_value();
-  }
+  progress.say("the space error");
+  study.space_error =
+      space_error(problem, options.space ? Patience::minutes : Patience::seconds, interrupted);
+  const bool finished = finish_study(problem, *motion, settings, study, interrupted);
   progress.clear();
 
   if (!has_runs(study)) {
@@ -195,7 +193,7 @@ Command add_study_command(CLI::App& program) {
   app->add_flag("--quick", options->quick, "10 segments, and shorter sweeps: seconds instead of a minute");
   app->add_flag("--resume", options->resume, "Go on with the study in the folder, which was interrupted");
   app->add_flag("--space", options->space,
-                "Also how far the strand's segments are from infinitely many: seconds, of soft hair minutes");
+                "Also of soft hair, how far its segments are from infinitely many: that may take minutes");
   app->add_option("--strand", options->strand, "Which of the scene's strands, or toys (default: 0)")
       ->check(CLI::Range(0, 10'000'000));
   app->add_option("--duration", options->duration, "s (default: the scene's, but at most 0.2)")

@@ -132,7 +132,7 @@ TEST(SpaceError, OfAStrandIsOfSecondOrder) {
   Problem problem = level_strand(1);
   problem.scene.hair.strands[0].strand.bend_rigidity *= 5;
   const std::atomic<bool> interrupted = false;
-  const hair::SpaceError error = hair::space_error(problem, interrupted).value();
+  const hair::SpaceError error = hair::space_error(problem, hair::Patience::minutes, interrupted).value();
   ASSERT_EQ(error.levels.size(), 4U) << error.left_out;
   EXPECT_NEAR(error.order, 2, 0.3);
   EXPECT_EQ(error.levels[1].segments, 6);
@@ -146,7 +146,7 @@ TEST(SpaceError, IsNotMadeUpWhereThereIsNone) {
   const std::atomic<bool> interrupted = false;
   Problem problem = level_strand(1);
   problem.scene.hair.strands[0].state.x[3] += 1e-3;
-  const hair::SpaceError error = hair::space_error(problem, interrupted).value();
+  const hair::SpaceError error = hair::space_error(problem, hair::Patience::minutes, interrupted).value();
   EXPECT_TRUE(error.levels.empty());
   EXPECT_NE(error.left_out, "");
 }

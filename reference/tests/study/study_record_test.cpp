@@ -110,6 +110,42 @@ TEST_F(StudyRecord, ResumedItIsTheSameAsOneThatWasNeverInterrupted) {
   }
 }
 
+// Of errors below the floors nothing is kept but that: what comes next may depend on no more.
+TEST_F(StudyRecord, AResumedStudyKnowsNoMoreOfErrorsBelowTheFloorsThanOneThatWasNot) {
+  Studied all = studied(kPendulum, 0.1, {"midpoint", "runge-kutta-4"}, 1e6);
+  all.motion.agreement = 1e-5;
+  const hair::Study whole = all.whole();
+  hair::Study resumed = all.empty();
+  hair::read_runs(keep(whole), resumed);
+  int below = 0;
+  for (std::size_t i = 0; i < whole.sweeps.size(); ++i) {
+    ASSERT_EQ(resumed.sweeps[i].runs.size(), whole.sweeps[i].runs.size());
+    for (std::size_t k = 0; k < whole.sweeps[i].runs.size(); ++k)
+      for (int n = 0; n < hair::kNorms; ++n) {
+        const hair::Norm norm = static_cast<hair::Norm>(n);
+        const double error = whole.sweeps[i].runs[k].errors[norm];
+        EXPECT_EQ(resumed.sweeps[i].runs[k].errors[norm], error) << hair::name_of(norm).id;
+        if (error == 0) ++below;
+      }
+  }
+  EXPECT_GT(below, 0);
+}
+
+// A position that is known at the end alone says nothing of whether smaller steps make a difference.
+TEST_F(StudyRecord, ASweepDoesNotStallWhereNothingIsKnownOfItsErrors) {
+  const Studied all = studied(kPendulum, 0.1, {"midpoint"}, 1e6);
+  hair::Study study = all.empty();
+  hair::Sweep& sweep = study.sweeps[0];
+  hair::MethodRun run;
+  run.errors[hair::Norm::final_largest] = 1;
+  for (const double error : {0.0, 1e-3}) {
+    run.errors[hair::Norm::trajectory] = error;
+    run.steps_per_moment = 1;
+    sweep.runs.assign(5, run);
+    EXPECT_EQ(hair::next_steps(sweep, study.floors, 1, 1e6, 3).has_value(), error == 0);
+  }
+}
+
 TEST_F(StudyRecord, OfSomethingElseIsRefusedAndSaysWhatDiffers) {
   const Studied all = studied(kSoftHair, 0.1, kMethods, 1e4);
   const fs::path file = keep(all.whole());
