@@ -26,6 +26,7 @@ namespace {
 // What a run may take at most: evaluations and iterations times particles. A second or so, and a fifth of
 // that.
 constexpr double kMostWork = 1e7, kMostQuickWork = 1e6;
+constexpr double kEnoughQuick = 0.05;  // s, that repeats of a run take together
 
 using Clock = std::chrono::steady_clock;
 constexpr Clock::duration kKeptEvery = std::chrono::seconds(1);
@@ -140,6 +141,7 @@ int run(const Options& options) {
 
   StudySettings settings;
   settings.most_work = options.quick ? kMostQuickWork : kMostWork;
+  if (options.quick) settings.repeats.enough = kEnoughQuick;
   Study study = prepare_study(problem, *motion, methods, settings);
   study.quick = options.quick;
   study.strand = options.strand;
