@@ -19,6 +19,7 @@ Json to_json(const StudyPoint& point) {
     all["solver_steps"] = point.solver_steps;
     all["correction_steps"] = point.correction_steps;
   }
+  all["first_seconds"] = point.first_seconds;
   all["seconds"] = point.seconds;
   return all;
 }
@@ -30,6 +31,7 @@ StudyPoint point_from(const Json& json) {
   point.error = json.value("error", 0.0);
   point.solver_steps = json.value("solver_steps", std::int64_t{0});
   point.correction_steps = json.value("correction_steps", std::int64_t{0});
+  point.first_seconds = json.at("first_seconds");
   point.seconds = json.at("seconds").get<std::vector<double>>();
   for (const StudyEnd end : {StudyEnd::finished, StudyEnd::ran_away, StudyEnd::broke})
     if (json.at("end") == to_string(end)) point.end = end;
@@ -59,6 +61,7 @@ Json to_json(const PartStudy& part) {
               {"order", part.order},
               {"truth", part.truth},
               {"least_error", part.least_error},
+              {"rounds", part.rounds},
               {"time_ratio", nullptr},
               {"note", valid_utf8(part.note)},
               {"student", to_json(part.student)},
@@ -77,6 +80,7 @@ PartStudy part_from(const Json& json) {
   part.order = json.at("order");
   part.truth = json.at("truth");
   part.least_error = json.at("least_error");
+  part.rounds = json.at("rounds");
   part.note = json.at("note");
   part.student = curve_from(json.at("student"));
   part.reference = curve_from(json.at("reference"));

@@ -27,14 +27,16 @@ struct StudyPoint {
   double error = 0;  // m, the root mean square of the particles' distances from where they should be
   std::int64_t solver_steps = 0;      // of ConjGrad; these two as the worker says
   std::int64_t correction_steps = 0;  // of the length correction
-  std::vector<double> seconds = {};   // of CPU time, of each round that was measured
+  double first_seconds = 0;           // of CPU time, of its first play; 0: not known
+  std::vector<double> seconds =
+      {};  // of CPU time, of each round that was measured; of none, the first play's
 };
 
 struct StudyCurve {
   std::vector<StudyPoint> points;  // by their steps, coarsest first
 
   // The fewest steps with which the motion does not run away, and neither does it with any larger number that was
-  // played; 0: there is none.
+  // played; 0: there is none. Points that broke say nothing of it.
   int stable_steps = 0;
   bool stable_everywhere = false;  // fewer were not played
 };
@@ -47,6 +49,7 @@ struct PartStudy {
   int order = 1;           // of the method, where it is smooth
   std::string truth;       // what errors are against: "CVODE 6.4.1 ..."
   double least_error = 0;  // m: what is below says nothing
+  int rounds = 0;          // that were measured to their end; 0: times are of first plays
   StudyCurve student, reference;
 
   // How many times the reference's time the student's code takes for the same error: a median, and the least and the

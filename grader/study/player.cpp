@@ -1,6 +1,8 @@
 // STAFF ONLY.
 #include "grader/study/player.h"
 
+#include <chrono>
+
 namespace grader {
 
 Play WorkerPlayer::play(const SceneText& text, const hair::Scene& scene, int times) {
@@ -13,6 +15,24 @@ Play WorkerPlayer::play(const SceneText& text, const hair::Scene& scene, int tim
   starts_ = student_.starts();
   clock_ = now;
   return play;
+}
+
+Play UntilItGivesUp::play(const SceneText& text, const hair::Scene& scene, int times) {
+  using Clock = std::chrono::steady_clock;
+  if (wall_left_ <= 0 && !end_)
+    end_ = CaseFailed{Status::timed_out, "the code takes too long by the clock on the wall", ""};
+  if (end_) throw CaseFailed(*end_);
+  struct Charge {
+    double& left;
+    Clock::time_point start = Clock::now();
+    ~Charge() { left -= std::chrono::duration<double>(Clock::now() - start).count(); }
+  } charge{wall_left_};
+  try {
+    return player_.play(text, scene, times);
+  } catch (const CaseFailed& failure) {
+    if (failure.status == Status::timed_out || failure.status == Status::broke_rules) end_ = failure;
+    throw;
+  }
 }
 
 }  // namespace grader

@@ -2,7 +2,8 @@
 //
 // The clock is the kernel's, of all of the worker's threads, read by us after each answer. A play is charged with all
 // that the worker took since the answer before: code can do its work earlier or later than it is asked to, for another
-// play to be charged with it, and can remember what it was asked before; it can't hide any of it. It is told no time.
+// play to be charged with it. It is told no time, and can hide none that it takes; but it can remember what it answered
+// before, and then takes none.
 #pragma once
 
 #include <optional>
@@ -35,6 +36,19 @@ class WorkerPlayer : public Player {
   Student& student_;
   int starts_ = 0;  // of its worker, when the clock was last read
   double clock_ = 0;
+};
+
+// Asks another, until that one times out, breaks the rules, or has taken so much time by the clock on the wall: then each
+// play fails without being asked for.
+class UntilItGivesUp : public Player {
+ public:
+  UntilItGivesUp(Player& player, double most_wall_seconds) : player_(player), wall_left_(most_wall_seconds) {}
+  Play play(const SceneText& text, const hair::Scene& scene, int times) override;
+
+ private:
+  Player& player_;
+  double wall_left_;
+  std::optional<CaseFailed> end_;
 };
 
 }  // namespace grader

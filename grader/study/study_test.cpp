@@ -8,7 +8,9 @@
 #include <filesystem>
 #include <limits>
 #include <map>
+#include <thread>
 
+#include "grader/report/pages.h"
 #include "hair/scene/playback.h"
 
 namespace grader {
@@ -195,6 +197,115 @@ TEST(Study, GoesOnWithoutAWorkerThatEnds) {
   EXPECT_NE(part.note.find("the program ended"), std::string::npos) << part.note;
   EXPECT_GT(part.reference.points.size(), part.student.points.size());
   EXPECT_FALSE(part.ratio && part.ratio->median > 1.01);
+  // That it broke there does not say that it ran away before.
+  EXPECT_TRUE(part.student.stable_everywhere);
+  EXPECT_EQ(part.student.stable_steps, part.student.points.front().steps);
+}
+
+std::string page_of(const PartStudy& part) {
+  SubmissionResult result;
+  result.name = "somebody";
+  return study_page(result, {{{"pendulums", "Pendulums", "", {part}}}}, {});
+}
+
+TEST(Study, DoesNotKnowWhatIsStableInCodeThatOnlyBreaks) {
+  Fake student;
+  student.spoil = [](Played&, int steps) {
+    if (steps < 480) throw CaseFailed{Status::crashed, "the program ended in the middle of the call", ""};
+  };
+  const PartStudy part = study("symplectic Euler", student);
+  EXPECT_EQ(part.student.points.size(), 1U);
+  EXPECT_NE(page_of(part).find("<p>Stable: not known (ours: all that were tried"), std::string::npos);
+}
+
+// How often the student's code is played before it is measured.
+int first_plays(const StudiedPart& part) {
+  return 1 + static_cast<int>(divisions_of(part.scene).size());
+}
+
+TEST(Study, ShowsNoTimesOfPlaysThatDontEndAsTheFirstDid) {
+  const int first = first_plays(pendulum("symplectic Euler"));
+  const std::vector<std::function<void(Played&)>> spoiled = {
+      [](Played& played) {
+        played.frames.resize(1);
+        played.trouble = "enough";
+      },
+      [](Played& played) { played.frames.back().x[3] += 1e-6; },
+      [](Played& played) { played.frames.back().x[3] = std::numeric_limits<double>::quiet_NaN(); }};
+  for (const auto& spoil : spoiled) {
+    Fake student;
+    student.spoil = [&](Played& played, int) {
+      if (student.plays <= first) return;
+      student.seconds_per_step = 1e-9;
+      spoil(played);
+    };
+    const PartStudy part = study("symplectic Euler", student);
+    EXPECT_EQ(static_cast<int>(part.student.points.size()), first - 1);
+    for (const StudyPoint& point : part.student.points) {
+      EXPECT_EQ(point.end, StudyEnd::broke) << point.steps;
+      EXPECT_NE(point.note.find("asked for again"), std::string::npos) << point.note;
+      EXPECT_TRUE(point.seconds.empty());
+    }
+    EXPECT_FALSE(part.ratio);
+  }
+}
+
+TEST(Study, SaysWhenCodeTakesFarLessTimeForWhatItWasAskedBefore) {
+  const int first = first_plays(pendulum("midpoint"));
+  Fake honest, remembers;
+  remembers.spoil = [&](Played&, int) {
+    if (remembers.plays > first) remembers.seconds_per_step = 1e-7;
+  };
+  EXPECT_EQ(page_of(study("midpoint", honest)).find("it may remember"), std::string::npos);
+  EXPECT_NE(page_of(study("midpoint", remembers)).find("it may remember"), std::string::npos);
+}
+
+TEST(Study, TakesTimesOfWholeRoundsOrElseOfFirstPlays) {
+  const StudiedPart part = pendulum("symplectic Euler");
+  int first = part.scene.frames * part.scene.steps_per_frame;  // steps of what is not measured
+  for (const Division& division : divisions_of(part.scene)) first += division.steps();
+  // A round takes at most so many steps more than the first plays: those of 2 ms for each division of less.
+  const int round = first + 200 * static_cast<int>(divisions_of(part.scene).size());
+  for (const int rounds : {0, 1}) {
+    Fake student;
+    StudySettings settings;
+    settings.most_seconds = 1e-5 * (first + rounds * round + first / 4);
+    const PartStudy found = study("symplectic Euler", student, settings);
+    EXPECT_EQ(found.rounds, rounds);
+    EXPECT_NE(found.note, "");
+    for (const StudyCurve* curve : {&found.student, &found.reference})
+      for (const StudyPoint& point : curve->points) {
+        ASSERT_EQ(point.seconds.size(), 1U) << point.steps;
+        EXPECT_NEAR(point.seconds.front(), 1e-5 * point.steps, 1e-12);
+      }
+    EXPECT_NE(page_of(found).find(rounds == 0 ? "Times are of first plays" : "medians of 1 round "),
+              std::string::npos);
+  }
+}
+
+TEST(StudyPage, DrawsNoTimeThatWasNotTaken) {
+  Fake student;
+  PartStudy part = study("midpoint", student);
+  const auto drawn = [](const std::string& page) {
+    std::size_t count = 0;
+    for (std::size_t at = page.find("<title>"); at != std::string::npos; at = page.find("<title>", at + 1))
+      ++count;
+    return count;
+  };
+  const std::size_t before = drawn(page_of(part));
+  part.student.points.back().seconds.clear();
+  EXPECT_EQ(drawn(page_of(part)), before - 1);
+}
+
+TEST(UntilItGivesUp, EndsWhatDozes) {
+  const StudiedPart part = pendulum("midpoint");
+  Fake dozes;
+  dozes.spoil = [](Played&, int) { std::this_thread::sleep_for(std::chrono::milliseconds(20)); };
+  UntilItGivesUp player(dozes, 0.01);
+  const auto play = [&] { player.play(divided(part, {part.scene.frames, 1}), part.scene, 1); };
+  EXPECT_NO_THROW(play());
+  for (int i = 0; i < 2; ++i) EXPECT_THROW(play(), CaseFailed);
+  EXPECT_EQ(dozes.plays, 1);
 }
 
 TEST(Study, LeavesOutWhatTakesTooLong) {

@@ -1,36 +1,20 @@
 // STAFF ONLY.
 #include "grader/study/submission_study.h"
 
+#include <cmath>
+
 namespace grader {
-namespace {
-
-// Code that never answered, or did what it must not, is not asked again.
-class UntilItGivesUp : public Player {
- public:
-  explicit UntilItGivesUp(Student& student) : player_(student) {}
-
-  Play play(const SceneText& text, const hair::Scene& scene, int times) override {
-    if (end_) throw CaseFailed(*end_);
-    try {
-      return player_.play(text, scene, times);
-    } catch (const CaseFailed& failure) {
-      if (failure.status == Status::timed_out || failure.status == Status::broke_rules) end_ = failure;
-      throw;
-    }
-  }
-
- private:
-  WorkerPlayer player_;
-  std::optional<CaseFailed> end_;
-};
-
-}  // namespace
+int study_cpu_seconds(const StudySettings& settings) {
+  std::size_t parts = 0;
+  for (const SceneText& text : end_to_end_scenes()) parts += parts_of(text).size();
+  return static_cast<int>(std::ceil(2 * settings.most_seconds * static_cast<double>(parts)));
+}
 
 SubmissionStudy study_submission(Student& student, Student& reference, const AvailableExercises& exercises,
                                  const std::optional<std::filesystem::path>& kept,
                                  const StudySettings& settings) {
-  UntilItGivesUp theirs(student);
-  WorkerPlayer ours(reference);
+  WorkerPlayer their_worker(student), ours(reference);
+  UntilItGivesUp theirs(their_worker, settings.most_wall_seconds);
   SubmissionStudy study;
   for (const SceneText& text : end_to_end_scenes()) {
     const hair::Scene scene = hair::parse_scene(text.json, text.name);

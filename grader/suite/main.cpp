@@ -85,6 +85,7 @@ Job read_job(std::istream& in) {
     }
     if (job.exercise == "study") {
       job.worker.exercise = "runs";
+      job.worker.cpu_seconds = grader::study_cpu_seconds();
       for (const std::string object : document.at("reference_objects"))
         job.reference_objects.push_back(object);
       job.motions = document.at("motions").get<std::string>();

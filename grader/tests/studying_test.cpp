@@ -152,6 +152,11 @@ TEST_F(Studying, IsMadeUpForByResume) {
   const ProgramRun later = grade("later", {"--resume", "--study", "--only", "perfect"});
   EXPECT_NE(later.output.find("1 graded"), string::npos) << later.output;
   EXPECT_TRUE(fs::exists(folder_ / "later" / "perfect" / "study.html"));
+  // One exercise graded again: the study was of other code.
+  fs::copy(folder_ / "later", folder_ / "one", fs::copy_options::recursive);
+  ASSERT_EQ(grade("one", {"--only", "perfect", "--exercise", "S1"}).code, 0);
+  EXPECT_FALSE(fs::exists(folder_ / "one" / "perfect" / "study.html"));
+  EXPECT_EQ(read_file(folder_ / "one" / "perfect" / "report.html").find("study.html"), string::npos);
   // Graded again without one, nothing leads to an old one.
   ASSERT_EQ(grade("later", {"--only", "perfect"}).code, 0);
   EXPECT_FALSE(fs::exists(folder_ / "later" / "perfect" / "study.html"));

@@ -27,7 +27,8 @@ std::string names_of(const std::vector<Submission>& submissions) {
 }
 
 // Adds what an earlier run found of exercises that this one was not asked for, in the course's order, and of
-// all of them together. Then no fingerprint is right for all of it.
+// all of them together, but for a study: that would be of code that is not this. Then no fingerprint is right for all of
+// it.
 void keep_other_exercises(SubmissionResult& result, const std::optional<SubmissionResult>& earlier,
                           const Course& course) {
   if (!earlier) return;
@@ -41,7 +42,6 @@ void keep_other_exercises(SubmissionResult& result, const std::optional<Submissi
   std::sort(result.exercises.begin(), result.exercises.end(),
             [&](const ExerciseResult& a, const ExerciseResult& b) { return place(a) < place(b); });
   result.runs = earlier->runs;
-  result.studied = earlier->studied;
 }
 
 }  // namespace
@@ -60,6 +60,7 @@ Batch grade_batch(const Grading& grading, const std::vector<Submission>& submiss
 
   const auto start = std::chrono::steady_clock::now();
   Batch batch;
+  batch.problems = grading.problems();
   std::map<std::string, TimingByExercise> timing;
   std::string failure;
   Progress progress(settings.only ? 1 : submissions.size());

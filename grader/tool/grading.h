@@ -61,6 +61,8 @@ class Grading {
   // The reference in an identical worker.
   const std::map<std::string, ExerciseTiming>& reference_timing() const { return reference_; }
 
+  const std::vector<std::string>& problems() const { return problems_; }  // ours, a line each
+
   // The reference beside itself: what is not 1 in its ratios is noise. Nothing without studies.
   const std::optional<SubmissionStudy>& reference_study() const { return reference_study_; }
 
@@ -85,6 +87,7 @@ class Grading {
   std::optional<std::filesystem::path> pictures_;  // where the reference's are kept, if any are drawn
   std::map<std::string, ExerciseTiming> reference_;
   std::optional<SubmissionStudy> reference_study_;
+  std::vector<std::string> problems_;
 };
 
 // An exercise's status from those of its cases.
