@@ -29,20 +29,32 @@ const StudyPoint* with_steps(const StudyCurve& curve, int steps) {
   return nullptr;
 }
 
-// Where a run stands that has no time of its own: what as many steps take of those that have one, the reference's first.
-double expected_seconds(const PartStudy& part, int steps) {
-  for (const StudyCurve* curve : {&part.reference, &part.student})
-    for (const StudyPoint& point : curve->points)
-      if (point.steps >= steps && !point.seconds.empty()) return median(point.seconds) * steps / point.steps;
-  return 0;
+// What a run took: the median of its rounds; of one that failed, its first play; 0: not known.
+double seconds_of(const StudyPoint& point) {
+  return point.end == StudyEnd::finished ? median(point.seconds) : point.first_seconds;
+}
+
+// How many times the time of its first play a curve's measured plays take, point by point, and their median; 0: not known.
+double again(const StudyCurve& curve) {
+  std::vector<double> all;
+  for (const StudyPoint& point : curve.points)
+    if (point.end == StudyEnd::finished && point.first_seconds > 0 && !point.seconds.empty())
+      all.push_back(median(point.seconds) / point.first_seconds);
+  return median(all);
+}
+
+// Whether the student's code takes far less time for what it was asked before, the reference's beside it.
+bool far_less_again(const PartStudy& part) {
+  constexpr double kFarLess = 0.25;
+  const double theirs = again(part.student), ours = again(part.reference);
+  return part.rounds > 0 && theirs > 0 && theirs < kFarLess * std::min(1.0, ours);
 }
 
 hair::Series series_of(const PartStudy& part, const StudyCurve& curve, const std::string& name) {
   hair::Series series{name, {}};
   for (const StudyPoint& point : curve.points) {
     const bool failed = point.end != StudyEnd::finished;
-    const double seconds =
-        point.seconds.empty() ? expected_seconds(part, point.steps) : median(point.seconds);
+    const double seconds = seconds_of(point);
     if (!(seconds > 0)) continue;
     std::string note = "h = " + step_text(part, point.steps);
     if (point.steps == part.own_steps) note += ", the scene's own";
@@ -72,8 +84,12 @@ Html figure_of(const PartStudy& part, const std::string& id) {
 }
 
 std::string stability(const PartStudy& part, const StudyCurve& curve) {
-  if (curve.points.empty()) return "not known";
-  if (curve.stable_steps == 0) return "none";
+  if (curve.stable_steps == 0) {
+    const bool to_the_end = !curve.points.empty() && !part.reference.points.empty() &&
+                            curve.points.back().end != StudyEnd::broke &&
+                            curve.points.back().steps == part.reference.points.back().steps;
+    return to_the_end ? "none" : "not known";
+  }
   return std::string(curve.stable_everywhere ? "all that were tried, up to " : "up to ") +
          "h = " + step_text(part, curve.stable_steps);
 }
@@ -93,8 +109,19 @@ Html error_cell(const StudyPoint* point) {
   return cell(point, to_text(point->error));
 }
 
-Html time_cell(const StudyPoint* point) {
-  return cell(point, point == nullptr || point->seconds.empty() ? "" : rounded(1e3 * median(point->seconds)));
+Html time_cell(const StudyPoint* point, double seconds) {
+  return cell(point, seconds > 0 ? rounded(1e3 * seconds) : "");
+}
+
+Html time_cells(const StudyPoint* point) {
+  return time_cell(point, point == nullptr ? 0 : median(point->seconds)) +=
+         time_cell(point, point == nullptr ? 0 : point->first_seconds);
+}
+
+std::string times_of(const PartStudy& part) {
+  if (part.rounds == 0) return "Times are of first plays, yours and ours: no round was measured to its end.";
+  return "Times are medians of " + std::to_string(part.rounds) + (part.rounds == 1 ? " round" : " rounds") +
+         " in which both took turns.";
 }
 
 Html table_of(const PartStudy& part) {
@@ -105,7 +132,7 @@ Html table_of(const PartStudy& part) {
   all.erase(std::unique(all.begin(), all.end()), all.end());
   Html table = html(R"(<details><summary>Numbers of {}</summary>
 <div class="wide"><table>
-<thead><tr><th scope="col" class="number">Steps</th><th scope="col" class="number">h</th><th scope="col" class="number">Your error, m</th><th scope="col" class="number">Ours, m</th><th scope="col" class="number">Your time, ms</th><th scope="col" class="number">Ours, ms</th><th scope="col" class="number">Your solver steps</th><th scope="col" class="number">Ours</th></tr></thead>
+<thead><tr><th scope="col" class="number">Steps</th><th scope="col" class="number">h</th><th scope="col" class="number">Your error, m</th><th scope="col" class="number">Ours, m</th><th scope="col" class="number">Your time, ms</th><th scope="col" class="number">Your first play</th><th scope="col" class="number">Our time, ms</th><th scope="col" class="number">Our first play</th><th scope="col" class="number">Your solver steps</th><th scope="col" class="number">Ours</th></tr></thead>
 <tbody>
 )",
                     {part.name});
@@ -114,7 +141,7 @@ Html table_of(const PartStudy& part) {
     table +=
         html("<tr><th scope=\"row\" class=\"number\">{}</th><td class=\"number\">{}</td>{}{}{}{}{}{}</tr>\n",
              {std::to_string(steps) + (steps == part.own_steps ? " (the scene)" : ""), step_text(part, steps),
-              error_cell(one), error_cell(two), time_cell(one), time_cell(two),
+              error_cell(one), error_cell(two), time_cells(one), time_cells(two),
               cell(one, one == nullptr ? "" : std::to_string(one->solver_steps)),
               cell(two, two == nullptr ? "" : std::to_string(two->solver_steps))});
   }
@@ -128,12 +155,18 @@ Html part_of(const PartStudy& part, const std::string& id) {
       "<p>{}</p>\n",
       {part.ratio ? "For the same error your code takes " + ratio_text(*part.ratio) + " times our time."
                   : std::string("There is no error that both reach, so their times can't be compared.")});
+  if (far_less_again(part))
+    all += html(
+        R"(<p class="note">Asked for the same again, your code took {} times the time of its first plays, ours {} times:
+it may remember what it answered. First plays are in the numbers below.</p>
+)",
+        {rounded(again(part.student)), rounded(again(part.reference))});
   all += html("<p>Stable: {} (ours: {}).</p>\n",
               {stability(part, part.student), stability(part, part.reference)});
   all += figure_of(part, id);
   all += table_of(part);
-  return all += html("<p class=\"quiet\">Errors are against {}; what is below {} m says nothing.</p>\n",
-                     {part.truth, to_text(part.least_error)});
+  return all += html("<p class=\"quiet\">{} Errors are against {}; what is below {} m says nothing.</p>\n",
+                     {times_of(part), part.truth, to_text(part.least_error)});
 }
 
 // How far the reference's ratios to itself are from 1: what no ratio here can be better than.
@@ -173,22 +206,24 @@ Html summary_of(const SubmissionStudy& study) {
 std::string study_page(const SubmissionResult& result, const SubmissionStudy& study,
                        const SubmissionStudy& beside_itself) {
   Html body = stamps(result.isolated, true);
-  body += html(
-      "<header>\n<h1>Error against run time: {}</h1>\n<p class=\"quiet\"><a href=\"report.html\">The "
-      "report</a> &middot; "
-      "<a href=\"study.json\">study.json</a></p>\n</header>\n<main>\n"
-      "<p>The scenes that run end to end, with more steps and with fewer, by your code and by ours. This is "
-      "to look "
-      "at: it gives no points and takes none. Another run gives other times.</p>\n"
-      "<p>Error: the root mean square of the particles&#39; distances from where they should be, over the "
-      "whole motion. "
-      "Time: CPU time of a whole run, the median of five rounds in which your code and ours took turns, each "
-      "in a worker "
-      "of its own. Ratios are medians of these rounds, with the least and the largest. Steps are stable "
-      "if no particle is ever further from where it should be than the motion is large, with these and with "
-      "all shorter "
-      "ones.</p>\n",
-      {result.name});
+  body += html(R"(<header>
+<h1>Error against run time: {}</h1>
+<p class="quiet"><a href="report.html">The report</a> &middot; <a href="study.json">study.json</a></p>
+</header>
+<main>
+<p>The scenes that run end to end, with more steps and with fewer, by your code and by ours. This is to look at: it
+gives no points and takes none. Another run gives other times.</p>
+<p>Error: the root mean square of the particles&#39; distances from where they should be, over the whole motion.
+Time: CPU time of a whole run, by the kernel&#39;s clock, the median of rounds in which your code and ours took
+turns, each in a worker of its own. Ratios are medians of these rounds, with the least and the largest. Steps are
+stable if no particle is ever further from where it should be than the motion is large, with these and with all
+shorter ones.</p>
+<p>Errors are found by us, from where your code says that the particles are. What proves nothing: numbers of solver
+steps are what the code itself reports, and code that keeps its answers takes no time when the same is asked for
+again. So the tables have what first plays took, too (the scene&#39;s own steps were played once before, to warm up).
+Code that works before it is asked is charged for it in another play.</p>
+)",
+               {result.name});
   body += noise_of(beside_itself);
   body += summary_of(study);
   for (std::size_t i = 0; i < study.scenes.size(); ++i) {

@@ -27,9 +27,9 @@ struct StudyPoint {
   double error = 0;  // m, the root mean square of the particles' distances from where they should be
   std::int64_t solver_steps = 0;      // of ConjGrad; these two as the worker says
   std::int64_t correction_steps = 0;  // of the length correction
-  double first_seconds = 0;           // of CPU time, of its first play; 0: not known
-  std::vector<double> seconds =
-      {};  // of CPU time, of each round that was measured; of none, the first play's
+  // CPU time, s. Without a measured round, `seconds` is the first play's.
+  double first_seconds = 0;          // of its first play; 0: not known
+  std::vector<double> seconds = {};  // of each round that was measured
 };
 
 struct StudyCurve {

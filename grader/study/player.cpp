@@ -30,7 +30,10 @@ Play UntilItGivesUp::play(const SceneText& text, const hair::Scene& scene, int t
   try {
     return player_.play(text, scene, times);
   } catch (const CaseFailed& failure) {
-    if (failure.status == Status::timed_out || failure.status == Status::broke_rules) end_ = failure;
+    crashes_ += failure.status == Status::crashed;
+    if (failure.status == Status::timed_out || failure.status == Status::broke_rules ||
+        crashes_ >= kMostCrashes)
+      end_ = failure;
     throw;
   }
 }

@@ -38,16 +38,19 @@ class WorkerPlayer : public Player {
   double clock_ = 0;
 };
 
-// Asks another, until that one times out, breaks the rules, or has taken so much time by the clock on the wall: then each
-// play fails without being asked for.
+// Asks another, until that one times out, breaks the rules, crashes for the third time, or has taken so much time by the
+// clock on the wall: then each play fails without being asked for.
 class UntilItGivesUp : public Player {
  public:
+  static constexpr int kMostCrashes = 3;
+
   UntilItGivesUp(Player& player, double most_wall_seconds) : player_(player), wall_left_(most_wall_seconds) {}
   Play play(const SceneText& text, const hair::Scene& scene, int times) override;
 
  private:
   Player& player_;
   double wall_left_;
+  int crashes_ = 0;
   std::optional<CaseFailed> end_;
 };
 

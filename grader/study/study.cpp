@@ -18,7 +18,7 @@ struct Side {
   struct Run {
     Division division;
     StudyPoint point;
-    double seconds = 0;  // of one play, when it was last asked for without being measured
+    double seconds = 0;  // of one play, by which it is repeated
   };
   Player& player;
   bool is_student;
@@ -72,14 +72,12 @@ std::vector<Sample> samples_of(const StudyCurve& curve, std::size_t round) {
   return samples;
 }
 
-std::optional<PartStudy::Ratio> ratio_of(const PartStudy& part, int rounds) {
+std::optional<PartStudy::Ratio> ratio_of(const PartStudy& part) {
   std::vector<double> ratios;
-  for (int round = 0; round < rounds; ++round) {
-    const auto at = static_cast<std::size_t>(round);
+  for (std::size_t at = 0; at < static_cast<std::size_t>(std::max(part.rounds, 1)); ++at)
     if (const auto ratio =
             time_ratio(samples_of(part.student, at), samples_of(part.reference, at), part.least_error))
       ratios.push_back(*ratio);
-  }
   if (ratios.empty()) return {};
   const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
   return PartStudy::Ratio{median(ratios), *least, *most};
@@ -100,15 +98,9 @@ class PartStudied {
     // its first time suggests.
     for (Side::Run& run : ours.runs)
       if (run.point.end == StudyEnd::finished) ask(ours, run.division, times_of(run), &run.seconds);
-    for (int round = 0; round < settings_.rounds && !theirs.over; ++round)
-      for (std::size_t i = 0; i < ours.runs.size(); ++i) {
-        const int times = times_of(ours.runs[i]);
-        for (int turn = 0; turn < 2; ++turn) measure((round + turn) % 2 == 0 ? theirs : ours, i, times);
-      }
-    if (!measured(theirs))
-      for (Side* side : {&theirs, &ours}) keep_first(*side);
 
     PartStudy result;
+    result.rounds = measure_rounds(theirs, ours);
     result.name = part_.name;
     result.duration = part_.scene.frames / part_.scene.frames_per_second;
     result.own_steps = own.steps();
@@ -117,7 +109,7 @@ class PartStudied {
     result.least_error = truth_.least_error;
     result.student = curve_of(theirs);
     result.reference = curve_of(ours);
-    result.ratio = ratio_of(result, settings_.rounds);
+    result.ratio = ratio_of(result);
     result.note = note_;
     return result;
   }
@@ -158,26 +150,54 @@ class PartStudied {
   void play_first(Side& side, const Division& division) {
     if (side.over) return;
     Side::Run run{division, {.steps = division.steps(), .end = StudyEnd::broke, .note = "no answer"}};
-    if (const auto point = ask(side, division, 1, &run.seconds)) run.point = *point;
+    if (const auto point = ask(side, division, 1, &run.seconds)) {
+      run.point = *point;
+      run.point.first_seconds = run.seconds;
+    }
     side.runs.push_back(std::move(run));
   }
 
-  void measure(Side& side, std::size_t i, int times) {
-    if (i >= side.runs.size() || side.runs[i].point.end != StudyEnd::finished) return;
+  // How many rounds were measured to their end. Both keep the times of these and no others, so that each run has as
+  // many; where there are none, what first plays took is all that is known.
+  int measure_rounds(Side& theirs, Side& ours) {
+    int whole = 0;
+    while (whole < settings_.rounds && !theirs.over && round(theirs, ours, whole)) ++whole;
+    for (Side* side : {&theirs, &ours})
+      for (Side::Run& run : side->runs) {
+        StudyPoint& point = run.point;
+        if (point.end != StudyEnd::finished) continue;
+        point.seconds.resize(static_cast<std::size_t>(whole));
+        if (whole == 0 && point.first_seconds > 0) point.seconds = {point.first_seconds};
+      }
+    return whole;
+  }
+
+  bool round(Side& theirs, Side& ours, int number) {
+    for (std::size_t i = 0; i < ours.runs.size(); ++i) {
+      const int times = times_of(ours.runs[i]);
+      for (int turn = 0; turn < 2; ++turn)
+        if (!measure((number + turn) % 2 == 0 ? theirs : ours, i, times)) return false;
+    }
+    return true;
+  }
+
+  // False if there is no time of a run that should have one.
+  bool measure(Side& side, std::size_t i, int times) {
+    if (i >= side.runs.size() || side.runs[i].point.end != StudyEnd::finished) return true;
+    StudyPoint& point = side.runs[i].point;
     double seconds = 0;
-    if (ask(side, side.runs[i].division, times, &seconds) && seconds > 0)
-      side.runs[i].point.seconds.push_back(seconds);
-  }
-
-  static bool measured(const Side& side) {
-    return std::any_of(side.runs.begin(), side.runs.end(),
-                       [](const Side::Run& run) { return !run.point.seconds.empty(); });
-  }
-
-  // Of code that had no time left for more, what the first plays took is all that is known.
-  static void keep_first(Side& side) {
-    for (Side::Run& run : side.runs)
-      if (run.point.end == StudyEnd::finished && run.seconds > 0) run.point.seconds = {run.seconds};
+    const std::optional<StudyPoint> again = ask(side, side.runs[i].division, times, &seconds);
+    if (!again) return false;
+    if (again->end != StudyEnd::finished || again->error != point.error) {
+      if (!side.is_student)
+        throw std::runtime_error("the reference does not play " + part_.name + " twice alike");
+      point.end = StudyEnd::broke;
+      point.note = "asked for again, it moved otherwise";
+      point.seconds.clear();
+      return true;
+    }
+    point.seconds.push_back(seconds);
+    return seconds > 0;
   }
 
   int times_of(const Side::Run& ours) const {
@@ -188,12 +208,16 @@ class PartStudied {
 
   StudyCurve curve_of(Side& side) {
     StudyCurve curve;
-    std::size_t first = side.runs.size();  // of those from which on nothing runs away
-    while (first > 0 && side.runs[first - 1].point.end == StudyEnd::finished) --first;
-    if (first < side.runs.size()) {
-      curve.stable_steps = side.runs[first].point.steps;
-      curve.stable_everywhere = first == 0;
-      if (first > 0) curve.stable_steps = boundary(side, side.runs[first - 1].division, curve.stable_steps);
+    // What broke says nothing.
+    const Side::Run *stable = nullptr, *unstable = nullptr;
+    for (auto run = side.runs.rbegin(); run != side.runs.rend() && unstable == nullptr; ++run) {
+      if (run->point.end == StudyEnd::finished) stable = &*run;
+      if (run->point.end == StudyEnd::ran_away) unstable = &*run;
+    }
+    if (stable != nullptr) {
+      curve.stable_steps = stable->point.steps;
+      curve.stable_everywhere = unstable == nullptr;
+      if (unstable != nullptr) curve.stable_steps = boundary(side, unstable->division, curve.stable_steps);
     }
     for (Side::Run& run : side.runs) curve.points.push_back(std::move(run.point));
     return curve;

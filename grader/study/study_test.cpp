@@ -308,6 +308,16 @@ TEST(UntilItGivesUp, EndsWhatDozes) {
   EXPECT_EQ(dozes.plays, 1);
 }
 
+TEST(UntilItGivesUp, EndsWhatCrashesAgainAndAgain) {
+  const StudiedPart part = pendulum("midpoint");
+  Fake crashes;
+  crashes.spoil = [](Played&, int) { throw CaseFailed{Status::crashed, "gone", ""}; };
+  UntilItGivesUp player(crashes, 100);
+  for (int i = 0; i < 2 * UntilItGivesUp::kMostCrashes; ++i)
+    EXPECT_THROW(player.play(divided(part, {part.scene.frames, 1}), part.scene, 1), CaseFailed);
+  EXPECT_EQ(crashes.plays, UntilItGivesUp::kMostCrashes);
+}
+
 TEST(Study, LeavesOutWhatTakesTooLong) {
   Fake slow;
   slow.seconds_per_step = 1e-3;  // the scene's 480 steps take half a second
