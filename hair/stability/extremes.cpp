@@ -74,11 +74,13 @@ std::vector<ExtremeCase> extreme_cases(const Description& hair) {
     cases.push_back({name, start});
     return cases.back().start;
   };
-  add("held level", level);
+  const bool falls = hair.gravity != Vector3d::Zero();
+  if (falls) add("held level", level);
   lay(add("folded", level), hanging.across, 1, true);
   lay(add("crushed to a hundredth", hanging.start), hanging.down, 0.01, false);
   lay(add("torn to thrice its length", hanging.start), hanging.down, 3, false);
   add("its root flung at 30 m/s", hanging.start).state.v.head<3>() = 30 * hanging.across;
+  if (!falls) return cases;
   StrandStart& heavy = add("a tip of 1e6 times its mass", level);
   heavy.strand.mass[heavy.strand.count() - 1] *= 1e6;
   add("EA 1e4 times as large", level).strand.stretch_rigidity *= 1e4;
@@ -96,23 +98,26 @@ std::vector<ExtremeRun> run_extremes(const Description& hair, const StudyMethod&
   for (const ExtremeCase& extreme : extreme_cases(description)) {
     description.strands = {extreme.start};
     const double at_rest = energy_at_rest(description);
-    const auto add = [&](double h, bool own_step) {
+    const auto add = [&](double h, const std::string& step_from) {
       description.step = h;
       const long steps = std::min(std::lround(kExtremeDuration / h), kMostExtremeSteps);
       runs.push_back(run_extreme(description, at_rest, steps));
       runs.back().extreme = extreme.name;
       runs.back().method = method;
-      runs.back().own_step = own_step;
+      runs.back().step_from = step_from;
     };
     for (const double h : kStepsOfAll) {
       if (interrupted) return {};
-      add(h, false);
+      add(h, {});
     }
     if (method.is_explicit) {
       // Where a method has no limit without drag, half of RK4's, the largest of all.
       const Oscillator fastest{hang(description, 1, false).fastest()};
       const double limit = explicit_limit(method.method, fastest);
-      add((limit > 0 ? limit : explicit_limit(Method::runge_kutta_4, fastest)) / 2, true);
+      if (limit > 0)
+        add(limit / 2, "half its limit");
+      else
+        add(explicit_limit(Method::runge_kutta_4, fastest) / 2, "half of RK4's limit");
     }
   }
   return runs;

@@ -30,7 +30,7 @@ struct ExtremeRun {
   std::string extreme;
   StudyMethod method;
   double h = 0;           // s
-  bool own_step = false;  // half the method's limit, instead of what others take
+  std::string step_from;  // where h is the method's own: "half its limit"
   Fate fate = Fate::stable;
   std::string blow_up;  // where it broke: "step 12: integration"
   long steps = 0;
@@ -40,7 +40,7 @@ struct ExtremeRun {
   double last_energy = 0;
 };
 
-// Of the description's strand: straight, in its own directions.
+// Of the description's strand: straight, in its own directions. Without gravity those that would not move are left out.
 std::vector<ExtremeCase> extreme_cases(const Description& hair);
 
 // With steps of 1/60 s and 1/240 s, and explicit methods with half their limit for hair that hangs, too. In the order of cases.

@@ -119,6 +119,10 @@ Hanging hang(const Description& hair, double stiffness, bool keeps_lengths) {
   }
   hanging.along_modes = modes_of(hanging.mass, stiffness_in(force, state, hanging.down));
   hanging.across_modes = modes_of(hanging.mass, stiffness_in(force, state, hanging.across));
+  const Eigen::VectorXd squares = hanging.across_modes.omega.cwiseAbs2();
+  if (!(squares.minCoeff() > kAboveRounding * squares.maxCoeff()))
+    throw BadInput(
+        "nothing brings its strand back when it swings; give it \"gravity\", or clamp a strand that bends");
   if (keeps_lengths) state = at_rest_lengths;
   return hanging;
 }

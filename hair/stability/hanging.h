@@ -31,7 +31,7 @@ struct Hanging {
 
 // A description's first strand with its rigidities times `stiffness`: those of a material with another Young's modulus.
 // What keeps lengths (H6) starts with the lengths at rest: the weight does not stretch it; the modes are the same.
-// Throws BadInput for a strand that nothing holds, and what the exercises' stubs throw.
+// Throws BadInput for a strand that nothing holds, or nothing brings back, and what the exercises' stubs throw.
 Hanging hang(const Description& hair, double stiffness, bool keeps_lengths);
 
 // The matrices that a method's products make of this hair: -df/dx, along and across, of particles but the root.

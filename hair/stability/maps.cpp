@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <limits>
 #include <optional>
 
 #include "hair/stability/theory.h"
+#include "hair/study/cpu_time.h"
 
 namespace hair {
 
@@ -14,12 +14,6 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kSofter = 1e-2, kStiffer = 1e2;  // of the scene's stiffness
-
-double cpu_now() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 std::vector<double> logarithmic(double low, double high, int count) {
   std::vector<double> values(count);
@@ -155,11 +149,20 @@ Distance distance_of(const std::vector<double>& boundary, const std::vector<doub
                      const std::vector<double>& hs) {
   const double cell = std::log(hs[1] / hs[0]);
   const double lowest = std::sqrt(hs[0] * hs[0] * hs[0] / hs[1]);  // the lower edge, by half a cell
+  const auto on_map = [&](double h) { return std::clamp(h, hs.front(), hs.back()); };
+  Distance distance;
   std::vector<double> distances;
-  for (std::size_t i = 0; i < boundary.size(); ++i)
-    if (boundary[i] > 0 && std::isfinite(boundary[i]) && limit[i] > lowest && limit[i] < hs.back())
+  for (std::size_t i = 0; i < boundary.size(); ++i) {
+    if (boundary[i] > 0 && std::isfinite(boundary[i]) && limit[i] > lowest && limit[i] < hs.back()) {
       distances.push_back(std::log(boundary[i] / limit[i]) / cell);
-  Distance distance{static_cast<int>(distances.size())};
+      continue;
+    }
+    const double at_least = std::log(on_map(boundary[i]) / on_map(limit[i])) / cell;
+    if (std::abs(at_least) <= 1) continue;
+    ++distance.columns_beyond;
+    if (std::abs(at_least) > std::abs(distance.beyond_cells)) distance.beyond_cells = at_least;
+  }
+  distance.columns = static_cast<int>(distances.size());
   if (distances.empty()) return distance;
   distance.worst_cells = *std::max_element(distances.begin(), distances.end(),
                                            [](double a, double b) { return std::abs(a) < std::abs(b); });
@@ -186,7 +189,7 @@ bool alike_when_hanging(const Description& hair, const StudyMethod& a, const Stu
 StabilityMap make_map(const Description& hair, const StudyMethod& method, Sweep sweep,
                       const MapSettings& settings, const std::atomic<bool>& interrupted,
                       const Progress& progress) {
-  const double start = cpu_now();
+  const double start = cpu_seconds();
   const Description description = with_options(hair, method);
   const double omega = reference_frequency(description, method);
   StabilityMap map;
@@ -217,7 +220,7 @@ StabilityMap make_map(const Description& hair, const StudyMethod& method, Sweep 
   map.boundary = boundary_of(map.grid, map.hs);
   map.limits = limits_of(description, method, stations, map.hs, map.steps);
   for (const Limit& limit : map.limits) map.distances.push_back(distance_of(map.boundary, limit.h, map.hs));
-  map.cpu_seconds = cpu_now() - start;
+  map.cpu_seconds = cpu_seconds() - start;
   return map;
 }
 

@@ -31,11 +31,15 @@ struct Limit {
   bool of_run = false;    // not the method's limit, but what so few steps can show of it
 };
 
-// How far the measured boundary is from a limit, over the columns where both are on the map.
+// How far the measured boundary is from a limit: > 0 is stable beyond theory.
 struct Distance {
-  int columns = 0;
-  double median_cells = 0, worst_cells = 0;  // with the sign of the first: > 0 is stable beyond theory
-  double median_relative = 0;                // measured over limit, less 1
+  int columns = 0;  // where both are on the map, which the next three are of
+  double median_cells = 0, worst_cells = 0;
+  double median_relative = 0;  // measured over limit, less 1
+  // Columns where one of them or both have left the map, and they are more than a cell apart all the same; and
+  // the largest of these distances, each counted to the map's edge: it is at least that.
+  int columns_beyond = 0;
+  double beyond_cells = 0;
 };
 
 struct StabilityMap {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "hair/stability/report.h"
 
@@ -34,15 +35,33 @@ std::string names_of(const StabilityMap& map) {
   return names;
 }
 
-// What a limit says over the whole map, in words, where it is no curve.
+// What a limit says over the whole map, in words, where it is no curve; and whether the map says so, too.
 std::string verdict(const StabilityMap& map, const Limit& limit) {
   const bool never = std::all_of(limit.h.begin(), limit.h.end(), [](double h) { return std::isinf(h); });
   const bool always = std::all_of(limit.h.begin(), limit.h.end(), [](double h) { return h == 0; });
-  const bool found =
-      std::any_of(map.boundary.begin(), map.boundary.end(), [](double h) { return std::isfinite(h); });
-  if (always) return "no step is stable";
-  if (never) return found ? "none, but a boundary was found" : "none, and none was found";
-  return found ? "" : "no boundary was found";
+  const auto all_are = [&](double h) {
+    return std::all_of(map.boundary.begin(), map.boundary.end(), [h](double one) { return one == h; });
+  };
+  if (always)
+    return all_are(0) ? "no step is stable, and no cell is"
+                      : "no step is stable, but so few steps don't show it everywhere";
+  if (never)
+    return all_are(std::numeric_limits<double>::infinity()) ? "none, and none was found"
+                                                            : "none, but a boundary was found";
+  return "";
+}
+
+// "the boundary lies +0.10 cells from it (median), at most -0.43"
+std::string distance_in_words(const Distance& distance) {
+  std::string text;
+  if (distance.columns > 0)
+    text = "the boundary lies " + cells(distance.median_cells) + " cells from it (median), at most " +
+           cells(distance.worst_cells);
+  if (distance.columns_beyond > 0)
+    text += (text.empty() ? "" : "; ") + std::string("in ") + std::to_string(distance.columns_beyond) +
+            " columns where one of them is not on the map they are apart, by " +
+            cells(distance.beyond_cells) + " cells at least where it is most";
+  return text.empty() ? "both are beyond the map" : text;
 }
 
 std::string describe(const StabilityMap& map) {
@@ -58,10 +77,7 @@ std::string describe(const StabilityMap& map) {
     const Limit& limit = map.limits[i];
     const std::string words = verdict(map, limit);
     text += " " + limit.name + ": ";
-    text += !words.empty()
-                ? words + "."
-                : "the boundary lies " + cells(map.distances[i].median_cells) +
-                      " cells from it (median), at most " + cells(map.distances[i].worst_cells) + ".";
+    text += (words.empty() ? distance_in_words(map.distances[i]) : words) + ".";
   }
   return text;
 }
@@ -158,7 +174,7 @@ CellMap figure_of(const StabilityMap& map) {
 Table table_of_boundaries(const StabilityReport& report) {
   Table table{"Where the first wrong or blown-up cell is, from theory's limit: > 0 is stable beyond it",
               {"method", "map", "limit", "columns", "median, cells", "largest, cells", "median, relative",
-               "runs", "cells / runs"},
+               "columns apart beyond the map", "by at least, cells", "runs", "cells / runs"},
               {}};
   for (const StabilityMap& map : report.maps)
     for (std::size_t i = 0; i < map.limits.size(); ++i) {
@@ -166,12 +182,14 @@ Table table_of_boundaries(const StabilityReport& report) {
       const std::string words = verdict(map, map.limits[i]);
       const std::string name = map.limits[i].name + (words.empty() ? "" : ": " + words);
       const bool compared = distance.columns > 0;
-      table.rows.push_back({names_of(map), map.sweep == Sweep::stiffness ? "stiffness" : "drag", name,
-                            std::to_string(distance.columns), compared ? cells(distance.median_cells) : "",
-                            compared ? cells(distance.worst_cells) : "",
-                            compared ? percent(distance.median_relative) : "", std::to_string(map.grid.asked),
-                            short_text("%.1f", static_cast<double>(map.grid.cells.size()) /
-                                                   static_cast<double>(map.grid.asked))});
+      table.rows.push_back(
+          {names_of(map), map.sweep == Sweep::stiffness ? "stiffness" : "drag", name,
+           std::to_string(distance.columns), compared ? cells(distance.median_cells) : "",
+           compared ? cells(distance.worst_cells) : "", compared ? percent(distance.median_relative) : "",
+           std::to_string(distance.columns_beyond),
+           distance.columns_beyond > 0 ? cells(distance.beyond_cells) : "", std::to_string(map.grid.asked),
+           short_text("%.1f",
+                      static_cast<double>(map.grid.cells.size()) / static_cast<double>(map.grid.asked))});
     }
   return table;
 }
@@ -196,8 +214,8 @@ Table table_of_extremes(const StabilityReport& report) {
               {}};
   for (const ExtremeRun& run : report.extremes)
     table.rows.push_back({run.extreme, run.method.name,
-                          to_text(run.h) + (run.own_step ? " (half its limit)" : ""), fate_name(run.fate),
-                          std::to_string(run.steps), run.blow_up, to_text(run.stretch),
+                          to_text(run.h) + (run.step_from.empty() ? "" : " (" + run.step_from + ")"),
+                          fate_name(run.fate), std::to_string(run.steps), run.blow_up, to_text(run.stretch),
                           to_text(run.last_stretch), to_text(run.most_energy), to_text(run.last_energy)});
   return table;
 }
@@ -220,8 +238,10 @@ Page page_of(const StabilityReport& report) {
       "rest; it may be inaccurate all "
       "the same.",
       "Few cells are run: boundaries are found by halving in every " + std::to_string(kCoarse) +
-          "th column, and followed from there. An island thinner than " + std::to_string(kCoarse) +
-          " cells would be missed."};
+          "th column, and followed from there, with a look at the middle and the ends between two of them. "
+          "An "
+          "island thinner than " +
+          std::to_string(kCoarse) + " cells can be missed."};
   if (report.quick) page.paragraphs.emplace_back("Quick: a coarser grid, and shorter runs.");
   if (report.interrupted)
     page.paragraphs.push_back("Interrupted: " + std::to_string(report.maps.size()) + " of " +
@@ -261,13 +281,13 @@ Page page_of(const StabilityReport& report) {
         "moment more than twice that. Damped out: "
         "less than a tenth is left at the end."};
     section.tables = {summary_of(report.extremes, "h = 1/60 s",
-                                 [](const ExtremeRun& run) { return !run.own_step && run.h > 0.01; }),
+                                 [](const ExtremeRun& run) { return run.step_from.empty() && run.h > 0.01; }),
                       summary_of(report.extremes, "h = 1/240 s",
-                                 [](const ExtremeRun& run) { return !run.own_step && run.h < 0.01; }),
+                                 [](const ExtremeRun& run) { return run.step_from.empty() && run.h < 0.01; }),
                       summary_of(report.extremes,
                                  "Explicit methods with half their limit for hair that hangs (those that "
                                  "have none: half of RK4's)",
-                                 [](const ExtremeRun& run) { return run.own_step; }),
+                                 [](const ExtremeRun& run) { return !run.step_from.empty(); }),
                       table_of_extremes(report)};
     std::erase_if(section.tables, [](const Table& table) { return table.rows.empty(); });
     page.sections.push_back(std::move(section));

@@ -49,7 +49,9 @@ Json json_of(const StabilityMap& map) {
                       {"columns_compared", distance.columns},
                       {"median_cells", distance.median_cells},
                       {"worst_cells", distance.worst_cells},
-                      {"median_relative", distance.median_relative}});
+                      {"median_relative", distance.median_relative},
+                      {"columns_beyond", distance.columns_beyond},
+                      {"beyond_cells", distance.beyond_cells}});
   }
   return {{"method", map.method.id},
           {"alike", alike},
@@ -68,7 +70,7 @@ Json json_of(const ExtremeRun& run) {
   return {{"case", run.extreme},
           {"method", run.method.id},
           {"h", run.h},
-          {"half_its_limit", run.own_step},
+          {"step_from", run.step_from.empty() ? Json(nullptr) : Json(run.step_from)},
           {"became", fate_name(run.fate)},
           {"broke", run.blow_up.empty() ? Json(nullptr) : Json(run.blow_up)},
           {"steps", run.steps},

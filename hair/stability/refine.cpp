@@ -120,7 +120,19 @@ class Refiner {
       }
       result.push_back({above, *high});
     }
+    if (!holds(column, result)) return {};
     return result;
+  }
+
+  // Whether each stretch has its class at its begin, in its middle and at its end.
+  bool holds(int column, const Column& stretches) {
+    for (std::size_t k = 0; k < stretches.size(); ++k) {
+      const auto [fate, begin] = stretches[k];
+      const int last = (k + 1 < stretches.size() ? stretches[k + 1].begin : rows_) - 1;
+      for (const int row : {begin, (begin + last) / 2, last})
+        if (ask(column, row) != fate) return false;
+    }
+    return true;
   }
 
   void between(int left, int right) {

@@ -2,11 +2,12 @@
 //
 // Some columns are looked at coarsely, and between two cells of different classes the boundary is found by halving.
 // A column in the middle of two others with the same classes in the same order has its boundaries where theirs are in
-// the mean: two cells there are asked for, and only if they say otherwise it is searched. Where two columns beside it have boundaries at
-// most two cells apart, it is not asked at all.
+// the mean: two cells there are asked for, and each stretch's ends and middle; only if they say otherwise it is searched
+// coarsely, too. Where the two columns right beside it have boundaries at most two cells apart, it is not asked at all.
 //
-// What it can miss: whatever is thinner than kCoarse cells in a column and has no counterpart in its neighbours (an
-// island), and in the columns that are not asked at all a boundary that leaves its neighbours' by more than a cell.
+// What it can miss: what is thinner than kCoarse cells in a column, and has no counterpart in its neighbours (an
+// island); in a column that is followed, what lies between a stretch's ends and its middle; and in a column that is not
+// asked all that its neighbours, one to the left and one to the right, don't have.
 #pragma once
 
 #include <atomic>

@@ -2,20 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 
 #include "hair/files/bad_input.h"
 #include "hair/stability/theory.h"
+#include "hair/study/cpu_time.h"
 
 namespace hair {
 
 namespace {
-
-double cpu_now() {
-  timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 Problem problem_of(const Scene& scene, const StabilitySettings& settings) {
   if (scene.hair.strands.empty())
@@ -53,7 +47,7 @@ MapSettings quick_maps() {
 
 StabilityReport study_stability(const Scene& scene, const StabilitySettings& settings,
                                 const std::atomic<bool>& interrupted, const Tell& tell) {
-  const double start = cpu_now();
+  const double start = cpu_seconds();
   const Problem problem = problem_of(scene, settings);
   const Description& hair = problem.scene.hair;
   const StrandStart& original = scene.hair.strands[settings.strand];
@@ -133,7 +127,7 @@ StabilityReport study_stability(const Scene& scene, const StabilitySettings& set
     });
   }
   report.interrupted = interrupted;
-  report.cpu_seconds = cpu_now() - start;
+  report.cpu_seconds = cpu_seconds() - start;
   return report;
 }
 

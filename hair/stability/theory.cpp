@@ -124,13 +124,13 @@ double predictor_corrector_limit(const Eigen::VectorXd& mass, const Eigen::Matri
     return sign > 0;
   };
   constexpr double kStride = 1.05;  // two modes whose limits are nearer than this could hide each other
+  while (!positive(least)) least /= 2;
   double low = least, high = least;
   while (positive(high)) {
     if (high >= most) return kInfinity;
     low = high;
     high *= kStride;
   }
-  if (low == high) return least;
   for (int k = 0; k < 40; ++k) {
     const double middle = std::sqrt(low * high);
     (positive(middle) ? low : high) = middle;
