@@ -18,7 +18,7 @@ enum class Sweep {
 };
 
 struct MapSettings {
-  int columns = 64, rows = 64;
+  int columns = 80, rows = 80;
   long evaluations =
       4000;  // of forces, that an explicit method's run may take: RK4 has a quarter as many steps
   long implicit_steps = 64;

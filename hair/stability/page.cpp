@@ -238,10 +238,8 @@ Page page_of(const StabilityReport& report) {
       "rest; it may be inaccurate all "
       "the same.",
       "Few cells are run: boundaries are found by halving in every " + std::to_string(kCoarse) +
-          "th column, and followed from there, with a look at the middle and the ends between two of them. "
-          "An "
-          "island thinner than " +
-          std::to_string(kCoarse) + " cells can be missed."};
+          "th column, and followed from there. An island that holds no square of " + std::to_string(kCoarse) +
+          " cells on a side can be missed."};
   if (report.quick) page.paragraphs.emplace_back("Quick: a coarser grid, and shorter runs.");
   if (report.interrupted)
     page.paragraphs.push_back("Interrupted: " + std::to_string(report.maps.size()) + " of " +

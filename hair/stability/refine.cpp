@@ -79,9 +79,9 @@ class Refiner {
     return high;
   }
 
-  Column search(int column) {
-    Column result = {{ask(column, 0), 0}};
-    for (int low = 0; low < rows_ - 1;) {
+  // The column's stretches from the last of `result` up.
+  Column search(int column, Column result) {
+    for (int low = result.back().begin; low < rows_ - 1;) {
       const int high = std::min(low + kCoarse, rows_ - 1);
       // There may be more than two classes from low to high.
       while (ask(column, high) != result.back().fate) {
@@ -92,35 +92,41 @@ class Refiner {
     }
     return result;
   }
+  Column search(int column) { return search(column, {{ask(column, 0), 0}}); }
 
-  // The neighbours' boundaries in the mean, tried on both sides. Nothing if what is there is neither class.
-  std::optional<Column> follow(int column, const Column& left, const Column& right) {
-    Column result = {{left[0].fate, 0}};
-    for (std::size_t k = 1; k < left.size(); ++k) {
-      const int below = left[k - 1].fate, above = left[k].fate;
-      int row = (left[k].begin + right[k].begin) / 2;
-      // Low has the class below, high the one above; each step doubles.
-      std::optional<int> low, high;
-      for (int stride = 1; !low || !high; stride *= 2) {
-        const int asked = !low && !high ? row : low ? *low + stride / 2 : *high - stride / 2;
-        if (asked < result.back().begin || asked >= rows_) return {};
-        const int fate = ask(column, asked);
-        if (fate == below)
-          low = asked;
-        else if (fate == above)
-          high = asked;
-        else
-          return {};
-      }
-      if (*low > *high) return {};
-      while (*high - *low > 1) {
-        const int middle = (*low + *high) / 2, fate = ask(column, middle);
-        if (fate != below && fate != above) return {};
-        (fate == below ? *low : *high) = middle;
-      }
-      result.push_back({above, *high});
+  // The row where the class `above` follows `below`, looked for from `row` on, at `least` or higher. Nothing if there is
+  // neither class where one of them should be.
+  std::optional<int> boundary_near(int column, int row, int below, int above, int least) {
+    // Low has the class below, high the one above; each step doubles.
+    std::optional<int> low, high;
+    for (int stride = 1; !low || !high; stride *= 2) {
+      const int asked = !low && !high ? row : low ? *low + stride / 2 : *high - stride / 2;
+      if (asked < least || asked >= rows_) return {};
+      const int fate = ask(column, asked);
+      if (fate != below && fate != above) return {};
+      (fate == below ? low : high) = asked;
     }
-    if (!holds(column, result)) return {};
+    while (*high - *low > 1) {
+      const int middle = (*low + *high) / 2, fate = ask(column, middle);
+      if (fate != below && fate != above) return {};
+      (fate == below ? *low : *high) = middle;
+    }
+    return high;
+  }
+
+  // The boundaries that both neighbours have are looked for in their mean; from the first that only one of them has, or
+  // that is not there, the column is searched.
+  Column follow(int column, const Column& left, const Column& right) {
+    if (left[0].fate != right[0].fate) return search(column);
+    Column result = {{left[0].fate, 0}};
+    for (std::size_t k = 1; k < std::max(left.size(), right.size()); ++k) {
+      if (k >= left.size() || k >= right.size() || left[k].fate != right[k].fate)
+        return search(column, std::move(result));
+      const std::optional<int> row = boundary_near(column, (left[k].begin + right[k].begin) / 2,
+                                                   left[k - 1].fate, left[k].fate, result.back().begin);
+      if (!row) return search(column, std::move(result));
+      result.push_back({left[k].fate, *row});
+    }
     return result;
   }
 
@@ -139,16 +145,15 @@ class Refiner {
     if (right - left < 2) return;
     const int middle = (left + right) / 2;
     const Column &a = columns_[left], &b = columns_[right];
-    const bool same = same_classes(a, b);
-    bool near = same && right - left == 2;
+    bool near = right - left == 2 && same_classes(a, b);
     for (std::size_t k = 0; near && k < a.size(); ++k) near = std::abs(a[k].begin - b[k].begin) <= 2;
     if (near) {
       Column& mean = columns_[middle] = a;
       for (std::size_t k = 0; k < a.size(); ++k) mean[k].begin = (a[k].begin + b[k].begin) / 2;
     } else {
-      std::optional<Column> found;
-      if (same) found = follow(middle, a, b);
-      columns_[middle] = found ? *found : search(middle);
+      columns_[middle] = follow(middle, a, b);
+      const bool halfway = right - left > kCoarse / 2;
+      if (halfway && !holds(middle, columns_[middle])) columns_[middle] = search(middle);
     }
     between(left, middle);
     between(middle, right);

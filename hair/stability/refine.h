@@ -1,13 +1,15 @@
 // A grid of classes, of which few cells are asked for: those at the boundaries.
 //
-// Some columns are looked at coarsely, and between two cells of different classes the boundary is found by halving.
-// A column in the middle of two others with the same classes in the same order has its boundaries where theirs are in
-// the mean: two cells there are asked for, and each stretch's ends and middle; only if they say otherwise it is searched
-// coarsely, too. Where the two columns right beside it have boundaries at most two cells apart, it is not asked at all.
+// Every kCoarse-th column is searched: every kCoarse-th cell is asked for, and between two of different
+// classes the boundary is found by halving. A column in the middle of two others has the boundaries that both
+// have where theirs are in the mean, or near there: two cells are asked for at least. From the first boundary
+// that only one of them has, or that can't be found, it is searched from there up. In the column halfway
+// between two searched ones each stretch's ends and middle are asked for as well, and where they say
+// otherwise all of it is searched. A column right between two with the same classes, and boundaries at most
+// two cells apart, is not asked at all.
 //
-// What it can miss: what is thinner than kCoarse cells in a column, and has no counterpart in its neighbours (an
-// island); in a column that is followed, what lies between a stretch's ends and its middle; and in a column that is not
-// asked all that its neighbours, one to the left and one to the right, don't have.
+// So an island that holds a square of kCoarse cells on a side is met. Of that island, and of others, what is
+// thinner than that can be missed.
 #pragma once
 
 #include <atomic>
@@ -24,7 +26,8 @@ struct RefinedGrid {
   bool complete = false;   // false: interrupted, and the rest is -1
 };
 
-// `classify` says the class, >= 0, of (column, row), and is asked once for each cell at most. columns, rows >= 2.
+// `classify` says the class, >= 0, of (column, row), and is asked once for each cell at most. columns, rows
+// >= 2.
 RefinedGrid refine(int columns, int rows, const std::function<int(int column, int row)>& classify,
                    const std::atomic<bool>& interrupted);
 

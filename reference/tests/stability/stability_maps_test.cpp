@@ -100,41 +100,6 @@ TEST(StabilityMaps, FewRunsFindTheBoundaryOfAll) {
   }
 }
 
-// Two boundaries that bend, cross the top, and end.
-TEST(StabilityMaps, RefinementFindsBendingBoundaries) {
-  const auto fate = [](int column, int row) {
-    const double low = 20 + 12 * std::sin(0.06 * column), high = 45 + 0.5 * column;
-    return row < low ? 0 : row < high ? 1 : 2;
-  };
-  long calls = 0;
-  const hair::RefinedGrid grid = hair::refine(
-      64, 64,
-      [&](int column, int row) {
-        ++calls;
-        return fate(column, row);
-      },
-      kNeverInterrupted);
-  EXPECT_TRUE(grid.complete);
-  EXPECT_EQ(grid.asked, calls);
-  EXPECT_LE(10 * grid.asked, 64 * 64);
-  for (int column = 0; column < 64; ++column)
-    for (int row = 1; row < 63; ++row) {
-      const int found = grid.cells[row * 64 + column];
-      EXPECT_TRUE(found == fate(column, row - 1) || found == fate(column, row) ||
-                  found == fate(column, row + 1))
-          << "column " << column << ", row " << row << ": " << found;
-    }
-}
-
-TEST(StabilityMaps, AnInterruptedGridSaysSo) {
-  std::atomic<bool> interrupted = false;
-  long calls = 0;
-  const hair::RefinedGrid grid = hair::refine(
-      16, 16, [&](int, int) { return interrupted = ++calls == 5, 0; }, interrupted);
-  EXPECT_FALSE(grid.complete);
-  EXPECT_EQ(calls, 5);
-}
-
 TEST(StabilityMaps, ClassesAreWhatTheySay) {
   const auto judged = [](double energy, double kinetic, double truth) {
     hair::Judge judge;
