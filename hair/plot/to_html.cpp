@@ -1,8 +1,9 @@
 #include <algorithm>
-#include <set>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "hair/plot/check_table.h"
 #include "hair/plot/page.h"
@@ -105,22 +106,28 @@ void write_section(XmlWriter& html, const Section& section, const std::string& i
 }
 
 // An id that comes twice leads readers to the wrong place.
-void require_unique_ids(const Page& page) {
+std::vector<std::string> ids_in(const std::string& figure) {
   constexpr std::string_view kId = " id=\"";
-  std::set<std::string> ids;
-  const auto add = [&](const std::string& id) {
-    if (!ids.insert(id).second)
-      throw std::invalid_argument("page \"" + page.title + "\": the id \"" + id +
-                                  "\" comes twice; give each figure an id of its own");
-  };
-  for (std::size_t i = 0; i < page.sections.size(); ++i) {
-    add(section_id(i));
-    for (const std::string& figure : page.sections[i].figures)
-      for (std::size_t at = figure.find(kId); at != std::string::npos; at = figure.find(kId, at)) {
-        at += kId.size();
-        add(figure.substr(at, figure.find('"', at) - at));
-      }
+  std::vector<std::string> ids;
+  for (std::size_t at = figure.find(kId); at != std::string::npos; at = figure.find(kId, at)) {
+    at += kId.size();
+    ids.push_back(figure.substr(at, figure.find('"', at) - at));
   }
+  return ids;
+}
+
+void require_unique_ids(const Page& page) {
+  std::vector<std::string> all;
+  for (std::size_t i = 0; i < page.sections.size(); ++i) {
+    all.push_back(section_id(i));
+    for (const std::string& figure : page.sections[i].figures)
+      for (std::string& id : ids_in(figure)) all.push_back(std::move(id));
+  }
+  std::sort(all.begin(), all.end());
+  const auto twice = std::adjacent_find(all.begin(), all.end());
+  if (twice == all.end()) return;
+  throw std::invalid_argument("page \"" + page.title + "\": the id \"" + *twice +
+                              "\" comes twice; give each figure an id of its own");
 }
 
 }  // namespace
