@@ -11,6 +11,7 @@
 #include "hair/files/write_file.h"
 #include "hair/scene/playback.h"
 #include "hair/study/accurate_motion.h"
+#include "hair/study/trajectory.h"
 
 namespace grader {
 namespace {
@@ -32,14 +33,6 @@ std::vector<particles::State> played(const StudiedPart& part, const Division& di
   return frames;
 }
 
-double largest_distance(const std::vector<particles::State>& a, const std::vector<particles::State>& b) {
-  double largest = 0;
-  for (std::size_t k = 0; k < a.size(); ++k)
-    for (Eigen::Index at = 0; at < a[k].x.size(); at += 3)
-      largest = std::max(largest, (a[k].x.segment<3>(at) - b[k].x.segment<3>(at)).norm());
-  return largest;
-}
-
 Truth by_many_steps(const StudiedPart& part) {
   Division finest = divisions_of(part.scene).back();
   finest.steps_per_frame *= kTimesFinest / 2;
@@ -47,7 +40,7 @@ Truth by_many_steps(const StudiedPart& part) {
   finest.steps_per_frame *= 2;
   Truth truth;
   truth.frames = played(part, finest);
-  truth.least_error = largest_distance(half, truth.frames);
+  truth.least_error = hair::largest_distance(half, truth.frames);
   truth.method = "our own run in " + std::to_string(finest.steps()) + " steps";
   return truth;
 }

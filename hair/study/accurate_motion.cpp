@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <ctime>
 #include <memory>
 #include <tuple>
 
 #include "hair/files/bad_input.h"
 #include "hair/plot/page.h"
+#include "hair/study/cpu_time.h"
 #include "hair/study/cvode.h"
 #include "hair/study/motion_cache.h"
 #include "hair/study/rigid_strand_ode.h"
@@ -38,20 +38,6 @@ std::string name_of(const CvodeWay& way) {
   std::snprintf(text.data(), text.size(), "%s at %.2g", way.method == CvodeMethod::bdf ? "BDF" : "Adams",
                 way.tolerance);
   return text.data();
-}
-
-double cpu_seconds() {
-  timespec time;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-double largest_distance(const Trajectory& a, const Trajectory& b) {
-  double largest = 0;
-  for (std::size_t k = 0; k < a.size(); ++k)
-    for (Eigen::Index i = 0; i < a[k].x.size(); i += 3)
-      largest = std::max(largest, (a[k].x.segment<3>(i) - b[k].x.segment<3>(i)).norm());
-  return largest;
 }
 
 bool moves_as_rigid(const Problem& problem) {

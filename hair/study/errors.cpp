@@ -14,13 +14,6 @@ double distance(const Eigen::VectorXd& x, int i, int j) {
   return (x.segment<3>(3 * i) - x.segment<3>(3 * j)).norm();
 }
 
-double largest_distance(const Eigen::VectorXd& x, const Eigen::VectorXd& y) {
-  double largest = 0;
-  for (Eigen::Index i = 0; i < x.size(); i += 3)
-    largest = std::max(largest, (x.segment<3>(i) - y.segment<3>(i)).norm());
-  return largest;
-}
-
 void raise(double& largest, double value) {
   largest = std::max(largest, value);
 }

@@ -10,6 +10,7 @@
 #include "hair/study/cvode.h"
 #include "hair/study/rigid_strand_ode.h"
 #include "hair/study/strand_ode.h"
+#include "hair/study/trajectory.h"
 
 namespace hair {
 
@@ -42,13 +43,6 @@ Eigen::VectorXd places_of(const Trajectory& states, int base) {
     for (int i = 0; i < base; ++i)
       places.segment<3>(3 * (k * base + i)) = states[k + 1].x.segment<3>(3 * apart * (i + 1));
   return places;
-}
-
-double largest_distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-  double largest = 0;
-  for (Eigen::Index i = 0; i < a.size(); i += 3)
-    largest = std::max(largest, (a.segment<3>(i) - b.segment<3>(i)).norm());
-  return largest;
 }
 
 std::optional<SpaceError> divided_ever_finer(const Problem& problem, Patience patience,

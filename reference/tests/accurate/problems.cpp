@@ -43,12 +43,4 @@ hair::AccurateMotion motion_of(const hair::Problem& problem, double tolerance) {
   return hair::accurate_motion(problem, {tolerance, {}}, interrupted).value();
 }
 
-double largest_distance(const hair::Trajectory& a, const hair::Trajectory& b) {
-  double largest = a.size() == b.size() ? 0 : HUGE_VAL;
-  for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k)
-    for (Eigen::Index i = 0; i < a[k].x.size(); i += 3)
-      largest = std::max(largest, (a[k].x.segment<3>(i) - b[k].x.segment<3>(i)).norm());
-  return largest;
-}
-
 }  // namespace reference_tests

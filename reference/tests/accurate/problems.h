@@ -14,6 +14,4 @@ hair::Problem carried_strand(double factor = 1e-3);
 // Without being interrupted, and not kept.
 hair::AccurateMotion motion_of(const hair::Problem& problem, double tolerance = hair::kTightest);
 
-double largest_distance(const hair::Trajectory& a, const hair::Trajectory& b);
-
 }  // namespace reference_tests

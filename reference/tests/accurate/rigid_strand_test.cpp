@@ -38,8 +38,8 @@ TEST(RigidStrand, IsTheLimitOfThoseThatStretchAndSaysHowFarItIs) {
   for (Problem (*make)(double) : {level_strand, carried_strand}) {
     const AccurateMotion limit = motion_of(make(kHardest));
     ASSERT_TRUE(limit.inextensible);
-    const double soft = largest_distance(motion_of(make(kSoft), 1e-10).states, limit.states);
-    const double hard = largest_distance(motion_of(make(kHard), 1e-10).states, limit.states);
+    const double soft = hair::largest_distance(motion_of(make(kSoft), 1e-10).states, limit.states);
+    const double hard = hair::largest_distance(motion_of(make(kHard), 1e-10).states, limit.states);
     EXPECT_NEAR(hard / soft, kSoft / kHard, 0.02) << soft << " m, then " << hard << " m";
     const double hardest = hard * kHard / kHardest;
     EXPECT_LE(hardest, limit.agreement);
