@@ -25,7 +25,7 @@ bool definite(const SparseMatrix& A, double sign, double shift) {
   for (SparseMatrix::Entry& entry : entries) entry.value *= sign;
   for (int i = 0; i < A.rows(); ++i) entries.push_back({i, i, -sign * shift});
   try {
-    BandedCholesky(SparseMatrix(A.rows(), A.cols(), entries));
+    const BandedCholesky factored(SparseMatrix(A.rows(), A.cols(), entries));
     return true;
   } catch (const std::invalid_argument&) {
     return false;
