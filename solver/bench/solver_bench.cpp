@@ -12,9 +12,9 @@
 #include <cmath>
 #include <vector>
 
-#include "solver/study/eigen_conj_grad.h"
 #include "solver/bench/operators.h"
 #include "solver/normal_equations.h"
+#include "solver/study/eigen_conj_grad.h"
 
 namespace solver_bench {
 namespace {
