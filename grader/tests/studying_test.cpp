@@ -173,6 +173,20 @@ TEST_F(Studying, NeedsAllExercises) {
   EXPECT_NE(run.errors.find("leave out --exercise S1"), string::npos) << run.errors;
 }
 
+TEST_F(Studying, OfAReferenceThatFailsStopsNoGrading) {
+  const fs::path motions = folder_ / "cache" / "motions", aside = folder_ / "motions-aside";
+  fs::rename(motions, aside);
+  std::ofstream(motions) << "no folder";  // so what is true can't be kept
+  const ProgramRun run = grade("failed", {"--study", "--only", "perfect"});
+  fs::remove(motions);
+  fs::rename(aside, motions);
+  EXPECT_EQ(run.code, 1) << run.errors;
+  EXPECT_NE(run.output.find("1 graded"), string::npos) << run.output;
+  EXPECT_NE(run.errors.find("the studies: the reference's failed: "), string::npos) << run.errors;
+  EXPECT_TRUE(fs::exists(folder_ / "failed" / "perfect" / "report.html"));
+  EXPECT_FALSE(fs::exists(folder_ / "failed" / "perfect" / "study.html"));
+}
+
 TEST_F(Studying, PageStandsAlone) {
   for (const char* name : {"perfect", "p1-midpoint-full-step", "segfault"}) {
     const string page = read_file(folder_ / "with" / name / "study.html");
