@@ -269,14 +269,14 @@ TEST(Study, TakesTimesOfWholeRoundsOrElseOfFirstPlays) {
   for (const int rounds : {0, 1}) {
     Fake student;
     StudySettings settings;
-    settings.most_seconds = 1e-5 * (first + rounds * round + first / 4);
+    settings.most_seconds = 1e-5 * (first + rounds * round + 0.25 * first);
     const PartStudy found = study("symplectic Euler", student, settings);
     EXPECT_EQ(found.rounds, rounds);
     EXPECT_NE(found.note, "");
     for (const StudyCurve* curve : {&found.student, &found.reference})
       for (const StudyPoint& point : curve->points) {
-        ASSERT_EQ(point.seconds.size(), 1U) << point.steps;
-        EXPECT_NEAR(point.seconds.front(), 1e-5 * point.steps, 1e-12);
+      ASSERT_EQ(point.seconds.size(), 1U) << point.steps;
+      EXPECT_NEAR(point.seconds.front(), 1e-5 * point.steps, 1e-12);
       }
     EXPECT_NE(page_of(found).find(rounds == 0 ? "Times are of first plays" : "medians of 1 round "),
               std::string::npos);
