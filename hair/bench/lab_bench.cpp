@@ -5,8 +5,6 @@
 //   lab_bench beside      a scene without bending, obstacles and pictures, beside a program written for just that
 //
 // Human hair in 15 segments of 1 cm on the upper half of a head of 10 cm.
-#include <ctime>
-
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -21,6 +19,7 @@
 #include "hair/make_strand.h"
 #include "hair/rest_shape.h"
 #include "hair/scene/playback.h"
+#include "hair/study/cpu_time.h"
 
 namespace {
 
@@ -43,12 +42,6 @@ Scene hair_on_head(int strands, Method method = Method::predictor_corrector) {
     scene.hair.strands.push_back({strand_from_rest({}, x), {x, Eigen::VectorXd::Zero(x.size())}});
   }
   return scene;
-}
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 double median(std::vector<double> values) {

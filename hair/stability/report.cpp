@@ -6,6 +6,7 @@
 #include "hair/files/bad_input.h"
 #include "hair/stability/theory.h"
 #include "hair/study/cpu_time.h"
+#include "hair/validate/hanging_chain.h"
 
 namespace hair {
 
@@ -36,7 +37,7 @@ Frequencies frequencies_of(const Description& hair) {
   const Strand& strand = hanging.start.strand;
   const double l = strand.rest_length.sum() / strand.segments();
   return {hanging.along_modes.omega.maxCoeff(), hanging.across_modes.omega.maxCoeff(), 2 / limit,
-          std::sqrt(hair.gravity.norm() / l * largest_laguerre_zero(strand.segments()))};
+          std::sqrt(hair.gravity.norm() / l * laguerre_zeros(strand.segments()).maxCoeff())};
 }
 
 }  // namespace

@@ -138,16 +138,4 @@ double predictor_corrector_limit(const Eigen::VectorXd& mass, const Eigen::Matri
   return low;
 }
 
-double largest_laguerre_zero(int n) {
-  particles::require_at_least("the degree of a Laguerre polynomial", n, 1);
-  // Zeros are the eigenvalues of the recurrence's matrix (G. H. Golub and J. H. Welsch, "Calculation of Gauss
-  // Quadrature Rules", Mathematics of Computation 23, 1969): 2k + 1 on the diagonal, k beside it.
-  Eigen::VectorXd diagonal(n), beside(n - 1);
-  for (int k = 0; k < n; ++k) diagonal[k] = 2 * k + 1;
-  for (int k = 1; k < n; ++k) beside[k - 1] = k;
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-  solver.computeFromTridiagonal(diagonal, beside, Eigen::EigenvaluesOnly);
-  return solver.eigenvalues()[n - 1];
-}
-
 }  // namespace hair

@@ -64,8 +64,4 @@ double predictor_corrector_limit(const Eigen::VectorXd& mass, const Eigen::Matri
 Eigen::MatrixXd predictor_corrector_step(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness,
                                          const Eigen::MatrixXd& in_matrix, double gamma, double h);
 
-// The fastest of a chain of n equal masses on links of length l that hangs and can't stretch: omega^2 = (g/l) x with x
-// this, the largest zero of the Laguerre polynomial L_n.
-double largest_laguerre_zero(int n);
-
 }  // namespace hair

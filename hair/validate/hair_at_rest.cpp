@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "hair/study/cpu_time.h"
 #include "hair/validate/bending_validations.h"
 #include "hair/validate/clamped_hair.h"
-#include "hair/validate/cpu_time.h"
 #include "hair/validate/elastica.h"
 #include "hair/validate/planar_statics.h"
 

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
+#include "hair/study/cpu_time.h"
 #include "hair/validate/clamped_hair.h"
-#include "hair/validate/cpu_time.h"
 
 namespace hair {
 

@@ -12,7 +12,7 @@
 #include "hair/lab/interruption.h"
 #include "hair/lab/output_folder.h"
 #include "hair/lab/stub.h"
-#include "hair/validate/cpu_time.h"
+#include "hair/study/cpu_time.h"
 #include "hair/validate/record.h"
 
 namespace hair {

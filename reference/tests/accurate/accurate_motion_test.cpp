@@ -3,9 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 #include <limits>
-#include <thread>
 
 #include "hair/make_strand.h"
 #include "hair/scene/playback.h"
@@ -85,20 +85,34 @@ TEST(AccurateMotion, AgreesTheBetterTheTighterTheTolerance) {
   EXPECT_LE(before, hair::kLeastError);
 }
 
-TEST(AccurateMotion, EndsSoonWhenInterrupted) {
-  std::atomic<bool> interrupted = true;
-  EXPECT_FALSE(hair::accurate_motion(level_strand(), {}, interrupted));
+// y' = -y, which someone interrupts when it is asked for the 20th time.
+class Interrupting : public hair::Ode {
+ public:
+  explicit Interrupting(std::atomic<bool>& interrupted) : interrupted_(interrupted) {}
+  int size() const override { return 1; }
+  Eigen::VectorXd start() const override { return Eigen::VectorXd::Ones(1); }
+  Eigen::VectorXd scales() const override { return Eigen::VectorXd::Ones(1); }
+  void rates(double, particles::Input y, particles::Output dy) override {
+    if (++calls_ == 20) interrupted_ = true;
+    dy = -y;
+  }
+  particles::State state(double, particles::Input y) override { return {y, y}; }
+  long calls() const { return calls_; }
 
-  interrupted = false;
-  const Problem slow = level_strand(50);  // minutes
-  std::thread other([&] {
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    interrupted = true;
-  });
-  const auto start = std::chrono::steady_clock::now();
-  EXPECT_FALSE(hair::accurate_motion(slow, {}, interrupted));
-  other.join();
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+ private:
+  std::atomic<bool>& interrupted_;
+  long calls_ = 0;
+};
+
+TEST(AccurateMotion, AsksForNothingMoreOnceItIsInterrupted) {
+  for (const auto method : {hair::CvodeMethod::adams, hair::CvodeMethod::bdf}) {
+    std::atomic<bool> interrupted = false;
+    Interrupting ode(interrupted);
+    EXPECT_FALSE(hair::run_cvode(ode, 10, 4, {method, 1e-9}, interrupted));
+    EXPECT_EQ(ode.calls(), 20);
+  }
+  const std::atomic<bool> already = true;
+  EXPECT_FALSE(hair::accurate_motion(level_strand(), {}, already));
 }
 
 // y' = 1 until t = 1/2, and not a number from there on.

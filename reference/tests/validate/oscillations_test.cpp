@@ -189,6 +189,16 @@ TEST(Oscillations, H6IsTheMapThatItsFiveStepsMakeOfAPendulum) {
               measured_period_ratio(chain_by_h6(), angle, 800, kQuick), 1e-7);
 }
 
+// The map is of order 1. What is extrapolated as if it were of order 2 keeps an error of order 1, and halving steps changes it
+// by as much as that error: no measure of what is left.
+TEST(Oscillations, ALostOrderIsFoundOutAtEachAngle) {
+  ChainMethod map = chain_by_h6();
+  map.start = start_halves<2, 2>;
+  map.order = 2;
+  for (const Check& check : pendulum_period(map).run(kQuick).checks)
+    EXPECT_GT(std::abs(check.error()), (check.id == "order" ? 1 : 10) * check.tolerance) << check.id;
+}
+
 bool all_hold(const ChainMethod& method) {
   for (const Check& check : pendulum_period(method).run(kQuick).checks)
     if (!check.holds()) return false;
