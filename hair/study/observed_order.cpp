@@ -12,7 +12,7 @@ namespace {
 constexpr double kSafe = 10;     // times the floor: an error of the reference shifts an order by 0.15 at most
 constexpr double kAgree = 0.25;  // of an order
 constexpr double kFlat = 0.1;    // of an order
-constexpr double kAsTheory = 0.3;  // of an order
+constexpr double kAsTheory = 0.25;  // of an order
 
 struct Halving {
   double order, before, after;  // and the steps, s

@@ -10,8 +10,8 @@ namespace hair {
 
 struct ObservedOrder {
   // The mean of log2(error at h / error at h/2) over the finest two or more halvings in a row that agree to
-  // within 0.25 (those that make no difference left aside), or none. Runs nearer to the floor than 10 times it don't count: there the reference's own
-  // error shows.
+  // within 0.25 (those that make no difference left aside), or none. Runs nearer to the floor than 10 times
+  // it don't count: there the reference's own error shows.
   std::optional<double> order;
   double coarsest = 0, finest = 0;  // s, the steps between which that was seen
 
