@@ -34,19 +34,24 @@ double seconds_of(const StudyPoint& point) {
   return point.end == StudyEnd::finished ? median(point.seconds) : point.first_seconds;
 }
 
-// How many times the time of its first play a curve's measured plays take, point by point, and their median; 0: not known.
-double again(const StudyCurve& curve) {
+// How many times the time of its first play a run's measured ones take; 0: not known.
+double again(const StudyPoint* point) {
+  if (point == nullptr || point->end != StudyEnd::finished || !(point->first_seconds > 0)) return 0;
+  return median(point->seconds) / point->first_seconds;
+}
+
+// The median of a curve's runs, of those that another has as well: short plays take longer at first, whosever they are.
+double again(const StudyCurve& curve, const StudyCurve& other) {
   std::vector<double> all;
   for (const StudyPoint& point : curve.points)
-    if (point.end == StudyEnd::finished && point.first_seconds > 0 && !point.seconds.empty())
-      all.push_back(median(point.seconds) / point.first_seconds);
+    if (again(&point) > 0 && again(with_steps(other, point.steps)) > 0) all.push_back(again(&point));
   return median(all);
 }
 
 // Whether the student's code takes far less time for what it was asked before, the reference's beside it.
 bool far_less_again(const PartStudy& part) {
   constexpr double kFarLess = 0.25;
-  const double theirs = again(part.student), ours = again(part.reference);
+  const double theirs = again(part.student, part.reference), ours = again(part.reference, part.student);
   return part.rounds > 0 && theirs > 0 && theirs < kFarLess * std::min(1.0, ours);
 }
 
@@ -160,7 +165,7 @@ Html part_of(const PartStudy& part, const std::string& id) {
         R"(<p class="note">Asked for the same again, your code took {} times the time of its first plays, ours {} times:
 it may remember what it answered. First plays are in the numbers below.</p>
 )",
-        {rounded(again(part.student)), rounded(again(part.reference))});
+        {rounded(again(part.student, part.reference)), rounded(again(part.reference, part.student))});
   all += html("<p>Stable: {} (ours: {}).</p>\n",
               {stability(part, part.student), stability(part, part.reference)});
   all += figure_of(part, id);

@@ -258,6 +258,13 @@ TEST(Study, SaysWhenCodeTakesFarLessTimeForWhatItWasAskedBefore) {
   };
   EXPECT_EQ(page_of(study("midpoint", honest)).find("it may remember"), std::string::npos);
   EXPECT_NE(page_of(study("midpoint", remembers)).find("it may remember"), std::string::npos);
+
+  // Short plays take both longer at first, and the student's code finishes no others.
+  PartStudy part = study("midpoint", honest);
+  for (StudyCurve* curve : {&part.student, &part.reference})
+    for (std::size_t i = 0; i < 2; ++i) curve->points[i].first_seconds *= 10;
+  part.student.points.resize(2);
+  EXPECT_EQ(page_of(part).find("it may remember"), std::string::npos);
 }
 
 TEST(Study, TakesTimesOfWholeRoundsOrElseOfFirstPlays) {
@@ -275,8 +282,8 @@ TEST(Study, TakesTimesOfWholeRoundsOrElseOfFirstPlays) {
     EXPECT_NE(found.note, "");
     for (const StudyCurve* curve : {&found.student, &found.reference})
       for (const StudyPoint& point : curve->points) {
-      ASSERT_EQ(point.seconds.size(), 1U) << point.steps;
-      EXPECT_NEAR(point.seconds.front(), 1e-5 * point.steps, 1e-12);
+        ASSERT_EQ(point.seconds.size(), 1U) << point.steps;
+        EXPECT_NEAR(point.seconds.front(), 1e-5 * point.steps, 1e-12);
       }
     EXPECT_NE(page_of(found).find(rounds == 0 ? "Times are of first plays" : "medians of 1 round "),
               std::string::npos);
