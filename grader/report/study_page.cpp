@@ -1,6 +1,7 @@
 // STAFF ONLY.
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 #include "grader/report/pages.h"
@@ -20,7 +21,8 @@ std::string rounded(double value) {
 
 // "1/240 s"
 std::string step_text(const PartStudy& part, int steps) {
-  return "1/" + rounded(1 / step_of(part, steps)) + " s";
+  const double each_second = 1 / step_of(part, steps);
+  return "1/" + (each_second < 1000 ? rounded(each_second) : std::to_string(std::lround(each_second))) + " s";
 }
 
 const StudyPoint* with_steps(const StudyCurve& curve, int steps) {
@@ -220,9 +222,9 @@ std::string study_page(const SubmissionResult& result, const SubmissionStudy& st
 gives no points and takes none. Another run gives other times.</p>
 <p>Error: the root mean square of the particles&#39; distances from where they should be, over the whole motion.
 Time: CPU time of a whole run, by the kernel&#39;s clock, the median of rounds in which your code and ours took
-turns, each in a worker of its own. Ratios are medians of these rounds, with the least and the largest. Steps are
-stable if no particle is ever further from where it should be than the motion is large, with these and with all
-shorter ones.</p>
+turns, each in a worker of its own; of a run that failed, what its first play took. Ratios are medians of these
+rounds, with the least and the largest. Steps are stable if no particle is ever further from where it should be than
+the motion is large, with these and with all shorter ones.</p>
 <p>Errors are found by us, from where your code says that the particles are. What proves nothing: numbers of solver
 steps are what the code itself reports, and code that keeps its answers takes no time when the same is asked for
 again. So the tables have what first plays took, too (the scene&#39;s own steps were played once before, to warm up).
