@@ -86,10 +86,11 @@ double ErrorTally::add(const Playback& playback) {
   const FrameMeasures measures = playback.measure(state), true_measures = playback.measure(truth);
   const double largest = largest_distance(state.x, truth.x);
   if (moments_ == 0) potential_ = true_measures.potential;
-  if (moments_ > 0) squares_ += (state.x - truth.x).squaredNorm() / (state.x.size() / 3);
+  const double mean_square = 3 * (state.x - truth.x).squaredNorm() / static_cast<double>(state.x.size());
+  if (moments_ > 0) squares_ += mean_square;
 
   largest_[Norm::final_largest] = largest;
-  largest_[Norm::final_rms] = (state.x - truth.x).norm() / std::sqrt(state.x.size() / 3);
+  largest_[Norm::final_rms] = std::sqrt(mean_square);
   for (const RestLength& one : lengths_)
     raise(largest_[Norm::length],
           std::abs(distance(state.x, one.i, one.j) - distance(truth.x, one.i, one.j)) / one.length);

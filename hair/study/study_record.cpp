@@ -160,13 +160,14 @@ nlohmann::json identity(nlohmann::json same) {
 
 // The first key whose values differ.
 std::string difference(const nlohmann::json& before, const nlohmann::json& now) {
-  for (const auto& [key, value] : now.items())
-    if (!before.contains(key) || before[key] != value) {
-      const auto shown = [&](const nlohmann::json& json) {
-        return json.contains(key) ? printable(json[key].dump(), 120) : std::string("nothing");
-      };
-      return "its \"" + key + "\" is " + shown(before) + ", not " + shown(now);
-    }
+  for (const auto& entry : now.items()) {
+    const std::string& key = entry.key();
+    if (before.contains(key) && before[key] == entry.value()) continue;
+    const auto shown = [&](const nlohmann::json& json) {
+      return json.contains(key) ? printable(json[key].dump(), 120) : std::string("nothing");
+    };
+    return "its \"" + key + "\" is " + shown(before) + ", not " + shown(now);
+  }
   return "it is of another form";
 }
 
