@@ -99,8 +99,8 @@ double theory_of(const Description& hair, const StudyMethod& method, const Stati
   }
   const Products products = products_of(hair, hanging, method.geometric_term, method.bend_product);
   if (keeps_lengths(method))
-    return predictor_corrector_limit(hanging.mass, across.stiffness, products.across, gamma, hs.front() / 4,
-                                     hs.back() * 4, growth);
+    return predictor_corrector_limit(hanging.mass, across.stiffness, products.across, gamma, hs.back() * 4,
+                                     growth);
   return std::min(implicit_limit(hanging.mass, along.stiffness, products.along, gamma, growth),
                   implicit_limit(hanging.mass, across.stiffness, products.across, gamma, growth));
 }

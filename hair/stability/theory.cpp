@@ -108,8 +108,7 @@ Eigen::MatrixXd predictor_corrector_step(const Eigen::VectorXd& mass, const Eige
 }
 
 double predictor_corrector_limit(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness,
-                                 const Eigen::MatrixXd& in_matrix, double gamma, double least, double most,
-                                 double growth) {
+                                 const Eigen::MatrixXd& in_matrix, double gamma, double most, double growth) {
   // With T = S^-1 M a step from w to w is x' = x + h w, w' = T^2 w - (T + 1) S^-1 (h/2 K) x'. An error z = -g has x' = -g x,
   // so that w = -(1 + g) x / h, and ((1 + g) (g + T^2) - g (T + 1) S^-1 (h^2/2 K)) x = 0. For small steps T is near 1, and
   // the determinant positive.
@@ -124,8 +123,13 @@ double predictor_corrector_limit(const Eigen::VectorXd& mass, const Eigen::Matri
     return sign > 0;
   };
   constexpr double kStride = 1.05;  // two modes whose limits are nearer than this could hide each other
-  while (!positive(least)) least /= 2;
-  double low = least, high = least;
+  const Eigen::VectorXd scale = mass.cwiseSqrt().cwiseInverse();
+  const double square = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
+                            scale.asDiagonal() * stiffness * scale.asDiagonal(), Eigen::EigenvaluesOnly)
+                            .eigenvalues()
+                            .maxCoeff();
+  if (square <= 0) return kInfinity;
+  double low = 1 / std::sqrt(square), high = low;
   while (positive(high)) {
     if (high >= most) return kInfinity;
     low = high;

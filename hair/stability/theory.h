@@ -54,10 +54,10 @@ double implicit_limit(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffn
 //
 //   S w = M v - h/2 K x,   x' = x + h w,   S v' = M w - h/2 K x'.
 //
-// Its least h with an error z = -1, looked for from `least` up, or from below it if that is too large already; none
-// below `most` is infinity. Without bending and drag (S = M) it is 2/omega_t.
+// Its least h with an error z = -1; none below `most` is infinity. Without bending and drag (S = M) it is 2/omega_t; both
+// make S larger, and so it is looked for from half of 2/omega up, omega the fastest of K.
 double predictor_corrector_limit(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness,
-                                 const Eigen::MatrixXd& in_matrix, double gamma, double least, double most,
+                                 const Eigen::MatrixXd& in_matrix, double gamma, double most,
                                  double growth = 1);
 
 // The matrix of that step: (x, v) at its end, 2n, of (x, v) at its start.

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include "hair/stability/maps.h"
 #include "hair/stability/theory.h"
@@ -41,42 +42,71 @@ hair::StudyMethod implicit_method(Method method, hair::GeometricTerm term) {
   return one;
 }
 
-// The boundary is between two cells, and theory within one of them: a cell at most. What the last limit says is what a
-// run of so many steps can show, where that is different from the method's.
-void expect_theory(const hair::StabilityMap& map, int columns_at_least) {
-  const hair::Distance& distance = map.distances.back();
-  EXPECT_GE(distance.columns, columns_at_least) << map.method.name;
-  EXPECT_LE(std::abs(distance.worst_cells), 1)
-      << map.method.name << (map.sweep == hair::Sweep::drag ? ", drag" : ", stiffness") << ", "
-      << map.limits.back().name;
+// The first h that is wrong, halved to a thousandth, from where it is stable: half of theory's limit; up to twice that.
+double measured_limit(const Description& description, const hair::StabilityMap& map, std::size_t column,
+                      double theory) {
+  const bool stiffness = map.sweep == hair::Sweep::stiffness;
+  const double x = map.xs[column];
+  const hair::Hanging hanging =
+      hair::hang(description, stiffness ? x : 1, map.method.method == Method::predictor_corrector);
+  const hair::Disturbance disturbance = hair::disturb(hanging);
+  const auto wrong = [&](double h) {
+    return hair::run_disturbed(description, hanging, disturbance, stiffness ? description.drag : x, h,
+                               map.steps)
+               .fate >= Fate::wrong;
+  };
+  double low = theory / 2, high = 2 * theory;
+  if (wrong(low)) return 0;
+  if (!wrong(high)) return std::numeric_limits<double>::infinity();
+  while (high > 1.001 * low) (wrong(std::sqrt(low * high)) ? high : low) = std::sqrt(low * high);
+  return low;
+}
+
+// The curve that a map draws, beside runs of many steps, in columns from end to end. Where a method keeps errors bounded it
+// exchanges energy, by 100 at 99/101 of its limit (experiment.h): 2 % too low, and a thousandth is the bisection's. A growth by
+// 10 in so many steps, from which on it is seen, is less than 1 % beyond the limit, or the last curve says where it is.
+void expect_theory(const Description& hair, const hair::StudyMethod& method, hair::Sweep sweep,
+                   const hair::MapSettings& few) {
+  hair::MapSettings settings = few;
+  settings.columns = 4;
+  const std::atomic<bool> no_cells = true;
+  const Description description = hair::with_options(hair, method);
+  const hair::StabilityMap map = hair::make_map(hair, method, sweep, settings, no_cells);
+  const bool in_drag = sweep == hair::Sweep::drag;
+  int compared = 0;
+  for (std::size_t column = 0; column < map.xs.size(); ++column) {
+    const double theory = map.limits.back().h[column];
+    if (!std::isfinite(theory) || theory == 0) continue;
+    const double off = measured_limit(description, map, column, theory) / theory - 1;
+    EXPECT_TRUE(off > -0.021 && off < 0.01)
+        << method.name << ", " << map.limits.back().name << ", " << map.xs[column]
+        << (in_drag ? " of drag: " : " of stiffness: ") << off << " from " << theory << " s";
+    ++compared;
+  }
+  EXPECT_GE(compared, settings.columns - 1) << method.name;
 }
 
 TEST(StabilityMaps, ExplicitMethodsBreakWhereTheClosedFormsSay) {
   hair::MapSettings settings;
-  settings.columns = settings.rows = 32;
+  settings.evaluations = 20'000;
   for (const Method method : kExplicitMethods)
     for (const auto sweep : {hair::Sweep::stiffness, hair::Sweep::drag})
-      expect_theory(
-          hair::make_map(hanging_hair(1), explicit_method(method), sweep, settings, kNeverInterrupted), 30);
+      expect_theory(hanging_hair(1), explicit_method(method), sweep, settings);
 }
 
-TEST(StabilityMaps, ImplicitMethodsBreakAcrossTheHairOrNotAtAll) {
+TEST(StabilityMaps, ImplicitMethodsBreakAcrossTheHair) {
   hair::MapSettings settings;
-  settings.columns = settings.rows = 24;
-  const Description hair = hanging_hair(2);
-  const auto map = [&](Method method, hair::GeometricTerm term) {
-    return hair::make_map(hair, implicit_method(method, term), hair::Sweep::stiffness, settings,
-                          kNeverInterrupted);
-  };
-  expect_theory(map(Method::implicit_euler, hair::GeometricTerm::dropped), 24);
-  expect_theory(map(Method::predictor_corrector, hair::GeometricTerm::filtered), 24);
-  const hair::StabilityMap whole = map(Method::implicit_euler, hair::GeometricTerm::filtered);
-  for (const double h : whole.boundary) EXPECT_TRUE(std::isinf(h)) << "H4 broke at " << h;
-  // Without bending both limits are 2/omega_t; two masses, the tip half as heavy.
-  const hair::Hanging hanging = hair::hang(hair, 1, false);
-  const double expected = 2 / hanging.across_modes.omega.maxCoeff();
-  const hair::StabilityMap dropped = map(Method::implicit_euler, hair::GeometricTerm::dropped);
-  EXPECT_NEAR(dropped.limits[0].h[12] / expected, 1, 1e-3);
+  settings.implicit_steps = 800;
+  for (const double bending : {0.0, 1.0}) {
+    Description hair = hanging_hair(2);
+    hair.strands[0].strand.bend_rigidity = bending * straight_hair(2, 0.02).strand.bend_rigidity;
+    for (const auto sweep : {hair::Sweep::stiffness, hair::Sweep::drag}) {
+      expect_theory(hair, implicit_method(Method::implicit_euler, hair::GeometricTerm::dropped), sweep,
+                    settings);
+      expect_theory(hair, implicit_method(Method::predictor_corrector, hair::GeometricTerm::filtered), sweep,
+                    settings);
+    }
+  }
 }
 
 TEST(StabilityMaps, FewRunsFindTheBoundaryOfAll) {
@@ -95,7 +125,7 @@ TEST(StabilityMaps, FewRunsFindTheBoundaryOfAll) {
     for (std::size_t row = 0; row < map.hs.size() && boundary == 0; ++row)
       if (hair::run_disturbed(description, hanging, disturbance, 0, map.hs[row], map.steps).fate >=
           Fate::wrong)
-        boundary = std::sqrt(map.hs[row - 1] * map.hs[row]);
+        boundary = row == 0 ? map.hs[0] : std::sqrt(map.hs[row - 1] * map.hs[row]);
     EXPECT_LE(std::abs(std::log(map.boundary[column] / boundary)), 1.001 * cell) << "column " << column;
   }
 }
