@@ -244,7 +244,7 @@ Page page_of(const StabilityReport& report) {
   if (report.interrupted)
     page.paragraphs.push_back("Interrupted: " + std::to_string(report.maps.size()) + " of " +
                               std::to_string(report.maps_asked) +
-                              " maps are here, those that were finished.");
+                              " maps are here, those that were finished; --resume goes on.");
   for (const LeftOut& one : report.left_out)
     page.paragraphs.push_back(one.method.name + " is left out: " + one.why + ".");
   page.sections.push_back(section_of_hair(report));

@@ -90,6 +90,7 @@ std::string json_of(const StabilityReport& report) {
     left_out.push_back({{"method", one.method.id}, {"why", one.why}});
   for (int i = 0; i < kFates; ++i) classes.push_back(fate_name(static_cast<Fate>(i)));
   const Json json = {{"program", "hairlab stability"},
+                     {"identity", report.identity},
                      {"scene", report.scene},
                      {"ended", report.interrupted ? "interrupted" : "finished"},
                      {"quick", report.quick},

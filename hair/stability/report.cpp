@@ -5,7 +5,10 @@
 
 #include "hair/files/bad_input.h"
 #include "hair/stability/theory.h"
+#include "hair/study/content.h"
 #include "hair/study/cpu_time.h"
+#include "hair/study/digest.h"
+#include "hair/study/machine.h"
 #include "hair/validate/hanging_chain.h"
 
 namespace hair {
@@ -46,6 +49,15 @@ MapSettings quick_maps() {
   return {32, 32, 2000, 48};
 }
 
+std::string identity_of(const Scene& scene, const StabilitySettings& settings) {
+  const MapSettings& maps = settings.maps;
+  Digest digest;
+  digest.add(std::string_view(content_of(problem_of(scene, settings))))
+      .add(std::string_view(program_digest()));
+  digest.add(maps.columns).add(maps.rows).add(static_cast<std::uint64_t>(maps.evaluations));
+  return digest.add(static_cast<std::uint64_t>(maps.implicit_steps)).text();
+}
+
 StabilityReport study_stability(const Scene& scene, const StabilitySettings& settings,
                                 const std::atomic<bool>& interrupted, const Tell& tell) {
   const double start = cpu_seconds();
@@ -56,6 +68,7 @@ StabilityReport study_stability(const Scene& scene, const StabilitySettings& set
   StabilityReport report;
   report.scene = scene.name;
   report.quick = settings.quick;
+  report.identity = identity_of(scene, settings);
   report.segments = strand.segments();
   report.scene_segments = original.strand.segments();
   report.length = strand.rest_length.sum();
@@ -111,9 +124,15 @@ StabilityReport study_stability(const Scene& scene, const StabilitySettings& set
                                std::to_string(report.maps_asked) + ": " + methods[i].name +
                                (sweep == Sweep::stiffness ? ", stiffness" : ", drag");
       const bool went = guarded(methods[i], [&] {
-        StabilityMap map = make_map(hair, methods[i], sweep, settings.maps, interrupted, [&](long runs) {
-          if (runs % 10 == 1) tell(what + ": " + std::to_string(runs) + " runs");
-        });
+        const auto before = std::find_if(
+            settings.finished.begin(), settings.finished.end(),
+            [&](const StabilityMap& one) { return one.method.id == methods[i].id && one.sweep == sweep; });
+        const bool known = before != settings.finished.end();
+        StabilityMap map =
+            known ? *before : make_map(hair, methods[i], sweep, settings.maps, interrupted, [&](long runs) {
+              if (runs % 10 == 1) tell(what + ": " + std::to_string(runs) + " runs");
+            });
+        map.method = methods[i];
         map.alike = alike[i];
         if (map.grid.complete) report.maps.push_back(std::move(map));
       });

@@ -1,6 +1,7 @@
 // A stability study of a scene: its maps, its extreme cases, and what is written of them.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -23,6 +24,7 @@ struct StabilitySettings {
   int strand = 0;                    // counted from 0
   std::optional<int> segments = {};  // none: the scene's, but at most kMapSegments
   bool quick = false;
+  std::vector<StabilityMap> finished = {};  // of the same study before: read_maps
 };
 
 MapSettings quick_maps();
@@ -51,6 +53,7 @@ struct StabilityReport {
   std::vector<StabilityMap> maps;  // complete ones
   std::vector<ExtremeRun> extremes;
   std::vector<LeftOut> left_out;
+  std::string identity;
   bool interrupted = false;
   int maps_asked = 0;
   double cpu_seconds = 0;
@@ -62,6 +65,13 @@ using Tell = std::function<void(const std::string&)>;
 // Throws BadInput for a scene without hair, and what it can't use. Interrupted, it has what is finished.
 StabilityReport study_stability(const Scene& scene, const StabilitySettings& settings,
                                 const std::atomic<bool>& interrupted, const Tell& tell);
+
+// A digest of all that makes a map what it is: the hair, the settings, and the program with its exercises. Throws as
+// study_stability does.
+std::string identity_of(const Scene& scene, const StabilitySettings& settings);
+
+// The finished maps of a record. Throws BadInput for a file that is none, and for one of another identity.
+std::vector<StabilityMap> read_maps(const std::filesystem::path& file, const std::string& identity);
 
 inline constexpr std::string_view kStabilityBegin = "{\n  \"program\": \"hairlab stability\"";
 

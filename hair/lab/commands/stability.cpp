@@ -20,7 +20,7 @@ namespace {
 
 struct Options {
   std::string scene, out;
-  bool quick = false;
+  bool quick = false, resume = false;
   StabilitySettings settings;
 };
 
@@ -48,6 +48,8 @@ int run(const Options& options) {
   const std::atomic<bool>& interrupted =
       catch_interruption("\nhairlab: stopping, what is finished is kept; once more ends at once\n");
   OutputFolder folder(options.out, stability_output());
+  if (options.resume)
+    settings.finished = read_maps(folder.then("stability.json"), identity_of(scene, settings));
   const bool terminal = isatty(STDERR_FILENO) != 0;
   StabilityReport report = study_stability(scene, settings, interrupted, [&](const std::string& what) {
     if (terminal) std::cerr << "\r\x1b[K" << what << std::flush;
@@ -74,7 +76,7 @@ int run(const Options& options) {
             << report.extremes.size() << " extreme cases\n";
   if (report.interrupted) {
     std::cerr << "hairlab: interrupted after " << report.maps.size() << " of " << report.maps_asked
-              << " maps, which are kept\n";
+              << " maps, which are kept; --resume goes on\n";
     return kInterrupted;
   }
   return 0;
@@ -90,6 +92,7 @@ Command add_stability_command(CLI::App& program) {
   app->add_option("SCENE", options->scene, "A scene's file, or the name of one that comes along")->required();
   app->add_option("--out", options->out, "The folder for page, CSV and JSON")->required();
   app->add_flag("--quick", options->quick, "Coarser maps: seconds instead of half a minute");
+  app->add_flag("--resume", options->resume, "Go on with the study in the folder, which was interrupted");
   app->add_option("--strand", options->settings.strand, "Which strand, counted from 0")
       ->check(CLI::Range(0, 100'000'000));
   app->add_option("--segments", options->settings.segments,

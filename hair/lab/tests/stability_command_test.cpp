@@ -1,0 +1,125 @@
+// hairlab stability from outside: what it writes, what it says, how it goes on.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "hair/lab/tests/run_hairlab.h"
+
+namespace hair {
+namespace {
+
+using Json = nlohmann::ordered_json;  // a record is known by how it begins
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+class StabilityCommand : public testing::Test {
+ protected:
+  ProgramRun stability(std::vector<std::string> more = {}, const ProgramSettings& settings = {}) {
+    std::vector<std::string> arguments = {
+        "stability", "strand-swing", "--quick", "--segments", "2", "--out", (folder_ / "out").string()};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_hairlab(arguments, settings);
+  }
+  Json record() const { return Json::parse(read_bytes(folder_ / "out/stability.json")); }
+  void expect_refused(const ProgramRun& run, int code, const std::string& part) {
+    EXPECT_EQ(run.code, code) << run.errors;
+    EXPECT_TRUE(has(run.errors, part)) << run.errors;
+    EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
+  }
+
+  TestFolder folder_;
+};
+
+TEST_F(StabilityCommand, WritesRecordTablesAndPage) {
+  const ProgramRun run = stability();
+  ASSERT_EQ(run.code, 0) << run.errors;
+  EXPECT_EQ(run.errors, "") << "progress is for terminals";
+  EXPECT_TRUE(has(run.output, "index.html: 16 maps, 224 extreme cases\n")) << run.output;
+  EXPECT_EQ(folder_.names("out"), (std::vector<std::string>{"boundaries.csv", "curves.csv", "extremes.csv",
+                                                            "index.html", "stability.json"}));
+  const Json json = record();
+  EXPECT_EQ(json["ended"], "finished");
+  ASSERT_EQ(json["maps"].size(), 16u);
+  for (const Json& map : json["maps"]) {
+    ASSERT_EQ(map["rows"].size(), map["h"].size());
+    for (const Json& row : map["rows"]) EXPECT_EQ(row.get<std::string>().size(), map["x"].size());
+  }
+  EXPECT_TRUE(has(read_bytes(folder_ / "out/index.html"), "<svg"));
+}
+
+// As after Ctrl-C: some maps are there, and those only are not run anew, as their times show.
+TEST_F(StabilityCommand, ResumedKeepsTheMapsThatAreFinishedAndMakesTheOthers) {
+  ASSERT_EQ(stability().code, 0);
+  const Json whole = record();
+  Json part = whole;
+  for (const std::size_t gone : {15, 7, 2}) part["maps"].erase(gone);
+  for (Json& map : part["maps"]) map["cpu_seconds"] = 123.0;
+  folder_.write("out/stability.json", part.dump(2));
+  ASSERT_EQ(stability({"--resume"}).code, 0);
+  const Json again = record();
+  ASSERT_EQ(again["maps"].size(), 16u);
+  for (std::size_t i = 0; i < 16; ++i) {
+    Json now = again["maps"][i], before = whole["maps"][i];
+    const bool made = i == 15 || i == 7 || i == 2;
+    EXPECT_EQ(now["cpu_seconds"] == 123.0, !made) << "map " << i;
+    now.erase("cpu_seconds");
+    before.erase("cpu_seconds");
+    EXPECT_EQ(now, before) << "map " << i;
+  }
+
+  // Of other settings it can't, and a record that was spoiled is refused.
+  expect_refused(run_hairlab({"stability", "strand-swing", "--quick", "--segments", "3", "--resume", "--out",
+                              (folder_ / "out").string()}),
+                 2, "can't be resumed: its hair");
+  Json spoiled = whole;
+  spoiled["maps"][3]["rows"][5] = "0123";
+  folder_.write("out/stability.json", spoiled.dump(2));
+  expect_refused(stability({"--resume"}), 2, "maps[3].rows: are not as many cells");
+}
+
+// Whole it takes 20 seconds.
+TEST_F(StabilityCommand, InterruptedKeepsWhatIsFinished) {
+  ProgramSettings settings;
+  settings.meanwhile = [](int process) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(900));
+    kill(process, SIGINT);
+  };
+  const ProgramRun run =
+      run_hairlab({"stability", "strand-swing", "--out", (folder_ / "out").string()}, settings);
+  ASSERT_EQ(run.code, 130) << run.output << run.errors;
+  if (has(run.errors, "interrupted before a map was finished; nothing is written")) {
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+    return;
+  }
+  EXPECT_TRUE(has(run.errors, " of 16 maps, which are kept; --resume goes on\n")) << run.errors;
+  EXPECT_EQ(record()["ended"], "interrupted");
+  EXPECT_FALSE(record()["maps"].empty());
+  EXPECT_TRUE(has(read_bytes(folder_ / "out/index.html"), "--resume goes on"));
+}
+
+TEST_F(StabilityCommand, BadInputIsRefusedInOneLineAndNothingIsWritten) {
+  expect_refused(stability({"--resume"}), 2, "stability.json");
+  expect_refused(stability({"--strand", "1"}), 2, "there is no strand 1");
+  const std::string floating = folder_.write("floating.json", R"({"shows": "hair without weight", "frames": 3,
+ "gravity": [0, 0, 0], "hair": [{"segments": 3, "length": 0.1, "clamped": false,
+ "roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}]})");
+  expect_refused(run_hairlab({"stability", floating, "--out", (folder_ / "out").string()}), 2,
+                 "nothing brings its strand back when it swings");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+}
+
+TEST_F(StabilityCommand, NamesTheExercisesThatStubsAreOf) {
+  const ProgramRun run = stability({}, {.program = STUDENT_HAIRLAB});
+  EXPECT_EQ(run.code, 3) << run.errors;
+  EXPECT_TRUE(has(run.errors, "is left out: it needs H1: student/stretch_springs.cpp")) << run.errors;
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+}
+
+}  // namespace
+}  // namespace hair
