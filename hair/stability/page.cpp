@@ -174,7 +174,7 @@ CellMap figure_of(const StabilityMap& map) {
 Table table_of_boundaries(const StabilityReport& report) {
   Table table{"Where the first wrong or blown-up cell is, from theory's limit: > 0 is stable beyond it",
               {"method", "map", "limit", "columns", "median, cells", "largest, cells", "median, relative",
-               "columns apart beyond the map", "by at least, cells", "runs", "cells / runs"},
+               "columns beyond", "by, cells", "runs", "cells / runs"},
               {}};
   for (const StabilityMap& map : report.maps)
     for (std::size_t i = 0; i < map.limits.size(); ++i) {
