@@ -116,7 +116,7 @@ TEST(StabilityMaps, FewRunsFindTheBoundaryOfAll) {
       hair::with_options(hanging_hair(2), explicit_method(Method::symplectic_euler));
   const hair::StabilityMap map = hair::make_map(description, explicit_method(Method::symplectic_euler),
                                                 hair::Sweep::stiffness, settings, kNeverInterrupted);
-  EXPECT_LE(10 * map.grid.asked, 64 * 64);
+  EXPECT_LE(10 * static_cast<std::size_t>(map.grid.asked), map.grid.cells.size());
   const double cell = std::log(map.hs[1] / map.hs[0]);
   for (std::size_t column = 0; column < map.xs.size(); ++column) {
     const hair::Hanging hanging = hair::hang(description, map.xs[column], false);
