@@ -15,9 +15,9 @@ namespace hair {
 // at its moments is between them, and a clock at each.
 struct Repeats {
   int most = 7;
-  double enough = 0.2;    // s of CPU time together: then it is not repeated again,
+  double enough = 0.15;   // s of CPU time together: then it is not repeated again,
   int least = 3;          // but so often,
-  double too_long = 0.3;  // s, if it takes no longer
+  double too_long = 0.2;  // s, if it takes no longer
   double warm = 0.05;     // s: a run that takes as long has warmed up by itself
   double clock = 1e-3;    // s between two looks at the clock: shorter runs are played many times in a row
 };

@@ -25,7 +25,7 @@ namespace {
 
 // What a run may take at most: evaluations and iterations times particles. A second or so, and a fifth of
 // that.
-constexpr double kMostWork = 1e7, kMostQuickWork = 1e6;
+constexpr double kMostWork = 1e7, kMostQuickWork = 5e5;
 constexpr double kEnoughQuick = 0.05;  // s, that repeats of a run take together
 
 using Clock = std::chrono::steady_clock;
