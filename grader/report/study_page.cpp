@@ -31,9 +31,16 @@ const StudyPoint* with_steps(const StudyCurve& curve, int steps) {
   return nullptr;
 }
 
-// What a run took: the median of its rounds; of one that failed, its first play; 0: not known.
-double seconds_of(const StudyPoint& point) {
-  return point.end == StudyEnd::finished ? median(point.seconds) : point.first_seconds;
+// What a run took: the median of its rounds. One that failed stands where it would have been: by its steps beside the
+// nearest one that finished, or if there is none, where its first play was. 0: not known.
+double seconds_of(const StudyPoint& point, const StudyCurve& curve) {
+  if (point.end == StudyEnd::finished) return median(point.seconds);
+  const StudyPoint* nearest = nullptr;
+  for (const StudyPoint& other : curve.points)
+    if (other.end == StudyEnd::finished && median(other.seconds) > 0 &&
+        (nearest == nullptr || std::abs(other.steps - point.steps) < std::abs(nearest->steps - point.steps)))
+      nearest = &other;
+  return nearest == nullptr ? point.first_seconds : median(nearest->seconds) * point.steps / nearest->steps;
 }
 
 // How many times the time of its first play a run's measured ones take; 0: not known.
@@ -61,7 +68,7 @@ hair::Series series_of(const PartStudy& part, const StudyCurve& curve, const std
   hair::Series series{name, {}};
   for (const StudyPoint& point : curve.points) {
     const bool failed = point.end != StudyEnd::finished;
-    const double seconds = seconds_of(point);
+    const double seconds = seconds_of(point, curve);
     if (!(seconds > 0)) continue;
     std::string note = "h = " + step_text(part, point.steps);
     if (point.steps == part.own_steps) note += ", the scene's own";
@@ -76,9 +83,8 @@ Html figure_of(const PartStudy& part, const std::string& id) {
   figure.id = id;
   figure.title = part.name;
   figure.description =
-      "Error against CPU time, one point for each step size, of your code and of ours. What is further to "
-      "the "
-      "left and further down is better.";
+      "Error against CPU time, one point for each step size, of your code and of ours. The further to the "
+      "left and the further down, the better.";
   figure.x.title = "CPU time of one run, ms";
   figure.y.title = "error, m";
   figure.series = {series_of(part, part.student, "yours"), series_of(part, part.reference, "ours")};
@@ -176,18 +182,21 @@ it may remember what it answered. First plays are in the numbers below.</p>
                      {times_of(part), part.truth, to_text(part.least_error)});
 }
 
-// How far the reference's ratios to itself are from 1: what no ratio here can be better than.
+// How far the reference's ratios to itself are from 1, in single rounds: a ratio within that says nothing. Medians of so
+// few rounds would promise more than the next batch keeps.
 Html noise_of(const SubmissionStudy& beside_itself) {
-  std::vector<double> medians;
+  double least = HUGE_VAL, most = 0;
   for (const SceneStudy& scene : beside_itself.scenes)
-    for (const PartStudy& part : scene.parts)
-      if (part.ratio) medians.push_back(part.ratio->median);
-  if (medians.empty()) return {};
-  const auto [least, most] = std::minmax_element(medians.begin(), medians.end());
+    for (const PartStudy& part : scene.parts) {
+      if (!part.ratio) continue;
+      least = std::min(least, part.ratio->least);
+      most = std::max(most, part.ratio->most);
+    }
+  if (most == 0) return {};
   return html(
-      "<p>Our code beside itself, measured like this before the batch, gave {} to {}: what is nearer to 1 "
-      "than that is noise.</p>\n",
-      {rounded(*least), rounded(*most)});
+      "<p>Our code beside itself, measured like this before the batch, gave {} to {} in single rounds: a "
+      "ratio within that says nothing.</p>\n",
+      {rounded(least), rounded(most)});
 }
 
 Html summary_of(const SubmissionStudy& study) {
@@ -222,9 +231,9 @@ std::string study_page(const SubmissionResult& result, const SubmissionStudy& st
 gives no points and takes none. Another run gives other times.</p>
 <p>Error: the root mean square of the particles&#39; distances from where they should be, over the whole motion.
 Time: CPU time of a whole run, by the kernel&#39;s clock, the median of rounds in which your code and ours took
-turns, each in a worker of its own; of a run that failed, what its first play took. Ratios are medians of these
-rounds, with the least and the largest. Steps are stable if no particle is ever further from where it should be than
-the motion is large, with these and with all shorter ones.</p>
+turns, each in a worker of its own; a run that failed stands where it would have been by its steps. Ratios are medians
+of these rounds, with the least and the largest. Steps are stable if no particle is ever further from where it should
+be than the motion is large, with these and with all shorter ones.</p>
 <p>Errors are found by us, from where your code says that the particles are. What proves nothing: numbers of solver
 steps are what the code itself reports, and code that keeps its answers takes no time when the same is asked for
 again. So the tables have what first plays took, too (the scene&#39;s own steps were played once before, to warm up).
