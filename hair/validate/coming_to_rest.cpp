@@ -115,7 +115,7 @@ ValidationResult settle_standing(const RestingMethod& known, const ValidationSet
   const Material hair;
   constexpr int kSegments = 10;
   ValidationResult result;
-  const double critical = greenhill_number() - greenhill_error() / (kSegments * kSegments);
+  const double critical = strand_greenhill(kSegments);
   for (const double part : {0.95, 1.05}) {
     const bool stands = part < 1;
     const double length = length_of(hair, part * critical);

@@ -42,6 +42,10 @@ double greenhill_error() {
   return gamma * (1.0 / 20 + 3 / (40 * slope * slope));
 }
 
+double strand_greenhill(int segments) {
+  return greenhill_number() * (1 - greenhill_error() / (segments * segments));
+}
+
 StrandStart standing_hair(const Material& material, int segments, double length) {
   StrandStart start = clamped_hair(material, segments, length, Vector3d::UnitZ());
   const Strand& strand = start.strand;

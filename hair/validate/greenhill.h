@@ -16,8 +16,9 @@
 
 namespace hair {
 
-double greenhill_number();  // 7.8373...
-double greenhill_error();   // Gamma (1/20 + 3 / 40 p): 0.49
+double greenhill_number();              // 7.8373...
+double greenhill_error();               // Gamma (1/20 + 3 / 40 p): 0.5155, relative
+double strand_greenhill(int segments);  // Gamma_n, without the term of 1/n^4
 
 // Standing up, at rest, each segment shorter by the weight above its middle.
 StrandStart standing_hair(const Material& material, int segments, double length);
