@@ -8,10 +8,10 @@
 #include "hair/study/cpu_time.h"
 #include "hair/validate/bending_validations.h"
 #include "hair/validate/clamped_hair.h"
-#include "hair/validate/elastica.h"
 #include "hair/validate/greenhill.h"
 #include "hair/validate/planar_statics.h"
 #include "hair/validate/settle.h"
+#include "hair/validate/strand_elastica.h"
 
 namespace hair {
 
@@ -80,14 +80,22 @@ ValidationResult settle_level(const RestingMethod& known, const ValidationSettin
       const double off = (tip - balanced.tip).norm(), error = (tip - elastica(gamma, stretch).tip()).norm();
       const std::string n = std::to_string(segments);
       const bool inextensible = known.method == Method::predictor_corrector;
-      result.checks.push_back(
-          {"gamma" + to_text(gamma) + "-n" + n,
-           "Gamma = " + to_text(gamma) + ", " + n + " segments: the tip from the balance, over L",
-           "the balance of all forces, by Newton's method", 0, off,
-           balanced.rounding + (inextensible ? stretch : 0),
-           inextensible ? "W / EA, the stretch that H6 takes away; and what rounding of forces moves the "
-                          "slowest swing by"
-                        : "what rounding of forces moves the slowest swing by"});
+      const double moved = balanced.rounding + (inextensible ? stretch : 0);
+      const std::string id = "gamma" + to_text(gamma) + "-n" + n;
+      const std::string shows = "Gamma = " + to_text(gamma) + ", " + n + " segments: the tip ";
+      const std::string why =
+          inextensible ? "W / EA, the stretch that H6 takes away; and what rounding of forces moves the "
+                         "slowest swing by"
+                       : "what rounding of forces moves the slowest swing by";
+      result.checks.push_back({id + "-balance", shows + "from the balance, over L",
+                               "the balance of all forces, by Newton's method", 0, off, moved, why});
+      if (has_an_order(gamma, segments)) {
+        const StrandElastica curve = strand_elastica(gamma, stretch, segments);
+        result.checks.push_back({id + "-elastica", shows + "from the strand's own elastica, over L",
+                                 "the elastica that such a strand follows to fourth order (elastica.h)", 0,
+                                 (tip - curve.tip).norm(), curve.tolerance + moved,
+                                 kStrandElasticaTolerance + ("; " + why)});
+      }
       table.rows.push_back({to_text(gamma), n, to_text(off), to_text(error), to_text(settled.speed),
                             to_text(settled.cpu_seconds), to_text(balanced.seconds)});
       if (gamma != 10) continue;

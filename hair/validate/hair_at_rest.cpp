@@ -10,8 +10,8 @@
 #include "hair/study/cpu_time.h"
 #include "hair/validate/bending_validations.h"
 #include "hair/validate/clamped_hair.h"
-#include "hair/validate/elastica.h"
 #include "hair/validate/planar_statics.h"
+#include "hair/validate/strand_elastica.h"
 
 namespace hair {
 
@@ -19,9 +19,13 @@ namespace {
 
 struct Rest {
   int segments;
-  double error;     // of the tip, over L
-  double expected;  // the same, by the curve that the strand follows to fourth order; 0 of too few segments
-  double seconds;   // of CPU time, to find it
+  double error;    // of the tip, over L
+  double seconds;  // of CPU time, to find it
+
+  // Beside the curve that the strand follows to fourth order, over L; where segments are too few for it, 0.
+  double expected = 0;   // the tip's error
+  double apart = 0;      // tip and tip
+  double tolerance = 0;  // how far they may be
 };
 
 // Hair of one length in more and more segments.
@@ -29,18 +33,6 @@ struct Sweep {
   double gamma, length, stretch;
   std::vector<Rest> rests;
 };
-
-// Segments shorter than the layer at the clamp: from here on errors have an order.
-bool has_an_order(double gamma, int segments) {
-  return segments >= 1.3 * std::sqrt(gamma);
-}
-
-// What an error's next term is, over the first. Down the layer at the clamp, 4 n^2 sinh^2(mu / 2n) = Gamma:
-// the strand's decay is mu = sqrt(Gamma) (1 - q / 24 + 3 q^2 / 640 - ...), q = Gamma / n^2, and of that the
-// second term is 9/80 q.
-double next_term(double gamma, int segments) {
-  return 9.0 / 80 * gamma / (segments * segments);
-}
 
 Rest find_rest(const Material& material, const Sweep& sweep, int segments) {
   const StrandStart start = clamped_hair(material, segments, sweep.length, Vector3d::UnitX());
@@ -54,10 +46,13 @@ Rest find_rest(const Material& material, const Sweep& sweep, int segments) {
                              " N is left");
   const Eigen::Vector2d tip = planar_tip(balance.x) / sweep.length;
   const Eigen::Vector2d curve = elastica(sweep.gamma, sweep.stretch).tip();
-  const double expected = has_an_order(sweep.gamma, segments)
-                              ? (elastica(sweep.gamma, sweep.stretch, segments).tip() - curve).norm()
-                              : 0;
-  return {segments, (tip - curve).norm(), expected, seconds};
+  Rest rest{segments, (tip - curve).norm(), seconds};
+  if (!has_an_order(sweep.gamma, segments)) return rest;
+  const StrandElastica strands = strand_elastica(sweep.gamma, sweep.stretch, segments);
+  rest.expected = strands.error;
+  rest.apart = (tip - strands.tip).norm();
+  rest.tolerance = strands.tolerance;
+  return rest;
 }
 
 Sweep sweep_segments(const Material& material, double gamma, const ValidationSettings& settings) {
@@ -83,11 +78,11 @@ void check(const Sweep& sweep, std::vector<Check>& checks) {
     if (!has_an_order(sweep.gamma, rest.segments)) continue;
     const std::string n = std::to_string(rest.segments), id = "gamma" + gamma + "-n" + n;
     checks.push_back(
-        {id + "-error", "Gamma = " + gamma + ", " + n + " segments: the tip's error over L",
-         "the elastica, and the one that such a strand follows to fourth order", rest.expected, rest.error,
-         rest.expected * (next_term(sweep.gamma, rest.segments) + sweep.stretch) + 1e-12,
-         "the error's next term, 9/80 Gamma / n^2 of it, its stretch, and where Newton's method ends"});
-    if (i == 0) continue;
+        {id + "-tip",
+         "Gamma = " + gamma + ", " + n + " segments: the tip from the strand's own elastica, over L",
+         "the elastica that such a strand follows to fourth order (elastica.h)", 0, rest.apart,
+         rest.tolerance, kStrandElasticaTolerance});
+    if (i == 0 || !has_an_order(sweep.gamma, sweep.rests[i - 1].segments)) continue;
     checks.push_back({id + "-order", "Gamma = " + gamma + ", " + n + " segments: order of convergence",
                       "central differences, clamped by half a segment", 2, order(sweep.rests[i - 1], rest),
                       1.1 * next_term(sweep.gamma, rest.segments / 2),
@@ -97,7 +92,7 @@ void check(const Sweep& sweep, std::vector<Check>& checks) {
 
 Table table_of(const std::vector<Sweep>& sweeps) {
   Table table{"Hair at rest: the error of the tip over L, and its order",
-              {"Gamma", "length, m", "segments", "error", "expected", "order", "CPU time, s"},
+              {"Gamma", "length, m", "segments", "error", "expected", "apart", "order", "CPU time, s"},
               {}};
   for (const Sweep& sweep : sweeps)
     for (std::size_t i = 0; i < sweep.rests.size(); ++i) {
@@ -105,6 +100,7 @@ Table table_of(const std::vector<Sweep>& sweeps) {
       const bool ordered = has_an_order(sweep.gamma, rest.segments);
       table.rows.push_back({to_text(sweep.gamma), to_text(sweep.length), std::to_string(rest.segments),
                             to_text(rest.error), ordered ? to_text(rest.expected) : "too few segments",
+                            ordered ? to_text(rest.apart) : "",
                             i == 0 ? "" : to_text(order(sweep.rests[i - 1], rest)), to_text(rest.seconds)});
     }
   return table;
