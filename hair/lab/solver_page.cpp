@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hair/lab/solver_convergence.h"
 #include "hair/lab/solver_series.h"
 #include "hair/lab/solver_tables.h"
+#include "hair/lab/solver_verdicts.h"
 #include "hair/plot/figure.h"
 
 namespace hair {
@@ -13,150 +15,12 @@ namespace {
 
 using namespace solver::study;
 
-Section conditions_section(const SolverStudy& study) {
-  Figure error = {
-      "error-against-iterations",
-      "Error of ConjGrad against iterations",
-      "The larger the condition number, the more iterations; all curves stay below the theory's bound "
-      "until rounding ends them.",
-      {"iterations"},
-      {"error in the A-norm, relative to the first guess"},
-      {},
-      {}};
-  Figure residual = {"squared-residual-against-iterations",
-                     "Squared residual of ConjGrad against iterations",
-                     "Residuals fall as errors do, but not in each iteration, and sooner.",
-                     {"iterations"},
-                     {"\u2016b \u2212 Ax\u2016\u00B2 / \u2016b\u2016\u00B2"},
-                     {},
-                     {}};
-  for (const History& history : study.conditions) {
-    error.series.push_back(series_of(history, condition_name(history), Against::iterations, Measure::error));
-    residual.series.push_back(
-        series_of(history, condition_name(history), Against::iterations, Measure::squared_residual));
-  }
-  for (std::size_t i = 0; i < study.conditions.size(); ++i)
-    error.series.push_back(bound_of(study.conditions[i], "bound, " + to_text(study.conditions[i].condition),
-                                    static_cast<int>(i)));
-  return {"Condition numbers",
-          {"Systems of " + std::to_string(kUnknowns) +
-               " unknowns whose eigenvalues' logarithms are evenly spaced. The dashed curves are the "
-               "theory's bound "
-               "without rounding, 2 ((\u221Ac \u2212 1) / (\u221Ac + 1))\u1D50 for the condition number c: "
-               "about \u221Ac / 2 "
-               "iterations for each factor of e.",
-           "The residual is what ConjGrad sees and ends by. The error is what one wants. In the A-norm it "
-           "shrinks in each "
-           "iteration; the residual may grow on the way, and be small long before the error is. Where "
-           "rounding ends it, more "
-           "iterations make nothing better, and some things worse."},
-          {to_svg(error), to_svg(residual)},
-          {table_of("Condition numbers", study.conditions, to_text)}};
-}
-
-Section clusters_section(const SolverStudy& study) {
-  Figure figure = {"error-for-clusters",
-                   "Error of ConjGrad against iterations: clustered eigenvalues",
-                   "With k different eigenvalues the error drops to rounding after k iterations.",
-                   {"iterations"},
-                   {"error in the A-norm, relative to the first guess"},
-                   {},
-                   {}};
-  for (const History& history : study.clusters)
-    figure.series.push_back(series_of(history, history.system, Against::iterations, Measure::error));
-  return {"Clustered eigenvalues",
-          {"The condition number is " + to_text(study.clusters.front().condition) +
-           " for all of them, and the bound above the same. But what counts is how many different "
-           "eigenvalues there are: "
-           "without rounding, k of them take k iterations. A good preconditioner does not only lower the "
-           "condition number; "
-           "it draws eigenvalues together."},
-          {to_svg(figure)},
-          {table_of("Clustered eigenvalues", study.clusters, to_text)}};
-}
-
-// "h = 10 ms" of "strand, h = 10 ms".
-std::string step_of(const std::string& system) {
-  const std::size_t at = system.find("h = ");
-  return at == std::string::npos ? system : system.substr(at);
-}
-
-// Seconds until the error first is below `error`; none: never.
-std::optional<double> seconds_to(const History& history, double error) {
-  for (const Progress& progress : history.progress)
-    if (progress.error <= error) return progress.seconds;
-  return std::nullopt;
-}
-
-std::string verdict(const SolverStudy& study) {
-  constexpr double kGood = 1e-10;
-  std::string text;
-  for (const DirectSolve& direct : study.direct)
-    for (const History& history : study.timed) {
-      if (history.system != direct.system || history.solver != "ConjGrad") continue;
-      const auto seconds = seconds_to(history, kGood);
-      text += (text.empty() ? "With " : " With ") + step_of(direct.system) + " banded Cholesky takes " +
-              to_text(1e6 * (direct.factor_seconds + direct.solve_seconds)) + " \u00B5s, ConjGrad " +
-              (seconds ? to_text(1e6 * *seconds) + " \u00B5s to an error of " + to_text(kGood)
-                       : "does not reach an error of " + to_text(kGood)) +
-              ".";
-    }
-  return text;
-}
-
-Section strands_section(const SolverStudy& study) {
-  Figure products = {"strand-error-against-products",
-                     "Error of ConjGrad against products: a strand in steps of time",
-                     "The longer the step, the stiffer the system, the more products.",
-                     {"products with A"},
-                     {"error in the A-norm, relative to the first guess"},
-                     {},
-                     {}};
-  for (const History& history : study.strands)
-    products.series.push_back(series_of(history, step_of(history.system), Against::products, Measure::error));
-
-  Figure time = {"strand-error-against-time",
-                 "Error against CPU time: a strand in steps of time",
-                 "Banded Cholesky is at rounding in the time of a few iterations of conjugate gradients.",
-                 {"CPU time, s"},
-                 {"error in the A-norm, relative to the first guess"},
-                 {},
-                 {}};
-  for (const History& history : study.timed)
-    time.series.push_back(
-        series_of(history, history.solver + ", " + step_of(history.system), Against::time, Measure::error));
-  for (const DirectSolve& direct : study.direct)
-    time.series.push_back({direct.solver + ", " + step_of(direct.system),
-                           {point(direct.factor_seconds + direct.solve_seconds, direct.error)},
-                           false});
-
-  const History& longest = study.strands.back();
-  return {"A strand",
-          {"M + h\u00B2K of a step of implicit Euler: human hair, 30 cm in 30 segments, clamped; " +
-               std::to_string(longest.n) +
-               " unknowns. Its condition number grows with the square of the step h: " +
-               to_text(longest.condition) + " for " + step_of(longest.system) +
-               ". But along and across the strand there are only 60 different eigenvalues in all: without "
-               "rounding ConjGrad would "
-               "need no more iterations than that.",
-           "The matrix is banded, 3 below the diagonal. So there is a direct way: banded Cholesky, O(n), "
-           "whatever the condition "
-           "number. " +
-               verdict(study) +
-               " What it needs is the matrix: the springs of a lone strand give it, links between strands "
-               "and collisions "
-               "spoil its band. ConjGrad needs nothing but products."},
-          {to_svg(products), to_svg(time)},
-          {table_of("ConjGrad on a strand", study.strands, to_text),
-           table_of("ConjGrad and Eigen's ConjugateGradient, timed", study.timed, to_text),
-           table_of(study.direct, to_text)}};
-}
-
 Section needed_section(const SolverStudy& study) {
   Figure figure = {
       "iterations-against-condition",
       "Iterations against condition number",
-      "Iterations grow with the square root of the condition number, those on A'A with the condition number.",
+      "Iterations should grow with the square root of the condition number, those on A'A with the condition "
+      "number.",
       {"condition number"},
       {"iterations to a residual of 1e-8"},
       {{"ConjGrad", {}},
@@ -169,7 +33,7 @@ Section needed_section(const SolverStudy& study) {
     p.failed = !iterations;
     if (p.failed)
       p.note = "condition " + to_text(condition) + ": not within " + std::to_string(study.most_iterations) +
-               " iterations";
+               " iterations, or its residual or its count is not true";
     series.points.push_back(p);
   };
   for (const IterationsNeeded& one : study.needed) {
@@ -183,21 +47,17 @@ Section needed_section(const SolverStudy& study) {
   figure.series.push_back(bound);
   std::vector<std::string> paragraphs = {
       "How many iterations it takes until the residual is 1e-8 of the right-hand side, " +
-          std::to_string(kUnknowns) +
-          " unknowns. The bound is sqrt(c) / 2 log(2 sqrt(c) / 1e-8): ConjGrad stays below it, with the same "
-          "slope as long as "
-          "there are more eigenvalues than iterations.",
-      "Eigen's ConjugateGradient does the same without putting the true residual in the recurrence's place "
-      "each 64 iterations. "
-      "That is safer, and where the condition number is large it takes more iterations: directions that were "
-      "conjugate no longer "
-      "quite are."};
+          std::to_string(kUnknowns) + " unknowns. The bound is sqrt(c) / 2 log(2 sqrt(c) / 1e-8). " +
+          needed_verdict(study.needed),
+      "Eigen's ConjugateGradient does not put the true residual in the recurrence's place each 64 "
+      "iterations, "
+      "as ConjGrad should. To put it there is safer, and where the condition number is large it takes more "
+      "iterations: directions that were conjugate no longer quite are."};
   if (!normal.points.empty())
     paragraphs.push_back(
-        "On A'A, whose condition number is c\u00B2, the slope is 1 at first. That fewer are needed further "
-        "on is no good "
-        "news: there a residual of 1e-8 is reached before x has moved along the small eigenvalues' "
-        "directions at all.");
+        "On A'A, whose condition number is c\u00B2, the slope should be 1 at first. If fewer are needed "
+        "further on, that is no good news: there a residual of 1e-8 is reached before x has moved along the "
+        "small eigenvalues' directions at all.");
   return {"How many iterations", paragraphs, {to_svg(figure)}, {table_of(study.needed, to_text)}};
 }
 
@@ -205,7 +65,7 @@ Section digits_section(const SolverStudy& study) {
   Figure figure = {
       "error-against-condition",
       "Digits lost: the normal equations beside QR",
-      "Errors of QR grow with the condition number, those of the normal equations with its square.",
+      "Errors of QR should grow with the condition number, those of the normal equations with its square.",
       {"condition number of A"},
       {"relative error of x (a decade is a digit)"},
       {{"ConjGrad on A'A", {}}, {"Cholesky of A'A", {}}, {"QR of A", {}}, {"QR of A with pivots", {}}},
@@ -213,8 +73,14 @@ Section digits_section(const SolverStudy& study) {
   Series square = {"u c\u00B2", {}, true, false, true, 1}, linear = {"u c", {}, true, false, true, 2};
   for (const DigitsLost& one : study.digits) {
     const std::string at = "condition " + to_text(one.condition);
-    figure.series[0].points.push_back(
-        point(one.condition, one.conj_grad, at + ", " + std::to_string(one.iterations) + " iterations"));
+    Point normal =
+        point(one.condition, one.conj_grad,
+              at + (one.stopped ? ": stopped at " : ", ") + std::to_string(one.iterations) + " iterations");
+    if (one.stopped && !normal.failed) {
+      normal.failed = true;
+      normal.note += ", with an error of " + to_text(one.conj_grad);
+    }
+    figure.series[0].points.push_back(normal);
     figure.series[1].points.push_back(point(one.condition, one.cholesky, at));
     figure.series[2].points.push_back(point(one.condition, one.qr));
     figure.series[3].points.push_back(point(one.condition, one.pivoted_qr));
@@ -224,19 +90,19 @@ Section digits_section(const SolverStudy& study) {
   }
   figure.series.push_back(square);
   figure.series.push_back(linear);
-  return {"Normal equations, and the digits that they cost",
-          {"Systems of " + std::to_string(kDigitsUnknowns) +
-               " unknowns that are not symmetric, singular values from 1/c to 1. A'A x = A'b has the "
-               "condition number "
-               "c\u00B2: it loses two digits where QR, which works on A itself, loses one. Beyond c = 1e8, "
-               "the square root "
-               "of 1/u (u = 1.1e-16), A'A says nothing about x any more: Cholesky finds that it is not "
-               "positive definite, and "
-               "ConjGrad ends with an error as large as x.",
-           "Before that, ConjGrad on A'A runs out of iterations: it may take " +
-               std::to_string(study.most_iterations) + " of them here."},
-          {to_svg(figure)},
-          {table_of(study.digits, to_text)}};
+  Section section = {
+      "Normal equations, and the digits that they cost",
+      {"Systems of " + std::to_string(kDigitsUnknowns) +
+       " unknowns that are not symmetric, singular values from 1/c to 1. A'A x = A'b has the condition "
+       "number "
+       "c\u00B2: it should lose two digits where QR, which works on A itself, loses one. Beyond c = 1e8, the "
+       "square root of 1/u (u = 1.1e-16), A'A says nothing about x any more: Cholesky finds that it is not "
+       "positive definite, and ConjGrad ends with an error as large as x."},
+      {to_svg(figure)},
+      {table_of(study.digits, to_text)}};
+  if (const std::string stopped = stopped_verdict(study.digits); !stopped.empty())
+    section.paragraphs.push_back(stopped);
+  return section;
 }
 
 Section products_section(const SolverStudy& study) {

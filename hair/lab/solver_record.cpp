@@ -13,24 +13,17 @@ Json json_of(const std::optional<int>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
-Json json_of(const std::vector<History>& histories) {
-  Json all = Json::array();
-  for (const History& history : histories) {
-    Json progress = Json::array();
-    for (const Progress& one : history.progress)
-      progress.push_back({{"iterations", one.iterations},
-                          {"products", one.products},
-                          {"error", one.error},
-                          {"squared_residual", one.squared_residual},
-                          {"claimed", one.claimed},
-                          {"seconds", one.seconds > 0 ? Json(one.seconds) : Json(nullptr)}});
-    all.push_back({{"system", history.system},
-                   {"solver", history.solver},
-                   {"unknowns", history.n},
-                   {"condition", history.condition},
-                   {"progress", progress}});
-  }
-  return all;
+Json json_of(const std::string& family, const History& history) {
+  Json progress = Json::array();
+  for (const Progress& one : history.progress)
+    progress.push_back({{"iterations", one.iterations},
+                        {"products", one.products},
+                        {"error", one.error},
+                        {"squared_residual", one.squared_residual},
+                        {"claimed", one.claimed},
+                        {"seconds", one.seconds}});
+  return {{"family", family},      {"system", history.system},       {"solver", history.solver},
+          {"unknowns", history.n}, {"condition", history.condition}, {"progress", progress}};
 }
 
 Json json_of(const ProductCost::Way& way) {
@@ -40,25 +33,31 @@ Json json_of(const ProductCost::Way& way) {
 }  // namespace
 
 std::string solver_json(const SolverStudy& study, const std::string& machine, const std::string& left_out) {
-  std::vector<History> histories;
-  for (const std::vector<History>* some : {&study.conditions, &study.clusters, &study.strands})
-    histories.insert(histories.end(), some->begin(), some->end());
   Json json = {{"program", "hairlab solver"},
-               {"format", 1},
+               {"format", 2},
                {"quick", study.quick},
                {"machine", machine},
                {"seconds", study.cpu_seconds},
                {"left_out", left_out.empty() ? Json(nullptr) : Json(left_out)},
                {"most_iterations", study.most_iterations},
-               {"convergence", json_of(histories)},
-               {"time", json_of(study.timed)}};
-  for (const DirectSolve& one : study.direct)
-    json["direct"].push_back({{"system", one.system},
-                              {"solver", one.solver},
-                              {"error", one.error},
-                              {"squared_residual", one.squared_residual},
-                              {"factor_seconds", one.factor_seconds},
-                              {"solve_seconds", one.solve_seconds}});
+               {"convergence", Json::array()},
+               {"direct", Json::array()}};
+  const auto add = [&](const std::string& family, const std::vector<Compared>& systems) {
+    for (const Compared& on : systems) {
+      json["convergence"].push_back(json_of(family, on.conj_grad));
+      json["convergence"].push_back(json_of(family, on.eigen));
+      if (on.direct)
+        json["direct"].push_back({{"system", on.direct->system},
+                                  {"solver", on.direct->solver},
+                                  {"error", on.direct->error},
+                                  {"squared_residual", on.direct->squared_residual},
+                                  {"factor_seconds", on.direct->factor_seconds},
+                                  {"solve_seconds", on.direct->solve_seconds}});
+    }
+  };
+  add("condition numbers", study.conditions);
+  add("clusters", study.clusters);
+  add("strands", study.strands);
   for (const IterationsNeeded& one : study.needed)
     json["iterations"].push_back({{"condition", one.condition},
                                   {"conj_grad", json_of(one.conj_grad)},
@@ -71,6 +70,7 @@ std::string solver_json(const SolverStudy& study, const std::string& machine, co
     json["digits"].push_back({{"condition", one.condition},
                               {"conj_grad", one.conj_grad},
                               {"iterations", one.iterations},
+                              {"stopped", one.stopped},
                               {"cholesky", one.cholesky},
                               {"qr", one.qr},
                               {"pivoted_qr", one.pivoted_qr}});

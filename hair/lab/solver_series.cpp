@@ -48,9 +48,10 @@ Series series_of(const History& history, const std::string& name, Against agains
 Series bound_of(const History& history, const std::string& name, int look) {
   Series series = {name, {}, true, false, true, look};
   for (const Progress& progress : history.progress) {
-    const double bound = error_bound(history.condition, progress.iterations);
+    const int iterations = std::max(1, progress.iterations);
+    const double bound = error_bound(history.condition, iterations);
     if (bound < 1e-16) break;
-    series.points.push_back({static_cast<double>(progress.iterations), bound});
+    series.points.push_back({static_cast<double>(iterations), bound});
   }
   return series;
 }

@@ -21,23 +21,20 @@ double digits_left(double error) {
 
 }  // namespace
 
-Table table_of(const std::string& caption, const std::vector<History>& histories, Written written) {
-  const bool timed =
-      !histories.empty() && !histories[0].progress.empty() && histories[0].progress[0].seconds > 0;
-  Table table = {caption,
-                 {"system", "unknowns", "condition number", "solver", "iterations", "products",
-                  "error in the A-norm, relative", "squared residual, relative", "as the solver says"},
-                 {}};
-  if (timed) table.header.push_back("CPU time, s");
-  for (const History& history : histories)
-    for (const Progress& progress : history.progress) {
-      table.rows.push_back({history.system, std::to_string(history.n), written(history.condition),
-                            history.solver, std::to_string(progress.iterations),
-                            std::to_string(progress.products), written(progress.error),
-                            written(progress.squared_residual),
-                            std::isnan(progress.claimed) ? "" : written(progress.claimed)});
-      if (timed) table.rows.back().push_back(written(progress.seconds));
-    }
+Table table_of(const std::string& caption, const std::vector<Compared>& systems, Written written) {
+  Table table = {
+      caption,
+      {"system", "unknowns", "condition number", "solver", "iterations", "products",
+       "error in the A-norm, relative", "squared residual, relative", "as the solver says", "CPU time, s"},
+      {}};
+  for (const Compared& on : systems)
+    for (const History* history : {&on.conj_grad, &on.eigen})
+      for (const Progress& progress : history->progress)
+        table.rows.push_back(
+            {history->system, std::to_string(history->n), written(history->condition), history->solver,
+             std::to_string(progress.iterations), std::to_string(progress.products), written(progress.error),
+             written(progress.squared_residual),
+             std::isnan(progress.claimed) ? "" : written(progress.claimed), written(progress.seconds)});
   return table;
 }
 
@@ -54,7 +51,10 @@ Table table_of(const std::vector<DirectSolve>& direct, Written written) {
 
 Table table_of(const std::vector<IterationsNeeded>& needed, Written written) {
   Table table = {
-      "Iterations until the residual is 1e-8 of the right-hand side (empty: not reached)",
+      "Iterations until the residual is 1e-8 of the right-hand side (empty: not within the limit, or the "
+      "solver's "
+      "residual "
+      "or count is not true)",
       {"condition number", "ConjGrad", "Eigen's ConjugateGradient",
        "ConjGrad, " + std::to_string(kNeededClusters) + " clusters", "ConjGrad on A'A", "theory, at most"},
       {}};
@@ -66,16 +66,16 @@ Table table_of(const std::vector<IterationsNeeded>& needed, Written written) {
 
 Table table_of(const std::vector<DigitsLost>& digits, Written written) {
   Table table = {"Relative errors of x, and digits that are left of 16",
-                 {"condition number", "ConjGrad on A'A", "digits left", "iterations", "Cholesky of A'A",
-                  "digits left ", "QR of A", "digits left  ", "QR with pivots"},
+                 {"condition number", "ConjGrad on A'A", "digits left", "iterations", "stopped",
+                  "Cholesky of A'A", "digits left ", "QR of A", "digits left  ", "QR with pivots"},
                  {}};
   const auto left = [](double error) {
     return std::isfinite(error) ? to_text(std::round(10 * digits_left(error)) / 10) : "";
   };
   for (const DigitsLost& one : digits)
     table.rows.push_back({written(one.condition), written(one.conj_grad), left(one.conj_grad),
-                          std::to_string(one.iterations), written(one.cholesky), left(one.cholesky),
-                          written(one.qr), left(one.qr), written(one.pivoted_qr)});
+                          std::to_string(one.iterations), one.stopped ? "yes" : "", written(one.cholesky),
+                          left(one.cholesky), written(one.qr), left(one.qr), written(one.pivoted_qr)});
   return table;
 }
 
@@ -93,12 +93,15 @@ Table table_of(const std::vector<ProductCost>& products, Written written) {
 }
 
 std::vector<NamedTable> solver_tables(const SolverStudy& study) {
-  std::vector<History> histories;
-  for (const std::vector<History>* some : {&study.conditions, &study.clusters, &study.strands})
-    histories.insert(histories.end(), some->begin(), some->end());
-  std::vector<NamedTable> tables = {{"convergence.csv", table_of("", histories, to_exact_text)},
-                                    {"time.csv", table_of("", study.timed, to_exact_text)},
-                                    {"direct.csv", table_of(study.direct, to_exact_text)},
+  std::vector<Compared> all;
+  std::vector<DirectSolve> direct;
+  for (const std::vector<Compared>* family : {&study.conditions, &study.clusters, &study.strands})
+    for (const Compared& on : *family) {
+      all.push_back(on);
+      if (on.direct) direct.push_back(*on.direct);
+    }
+  std::vector<NamedTable> tables = {{"convergence.csv", table_of("", all, to_exact_text)},
+                                    {"direct.csv", table_of(direct, to_exact_text)},
                                     {"iterations.csv", table_of(study.needed, to_exact_text)},
                                     {"products.csv", table_of(study.products, to_exact_text)}};
   if (!study.digits.empty()) tables.push_back({"digits.csv", table_of(study.digits, to_exact_text)});

@@ -12,7 +12,7 @@ namespace hair {
 // How a number is written: to_text or to_exact_text.
 using Written = std::string (*)(double);
 
-Table table_of(const std::string& caption, const std::vector<solver::study::History>& histories,
+Table table_of(const std::string& caption, const std::vector<solver::study::Compared>& systems,
                Written written);
 Table table_of(const std::vector<solver::study::DirectSolve>& direct, Written written);
 Table table_of(const std::vector<solver::study::IterationsNeeded>& needed, Written written);

@@ -87,6 +87,8 @@ TEST(SolverTheory, QrLosesADigitWhereTheNormalEquationsLoseTwo) {
   EXPECT_NEAR(slope(low.cholesky, high.cholesky, 3), 2, tolerance);
   EXPECT_NEAR(slope(low.conj_grad, high.conj_grad, 3), 2, tolerance);
   EXPECT_TRUE(std::isnan(at(1e12).cholesky)) << "A'A is singular to rounding beyond a condition of 1e8";
+  EXPECT_FALSE(high.stopped) << high.iterations << " iterations";
+  EXPECT_TRUE(digits_lost(solve_normal_equations, 1e5, 1, high.iterations / 2).stopped);
 }
 
 TEST(SolverTheory, AQuickStudyNeedsNoMoreIterationsThanTheoryAllows) {
@@ -101,7 +103,10 @@ TEST(SolverTheory, AQuickStudyNeedsNoMoreIterationsThanTheoryAllows) {
     EXPECT_LE(one.clustered.value_or(1000), 2 * kNeededClusters) << one.condition;
     EXPECT_LE(one.normal_equations.value_or(0), needed_at_most(one.condition * one.condition));
   }
-  for (const DirectSolve& one : study->direct) EXPECT_LT(one.error, 1e-12) << one.system;
+  for (const Compared& on : study->strands) {
+    ASSERT_TRUE(on.direct);
+    EXPECT_LT(on.direct->error, 1e-12) << on.direct->system;
+  }
   EXPECT_EQ(study->digits.size(), 8);
 }
 

@@ -10,7 +10,11 @@ namespace solver::study {
 
 struct Timing {
   double least_seconds = 1e-4;  // of a repeat: shorter calls are made several times in one
-  int repeats = 5;
+  int repeats = 5;              // a third of them for calls of 10 least_seconds and more
+
+  int repeats_of(double call_seconds) const {
+    return call_seconds < 10 * least_seconds ? repeats : (repeats + 2) / 3;
+  }
 };
 
 inline double cpu_seconds() {
@@ -29,16 +33,21 @@ inline std::vector<double> median_seconds(const Timing& timing,
     return cpu_seconds() - start;
   };
   std::vector<long> times(calls.size(), 1);
-  for (std::size_t call = 0; call < calls.size(); ++call)
-    for (double taken = seconds(call, 1); taken < timing.least_seconds && times[call] < (1L << 30);
-         taken = seconds(call, times[call])) {
+  std::vector<int> repeats;
+  for (std::size_t call = 0; call < calls.size(); ++call) {
+    double taken = seconds(call, 1);
+    while (taken < timing.least_seconds && times[call] < (1L << 30)) {
       const double needed = taken > 0 ? static_cast<double>(times[call]) * timing.least_seconds / taken : 0;
       times[call] = std::max(2 * times[call], static_cast<long>(needed));
+      taken = seconds(call, times[call]);
     }
+    repeats.push_back(timing.repeats_of(taken / static_cast<double>(times[call])));
+  }
   std::vector<std::vector<double>> all(calls.size());
   for (int repeat = 0; repeat < timing.repeats; ++repeat)
     for (std::size_t call = 0; call < calls.size(); ++call)
-      all[call].push_back(seconds(call, times[call]) / static_cast<double>(times[call]));
+      if (repeat < repeats[call])
+        all[call].push_back(seconds(call, times[call]) / static_cast<double>(times[call]));
   std::vector<double> medians;
   for (std::vector<double>& one : all) {
     std::nth_element(one.begin(), one.begin() + one.size() / 2, one.end());

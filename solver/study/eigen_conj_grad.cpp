@@ -3,6 +3,9 @@
 #include <Eigen/Core>
 #include <Eigen/IterativeLinearSolvers>
 #include <Eigen/SparseCore>
+#include <algorithm>
+
+#include "solver/study/history.h"
 
 // Eigen's protocol for matrices that it only knows by their products ("Matrix-free solvers" in its
 // documentation).
@@ -54,15 +57,17 @@ struct Eigen::internal::generic_product_impl<Operator, X, Eigen::SparseShape, Ei
 namespace solver::study {
 
 void eigen_conj_grad(int n, implicitMatrix* A, double x[], double b[], double tolerance, int* steps) {
-  const Operator matrix(n, A);
+  CountingMatrix counting(*A);
+  const Operator matrix(n, &counting);
   Eigen::ConjugateGradient<Operator, Eigen::Lower | Eigen::Upper, Eigen::IdentityPreconditioner> solver(
       matrix);
   solver.setTolerance(tolerance);
   solver.setMaxIterations(*steps);
   const Eigen::Map<Eigen::VectorXd> right(b, n);
   Eigen::Map<Eigen::VectorXd>(x, n) = solver.solveWithGuess(right, right);
-  // Eigen does not count the iteration that converges.
-  *steps = static_cast<int>(solver.iterations()) + (solver.info() == Eigen::Success ? 1 : 0);
+  // By its products, one for the first residual and one each: Eigen says 0 both where none was needed and
+  // where the first one converged. With b = 0 it makes no product.
+  *steps = static_cast<int>(std::max(0L, counting.count() - 1));
 }
 
 }  // namespace solver::study

@@ -52,22 +52,21 @@ History history_of(const ConjGradFunction& solve, const std::string& name, const
   return history;
 }
 
-void time_in_turn(const System& system, const std::vector<TimedHistory>& all, const Timing& timing,
-                  const Watch& watch) {
+void time_in_turn(const System& system, const std::vector<TimedHistory>& histories,
+                  std::vector<TimedCall> calls, const Timing& timing, const Watch& watch) {
   Vector x(system.solution.size()), b = system.right_side;
-  std::vector<std::function<void()>> calls;
-  std::vector<Progress*> timed;
-  for (const TimedHistory& one : all)
-    for (Progress& progress : one.history->progress) {
-      calls.emplace_back([&, solve = one.solve, most = progress.asked] {
-        watch.look();
-        int steps = most;
-        (*solve)(system.n(), system.matrix.get(), x.data(), b.data(), 0, &steps);
-      });
-      timed.push_back(&progress);
-    }
-  const std::vector<double> seconds = median_seconds(timing, calls);
-  for (std::size_t i = 0; i < timed.size(); ++i) timed[i]->seconds = seconds[i];
+  for (const TimedHistory& one : histories)
+    for (Progress& progress : one.history->progress)
+      calls.push_back({[&, solve = one.solve, most = progress.asked] {
+                         watch.look();
+                         int steps = most;
+                         (*solve)(system.n(), system.matrix.get(), x.data(), b.data(), 0, &steps);
+                       },
+                       &progress.seconds});
+  std::vector<std::function<void()>> all;
+  for (const TimedCall& one : calls) all.push_back(one.call);
+  const std::vector<double> seconds = median_seconds(timing, all);
+  for (std::size_t i = 0; i < calls.size(); ++i) *calls[i].seconds = seconds[i];
 }
 
 double error_bound(double condition, int iterations) {

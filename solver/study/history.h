@@ -37,7 +37,7 @@ struct Progress {
   double error = 0;             // ||x - x*||_A / ||b - x*||_A: 1 at the first guess
   double squared_residual = 0;  // ||b - Ax||^2 / ||b||^2, computed from x
   double claimed = 0;           // the same as the solver returned it
-  double seconds = 0;           // 0 if it was not timed
+  double seconds = 0;           // of CPU time that so many iterations take
 };
 
 struct History {
@@ -52,14 +52,18 @@ struct History {
 History history_of(const ConjGradFunction& solve, const std::string& name, const System& system, int most,
                    const Watch& watch);
 
-// Sets the seconds of histories of one system, each by the solver beside it: all in turn, so that they can be
-// compared.
+// Sets the seconds of histories of one system, each by the solver beside it, and those of other calls: all in
+// turn, so that they can be compared.
 struct TimedHistory {
   const ConjGradFunction* solve;
   History* history;
 };
-void time_in_turn(const System& system, const std::vector<TimedHistory>& all, const Timing& timing,
-                  const Watch& watch);
+struct TimedCall {
+  std::function<void()> call;
+  double* seconds;
+};
+void time_in_turn(const System& system, const std::vector<TimedHistory>& histories,
+                  std::vector<TimedCall> calls, const Timing& timing, const Watch& watch);
 
 // What the error can be at most after so many iterations, without rounding: 2 ((sqrt(c) - 1) / (sqrt(c) +
 // 1))^m for the condition number c (Golub and Van Loan, "Matrix Computations", 4th edition, theorem 11.3.3).

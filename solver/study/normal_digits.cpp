@@ -84,8 +84,9 @@ DigitsLost digits_lost(const NormalEquationsFunction& solve, double condition, i
     qr.push_back(error(A.householderQr().solve(b)));
     pivoted_qr.push_back(error(A.colPivHouseholderQr().solve(b)));
   }
-  return {condition,        median(conj_grad), static_cast<int>(median(iterations)),
-          median(cholesky), median(qr),        median(pivoted_qr)};
+  const int taken = static_cast<int>(median(iterations));
+  return {condition,  median(conj_grad), taken, taken >= most_iterations, median(cholesky),
+          median(qr), median(pivoted_qr)};
 }
 
 }  // namespace solver::study

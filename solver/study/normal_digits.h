@@ -24,6 +24,7 @@ struct DigitsLost {
   double condition = 1;
   double conj_grad = 0;  // on A'A, by the function that is studied
   int iterations = 0;    // that it took
+  bool stopped = false;  // after all that it was given: no end, so that digits say nothing
   double cholesky = 0;   // of A'A as a table (Eigen's LLT)
   double qr = 0;         // of A: Householder (Eigen)
   double pivoted_qr = 0;

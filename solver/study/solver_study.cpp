@@ -52,13 +52,12 @@ class Study {
       : functions_(functions), watch_(watch), say_(say) {
     study_.quick = settings.quick;
     study_.most_iterations = settings.quick ? kMostIterationsQuick : kMostIterations;
-    timing_ = settings.quick ? Timing{2e-5, 3} : Timing{2e-4, 9};
+    timing_ = settings.quick ? Timing{2e-5, 3} : Timing{1e-4, 7};
   }
 
   SolverStudy run() {
     const double start = cpu_seconds();
     histories();
-    timed_histories();
     needed();
     if (functions_.normal_equations) digits();
     products();
@@ -67,41 +66,50 @@ class Study {
   }
 
  private:
-  History conj_grad_history(const System& system) {
-    return history_of(functions_.conj_grad, "ConjGrad", system, study_.most_iterations, watch_);
-  }
-
   void histories() {
-    say_("error against iterations");
+    say_("condition numbers");
     for (const double condition : {1e1, 1e2, 1e3, 1e4, 1e6}) {
       if (study_.quick && condition > 1e4) continue;
-      study_.conditions.push_back(conj_grad_history(spread_system(kUnknowns, condition)));
+      study_.conditions.push_back(compared(spread_system(kUnknowns, condition)));
     }
+    say_("clustered eigenvalues");
     for (const int clusters : {2, 5, 10, 20})
-      study_.clusters.push_back(
-          conj_grad_history(clustered_system(kUnknowns, kClusteredCondition, clusters)));
-    study_.clusters.push_back(conj_grad_history(spread_system(kUnknowns, kClusteredCondition)));
-    study_.clusters.back().system = std::to_string(kUnknowns) + " eigenvalues";
-    for (const double step : {1e-5, 1e-4, 1e-3, 1e-2})
-      study_.strands.push_back(conj_grad_history(strand_system(kSegments, step)));
-  }
-
-  void timed_histories() {
-    say_("error against time");
-    for (const double step : {1e-4, 1e-2}) {
-      const System system = strand_system(kSegments, step);
-      History ours = conj_grad_history(system);
-      const ConjGradFunction eigen = eigen_as_conj_grad;
-      History eigens = history_of(eigen, "Eigen's CG", system, study_.most_iterations, watch_);
-      time_in_turn(system, {{&functions_.conj_grad, &ours}, {&eigen, &eigens}}, timing_, watch_);
-      study_.timed.push_back(std::move(ours));
-      study_.timed.push_back(std::move(eigens));
-      study_.direct.push_back(cholesky(system, strand_matrix(kSegments, step)));
+      study_.clusters.push_back(compared(clustered_system(kUnknowns, kClusteredCondition, clusters)));
+    System spread = spread_system(kUnknowns, kClusteredCondition);
+    spread.name = std::to_string(kUnknowns) + " eigenvalues";
+    study_.clusters.push_back(compared(spread));
+    say_("a strand");
+    for (const double step : {1e-5, 1e-4, 1e-3, 1e-2}) {
+      const SparseMatrix matrix = strand_matrix(kSegments, step);
+      study_.strands.push_back(compared(strand_system(kSegments, step), &matrix));
     }
   }
 
-  DirectSolve cholesky(const System& system, const SparseMatrix& matrix) const {
-    BandedCholesky factored(matrix);
+  // `banded` is the system's matrix, if it has a band.
+  Compared compared(const System& system, const SparseMatrix* banded = nullptr) const {
+    const ConjGradFunction eigen = eigen_as_conj_grad;
+    Compared on = {history_of(functions_.conj_grad, "ConjGrad", system, study_.most_iterations, watch_),
+                   history_of(eigen, "Eigen's CG", system, study_.most_iterations, watch_),
+                   {}};
+    std::optional<BandedCholesky> factored;
+    Vector x;
+    std::vector<TimedCall> calls;
+    if (banded) {
+      factored.emplace(*banded);
+      on.direct = cholesky(system, *factored);
+      calls = {{[&] { factored->factor(); }, &on.direct->factor_seconds},
+               {[&] {
+                  x = system.right_side;  // the copy is part of it: the right-hand side is still needed
+                  factored->solve(x.data());
+                },
+                &on.direct->solve_seconds}};
+    }
+    time_in_turn(system, {{&functions_.conj_grad, &on.conj_grad}, {&eigen, &on.eigen}}, std::move(calls),
+                 timing_, watch_);
+    return on;
+  }
+
+  static DirectSolve cholesky(const System& system, const BandedCholesky& factored) {
     Vector x = system.right_side;
     factored.solve(x.data());
     DirectSolve direct = {system.name, "banded Cholesky"};
@@ -109,12 +117,6 @@ class Study {
                    energy_norm(*system.matrix, difference(system.right_side, system.solution));
     direct.squared_residual = squared_norm(difference(system.right_side, product(*system.matrix, x))) /
                               squared_norm(system.right_side);
-    direct.factor_seconds = median_seconds(timing_, [&] { factored.factor(); });
-    // The copy is part of it: the right-hand side is still needed.
-    direct.solve_seconds = median_seconds(timing_, [&] {
-      x = system.right_side;
-      factored.solve(x.data());
-    });
     return direct;
   }
 

@@ -54,14 +54,18 @@ std::optional<int> iterations_needed(const ConjGradFunction& solve, const System
 std::optional<int> normal_iterations_needed(const NormalEquationsFunction& solve, const System& system,
                                             int most);
 
+// What was done on one system, timed in turn.
+struct Compared {
+  History conj_grad, eigen;
+  std::optional<DirectSolve> direct;  // where the matrix has a band
+};
+
 struct SolverStudy {
   bool quick = false;
-  int most_iterations = 0;          // that any solver is given
-  std::vector<History> conditions;  // spread spectra of growing condition number
-  std::vector<History> clusters;    // one condition number, fewer and more different eigenvalues
-  std::vector<History> strands;     // ConjGrad on a strand, for several steps of time
-  std::vector<History> timed;       // ConjGrad and Eigen's, on a strand at a long and a short step
-  std::vector<DirectSolve> direct;  // on the same
+  int most_iterations = 0;           // that any solver is given
+  std::vector<Compared> conditions;  // spread spectra of growing condition number
+  std::vector<Compared> clusters;    // one condition number, fewer and more different eigenvalues
+  std::vector<Compared> strands;     // a strand, for several steps of time
   std::vector<IterationsNeeded> needed;
   std::vector<DigitsLost> digits;  // empty without normal equations
   std::vector<ProductCost> products;

@@ -34,10 +34,10 @@ struct Options {
 };
 
 const OutputKind& solver_output() {
-  static const OutputKind kind = {"solver.json",
-                                  kSolverRecordBegin,
-                                  {"index.html", "convergence.csv", "time.csv", "direct.csv",
-                                   "iterations.csv", "digits.csv", "products.csv"}};
+  static const OutputKind kind = {
+      "solver.json",
+      kSolverRecordBegin,
+      {"index.html", "convergence.csv", "direct.csv", "iterations.csv", "digits.csv", "products.csv"}};
   return kind;
 }
 

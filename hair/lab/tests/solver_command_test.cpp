@@ -23,16 +23,17 @@ TEST(HairlabSolver, WritesAPageNumbersAndTablesAndReplacesItsOwn) {
   }
   EXPECT_EQ(folder.names("out"),
             (std::vector<std::string>{"convergence.csv", "digits.csv", "direct.csv", "index.html",
-                                      "iterations.csv", "products.csv", "solver.json", "time.csv"}));
+                                      "iterations.csv", "products.csv", "solver.json"}));
   const Json json = Json::parse(read_bytes(folder / "out/solver.json"));
   EXPECT_EQ(json["program"], "hairlab solver");
   EXPECT_TRUE(json["left_out"].is_null());
   EXPECT_EQ(json["digits"].size(), 8);
   const std::string page = read_bytes(folder / "out/index.html");
-  for (const char* figure :
-       {"error-against-iterations", "squared-residual-against-iterations", "error-for-clusters",
-        "strand-error-against-products", "strand-error-against-time", "iterations-against-condition",
-        "error-against-condition", "product-cost"})
+  for (const char* figure : {"error-against-iterations", "squared-residual-against-iterations",
+                             "error-against-time", "error-for-clusters", "squared-residual-for-clusters",
+                             "error-for-clusters-against-time", "strand-error-against-products",
+                             "strand-squared-residual-against-iterations", "strand-error-against-time",
+                             "iterations-against-condition", "error-against-condition", "product-cost"})
     EXPECT_NE(page.find("id=\"" + std::string(figure) + "\""), std::string::npos) << figure;
 }
 

@@ -218,28 +218,86 @@ TEST(HistoryTest, TimesWhatWasAskedFor) {
     return 0.0;
   };
   History history = history_of(watched, "lazy", system, 3, {});
-  time_in_turn(system, {{&watched, &history}}, {0, 1}, {});
+  time_in_turn(system, {{&watched, &history}}, {}, {0, 1}, {});
   EXPECT_EQ(smallest, 1);
 
   const std::atomic<bool> interrupted = true;
-  EXPECT_THROW(time_in_turn(system, {{&watched, &history}}, {0, 1}, {&interrupted}), Interrupted);
+  EXPECT_THROW(time_in_turn(system, {{&watched, &history}}, {}, {0, 1}, {&interrupted}), Interrupted);
 }
 
-TEST(SolverStudyTest, StubsAreNamed) {
-  const std::atomic<bool> interrupted = false;
-  const auto hush = [](const std::string&) {};
-  const auto no_conj_grad = [](int, implicitMatrix*, double[], double[], double, int*) -> double {
-    throw NotImplemented("S1 ConjGrad");
+// What is compared is timed side by side: a machine that slows down for a while slows down all of it.
+TEST(HistoryTest, OtherCallsAreTimedInTurnWithTheIterations) {
+  const System system = spread_system(10, 10);
+  std::string order;
+  const ConjGradFunction solve = [&](int, implicitMatrix*, double[], double[], double, int* steps) {
+    order += std::to_string(*steps);
+    return 0.0;
   };
-  EXPECT_THROW(study_solvers({no_conj_grad, {}}, {true}, interrupted, hush), NotImplemented);
+  History history;
+  history.progress.resize(2);
+  history.progress[0].asked = 1;
+  history.progress[1].asked = 2;
+  double seconds = -1;
+  time_in_turn(system, {{&solve, &history}}, {{[&] { order += "D"; }, &seconds}}, {0, 9}, {});
+  EXPECT_EQ(order, "D12D12D12D12") << "the first warm up, and long calls are repeated less";
+  EXPECT_GE(seconds, 0);
+}
+
+TEST(EigenConjGradTest, CountsIterationsFromNone) {
+  const auto steps = [](double first, double second, Vector b) {
+    SparseMatrix A(2, 2, {{0, 0, first}, {1, 1, second}});
+    Vector x(2);
+    int taken = 10;
+    eigen_conj_grad(2, &A, x.data(), b.data(), 1e-8, &taken);
+    return taken;
+  };
+  EXPECT_EQ(steps(1, 1, {3, 4}), 0) << "the first guess is the solution";
+  EXPECT_EQ(steps(2, 2, {3, 4}), 1);
+  EXPECT_EQ(steps(1, 2, {3, 4}), 1) << "the first residual is an eigenvector";
+  EXPECT_EQ(steps(4, 2, {3, 4}), 2);
+  EXPECT_EQ(steps(4, 2, {0, 0}), 0);
+}
+
+// So that a study is short.
+double does_nothing(int n, implicitMatrix*, double x[], double b[], double, int* steps) {
+  std::copy(b, b + n, x);
+  *steps = 0;
+  return 0;
+}
+
+TEST(SolverStudyTest, WithoutNormalEquationsAllFamiliesAreMeasuredAndTimedBesideOthers) {
+  const std::atomic<bool> interrupted = false;
   const auto no_normal = [](int, int, implicitMatrix*, implicitMatrix*, double[], double[], double,
                             int*) -> double { throw NotImplemented("S2 solve_normal_equations"); };
-  const auto study = study_solvers({eigen, no_normal}, {true}, interrupted, hush);
+  const auto study = study_solvers({does_nothing, no_normal}, {true}, interrupted, [](const std::string&) {});
   ASSERT_TRUE(study);
   ASSERT_TRUE(study->not_written);
   EXPECT_STREQ(study->not_written->what(), "S2 solve_normal_equations is not implemented yet");
   EXPECT_TRUE(study->digits.empty());
   EXPECT_FALSE(study->products.empty());
+  for (const std::vector<Compared>* family : {&study->conditions, &study->clusters, &study->strands}) {
+    EXPECT_GE(family->size(), 4);
+    for (const Compared& on : *family) {
+      EXPECT_EQ(on.direct.has_value(), family == &study->strands) << "full matrices have no band";
+      EXPECT_EQ(on.conj_grad.system, on.eigen.system);
+      for (const History* history : {&on.conj_grad, &on.eigen})
+        for (const Progress& one : history->progress)
+          EXPECT_GT(one.seconds, 0) << history->system << ", " << history->solver;
+      if (on.direct) {
+        EXPECT_GT(on.direct->factor_seconds, 0);
+        EXPECT_GT(on.direct->solve_seconds, 0);
+      }
+    }
+  }
+}
+
+TEST(SolverStudyTest, AStubOfConjGradEndsIt) {
+  const std::atomic<bool> interrupted = false;
+  const auto no_conj_grad = [](int, implicitMatrix*, double[], double[], double, int*) -> double {
+    throw NotImplemented("S1 ConjGrad");
+  };
+  EXPECT_THROW(study_solvers({no_conj_grad, {}}, {true}, interrupted, [](const std::string&) {}),
+               NotImplemented);
 }
 
 }  // namespace
