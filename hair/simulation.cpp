@@ -102,7 +102,8 @@ Simulation::Simulation(Description description)
     add_forces(description, start, moving);
     most = std::max(most, moving.strand.count());
   }
-  scratch_.resize(3 * most, method_.scratch);
+  // An exercise that reads what it should not moves hair the same way each time all the same.
+  scratch_.setZero(3 * most, method_.scratch);
   if (!obstacles_.empty()) x_before_.resize(3 * most);
 }
 
@@ -171,6 +172,7 @@ void Simulation::restart(const Description& description) {
   }
   options_.h = description.step;
   obstacles_ = description.obstacles;
+  scratch_.setZero();
   steps_ = 0;
   work_ = {};
   blow_up_.reset();

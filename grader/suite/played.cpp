@@ -16,10 +16,8 @@ Played play_elsewhere(Trial& trial, const std::string& text, const hair::Scene& 
   for (const hair::Toy& toy : scene.toys) size += static_cast<std::size_t>(toy.start.x.size());
   Played played;
   played.trouble = reply.get_text();
-  for (std::int64_t* steps : {&played.solver_steps, &played.correction_steps}) {
+  for (std::int64_t* steps : {&played.solver_steps, &played.correction_steps})
     *steps = reply.get<std::int64_t>();
-    if (*steps < 0) throw MalformedMessage("less than no steps");
-  }
   const auto frames = reply.get<std::uint64_t>();
   if (frames > static_cast<std::uint64_t>(scene.frames) + 1) throw MalformedMessage("too many frames");
   for (std::uint64_t i = 0; i < frames; ++i) {

@@ -16,7 +16,7 @@ struct Played {
   std::vector<particles::State> frames;  // the first is the start; at most those of the scene
   std::string trouble;                   // empty, or where it broke
 
-  // What it says that it took, none of it negative.
+  // What it says that it took.
   std::int64_t solver_steps = 0;      // of ConjGrad
   std::int64_t correction_steps = 0;  // of the length correction
 };

@@ -59,6 +59,7 @@ class Playback::Parts {
     particles::require(scene.toys.size() == toys_.size(), "the toys of a scene that starts anew",
                        static_cast<double>(scene.toys.size()), std::to_string(toys_.size()));
     if (simulation_) simulation_->restart(scene.hair);
+    scratch_.setZero();
     for (MovingToy& toy : toys_) {
       toy.state = toy.toy.start;
       toy.solves = {};
@@ -143,7 +144,7 @@ class Playback::Parts {
       rows = std::max(rows, moving.state.x.size());
       columns = std::max(columns, toy_steps_.back().scratch);
     }
-    scratch_.resize(rows, columns);
+    scratch_.setZero(rows, columns);
   }
 
   void step() {
