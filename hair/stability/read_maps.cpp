@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <limits>
 
 #include "hair/files/bad_input.h"
@@ -40,6 +41,8 @@ StabilityMap read_map(const JsonValue& json) {
   map.grid = {read_cells(json["rows"], map), json["runs"].whole_number(1, kMostRuns), true};
   map.boundary = boundary_of(map.grid, map.hs);
   for (const JsonValue& limit : json["limits"].items()) {
+    limit.check_keys({"name", "of_run", "h", "columns_compared", "median_cells", "worst_cells",
+                      "median_relative", "columns_beyond", "beyond_cells"});
     map.limits.push_back({limit["name"].text(), read_numbers(limit["h"]), limit["of_run"].boolean()});
     if (map.limits.back().h.size() != map.xs.size()) limit.fail("is not of as many columns as the map");
     map.distances.push_back(distance_of(map.boundary, map.limits.back().h, map.hs));
@@ -64,7 +67,12 @@ std::vector<StabilityMap> read_maps(const std::filesystem::path& file, const std
   for (const JsonValue& map : JsonValue(record, file)["maps"].items()) {
     map.check_keys(
         {"method", "alike", "sweep", "runs", "steps", "x", "h", "rows", "boundary", "limits", "cpu_seconds"});
-    maps.push_back(read_map(map));
+    StabilityMap one = read_map(map);
+    if (std::any_of(maps.begin(), maps.end(), [&](const StabilityMap& other) {
+          return other.method.id == one.method.id && other.sweep == one.sweep;
+        }))
+      map.fail("is there twice; leave out --resume to make all maps anew");
+    maps.push_back(std::move(one));
   }
   return maps;
 }

@@ -100,9 +100,27 @@ MethodRun read_run(const JsonValue& json) {
                 json["iterations"].whole_number(0, kMostCount),
                 json["corrections"].whole_number(0, kMostCount),
                 json["unconverged"].whole_number(0, kMostCount)};
-  if (run.ending == RunEnding::finished) run.errors = read_errors(json["errors"]);
+  if (run.ending == RunEnding::finished) {
+    if (!json.has("errors")) json.fail("\"errors\" is missing; a run that finished has some");
+    run.errors = read_errors(json["errors"]);
+  }
   for (const JsonValue& seconds : json["seconds"].items()) run.seconds.push_back(seconds.number(0, kMost));
+  if (run.seconds.empty()) json["seconds"].fail("is empty; a run has the time of each repeat");
   return run;
+}
+
+// Each of half the step before.
+std::vector<MethodRun> read_sweep(const JsonValue& json) {
+  std::vector<MethodRun> runs;
+  for (const JsonValue& one : json.items()) {
+    MethodRun run = read_run(one);
+    if (!runs.empty() && run.steps_per_moment != 2L * runs.back().steps_per_moment)
+      one["steps_per_moment"].fail(std::to_string(run.steps_per_moment) +
+                                   " is not right; it is twice that of the run before, " +
+                                   std::to_string(2L * runs.back().steps_per_moment));
+    runs.push_back(std::move(run));
+  }
+  return runs;
 }
 
 // All but the runs, which are written a line each.
@@ -216,7 +234,7 @@ void read_runs(const std::filesystem::path& file, Study& study) {
   const std::vector<JsonValue> methods = JsonValue(record, file)["methods"].items();
   for (std::size_t i = 0; i < methods.size(); ++i) {
     methods[i].check_keys({"id", "name", "order", "explicit", "end", "left_out", "runs"});
-    for (const JsonValue& run : methods[i]["runs"].items()) study.sweeps[i].runs.push_back(read_run(run));
+    study.sweeps[i].runs = read_sweep(methods[i]["runs"]);
   }
 }
 

@@ -81,6 +81,14 @@ TEST_F(StabilityCommand, ResumedKeepsTheMapsThatAreFinishedAndMakesTheOthers) {
   spoiled["maps"][3]["rows"][5] = "0123";
   folder_.write("out/stability.json", spoiled.dump(2));
   expect_refused(stability({"--resume"}), 2, "maps[3].rows: are not as many cells");
+  spoiled = whole;
+  spoiled["maps"][3] = whole["maps"][2];
+  folder_.write("out/stability.json", spoiled.dump(2));
+  expect_refused(stability({"--resume"}), 2, "maps[3]: is there twice; ");
+  spoiled = whole;
+  spoiled["maps"][3]["limits"][0].erase("name");
+  folder_.write("out/stability.json", spoiled.dump(2));
+  expect_refused(stability({"--resume"}), 2, "maps[3].limits[0]: \"name\" is missing");
 }
 
 // Whole it takes 20 seconds.

@@ -189,5 +189,35 @@ TEST_F(StudyRecord, OfSomethingElseIsRefusedAndSaysWhatDiffers) {
   EXPECT_NE(why_refused(folder_ / "none.json", all.empty()), "");
 }
 
+TEST_F(StudyRecord, OfRunsThatNoStudyWritesIsRefused) {
+  const Studied all = studied(kSoftHair, 0.1, {"runge-kutta-4"}, 1e5);
+  const Json whole = Json::parse(hair::study_json(all.whole()));
+  const Json runs = whole["methods"][0]["runs"];
+  ASSERT_GE(runs.size(), 3u);
+  const auto expect_refused = [&](const Json& spoiled, const std::string& part) {
+    Json record = whole;
+    record["methods"][0]["runs"] = spoiled;
+    hair::write_file(folder_ / "study.json", record.dump());
+    const std::string why = why_refused(folder_ / "study.json", all.empty());
+    EXPECT_NE(why.find(part), std::string::npos) << "says \"" << why << "\", not \"" << part << "\"";
+  };
+  Json spoiled = runs;
+  spoiled[1]["seconds"] = Json::array();
+  expect_refused(spoiled, "methods[0].runs[1].seconds: is empty");
+  spoiled[1]["seconds"] = {1e-3, -1e-3};
+  expect_refused(spoiled, "methods[0].runs[1].seconds[1]: -0.001 is not right");
+  spoiled = runs;
+  for (const Json& run : runs) spoiled.push_back(run);
+  const std::string behind = std::to_string(runs.size());
+  expect_refused(spoiled, "methods[0].runs[" + behind +
+                              "].steps_per_moment: 2 is not right; it is twice that of the run before, ");
+  spoiled = runs;
+  spoiled.erase(1);
+  expect_refused(spoiled, "methods[0].runs[1].steps_per_moment: ");
+  spoiled = runs;
+  spoiled.back().erase("errors");
+  expect_refused(spoiled, "methods[0].runs[" + std::to_string(runs.size() - 1) + "]: \"errors\" is missing");
+}
+
 }  // namespace
 }  // namespace reference_tests
