@@ -59,11 +59,12 @@ void check_replaceable(const fs::path& folder, const OutputKind& kind) {
   if (error) refuse(folder, "can't be read (" + error.message() + "); give another folder");
   if (entries == fs::directory_iterator()) return;
   if (!begins_with(folder / kind.record, kind.begin))
-    refuse(folder, "is not empty, and not from hairlab; give an empty folder, or one that is not there yet");
+    refuse(folder, "is not empty, and not from " + std::string(kind.command) +
+                       "; give an empty folder, or one that is not there yet");
   for (const fs::directory_entry& entry : entries)
     if (!is_of(kind, entry.path().filename().string()))
-      refuse(folder, "holds " + printable(entry.path().filename().string()) +
-                         ", which is not from hairlab; move it away, or give another folder");
+      refuse(folder, "holds " + printable(entry.path().filename().string()) + ", which is not from " +
+                         std::string(kind.command) + "; move it away, or give another folder");
 }
 
 // What runs into this folder left behind that could not clean up: killed, or out of power.
@@ -83,7 +84,8 @@ void remove_remains(const fs::path& folder) {
 }  // namespace
 
 const OutputKind& run_output() {
-  static const OutputKind kind{"run.json", kRunRecordBegin, {"film.mp4", "states.bin", "states.csv"}, true};
+  static const OutputKind kind{
+      "hairlab run", "run.json", kRunRecordBegin, {"film.mp4", "states.bin", "states.csv"}, true};
   return kind;
 }
 
@@ -96,19 +98,35 @@ OutputFolder::OutputFolder(const fs::path& folder, const OutputKind& kind) : kin
   if (folder_ == folder_.root_path()) refuse(folder, "is the root of all files; give a folder of its own");
   check_replaceable(folder_, kind_);
 
+  for (fs::path above = folder_.parent_path(); !fs::exists(above, error); above = above.parent_path())
+    above_.push_back(above);
   fs::create_directories(folder_.parent_path(), error);
-  if (error) cannot_make(folder_, error);
-  remove_remains(folder_);
+  if (!error) remove_remains(folder_);
   const fs::path temporary = folder_.parent_path() / (kTemporary.data() + folder_.filename().string() + "-" +
                                                       std::to_string(getpid()));
-  fs::create_directory(temporary, error);
-  if (error) cannot_make(folder_, error);
+  if (!error) fs::create_directory(temporary, error);
+  if (error) {
+    clean_up();
+    cannot_make(folder_, error);
+  }
   temporary_ = temporary;
 }
 
 OutputFolder::~OutputFolder() {
+  clean_up();
+}
+
+void OutputFolder::clean_up() const {
   std::error_code ignored;
   if (!temporary_.empty()) fs::remove_all(temporary_, ignored);
+  for (const fs::path& above : above_) rmdir(above.c_str());  // no more than an empty folder
+}
+
+fs::path OutputFolder::earlier_record() const {
+  std::error_code ignored;
+  if (!fs::exists(then(std::string(kind_.record)), ignored))
+    refuse(folder_, "there is no earlier study; leave out --resume");
+  return then(std::string(kind_.record));
 }
 
 void OutputFolder::keep() {

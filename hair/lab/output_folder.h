@@ -1,4 +1,5 @@
-// A folder that appears whole, or not at all. Until then what is in it lies in a hidden folder beside it.
+// A folder that appears whole, or not at all. Until then what is in it lies in a hidden folder beside it; the folders
+// above it are made, and go again if they are empty at the end.
 #pragma once
 
 #include <filesystem>
@@ -10,6 +11,7 @@ namespace hair {
 
 // What a command writes into a folder, and knows it by: its own earlier output it replaces, and nothing else.
 struct OutputKind {
+  std::string_view command;             // "hairlab run"
   std::string_view record;              // "run.json": is always there
   std::string_view begin;               // how that file begins
   std::vector<std::string_view> files;  // beside it
@@ -31,12 +33,18 @@ class OutputFolder {
   std::filesystem::path then(const std::string& name) const { return folder_ / name; }    // where it will be
   const std::filesystem::path& path() const { return folder_; }
 
+  // The record of the study that is there, to go on from. Throws BadInput if there is none.
+  std::filesystem::path earlier_record() const;
+
   // Puts it in its place. Throws BadInput; what was there before then stays.
   void keep();
 
  private:
+  void clean_up() const;
+
   OutputKind kind_;
   std::filesystem::path folder_, temporary_;
+  std::vector<std::filesystem::path> above_;  // those that were not there, the innermost first
 };
 
 // "frame-0007.png"

@@ -164,12 +164,14 @@ Json head_of(const Study& study) {
 }
 
 // What must be the same, for runs to go on from: everything that the record says but the runs themselves, how
-// long the reference took, and whether it is finished.
-nlohmann::json identity(nlohmann::json same) {
+// long the reference took, and whether it is finished; and what follows from the reference, if that is known.
+nlohmann::json identity(nlohmann::json same, bool has_reference) {
   same.erase("finished");
   same.erase("space_error");
   same["reference"].erase("seconds");
   same["reference"].erase("from_cache");
+  if (!has_reference)
+    for (const char* key : {"reference", "floors", "particles"}) same.erase(key);
   for (nlohmann::json& method : same["methods"])
     if (method.is_object())
       for (const char* key : {"end", "left_out", "runs"}) method.erase(key);
@@ -223,7 +225,9 @@ void read_runs(const std::filesystem::path& file, Study& study) {
       !record.contains("methods") || !record["methods"].is_array() || !record.contains("reference") ||
       !record["reference"].is_object())
     throw BadInput(name + ": is not from hairlab study; give the --out of an earlier study");
-  const nlohmann::json now = identity(head_of(study)), before = identity(record);
+  const bool has_reference = !study.reference.empty();
+  const nlohmann::json now = identity(head_of(study), has_reference),
+                       before = identity(record, has_reference);
   if (!before.contains("program_digest") || before["program_digest"] != now["program_digest"])
     throw BadInput(name +
                    ": can't be resumed: the program is another than the one that began this study; "

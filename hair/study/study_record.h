@@ -29,7 +29,7 @@ std::string study_json(const Study& study);
 
 // The sweeps of a study that was written before, for one that would be the same: `study` has no runs yet.
 // Throws BadInput for a file that is none, and for a study of something else, from elsewhere, or by another program: it
-// names what differs.
+// names what differs. Before the reference is known, that and what follows from it are not compared.
 void read_runs(const std::filesystem::path& file, Study& study);
 
 Table table_of_runs(const Study& study);  // all of them; for the CSV

@@ -102,18 +102,23 @@ std::optional<int> next_steps(Sweep& sweep, const Errors& floors, int first, dou
   return 2 * sweep.runs.back().steps_per_moment;
 }
 
-Study prepare_study(const Problem& problem, const AccurateMotion& motion,
-                    const std::vector<StudyMethod>& methods, const StudySettings& settings) {
+Study prepare_study(const Problem& problem, const std::vector<StudyMethod>& methods,
+                    const StudySettings& settings) {
   Study study;
   study.scene = problem.scene.name;
   study.shows = problem.scene.shows;
   study.duration = problem.duration;
-  study.particles = static_cast<int>(motion.states.at(0).x.size() / 3);
   study.size = size_of(problem);
   study.content = content_of(problem);
   study.tolerance = problem.scene.hair.tolerance;
   study.most_work = settings.most_work;
   study.machine = this_machine();
+  for (const StudyMethod& method : methods) study.sweeps.emplace_back().method = method;
+  return study;
+}
+
+void set_reference(const Problem& problem, const AccurateMotion& motion, Study& study) {
+  study.particles = static_cast<int>(motion.states.at(0).x.size() / 3);
   study.reference = motion.method;
   study.agreement = motion.agreement;
   study.least_error = motion.least_error();
@@ -121,8 +126,6 @@ Study prepare_study(const Problem& problem, const AccurateMotion& motion,
   study.from_cache = motion.from_cache;
   study.reference_seconds = motion.cpu_seconds;
   study.floors = floors(problem, study.least_error);
-  for (const StudyMethod& method : methods) study.sweeps.emplace_back().method = method;
-  return study;
 }
 
 bool finish_study(const Problem& problem, const AccurateMotion& motion, const StudySettings& settings,

@@ -21,9 +21,12 @@ struct StudySettings {
   std::function<void(const std::string&)> progress = {};
 };
 
-// A study without runs. Its reference is `motion`.
-Study prepare_study(const Problem& problem, const AccurateMotion& motion,
-                    const std::vector<StudyMethod>& methods, const StudySettings& settings);
+// A study without runs, and without a reference yet.
+Study prepare_study(const Problem& problem, const std::vector<StudyMethod>& methods,
+                    const StudySettings& settings);
+
+// Makes `motion` its reference.
+void set_reference(const Problem& problem, const AccurateMotion& motion, Study& study);
 
 // All runs that are still missing, coarse steps of all methods first: those that the study has are kept.
 // False if interrupted: the study has what is finished. Of a method whose exercise is not written it says so.

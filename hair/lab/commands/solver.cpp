@@ -35,6 +35,7 @@ struct Options {
 
 const OutputKind& solver_output() {
   static const OutputKind kind = {
+      "hairlab solver",
       "solver.json",
       kSolverRecordBegin,
       {"index.html", "convergence.csv", "direct.csv", "iterations.csv", "digits.csv", "products.csv"}};

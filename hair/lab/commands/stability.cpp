@@ -25,7 +25,8 @@ struct Options {
 };
 
 const OutputKind& stability_output() {
-  static const OutputKind kind{"stability.json",
+  static const OutputKind kind{"hairlab stability",
+                               "stability.json",
                                kStabilityBegin,
                                {"index.html", "boundaries.csv", "curves.csv", "extremes.csv"},
                                false};
@@ -48,8 +49,7 @@ int run(const Options& options) {
   const std::atomic<bool>& interrupted =
       catch_interruption("\nhairlab: stopping, what is finished is kept; once more ends at once\n");
   OutputFolder folder(options.out, stability_output());
-  if (options.resume)
-    settings.finished = read_maps(folder.then("stability.json"), identity_of(scene, settings));
+  if (options.resume) settings.finished = read_maps(folder.earlier_record(), identity_of(scene, settings));
   const bool terminal = isatty(STDERR_FILENO) != 0;
   StabilityReport report = study_stability(scene, settings, interrupted, [&](const std::string& what) {
     if (terminal) std::cerr << "\r\x1b[K" << what << std::flush;

@@ -41,7 +41,7 @@ struct Options {
 };
 
 const OutputKind& study_output() {
-  static const OutputKind kind{"study.json", kStudyRecordBegin, {"study.csv", "index.html"}};
+  static const OutputKind kind{"hairlab study", "study.json", kStudyRecordBegin, {"study.csv", "index.html"}};
   return kind;
 }
 
@@ -128,8 +128,18 @@ int run(const Options& options) {
   const std::atomic<bool>& interrupted =
       catch_interruption("\nhairlab: keeping what is finished; once more ends at once\n");
   std::optional<OutputFolder> folder(std::in_place, options.out, study_output());
-  const Progress progress;
 
+  StudySettings settings;
+  settings.most_work = options.quick ? kMostQuickWork : kMostWork;
+  if (options.quick) settings.repeats.enough = kEnoughQuick;
+  Study study = prepare_study(problem, methods, settings);
+  study.quick = options.quick;
+  study.strand = options.strand;
+  study.program_digest = program_digest();
+  // What can't be resumed is refused at once, not after the accurate motion, which takes long.
+  if (options.resume) read_runs(folder->earlier_record(), study);
+
+  const Progress progress;
   progress.say("the accurate motion");
   const std::optional<AccurateMotion> motion =
       accurate_motion(problem, {kTightest, cache_folder(options)}, interrupted);
@@ -139,14 +149,8 @@ int run(const Options& options) {
     return kInterrupted;
   }
 
-  StudySettings settings;
-  settings.most_work = options.quick ? kMostQuickWork : kMostWork;
-  if (options.quick) settings.repeats.enough = kEnoughQuick;
-  Study study = prepare_study(problem, *motion, methods, settings);
-  study.quick = options.quick;
-  study.strand = options.strand;
-  study.program_digest = program_digest();
-  if (options.resume) read_runs(folder->then("study.json"), study);
+  set_reference(problem, *motion, study);
+  if (options.resume) read_runs(folder->earlier_record(), study);
 
   // A run that never ends, in an exercise, loses no more than what came within a second before it.
   auto kept = Clock::now() - kKeptEvery;

@@ -65,7 +65,8 @@ ValidationRecord run_one(const Validation& one, const ValidationSettings& settin
 }
 
 const OutputKind& validate_output() {
-  static const OutputKind kind{"validate.json", kValidationJsonBegin, {"index.html", "validate.csv"}};
+  static const OutputKind kind{
+      "hairlab validate", "validate.json", kValidationJsonBegin, {"index.html", "validate.csv"}};
   return kind;
 }
 

@@ -142,11 +142,37 @@ TEST_F(HairlabStudy, BadInputIsRefusedInOneLine) {
   expect_refused(study({"--methods", "leapfrog"}), 2,
                  "--methods: there is no leapfrog for this scene; there are forward-euler, ");
   expect_refused(study({"--strand", "1"}), 2, "there is no strand 1");
-  expect_refused(study({"--resume"}), 2, "study.json");
-  const fs::path mine = folder_.write("mine.txt", "");
+  const std::string mine = folder_.write("mine.txt", "");
   expect_refused(run_hairlab({"study", "strand-swing", "--out", folder_.path().string()}), 2,
-                 "is not empty, and not from hairlab");
+                 "is not empty, and not from hairlab study; ");
   EXPECT_FALSE(fs::exists(out_));
+}
+
+// Before the accurate motion is computed, which would be kept in the cache.
+TEST_F(HairlabStudy, WhatCanNotBeResumedIsRefusedAtOnce) {
+  const fs::path deep = folder_ / "q/r/s";
+  expect_refused(run_hairlab({"study", "strand-swing", "--out", deep.string(), "--resume"}), 2,
+                 deep.string() + ": there is no earlier study; leave out --resume\n");
+  EXPECT_TRUE(folder_.names().empty());
+
+  const auto expect_at_once = [&](const std::vector<std::string>& arguments, const std::string& part) {
+    expect_refused(study(arguments), 2, part);
+    EXPECT_FALSE(fs::exists(folder_ / "cache")) << part;
+  };
+  fs::create_directory(out_);
+  expect_at_once({"--resume"}, ": there is no earlier study; leave out --resume\n");
+  folder_.write("out/study.json", "{\n  \"program\": \"hairlab study\"!");
+  expect_at_once({"--resume"}, "study.json: line 2, column 29: not JSON");
+
+  fs::remove_all(out_);
+  ASSERT_EQ(study(kFew).code, 0);
+  fs::remove_all(folder_ / "cache");
+  expect_at_once({"--resume", "--methods", "h6"}, "is another study, and can't be resumed: its \"methods\"");
+  Json spoiled = record();
+  spoiled["methods"][0]["runs"][0]["seconds"] = Json::array();
+  spoiled.erase("program");  // which is to come first
+  folder_.write("out/study.json", "{\n  \"program\": \"hairlab study\"," + spoiled.dump().substr(1));
+  expect_at_once({"--resume", "--methods", kFew[1]}, "seconds: is empty");
 }
 
 TEST_F(HairlabStudy, NamesTheExerciseThatAStubIsOf) {

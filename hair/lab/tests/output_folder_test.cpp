@@ -42,6 +42,21 @@ TEST(OutputFolderTest, IsThereWholeOrNotAtAll) {
   EXPECT_EQ(test.names(), std::vector<std::string>{"out"});
 }
 
+TEST(OutputFolderTest, LeavesNoFoldersAboveItThatItMadeInVain) {
+  const TestFolder test;
+  { const OutputFolder dropped(test / "q/r/s"); }
+  EXPECT_TRUE(test.names().empty());
+  {
+    const OutputFolder dropped(test / "q/r/s");
+    test.write("q/notes.txt", "mine");
+  }
+  EXPECT_EQ(test.names("q"), std::vector<std::string>{"notes.txt"});
+  EXPECT_NE(why_refused(test / "a/b" / std::string(300, 'x')).find("can't be made"), std::string::npos);
+  EXPECT_EQ(test.names(), std::vector<std::string>{"q"});
+  write_run(test / "q/r/s", "1");
+  EXPECT_TRUE(fs::exists(test / "q/r/s/run.json"));
+}
+
 TEST(OutputFolderTest, ReplacesAnEarlierRunOnlyAtTheEnd) {
   const TestFolder test;
   write_run(test / "out", "1");
@@ -67,14 +82,16 @@ TEST(OutputFolderTest, ReplacesNothingElse) {
 
   fs::create_directory(test / "mine");
   test.write("mine/notes.txt", "mine");
-  EXPECT_NE(why_refused(test / "mine").find("not from hairlab"), std::string::npos);
+  EXPECT_NE(why_refused(test / "mine").find("not from hairlab run; "), std::string::npos);
   test.write("mine/run.json", "{\"program\": \"another\"}");
   EXPECT_NE(why_refused(test / "mine"), "");
 
   write_run(test / "out", "1");
   for (const std::string name : {"notes.txt", "frame-.png", "frame-1a.png", "frame-0001.png.txt"}) {
     test.write("out/" + name, "mine");
-    EXPECT_NE(why_refused(test / "out").find(name), std::string::npos) << name;
+    EXPECT_NE(why_refused(test / "out").find("holds " + name + ", which is not from hairlab run; "),
+              std::string::npos)
+        << name;
     fs::remove(test / ("out/" + name));
   }
   EXPECT_EQ(why_refused(test / "out"), "");

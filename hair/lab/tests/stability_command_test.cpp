@@ -112,7 +112,10 @@ TEST_F(StabilityCommand, InterruptedKeepsWhatIsFinished) {
 }
 
 TEST_F(StabilityCommand, BadInputIsRefusedInOneLineAndNothingIsWritten) {
-  expect_refused(stability({"--resume"}), 2, "stability.json");
+  const std::filesystem::path deep = folder_ / "q/r/s";
+  expect_refused(run_hairlab({"stability", "strand-swing", "--out", deep.string(), "--resume"}), 2,
+                 deep.string() + ": there is no earlier study; leave out --resume\n");
+  EXPECT_TRUE(folder_.names().empty());
   expect_refused(stability({"--strand", "1"}), 2, "there is no strand 1");
   const std::string floating = folder_.write("floating.json", R"({"shows": "hair without weight", "frames": 3,
  "gravity": [0, 0, 0], "hair": [{"segments": 3, "length": 0.1, "clamped": false,

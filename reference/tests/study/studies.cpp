@@ -9,6 +9,12 @@
 
 namespace reference_tests {
 
+hair::Study Studied::empty() const {
+  hair::Study study = hair::prepare_study(problem, methods, settings);
+  hair::set_reference(problem, motion, study);
+  return study;
+}
+
 hair::Study Studied::whole() const {
   hair::Study study = empty();
   hair::finish_study(problem, motion, settings, study, false);

@@ -31,7 +31,7 @@ struct Studied {
   std::vector<hair::StudyMethod> methods;
   hair::StudySettings settings;
 
-  hair::Study empty() const { return hair::prepare_study(problem, motion, methods, settings); }
+  hair::Study empty() const;  // without runs
   hair::Study whole() const;
 };
 
