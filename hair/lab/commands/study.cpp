@@ -1,6 +1,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
@@ -34,7 +35,7 @@ constexpr Clock::duration kKeptEvery = std::chrono::seconds(1);
 struct Options {
   std::string scene;
   std::filesystem::path out, cache;
-  bool quick = false, resume = false, no_cache = false, space = false;
+  bool quick = false, resume = false, names_cache = false, no_cache = false, space = false;
   int strand = 0;
   std::optional<double> duration;
   std::vector<std::string> methods;
@@ -45,9 +46,23 @@ const OutputKind& study_output() {
   return kind;
 }
 
+void require_writable(const std::filesystem::path& cache) {
+  if (cache.empty()) throw BadInput("--cache: is empty; give the path of a folder");
+  std::error_code error;
+  std::filesystem::create_directories(cache, error);
+  if (!error && access(cache.c_str(), W_OK | X_OK) != 0) error = {errno, std::generic_category()};
+  if (error)
+    throw BadInput("--cache: " + printable(cache.string(), 4096) + " can't be written (" + error.message() +
+                   "); give a folder that can be, or --no-cache");
+}
+
+// One that is named must do; without, there may be none.
 std::optional<std::filesystem::path> cache_folder(const Options& options) {
   if (options.no_cache) return {};
-  if (!options.cache.empty()) return options.cache;
+  if (options.names_cache) {
+    require_writable(options.cache);
+    return options.cache;
+  }
   const auto variable = [](const char* name) {
     const char* value = std::getenv(name);
     return std::filesystem::path(value ? value : "");
@@ -75,7 +90,7 @@ std::vector<StudyMethod> chosen_methods(const Problem& problem, const std::vecto
   for (const StudyMethod& method : methods) known += (known.empty() ? "" : ", ") + method.id;
   for (const std::string& id : ids)
     if (std::none_of(methods.begin(), methods.end(), [&](const StudyMethod& one) { return one.id == id; }))
-      throw BadInput("--methods: there is no " + printable(id) + " for this scene; there are " + known);
+      throw BadInput("--methods: there is no \"" + printable(id) + "\" for this scene; there are " + known);
   if (!ids.empty())
     std::erase_if(methods, [&](const StudyMethod& one) {
       return std::find(ids.begin(), ids.end(), one.id) == ids.end();
@@ -122,6 +137,9 @@ int run(const Options& options) {
            "then configure and build anew\n";
     return kBroke;
   }
+  // Also nan, which CLI::Range lets pass.
+  if (options.duration && !(*options.duration >= 1e-6 && *options.duration <= 1000))
+    throw BadInput("--duration: " + to_exact_text(*options.duration) + " is not right; give 1e-6 to 1000");
   const Scene scene = read_scene(find_scene(options.scene, HAIR_SCENES_DIR));
   const Problem problem = make_problem(scene, problem_settings(scene, options));
   const std::vector<StudyMethod> methods = chosen_methods(problem, options.methods);
@@ -202,13 +220,15 @@ Command add_study_command(CLI::App& program) {
                 "Also of soft hair, how far its segments are from infinitely many: that may take minutes");
   app->add_option("--strand", options->strand, "Which of the scene's strands, or toys (default: 0)")
       ->check(CLI::Range(0, 10'000'000));
-  app->add_option("--duration", options->duration, "s (default: the scene's, but at most 0.2)")
-      ->check(CLI::Range(1e-6, 1000.0));
+  app->add_option("--duration", options->duration, "s, 1e-6 to 1000 (default: the scene's, but at most 0.2)");
   app->add_option("--methods", options->methods, "Which, with commas between (default: all that fit)")
       ->delimiter(',');
   CLI::Option* cache = app->add_option("--cache", options->cache, "Where accurate motions are kept");
   app->add_flag("--no-cache", options->no_cache, "Keep none, and use none that was kept")->excludes(cache);
-  return {app, [options] { return run(*options); }};
+  return {app, [options, cache] {
+            options->names_cache = cache->count() > 0;
+            return run(*options);
+          }};
 }
 
 }  // namespace hair

@@ -42,7 +42,7 @@ std::vector<Validation> chosen(const std::vector<std::string>& ids) {
   for (const Validation& one : all) known += (known.empty() ? "" : ", ") + one.id;
   for (const std::string& id : ids)
     if (std::none_of(all.begin(), all.end(), [&](const Validation& one) { return one.id == id; }))
-      throw BadInput("there is no validation " + printable(id) + "; there are " + known);
+      throw BadInput("there is no validation \"" + printable(id) + "\"; there are " + known);
   if (!ids.empty())
     std::erase_if(
         all, [&](const Validation& one) { return std::find(ids.begin(), ids.end(), one.id) == ids.end(); });

@@ -140,12 +140,33 @@ TEST_F(HairlabStudy, AnotherProgramCanNotResume) {
 
 TEST_F(HairlabStudy, BadInputIsRefusedInOneLine) {
   expect_refused(study({"--methods", "leapfrog"}), 2,
-                 "--methods: there is no leapfrog for this scene; there are forward-euler, ");
+                 "--methods: there is no \"leapfrog\" for this scene; there are forward-euler, ");
+  expect_refused(study({"--methods", ""}), 2, "--methods: there is no \"\" for this scene; ");
   expect_refused(study({"--strand", "1"}), 2, "there is no strand 1");
+  for (const std::string duration : {"nan", "inf", "-1", "1e-7", "1001"})
+    expect_refused(run_hairlab({"study", "strand-swing", "--out", out_.string(), "--duration", duration}), 2,
+                   "--duration: " + duration + " is not right; give 1e-6 to 1000");
   const std::string mine = folder_.write("mine.txt", "");
   expect_refused(run_hairlab({"study", "strand-swing", "--out", folder_.path().string()}), 2,
                  "is not empty, and not from hairlab study; ");
   EXPECT_FALSE(fs::exists(out_));
+}
+
+TEST_F(HairlabStudy, ACacheThatIsNamedIsAFolderThatCanBeWritten) {
+  const std::string mine = folder_.write("mine.txt", "");
+  for (const std::string& cache : {mine, mine + "/below", std::string("/proc/cache")})
+    expect_refused(study({"--cache", cache}), 2, "--cache: " + cache + " can't be written (");
+  expect_refused(study({"--cache", ""}), 2, "--cache: is empty; ");
+  EXPECT_FALSE(fs::exists(out_));
+  // The one that it has by itself may be none.
+  ProgramSettings none;
+  none.environment = {"XDG_CACHE_HOME=" + mine};
+  const std::string scene = folder_.write("scene.json", kSoftHair);
+  const ProgramRun run = run_hairlab(
+      {"study", scene, "--out", out_.string(), "--quick", "--duration", "0.05", "--methods", "runge-kutta-4"},
+      none);
+  EXPECT_EQ(run.code, 0);
+  EXPECT_EQ(run.errors, "");
 }
 
 // Before the accurate motion is computed, which would be kept in the cache.

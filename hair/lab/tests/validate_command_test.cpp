@@ -67,7 +67,7 @@ TEST(ValidateCommand, WritesPageTableAndJson) {
 TEST(ValidateCommand, RefusesWhatItDoesNotKnow) {
   const ProgramRun unknown = run_hairlab({"validate", "pendulum"});
   EXPECT_EQ(unknown.code, 2);
-  EXPECT_TRUE(has(unknown.errors, "there is no validation pendulum; there are published-numbers, "))
+  EXPECT_TRUE(has(unknown.errors, "there is no validation \"pendulum\"; there are published-numbers, "))
       << unknown.errors;
   EXPECT_EQ(lines_of(unknown.errors), 1) << unknown.errors;
   EXPECT_EQ(run_hairlab({"validate", "--fast"}).code, 2);
