@@ -52,9 +52,7 @@ Table table_of(const std::vector<DirectSolve>& direct, Written written) {
 Table table_of(const std::vector<IterationsNeeded>& needed, Written written) {
   Table table = {
       "Iterations until the residual is 1e-8 of the right-hand side (empty: not within the limit, or the "
-      "solver's "
-      "residual "
-      "or count is not true)",
+      "solver's residual or count is not true)",
       {"condition number", "ConjGrad", "Eigen's ConjugateGradient",
        "ConjGrad, " + std::to_string(kNeededClusters) + " clusters", "ConjGrad on A'A", "theory, at most"},
       {}};

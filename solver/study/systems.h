@@ -33,8 +33,10 @@ System spread_system(int n, double condition);
 // Eigenvalues in `clusters` >= 2 places whose logarithms are evenly spaced, n / clusters in each.
 System clustered_system(int n, double condition, int clusters);
 
-// A step of `step` seconds of implicit Euler of a hair: 30 cm long, in so many segments, straight and
-// clamped. Its unknowns are 3 segments, its condition number grows with step^2 EA / (l m).
+// A step of `step` seconds of implicit Euler of a model of a hair: 30 cm long, in so many segments, straight
+// and clamped, springs along it and across it between neighbours. (Bending as in exercise H2 reaches two
+// particles far, and makes the band 8 wide instead of 3.) Its unknowns are 3 segments, its condition number
+// grows with step^2 EA / (l m).
 System strand_system(int segments, double step);
 
 // The same as a matrix in rows: SparseMatrix entries.
@@ -45,7 +47,7 @@ SparseMatrix strand_matrix(int segments, double step);
 struct StrandNumbers {
   double mass;     // kg, of a particle
   double stretch;  // N/m, EA / l
-  double bend;     // N/m, EI / l^3
+  double bend;     // N/m, EI / l^3: of a spring across, as stiff as a segment of a beam that bends
 };
 StrandNumbers strand_numbers(int segments);
 
