@@ -18,6 +18,7 @@ struct Section {
   std::vector<std::string> paragraphs = {};
   std::vector<std::string> figures = {};  // SVG texts
   std::vector<Table> tables = {};         // beneath the figures, folded unless there is no figure
+  std::vector<Table> first = {};          // above the figures, never folded
 };
 
 struct Page {

@@ -92,6 +92,7 @@ void write_section(XmlWriter& html, const Section& section, const std::string& i
   html.open("section", {{"aria-labelledby", id}});
   html.leaf("h2", {{"id", id}}, section.heading);
   for (const std::string& paragraph : section.paragraphs) html.leaf("p", {}, paragraph);
+  for (const Table& table : section.first) write_table(html, table);
   for (const std::string& figure : section.figures) html.open("figure").as_it_is(figure).close();
   for (const Table& table : section.tables) {
     if (section.figures.empty()) {

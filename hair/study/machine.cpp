@@ -57,6 +57,12 @@ Machine this_machine() {
               std::to_string(EIGEN_MINOR_VERSION)};
 }
 
+std::string measured_on(const Machine& machine) {
+  return "Measured on " + machine.processor + ", " + std::to_string(machine.cores) +
+         " cores, one of them used; " + machine.compiler + ", " + machine.build + "; Eigen " + machine.eigen +
+         ".";
+}
+
 std::string program_digest() {
   std::ifstream file(this_program(), std::ios::binary);
   if (!file) return "unknown";

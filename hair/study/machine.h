@@ -17,6 +17,9 @@ struct Machine {
 
 Machine this_machine();
 
+// For a page: "Measured on ..., 2 cores, one of them used; GCC ...".
+std::string measured_on(const Machine& machine);
+
 // Of the bytes of the program that runs, with all that was linked into it; where the system has no way to read them,
 // "unknown".
 std::string program_digest();

@@ -143,10 +143,8 @@ Section space_section(const SpaceError& space, int own) {
 }
 
 std::string machine_text(const Study& study) {
-  const Machine& machine = study.machine;
-  return "Measured on " + machine.processor + ", " + std::to_string(machine.cores) +
-         " cores, one of them used; " + machine.compiler + ", " + machine.build + "; Eigen " + machine.eigen +
-         ". A time is the median of up to seven repeats of CPU time (long runs have fewer), without the "
+  return measured_on(study.machine) +
+         " A time is the median of up to seven repeats of CPU time (long runs have fewer), without the "
          "first of short ones, and without what measures errors. Runs shorter than a millisecond are played "
          "many "
          "times in a row between two looks at the clock; what going back to the start takes is measured by "

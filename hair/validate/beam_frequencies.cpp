@@ -86,10 +86,8 @@ ValidationResult run(const ValidationSettings& settings) {
   for (const Errors& one : sweep) {
     std::vector<std::string>& row = table.rows.emplace_back(std::vector{std::to_string(one.segments)});
     for (int i = 0; i < kModes; ++i) {
-      char digits[32];
-      std::snprintf(digits, sizeof digits, "%.6f", one.roots[i]);
-      row.emplace_back(digits);
-      figure.series[i].points.push_back({static_cast<double>(one.segments), std::abs(one.errors[i])});
+      row.push_back(printed("%.9g", one.roots[i]));
+      figure.series[i].points.push_back(error_point(one.segments, std::abs(one.errors[i])));
     }
   }
   figure.guides.push_back({-2, "order 2"});

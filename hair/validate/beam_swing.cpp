@@ -1,6 +1,7 @@
 // Hair that is clamped and weighs nothing swings in its first mode: a method's frequency, its own dispersion
 // undone, is that of the strand's matrices.
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -75,7 +76,9 @@ Swing swing(const StrandStart& rest, const BeamModes& modes, Method method,
   for (Eigen::Index k = 0; k < samples.size(); ++k) {
     settings.go_on();
     samples[k] = simulation.state(0).x[3 * kSegments + 2] / (kHeight * kLength);
-    if (simulation.advance(result.steps)) throw std::runtime_error("the strand broke");
+    if (!simulation.advance(result.steps)) continue;
+    samples.setConstant(std::numeric_limits<double>::quiet_NaN());  // it broke
+    break;
   }
   result.fit = fit_sinusoid(samples);
   return result;

@@ -82,11 +82,9 @@ ValidationResult swing(const ChainMethod& method, const ValidationSettings& sett
     Series& series = figure.series.emplace_back(Series{to_text(degrees) + " degrees", {}});
     for (std::size_t i = 0; i < 3; ++i) {
       const double error = periods.measured[i] - expected;
-      table.rows.push_back(
-          {to_text(degrees), std::to_string(periods.steps[i]), to_text(periods.measured[i]), to_text(error)});
-      Point point{1.0 / periods.steps[i], std::abs(error)};
-      point.failed = !(point.y > 0 && std::isfinite(point.y));
-      series.points.push_back(point);
+      table.rows.push_back({to_text(degrees), std::to_string(periods.steps[i]),
+                            printed("%.9g", periods.measured[i]), to_text(error)});
+      series.points.push_back(error_point(1.0 / periods.steps[i], std::abs(error)));
     }
   }
   result.figures.push_back(std::move(figure));

@@ -4,6 +4,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace hair {
@@ -150,6 +151,11 @@ Balance planar_balance(const Strand& strand, const particles::Force& force, Eige
     balance.x = take(balance.x, std::min(1.0, kMostChange / balance.change) * step);
     ++balance.iterations;
   }
+}
+
+Eigen::Vector2d tip_of(const Balance& balance) {
+  if (balance.found()) return planar_tip(balance.x);
+  return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
 }  // namespace hair

@@ -29,6 +29,9 @@ struct Balance {
   bool found() const { return residual <= rounding && change <= 1e-9; }
 };
 
+// Where it puts the tip; NaN, if none was found.
+Eigen::Vector2d tip_of(const Balance& balance);
+
 // From x on, by Newton's method in the segments' angles and lengths: straight on, segments that turn would
 // stretch, and hair is stiff. A step turns none by more than a radian. So straight hair finds its elastica in
 // 4 to 16 steps, without a continuation in the load, and a moment bends it at once.

@@ -9,12 +9,6 @@ namespace hair {
 
 namespace {
 
-std::string number(const char* format, double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
 std::string with_unit(const Check& check) {
   return check.unit.empty() ? check.shows : check.shows + ", " + check.unit;
 }
@@ -31,10 +25,10 @@ const std::vector<std::string> kWhy = {"check", "expected: source", "tolerance: 
 
 std::vector<std::string> found(const Check& check) {
   return {with_unit(check),
-          number("%.9g", check.expected),
-          number("%.9g", check.measured),
-          number("%.1e", check.error()),
-          number("%.1e", check.tolerance),
+          printed("%.9g", check.expected),
+          printed("%.9g", check.measured),
+          printed("%.1e", check.error()),
+          printed("%.1e", check.tolerance),
           check.holds() ? "yes" : "NO"};
 }
 
@@ -48,29 +42,29 @@ std::string outcome(const ValidationRecord& record) {
   return summary({record});
 }
 
-Section section_of_checks(const ValidationRecord& record) {
+Section section_of(const ValidationRecord& record) {
   Section section{record.title,
                   {"hairlab validate " + record.id + " calls " +
                    (record.exercises.empty() ? "no exercise" : joined(record.exercises)) + ": " +
-                   outcome(record) + ". " + number("%.2g", record.cpu_seconds) + " s of CPU time."}};
-  if (record.result.checks.empty()) return section;
-  Table& table = section.tables.emplace_back(Table{"Checks of " + record.id, kFound, {}});
-  for (const Check& check : record.result.checks) table.rows.push_back(found(check));
-  return section;
-}
-
-Section section_of_details(const ValidationRecord& record) {
-  Section section{record.title + ": in detail"};
+                   outcome(record) + ". " + printed("%.2g", record.cpu_seconds) + " s of CPU time."}};
+  const ValidationResult& result = record.result;
+  if (result.checks.empty()) return section;
+  Table checks{"Checks of " + record.id, kFound, {}};
+  Table sources{"Where expected values and tolerances of " + record.id + " come from", kWhy, {}};
+  for (const Check& check : result.checks) {
+    checks.rows.push_back(found(check));
+    sources.rows.push_back(why(check));
+  }
+  section.first = {std::move(checks)};
   // An exercise's numbers may be none: that must not cost the page.
-  for (const Figure& figure : record.result.figures) try {
+  for (const Figure& figure : result.figures) try {
       section.figures.push_back(to_svg(figure));
     } catch (const std::invalid_argument& error) {
       section.paragraphs.push_back(std::string("A figure can't be drawn: ") + error.what() + ".");
     }
-  section.tables = record.result.tables;
-  Table& table = section.tables.emplace_back(
-      Table{"Where expected values and tolerances of " + record.id + " come from", kWhy, {}});
-  for (const Check& check : record.result.checks) table.rows.push_back(why(check));
+  section.tables = result.tables;
+  section.tables.insert(section.tables.end(), result.times.begin(), result.times.end());
+  section.tables.push_back(std::move(sources));
   return section;
 }
 
@@ -88,6 +82,13 @@ Json json_of_check(const Check& check) {
           {"holds", check.holds()}};
 }
 
+Json json_of_tables(const std::vector<Table>& tables) {
+  Json all = Json::array();
+  for (const Table& table : tables)
+    all.push_back({{"caption", table.caption}, {"header", table.header}, {"rows", table.rows}});
+  return all;
+}
+
 }  // namespace
 
 bool ValidationRecord::holds() const {
@@ -97,13 +98,20 @@ bool ValidationRecord::holds() const {
 }
 
 std::string summary(const std::vector<ValidationRecord>& records) {
-  std::size_t count = 0, holding = 0;
-  for (const ValidationRecord& record : records)
+  std::size_t count = 0, holding = 0, broke = 0, left_out = 0;
+  for (const ValidationRecord& record : records) {
     for (const Check& check : record.result.checks) {
       ++count;
       holding += check.holds() ? 1 : 0;
     }
-  return std::to_string(holding) + " of " + std::to_string(count) + " checks hold";
+    broke += record.broke.empty() ? 0 : 1;
+    left_out += record.ran() ? 0 : 1;
+  }
+  std::string text = std::to_string(holding) + " of " + std::to_string(count) + " checks hold";
+  const std::string all = " of " + std::to_string(records.size()) + " validations ";
+  if (broke > 0) text += "; " + std::to_string(broke) + all + "broke";
+  if (left_out > 0) text += "; " + std::to_string(left_out) + all + "are left out";
+  return text;
 }
 
 std::string terminal_text(const ValidationRecord& record) {
@@ -132,7 +140,10 @@ Table table_of_checks(const std::vector<ValidationRecord>& records) {
   Table table{"Checks", {"validation"}, {}};
   table.header.insert(table.header.end(), kWhy.begin(), kWhy.end());
   table.header.insert(table.header.end(), kFound.begin(), kFound.end());
-  for (const ValidationRecord& record : records)
+  for (const ValidationRecord& record : records) {
+    if (!record.ran() || !record.broke.empty())
+      table.rows.push_back(
+          {record.id, "", "", "", outcome(record), "", "", "", "", record.ran() ? "NO" : ""});
     for (const Check& check : record.result.checks) {
       std::vector<std::string>& row = table.rows.emplace_back(std::vector<std::string>{record.id});
       for (const std::vector<std::string>& part : {why(check), found(check)})
@@ -140,25 +151,23 @@ Table table_of_checks(const std::vector<ValidationRecord>& records) {
       row[5] = to_exact_text(check.expected);
       row[6] = to_exact_text(check.measured);
     }
+  }
   return table;
 }
 
-Page page_of(const std::vector<ValidationRecord>& records, bool quick) {
+Page page_of(const std::vector<ValidationRecord>& records, bool quick, const std::string& machine) {
   Page page{
       "Truth from outside",
       {"What theory says of hair and of the methods that move it, beside what the exercises' code does. A "
        "check holds if measured and expected differ by the tolerance at most, and the theory says how much "
        "that is.",
-       summary(records) + "."}};
+       summary(records) + ".", machine}};
   if (quick) page.paragraphs.emplace_back("A quick run: fewer and coarser.");
-  for (const ValidationRecord& record : records) {
-    page.sections.push_back(section_of_checks(record));
-    if (!record.result.checks.empty()) page.sections.push_back(section_of_details(record));
-  }
+  for (const ValidationRecord& record : records) page.sections.push_back(section_of(record));
   return page;
 }
 
-std::string json_of(const std::vector<ValidationRecord>& records, bool quick) {
+std::string json_of(const std::vector<ValidationRecord>& records, bool quick, const std::string& machine) {
   Json validations = Json::array();
   for (const ValidationRecord& record : records) {
     Json checks = Json::array();
@@ -170,13 +179,15 @@ std::string json_of(const std::vector<ValidationRecord>& records, bool quick) {
     if (!record.ran()) one["left_out"] = record.left_out;
     if (!record.broke.empty()) one["broke"] = record.broke;
     one["checks"] = std::move(checks);
-    one["tables"] = Json::array();
-    for (const Table& table : record.result.tables)
-      one["tables"].push_back({{"caption", table.caption}, {"header", table.header}, {"rows", table.rows}});
+    one["tables"] = json_of_tables(record.result.tables);
+    one["times"] = json_of_tables(record.result.times);
     one["cpu_seconds"] = record.cpu_seconds;
     validations.push_back(std::move(one));
   }
-  return Json({{"format", "hairlab validate 1"}, {"quick", quick}, {"validations", std::move(validations)}})
+  return Json({{"format", "hairlab validate 1"},
+               {"quick", quick},
+               {"machine", machine},
+               {"validations", std::move(validations)}})
              .dump(1) +
          "\n";
 }

@@ -24,19 +24,21 @@ struct ValidationRecord {
   bool holds() const;  // it ran, and all of its checks hold
 };
 
-// Of all that ran: "41 of 42 hold".
+// "41 of 42 checks hold; 1 of 9 validations broke; 2 of 9 validations are left out": what broke or was left
+// out has no checks.
 std::string summary(const std::vector<ValidationRecord>& records);
 
 // A line for each check in aligned columns, with a heading, for a terminal of 120 columns.
 std::string terminal_text(const ValidationRecord& record);
 
-// All checks of all validations, a row each.
+// All checks of all validations, a row each; and a row for each validation that broke or was left out.
 Table table_of_checks(const std::vector<ValidationRecord>& records);
 
-Page page_of(const std::vector<ValidationRecord>& records, bool quick);
+// `machine`: on which times were measured (hair/study/machine.h).
+Page page_of(const std::vector<ValidationRecord>& records, bool quick, const std::string& machine);
 
 // validate.json: all of it but the figures. `measured` is null where it is not finite. All but "cpu_seconds"
-// is the same whenever the same is run again.
-std::string json_of(const std::vector<ValidationRecord>& records, bool quick);
+// and "times" is the same whenever the same is run again.
+std::string json_of(const std::vector<ValidationRecord>& records, bool quick, const std::string& machine);
 
 }  // namespace hair

@@ -1,6 +1,7 @@
 #include "hair/validate/settle.h"
 
-#include <stdexcept>
+#include <cmath>
+#include <limits>
 
 #include "hair/study/cpu_time.h"
 #include "hair/validate/clamped_hair.h"
@@ -9,6 +10,8 @@ namespace hair {
 
 Settled settle(const StrandStart& start, const Material& material, Method method, double slowest, double step,
                const ValidationSettings& settings) {
+  Settled result{Eigen::VectorXd::Constant(start.state.x.size(), std::numeric_limits<double>::quiet_NaN())};
+  if (!std::isfinite(slowest)) return result;
   Description description;
   description.strands = {start};
   description.method = method;
@@ -17,11 +20,10 @@ Settled settle(const StrandStart& start, const Material& material, Method method
   description.drag = 2 * slowest * material.line_density();
   Simulation simulation(std::move(description));
   const particles::State& state = simulation.state(0);
-  Settled result;
   const double before = cpu_seconds();
   while (simulation.time() < 60 / slowest) {
     settings.go_on();
-    if (simulation.step()) throw std::runtime_error("the strand broke");
+    if (simulation.step()) return result;
   }
   result.cpu_seconds = cpu_seconds() - before;
   result.x = state.x;

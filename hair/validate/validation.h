@@ -37,7 +37,14 @@ struct ValidationResult {
   std::vector<Check> checks;
   std::vector<Figure> figures = {};
   std::vector<Table> tables = {};
+  std::vector<Table> times = {};  // with CPU times: no second run finds the same
 };
+
+// As printf writes it: "%.9g".
+std::string printed(const char* format, double value);
+
+// Of a figure with a logarithmic axis: an error that it can't show is one that failed.
+Point error_point(double x, double error, std::string note = {});
 
 // Thrown out of a validation that was told to stop.
 struct Interrupted {};

@@ -21,13 +21,6 @@ namespace hair {
 
 namespace {
 
-std::string machine_line() {
-  const Machine machine = this_machine();
-  return "Measured on " + machine.processor + ", " + std::to_string(machine.cores) +
-         " cores, one of them used; " + machine.compiler + ", " + machine.build + "; Eigen " + machine.eigen +
-         ".";
-}
-
 struct Options {
   std::filesystem::path out;
   solver::study::Settings settings;
@@ -55,7 +48,7 @@ solver::study::Functions functions() {
 }
 
 void write(const OutputFolder& folder, const solver::study::SolverStudy& study, const std::string& left_out) {
-  const std::string machine = machine_line();
+  const std::string machine = measured_on(this_machine());
   write_file(folder.now("solver.json"), solver_json(study, machine, left_out));
   for (const NamedTable& table : solver_tables(study))
     write_file(folder.now(table.file), to_csv(table.table));

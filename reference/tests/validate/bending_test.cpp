@@ -11,6 +11,7 @@
 #include "hair/validate/elastica.h"
 #include "hair/validate/greenhill.h"
 #include "hair/validate/planar_statics.h"
+#include "hair/validate/record.h"
 
 namespace hair {
 namespace {
@@ -31,6 +32,16 @@ INSTANTIATE_TEST_SUITE_P(All, Bending, testing::ValuesIn(bending_validations()),
   std::replace(name.begin(), name.end(), '-', '_');
   return name;
 });
+
+TEST(BendingAgain, IsTheSameButForTimes) {
+  const auto json = [] {
+    ValidationResult result = hair_at_rest().run({true, nullptr});
+    EXPECT_FALSE(result.times.empty());
+    result.times.clear();
+    return json_of({{"elastica", "", {}, result}}, true, {});
+  };
+  EXPECT_EQ(json(), json());
+}
 
 // --- What is wrong ---
 
