@@ -34,7 +34,8 @@ inline constexpr int kElasticaParts = 80;
 struct Elastica {
   // Columns: where s = 0, 1 / kElasticaParts, ..., 1 is, over L: level, away from the clamp, and down.
   Eigen::Matrix2Xd points;
-  double error = 0;  // of a point, estimated: from the same curve with half the steps
+  double error =
+      0;  // of a point, over L, estimated: from the same curve with half the steps, and what the shot missed
 
   Eigen::Vector2d tip() const { return points.col(kElasticaParts); }
 };

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -33,7 +34,7 @@ Check check_of(const Periods& periods, double degrees, double expected, int orde
   const auto& [coarse, middle, fine] = periods.measured;
   Check check;
   check.id = "period-" + to_text(degrees);
-  check.shows = "out to " + to_text(degrees) + " degrees: T/T0";
+  check.shows = "out to " + to_text(degrees) + " degrees: T/T0, of four quarters, extrapolated to h = 0";
   check.source =
       "1/agm(1, cos(angle/2)): Landau and Lifshitz, Mechanics, section 11; Abramowitz and Stegun, 17.6";
   check.expected = expected;
@@ -48,7 +49,9 @@ Check check_of(const Periods& periods, double degrees, double expected, int orde
   return check;
 }
 
-// From three step sizes. The next term of the series shows in it, too.
+// From three step sizes. Of a h^p + b h^(p+1) it is p + log2((1 + r) / (1 + r/2)), about p + r / 2 log(2), r
+// what b adds to the first difference, of 1; and halving the steps changes the extrapolated value by r / 2 (2^p
+// - 1) of that difference.
 Check check_of_order(const Periods& periods, double degrees, int order) {
   const auto& [coarse, middle, fine] = periods.measured;
   Check check;
@@ -59,8 +62,12 @@ Check check_of_order(const Periods& periods, double degrees, int order) {
                  : "E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, II.1";
   check.expected = order;
   check.measured = std::log2((coarse - middle) / (middle - fine));
-  check.tolerance = 0.3;
-  check.tolerance_from = "tells an order from its neighbours; the series' next term shows, too";
+  const double change = std::abs(extrapolated(middle, fine, order) - extrapolated(coarse, middle, order));
+  const double shift = (std::exp2(order) - 1) * change / std::abs(coarse - middle) / std::numbers::ln2;
+  check.tolerance = std::min(0.5, 2 * shift);
+  check.tolerance_from =
+      "twice what the series' next term, measured by how much the extrapolated value changed, makes of it; "
+      "but not more than a half, where another order is as near";
   return check;
 }
 

@@ -60,5 +60,32 @@ TEST(Dispersion, RungeKuttaIsUndone) {
     }
 }
 
+// A step of h = 1 divides by 1 - iy.
+TEST(Dispersion, ImplicitEulerIsUndone) {
+  for (const double y : {0.01, 0.2, 1.0, 3.0}) {
+    const double measured = std::arg(1.0 / std::complex<double>(1, -y));
+    EXPECT_NEAR(undo_implicit_euler(measured, 1) / y, 1, 1e-14) << y;
+    EXPECT_NEAR(std::abs(1.0 / std::complex<double>(1, -y)), std::cos(measured), 1e-15) << y;
+  }
+}
+
+// The map of (x, h v) in dispersion.h: two filters, each dividing a kick and what was there by 1 + y^2/2.
+TEST(Dispersion, FiltersAreUndone) {
+  for (const double y : {0.05, 0.2, 1.0}) {
+    const double c = y * y / 2 / (1 + y * y / 2);
+    Eigen::VectorXd x(400);
+    double place = 1, speed = 0;
+    for (double& sample : x) {
+      sample = place;
+      const double before = (1 - c) * speed - c * place, after = place + before;
+      speed = (1 - c) * before - c * after;
+      place = after;
+    }
+    const Sinusoid fit = fit_sinusoid(x);
+    EXPECT_NEAR(undo_filters(fit.frequency, 1) / y, 1, 1e-12) << y;
+    EXPECT_NEAR(fit.decay, -std::log(std::cos(fit.frequency)), 1e-12) << y;
+  }
+}
+
 }  // namespace
 }  // namespace hair
