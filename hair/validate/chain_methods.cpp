@@ -75,11 +75,25 @@ double h6_error(const HangingChain& chain, double x) {
   return chain.count() * chain.stretch * x / 4;
 }
 
+// Up to n s x / 2, see dispersion.h: half of it, give or take as much.
+double h6_decay(const HangingChain& chain, double x, double) {
+  return chain.count() * chain.stretch * x / 4;
+}
+
 // P2 solves to r = 1e-10 of a right-hand side that is l g. The inverse of J W J^T has the entries sum_{k >=
 // max(i,j)} m_k / l^2, so that the tension is off by n (T_0 / g) r / l at most, and w by half of its part of
 // the smallest tension.
 double rods_error(const HangingChain& chain, double) {
   return 1e-10 * chain.count() * chain.tension(0) / chain.tension(chain.count() - 1) / 2;
+}
+
+double rods_decay(const HangingChain&, double, double turn) {
+  return runge_kutta_4_decay(turn);
+}
+
+// A force that is off by a part, twice what w is, changes the speed by that part of `turn` of the amplitude.
+double rods_decay_error(const HangingChain& chain, double x, double turn) {
+  return 2 * rods_error(chain, x) * turn;
 }
 
 template <class Chain>
@@ -90,15 +104,22 @@ std::unique_ptr<MovingChain> start(const HangingChain& chain, const particles::S
 }  // namespace
 
 const ChainMethod& chain_by_h6() {
-  static const ChainMethod method{"h6",          "mass-spring, H6", {"S1", "H1", "H4", "H5", "H6"}, 1,
-                                  undo_leapfrog, h6_error,          start<MassSpringChain>};
+  static const ChainMethod method{"h6",     "mass-spring, H6", {"S1", "H1", "H4", "H5", "H6"},
+                                  1,        undo_leapfrog,     h6_error,
+                                  h6_decay, h6_decay,          start<MassSpringChain>};
   return method;
 }
 
 const ChainMethod& chain_by_rods() {
-  static const ChainMethod method{
-      "rods",     "rods of P2, Runge-Kutta 4", {"S1", "P1", "P2"}, 4, undo_runge_kutta_4,
-      rods_error, start<ChainOfRods>};
+  static const ChainMethod method{"rods",
+                                  "rods of P2, Runge-Kutta 4",
+                                  {"S1", "P1", "P2"},
+                                  4,
+                                  undo_runge_kutta_4,
+                                  rods_error,
+                                  rods_decay,
+                                  rods_decay_error,
+                                  start<ChainOfRods>};
   return method;
 }
 

@@ -31,6 +31,10 @@ struct ChainMethod {
   // amplitude, relative to w.
   double (*other_error)(const HangingChain& chain, double x);
 
+  // What a step that turns by `turn` takes of that oscillation's amplitude, and a bound of how far that is off.
+  double (*decay)(const HangingChain& chain, double x, double turn);
+  double (*decay_error)(const HangingChain& chain, double x, double turn);
+
   std::unique_ptr<MovingChain> (*start)(const HangingChain& chain, const particles::State& state,
                                         double step);
 };

@@ -29,11 +29,40 @@ std::vector<std::string> row_of(const std::string& what, const HangingChain& cha
           std::to_string(mode.steps),
           to_text(mode.softening),
           to_text(mode.square / x - 1),
-          to_text(mode.tolerance)};
+          to_text(mode.tolerance),
+          to_text(mode.decay),
+          to_text(mode.expected_decay),
+          to_text(mode.decay_tolerance)};
 }
 
 Table table_of_modes(const std::string& caption, const std::string& first) {
-  return {caption, {first, "w h", "angle", "steps", "by the angle", "error of w^2", "tolerance"}, {}};
+  return {caption,
+          {first, "w h", "angle", "steps", "by the angle", "error of w^2", "tolerance", "decay in a step",
+           "expected", "its tolerance"},
+          {}};
+}
+
+// The largest of errors over their tolerances; of what is no number, that.
+class Worst {
+ public:
+  void add(double error, double tolerance) {
+    const double one = std::abs(error) / tolerance;
+    if (!std::isnan(value_) && !(one <= value_)) value_ = one;
+  }
+  double value() const { return value_; }
+
+ private:
+  double value_ = 0;
+};
+
+Check check_of_decays(const Worst& worst, const std::string& id, const std::string& shows) {
+  return {id,
+          shows + ": the worst error of what a step takes from the amplitude",
+          "0 to n s x / 2 of H6, -log |R(iwh)| of Runge-Kutta 4 (dispersion.h)",
+          0,
+          worst.value(),
+          1,
+          "in units of each mode's own tolerance (measure_mode.h)"};
 }
 
 // Of the modes in between the worst alone is a check, so that a person sees the end of the list.
@@ -57,7 +86,7 @@ ValidationResult swing_chains(const ChainMethod& method, const ValidationSetting
     const std::string masses = std::to_string(n) + " masses";
     Series errors{masses, {}}, tolerances{masses + ", tolerance", {}, true, false, true};
     Table table = table_of_modes(masses + ", " + method.name, "mode");
-    double worst = 0;
+    Worst others, decays;
     for (int mode = 1; mode <= n; ++mode) {
       if (settings.quick && !has_check(mode, n)) continue;
       const double x = zeros[mode - 1];
@@ -67,8 +96,9 @@ ValidationResult swing_chains(const ChainMethod& method, const ValidationSetting
       errors.points.push_back({static_cast<double>(mode), std::max(error, 1e-16), {}, !std::isfinite(error)});
       tolerances.points.push_back({static_cast<double>(mode), measured.tolerance});
       table.rows.push_back(row_of(number, chain, measured, x));
+      decays.add(measured.decay - measured.expected_decay, measured.decay_tolerance);
       if (!has_check(mode, n)) {
-        worst = std::isfinite(error) ? std::max(worst, error / measured.tolerance) : error;
+        others.add(error, measured.tolerance);
         continue;
       }
       Check& check = result.checks.emplace_back(check_of(measured, x));
@@ -77,11 +107,13 @@ ValidationResult swing_chains(const ChainMethod& method, const ValidationSetting
       check.source = "zero " + number + " of the Laguerre polynomial L_" + std::to_string(n) +
                      " (Abramowitz and Stegun, 22.7.12 and table 25.9)";
     }
-    if (worst != 0)
+    if (others.value() != 0)
       result.checks.push_back({"n" + std::to_string(n) + "-other-modes",
                                masses + ", all other modes: the worst error",
-                               "the other zeros of L_" + std::to_string(n), 0, worst, 1,
+                               "the other zeros of L_" + std::to_string(n), 0, others.value(), 1,
                                "in units of each mode's own tolerance"});
+    result.checks.push_back(
+        check_of_decays(decays, "n" + std::to_string(n) + "-decay", masses + ", all modes"));
     figure.series.push_back(std::move(errors));
     figure.series.push_back(std::move(tolerances));
     result.tables.push_back(std::move(table));
@@ -93,6 +125,7 @@ ValidationResult swing_chains(const ChainMethod& method, const ValidationSetting
 ValidationResult swing_double_pendulums(const ChainMethod& method, const ValidationSettings& settings) {
   ValidationResult result;
   Table table = table_of_modes("Double pendulums, " + method.name, "mass ratio, mode");
+  Worst decays;
   for (const double ratio : {1e-2, 1.0, 1e2, 1e4, 1e6}) {
     if (settings.quick && ratio != 1 && ratio != 1e6) continue;
     HangingChain chain{Eigen::Vector2d(kMass, ratio * kMass), kLink};
@@ -102,6 +135,7 @@ ValidationResult swing_double_pendulums(const ChainMethod& method, const Validat
     chain.stretch = std::clamp(1e-7 / squares[1], 1e-11, 1e-9);
     for (const int k : {0, 1}) {
       const MeasuredMode mode = measure_mode(method, chain, squares[k], squares[1], settings);
+      decays.add(mode.decay - mode.expected_decay, mode.decay_tolerance);
       const std::string name = k == 0 ? "slow" : "fast";
       table.rows.push_back(row_of(to_text(ratio) + ", " + name, chain, mode, squares[k]));
       Check& check = result.checks.emplace_back(check_of(mode, squares[k]));
@@ -111,6 +145,7 @@ ValidationResult swing_double_pendulums(const ChainMethod& method, const Validat
           "1 + mu -+ sqrt(mu (1 + mu)): L. D. Landau and E. M. Lifshitz, Mechanics, section 23, problem 2";
     }
   }
+  result.checks.push_back(check_of_decays(decays, "decay", "all mass ratios, both modes"));
   result.tables.push_back(std::move(table));
   return result;
 }

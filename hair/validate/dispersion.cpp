@@ -19,6 +19,11 @@ double undo_runge_kutta_4(double measured, double step) {
   return y / step;
 }
 
+double runge_kutta_4_decay(double y) {
+  const double square = y * y;
+  return -std::log1p(square * square * square * (square / 576 - 1.0 / 72)) / 2;
+}
+
 double undo_implicit_euler(double measured, double step) {
   return std::tan(measured * step) / step;
 }

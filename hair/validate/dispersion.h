@@ -36,6 +36,9 @@ double undo_leapfrog(double measured, double step);
 // Solved for y by Newton's method; for W h < 1.9.
 double undo_runge_kutta_4(double measured, double step);
 
+// And what a step takes from the amplitude: -log |R(iy)|, |R(iy)|^2 = 1 - y^6/72 + y^8/576.
+double runge_kutta_4_decay(double y);
+
 // H4, of springs whose products it has: a step divides by 1 - iwh, which turns by W h = atan(wh) and divides the amplitude
 // by sqrt(1 + (wh)^2) = 1 / cos(W h). w = tan(W h) / h; W h < pi/2.
 double undo_implicit_euler(double measured, double step);

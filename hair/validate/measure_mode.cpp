@@ -58,6 +58,11 @@ MeasuredMode measure_mode(const ChainMethod& method, const HangingChain& chain, 
   const double measured = method.undo(fit.frequency / result.step, result.step);
   result.square = measured * measured / chain.square_unit() / (1 + result.softening);
   const double left = std::min(kWorstFit, fit.residual / fit.amplitude), turn = w * result.step;
+  result.decay = fit.decay;
+  if (!std::isfinite(fit.frequency)) result.decay = fit.frequency;
+  result.expected_decay = method.decay(chain, x, turn);
+  result.decay_tolerance =
+      2 * (turn * turn * std::abs(result.softening) + method.decay_error(chain, x, turn) + 10 * left / steps);
   result.tolerance = 2 * (turn * turn * std::abs(result.softening) + 2 * method.other_error(chain, x) +
                           2 * 10 * left / (turn * steps));
   return result;

@@ -11,6 +11,8 @@ struct MeasuredMode {
   double square = 0;  // l w^2 / g of a small swing: the integrator's dispersion and the swing's size undone
   double tolerance = 0;  // relative, as below
   double softening = 0;  // what the swing's size did to it, relative: 2 c A^2
+  double decay = 0;      // of the amplitude in a step
+  double expected_decay = 0, decay_tolerance = 0;
   double step = 0, angle = 0;
   int steps = 0;
 };
@@ -29,6 +31,8 @@ struct MeasuredMode {
 MeasuredMode measure_mode(const ChainMethod& method, const HangingChain& chain, double x, double highest,
                           const ValidationSettings& settings);
 
+// Of the decay in a step it is twice the sum of decay_error (chain_methods.h), of (w h)^2 times `softening` (of
+// one pendulum H6 takes (3/16) (w h A)^2 in a step, 3/2 of that), and of what the fit resolves, 10 r / steps.
 inline constexpr double kSoftest = 1e-6, kLargestAngle = 1e-3, kWorstFit = 1e-6;
 
 // For reports: where the tolerance comes from.

@@ -23,7 +23,7 @@ double frequency_of_signs(const Eigen::VectorXd& samples) {
 }
 
 constexpr int kMostSteps = 30;
-constexpr double kClose = 1e-14;
+constexpr double kClose = 1e-14, kCloseEnough = 1e-10;  // to end; to have found something after all steps
 
 }  // namespace
 
@@ -38,7 +38,7 @@ Sinusoid fit_sinusoid(const Eigen::VectorXd& samples) {
   double a = samples[0], b = 0;
   Eigen::MatrixXd derivatives(n, 4);  // by a, b, frequency, decay
   Eigen::VectorXd left(n);
-  bool done = false;
+  double change_left = 1;  // relative
   for (int step = 0;; ++step) {
     for (Eigen::Index k = 0; k < n; ++k) {
       const double t = static_cast<double>(k), fading = std::exp(-fit.decay * t);
@@ -46,15 +46,16 @@ Sinusoid fit_sinusoid(const Eigen::VectorXd& samples) {
       left[k] = samples[k] - (a * c + b * s);
       derivatives.row(k) << c, s, t * (b * c - a * s), -t * (a * c + b * s);
     }
-    if (done || step == kMostSteps) break;
+    if (change_left <= kClose || step == kMostSteps) break;
     const Eigen::Vector4d change = derivatives.householderQr().solve(left);
     a += change[0];
     b += change[1];
     fit.frequency += change[2];
     fit.decay += change[3];
-    done = change.head<2>().norm() <= kClose * std::hypot(a, b) &&
-           std::abs(change[2]) + std::abs(change[3]) <= kClose * fit.frequency;
+    change_left = change.head<2>().norm() / std::hypot(a, b) +
+                  (std::abs(change[2]) + std::abs(change[3])) / std::abs(fit.frequency);
   }
+  if (!(change_left <= kCloseEnough)) fit.frequency = std::numeric_limits<double>::quiet_NaN();
   fit.amplitude = std::hypot(a, b);
   fit.residual = std::sqrt(left.squaredNorm() / static_cast<double>(n));
   return fit;

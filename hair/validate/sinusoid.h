@@ -6,7 +6,7 @@
 namespace hair {
 
 struct Sinusoid {
-  double frequency = 0;  // rad for each sample; NaN, if there is none
+  double frequency = 0;  // rad for each sample; NaN, if there is none, or the fit does not converge
   double decay = 0;      // of the amplitude, for each sample
   double amplitude = 0;
   double residual = 0;  // root of the mean square of what is left

@@ -117,6 +117,38 @@ TEST(Oscillations, AnotherMethodsDispersionIsFoundOut) {
   EXPECT_GT(error_over_tolerance(wrong), 1000);
 }
 
+// Loses a ten-millionth of what goes sideways in each step, more than it should.
+class DampedChain : public MovingChain {
+ public:
+  explicit DampedChain(std::unique_ptr<MovingChain> chain)
+      : chain_(std::move(chain)), state_(chain_->state()) {}
+  void step() override {
+    chain_->step();
+    state_ = chain_->state();
+    kept_ *= 1 - 1e-7;
+    for (Eigen::Index i = 0; i < state_.x.size(); i += 3) state_.x[i] *= kept_;
+  }
+  const particles::State& state() const override { return state_; }
+
+ private:
+  std::unique_ptr<MovingChain> chain_;
+  particles::State state_;
+  double kept_ = 1;
+};
+
+TEST(Oscillations, DampingThatNoFrequencyShowsIsFoundOut) {
+  ChainMethod damped = chain_by_rods();
+  damped.start = [](const HangingChain& chain, const particles::State& state,
+                    double step) -> std::unique_ptr<MovingChain> {
+    return std::make_unique<DampedChain>(chain_by_rods().start(chain, state, step));
+  };
+  EXPECT_LE(error_over_tolerance(damped), 1);
+  int found = 0;
+  for (const Check& check : chain_oscillations(damped).run(kQuick).checks)
+    found += check.id.ends_with("decay") && !check.holds() ? 1 : 0;
+  EXPECT_EQ(found, 3) << "of chains of 2, 10 and 20 masses";
+}
+
 // What a student's method may do: no number at all from the third step on.
 class BrokenChain : public MovingChain {
  public:
