@@ -40,6 +40,13 @@ TEST(Sinusoid, WhatIsNoneHasNoFrequency) {
   EXPECT_TRUE(std::isnan(fit_sinusoid(samples).frequency));
 }
 
+// Its frequency triples on the way: there is no best one in reach of the steps.
+TEST(Sinusoid, AFitThatDoesNotConvergeHasNoFrequency) {
+  Eigen::VectorXd samples(50);
+  for (int k = 0; k < 50; ++k) samples[k] = std::cos(0.2 * k + 0.004 * k * k);
+  EXPECT_TRUE(std::isnan(fit_sinusoid(samples).frequency));
+}
+
 // The recurrence itself, with w h = y.
 TEST(Dispersion, LeapfrogIsUndone) {
   for (const double y : {0.01, 0.2, 1.0, 1.9}) {
