@@ -8,10 +8,8 @@ if(NOT GTest_FOUND)
   message(FATAL_ERROR "GoogleTest is missing. Debian, Ubuntu, WSL2: sudo apt install libgtest-dev. macOS: brew install googletest")
 endif()
 
-# The data that the checks compare with: made by the staff's build, or shipped.
-if(TARGET hair_golden)
-  set(HAIR_GOLDEN_DIR "${PROJECT_BINARY_DIR}/golden")
-else()
+# The data that the checks compare with: made by the staff's build, which says where, or shipped.
+if(NOT TARGET hair_golden)
   set(HAIR_GOLDEN_DIR "${HAIR_HANDOUT_DIR}/checks/golden")
 endif()
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <limits>
 
 #include "particles/springs.h"

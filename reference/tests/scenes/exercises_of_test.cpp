@@ -1,10 +1,13 @@
-// STAFF ONLY. This program has the stub of exercise STUB, and the reference's of all others.
+// STAFF ONLY. Each program that holds this has the stub of one exercise, and the reference's of all others.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
 #include "hair/scene/playback.h"
 #include "solver/not_implemented.h"
+
+// Whose stub this program has.
+extern const char* const kStub;
 
 namespace reference_tests {
 namespace {
@@ -25,20 +28,20 @@ std::string stub_of(hair::Scene scene) {
   return "";
 }
 
-TEST(STUB_SUITE, AreThoseThatASceneStopsWithout) {
+TEST(ExercisesOf, AreThoseThatASceneStopsWithout) {
   int need = 0, scenes = 0;
   for (const auto& entry : std::filesystem::directory_iterator(HAIR_SCENES)) {
     if (entry.path().extension() != ".json") continue;
     const hair::Scene scene = hair::read_scene(entry.path());
     const std::vector<std::string> called = hair::exercises_of(scene);
-    const bool needed = std::count(called.begin(), called.end(), STUB) > 0;
-    EXPECT_EQ(stub_of(scene), needed ? STUB : "") << scene.name;
+    const bool needed = std::count(called.begin(), called.end(), kStub) > 0;
+    EXPECT_EQ(stub_of(scene), needed ? kStub : "") << scene.name;
     need += needed;
     ++scenes;
   }
   // S2 is for linear systems that no scene has.
   EXPECT_GT(scenes, 10);
-  if (std::string(STUB) == "S2") {
+  if (std::string(kStub) == "S2") {
     EXPECT_EQ(need, 0);
   } else {
     EXPECT_GT(need, 0);

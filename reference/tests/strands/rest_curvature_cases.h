@@ -1,7 +1,6 @@
 // STAFF ONLY. What tests of hair/rest_curvature.h share.
 #pragma once
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,6 +8,7 @@
 
 #include "hair/rest_curvature.h"
 #include "reference/tests/strand_states.h"
+#include "solver/symmetric_eigen.h"
 
 namespace hair {
 
@@ -48,7 +48,7 @@ inline MatrixXd matrix_of(const particles::Force& force, const VectorXd& x) {
 }
 
 inline VectorXd eigenvalues(const MatrixXd& matrix) {
-  return Eigen::SelfAdjointEigenSolver<MatrixXd>((matrix + matrix.transpose()) / 2).eigenvalues();
+  return solver::symmetric_eigenvalues((matrix + matrix.transpose()) / 2);
 }
 
 // Energies, forces and products are as large as k pi, k pi / l and k pi / l^2, with frames that add up along
