@@ -1,42 +1,54 @@
 #!/bin/sh
-# STAFF ONLY. Installs the Debian packages that are missing, then builds TARGET in build/release.
-# Usage: grader/setup.sh TARGET [lint]    lint: also installs what .ci/run formats, tidies and builds with
+# STAFF ONLY. Installs the Debian packages that are missing, then builds TARGETs in build/release.
+# Usage: grader/setup.sh [--with study|check|lint] [TARGET...]
+#   Without --with: what grading and hairlab need. study: also what studies measure errors against. check: also the tests and
+#   benchmarks. lint: also what .ci/run needs.
 set -eu
 
-to_build() {
+to_grade() {
   sed 's/#.*//' <<'LIST'
 g++                  # compiles the project, and submissions
 cmake                # the build,
 ninja-build          #   and what runs it
-make                 # builds the handout as students do
 pkg-config           # finds libseccomp and libsodium
 libeigen3-dev        # Eigen: linear algebra
 libgtest-dev         # GoogleTest: tests, public checks, grading suite
-libbenchmark-dev     # Google Benchmark
-libbullet-dev        # Bullet: its rope is what hair is timed beside
 libstb-dev           # reads and writes images
 libosmesa6           # OpenGL without a window: draws what is graded
-libegl1              # the other way to it: tests compare both
-libegl-mesa0
 nlohmann-json3-dev   # JSON: exercises, courses, results
 libcli11-dev         # the command line of hairgrade
-libsundials-dev      # CVODE: how things really move, which errors are measured against
 libarchive-dev       # reads and writes .zip and .tar.gz
 libseccomp-dev       # the sandbox's system call filter
 libsodium-dev        # seeds and fingerprints: HMAC, hashes
-libxml2-dev          # tests read figures and pages with it
 bubblewrap           # the sandbox
 patch                # makes the sample class
 LIST
 }
 
+to_study() {
+  sed 's/#.*//' <<'LIST'
+libsundials-dev      # CVODE: how things really move
+LIST
+}
+
+to_check() {
+  sed 's/#.*//' <<'LIST'
+make                 # builds the handout as students do
+libxml2-dev          # reads figures and pages
+libegl1              # the other way to OpenGL: both draw the same
+libegl-mesa0
+libbenchmark-dev     # Google Benchmark
+libbullet-dev        # Bullet: its rope is what hair is timed beside
+LIST
+}
+
 to_lint() {
   sed 's/#.*//' <<'LIST'
+ccache               # remembers what was compiled
 clang                # the second compiler for the handout
 clang-format         # layout
 clang-tidy           # common mistakes, names,
 python3              #   and what runs it
-ccache               # remembers what was compiled
 shellcheck           # these scripts
 chromium             # opens the pages that studies write
 LIST
@@ -59,10 +71,22 @@ install() {
     install --no-install-recommends "$@" </dev/null >/dev/null
 }
 
-wanted=$(to_build)
-if [ "${2-}" = lint ]; then
-  wanted="$wanted $(to_lint)"
+with=
+if [ "${1-}" = --with ]; then
+  with=${2-}
+  shift "$(($# < 2 ? 1 : 2))"
 fi
+wanted=$(to_grade)
+case $with in
+  '') ;;
+  study) wanted="$wanted $(to_study)" ;;
+  check) wanted="$wanted $(to_study) $(to_check)" ;;
+  lint) wanted="$wanted $(to_study) $(to_check) $(to_lint)" ;;
+  *)
+    echo "grader/setup.sh: --with takes study, check or lint, not \"$with\"" >&2
+    exit 2
+    ;;
+esac
 
 # shellcheck disable=SC2086 # a list of words
 if command -v apt-get >/dev/null && command -v dpkg-query >/dev/null; then
@@ -82,10 +106,21 @@ else
   echo "Not Debian or Ubuntu, so nothing is installed. Needed is what Debian calls" $wanted >&2
 fi
 
+if [ $# -eq 0 ]; then
+  exit
+fi
+
+# Tests and benchmarks are built where their packages are, from the first time on that they were asked for.
 top=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
-cmake -S "$top" --preset release >/dev/null
+tests=
+if [ "$with" = check ] || [ "$with" = lint ]; then
+  tests=ON
+elif [ ! -f "$top/build/release/CMakeCache.txt" ]; then
+  tests=OFF
+fi
+cmake -S "$top" --preset release ${tests:+-DBUILD_TESTING=$tests -DHAIR_BENCHMARKS=$tests} >/dev/null
 if [ -t 1 ]; then
-  cmake --build "$top/build/release" --target "$1"
+  cmake --build "$top/build/release" --parallel --target "$@"
 else
-  cmake --build "$top/build/release" --target "$1" -- --quiet
+  cmake --build "$top/build/release" --parallel --target "$@" -- --quiet
 fi
