@@ -3,11 +3,12 @@
 #pragma once
 
 #include "grader/suite/implicit_system.h"
+#include "grader/suite/rounding.h"
 #include "grader/suite/trial.h"
 
 namespace grader::h4 {
 
-inline constexpr double kUnit = 0x1p-53, kTolerance = particles::kSolveTolerance;
+inline constexpr double kTolerance = particles::kSolveTolerance;
 
 struct Report {
   int steps;

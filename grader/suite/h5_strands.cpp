@@ -4,8 +4,6 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
-#include "grader/suite/implicit_system.h"
-
 namespace grader::h5 {
 
 Strand random_strand(Random& random, int n, double ratio) {
@@ -30,7 +28,7 @@ VectorXd placed(Random& random, const Strand& strand, double bend) {
 }
 
 VectorXd disturbed(Random& random, VectorXd x, double size) {
-  x.tail(x.size() - 3) += random_vector(random, static_cast<int>(x.size()) - 3, 0.01 * size);
+  x.tail(x.size() - 3) += random_vector(random, x.size() - 3, 0.01 * size);
   return x;
 }
 

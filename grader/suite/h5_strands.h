@@ -3,7 +3,8 @@
 
 #include <Eigen/Core>
 
-#include "grader/suite/random.h"
+#include "grader/suite/random_vector.h"
+#include "grader/suite/rounding.h"
 #include "hair/strand.h"
 
 namespace grader::h5 {
@@ -11,8 +12,6 @@ namespace grader::h5 {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 using hair::Strand;
-
-inline constexpr double kUnit = 0x1p-53;
 
 // n particles whose masses lie within a factor of `ratio`, segments of about 1 cm.
 Strand random_strand(Random& random, int n, double ratio);

@@ -5,12 +5,11 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
+#include "grader/suite/rounding.h"
 #include "particles/springs.h"
 
 namespace grader {
 namespace {
-
-constexpr double kUnit = 0x1p-53;
 
 // Symmetric, its eigenvalues between half of `size` and about five times it.
 Eigen::MatrixXd definite(Random& random, int n, double size) {
@@ -23,10 +22,6 @@ Eigen::MatrixXd definite(Random& random, int n, double size) {
 
 Eigen::VectorXd to_vector(const std::vector<double>& values) {
   return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
-Eigen::VectorXd random_vector(Random& random, int size, double scale) {
-  return to_vector(random.normals(size, scale));
 }
 
 CoupledForce::CoupledForce(Random& random, int n, double stiffness, double damping)

@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/suite/random.h"
+#include "grader/suite/random_vector.h"
 #include "particles/force.h"
 #include "particles/implicit_euler.h"
 #include "particles/state.h"
@@ -69,6 +69,5 @@ struct ImplicitSystem {
 ImplicitSystem implicit_system(const Cloud& cloud, double a, double b);
 
 Eigen::VectorXd to_vector(const std::vector<double>& values);
-Eigen::VectorXd random_vector(Random& random, int size, double scale = 1);
 
 }  // namespace grader

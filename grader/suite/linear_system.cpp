@@ -9,10 +9,10 @@
 #include <optional>
 #include <sstream>
 
+#include "grader/suite/rounding.h"
+
 namespace grader {
 namespace {
-
-constexpr double kUnit = 0x1p-53;
 
 int limit_of(int n, int steps) {
   return steps == 0 ? std::max(100, 2 * n) : std::max(0, steps);

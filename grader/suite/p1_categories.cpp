@@ -10,6 +10,7 @@
 #include "grader/suite/linear_system.h"
 #include "grader/suite/p1_dynamics.h"
 #include "grader/suite/p1_runs.h"
+#include "grader/suite/rounding.h"
 #include "particles/explicit_integrators.h"
 
 namespace grader::p1 {
@@ -18,7 +19,6 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kUnit = 0x1p-53;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool same_vectors(const VectorXd& a, const VectorXd& b) {

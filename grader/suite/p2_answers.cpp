@@ -32,12 +32,6 @@ MessageReader ask(Trial& trial, int function, const ConstrainedSystem& system,
 
 }  // namespace
 
-VectorXd random_vector(Random& random, int n) {
-  VectorXd vector(n);
-  for (double& entry : vector) entry = random.normal();
-  return vector;
-}
-
 VectorXd answer(Trial& trial, int function, const ConstrainedSystem& system,
                 std::initializer_list<VectorXd> vectors, Eigen::Index size) {
   MessageReader reply = ask(trial, function, system, vectors);

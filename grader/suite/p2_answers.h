@@ -5,11 +5,12 @@
 #include <limits>
 
 #include "grader/suite/p2_system.h"
+#include "grader/suite/random_vector.h"
+#include "grader/suite/rounding.h"
 #include "grader/suite/trial.h"
 
 namespace grader::p2 {
 
-inline constexpr double kUnit = 0x1p-53;
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // The residual that the categories which solve allow, of the right-hand side: coarse, so that the tolerance is
@@ -17,8 +18,6 @@ inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double kTolerance = 1e-3;
 
 inline constexpr int kValues = 0, kRates = 1, kForces = 2, kMatrix = 3, kSolve = 4;  // as in serve_P2.cpp
-
-Eigen::VectorXd random_vector(Random& random, int n);
 
 // A function's vector of `size` entries, for the vectors that it takes.
 Eigen::VectorXd answer(Trial& trial, int function, const ConstrainedSystem& system,

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "grader/suite/rounding.h"
+
 namespace grader {
 namespace {
 
@@ -11,8 +13,6 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 using particles::Rod;
 using particles::Wire;
-
-constexpr double kUnit = 0x1p-53;
 
 Vector3d at(const VectorXd& vector, int i) {
   return vector.segment<3>(3 * i);

@@ -15,7 +15,7 @@ constexpr double kSameParticles = 1e-6;
 // What is further out than this, in the scene's size, is not drawn: a picture would not show it.
 constexpr double kFarthestDrawn = 100;
 
-std::string seconds(double time) {
+std::string name_at(double time) {
   std::ostringstream text;
   text.setf(std::ios::fixed);
   text.precision(2);
@@ -101,7 +101,7 @@ RunComparison compare_runs(const hair::Scene& scene, const std::vector<int>& pic
 
   for (const Taken& one : taken) {
     if (!(one.moment.apart <= kFarthestDrawn * result.size)) break;
-    result.shots.push_back({seconds(one.moment.time), drawing.at(one.ours, one.obstacles),
+    result.shots.push_back({name_at(one.moment.time), drawing.at(one.ours, one.obstacles),
                             drawing.at(one.theirs, one.obstacles),
                             one.moment.apart <= kSameParticles * result.size});
   }

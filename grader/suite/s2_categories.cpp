@@ -6,11 +6,11 @@
 #include <limits>
 
 #include "grader/suite/linear_system.h"
+#include "grader/suite/rounding.h"
 
 namespace grader::s2 {
 namespace {
 
-constexpr double kUnit = 0x1p-53;
 constexpr int kDense = 0, kNormal = 1, kSolve = 2;  // as in serve_S2.cpp
 
 // A rows x cols table with products on the trusted side.

@@ -131,10 +131,4 @@ Vector3d random_direction(Random& random) {
   return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
 
-VectorXd random_vector(Random& random, Eigen::Index size) {
-  VectorXd v(size);
-  for (double& entry : v) entry = random.normal();
-  return v;
-}
-
 }  // namespace grader

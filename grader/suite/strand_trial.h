@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "grader/suite/random_vector.h"
+#include "grader/suite/rounding.h"
 #include "grader/suite/trial.h"
 #include "hair/jacobian.h"
 #include "hair/strand.h"
@@ -15,8 +17,6 @@ namespace grader {
 using Eigen::VectorXd;
 using hair::GeometricTerm;
 using hair::Strand;
-
-inline constexpr double kUnit = 0x1p-53;
 
 // A strand where it is.
 struct Posed {
@@ -67,6 +67,5 @@ Posed straight_pose(const Strand& strand, const VectorXd& lengths, const Eigen::
                     const std::string& name);
 
 Eigen::Vector3d random_direction(Random& random);
-VectorXd random_vector(Random& random, Eigen::Index size);  // normal, of size 1
 
 }  // namespace grader
