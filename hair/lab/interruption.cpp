@@ -10,11 +10,11 @@ namespace hair {
 namespace {
 
 // A signal handler has nothing else that it may touch.
-std::atomic<bool> interrupted = false;
+std::atomic<bool> caught = false;
 std::atomic<const char*> first_message = "";
 
 void on_interrupt(int) {
-  interrupted = true;
+  caught = true;
   const char* message = first_message;
   [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message, std::strlen(message));
 }
@@ -29,7 +29,7 @@ const std::atomic<bool>& catch_interruption(const char* message) {
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) sigaction(number, &action, nullptr);
   signal(SIGPIPE, SIG_IGN);
   signal(SIGXFSZ, SIG_IGN);
-  return interrupted;
+  return caught;
 }
 
 }  // namespace hair

@@ -16,13 +16,13 @@ namespace hair {
 
 namespace {
 
-struct Options {
+struct RunOptions {
   std::string scene;
   bool explain = false, no_render = false;
   RunSettings settings;
 };
 
-int run(const Options& options) {
+int run(const RunOptions& options) {
   const Scene scene = read_scene(find_scene(options.scene, HAIR_SCENES_DIR));
   RunSettings settings = options.settings;
   settings.render = !options.no_render;
@@ -64,7 +64,7 @@ int run(const Options& options) {
 }  // namespace
 
 Command add_run_command(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<RunOptions>();
   CLI::App* app = program.add_subcommand("run", "Play a scene, and write what it does into a folder");
   app->add_option("SCENE", options->scene, "A scene's file, or the name of one that comes along")->required();
   CLI::Option* out = app->add_option("--out", options->settings.out, "The folder");

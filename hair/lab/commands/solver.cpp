@@ -21,7 +21,7 @@ namespace hair {
 
 namespace {
 
-struct Options {
+struct SolverOptions {
   std::filesystem::path out;
   solver::study::Settings settings;
 };
@@ -55,7 +55,7 @@ void write(const OutputFolder& folder, const solver::study::SolverStudy& study, 
   write_file(folder.now("index.html"), to_html(solver_page(study, machine, left_out)));
 }
 
-int run(const Options& options) {
+int run(const SolverOptions& options) {
   const solver::study::Functions studied = functions();
   if (!studied.conj_grad) throw BadInput("this course leaves out S1, ConjGrad; there is no solver to study");
   const std::atomic<bool>& interrupted = catch_interruption("\nhairlab: stopping; once more ends at once\n");
@@ -91,7 +91,7 @@ int run(const Options& options) {
 }  // namespace
 
 Command add_solver_command(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<SolverOptions>();
   CLI::App* app = program.add_subcommand(
       "solver", "Study ConjGrad and the normal equations: error against iterations, products and time");
   app->add_option("--out", options->out, "The folder for page, JSON and CSV")->required();

@@ -18,7 +18,7 @@ namespace hair {
 
 namespace {
 
-struct Options {
+struct StabilityOptions {
   std::string scene, out;
   bool quick = false, resume = false;
   StabilitySettings settings;
@@ -41,7 +41,7 @@ void write(const OutputFolder& folder, const StabilityReport& report) {
   write_file(folder.now("index.html"), to_html(page_of(report)));
 }
 
-int run(const Options& options) {
+int run(const StabilityOptions& options) {
   const Scene scene = read_scene(find_scene(options.scene, HAIR_SCENES_DIR));
   StabilitySettings settings = options.settings;
   settings.quick = options.quick;
@@ -85,7 +85,7 @@ int run(const Options& options) {
 }  // namespace
 
 Command add_stability_command(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<StabilityOptions>();
   CLI::App* app = program.add_subcommand(
       "stability",
       "Map the step sizes with which each method is stable, beside theory, and what extreme cases do");

@@ -32,7 +32,7 @@ constexpr double kEnoughQuick = 0.05;  // s, that repeats of a run take together
 using Clock = std::chrono::steady_clock;
 constexpr Clock::duration kKeptEvery = std::chrono::seconds(1);
 
-struct Options {
+struct StudyOptions {
   std::string scene;
   std::filesystem::path out, cache;
   bool quick = false, resume = false, names_cache = false, no_cache = false, space = false;
@@ -57,7 +57,7 @@ void require_writable(const std::filesystem::path& cache) {
 }
 
 // One that is named must do; without, there may be none.
-std::optional<std::filesystem::path> cache_folder(const Options& options) {
+std::optional<std::filesystem::path> cache_folder(const StudyOptions& options) {
   if (options.no_cache) return {};
   if (options.names_cache) {
     require_writable(options.cache);
@@ -72,7 +72,7 @@ std::optional<std::filesystem::path> cache_folder(const Options& options) {
   return {};
 }
 
-ProblemSettings problem_settings(const Scene& scene, const Options& options) {
+ProblemSettings problem_settings(const Scene& scene, const StudyOptions& options) {
   ProblemSettings settings{options.strand, options.duration, {}};
   const std::vector<StrandStart>& strands = scene.hair.strands;
   if (!options.quick || options.strand < 0 || options.strand >= static_cast<int>(strands.size()))
@@ -130,7 +130,7 @@ bool has_runs(const Study& study) {
                      [](const Sweep& sweep) { return !sweep.runs.empty(); });
 }
 
-int run(const Options& options) {
+int run(const StudyOptions& options) {
   if (!have_accurate_motion()) {
     std::cerr
         << "hairlab: a study needs SUNDIALS, and this hairlab was built without it: install libsundials-dev, "
@@ -210,7 +210,7 @@ int run(const Options& options) {
 }  // namespace
 
 Command add_study_command(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<StudyOptions>();
   CLI::App* app = program.add_subcommand("study", "Error against run time, of each method that fits a scene");
   app->add_option("SCENE", options->scene, "A scene's file, or the name of one that comes along")->required();
   app->add_option("--out", options->out, "The folder for index.html, study.csv and study.json")->required();

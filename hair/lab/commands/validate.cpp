@@ -20,7 +20,7 @@ namespace hair {
 
 namespace {
 
-struct Options {
+struct ValidateOptions {
   std::vector<std::string> ids;
   bool quick = false, list = false, writes = false;
   std::filesystem::path out;
@@ -80,7 +80,7 @@ void write_results(OutputFolder& folder, const std::vector<ValidationRecord>& re
   std::cout << folder.then("index.html").string() << "\n";
 }
 
-int run(const Options& options) {
+int run(const ValidateOptions& options) {
   if (options.list) return list_validations();
   const std::vector<Validation> validations = chosen(options.ids);
   const std::atomic<bool>& interrupted = catch_interruption("\nhairlab: stopping; once more ends at once\n");
@@ -130,7 +130,7 @@ int run(const Options& options) {
 }  // namespace
 
 Command add_validate_command(CLI::App& program) {
-  const auto options = std::make_shared<Options>();
+  const auto options = std::make_shared<ValidateOptions>();
   CLI::App* app =
       program.add_subcommand("validate", "Compare with what theory says: published numbers, exact solutions");
   app->add_option("ID", options->ids, "Which (default: all)");
