@@ -12,7 +12,6 @@ namespace hair {
 namespace {
 
 constexpr int kModes = 3;
-constexpr double kLength = 0.05;  // m
 
 // The largest eigenvalue is (2n / b)^4 times that of mode b, and rounding takes its part of it.
 double rounding_of(double root, int segments) {
@@ -26,9 +25,9 @@ struct Errors {
 
 Errors errors_of(const Material& material, int segments) {
   Errors result{segments, {}, {}};
-  const BeamModes modes = beam_modes(clamped_hair(material, segments, kLength, Vector3d::UnitX()));
+  const BeamModes modes = beam_modes(clamped_hair(material, segments, kBeamLength, Vector3d::UnitX()));
   for (int mode = 1; mode <= kModes; ++mode) {
-    const double root = beam_root_of(material, kLength, modes.frequencies[mode - 1]);
+    const double root = beam_root_of(material, kBeamLength, modes.frequencies[mode - 1]);
     result.roots[mode - 1] = root;
     result.errors[mode - 1] = std::pow(root / clamped_beam_root(mode), 4) - 1;
   }
@@ -58,7 +57,7 @@ void check(const Errors& now, const Errors* coarse, std::vector<Check>& checks) 
   }
 }
 
-ValidationResult run(const ValidationSettings& settings) {
+ValidationResult find_frequencies(const ValidationSettings& settings) {
   ValidationResult result;
   const double published[] = {1.875104, 4.694091, 7.854757};
   for (int mode = 1; mode <= kModes; ++mode)
@@ -99,7 +98,10 @@ ValidationResult run(const ValidationSettings& settings) {
 }  // namespace
 
 Validation beam_frequencies() {
-  return {"beam-frequencies", "Frequencies of hair that is clamped and weighs nothing", {"H1", "H2"}, run};
+  return {"beam-frequencies",
+          "Frequencies of hair that is clamped and weighs nothing",
+          {"H1", "H2"},
+          find_frequencies};
 }
 
 }  // namespace hair

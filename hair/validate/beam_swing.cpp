@@ -16,8 +16,7 @@ namespace hair {
 
 namespace {
 
-constexpr int kSegments = 10;
-constexpr double kLength = 0.05;  // m
+constexpr int kBeamSegments = 10;
 
 struct SwingMethod {
   const char *id, *name;
@@ -42,7 +41,7 @@ SwingMethod swing_method(Method method) {
   }
 }
 
-struct Swing {
+struct BeamSwing {
   double step;  // s
   int steps;    // from one sample to the next
   Sinusoid fit;
@@ -52,21 +51,21 @@ struct Swing {
 // strand is longer by a^2 / 2 L, and pulls back by EA of that.
 constexpr double kHeight = 1e-9;  // over L
 
-Swing swing(const StrandStart& rest, const BeamModes& modes, Method method,
-            const ValidationSettings& settings) {
+BeamSwing sample_swing(const StrandStart& rest, const BeamModes& modes, Method method,
+                       const ValidationSettings& settings) {
   const Strand& strand = rest.strand;
   const double period = 2 * std::numbers::pi / modes.frequencies[0];
   // Below 2 / w of the fastest axial mode, or, where nothing is too fast, long enough to see the dispersion.
   const double fastest = 2 * std::sqrt(strand.stretch_rigidity / (strand.mass[1] * strand.rest_length[0]));
   const int steps =
       method == Method::runge_kutta_4 ? static_cast<int>(std::ceil(period / 40 * fastest / 2)) : 1;
-  Swing result{period / 40 / steps, steps, {}};
+  BeamSwing result{period / 40 / steps, steps, {}};
 
   Description description;
   description.strands = {rest};
   const Eigen::VectorXd shape = modes.shapes.col(0) / modes.shapes.col(0).cwiseAbs().maxCoeff();
-  for (int i = 1; i <= kSegments; ++i)
-    description.strands[0].state.x[3 * i + 2] = kHeight * kLength * shape[i - 1];
+  for (int i = 1; i <= kBeamSegments; ++i)
+    description.strands[0].state.x[3 * i + 2] = kHeight * kBeamLength * shape[i - 1];
   description.method = method;
   description.step = result.step;
   description.gravity.setZero();
@@ -75,7 +74,7 @@ Swing swing(const StrandStart& rest, const BeamModes& modes, Method method,
   Eigen::VectorXd samples(method == Method::runge_kutta_4 && settings.quick ? 80 : 160);
   for (Eigen::Index k = 0; k < samples.size(); ++k) {
     settings.go_on();
-    samples[k] = simulation.state(0).x[3 * kSegments + 2] / (kHeight * kLength);
+    samples[k] = simulation.state(0).x[3 * kBeamSegments + 2] / (kHeight * kBeamLength);
     if (!simulation.advance(result.steps)) continue;
     samples.setConstant(std::numeric_limits<double>::quiet_NaN());  // it broke
     break;
@@ -84,28 +83,28 @@ Swing swing(const StrandStart& rest, const BeamModes& modes, Method method,
   return result;
 }
 
-ValidationResult run(Method method, const ValidationSettings& settings) {
+ValidationResult swing_beam(Method method, const ValidationSettings& settings) {
   const SwingMethod known = swing_method(method);
-  const StrandStart rest = clamped_hair({}, kSegments, kLength, Vector3d::UnitX());
+  const StrandStart rest = clamped_hair({}, kBeamSegments, kBeamLength, Vector3d::UnitX());
   const BeamModes modes = beam_modes(rest);
-  const Swing swung = swing(rest, modes, method, settings);
+  const BeamSwing swung = sample_swing(rest, modes, method, settings);
   const double phase = swung.fit.frequency / swung.steps;  // in a step
   const double measured = known.undo(phase / swung.step, swung.step) / modes.frequencies[0];
 
   ValidationResult result;
   const Strand& strand = rest.strand;
-  const double tolerance = 1e-10 + strand.stretch_rigidity * kLength * kLength / strand.bend_rigidity *
-                                       (0x1p-53 * kSegments + kHeight * kHeight);
+  const double tolerance = 1e-10 + strand.stretch_rigidity * kBeamLength * kBeamLength /
+                                       strand.bend_rigidity * (0x1p-53 * kBeamSegments + kHeight * kHeight);
   const std::string why =
       "solves, 1e-10; and what EA makes of a stretch, L^2 EA / EI, by 2^-53 n of rounding and by the swing's "
       "height, squared";
   result.checks.push_back({"frequency", "w, its dispersion undone, over that of the matrices",
                            "the method's dispersion (dispersion.h)", 1, measured, tolerance, why});
-  const double off = -clamped_beam_error(1) / (kSegments * kSegments);
+  const double off = -clamped_beam_error(1) / (kBeamSegments * kBeamSegments);
   result.checks.push_back({"root", "b = L (w^2 rho A / EI)^(1/4), of 10 segments",
                            "a beam's 1.875104, less the strand's error (clamped_beam.h)",
                            clamped_beam_root(1) * std::pow(1 + off, 0.25),
-                           beam_root_of({}, kLength, measured * modes.frequencies[0]),
+                           beam_root_of({}, kBeamLength, measured * modes.frequencies[0]),
                            clamped_beam_root(1) * off * off / 4 * 1.1,
                            "the error's next term: about the square of the first"});
   if (known.decay)
@@ -121,7 +120,7 @@ Validation beam_swing(Method method) {
   const SwingMethod known = swing_method(method);
   return {std::string("beam-swing-") + known.id,
           std::string("Clamped hair swings in its first mode, ") + known.name, known.exercises,
-          [method](const ValidationSettings& settings) { return run(method, settings); }};
+          [method](const ValidationSettings& settings) { return swing_beam(method, settings); }};
 }
 
 }  // namespace hair

@@ -8,7 +8,8 @@
 
 namespace hair {
 
-inline constexpr double kEarth = 9.81;  // m/s^2
+inline constexpr double kEarth = 9.81;       // m/s^2
+inline constexpr double kBeamLength = 0.05;  // m, of hair that swings or bends as a beam
 
 // Gamma = rho g A L^3 / EI, weight against stiffness: 6.8 of human hair of 10 cm.
 double weight_over_stiffness(const Material& material, double length);

@@ -16,7 +16,7 @@ namespace hair {
 
 namespace {
 
-constexpr double kStep = 1.0 / 60;  // s
+constexpr double kSettlingStep = 1.0 / 60;  // s
 
 struct RestingMethod {
   Method method;
@@ -77,7 +77,7 @@ ValidationResult settle_level(const RestingMethod& known, const ValidationSettin
       const double length = length_of(hair, gamma), stretch = stretch_of(hair, length);
       const StrandStart start = clamped_hair(hair, segments, length, Vector3d::UnitX());
       const Balanced balanced = find_balance(start, start.state.x);
-      const Settled settled = settle(start, hair, known.method, balanced.slowest, kStep, settings);
+      const Settled settled = settle(start, hair, known.method, balanced.slowest, kSettlingStep, settings);
       const Eigen::Vector2d tip = planar_tip(settled.x) / length;
       const double off = (tip - balanced.tip).norm(), error = (tip - elastica(gamma, stretch).tip()).norm();
       const std::string n = std::to_string(segments);
@@ -134,7 +134,7 @@ ValidationResult settle_standing(const RestingMethod& known, const ValidationSet
     StrandStart start = standing_hair(hair, kSegments, length);
     const Balanced balanced = find_balance(start, stands ? start.state.x : leaning(start, 1));
     start.state.x = leaning(start, 0.5);
-    const Settled settled = settle(start, hair, known.method, balanced.slowest, kStep, settings);
+    const Settled settled = settle(start, hair, known.method, balanced.slowest, kSettlingStep, settings);
     const double lean = std::abs(planar_tip(settled.x)[0]) / length;
     const double leans = std::abs(balanced.tip[0]);
     // It leans like sqrt(Gamma / critical - 1), and Gamma has the height cubed.

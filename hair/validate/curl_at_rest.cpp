@@ -37,7 +37,7 @@ double moved_by_rounding(const Strand& strand, const Eigen::VectorXd& x) {
   return std::sqrt(n * strand.stretch_rigidity * e * e / strand.rest_length.minCoeff() / softest);
 }
 
-ValidationResult run(Method method, const ValidationSettings& settings) {
+ValidationResult watch_curl(Method method, const ValidationSettings& settings) {
   const Material hair;
   constexpr double kLength = 0.2, kSeconds = 1, kStep = 1.0 / 240;
   ValidationResult result;
@@ -78,7 +78,7 @@ Validation curl_at_rest(Method method) {
   return {h4 ? "curl-h4" : "curl-h6", std::string("A curl without gravity stays put, ") + (h4 ? "H4" : "H6"),
           h4 ? std::vector<std::string>{"S1", "H1", "H4"}
              : std::vector<std::string>{"S1", "H1", "H4", "H5", "H6"},
-          [method](const ValidationSettings& settings) { return run(method, settings); }};
+          [method](const ValidationSettings& settings) { return watch_curl(method, settings); }};
 }
 
 }  // namespace hair

@@ -17,8 +17,6 @@ namespace hair {
 
 namespace {
 
-constexpr double kLength = 0.05;  // m
-
 // The moment M on the last segment e, in the plane y = 0, from x down: forces M J e / |e|^2 and the opposite
 // on its ends, with J (x, z) = (z, -x). They turn with it. As an energy, -M times the angle.
 class EndMoment final : public particles::Force {
@@ -53,11 +51,11 @@ class EndMoment final : public particles::Force {
 // Bent by `turn` radians in all.
 void check_arc(const Material& material, int segments, double turn, const std::string& name,
                ValidationResult& result) {
-  const StrandStart start = clamped_hair(material, segments, kLength, Vector3d::UnitX());
+  const StrandStart start = clamped_hair(material, segments, kBeamLength, Vector3d::UnitX());
   const auto strand = under_gravity(start, Vector3d::Zero());
-  strand->force.emplace<EndMoment>(material.bend_rigidity() * turn / kLength);
+  strand->force.emplace<EndMoment>(material.bend_rigidity() * turn / kBeamLength);
   const Balance balance = planar_balance(strand->strand, strand->force, start.state.x);
-  const double joint = turn / segments, step = kLength / segments;
+  const double joint = turn / segments, step = kBeamLength / segments;
   double worst = balance.found() ? 0 : std::numeric_limits<double>::quiet_NaN();
   for (int i = 0; i < segments; ++i) {
     const Vector3d e = balance.x.segment<3>(3 * i + 3) - balance.x.segment<3>(3 * i);
@@ -73,12 +71,13 @@ void check_arc(const Material& material, int segments, double turn, const std::s
                            "curvature M / EI", 0, worst, rounding, why, "rad"});
   // The chord of the arc on which particles are.
   const double radius = step / 2 / std::sin(joint / 2);
-  result.checks.push_back(
-      {id + "-chord", shows + "from root to tip, over L", "the arc, larger by (a/2) / sin(a/2), a = M l / EI",
-       2 * radius * std::abs(std::sin(turn / 2)) / kLength, tip_of(balance).norm() / kLength, rounding, why});
+  result.checks.push_back({id + "-chord", shows + "from root to tip, over L",
+                           "the arc, larger by (a/2) / sin(a/2), a = M l / EI",
+                           2 * radius * std::abs(std::sin(turn / 2)) / kBeamLength,
+                           tip_of(balance).norm() / kBeamLength, rounding, why});
 }
 
-ValidationResult run(const ValidationSettings& settings) {
+ValidationResult bend_into_arcs(const ValidationSettings& settings) {
   ValidationResult result;
   for (int segments : {10, 20, 40, 80}) {
     settings.go_on();
@@ -91,7 +90,7 @@ ValidationResult run(const ValidationSettings& settings) {
 }  // namespace
 
 Validation end_moment() {
-  return {"end-moment", "A moment at its tip bends clamped hair into an arc", {"H1", "H2"}, run};
+  return {"end-moment", "A moment at its tip bends clamped hair into an arc", {"H1", "H2"}, bend_into_arcs};
 }
 
 }  // namespace hair

@@ -27,12 +27,12 @@ struct Rest {
 };
 
 // Hair of one length in more and more segments.
-struct Sweep {
+struct SegmentSweep {
   double gamma, length, stretch;
   std::vector<Rest> rests;
 };
 
-Rest find_rest(const Material& material, const Sweep& sweep, int segments) {
+Rest find_rest(const Material& material, const SegmentSweep& sweep, int segments) {
   const StrandStart start = clamped_hair(material, segments, sweep.length, Vector3d::UnitX());
   const auto strand = under_gravity(start, Vector3d(0, 0, -kEarth));
   const auto find = [&] { return planar_balance(strand->strand, strand->force, start.state.x); };
@@ -48,8 +48,8 @@ Rest find_rest(const Material& material, const Sweep& sweep, int segments) {
   return rest;
 }
 
-Sweep sweep_segments(const Material& material, double gamma, const ValidationSettings& settings) {
-  Sweep sweep{gamma, length_of(material, gamma), 0, {}};
+SegmentSweep sweep_segments(const Material& material, double gamma, const ValidationSettings& settings) {
+  SegmentSweep sweep{gamma, length_of(material, gamma), 0, {}};
   sweep.stretch = material.line_density() * kEarth * sweep.length / material.stretch_rigidity();
   for (int segments : {10, 20, 40, 80}) {
     settings.go_on();
@@ -64,7 +64,7 @@ double order(const Rest& coarse, const Rest& fine) {
   return std::log2(coarse.error / fine.error);
 }
 
-void check(const Sweep& sweep, std::vector<Check>& checks) {
+void check(const SegmentSweep& sweep, std::vector<Check>& checks) {
   const std::string gamma = to_text(sweep.gamma);
   for (std::size_t i = 0; i < sweep.rests.size(); ++i) {
     const Rest& rest = sweep.rests[i];
@@ -83,13 +83,13 @@ void check(const Sweep& sweep, std::vector<Check>& checks) {
   }
 }
 
-Table table_of(const std::vector<Sweep>& sweeps) {
+Table table_of(const std::vector<SegmentSweep>& sweeps) {
   Table table{
       "Hair at rest: the error of the tip over L, and its order; and how far the tip is from the strand's "
       "own elastica",
       {"Gamma", "length, m", "segments", "error", "expected", "order", "apart"},
       {}};
-  for (const Sweep& sweep : sweeps)
+  for (const SegmentSweep& sweep : sweeps)
     for (std::size_t i = 0; i < sweep.rests.size(); ++i) {
       const Rest& rest = sweep.rests[i];
       const bool ordered = has_an_order(sweep.gamma, rest.segments);
@@ -102,18 +102,18 @@ Table table_of(const std::vector<Sweep>& sweeps) {
   return table;
 }
 
-Table table_of_times(const std::vector<Sweep>& sweeps) {
+Table table_of_times(const std::vector<SegmentSweep>& sweeps) {
   Table table{"CPU time of Newton's method, from straight hair on: the median of five, after a first one",
               {"Gamma", "segments", "CPU time, s", "error"},
               {}};
-  for (const Sweep& sweep : sweeps)
+  for (const SegmentSweep& sweep : sweeps)
     for (const Rest& rest : sweep.rests)
       table.rows.push_back(
           {to_text(sweep.gamma), std::to_string(rest.segments), to_text(rest.seconds), to_text(rest.error)});
   return table;
 }
 
-Figure figure_of(const std::vector<Sweep>& sweeps, bool against_time) {
+Figure figure_of(const std::vector<SegmentSweep>& sweeps, bool against_time) {
   Figure figure{
       against_time ? "elastica-error-time" : "elastica-error-segments",
       against_time ? "The elastica: error against the time to find it"
@@ -125,7 +125,7 @@ Figure figure_of(const std::vector<Sweep>& sweeps, bool against_time) {
             "four when segments are halved; before, hardly.",
       {against_time ? "CPU time, s" : "segments"},
       {"error of the tip, over L"}};
-  for (const Sweep& sweep : sweeps) {
+  for (const SegmentSweep& sweep : sweeps) {
     Series& series = figure.series.emplace_back(Series{"Gamma = " + to_text(sweep.gamma), {}});
     for (const Rest& rest : sweep.rests)
       series.points.push_back(
@@ -137,13 +137,13 @@ Figure figure_of(const std::vector<Sweep>& sweeps, bool against_time) {
   return figure;
 }
 
-ValidationResult run(const ValidationSettings& settings) {
+ValidationResult find_rests(const ValidationSettings& settings) {
   const Material hair;
-  std::vector<Sweep> sweeps;
+  std::vector<SegmentSweep> sweeps;
   for (const double gamma : {0.1, 1.0, 10.0, 100.0, 1e3, 1e4, 1e5})
     sweeps.push_back(sweep_segments(hair, gamma, settings));
   ValidationResult result;
-  for (const Sweep& sweep : sweeps) check(sweep, result.checks);
+  for (const SegmentSweep& sweep : sweeps) check(sweep, result.checks);
   result.figures = {figure_of(sweeps, false), figure_of(sweeps, true)};
   result.tables = {table_of(sweeps)};
   result.times = {table_of_times(sweeps)};
@@ -156,7 +156,7 @@ Validation hair_at_rest() {
   return {"elastica",
           "Hair that is clamped level bends under its own weight like the elastica",
           {"H1", "H2"},
-          run};
+          find_rests};
 }
 
 }  // namespace hair

@@ -82,7 +82,7 @@ Figure shapes() {
   return figure;
 }
 
-ValidationResult run(const ValidationSettings&) {
+ValidationResult check_elastica(const ValidationSettings&) {
   ValidationResult result;
   check_stated(result);
   check_limits(result);
@@ -94,7 +94,7 @@ ValidationResult run(const ValidationSettings&) {
 }  // namespace
 
 Validation heavy_elastica() {
-  return {"elastica-curve", "The heavy elastica itself, by shooting from its tip", {}, run};
+  return {"elastica-curve", "The heavy elastica itself, by shooting from its tip", {}, check_elastica};
 }
 
 }  // namespace hair

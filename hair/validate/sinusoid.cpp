@@ -22,7 +22,7 @@ double frequency_of_signs(const Eigen::VectorXd& samples) {
                    : std::numbers::pi * (count - 1) / (last - first);
 }
 
-constexpr int kMostSteps = 30;
+constexpr int kMostGaussNewtonSteps = 30;
 constexpr double kClose = 1e-14, kCloseEnough = 1e-10;  // to end; to have found something after all steps
 
 }  // namespace
@@ -46,7 +46,7 @@ Sinusoid fit_sinusoid(const Eigen::VectorXd& samples) {
       left[k] = samples[k] - (a * c + b * s);
       derivatives.row(k) << c, s, t * (b * c - a * s), -t * (a * c + b * s);
     }
-    if (change_left <= kClose || step == kMostSteps) break;
+    if (change_left <= kClose || step == kMostGaussNewtonSteps) break;
     const Eigen::Vector4d change = derivatives.householderQr().solve(left);
     a += change[0];
     b += change[1];
