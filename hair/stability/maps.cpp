@@ -12,7 +12,6 @@ namespace hair {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kSofter = 1e-2, kStiffer = 1e2;  // of the scene's stiffness
 
 std::vector<double> logarithmic(double low, double high, int count) {
@@ -76,11 +75,11 @@ struct Station {
   double drag = 0;
 };
 
-Station make_station(const Description& hair, const StudyMethod& method, Sweep sweep, double x) {
+Station make_station(const Description& hair, const StudyMethod& method, Swept sweep, double x) {
   Station station;
-  station.hanging = hang(hair, sweep == Sweep::stiffness ? x : 1, keeps_lengths(method));
+  station.hanging = hang(hair, sweep == Swept::stiffness ? x : 1, keeps_lengths(method));
   station.disturbance = disturb(station.hanging);
-  station.drag = sweep == Sweep::drag ? x : hair.drag;
+  station.drag = sweep == Swept::drag ? x : hair.drag;
   return station;
 }
 
@@ -91,7 +90,7 @@ double theory_of(const Description& hair, const StudyMethod& method, const Stati
   const Modes &along = hanging.along_modes, &across = hanging.across_modes;
   const double gamma = hanging.drag_per_mass * station.drag;
   if (method.is_explicit) {
-    double least = kInfinity;
+    double least = std::numeric_limits<double>::infinity();
     for (const Modes* modes : {&along, &across})
       for (const double omega : modes->omega)
         least = std::min(least, explicit_limit(method.method, {omega, gamma}, growth));
@@ -135,7 +134,7 @@ Description with_options(Description hair, const StudyMethod& method) {
 
 std::vector<double> boundary_of(const RefinedGrid& grid, const std::vector<double>& hs) {
   const std::size_t rows = hs.size(), columns = grid.cells.size() / rows;
-  std::vector<double> boundary(columns, kInfinity);
+  std::vector<double> boundary(columns, std::numeric_limits<double>::infinity());
   for (std::size_t column = 0; column < columns; ++column)
     for (std::size_t row = 0; row < rows; ++row)
       if (grid.cells[row * columns + column] >= static_cast<int>(Fate::wrong)) {
@@ -186,7 +185,7 @@ bool alike_when_hanging(const Description& hair, const StudyMethod& a, const Stu
   return true;
 }
 
-StabilityMap make_map(const Description& hair, const StudyMethod& method, Sweep sweep,
+StabilityMap make_map(const Description& hair, const StudyMethod& method, Swept sweep,
                       const MapSettings& settings, const std::atomic<bool>& interrupted,
                       const Progress& progress) {
   const double start = cpu_seconds();
@@ -198,7 +197,7 @@ StabilityMap make_map(const Description& hair, const StudyMethod& method, Sweep 
   map.steps = steps_of(method, settings);
   map.hs = method.is_explicit ? logarithmic(3e-3 / omega, 60 / omega, settings.rows)
                               : logarithmic(0.04 / omega, 40 / omega, settings.rows);
-  if (sweep == Sweep::stiffness) {
+  if (sweep == Swept::stiffness) {
     map.xs = logarithmic(kSofter, kStiffer, settings.columns);
   } else {
     const double critical = 2 * omega / hang(description, 1, false).drag_per_mass;  // zeta = 1

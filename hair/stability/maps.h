@@ -12,7 +12,7 @@
 
 namespace hair {
 
-enum class Sweep {
+enum class Swept {
   stiffness,  // Young's modulus, times the scene's: EA and EI together, with the scene's drag
   drag        // N s/m for each metre of hair, with the scene's stiffness
 };
@@ -46,7 +46,7 @@ struct StabilityMap {
   StudyMethod method;
   std::vector<StudyMethod>
       alike;  // methods that make the same matrix of this hair, which this map is of as well
-  Sweep sweep = Sweep::stiffness;
+  Swept sweep = Swept::stiffness;
   std::vector<double> xs, hs;  // the cells' middles; hs in s
   RefinedGrid grid;            // of Fate
   long steps = 0;              // of a run that does not blow up
@@ -67,7 +67,7 @@ using Progress = std::function<void(long runs)>;
 
 // The problem is one strand's; the method fits it. What a stub throws, passes. grid.complete says whether it was
 // interrupted.
-StabilityMap make_map(const Description& hair, const StudyMethod& method, Sweep sweep,
+StabilityMap make_map(const Description& hair, const StudyMethod& method, Swept sweep,
                       const MapSettings& settings, const std::atomic<bool>& interrupted,
                       const Progress& progress = {});
 

@@ -24,7 +24,7 @@ std::string cells(double distance) {
 }
 
 const char* x_title(const StabilityMap& map) {
-  return map.sweep == Sweep::stiffness ? "stiffness, times the scene's"
+  return map.sweep == Swept::stiffness ? "stiffness, times the scene's"
                                        : "drag, N s/m for each metre of hair";
 }
 
@@ -146,12 +146,12 @@ Section section_of_hair(const StabilityReport& report) {
 
 std::string title_of(const StabilityMap& map) {
   return map.method.name +
-         (map.sweep == Sweep::stiffness ? ": step size against stiffness" : ": step size against drag");
+         (map.sweep == Swept::stiffness ? ": step size against stiffness" : ": step size against drag");
 }
 
 CellMap figure_of(const StabilityMap& map) {
   CellMap figure;
-  figure.id = map.method.id + (map.sweep == Sweep::stiffness ? "-stiffness" : "-drag");
+  figure.id = map.method.id + (map.sweep == Swept::stiffness ? "-stiffness" : "-drag");
   figure.title = title_of(map);
   figure.description = describe(map);
   figure.x.title = x_title(map);
@@ -182,7 +182,7 @@ Table table_of_boundaries(const StabilityReport& report) {
       const std::string words = verdict(map, map.limits[i]);
       const std::string name = map.limits[i].name + (words.empty() ? "" : ": " + words);
       const bool compared = distance.columns > 0;
-      table.rows.push_back({names_of(map), map.sweep == Sweep::stiffness ? "stiffness" : "drag", name,
+      table.rows.push_back({names_of(map), map.sweep == Swept::stiffness ? "stiffness" : "drag", name,
                             std::to_string(distance.columns), compared ? cells(distance.median_cells) : "",
                             compared ? cells(distance.worst_cells) : "",
                             compared ? percent(distance.median_relative) : "",
@@ -198,7 +198,7 @@ Table table_of_runs(const StabilityReport& report) {
               {}};
   for (const StabilityMap& map : report.maps) {
     const auto all = static_cast<double>(map.grid.cells.size());
-    table.rows.push_back({names_of(map), map.sweep == Sweep::stiffness ? "stiffness" : "drag",
+    table.rows.push_back({names_of(map), map.sweep == Swept::stiffness ? "stiffness" : "drag",
                           std::to_string(map.grid.cells.size()), std::to_string(map.grid.asked),
                           short_text("%.1f", all / static_cast<double>(map.grid.asked)),
                           std::to_string(map.steps), short_text("%.2f", map.cpu_seconds)});
@@ -213,7 +213,7 @@ Table table_of_curves(const StabilityReport& report) {
   const auto text = [](double h) { return std::isfinite(h) ? short_text("%.9g", h) : std::string(); };
   for (const StabilityMap& map : report.maps)
     for (std::size_t i = 0; i < map.xs.size(); ++i)
-      table.rows.push_back({map.method.id, map.sweep == Sweep::stiffness ? "stiffness" : "drag",
+      table.rows.push_back({map.method.id, map.sweep == Swept::stiffness ? "stiffness" : "drag",
                             text(map.xs[i]), text(map.boundary[i]), text(map.limits[0].h[i]),
                             map.limits.size() > 1 ? text(map.limits[1].h[i]) : ""});
   return table;

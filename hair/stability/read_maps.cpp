@@ -34,7 +34,7 @@ std::vector<int> read_cells(const JsonValue& rows, const StabilityMap& map) {
 StabilityMap read_map(const JsonValue& json) {
   StabilityMap map;
   map.method.id = json["method"].text();
-  map.sweep = json["sweep"].word({"stiffness", "drag"}) == 0 ? Sweep::stiffness : Sweep::drag;
+  map.sweep = json["sweep"].word({"stiffness", "drag"}) == 0 ? Swept::stiffness : Swept::drag;
   map.xs = read_numbers(json["x"]);
   map.hs = read_numbers(json["h"]);
   map.steps = json["steps"].whole_number(1, kMostRuns);

@@ -20,8 +20,8 @@ Json numbers(const std::vector<double>& values) {
   return list;
 }
 
-const char* sweep_name(Sweep sweep) {
-  return sweep == Sweep::stiffness ? "stiffness" : "drag";
+const char* sweep_name(Swept sweep) {
+  return sweep == Swept::stiffness ? "stiffness" : "drag";
 }
 
 // A row of cells as a text, a digit for each: 0 stable, ..., 3 blown up.

@@ -119,10 +119,10 @@ StabilityReport study_stability(const Scene& scene, const StabilitySettings& set
 
   int number = 0;
   for (std::size_t i = 0; i < methods.size() && !interrupted; ++i)
-    for (const Sweep sweep : {Sweep::stiffness, Sweep::drag}) {
+    for (const Swept sweep : {Swept::stiffness, Swept::drag}) {
       const std::string what = "map " + std::to_string(++number) + " of " +
                                std::to_string(report.maps_asked) + ": " + methods[i].name +
-                               (sweep == Sweep::stiffness ? ", stiffness" : ", drag");
+                               (sweep == Swept::stiffness ? ", stiffness" : ", drag");
       const bool went = guarded(methods[i], [&] {
         const auto before = std::find_if(
             settings.finished.begin(), settings.finished.end(),

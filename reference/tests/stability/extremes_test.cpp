@@ -11,12 +11,11 @@
 #include "hair/measures.h"
 #include "hair/stability/maps.h"
 #include "hair/stability/theory.h"
+#include "reference/tests/stability/never_interrupted.h"
 #include "reference/tests/strands/hairs.h"
 
 namespace reference_tests {
 namespace {
-
-const std::atomic<bool> kNeverInterrupted = false;
 
 Description falling_hair() {
   Description description = alone(straight_hair(4, 0.04), Method::implicit_euler, 1e-3);

@@ -11,13 +11,14 @@
 #include <string>
 #include <vector>
 
+#include "reference/tests/stability/never_interrupted.h"
+
 namespace reference_tests {
 namespace {
 
 using Classes = std::function<int(int column, int row)>;
 
 constexpr int kSize = 64;
-const std::atomic<bool> kNeverInterrupted = false;
 
 hair::RefinedGrid refined(const Classes& classes, int size = kSize) {
   std::vector<int> calls(static_cast<std::size_t>(size) * size, 0);

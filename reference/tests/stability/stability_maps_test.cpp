@@ -10,14 +10,13 @@
 
 #include "hair/stability/maps.h"
 #include "hair/stability/theory.h"
+#include "reference/tests/stability/never_interrupted.h"
 #include "reference/tests/strands/hairs.h"
 
 namespace reference_tests {
 namespace {
 
 using hair::Fate;
-
-const std::atomic<bool> kNeverInterrupted = false;
 
 Description hanging_hair(int segments) {
   Description description = alone(straight_hair(segments, 0.01 * segments), Method::symplectic_euler, 1e-3);
@@ -45,7 +44,7 @@ hair::StudyMethod implicit_method(Method method, hair::GeometricTerm term) {
 // The first h that is wrong, halved to a thousandth, from where it is stable: half of theory's limit; up to twice that.
 double measured_limit(const Description& description, const hair::StabilityMap& map, std::size_t column,
                       double theory) {
-  const bool stiffness = map.sweep == hair::Sweep::stiffness;
+  const bool stiffness = map.sweep == hair::Swept::stiffness;
   const double x = map.xs[column];
   const hair::Hanging hanging =
       hair::hang(description, stiffness ? x : 1, map.method.method == Method::predictor_corrector);
@@ -65,14 +64,14 @@ double measured_limit(const Description& description, const hair::StabilityMap& 
 // The curve that a map draws, beside runs of many steps, in columns from end to end. Where a method keeps errors bounded it
 // exchanges energy, by 100 at 99/101 of its limit (experiment.h): 2 % too low, and a thousandth is the bisection's. A growth by
 // 10 in so many steps, from which on it is seen, is less than 1 % beyond the limit, or the last curve says where it is.
-void expect_theory(const Description& hair, const hair::StudyMethod& method, hair::Sweep sweep,
+void expect_theory(const Description& hair, const hair::StudyMethod& method, hair::Swept sweep,
                    const hair::MapSettings& few) {
   hair::MapSettings settings = few;
   settings.columns = 4;
   const std::atomic<bool> no_cells = true;
   const Description description = hair::with_options(hair, method);
   const hair::StabilityMap map = hair::make_map(hair, method, sweep, settings, no_cells);
-  const bool in_drag = sweep == hair::Sweep::drag;
+  const bool in_drag = sweep == hair::Swept::drag;
   int compared = 0;
   for (std::size_t column = 0; column < map.xs.size(); ++column) {
     const double theory = map.limits.back().h[column];
@@ -90,7 +89,7 @@ TEST(StabilityMaps, ExplicitMethodsBreakWhereTheClosedFormsSay) {
   hair::MapSettings settings;
   settings.evaluations = 20'000;
   for (const Method method : kExplicitMethods)
-    for (const auto sweep : {hair::Sweep::stiffness, hair::Sweep::drag})
+    for (const auto sweep : {hair::Swept::stiffness, hair::Swept::drag})
       expect_theory(hanging_hair(1), explicit_method(method), sweep, settings);
 }
 
@@ -100,7 +99,7 @@ TEST(StabilityMaps, ImplicitMethodsBreakAcrossTheHair) {
   for (const double bending : {0.0, 1.0}) {
     Description hair = hanging_hair(2);
     hair.strands[0].strand.bend_rigidity = bending * straight_hair(2, 0.02).strand.bend_rigidity;
-    for (const auto sweep : {hair::Sweep::stiffness, hair::Sweep::drag}) {
+    for (const auto sweep : {hair::Swept::stiffness, hair::Swept::drag}) {
       expect_theory(hair, implicit_method(Method::implicit_euler, hair::GeometricTerm::dropped), sweep,
                     settings);
       expect_theory(hair, implicit_method(Method::predictor_corrector, hair::GeometricTerm::filtered), sweep,
@@ -115,7 +114,7 @@ TEST(StabilityMaps, FewRunsFindTheBoundaryOfAll) {
   const Description description =
       hair::with_options(hanging_hair(2), explicit_method(Method::symplectic_euler));
   const hair::StabilityMap map = hair::make_map(description, explicit_method(Method::symplectic_euler),
-                                                hair::Sweep::stiffness, settings, kNeverInterrupted);
+                                                hair::Swept::stiffness, settings, kNeverInterrupted);
   EXPECT_LE(10 * static_cast<std::size_t>(map.grid.asked), map.grid.cells.size());
   const double cell = std::log(map.hs[1] / map.hs[0]);
   for (std::size_t column = 0; column < map.xs.size(); ++column) {

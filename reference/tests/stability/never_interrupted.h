@@ -1,0 +1,10 @@
+// STAFF ONLY. For studies that run to their end.
+#pragma once
+
+#include <atomic>
+
+namespace reference_tests {
+
+inline const std::atomic<bool> kNeverInterrupted = false;
+
+}  // namespace reference_tests
