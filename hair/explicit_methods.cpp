@@ -9,13 +9,14 @@ using Integrator = void (*)(particles::Dynamics&, double, particles::Output, par
                             particles::Scratch);
 
 template <Integrator integrator>
-StepOutcome take_step(MovingStrand& moving, const StepOptions& options, const particles::Scratch& scratch) {
+StepOutcome take_explicit_step(MovingStrand& moving, const StepOptions& options,
+                               const particles::Scratch& scratch) {
   integrator(moving.system, options.h, moving.state.x, moving.state.v, scratch);
   return {.suspect = Stage::integration};
 }
 
 template <Integrator integrator>
-constexpr StepMethod kMethod{take_step<integrator>, particles::kIntegratorScratch};
+constexpr StepMethod kMethod{take_explicit_step<integrator>, particles::kIntegratorScratch};
 
 }  // namespace
 

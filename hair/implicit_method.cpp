@@ -5,7 +5,8 @@ namespace hair {
 
 namespace {
 
-StepOutcome take_step(MovingStrand& moving, const StepOptions& options, const particles::Scratch& scratch) {
+StepOutcome take_implicit_step(MovingStrand& moving, const StepOptions& options,
+                               const particles::Scratch& scratch) {
   const particles::SolveReport report = particles::implicit_euler(moving.force, moving.particles, options.h,
                                                                   options.tolerance, moving.state, scratch);
   return {.solver_steps = report.steps, .unconverged = !report.converged, .suspect = Stage::filter};
@@ -13,6 +14,6 @@ StepOutcome take_step(MovingStrand& moving, const StepOptions& options, const pa
 
 }  // namespace
 
-const StepMethod kImplicitEuler{take_step, particles::kImplicitScratch};
+const StepMethod kImplicitEuler{take_implicit_step, particles::kImplicitScratch};
 
 }  // namespace hair

@@ -5,7 +5,8 @@ namespace hair {
 
 namespace {
 
-StepOutcome take_step(MovingStrand& moving, const StepOptions& options, const particles::Scratch& scratch) {
+StepOutcome take_newton_step(MovingStrand& moving, const StepOptions& options,
+                             const particles::Scratch& scratch) {
   const NewtonReport report =
       newton_euler(moving.force, moving.definite_force, moving.particles, options.h, moving.state, scratch);
   return {.solver_steps = report.solver_steps,
@@ -17,6 +18,6 @@ StepOutcome take_step(MovingStrand& moving, const StepOptions& options, const pa
 
 }  // namespace
 
-const StepMethod kNewtonEuler{take_step, kNewtonScratch};
+const StepMethod kNewtonEuler{take_newton_step, kNewtonScratch};
 
 }  // namespace hair

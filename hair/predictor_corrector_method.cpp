@@ -11,7 +11,8 @@ bool is_finite(const particles::SolveReport& report) {
   return std::isfinite(report.rhs) && std::isfinite(report.residual);
 }
 
-StepOutcome take_step(MovingStrand& moving, const StepOptions& options, const particles::Scratch& scratch) {
+StepOutcome predict_and_correct(MovingStrand& moving, const StepOptions& options,
+                                const particles::Scratch& scratch) {
   const StepReport report = predictor_corrector(moving.force, moving.particles, moving.strand, options.h,
                                                 options.tolerance, moving.state, scratch);
   StepOutcome outcome;
@@ -36,6 +37,6 @@ void mend(MovingStrand& moving, const particles::Scratch& scratch) {
 
 }  // namespace
 
-const StepMethod kPredictorCorrector{take_step, kPredictorCorrectorScratch, mend};
+const StepMethod kPredictorCorrector{predict_and_correct, kPredictorCorrectorScratch, mend};
 
 }  // namespace hair

@@ -22,6 +22,7 @@ inline constexpr double kPlotHeight = 400;
 inline constexpr double kLeftMargin = 84;
 inline constexpr double kGap = 18;        // between a plot and what is beside it
 inline constexpr double kBelowPlot = 56;  // ticks, labels, title of the x axis
+inline constexpr double kBottomMargin = 10;
 inline constexpr double kTitleHeight = 36;
 
 // Throws std::invalid_argument for an id that is not letters, digits and hyphens after a letter.

@@ -15,7 +15,6 @@ namespace {
 
 using namespace plot;
 
-constexpr double kBottomMargin = 10;
 constexpr int kNotKnown = -1;
 
 // A class is told by its colour, by how light that is, and by its hatching. The colours lie near those of

@@ -21,7 +21,6 @@ using namespace plot;
 constexpr double kRoom = 0.04;     // of an axis, at its ends
 constexpr double kFailedRow = 18;  // pixels
 constexpr double kNoteLine = 16;
-constexpr double kBottomMargin = 10;
 
 bool has_failed(const Series& series) {
   return std::any_of(series.points.begin(), series.points.end(), [](const Point& p) { return p.failed; });

@@ -7,7 +7,7 @@ namespace hair::json {
 
 namespace {
 
-std::variant<Plane, Sphere, Capsule> read_shape(const JsonValue& obstacle) {
+std::variant<Plane, Sphere, Capsule> read_obstacle_shape(const JsonValue& obstacle) {
   const int shapes = obstacle.has("plane") + obstacle.has("sphere") + obstacle.has("capsule");
   if (shapes != 1) obstacle.fail("give one of: plane, sphere, capsule");
   if (obstacle.has("plane")) {
@@ -32,7 +32,7 @@ void read_obstacles(const JsonValue& list, Reading& reading) {
     obstacle.check_keys({}, {"plane", "sphere", "capsule", "friction", "moves_with"});
     std::vector<Obstacle>& obstacles = reading.scene.hair.obstacles;
     Obstacle& made = obstacles.emplace_back();
-    made.shape = read_shape(obstacle);
+    made.shape = read_obstacle_shape(obstacle);
     made.friction = number_or(obstacle, "friction", 0, 0, 1e3);
     if (Rider* rider = reading.rider(obstacle)) {
       if (!std::holds_alternative<Sphere>(made.shape) && turns(rider->motion))
