@@ -13,7 +13,7 @@ namespace {
 using hair::Image;
 
 // Rounding of a filter's sums of 25 + 25 floats.
-constexpr double kRounding = 50 * 1.2e-7;
+constexpr double kFilterRounding = 50 * 1.2e-7;
 
 TEST(ComparePictures, IdenticalOnesAreAtDistanceZero) {
   const PictureDistance none = compare_pictures(strands(64, 48, 5), strands(64, 48, 5));
@@ -26,9 +26,9 @@ TEST(ComparePictures, IdenticalOnesAreAtDistanceZero) {
 TEST(ComparePictures, BlackIsOneFromWhite) {
   const PictureDistance most = compare_pictures(even({0, 0, 0}), even({255, 255, 255}));
   EXPECT_FALSE(most.identical);
-  EXPECT_NEAR(most.blurred_rmse, 1, kRounding);
+  EXPECT_NEAR(most.blurred_rmse, 1, kFilterRounding);
   EXPECT_NEAR(compare_pictures(even({0, 0, 0}), even({0, 255, 0})).blurred_rmse, std::sqrt(1.0 / 3),
-              kRounding);
+              kFilterRounding);
 }
 
 // The squares of a Gaussian's weights sum to about 1 / (4 pi sigma^2); cut off at 3 sigma and sampled, to

@@ -11,7 +11,7 @@ namespace grader {
 namespace {
 
 // Each value has all of a float's rounding: eps / 2 relative for each of the kernel's products and sums.
-constexpr float kRounding = 60 * 1.2e-7F;
+constexpr float kKernelRounding = 60 * 1.2e-7F;
 
 Plane random_plane(int width, int height) {
   Plane plane(width, height);
@@ -51,7 +51,7 @@ TEST(Filtered, IsTheSumOfItsDefinitionUpToTheBorders) {
     ASSERT_EQ(out.height, height);
     for (int y = 0; y < height; ++y)
       for (int x = 0; x < width; ++x)
-        EXPECT_NEAR(out.row(y)[x], at(in, lopsided, wide, x, y), 4 * kRounding)
+        EXPECT_NEAR(out.row(y)[x], at(in, lopsided, wide, x, y), 4 * kKernelRounding)
             << x << ", " << y << " of " << width << " x " << height;
   }
 }
@@ -60,7 +60,7 @@ TEST(Filtered, WhatIsEvenStaysEven) {
   Plane even(40, 30);
   std::fill(even.values.begin(), even.values.end(), 0.7F);
   const Kernel kernel = gaussian(4, 12);
-  for (const float value : filtered(even, kernel, kernel).values) EXPECT_NEAR(value, 0.7F, kRounding);
+  for (const float value : filtered(even, kernel, kernel).values) EXPECT_NEAR(value, 0.7F, kKernelRounding);
 }
 
 }  // namespace

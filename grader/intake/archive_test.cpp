@@ -10,10 +10,10 @@
 namespace grader {
 namespace {
 
-constexpr ArchiveLimits limits{1 << 20, 100};
+constexpr ArchiveLimits kLimits{1 << 20, 100};
 
 // Why the archive is refused, "" if it isn't.
-std::string refusal(const std::string& bytes, ArchiveLimits used = limits) {
+std::string refusal(const std::string& bytes, ArchiveLimits used = kLimits) {
   Archive archive(bytes, "x", used);
   try {
     const std::vector<Entry> list = archive.list();
@@ -37,7 +37,7 @@ TEST_P(EveryPacking, WhatWasPackedComesBack) {
                       .file("a/y", binary)
                       .file("z", "")
                       .bytes(),
-                  "x", limits);
+                  "x", kLimits);
   const std::vector<Entry> list = archive.list();
   ASSERT_EQ(list.size(), 4u);
   EXPECT_EQ(list[0].kind, Entry::Kind::folder);
@@ -54,7 +54,7 @@ TEST_P(EveryPacking, NamesOutsideAsciiAreTaken) {
                             "bung/conj_grad.cpp",
                             "text")
                       .bytes(),
-                  "x", limits);
+                  "x", kLimits);
   const std::vector<Entry> list = archive.list();
   ASSERT_EQ(list.size(), 1u);
   EXPECT_EQ(name_of(list[0]), "conj_grad.cpp");
@@ -65,7 +65,7 @@ TEST_P(EveryPacking, NoCutGivesATextThatWasNotPacked) {
   const std::string whole = ArchiveBuilder(GetParam()).file("a.cpp", text).file("b.cpp", text).bytes();
   std::size_t refused = 0;
   for (std::size_t size = 0; size<whole.size(); size += whole.size()> 4096 ? 64 : 1) {
-    Archive archive(whole.substr(0, size), "x", limits);
+    Archive archive(whole.substr(0, size), "x", kLimits);
     try {
       const std::size_t count = archive.list().size();
       for (std::size_t i = 0; i < count; ++i) {
@@ -104,7 +104,7 @@ TEST(Archive, AStreamThatUnpacksToMoreThanAllowedIsRefused) {
 
 TEST(Archive, AnEntryIsReadOnlyAsFarAsAllowed) {
   for (const Packing packing : {Packing::zip, Packing::tar}) {
-    Archive archive(ArchiveBuilder(packing).zeros("zeros", 100001).file("x", "text").bytes(), "x", limits);
+    Archive archive(ArchiveBuilder(packing).zeros("zeros", 100001).file("x", "text").bytes(), "x", kLimits);
     ASSERT_EQ(archive.list().size(), 2u);
     std::string after;
     archive.visit({0, 1}, [&](std::size_t index, const Container::Read& read) {
@@ -124,7 +124,7 @@ TEST(Archive, ADamagedEntryDoesNotHideTheNext) {
   // A deflate block of no known type at the start of the first entry's data, which follows its name and extra
   // field.
   bytes.at(30 + 1 + static_cast<unsigned char>(bytes.at(28))) = '\xff';
-  Archive archive(bytes, "x", limits);
+  Archive archive(bytes, "x", kLimits);
   ASSERT_EQ(archive.list().size(), 2u);
   std::string second;
   archive.visit({0, 1}, [&](std::size_t index, const Container::Read& read) {
@@ -147,7 +147,7 @@ TEST(Archive, AFalseSizeDoesNotWidenTheLimit) {
     ++patched;
   }
   ASSERT_GT(patched, 0u);
-  Archive archive(bytes, "x", limits);
+  Archive archive(bytes, "x", kLimits);
   ASSERT_EQ(archive.list().at(0).bytes, 4u);
   archive.visit({0}, [](std::size_t, const Container::Read& read) { EXPECT_THROW(read(1000), Refused); });
 }

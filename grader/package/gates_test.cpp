@@ -22,7 +22,7 @@ const std::string solution =
 
 // What `call` throws, or nothing.
 template <typename Call>
-std::string complaint(Call call) {
+std::string complaint_of(Call call) {
   try {
     call();
     return "";
@@ -32,15 +32,15 @@ std::string complaint(Call call) {
 }
 
 TEST(ListingGate, OpensForWhatIsListed) {
-  EXPECT_EQ(complaint([] { check_listing({{"a", ""}, {"b/c", ""}}, {"a", "b/c"}); }), "");
+  EXPECT_EQ(complaint_of([] { check_listing({{"a", ""}, {"b/c", ""}}, {"a", "b/c"}); }), "");
 }
 
 TEST(ListingGate, ClosesForAFileTooManyOrTooFew) {
-  EXPECT_EQ(complaint([] {
+  EXPECT_EQ(complaint_of([] {
               check_listing({{"a", ""}, {"secret", ""}}, {"a"});
             }),
             "the archive holds secret, which the manifest does not list");
-  EXPECT_EQ(complaint([] {
+  EXPECT_EQ(complaint_of([] {
               check_listing({{"a", ""}}, {"a", "b"});
             }),
             "the archive lacks b, which the manifest lists");
@@ -48,14 +48,14 @@ TEST(ListingGate, ClosesForAFileTooManyOrTooFew) {
 
 TEST(CanaryGate, ClosesForAFileOfTheStaffs) {
   const Files handout = {{"README.md", "Welcome"}, {"student/f.cpp", "// STAFF ONLY. f\n"}};
-  EXPECT_NE(complaint([&] { check_canary(handout, {}); }).find("student/f.cpp"), std::string::npos);
+  EXPECT_NE(complaint_of([&] { check_canary(handout, {}); }).find("student/f.cpp"), std::string::npos);
 }
 
 TEST(CanaryGate, ExemptsExactlyTheSolvedFiles) {
   Files handout = {{"README.md", "Welcome"}, {"student/f.cpp", "// STAFF ONLY. f\n"}};
-  EXPECT_EQ(complaint([&] { check_canary(handout, {"student/f.cpp"}); }), "");
+  EXPECT_EQ(complaint_of([&] { check_canary(handout, {"student/f.cpp"}); }), "");
   handout["notes/f.cpp"] = handout["student/f.cpp"];
-  EXPECT_NE(complaint([&] { check_canary(handout, {"student/f.cpp"}); }).find("notes/f.cpp"),
+  EXPECT_NE(complaint_of([&] { check_canary(handout, {"student/f.cpp"}); }).find("notes/f.cpp"),
             std::string::npos);
 }
 
@@ -63,7 +63,7 @@ TEST(ReferenceLinesGate, ClosesForFourLinesHoweverTheyAreSpaced) {
   const std::string leak =
       "An example:\n\n\tdouble f(double x) {\n\n\n    const double y = 2 * x;\r\nreturn y * y;\n}  \nand so "
       "on\n";
-  const std::string said = complaint([&] {
+  const std::string said = complaint_of([&] {
     check_reference_lines({{"text.md", leak}}, {{"f.cpp", solution}}, {}, {});
   });
   EXPECT_NE(said.find("text.md:3"), std::string::npos) << said;
@@ -72,7 +72,7 @@ TEST(ReferenceLinesGate, ClosesForFourLinesHoweverTheyAreSpaced) {
 
 TEST(ReferenceLinesGate, OpensForThreeLines) {
   const std::string three = "  const double y = 2 * x;\n  return y * y;\n}\n";
-  EXPECT_EQ(complaint([&] {
+  EXPECT_EQ(complaint_of([&] {
               check_reference_lines({{"text.md", three}}, {{"f.cpp", solution}}, {}, {});
             }),
             "");
@@ -82,8 +82,8 @@ TEST(ReferenceLinesGate, OverlooksWhatIsIncluded) {
   const std::string includes =
       "#include <cmath>\n#include <limits>\n\n  #include <string>\n#include <vector>\n";
   const Files reference = {{"f.cpp", includes + solution}};
-  EXPECT_EQ(complaint([&] { check_reference_lines({{"g.cpp", includes}}, reference, {}, {}); }), "");
-  EXPECT_NE(complaint([&] {
+  EXPECT_EQ(complaint_of([&] { check_reference_lines({{"g.cpp", includes}}, reference, {}, {}); }), "");
+  EXPECT_NE(complaint_of([&] {
               check_reference_lines({{"g.cpp", includes + solution}}, reference, {}, {});
             }),
             "");
@@ -91,11 +91,11 @@ TEST(ReferenceLinesGate, OverlooksWhatIsIncluded) {
 
 TEST(ReferenceLinesGate, OpensForLinesThatTheStubHasToo) {
   const Files handout = {{"checks/f_check.cpp", solution}};
-  EXPECT_EQ(complaint([&] {
+  EXPECT_EQ(complaint_of([&] {
               check_reference_lines(handout, {{"f.cpp", solution}}, {{"f.cpp", solution}}, {});
             }),
             "");
-  EXPECT_NE(complaint([&] {
+  EXPECT_NE(complaint_of([&] {
               check_reference_lines(handout, {{"f.cpp", solution}}, {{"g.cpp", solution}}, {});
             }),
             "")
@@ -104,11 +104,11 @@ TEST(ReferenceLinesGate, OpensForLinesThatTheStubHasToo) {
 
 TEST(ReferenceLinesGate, ExemptsExactlyTheSolvedFiles) {
   const Files reference = {{"f.cpp", solution}};
-  EXPECT_EQ(complaint([&] {
+  EXPECT_EQ(complaint_of([&] {
               check_reference_lines({{"student/f.cpp", solution}}, reference, {}, {"student/f.cpp"});
             }),
             "");
-  EXPECT_NE(complaint([&] {
+  EXPECT_NE(complaint_of([&] {
               check_reference_lines({{"student/g.cpp", solution}}, reference, {}, {"student/f.cpp"});
             }),
             "");

@@ -8,25 +8,18 @@
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "grader/course/input.h"
 #include "grader/package/manifest.h"
+#include "grader/tests/bytes_of.h"
 
 namespace grader {
 namespace {
 
 namespace fs = std::filesystem;
 
-const std::string solution =
+const std::string kSolved =
     "// STAFF ONLY. f\nint f() {\n  int a = 1;\n  int b = 2;\n  int c = 3;\n  return a + b + c;\n}\n";
-
-std::string bytes_of(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
-  return bytes.str();
-}
 
 class SmallProject : public testing::Test {
  protected:
@@ -43,7 +36,7 @@ class SmallProject : public testing::Test {
           "# Exercises\n| E1 | old |\n| E2 | old |\n| `one` | E1 | x |\n| `two` | E1, E2 | x |\nGood luck\n");
     write("handout/student/f.cpp", "int f();\n");
     write("handout/student/g.cpp", "int g();\n");
-    write("reference/f.cpp", solution);
+    write("reference/f.cpp", kSolved);
     write("reference/g.cpp", "// STAFF ONLY. g\nint g() { return 1; }\n");
     write("build/golden/g.mtx", "1 1 1\n");
     for (const std::string id : {"E1", "E2"}) {
@@ -91,7 +84,7 @@ TEST_F(SmallProject, ShipsStubsOfAssignedAndOptionalExercises) {
 
 TEST_F(SmallProject, ShipsAGivenExerciseSolvedAndPassesItsGates) {
   course_.exercises[0].role = Role::given;
-  EXPECT_EQ(files().at("student/f.cpp"), solution);
+  EXPECT_EQ(files().at("student/f.cpp"), kSolved);
   EXPECT_EQ(complaint(), "");
 }
 
@@ -129,13 +122,13 @@ TEST_F(SmallProject, ClosesForAStaffFileInTheManifest) {
 }
 
 TEST_F(SmallProject, ClosesForReferenceLinesInAText) {
-  std::ofstream(root_ / "handout/README.md", std::ios::app) << solution.substr(solution.find('\n'));
+  std::ofstream(root_ / "handout/README.md", std::ios::app) << kSolved.substr(kSolved.find('\n'));
   EXPECT_NE(complaint().find("README.md:3: four lines stand in reference/f.cpp:2"), std::string::npos);
 }
 
 TEST_F(SmallProject, AGivenExerciseOpensNothingElse) {
   course_.exercises[0].role = Role::given;
-  write("handout/student/g.cpp", solution.substr(solution.find('\n')));
+  write("handout/student/g.cpp", kSolved.substr(kSolved.find('\n')));
   EXPECT_NE(complaint().find("student/g.cpp"), std::string::npos);
 }
 

@@ -42,10 +42,6 @@ std::string link_to(const std::string& file) {
   return link;
 }
 
-Html figure(const std::string& png, const std::string& alt, const Html& caption) {
-  return html("<figure>{}<figcaption>{}</figcaption></figure>\n", {image(png, alt), caption});
-}
-
 Html shown_pair(const SmallPair& small) {
   const PictureDistance& distance = small.pair.distance;
   return html(

@@ -18,10 +18,6 @@ namespace {
 constexpr std::size_t kMostSmallPictures = 20;  // rows of the class's page with pictures, some 30 KB each
 constexpr int kSmallWidth = 192;                // px
 
-Html figure(const std::string& png, const std::string& alt, const Html& caption) {
-  return html("<figure>{}<figcaption>{}</figcaption></figure>\n", {image(png, alt), caption});
-}
-
 Html moment(const PictureResult& picture, const std::string& whose) {
   if (picture.heat.empty()) {
     return html(
@@ -121,6 +117,10 @@ Html heat_scale() {
       "<span class=\"quiet\">0<span class=\"scale\" style=\"background:linear-gradient(to right, {})\" "
       "aria-hidden=\"true\"></span>1</span>",
       {colors});
+}
+
+Html figure(const std::string& png, const std::string& alt, const Html& caption) {
+  return html("<figure>{}<figcaption>{}</figcaption></figure>\n", {image(png, alt), caption});
 }
 
 Html moments(const std::vector<PictureResult>& pictures, const std::string& heading,

@@ -13,6 +13,9 @@ namespace grader {
 // A PNG file's bytes as a part of the page. `look` is a class of the style sheet, or "".
 Html image(const std::string& png, const std::string& alt, const char* look = "");
 
+// The same with its caption below.
+Html figure(const std::string& png, const std::string& alt, const Html& caption);
+
 // A row for each moment, with its distances, under a heading that opens and closes. Open from the start if
 // one is too far, or differs and is not scored. Nothing without pictures. `whose` captions the submission's:
 // "Yours".

@@ -4,22 +4,15 @@
 
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
 
 #include "grader/course/input.h"
 #include "grader/samples/sample.h"
+#include "grader/tests/bytes_of.h"
 
 namespace grader {
 namespace {
 
 namespace fs = std::filesystem;
-
-const fs::path kProject = HAIR_PROJECT;
-
-std::string bytes_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
 
 // Of this test alone: others run at the same time.
 fs::path scratch(const std::string& name) {
@@ -81,13 +74,13 @@ Outcome make_samples(const fs::path& project, const fs::path& out) {
 
 TEST(MakeSamples, GivesTheSameBytesWhateverTheTimeZoneAndLocale) {
   const fs::path project = small_project("one\n"), out = project / "class", again = project / "again";
-  ASSERT_EQ(make_samples(kProject, out).code, 0);
+  ASSERT_EQ(make_samples(HAIR_PROJECT, out).code, 0);
   setenv("TZ", "America/New_York", 1);
   setenv("LC_ALL", "C", 1);
-  ASSERT_EQ(make_samples(kProject, again).code, 0);
+  ASSERT_EQ(make_samples(HAIR_PROJECT, again).code, 0);
   unsetenv("TZ");
   unsetenv("LC_ALL");
-  for (const Sample& sample : read_samples(kProject)) {
+  for (const Sample& sample : read_samples(HAIR_PROJECT)) {
     if (sample.form == SampleForm::folder) continue;
     EXPECT_TRUE(bytes_of(out / sample.file_name()) == bytes_of(again / sample.file_name())) << sample.name;
   }

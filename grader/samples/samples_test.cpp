@@ -5,13 +5,12 @@
 
 #include <algorithm>
 #include <clocale>
-#include <fstream>
-#include <iterator>
 #include <memory>
 #include <set>
 #include <sstream>
 
 #include "grader/samples/sample.h"
+#include "grader/tests/bytes_of.h"
 
 namespace grader {
 namespace {
@@ -26,11 +25,6 @@ struct Packed {
   std::string link;
   std::uint64_t size = 0;
 };
-
-std::string bytes_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-}
 
 // Stops at the first file that is longer than kMostBytes: only a hostile archive has one.
 std::map<std::string, Packed> read_archive(const fs::path& path) {
