@@ -1,11 +1,12 @@
 // STAFF ONLY.
 #include "grader/suite/h5_answers.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cmath>
 
 #include "grader/wire/strand_message.h"
+#include "solver/symmetric_eigen.h"
 
 namespace grader::h5 {
 namespace {
@@ -115,10 +116,7 @@ void expect_velocities(Trial& trial, const Strand& strand, const VectorXd& x, co
                        "how much correct_velocities changes velocities, by the masses");
   if (!values) return;
 
-  const double smallest =
-      Eigen::SelfAdjointEigenSolver<MatrixXd>(multiplier_matrix(strand, x), Eigen::EigenvaluesOnly)
-          .eigenvalues()
-          .minCoeff();
+  const double smallest = solver::symmetric_eigenvalues(multiplier_matrix(strand, x)).minCoeff();
   const double left = (tolerance + round) * std::sqrt(strand.segments());
   trial.expect_at_most(moved(strand, expected, corrected.result), 2 * left / std::sqrt(smallest),
                        "how far velocities are from what impulses along the segments make of them");

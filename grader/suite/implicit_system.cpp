@@ -2,11 +2,12 @@
 #include "grader/suite/implicit_system.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <cmath>
 
 #include "grader/suite/rounding.h"
 #include "particles/springs.h"
+#include "solver/symmetric_eigen.h"
 
 namespace grader {
 namespace {
@@ -114,9 +115,7 @@ ImplicitSystem implicit_system(const Cloud& cloud, double a, double b) {
   system.dv = factors.solve(system.rhs);
   for (int i = 0; i < 2; ++i) system.dv += factors.solve(system.rhs - system.A * system.dv);
   system.norm = system.A.norm();
-  system.smallest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(system.A, Eigen::EigenvaluesOnly)
-                        .eigenvalues()
-                        .minCoeff();
+  system.smallest = solver::symmetric_eigenvalues(system.A).minCoeff();
   const double e = 2 * (size + 8), X = 2 * system.dv.norm() + system.rhs.norm();
   system.rounding = 65 * (10 + 2 * e) * kUnit * system.norm * X + in_rhs;
   return system;

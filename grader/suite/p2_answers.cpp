@@ -1,13 +1,14 @@
 // STAFF ONLY.
 #include "grader/suite/p2_answers.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "grader/wire/constraints_message.h"
 #include "grader/wire/particles_message.h"
 #include "grader/wire/strand_message.h"
+#include "solver/symmetric_eigen.h"
 
 namespace grader::p2 {
 namespace {
@@ -85,16 +86,16 @@ void expect_solved(Trial& trial, const ConstrainedSystem& system, const VectorXd
 void expect_same_accelerations(Trial& trial, const ConstrainedSystem& system) {
   const VectorXd lambda = solve(trial, system).lambda;
   const MatrixXd A = system.matrix();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(A);
-  const double zero = 1e-10 * eigen.eigenvalues().maxCoeff();
+  const solver::SymmetricEigen eigen = solver::symmetric_eigen(A);
+  const double zero = 1e-10 * eigen.values.maxCoeff();
   const VectorXd rhs = system.right_hand_side();
   VectorXd solution = VectorXd::Zero(system.rows());
-  double smallest = eigen.eigenvalues().maxCoeff();
+  double smallest = eigen.values.maxCoeff();
   for (int i = 0; i < system.rows(); ++i) {
-    const double eigenvalue = eigen.eigenvalues()[i];
+    const double eigenvalue = eigen.values[i];
     if (eigenvalue < zero) continue;
     smallest = std::min(smallest, eigenvalue);
-    solution += eigen.eigenvectors().col(i) * (eigen.eigenvectors().col(i).dot(rhs) / eigenvalue);
+    solution += eigen.vectors.col(i) * (eigen.vectors.col(i).dot(rhs) / eigenvalue);
   }
   const VectorXd root = system.inverse_masses().cwiseSqrt();
   const VectorXd difference = root.cwiseProduct(system.jacobian().transpose() * (lambda - solution));

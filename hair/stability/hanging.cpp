@@ -1,7 +1,7 @@
 #include "hair/stability/hanging.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,6 +10,7 @@
 #include "hair/scene/roots.h"
 #include "hair/scene/variation.h"
 #include "particles/force.h"
+#include "solver/symmetric_eigen.h"
 
 namespace hair {
 
@@ -38,10 +39,9 @@ Eigen::MatrixXd stiffness_in(const particles::Force& force, const particles::Sta
 
 Modes modes_of(const Eigen::VectorXd& mass, Eigen::MatrixXd stiffness) {
   const Eigen::VectorXd scale = mass.cwiseSqrt().cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(scale.asDiagonal() * stiffness *
-                                                              scale.asDiagonal());
-  return {std::move(stiffness), solver.eigenvalues().cwiseMax(0).cwiseSqrt(),
-          scale.asDiagonal() * solver.eigenvectors()};
+  const solver::SymmetricEigen eigen =
+      solver::symmetric_eigen(scale.asDiagonal() * stiffness * scale.asDiagonal());
+  return {std::move(stiffness), eigen.values.cwiseMax(0).cwiseSqrt(), scale.asDiagonal() * eigen.vectors};
 }
 
 Description with_products(const Description& hair, const StrandStart& start, GeometricTerm term,

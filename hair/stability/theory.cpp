@@ -1,6 +1,6 @@
 #include "hair/stability/theory.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <Eigen/LU>
 #include <cmath>
 #include <complex>
@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "particles/require.h"
+#include "solver/symmetric_eigen.h"
 
 namespace hair {
 
@@ -83,8 +84,7 @@ double implicit_limit(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffn
   const Eigen::VectorXd scale = mass.cwiseSqrt().cwiseInverse();
   const Eigen::MatrixXd matrix =
       scale.asDiagonal() * (growth * stiffness - growth * (growth + 1) * in_matrix) * scale.asDiagonal();
-  const Eigen::VectorXd values =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
+  const Eigen::VectorXd values = solver::symmetric_eigenvalues(matrix);
   const double mu = values.maxCoeff();
   // What is below the rounding of the largest is 0.
   if (mu <= 1e-12 * values.cwiseAbs().maxCoeff()) return kInfinity;
@@ -124,10 +124,8 @@ double predictor_corrector_limit(const Eigen::VectorXd& mass, const Eigen::Matri
   };
   constexpr double kStride = 1.05;  // two modes whose limits are nearer than this could hide each other
   const Eigen::VectorXd scale = mass.cwiseSqrt().cwiseInverse();
-  const double square = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
-                            scale.asDiagonal() * stiffness * scale.asDiagonal(), Eigen::EigenvaluesOnly)
-                            .eigenvalues()
-                            .maxCoeff();
+  const double square =
+      solver::symmetric_eigenvalues(scale.asDiagonal() * stiffness * scale.asDiagonal()).maxCoeff();
   if (square <= 0) return kInfinity;
   double low = 1 / std::sqrt(square), high = low;
   while (positive(high)) {

@@ -1,11 +1,12 @@
 #include "hair/validate/clamped_beam.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <cmath>
 #include <numbers>
 
 #include "hair/validate/clamped_hair.h"
 #include "hair/validate/planar_statics.h"
+#include "solver/symmetric_eigen.h"
 
 namespace hair {
 
@@ -30,9 +31,9 @@ BeamModes beam_modes(const StrandStart& start) {
   const Eigen::VectorXd weights = start.strand.mass.tail(n).cwiseSqrt().cwiseInverse();
   // Of a particle's two unknowns, the one that is down.
   const Eigen::MatrixXd sideways = K(Eigen::seqN(1, n, 2), Eigen::seqN(1, n, 2));
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(weights.asDiagonal() * sideways *
-                                                              weights.asDiagonal());
-  return {solver.eigenvalues().cwiseSqrt(), weights.asDiagonal() * solver.eigenvectors()};
+  const solver::SymmetricEigen eigen =
+      solver::symmetric_eigen(weights.asDiagonal() * sideways * weights.asDiagonal());
+  return {eigen.values.cwiseSqrt(), weights.asDiagonal() * eigen.vectors};
 }
 
 double beam_root_of(const Material& material, double length, double frequency) {

@@ -1,10 +1,11 @@
 #include "hair/validate/greenhill.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <cmath>
 
 #include "hair/validate/clamped_hair.h"
 #include "hair/validate/planar_statics.h"
+#include "solver/symmetric_eigen.h"
 
 namespace hair {
 
@@ -64,7 +65,7 @@ double softest_stiffness(const StrandStart& standing) {
   const int n = standing.strand.segments();
   // Of a particle's two unknowns, the one that is level.
   const Eigen::MatrixXd sideways = K(Eigen::seqN(0, n, 2), Eigen::seqN(0, n, 2));
-  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(sideways, Eigen::EigenvaluesOnly).eigenvalues()[0];
+  return solver::symmetric_eigenvalues(sideways)[0];
 }
 
 }  // namespace hair

@@ -1,8 +1,10 @@
 #include "hair/validate/hanging_chain.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+
+#include "solver/symmetric_eigen.h"
 
 namespace hair {
 
@@ -25,9 +27,7 @@ Eigen::VectorXd laguerre_zeros(int n) {
   Eigen::VectorXd diagonal(n), beside(n - 1);
   for (int j = 0; j < n; ++j) diagonal[j] = 2 * j + 1;
   for (int j = 1; j < n; ++j) beside[j - 1] = j;
-  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-  solver.computeFromTridiagonal(diagonal, beside, Eigen::EigenvaluesOnly);
-  Eigen::VectorXd zeros = solver.eigenvalues();
+  Eigen::VectorXd zeros = solver::tridiagonal_eigenvalues(diagonal, beside);
   for (double& zero : zeros) zero = newton_step(n, zero);
   return zeros;
 }

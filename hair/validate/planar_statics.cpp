@@ -1,11 +1,13 @@
 #include "hair/validate/planar_statics.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
+
+#include "solver/symmetric_eigen.h"
 
 namespace hair {
 
@@ -127,9 +129,7 @@ double slowest_frequency(const Strand& strand, const particles::Force& force, pa
   const Eigen::MatrixXd K = planar_stiffness(force, x);
   Eigen::VectorXd weights(K.rows());
   for (Eigen::Index j = 0; j < weights.size(); ++j) weights[j] = 1 / std::sqrt(strand.mass[j / 2 + 1]);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(weights.asDiagonal() * K * weights.asDiagonal(),
-                                                              Eigen::EigenvaluesOnly);
-  return std::sqrt(solver.eigenvalues()[0]);
+  return std::sqrt(solver::symmetric_eigenvalues(weights.asDiagonal() * K * weights.asDiagonal())[0]);
 }
 
 Eigen::Vector2d planar_tip(particles::Input x) {
