@@ -20,7 +20,7 @@ namespace {
 
 using std::numbers::pi;
 
-ForceUnderTest under_test(const Strand& strand) {
+ForceUnderTest bend_under_test(const Strand& strand) {
   return {[&](const VectorXd& x) { return bend_energy(strand, x); },
           [&](const VectorXd& x) { return bend_force(strand, x); },
           [&](const VectorXd& x, const VectorXd& dx) { return bend_product(strand, x, dx); }};
@@ -40,7 +40,7 @@ TEST(AngularSprings, AgreeWithCentralDifferencesInEveryState) {
     SCOPED_TRACE(s.name + ", " + std::to_string(s.strand.count()) + " particles");
     // Next to the fold everything changes within pi - phi.
     const double length = s.shortest * std::min(1.0, s.least_bend);
-    expect_derivatives(under_test(s.strand), s.x, length, force_scale(s), product_scale(s));
+    expect_derivatives(bend_under_test(s.strand), s.x, length, force_scale(s), product_scale(s));
   }
 }
 

@@ -19,20 +19,21 @@ namespace {
 using hair::GeometricTerm;
 using std::numbers::pi;
 
-VectorXd force(const Strand& strand, const VectorXd& x) {
+VectorXd bend_spring_force(const Strand& strand, const VectorXd& x) {
   VectorXd result = VectorXd::Zero(x.size());
   add_bend_spring_force(strand, x, result);
   return result;
 }
 
-VectorXd product(const Strand& strand, const VectorXd& x, const VectorXd& dx, GeometricTerm term) {
+VectorXd bend_spring_product(const Strand& strand, const VectorXd& x, const VectorXd& dx,
+                             GeometricTerm term) {
   VectorXd result = VectorXd::Zero(x.size());
   add_bend_spring_product(strand, x, term, dx, result);
   return result;
 }
 
-MatrixXd matrix(const Strand& strand, const VectorXd& x, GeometricTerm term) {
-  return matrix_of([&](const VectorXd& dx) { return product(strand, x, dx, term); }, x.size());
+MatrixXd bend_spring_matrix(const Strand& strand, const VectorXd& x, GeometricTerm term) {
+  return matrix_of([&](const VectorXd& dx) { return bend_spring_product(strand, x, dx, term); }, x.size());
 }
 
 // The shortest distance of particles i and i + 2.
@@ -44,25 +45,26 @@ double shortest(const StrandState& s) {
 }
 
 // k (1 + d0/d), of k at most 9 N over 1 m and d0 at most 3 m, twice.
-double largest_stiffness(const StrandState& s) {
+double stiffest_bend_spring(const StrandState& s) {
   return 2 * 9 * (1 + 3 / shortest(s));
 }
 
 TEST(BendSprings, AgreeWithCentralDifferencesInEveryState) {
   for (const StrandState& s : strand_states()) {
     SCOPED_TRACE(s.name + ", " + std::to_string(s.strand.count()) + " particles");
-    const ForceUnderTest f = {
-        [&](const VectorXd& x) { return bend_spring_energy(s.strand, x); },
-        [&](const VectorXd& x) { return force(s.strand, x); },
-        [&](const VectorXd& x, const VectorXd& dx) { return product(s.strand, x, dx, GeometricTerm::full); }};
-    expect_derivatives(f, s.x, shortest(s), 60, largest_stiffness(s));
+    const ForceUnderTest f = {[&](const VectorXd& x) { return bend_spring_energy(s.strand, x); },
+                              [&](const VectorXd& x) { return bend_spring_force(s.strand, x); },
+                              [&](const VectorXd& x, const VectorXd& dx) {
+                                return bend_spring_product(s.strand, x, dx, GeometricTerm::full);
+                              }};
+    expect_derivatives(f, s.x, shortest(s), 60, stiffest_bend_spring(s));
   }
 }
 
 TEST(BendSprings, LeaveLinearAndAngularMomentumAlone) {
   for (const StrandState& s : strand_states()) {
     SCOPED_TRACE(s.name);
-    expect_no_momentum(force(s.strand, s.x), s.x, s.strand.count() * 64 * kUnit * 9 * 7);
+    expect_no_momentum(bend_spring_force(s.strand, s.x), s.x, s.strand.count() * 64 * kUnit * 9 * 7);
   }
 }
 
@@ -70,16 +72,16 @@ TEST(BendSprings, HaveASymmetricDerivative) {
   for (const StrandState& s : strand_states())
     for (GeometricTerm term : {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped}) {
       SCOPED_TRACE(s.name);
-      expect_symmetric_matrix(matrix(s.strand, s.x, term), 16 * kUnit * largest_stiffness(s));
+      expect_symmetric_matrix(bend_spring_matrix(s.strand, s.x, term), 16 * kUnit * stiffest_bend_spring(s));
     }
 }
 
 TEST(BendSprings, AreNeverNegativeOnceFiltered) {
   for (const StrandState& s : strand_states()) {
     for (GeometricTerm term : {GeometricTerm::filtered, GeometricTerm::dropped}) {
-      const MatrixXd K = -matrix(s.strand, s.x, term);
+      const MatrixXd K = -bend_spring_matrix(s.strand, s.x, term);
       EXPECT_GE(solver::symmetric_eigenvalues(K).minCoeff(),
-                -64 * kUnit * static_cast<double>(K.rows()) * largest_stiffness(s))
+                -64 * kUnit * static_cast<double>(K.rows()) * stiffest_bend_spring(s))
           << s.name;
     }
   }
@@ -92,12 +94,12 @@ TEST(BendSprings, TurnWithARigidMotion) {
     SCOPED_TRACE(s.name);
     EXPECT_NEAR(bend_spring_energy(s.strand, x), bend_spring_energy(s.strand, s.x), 64 * kUnit * 9 * 9 * 7);
     // Positions of a few metres round by 16 u, directions by that over the distance.
-    EXPECT_LE((force(s.strand, x) - motion.vectors(force(s.strand, s.x))).norm(),
+    EXPECT_LE((bend_spring_force(s.strand, x) - motion.vectors(bend_spring_force(s.strand, s.x))).norm(),
               1e3 * 64 * kUnit / shortest(s));
-    EXPECT_LE((product(s.strand, x, motion.vectors(dx), GeometricTerm::full) -
-               motion.vectors(product(s.strand, s.x, dx, GeometricTerm::full)))
+    EXPECT_LE((bend_spring_product(s.strand, x, motion.vectors(dx), GeometricTerm::full) -
+               motion.vectors(bend_spring_product(s.strand, s.x, dx, GeometricTerm::full)))
                   .norm(),
-              1e3 * 64 * kUnit * largest_stiffness(s) / shortest(s));
+              1e3 * 64 * kUnit * stiffest_bend_spring(s) / shortest(s));
   }
 }
 
@@ -107,9 +109,9 @@ TEST(BendSprings, OfParticlesThatMeetAreNothingButEnergy) {
   VectorXd x(9);
   x << 1, 2, 3, 4, 5, 6, 1, 2, 3;
   EXPECT_EQ(bend_spring_energy(strand, x), 9.0 / 3 * 9 / 2);
-  EXPECT_EQ(force(strand, x), VectorXd::Zero(9));
+  EXPECT_EQ(bend_spring_force(strand, x), VectorXd::Zero(9));
   for (GeometricTerm term : {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped})
-    EXPECT_EQ(product(strand, x, x, term), VectorXd::Zero(9));
+    EXPECT_EQ(bend_spring_product(strand, x, x, term), VectorXd::Zero(9));
 }
 
 TEST(BendSprings, OfOneOrTwoParticlesAreNothing) {
@@ -117,8 +119,8 @@ TEST(BendSprings, OfOneOrTwoParticlesAreNothing) {
     const Strand strand = test_strand(count);
     const VectorXd x = VectorXd::LinSpaced(3 * count, 0, 1), zero = VectorXd::Zero(3 * count);
     EXPECT_EQ(bend_spring_energy(strand, x), 0);
-    EXPECT_EQ(force(strand, x), zero);
-    EXPECT_EQ(product(strand, x, x, GeometricTerm::full), zero);
+    EXPECT_EQ(bend_spring_force(strand, x), zero);
+    EXPECT_EQ(bend_spring_product(strand, x, x, GeometricTerm::full), zero);
   }
 }
 
@@ -187,7 +189,7 @@ TEST(BendSprings, ResistASmallBendNotAtAll) {
   VectorXd x = VectorXd::Zero(9), across = x;
   x << 0, 0, 0, 0, 0, -1, 0, 0, -2;
   across[3] = 1;
-  EXPECT_EQ(product(strand, x, across, GeometricTerm::full), VectorXd::Zero(9));
+  EXPECT_EQ(bend_spring_product(strand, x, across, GeometricTerm::full), VectorXd::Zero(9));
   VectorXd expected = VectorXd::Zero(9);
   expected[0] = expected[6] = 4 * 2;
   expected[3] = -4 * 4;

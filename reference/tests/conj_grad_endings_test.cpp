@@ -111,7 +111,7 @@ TEST(ConjGradEnds, BeforeALargeFirstGuessOverflows) {
   const Solution s = solve(A, {largest, 1}, 1e-5, 0);
   EXPECT_EQ(s.steps, 2);
   EXPECT_EQ(s.x[0], largest);
-  EXPECT_NEAR(s.x[1] / 1e295, 1, 8 * kU);
+  EXPECT_NEAR(s.x[1] / 1e295, 1, 8 * kUnit);
 }
 
 TEST(ConjGradEnds, NotBeforeXReallyOverflows) {
@@ -119,7 +119,7 @@ TEST(ConjGradEnds, NotBeforeXReallyOverflows) {
     solver::SparseMatrix A = solver::diagonal({a});
     const Solution s = solve(A, {1e10}, 1e-5, 0);
     EXPECT_EQ(s.steps, 1);
-    EXPECT_NEAR(s.x[0] / (1e10 / a), 1, 4 * kU);
+    EXPECT_NEAR(s.x[0] / (1e10 / a), 1, 4 * kUnit);
   }
 }
 

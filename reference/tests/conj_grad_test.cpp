@@ -35,8 +35,8 @@ TEST(ConjGrad, SolvesTheLecturesExamples) {
   const Solution two = solve(A2, {3, 4}, 1e-5, 100);
   EXPECT_EQ(two.steps, 2);
   // cond(A2) = 6.9; two steps of rounding, each of a few u, move x by no more than that times as much
-  EXPECT_NEAR(two.x[0], -1, 100 * 6.9 * kU);
-  EXPECT_NEAR(two.x[1], 5, 100 * 6.9 * kU);
+  EXPECT_NEAR(two.x[0], -1, 100 * 6.9 * kUnit);
+  EXPECT_NEAR(two.x[1], 5, 100 * 6.9 * kUnit);
 }
 
 TEST(ConjGrad, TakesNoStepWhereTheFirstGuessIsRight) {
@@ -66,7 +66,7 @@ TEST(ConjGrad, SolvesEverySizeAroundItsUnrolledLoops) {
     const Solution s = solve(A, b, 1e-24, 0);
     EXPECT_LE(s.squared_residual, 1e-24) << n;
     // ||x - x*|| <= ||A^-1|| (||r|| + the drift of r), ||A^-1|| < 1/2
-    const double drift = 64 * 16 * kU * 6 * (2 * norm(x) + norm(b));
+    const double drift = 64 * 16 * kUnit * 6 * (2 * norm(x) + norm(b));
     EXPECT_LE(norm(difference(s.x, x)), (1e-12 + drift) / 2) << n;
   }
 }
@@ -101,7 +101,7 @@ TEST(ConjGrad, NeedsOneStepForEachDistinctEigenvalue) {
     solver::SpectralMatrix A = spectral(spectrum);
     // In exact arithmetic the residual is 0 then; rounding leaves the products' e u ||A|| ||x||, e about 7
     // * 60.
-    const double epsilon = std::pow(64 * 420 * kU * 6 * 60, 2);
+    const double epsilon = std::pow(64 * 420 * kUnit * 6 * 60, 2);
     EXPECT_EQ(solve(A, scattered(60), epsilon, 0).steps, distinct);
   }
 }
@@ -182,11 +182,11 @@ TEST(ConjGrad, ReturnsTheTrueResidualEachSixtyFourthStep) {
   for (int k : {64, 128, 192}) {
     const Solution s = solve(A, scattered(n), -1, k);
     const double truth = true_residual(A, s.x, scattered(n));
-    EXPECT_NEAR(std::sqrt(s.squared_residual), truth, n * kU * truth) << "step " << k;
+    EXPECT_NEAR(std::sqrt(s.squared_residual), truth, n * kUnit * truth) << "step " << k;
   }
   const Solution s = solve(A, scattered(n), -1, 63);
   const double truth = true_residual(A, s.x, scattered(n));
-  EXPECT_GT(std::abs(std::sqrt(s.squared_residual) - truth), n * kU * truth)
+  EXPECT_GT(std::abs(std::sqrt(s.squared_residual) - truth), n * kUnit * truth)
       << "no drift: the test shows nothing";
 }
 
@@ -199,7 +199,7 @@ TEST(ConjGrad, DriftsNoFurtherThanItsContractSays) {
       const Solution s = solve(A, b, 0, k);
       const double returned = std::sqrt(s.squared_residual), truth = true_residual(A, s.x, b);
       const double bound =
-          64 * (10 + 2 * e) * kU * norm_of_A * (2 * norm(exact) + norm(b)) + n * kU * returned;
+          64 * (10 + 2 * e) * kUnit * norm_of_A * (2 * norm(exact) + norm(b)) + n * kUnit * returned;
       EXPECT_LE(std::abs(returned - truth), bound) << name << ", step " << s.steps;
     }
   };

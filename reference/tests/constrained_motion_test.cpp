@@ -1,5 +1,6 @@
 // STAFF ONLY. Rods and wires in motion, integrated by RK4, against closed forms of mechanics.
 #include "reference/tests/constrained_motion.h"
+#include "reference/tests/numbers.h"
 
 #include <gtest/gtest.h>
 
@@ -17,8 +18,6 @@ using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-constexpr double kGravity = 9.81;
 
 void weigh(ConstrainedMotion& motion) {
   motion.f = VectorXd::Zero(motion.state.x.size());

@@ -6,13 +6,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "particles/explicit_integrators.h"
 #include "particles/gravity.h"
 #include "particles/system.h"
 #include "reference/tests/constrained_motion.h"
+#include "reference/tests/numbers.h"
 #include "solver/symmetric_eigen.h"
 
 namespace reference_tests {
@@ -26,8 +26,6 @@ using particles::Constraints;
 using particles::Particles;
 using particles::Rod;
 using particles::State;
-
-constexpr double kUnit = 0x1p-53, kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // Five particles, about 1 apart, in a chain with a cross rod and two wires; nothing holds. Number 4 is
 // pinned.

@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
 #include "particles/drag.h"
@@ -22,6 +21,7 @@
 #include "particles/springs.h"
 #include "particles/system.h"
 #include "reference/tests/allocations.h"
+#include "reference/tests/numbers.h"
 
 namespace reference_tests {
 namespace {
@@ -34,8 +34,6 @@ using particles::kIntegratorScratch;
 using particles::Output;
 using particles::Scratch;
 using particles::State;
-
-constexpr double kUnit = 0x1p-53, kNaN = std::numeric_limits<double>::quiet_NaN();
 
 struct Method {
   const char* name;

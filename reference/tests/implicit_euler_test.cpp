@@ -6,7 +6,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <limits>
 
 #include "particles/springs.h"
 #include "reference/tests/allocations.h"
@@ -21,14 +20,12 @@ using particles::Particles;
 using particles::SolveReport;
 using particles::State;
 
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
 // f = -K x - D v, and counts.
 class Linear : public particles::Force {
  public:
   explicit Linear(int n) : K(3 * n, 3 * n), D(3 * n, 3 * n) {
-    const MatrixXd R = scattered(K.size(), n).reshaped(3 * n, 3 * n);
-    const MatrixXd S = scattered(D.size(), n + 50).reshaped(3 * n, 3 * n);
+    const MatrixXd R = scattered_vector(K.size(), n).reshaped(3 * n, 3 * n);
+    const MatrixXd S = scattered_vector(D.size(), n + 50).reshaped(3 * n, 3 * n);
     K = R * R.transpose();
     D = S * S.transpose();
   }
@@ -53,7 +50,7 @@ class Linear : public particles::Force {
 
 struct Case {
   explicit Case(int n) : force(n), particles{VectorXd::LinSpaced(n, 2, 5), std::vector<char>(n, 0)} {
-    state = {scattered(3 * n, 3), scattered(3 * n, 4)};
+    state = {scattered_vector(3 * n, 3), scattered_vector(3 * n, 4)};
     scratch.setConstant(3 * n, particles::kImplicitScratch, kNaN);
   }
   Linear force;
@@ -94,14 +91,14 @@ TEST(ImplicitMatrix, TakesOneProductOfEachKindAndAllocatesNothing) {
   Case c(4);
   auto matrix = implicit_matrix(c.force, c.particles, c.state, 0.3, 0.7);
   EXPECT_EQ(c.force.dfdx + c.force.dfdv, 0);
-  VectorXd x = scattered(12, 1), b(12);
+  VectorXd x = scattered_vector(12, 1), b(12);
   const long before = allocations();
   ASSERT_GT(before, 0) << "nothing is counted";
   matrix->matVecMult(x.data(), b.data());
   EXPECT_EQ(allocations(), before);
   EXPECT_EQ(c.force.dfdx, 1);
   EXPECT_EQ(c.force.dfdv, 1);
-  EXPECT_EQ(x, scattered(12, 1)) << "the input is left alone";
+  EXPECT_EQ(x, scattered_vector(12, 1)) << "the input is left alone";
 }
 
 TEST(SolveImplicit, MeetsItsTolerance) {

@@ -21,7 +21,7 @@ Strand uniform(int segments, double length = 0.3) {
 
 // At rest lengths, each segment turned against the one before by about `bend`.
 VectorXd bent(const Strand& strand, double bend, unsigned which = 0) {
-  const VectorXd numbers = scattered(3 * strand.count(), which);
+  const VectorXd numbers = scattered_vector(3 * strand.count(), which);
   VectorXd x = VectorXd::Zero(3 * strand.count());
   Vector3d u(0, 0, -1);
   for (int i = 0; i < strand.segments(); ++i) {
@@ -34,7 +34,7 @@ VectorXd bent(const Strand& strand, double bend, unsigned which = 0) {
 // The same with all but the root off by up to `size` of a segment.
 VectorXd disturbed(const Strand& strand, double bend, double size, unsigned which = 0) {
   VectorXd x = bent(strand, bend, which);
-  x.tail(x.size() - 3) += size * strand.rest_length[0] * scattered(x.size() - 3, which + 100);
+  x.tail(x.size() - 3) += size * strand.rest_length[0] * scattered_vector(x.size() - 3, which + 100);
   return x;
 }
 
@@ -192,7 +192,7 @@ TEST(CorrectLengths, SurvivesExtremes) {
       VectorXd folded = 0 * x;
       for (int i = 1; i <= n; i += 2) folded[3 * i] = 1.05 * l0;
       expect_right("folded at every joint", strand, folded);
-      expect_right("crumpled", strand, l0 * scattered(x.size(), 9));
+      expect_right("crumpled", strand, l0 * scattered_vector(x.size(), 9));
       Strand uneven = strand;
       for (int i = 1; i <= n; i += 2) uneven.mass[i] *= 1e6;
       expect_right("masses 1:1e6", uneven, disturbed(uneven, bend, 0.01));
@@ -237,7 +237,7 @@ TEST(CorrectVelocities, StopsStretchingByImpulsesAlongTheSegments) {
   for (int n : {1, 3, 10, 30}) {
     Strand strand = uniform(n);
     strand.mass = VectorXd::LinSpaced(n + 1, 1e-7, 1e-6);
-    const VectorXd x = bent(strand, 0.5), before = scattered(x.size(), 5);
+    const VectorXd x = bent(strand, 0.5), before = scattered_vector(x.size(), 5);
     VectorXd v = before;
     MatrixXd scratch = MatrixXd::Constant(x.size(), hair::kCorrectionScratch, NAN);
     const CorrectionReport report = correct_velocities(strand, x, 1e-12, 100, v, scratch);
@@ -260,7 +260,7 @@ TEST(CorrectVelocities, IsAccurateForLongStraightStrandsAndUnevenMasses) {
   for (double ratio : {1.0, 1e6}) {
     for (int i = 1; i < strand.count(); i += 2) strand.mass[i] = ratio * strand.mass[2];
     const VectorXd x = bent(strand, 1e-3);
-    VectorXd v = scattered(x.size(), 5);
+    VectorXd v = scattered_vector(x.size(), 5);
     MatrixXd scratch(x.size(), hair::kCorrectionScratch);
     EXPECT_TRUE(correct_velocities(strand, x, 1e-10, 100, v, scratch).converged);
     EXPECT_LE(largest_rate(strand, x, v), 1e-10);
@@ -270,7 +270,7 @@ TEST(CorrectVelocities, IsAccurateForLongStraightStrandsAndUnevenMasses) {
 
 TEST(Correction, AllocatesNothing) {
   const Strand strand = uniform(30);
-  VectorXd x = disturbed(strand, 0.3, 0.02), y = x, v = scattered(x.size(), 3);
+  VectorXd x = disturbed(strand, 0.3, 0.02), y = x, v = scattered_vector(x.size(), 3);
   MatrixXd scratch(x.size(), hair::kCorrectionScratch);
   const long before = allocations();
   ASSERT_GT(before, 0) << "nothing is counted";

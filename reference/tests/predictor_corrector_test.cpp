@@ -24,7 +24,7 @@ Strand soft() {
 
 void set_in_motion(Hair& hair) {
   hair.place(Vector3d(0.6, 0, 0.8));
-  hair.state.v = 0.3 * scattered(hair.state.v.size(), 7);
+  hair.state.v = 0.3 * scattered_vector(hair.state.v.size(), 7);
 }
 
 TEST(PredictorCorrector, IsTheFiveSteps) {

@@ -4,18 +4,14 @@
 
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <vector>
 
+#include "reference/tests/numbers.h"
 #include "solver/linearSolver.h"
 
 namespace reference_tests {
 
 using Vector = std::vector<double>;
-
-constexpr double kU = 0x1p-53;
-constexpr double kInf = std::numeric_limits<double>::infinity();
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 // A matrix as a function from x to b.
 class Matrix : public implicitMatrix {

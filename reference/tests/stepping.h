@@ -11,14 +11,13 @@
 #include "particles/force_sum.h"
 #include "particles/gravity.h"
 #include "particles/implicit_euler.h"
+#include "reference/tests/numbers.h"
 
 namespace reference_tests {
 
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-inline constexpr double kUnit = 0x1p-53, kGravity = 9.81;
 
 // A strand, its root pinned, under its springs and gravity. `strand` must outlive it.
 struct Hair {
@@ -50,6 +49,11 @@ struct Hair {
   particles::State state;
   MatrixXd scratch;
 };
+
+// 30 cm of human hair in 30 segments.
+inline hair::Strand human_hair() {
+  return hair::uniform_strand({}, 30, 0.3);
+}
 
 inline Vector3d segment(const VectorXd& x, int i) {
   return x.segment<3>(3 * i + 3) - x.segment<3>(3 * i);
@@ -94,7 +98,7 @@ inline VectorXd right_hand_side(const particles::Force& force, const particles::
 }
 
 // n numbers between -1 and 1 without a pattern, the same ones for the same `which`.
-inline VectorXd scattered(Eigen::Index n, unsigned which) {
+inline VectorXd scattered_vector(Eigen::Index n, unsigned which) {
   VectorXd values(n);
   unsigned state = 2654435761u * (which + 1);
   for (Eigen::Index i = 0; i < n; ++i) {

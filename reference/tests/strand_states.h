@@ -7,6 +7,7 @@
 
 #include "hair/strand.h"
 #include "handout/checks/derivative.h"
+#include "reference/tests/numbers.h"
 
 namespace reference_tests {
 
@@ -14,8 +15,6 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 using hair::Strand;
-
-inline constexpr double kUnit = 0x1p-53;
 
 struct StrandState {
   std::string name;

@@ -18,37 +18,39 @@ namespace {
 using hair::GeometricTerm;
 using std::numbers::pi;
 
-VectorXd force(const Strand& strand, const VectorXd& x) {
+VectorXd stretch_force(const Strand& strand, const VectorXd& x) {
   VectorXd result = VectorXd::Zero(x.size());
   add_stretch_force(strand, x, result);
   return result;
 }
 
-VectorXd product(const Strand& strand, const VectorXd& x, const VectorXd& dx, GeometricTerm term) {
+VectorXd stretch_product(const Strand& strand, const VectorXd& x, const VectorXd& dx, GeometricTerm term) {
   VectorXd result = VectorXd::Zero(x.size());
   add_stretch_product(strand, x, term, dx, result);
   return result;
 }
 
-MatrixXd matrix(const Strand& strand, const VectorXd& x, GeometricTerm term) {
-  return matrix_of([&](const VectorXd& dx) { return product(strand, x, dx, term); }, x.size());
+MatrixXd stretch_matrix(const Strand& strand, const VectorXd& x, GeometricTerm term) {
+  return matrix_of([&](const VectorXd& dx) { return stretch_product(strand, x, dx, term); }, x.size());
 }
 
-ForceUnderTest under_test(const Strand& strand) {
+ForceUnderTest stretch_under_test(const Strand& strand) {
   return {[&](const VectorXd& x) { return stretch_energy(strand, x); },
-          [&](const VectorXd& x) { return force(strand, x); },
-          [&](const VectorXd& x, const VectorXd& dx) { return product(strand, x, dx, GeometricTerm::full); }};
+          [&](const VectorXd& x) { return stretch_force(strand, x); },
+          [&](const VectorXd& x, const VectorXd& dx) {
+            return stretch_product(strand, x, dx, GeometricTerm::full);
+          }};
 }
 
 // k (1 + l0/l) of the spring that has most of it: what a product's entry can be.
-double largest_stiffness(const StrandState& s) {
+double stiffest_stretch(const StrandState& s) {
   return 2 * s.strand.stretch_rigidity / s.strand.rest_length.minCoeff() * (1 + 1.5 / s.shortest);
 }
 
 TEST(StretchSprings, AgreeWithCentralDifferencesInEveryState) {
   for (const StrandState& s : strand_states()) {
     SCOPED_TRACE(s.name + ", " + std::to_string(s.strand.count()) + " particles");
-    expect_derivatives(under_test(s.strand), s.x, s.shortest, 100, largest_stiffness(s));
+    expect_derivatives(stretch_under_test(s.strand), s.x, s.shortest, 100, stiffest_stretch(s));
   }
 }
 
@@ -56,7 +58,7 @@ TEST(StretchSprings, LeaveLinearAndAngularMomentumAlone) {
   for (const StrandState& s : strand_states()) {
     SCOPED_TRACE(s.name);
     // 64 u of k (l + l0) <= 25 / 0.5 * 5 N for each particle.
-    expect_no_momentum(force(s.strand, s.x), s.x, s.strand.count() * 64 * kUnit * 250);
+    expect_no_momentum(stretch_force(s.strand, s.x), s.x, s.strand.count() * 64 * kUnit * 250);
   }
 }
 
@@ -64,7 +66,7 @@ TEST(StretchSprings, HaveASymmetricDerivative) {
   for (const StrandState& s : strand_states())
     for (GeometricTerm term : {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped}) {
       SCOPED_TRACE(s.name);
-      expect_symmetric_matrix(matrix(s.strand, s.x, term), 16 * kUnit * largest_stiffness(s));
+      expect_symmetric_matrix(stretch_matrix(s.strand, s.x, term), 16 * kUnit * stiffest_stretch(s));
     }
 }
 
@@ -77,21 +79,21 @@ TEST(StretchSprings, TurnWithARigidMotion) {
     // Positions of a few metres round by 8 u, lengths by 16 u, energies by EA / l0 of that and their own
     // rounding.
     EXPECT_NEAR(stretch_energy(s.strand, x), E, 64 * kUnit * (std::sqrt(E * 50 * 6) * 10 + E) + 1e-28);
-    EXPECT_LE((force(s.strand, x) - motion.vectors(force(s.strand, s.x))).norm(),
+    EXPECT_LE((stretch_force(s.strand, x) - motion.vectors(stretch_force(s.strand, s.x))).norm(),
               1e3 * 64 * kUnit / s.shortest);
-    EXPECT_LE((product(s.strand, x, motion.vectors(dx), GeometricTerm::full) -
-               motion.vectors(product(s.strand, s.x, dx, GeometricTerm::full)))
+    EXPECT_LE((stretch_product(s.strand, x, motion.vectors(dx), GeometricTerm::full) -
+               motion.vectors(stretch_product(s.strand, s.x, dx, GeometricTerm::full)))
                   .norm(),
-              1e3 * 64 * kUnit * largest_stiffness(s) / s.shortest);
+              1e3 * 64 * kUnit * stiffest_stretch(s) / s.shortest);
   }
 }
 
 TEST(StretchSprings, FilteredAreExactInTensionAndLoseTheTermInCompression) {
   for (const StrandState& s : strand_states()) {
     SCOPED_TRACE(s.name);
-    const MatrixXd full = matrix(s.strand, s.x, GeometricTerm::full),
-                   filtered = matrix(s.strand, s.x, GeometricTerm::filtered),
-                   dropped = matrix(s.strand, s.x, GeometricTerm::dropped);
+    const MatrixXd full = stretch_matrix(s.strand, s.x, GeometricTerm::full),
+                   filtered = stretch_matrix(s.strand, s.x, GeometricTerm::filtered),
+                   dropped = stretch_matrix(s.strand, s.x, GeometricTerm::dropped);
     if (s.name.starts_with("stretched")) {
       EXPECT_EQ(filtered, full);
     } else if (s.name.starts_with("compressed")) {
@@ -104,10 +106,10 @@ TEST(StretchSprings, AreNeverNegativeOnceFiltered) {
   for (const StrandState& s : strand_states()) {
     for (GeometricTerm term : {GeometricTerm::filtered, GeometricTerm::dropped}) {
       SCOPED_TRACE(s.name);
-      const MatrixXd K = -matrix(s.strand, s.x, term);
+      const MatrixXd K = -stretch_matrix(s.strand, s.x, term);
       const VectorXd eigenvalues = solver::symmetric_eigenvalues(K);
       // An eigenvalue moves by no more than the matrix does (Weyl).
-      EXPECT_GE(eigenvalues.minCoeff(), -64 * kUnit * static_cast<double>(K.rows()) * largest_stiffness(s));
+      EXPECT_GE(eigenvalues.minCoeff(), -64 * kUnit * static_cast<double>(K.rows()) * stiffest_stretch(s));
     }
   }
 }
@@ -115,7 +117,7 @@ TEST(StretchSprings, AreNeverNegativeOnceFiltered) {
 TEST(StretchSprings, OfACompressedStrandAreIndefiniteWithTheFullTerm) {
   for (const StrandState& s : strand_states())
     if (s.name.starts_with("compressed")) {
-      const MatrixXd K = -matrix(s.strand, s.x, GeometricTerm::full);
+      const MatrixXd K = -stretch_matrix(s.strand, s.x, GeometricTerm::full);
       EXPECT_LT(solver::symmetric_eigenvalues(K).minCoeff(), -1) << s.name;
     }
 }
@@ -171,7 +173,7 @@ TEST(StretchSprings, HangUnderTheirOwnWeightByRhoGLSquaredOver2E) {
       x[3 * i + 5] = x[3 * i + 2] - strand.rest_length[i] * (1 + below * g / strand.stretch_rigidity);
     }
     EXPECT_NEAR(-x[3 * n + 2] - L, exact, 8 * n * kUnit * L) << n << " segments; bound: rounding of n sums";
-    const VectorXd f = force(strand, x);
+    const VectorXd f = stretch_force(strand, x);
     for (int i = 1; i <= n; ++i)  // A length is known to u L.
       EXPECT_NEAR(f[3 * i + 2], strand.mass[i] * g, 4 * kUnit * L * strand.stretch_rigidity / (L / n))
           << "in balance at particle " << i << " of " << n;
@@ -187,7 +189,8 @@ TEST(StretchSprings, SwingAxiallyAtTheKnownFrequencies) {
     // The axial part of M^-1/2 K M^-1/2, root fixed.
     MatrixXd A(n, n);
     for (int j = 1; j <= n; ++j) {
-      const VectorXd column = -product(strand, x, VectorXd::Unit(x.size(), 3 * j + 2), GeometricTerm::full);
+      const VectorXd column =
+          -stretch_product(strand, x, VectorXd::Unit(x.size(), 3 * j + 2), GeometricTerm::full);
       for (int i = 1; i <= n; ++i)
         A(i - 1, j - 1) = column[3 * i + 2] / std::sqrt(strand.mass[i] * strand.mass[j]);
     }
@@ -205,17 +208,17 @@ TEST(StretchSprings, OfParticlesInOnePlaceAreNothingButEnergy) {
   const VectorXd x = VectorXd::Ones(12), dx = VectorXd::LinSpaced(12, -1, 1);
   EXPECT_NEAR(stretch_energy(strand, x), 25 * strand.rest_length.sum() / 2, 8 * kUnit * 100)
       << "k l0^2 / 2 each";
-  EXPECT_EQ(force(strand, x), VectorXd::Zero(12));
+  EXPECT_EQ(stretch_force(strand, x), VectorXd::Zero(12));
   for (GeometricTerm term : {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped})
-    EXPECT_EQ(product(strand, x, dx, term), VectorXd::Zero(12));
+    EXPECT_EQ(stretch_product(strand, x, dx, term), VectorXd::Zero(12));
 }
 
 TEST(StretchSprings, OfOneParticleAreNothing) {
   const Strand strand = test_strand(1);
   const VectorXd x = VectorXd::Ones(3);
   EXPECT_EQ(stretch_energy(strand, x), 0);
-  EXPECT_EQ(force(strand, x), VectorXd::Zero(3));
-  EXPECT_EQ(product(strand, x, x, GeometricTerm::full), VectorXd::Zero(3));
+  EXPECT_EQ(stretch_force(strand, x), VectorXd::Zero(3));
+  EXPECT_EQ(stretch_product(strand, x, x, GeometricTerm::full), VectorXd::Zero(3));
 }
 
 TEST(StretchSprings, AreAddedToWhatIsThere) {
@@ -223,9 +226,9 @@ TEST(StretchSprings, AreAddedToWhatIsThere) {
   VectorXd f = VectorXd::Constant(s.x.size(), 3), df = f;
   add_stretch_force(s.strand, s.x, f);
   add_stretch_product(s.strand, s.x, GeometricTerm::full, s.x, df);
-  EXPECT_LE((f - force(s.strand, s.x)).array().abs().maxCoeff(), 3 + 1e-13);
-  EXPECT_GE((f - force(s.strand, s.x)).array().abs().minCoeff(), 3 - 1e-13);
-  EXPECT_GE((df - product(s.strand, s.x, s.x, GeometricTerm::full)).minCoeff(), 3 - 1e-12);
+  EXPECT_LE((f - stretch_force(s.strand, s.x)).array().abs().maxCoeff(), 3 + 1e-13);
+  EXPECT_GE((f - stretch_force(s.strand, s.x)).array().abs().minCoeff(), 3 - 1e-13);
+  EXPECT_GE((df - stretch_product(s.strand, s.x, s.x, GeometricTerm::full)).minCoeff(), 3 - 1e-12);
 }
 
 TEST(StretchSprings, StayFiniteHoweverStiffOrLong) {
@@ -234,8 +237,8 @@ TEST(StretchSprings, StayFiniteHoweverStiffOrLong) {
   VectorXd x(30000);
   for (int i = 0; i < x.size(); ++i) x[i] = std::sin(1.0 * i * i);
   EXPECT_TRUE(std::isfinite(stretch_energy(strand, x)));
-  EXPECT_TRUE(force(strand, x).allFinite());
-  EXPECT_TRUE(product(strand, x, x, GeometricTerm::full).allFinite());
+  EXPECT_TRUE(stretch_force(strand, x).allFinite());
+  EXPECT_TRUE(stretch_product(strand, x, x, GeometricTerm::full).allFinite());
 }
 
 TEST(StretchSprings, AllocateNothing) {

@@ -16,10 +16,6 @@ namespace {
 using hair::GeometricTerm;
 using hair::Strand;
 
-Strand human_hair() {
-  return hair::uniform_strand({}, 30, 0.3);
-}
-
 struct Swing {
   double length = 0;  // the largest |l - l0| / l0
   double rate = 0;    // the largest velocity along a segment, m/s

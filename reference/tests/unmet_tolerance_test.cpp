@@ -10,10 +10,6 @@ namespace {
 using hair::GeometricTerm;
 using hair::Strand;
 
-Strand human_hair() {
-  return hair::uniform_strand({}, 30, 0.3);
-}
-
 // Asked for less than rounding leaves, ConjGrad uses up its steps and comes back with anything.
 TEST(UnmetTolerance, HairStaysPut) {
   Strand strand = human_hair();

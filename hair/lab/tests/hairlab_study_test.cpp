@@ -19,10 +19,6 @@ const char* const kSoftHair = R"({"shows": "soft hair", "frames": 3, "hair": [{"
  "clamped": false, "material": {"stretch_factor": 1e-4},
  "roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}]})";
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 class HairlabStudy : public testing::Test {
  protected:
   // Short sweeps of few methods.

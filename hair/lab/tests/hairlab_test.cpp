@@ -36,14 +36,6 @@ const char* const kBlowUp = R"({"shows": "breaks", "frames": 400, "frames_per_se
  "steps_per_frame": 1, "method": "forward_euler", "hair": [{"segments": 4, "length": 0.04, "clamped": false,
  "roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}]})";
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-std::ptrdiff_t lines_of(const std::string& text) {
-  return std::count(text.begin(), text.end(), '\n');
-}
-
 Json read_run(const fs::path& folder) {
   return Json::parse(read_bytes(folder / "run.json"));
 }

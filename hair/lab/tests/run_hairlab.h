@@ -1,6 +1,7 @@
 // hairlab as a person runs it.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -21,6 +22,10 @@ struct ProgramSettings {
 };
 
 ProgramRun run_hairlab(const std::vector<std::string>& arguments, const ProgramSettings& settings = {});
+
+// What tests ask of a text: whether a part is in it, how many lines it has.
+bool has(const std::string& text, const std::string& part);
+std::ptrdiff_t lines_of(const std::string& text);
 
 // A file's bytes; empty if it can't be read.
 std::string read_bytes(const std::filesystem::path& file);

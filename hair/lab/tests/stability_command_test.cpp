@@ -12,11 +12,7 @@
 namespace hair {
 namespace {
 
-using Json = nlohmann::ordered_json;  // a record is known by how it begins
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+using OrderedJson = nlohmann::ordered_json;  // a record is known by how it begins
 
 class StabilityCommand : public testing::Test {
  protected:
@@ -26,7 +22,7 @@ class StabilityCommand : public testing::Test {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_hairlab(arguments, settings);
   }
-  Json record() const { return Json::parse(read_bytes(folder_ / "out/stability.json")); }
+  OrderedJson record() const { return OrderedJson::parse(read_bytes(folder_ / "out/stability.json")); }
   void expect_refused(const ProgramRun& run, int code, const std::string& part) {
     EXPECT_EQ(run.code, code) << run.errors;
     EXPECT_TRUE(has(run.errors, part)) << run.errors;
@@ -43,12 +39,12 @@ TEST_F(StabilityCommand, WritesRecordTablesAndPage) {
   EXPECT_TRUE(has(run.output, "index.html: 16 maps, 224 extreme cases\n")) << run.output;
   EXPECT_EQ(folder_.names("out"), (std::vector<std::string>{"boundaries.csv", "curves.csv", "extremes.csv",
                                                             "index.html", "stability.json"}));
-  const Json json = record();
+  const OrderedJson json = record();
   EXPECT_EQ(json["ended"], "finished");
   ASSERT_EQ(json["maps"].size(), 16u);
-  for (const Json& map : json["maps"]) {
+  for (const OrderedJson& map : json["maps"]) {
     ASSERT_EQ(map["rows"].size(), map["h"].size());
-    for (const Json& row : map["rows"]) EXPECT_EQ(row.get<std::string>().size(), map["x"].size());
+    for (const OrderedJson& row : map["rows"]) EXPECT_EQ(row.get<std::string>().size(), map["x"].size());
   }
   EXPECT_TRUE(has(read_bytes(folder_ / "out/index.html"), "<svg"));
 }
@@ -56,16 +52,16 @@ TEST_F(StabilityCommand, WritesRecordTablesAndPage) {
 // As after Ctrl-C: some maps are there, and those only are not run anew, as their times show.
 TEST_F(StabilityCommand, ResumedKeepsTheMapsThatAreFinishedAndMakesTheOthers) {
   ASSERT_EQ(stability().code, 0);
-  const Json whole = record();
-  Json part = whole;
+  const OrderedJson whole = record();
+  OrderedJson part = whole;
   for (const std::size_t gone : {15, 7, 2}) part["maps"].erase(gone);
-  for (Json& map : part["maps"]) map["cpu_seconds"] = 123.0;
+  for (OrderedJson& map : part["maps"]) map["cpu_seconds"] = 123.0;
   folder_.write("out/stability.json", part.dump(2));
   ASSERT_EQ(stability({"--resume"}).code, 0);
-  const Json again = record();
+  const OrderedJson again = record();
   ASSERT_EQ(again["maps"].size(), 16u);
   for (std::size_t i = 0; i < 16; ++i) {
-    Json now = again["maps"][i], before = whole["maps"][i];
+    OrderedJson now = again["maps"][i], before = whole["maps"][i];
     const bool made = i == 15 || i == 7 || i == 2;
     EXPECT_EQ(now["cpu_seconds"] == 123.0, !made) << "map " << i;
     now.erase("cpu_seconds");
@@ -77,7 +73,7 @@ TEST_F(StabilityCommand, ResumedKeepsTheMapsThatAreFinishedAndMakesTheOthers) {
   expect_refused(run_hairlab({"stability", "strand-swing", "--quick", "--segments", "3", "--resume", "--out",
                               (folder_ / "out").string()}),
                  2, "can't be resumed: its hair");
-  Json spoiled = whole;
+  OrderedJson spoiled = whole;
   spoiled["maps"][3]["rows"][5] = "0123";
   folder_.write("out/stability.json", spoiled.dump(2));
   expect_refused(stability({"--resume"}), 2, "maps[3].rows: are not as many cells");

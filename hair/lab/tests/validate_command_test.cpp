@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <algorithm>
 #include <chrono>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -16,14 +15,6 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
 const ProgramSettings kStudent{.program = STUDENT_HAIRLAB};
-
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-std::ptrdiff_t lines_of(const std::string& text) {
-  return std::count(text.begin(), text.end(), '\n');
-}
 
 TEST(ValidateCommand, ListsWhatThereIs) {
   const ProgramRun run = run_hairlab({"validate", "--list"});
