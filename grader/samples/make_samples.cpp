@@ -1,5 +1,5 @@
-// STAFF ONLY. Packs the sample class: make_samples PROJECT OUT makes the folder OUT anew, with an archive or
-// a folder for each sample of PROJECT/grader/samples/list.
+// STAFF ONLY. Packs the sample class: make_samples PROJECT CLASS SHOWCASE makes both folders anew. CLASS gets an archive
+// or a folder for each sample of PROJECT/grader/samples/list, SHOWCASE a copy of those that are marked for it.
 #include <clocale>
 #include <cstdlib>
 #include <filesystem>
@@ -75,6 +75,17 @@ void write_sample(const Sample& sample, const fs::path& project, const fs::path&
   if (sample.cut) fs::resize_file(path, *sample.cut);
 }
 
+// A folder that is there as a whole or not at all: `fill` gets one of another name, which is then renamed.
+template <typename Fill>
+void make_folder(const fs::path& folder, const Fill& fill) {
+  const fs::path unfinished = folder.string() + ".unfinished";
+  fs::remove_all(unfinished);
+  fs::create_directories(unfinished);
+  fill(unfinished);
+  fs::remove_all(folder);
+  fs::rename(unfinished, folder);
+}
+
 void check_patches_are_used(const std::vector<Sample>& samples, const fs::path& patches) {
   std::set<std::string> used;
   for (const Sample& sample : samples) used.insert(sample.patch);
@@ -88,22 +99,26 @@ void check_patches_are_used(const std::vector<Sample>& samples, const fs::path& 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 3) {
-    std::cerr << "usage: make_samples PROJECT OUT\n";
+  if (argc != 4) {
+    std::cerr << "usage: make_samples PROJECT CLASS SHOWCASE\n";
     return 2;
   }
   // What archives hold of times and names depends on both.
   setenv("TZ", "UTC", 1);
   if (!std::setlocale(LC_CTYPE, "C.UTF-8")) std::setlocale(LC_CTYPE, "en_US.UTF-8");
   try {
-    const fs::path project = argv[1], out = argv[2], unfinished = out.string() + ".unfinished";
+    const fs::path project = argv[1], all = argv[2], showcase = argv[3];
     const auto samples = grader::read_samples(project);
     check_patches_are_used(samples, project / "grader" / "samples" / "patches");
-    fs::remove_all(unfinished);
-    fs::create_directories(unfinished);
-    for (const Sample& sample : samples) write_sample(sample, project, unfinished);
-    fs::remove_all(out);
-    fs::rename(unfinished, out);
+    make_folder(all, [&](const fs::path& folder) {
+      for (const Sample& sample : samples) write_sample(sample, project, folder);
+    });
+    make_folder(showcase, [&](const fs::path& folder) {
+      for (const Sample& sample : samples) {
+        const fs::path name = sample.file_name();
+        if (sample.showcase) fs::copy(all / name, folder / name, fs::copy_options::recursive);
+      }
+    });
   } catch (const std::exception& error) {
     std::cerr << "make_samples: " << error.what() << '\n';
     return 2;

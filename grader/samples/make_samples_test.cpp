@@ -64,10 +64,11 @@ struct Outcome {
   std::string output;
 };
 
-Outcome make_samples(const fs::path& project, const fs::path& out) {
+Outcome make_samples(const fs::path& project, const fs::path& out,
+                     const fs::path& showcase = scratch("project") / "showcase") {
   const fs::path log = scratch("log");
   const std::string command = std::string("'") + HAIR_MAKE_SAMPLES + "' '" + project.string() + "' '" +
-                              out.string() + "' >'" + log.string() + "' 2>&1";
+                              out.string() + "' '" + showcase.string() + "' >'" + log.string() + "' 2>&1";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(log)};
 }
@@ -92,6 +93,18 @@ TEST(MakeSamples, AppliesThePatch) {
   const Outcome run = make_samples(project, project / "class");
   EXPECT_EQ(run.code, 0) << run.output;
   EXPECT_EQ(bytes_of(project / "class" / "bug" / "a.cpp"), "two\n");
+}
+
+TEST(MakeSamples, CopiesWhatIsMarkedToTheShowcase) {
+  const fs::path project = small_project("one\n"), out = project / "class", showcase = project / "showcase";
+  add_sample(project, "shown",
+             R"("form": "folder", "files": {"src/a.cpp": "plain"}, "showcase": true,
+                "expect": {"A": {"status": "passed"}})");
+  const Outcome run = make_samples(project, out, showcase);
+  EXPECT_EQ(run.code, 0) << run.output;
+  EXPECT_EQ(bytes_of(showcase / "shown" / "src" / "a.cpp"), "one\n");
+  EXPECT_FALSE(fs::exists(showcase / "bug"));
+  EXPECT_TRUE(fs::exists(out / "bug"));
 }
 
 TEST(MakeSamples, RefusesAPatchThatDoesNotApply) {
@@ -137,6 +150,8 @@ TEST(ReadSamples, ReadsPointsAndLeavesThemOpen) {
   EXPECT_EQ(samples[0].expected.at("A").status, "wrong");
   EXPECT_EQ(samples[0].expected.at("A").points, 3.0);
   EXPECT_EQ(samples[0].expected.at("B").points, std::nullopt);
+  EXPECT_EQ(samples[0].list, "bugs");
+  EXPECT_FALSE(samples[0].showcase);
 }
 
 TEST(ReadSamples, ReadsTheListsInTheOrderOfTheirNames) {
@@ -176,6 +191,8 @@ TEST(ReadSamples, NamesWhatIsNotRight) {
   add_sample(project, "more",
              R"("form": "zip", "files": {}, "expect": {"A": {"status": "partly", "points": 6}})");
   expect_refused(project, "samples[0].expect.A.points: 6 is not right; give a number from 0 to 5");
+  add_sample(project, "more", R"("form": "zip", "files": {}, "showcase": "yes", "expect": {})");
+  expect_refused(project, "samples[0].showcase: ");
 }
 
 }  // namespace

@@ -89,8 +89,10 @@ void read_list(const std::filesystem::path& list, const Course& course, std::set
   const std::vector<JsonValue> items = top["samples"].items();
   for (std::size_t i = 0; i < items.size(); ++i) {
     const JsonValue& json = items[i];
-    json.check_keys({"name", "shows", "form", "files", "expect"}, {"others", "patch", "windows", "cut"});
+    json.check_keys({"name", "shows", "form", "files", "expect"},
+                    {"others", "patch", "windows", "cut", "showcase"});
     Sample sample;
+    sample.list = list.stem().string();
     sample.name = json["name"].text();
     if (!names.insert(sample.name).second) json["name"].fail("this name is taken; give each sample its own");
     sample.shows = json["shows"].text();
@@ -99,7 +101,8 @@ void read_list(const std::filesystem::path& list, const Course& course, std::set
     for (const std::string& path : json["files"].keys())
       sample.files.push_back(read_file(path, json["files"][path], raw["files"][path].is_object()));
     if (json.has("patch")) sample.patch = json["patch"].text();
-    sample.windows = raw.value("windows", false);
+    if (json.has("windows")) sample.windows = json["windows"].boolean();
+    if (json.has("showcase")) sample.showcase = json["showcase"].boolean();
     if (json.has("cut")) sample.cut = read_bytes(json["cut"]);
     complete(sample, json, course);
     samples.push_back(std::move(sample));

@@ -12,6 +12,7 @@
 //     "windows": true                          optional: solution files begin with a byte order mark and have CR LF
 //     "cut":     1000                          optional: the bytes of the archive that are left, as after a
 //                                              broken upload
+//     "showcase": true                         optional: one of the few that show every kind of sample
 //     "expect":  {"S1": {"status": "partly", "points": 12}, ...}
 //                                              without points: all of them if it passed, or else none
 //   }, ...]}
@@ -49,11 +50,12 @@ struct ExpectedResult {
 };
 
 struct Sample {
+  std::string list;  // that names it: "H1" for H1.json
   std::string name, shows;
   SampleForm form = SampleForm::zip;
   std::vector<SampleFile> files;  // sorted by path
   std::string patch;              // empty: none
-  bool windows = false;
+  bool windows = false, showcase = false;
   std::optional<std::uint64_t> cut;
   std::map<std::string, ExpectedResult> expected;  // by exercise id: every exercise of the course
   std::vector<std::string> listed;                 // of these, the ids that "expect" names

@@ -1,0 +1,93 @@
+// STAFF ONLY. The showcase, which is graded where the whole class would take too long, has every kind of sample.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "grader/samples/sample.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<Sample> shown() {
+  std::vector<Sample> samples = read_samples(HAIR_PROJECT);
+  std::erase_if(samples, [](const Sample& sample) { return !sample.showcase; });
+  return samples;
+}
+
+std::vector<std::string> names_where(const std::function<bool(const Sample&)>& holds) {
+  std::vector<std::string> names;
+  for (const Sample& sample : shown())
+    if (holds(sample)) names.push_back(sample.name);
+  return names;
+}
+
+std::set<std::string> statuses(const std::vector<Sample>& samples) {
+  std::set<std::string> all;
+  for (const Sample& sample : samples)
+    for (const auto& [exercise, expected] : sample.expected) all.insert(expected.status);
+  return all;
+}
+
+std::set<std::string> lists(const std::vector<Sample>& samples) {
+  std::set<std::string> all;
+  for (const Sample& sample : samples) all.insert(sample.list);
+  return all;
+}
+
+TEST(Showcase, IsGradedSoon) {
+  EXPECT_GE(shown().size(), 20U);
+  EXPECT_LE(shown().size(), 28U);
+}
+
+// Each list is a kind: the bugs in an exercise, attacks on the grade, archives, ...
+TEST(Showcase, HasASampleOfEveryList) {
+  EXPECT_EQ(lists(shown()), lists(read_samples(HAIR_PROJECT)));
+}
+
+TEST(Showcase, HasEveryStatus) {
+  EXPECT_EQ(statuses(shown()), statuses(read_samples(HAIR_PROJECT)));
+}
+
+TEST(Showcase, HasThreeThatAreRight) {
+  const std::vector<std::string> right = names_where([](const Sample& sample) {
+    return sample.list == "right" && std::ranges::all_of(sample.expected, [](const auto& of) {
+             return of.second.status == "passed" || of.second.status == "missing";
+           });
+  });
+  EXPECT_GE(right.size(), 3U);
+  EXPECT_EQ(std::ranges::count(right, "perfect"), 1);
+}
+
+TEST(Showcase, HasAnHonestBugInEveryExercise) {
+  const std::vector<Sample> samples = shown();
+  ASSERT_FALSE(samples.empty());
+  for (const auto& [exercise, expected] : samples.front().expected) {
+    const std::vector<std::string> bugs = names_where([&id = exercise](const Sample& sample) {
+      return sample.list == id && sample.expected.at(id).status != "passed";
+    });
+    EXPECT_FALSE(bugs.empty()) << exercise;
+  }
+}
+
+TEST(Showcase, HasThreeAttacks) {
+  const auto attacks = [](const Sample& sample) { return sample.list.starts_with("attacks-on-"); };
+  EXPECT_GE(names_where(attacks).size(), 3U);
+}
+
+TEST(Showcase, HoldsWhatIsMarkedAndNothingElse) {
+  std::set<std::string> marked, packed;
+  for (const Sample& sample : shown()) marked.insert(sample.file_name());
+  for (const auto& item : fs::directory_iterator(HAIR_SHOWCASE))
+    packed.insert(item.path().filename().string());
+  EXPECT_EQ(packed, marked);
+}
+
+}  // namespace
+}  // namespace grader
