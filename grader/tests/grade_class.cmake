@@ -1,4 +1,4 @@
-# STAFF ONLY. Grades the sample class from scratch into OUT.
+# STAFF ONLY. Grades CLASS, a folder of samples, from scratch into OUT.
 file(REMOVE_RECURSE "${OUT}" "${OUT}-cache")
 execute_process(COMMAND "${HAIRGRADE}" grade "${CLASS}" --out "${OUT}" --cache "${OUT}-cache" --secret "${SECRET}"
                 RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
