@@ -190,6 +190,19 @@ TEST(SampleClass, PagesForStudentsHoldNothingOfTheStaffs) {
   }
 }
 
+// The second time its objects came from the cache.
+TEST(SampleClass, GradedAgainGivesTheSameBytes) {
+  const fs::path again = graded().string() + "-again";
+  int files = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(again)) {
+    const fs::path name = fs::relative(entry.path(), again);
+    if (!entry.is_regular_file() || !name.has_parent_path()) continue;  // the class's have none
+    EXPECT_TRUE(read_file(entry.path()) == read_file(graded() / name)) << name;
+    ++files;
+  }
+  EXPECT_GE(files, 4);  // two for the student, two for staff
+}
+
 TEST(SampleClass, ResultsAreInGradescopesSchema) {
   for (const Sample& sample : samples()) {
     const std::string name = submission_name(sample.name);

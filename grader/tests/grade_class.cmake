@@ -1,8 +1,10 @@
-# STAFF ONLY. Grades CLASS, a folder of samples, from scratch into OUT.
-file(REMOVE_RECURSE "${OUT}" "${OUT}-cache")
-execute_process(COMMAND "${HAIRGRADE}" grade "${CLASS}" --out "${OUT}" --cache "${OUT}-cache" --secret "${SECRET}"
-                RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+# STAFF ONLY. Grades CLASS, a folder of samples, from scratch into OUT, then the sample AGAIN once more into OUT-again.
+file(REMOVE_RECURSE "${OUT}" "${OUT}-again" "${OUT}-cache")
+foreach(arguments "--out;${OUT}" "--out;${OUT}-again;--only;${AGAIN}")
+  execute_process(COMMAND "${HAIRGRADE}" grade "${CLASS}" --cache "${OUT}-cache" --secret "${SECRET}" ${arguments}
+                  RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    message(FATAL_ERROR "hairgrade ended with ${result}:\n${output}")
+  endif()
+endforeach()
 file(REMOVE_RECURSE "${OUT}-cache")
-if(NOT result EQUAL 0)
-  message(FATAL_ERROR "hairgrade ended with ${result}:\n${output}")
-endif()

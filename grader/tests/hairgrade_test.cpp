@@ -19,23 +19,55 @@ namespace {
 namespace fs = std::filesystem;
 using std::string;
 
+constexpr const char* kTwoExercises = R"({"exercises": {
+  "P1": {"role": "given"}, "P2": {"role": "given"}, "H1": {"role": "given"}, "H2": {"role": "given"},
+  "H3": {"role": "given"}, "H4": {"role": "given"}, "H5": {"role": "given"}, "H6": {"role": "given"}}})";
+
+fs::path new_folder() {
+  string pattern = (fs::temp_directory_path() / "hairgrade-test-XXXXXX").string();
+  return mkdtemp(pattern.data());
+}
+
+// A course of S1 and S2, where nothing else is asked for. Its secret and its cache are the same for all tests: none but
+// the first compiles and draws, whichever that is.
 class Hairgrade : public testing::Test {
  protected:
-  Hairgrade() {
-    string pattern = (fs::temp_directory_path() / "hairgrade-test-XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-    std::ofstream(folder_ / "secret") << "a secret for this test";
+  static void SetUpTestSuite() {
+    course_ = new_folder();
+    std::ofstream(course_ / "secret") << "a secret for this test";
+    std::ofstream(course_ / "course.json") << kTwoExercises;
   }
+  static void TearDownTestSuite() { fs::remove_all(course_); }
+  Hairgrade() : folder_(new_folder()) {}
   ~Hairgrade() override { fs::remove_all(folder_); }
 
-  string sample(const string& name) const { return (fs::path(HAIR_SAMPLE_CLASS) / name).string(); }
+  // Of the sample class, in whatever form it is there.
+  static string sample(const string& name) {
+    for (const char* ending : {"", ".zip", ".tar.gz"})
+      if (const fs::path path = fs::path(HAIR_SAMPLE_CLASS) / (name + ending); fs::exists(path)) return path;
+    throw std::runtime_error("the sample class has no " + name);
+  }
   string out() const { return (folder_ / "grades").string(); }
 
-  ProgramRun grade(std::vector<string> arguments, const std::function<void(int)>& meanwhile = {}) const {
+  static ProgramRun grade(std::vector<string> arguments, const std::function<void(int)>& meanwhile = {}) {
     arguments.insert(arguments.begin(), "grade");
-    for (const char* word : {"--secret", "secret", "--cache", "cache"})
-      arguments.push_back(word[0] == '-' ? string(word) : (folder_ / word).string());
+    const auto add = [&](const string& option, const char* file) {
+      if (std::ranges::count(arguments, option) == 0)
+        arguments.insert(arguments.end(), {option, (course_ / file).string()});
+    };
+    add("--secret", "secret");
+    add("--cache", "cache");
+    add("--course", "course.json");
     return run_hairgrade(arguments, meanwhile);
+  }
+
+  // `other-order`, graded once for all tests, copied to out() as an earlier run of this one.
+  void earlier_run() const {
+    const fs::path graded = course_ / "graded";
+    if (!fs::exists(graded)) {
+      EXPECT_EQ(grade({sample("other-order"), "--out", graded.string()}).code, 0);
+    }
+    fs::copy(graded, out(), fs::copy_options::recursive);
   }
 
   // Bad input: exit code 2, one line that holds these words, and nothing written.
@@ -59,6 +91,7 @@ class Hairgrade : public testing::Test {
     return all;
   }
 
+  inline static fs::path course_;
   fs::path folder_;
 };
 
@@ -66,10 +99,10 @@ TEST_F(Hairgrade, RefusesBadUsageInOneLine) {
   expect_refused(run_hairgrade({}), {"--help"});
   expect_refused(run_hairgrade({"grade"}), {"SUBMISSION", "--help"});
   expect_refused(run_hairgrade({"degrade"}), {"degrade", "grade, compare and handout"});
-  expect_refused(grade({sample("other-order.tar.gz")}), {"--out"});
-  expect_refused(grade({sample("other-order.tar.gz"), "--out", out(), "--quickly"}), {"--quickly"});
+  expect_refused(grade({sample("other-order")}), {"--out"});
+  expect_refused(grade({sample("other-order"), "--out", out(), "--quickly"}), {"--quickly"});
   for (const char* jobs : {"0", "-1", "many", "1e9"})
-    expect_refused(grade({sample("other-order.tar.gz"), "--out", out(), "-j", jobs}), {"-j"});
+    expect_refused(grade({sample("other-order"), "--out", out(), "-j", jobs}), {"-j"});
   EXPECT_EQ(run_hairgrade({"--help"}).code, 0);
 }
 
@@ -82,14 +115,14 @@ TEST_F(Hairgrade, RefusesSubmissionsThatAreNone) {
 
 TEST_F(Hairgrade, RefusesTwoSubmissionsOfOneName) {
   fs::create_directory(folder_ / "late");
-  fs::copy_file(sample("other-order.tar.gz"), folder_ / "late" / "other-order.tar.gz");
-  expect_refused(grade({sample("other-order.tar.gz"), (folder_ / "late" / "other-order.tar.gz").string(),
-                        "--out", out()}),
-                 {sample("other-order.tar.gz"), (folder_ / "late" / "other-order.tar.gz").string()});
+  fs::copy_file(sample("other-order"), folder_ / "late" / "other-order.tar.gz");
+  expect_refused(
+      grade({sample("other-order"), (folder_ / "late" / "other-order.tar.gz").string(), "--out", out()}),
+      {sample("other-order"), (folder_ / "late" / "other-order.tar.gz").string()});
 }
 
 TEST_F(Hairgrade, RefusesBadCourseFiles) {
-  const string submission = sample("other-order.tar.gz");
+  const string submission = sample("other-order");
   const std::map<string, std::vector<string>> bad = {
       {"{", {"course.json"}},
       {R"({"exercises": {"S9": {"role": "given"}}})", {"course.json", "S9"}},
@@ -105,28 +138,25 @@ TEST_F(Hairgrade, RefusesBadCourseFiles) {
 }
 
 TEST_F(Hairgrade, RefusesExercisesAndNamesThatAreNotThere) {
-  expect_refused(grade({sample("other-order.tar.gz"), "--out", out(), "--exercise", "X1"}),
-                 {"X1", "S1, S2, P1, P2, H1, H2, H3, H4, H5, H6"});
+  expect_refused(grade({sample("other-order"), "--out", out(), "--exercise", "X1"}),
+                 {"X1", "asks for S1, S2"});
   const string given = write("course.json", R"({"exercises": {"S1": {"role": "given"}}})");
-  expect_refused(grade({sample("other-order.tar.gz"), "--out", out(), "--exercise", "S1", "--course", given}),
+  expect_refused(grade({sample("other-order"), "--out", out(), "--exercise", "S1", "--course", given}),
                  {"S1"});
-  expect_refused(grade({sample("other-order.tar.gz"), "--out", out(), "--only", "alice"}),
-                 {"alice", "other-order"});
+  expect_refused(grade({sample("other-order"), "--out", out(), "--only", "alice"}), {"alice", "other-order"});
 }
 
 TEST_F(Hairgrade, RefusesAShortOrMissingSecret) {
   const string short_secret = write("short", "123");
-  expect_refused(
-      run_hairgrade({"grade", sample("other-order.tar.gz"), "--out", out(), "--secret", short_secret}),
-      {"short", "16"});
-  expect_refused(
-      run_hairgrade({"grade", sample("other-order.tar.gz"), "--out", out(), "--secret", "/no/secret"}),
-      {"/no/secret"});
+  expect_refused(run_hairgrade({"grade", sample("other-order"), "--out", out(), "--secret", short_secret}),
+                 {"short", "16"});
+  expect_refused(run_hairgrade({"grade", sample("other-order"), "--out", out(), "--secret", "/no/secret"}),
+                 {"/no/secret"});
 }
 
 TEST_F(Hairgrade, RefusesAnOutputThatIsAFile) {
   const string file = write("file", "not a folder");
-  const ProgramRun run = grade({sample("other-order.tar.gz"), "--out", file});
+  const ProgramRun run = grade({sample("other-order"), "--out", file});
   EXPECT_EQ(run.code, 2);
   EXPECT_NE(run.errors.find(file), string::npos) << run.errors;
   EXPECT_EQ(read_file(file), "not a folder");
@@ -139,18 +169,10 @@ TEST_F(Hairgrade, RefusesAHandoutThatCanNotBeWritten) {
 }
 
 TEST_F(Hairgrade, GivesTheSameBytesAgain) {
-  const std::vector<string> class_of_four = {sample("other-order.tar.gz"), sample("stubs.zip"),
-                                             sample("wrong-beta.zip"), sample("segfault.zip")};
-  std::vector<string> present;
-  for (const string& archive : class_of_four)
-    for (const char* ending : {"", ".zip", ".tar.gz"}) {
-      const string path =
-          fs::path(archive).parent_path() / (fs::path(archive).stem().stem().string() + ending);
-      if (fs::exists(path)) present.push_back(path);
-    }
-  ASSERT_EQ(present.size(), class_of_four.size());
+  const std::vector<string> class_of_four = {sample("other-order"), sample("stubs"), sample("prints-success"),
+                                             sample("segfault")};
   auto once = [&](const string& where, const char* jobs) {
-    std::vector<string> arguments = present;
+    std::vector<string> arguments = class_of_four;
     for (const string& word : {string("--out"), (folder_ / where).string(), string("-j"), string(jobs)})
       arguments.push_back(word);
     const ProgramRun run = grade(arguments);
@@ -166,19 +188,19 @@ TEST_F(Hairgrade, GivesTheSameBytesAgain) {
 }
 
 TEST_F(Hairgrade, ResumesWhatHasNotChanged) {
-  ASSERT_EQ(grade({sample("other-order.tar.gz"), "--out", out()}).code, 0);
+  earlier_run();
   const auto before = fs::last_write_time(fs::path(out()) / "other-order" / "results.json");
-  const ProgramRun again = grade({sample("other-order.tar.gz"), "--out", out(), "--resume"});
+  const ProgramRun again = grade({sample("other-order"), "--out", out(), "--resume"});
   EXPECT_NE(again.output.find("0 graded, 1 kept"), string::npos) << again.output;
   EXPECT_EQ(fs::last_write_time(fs::path(out()) / "other-order" / "results.json"), before);
   // Another secret is another suite.
-  write("secret", "quite another secret");
-  EXPECT_NE(grade({sample("other-order.tar.gz"), "--out", out(), "--resume"}).output.find("1 graded"),
-            string::npos);
+  const string secret = write("secret", "quite another secret");
+  const ProgramRun other = grade({sample("other-order"), "--out", out(), "--resume", "--secret", secret});
+  EXPECT_NE(other.output.find("1 graded"), string::npos) << other.output;
 }
 
 TEST_F(Hairgrade, GradesOneExerciseAlone) {
-  ASSERT_EQ(grade({sample("other-order.tar.gz"), "--out", out(), "--exercise", "S2"}).code, 0);
+  ASSERT_EQ(grade({sample("other-order"), "--out", out(), "--exercise", "S2"}).code, 0);
   const nlohmann::json results =
       nlohmann::json::parse(read_file(fs::path(out()) / "other-order" / "results.json"));
   EXPECT_EQ(results.at("score"), 20);
@@ -186,8 +208,8 @@ TEST_F(Hairgrade, GradesOneExerciseAlone) {
 }
 
 TEST_F(Hairgrade, KeepsTheOtherExercisesOfAnEarlierRun) {
-  ASSERT_EQ(grade({sample("other-order.tar.gz"), "--out", out()}).code, 0);
-  ASSERT_EQ(grade({sample("other-order.tar.gz"), "--out", out(), "--exercise", "S1"}).code, 0);
+  earlier_run();
+  ASSERT_EQ(grade({sample("other-order"), "--out", out(), "--exercise", "S1"}).code, 0);
   EXPECT_EQ(nlohmann::json::parse(read_file(fs::path(out()) / "other-order" / "results.json")).at("score"),
             52);
 }
@@ -208,9 +230,11 @@ TEST_F(Hairgrade, KeepsNoObjectThatWasCompiledWithoutASandbox) {
 }
 
 TEST_F(Hairgrade, TakesPointsAndRolesFromTheCourse) {
-  const string course = write(
-      "course.json", R"({"exercises": {"S1": {"points": 60}, "S2": {"role": "optional", "points": 5}}})");
-  ASSERT_EQ(grade({sample("other-order.tar.gz"), "--out", out(), "--course", course}).code, 0);
+  nlohmann::json points = nlohmann::json::parse(kTwoExercises);
+  points.merge_patch(nlohmann::json::parse(
+      R"({"exercises": {"S1": {"points": 60}, "S2": {"role": "optional", "points": 5}}})"));
+  const string course = write("course.json", points.dump());
+  ASSERT_EQ(grade({sample("other-order"), "--out", out(), "--course", course}).code, 0);
   EXPECT_EQ(nlohmann::json::parse(read_file(fs::path(out()) / "other-order" / "results.json")).at("score"),
             65);
 }
@@ -218,9 +242,8 @@ TEST_F(Hairgrade, TakesPointsAndRolesFromTheCourse) {
 TEST_F(Hairgrade, KeepsWhatIsFinishedWhenInterrupted) {
   fs::create_directory(folder_ / "class");
   auto add = [&](const string& name) {
-    for (const char* ending : {".zip", ".tar.gz"})
-      if (fs::exists(sample(name) + ending))
-        fs::copy_file(sample(name) + ending, folder_ / "class" / (name + ending));
+    fs::copy(sample(name), folder_ / "class" / fs::path(sample(name)).filename(),
+             fs::copy_options::recursive);
   };
   const string everybody = (folder_ / "class").string();
   add("stubs");
@@ -232,7 +255,7 @@ TEST_F(Hairgrade, KeepsWhatIsFinishedWhenInterrupted) {
   const fs::path first = fs::path(out()) / "other-order" / "results.json";
   const ProgramRun run = grade({everybody, "--out", out(), "-j", "1"}, [&](int process) {
     for (int i = 0; i < 400 && !fs::exists(first); ++i) usleep(50000);
-    kill(process, SIGINT);
+    kill(-process, SIGINT);  // as Ctrl-C does, to all that runs
   });
   EXPECT_EQ(run.code, 130) << run.errors;
   EXPECT_NE(run.errors.find("--resume"), string::npos) << run.errors;
@@ -244,7 +267,7 @@ TEST_F(Hairgrade, KeepsWhatIsFinishedWhenInterrupted) {
 }
 
 TEST_F(Hairgrade, StampsWhatWasGradedWithoutASandbox) {
-  ASSERT_EQ(grade({sample("other-order.tar.gz"), "--out", out(), "--unsafe-no-sandbox"}).code, 0);
+  ASSERT_EQ(grade({sample("other-order"), "--out", out(), "--unsafe-no-sandbox"}).code, 0);
   EXPECT_NE(read_file(fs::path(out()) / "other-order" / "report.html").find("without a sandbox"),
             string::npos);
   EXPECT_NE(read_file(fs::path(out()) / "index.html").find("without a sandbox"), string::npos);
@@ -253,8 +276,8 @@ TEST_F(Hairgrade, StampsWhatWasGradedWithoutASandbox) {
 }
 
 TEST_F(Hairgrade, WithoutImagesTheOtherCategoriesHaveTheirPoints) {
-  const std::vector<string> submission = {sample("other-order.tar.gz"), "--out", out()};
-  ASSERT_EQ(grade(submission).code, 0);
+  const std::vector<string> submission = {sample("other-order"), "--out", out()};
+  earlier_run();
   const fs::path results = fs::path(out()) / "other-order" / "results.json";
   const auto numbers = [&] {
     std::map<string, double> points;
@@ -282,14 +305,14 @@ TEST_F(Hairgrade, WithoutImagesTheOtherCategoriesHaveTheirPoints) {
 TEST_F(Hairgrade, KeepsTheReferencesPicturesForTheNextBatch) {
   const auto kept = [&] {
     std::map<string, fs::file_time_type> all;
-    for (const auto& entry : fs::recursive_directory_iterator(folder_ / "cache" / "pictures"))
+    for (const auto& entry : fs::recursive_directory_iterator(course_ / "cache" / "pictures"))
       if (entry.is_regular_file()) all[entry.path().string()] = entry.last_write_time();
     return all;
   };
-  ASSERT_EQ(grade({sample("other-order.tar.gz"), "--out", out()}).code, 0);
+  earlier_run();
   const auto first = kept();
-  EXPECT_GE(first.size(), 9U * 3);
-  ASSERT_EQ(grade({sample("other-order.tar.gz"), "--out", out()}).code, 0);
+  EXPECT_GE(first.size(), 3U);
+  ASSERT_EQ(grade({sample("other-order"), "--out", out()}).code, 0);
   EXPECT_EQ(kept(), first);
 }
 

@@ -13,7 +13,8 @@ struct ProgramRun {
   std::string output, errors;
 };
 
-// Runs hairgrade with these arguments. `meanwhile` gets its process number once it runs.
+// Runs hairgrade with these arguments. `meanwhile` gets its process number once it runs, which is then also the number of its
+// process group.
 ProgramRun run_hairgrade(const std::vector<std::string>& arguments,
                          const std::function<void(int)>& meanwhile = {});
 
