@@ -243,13 +243,13 @@ std::string class_page(const Results& results) {
       {shown_points(mean(totals)), shown_points(reachable), shown_points(median(totals)), results.size()});
   body += to_look_at(results);
   body += class_table(results, columns);
-  body += pictures_by_distance(results);
+  body += pictures_by_distance(results, {"staff/pictures"});
   body += means_table(results, columns);
   body += distribution(results);
   body += categories_table(results);
   body += html("</main>\n");
   body += Html{std::string(sort_script)};
-  return html_page("Grades of the class", body, Scripts::on);
+  return html_page("Grades of the class", body, Scripts::on, Pictures::beside);
 }
 
 }  // namespace grader

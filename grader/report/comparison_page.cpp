@@ -50,9 +50,9 @@ Html shown_pair(const SmallPair& small) {
       "RMSE {}</span></div>\n<div class=\"pictures\">\n{}{}{}</div>\n</div>\n",
       {small.pair.name, shown_distance(distance.flip_mean), shown_distance(distance.flip_max),
        shown_distance(distance.blurred_rmse),
-       figure(small.reference, small.pair.name + ", the first", html("The first")),
-       figure(small.test, small.pair.name + ", the second", html("The second")),
-       figure(small.heat, small.pair.name + ", where they differ",
+       figure(image(small.reference, small.pair.name + ", the first"), html("The first")),
+       figure(image(small.test, small.pair.name + ", the second"), html("The second")),
+       figure(image(small.heat, small.pair.name + ", where they differ"),
               html("Where they differ {}", {heat_scale()}))});
 }
 

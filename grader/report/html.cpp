@@ -100,10 +100,12 @@ Html html(std::string_view pattern, std::initializer_list<HtmlPart> parts) {
   return result;
 }
 
-std::string html_page(const std::string& title, const Html& body, Scripts scripts) {
-  const std::string policy =
-      "default-src 'none'; img-src data:; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'" +
-      std::string(scripts == Scripts::on ? "; script-src 'unsafe-inline'" : "");
+std::string html_page(const std::string& title, const Html& body, Scripts scripts, Pictures pictures) {
+  // Not every browser takes a page's own folder for 'self' where the page is a file.
+  const std::string policy = std::string("default-src 'none'; img-src ") +
+                             (pictures == Pictures::inside ? "data:" : "'self' file:") +
+                             "; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'" +
+                             (scripts == Scripts::on ? "; script-src 'unsafe-inline'" : "");
   return html(R"(<!DOCTYPE html>
 <html lang="en">
 <head>

@@ -36,9 +36,11 @@ class HtmlPart {
 Html html(std::string_view pattern, std::initializer_list<HtmlPart> parts = {});
 
 enum class Scripts { off, on };
+enum class Pictures { inside, beside };
 
-// A whole page: its style and its pictures are in it, and it may load nothing. Only a page with Scripts::on
-// runs its own inline script.
-std::string html_page(const std::string& title, const Html& body, Scripts scripts = Scripts::off);
+// A whole page: its style is in it, and it may load nothing but, with Pictures::beside, picture files. Only a
+// page with Scripts::on runs its own inline script.
+std::string html_page(const std::string& title, const Html& body, Scripts scripts = Scripts::off,
+                      Pictures pictures = Pictures::inside);
 
 }  // namespace grader

@@ -9,6 +9,7 @@
 
 #include "grader/report/base64.h"
 #include "grader/report/gradebook.h"
+#include "grader/report/picture_files.h"
 #include "grader/report/results_json.h"
 #include "grader/report/sample_results.h"
 #include "grader/report/text.h"
@@ -63,9 +64,13 @@ TEST(Pages, LoadNothingAndRunNothingOfTheirText) {
   for (const std::string& page : {student_page(results[1]), staff_page(results[1]), class_page(results)}) {
     for (const char* outside : {"http:", "https:", "@import", "url("})
       EXPECT_EQ(count(page, outside), 0u) << outside;
-    EXPECT_EQ(count(page, "default-src &#39;none&#39;; img-src data:;"), 1u);
+    const bool alone = page == student_page(results[1]);
+    const std::string folder = page == class_page(results) ? "staff/pictures/" : "pictures/";
+    EXPECT_EQ(count(page, alone ? "default-src &#39;none&#39;; img-src data:;"
+                                : "default-src &#39;none&#39;; img-src &#39;self&#39; file:;"),
+              1u);
     EXPECT_GT(count(page, "src="), 0u);
-    EXPECT_EQ(count(page, "src="), count(page, "src=\"data:image/png;base64,"));
+    EXPECT_EQ(count(page, "src="), count(page, alone ? "src=\"data:image/png;base64," : "src=\"" + folder));
     EXPECT_EQ(count(page, "<html lang=\"en\">"), 1u);
     EXPECT_EQ(count(page, "<title>"), 1u);
     EXPECT_EQ(count(page, "<section"), count(page, "</section>"));
@@ -129,7 +134,10 @@ TEST(Pages, ShowAMomentsThreePicturesWithTheirDistancesAndInWords) {
   result.exercises[1].pictures = {{"0.50 s", 0.0123, 0.0456, "theirs", "ours", "heat", 0.01, 0.05}};
   for (const std::string& page : {student_page(result), staff_page(result)}) {
     for (const char* bytes : {"theirs", "ours", "heat"})
-      EXPECT_EQ(count(page, "base64," + base64(bytes) + "\""), 1u) << bytes;
+      EXPECT_EQ(count(page, "base64," + base64(bytes) + "\"") +
+                    count(page, "src=\"pictures/" + picture_name(bytes) + "\""),
+                1u)
+          << bytes;
     EXPECT_EQ(count(page, "<img"), 3u);
     EXPECT_EQ(count(page, " at 0.50 s\""), 3u);
     for (const char* words : {"0.0123", "0.0456", "too far", "0.0123 of at most 0.0100",
@@ -196,7 +204,7 @@ TEST(Pages, TheClassIsSortedByItsWorstPictures) {
   EXPECT_EQ(count(rows, "<img"), 6u);
 }
 
-// A class page of a thousand would hold 60 MB of them.
+// A class page of a thousand would load 60 MB of them.
 TEST(Pages, TheClassShowsPicturesOfTheWorstTwentyAlone) {
   std::vector<SubmissionResult> results = sample_class(30);
   const PictureResult far = sample_picture("1.00 s", 40, 0);

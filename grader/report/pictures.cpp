@@ -7,24 +7,22 @@
 #include <utility>
 
 #include "grader/compare/heat_map.h"
-#include "grader/compare/montage.h"
-#include "grader/course/input.h"
 #include "grader/report/base64.h"
-#include "hair/image/png.h"
+#include "grader/report/picture_files.h"
 
 namespace grader {
 namespace {
 
-constexpr std::size_t kMostSmallPictures = 20;  // rows of the class's page with pictures, some 30 KB each
-constexpr int kSmallWidth = 192;                // px
+constexpr std::size_t kMostSmallPictures = 20;  // rows of the class's page with pictures
 
-Html moment(const PictureResult& picture, const std::string& whose) {
+Html moment(const PictureResult& picture, const std::string& whose, const PicturePlace& place) {
   if (picture.heat.empty()) {
     return html(
         "<div class=\"moment\">\n<div class=\"line\"><strong>{}</strong><span>the same, pixel for "
         "pixel</span></div>\n<div class=\"pictures one\">\n{}</div>\n</div>\n",
-        {picture.name, figure(picture.student, whose + " and the reference's hair at " + picture.name,
-                              html("{} and the reference&#39;s", {whose}))});
+        {picture.name,
+         figure(image(picture.student, whose + " and the reference's hair at " + picture.name, place),
+                html("{} and the reference&#39;s", {whose}))});
   }
   const auto measured = [](const char* what, double value, double limit) {
     return html("<span>{} {}{}</span>",
@@ -41,9 +39,10 @@ Html moment(const PictureResult& picture, const std::string& whose) {
               : Html{},
        measured("blurred RMSE", picture.blurred_rmse, picture.blurred_rmse_limit),
        measured("FLIP", picture.flip, picture.flip_limit),
-       figure(picture.student, whose + " at " + picture.name, html("{}", {whose})),
-       figure(picture.reference, "The reference's at " + picture.name, html("The reference&#39;s")),
-       figure(picture.heat, "Where the two differ at " + picture.name,
+       figure(image(picture.student, whose + " at " + picture.name, place), html("{}", {whose})),
+       figure(image(picture.reference, "The reference's at " + picture.name, place),
+              html("The reference&#39;s")),
+       figure(image(picture.heat, "Where the two differ at " + picture.name, place),
               html("Where they differ {}", {heat_scale()}))});
 }
 
@@ -69,17 +68,11 @@ std::vector<Worst> worst_first(const std::vector<SubmissionResult>& results) {
   return all;
 }
 
-// Nothing of a picture that can't be read: a record may be damaged.
-Html small(const std::string& png, const std::string& alt) {
-  try {
-    return image(hair::encode_png(shrunk(hair::decode_png(png, alt), kSmallWidth)), alt, "small");
-  } catch (const BadInput&) {
-    return {};
-  }
-}
-
-Html row(const Worst& worst, bool with_pictures) {
+Html row(const Worst& worst, bool with_pictures, const PicturePlace& place) {
   const std::string at = worst.exercise->id + " at " + worst.picture->name;
+  const auto small = [&](const std::string& png, const std::string& alt) {
+    return image(png, alt, place, "small");
+  };
   Html pictures;
   if (with_pictures)
     pictures = html("<td>{}</td><td>{}</td><td>{}</td>",
@@ -103,9 +96,11 @@ std::string shown_distance(double distance) {
   return text.data();
 }
 
-Html image(const std::string& png, const std::string& alt, const char* look) {
-  return html("<img{}alt=\"{}\" src=\"data:image/png;base64,{}\">",
-              {*look == '\0' ? html(" ") : html(" class=\"{}\" ", {look}), alt, Html{base64(png)}});
+Html image(const std::string& png, const std::string& alt, const PicturePlace& place, const char* look) {
+  const std::string source =
+      place.folder.empty() ? "data:image/png;base64," + base64(png) : place.folder + "/" + picture_name(png);
+  return html("<img{}alt=\"{}\" src=\"{}\">",
+              {*look == '\0' ? html(" ") : html(" class=\"{}\" ", {look}), alt, Html{source}});
 }
 
 Html heat_scale() {
@@ -119,12 +114,12 @@ Html heat_scale() {
       {colors});
 }
 
-Html figure(const std::string& png, const std::string& alt, const Html& caption) {
-  return html("<figure>{}<figcaption>{}</figcaption></figure>\n", {image(png, alt), caption});
+Html figure(const Html& image, const Html& caption) {
+  return html("<figure>{}<figcaption>{}</figcaption></figure>\n", {image, caption});
 }
 
-Html moments(const std::vector<PictureResult>& pictures, const std::string& heading,
-             const std::string& whose) {
+Html moments(const std::vector<PictureResult>& pictures, const std::string& heading, const std::string& whose,
+             const PicturePlace& place) {
   if (pictures.empty()) return {};
   double flip = 0;
   bool open = false;
@@ -133,7 +128,7 @@ Html moments(const std::vector<PictureResult>& pictures, const std::string& head
     flip = std::max(flip, picture.flip);
     const bool scored = picture.blurred_rmse_limit > 0 || picture.flip_limit > 0;
     open = open || (scored ? too_far(picture) : picture.flip > 0);
-    rows += moment(picture, whose);
+    rows += moment(picture, whose, place);
   }
   return html(
       "<details{}><summary>{}: FLIP up to {}</summary>\n{}<p class=\"quiet\">Blurred RMSE is how far they "
@@ -143,14 +138,14 @@ Html moments(const std::vector<PictureResult>& pictures, const std::string& head
       {open ? " open" : "", heading, shown_distance(flip), rows});
 }
 
-Html pictures_by_distance(const std::vector<SubmissionResult>& results) {
+Html pictures_by_distance(const std::vector<SubmissionResult>& results, const PicturePlace& place) {
   const std::vector<Worst> all = worst_first(results);
   if (all.empty()) return {};
   std::size_t same = 0;
   Html rows;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].picture->flip > 0)
-      rows += row(all[i], i < kMostSmallPictures);
+      rows += row(all[i], i < kMostSmallPictures, place);
     else
       ++same;
   }

@@ -10,21 +10,28 @@
 
 namespace grader {
 
-// A PNG file's bytes as a part of the page. `look` is a class of the style sheet, or "".
-Html image(const std::string& png, const std::string& alt, const char* look = "");
+// Where a page has its pictures: in itself, or in a folder of files (picture_files.h) that is reached from it by
+// this path.
+struct PicturePlace {
+  std::string folder = "";  // "pictures"; empty: in itself
+};
+
+// A PNG file's bytes, shown. `look` is a class of the style sheet, or "".
+Html image(const std::string& png, const std::string& alt, const PicturePlace& place = {},
+           const char* look = "");
 
 // The same with its caption below.
-Html figure(const std::string& png, const std::string& alt, const Html& caption);
+Html figure(const Html& image, const Html& caption);
 
 // A row for each moment, with its distances, under a heading that opens and closes. Open from the start if
 // one is too far, or differs and is not scored. Nothing without pictures. `whose` captions the submission's:
 // "Yours".
-Html moments(const std::vector<PictureResult>& pictures, const std::string& heading,
-             const std::string& whose);
+Html moments(const std::vector<PictureResult>& pictures, const std::string& heading, const std::string& whose,
+             const PicturePlace& place);
 
 // A section of the class's page: submissions by how far their pictures are from the reference's, worst first,
 // and small pictures of the worst.
-Html pictures_by_distance(const std::vector<SubmissionResult>& results);
+Html pictures_by_distance(const std::vector<SubmissionResult>& results, const PicturePlace& place);
 
 std::string shown_distance(double distance);  // "0.0123"
 

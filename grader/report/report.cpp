@@ -9,6 +9,7 @@
 #include "grader/course/input.h"
 #include "grader/report/gradebook.h"
 #include "grader/report/pages.h"
+#include "grader/report/picture_files.h"
 #include "grader/report/results_json.h"
 #include "grader/report/study_json.h"
 
@@ -35,6 +36,7 @@ void write_submission_reports(const fs::path& dir, const SubmissionResult& resul
   fs::remove(record, not_there);
   write_file(dir / result.name / "results.json", student_json(result));
   write_file(dir / result.name / "report.html", student_page(result));
+  write_pictures(pictures_folder(dir), result);
   write_file(dir / "staff" / (result.name + ".html"), staff_page(result));
   fs::permissions(dir / "staff", fs::perms::owner_all);  // hidden inputs and expected values
   write_file(record, staff_json(result));
@@ -69,7 +71,8 @@ std::optional<SubmissionResult> read_results(const fs::path& dir, const std::str
   if (!whole || !in) return {};
   std::ostringstream text;
   text << in.rdbuf();
-  std::optional<SubmissionResult> result = result_from_staff_json(std::move(text).str());
+  std::optional<SubmissionResult> result =
+      result_from_staff_json(std::move(text).str(), pictures_folder(dir));
   if (result && result->name != name) return {};
   return result;
 }

@@ -6,6 +6,7 @@
 //   DIR/NAME/report.html   for the student
 //   DIR/staff/NAME.html    for staff: inputs, expected and actual values, what compiler and worker printed
 //   DIR/staff/NAME.json    all of it, from which --resume goes on
+//   DIR/staff/pictures/    the pictures that both show, each once for the class; see picture_files.h
 //   DIR/NAME/study.html, study.json  with studies: error against time; the only ones of these with measured times in them
 //   DIR/grades.csv, index.html, junit.xml  the class
 //
@@ -35,7 +36,7 @@ void remove_study(const std::filesystem::path& dir, const SubmissionResult& resu
 void write_class_reports(const std::filesystem::path& dir, const std::vector<SubmissionResult>& results);
 
 // What write_submission_reports wrote for `name` in `dir`, read back, the staff's part included; nothing if a
-// file of it is missing or can't be read.
+// file of it is missing or can't be read, or if a picture is not what it was.
 std::optional<SubmissionResult> read_results(const std::filesystem::path& dir, const std::string& name);
 
 // The class as a table for a terminal: a line a submission, a column an exercise. ASCII, no colours.

@@ -5,15 +5,18 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <map>
 #include <sstream>
 #include <string>
+#include <thread>
 
 #include "grader/course/input.h"
 #include "grader/report/base64.h"
+#include "grader/report/picture_files.h"
 #include "grader/report/sample_results.h"
 
 namespace grader {
@@ -51,7 +54,8 @@ class Reports : public testing::Test {
 TEST_F(Reports, StandWhereTheyShould) {
   write_all(dir_, sample_class(2));
   std::vector<std::string> names;
-  for (const auto& [name, bytes] : files_in(dir_)) names.push_back(name);
+  for (const auto& [name, bytes] : files_in(dir_))
+    if (!name.starts_with("staff/pictures/")) names.push_back(name);
   EXPECT_EQ(names, (std::vector<std::string>{"alice/report.html", "alice/results.json", "bob/report.html",
                                              "bob/results.json", "grades.csv", "index.html", "junit.xml",
                                              "staff/alice.html", "staff/alice.json", "staff/bob.html",
@@ -128,6 +132,177 @@ TEST_F(Reports, PicturesComeBackWhole) {
   };
   expect_same(read.exercises[0].pictures, result.exercises[0].pictures);
   expect_same(read.runs[0].pictures, result.runs[0].pictures);
+}
+
+// A picture's bytes, as a file and as a part of a page, in all files below a folder.
+std::size_t times_stored(const Files& files, const std::string& png) {
+  std::size_t times = 0;
+  for (const auto& [name, bytes] : files)
+    for (const std::string& form : {png, base64(png)})
+      for (std::size_t at = bytes.find(form); at != bytes.npos; at = bytes.find(form, at + form.size()))
+        ++times;
+  return times;
+}
+
+// A submission whose pictures all differ from one another, but for the reference's, which are everybody's.
+SubmissionResult submission_with_all_pictures(const std::string& name) {
+  SubmissionResult result = sample_class(1).front();
+  result.name = name;
+  int i = 0;
+  const auto picture = [&] {
+    const std::string number = std::to_string(i++) + ".";
+    return PictureResult{number + " s",
+                         0.1,
+                         0.2,
+                         name + "\x89 student " + number,
+                         "\x89 reference " + number,
+                         name + "\x89 heat " + number,
+                         0.01};
+  };
+  for (ExerciseResult& exercise : result.exercises) exercise.pictures = {picture(), picture(), picture()};
+  for (RunResult& run : result.runs) run.pictures = {picture()};
+  return result;
+}
+
+std::vector<PictureResult> pictures_of(const SubmissionResult& result) {
+  std::vector<PictureResult> all;
+  for (const ExerciseResult& exercise : result.exercises)
+    all.insert(all.end(), exercise.pictures.begin(), exercise.pictures.end());
+  for (const RunResult& run : result.runs) all.insert(all.end(), run.pictures.begin(), run.pictures.end());
+  return all;
+}
+
+TEST_F(Reports, StoreAPictureInTheStudentsReportAndOnceForStaff) {
+  const std::vector<SubmissionResult> results = {submission_with_all_pictures("alice"),
+                                                 submission_with_all_pictures("bob")};
+  write_all(dir_, results);
+  const Files files = files_in(dir_);
+  for (const SubmissionResult& result : results)
+    for (const PictureResult& picture : pictures_of(result)) {
+      EXPECT_EQ(times_stored(files, picture.student), 2u);
+      EXPECT_EQ(times_stored(files, picture.heat), 2u);
+      EXPECT_EQ(times_stored(files, picture.reference), 3u);  // both reports, and once for staff
+      EXPECT_EQ(times_stored(files_in(dir_ / "staff"), picture.reference), 1u);
+      EXPECT_EQ(times_stored(files_in(dir_ / result.name), picture.reference), 1u);
+    }
+}
+
+TEST_F(Reports, StaffsPagesLinkToPicturesThatAreThere) {
+  const std::vector<SubmissionResult> results = sample_class(20);
+  write_all(dir_, results);
+  Files files = files_in(dir_);
+  std::size_t links = 0;
+  for (const auto& [name, page] : Files(files)) {
+    if (!name.starts_with("staff/") && name != "index.html") continue;
+    const std::string start = "src=\"", folder = fs::path(name).parent_path().string();
+    for (std::size_t at = page.find(start); at != page.npos; at = page.find(start, at), ++links) {
+      at += start.size();
+      const std::string link = page.substr(at, page.find('"', at) - at);
+      const fs::path file = (fs::path(folder) / link).lexically_normal();
+      EXPECT_EQ(file.parent_path(), "staff/pictures");
+      ASSERT_TRUE(files.contains(file.string())) << name << ": " << link;
+      EXPECT_EQ(picture_name(files.at(file.string())), file.filename());
+    }
+  }
+  EXPECT_GT(links, 100u);
+}
+
+TEST_F(Reports, StudentsPagesLeadToNothingOfTheStaffs) {
+  const SubmissionResult result = submission_with_all_pictures("alice");
+  write_submission_reports(dir_, result);
+  for (const auto& [name, bytes] : files_in(dir_ / "alice")) {
+    EXPECT_EQ(bytes.find("staff"), bytes.npos) << name;
+    EXPECT_EQ(bytes.find("pictures/"), bytes.npos) << name;
+    for (const PictureResult& picture : pictures_of(result))
+      EXPECT_EQ(bytes.find(picture_name(picture.student)), bytes.npos) << name;
+  }
+  const fs::perms staff = fs::status(dir_ / "staff").permissions();
+  EXPECT_EQ(staff, fs::perms::owner_all);
+}
+
+TEST_F(Reports, AResultWithADamagedOrMissingPictureIsNotRead) {
+  const SubmissionResult alice = submission_with_all_pictures("alice");
+  const PictureResult &graded = alice.exercises[1].pictures[2], &shown = alice.runs[0].pictures[0];
+  for (const std::string& png : {graded.student, graded.reference, graded.heat, shown.student}) {
+    const fs::path file = dir_ / "staff/pictures" / picture_name(png);
+    std::string other = png;
+    other[3] ^= 1;
+    for (const std::string& damaged : {other, png.substr(1), png + "x", std::string()}) {
+      write_submission_reports(dir_, alice);
+      ASSERT_TRUE(read_results(dir_, "alice"));
+      write_file(file, damaged);
+      EXPECT_FALSE(read_results(dir_, "alice")) << damaged;
+    }
+    write_submission_reports(dir_, alice);
+    EXPECT_TRUE(read_results(dir_, "alice")) << "graded again, it is whole";
+    fs::remove(file);
+    EXPECT_FALSE(read_results(dir_, "alice"));
+  }
+}
+
+// Names of pictures come from a record, which may be damaged.
+TEST_F(Reports, ARecordThatNamesAnotherFileIsNotRead) {
+  const SubmissionResult alice = submission_with_all_pictures("alice");
+  write_submission_reports(dir_, alice);
+  const std::string record = files_in(dir_).at("staff/alice.json"),
+                    name = picture_name(alice.runs[0].pictures[0].heat);
+  write_file(dir_ / "staff/pictures/heat.png", alice.runs[0].pictures[0].heat);
+  for (const char* other : {"heat.png", "../alice.json", "0", ".png", "/dev/zero"}) {
+    std::string changed = record;
+    changed.replace(changed.find(name), name.size(), other);
+    write_file(dir_ / "staff/alice.json", changed);
+    EXPECT_FALSE(read_results(dir_, "alice")) << other;
+  }
+}
+
+TEST_F(Reports, PicturesThatNoPageShowsAreRemoved) {
+  const SubmissionResult before = submission_with_all_pictures("alice"),
+                         bob = submission_with_all_pictures("bob");
+  SubmissionResult after = before;
+  after.exercises[0].pictures[0].student = "another";
+  write_submission_reports(dir_, before);
+  write_submission_reports(dir_, bob);
+  write_file(dir_ / "staff/pictures/notes.txt", "not ours");
+  remove_unshown_pictures(dir_);
+  EXPECT_TRUE(read_results(dir_, "alice") && read_results(dir_, "bob"));
+
+  write_submission_reports(dir_, after);
+  Files expected = files_in(dir_);
+  EXPECT_EQ(expected.erase("staff/pictures/" + picture_name(before.exercises[0].pictures[0].student)), 1u);
+  write_class_reports(dir_ / "elsewhere", {});
+  remove_unshown_pictures(dir_ / "elsewhere");
+  fs::remove_all(dir_ / "elsewhere");
+  remove_unshown_pictures(dir_);
+  EXPECT_EQ(files_in(dir_), expected);
+  EXPECT_TRUE(read_results(dir_, "alice") && read_results(dir_, "bob"));
+}
+
+// Submissions are graded side by side, and share the reference's pictures.
+TEST_F(Reports, PicturesThatSeveralWriteAtATimeAreWhole) {
+  constexpr int kThreads = 8, kRounds = 20;
+  std::vector<SubmissionResult> results;
+  for (int i = 0; i < kThreads; ++i) {
+    results.push_back(submission_with_all_pictures("student-" + std::to_string(i)));
+    for (ExerciseResult& exercise : results.back().exercises)
+      for (PictureResult& picture : exercise.pictures) picture.reference += std::string(100'000, 'r');
+  }
+  for (int round = 0; round < kRounds; ++round) {
+    fs::remove_all(dir_ / "staff");
+    std::atomic<int> failed = 0;
+    {
+      std::vector<std::jthread> threads;
+      for (const SubmissionResult& result : results)
+        threads.emplace_back([&] {
+          try {
+            write_pictures(pictures_folder(dir_), result);
+          } catch (const BadInput& error) {
+            if (failed++ == 0) ADD_FAILURE() << error.what();
+          }
+        });
+    }
+    ASSERT_EQ(failed, 0);
+    for (const auto& [name, bytes] : files_in(dir_ / "staff/pictures")) ASSERT_EQ(picture_name(bytes), name);
+  }
 }
 
 TEST_F(Reports, WhatIsNotWholeIsNotRead) {

@@ -3,7 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "grader/report/base64.h"
+#include "grader/course/input.h"
+#include "grader/report/picture_files.h"
 #include "grader/report/text.h"
 
 namespace grader {
@@ -54,17 +55,17 @@ Json pictures_json(const std::vector<PictureResult>& pictures) {
     all.push_back({{"name", valid_utf8(picture.name)},
                    {"blurred_rmse", picture.blurred_rmse},
                    {"flip", picture.flip},
-                   {"student", base64(picture.student)},
-                   {"reference", base64(picture.reference)},
-                   {"heat", base64(picture.heat)},
+                   {"student", picture_name(picture.student)},
+                   {"reference", picture_name(picture.reference)},
+                   {"heat", picture_name(picture.heat)},
                    {"blurred_rmse_limit", picture.blurred_rmse_limit},
                    {"flip_limit", picture.flip_limit}});
   return all;
 }
 
-std::vector<PictureResult> pictures_from(const Json& json) {
+std::vector<PictureResult> pictures_from(const Json& json, const std::filesystem::path& folder) {
   std::vector<PictureResult> pictures;
-  const auto bytes = [](const Json& text) { return from_base64(text.get_ref<const std::string&>()); };
+  const auto bytes = [&](const Json& name) { return read_picture(folder, name); };
   for (const Json& one : json)
     pictures.push_back({one.at("name"), one.at("blurred_rmse"), one.at("flip"), bytes(one.at("student")),
                         bytes(one.at("reference")), bytes(one.at("heat")), one.at("blurred_rmse_limit"),
@@ -89,7 +90,7 @@ Json exercise_json(const ExerciseResult& exercise) {
           {"staff_log", valid_utf8(exercise.staff_log)}};
 }
 
-ExerciseResult exercise_from(const Json& json) {
+ExerciseResult exercise_from(const Json& json, const std::filesystem::path& pictures) {
   ExerciseResult exercise;
   exercise.id = json.at("id");
   exercise.title = json.at("title");
@@ -101,7 +102,7 @@ ExerciseResult exercise_from(const Json& json) {
   exercise.feedback = json.at("feedback");
   exercise.compiler_messages = json.at("compiler_messages");
   for (const Json& one : json.at("cases")) exercise.cases.push_back(case_from(one));
-  exercise.pictures = pictures_from(json.at("pictures"));
+  exercise.pictures = pictures_from(json.at("pictures"), pictures);
   exercise.staff_log = json.at("staff_log");
   return exercise;
 }
@@ -126,9 +127,9 @@ Json run_json(const RunResult& run) {
           {"detail", valid_utf8(run.detail)},  {"pictures", pictures_json(run.pictures)}};
 }
 
-RunResult run_from(const Json& json) {
+RunResult run_from(const Json& json, const std::filesystem::path& pictures) {
   return {json.at("name"),     json.at("shows"),  run_outcome_from_string(json.at("outcome")),
-          json.at("feedback"), json.at("detail"), pictures_from(json.at("pictures"))};
+          json.at("feedback"), json.at("detail"), pictures_from(json.at("pictures"), pictures)};
 }
 
 }  // namespace
@@ -182,7 +183,8 @@ std::string staff_json(const SubmissionResult& result) {
   return dumped(all);
 }
 
-std::optional<SubmissionResult> result_from_staff_json(const std::string& text) {
+std::optional<SubmissionResult> result_from_staff_json(const std::string& text,
+                                                       const std::filesystem::path& pictures) {
   try {
     const Json json = Json::parse(text);
     SubmissionResult result;
@@ -192,12 +194,15 @@ std::optional<SubmissionResult> result_from_staff_json(const std::string& text) 
     result.images = json.at("images");
     result.note = json.at("note");
     result.studied = json.value("studied", false);
-    for (const Json& exercise : json.at("exercises")) result.exercises.push_back(exercise_from(exercise));
-    for (const Json& run : json.at("runs")) result.runs.push_back(run_from(run));
+    for (const Json& exercise : json.at("exercises"))
+      result.exercises.push_back(exercise_from(exercise, pictures));
+    for (const Json& run : json.at("runs")) result.runs.push_back(run_from(run, pictures));
     return result;
   } catch (const Json::exception&) {
     return {};
-  } catch (const std::invalid_argument&) {  // an unknown status or outcome, a damaged picture
+  } catch (const std::invalid_argument&) {  // an unknown status or outcome
+    return {};
+  } catch (const BadInput&) {  // a picture
     return {};
   }
 }

@@ -2,6 +2,7 @@
 // staff, from which grading goes on where it stopped.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -14,8 +15,10 @@ namespace grader {
 // Nothing of the staff's is in it.
 std::string student_json(const SubmissionResult& result);
 
+// All but the pictures, whose files it names.
 std::string staff_json(const SubmissionResult& result);
-std::optional<SubmissionResult> result_from_staff_json(
-    const std::string& text);  // nothing if it is not whole
+// With the pictures from this folder. Nothing if the text is not whole, or one of them is missing or damaged.
+std::optional<SubmissionResult> result_from_staff_json(const std::string& text,
+                                                       const std::filesystem::path& pictures);
 
 }  // namespace grader

@@ -15,6 +15,10 @@ const char* whose(Reader reader) {
   return reader == Reader::student ? "Yours" : "The student's";
 }
 
+PicturePlace place_of(Reader reader) {
+  return {reader == Reader::student ? "" : "pictures"};
+}
+
 std::string points_of(double points, double max_points) {
   return shown_points(points) + " / " + shown_points(max_points);
 }
@@ -57,7 +61,7 @@ Html exercise_section(const ExerciseResult& exercise, Reader reader) {
             exercise.file, exercise.feedback.empty() ? sentence_for(exercise.status) : exercise.feedback});
   section += block("What the compiler says", exercise.compiler_messages);
   section += cases_table(exercise, reader);
-  section += moments(exercise.pictures, "The whole run in pictures", whose(reader));
+  section += moments(exercise.pictures, "The whole run in pictures", whose(reader), place_of(reader));
   if (reader == Reader::staff)
     section += block("What compiler, linker and worker printed", exercise.staff_log);
   return section += html("</section>\n");
@@ -96,7 +100,8 @@ Html runs_section(const SubmissionResult& result, Reader reader) {
     section +=
         html("<p><a href=\"{}study.html\">Error against run time</a> of these scenes, beside ours.</p>\n",
              {reader == Reader::staff ? "../" + result.name + "/" : std::string()});
-  for (const RunResult& run : result.runs) section += moments(run.pictures, run.shows, whose(reader));
+  for (const RunResult& run : result.runs)
+    section += moments(run.pictures, run.shows, whose(reader), place_of(reader));
   return section += html("</section>\n");
 }
 
@@ -177,7 +182,7 @@ std::string student_page(const SubmissionResult& result) {
 }
 
 std::string staff_page(const SubmissionResult& result) {
-  return html_page(result.name + " (staff)", body_of(result, Reader::staff));
+  return html_page(result.name + " (staff)", body_of(result, Reader::staff), Scripts::off, Pictures::beside);
 }
 
 }  // namespace grader

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "grader/course/input.h"
+#include "grader/report/picture_files.h"
 #include "grader/report/report.h"
 #include "grader/tool/progress.h"
 #include "grader/tool/timing.h"
@@ -129,6 +130,7 @@ Batch grade_batch(const Grading& grading, const std::vector<Submission>& submiss
             [](const SubmissionResult& a, const SubmissionResult& b) { return a.name < b.name; });
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   write_class_reports(settings.out, batch.results);
+  remove_unshown_pictures(settings.out);
   write_timing(settings.out, grading.reference_timing(), timing, seconds, batch.graded, settings.jobs);
   return batch;
 }

@@ -4,8 +4,10 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <functional>
 #include <string>
 #include <system_error>
+#include <thread>
 
 #include "hair/files/bad_input.h"
 #include "hair/files/printable.h"
@@ -39,9 +41,12 @@ void write_file(const fs::path& file, std::string_view bytes) {
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), folder_error);
   if (folder_error) fail(file, folder_error.value());
 
-  // Dots in front: no submission and no report has such a name. The process id keeps two runs apart.
+  // Dots in front: no submission and no report has such a name. Process and thread keep two apart that write the
+  // same file.
+  const std::size_t thread = std::hash<std::thread::id>{}(std::this_thread::get_id());
   const fs::path temporary =
-      file.parent_path() / ("." + file.filename().string() + "." + std::to_string(getpid()) + ".part");
+      file.parent_path() / ("." + file.filename().string() + "." + std::to_string(getpid()) + "-" +
+                            std::to_string(thread) + ".part");
   const int descriptor = open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0644);
   if (descriptor < 0) fail(file, errno);
   int error = write_all(descriptor, bytes);

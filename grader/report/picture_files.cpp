@@ -1,0 +1,88 @@
+// STAFF ONLY.
+#include "grader/report/picture_files.h"
+
+#include <algorithm>
+#include <fstream>
+#include <optional>
+#include <set>
+#include <sstream>
+#include <string_view>
+
+#include "grader/compile/hash.h"
+#include "grader/course/input.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view kEnding = ".png";
+
+std::optional<std::string> bytes_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream bytes;
+  bytes << in.rdbuf();
+  if (!in) return {};
+  return std::move(bytes).str();
+}
+
+bool is_picture_name(std::string_view name) {
+  return name.size() == 64 + kEnding.size() && name.ends_with(kEnding) &&
+         name.find_first_not_of("0123456789abcdef") == 64;
+}
+
+void write_picture(const fs::path& folder, const std::string& png) {
+  if (png.empty()) return;
+  const fs::path file = folder / picture_name(png);
+  if (bytes_of(file) != png) write_file(file, png);
+}
+
+void write_pictures_of(const fs::path& folder, const std::vector<PictureResult>& pictures) {
+  for (const PictureResult& picture : pictures)
+    for (const std::string* png : {&picture.student, &picture.reference, &picture.heat})
+      write_picture(folder, *png);
+}
+
+}  // namespace
+
+fs::path pictures_folder(const fs::path& dir) {
+  return dir / "staff" / "pictures";
+}
+
+std::string picture_name(const std::string& png) {
+  return png.empty() ? "" : sha256(png) + std::string(kEnding);
+}
+
+void write_pictures(const fs::path& folder, const SubmissionResult& result) {
+  for (const ExerciseResult& exercise : result.exercises) write_pictures_of(folder, exercise.pictures);
+  for (const RunResult& run : result.runs) write_pictures_of(folder, run.pictures);
+}
+
+std::string read_picture(const fs::path& folder, const std::string& name) {
+  if (name.empty()) return "";
+  if (is_picture_name(name))
+    if (std::optional<std::string> png = bytes_of(folder / name); png && picture_name(*png) == name)
+      return std::move(*png);
+  throw BadInput((folder / printable(name)).string() + ": is missing or damaged; grade the submission again");
+}
+
+void remove_unshown_pictures(const fs::path& dir) {
+  constexpr std::string_view link = "src=\"pictures/";
+  std::set<std::string, std::less<>> shown;
+  std::error_code none;
+  for (const auto& page : fs::directory_iterator(dir / "staff", none)) {
+    if (page.path().extension() != ".html") continue;
+    const std::optional<std::string> text = bytes_of(page.path());
+    if (!text) return;  // nobody knows what it shows
+    for (std::size_t at = text->find(link); at != text->npos; at = text->find(link, at)) {
+      at += link.size();
+      shown.insert(text->substr(at, text->find('"', at) - at));
+    }
+  }
+  for (const auto& file : fs::directory_iterator(pictures_folder(dir), none))
+    if (const std::string name = file.path().filename().string();
+        is_picture_name(name) && !shown.contains(name))
+      fs::remove(file.path(), none);
+}
+
+}  // namespace grader
