@@ -18,6 +18,7 @@ libosmesa6           # OpenGL without a window: draws what is graded
 nlohmann-json3-dev   # JSON: exercises, courses, results
 libcli11-dev         # the command line of hairgrade
 libarchive-dev       # reads and writes .zip and .tar.gz
+zlib1g-dev           # packs the pictures of reports
 libseccomp-dev       # the sandbox's system call filter
 libsodium-dev        # seeds and fingerprints: HMAC, hashes
 bubblewrap           # the sandbox

@@ -279,7 +279,7 @@ TEST_F(Reports, PicturesThatNoPageShowsAreRemoved) {
 
 // Submissions are graded side by side, and share the reference's pictures.
 TEST_F(Reports, PicturesThatSeveralWriteAtATimeAreWhole) {
-  constexpr int kThreads = 8, kRounds = 20;
+  constexpr int kThreads = 8, kRounds = 5;
   std::vector<SubmissionResult> results;
   for (int i = 0; i < kThreads; ++i) {
     results.push_back(submission_with_all_pictures("student-" + std::to_string(i)));

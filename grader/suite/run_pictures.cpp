@@ -7,6 +7,8 @@
 
 #include "grader/compare/compare.h"
 #include "grader/compare/heat_map.h"
+#include "grader/compare/montage.h"
+#include "grader/compare/palette.h"
 #include "hair/files/write_file.h"
 #include "hair/image/png.h"
 #include "hair/render/renderer.h"
@@ -42,13 +44,22 @@ std::string read_bytes(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// As a PNG file's bytes.
-std::string drawn_once(Artist& artist, const hair::Drawing& drawing, const fs::path& file) {
+// A file's bytes, which are made if it is not there.
+template <class Make>
+std::string made_once(const fs::path& file, const Make& make) {
   std::string bytes = read_bytes(file);
   if (!bytes.empty()) return bytes;
-  bytes = hair::encode_png(artist.draw(drawing));
+  bytes = make();
   hair::write_file(file, bytes);
   return bytes;
+}
+
+// As pages show them: PNG files' bytes. Of a map, half the size is enough: it is smooth.
+std::string shown_picture(const hair::Image& image) {
+  return encode_palette_png(in_few_colors(image, kPictureColors));
+}
+std::string shown_map(const ErrorMap& map) {
+  return encode_palette_png(in_few_colors(shrunk(heat_map(map), kPictureWidth / 2), kMapColors));
 }
 
 }  // namespace
@@ -60,17 +71,20 @@ std::vector<PictureResult> draw_shots(const std::vector<Shot>& shots, const hair
   for (const Shot& shot : shots) {
     PictureResult picture;
     picture.name = shot.name;
-    picture.reference = picture.student = drawn_once(artist, shot.reference, kept / (shot.name + ".png"));
+    const std::string drawn =
+        made_once(kept / (shot.name + ".png"), [&] { return hair::encode_png(artist.draw(shot.reference)); });
+    picture.reference = picture.student = made_once(
+        kept / (shot.name + " shown.png"), [&] { return shown_picture(hair::decode_png(drawn, shot.name)); });
     if (!shot.same) {
-      const hair::Image reference = hair::decode_png(picture.reference, shot.name);
+      const hair::Image reference = hair::decode_png(drawn, shot.name);
       const hair::Image student = artist.draw(shot.student);
       const ErrorMap map = flip(reference, student);
       const PictureDistance distance = compare_pictures(reference, student, map);
       picture.blurred_rmse = distance.blurred_rmse;
       picture.flip = distance.flip_mean;
       if (!distance.identical) {
-        picture.student = hair::encode_png(student);
-        picture.heat = hair::encode_png(heat_map(map));
+        picture.student = shown_picture(student);
+        picture.heat = shown_map(map);
       }
     }
     pictures.push_back(std::move(picture));

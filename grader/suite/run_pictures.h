@@ -2,6 +2,7 @@
 // are. The reference's are the same for a class: they are drawn once, and kept.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -14,6 +15,8 @@ namespace grader {
 
 // Pixels. Small, for there are many; a strand is some 3 of them wide.
 inline constexpr int kPictureWidth = 480, kPictureHeight = 270;
+// Of what pages show, so that a submission of which nothing is right takes less than 1 MB with all pictures.
+inline constexpr std::size_t kPictureColors = 128, kMapColors = 32;
 
 // A moment of both runs.
 struct Shot {

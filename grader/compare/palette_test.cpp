@@ -1,0 +1,90 @@
+// STAFF ONLY.
+#include "grader/compare/palette.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "grader/compare/test_pictures.h"
+#include "hair/image/png.h"
+
+namespace grader {
+namespace {
+
+using hair::Image;
+
+// Every colour another one.
+Image many_colors(int width, int height) {
+  Image image{width, height, {}};
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x)
+      for (const int value : {x * 255 / width, y * 255 / height, (x + y) % 256})
+        image.pixels.push_back(static_cast<std::uint8_t>(value));
+  return image;
+}
+
+std::size_t count_colors(const Image& image) {
+  std::set<std::array<std::uint8_t, 3>> colors;
+  for (std::size_t i = 0; i < image.pixels.size(); i += 3)
+    colors.insert({image.pixels[i], image.pixels[i + 1], image.pixels[i + 2]});
+  return colors.size();
+}
+
+double root_mean_square(const Image& a, const Image& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) sum += std::pow(a.pixels[i] - b.pixels[i], 2);
+  return std::sqrt(sum / static_cast<double>(a.pixels.size()));
+}
+
+Image written_and_read(const Image& image, std::size_t most) {
+  return hair::decode_png(encode_palette_png(in_few_colors(image, most)), "a picture");
+}
+
+TEST(Palette, OfAPictureWithFewColorsIsThePictureItself) {
+  Image image{7, 3, {}};
+  for (int i = 0; i < 21; ++i)
+    for (const int value : {i * 12, 255 - i, i % 2 * 200})
+      image.pixels.push_back(static_cast<std::uint8_t>(value));
+  for (const std::size_t most : {21, 22, 256}) {
+    const Image read = written_and_read(image, most);
+    EXPECT_EQ(read.width, 7);
+    EXPECT_EQ(read.height, 3);
+    EXPECT_EQ(read.pixels, image.pixels) << most;
+  }
+}
+
+TEST(Palette, HasNoMoreColorsThanAsked) {
+  for (const std::size_t most : {1, 2, 3, 17, 128, 256})
+    EXPECT_EQ(count_colors(written_and_read(many_colors(64, 48), most)), most);
+}
+
+// A cube of colours, cut into n boxes of equal size, has boxes of a side 256 n^(-1/3), and the root mean square
+// distance from the middle of an interval is its length by the root of 12. These colours lie in a part of the
+// cube; cuts at the mean are not equal: half as much again is allowed.
+TEST(Palette, IsAsNearAsItsNumberOfColorsAllows) {
+  const Image image = many_colors(120, 100);
+  for (const std::size_t most : {8, 64, 256}) {
+    const double side = 256 / std::cbrt(static_cast<double>(most));
+    EXPECT_LE(root_mean_square(written_and_read(image, most), image), 1.5 * side / std::sqrt(12)) << most;
+  }
+}
+
+TEST(Palette, GivesTheSameBytesAgain) {
+  const Image image = many_colors(60, 40);
+  EXPECT_EQ(encode_palette_png(in_few_colors(image, 64)), encode_palette_png(in_few_colors(image, 64)));
+}
+
+TEST(Palette, TakesAThirdOfAPicturesBytesAtMost) {
+  const Image image = strands(480, 270, 20);
+  EXPECT_LE(3 * encode_palette_png(in_few_colors(image, 128)).size(), hair::encode_png(image).size());
+}
+
+TEST(Palette, RefusesNoColorsTooManyAndNoPicture) {
+  EXPECT_THROW(in_few_colors(many_colors(2, 2), 0), std::invalid_argument);
+  EXPECT_THROW(in_few_colors(many_colors(2, 2), 257), std::invalid_argument);
+  EXPECT_THROW(in_few_colors({}, 2), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace grader
