@@ -16,7 +16,7 @@ namespace grader {
 // Pixels. Small, for there are many; a strand is some 3 of them wide.
 inline constexpr int kPictureWidth = 480, kPictureHeight = 270;
 // Of what pages show, so that a submission of which nothing is right takes less than 1 MB with all pictures.
-inline constexpr std::size_t kPictureColors = 128, kMapColors = 32;
+inline constexpr std::size_t kPictureColors = 96, kMapColors = 32;
 
 // A moment of both runs.
 struct Shot {

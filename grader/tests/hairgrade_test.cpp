@@ -9,8 +9,15 @@
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
 #include <thread>
 
+#include "grader/course/course.h"
+#include "grader/intake/submission.h"
+#include "grader/report/base64.h"
+#include "grader/report/picture_files.h"
+#include "grader/report/report.h"
 #include "grader/tests/run_program.h"
 
 namespace grader {
@@ -82,6 +89,15 @@ class Hairgrade : public testing::Test {
   string write(const string& name, const string& text) const {
     std::ofstream(folder_ / name) << text;
     return (folder_ / name).string();
+  }
+
+  // What a submission of the sample class has for an exercise.
+  string code_of(const string& name, const string& file) const {
+    const Course course = read_course(fs::path(HAIR_PROJECT) / "handout" / "exercises.json");
+    for (const char* ending : {"", ".zip", ".tar.gz"})
+      if (const fs::path path = sample(name) + ending; fs::exists(path))
+        return read_submissions({path}, course).at(0).files.at(file).text;
+    throw std::runtime_error("no sample " + name);
   }
 
   std::map<string, string> files(const fs::path& folder) const {
@@ -197,6 +213,93 @@ TEST_F(Hairgrade, ResumesWhatHasNotChanged) {
   const string secret = write("secret", "quite another secret");
   const ProgramRun other = grade({sample("other-order"), "--out", out(), "--resume", "--secret", secret});
   EXPECT_NE(other.output.find("1 graded"), string::npos) << other.output;
+}
+
+TEST_F(Hairgrade, GradesAgainWhatHasADamagedPicture) {
+  const std::vector<string> submission = {sample("other-order.tar.gz"), "--out", out()};
+  ASSERT_EQ(grade(submission).code, 0);
+  const std::map<string, string> first = files(out());
+  std::vector<string> resume = submission;
+  resume.push_back("--resume");
+  const fs::path picture = fs::directory_iterator(fs::path(out()) / "staff" / "pictures")->path();
+  write("grades/staff/pictures/" + picture.filename().string(), "damaged");
+  EXPECT_NE(grade(resume).output.find("1 graded"), string::npos);
+  EXPECT_EQ(read_file(picture), first.at("staff/pictures/" + picture.filename().string()));
+  EXPECT_NE(grade(resume).output.find("0 graded, 1 kept"), string::npos);
+}
+
+TEST_F(Hairgrade, KeepsPicturesOfOthersAndNoneThatNobodyHas) {
+  // Both end with the same bytes of code, at first: only their names differ.
+  for (const char* name : {"alice", "bob"}) {
+    fs::create_directories(folder_ / "class" / name);
+    std::ofstream(folder_ / "class" / name / "conj_grad.cpp") << code_of("wrong-beta", "conj_grad.cpp");
+  }
+  const auto pictures = [&] { return files(fs::path(out()) / "staff" / "pictures"); };
+  const std::vector<string> everybody = {(folder_ / "class").string(), "--out", out(), "--exercise", "S1"};
+  ASSERT_EQ(grade(everybody).code, 0);
+  const std::map<string, string> wrong = pictures();
+  std::ofstream(folder_ / "class" / "alice" / "conj_grad.cpp") << code_of("perfect", "conj_grad.cpp");
+  std::vector<string> alice = everybody;
+  alice.insert(alice.end(), {"--only", "alice"});
+  ASSERT_EQ(grade(alice).code, 0);
+  EXPECT_EQ(pictures(), wrong) << "the reference's, and what bob's page shows";
+  std::ofstream(folder_ / "class" / "bob" / "conj_grad.cpp") << code_of("perfect", "conj_grad.cpp");
+  ASSERT_EQ(grade(everybody).code, 0);
+  EXPECT_LT(pictures().size(), wrong.size());
+  EXPECT_EQ(pictures().size(), 3U) << "the reference's";
+}
+
+// A bug in every exercise that has a run, so that all pictures differ from the reference's.
+TEST_F(Hairgrade, TakesLessThanAMegabyteForASubmissionWithAllPictures) {
+  const std::map<string, string> bugs = {{"conj_grad.cpp", "wrong-beta"},
+                                         {"normal_equations.cpp", "perfect"},
+                                         {"explicit_integrators.cpp", "p1-x-before-v"},
+                                         {"constraint_forces.cpp", "p2-no-damping"},
+                                         {"stretch_springs.cpp", "h1-k-not-scaled"},
+                                         {"angular_springs.cpp", "h2-k-not-scaled"},
+                                         {"bend_springs.cpp", "h3-k-not-scaled"},
+                                         {"implicit_euler.cpp", "h4-h-for-h-squared"},
+                                         {"length_correction.cpp", "h5-straightens"},
+                                         {"predictor_corrector.cpp", "h6-whole-step"}};
+  fs::create_directory(folder_ / "wrong");
+  for (const auto& [file, bug] : bugs) std::ofstream(folder_ / "wrong" / file) << code_of(bug, file);
+  ASSERT_EQ(grade({(folder_ / "wrong").string(), "--out", out()}).code, 0);
+
+  const SubmissionResult result = read_results(out(), "wrong").value();
+  std::vector<PictureResult> pictures;
+  for (const ExerciseResult& exercise : result.exercises)
+    pictures.insert(pictures.end(), exercise.pictures.begin(), exercise.pictures.end());
+  EXPECT_EQ(pictures.size(), 9U * 3);
+  for (const RunResult& run : result.runs)
+    pictures.insert(pictures.end(), run.pictures.begin(), run.pictures.end());
+  std::size_t different = 0;
+  std::set<string> references;
+  for (const PictureResult& picture : pictures) {
+    different += !picture.heat.empty();
+    references.insert(picture_name(picture.reference));
+  }
+  EXPECT_GE(different, 45U) << "of " << pictures.size();
+
+  std::size_t bytes = 0;
+  std::map<string, string> all = files(out());
+  for (const auto& [name, content] : all)
+    if (name.starts_with("wrong/") ||
+        (name.starts_with("staff/") && references.count(fs::path(name).filename()) == 0))
+      bytes += content.size();
+  EXPECT_LE(bytes, 1'000'000U);
+  EXPECT_GT(bytes, 500'000U) << "were all counted?";
+  RecordProperty("bytes", std::to_string(bytes));
+
+  // Once in the student's report, which is one file, and once for staff.
+  const string report = all.at("wrong/report.html");
+  for (const PictureResult& picture : pictures)
+    for (const string& png : {picture.student, picture.reference, picture.heat}) {
+      if (png.empty()) continue;
+      EXPECT_NE(report.find(base64(png)), string::npos);
+      EXPECT_EQ(all.at("staff/pictures/" + picture_name(png)), png);
+      for (const char* page : {"staff/wrong.html", "staff/wrong.json", "index.html"})
+        EXPECT_EQ(all.at(page).find(base64(png)), string::npos) << page;
+    }
 }
 
 TEST_F(Hairgrade, GradesOneExerciseAlone) {
