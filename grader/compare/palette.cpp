@@ -12,10 +12,10 @@
 namespace grader {
 namespace {
 
-using Color = std::array<std::uint8_t, 3>;
+using Pixel = std::array<std::uint8_t, 3>;
 
 struct UsedColor {
-  Color color;
+  Pixel color;
   std::size_t number = 0;  // in order of first occurrence
   double count = 0, weight = 0;
 };
@@ -43,14 +43,14 @@ Box box_of(std::span<UsedColor> colors) {
   return colors.size() > 1 ? box : Box{colors};  // one colour is at its mean but for roundings
 }
 
-Color mean_of(std::span<const UsedColor> colors) {
+Pixel mean_of(std::span<const UsedColor> colors) {
   std::array<double, 3> sum{};
   double count = 0;
   for (const UsedColor& used : colors) {
     count += used.count;
     for (std::size_t c = 0; c < 3; ++c) sum[c] += used.count * used.color[c];
   }
-  Color mean{};
+  Pixel mean{};
   for (std::size_t c = 0; c < 3; ++c) mean[c] = static_cast<std::uint8_t>(std::lround(sum[c] / count));
   return mean;
 }
@@ -89,15 +89,15 @@ PalettePicture in_few_colors(const hair::Image& image, std::size_t most) {
     throw std::invalid_argument("a picture of " + std::to_string(pixels) + " pixels in " +
                                 std::to_string(most) +
                                 " colours; it takes one pixel at least, and 1 to 256 colours");
-  const auto color_at = [&](std::size_t i) -> Color {
+  const auto color_at = [&](std::size_t i) -> Pixel {
     return {image.pixels[3 * i], image.pixels[3 * i + 1], image.pixels[3 * i + 2]};
   };
   std::vector<UsedColor> used;
   std::vector<std::size_t> numbers;  // of the pixels' colours
   numbers.reserve(pixels);
-  std::map<Color, std::size_t> number_of;
+  std::map<Pixel, std::size_t> number_of;
   for (std::size_t i = 0; i < pixels; ++i) {
-    const Color color = color_at(i);
+    const Pixel color = color_at(i);
     if (i > 0 && color == color_at(i - 1)) {  // as most are
       numbers.push_back(numbers.back());
     } else {
@@ -137,7 +137,7 @@ PalettePicture in_few_colors(const hair::Image& image, std::size_t most) {
 // PNG (Second Edition, W3C 2003), sections 5.2, 11.2: colour type 3, eight bits, no filter.
 std::string encode_palette_png(const PalettePicture& picture) {
   std::string colors, rows;
-  for (const Color& color : picture.colors) colors.append(color.begin(), color.end());
+  for (const Pixel& color : picture.colors) colors.append(color.begin(), color.end());
   const auto width = static_cast<std::size_t>(picture.width);
   for (std::size_t at = 0; at < picture.pixels.size(); at += width) {
     rows += '\0';

@@ -114,8 +114,8 @@ Html heat_scale() {
       {colors});
 }
 
-Html figure(const Html& image, const Html& caption) {
-  return html("<figure>{}<figcaption>{}</figcaption></figure>\n", {image, caption});
+Html figure(const Html& picture, const Html& caption) {
+  return html("<figure>{}<figcaption>{}</figcaption></figure>\n", {picture, caption});
 }
 
 Html moments(const std::vector<PictureResult>& pictures, const std::string& heading, const std::string& whose,

@@ -20,8 +20,8 @@ struct PicturePlace {
 Html image(const std::string& png, const std::string& alt, const PicturePlace& place = {},
            const char* look = "");
 
-// The same with its caption below.
-Html figure(const Html& image, const Html& caption);
+// A picture with its caption below.
+Html figure(const Html& picture, const Html& caption);
 
 // A row for each moment, with its distances, under a heading that opens and closes. Open from the start if
 // one is too far, or differs and is not scored. Nothing without pictures. `whose` captions the submission's:
