@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "grader/report/picture_files.h"
 #include "grader/report/report.h"
 #include "grader/report/result.h"
 #include "grader/samples/sample.h"
@@ -218,6 +219,39 @@ TEST(SampleClass, ResultsAreInGradescopesSchema) {
     }
     EXPECT_NEAR(sum, results.at("score").get<double>(), 1e-9);
   }
+}
+
+// With all pictures, but for those that others show, too, as they do the reference's.
+TEST(SampleClass, NobodyTakesMoreThanAMegabyte) {
+  const fs::path graded = HAIR_GRADED;
+  std::map<std::string, std::size_t> shown_by, bytes;
+  std::map<std::string, std::set<std::string>> pictures;
+  for (const Sample& sample : samples()) {
+    const std::string name = submission_name(sample.name);
+    const SubmissionResult result = result_of(name);
+    const auto add = [&](const std::vector<PictureResult>& some) {
+      for (const PictureResult& picture : some)
+        for (const std::string& png : {picture.student, picture.reference, picture.heat})
+          if (!png.empty() && pictures[name].insert(picture_name(png)).second) ++shown_by[picture_name(png)];
+    };
+    for (const ExerciseResult& exercise : result.exercises) add(exercise.pictures);
+    for (const RunResult& run : result.runs) add(run.pictures);
+    for (const char* file : {"/results.json", "/report.html"})
+      bytes[name] += fs::file_size(graded / (name + file));
+    for (const char* ending : {".html", ".json"})
+      bytes[name] += fs::file_size(graded / "staff" / (name + ending));
+  }
+  for (auto& [name, size] : bytes) {
+    for (const std::string& picture : pictures[name])
+      if (shown_by[picture] == 1) size += fs::file_size(pictures_folder(graded) / picture);
+    EXPECT_LE(size, 1'000'000U) << name;
+  }
+  std::size_t files = 0;
+  for (const auto& file : fs::directory_iterator(pictures_folder(graded))) {
+    EXPECT_EQ(shown_by.count(file.path().filename().string()), 1U) << file.path() << " is nobody's";
+    ++files;
+  }
+  EXPECT_EQ(files, shown_by.size());
 }
 
 TEST(SampleClass, TimesStandInTimingJsonAlone) {
