@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 const fs::path kScenes = fs::path(HAIR_PROJECT) / "grader/suite/scenes";
 
-HiddenScene scene_of(const std::string& exercise, const std::string& seed = "a seed") {
+HiddenScene hidden_scene_of(const std::string& exercise, const std::string& seed = "a seed") {
   return read_hidden_scene(kScenes / (exercise + ".json"), seed);
 }
 
@@ -38,7 +38,7 @@ TEST(HiddenScene, EachExerciseWithPointsForItsRunHasOneThatCallsIt) {
     SCOPED_TRACE(exercise.id);
     ASSERT_EQ(whole_run_points(exercise.id).run > 0, fs::exists(kScenes / (exercise.id + ".json")));
     if (whole_run_points(exercise.id).run == 0) continue;
-    const HiddenScene hidden = scene_of(exercise.id);
+    const HiddenScene hidden = hidden_scene_of(exercise.id);
     const std::vector<std::string> called = hair::exercises_of(hidden.scene);
     EXPECT_NE(std::find(called.begin(), called.end(), exercise.id), called.end());
     EXPECT_EQ(hidden.pictures.size(), 3U);
@@ -46,8 +46,8 @@ TEST(HiddenScene, EachExerciseWithPointsForItsRunHasOneThatCallsIt) {
 }
 
 TEST(HiddenScene, IsAnotherForEachSeed) {
-  EXPECT_EQ(scene_of("H2").text, scene_of("H2").text);
-  const HiddenScene one = scene_of("H2"), other = scene_of("H2", "another seed");
+  EXPECT_EQ(hidden_scene_of("H2").text, hidden_scene_of("H2").text);
+  const HiddenScene one = hidden_scene_of("H2"), other = hidden_scene_of("H2", "another seed");
   const Eigen::VectorXd a = one.scene.hair.strands[0].state.x, b = other.scene.hair.strands[0].state.x;
   EXPECT_NE(a, b);
   EXPECT_LE((a - b).norm(), 0.1 * a.norm());
@@ -67,7 +67,7 @@ TEST(HiddenScene, RefusesToVaryWhatIsNotThere) {
 }
 
 TEST(RunComparison, OfTheReferenceItselfNeedsNoPicturesOfItsOwn) {
-  const HiddenScene hidden = scene_of("H1");
+  const HiddenScene hidden = hidden_scene_of("H1");
   const RunComparison run = compare_runs(hidden.scene, hidden.pictures, play(hidden.scene));
   EXPECT_TRUE(run.finite);
   ASSERT_EQ(run.shots.size(), 3U);
@@ -76,7 +76,7 @@ TEST(RunComparison, OfTheReferenceItselfNeedsNoPicturesOfItsOwn) {
 }
 
 TEST(RunComparison, SeesWhatAWorkerMayAnswer) {
-  const HiddenScene hidden = scene_of("H1");
+  const HiddenScene hidden = hidden_scene_of("H1");
   const Played right = play(hidden.scene);
   const auto compared = [&](const Played& theirs) {
     return compare_runs(hidden.scene, hidden.pictures, theirs);
