@@ -10,9 +10,10 @@
 #   hair_own_code(TARGET)          the same, and what makes the staff's build quicker: precompiled headers
 #   hair_exercise_libraries(NAME DIR)
 #                                  one static library <NAME>_<id> for each exercise file in DIR, compiled as for grading
-#   hair_test(NAME [SLOW] [SLOW_CASES "Suite.Name:..."] SOURCES ... LIBRARIES ...)
+#   hair_test(NAME [SLOW] [STUDY] [SLOW_CASES "Suite.Name:..."] SOURCES ... LIBRARIES ...)
 #                                  a GoogleTest program of our own, one test of ctest's. SLOW: only `grader/check --all` runs it;
-#                                  SLOW_CASES, a filter of GoogleTest's: these cases are the slow test NAME.slow
+#                                  SLOW_CASES, a filter of GoogleTest's: these cases are the slow test NAME.slow. STUDY: of what
+#                                  studies alone use: in a sanitisers' build .ci/full runs it
 
 set(HAIR_HANDOUT_DIR "${CMAKE_CURRENT_LIST_DIR}/..")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${HAIR_HANDOUT_DIR}/exercises.json")
@@ -111,8 +112,13 @@ function(hair_exercise_libraries NAME DIR)
   endforeach()
 endfunction()
 
+# What tests run; a sanitisers' build builds nothing else.
+if(HAIR_STAFF AND NOT TARGET tests)
+  add_custom_target(tests)
+endif()
+
 function(hair_test NAME)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "SLOW" "SLOW_CASES" "SOURCES;LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "SLOW;STUDY" "SLOW_CASES" "SOURCES;LIBRARIES")
   find_package(GTest REQUIRED)
   add_executable(${NAME} ${ARG_SOURCES})
   hair_own_code(${NAME})
@@ -122,9 +128,6 @@ function(hair_test NAME)
   target_link_libraries(${NAME} PRIVATE ${ARG_LIBRARIES} hair_symmetric_eigen GTest::gtest_main)
   if(ARG_SLOW)
     hair_slow_test(${NAME} ${NAME})
-    if(NOT HAIR_SLOW_TESTS)
-      set_target_properties(${NAME} PROPERTIES EXCLUDE_FROM_ALL ON)
-    endif()
     return()
   endif()
   set(quick)
@@ -132,14 +135,18 @@ function(hair_test NAME)
     hair_slow_test(${NAME}.slow ${NAME} "--gtest_filter=${ARG_SLOW_CASES}")
     set(quick "--gtest_filter=-${ARG_SLOW_CASES}")
   endif()
-  add_test(NAME ${NAME} COMMAND ${NAME} ${quick})
-  set_tests_properties(${NAME} PROPERTIES TIMEOUT 600)
+  if(HAIR_ALL_TESTS OR NOT ARG_STUDY)
+    add_test(NAME ${NAME} COMMAND ${NAME} ${quick})
+    set_tests_properties(${NAME} PROPERTIES TIMEOUT 600)
+    add_dependencies(tests ${NAME})
+  endif()
 endfunction()
 
-# NAME, a command that takes long.
-function(hair_slow_test NAME)
-  if(HAIR_SLOW_TESTS)
-    add_test(NAME ${NAME} COMMAND ${ARGN})
+# The test NAME: PROGRAM, a target, with arguments.
+function(hair_slow_test NAME PROGRAM)
+  if(HAIR_ALL_TESTS)
+    add_test(NAME ${NAME} COMMAND ${PROGRAM} ${ARGN})
     set_tests_properties(${NAME} PROPERTIES LABELS slow TIMEOUT 1800)
+    add_dependencies(tests ${PROGRAM})
   endif()
 endfunction()
