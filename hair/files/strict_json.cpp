@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -93,6 +94,14 @@ json parse_json(const std::string& text, const std::string& file) {
   }
 }
 
+JsonDocument read_document(const std::filesystem::path& file) {
+  return std::make_shared<const json>(read_json(file));
+}
+
+JsonDocument parse_document(const std::string& text, const std::string& name) {
+  return std::make_shared<const json>(parse_json(text, name));
+}
+
 JsonValue::JsonValue(const json& document, std::filesystem::path file)
     : JsonValue(document, std::move(file), "") {}
 
@@ -132,6 +141,14 @@ void JsonValue::check_keys(std::initializer_list<std::string_view> required,
       fail("\"" + std::string(key) + "\" is missing; an object here has: " + known);
     }
   }
+}
+
+bool JsonValue::has(const std::string& key) const {
+  return value_->contains(key);
+}
+
+bool JsonValue::is_null() const {
+  return value_->is_null();
 }
 
 JsonValue JsonValue::operator[](const std::string& key) const {

@@ -1,11 +1,13 @@
 // JSON files that people write: read strictly, so that a slip of the pen is reported and not
-// passed over.
+// passed over. The library's own header, which takes seconds to compile, is for those who look into a document without
+// JsonValue.
 #pragma once
 
 #include <array>
 #include <filesystem>
 #include <initializer_list>
-#include <nlohmann/json.hpp>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +24,11 @@ nlohmann::json read_json(const std::filesystem::path& file);
 // The same of text that is at hand; `name` stands for the file in what is thrown.
 nlohmann::json parse_json(const std::string& text, const std::string& name);
 
+// The same for those who look into them through JsonValue alone.
+using JsonDocument = std::shared_ptr<const nlohmann::json>;
+JsonDocument read_document(const std::filesystem::path& file);
+JsonDocument parse_document(const std::string& text, const std::string& name);
+
 // A value and where it stands. Every check that fails throws BadInput: "FILE: exercises[0].points: what is
 // wrong; what would be right". The document must outlive it.
 class JsonValue {
@@ -31,9 +38,9 @@ class JsonValue {
   // An object that has all of `required` and nothing beside them and `optional`.
   void check_keys(std::initializer_list<std::string_view> required,
                   std::initializer_list<std::string_view> optional = {}) const;
-  bool has(const std::string& key) const { return value_->contains(key); }
+  bool has(const std::string& key) const;
   JsonValue operator[](const std::string& key) const;  // of an object, a key that it has
-  bool is_null() const { return value_->is_null(); }
+  bool is_null() const;
 
   std::vector<std::string> keys() const;   // of an object
   std::vector<JsonValue> items() const;    // of an array

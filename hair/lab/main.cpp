@@ -1,39 +1,12 @@
-// hairlab: plays scenes of hair with the exercises' code, and studies how well they are played. Its exit codes are
-// in hair/lab/commands/command.h.
-#include <CLI/CLI.hpp>
-#include <algorithm>
-#include <iostream>
-
-#include "hair/files/bad_input.h"
-#include "hair/lab/commands/command.h"
-#include "hair/lab/stub.h"
+// hairlab: plays scenes of hair with the exercises' code. How well they are played is studied by hairlab-study, to which
+// it hands over. Its exit codes are in hair/lab/commands/exit_codes.h.
+#include "hair/lab/commands/program.h"
+#include "hair/lab/commands/studies.h"
 
 int main(int argc, char* argv[]) {
+  if (argc > 1 && hair::is_study(argv[1])) return hair::hand_over_to_studies(argv);
   CLI::App app("hairlab: plays scenes of hair with your code");
-  app.require_subcommand(1);
-  const std::vector<hair::Command> commands = {
-      hair::add_run_command(app),       hair::add_scenes_command(app), hair::add_solver_command(app),
-      hair::add_stability_command(app), hair::add_study_command(app),  hair::add_validate_command(app)};
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& help) {
-    return app.exit(help);
-  } catch (const CLI::ParseError& error) {
-    std::cerr << "hairlab: " << error.what() << "; see hairlab --help\n";
-    return hair::kBadInput;
-  }
-  const auto asked = std::find_if(commands.begin(), commands.end(),
-                                  [](const hair::Command& one) { return one.app->parsed(); });
-  try {
-    return asked->run();
-  } catch (const hair::BadInput& error) {
-    std::cerr << "hairlab: " << error.what() << "\n";
-    return hair::kBadInput;
-  } catch (const NotImplemented& stub) {
-    std::cerr << "hairlab: this needs " << hair::missing_part(stub) << "\n";
-    return hair::kNotWritten;
-  } catch (const std::exception& error) {
-    std::cerr << "hairlab: " << error.what() << "\n";
-    return hair::kBroke;
-  }
+  const std::vector<hair::Command> commands = {hair::add_run_command(app), hair::add_scenes_command(app)};
+  for (const hair::StudyCommand& study : hair::kStudyCommands) app.add_subcommand(study.name, study.what);
+  return hair::run_program(app, commands, argc, argv);
 }

@@ -3,7 +3,7 @@
 namespace hair {
 
 Scene parse_scene(const std::string& text, const std::string& name) {
-  return json::scene_of(parse_json(text, name), name, {});
+  return json::scene_of(parse_document(text, name), name, {});
 }
 
 }  // namespace hair

@@ -13,7 +13,7 @@ Scene read_scene(const std::filesystem::path& file) {
       name.fail(error.what());
     }
   };
-  return json::scene_of(read_json(file), file, std::move(reading));
+  return json::scene_of(read_document(file), file, std::move(reading));
 }
 
 }  // namespace hair

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "hair/files/bad_input.h"
 #include "hair/files/printable.h"

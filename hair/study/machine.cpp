@@ -6,11 +6,8 @@
 #include <string_view>
 #include <thread>
 
-#ifdef __APPLE__
-#include <mach-o/dyld.h>
-#endif
-
 #include "hair/files/printable.h"
+#include "hair/files/this_program.h"
 #include "hair/study/digest.h"
 
 namespace hair {
@@ -37,16 +34,6 @@ std::string compiler() {
 #else
   return "unknown compiler";
 #endif
-}
-
-// The program that runs, as a file.
-std::string this_program() {
-#ifdef __APPLE__
-  std::array<char, 4096> path;
-  uint32_t size = path.size();
-  if (_NSGetExecutablePath(path.data(), &size) == 0) return path.data();
-#endif
-  return "/proc/self/exe";
 }
 
 }  // namespace

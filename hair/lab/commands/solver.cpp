@@ -6,6 +6,7 @@
 #include "hair/files/bad_input.h"
 #include "hair/files/write_file.h"
 #include "hair/lab/commands/command.h"
+#include "hair/lab/commands/studies.h"
 #include "hair/lab/interruption.h"
 #include "hair/lab/output_folder.h"
 #include "hair/lab/solver_page.h"
@@ -92,8 +93,7 @@ int run(const SolverOptions& options) {
 
 Command add_solver_command(CLI::App& program) {
   const auto options = std::make_shared<SolverOptions>();
-  CLI::App* app = program.add_subcommand(
-      "solver", "Study ConjGrad and the normal equations: error against iterations, products and time");
+  CLI::App* app = program.add_subcommand(kSolverStudy.name, kSolverStudy.what);
   app->add_option("--out", options->out, "The folder for page, JSON and CSV")->required();
   app->add_flag("--quick", options->settings.quick, "Fewer points, and shorter repeats");
   return {app, [options] { return run(*options); }};

@@ -8,6 +8,7 @@
 #include "hair/files/printable.h"
 #include "hair/files/write_file.h"
 #include "hair/lab/commands/command.h"
+#include "hair/lab/commands/studies.h"
 #include "hair/lab/interruption.h"
 #include "hair/lab/output_folder.h"
 #include "hair/lab/shipped_scenes.h"
@@ -86,9 +87,7 @@ int run(const StabilityOptions& options) {
 
 Command add_stability_command(CLI::App& program) {
   const auto options = std::make_shared<StabilityOptions>();
-  CLI::App* app = program.add_subcommand(
-      "stability",
-      "Map the step sizes with which each method is stable, beside theory, and what extreme cases do");
+  CLI::App* app = program.add_subcommand(kStabilityStudy.name, kStabilityStudy.what);
   app->add_option("SCENE", options->scene, "A scene's file, or the name of one that comes along")->required();
   app->add_option("--out", options->out, "The folder for page, CSV and JSON")->required();
   app->add_flag("--quick", options->quick, "Coarser maps: seconds instead of half a minute");

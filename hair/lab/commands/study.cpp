@@ -10,6 +10,7 @@
 #include "hair/files/bad_input.h"
 #include "hair/files/printable.h"
 #include "hair/lab/commands/command.h"
+#include "hair/lab/commands/studies.h"
 #include "hair/lab/interruption.h"
 #include "hair/lab/output_file.h"
 #include "hair/lab/output_folder.h"
@@ -211,7 +212,7 @@ int run(const StudyOptions& options) {
 
 Command add_study_command(CLI::App& program) {
   const auto options = std::make_shared<StudyOptions>();
-  CLI::App* app = program.add_subcommand("study", "Error against run time, of each method that fits a scene");
+  CLI::App* app = program.add_subcommand(kErrorStudy.name, kErrorStudy.what);
   app->add_option("SCENE", options->scene, "A scene's file, or the name of one that comes along")->required();
   app->add_option("--out", options->out, "The folder for index.html, study.csv and study.json")->required();
   app->add_flag("--quick", options->quick, "10 segments, and shorter sweeps: seconds instead of a minute");

@@ -9,6 +9,7 @@
 #include "hair/files/printable.h"
 #include "hair/files/write_file.h"
 #include "hair/lab/commands/command.h"
+#include "hair/lab/commands/studies.h"
 #include "hair/lab/interruption.h"
 #include "hair/lab/output_folder.h"
 #include "hair/lab/stub.h"
@@ -131,8 +132,7 @@ int run(const ValidateOptions& options) {
 
 Command add_validate_command(CLI::App& program) {
   const auto options = std::make_shared<ValidateOptions>();
-  CLI::App* app =
-      program.add_subcommand("validate", "Compare with what theory says: published numbers, exact solutions");
+  CLI::App* app = program.add_subcommand(kValidation.name, kValidation.what);
   app->add_option("ID", options->ids, "Which (default: all)");
   app->add_flag("--list", options->list, "Say which there are, and the exercises that they call");
   app->add_flag("--quick", options->quick, "Fewer and coarser: seconds instead of a minute");

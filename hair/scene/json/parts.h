@@ -41,6 +41,6 @@ Toy read_cloth(const JsonValue& object, Reading& reading);  // particles, spring
 Look read_look(const JsonValue& object);
 
 // All of it.
-Scene scene_of(const nlohmann::json& document, const std::filesystem::path& file, Reading reading);
+Scene scene_of(const JsonDocument& document, const std::filesystem::path& file, Reading reading);
 
 }  // namespace hair::json

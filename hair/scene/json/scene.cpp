@@ -1,3 +1,5 @@
+#include <array>
+#include <charconv>
 #include <cmath>
 
 #include "hair/scene/json/parts.h"
@@ -46,6 +48,12 @@ bool has_exercise(const std::string& id) {
   return false;
 }
 
+// As short as it can be read back.
+std::string exact_text(double number) {
+  std::array<char, 32> text;
+  return {text.data(), std::to_chars(text.begin(), text.end(), number).ptr};
+}
+
 void read_times(const JsonValue& object, Scene& scene) {
   scene.frames = static_cast<int>(object["frames"].whole_number(1, kMostFrames));
   scene.frames_per_second = number_or(object, "frames_per_second", scene.frames_per_second, 1e-3, 1e6);
@@ -56,7 +64,7 @@ void read_times(const JsonValue& object, Scene& scene) {
   if (object.has("step")) {
     const double steps = 1 / (scene.frames_per_second * object["step"].number(1e-9, 10));
     if (!(std::abs(steps - std::round(steps)) <= 1e-6 * steps) || steps > 1e6 + 0.5)
-      object["step"].fail("makes " + nlohmann::json(steps).dump() +
+      object["step"].fail("makes " + exact_text(steps) +
                           " steps a frame; give one that makes a whole number, from 1 to 1000000");
     scene.steps_per_frame = static_cast<int>(std::lround(steps));
   }
@@ -108,8 +116,8 @@ void Reading::expect(const JsonValue& where, long strands, long of_each) {
                " frames; particles times frames are at most " + std::to_string(kMostStates));
 }
 
-Scene scene_of(const nlohmann::json& document, const std::filesystem::path& file, Reading reading) {
-  const JsonValue object(document, file);
+Scene scene_of(const JsonDocument& document, const std::filesystem::path& file, Reading reading) {
+  const JsonValue object(*document, file);
   object.check_keys({"shows", "frames"}, {"frames_per_second", "steps_per_frame", "step", "gravity", "wind",
                                           "method", "drag", "geometric_term", "bend_product", "tolerance",
                                           "hair", "obstacles", "motions", "toys", "render"});

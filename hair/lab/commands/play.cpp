@@ -1,0 +1,70 @@
+#include "hair/lab/commands/play.h"
+
+#include <unistd.h>
+
+#include <iostream>
+#include <optional>
+
+#include "hair/files/bad_input.h"
+#include "hair/files/printable.h"
+#include "hair/lab/commands/exit_codes.h"
+#include "hair/lab/explain.h"
+#include "hair/lab/interruption.h"
+#include "hair/lab/run.h"
+#include "hair/lab/shipped_scenes.h"
+#include "hair/lab/stub.h"
+
+namespace hair {
+
+int play_scene(const PlayOptions& options) {
+  const Scene scene = read_scene(find_scene(options.scene, HAIR_SCENES_DIR));
+  const RunSettings settings{options.out, options.frames, !options.no_render};
+  if (options.explain) {
+    std::cout << scene.name << ": " << printable(scene.shows, 200) << "\n"
+              << explanation(explain(scene, settings.render)) << std::flush;
+    if (settings.out.empty()) return 0;
+  }
+  const std::atomic<bool>& interrupted =
+      catch_interruption("\nhairlab: finishing this frame; once more ends at once\n");
+  const bool terminal = isatty(STDERR_FILENO) != 0;
+  std::optional<RunResult> played;
+  try {
+    played = run_scene(scene, settings, interrupted, std::cerr, terminal ? &std::cerr : nullptr);
+  } catch (const NotImplemented& stub) {
+    std::cerr << (terminal ? "\r" : "") << "hairlab: " << scene.name << " needs " << missing_part(stub)
+              << "\n";
+    return kNotWritten;
+  }
+  const RunResult& result = *played;
+  const RunRecord& record = result.record;
+  std::cout << result.folder.string() << ": " << record.frames.size() << " frames"
+            << (record.no_pictures ? ", no pictures"
+                : record.no_film   ? ""
+                                   : ", film.mp4")
+            << "\n";
+  if (record.ending == Ending::blow_up) {
+    std::cerr << "hairlab: " << scene.name << " broke: " << record.blow_up << "; what came before is kept\n";
+    return kBroke;
+  }
+  if (record.ending == Ending::interrupted) {
+    std::cerr << "hairlab: interrupted after " << record.frames.size() << " of " << record.frames_asked + 1
+              << " frames, which are kept\n";
+    return kInterrupted;
+  }
+  return 0;
+}
+
+int list_scenes() {
+  for (const std::string& name : shipped_scenes(HAIR_SCENES_DIR)) try {
+      const Scene scene = read_scene(find_scene(name, HAIR_SCENES_DIR));
+      std::string exercises;
+      for (const std::string& id : exercises_of(scene)) exercises += (exercises.empty() ? "" : ", ") + id;
+      std::cout << name << ": " << printable(scene.shows, 200) << " (" << exercises << ")\n";
+    } catch (const BadInput& error) {
+      // One that needs what this course leaves out says so.
+      std::cout << name << ": can't be played: " << error.what() << "\n";
+    }
+  return 0;
+}
+
+}  // namespace hair

@@ -1,0 +1,33 @@
+// hairlab's studies: commands that are in a program of their own, hairlab-study, which takes minutes to build. It lies
+// beside hairlab, and hairlab hands over to it.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace hair {
+
+struct StudyCommand {
+  const char* name;
+  const char* what;  // for --help
+};
+
+inline constexpr StudyCommand kSolverStudy = {
+    "solver", "Study ConjGrad and the normal equations: error against iterations, products and time"};
+inline constexpr StudyCommand kStabilityStudy = {
+    "stability",
+    "Map the step sizes with which each method is stable, beside theory, and what extreme cases do"};
+inline constexpr StudyCommand kErrorStudy = {"study",
+                                             "Error against run time, of each method that fits a scene"};
+inline constexpr StudyCommand kValidation = {
+    "validate", "Compare with what theory says: published numbers, exact solutions"};
+
+inline constexpr std::array kStudyCommands = {kSolverStudy, kStabilityStudy, kErrorStudy, kValidation};
+
+bool is_study(std::string_view command);
+
+// Becomes hairlab-study, with the same command line. Returns only if it can't, what the program is to return: where it is
+// missing, or older than hairlab and so without what was changed last, it says how to build it.
+int hand_over_to_studies(char* argv[]);
+
+}  // namespace hair
