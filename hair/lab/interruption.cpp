@@ -16,7 +16,7 @@ std::atomic<const char*> first_message = "";
 void on_interrupt(int) {
   caught = true;
   const char* message = first_message;
-  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message, std::strlen(message));
+  [[maybe_unused]] const ssize_t written = ::write(STDERR_FILENO, message, std::strlen(message));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ using particles::require;
 // In units of the distance from eye to target. 24 bits of depth between them resolve a hundred-thousandth of
 // it at the target.
 constexpr double kNear = 0.01, kFar = 100;
-constexpr double kFarthest = 1e6;
+constexpr double kFarthestDrawn = 1e6;
 
 }  // namespace
 
@@ -40,11 +40,11 @@ View::View(const Camera& camera, double aspect) : eye_(camera.eye) {
 }
 
 Eigen::Vector3f View::at(const Vector3d& point) const {
-  return (axes_ * ((point - eye_) / unit_)).cwiseMax(-kFarthest).cwiseMin(kFarthest).cast<float>();
+  return (axes_ * ((point - eye_) / unit_)).cwiseMax(-kFarthestDrawn).cwiseMin(kFarthestDrawn).cast<float>();
 }
 
 float View::length(double metres) const {
-  return static_cast<float>(std::min(metres / unit_, kFarthest));
+  return static_cast<float>(std::min(metres / unit_, kFarthestDrawn));
 }
 
 Eigen::Matrix4f View::projection() const {

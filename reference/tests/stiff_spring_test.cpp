@@ -68,7 +68,7 @@ void backward_euler(Hair& hair) {
   hair.state.x.tail<3>() = x + kStep * v;
 }
 
-void implicit_step(Hair& hair) {
+void one_implicit_step(Hair& hair) {
   hair.implicit_step(kStep);
 }
 
@@ -84,7 +84,7 @@ TEST(StiffSpring, ConvergedBackwardEulerLosesAThirdOfTheAngularMomentum) {
 }
 
 TEST(StiffSpring, OneLinearisationWithoutTheGeometricTermKeepsItAndGetsTheLengthWrong) {
-  const Revolution after = revolve(GeometricTerm::dropped, implicit_step);
+  const Revolution after = revolve(GeometricTerm::dropped, one_implicit_step);
   EXPECT_NEAR(after.momentum, 1, 1e-4);
   // A step along the tangent: sqrt(1 + (Omega h)^2) - 1 = 0.547 %; then a little less, as it turns slower.
   EXPECT_NEAR(after.length, std::sqrt(1 + std::pow(kTurn * kStep, 2)) - 1, 1e-5);
@@ -94,7 +94,7 @@ TEST(StiffSpring, OneLinearisationWithoutTheGeometricTermKeepsItAndGetsTheLength
 
 TEST(StiffSpring, OneLinearisationWithTheGeometricTermLosesNearlyAll) {
   for (GeometricTerm term : {GeometricTerm::full, GeometricTerm::filtered})
-    EXPECT_NEAR(revolve(term, implicit_step).momentum, 0.0049, 1e-4);
+    EXPECT_NEAR(revolve(term, one_implicit_step).momentum, 0.0049, 1e-4);
 }
 
 TEST(StiffSpring, PredictorCorrectorKeepsTheLengthAndThreeQuartersOfTheMomentum) {

@@ -118,7 +118,7 @@ bool breaks(const Case& extreme, Description description, int steps) {
 }
 
 constexpr double kStiffer[] = {1, 1e3, 1e6};
-constexpr double kSteps[] = {1e-6, 1e-4, 1e-2, 0.1};
+constexpr double kStepLengths[] = {1e-6, 1e-4, 1e-2, 0.1};
 
 // Whether masses stand out of the rounding of k h^2 by 2^10.
 bool is_within_reach(const hair::Strand& strand, double h) {
@@ -131,7 +131,7 @@ TEST(Extremes, ImplicitEulerNeverBreaks) {
   int within_reach = 0;
   for (const double stiffer : kStiffer)
     for (const Case& extreme : extreme_strands(stiffer))
-      for (const double h : kSteps) {
+      for (const double h : kStepLengths) {
         const bool broke = breaks(extreme, alone(extreme.start, Method::implicit_euler, h), 30);
         if (!is_within_reach(extreme.start.strand, h)) continue;
         ++within_reach;
@@ -144,7 +144,7 @@ TEST(Extremes, ThePredictorCorrectorNeverBreaksAndKeepsLengths) {
   int within_reach = 0;
   for (const double stiffer : kStiffer)
     for (const Case& extreme : extreme_strands(stiffer))
-      for (const double h : kSteps) {
+      for (const double h : kStepLengths) {
         const Description description = alone(extreme.start, Method::predictor_corrector, h);
         const bool broke = breaks(extreme, description, 30);
         const hair::Strand& strand = extreme.start.strand;
@@ -176,7 +176,7 @@ TEST(Extremes, CurlsNeverBreak) {
 TEST(Extremes, OtherJacobiansAreNeverNaNInSilence) {
   for (const double stiffer : kStiffer)
     for (const Case& extreme : extreme_strands(stiffer))
-      for (const double h : kSteps)
+      for (const double h : kStepLengths)
         for (const auto term : {hair::GeometricTerm::dropped, hair::GeometricTerm::full}) {
           Description description = alone(extreme.start, Method::implicit_euler, h);
           description.geometric_term = term;
@@ -189,7 +189,7 @@ TEST(Extremes, ExplicitMethodsBreakAloud) {
   for (Method method : kExplicitMethods)
     for (const double stiffer : kStiffer)
       for (const Case& extreme : extreme_strands(stiffer))
-        for (const double h : kSteps) breaks(extreme, alone(extreme.start, method, h), 200);
+        for (const double h : kStepLengths) breaks(extreme, alone(extreme.start, method, h), 200);
 }
 
 // At hair's own stiffness: the fastest axial motion has w = 2 sqrt(k/m) sin(19 pi / 40), 0.997 of 2 c / l. Symplectic
