@@ -263,7 +263,9 @@ TEST_F(Hairgrade, TakesLessThanAMegabyteForASubmissionWithAllPictures) {
                                          {"predictor_corrector.cpp", "h6-whole-step"}};
   fs::create_directory(folder_ / "wrong");
   for (const auto& [file, bug] : bugs) std::ofstream(folder_ / "wrong" / file) << code_of(bug, file);
-  ASSERT_EQ(grade({(folder_ / "wrong").string(), "--out", out()}).code, 0);
+  const string all_exercises = (folder_ / "all.json").string();
+  std::ofstream(all_exercises) << R"({"exercises": {}})";
+  ASSERT_EQ(grade({(folder_ / "wrong").string(), "--out", out(), "--course", all_exercises}).code, 0);
 
   const SubmissionResult result = read_results(out(), "wrong").value();
   std::vector<PictureResult> pictures;
