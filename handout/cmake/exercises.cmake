@@ -10,10 +10,9 @@
 #   hair_own_code(TARGET)          the same, and what makes the staff's build quicker: precompiled headers
 #   hair_exercise_libraries(NAME DIR)
 #                                  one static library <NAME>_<id> for each exercise file in DIR, compiled as for grading
-#   hair_test(NAME [SLOW] [STUDY] [SLOW_CASES "Suite.Name:..."] SOURCES ... LIBRARIES ...)
-#                                  a GoogleTest program of our own, one test of ctest's. SLOW: only `grader/check --all` runs it;
-#                                  SLOW_CASES, a filter of GoogleTest's: these cases are the slow test NAME.slow. STUDY: of what
-#                                  studies alone use: in a sanitisers' build .ci/full runs it
+#   hair_test(NAME [OPTIMISED] SOURCES ... LIBRARIES ...)
+#                                  a GoogleTest program of our own, one test of ctest's. OPTIMISED: it takes minutes to build or to run
+#                                  with sanitisers; there .ci/full alone runs it
 
 set(HAIR_HANDOUT_DIR "${CMAKE_CURRENT_LIST_DIR}/..")
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${HAIR_HANDOUT_DIR}/exercises.json")
@@ -118,7 +117,7 @@ if(HAIR_STAFF AND NOT TARGET tests)
 endif()
 
 function(hair_test NAME)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "SLOW;STUDY" "SLOW_CASES" "SOURCES;LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "OPTIMISED" "" "SOURCES;LIBRARIES")
   find_package(GTest REQUIRED)
   add_executable(${NAME} ${ARG_SOURCES})
   hair_own_code(${NAME})
@@ -126,27 +125,9 @@ function(hair_test NAME)
     hair_precompile_test(${NAME})
   endif()
   target_link_libraries(${NAME} PRIVATE ${ARG_LIBRARIES} hair_symmetric_eigen GTest::gtest_main)
-  if(ARG_SLOW)
-    hair_slow_test(${NAME} ${NAME})
-    return()
-  endif()
-  set(quick)
-  if(ARG_SLOW_CASES)
-    hair_slow_test(${NAME}.slow ${NAME} "--gtest_filter=${ARG_SLOW_CASES}")
-    set(quick "--gtest_filter=-${ARG_SLOW_CASES}")
-  endif()
-  if(HAIR_ALL_TESTS OR NOT ARG_STUDY)
-    add_test(NAME ${NAME} COMMAND ${NAME} ${quick})
+  if(HAIR_ALL_TESTS OR NOT ARG_OPTIMISED)
+    add_test(NAME ${NAME} COMMAND ${NAME})
     set_tests_properties(${NAME} PROPERTIES TIMEOUT 600)
     add_dependencies(tests ${NAME})
-  endif()
-endfunction()
-
-# The test NAME: PROGRAM, a target, with arguments.
-function(hair_slow_test NAME PROGRAM)
-  if(HAIR_ALL_TESTS)
-    add_test(NAME ${NAME} COMMAND ${PROGRAM} ${ARGN})
-    set_tests_properties(${NAME} PROPERTIES LABELS slow TIMEOUT 1800)
-    add_dependencies(tests ${PROGRAM})
   endif()
 endfunction()
