@@ -124,8 +124,8 @@ TEST_F(HairlabStudy, KilledKeepsTheRunsOfBefore) {
 TEST_F(HairlabStudy, AnotherProgramCanNotResume) {
   ASSERT_EQ(study(kFew).code, 0);
   const Json before = record();
-  const std::string same = folder_.write("same", read_bytes(HAIRLAB "-study")),
-                    other = folder_.write("other", read_bytes(HAIRLAB "-study") + "x");
+  const std::string studies = read_bytes(HAIRLAB "-study"), same = folder_.write("same", studies),
+                    other = folder_.write("other", studies + "x");
   for (const std::string& program : {same, other}) fs::permissions(program, fs::perms::owner_all);
   const std::vector<std::string> resume = {"--methods", kFew[1], "--resume"};
   EXPECT_EQ(study(resume, {.program = same}).code, 0);
