@@ -18,7 +18,7 @@ if(NOT TARGET hair_check)
   hair_own_code(hair_check)
   target_include_directories(hair_check PUBLIC "${HAIR_HANDOUT_DIR}/checks")
   target_compile_definitions(hair_check PRIVATE "HAIR_GOLDEN_DIR=\"${HAIR_GOLDEN_DIR}\"")
-  target_link_libraries(hair_check PUBLIC hair_particles GTest::gtest)
+  target_link_libraries(hair_check PUBLIC hair_particles hair_solver GTest::gtest)
 endif()
 
 function(hair_checks NAME)
