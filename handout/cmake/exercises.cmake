@@ -67,8 +67,9 @@ function(hair_warnings TARGET)
                          $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict$<SEMICOLON>-Wno-array-bounds$<SEMICOLON>-Wno-stringop-overflow$<SEMICOLON>-Wno-stringop-overread>
                          $<$<BOOL:${HAIR_STAFF}>:-Werror>)
   if(CMAKE_UNITY_BUILD)
-    # A source that another one includes is no header.
-    target_compile_options(${TARGET} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+    # A source that another one includes is no header. Many of them take memory, which GCC need not search for what it can forget:
+    # that took a tenth of its time.
+    target_compile_options(${TARGET} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage$<SEMICOLON>--param=ggc-min-heapsize=524288>)
   endif()
 endfunction()
 
