@@ -126,6 +126,27 @@ TEST_F(StudentsWay, LeadsFromTheArchiveToTheHandIn) {
               bytes_of(sources_.root / "reference" / exercise.file));
 }
 
+// What only studies read is there, too.
+TEST_F(StudentsWay, HasStudies) {
+  unpack();
+  solve();
+  Ran ran = run(configure_);
+  ASSERT_EQ(ran.code, 0) << ran.output;
+  ran = run("cmake --build build --parallel 2 --target hairlab");
+  ASSERT_EQ(ran.code, 0) << ran.output;
+  const std::string asked = "cmake --build '" + (folder_ / "hair-assignment/build").string() +
+                            "' --target hairlab_studies --parallel 4";
+  ran = run("build/hairlab validate published-numbers");
+  EXPECT_EQ(ran.code, 2);
+  EXPECT_EQ(
+      ran.output,
+      "hairlab: validate is in a program of its own, which is not built yet; build it with: " + asked + "\n");
+  ran = run(asked);
+  ASSERT_EQ(ran.code, 0) << ran.output;
+  ran = run("build/hairlab validate published-numbers");
+  EXPECT_EQ(ran.code, 0) << ran.output;
+}
+
 // The second compiler: an exercise with its prerequisite, and the given code that its checks need.
 TEST_F(StudentsWay, BuildsAnExerciseWithAnotherCompiler) {
   const std::string compiler = HAIR_OTHER_COMPILER;
