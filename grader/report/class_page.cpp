@@ -25,7 +25,7 @@ for (const th of document.querySelectorAll("table.class thead th[data-sort]")) {
     th.setAttribute("aria-sort", down ? "descending" : "ascending");
     const value = row => row.cells[column].dataset.value;
     const order = th.dataset.sort === "number"
-      ? (a, b) => value(a) - value(b) : (a, b) => value(a) < value(b) ? -1 : value(a) > value(b);
+      ? (a, b) => value(a) - value(b) : (a, b) => value(b) > value(a) ? -1 : value(a) > value(b);
     const body = th.closest("table").tBodies[0];
     body.append(...[...body.rows].sort((a, b) => down ? order(b, a) : order(a, b)));
   };
@@ -95,7 +95,7 @@ Html distribution(const Results& results) {
     const double height = 75.0 * static_cast<double>(counts[i]) / static_cast<double>(most);
     bars += html(
         "<li><span>{}</span><span class=\"bar\" style=\"height:{}%\" aria-hidden=\"true\"></span><span "
-        "class=\"range\">{}&ndash;{}</span></li>\n",
+        "class=\"range\">{}&#8211;{}</span></li>\n",
         {counts[i] > 0 ? std::to_string(counts[i]) : "", shown_points(height), 10 * i, 10 * (i + 1)});
   }
   return bars += html("</ol>\n</section>\n");
@@ -209,7 +209,7 @@ Html class_table(const Results& results, const std::vector<Column>& columns) {
 <div class="wide"><table class="class">
 <thead><tr><th scope="col" data-sort="text">Submission</th>)");
   for (const Column& column : columns) {
-    table += html("<th scope=\"col\" class=\"number\" data-sort=\"number\" title=\"{}{}\">{}<br>{}{}</th>",
+    table += html("<th scope=\"col\" class=\"number\" data-sort=\"number\" title=\"{}{}\">{}<br/>{}{}</th>",
                   {column.title, column.extra_credit ? ", extra credit" : "", column.id,
                    column.extra_credit ? "+" : "of ", shown_points(column.max_points)});
   }
@@ -234,7 +234,7 @@ std::string class_page(const Results& results) {
   body += html(
       "<header>\n<h1>Grades of the class</h1>\n<p class=\"total\"><strong>{}</strong> of {} points on "
       "average, median {}, {} submissions</p>\n"
-      "<p class=\"quiet\"><a href=\"grades.csv\">grades.csv</a> &middot; <a "
+      "<p class=\"quiet\"><a href=\"grades.csv\">grades.csv</a> &#183; <a "
       "href=\"junit.xml\">junit.xml</a></p>\n"
       "<nav><a href=\"#look\">Worth a look</a> <a href=\"#submissions\">Submissions</a> <a "
       "href=\"#pictures\">Pictures</a> <a href=\"#exercises\">Exercises</a> <a "

@@ -90,7 +90,7 @@ std::string side_file(const std::string& name) {
 
 std::string comparison_page(const Comparison& comparison, const std::vector<SmallPair>& worst) {
   Html body = html(
-      "<header>\n<h1>Pictures compared</h1>\n<p>The first: <code>{}</code><br>The second: "
+      "<header>\n<h1>Pictures compared</h1>\n<p>The first: <code>{}</code><br/>The second: "
       "<code>{}</code></p>\n"
       "<p>{} compared, {} of them the same, pixel for pixel.</p>\n</header>\n<main>\n",
       {comparison.reference, comparison.test, comparison.pairs.size(), count_identical(comparison)});

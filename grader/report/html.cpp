@@ -109,9 +109,9 @@ std::string html_page(const std::string& title, const Html& body, Scripts script
   return html(R"(<!DOCTYPE html>
 <html lang="en">
 <head>
-<meta charset="utf-8">
-<meta http-equiv="Content-Security-Policy" content="{}">
-<meta name="viewport" content="width=device-width, initial-scale=1">
+<meta charset="utf-8"/>
+<meta http-equiv="Content-Security-Policy" content="{}"/>
+<meta name="viewport" content="width=device-width, initial-scale=1"/>
 <title>{}</title>
 <style>{}</style>
 </head>

@@ -8,11 +8,13 @@
 #include <string>
 
 #include "grader/report/base64.h"
+#include "grader/report/comparison_page.h"
 #include "grader/report/gradebook.h"
 #include "grader/report/picture_files.h"
 #include "grader/report/results_json.h"
 #include "grader/report/sample_results.h"
 #include "grader/report/text.h"
+#include "hair/plot/tests/parsed.h"
 
 namespace grader {
 namespace {
@@ -48,9 +50,27 @@ TEST(Pages, HostileTextBecomesNoMarkup) {
   }
 }
 
+// Every element is closed, in order: a browser would repair a page without a word.
+TEST(Pages, AStrictParserReadsThem) {
+  std::vector<SubmissionResult> results = class_of_ten_exercises(30);
+  results.push_back(submission_full_of(hostile));
+  results[1].isolated = false;
+  results[2].images = false;
+  const ComparedPair pair{"<x>.png", 8, 8, {0.1, 0.2, 0.3, false}};
+  const Comparison comparison{"a", "b", {pair}, {"only here.png"}, {"only there.png"}};
+  std::vector<std::string> pages = {class_page({}), class_page(results),
+                                    comparison_page(comparison, {{pair, "first", "second", "heat"}})};
+  for (const SubmissionResult& result : results) {
+    pages.push_back(student_page(result));
+    pages.push_back(staff_page(result));
+  }
+  for (const std::string& page : pages) EXPECT_NO_THROW(hair::plot::parse(page)) << page.substr(0, 2000);
+}
+
 TEST(Pages, HostileTextKeepsTheGradebookWellFormed) {
   const SubmissionResult result = submission_full_of(hostile);
   const std::string junit = junit_xml({result});
+  EXPECT_NO_THROW(hair::plot::parse(junit));
   expect_clean(junit);
   EXPECT_EQ(count(junit, "<script"), 0u);
   EXPECT_EQ(count(junit, "\"") % 2, 0u);
@@ -141,7 +161,7 @@ TEST(Pages, ShowAMomentsThreePicturesWithTheirDistancesAndInWords) {
     EXPECT_EQ(count(page, "<img"), 3u);
     EXPECT_EQ(count(page, " at 0.50 s\""), 3u);
     for (const char* words : {"0.0123", "0.0456", "too far", "0.0123 of at most 0.0100",
-                              "0.0456 of at most 0.0500", "<details open>"})
+                              "0.0456 of at most 0.0500", "<details open=\"\">"})
       EXPECT_GE(count(page, words), 1u) << words;
   }
 }

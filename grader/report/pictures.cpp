@@ -99,7 +99,7 @@ std::string shown_distance(double distance) {
 Html image(const std::string& png, const std::string& alt, const PicturePlace& place, const char* look) {
   const std::string source =
       place.folder.empty() ? "data:image/png;base64," + base64(png) : place.folder + "/" + picture_name(png);
-  return html("<img{}alt=\"{}\" src=\"{}\">",
+  return html("<img{}alt=\"{}\" src=\"{}\"/>",
               {*look == '\0' ? html(" ") : html(" class=\"{}\" ", {look}), alt, Html{source}});
 }
 
@@ -135,7 +135,7 @@ Html moments(const std::vector<PictureResult>& pictures, const std::string& head
       "are "
       "apart once both are blurred by 4 pixels, 1 for black and white. FLIP is how different they look to a "
       "person who flips between them, 0 to 1.</p>\n</details>\n",
-      {open ? " open" : "", heading, shown_distance(flip), rows});
+      {open ? html(" open=\"\"") : Html{}, heading, shown_distance(flip), rows});
 }
 
 Html pictures_by_distance(const std::vector<SubmissionResult>& results, const PicturePlace& place) {

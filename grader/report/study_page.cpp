@@ -224,7 +224,7 @@ std::string study_page(const SubmissionResult& result, const SubmissionStudy& st
   Html body = stamps(result.isolated, true);
   body += html(R"(<header>
 <h1>Error against run time: {}</h1>
-<p class="quiet"><a href="report.html">The report</a> &middot; <a href="study.json">study.json</a></p>
+<p class="quiet"><a href="report.html">The report</a> &#183; <a href="study.json">study.json</a></p>
 </header>
 <main>
 <p>The scenes that run end to end, with more steps and with fewer, by your code and by ours. This is to look at: it

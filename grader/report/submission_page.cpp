@@ -132,8 +132,8 @@ Html body_of(const SubmissionResult& result, Reader reader) {
   body += total_line(result);
   if (reader == Reader::staff) {
     body += html(
-        "<p class=\"quiet\"><a href=\"../index.html\">The class</a> &middot; <a "
-        "href=\"../{}/report.html\">The student&#39;s report</a> &middot; fingerprint <code>{}</code></p>\n",
+        "<p class=\"quiet\"><a href=\"../index.html\">The class</a> &#183; <a "
+        "href=\"../{}/report.html\">The student&#39;s report</a> &#183; fingerprint <code>{}</code></p>\n",
         {result.name, result.fingerprint.substr(0, 16)});
   }
   body += html("</header>\n<main>\n");

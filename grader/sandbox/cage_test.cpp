@@ -1,15 +1,19 @@
 // STAFF ONLY. What a cage keeps from the process inside, tried from inside with a shell.
 #include "grader/sandbox/cage.h"
 
+#include <arpa/inet.h>
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <netinet/in.h>
 #include <signal.h>
 #include <stdlib.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <chrono>
 #include <fstream>
+#include <system_error>
 
 #include "grader/sandbox/identity.h"
 
@@ -99,10 +103,67 @@ TEST_F(CageTest, WritesNowhereButInItsOwnTmp) {
             std::string::npos);
 }
 
-TEST_F(CageTest, HasNoNetwork) {
-  const Run run = shell("exec 9<>/dev/tcp/127.0.0.1/22 && echo connected");
+// A server of ours, on a port that the machine chooses.
+class Server {
+ public:
+  Server() : socket_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof(address);
+    auto* plain = reinterpret_cast<sockaddr*>(&address);
+    if (bind(socket_.get(), plain, size) != 0 || listen(socket_.get(), 8) != 0 ||
+        getsockname(socket_.get(), plain, &size) != 0)
+      throw std::system_error(errno, std::generic_category(), "a server on the loopback");
+    port_ = ntohs(address.sin_port);
+  }
+  std::string connecting() const {
+    return "exec 9<>/dev/tcp/127.0.0.1/" + std::to_string(port_) + " && echo connected";
+  }
+
+ private:
+  Descriptor socket_;
+  int port_;
+};
+
+// Two fences keep the network away. Each is tried without the other.
+TEST_F(CageTest, ItsCallFilterAllowsNoSockets) {
+  const Run run = shell(Server().connecting());
   EXPECT_EQ(run.output.find("connected"), std::string::npos) << run.output;
   EXPECT_NE(run.output.find("Operation not permitted"), std::string::npos) << run.output;
+}
+
+TEST_F(CageTest, ItsNetworkIsNotOurs) {
+  const Server server;
+  cage_.syscalls.reset();
+  EXPECT_EQ(shell(server.connecting()).output.find("connected"), std::string::npos);
+  cage_.isolated = false;
+  EXPECT_EQ(shell(server.connecting()).output, "connected\n") << "the server does not answer at all";
+}
+
+// The youngest descendant of a process, as /proc tells it.
+pid_t innermost(pid_t process) {
+  for (;;) {
+    const std::string number = std::to_string(process);
+    std::ifstream children("/proc/" + number + "/task/" + number + "/children");
+    pid_t child = 0;
+    if (!(children >> child)) return process;
+    process = child;
+  }
+}
+
+TEST_F(CageTest, SharesNoNamespaceWithUs) {
+  Pipe output = make_pipe();
+  CagedProcess process(cage_, {"/usr/bin/bash", "-c", "echo inside; sleep 1000"}, -1, -1,
+                       output.write_end.get());
+  char letter;
+  ASSERT_EQ(read(output.read_end.get(), &letter, 1), 1);  // it is inside by now
+  const fs::path theirs = "/proc/" + std::to_string(innermost(getpid())) + "/ns";
+  for (const char* space : {"user", "pid", "net", "mnt", "ipc", "uts", "cgroup"}) {
+    const std::string inside = fs::read_symlink(theirs / space);
+    EXPECT_TRUE(inside.starts_with(space)) << inside;
+    EXPECT_NE(inside, fs::read_symlink(fs::path("/proc/self/ns") / space));
+  }
 }
 
 TEST_F(CageTest, InheritsNoDescriptors) {

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "grader/report/pages.h"
+#include "hair/plot/tests/parsed.h"
 #include "hair/scene/playback.h"
 
 namespace grader {
@@ -205,7 +206,9 @@ TEST(Study, GoesOnWithoutAWorkerThatEnds) {
 std::string page_of(const PartStudy& part) {
   SubmissionResult result;
   result.name = "somebody";
-  return study_page(result, {{{"pendulums", "Pendulums", "", {part}}}}, {});
+  const std::string page = study_page(result, {{{"pendulums", "Pendulums", "", {part}}}}, {});
+  EXPECT_NO_THROW(hair::plot::parse(page));
+  return page;
 }
 
 TEST(Study, DoesNotKnowWhatIsStableInCodeThatOnlyBreaks) {
