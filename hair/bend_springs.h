@@ -14,7 +14,7 @@
 // particles has no such springs. x, f, dx and df have 3n entries.
 #pragma once
 
-#include "hair/jacobian.h"
+#include "hair/geometric_term.h"
 #include "hair/strand.h"
 #include "particles/vectors.h"
 
@@ -29,7 +29,7 @@ double bend_spring_energy(const Strand& strand, Input x);
 // f += -dE/dx, N.
 void add_bend_spring_force(const Strand& strand, Input x, Output f);
 
-// df += (df/dx) dx, N; see hair/jacobian.h.
+// df += (df/dx) dx, N; see hair/geometric_term.h.
 void add_bend_spring_product(const Strand& strand, Input x, GeometricTerm term, Input dx, Output df);
 
 }  // namespace hair

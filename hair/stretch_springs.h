@@ -9,7 +9,7 @@
 // 2). A strand of 1 particle has no segments, and an energy of 0. x, f, dx and df have 3n entries.
 #pragma once
 
-#include "hair/jacobian.h"
+#include "hair/geometric_term.h"
 #include "hair/strand.h"
 #include "particles/vectors.h"
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <tuple>
 
-#include "hair/files/printable.h"
+#include "hair/io/files/printable.h"
 
 namespace grader {
 namespace {

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "grader/compare/plane.h"
-#include "hair/image/image.h"
+#include "hair/io/image/image.h"
 
 namespace grader {
 

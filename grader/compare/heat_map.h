@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "grader/compare/plane.h"
-#include "hair/image/image.h"
+#include "hair/io/image/image.h"
 
 namespace grader {
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "hair/image/image.h"
+#include "hair/io/image/image.h"
 
 namespace grader {
 

@@ -5,8 +5,8 @@
 #include <iterator>
 #include <set>
 
-#include "hair/files/bad_input.h"
-#include "hair/files/printable.h"
+#include "hair/io/files/bad_input.h"
+#include "hair/io/files/printable.h"
 
 namespace grader {
 namespace {

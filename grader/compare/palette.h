@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "hair/image/image.h"
+#include "hair/io/image/image.h"
 
 namespace grader {
 

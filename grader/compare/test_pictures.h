@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "hair/image/image.h"
+#include "hair/io/image/image.h"
 
 namespace grader {
 

@@ -2,10 +2,10 @@
 // project's programs.
 #pragma once
 
-#include "hair/files/bad_input.h"
-#include "hair/files/printable.h"
-#include "hair/files/strict_json.h"
-#include "hair/files/write_file.h"
+#include "hair/io/files/bad_input.h"
+#include "hair/io/files/printable.h"
+#include "hair/io/files/strict_json.h"
+#include "hair/io/files/write_file.h"
 
 namespace grader {
 

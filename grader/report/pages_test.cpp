@@ -14,7 +14,7 @@
 #include "grader/report/results_json.h"
 #include "grader/report/sample_results.h"
 #include "grader/report/text.h"
-#include "hair/plot/tests/parsed.h"
+#include "hair/io/plot/tests/parsed.h"
 
 namespace grader {
 namespace {

@@ -6,7 +6,7 @@
 #include "grader/compare/compare.h"
 #include "grader/compare/heat_map.h"
 #include "grader/compare/test_pictures.h"
-#include "hair/image/png.h"
+#include "hair/io/image/png.h"
 
 namespace grader {
 namespace {

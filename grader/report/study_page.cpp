@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "grader/report/pages.h"
-#include "hair/plot/figure.h"
-#include "hair/plot/page.h"
+#include "hair/io/plot/figure.h"
+#include "hair/io/plot/page.h"
 
 namespace grader {
 namespace {

@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "grader/report/pages.h"
-#include "hair/plot/tests/parsed.h"
+#include "hair/io/plot/tests/parsed.h"
 #include "hair/scene/playback.h"
 
 namespace grader {

@@ -8,10 +8,10 @@
 
 #include "grader/compile/hash.h"
 #include "grader/wire/message.h"
-#include "hair/files/write_file.h"
+#include "hair/io/files/write_file.h"
 #include "hair/scene/playback.h"
-#include "hair/study/accurate_motion.h"
-#include "hair/study/trajectory.h"
+#include "hair/truth/accurate_motion.h"
+#include "hair/truth/trajectory.h"
 
 namespace grader {
 namespace {

@@ -18,7 +18,7 @@ struct Truth {
   std::string method;                    // "CVODE 6.4.1 (BDF), relative tolerance 1e-12"
 };
 
-// The accurate solution of the equations of motion where there is one (hair/study/accurate_motion.h); else, of several
+// The accurate solution of the equations of motion where there is one (hair/truth/accurate_motion.h); else, of several
 // strands, of hair that meets obstacles, or of rods and wires, the reference itself with many times the steps of the
 // finest division.
 // `kept` is a folder for what was found once. Throws std::runtime_error if the reference breaks.

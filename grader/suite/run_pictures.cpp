@@ -9,8 +9,8 @@
 #include "grader/compare/heat_map.h"
 #include "grader/compare/montage.h"
 #include "grader/compare/palette.h"
-#include "hair/files/write_file.h"
-#include "hair/image/png.h"
+#include "hair/io/files/write_file.h"
+#include "hair/io/image/png.h"
 #include "hair/render/renderer.h"
 
 namespace grader {

@@ -9,7 +9,7 @@
 #include "grader/suite/random_vector.h"
 #include "grader/suite/rounding.h"
 #include "grader/suite/trial.h"
-#include "hair/jacobian.h"
+#include "hair/geometric_term.h"
 #include "hair/strand.h"
 
 namespace grader {

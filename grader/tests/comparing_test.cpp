@@ -15,7 +15,7 @@
 #include "grader/compare/compare.h"
 #include "grader/compare/test_pictures.h"
 #include "grader/tests/run_program.h"
-#include "hair/image/png.h"
+#include "hair/io/image/png.h"
 
 namespace grader {
 namespace {

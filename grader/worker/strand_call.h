@@ -8,7 +8,7 @@
 
 #include "grader/wire/strand_message.h"
 #include "grader/worker/session.h"
-#include "hair/jacobian.h"
+#include "hair/geometric_term.h"
 
 namespace grader {
 

@@ -13,11 +13,11 @@
 #include "hair/bench/bullet_rope.h"
 #include "hair/bench/staged_step.h"
 #include "hair/length_correction.h"
-#include "hair/make_strand.h"
-#include "hair/measures.h"
 #include "hair/predictor_corrector.h"
-#include "hair/rest_shape.h"
-#include "hair/simulation.h"
+#include "hair/simulation/simulation.h"
+#include "hair/strand/make_strand.h"
+#include "hair/strand/measures.h"
+#include "hair/strand/rest_shape.h"
 
 namespace hair_bench {
 namespace {

@@ -15,11 +15,11 @@
 #include <vector>
 
 #include "hair/bench/plain_program.h"
-#include "hair/lab/run.h"
-#include "hair/make_strand.h"
-#include "hair/rest_shape.h"
+#include "hair/io/cpu_time.h"
+#include "hair/lab/run/run.h"
 #include "hair/scene/playback.h"
-#include "hair/study/cpu_time.h"
+#include "hair/strand/make_strand.h"
+#include "hair/strand/rest_shape.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "hair/simulation.h"
+#include "hair/simulation/simulation.h"
 
 namespace hair_bench {
 

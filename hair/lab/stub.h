@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "hair/files/printable.h"
+#include "hair/io/files/printable.h"
 #include "solver/not_implemented.h"
 
 namespace hair {

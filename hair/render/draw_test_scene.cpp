@@ -3,7 +3,7 @@
 #include <exception>
 #include <iostream>
 
-#include "hair/image/png.h"
+#include "hair/io/image/png.h"
 #include "hair/render/renderer.h"
 #include "hair/render/test_drawing.h"
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "hair/obstacles.h"
+#include "hair/strand/obstacles.h"
 
 namespace hair {
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "hair/image/png.h"
-#include "hair/image/same_picture.h"
+#include "hair/io/image/png.h"
+#include "hair/io/image/same_picture.h"
 #include "hair/render/renderer.h"
 #include "hair/render/test_drawing.h"
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "hair/image/image.h"
+#include "hair/io/image/image.h"
 #include "hair/render/camera.h"
 #include "hair/render/drawing.h"
 

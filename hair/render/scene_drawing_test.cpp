@@ -4,8 +4,8 @@
 
 #include <stdexcept>
 
-#include "hair/make_strand.h"
 #include "hair/render/scene_bounds.h"
+#include "hair/strand/make_strand.h"
 
 namespace hair {
 namespace {

@@ -1,7 +1,7 @@
 // A patch of cloth, of the same particles and springs as hair: the lecture's closing question.
 #pragma once
 
-#include "hair/scene/toy.h"
+#include "particles/toys/toy.h"
 
 namespace hair {
 

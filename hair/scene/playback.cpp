@@ -5,11 +5,11 @@
 #include <stdexcept>
 #include <string>
 
-#include "hair/measures.h"
-#include "hair/scene/moving_toy.h"
 #include "hair/scene/riding.h"
+#include "hair/strand/measures.h"
 #include "particles/require.h"
 #include "particles/system.h"
+#include "particles/toys/moving_toy.h"
 
 namespace hair {
 

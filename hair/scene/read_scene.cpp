@@ -1,5 +1,5 @@
-#include "hair/files/bad_input.h"
-#include "hair/groom/hair_file.h"
+#include "hair/head/hair_file.h"
+#include "hair/io/files/bad_input.h"
 #include "hair/scene/json/parts.h"
 
 namespace hair {

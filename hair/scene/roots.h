@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "hair/rest_shape.h"
+#include "hair/strand/rest_shape.h"
 
 namespace hair {
 

@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "hair/scene/motion.h"
-#include "hair/scene/toy.h"
-#include "hair/simulation.h"
+#include "hair/simulation/simulation.h"
+#include "particles/toys/toy.h"
 
 namespace hair {
+
+using particles::Toy, particles::ToyMethod;
 
 // How it is drawn. What `hairlab` needs, and nothing that changes how it moves.
 struct Look {

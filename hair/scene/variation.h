@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "hair/rest_shape.h"
+#include "hair/strand/rest_shape.h"
 
 namespace hair {
 

@@ -9,7 +9,7 @@
 #include <functional>
 #include <numbers>
 
-#include "hair/jacobian.h"
+#include "hair/geometric_term.h"
 #include "particles/force.h"
 #include "particles/state.h"
 

@@ -9,11 +9,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "hair/strand/tests/strand_states.h"
 #include "handout/checks/derivative.h"
-#include "reference/tests/allocations.h"
 #include "reference/tests/bend.h"
-#include "reference/tests/strand_states.h"
 #include "solver/symmetric_eigen.h"
+#include "solver/tests/allocations.h"
 
 namespace reference_tests {
 namespace {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "hair/angular_springs.h"
-#include "reference/tests/strand_states.h"
+#include "hair/strand/tests/strand_states.h"
 
 namespace reference_tests {
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "hair/make_strand.h"
+#include "hair/strand/make_strand.h"
 #include "hair/stretch_springs.h"
 #include "reference/tests/bend.h"
 #include "solver/symmetric_eigen.h"

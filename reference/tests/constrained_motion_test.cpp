@@ -1,6 +1,6 @@
 // STAFF ONLY. Rods and wires in motion, integrated by RK4, against closed forms of mechanics.
 #include "reference/tests/constrained_motion.h"
-#include "reference/tests/numbers.h"
+#include "solver/tests/numbers.h"
 
 #include <gtest/gtest.h>
 

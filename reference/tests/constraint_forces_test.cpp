@@ -12,8 +12,8 @@
 #include "particles/gravity.h"
 #include "particles/system.h"
 #include "reference/tests/constrained_motion.h"
-#include "reference/tests/numbers.h"
 #include "solver/symmetric_eigen.h"
+#include "solver/tests/numbers.h"
 
 namespace reference_tests {
 namespace {

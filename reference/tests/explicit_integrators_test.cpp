@@ -20,8 +20,8 @@
 #include "particles/gravity.h"
 #include "particles/springs.h"
 #include "particles/system.h"
-#include "reference/tests/allocations.h"
-#include "reference/tests/numbers.h"
+#include "solver/tests/allocations.h"
+#include "solver/tests/numbers.h"
 
 namespace reference_tests {
 namespace {

@@ -8,8 +8,8 @@
 #include <Eigen/Core>
 
 #include "particles/springs.h"
-#include "reference/tests/allocations.h"
 #include "reference/tests/stepping.h"
+#include "solver/tests/allocations.h"
 
 namespace reference_tests {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <Eigen/Cholesky>
 
-#include "reference/tests/allocations.h"
 #include "reference/tests/stepping.h"
+#include "solver/tests/allocations.h"
 
 namespace reference_tests {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "reference/tests/allocations.h"
 #include "reference/tests/solve.h"
 #include "solver/matrices.h"
+#include "solver/tests/allocations.h"
 
 namespace reference_tests {
 namespace {

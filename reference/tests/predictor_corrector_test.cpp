@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "reference/tests/allocations.h"
 #include "reference/tests/stepping.h"
+#include "solver/tests/allocations.h"
 
 namespace reference_tests {
 namespace {

@@ -6,8 +6,8 @@
 #include <functional>
 #include <vector>
 
-#include "reference/tests/numbers.h"
 #include "solver/linearSolver.h"
+#include "solver/tests/numbers.h"
 
 namespace reference_tests {
 

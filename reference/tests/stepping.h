@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hair/make_strand.h"
+#include "hair/mass_spring/strand_forces.h"
 #include "hair/predictor_corrector.h"
-#include "hair/strand_forces.h"
+#include "hair/strand/make_strand.h"
 #include "particles/force_sum.h"
 #include "particles/gravity.h"
 #include "particles/implicit_euler.h"
-#include "reference/tests/numbers.h"
+#include "solver/tests/numbers.h"
 
 namespace reference_tests {
 

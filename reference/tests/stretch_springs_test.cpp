@@ -7,10 +7,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "hair/make_strand.h"
-#include "reference/tests/allocations.h"
-#include "reference/tests/strand_states.h"
+#include "hair/strand/make_strand.h"
+#include "hair/strand/tests/strand_states.h"
 #include "solver/symmetric_eigen.h"
+#include "solver/tests/allocations.h"
 
 namespace reference_tests {
 namespace {

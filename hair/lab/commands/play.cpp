@@ -5,13 +5,13 @@
 #include <iostream>
 #include <optional>
 
-#include "hair/files/bad_input.h"
-#include "hair/files/printable.h"
+#include "hair/io/files/bad_input.h"
+#include "hair/io/files/printable.h"
 #include "hair/lab/commands/exit_codes.h"
-#include "hair/lab/explain.h"
-#include "hair/lab/interruption.h"
-#include "hair/lab/run.h"
-#include "hair/lab/shipped_scenes.h"
+#include "hair/lab/run/explain.h"
+#include "hair/lab/run/interruption.h"
+#include "hair/lab/run/run.h"
+#include "hair/lab/run/shipped_scenes.h"
 #include "hair/lab/stub.h"
 
 namespace hair {

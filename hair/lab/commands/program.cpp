@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <iostream>
 
-#include "hair/files/bad_input.h"
+#include "hair/io/files/bad_input.h"
 #include "hair/lab/stub.h"
 
 namespace hair {

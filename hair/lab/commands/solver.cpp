@@ -3,17 +3,17 @@
 #include <iostream>
 #include <memory>
 
-#include "hair/files/bad_input.h"
-#include "hair/files/write_file.h"
+#include "hair/io/files/bad_input.h"
+#include "hair/io/files/write_file.h"
+#include "hair/io/machine.h"
 #include "hair/lab/commands/command.h"
 #include "hair/lab/commands/studies.h"
-#include "hair/lab/interruption.h"
-#include "hair/lab/output_folder.h"
-#include "hair/lab/solver_page.h"
-#include "hair/lab/solver_record.h"
-#include "hair/lab/solver_tables.h"
+#include "hair/lab/run/interruption.h"
+#include "hair/lab/run/output_folder.h"
+#include "hair/lab/solver/solver_page.h"
+#include "hair/lab/solver/solver_record.h"
+#include "hair/lab/solver/solver_tables.h"
 #include "hair/lab/stub.h"
-#include "hair/study/machine.h"
 #ifdef HAIR_HAS_S2
 #include "solver/normal_equations.h"
 #endif

@@ -4,16 +4,16 @@
 #include <iostream>
 #include <memory>
 
-#include "hair/files/bad_input.h"
-#include "hair/files/printable.h"
-#include "hair/files/write_file.h"
+#include "hair/io/files/bad_input.h"
+#include "hair/io/files/printable.h"
+#include "hair/io/files/write_file.h"
 #include "hair/lab/commands/command.h"
 #include "hair/lab/commands/studies.h"
-#include "hair/lab/interruption.h"
-#include "hair/lab/output_folder.h"
-#include "hair/lab/shipped_scenes.h"
+#include "hair/lab/run/interruption.h"
+#include "hair/lab/run/output_folder.h"
+#include "hair/lab/run/shipped_scenes.h"
+#include "hair/lab/stability/report.h"
 #include "hair/lab/stub.h"
-#include "hair/stability/report.h"
 
 namespace hair {
 

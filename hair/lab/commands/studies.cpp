@@ -7,7 +7,7 @@
 #include <iostream>
 #include <system_error>
 
-#include "hair/files/this_program.h"
+#include "hair/io/files/this_program.h"
 #include "hair/lab/commands/exit_codes.h"
 
 namespace hair {

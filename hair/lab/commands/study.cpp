@@ -7,19 +7,19 @@
 #include <iostream>
 #include <memory>
 
-#include "hair/files/bad_input.h"
-#include "hair/files/printable.h"
+#include "hair/io/files/bad_input.h"
+#include "hair/io/files/printable.h"
+#include "hair/io/machine.h"
 #include "hair/lab/commands/command.h"
 #include "hair/lab/commands/studies.h"
-#include "hair/lab/interruption.h"
-#include "hair/lab/output_file.h"
-#include "hair/lab/output_folder.h"
-#include "hair/lab/shipped_scenes.h"
+#include "hair/lab/run/interruption.h"
+#include "hair/lab/run/output_file.h"
+#include "hair/lab/run/output_folder.h"
+#include "hair/lab/run/shipped_scenes.h"
 #include "hair/lab/stub.h"
-#include "hair/study/machine.h"
-#include "hair/study/study_page.h"
-#include "hair/study/study_record.h"
-#include "hair/study/sweep.h"
+#include "hair/lab/study/study_page.h"
+#include "hair/lab/study/study_record.h"
+#include "hair/lab/study/sweep.h"
 
 namespace hair {
 

@@ -5,17 +5,17 @@
 #include <memory>
 #include <optional>
 
-#include "hair/files/bad_input.h"
-#include "hair/files/printable.h"
-#include "hair/files/write_file.h"
+#include "hair/io/cpu_time.h"
+#include "hair/io/files/bad_input.h"
+#include "hair/io/files/printable.h"
+#include "hair/io/files/write_file.h"
+#include "hair/io/machine.h"
 #include "hair/lab/commands/command.h"
 #include "hair/lab/commands/studies.h"
-#include "hair/lab/interruption.h"
-#include "hair/lab/output_folder.h"
+#include "hair/lab/run/interruption.h"
+#include "hair/lab/run/output_folder.h"
 #include "hair/lab/stub.h"
-#include "hair/study/cpu_time.h"
-#include "hair/study/machine.h"
-#include "hair/validate/record.h"
+#include "hair/lab/validate/record.h"
 
 namespace hair {
 

@@ -1,5 +1,5 @@
 // What --explain says of each part, and that it is what a scene calls.
-#include "hair/lab/explain.h"
+#include "hair/lab/run/explain.h"
 
 #include <gtest/gtest.h>
 

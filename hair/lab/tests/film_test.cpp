@@ -1,9 +1,9 @@
 // Films: with ffmpeg, with none, and with one that fails.
-#include "hair/lab/film.h"
+#include "hair/lab/run/film.h"
 
 #include <gtest/gtest.h>
 
-#include "hair/image/png.h"
+#include "hair/io/image/png.h"
 #include "hair/lab/tests/run_hairlab.h"
 
 namespace hair {

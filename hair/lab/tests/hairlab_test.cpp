@@ -10,8 +10,8 @@
 #include <sstream>
 #include <thread>
 
-#include "hair/lab/states_csv.h"
-#include "hair/lab/states_file.h"
+#include "hair/lab/run/states_csv.h"
+#include "hair/lab/run/states_file.h"
 #include "hair/lab/tests/run_hairlab.h"
 
 namespace hair {

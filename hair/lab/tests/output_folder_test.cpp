@@ -1,11 +1,11 @@
 // A run's folder appears whole or not at all, and nobody's files are lost.
-#include "hair/lab/output_folder.h"
+#include "hair/lab/run/output_folder.h"
 
 #include <gtest/gtest.h>
 
-#include "hair/files/bad_input.h"
-#include "hair/lab/output_file.h"
-#include "hair/lab/run_record.h"
+#include "hair/io/files/bad_input.h"
+#include "hair/lab/run/output_file.h"
+#include "hair/lab/run/run_record.h"
 #include "hair/lab/tests/run_hairlab.h"
 
 namespace hair {

@@ -4,7 +4,7 @@
 #include <set>
 #include <sstream>
 
-#include "hair/lab/shipped_scenes.h"
+#include "hair/lab/run/shipped_scenes.h"
 #include "hair/lab/tests/run_hairlab.h"
 #include "hair/scene/scene.h"
 

@@ -1,11 +1,11 @@
 // The solver's page says what the numbers say, whatever the code that was studied does.
-#include "hair/lab/solver_page.h"
+#include "hair/lab/solver/solver_page.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "hair/lab/solver_verdicts.h"
+#include "hair/lab/solver/solver_verdicts.h"
 
 namespace hair {
 namespace {

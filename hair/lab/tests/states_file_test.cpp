@@ -1,5 +1,5 @@
 // states.bin and states.csv as they are written and read.
-#include "hair/lab/states_file.h"
+#include "hair/lab/run/states_file.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <limits>
 #include <sstream>
 
-#include "hair/files/bad_input.h"
-#include "hair/lab/states_csv.h"
+#include "hair/io/files/bad_input.h"
+#include "hair/lab/run/states_csv.h"
 #include "hair/lab/tests/run_hairlab.h"
 
 namespace hair {

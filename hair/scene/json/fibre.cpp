@@ -1,7 +1,7 @@
 #include "hair/scene/json/fibre.h"
 
-#include "hair/make_strand.h"
 #include "hair/scene/json/values.h"
+#include "hair/strand/make_strand.h"
 
 namespace hair::json {
 

@@ -1,9 +1,9 @@
 // What all groups of strands have: what they are made of, and how they are held at the start.
 #pragma once
 
-#include "hair/files/strict_json.h"
-#include "hair/material.h"
-#include "hair/simulation.h"
+#include "hair/io/files/strict_json.h"
+#include "hair/simulation/simulation.h"
+#include "hair/strand/material.h"
 
 namespace hair::json {
 

@@ -7,7 +7,7 @@
 #include <map>
 #include <string>
 
-#include "hair/files/strict_json.h"
+#include "hair/io/files/strict_json.h"
 #include "hair/scene/scene.h"
 
 namespace hair::json {

@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "hair/files/strict_json.h"
-#include "hair/rest_shape.h"
+#include "hair/io/files/strict_json.h"
+#include "hair/strand/rest_shape.h"
 
 namespace hair::json {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "hair/files/strict_json.h"
+#include "hair/io/files/strict_json.h"
 #include "particles/vectors.h"
 
 namespace hair::json {

@@ -1,0 +1,235 @@
+#include "hair/io/files/strict_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <utility>
+
+#include "hair/io/files/bad_input.h"
+#include "hair/io/files/printable.h"
+#include "hair/io/files/read_file.h"
+
+namespace hair {
+namespace {
+
+using nlohmann::json;
+
+std::string line_and_column(const std::string& text, std::size_t byte) {
+  const std::string_view before(text.data(), std::min(byte > 0 ? byte - 1 : 0, text.size()));
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const std::size_t start = before.rfind('\n');
+  const std::size_t column = before.size() - (start == std::string_view::npos ? 0 : start + 1) + 1;
+  return "line " + std::to_string(line) + ", column " + std::to_string(column);
+}
+
+std::string listed(std::initializer_list<std::string_view> words) {
+  std::string list;
+  for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + std::string(word);
+  return list;
+}
+
+// Where in the text the parser gives up: what it says of a number beyond all bounds does not tell.
+class PlaceOfError : public json::json_sax_t {
+ public:
+  std::size_t byte = 0;
+
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(json::number_integer_t) override { return true; }
+  bool number_unsigned(json::number_unsigned_t) override { return true; }
+  bool number_float(json::number_float_t, const json::string_t&) override { return true; }
+  bool string(json::string_t&) override { return true; }
+  bool binary(json::binary_t&) override { return true; }
+  bool start_object(std::size_t) override { return true; }
+  bool key(json::string_t&) override { return true; }
+  bool end_object() override { return true; }
+  bool start_array(std::size_t) override { return true; }
+  bool end_array() override { return true; }
+  bool parse_error(std::size_t position, const std::string&, const json::exception&) override {
+    byte = position;
+    return false;
+  }
+};
+
+// The library's reason, without its own prefix and position: "syntax error while parsing ...".
+std::string reason_of(const json::exception& error) {
+  const std::string_view what = error.what();
+  const std::size_t syntax = what.find("syntax error");
+  const std::size_t prefix = what.find("] ");
+  if (syntax != std::string_view::npos) return std::string(what.substr(syntax));
+  return std::string(what.substr(prefix == std::string_view::npos ? 0 : prefix + 2));
+}
+
+}  // namespace
+
+json read_json(const std::filesystem::path& file) {
+  return parse_json(read_file(file, kMostJsonBytes, "a JSON file"), file.string());
+}
+
+json parse_json(const std::string& text, const std::string& file) {
+  const std::string name = printable(file, 4096);
+  std::vector<std::set<std::string>> keys;
+  const auto no_key_twice = [&](int depth, json::parse_event_t event, json& parsed) {
+    if (depth > kMostJsonDepth)
+      throw BadInput(name + ": more than " + std::to_string(kMostJsonDepth) +
+                     " lists and objects within each other; nothing here needs as many");
+    if (event == json::parse_event_t::object_start) keys.emplace_back();
+    if (event == json::parse_event_t::object_end) keys.pop_back();
+    if (event == json::parse_event_t::key && !keys.back().insert(parsed.get<std::string>()).second) {
+      throw BadInput(name + ": \"" + printable(parsed.get<std::string>()) +
+                     "\" stands twice in the same object; keep one of them");
+    }
+    return true;
+  };
+  try {
+    return json::parse(text, no_key_twice);
+  } catch (const json::parse_error& error) {
+    throw BadInput(name + ": " + line_and_column(text, error.byte) + ": not JSON: " + reason_of(error));
+  } catch (const json::exception& error) {
+    PlaceOfError place;
+    json::sax_parse(text, &place);
+    throw BadInput(name + ": " + line_and_column(text, place.byte) + ": not JSON: " + reason_of(error));
+  }
+}
+
+JsonDocument read_document(const std::filesystem::path& file) {
+  return std::make_shared<const json>(read_json(file));
+}
+
+JsonDocument parse_document(const std::string& text, const std::string& name) {
+  return std::make_shared<const json>(parse_json(text, name));
+}
+
+JsonValue::JsonValue(const json& document, std::filesystem::path file)
+    : JsonValue(document, std::move(file), "") {}
+
+JsonValue::JsonValue(const json& value, std::filesystem::path file, std::string where)
+    : value_(&value), file_(std::move(file)), where_(std::move(where)) {}
+
+void JsonValue::fail(const std::string& what) const {
+  throw BadInput(printable(file_.string(), 4096) + ": " + (where_.empty() ? "" : printable(where_) + ": ") +
+                 what);
+}
+
+std::string JsonValue::shown() const {
+  return printable(value_->dump(-1, ' ', true, json::error_handler_t::replace), 60);
+}
+
+std::vector<std::string> JsonValue::keys() const {
+  if (!value_->is_object()) fail(shown() + " is not an object; write {...}");
+  std::vector<std::string> keys;
+  for (const auto& item : value_->items()) keys.push_back(item.key());
+  return keys;
+}
+
+void JsonValue::check_keys(std::initializer_list<std::string_view> required,
+                           std::initializer_list<std::string_view> optional) const {
+  const std::string known =
+      listed(required) + (required.size() > 0 && optional.size() > 0 ? ", " : "") + listed(optional);
+  for (const std::string& key : keys()) {
+    const auto names = [&](std::initializer_list<std::string_view> list) {
+      return std::find(list.begin(), list.end(), key) != list.end();
+    };
+    if (!names(required) && !names(optional)) {
+      fail("unknown key \"" + printable(key) + "\"; known here: " + known);
+    }
+  }
+  for (const std::string_view key : required) {
+    if (!has(std::string(key))) {
+      fail("\"" + std::string(key) + "\" is missing; an object here has: " + known);
+    }
+  }
+}
+
+bool JsonValue::has(const std::string& key) const {
+  return value_->contains(key);
+}
+
+bool JsonValue::is_null() const {
+  return value_->is_null();
+}
+
+JsonValue JsonValue::operator[](const std::string& key) const {
+  return {value_->at(key), file_, where_ + (where_.empty() ? "" : ".") + key};
+}
+
+std::vector<JsonValue> JsonValue::items() const {
+  if (!value_->is_array()) fail(shown() + " is not a list; write [...]");
+  std::vector<JsonValue> items;
+  for (std::size_t i = 0; i < value_->size(); ++i) {
+    items.push_back({(*value_)[i], file_, where_ + "[" + std::to_string(i) + "]"});
+  }
+  return items;
+}
+
+std::string JsonValue::text() const {
+  if (!value_->is_string()) fail(shown() + " is not text; write \"...\"");
+  if (value_->get_ref<const std::string&>().empty()) fail("is empty; write some text");
+  return value_->get<std::string>();
+}
+
+std::vector<std::string> JsonValue::texts() const {
+  std::vector<std::string> texts;
+  for (const JsonValue& item : items()) {
+    if (std::find(texts.begin(), texts.end(), item.text()) != texts.end()) {
+      item.fail(item.shown() + " stands twice in this list; keep one of them");
+    }
+    texts.push_back(item.text());
+  }
+  return texts;
+}
+
+long JsonValue::whole_number(long lowest, long highest) const {
+  const double number = value_->is_number() ? value_->get<double>() : NAN;
+  if (!(number >= static_cast<double>(lowest) && number <= static_cast<double>(highest)) ||
+      std::floor(number) != number) {
+    fail(shown() + " is not right; give a whole number from " + std::to_string(lowest) + " to " +
+         std::to_string(highest));
+  }
+  return static_cast<long>(number);
+}
+
+std::array<double, 3> JsonValue::three_numbers(double lowest, double highest) const {
+  if (!value_->is_array() || value_->size() != 3)
+    fail(shown() + " is not a list of three numbers, [x, y, z]");
+  const std::vector<JsonValue> parts = items();
+  return {parts[0].number(lowest, highest), parts[1].number(lowest, highest),
+          parts[2].number(lowest, highest)};
+}
+
+bool JsonValue::boolean() const {
+  if (!value_->is_boolean()) fail(shown() + " is not right; write true or false");
+  return value_->get<bool>();
+}
+
+std::size_t JsonValue::word(std::initializer_list<std::string_view> words) const {
+  if (value_->is_string()) {
+    const auto found = std::find(words.begin(), words.end(), value_->get_ref<const std::string&>());
+    if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
+  }
+  fail(shown() + " is not right; write one of: " + listed(words));
+}
+
+std::string JsonValue::only_key(std::initializer_list<std::string_view> choices) const {
+  const std::vector<std::string> found = keys();
+  if (found.size() != 1)
+    fail("has " + std::to_string(found.size()) + " keys; give one of: " + listed(choices));
+  if (std::find(choices.begin(), choices.end(), found[0]) == choices.end())
+    fail("unknown key \"" + printable(found[0]) + "\"; known here: " + listed(choices));
+  return found[0];
+}
+
+double JsonValue::number(double lowest, double highest) const {
+  const double number = value_->is_number() ? value_->get<double>() : lowest;
+  if (!value_->is_number() || !(number >= lowest && number <= highest)) {
+    std::ostringstream range;
+    range.precision(15);
+    range << shown() << " is not right; give a number from " << lowest << " to " << highest;
+    fail(range.str());
+  }
+  return number;
+}
+
+}  // namespace hair

@@ -1,0 +1,192 @@
+#include "hair/io/image/png.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hair/io/files/bad_input.h"
+#include "hair/io/files/write_file.h"
+
+namespace hair {
+namespace {
+
+Image speckled(int width, int height) {
+  Image image{width, height, {}};
+  for (int i = 0; i < 3 * width * height; ++i) {
+    image.pixels.push_back(static_cast<std::uint8_t>(static_cast<unsigned>(i) * 2654435761U >> 24));
+  }
+  return image;
+}
+
+std::string big_endian(std::uint32_t number) {
+  return {static_cast<char>(number >> 24), static_cast<char>(number >> 16), static_cast<char>(number >> 8),
+          static_cast<char>(number)};
+}
+
+// PNG by hand, for kinds that are not written here: a chunk, zlib's data without compression, a file.
+std::string chunk(const std::string& type, const std::string& data) {
+  std::uint32_t c = 0xffffffffU;
+  for (const char byte : type + data) {
+    c ^= static_cast<std::uint8_t>(byte);
+    for (int bit = 0; bit < 8; ++bit) c = (c & 1) != 0 ? 0xedb88320U ^ c >> 1 : c >> 1;
+  }
+  return big_endian(static_cast<std::uint32_t>(data.size())) + type + data + big_endian(~c);
+}
+
+std::string stored(const std::string& raw) {
+  const auto size = static_cast<std::uint16_t>(raw.size());
+  std::uint32_t a = 1, b = 0;
+  for (const char byte : raw) {
+    a = (a + static_cast<std::uint8_t>(byte)) % 65521;
+    b = (b + a) % 65521;
+  }
+  const std::string lengths = {static_cast<char>(size), static_cast<char>(size >> 8),
+                               static_cast<char>(~size), static_cast<char>(~size >> 8)};
+  return std::string("\x78\x01\x01") + lengths + raw + big_endian(b << 16 | a);
+}
+
+struct Header {
+  std::uint32_t width, height;
+  char bits, kind;
+  char interlaced = 0;
+};
+
+std::string png(const Header& header, const std::string& zlib, const std::string& before_data = "") {
+  const std::string fields = big_endian(header.width) + big_endian(header.height) + header.bits +
+                             header.kind + '\0' + '\0' + header.interlaced;
+  return "\x89PNG\r\n\x1a\n" + chunk("IHDR", fields) + before_data + chunk("IDAT", zlib) + chunk("IEND", "");
+}
+
+std::string bytes(const std::vector<int>& numbers) {
+  return {numbers.begin(), numbers.end()};
+}
+
+using Pixels = std::vector<std::uint8_t>;
+
+// What decode_png throws, or nothing.
+std::string refusal(const std::string& file) {
+  try {
+    decode_png(file, "a.png");
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Png, WhatIsWrittenIsReadAgain) {
+  for (const auto& [width, height] : std::vector<std::pair<int, int>>{{1, 1}, {7, 3}, {320, 180}}) {
+    const Image image = speckled(width, height);
+    const std::string file = encode_png(image);
+    EXPECT_TRUE(decode_png(file, "a.png") == image) << width << " x " << height;
+    EXPECT_EQ(encode_png(image), file) << "the same bytes again";
+  }
+}
+
+TEST(Png, KindsThatOthersWrite) {
+  const std::string grey = bytes({0, 10, 200});
+  EXPECT_EQ(decode_png(png({2, 1, 8, 0}, stored(grey)), "").pixels, (Pixels{10, 10, 10, 200, 200, 200}));
+  const std::string one_bit = bytes({0, 0x40});
+  EXPECT_EQ(decode_png(png({2, 1, 1, 0}, stored(one_bit)), "").pixels, (Pixels{0, 0, 0, 255, 255, 255}));
+  const std::string sixteen = bytes({0, 10, 99, 20, 99, 30, 99});
+  EXPECT_EQ(decode_png(png({1, 1, 16, 2}, stored(sixteen)), "").pixels, (Pixels{10, 20, 30}));
+  const std::string palette = chunk("PLTE", bytes({1, 2, 3, 40, 50, 60}));
+  EXPECT_EQ(decode_png(png({2, 1, 8, 3}, stored(bytes({0, 1, 0})), palette), "").pixels,
+            (Pixels{40, 50, 60, 1, 2, 3}));
+}
+
+TEST(Png, WhatIsTransparentIsPutOnBlack) {
+  const std::string half = bytes({0, 200, 100, 50, 128, 9, 9, 9, 0});
+  // 200 * 128 / 255 = 100.4 and so on, rounded.
+  EXPECT_EQ(decode_png(png({2, 1, 8, 6}, stored(half)), "").pixels, (Pixels{100, 50, 25, 0, 0, 0}));
+  EXPECT_EQ(decode_png(png({1, 1, 8, 4}, stored(bytes({0, 200, 128}))), "").pixels, (Pixels{100, 100, 100}));
+}
+
+// Of the seven passes of a 2 x 2 picture the first, the sixth and the last have pixels.
+TEST(Png, InterlacedPicturesAreReadToo) {
+  const std::string passes = bytes({0, 11, 0, 22, 0, 33, 44});
+  EXPECT_EQ(decode_png(png({2, 2, 8, 0, 1}, stored(passes)), "").pixels,
+            (Pixels{11, 11, 11, 22, 22, 22, 33, 33, 33, 44, 44, 44}));
+}
+
+TEST(Png, CutOffAnywhereIsRefused) {
+  const std::string file = encode_png(speckled(9, 5));
+  for (std::size_t length = 0; length < file.size(); ++length) {
+    EXPECT_NE(refusal(file.substr(0, length)), "") << length << " of " << file.size() << " bytes";
+  }
+  EXPECT_EQ(refusal(file), "");
+}
+
+// A byte that changed is found by a checksum, or is in one.
+TEST(Png, DamagedAnywhereIsRefused) {
+  const std::string file = encode_png(speckled(9, 5));
+  for (std::size_t i = 0; i < file.size(); ++i) {
+    std::string damaged = file;
+    damaged[i] = static_cast<char>(damaged[i] ^ 0x10);
+    EXPECT_NE(refusal(damaged), "") << "byte " << i;
+  }
+}
+
+TEST(Png, AHeaderThatLiesIsRefusedBeforeItsMemoryIsTaken) {
+  const std::string some = stored(bytes({0, 1, 2, 3}));
+  for (const Header& header :
+       {Header{0, 1, 8, 2}, Header{1, 0, 8, 2}, Header{16385, 1, 8, 2}, Header{1, 0xffffffffU, 8, 2},
+        Header{16384, 16384, 8, 2}, Header{1, 1, 8, 5}, Header{1, 1, 8, 7}, Header{1, 1, 77, 2},
+        Header{1, 1, 0, 2}, Header{1, 1, 5, 2}}) {
+    const std::string why = refusal(png(header, some));
+    EXPECT_EQ(why.find("a.png: "), 0U) << header.width << " x " << header.height << ": " << why;
+    EXPECT_EQ(why.find('\n'), std::string::npos);
+  }
+  EXPECT_NE(refusal(png({16384, 16384, 8, 2}, some)).find("64 million"), std::string::npos);
+  EXPECT_NE(refusal(png({4000, 4000, 8, 2}, some)), "") << "too few data for its size";
+}
+
+// Data that inflate to more than the header says are refused, however much more it would be.
+TEST(Png, DataThatAreTooManyAreRefused) {
+  const std::string many = stored(std::string(5000, '\0'));
+  EXPECT_NE(refusal(png({2, 1, 8, 0}, many)).find("more than its header says"), std::string::npos);
+}
+
+TEST(Png, WhatIsNoPngIsRefusedWithItsName) {
+  for (const std::string& file :
+       {std::string(), std::string("GIF89a"), std::string("\x89PNG\r\n\x1a\n"),
+        "\x89PNG\r\n\x1a\n" + chunk("IEND", ""), "\x89PNG\r\n\x1a\n" + chunk("IDAT", ""),
+        png({1, 1, 8, 3}, stored(bytes({0, 0})))}) {
+    EXPECT_EQ(refusal(file).find("a.png: "), 0U);
+  }
+  const std::string file = encode_png(speckled(2, 2));
+  EXPECT_NE(refusal(file.substr(0, 33) + file.substr(8)), "") << "two headers";
+  EXPECT_NE(refusal(file.substr(0, 33) + chunk("IEND", "")), "") << "no data";
+}
+
+TEST(Png, FilesThatCantBeReadOrWrittenAreNamed) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("hair-png-test-" + std::to_string(getpid()));
+  const auto fails = [](const std::filesystem::path& file) {
+    try {
+      read_png(file);
+      return false;
+    } catch (const BadInput& error) {
+      return std::string(error.what()).find(file.string()) == 0;
+    }
+  };
+  write_png(folder / "a.png", speckled(4, 4));
+  EXPECT_TRUE(read_png(folder / "a.png") == speckled(4, 4));
+  EXPECT_TRUE(fails(folder / "none.png"));
+  EXPECT_TRUE(fails(folder));
+  EXPECT_THROW(write_png(folder / "a.png" / "b.png", speckled(4, 4)), BadInput);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(Png, APictureWhoseSizeIsWrongIsNotWritten) {
+  EXPECT_THROW(encode_png({2, 2, Pixels(11)}), std::invalid_argument);
+  EXPECT_THROW(encode_png({}), std::invalid_argument);
+  EXPECT_THROW(encode_png({-1, -1, Pixels(3)}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace hair

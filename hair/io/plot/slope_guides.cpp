@@ -1,0 +1,121 @@
+#include "hair/io/plot/slope_guides.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hair/io/plot/lettering.h"
+
+namespace hair::plot {
+
+namespace {
+
+constexpr double kLongest = 130, kShortest = 20;  // pixels
+constexpr double kComfortable = 26;               // pixels to what else is drawn: more is no better
+constexpr int kColumns = 28, kRows = 22;          // of places that are tried
+
+Spot between(const Spot& a, const Spot& b, double part) {
+  return {a.x + part * (b.x - a.x), a.y + part * (b.y - a.y)};
+}
+
+// What a guide covers: its line, and its label.
+std::vector<Spot> spots_of(const PlacedGuide& guide, double label_width) {
+  constexpr int kPieces = 10;
+  std::vector<Spot> spots;
+  for (int i = 0; i <= kPieces; ++i) spots.push_back(between(guide.from, guide.to, i / double{kPieces}));
+  for (int i = 0; i <= 4; ++i)
+    spots.push_back({guide.label.x + label_width * i / 4, guide.label.y - kSmall / 2});
+  return spots;
+}
+
+// How far it is from anywhere in a box to the nearest spot that is taken, to about half a cell.
+class Clearance {
+ public:
+  explicit Clearance(const Box& box)
+      : box_(box),
+        columns_(1 + static_cast<int>(box.width / kCell)),
+        rows_(1 + static_cast<int>(box.height / kCell)),
+        squared_(static_cast<std::size_t>(columns_) * rows_, kFar * kFar) {}
+
+  void take(const std::vector<Spot>& spots) {
+    for (int row = 0; row < rows_; ++row)
+      for (int column = 0; column < columns_; ++column) {
+        double& least = squared_[static_cast<std::size_t>(row) * columns_ + column];
+        const double x = box_.left + (column + 0.5) * kCell, y = box_.top + (row + 0.5) * kCell;
+        for (const Spot& spot : spots)
+          least = std::min(least, (spot.x - x) * (spot.x - x) + (spot.y - y) * (spot.y - y));
+      }
+  }
+
+  double at(const Spot& spot) const {
+    const int column = std::clamp(static_cast<int>((spot.x - box_.left) / kCell), 0, columns_ - 1);
+    const int row = std::clamp(static_cast<int>((spot.y - box_.top) / kCell), 0, rows_ - 1);
+    return std::sqrt(squared_[static_cast<std::size_t>(row) * columns_ + column]);
+  }
+
+ private:
+  static constexpr double kCell = 8, kFar = 1e4;  // pixels
+
+  Box box_;
+  int columns_, rows_;
+  std::vector<double> squared_;
+};
+
+double clearance_of(const std::vector<Spot>& spots, const Clearance& clearance) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Spot& spot : spots) least = std::min(least, clearance.at(spot));
+  return least;
+}
+
+// Beyond what is comfortable, nearer is better.
+double quality(double distance) {
+  return distance < kComfortable ? distance : kComfortable + kComfortable / distance;
+}
+
+PlacedGuide place(const SlopeGuide& guide, const Box& box, const Scale& x, const Scale& y,
+                  const Clearance& clearance) {
+  const double across = box.width / (x.place(x.high()) - x.place(x.low()));  // pixels a decade
+  const double up = box.height / (y.place(y.high()) - y.place(y.low()));
+  const double norm = std::hypot(across, guide.slope * up);
+  const double label_width = text_width(guide.name, kSmall), margin = 8;
+  const double length = std::max(kShortest, std::min(kLongest, 0.4 * std::min(box.width, box.height)));
+  const Spot along = {length * across / norm, -length * guide.slope * up / norm};
+
+  PlacedGuide best = {};
+  double best_quality = -1;
+  for (int i = 0; i < kColumns; ++i)
+    for (int j = 0; j < kRows; ++j) {
+      // A label to the right of a line that rises stands at its upper end, of one that falls at its lower
+      // end.
+      const double free_width = box.width - 3 * margin - along.x - label_width;
+      const double free_height = box.height - 2 * margin - kSmall - std::abs(along.y);
+      PlacedGuide one;
+      one.from.x = box.left + margin + std::max(0.0, free_width) * i / (kColumns - 1);
+      one.from.y = box.top + margin + kSmall / 2 + std::max(0.0, free_height) * j / (kRows - 1) +
+                   std::max(0.0, -along.y);
+      one.to = {one.from.x + along.x, one.from.y + along.y};
+      one.label = {one.to.x + margin, one.to.y + kSmall / 3};
+      const double q = quality(clearance_of(spots_of(one, label_width), clearance));
+      if (q > best_quality) {
+        best_quality = q;
+        best = one;
+      }
+    }
+  return best;
+}
+
+}  // namespace
+
+std::vector<PlacedGuide> place_guides(const std::vector<SlopeGuide>& guides, const Box& box, const Scale& x,
+                                      const Scale& y, const std::vector<Spot>& taken) {
+  std::vector<PlacedGuide> placed;
+  Clearance clearance(box);
+  clearance.take(taken);
+  for (const SlopeGuide& guide : guides) {
+    placed.push_back(place(guide, box, x, y, clearance));
+    clearance.take(spots_of(placed.back(), text_width(guide.name, kSmall)));
+  }
+  return placed;
+}
+
+}  // namespace hair::plot

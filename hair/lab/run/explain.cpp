@@ -1,0 +1,166 @@
+#include "hair/lab/run/explain.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <sstream>
+
+#include "hair/lab/run/film.h"
+#include "hair/lab/run/run_record.h"
+
+namespace hair {
+
+namespace {
+
+std::string counted(std::size_t count, const std::string& one) {
+  return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
+}
+
+std::string shown(const Vector3d& vector) {
+  std::ostringstream text;
+  text << "(" << vector.x() << ", " << vector.y() << ", " << vector.z() << ")";
+  return text.str();
+}
+
+template <class Number>
+std::string shown(Number number) {
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
+class Parts {
+ public:
+  void add(const std::string& name, bool used, const std::string& as, const std::string& why_not) {
+    parts_.push_back({name, used, used ? as : why_not});
+  }
+  std::vector<Part> take() { return std::move(parts_); }
+
+ private:
+  std::vector<Part> parts_;
+};
+
+std::size_t count_strands(const Scene& scene, const std::function<bool(const StrandStart&)>& holds) {
+  return static_cast<std::size_t>(std::count_if(scene.hair.strands.begin(), scene.hair.strands.end(), holds));
+}
+
+std::size_t count_toys(const Scene& scene, const std::function<bool(const Toy&)>& holds) {
+  return static_cast<std::size_t>(std::count_if(scene.toys.begin(), scene.toys.end(), holds));
+}
+
+bool is_curved(const StrandStart& start) {
+  return start.rest_curvature.size() > 0;
+}
+
+void explain_hair(const Scene& scene, Parts& parts) {
+  const Description& hair = scene.hair;
+  const bool any = !hair.strands.empty();
+  const std::string none = "the scene has no hair";
+  const auto of = [](std::size_t count) { return "of " + counted(count, "strand"); };
+  const auto why_not = [&](const std::string& why) { return any ? why : none; };
+
+  std::size_t particles = 0;
+  for (const StrandStart& start : hair.strands) particles += static_cast<std::size_t>(start.strand.count());
+  parts.add("hair", any, counted(hair.strands.size(), "strand") + ", " + counted(particles, "particle"),
+            none);
+  parts.add("method", any, std::string(method_name(hair.method)) + ", a step of " + shown(hair.step) + " s",
+            none);
+
+  const auto stretched =
+      count_strands(scene, [](const StrandStart& start) { return start.strand.stretch_rigidity > 0; });
+  parts.add("stretching", stretched > 0, "H1, springs along the segments " + of(stretched),
+            why_not("no strand resists it: EA is 0"));
+  const auto bent = count_strands(
+      scene, [](const StrandStart& start) { return start.strand.bend_rigidity > 0 && !is_curved(start); });
+  const auto curved = count_strands(
+      scene, [](const StrandStart& start) { return start.strand.bend_rigidity > 0 && is_curved(start); });
+  parts.add("bending", bent > 0, "H2, angular springs at the joints " + of(bent),
+            why_not(curved > 0 ? "rest curvature takes its place" : "no strand resists it: EI is 0"));
+  parts.add("rest curvature", curved > 0, "given, at the joints " + of(curved),
+            why_not(count_strands(scene, is_curved) > 0 ? "no curved strand resists bending: EI is 0"
+                                                        : "every strand is straight at rest"));
+  const auto skipping =
+      count_strands(scene, [](const StrandStart& start) { return start.strand.skip_rigidity > 0; });
+  parts.add("springs that skip", skipping > 0, "H3, springs that skip a particle, " + of(skipping),
+            why_not("no strand has them"));
+  parts.add("collisions", any && !hair.obstacles.empty(), counted(hair.obstacles.size(), "obstacle"),
+            why_not("the scene has no obstacles, and so no collision stage"));
+  parts.add("key frames", !scene.riders.empty(), counted(scene.riders.size(), "motion"),
+            "roots and obstacles stay where they are");
+}
+
+void explain_toys(const Scene& scene, Parts& parts) {
+  const std::string none = "the scene has no toy";
+  const bool any = !scene.toys.empty();
+  std::size_t particles = 0, springs = 0;
+  for (const Toy& toy : scene.toys) {
+    particles += static_cast<std::size_t>(toy.particles.count());
+    springs += toy.springs.size();
+  }
+  parts.add("toys", any, counted(scene.toys.size(), "toy") + ", " + counted(particles, "particle"), none);
+  parts.add("toys' springs", springs > 0, counted(springs, "spring"), any ? "no toy has any" : none);
+  const auto held = count_toys(scene, [](const Toy& toy) { return toy.constraints.rows() > 0; });
+  parts.add("constraints", held > 0, "P2, rods and wires of " + counted(held, "toy"),
+            any ? "no toy has rods or wires" : none);
+}
+
+// What acts on hair and toys alike.
+void explain_surroundings(const Scene& scene, Parts& parts) {
+  const Description& hair = scene.hair;
+  const bool any = !hair.strands.empty();
+  const Vector3d none = Vector3d::Zero();
+  const bool gravity = (any && hair.gravity != none) ||
+                       count_toys(scene, [&](const Toy& toy) { return toy.gravity != none; }) > 0;
+  parts.add("gravity", gravity, shown(hair.gravity) + " m/s^2", "it is 0");
+  const bool drag =
+      (any && hair.drag > 0) || count_toys(scene, [](const Toy& toy) { return toy.drag > 0; }) > 0;
+  parts.add("drag", drag, "the air's", "it is 0");
+  parts.add("wind", drag && hair.wind != none, shown(hair.wind) + " m/s",
+            hair.wind == none ? "the air is at rest" : "without drag it moves nothing");
+}
+
+void explain_exercises(const Scene& scene, Parts& parts) {
+  const std::vector<std::string> used = exercises_of(scene);
+  std::istringstream files(HAIR_EXERCISE_FILES);
+  for (std::string id, file; files >> id >> file;)
+    parts.add("exercise " + id, std::find(used.begin(), used.end(), id) != used.end(), "student/" + file,
+              "nothing in this scene calls it");
+}
+
+void explain_pictures(const Scene& scene, bool render, Parts& parts) {
+  const bool used = scene.look && render;
+  const std::string none = scene.look ? "--no-render" : "the scene has no \"render\"";
+  const Look look = scene.look.value_or(Look{});
+  parts.add("pictures", used, std::to_string(look.image_width) + " x " + std::to_string(look.image_height),
+            none);
+  parts.add("shadows", used && look.shadows, "of hair on hair and on what it falls on",
+            used ? "\"shadows\" is false" : none);
+  parts.add("OpenGL", used, "loaded when the first picture is drawn", none + ": no library is loaded");
+  parts.add("film", used && find_ffmpeg(),
+            "by ffmpeg, at " + shown(scene.frames_per_second) + " frames a second",
+            used ? "ffmpeg is not on PATH (package ffmpeg brings it)" : none);
+}
+
+}  // namespace
+
+std::vector<Part> explain(const Scene& scene, bool render) {
+  Parts parts;
+  explain_hair(scene, parts);
+  explain_toys(scene, parts);
+  explain_surroundings(scene, parts);
+  explain_exercises(scene, parts);
+  explain_pictures(scene, render, parts);
+  return parts.take();
+}
+
+std::string explanation(const std::vector<Part>& parts) {
+  std::size_t widest = 0;
+  for (const Part& part : parts) widest = std::max(widest, part.name.size());
+  std::string text;
+  for (const Part& part : parts)
+    text += "  " + part.name + std::string(widest - part.name.size(), ' ') +
+            (part.used ? "  used      " : "  left out  ") + part.why + "\n";
+  return text;
+}
+
+}  // namespace hair

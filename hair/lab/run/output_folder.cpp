@@ -1,0 +1,154 @@
+#include "hair/lab/run/output_folder.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+
+#include "hair/io/files/bad_input.h"
+#include "hair/io/files/printable.h"
+#include "hair/lab/run/run_record.h"
+
+namespace hair {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::string_view kTemporary = ".hairlab-";
+
+[[noreturn]] void refuse(const fs::path& folder, const std::string& why) {
+  throw BadInput(printable(folder.string(), 4096) + ": " + why);
+}
+
+[[noreturn]] void cannot_make(const fs::path& folder, const std::error_code& error) {
+  refuse(folder,
+         "can't be made (" + error.message() + "); give a folder that can be written, with room in it");
+}
+
+bool is_of(const OutputKind& kind, const std::string& name) {
+  if (name == kind.record) return true;
+  if (std::find(kind.files.begin(), kind.files.end(), name) != kind.files.end()) return true;
+  if (!kind.frames) return false;
+  constexpr std::string_view kFrame = "frame-", kPng = ".png";
+  return name.starts_with(kFrame) && name.ends_with(kPng) && name.size() > kFrame.size() + kPng.size() &&
+         std::all_of(name.begin() + kFrame.size(), name.end() - kPng.size(),
+                     [](char c) { return c >= '0' && c <= '9'; });
+}
+
+bool begins_with(const fs::path& file, std::string_view begin) {
+  std::string first(begin.size(), '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(first.data(), static_cast<std::streamsize>(first.size()));
+  return in && first == begin;
+}
+
+void check_replaceable(const fs::path& folder, const OutputKind& kind) {
+  std::error_code error;
+  const fs::file_status status = fs::status(folder, error);
+  if (!fs::exists(status)) return;
+  if (!fs::is_directory(status)) refuse(folder, "is a file; give a folder");
+  if (fs::equivalent(folder, fs::current_path(error), error))
+    refuse(folder, "is the folder that you are in; give one below it");
+  fs::directory_iterator entries(folder, error);
+  if (error) refuse(folder, "can't be read (" + error.message() + "); give another folder");
+  if (entries == fs::directory_iterator()) return;
+  if (!begins_with(folder / kind.record, kind.begin))
+    refuse(folder, "is not empty, and not from " + std::string(kind.command) +
+                       "; give an empty folder, or one that is not there yet");
+  for (const fs::directory_entry& entry : entries)
+    if (!is_of(kind, entry.path().filename().string()))
+      refuse(folder, "holds " + printable(entry.path().filename().string()) + ", which is not from " +
+                         std::string(kind.command) + "; move it away, or give another folder");
+}
+
+// What runs into this folder left behind that could not clean up: killed, or out of power.
+void remove_remains(const fs::path& folder) {
+  const std::string prefix = kTemporary.data() + folder.filename().string() + "-";
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder.parent_path(), ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(prefix)) continue;
+    int process = 0;
+    const char* end = name.data() + name.size();
+    if (std::from_chars(name.data() + prefix.size(), end, process).ptr != end || process <= 0) continue;
+    if (kill(process, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path(), ignored);
+  }
+}
+
+}  // namespace
+
+const OutputKind& run_output() {
+  static const OutputKind kind{
+      "hairlab run", "run.json", kRunRecordBegin, {"film.mp4", "states.bin", "states.csv"}, true};
+  return kind;
+}
+
+OutputFolder::OutputFolder(const fs::path& folder, const OutputKind& kind) : kind_(kind) {
+  if (folder.empty()) refuse("--out", "is empty; give the path of a folder");
+  std::error_code error;
+  folder_ = fs::weakly_canonical(fs::absolute(folder, error), error);
+  if (error) cannot_make(folder, error);
+  if (!folder_.has_filename()) folder_ = folder_.parent_path();
+  if (folder_ == folder_.root_path()) refuse(folder, "is the root of all files; give a folder of its own");
+  check_replaceable(folder_, kind_);
+
+  for (fs::path above = folder_.parent_path(); !fs::exists(above, error); above = above.parent_path())
+    above_.push_back(above);
+  fs::create_directories(folder_.parent_path(), error);
+  if (!error) remove_remains(folder_);
+  const fs::path temporary = folder_.parent_path() / (kTemporary.data() + folder_.filename().string() + "-" +
+                                                      std::to_string(getpid()));
+  if (!error) fs::create_directory(temporary, error);
+  if (error) {
+    clean_up();
+    cannot_make(folder_, error);
+  }
+  temporary_ = temporary;
+}
+
+OutputFolder::~OutputFolder() {
+  clean_up();
+}
+
+void OutputFolder::clean_up() const {
+  std::error_code ignored;
+  if (!temporary_.empty()) fs::remove_all(temporary_, ignored);
+  for (const fs::path& above : above_) rmdir(above.c_str());  // no more than an empty folder
+}
+
+fs::path OutputFolder::earlier_record() const {
+  std::error_code ignored;
+  if (!fs::exists(then(std::string(kind_.record)), ignored))
+    refuse(folder_, "there is no earlier study; leave out --resume");
+  return then(std::string(kind_.record));
+}
+
+void OutputFolder::keep() {
+  check_replaceable(folder_, kind_);  // it may have changed meanwhile
+  std::error_code error;
+  const fs::path before = temporary_.string() + "-before";
+  const bool replaces = fs::exists(folder_, error);
+  if (replaces) fs::rename(folder_, before, error);
+  if (error) cannot_make(folder_, error);
+  fs::rename(temporary_, folder_, error);
+  if (error) {
+    std::error_code ignored;
+    if (replaces) fs::rename(before, folder_, ignored);
+    cannot_make(folder_, error);
+  }
+  temporary_.clear();
+  if (replaces) fs::remove_all(before, error);
+}
+
+std::string frame_name(int frame) {
+  const std::string digits = std::to_string(frame);
+  return "frame-" + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits + ".png";
+}
+
+}  // namespace hair

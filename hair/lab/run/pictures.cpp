@@ -1,0 +1,13 @@
+#include "hair/lab/run/pictures.h"
+
+namespace hair {
+
+Pictures::Pictures(const Scene& scene) : drawing_(scene), renderer_(drawing_.settings()) {
+  renderer_.measure(true);
+}
+
+Image Pictures::draw(const particles::State& state, const std::vector<Obstacle>& obstacles) {
+  return renderer_.draw(drawing_.at(state, obstacles), drawing_.camera());
+}
+
+}  // namespace hair

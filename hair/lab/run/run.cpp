@@ -1,0 +1,156 @@
+#include "hair/lab/run/run.h"
+
+#include <stdexcept>
+
+#include "hair/io/files/bad_input.h"
+#include "hair/io/image/png.h"
+#include "hair/lab/run/film.h"
+#include "hair/lab/run/output_file.h"
+#include "hair/lab/run/output_folder.h"
+#include "hair/lab/run/pictures.h"
+#include "hair/lab/run/states_csv.h"
+#include "hair/lab/run/states_file.h"
+#include "hair/lab/run/stopwatch.h"
+#include "hair/scene/playback.h"
+
+namespace hair {
+
+namespace {
+
+std::unique_ptr<Playback> assemble(const Scene& scene) {
+  try {
+    return std::make_unique<Playback>(scene);
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(scene.name + ": " + error.what());
+  }
+}
+
+// Pictures if they are asked for and this machine can draw; else why there are none.
+std::unique_ptr<Pictures> prepare_pictures(const Scene& scene, const RunSettings& settings, RunRecord& record,
+                                           std::ostream& notes) {
+  if (!scene.look) {
+    record.no_pictures = "the scene has no \"render\"";
+  } else if (!settings.render) {
+    record.no_pictures = "--no-render";
+  } else {
+    try {
+      auto pictures = std::make_unique<Pictures>(scene);
+      record.opengl = pictures->about();
+      return pictures;
+    } catch (const NoOpenGl& error) {
+      record.no_pictures = error.what();
+      notes << "no pictures: " << error.what() << "\n";
+    }
+  }
+  record.no_film = "there are no pictures";
+  return {};
+}
+
+void write_whole(const OutputFolder& folder, const std::string& name, std::string_view bytes) {
+  OutputFile file(folder.now(name), folder.then(name));
+  file.write(bytes);
+  file.close();
+}
+
+// Where frames go.
+class FrameWriter {
+ public:
+  FrameWriter(const OutputFolder& folder, const Playback& playback, Pictures* pictures, RunRecord& record)
+      : folder_(folder),
+        playback_(playback),
+        pictures_(pictures),
+        record_(record),
+        binary_(folder.now("states.bin"), folder.then("states.bin"), record.strands, record.particles),
+        csv_(folder.now("states.csv"), folder.then("states.csv"), record.strands) {}
+
+  // Where the playback is now.
+  void add() {
+    Seconds& seconds = record_.seconds;
+    const particles::State state = playback_.state();
+    const int frame = static_cast<int>(record_.frames.size());
+    {
+      const Stopwatch watch(seconds.measure);
+      record_.frames.push_back({playback_.time(), playback_.measure(state), playback_.work()});
+    }
+    {
+      const Stopwatch watch(seconds.write);
+      binary_.add(playback_.time(), state);
+      csv_.add(playback_.time(), state);
+    }
+    if (!pictures_) return;
+    const Image image = pictures_->draw(state, playback_.obstacles());
+    const Stopwatch watch(seconds.png);
+    write_whole(folder_, frame_name(frame), encode_png(image));
+  }
+
+  void close() {
+    const Stopwatch watch(record_.seconds.write);
+    binary_.close();
+    csv_.close();
+  }
+
+ private:
+  const OutputFolder& folder_;
+  const Playback& playback_;
+  Pictures* pictures_;
+  RunRecord& record_;
+  StatesWriter binary_;
+  CsvWriter csv_;
+};
+
+void play(Playback& playback, FrameWriter& frames, RunRecord& record, const std::atomic<bool>& interrupted,
+          std::ostream* progress) {
+  frames.add();
+  for (int k = 1; k <= record.frames_asked; ++k) {
+    if (interrupted) {
+      record.ending = Ending::interrupted;
+      return;
+    }
+    if (progress) *progress << "\rframe " << k << " of " << record.frames_asked << std::flush;
+    std::optional<std::string> trouble;
+    {
+      const Stopwatch watch(record.seconds.simulate);
+      trouble = playback.advance();
+    }
+    if (trouble) {
+      record.ending = Ending::blow_up;
+      record.blow_up = *trouble;
+      return;
+    }
+    frames.add();
+  }
+}
+
+}  // namespace
+
+RunResult run_scene(const Scene& scene, const RunSettings& settings, const std::atomic<bool>& interrupted,
+                    std::ostream& notes, std::ostream* progress) {
+  OutputFolder folder(settings.out);
+  RunRecord record;
+  record.frames_asked = settings.frames.value_or(scene.frames);
+
+  const auto playback = assemble(scene);
+  record.strands = playback->strands();
+  record.particles = static_cast<int>(playback->state().x.size() / 3);
+  const auto pictures = prepare_pictures(scene, settings, record, notes);
+  FrameWriter frames(folder, *playback, pictures.get(), record);
+  play(*playback, frames, record, interrupted, progress);
+  frames.close();
+  if (pictures) {
+    const RenderTimes& times = pictures->times();
+    record.seconds.upload = times.upload;
+    record.seconds.shadow = times.shadow;
+    record.seconds.draw = times.draw;
+    record.seconds.read_back = times.read_back;
+    if (progress) *progress << "\rfilm                       " << std::flush;
+    const Stopwatch watch(record.seconds.film);
+    record.no_film = make_film(folder.now(""), scene.frames_per_second);
+    if (record.no_film) notes << (progress ? "\r" : "") << "no film: " << *record.no_film << "\n";
+  }
+  if (progress) *progress << "\r                           \r" << std::flush;
+  write_whole(folder, "run.json", run_json(scene, record));
+  folder.keep();
+  return {std::move(record), folder.path()};
+}
+
+}  // namespace hair

@@ -1,0 +1,125 @@
+#include "hair/lab/run/run_record.h"
+
+#include <iterator>
+
+#include "hair/io/files/json_text.h"
+
+namespace hair {
+
+namespace {
+
+std::string text_of(const Vector3d& vector) {
+  return json_list({json_text(vector.x()), json_text(vector.y()), json_text(vector.z())});
+}
+
+const char* name_of(Ending ending) {
+  switch (ending) {
+    case Ending::finished:
+      return "finished";
+    case Ending::interrupted:
+      return "interrupted";
+    case Ending::blow_up:
+      return "blow-up";
+  }
+  return "";
+}
+
+std::string text_of(const Work& work) {
+  return json_object({{"strand_steps", json_text(work.strand_steps)},
+                      {"solver_steps", json_text(work.solver_steps)},
+                      {"correction_steps", json_text(work.correction_steps)},
+                      {"unconverged", json_text(work.unconverged)},
+                      {"contacts", json_text(work.contacts)},
+                      {"penetration", json_text(work.penetration)}});
+}
+
+// The work since the frame before.
+std::string text_of(long k, const FrameRecord& frame, const Work& before) {
+  return json_object({{"frame", json_text(k)},
+                      {"time", json_text(frame.time)},
+                      {"kinetic", json_text(frame.measures.kinetic)},
+                      {"potential", json_text(frame.measures.potential)},
+                      {"energy", json_text(frame.measures.energy())},
+                      {"momentum", text_of(frame.measures.momentum)},
+                      {"angular_momentum", text_of(frame.measures.angular_momentum)},
+                      {"stretch", json_text(frame.measures.stretch)},
+                      {"solver_steps", json_text(frame.work.solver_steps - before.solver_steps)},
+                      {"correction_steps", json_text(frame.work.correction_steps - before.correction_steps)},
+                      {"unconverged", json_text(frame.work.unconverged - before.unconverged)},
+                      {"contacts", json_text(frame.work.contacts - before.contacts)}});
+}
+
+std::string text_of(const Seconds& seconds) {
+  return json_object({{"simulate", json_text(seconds.simulate)},
+                      {"measure", json_text(seconds.measure)},
+                      {"write", json_text(seconds.write)},
+                      {"upload", json_text(seconds.upload)},
+                      {"shadow", json_text(seconds.shadow)},
+                      {"draw", json_text(seconds.draw)},
+                      {"read_back", json_text(seconds.read_back)},
+                      {"png", json_text(seconds.png)},
+                      {"film", json_text(seconds.film)}});
+}
+
+std::string text_or_null(const std::string& text) {
+  return text.empty() ? "null" : json_text(text);
+}
+
+}  // namespace
+
+const char* method_name(Method method) {
+  switch (method) {
+    case Method::forward_euler:
+      return "forward_euler";
+    case Method::symplectic_euler:
+      return "symplectic_euler";
+    case Method::midpoint:
+      return "midpoint";
+    case Method::runge_kutta_4:
+      return "runge_kutta_4";
+    case Method::implicit_euler:
+      return "implicit_euler";
+    case Method::predictor_corrector:
+      return "predictor_corrector";
+    case Method::newton_euler:
+      return "newton_euler";
+  }
+  return "";
+}
+
+std::string run_json(const Scene& scene, const RunRecord& record) {
+  const bool hair = !scene.hair.strands.empty();
+  const JsonMember head[] = {
+      {"program", json_text("hairlab")},
+      {"format", json_text(1)},
+      {"scene", json_text(scene.name)},
+      {"shows", json_text(scene.shows)},
+      {"exercises", json_text(exercises_of(scene))},
+      {"ended", json_text(name_of(record.ending))},
+      {"blow_up", text_or_null(record.blow_up)},
+      {"frames_asked", json_text(record.frames_asked + 1)},
+      {"frames_written", json_text(std::ssize(record.frames))},
+      {"frames_per_second", json_text(scene.frames_per_second)},
+      {"steps_per_frame", json_text(scene.steps_per_frame)},
+      {"step", json_text(scene.hair.step)},
+      {"method", hair ? json_text(method_name(scene.hair.method)) : "null"},
+      {"strands", json_text(std::ssize(record.strands))},
+      {"particles", json_text(record.particles)},
+      {"no_pictures", json_text(record.no_pictures)},
+      {"no_film", json_text(record.no_film)},
+      {"opengl", text_or_null(record.opengl)},
+      {"work", text_of(record.frames.empty() ? Work{} : record.frames.back().work)},
+  };
+  std::string text = "{\n";
+  for (const JsonMember& one : head) text += "  " + json_text(one.key) + ": " + one.value + ",\n";
+  text += "  \"frames\": [";
+  Work before;
+  for (std::size_t k = 0; k < record.frames.size(); ++k) {
+    const FrameRecord& frame = record.frames[k];
+    text += (k == 0 ? "\n    " : ",\n    ") + text_of(static_cast<long>(k), frame, before);
+    before = frame.work;
+  }
+  return text + "\n  ],\n  \"seconds\": " + text_of(record.seconds) + "\n}\n";
+}
+
+}  // namespace hair

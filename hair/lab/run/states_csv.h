@@ -1,0 +1,28 @@
+// states.csv: the same numbers as states.bin, a line for each particle of each frame. Toys' particles have no
+// strand. Each number has the digits that tell it from its neighbours, 17 at most, and reads back as it was.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "hair/lab/run/output_file.h"
+#include "particles/state.h"
+
+namespace hair {
+
+inline constexpr std::string_view kCsvHead = "frame,time,strand,particle,x,y,z,vx,vy,vz\n";
+
+class CsvWriter {
+ public:
+  // All throw BadInput if it can't be written.
+  CsvWriter(const std::filesystem::path& file, const std::filesystem::path& shown, std::vector<int> strands);
+  void add(double time, const particles::State& state);
+  void close() { file_.close(); }
+
+ private:
+  OutputFile file_;
+  std::vector<int> strands_;
+  int frame_ = 0;
+};
+
+}  // namespace hair

@@ -1,0 +1,115 @@
+#include "hair/lab/run/states_file.h"
+
+#include <array>
+#include <bit>
+#include <cstring>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+#include "hair/io/files/bad_input.h"
+#include "hair/io/files/printable.h"
+
+namespace hair {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "files are written as memory is");
+
+constexpr std::string_view kMagic = "HAIRRUN1";
+constexpr std::uint64_t kHeader = 24, kFramesAt = 16;  // bytes
+
+std::string_view bytes_of(const std::uint32_t& value) {
+  return {reinterpret_cast<const char*>(&value), sizeof value};
+}
+
+std::string_view bytes_of(const double* values, Eigen::Index count) {
+  return {reinterpret_cast<const char*>(values), sizeof(double) * static_cast<std::size_t>(count)};
+}
+
+std::uint64_t padding(std::uint64_t strands) {
+  return strands % 2 * 4;
+}
+
+}  // namespace
+
+StatesWriter::StatesWriter(const std::filesystem::path& file, const std::filesystem::path& shown,
+                           const std::vector<int>& strands, int particles)
+    : file_(file, shown) {
+  file_.write(kMagic);
+  for (const std::uint32_t number :
+       {static_cast<std::uint32_t>(strands.size()), static_cast<std::uint32_t>(particles), 0U, 0U})
+    file_.write(bytes_of(number));
+  for (const int size : strands) file_.write(bytes_of(static_cast<std::uint32_t>(size)));
+  file_.write(std::string(padding(strands.size()), '\0'));
+}
+
+void StatesWriter::add(double time, const particles::State& state) {
+  file_.write(bytes_of(&time, 1));
+  file_.write(bytes_of(state.x.data(), state.x.size()));
+  file_.write(bytes_of(state.v.data(), state.v.size()));
+  ++frames_;
+}
+
+void StatesWriter::close() {
+  file_.overwrite(kFramesAt, bytes_of(frames_));
+  file_.close();
+}
+
+StatesFile read_states(const std::filesystem::path& file) {
+  const auto fail = [&](const std::string& what) {
+    throw BadInput(printable(file.string(), 4096) + ": " + what +
+                   "; hairlab writes such files as states.bin");
+  };
+  std::error_code error;
+  const std::uint64_t size = std::filesystem::file_size(file, error);
+  std::ifstream in(file, std::ios::binary);
+  if (error || !in) fail("can't be read");
+  const auto read = [&](void* to, std::size_t count) {
+    if (!in.read(static_cast<char*>(to), static_cast<std::streamsize>(count)))
+      fail("can't be read to its end");
+  };
+
+  std::array<char, kMagic.size()> magic{};
+  std::array<std::uint32_t, 4> numbers{};
+  if (size < kHeader) fail("is too short to be a file of states");
+  read(magic.data(), magic.size());
+  read(numbers.data(), sizeof numbers);
+  if (std::string_view(magic.data(), magic.size()) != kMagic) fail("is no file of states");
+  const std::uint64_t strands = numbers[0], particles = numbers[1], frames = numbers[2];
+  // None of these overflows, for each number is below 2^32; and all is compared with the size before anything
+  // of that size is made.
+  const std::uint64_t before = kHeader + 4 * strands + padding(strands), frame = 8 * (1 + 6 * particles);
+  if (particles > (1U << 28) || size < before || (size - before) / frame != frames ||
+      (size - before) % frame != 0)
+    fail("has " + std::to_string(size) + " bytes, which are not those of " + std::to_string(frames) +
+         " frames of " + std::to_string(particles) + " particles in " + std::to_string(strands) + " strands");
+
+  StatesFile states;
+  states.particles = static_cast<int>(particles);
+  std::uint64_t sum = 0;
+  for (std::uint64_t i = 0; i < strands; ++i) {
+    std::uint32_t count = 0;
+    read(&count, sizeof count);
+    sum += count;
+    if (count == 0 || sum > particles)
+      fail("strand " + std::to_string(i) + " has " + std::to_string(count) + " particles, of " +
+           std::to_string(particles) + " in all");
+    states.strands.push_back(static_cast<int>(count));
+  }
+  std::uint32_t zeros = numbers[3];
+  if (zeros == 0) read(&zeros, padding(strands));
+  if (zeros != 0) fail("has something else where zeros belong");
+  const auto numbers_each = static_cast<Eigen::Index>(3 * particles);
+  for (std::uint64_t k = 0; k < frames; ++k) {
+    StateFrame& next = states.frames.emplace_back();
+    next.state = {Eigen::VectorXd(numbers_each), Eigen::VectorXd(numbers_each)};
+    read(&next.time, sizeof next.time);
+    read(next.state.x.data(), sizeof(double) * static_cast<std::size_t>(numbers_each));
+    read(next.state.v.data(), sizeof(double) * static_cast<std::size_t>(numbers_each));
+  }
+  return states;
+}
+
+}  // namespace hair

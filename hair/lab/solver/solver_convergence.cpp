@@ -1,0 +1,178 @@
+#include "hair/lab/solver/solver_convergence.h"
+
+#include <string>
+#include <vector>
+
+#include "hair/io/plot/figure.h"
+#include "hair/lab/solver/solver_series.h"
+#include "hair/lab/solver/solver_tables.h"
+#include "hair/lab/solver/solver_verdicts.h"
+
+namespace hair {
+
+namespace {
+
+using namespace solver::study;
+
+Figure figure_of(const std::string& id, const std::string& title, const std::string& description,
+                 Against against, Measure measure) {
+  return {id,
+          title,
+          description,
+          {against == Against::iterations ? "iterations"
+           : against == Against::products ? "products with A"
+                                          : "CPU time, s"},
+          {measure == Measure::error ? "error in the A-norm, relative to the first guess"
+                                     : "\u2016b \u2212 Ax\u2016\u00B2 / \u2016b\u2016\u00B2"},
+          {},
+          {}};
+}
+
+// What a system is called in a legend.
+using Named = std::string (*)(const History&);
+
+std::string system_name(const History& history) {
+  return history.system;
+}
+
+std::string step_name(const History& history) {
+  return step_of(history.system);
+}
+
+void add_conj_grad(Figure& figure, const std::vector<Compared>& systems, Named named, Against against,
+                   Measure measure) {
+  for (const Compared& on : systems)
+    figure.series.push_back(series_of(on.conj_grad, named(on.conj_grad), against, measure));
+}
+
+// ConjGrad and Eigen's, and the direct way against time, on the first, the middle and the last system: all of
+// them would hide each other, and are in the tables.
+void add_all_solvers(Figure& figure, const std::vector<Compared>& systems, Named named, Against against,
+                     Measure measure) {
+  for (const std::size_t i : {std::size_t{0}, systems.size() / 2, systems.size() - 1}) {
+    const Compared& on = systems[i];
+    for (const History* history : {&on.conj_grad, &on.eigen})
+      figure.series.push_back(
+          series_of(*history, history->solver + ", " + named(*history), against, measure));
+    if (on.direct && against == Against::time)
+      figure.series.push_back(
+          {on.direct->solver + ", " + named(on.conj_grad),
+           {point(on.direct->factor_seconds + on.direct->solve_seconds,
+                  measure == Measure::error ? on.direct->error : on.direct->squared_residual)},
+           false});
+  }
+}
+
+}  // namespace
+
+Section conditions_section(const SolverStudy& study) {
+  Figure error = figure_of("error-against-iterations", "Error of ConjGrad against iterations",
+                           "The larger the condition number, the more iterations; all curves should stay "
+                           "below the theory's bound until rounding ends them. " +
+                               bound_verdict(study.conditions),
+                           Against::iterations, Measure::error);
+  add_conj_grad(error, study.conditions, condition_name, Against::iterations, Measure::error);
+  for (std::size_t i = 0; i < study.conditions.size(); ++i) {
+    const History& history = study.conditions[i].conj_grad;
+    error.series.push_back(bound_of(history, "bound, " + to_text(history.condition), static_cast<int>(i)));
+  }
+  Figure residual =
+      figure_of("squared-residual-against-iterations", "Squared residual against iterations",
+                "Residuals should fall as errors do, but may grow on the way, and be small sooner.",
+                Against::iterations, Measure::squared_residual);
+  add_all_solvers(residual, study.conditions, condition_name, Against::iterations, Measure::squared_residual);
+  Figure time = figure_of("error-against-time", "Error against CPU time",
+                          "The time of so many iterations: as the curves against iterations, if each "
+                          "iteration takes as long as the others.",
+                          Against::time, Measure::error);
+  add_all_solvers(time, study.conditions, condition_name, Against::time, Measure::error);
+  return {
+      "Condition numbers",
+      {"Systems of " + std::to_string(kUnknowns) +
+           " unknowns whose eigenvalues' logarithms are evenly spaced. The dashed curves are the theory's "
+           "bound without rounding, 2 ((\u221Ac \u2212 1) / (\u221Ac + 1))\u1D50 for the condition number "
+           "c: about \u221Ac / 2 iterations for each factor of e. " +
+           bound_verdict(study.conditions),
+       "The residual is what ConjGrad sees and ends by. The error is what one wants. In the A-norm it "
+       "should shrink in each iteration; the residual may grow on the way, and be small long before the "
+       "error is. Where rounding ends it, more iterations make nothing better, and some things worse.",
+       "No banded Cholesky stands beside these, as it does beside the strand below: these matrices are "
+       "full, diagonal ones that were reflected. Only their products are cheap. The band of a full matrix "
+       "is all of it, and to eliminate takes n\u00B3/3 multiplications.",
+       time_verdict(study.conditions)},
+      {to_svg(error), to_svg(residual), to_svg(time)},
+      {table_of("Condition numbers", study.conditions, to_text)}};
+}
+
+Section clusters_section(const SolverStudy& study) {
+  const std::string found = clusters_verdict(study.clusters);
+  Figure error =
+      figure_of("error-for-clusters", "Error of ConjGrad against iterations: clustered eigenvalues",
+                "Without rounding k different eigenvalues take k iterations; with it, more. " + found,
+                Against::iterations, Measure::error);
+  add_conj_grad(error, study.clusters, system_name, Against::iterations, Measure::error);
+  const History& spread = study.clusters.back().conj_grad;
+  error.series.push_back(bound_of(spread, "bound, all of them", static_cast<int>(study.clusters.size()) - 1));
+  Figure residual =
+      figure_of("squared-residual-for-clusters", "Squared residual against iterations: clustered eigenvalues",
+                "Residuals should fall where errors do.", Against::iterations, Measure::squared_residual);
+  add_all_solvers(residual, study.clusters, system_name, Against::iterations, Measure::squared_residual);
+  Figure time = figure_of("error-for-clusters-against-time", "Error against CPU time: clustered eigenvalues",
+                          "The fewer different eigenvalues, the less time.", Against::time, Measure::error);
+  add_all_solvers(time, study.clusters, system_name, Against::time, Measure::error);
+  return {
+      "Clustered eigenvalues",
+      {"The condition number is " + to_text(spread.condition) +
+           " for all of them, and the bound the same. But what counts is how many different eigenvalues "
+           "there are: without rounding, k of them take k iterations. The polynomial that is zero at all of "
+           "them is large between them, though, and makes roundings as much larger: so it takes more "
+           "iterations the more clusters there are. " +
+           found + " (Not each number of iterations is tried.)",
+       "A good preconditioner does not only lower the condition number; it draws eigenvalues together."},
+      {to_svg(error), to_svg(residual), to_svg(time)},
+      {table_of("Clustered eigenvalues", study.clusters, to_text)}};
+}
+
+Section strands_section(const SolverStudy& study) {
+  Figure products = figure_of(
+      "strand-error-against-products", "Error of ConjGrad against products: a strand in steps of time",
+      "The longer the step, the stiffer the system, the more products it should take.", Against::products,
+      Measure::error);
+  add_conj_grad(products, study.strands, step_name, Against::products, Measure::error);
+  Figure residual = figure_of("strand-squared-residual-against-iterations",
+                              "Squared residual against iterations: a strand in steps of time",
+                              "The longer the step, the more the residual may grow before it falls.",
+                              Against::iterations, Measure::squared_residual);
+  add_all_solvers(residual, study.strands, step_name, Against::iterations, Measure::squared_residual);
+  Figure time = figure_of("strand-error-against-time", "Error against CPU time: a strand in steps of time",
+                          "Banded Cholesky is one point for each step: as much work for any of them.",
+                          Against::time, Measure::error);
+  add_all_solvers(time, study.strands, step_name, Against::time, Measure::error);
+
+  std::vector<DirectSolve> direct;
+  for (const Compared& on : study.strands)
+    if (on.direct) direct.push_back(*on.direct);
+  const History& longest = study.strands.back().conj_grad;
+  return {
+      "A strand",
+      {"M + h\u00B2K of a step of implicit Euler of a model of a hair: 30 cm in 30 segments, clamped, with "
+       "springs EA/l along it and EI/l\u00B3 across it between neighbours; " +
+           std::to_string(longest.n) +
+           " unknowns. Its condition number grows with the square of the step h: " +
+           to_text(longest.condition) + " for " + step_of(longest.system) +
+           ". But along and across the strand there are only " + std::to_string(2 * longest.n / 3) +
+           " different eigenvalues in all: without rounding ConjGrad would need no more iterations than "
+           "that.",
+       "The matrix is banded, 3 below the diagonal. So there is a direct way: banded Cholesky, O(n), "
+       "whatever the condition number. " +
+           time_verdict(study.strands),
+       "The model is kind to it. Bending as in H2 reaches two particles far: the band of H1's and H2's "
+       "springs is 8 wide, and the factor takes six times the multiplications. What it needs, too, is the "
+       "matrix: the springs of a lone strand give it, links between strands and collisions spoil its band. "
+       "ConjGrad needs nothing but products."},
+      {to_svg(products), to_svg(residual), to_svg(time)},
+      {table_of("ConjGrad and Eigen's ConjugateGradient on a strand", study.strands, to_text),
+       table_of(direct, to_text)}};
+}
+
+}  // namespace hair

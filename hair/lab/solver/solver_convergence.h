@@ -1,0 +1,13 @@
+// The sections of the solver's page that show how conjugate gradients get on, a family of systems each.
+#pragma once
+
+#include "hair/io/plot/page.h"
+#include "solver/study/solver_study.h"
+
+namespace hair {
+
+Section conditions_section(const solver::study::SolverStudy& study);
+Section clusters_section(const solver::study::SolverStudy& study);
+Section strands_section(const solver::study::SolverStudy& study);
+
+}  // namespace hair

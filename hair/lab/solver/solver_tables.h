@@ -1,0 +1,28 @@
+// The solver's study as tables: for the CSV with all digits, for the page to be read.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hair/io/plot/page.h"
+#include "solver/study/solver_study.h"
+
+namespace hair {
+
+// How a number is written: to_text or to_exact_text.
+using Written = std::string (*)(double);
+
+Table table_of(const std::string& caption, const std::vector<solver::study::Compared>& systems,
+               Written written);
+Table table_of(const std::vector<solver::study::DirectSolve>& direct, Written written);
+Table table_of(const std::vector<solver::study::IterationsNeeded>& needed, Written written);
+Table table_of(const std::vector<solver::study::DigitsLost>& digits, Written written);
+Table table_of(const std::vector<solver::study::ProductCost>& products, Written written);
+
+struct NamedTable {
+  std::string file;  // "convergence.csv"
+  Table table;
+};
+std::vector<NamedTable> solver_tables(const solver::study::SolverStudy& study);
+
+}  // namespace hair

@@ -1,0 +1,226 @@
+#include "hair/lab/stability/maps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "hair/io/cpu_time.h"
+#include "hair/lab/stability/theory.h"
+
+namespace hair {
+
+namespace {
+
+constexpr double kSofter = 1e-2, kStiffer = 1e2;  // of the scene's stiffness
+
+std::vector<double> logarithmic(double low, double high, int count) {
+  std::vector<double> values(count);
+  for (int i = 0; i < count; ++i) values[i] = low * std::pow(high / low, (i + 0.5) / count);
+  return values;
+}
+
+long steps_of(const StudyMethod& method, const MapSettings& settings) {
+  switch (method.method) {
+    case Method::forward_euler:
+    case Method::symplectic_euler:
+      return settings.evaluations;
+    case Method::midpoint:
+      return settings.evaluations / 2;
+    case Method::runge_kutta_4:
+      return settings.evaluations / 4;
+    default:
+      return settings.implicit_steps;
+  }
+}
+
+bool keeps_lengths(const StudyMethod& method) {
+  return method.method == Method::predictor_corrector;
+}
+
+// The frequency that a map's axes count from: of explicit methods the fastest of all, of implicit ones the fastest that
+// tension alone would have.
+double reference_frequency(const Description& hair, const StudyMethod& method) {
+  const Hanging hanging = hang(hair, 1, false);
+  if (method.is_explicit) return hanging.fastest();
+  const Products products = products_of(hair, hanging, GeometricTerm::dropped, BendProduct::exact);
+  const double mu = implicit_limit(hanging.mass, hanging.across_modes.stiffness - products.across,
+                                   Eigen::MatrixXd::Zero(hanging.mass.size(), hanging.mass.size()), 0);
+  return std::isfinite(mu) ? 2 / mu : hanging.across_modes.omega.maxCoeff();
+}
+
+const char* limit_name(const StudyMethod& method) {
+  switch (method.method) {
+    case Method::forward_euler:
+      return "theory: the least of 2 zeta/omega and 2/|lambda|";
+    case Method::symplectic_euler:
+      return "theory: 2 (sqrt(1 + zeta^2) - zeta)/omega";
+    case Method::midpoint:
+      return "theory: |1 + z + z^2/2| = 1";
+    case Method::runge_kutta_4:
+      return "theory: RK4's |R(h lambda)| = 1";
+    case Method::implicit_euler:
+      return "theory: what its matrix leaves out";
+    case Method::predictor_corrector:
+      return "theory: across the hair";
+    default:
+      return "theory";
+  }
+}
+
+// One column's hair.
+struct Station {
+  Hanging hanging;
+  Disturbance disturbance;
+  double drag = 0;
+};
+
+Station make_station(const Description& hair, const StudyMethod& method, Swept sweep, double x) {
+  Station station;
+  station.hanging = hang(hair, sweep == Swept::stiffness ? x : 1, keeps_lengths(method));
+  station.disturbance = disturb(station.hanging);
+  station.drag = sweep == Swept::drag ? x : hair.drag;
+  return station;
+}
+
+// The largest step with which nothing grows by more than `growth` in a step.
+double theory_of(const Description& hair, const StudyMethod& method, const Station& station,
+                 const std::vector<double>& hs, double growth) {
+  const Hanging& hanging = station.hanging;
+  const Modes &along = hanging.along_modes, &across = hanging.across_modes;
+  const double gamma = hanging.drag_per_mass * station.drag;
+  if (method.is_explicit) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Modes* modes : {&along, &across})
+      for (const double omega : modes->omega)
+        least = std::min(least, explicit_limit(method.method, {omega, gamma}, growth));
+    return least;
+  }
+  const Products products = products_of(hair, hanging, method.geometric_term, method.bend_product);
+  if (keeps_lengths(method))
+    return predictor_corrector_limit(hanging.mass, across.stiffness, products.across, gamma, hs.back() * 4,
+                                     growth);
+  return std::min(implicit_limit(hanging.mass, along.stiffness, products.along, gamma, growth),
+                  implicit_limit(hanging.mass, across.stiffness, products.across, gamma, growth));
+}
+
+std::vector<Limit> limits_of(const Description& hair, const StudyMethod& method,
+                             const std::vector<Station>& stations, const std::vector<double>& hs,
+                             long steps) {
+  Limit limit{limit_name(method), {}, false};
+  Limit shown{"theory: what " + std::to_string(steps) + " steps show", {}, true};
+  const double growth = std::pow(kWrongGrowth, 0.5 / static_cast<double>(steps));
+  bool differs = false;
+  for (const Station& station : stations) {
+    const double h = theory_of(hair, method, station, hs, 1),
+                 later = theory_of(hair, method, station, hs, growth);
+    limit.h.push_back(h);
+    shown.h.push_back(later);
+    // By half a cell, somewhere on the map.
+    differs = differs || (h < hs.back() && later * later * hs[0] > h * h * hs[1]);
+  }
+  if (!differs) return {limit};
+  return {limit, shown};
+}
+
+}  // namespace
+
+Description with_options(Description hair, const StudyMethod& method) {
+  hair.method = method.method;
+  hair.geometric_term = method.geometric_term;
+  hair.bend_product = method.bend_product;
+  return hair;
+}
+
+std::vector<double> boundary_of(const RefinedGrid& grid, const std::vector<double>& hs) {
+  const std::size_t rows = hs.size(), columns = grid.cells.size() / rows;
+  std::vector<double> boundary(columns, std::numeric_limits<double>::infinity());
+  for (std::size_t column = 0; column < columns; ++column)
+    for (std::size_t row = 0; row < rows; ++row)
+      if (grid.cells[row * columns + column] >= static_cast<int>(Fate::wrong)) {
+        boundary[column] = row == 0 ? 0 : std::sqrt(hs[row - 1] * hs[row]);
+        break;
+      }
+  return boundary;
+}
+
+Distance distance_of(const std::vector<double>& boundary, const std::vector<double>& limit,
+                     const std::vector<double>& hs) {
+  const double cell = std::log(hs[1] / hs[0]);
+  const double lowest = std::sqrt(hs[0] * hs[0] * hs[0] / hs[1]);  // the lower edge, by half a cell
+  const auto on_map = [&](double h) { return std::clamp(h, hs.front(), hs.back()); };
+  Distance distance;
+  std::vector<double> distances;
+  for (std::size_t i = 0; i < boundary.size(); ++i) {
+    if (boundary[i] > 0 && std::isfinite(boundary[i]) && limit[i] > lowest && limit[i] < hs.back()) {
+      distances.push_back(std::log(boundary[i] / limit[i]) / cell);
+      continue;
+    }
+    const double at_least = std::log(on_map(boundary[i]) / on_map(limit[i])) / cell;
+    if (std::abs(at_least) <= 1) continue;
+    ++distance.columns_beyond;
+    if (std::abs(at_least) > std::abs(distance.beyond_cells)) distance.beyond_cells = at_least;
+  }
+  distance.columns = static_cast<int>(distances.size());
+  if (distances.empty()) return distance;
+  distance.worst_cells = *std::max_element(distances.begin(), distances.end(),
+                                           [](double a, double b) { return std::abs(a) < std::abs(b); });
+  std::nth_element(distances.begin(), distances.begin() + distances.size() / 2, distances.end());
+  distance.median_cells = distances[distances.size() / 2];
+  distance.median_relative = std::expm1(distance.median_cells * cell);
+  return distance;
+}
+
+bool alike_when_hanging(const Description& hair, const StudyMethod& a, const StudyMethod& b) {
+  if (a.method != b.method || a.is_explicit) return false;
+  for (const double stiffness : {kSofter, 1.0, kStiffer}) {
+    const Hanging hanging = hang(with_options(hair, a), stiffness, false);
+    const Products first = products_of(with_options(hair, a), hanging, a.geometric_term, a.bend_product);
+    const Products second = products_of(with_options(hair, b), hanging, b.geometric_term, b.bend_product);
+    const auto differ = [](const Eigen::MatrixXd& p, const Eigen::MatrixXd& q) {
+      return (p - q).norm() > 1e-9 * p.norm();
+    };
+    if (differ(first.along, second.along) || differ(first.across, second.across)) return false;
+  }
+  return true;
+}
+
+StabilityMap make_map(const Description& hair, const StudyMethod& method, Swept sweep,
+                      const MapSettings& settings, const std::atomic<bool>& interrupted,
+                      const Progress& progress) {
+  const double start = cpu_seconds();
+  const Description description = with_options(hair, method);
+  const double omega = reference_frequency(description, method);
+  StabilityMap map;
+  map.method = method;
+  map.sweep = sweep;
+  map.steps = steps_of(method, settings);
+  map.hs = method.is_explicit ? logarithmic(3e-3 / omega, 60 / omega, settings.rows)
+                              : logarithmic(0.04 / omega, 40 / omega, settings.rows);
+  if (sweep == Swept::stiffness) {
+    map.xs = logarithmic(kSofter, kStiffer, settings.columns);
+  } else {
+    const double critical = 2 * omega / hang(description, 1, false).drag_per_mass;  // zeta = 1
+    map.xs = logarithmic(1e-2 * critical, 10 * critical, settings.columns);
+  }
+  std::vector<Station> stations;
+  for (const double x : map.xs) stations.push_back(make_station(description, method, sweep, x));
+  long runs = 0;
+  map.grid = refine(
+      settings.columns, settings.rows,
+      [&](int column, int row) {
+        const Station& station = stations[column];
+        const Outcome outcome = run_disturbed(description, station.hanging, station.disturbance, station.drag,
+                                              map.hs[row], map.steps);
+        if (progress) progress(++runs);
+        return static_cast<int>(outcome.fate);
+      },
+      interrupted);
+  map.boundary = boundary_of(map.grid, map.hs);
+  map.limits = limits_of(description, method, stations, map.hs, map.steps);
+  for (const Limit& limit : map.limits) map.distances.push_back(distance_of(map.boundary, limit.h, map.hs));
+  map.cpu_seconds = cpu_seconds() - start;
+  return map;
+}
+
+}  // namespace hair

@@ -1,0 +1,308 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "hair/lab/stability/report.h"
+
+namespace hair {
+
+namespace {
+
+std::string short_text(const char* format, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+std::string percent(double part) {
+  return short_text("%+.1f %%", 100 * part);
+}
+
+std::string cells(double distance) {
+  return short_text("%+.2f", distance);
+}
+
+const char* x_title(const StabilityMap& map) {
+  return map.sweep == Swept::stiffness ? "stiffness, times the scene's"
+                                       : "drag, N s/m for each metre of hair";
+}
+
+// "H4, filtered; H4, full"
+std::string names_of(const StabilityMap& map) {
+  std::string names = map.method.name;
+  for (const StudyMethod& other : map.alike) names += "; " + other.name;
+  return names;
+}
+
+// What a limit says over the whole map, in words, where it is no curve; and whether the map says so, too.
+std::string verdict(const StabilityMap& map, const Limit& limit) {
+  const bool never = std::all_of(limit.h.begin(), limit.h.end(), [](double h) { return std::isinf(h); });
+  const bool always = std::all_of(limit.h.begin(), limit.h.end(), [](double h) { return h == 0; });
+  const auto all_are = [&](double h) {
+    return std::all_of(map.boundary.begin(), map.boundary.end(), [h](double one) { return one == h; });
+  };
+  if (always)
+    return all_are(0) ? "no step is stable, and no cell is"
+                      : "no step is stable, but so few steps don't show it everywhere";
+  if (never)
+    return all_are(std::numeric_limits<double>::infinity()) ? "none, and none was found"
+                                                            : "none, but a boundary was found";
+  return "";
+}
+
+// "the boundary lies +0.10 cells from it (median), at most -0.43"
+std::string distance_in_words(const Distance& distance) {
+  std::string text;
+  if (distance.columns > 0)
+    text = "the boundary lies " + cells(distance.median_cells) + " cells from it (median), at most " +
+           cells(distance.worst_cells);
+  if (distance.columns_beyond > 0)
+    text += (text.empty() ? "" : "; ") + std::string("in ") + std::to_string(distance.columns_beyond) +
+            " columns where one of them is not on the map they are apart, by " +
+            cells(distance.beyond_cells) + " cells at least where it is most";
+  return text.empty() ? "both are beyond the map" : text;
+}
+
+std::string describe(const StabilityMap& map) {
+  std::vector<long> counts(kFates, 0);
+  for (const int cell : map.grid.cells)
+    if (cell >= 0) ++counts[cell];
+  std::string text = "Of " + std::to_string(map.grid.cells.size()) + " cells";
+  for (int i = 0; i < kFates; ++i)
+    text += (i == 0 ? " " : ", ") + std::to_string(counts[i]) + " " + fate_name(static_cast<Fate>(i));
+  text += "; " + std::to_string(map.grid.asked) + " of them were run, each for " + std::to_string(map.steps) +
+          " steps, in " + short_text("%.1f", map.cpu_seconds) + " s of CPU time.";
+  for (std::size_t i = 0; i < map.limits.size(); ++i) {
+    const Limit& limit = map.limits[i];
+    const std::string words = verdict(map, limit);
+    text += " " + limit.name + ": ";
+    text += (words.empty() ? distance_in_words(map.distances[i]) : words) + ".";
+  }
+  return text;
+}
+
+std::vector<StudyMethod> methods_in(const std::vector<ExtremeRun>& runs) {
+  std::vector<StudyMethod> methods;
+  for (const ExtremeRun& run : runs)
+    if (std::none_of(methods.begin(), methods.end(),
+                     [&](const StudyMethod& one) { return one.id == run.method.id; }))
+      methods.push_back(run.method);
+  return methods;
+}
+
+// A column for each method, what became of it with a step.
+Table summary_of(const std::vector<ExtremeRun>& all, const std::string& caption,
+                 const std::function<bool(const ExtremeRun&)>& wanted) {
+  std::vector<ExtremeRun> runs;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(runs), wanted);
+  const std::vector<StudyMethod> methods = methods_in(runs);
+  Table table{caption, {"case"}, {}};
+  for (const StudyMethod& method : methods) table.header.push_back(method.name);
+  std::vector<std::string> names;
+  for (const ExtremeRun& run : runs)
+    if (std::find(names.begin(), names.end(), run.extreme) == names.end()) names.push_back(run.extreme);
+  for (const std::string& name : names) {
+    std::vector<std::string> row = {name};
+    for (const StudyMethod& method : methods) {
+      const auto run = std::find_if(runs.begin(), runs.end(), [&](const ExtremeRun& one) {
+        return one.extreme == name && one.method.id == method.id;
+      });
+      row.push_back(run == runs.end() ? "" : fate_name(run->fate));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+Section section_of_hair(const StabilityReport& report) {
+  const Frequencies& f = report.frequencies;
+  Section section{"The hair and its frequencies"};
+  section.paragraphs.push_back(
+      "A strand of " + std::to_string(report.segments) + " segments, " + to_text(report.length) +
+      " m long, EA = " + to_text(report.EA) + " N, EI = " + to_text(report.EI) + " N m^2, " +
+      to_text(report.mass) + " kg" +
+      (report.segments == report.scene_segments
+           ? std::string(".")
+           : ", which the scene has in " + std::to_string(report.scene_segments) + " segments.") +
+      " The fastest motion along it goes with n / length, so that limits of explicit methods do, too, "
+      "inversely.");
+  if (report.was_curved)
+    section.paragraphs.emplace_back(
+        "The scene's hair is curved at rest; here it is straight, and its bending springs are, too.");
+  section.tables.push_back({"The fastest oscillations of the strand as it hangs, 1/s",
+                            {"motion", "omega", "2/omega, s"},
+                            {{"along the hair", to_text(f.along), to_text(2 / f.along)},
+                             {"across it", to_text(f.across), to_text(2 / f.across)},
+                             {"across it, by tension alone (omega_t), half mass at the tip",
+                              to_text(f.tension), to_text(2 / f.tension)},
+                             {"the same with full mass at the tip, sqrt(g/l x_N), x_N the largest zero of "
+                              "the Laguerre polynomial L_N",
+                              to_text(f.chain), to_text(2 / f.chain)}}});
+  return section;
+}
+
+}  // namespace
+
+std::string title_of(const StabilityMap& map) {
+  return map.method.name +
+         (map.sweep == Swept::stiffness ? ": step size against stiffness" : ": step size against drag");
+}
+
+CellMap figure_of(const StabilityMap& map) {
+  CellMap figure;
+  figure.id = map.method.id + (map.sweep == Swept::stiffness ? "-stiffness" : "-drag");
+  figure.title = title_of(map);
+  figure.description = describe(map);
+  figure.x.title = x_title(map);
+  figure.y.title = "step size h, s";
+  figure.xs = map.xs;
+  figure.ys = map.hs;
+  for (int i = 0; i < kFates; ++i) figure.classes.emplace_back(fate_name(static_cast<Fate>(i)));
+  figure.cells = map.grid.cells;
+  const double cell = std::sqrt(map.hs[1] / map.hs[0]);
+  for (const Limit& limit : map.limits) {
+    Series series{limit.name, {}, true, false, limit.of_run};
+    for (std::size_t i = 0; i < limit.h.size(); ++i)
+      if (limit.h[i] >= map.hs.front() / cell && limit.h[i] <= map.hs.back() * cell)
+        series.points.push_back({map.xs[i], limit.h[i]});
+    if (!series.points.empty()) figure.limits.push_back(std::move(series));
+  }
+  return figure;
+}
+
+Table table_of_boundaries(const StabilityReport& report) {
+  Table table{"Where the first wrong or blown-up cell is, from theory's limit: > 0 is stable beyond it",
+              {"method", "map", "limit", "columns", "median, cells", "largest, cells", "median, relative",
+               "columns beyond", "by, cells"},
+              {}};
+  for (const StabilityMap& map : report.maps)
+    for (std::size_t i = 0; i < map.limits.size(); ++i) {
+      const Distance& distance = map.distances[i];
+      const std::string words = verdict(map, map.limits[i]);
+      const std::string name = map.limits[i].name + (words.empty() ? "" : ": " + words);
+      const bool compared = distance.columns > 0;
+      table.rows.push_back({names_of(map), map.sweep == Swept::stiffness ? "stiffness" : "drag", name,
+                            std::to_string(distance.columns), compared ? cells(distance.median_cells) : "",
+                            compared ? cells(distance.worst_cells) : "",
+                            compared ? percent(distance.median_relative) : "",
+                            std::to_string(distance.columns_beyond),
+                            distance.columns_beyond > 0 ? cells(distance.beyond_cells) : ""});
+    }
+  return table;
+}
+
+Table table_of_runs(const StabilityReport& report) {
+  Table table{"What the maps took",
+              {"method", "map", "cells", "runs", "cells / runs", "steps a run", "CPU time, s"},
+              {}};
+  for (const StabilityMap& map : report.maps) {
+    const auto all = static_cast<double>(map.grid.cells.size());
+    table.rows.push_back({names_of(map), map.sweep == Swept::stiffness ? "stiffness" : "drag",
+                          std::to_string(map.grid.cells.size()), std::to_string(map.grid.asked),
+                          short_text("%.1f", all / static_cast<double>(map.grid.asked)),
+                          std::to_string(map.steps), short_text("%.2f", map.cpu_seconds)});
+  }
+  return table;
+}
+
+Table table_of_curves(const StabilityReport& report) {
+  Table table{"Boundaries, column by column; empty where there is none",
+              {"method", "map", "x", "measured h, s", "theory h, s", "what the run's steps show h, s"},
+              {}};
+  const auto text = [](double h) { return std::isfinite(h) ? short_text("%.9g", h) : std::string(); };
+  for (const StabilityMap& map : report.maps)
+    for (std::size_t i = 0; i < map.xs.size(); ++i)
+      table.rows.push_back({map.method.id, map.sweep == Swept::stiffness ? "stiffness" : "drag",
+                            text(map.xs[i]), text(map.boundary[i]), text(map.limits[0].h[i]),
+                            map.limits.size() > 1 ? text(map.limits[1].h[i]) : ""});
+  return table;
+}
+
+Table table_of_extremes(const StabilityReport& report) {
+  Table table{"Every run of the extreme cases; energies over that of the start",
+              {"case", "method", "h, s", "became", "steps", "broke", "largest stretch", "stretch at the end",
+               "most energy", "energy at the end"},
+              {}};
+  for (const ExtremeRun& run : report.extremes)
+    table.rows.push_back({run.extreme, run.method.name,
+                          to_text(run.h) + (run.step_from.empty() ? "" : " (" + run.step_from + ")"),
+                          fate_name(run.fate), std::to_string(run.steps), run.blow_up, to_text(run.stretch),
+                          to_text(run.last_stretch), to_text(run.most_energy), to_text(run.last_energy)});
+  return table;
+}
+
+Page page_of(const StabilityReport& report) {
+  Page page{report.scene + ": where each method breaks"};
+  page.paragraphs = {
+      "The scene's first strand hangs straight down at rest, and every oscillation that it can make, along "
+      "and across, is "
+      "given the same little energy: so little that no segment comes out of tension. Each cell of a map is a "
+      "run from there, with its step "
+      "size and its stiffness (Young's modulus: EA and EI together) or drag. The start is the study's own: "
+      "what else is "
+      "in the scene does not matter.",
+      "Blown up: the simulation says so, or the hair moves with more energy than it would take to throw it "
+      "over its root "
+      "(2 m g L). Wrong: all numbers are finite, but at some moment an oscillation has 100 times the energy "
+      "that it was "
+      "given. Damped out: less than a tenth is left of the energy that the true motion has then. Stable: the "
+      "rest; it may be inaccurate all "
+      "the same.",
+      "Few cells are run: boundaries are found by halving in every " + std::to_string(kCoarse) +
+          "th column, and followed from there. An island that holds no square of " + std::to_string(kCoarse) +
+          " cells on a side can be missed."};
+  if (report.quick) page.paragraphs.emplace_back("Quick: a coarser grid, and shorter runs.");
+  if (report.interrupted)
+    page.paragraphs.push_back("Interrupted: " + std::to_string(report.maps.size()) + " of " +
+                              std::to_string(report.maps_asked) +
+                              " maps are here, those that were finished; --resume goes on.");
+  for (const LeftOut& one : report.left_out)
+    page.paragraphs.push_back(one.method.name + " is left out: " + one.why + ".");
+  page.sections.push_back(section_of_hair(report));
+  if (!report.maps.empty())
+    page.sections.push_back(
+        {"The measured boundaries, and theory",
+         {"The grid's cells are " + percent(report.maps[0].hs[1] / report.maps[0].hs[0] - 1) +
+          " high (explicit methods). A run of finitely many steps can't tell slow growth from none; the "
+          "dashed curve is "
+          "where theory says that errors grow a hundredfold in the steps of a run."},
+         {},
+         {table_of_boundaries(report), table_of_runs(report)}});
+  for (std::size_t i = 0; i < report.maps.size(); ++i) {
+    const StabilityMap& map = report.maps[i];
+    if (page.sections.empty() || page.sections.back().heading != names_of(map)) {
+      page.sections.push_back({names_of(map)});
+      if (!map.alike.empty())
+        page.sections.back().paragraphs.emplace_back(
+            "These make the same matrix of hair that hangs, and so the same runs; the extreme cases tell "
+            "them apart.");
+    }
+    page.sections.back().paragraphs.push_back(describe(map));
+    page.sections.back().figures.push_back(to_svg(figure_of(map)));
+  }
+  if (!report.extremes.empty()) {
+    Section section{"Extreme cases"};
+    section.paragraphs = {
+        "Half a second without air (" + std::to_string(kMostExtremeSteps) +
+        " steps at most). Energy counts from that of hair that hangs at rest, relative to "
+        "the root's motion; the true motion keeps it. Blown up: the "
+        "simulation says so, or at the end it has a thousand times the energy of the start. Wrong: at some "
+        "moment more than twice that. Damped out: "
+        "less than a tenth is left at the end."};
+    section.tables = {summary_of(report.extremes, "h = 1/60 s",
+                                 [](const ExtremeRun& run) { return run.step_from.empty() && run.h > 0.01; }),
+                      summary_of(report.extremes, "h = 1/240 s",
+                                 [](const ExtremeRun& run) { return run.step_from.empty() && run.h < 0.01; }),
+                      summary_of(report.extremes,
+                                 "Explicit methods with half their limit for hair that hangs (those that "
+                                 "have none: half of RK4's)",
+                                 [](const ExtremeRun& run) { return !run.step_from.empty(); }),
+                      table_of_extremes(report)};
+    std::erase_if(section.tables, [](const Table& table) { return table.rows.empty(); });
+    page.sections.push_back(std::move(section));
+  }
+  return page;
+}
+
+}  // namespace hair

@@ -1,0 +1,154 @@
+#include "hair/lab/stability/report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hair/io/cpu_time.h"
+#include "hair/io/digest.h"
+#include "hair/io/files/bad_input.h"
+#include "hair/io/machine.h"
+#include "hair/lab/stability/theory.h"
+#include "hair/lab/validate/hanging_chain.h"
+#include "hair/truth/content.h"
+
+namespace hair {
+
+namespace {
+
+Problem problem_of(const Scene& scene, const StabilitySettings& settings) {
+  if (scene.hair.strands.empty())
+    throw BadInput(scene.name + ": it has no hair; stability maps are of a strand that hangs");
+  Scene bare = scene;  // what it hangs among does not matter
+  bare.hair.obstacles.clear();
+  bare.riders.clear();
+  for (StrandStart& start : bare.hair.strands) start.rest_curvature.resize(0);
+  ProblemSettings one;
+  one.strand = settings.strand;
+  one.segments = settings.segments;
+  if (!one.segments && settings.strand >= 0 &&
+      static_cast<std::size_t>(settings.strand) < scene.hair.strands.size())
+    one.segments = std::min(std::max(scene.hair.strands[settings.strand].strand.segments(), 1), kMapSegments);
+  return make_problem(bare, one);
+}
+
+Frequencies frequencies_of(const Description& hair) {
+  const Hanging hanging = hang(hair, 1, false);
+  const Products products = products_of(hair, hanging, GeometricTerm::dropped, BendProduct::exact);
+  const Eigen::Index n = hanging.mass.size();
+  const double limit = implicit_limit(hanging.mass, hanging.across_modes.stiffness - products.across,
+                                      Eigen::MatrixXd::Zero(n, n), 0);
+  const Strand& strand = hanging.start.strand;
+  const double l = strand.rest_length.sum() / strand.segments();
+  return {hanging.along_modes.omega.maxCoeff(), hanging.across_modes.omega.maxCoeff(), 2 / limit,
+          std::sqrt(hair.gravity.norm() / l * laguerre_zeros(strand.segments()).maxCoeff())};
+}
+
+}  // namespace
+
+MapSettings quick_maps() {
+  return {32, 32, 2000, 48};
+}
+
+std::string identity_of(const Scene& scene, const StabilitySettings& settings) {
+  const MapSettings& maps = settings.maps;
+  Digest digest;
+  digest.add(std::string_view(content_of(problem_of(scene, settings))))
+      .add(std::string_view(program_digest()));
+  digest.add(maps.columns).add(maps.rows).add(static_cast<std::uint64_t>(maps.evaluations));
+  return digest.add(static_cast<std::uint64_t>(maps.implicit_steps)).text();
+}
+
+StabilityReport study_stability(const Scene& scene, const StabilitySettings& settings,
+                                const std::atomic<bool>& interrupted, const Tell& tell) {
+  const double start = cpu_seconds();
+  const Problem problem = problem_of(scene, settings);
+  const Description& hair = problem.scene.hair;
+  const StrandStart& original = scene.hair.strands[settings.strand];
+  const Strand& strand = hair.strands[0].strand;
+  StabilityReport report;
+  report.scene = scene.name;
+  report.quick = settings.quick;
+  report.identity = identity_of(scene, settings);
+  report.segments = strand.segments();
+  report.scene_segments = original.strand.segments();
+  report.length = strand.rest_length.sum();
+  report.EA = strand.stretch_rigidity;
+  report.EI = strand.bend_rigidity;
+  report.mass = strand.mass.sum();
+  report.drag = hair.drag;
+  report.was_curved = original.rest_curvature.size() > 0;
+
+  // Methods that make the same matrix of this hair share a map.
+  std::vector<StudyMethod> methods;
+  std::vector<std::vector<StudyMethod>> alike;
+  const auto leave_out = [&](const StudyMethod& method, const std::exception& error,
+                             const std::optional<NotImplemented>& stub) {
+    if (std::none_of(report.left_out.begin(), report.left_out.end(),
+                     [&](const LeftOut& one) { return one.method.id == method.id; }))
+      report.left_out.push_back({method, error.what(), stub});
+  };
+  // What an exercise throws costs its methods only.
+  const auto guarded = [&](const StudyMethod& method, const auto& work) {
+    try {
+      work();
+      return true;
+    } catch (const BadInput&) {
+      throw;
+    } catch (const NotImplemented& stub) {
+      leave_out(method, stub, stub);
+    } catch (const std::exception& error) {
+      leave_out(method, error, {});
+    }
+    return false;
+  };
+  const std::vector<StudyMethod> all = methods_for(problem);
+  for (const StudyMethod& method : all) {
+    guarded(method, [&] {
+      for (std::size_t i = 0; i < methods.size(); ++i)
+        if (alike_when_hanging(hair, methods[i], method)) {
+          alike[i].push_back(method);
+          return;
+        }
+      methods.push_back(method);
+      alike.emplace_back();
+    });
+  }
+  report.maps_asked = static_cast<int>(2 * methods.size());
+  if (!methods.empty())
+    guarded(methods[0], [&] { report.frequencies = frequencies_of(with_options(hair, methods[0])); });
+
+  int number = 0;
+  for (std::size_t i = 0; i < methods.size() && !interrupted; ++i)
+    for (const Swept sweep : {Swept::stiffness, Swept::drag}) {
+      const std::string what = "map " + std::to_string(++number) + " of " +
+                               std::to_string(report.maps_asked) + ": " + methods[i].name +
+                               (sweep == Swept::stiffness ? ", stiffness" : ", drag");
+      const bool went = guarded(methods[i], [&] {
+        const auto before = std::find_if(
+            settings.finished.begin(), settings.finished.end(),
+            [&](const StabilityMap& one) { return one.method.id == methods[i].id && one.sweep == sweep; });
+        const bool known = before != settings.finished.end();
+        StabilityMap map =
+            known ? *before : make_map(hair, methods[i], sweep, settings.maps, interrupted, [&](long runs) {
+              if (runs % 10 == 1) tell(what + ": " + std::to_string(runs) + " runs");
+            });
+        map.method = methods[i];
+        map.alike = alike[i];
+        if (map.grid.complete) report.maps.push_back(std::move(map));
+      });
+      if (!went || interrupted) break;
+    }
+  for (const StudyMethod& method : all) {
+    if (interrupted) break;
+    tell("extreme cases: " + method.name);
+    guarded(method, [&] {
+      for (ExtremeRun& run : run_extremes(hair, method, interrupted))
+        report.extremes.push_back(std::move(run));
+    });
+  }
+  report.interrupted = interrupted;
+  report.cpu_seconds = cpu_seconds() - start;
+  return report;
+}
+
+}  // namespace hair

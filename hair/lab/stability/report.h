@@ -1,0 +1,86 @@
+// A stability study of a scene: its maps, its extreme cases, and what is written of them.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hair/io/plot/figure.h"
+#include "hair/io/plot/page.h"
+#include "hair/lab/stability/extremes.h"
+#include "hair/lab/stability/maps.h"
+#include "hair/truth/problem.h"
+#include "solver/not_implemented.h"
+
+namespace hair {
+
+inline constexpr int kMapSegments = 10;  // of a strand that has more; what is stiff scales with theory
+
+struct StabilitySettings {
+  MapSettings maps;
+  int strand = 0;                    // counted from 0
+  std::optional<int> segments = {};  // none: the scene's, but at most kMapSegments
+  bool quick = false;
+  std::vector<StabilityMap> finished = {};  // of the same study before: read_maps
+};
+
+MapSettings quick_maps();
+
+// The frequencies that rule the maps, 1/s.
+struct Frequencies {
+  double along = 0, across = 0;  // the fastest of this hair
+  double tension = 0;            // the fastest across it that tension alone makes, with the tip's half mass
+  double chain =
+      0;  // the same with full mass at the tip: sqrt(g/l x), x the Laguerre polynomial's largest zero
+};
+
+struct LeftOut {
+  StudyMethod method;
+  std::string why;
+  std::optional<NotImplemented> stub = {};  // of an exercise that is not written yet
+};
+
+struct StabilityReport {
+  std::string scene;
+  int segments = 0, scene_segments = 0;
+  double length = 0, EA = 0, EI = 0, mass = 0, drag = 0;  // m, N, N m^2, kg, N s/m^2
+  bool was_curved = false;
+  bool quick = false;
+  Frequencies frequencies;
+  std::vector<StabilityMap> maps;  // complete ones
+  std::vector<ExtremeRun> extremes;
+  std::vector<LeftOut> left_out;
+  std::string identity;
+  bool interrupted = false;
+  int maps_asked = 0;
+  double cpu_seconds = 0;
+};
+
+// Says now and then how far it is: "map 3 of 14: H6, stiffness: 120 runs".
+using Tell = std::function<void(const std::string&)>;
+
+// Throws BadInput for a scene without hair, and what it can't use. Interrupted, it has what is finished.
+StabilityReport study_stability(const Scene& scene, const StabilitySettings& settings,
+                                const std::atomic<bool>& interrupted, const Tell& tell);
+
+// A digest of all that makes a map what it is: the hair, the settings, and the program with its exercises. Throws as
+// study_stability does.
+std::string identity_of(const Scene& scene, const StabilitySettings& settings);
+
+// The finished maps of a record. Throws BadInput for a file that is none, and for one of another identity.
+std::vector<StabilityMap> read_maps(const std::filesystem::path& file, const std::string& identity);
+
+inline constexpr std::string_view kStabilityBegin = "{\n  \"program\": \"hairlab stability\"";
+
+std::string json_of(const StabilityReport& report);
+CellMap figure_of(const StabilityMap& map);
+std::string title_of(const StabilityMap& map);  // "H6: stiffness against step size"
+Table table_of_boundaries(const StabilityReport& report);
+Table table_of_extremes(const StabilityReport& report);
+Table table_of_curves(const StabilityReport& report);  // column by column, for CSV
+Page page_of(const StabilityReport& report);
+
+}  // namespace hair

@@ -1,0 +1,152 @@
+// STAFF ONLY. Limits that theory gives, beside the spectral radius of the matrix that a step is: just below a limit it is
+// at most 1, just above it is more.
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "hair/lab/stability/hanging.h"
+#include "hair/lab/stability/theory.h"
+#include "hair/lab/validate/hanging_chain.h"
+#include "hair/simulation/tests/hairs.h"
+#include "particles/explicit_integrators.h"
+
+namespace reference_tests {
+namespace {
+
+using Eigen::MatrixXd, Eigen::VectorXd;
+
+double spectral_radius(const MatrixXd& matrix) {
+  return Eigen::EigenSolver<MatrixXd>(matrix, false).eigenvalues().cwiseAbs().maxCoeff();
+}
+
+class Oscillating : public particles::Dynamics {
+ public:
+  explicit Oscillating(const hair::Oscillator& oscillator) : oscillator_(oscillator) {}
+  void acceleration(particles::Input x, particles::Input v, particles::Output a) override {
+    a = -oscillator_.omega * oscillator_.omega * x - oscillator_.gamma * v;
+  }
+
+ private:
+  hair::Oscillator oscillator_;
+};
+
+// Of the method as it is implemented: columns are the steps from (1, 0) and (0, 1).
+MatrixXd step_matrix(Method method, const hair::Oscillator& oscillator, double h) {
+  Oscillating dynamics(oscillator);
+  MatrixXd matrix(2, 2), scratch = MatrixXd::Zero(3, particles::kIntegratorScratch);
+  for (int k = 0; k < 2; ++k) {
+    VectorXd x = VectorXd::Zero(3), v = VectorXd::Zero(3);
+    (k == 0 ? x : v)[0] = 1;
+    switch (method) {
+      case Method::forward_euler:
+        particles::forward_euler(dynamics, h, x, v, scratch);
+        break;
+      case Method::symplectic_euler:
+        particles::symplectic_euler(dynamics, h, x, v, scratch);
+        break;
+      case Method::midpoint:
+        particles::midpoint(dynamics, h, x, v, scratch);
+        break;
+      default:
+        particles::runge_kutta_4(dynamics, h, x, v, scratch);
+    }
+    matrix.col(k) << x[0], v[0];
+  }
+  return matrix;
+}
+
+TEST(StabilityTheory, ExplicitLimitsAreWhereTheStepsMatrixGrows) {
+  for (const Method method : kExplicitMethods)
+    for (const double zeta : {0.0, 0.01, 0.3, 0.99, 1.5, 10.0})
+      for (const double growth : {1.0, 1.01}) {
+        const hair::Oscillator oscillator{3, 6 * zeta};
+        const double h = hair::explicit_limit(method, oscillator, growth);
+        if (h == 0) continue;  // tested below
+        const double below = spectral_radius(step_matrix(method, oscillator, 0.999 * h));
+        const double above = spectral_radius(step_matrix(method, oscillator, 1.001 * h));
+        // A double eigenvalue -1 is known to the square root of rounding.
+        EXPECT_LE(below, growth * (1 + 1e-7)) << name_of(method) << ", zeta " << zeta << ", h " << h;
+        EXPECT_GT(above, growth * (1 + 1e-9)) << name_of(method) << ", zeta " << zeta << ", h " << h;
+      }
+}
+
+TEST(StabilityTheory, ExplicitLimitsHaveTheirClosedForms) {
+  const double w = 7;
+  for (const double zeta : {0.0, 0.2, 1.0, 4.0}) {
+    const hair::Oscillator one{w, 2 * zeta * w};
+    const double root = zeta > 1 ? std::sqrt(zeta * zeta - 1) : 0;
+    EXPECT_NEAR(hair::explicit_limit(Method::forward_euler, one),
+                zeta <= 1 ? 2 * zeta / w : 2 / (w * (zeta + root)), 1e-9);
+    EXPECT_NEAR(hair::explicit_limit(Method::symplectic_euler, one),
+                2 * (std::sqrt(1 + zeta * zeta) - zeta) / w, 1e-12);
+  }
+  EXPECT_EQ(hair::explicit_limit(Method::forward_euler, {w}), 0);
+  EXPECT_EQ(hair::explicit_limit(Method::midpoint, {w}), 0);
+  EXPECT_NEAR(hair::explicit_limit(Method::runge_kutta_4, {w}) * w, 2 * std::sqrt(2.0), 1e-9);
+  EXPECT_NEAR(hair::explicit_limit(Method::runge_kutta_4, {0, w}) * w, 2.785293563, 1e-8);
+}
+
+TEST(StabilityTheory, StrongDragMakesTheSlowestModeBindForwardEuler) {
+  const hair::Oscillator fast{10, 16}, slow{0.1, 16};  // gamma = 1.6 omega: the fast one is not overdamped
+  EXPECT_LT(hair::explicit_limit(Method::forward_euler, slow),
+            hair::explicit_limit(Method::forward_euler, fast));
+}
+
+// Three masses, K and P neither commuting nor diagonal.
+struct System {
+  VectorXd mass = Eigen::Vector3d(1, 2, 0.5);
+  MatrixXd k = (MatrixXd(3, 3) << 9, -2, 1, -2, 7, 3, 1, 3, 8).finished();
+  MatrixXd p = (MatrixXd(3, 3) << 2, 1, 0, 1, 3, -1, 0, -1, 1).finished();
+};
+
+MatrixXd implicit_step(const System& s, double gamma, double h) {
+  const MatrixXd m = s.mass.asDiagonal();
+  const MatrixXd left = (m + h * gamma * m + h * h * s.p).inverse();
+  const MatrixXd from_x = -h * left * s.k;
+  const MatrixXd from_v = MatrixXd::Identity(3, 3) - left * (h * gamma * m + h * h * s.p);
+  MatrixXd step(6, 6);
+  step << MatrixXd::Identity(3, 3) + h * from_x, h * from_v, from_x, from_v;
+  return step;
+}
+
+TEST(StabilityTheory, ImplicitLimitsAreWhereTheStepsMatrixGrows) {
+  const System s;
+  for (const double gamma : {0.0, 0.5, 5.0}) {
+    const double h = hair::implicit_limit(s.mass, s.k, s.p, gamma);
+    EXPECT_LE(spectral_radius(implicit_step(s, gamma, 0.999 * h)), 1 + 1e-7)
+        << "gamma " << gamma << ", h " << h;
+    EXPECT_GT(spectral_radius(implicit_step(s, gamma, 1.001 * h)), 1 + 1e-9)
+        << "gamma " << gamma << ", h " << h;
+    const double twice = hair::predictor_corrector_limit(s.mass, s.k, s.p, gamma, 1e3);
+    ASSERT_TRUE(std::isfinite(twice)) << gamma;
+    const auto step = [&](double at) { return hair::predictor_corrector_step(s.mass, s.k, s.p, gamma, at); };
+    EXPECT_LE(spectral_radius(step(0.999 * twice)), 1 + 1e-7) << "H6, gamma " << gamma << ", h " << twice;
+    EXPECT_GT(spectral_radius(step(1.001 * twice)), 1 + 1e-9) << "H6, gamma " << gamma << ", h " << twice;
+    // The first of several modes' limits: nothing grows with any smaller step.
+    for (int k = 1; k < 200; ++k)
+      EXPECT_LE(spectral_radius(step(k / 200.0 * twice)), 1 + 1e-7)
+          << "H6, gamma " << gamma << ", part " << k;
+  }
+  EXPECT_TRUE(std::isinf(hair::implicit_limit(s.mass, s.k, s.k, 0)));  // the whole derivative: none
+}
+
+TEST(StabilityTheory, AHangingChainsFastestIsLaguerres) {
+  EXPECT_NEAR(hair::laguerre_zeros(1)[0], 1, 1e-14);
+  for (const int n : {2, 5, 10}) {
+    Description description = alone(straight_hair(n, 0.1 * n), Method::symplectic_euler, 1e-3);
+    description.gravity = kG * kDown;
+    hair::Strand& strand = description.strands[0].strand;
+    strand.mass[n] *= 2;  // full mass at the tip
+    strand.bend_rigidity = 0;
+    const hair::Hanging hanging = hair::hang(description, 1, false);
+    const double omega = hanging.across_modes.omega.maxCoeff();
+    // Hair stretches by its weight over EA at most, and links get longer by as much.
+    const double strain = strand.mass.sum() * kG / strand.stretch_rigidity;
+    EXPECT_NEAR(omega * omega / (kG / 0.1 * hair::laguerre_zeros(n)[n - 1]), 1, strain) << n << " masses";
+  }
+}
+
+}  // namespace
+}  // namespace reference_tests

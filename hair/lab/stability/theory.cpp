@@ -1,0 +1,143 @@
+#include "hair/lab/stability/theory.h"
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <stdexcept>
+
+#include "particles/require.h"
+#include "solver/symmetric_eigen.h"
+
+namespace hair {
+
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+// 1, 1/2, 1/6, ...: the polynomials of the three methods are exponential series that end after so many powers.
+int powers_of(Method method) {
+  switch (method) {
+    case Method::forward_euler:
+      return 1;
+    case Method::midpoint:
+      return 2;
+    case Method::runge_kutta_4:
+      return 4;
+    default:
+      throw std::invalid_argument("a method that is not one of P1's has no stability polynomial");
+  }
+}
+
+double amplification(int powers, Complex z) {
+  Complex sum = 1, term = 1;
+  for (int k = 1; k <= powers; ++k) sum += term *= z / static_cast<double>(k);
+  return std::abs(sum);
+}
+
+// The first h > 0 beyond which |R(h lambda)| > growth. |h lambda| = 4 is outside of all three regions, and they are seen
+// whole from 0: on a ray from there one leaves them once.
+double polynomial_limit(int powers, Complex lambda, double growth) {
+  const double size = std::abs(lambda);
+  if (size == 0) return kInfinity;
+  // Rounding of a sum of numbers up to 1; RK4 is within 1e-15 of 1 for |z| < 0.02.
+  const double bound = growth + 1e-15;
+  constexpr double kStride = 1.0 / 64;
+  double low = 0, high = 0;
+  do {
+    low = high;
+    high += kStride;
+  } while (amplification(powers, high / size * lambda) <= bound);
+  for (int k = 0; k < 60; ++k) {
+    const double middle = (low + high) / 2;
+    (amplification(powers, middle / size * lambda) <= bound ? low : high) = middle;
+  }
+  // Midpoint without drag: 1 + z^4/8 is 1 as far as numbers go, up to 3e-4.
+  return low < 1e-3 && lambda.real() == 0 && growth == 1 ? 0 : low / size;
+}
+
+}  // namespace
+
+double explicit_limit(Method method, const Oscillator& oscillator, double growth) {
+  const auto [omega, gamma] = oscillator;
+  particles::require_at_least("a frequency", omega, 0);
+  particles::require_at_least("drag", gamma, 0);
+  particles::require_at_least("the growth in a step", growth, 1);
+  if (method == Method::symplectic_euler) {
+    // z^2 - (2 - h gamma - h^2 omega^2) z + (1 - h gamma) = 0 at z = -growth.
+    const double both = (growth + 1) * gamma,
+                 root = std::hypot(both, 2 * omega * std::sqrt(growth) * (growth + 1));
+    return both + root == 0 ? kInfinity : 2 * (growth + 1) * (growth + 1) / (both + root);
+  }
+  const int powers = powers_of(method);
+  const double discriminant = gamma * gamma / 4 - omega * omega;
+  if (discriminant < 0) return polynomial_limit(powers, {-gamma / 2, std::sqrt(-discriminant)}, growth);
+  return polynomial_limit(powers, {-gamma / 2 - std::sqrt(discriminant), 0},
+                          growth);  // the faster of the two
+}
+
+double implicit_limit(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness,
+                      const Eigen::MatrixXd& in_matrix, double gamma, double growth) {
+  const Eigen::VectorXd scale = mass.cwiseSqrt().cwiseInverse();
+  const Eigen::MatrixXd matrix =
+      scale.asDiagonal() * (growth * stiffness - growth * (growth + 1) * in_matrix) * scale.asDiagonal();
+  const Eigen::VectorXd values = solver::symmetric_eigenvalues(matrix);
+  const double mu = values.maxCoeff();
+  // What is below the rounding of the largest is 0.
+  if (mu <= 1e-12 * values.cwiseAbs().maxCoeff()) return kInfinity;
+  const double drag = growth * (growth + 1) * gamma, least = 2 * (growth + 1) * std::sqrt(mu);
+  return (drag + std::hypot(drag, least)) / (2 * mu);
+}
+
+Eigen::MatrixXd predictor_corrector_step(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness,
+                                         const Eigen::MatrixXd& in_matrix, double gamma, double h) {
+  const Eigen::Index n = mass.size();
+  const Eigen::MatrixXd masses = mass.asDiagonal();
+  const Eigen::PartialPivLU<Eigen::MatrixXd> s((1 + h * gamma / 2) * masses + h * h / 2 * in_matrix);
+  const Eigen::MatrixXd from_v = s.solve(masses), from_x = s.solve(-h / 2 * stiffness);
+  // Rows: w, then x' = x + h w, then v' of w and x'.
+  Eigen::MatrixXd w(n, 2 * n), step(2 * n, 2 * n);
+  w << from_x, from_v;
+  step.topRows(n) = h * w;
+  step.topLeftCorner(n, n).diagonal().array() += 1;
+  step.bottomRows(n) = from_v * w + from_x * step.topRows(n);
+  return step;
+}
+
+double predictor_corrector_limit(const Eigen::VectorXd& mass, const Eigen::MatrixXd& stiffness,
+                                 const Eigen::MatrixXd& in_matrix, double gamma, double most, double growth) {
+  // With T = S^-1 M a step from w to w is x' = x + h w, w' = T^2 w - (T + 1) S^-1 (h/2 K) x'. An error z = -g has x' = -g x,
+  // so that w = -(1 + g) x / h, and ((1 + g) (g + T^2) - g (T + 1) S^-1 (h^2/2 K)) x = 0. For small steps T is near 1, and
+  // the determinant positive.
+  const Eigen::MatrixXd masses = mass.asDiagonal(), one = Eigen::MatrixXd::Identity(mass.size(), mass.size());
+  const auto positive = [&](double h) {
+    const Eigen::PartialPivLU<Eigen::MatrixXd> s((1 + h * gamma / 2) * masses + h * h / 2 * in_matrix);
+    const Eigen::MatrixXd t = s.solve(masses);
+    const Eigen::PartialPivLU<Eigen::MatrixXd> lu((1 + growth) * (growth * one + t * t) -
+                                                  growth * (t + one) * s.solve(h * h / 2 * stiffness));
+    double sign = lu.permutationP().determinant();
+    for (const double pivot : lu.matrixLU().diagonal()) sign *= pivot < 0 ? -1 : 1;
+    return sign > 0;
+  };
+  constexpr double kStride = 1.05;  // two modes whose limits are nearer than this could hide each other
+  const Eigen::VectorXd scale = mass.cwiseSqrt().cwiseInverse();
+  const double square =
+      solver::symmetric_eigenvalues(scale.asDiagonal() * stiffness * scale.asDiagonal()).maxCoeff();
+  if (square <= 0) return kInfinity;
+  double low = 1 / std::sqrt(square), high = low;
+  while (positive(high)) {
+    if (high >= most) return kInfinity;
+    low = high;
+    high *= kStride;
+  }
+  for (int k = 0; k < 40; ++k) {
+    const double middle = std::sqrt(low * high);
+    (positive(middle) ? low : high) = middle;
+  }
+  return low;
+}
+
+}  // namespace hair

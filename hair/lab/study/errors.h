@@ -1,0 +1,82 @@
+// How far a run is from the accurate motion, in several norms, at the problem's moments.
+//
+// With x_i the run's particles, y_i the accurate ones, l_j and m_j the lengths of their segments (or springs
+// and rods):
+//
+//   final_largest     max_i |x_i - y_i| at the end, m
+//   final_rms         sqrt(mean_i |x_i - y_i|^2) at the end, m
+//   trajectory        sqrt(mean over moments and i of |x_i - y_i|^2), m: the L2 norm
+//   length            max over moments and j of |l_j - m_j| / (length at rest)
+//   energy            max over moments of |E(x) - E(y)| / max of the accurate T + |V - V(start)|
+//   angular_momentum  max over moments of |L(x) - L(y)| / max of the accurate |L|, about the origin
+//
+// T, V and L are the kinetic and potential energy and the angular momentum.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "hair/scene/playback.h"
+#include "hair/truth/problem.h"
+#include "hair/truth/trajectory.h"
+
+namespace hair {
+
+enum class Norm { final_largest, final_rms, trajectory, length, energy, angular_momentum };
+inline constexpr int kNorms = 6;
+
+struct NormName {
+  const char* id;     // "final_largest": in files
+  const char* title;  // "largest error at the end, m": on axes
+  const char* says;   // what it is, in a sentence
+};
+const NormName& name_of(Norm norm);
+
+// NaN in a norm that the problem has not: an energy where nothing moves, a length where nothing has one.
+class Errors {
+ public:
+  double& operator[](Norm norm) { return values_[static_cast<int>(norm)]; }
+  double operator[](Norm norm) const { return values_[static_cast<int>(norm)]; }
+
+ private:
+  std::array<double, kNorms> values_ = {};
+};
+
+struct RestLength {
+  int i, j;  // particles
+  double length;
+};
+
+// Of a strand's segments, or of a toy's springs and rods that are longer than 0.
+std::vector<RestLength> rest_lengths(const Problem& problem);
+
+// Below these nothing is quoted. Where positions are known to `least` metres, so are lengths at either end,
+// and relative to its size the rest.
+Errors floors(const Problem& problem, double least);
+
+// m, what an error is large or small beside: the strand's length, or the largest distance of a toy's particle
+// from its first at the start; of a lone particle 1.
+double size_of(const Problem& problem);
+
+// Compares a run with the accurate motion while it goes on.
+class ErrorTally {
+ public:
+  // Refers to the accurate states.
+  ErrorTally(const Problem& problem, const Trajectory& accurate);
+
+  // At each moment, the start among them, in their order. Returns the largest distance of a particle, m.
+  double add(const Playback& playback);
+
+  Errors errors() const;  // once all moments were added
+
+ private:
+  const Trajectory& accurate_;
+  std::vector<RestLength> lengths_;
+  int moments_ = 0;
+  double potential_ = 0;  // at the start
+  double squares_ = 0;    // of all distances at all moments but the start
+  Errors largest_;
+  double most_energy_ = 0, most_angular_momentum_ = 0;
+};
+
+}  // namespace hair

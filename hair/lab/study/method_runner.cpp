@@ -1,0 +1,151 @@
+#include "hair/lab/study/method_runner.h"
+
+#include <algorithm>
+#include <exception>
+#include <numeric>
+
+#include "hair/io/cpu_time.h"
+#include "hair/io/files/printable.h"
+#include "hair/io/plot/page.h"
+#include "solver/not_implemented.h"
+
+namespace hair {
+
+namespace {
+
+constexpr int kMostTimes = 1000;  // between two looks at the clock
+
+// What a step's evaluations of the forces are, by the contracts of P1, H4 and H6, and to begin with.
+long evaluations_of_a_step(Method method) {
+  switch (method) {
+    case Method::midpoint:
+    case Method::predictor_corrector:  // for each of its two solves one
+      return 2;
+    case Method::runge_kutta_4:
+      return 4;
+    default:
+      return 1;
+  }
+}
+
+bool once_more(const std::vector<double>& seconds, const Repeats& repeats) {
+  const int times = static_cast<int>(seconds.size());
+  const double sum = std::accumulate(seconds.begin(), seconds.end(), 0.0);
+  if (times < repeats.least) return sum < repeats.too_long;
+  return times < repeats.most && sum < repeats.enough;
+}
+
+}  // namespace
+
+double MethodRun::time() const {
+  std::vector<double> sorted = seconds;
+  if (sorted.empty()) return 0;
+  std::sort(sorted.begin(), sorted.end());
+  const std::size_t middle = sorted.size() / 2;
+  return sorted.size() % 2 == 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
+}
+
+MethodRunner::MethodRunner(const Problem& problem, const StudyMethod& method, const Trajectory& accurate,
+                           const Errors& floors)
+    : problem_(problem),
+      method_(method),
+      accurate_(accurate),
+      floors_(floors),
+      playback_(std::make_unique<Playback>(with_method(problem, method, 1))) {}
+
+bool MethodRunner::compare(const Scene& scene, const std::atomic<bool>& interrupted, MethodRun& run) {
+  const double useless = size_of(problem_);
+  ErrorTally tally(problem_, accurate_);
+  playback_->restart(scene);
+  tally.add(*playback_);
+  run.seconds = {0};
+  while (playback_->frame() < scene.frames) {
+    if (interrupted) return false;
+    const double start = cpu_seconds();
+    const std::optional<std::string> trouble = playback_->advance();
+    run.seconds[0] += cpu_seconds() - start;
+    if (trouble) {
+      run.ending = RunEnding::broke;
+      run.trouble = *trouble;
+      return true;
+    }
+    const double off = tally.add(*playback_);
+    if (!(off <= useless)) {
+      run.ending = RunEnding::useless;
+      run.trouble = to_text(off) + " m off after " + to_text(playback_->time()) + " s";
+      return true;
+    }
+  }
+  run.errors = tally.errors();
+  for (int k = 0; k < kNorms; ++k) {
+    const Norm norm = static_cast<Norm>(k);
+    if (run.errors[norm] < floors_[norm]) run.errors[norm] = 0;
+  }
+  return true;
+}
+
+std::optional<double> MethodRunner::play(const Scene& scene, int times, int advances,
+                                         const std::atomic<bool>& interrupted) {
+  const double start = cpu_seconds();
+  for (int i = 0; i < times; ++i) {
+    playback_->restart(scene);
+    for (int k = 0; k < advances; ++k) {
+      if (interrupted) return {};
+      playback_->advance();
+    }
+  }
+  return cpu_seconds() - start;
+}
+
+bool MethodRunner::repeat(const Scene& scene, const Repeats& repeats, const std::atomic<bool>& interrupted,
+                          MethodRun& run) {
+  // One that broke or got useless did so on the way to its next moment, or there.
+  const int advances = playback_->frame() + (run.ending == RunEnding::broke ? 1 : 0);
+  const double once = run.seconds[0];
+  const int times = std::clamp(static_cast<int>(repeats.clock / std::max(once, 1e-9)), 1, kMostTimes);
+  std::vector<double> seconds;
+  if (once >= repeats.warm) seconds.push_back(once);
+  while (once_more(seconds, repeats)) {
+    const auto all = play(scene, times, advances, interrupted);
+    const auto restarts = play(scene, times, 0, interrupted);
+    if (!all || !restarts) return false;
+    seconds.push_back(std::max(0.0, *all - *restarts) / times);
+  }
+  run.seconds = seconds;
+  return true;
+}
+
+std::optional<MethodRun> MethodRunner::run(int steps_per_moment, const Repeats& repeats,
+                                           const std::atomic<bool>& interrupted) {
+  const Scene scene = with_method(problem_, method_, steps_per_moment);
+  MethodRun run;
+  run.steps_per_moment = steps_per_moment;
+  run.step = scene.hair.step;
+  try {
+    if (!compare(scene, interrupted, run)) return {};
+    count(run);
+    if (!repeat(scene, repeats, interrupted, run)) return {};
+  } catch (const NotImplemented&) {
+    throw;
+  } catch (const std::exception& error) {
+    run.ending = RunEnding::broke;
+    run.trouble = "step " + std::to_string(playback_->steps()) + ": threw " + printable(error.what());
+    run.errors = {};
+    count(run);
+  }
+  return run;
+}
+
+void MethodRunner::count(MethodRun& run) const {
+  const Work work = playback_->work();
+  Counts& counts = run.counts;
+  counts.steps = playback_->steps();
+  counts.iterations = work.solver_steps;
+  counts.corrections = work.correction_steps;
+  counts.evaluations = counts.steps * evaluations_of_a_step(method_.method) + work.halvings;
+  // Each of its Newton steps looks where it led to.
+  if (method_.method == Method::newton_euler) counts.evaluations += counts.corrections;
+  counts.unconverged = work.unconverged;
+}
+
+}  // namespace hair

@@ -1,0 +1,29 @@
+// The methods that a study compares, and a problem's scene with one of them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hair/truth/problem.h"
+
+namespace hair {
+
+// A way to move a strand or a toy.
+struct StudyMethod {
+  std::string id;    // "h4-filtered-spd": in files
+  std::string name;  // "H4, filtered": in plots
+  Method method = Method::predictor_corrector;
+  GeometricTerm geometric_term = GeometricTerm::filtered;
+  BendProduct bend_product = BendProduct::spd;
+  int order = 1;  // of its time error, if it has one
+  bool is_explicit = false;
+};
+
+// Those that fit: all of a strand's, or what a toy's parts allow; without those whose exercise the course leaves out.
+// H4 comes with each option of its Jacobian that makes a difference here, and with Newton's method to convergence.
+std::vector<StudyMethod> methods_for(const Problem& problem);
+
+// The problem's scene with a method, and each frame in steps_per_frame steps.
+Scene with_method(const Problem& problem, const StudyMethod& method, int steps_per_frame);
+
+}  // namespace hair

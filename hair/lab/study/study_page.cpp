@@ -1,0 +1,219 @@
+#include "hair/lab/study/study_page.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hair/lab/study/cheapest.h"
+#include "hair/lab/study/observed_order.h"
+#include "hair/lab/study/study_figures.h"
+#include "hair/lab/study/study_record.h"
+
+namespace hair {
+
+namespace {
+
+std::string quoted(const Study& study, const MethodRun& run, Norm norm) {
+  if (run.ending != RunEnding::finished || std::isnan(run.errors[norm])) return "";
+  if (run.errors[norm] < study.floors[norm]) return "below " + to_text(study.floors[norm]);
+  return to_text(run.errors[norm]);
+}
+
+bool has(const Study& study, Norm norm) {
+  for (const Sweep& sweep : study.sweeps)
+    for (const MethodRun& run : sweep.runs)
+      if (run.ending == RunEnding::finished) return !std::isnan(run.errors[norm]);
+  return false;
+}
+
+std::string figure(const Study& study, Norm norm, Against against) {
+  return to_svg(error_figure(study, norm, against));
+}
+
+// Down from the strand's size in powers of ten, while any method gets there.
+Table cheapest_table(const Study& study) {
+  constexpr int kShown = 3;
+  Table table{"CPU time, s, for an error at the end, m: the three cheapest methods", {"error, m"}, {}};
+  for (const char* place : {"cheapest", "second", "third"}) table.header.emplace_back(place);
+  const Norm norm = Norm::final_largest;
+  for (double error = std::pow(10, std::floor(std::log10(study.size)) - 1); error >= study.floors[norm];
+       error /= 10) {
+    const std::vector<Cost> costs = costs_for(study, norm, error * (1 + 1e-9));
+    if (costs.empty()) break;
+    std::vector<std::string> row = {to_text(error)};
+    for (int k = 0; k < kShown; ++k)
+      row.push_back(k < static_cast<int>(costs.size())
+                        ? study.sweeps[costs[k].sweep].method.name + ": " + to_text(costs[k].seconds)
+                        : "");
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+Table order_table(const Study& study) {
+  Table table{"Orders, of the L2 error of the way",
+              {"method", "theory", "seen", "for steps, s", "that is", "no finer step, because"},
+              {}};
+  for (const Sweep& sweep : study.sweeps) {
+    const ObservedOrder seen = observed_order(sweep, Norm::trajectory, study.floors[Norm::trajectory]);
+    std::vector<std::string> row = {
+        sweep.method.name, std::to_string(sweep.method.order), "", "", verdict(sweep, seen),
+        name_of(sweep.end)};
+    if (seen.order) {
+      row[2] = to_text(std::round(*seen.order * 100) / 100);
+      row[3] = to_text(seen.coarsest) + " to " + to_text(seen.finest);
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+Table failed_table(const Study& study) {
+  Table table{"Runs that did not get to their end", {"method", "step, s", "ended", "where"}, {}};
+  for (const Sweep& sweep : study.sweeps)
+    for (const MethodRun& run : sweep.runs)
+      if (run.ending != RunEnding::finished)
+        table.rows.push_back({sweep.method.name, to_text(run.step), name_of(run.ending), run.trouble});
+  return table;
+}
+
+Table run_table(const Study& study) {
+  Table table{
+      "All runs",
+      {"method", "step, s", "CPU time, s", "repeats", "steps", "evaluations", "iterations", "unconverged"},
+      {}};
+  for (int k = 0; k < kNorms; ++k)
+    if (has(study, static_cast<Norm>(k))) table.header.emplace_back(name_of(static_cast<Norm>(k)).title);
+  for (const Sweep& sweep : study.sweeps)
+    for (const MethodRun& run : sweep.runs) {
+      const Counts& counts = run.counts;
+      std::vector<std::string> row = {sweep.method.name,
+                                      to_text(run.step),
+                                      to_text(run.time()),
+                                      std::to_string(run.seconds.size()),
+                                      std::to_string(counts.steps),
+                                      std::to_string(counts.evaluations),
+                                      std::to_string(counts.iterations),
+                                      std::to_string(counts.unconverged)};
+      for (int k = 0; k < kNorms; ++k)
+        if (has(study, static_cast<Norm>(k))) row.push_back(quoted(study, run, static_cast<Norm>(k)));
+      table.rows.push_back(std::move(row));
+    }
+  return table;
+}
+
+std::string what(const Study& study) {
+  std::string shows = study.shows;
+  if (!shows.empty()) shows[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(shows[0])));
+  return shows + ". " + to_text(study.duration) + " s of it, " + std::to_string(study.particles) +
+         " particles" + (study.quick ? "; fewer segments and shorter sweeps (--quick)" : "") + ".";
+}
+
+std::string reference_text(const Study& study) {
+  std::string text = "The accurate motion: " + study.reference + ", " + to_text(study.reference_seconds) +
+                     " s of CPU time" + (study.from_cache ? ", kept from an earlier study" : "") +
+                     ". Its two solutions agree to " + to_text(study.agreement) + " m, and no error below " +
+                     to_text(study.least_error) + " m is quoted.";
+  if (study.inextensible)
+    text +=
+        " The strand is so hard to stretch that the accurate motion is that of one that does not stretch at "
+        "all.";
+  return text;
+}
+
+Section space_section(const SpaceError& space, int own) {
+  Section section{.heading = "What more segments would gain"};
+  if (!space.left_out.empty()) {
+    section.paragraphs.push_back("Not known: " + space.left_out + ".");
+    return section;
+  }
+  section.paragraphs.push_back(
+      "All errors above are of time: how far a method is from the same segments moved without error. This is "
+      "how far "
+      "these segments are from a strand of infinitely many, " +
+      to_text(space.error_of(own).value_or(0)) +
+      " m, and no smaller step takes it away. It falls with the order " +
+      to_text(std::round(space.order * 100) / 100) + " (theory: 2).");
+  Table table{"Space error: the largest distance of a place from the limit, at any moment",
+              {"segments", "error, m"},
+              {}};
+  for (const SpaceLevel& level : space.levels)
+    table.rows.push_back({std::to_string(level.segments), to_text(level.error)});
+  section.tables.push_back(std::move(table));
+  return section;
+}
+
+std::string machine_text(const Study& study) {
+  return measured_on(study.machine) +
+         " A time is the median of up to seven repeats of CPU time (long runs have fewer), without the "
+         "first of short ones, and without what measures errors. Runs shorter than a millisecond are played "
+         "many "
+         "times in a row between two looks at the clock; what going back to the start takes is measured by "
+         "itself and taken off. Other work on the machine makes times longer, not errors.";
+}
+
+}  // namespace
+
+Page study_page(const Study& study) {
+  Page page;
+  page.title = study.scene + ": error against time";
+  page.paragraphs = {
+      what(study),
+      "Each line is a method, each point a run of it with one step. The lower and the further left, the "
+      "better. Runs that broke stand at the upper edge, where the whole run would have been. Rest the "
+      "pointer on a point to read it."};
+  std::string missing;
+  for (const Sweep& sweep : study.sweeps) {
+    if (!sweep.left_out.empty())
+      page.paragraphs.push_back(sweep.method.name + " is left out: " + sweep.left_out + ".");
+    if (sweep.end == SweepEnd::unfinished) missing += (missing.empty() ? "" : ", ") + sweep.method.name;
+  }
+  if (!missing.empty())
+    page.paragraphs.push_back("Interrupted: finer steps are missing of " + missing + ". --resume goes on.");
+
+  page.sections.push_back(
+      {.heading = "What an error costs",
+       .paragraphs = {"The largest distance of a particle from where it really is at the end."},
+       .figures = {figure(study, Norm::final_largest, Against::time)},
+       .tables = {}});
+  page.sections.push_back({.heading = "Which method is the cheapest",
+                           .paragraphs = {"Read off the lines above, between points, too."},
+                           .tables = {cheapest_table(study)}});
+  page.sections.push_back(
+      {.heading = "What a smaller step gains",
+       .paragraphs =
+           {"A method of order p has 2^-p of the error with half of the step, once the step is small enough "
+            "for its asymptotic part."},
+       .figures = {figure(study, Norm::trajectory, Against::step)},
+       .tables = {}});
+  page.sections.push_back({.heading = "Orders", .tables = {order_table(study)}});
+  page.sections.push_back(
+      {.heading = "The same without a clock",
+       .paragraphs =
+           {"Evaluations of forces and iterations of ConjGrad, each a product with a matrix, cost about the "
+            "same; they are the same on every machine. Not in it: H6's length corrections, Newton steps of a "
+            "tridiagonal system each, which study.csv counts."},
+       .figures = {figure(study, Norm::final_largest, Against::work)}});
+  Section others{.heading = "Other ways to measure the error"};
+  for (const Norm norm : {Norm::trajectory, Norm::length, Norm::energy, Norm::angular_momentum}) {
+    if (!has(study, norm)) continue;
+    const std::string says = name_of(norm).says;
+    others.paragraphs.push_back(std::string(name_of(norm).title) + ": " + says + ".");
+    others.figures.push_back(figure(study, norm, Against::time));
+  }
+  if (!others.figures.empty()) page.sections.push_back(std::move(others));
+  const Table failed = failed_table(study);
+  if (!failed.rows.empty())
+    page.sections.push_back(
+        {.heading = "What failed, and where",
+         .paragraphs =
+             {"A run breaks when a number is not finite, or none that hair has; it is useless, and ended, "
+              "when a particle is further off than all is long."},
+         .tables = {failed}});
+  page.sections.push_back({.heading = "What it is measured against", .paragraphs = {reference_text(study)}});
+  if (study.space_error) page.sections.push_back(space_section(*study.space_error, study.particles - 1));
+  page.sections.push_back({.heading = "The machine", .paragraphs = {machine_text(study)}});
+  page.sections.push_back({.heading = "All runs", .tables = {run_table(study)}});
+  return page;
+}
+
+}  // namespace hair

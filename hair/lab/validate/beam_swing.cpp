@@ -1,0 +1,126 @@
+// Hair that is clamped and weighs nothing swings in its first mode: a method's frequency, its own dispersion
+// undone, is that of the strand's matrices.
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+#include <string>
+
+#include "hair/lab/validate/bending_validations.h"
+#include "hair/lab/validate/clamped_beam.h"
+#include "hair/lab/validate/clamped_hair.h"
+#include "hair/lab/validate/dispersion.h"
+#include "hair/lab/validate/sinusoid.h"
+
+namespace hair {
+
+namespace {
+
+constexpr int kBeamSegments = 10;
+
+struct SwingMethod {
+  const char *id, *name;
+  std::vector<std::string> exercises;
+  double (*undo)(double measured, double step);
+  double (*decay)(double phase);  // of the amplitude in a step that turns by `phase`; or null
+};
+
+SwingMethod swing_method(Method method) {
+  // Both implicit methods multiply the amplitude by the cosine of the phase: see dispersion.h.
+  const auto cosine = [](double phase) { return -std::log(std::cos(phase)); };
+  switch (method) {
+    case Method::implicit_euler:
+      return {"h4", "H4", {"S1", "H1", "H2", "H4"}, undo_implicit_euler, cosine};
+    case Method::predictor_corrector:
+      return {"h6", "H6", {"S1", "H1", "H2", "H4", "H5", "H6"}, undo_filters, cosine};
+    case Method::runge_kutta_4:
+      // Of the fastest axial mode a step's phase is 1; of the first one there is no decay to see.
+      return {"rk4", "Runge-Kutta 4", {"P1", "H1", "H2"}, undo_runge_kutta_4, nullptr};
+    default:
+      throw std::invalid_argument("no dispersion is known of this method");
+  }
+}
+
+struct BeamSwing {
+  double step;  // s
+  int steps;    // from one sample to the next
+  Sinusoid fit;
+};
+
+// The first mode, sampled 40 times a period; far less than a hair's radius high: moved sideways by a, a
+// strand is longer by a^2 / 2 L, and pulls back by EA of that.
+constexpr double kHeight = 1e-9;  // over L
+
+BeamSwing sample_swing(const StrandStart& rest, const BeamModes& modes, Method method,
+                       const ValidationSettings& settings) {
+  const Strand& strand = rest.strand;
+  const double period = 2 * std::numbers::pi / modes.frequencies[0];
+  // Below 2 / w of the fastest axial mode, or, where nothing is too fast, long enough to see the dispersion.
+  const double fastest = 2 * std::sqrt(strand.stretch_rigidity / (strand.mass[1] * strand.rest_length[0]));
+  const int steps =
+      method == Method::runge_kutta_4 ? static_cast<int>(std::ceil(period / 40 * fastest / 2)) : 1;
+  BeamSwing result{period / 40 / steps, steps, {}};
+
+  Description description;
+  description.strands = {rest};
+  const Eigen::VectorXd shape = modes.shapes.col(0) / modes.shapes.col(0).cwiseAbs().maxCoeff();
+  for (int i = 1; i <= kBeamSegments; ++i)
+    description.strands[0].state.x[3 * i + 2] = kHeight * kBeamLength * shape[i - 1];
+  description.method = method;
+  description.step = result.step;
+  description.gravity.setZero();
+  Simulation simulation(std::move(description));
+
+  Eigen::VectorXd samples(method == Method::runge_kutta_4 && settings.quick ? 80 : 160);
+  for (Eigen::Index k = 0; k < samples.size(); ++k) {
+    settings.go_on();
+    samples[k] = simulation.state(0).x[3 * kBeamSegments + 2] / (kHeight * kBeamLength);
+    if (!simulation.advance(result.steps)) continue;
+    samples.setConstant(std::numeric_limits<double>::quiet_NaN());  // it broke
+    break;
+  }
+  result.fit = fit_sinusoid(samples);
+  return result;
+}
+
+ValidationResult swing_beam(Method method, const ValidationSettings& settings) {
+  const SwingMethod known = swing_method(method);
+  const StrandStart rest = clamped_hair({}, kBeamSegments, kBeamLength, Vector3d::UnitX());
+  const BeamModes modes = beam_modes(rest);
+  const BeamSwing swung = sample_swing(rest, modes, method, settings);
+  const double phase = swung.fit.frequency / swung.steps;  // in a step
+  const double measured = known.undo(phase / swung.step, swung.step) / modes.frequencies[0];
+
+  ValidationResult result;
+  const Strand& strand = rest.strand;
+  const double tolerance = 1e-10 + strand.stretch_rigidity * kBeamLength * kBeamLength /
+                                       strand.bend_rigidity * (0x1p-53 * kBeamSegments + kHeight * kHeight);
+  const std::string why =
+      "solves, 1e-10; and what EA makes of a stretch, L^2 EA / EI, by 2^-53 n of rounding and by the swing's "
+      "height, squared";
+  result.checks.push_back({"frequency", "w, its dispersion undone, over that of the matrices",
+                           "the method's dispersion (dispersion.h)", 1, measured, tolerance, why});
+  const double off = -clamped_beam_error(1) / (kBeamSegments * kBeamSegments);
+  result.checks.push_back({"root", "b = L (w^2 rho A / EI)^(1/4), of 10 segments",
+                           "a beam's 1.875104, less the strand's error (clamped_beam.h)",
+                           clamped_beam_root(1) * std::pow(1 + off, 0.25),
+                           beam_root_of({}, kBeamLength, measured * modes.frequencies[0]),
+                           clamped_beam_root(1) * off * off / 4 * 1.1,
+                           "the error's next term: about the square of the first"});
+  if (known.decay)
+    result.checks.push_back({"decay", "what a step takes from the amplitude",
+                             "the method's amplification of an oscillation", known.decay(phase),
+                             swung.fit.decay / swung.steps, tolerance * phase, "that of the phase"});
+  return result;
+}
+
+}  // namespace
+
+Validation beam_swing(Method method) {
+  const SwingMethod known = swing_method(method);
+  return {std::string("beam-swing-") + known.id,
+          std::string("Clamped hair swings in its first mode, ") + known.name, known.exercises,
+          [method](const ValidationSettings& settings) { return swing_beam(method, settings); }};
+}
+
+}  // namespace hair

@@ -1,0 +1,166 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "hair/lab/validate/measure_mode.h"
+#include "hair/lab/validate/validations.h"
+
+namespace hair {
+
+namespace {
+
+constexpr double kMass = 1e-7;  // kg: about a centimetre of hair
+constexpr double kLink = 0.01;  // m
+
+Check check_of(const MeasuredMode& mode, double x) {
+  Check check;
+  check.expected = x;
+  check.measured = mode.square;
+  check.tolerance = mode.tolerance * x;
+  check.tolerance_from = kModeTolerance;
+  return check;
+}
+
+std::vector<std::string> row_of(const std::string& what, const HangingChain& chain, const MeasuredMode& mode,
+                                double x) {
+  return {what,
+          to_text(mode.step * std::sqrt(x * chain.square_unit())),
+          to_text(mode.angle),
+          std::to_string(mode.steps),
+          to_text(mode.softening),
+          to_text(mode.square / x - 1),
+          to_text(mode.tolerance),
+          to_text(mode.decay),
+          to_text(mode.expected_decay),
+          to_text(mode.decay_tolerance)};
+}
+
+Table table_of_modes(const std::string& caption, const std::string& first) {
+  return {caption,
+          {first, "w h", "angle", "steps", "by the angle", "error of w^2", "tolerance", "decay in a step",
+           "expected", "its tolerance"},
+          {}};
+}
+
+// The largest of errors over their tolerances; of what is no number, that.
+class Worst {
+ public:
+  void add(double error, double tolerance) {
+    const double one = std::abs(error) / tolerance;
+    if (!std::isnan(value_) && !(one <= value_)) value_ = one;
+  }
+  double value() const { return value_; }
+
+ private:
+  double value_ = 0;
+};
+
+Check check_of_decays(const Worst& worst, const std::string& id, const std::string& shows) {
+  return {id,
+          shows + ": the worst error of what a step takes from the amplitude",
+          "0 to n s x / 2 of H6, -log |R(iwh)| of Runge-Kutta 4 (dispersion.h)",
+          0,
+          worst.value(),
+          1,
+          "in units of each mode's own tolerance (measure_mode.h)"};
+}
+
+// Of the modes in between the worst alone is a check, so that a person sees the end of the list.
+bool has_check(int mode, int n) {
+  return mode <= 3 || mode == n;
+}
+
+ValidationResult swing_chains(const ChainMethod& method, const ValidationSettings& settings) {
+  ValidationResult result;
+  Figure figure;
+  figure.id = "chain-" + method.id;
+  figure.title = "Modes of hanging chains: error of w^2";
+  figure.description =
+      "For each mode of chains of 2, 10 and 20 masses the error of w^2, once the integrator's dispersion and "
+      "the swing's size are undone, and the tolerance above it.";
+  figure.x = {"mode", false};
+  figure.y = {"relative error of w^2"};
+  for (const int n : {2, 10, 20}) {
+    const HangingChain chain{Eigen::VectorXd::Constant(n, kMass), kLink};
+    const Eigen::VectorXd zeros = laguerre_zeros(n);
+    const std::string masses = std::to_string(n) + " masses";
+    Series errors{masses, {}}, tolerances{masses + ", tolerance", {}, true, false, true};
+    Table table = table_of_modes(masses + ", " + method.name, "mode");
+    Worst others, decays;
+    for (int mode = 1; mode <= n; ++mode) {
+      if (settings.quick && !has_check(mode, n)) continue;
+      const double x = zeros[mode - 1];
+      const MeasuredMode measured = measure_mode(method, chain, x, zeros[n - 1], settings);
+      const std::string number = std::to_string(mode);
+      const double error = std::abs(measured.square / x - 1);
+      errors.points.push_back({static_cast<double>(mode), std::max(error, 1e-16), {}, !std::isfinite(error)});
+      tolerances.points.push_back({static_cast<double>(mode), measured.tolerance});
+      table.rows.push_back(row_of(number, chain, measured, x));
+      decays.add(measured.decay - measured.expected_decay, measured.decay_tolerance);
+      if (!has_check(mode, n)) {
+        others.add(error, measured.tolerance);
+        continue;
+      }
+      Check& check = result.checks.emplace_back(check_of(measured, x));
+      check.id = "n" + std::to_string(n) + "-mode" + number;
+      check.shows = masses + ", mode " + number + ": l w^2 / g";
+      check.source = "zero " + number + " of the Laguerre polynomial L_" + std::to_string(n) +
+                     " (Abramowitz and Stegun, 22.7.12 and table 25.9)";
+    }
+    if (others.value() != 0)
+      result.checks.push_back({"n" + std::to_string(n) + "-other-modes",
+                               masses + ", all other modes: the worst error",
+                               "the other zeros of L_" + std::to_string(n), 0, others.value(), 1,
+                               "in units of each mode's own tolerance"});
+    result.checks.push_back(
+        check_of_decays(decays, "n" + std::to_string(n) + "-decay", masses + ", all modes"));
+    figure.series.push_back(std::move(errors));
+    figure.series.push_back(std::move(tolerances));
+    result.tables.push_back(std::move(table));
+  }
+  result.figures.push_back(std::move(figure));
+  return result;
+}
+
+// What steps take is in the table alone: with a lower mass that is 0.01 of the upper one H6 takes seven times as
+// much for the swing's size as of one pendulum, and no theory here says how much that may be.
+ValidationResult swing_double_pendulums(const ChainMethod& method, const ValidationSettings& settings) {
+  ValidationResult result;
+  Table table = table_of_modes("Double pendulums, " + method.name, "mass ratio, mode");
+  for (const double ratio : {1e-2, 1.0, 1e2, 1e4, 1e6}) {
+    if (settings.quick && ratio != 1 && ratio != 1e6) continue;
+    HangingChain chain{Eigen::Vector2d(kMass, ratio * kMass), kLink};
+    const Eigen::Vector2d squares = double_pendulum_squares(ratio);
+    // The fast mode feels it times x. Less than 1e-11, and a length that is right to 1e-12 is no length any
+    // more.
+    chain.stretch = std::clamp(1e-7 / squares[1], 1e-11, 1e-9);
+    for (const int k : {0, 1}) {
+      const MeasuredMode mode = measure_mode(method, chain, squares[k], squares[1], settings);
+      const std::string name = k == 0 ? "slow" : "fast";
+      table.rows.push_back(row_of(to_text(ratio) + ", " + name, chain, mode, squares[k]));
+      Check& check = result.checks.emplace_back(check_of(mode, squares[k]));
+      check.id = "ratio" + to_text(ratio) + "-" + name;
+      check.shows = "lower mass " + to_text(ratio) + " times the upper, " + name + ": l w^2 / g";
+      check.source =
+          "1 + mu -+ sqrt(mu (1 + mu)): L. D. Landau and E. M. Lifshitz, Mechanics, section 23, problem 2";
+    }
+  }
+  result.tables.push_back(std::move(table));
+  return result;
+}
+
+}  // namespace
+
+Validation chain_oscillations(const ChainMethod& method) {
+  return {"chain-" + method.id, "Small oscillations of N equal masses that hang, " + method.name,
+          method.exercises,
+          [&method](const ValidationSettings& settings) { return swing_chains(method, settings); }};
+}
+
+Validation double_pendulums(const ChainMethod& method) {
+  return {"double-pendulum-" + method.id, "Two masses of very different weight, " + method.name,
+          method.exercises,
+          [&method](const ValidationSettings& settings) { return swing_double_pendulums(method, settings); }};
+}
+
+}  // namespace hair

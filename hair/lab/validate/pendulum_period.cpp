@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "hair/lab/validate/pendulum.h"
+#include "hair/lab/validate/validations.h"
+
+namespace hair {
+
+namespace {
+
+// Of the error's series a h^p + b h^(p+1) + ... two runs take away the first term (L. F. Richardson): with
+// `coarse` of steps of h and `fine` of h/2.
+double extrapolated(double coarse, double fine, int order) {
+  return fine + (fine - coarse) / (std::exp2(order) - 1);
+}
+
+struct Periods {
+  std::array<int, 3> steps;        // for a small swing's period
+  std::array<double, 3> measured;  // T/T0
+};
+
+Periods measure_periods(const ChainMethod& method, double angle, const ValidationSettings& settings) {
+  const int coarsest = method.order == 1 ? 800 : 200;
+  Periods periods{{coarsest, 2 * coarsest, 4 * coarsest}, {}};
+  for (std::size_t i = 0; i < 3; ++i)
+    periods.measured[i] = measured_period_ratio(method, angle, periods.steps[i], settings);
+  return periods;
+}
+
+Check check_of(const Periods& periods, double degrees, double expected, int order) {
+  const auto& [coarse, middle, fine] = periods.measured;
+  Check check;
+  check.id = "period-" + to_text(degrees);
+  check.shows = "out to " + to_text(degrees) + " degrees: T/T0, of four quarters, extrapolated to h = 0";
+  check.source =
+      "1/agm(1, cos(angle/2)): Landau and Lifshitz, Mechanics, section 11; Abramowitz and Stegun, 17.6";
+  check.expected = expected;
+  check.measured = extrapolated(middle, fine, order);
+  const double change = std::abs(check.measured - extrapolated(coarse, middle, order));
+  // Steps of w0 h = 2 pi/steps; a method that has lost an order changes more than that.
+  const double next_term = std::pow(2 * std::numbers::pi / periods.steps[2], order + 1);
+  check.tolerance = change < next_term ? change : next_term;
+  check.tolerance_from =
+      "by how much halving the steps changed the extrapolated value: 3 times its error or more; but not "
+      "more than (2 pi/steps)^(order + 1), the order's next term";
+  return check;
+}
+
+// From three step sizes. Of a h^p + b h^(p+1) it is p + log2((1 + r) / (1 + r/2)), about p + r / 2 log(2), r
+// what b adds to the first difference, of 1; and halving the steps changes the extrapolated value by r / 2 (2^p
+// - 1) of that difference.
+Check check_of_order(const Periods& periods, double degrees, int order) {
+  const auto& [coarse, middle, fine] = periods.measured;
+  Check check;
+  check.id = "order";
+  check.shows = "out to " + to_text(degrees) + " degrees: order of the error";
+  check.source =
+      order == 1 ? "H6 loses (h/2) times the cube of the angle's rate: the README's \"Truth from outside\""
+                 : "E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, II.1";
+  check.expected = order;
+  check.measured = std::log2((coarse - middle) / (middle - fine));
+  const double change = std::abs(extrapolated(middle, fine, order) - extrapolated(coarse, middle, order));
+  const double shift = (std::exp2(order) - 1) * change / std::abs(coarse - middle) / std::numbers::ln2;
+  check.tolerance = std::min(0.5, 2 * shift);
+  check.tolerance_from =
+      "twice what the series' next term, measured by how much the extrapolated value changed, makes of it; "
+      "but not more than a half, where another order is as near";
+  return check;
+}
+
+ValidationResult swing(const ChainMethod& method, const ValidationSettings& settings) {
+  ValidationResult result;
+  Figure figure;
+  figure.id = "pendulum-" + method.id;
+  figure.title = "Error of a pendulum's period";
+  figure.description = "The error of T/T0 against the step, for swings out to 30 to 170 degrees.";
+  figure.x = {"step / T0"};
+  figure.y = {"error of T/T0"};
+  figure.guides = {{static_cast<double>(method.order), "order " + std::to_string(method.order)}};
+  Table table{method.name, {"degrees", "steps for T0", "T/T0", "error"}, {}};
+  for (const double degrees : {30.0, 60.0, 90.0, 150.0, 170.0}) {
+    const double angle = degrees * std::numbers::pi / 180, expected = period_ratio(angle);
+    const Periods periods = measure_periods(method, angle, settings);
+    result.checks.push_back(check_of(periods, degrees, expected, method.order));
+    if (degrees == 90) result.checks.push_back(check_of_order(periods, degrees, method.order));
+    Series& series = figure.series.emplace_back(Series{to_text(degrees) + " degrees", {}});
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double error = periods.measured[i] - expected;
+      table.rows.push_back({to_text(degrees), std::to_string(periods.steps[i]),
+                            printed("%.9g", periods.measured[i]), to_text(error)});
+      series.points.push_back(error_point(1.0 / periods.steps[i], std::abs(error)));
+    }
+  }
+  result.figures.push_back(std::move(figure));
+  result.tables.push_back(std::move(table));
+  return result;
+}
+
+}  // namespace
+
+Validation pendulum_period(const ChainMethod& method) {
+  return {"pendulum-" + method.id, "The period of a pendulum's large swings, " + method.name,
+          method.exercises,
+          [&method](const ValidationSettings& settings) { return swing(method, settings); }};
+}
+
+}  // namespace hair

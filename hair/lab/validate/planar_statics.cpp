@@ -1,0 +1,161 @@
+#include "hair/lab/validate/planar_statics.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "solver/symmetric_eigen.h"
+
+namespace hair {
+
+namespace {
+
+constexpr int kMostIterations = 200;
+constexpr double kMostChange = 1, kLeastChange = 1e-12;
+
+// Unknown j of 2(n - 1), among the 3n numbers.
+Eigen::Index place(Eigen::Index unknown) {
+  return 3 * (unknown / 2 + 1) + (unknown % 2 == 0 ? 0 : 2);
+}
+
+// The two numbers of each segment: what sums over the particles below it are.
+void add_up_below(Eigen::Ref<Eigen::MatrixXd> rows) {
+  for (Eigen::Index i = rows.rows() - 3; i >= 0; --i) rows.row(i) += rows.row(i + 2);
+}
+
+// Segment j as a direction and a length, and what acts at its end with all that acts below.
+struct Segment {
+  Eigen::Vector2d u;
+  double length;
+
+  Segment(const Eigen::VectorXd& x, Eigen::Index j)
+      : u(x[3 * j + 3] - x[3 * j], x[3 * j + 5] - x[3 * j + 2]) {
+    length = u.norm();
+    u /= length;
+  }
+
+  Eigen::Vector2d across() const { return {-u[1], u[0]}; }
+  Eigen::Matrix2d frame() const {
+    Eigen::Matrix2d columns;
+    columns << across(), u;
+    return columns;
+  }
+};
+
+// Newton's step: how far each segment's end goes across and along, if it turns and gets longer. With K_e the
+// stiffness against changes of segments and F what acts at a segment's end, both sums over particles,
+//
+//   (K_e, in the segments' frames, + (u . F, -across . F; -across . F, 0) / length) step = F in its frame:
+//
+// the second term is what makes a turn not a straight line.
+Eigen::VectorXd newton_step(const particles::Force& force, const Eigen::VectorXd& x,
+                            const Eigen::VectorXd& f) {
+  Eigen::MatrixXd K = planar_stiffness(force, x);
+  add_up_below(K);
+  K.transposeInPlace();
+  add_up_below(K);
+  Eigen::MatrixXd F = f;
+  add_up_below(F);
+  std::vector<Eigen::Matrix2d> frames;
+  for (Eigen::Index j = 0; 2 * j < f.size(); ++j) {
+    const Segment segment(x, j);
+    frames.push_back(segment.frame());
+    F.middleRows<2>(2 * j) = segment.frame().transpose() * F.middleRows<2>(2 * j);
+  }
+  for (std::size_t j = 0; j < frames.size(); ++j)
+    for (std::size_t k = 0; k < frames.size(); ++k)
+      K.block<2, 2>(2 * j, 2 * k) = frames[j].transpose() * K.block<2, 2>(2 * j, 2 * k) * frames[k];
+  for (Eigen::Index j = 0; 2 * j < f.size(); ++j) {
+    const double length = Segment(x, j).length;
+    K(2 * j, 2 * j) += F(2 * j + 1, 0) / length;
+    K(2 * j, 2 * j + 1) -= F(2 * j, 0) / length;
+    K(2 * j + 1, 2 * j) -= F(2 * j, 0) / length;
+  }
+  return K.ldlt().solve(F.col(0));
+}
+
+// The largest angle that the step turns a segment by, or part of its length that it adds.
+double largest_change(const Eigen::VectorXd& x, const Eigen::VectorXd& step) {
+  double largest = 0;
+  for (Eigen::Index j = 0; 2 * j < step.size(); ++j)
+    largest = std::max(largest, step.segment<2>(2 * j).norm() / Segment(x, j).length);
+  return largest;
+}
+
+Eigen::VectorXd take(const Eigen::VectorXd& x, const Eigen::VectorXd& step) {
+  Eigen::VectorXd result = x;
+  for (Eigen::Index j = 0; 2 * j < step.size(); ++j) {
+    const Segment segment(x, j);
+    const double angle = step[2 * j] / segment.length, length = segment.length + step[2 * j + 1];
+    const Eigen::Vector2d e = length * (std::cos(angle) * segment.u + std::sin(angle) * segment.across());
+    result[3 * j + 3] = result[3 * j] + e[0];
+    result[3 * j + 5] = result[3 * j + 2] + e[1];
+  }
+  return result;
+}
+
+Eigen::VectorXd forces(const particles::Force& force, const Eigen::VectorXd& x) {
+  Eigen::VectorXd all = Eigen::VectorXd::Zero(x.size()), result(2 * (x.size() / 3 - 1));
+  force.add_force(x, Eigen::VectorXd::Zero(x.size()), all);
+  for (Eigen::Index j = 0; j < result.size(); ++j) result[j] = all[place(j)];
+  return result;
+}
+
+}  // namespace
+
+Eigen::MatrixXd planar_stiffness(const particles::Force& force, particles::Input x) {
+  const Eigen::Index size = 2 * (x.size() / 3 - 1);
+  const Eigen::VectorXd v = Eigen::VectorXd::Zero(x.size());
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(size, size);
+  constexpr Eigen::Index kGroups = 10;
+  Eigen::VectorXd dx(x.size()), df(x.size());
+  for (Eigen::Index group = 0; group < std::min(kGroups, size); ++group) {
+    dx.setZero();
+    df.setZero();
+    for (Eigen::Index j = group; j < size; j += kGroups) dx[place(j)] = 1;
+    force.add_dfdx(x, v, dx, df);
+    for (Eigen::Index j = group; j < size; j += kGroups)
+      for (Eigen::Index i = std::max<Eigen::Index>(0, j / 2 * 2 - 4);
+           i < std::min<Eigen::Index>(size, j / 2 * 2 + 6); ++i)
+        K(i, j) = -df[place(i)];
+  }
+  return K;
+}
+
+double slowest_frequency(const Strand& strand, const particles::Force& force, particles::Input x) {
+  const Eigen::MatrixXd K = planar_stiffness(force, x);
+  Eigen::VectorXd weights(K.rows());
+  for (Eigen::Index j = 0; j < weights.size(); ++j) weights[j] = 1 / std::sqrt(strand.mass[j / 2 + 1]);
+  return std::sqrt(solver::symmetric_eigenvalues(weights.asDiagonal() * K * weights.asDiagonal())[0]);
+}
+
+Eigen::Vector2d planar_tip(particles::Input x) {
+  return {x[x.size() - 3], -x[x.size() - 1]};
+}
+
+Balance planar_balance(const Strand& strand, const particles::Force& force, Eigen::VectorXd x) {
+  Balance balance;
+  balance.x = std::move(x);
+  // A coordinate is known to 2^-53 of the strand's length, and so a segment's force to EA / l0 of that.
+  const double length = strand.rest_length.sum(), segment = strand.rest_length.minCoeff();
+  balance.rounding = 16 * 0x1p-53 * strand.stretch_rigidity * length / segment;
+  for (;;) {
+    const Eigen::VectorXd f = forces(force, balance.x);
+    balance.residual = f.cwiseAbs().maxCoeff();
+    if (!(balance.change > kLeastChange) || balance.iterations == kMostIterations) return balance;
+    const Eigen::VectorXd step = newton_step(force, balance.x, f);
+    balance.change = largest_change(balance.x, step);
+    balance.x = take(balance.x, std::min(1.0, kMostChange / balance.change) * step);
+    ++balance.iterations;
+  }
+}
+
+Eigen::Vector2d tip_of(const Balance& balance) {
+  if (balance.found()) return planar_tip(balance.x);
+  return Eigen::Vector2d::Constant(std::numeric_limits<double>::quiet_NaN());
+}
+
+}  // namespace hair

@@ -1,0 +1,142 @@
+#include "hair/lab/validate/record.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <nlohmann/json.hpp>
+
+namespace hair {
+namespace {
+
+using Json = nlohmann::json;
+
+Check a_check(double measured) {
+  return {"one", "a length", "a book", 2, measured, 0.5, "a theorem", "m"};
+}
+
+ValidationRecord a_record(double measured) {
+  return {"first", "The first", {"S1"}, {{a_check(measured)}}};
+}
+
+bool has(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+TEST(Check, HoldsWithinItsTolerance) {
+  EXPECT_TRUE(a_check(2.5).holds());
+  EXPECT_TRUE(a_check(1.5).holds());
+  EXPECT_FALSE(a_check(2.5000001).holds());
+  EXPECT_FALSE(a_check(1.4999999).holds());
+}
+
+TEST(Check, NothingHoldsForWhatIsNoNumber) {
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               infinity = std::numeric_limits<double>::infinity();
+  for (const double none : {nan, infinity, -infinity}) {
+    EXPECT_FALSE(a_check(none).holds());
+    Check check = a_check(2);
+    check.tolerance = nan;
+    EXPECT_FALSE(check.holds());
+    check = a_check(none);
+    check.tolerance = infinity;
+    EXPECT_FALSE(check.holds());
+  }
+}
+
+TEST(ValidationRecord, HoldsIfItRanToItsEndAndAllChecksHold) {
+  EXPECT_TRUE(a_record(2).holds());
+  EXPECT_FALSE(a_record(3).holds());
+  ValidationRecord record = a_record(2);
+  record.broke = "it threw";
+  EXPECT_FALSE(record.holds());
+  record = a_record(2);
+  record.left_out = "S1: student/conj_grad.cpp";
+  EXPECT_FALSE(record.holds());
+}
+
+TEST(ValidationRecord, SaysOnTheTerminalWhatDoesNotHold) {
+  EXPECT_TRUE(has(terminal_text(a_record(2)), " ok\n"));
+  EXPECT_FALSE(has(terminal_text(a_record(2)), "DOES NOT HOLD"));
+  EXPECT_TRUE(has(terminal_text(a_record(3)), "a length, m"));
+  EXPECT_TRUE(has(terminal_text(a_record(3)), "DOES NOT HOLD"));
+  EXPECT_EQ(summary({a_record(2), a_record(3)}), "1 of 2 checks hold");
+}
+
+TEST(ValidationRecord, IsOnThePageWithSourcesAndTolerances) {
+  const std::string page = to_html(page_of({a_record(3)}, true, "a machine"));
+  for (const char* part :
+       {"The first", "a length, m", "a book", "a theorem", "NO", "0 of 1 checks hold", "quick", "a machine"})
+    EXPECT_TRUE(has(page, part)) << part;
+}
+
+TEST(ValidationRecord, IsOneSectionOfThePage) {
+  const std::string page = to_html(page_of({a_record(3)}, false, "a machine"));
+  EXPECT_EQ(page.find("<section"), page.rfind("<section")) << page;
+  EXPECT_FALSE(has(page, "<details")) << "its checks are in sight";
+}
+
+TEST(ValidationRecord, AFigureThatCannotBeDrawnDoesNotCostThePage) {
+  ValidationRecord record = a_record(3);
+  Figure figure;
+  figure.id = "broken";
+  figure.series = {{"nothing", {{1, std::numeric_limits<double>::quiet_NaN()}}}};
+  record.result.figures = {figure};
+  const std::string page = to_html(page_of({record}, false, "a machine"));
+  EXPECT_TRUE(has(page, "a theorem"));
+  EXPECT_TRUE(has(page, "A figure can")) << page;
+}
+
+TEST(ValidationRecord, IsInJsonAsItIsFound) {
+  ValidationRecord left_out{"second", "The second", {"H2"}, {}};
+  left_out.left_out = "H2: student/angular_springs.cpp";
+  ValidationRecord broke{"third", "The third", {}, {}};
+  broke.broke = "it threw";
+  const std::string text = json_of({a_record(2.25), left_out, broke}, false, "a machine");
+  EXPECT_EQ(text.substr(0, kValidationJsonBegin.size()), kValidationJsonBegin);
+  const Json json = Json::parse(text);
+  const Json& first = json["validations"][0];
+  EXPECT_EQ(first["holds"], true);
+  EXPECT_EQ(first["checks"][0]["measured"], 2.25);
+  EXPECT_EQ(first["checks"][0]["tolerance_from"], "a theorem");
+  EXPECT_TRUE(json["validations"][1]["holds"].is_null());
+  EXPECT_EQ(json["validations"][1]["left_out"], left_out.left_out);
+  EXPECT_EQ(json["validations"][2]["holds"], false);
+  EXPECT_EQ(json["validations"][2]["broke"], "it threw");
+  EXPECT_TRUE(Json::parse(json_of({a_record(std::numeric_limits<double>::quiet_NaN())}, false,
+                                  "a machine"))["validations"][0]["checks"][0]["measured"]
+                  .is_null());
+}
+
+std::vector<ValidationRecord> of_each_kind() {
+  ValidationRecord left_out{"second", "The second", {"H2"}, {}}, broke{"third", "The third", {"H1"}, {}};
+  left_out.left_out = "H2: student/angular_springs.cpp";
+  broke.broke = "it threw";
+  return {a_record(2), left_out, broke};
+}
+
+TEST(ValidationRecord, WhatBrokeOrIsLeftOutIsInTheSummary) {
+  EXPECT_EQ(summary(of_each_kind()),
+            "1 of 1 checks hold; 1 of 3 validations broke; 1 of 3 validations are left out");
+}
+
+TEST(ValidationRecord, WhatBrokeOrIsLeftOutHasARowInTheTable) {
+  const Table table = table_of_checks(of_each_kind());
+  ASSERT_EQ(table.rows.size(), 3u);
+  for (const std::vector<std::string>& row : table.rows) EXPECT_EQ(row.size(), table.header.size());
+  const std::string csv = to_csv(table);
+  EXPECT_TRUE(has(csv, "second,,,,left out: it needs H2: student/angular_springs.cpp,,,,,\n")) << csv;
+  EXPECT_TRUE(has(csv, "third,,,,broke: it threw,,,,,NO\n")) << csv;
+}
+
+TEST(ValidationRecord, TimesAreApartFromWhatIsTheSameAgain) {
+  ValidationRecord record = a_record(2);
+  record.result.tables = {{"errors", {"error"}, {{"1e-3"}}}};
+  record.result.times = {{"run times", {"s"}, {{"0.5"}}}};
+  const Json one = Json::parse(json_of({record}, false, "a machine"))["validations"][0];
+  EXPECT_EQ(one["tables"].size(), 1u);
+  EXPECT_EQ(one["times"][0]["caption"], "run times");
+  EXPECT_TRUE(has(to_html(page_of({record}, false, "a machine")), "run times"));
+}
+
+}  // namespace
+}  // namespace hair

@@ -1,0 +1,34 @@
+#include "hair/lab/validate/validations.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "hair/lab/validate/bending_validations.h"
+
+namespace hair {
+
+namespace {
+
+// HAIR_COURSE is the course's exercises: " S1 S2 P1 ".
+bool has_all(const std::vector<std::string>& exercises) {
+  return std::all_of(exercises.begin(), exercises.end(), [](const std::string& id) {
+    return std::string_view(HAIR_COURSE).find(" " + id + " ") != std::string_view::npos;
+  });
+}
+
+}  // namespace
+
+std::vector<Validation> all_validations() {
+  std::vector<Validation> validations = {published_numbers()};
+  for (const ChainMethod* method : {&chain_by_h6(), &chain_by_rods()}) {
+    validations.push_back(pendulum_period(*method));
+    validations.push_back(chain_oscillations(*method));
+    validations.push_back(double_pendulums(*method));
+  }
+  for (Validation& one : bending_validations()) validations.push_back(std::move(one));
+  std::erase_if(validations, [](const Validation& one) { return !has_all(one.exercises); });
+  return validations;
+}
+
+}  // namespace hair

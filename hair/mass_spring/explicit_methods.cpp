@@ -1,0 +1,28 @@
+#include "hair/mass_spring/methods.h"
+#include "particles/explicit_integrators.h"
+
+namespace hair {
+
+namespace {
+
+using Integrator = void (*)(particles::Dynamics&, double, particles::Output, particles::Output,
+                            particles::Scratch);
+
+template <Integrator integrator>
+StepOutcome take_explicit_step(MovingStrand& moving, const StepOptions& options,
+                               const particles::Scratch& scratch) {
+  integrator(moving.system, options.h, moving.state.x, moving.state.v, scratch);
+  return {.suspect = Stage::integration};
+}
+
+template <Integrator integrator>
+constexpr StepMethod kMethod{take_explicit_step<integrator>, particles::kIntegratorScratch};
+
+}  // namespace
+
+const StepMethod kForwardEuler = kMethod<particles::forward_euler>;
+const StepMethod kSymplecticEuler = kMethod<particles::symplectic_euler>;
+const StepMethod kMidpoint = kMethod<particles::midpoint>;
+const StepMethod kRungeKutta4 = kMethod<particles::runge_kutta_4>;
+
+}  // namespace hair

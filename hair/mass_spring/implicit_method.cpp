@@ -1,0 +1,19 @@
+#include "hair/mass_spring/methods.h"
+#include "particles/implicit_euler.h"
+
+namespace hair {
+
+namespace {
+
+StepOutcome take_implicit_step(MovingStrand& moving, const StepOptions& options,
+                               const particles::Scratch& scratch) {
+  const particles::SolveReport report = particles::implicit_euler(moving.force, moving.particles, options.h,
+                                                                  options.tolerance, moving.state, scratch);
+  return {.solver_steps = report.steps, .unconverged = !report.converged, .suspect = Stage::filter};
+}
+
+}  // namespace
+
+const StepMethod kImplicitEuler{take_implicit_step, particles::kImplicitScratch};
+
+}  // namespace hair

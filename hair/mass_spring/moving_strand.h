@@ -1,0 +1,37 @@
+// A strand with all that moves it.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "hair/mass_spring/rest_curvature.h"
+#include "hair/strand.h"
+#include "particles/force_sum.h"
+#include "particles/state.h"
+#include "particles/system.h"
+
+namespace hair {
+
+// Its parts refer to each other, so that it stays where it was made.
+struct MovingStrand {
+  MovingStrand(Strand the_strand, particles::State start)
+      : strand(std::move(the_strand)),
+        particles{strand.mass, std::vector<char>(strand.mass.size(), 0)},
+        state(std::move(start)),
+        system(particles, force) {
+    particles.pinned[0] = 1;
+  }
+  MovingStrand(const MovingStrand&) = delete;
+  MovingStrand& operator=(const MovingStrand&) = delete;
+
+  Strand strand;
+  particles::Particles particles;  // the strand's masses; the root is pinned
+  particles::State state;
+  particles::ForceSum force;
+  // Newton's method alone: the same forces with products that are definite. For others nothing.
+  particles::ForceSum definite_force;
+  std::vector<RestCurvature*> rest_curvatures;  // parts of these sums, if the strand rests curved
+  particles::ParticleSystem system;             // what explicit methods see
+};
+
+}  // namespace hair

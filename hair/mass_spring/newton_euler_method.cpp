@@ -1,0 +1,23 @@
+#include "hair/mass_spring/methods.h"
+#include "hair/mass_spring/newton_euler.h"
+
+namespace hair {
+
+namespace {
+
+StepOutcome take_newton_step(MovingStrand& moving, const StepOptions& options,
+                             const particles::Scratch& scratch) {
+  const NewtonReport report =
+      newton_euler(moving.force, moving.definite_force, moving.particles, options.h, moving.state, scratch);
+  return {.solver_steps = report.solver_steps,
+          .unconverged = !report.converged,
+          .correction_steps = report.newton_steps,
+          .halvings = report.halvings,
+          .suspect = Stage::filter};
+}
+
+}  // namespace
+
+const StepMethod kNewtonEuler{take_newton_step, kNewtonScratch};
+
+}  // namespace hair

@@ -1,0 +1,155 @@
+// One joint of hair that is curved at rest: its bend, its energy, and its force. What the letters mean is in
+// rest_curvature.h.
+#pragma once
+
+#include <cmath>
+
+#include "hair/mass_spring/dual.h"
+#include "hair/strand.h"
+
+namespace hair::rest_bend {
+
+// Numbers are double, or Dual for derivatives along a direction.
+template <typename T>
+using Vec3 = Eigen::Matrix<T, 3, 1>;
+
+// q = phi / sin(phi) and -dq/d(cos phi), as functions of the cosine.
+template <typename T>
+struct Quotient {
+  T value, slope;
+
+  Quotient(const T& cosine, const T& sine_squared) {
+    using std::atan2, std::sqrt;
+    const T z = T(2) * (T(1) - cosine);  // (2 sin(phi/2))^2
+    if (value_of(z) < 0.1) {
+      // arcsin(t) / (t sqrt(1 - t^2)) = sum (k!)^2 / (2k+1)! (2t)^2k with t = sin(phi/2). Each term is less
+      // than a fortieth of the one before.
+      value = T(0);
+      slope = T(0);
+      double coefficient = 1;
+      T power = T(1), last = T(0);  // z^k and z^(k-1)
+      for (int k = 0; k < 12; ++k) {
+        value += T(coefficient) * power;
+        slope += T(2.0 * k * coefficient) * last;
+        last = power;
+        power *= z;
+        coefficient *= (k + 1.0) / (2 * (2 * k + 3.0));
+      }
+    } else {
+      const T sine = sqrt(sine_squared);
+      value = atan2(sine, cosine) / sine;
+      slope = (T(1) - value * cosine) / sine_squared;
+    }
+  }
+};
+
+// What a joint passes on of the frame, and its logarithm's derivative by cos(phi): from 1 at phi = 2.69 down to
+// nothing at 3.00, c = y^2 (3 - 2y). With `one_plus` = 1 + cos(phi).
+template <typename T>
+struct Kept {
+  T value = T(1), slope = T(0);
+
+  Kept() = default;
+  explicit Kept(const T& one_plus) {
+    constexpr double kFrom = 0.1, kTo = 0.01;
+    const T y = (one_plus - T(kTo)) / T(kFrom - kTo);
+    if (value_of(y) >= 1) return;
+    value = T(0);
+    if (value_of(y) <= 0) return;
+    value = y * y * (T(3) - T(2) * y);
+    slope = T(6 / (kFrom - kTo)) * (T(1) - y) / (y * (T(3) - T(2) * y));
+  }
+};
+
+// A joint, and the frame of the segment above it.
+template <typename T>
+struct Joint {
+  int above = -1, below = 0;  // its segments; above is -1 at the root
+  Vec3<T> u, v;               // their directions
+  T length_above = T(1), length_below = T(1);
+  Vec3<T> second, third;  // of the frame, beside u
+  T cosine = T(1), one_plus_cosine = T(2);
+  bool folded = false;
+  double stiffness = 0;
+  T kappa[2] = {T(0), T(0)}, off[2] = {T(0), T(0)};  // components of w, and how far they are from rest
+  double rest[2] = {0, 0};
+  Kept<T> kept;    // by this joint
+  T share = T(1);  // s: what all joints from the root to this one keep
+
+  bool is_obtuse() const { return value_of(cosine) < 0; }
+  double rest_squared() const { return rest[0] * rest[0] + rest[1] * rest[1]; }
+
+  // Not at the fold:
+  T q = T(1), slope = T(0);
+  Vec3<T> u_x_v, w, tan_b;  // phi b and tan(phi/2) b
+  Vec3<T> b;                // where the joint is obtuse
+
+  // How |off|^2 / 2 changes, with off = by, while the frame turns about the strand.
+  T turn(const T by[2]) const { return kappa[0] * by[1] - kappa[1] * by[0]; }
+};
+
+// A derivative of the energy by what a joint's segments do, without its stiffness.
+template <typename T>
+struct Gradient {
+  T turning[2] = {T(0), T(0)};  // by kappa, of what counts from the frame
+  T bending[2] = {T(0), T(0)};  // by kappa, of what asks for the angle alone
+  T share = T(0);               // by log(s)
+};
+
+// E / k = s |kappa - rest|^2 / 2 + (1 - s) (|kappa|^2 + |rest|^2) / 2, times k.
+inline double energy(const Joint<double>& joint) {
+  const double s = joint.share;
+  const double kept = joint.off[0] * joint.off[0] + joint.off[1] * joint.off[1];
+  const double lost =
+      joint.kappa[0] * joint.kappa[0] + joint.kappa[1] * joint.kappa[1] + joint.rest_squared();
+  const double squared = s * kept + (1 - s) * lost;
+  return joint.stiffness * squared / 2;
+}
+
+// Of that energy.
+template <typename T>
+Gradient<T> energy_gradient(const Joint<T>& joint) {
+  Gradient<T> gradient;
+  for (int i = 0; i < 2; ++i) {
+    gradient.turning[i] = joint.share * joint.off[i];
+    gradient.bending[i] = (T(1) - joint.share) * joint.kappa[i];
+    gradient.share -= joint.share * joint.kappa[i] * T(joint.rest[i]);
+  }
+  return gradient;
+}
+
+// Calls add(particle, force) with what a joint pulls, minus its gradient. `turn` and `share` sum up those below it, and
+// for the share the joint itself too.
+template <typename T, typename Add>
+void spread(const Joint<T>& joint, const Gradient<T>& gradient, const T& turn, const T& share, Add add) {
+  if (joint.folded) return;
+  const T k = T(joint.stiffness);
+  Vec3<T> error = joint.second * gradient.turning[0] + joint.third * gradient.turning[1];
+  const Vec3<T> bend = joint.second * gradient.bending[0] + joint.third * gradient.bending[1];
+  // All frames below turn with either segment, and all shares below change with the angle.
+  Vec3<T> by_u = joint.tan_b * turn, by_v = by_u;
+  by_u += joint.v * (joint.kept.slope * share);
+  by_v += joint.u * (joint.kept.slope * share);
+  if (joint.is_obtuse()) {
+    // Next to the fold only what is along b has no large numbers that cancel.
+    const T along = joint.b.dot(error);
+    const T angle = (along + joint.b.dot(bend)) * k;
+    error -= joint.b * along;
+    by_u += joint.v.cross(error) * (joint.q * k) - joint.b.cross(joint.u) * angle;
+    by_v += error.cross(joint.u) * (joint.q * k) + joint.b.cross(joint.v) * angle;
+  } else {
+    error += bend;
+    const T along = error.dot(joint.u_x_v) * joint.slope;
+    by_u += (joint.v.cross(error) * joint.q - joint.v * along) * k;
+    by_v += (error.cross(joint.u) * joint.q - joint.u * along) * k;
+  }
+  auto add_to_segment = [&](int i, const Vec3<T>& direction, const T& length, const Vec3<T>& by) {
+    const Vec3<T> pull = (by - direction * direction.dot(by)) / length;
+    add(i, pull);
+    add(i + 1, Vec3<T>(-pull));
+  };
+  if (joint.above >= 0) add_to_segment(joint.above, joint.u, joint.length_above, by_u);
+  add_to_segment(joint.below, joint.v, joint.length_below, by_v);
+}
+
+}  // namespace hair::rest_bend

@@ -1,0 +1,106 @@
+#include "hair/mass_spring/rest_curvature.h"
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "hair/mass_spring/dual.h"
+#include "hair/mass_spring/rest_bend_squares.h"
+#include "hair/mass_spring/rest_bend_walk.h"
+#include "particles/require.h"
+
+namespace hair {
+
+using particles::require;
+using rest_bend::difference;
+using rest_bend::energy_gradient;
+using rest_bend::Joint;
+using rest_bend::spread_all;
+using rest_bend::Squares;
+using rest_bend::Vec3;
+using rest_bend::walk;
+
+namespace {
+
+void require_frame(const Vector3d& tangent, const Vector3d& normal) {
+  require(std::abs(tangent.norm() - 1) < 1e-6, "the length of the root's tangent", tangent.norm(), "1");
+  require(std::abs(normal.norm() - 1) < 1e-6, "the length of the root's normal", normal.norm(), "1");
+  require(std::abs(tangent.dot(normal)) < 1e-6, "the product of the root's tangent and normal",
+          tangent.dot(normal), "0");
+}
+
+}  // namespace
+
+Eigen::VectorXd bend_components(Input x, const Vector3d& tangent, const Vector3d& normal) {
+  require_frame(tangent, normal);
+  require(x.size() >= 3 && x.size() % 3 == 0, "the size of x", static_cast<double>(x.size()),
+          "three for each particle, of which there is one at least");
+  Strand strand;
+  strand.mass = Eigen::VectorXd::Ones(x.size() / 3);
+  strand.rest_length = Eigen::VectorXd::Ones(strand.count() - 1);
+  strand.clamped = true;
+  strand.root_tangent = tangent;
+  for (int i = 0; i < strand.segments(); ++i)
+    require(difference(x, i).norm() > 0, "the length of segment " + std::to_string(i), 0, "> 0");
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(2 * strand.segments());
+  Eigen::VectorXd components = zero;
+  walk<double>(
+      strand, zero, normal, [&](int i) { return difference(x, i); },
+      [&](const Joint<double>& joint) {
+        components[2 * joint.below] = joint.kappa[0];
+        components[2 * joint.below + 1] = joint.kappa[1];
+      });
+  return components;
+}
+
+RestCurvature::RestCurvature(const Strand& strand, Eigen::VectorXd rest, const Vector3d& root_normal,
+                             BendProduct product)
+    : strand_(strand), rest_(std::move(rest)), product_(product) {
+  if (!strand.clamped) throw std::invalid_argument("a strand that is curved at rest must be clamped");
+  require(rest_.size() == 2 * strand.segments(), "the number of rest components",
+          static_cast<double>(rest_.size()),
+          "two for each segment, " + std::to_string(2 * strand.segments()));
+  for (int i = 0; i < strand.segments(); ++i)
+    require(rest_.segment<2>(2 * i).norm() <= kMostRest, "the rest bend at joint " + std::to_string(i),
+            rest_.segment<2>(2 * i).norm(), "at most 2.69");
+  set_root_normal(root_normal);
+}
+
+void RestCurvature::set_root_normal(const Vector3d& normal) {
+  require_frame(strand_.root_tangent, normal);
+  root_normal_ = normal;
+}
+
+double RestCurvature::energy(Input x) const {
+  double energy = 0;
+  walk<double>(
+      strand_, rest_, root_normal_, [&](int i) { return difference(x, i); },
+      [&](const Joint<double>& joint) { energy += rest_bend::energy(joint); });
+  return energy;
+}
+
+void RestCurvature::add_force(Input x, Input, Output f) const {
+  spread_all<double>(
+      strand_, rest_, root_normal_, [&](int i) { return difference(x, i); }, energy_gradient<double>,
+      energy_gradient<double>, [&](int i, const Vector3d& force) { f.segment<3>(3 * i) += force; });
+}
+
+void RestCurvature::add_dfdx(Input x, Input, Input dx, Output df) const {
+  if (product_ == BendProduct::spd) {
+    spread_all<double>(
+        strand_, rest_, root_normal_, [&](int i) { return difference(x, i); }, Squares(dx), Squares(dx),
+        [&](int i, const Vector3d& force) { df.segment<3>(3 * i) += force; });
+    return;
+  }
+  auto segment = [&](int i) -> Vec3<Dual> {
+    const Vector3d e = difference(x, i), de = difference(dx, i);
+    return {Dual(e[0], de[0]), Dual(e[1], de[1]), Dual(e[2], de[2])};
+  };
+  spread_all<Dual>(strand_, rest_, root_normal_, segment, energy_gradient<Dual>, energy_gradient<Dual>,
+                   [&](int i, const Vec3<Dual>& force) {
+                     for (int k = 0; k < 3; ++k) df[3 * i + k] += force[k].change;
+                   });
+}
+
+}  // namespace hair

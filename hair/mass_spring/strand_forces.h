@@ -1,0 +1,59 @@
+// The forces within a strand as particles::Force, for what moves particles. Each refers to a strand, which
+// must outlive it and may change between calls, such as the root's tangent does when the root turns.
+#pragma once
+
+#include "hair/geometric_term.h"
+#include "hair/strand.h"
+#include "particles/force.h"
+
+namespace hair {
+
+using particles::Input;
+using particles::Output;
+
+// H1: springs along the segments. The products' geometric term is as said.
+class StretchForce final : public particles::Force {
+ public:
+  StretchForce(const Strand& strand, GeometricTerm term) : strand_(strand), term_(term) {}
+  double energy(Input x) const override;
+  void add_force(Input x, Input v, Output f) const override;
+  void add_dfdx(Input x, Input v, Input dx, Output df) const override;
+  void add_dfdv(Input, Input, Input, Output) const override {}
+
+ private:
+  const Strand& strand_;
+  GeometricTerm term_;
+};
+
+// What a bending force's products are: its exact derivative, or the semi-definite one for implicit steps.
+enum class BendProduct { exact, spd };
+
+// H2: angular springs at the joints.
+class BendForce final : public particles::Force {
+ public:
+  BendForce(const Strand& strand, BendProduct product) : strand_(strand), product_(product) {}
+  double energy(Input x) const override;
+  void add_force(Input x, Input v, Output f) const override;
+  void add_dfdx(Input x, Input v, Input dx, Output df) const override;
+  void add_dfdv(Input, Input, Input, Output) const override {}
+
+ private:
+  const Strand& strand_;
+  BendProduct product_;
+};
+
+// H3: springs that skip a particle.
+class BendSpringForce final : public particles::Force {
+ public:
+  BendSpringForce(const Strand& strand, GeometricTerm term) : strand_(strand), term_(term) {}
+  double energy(Input x) const override;
+  void add_force(Input x, Input v, Output f) const override;
+  void add_dfdx(Input x, Input v, Input dx, Output df) const override;
+  void add_dfdv(Input, Input, Input, Output) const override {}
+
+ private:
+  const Strand& strand_;
+  GeometricTerm term_;
+};
+
+}  // namespace hair

@@ -1,0 +1,19 @@
+#include "hair/mass_spring/strand_forces.h"
+
+#include "hair/stretch_springs.h"
+
+namespace hair {
+
+double StretchForce::energy(Input x) const {
+  return stretch_energy(strand_, x);
+}
+
+void StretchForce::add_force(Input x, Input, Output f) const {
+  add_stretch_force(strand_, x, f);
+}
+
+void StretchForce::add_dfdx(Input x, Input, Input dx, Output df) const {
+  add_stretch_product(strand_, x, term_, dx, df);
+}
+
+}  // namespace hair

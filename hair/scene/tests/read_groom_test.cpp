@@ -1,0 +1,123 @@
+// STAFF ONLY. Grooms in scenes.
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+
+#include "hair/io/files/bad_input.h"
+#include "hair/scene/playback.h"
+
+namespace reference_tests {
+namespace {
+
+// A folder with a scene that names a groom, gone when it goes.
+class Folder {
+ public:
+  Folder() {
+    const testing::TestInfo* test = testing::UnitTest::GetInstance()->current_test_info();
+    path_ = std::filesystem::path(testing::TempDir()) / (std::string("groom_scene_") + test->name());
+    std::filesystem::create_directories(path_);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() { std::filesystem::remove_all(path_); }
+
+  std::filesystem::path write(const std::string& name, const std::string& bytes) const {
+    std::ofstream(path_ / name, std::ios::binary) << bytes;
+    return path_ / name;
+  }
+  std::filesystem::path scene(const std::string& groom, const std::string& more = "") const {
+    return write("a.json",
+                 R"({"shows": "a groom", "frames": 1, "method": "implicit_euler", "hair": [{"groom": {)" +
+                     groom + "}" + more + "}]}");
+  }
+  std::string complaint(const std::filesystem::path& file) const {
+    try {
+      hair::read_scene(file);
+    } catch (const hair::BadInput& error) {
+      const std::string said = error.what();
+      return said.substr(said.find("hair[0]"));
+    }
+    return "";
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+// The bytes of a .hair file of one strand through the points.
+std::string hair_file(const std::vector<float>& numbers) {
+  std::string bytes = "HAIR";
+  const auto put = [&](std::uint32_t value) {
+    for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<char>(value >> (8 * i)));
+  };
+  const auto points = static_cast<std::uint32_t>(numbers.size() / 3);
+  for (const std::uint32_t value : {1U, points, 2U, points - 1}) put(value);
+  bytes.resize(128, '\0');
+  for (const float number : numbers) put(std::bit_cast<std::uint32_t>(number));
+  return bytes;
+}
+
+TEST(GroomScene, IsScaledAndMovedAndRestsAsItIs) {
+  const Folder folder;
+  folder.write("a.hair", hair_file({0, 0, 0, 0, 0, 2, 0, 2, 2}));
+  const hair::Scene scene =
+      hair::read_scene(folder.scene(R"("file": "a.hair", "scale": 0.5, "move": [1, 0, 0])"));
+  ASSERT_EQ(scene.hair.strands.size(), 1U);
+  const hair::StrandStart& start = scene.hair.strands[0];
+  EXPECT_EQ(start.state.x, (Eigen::VectorXd(9) << 1, 0, 0, 1, 0, 1, 1, 1, 1).finished());
+  EXPECT_TRUE(start.strand.clamped);
+  EXPECT_EQ(start.strand.root_tangent, Eigen::Vector3d(0, 0, 1));
+  EXPECT_NEAR(start.rest_curvature.tail<2>().norm(), M_PI / 2, 1e-15);
+}
+
+TEST(GroomScene, AGroomThatIsNotThereIsNamedTogetherWithItsPlace) {
+  const Folder folder;
+  const std::string said = folder.complaint(folder.scene(R"("file": "b.hair", "scale": 1)"));
+  EXPECT_EQ(said.find("hair[0].groom.file: "), 0U) << said;
+  EXPECT_NE(said.find("b.hair: can't be read (No such file or directory); give the path of a .hair file"),
+            std::string::npos)
+      << said;
+}
+
+TEST(GroomScene, BadGroomsAreNamedWithTheJsonPath) {
+  const Folder folder;
+  folder.write("cut.hair", hair_file({0, 0, 0, 1, 1, 1}).substr(0, 140));
+  std::string said = folder.complaint(folder.scene(R"("file": "cut.hair", "scale": 1)"));
+  EXPECT_EQ(said.find("hair[0].groom.file: "), 0U) << said;
+  EXPECT_NE(said.find("cut.hair: has 140 bytes, and its header says 152"), std::string::npos) << said;
+
+  folder.write("nan.hair", hair_file({0, 0, 0, 1, NAN, 1}));
+  said = folder.complaint(folder.scene(R"("file": "nan.hair", "scale": 1)"));
+  EXPECT_NE(said.find("nan.hair: strand 0, point 1: has a number that is not finite"), std::string::npos)
+      << said;
+
+  folder.write("folded.hair", hair_file({0, 0, 0, 0, 0, 1, 0, 0, 0.5}));
+  EXPECT_EQ(folder.complaint(folder.scene(R"("file": "folded.hair", "scale": 1)")),
+            "hair[0].groom: strand 0 of the groom: bends by more than 154 degrees; no hair rests so");
+
+  folder.write("far.hair", hair_file({0, 0, 0, 0, 0, 1e38F}));
+  EXPECT_EQ(folder.complaint(folder.scene(R"("file": "far.hair", "scale": 1)")),
+            "hair[0].groom.scale: strand 0 of the groom: is farther than 1e+06 m; give a smaller one");
+}
+
+TEST(GroomScene, ARealGroomMovesLikeHair) {
+  const char* const grooms = std::getenv("HAIR_GROOMS");
+  if (!grooms) GTEST_SKIP() << "HAIR_GROOMS does not say where real grooms are";
+  const Folder folder;
+  const hair::Scene scene = hair::read_scene(folder.scene(
+      "\"file\": \"" + std::string(grooms) + R"(/straight.hair", "scale": 0.0045, "every": 100)"));
+  ASSERT_EQ(scene.hair.strands.size(), 100U);
+  EXPECT_EQ(hair::exercises_of(scene), (std::vector<std::string>{"S1", "H1", "H4"}));
+  hair::Playback playback(scene);
+  const auto trouble = playback.advance();
+  EXPECT_FALSE(trouble) << *trouble;
+  // In a thirtieth of a second nothing falls by more than g t^2 / 2 = 5.5 mm and a bit of spring.
+  EXPECT_LT((playback.state().x - hair::Playback(scene).state().x).cwiseAbs().maxCoeff(), 0.01);
+  EXPECT_LT(playback.measure(playback.state()).stretch, 0.05);
+}
+
+}  // namespace
+}  // namespace reference_tests

@@ -1,0 +1,135 @@
+#include "hair/strand/obstacles.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "particles/require.h"
+
+namespace hair {
+
+using particles::require, particles::require_at_least, particles::require_finite, particles::require_positive;
+
+namespace {
+
+// Of a point beside the middle of something round. `fallback` where the point is the middle itself.
+Surface round_surface(const Vector3d& from_middle, double radius, const Vector3d& fallback) {
+  const double distance = from_middle.norm();
+  if (distance == 0) return {-radius, fallback};
+  return {distance - radius, from_middle / distance};
+}
+
+Surface surface_of(const Plane& plane, const Vector3d& point) {
+  return {plane.normal.dot(point - plane.point), plane.normal};
+}
+
+Surface surface_of(const Sphere& sphere, const Vector3d& point) {
+  return round_surface(point - sphere.centre, sphere.radius, Vector3d::UnitZ());
+}
+
+Surface surface_of(const Capsule& capsule, const Vector3d& point) {
+  const Vector3d axis = capsule.b - capsule.a;
+  const double squared = axis.squaredNorm();
+  const double along = squared > 0 ? std::clamp(axis.dot(point - capsule.a) / squared, 0.0, 1.0) : 0;
+  return round_surface(point - (capsule.a + along * axis), capsule.radius,
+                       squared > 0 ? axis.unitOrthogonal() : Vector3d(Vector3d::UnitZ()));
+}
+
+void check_point(const char* what, const Vector3d& point) {
+  for (double value : point) require_finite(what, value);
+}
+
+void check_shape(const Plane& plane) {
+  check_point("a plane's point", plane.point);
+  const double length = plane.normal.norm();
+  require(std::abs(length - 1) <= 1e-9, "the length of a plane's normal", length, "1");
+}
+
+void check_shape(const Sphere& sphere) {
+  check_point("a sphere's centre", sphere.centre);
+  require_positive("a sphere's radius", sphere.radius);
+}
+
+void check_shape(const Capsule& capsule) {
+  check_point("a capsule's end", capsule.a);
+  check_point("a capsule's end", capsule.b);
+  require_positive("a capsule's radius", capsule.radius);
+}
+
+void move_shape(Plane& plane, const Vector3d& by) {
+  plane.point += by;
+}
+
+void move_shape(Sphere& sphere, const Vector3d& by) {
+  sphere.centre += by;
+}
+
+void move_shape(Capsule& capsule, const Vector3d& by) {
+  capsule.a += by;
+  capsule.b += by;
+}
+
+// What friction takes from a vector: its part across n, at most `limit` of it.
+Vector3d friction(const Vector3d& vector, const Vector3d& n, double limit) {
+  const Vector3d across = vector - n.dot(vector) * n;
+  const double length = across.norm();
+  return length <= limit ? across : Vector3d(limit / length * across);
+}
+
+// How deep inside an obstacle rounding alone may leave a point that was pushed out of it.
+double rounding(const Vector3d& point) {
+  return 1e-14 * (1 + point.cwiseAbs().maxCoeff());
+}
+
+}  // namespace
+
+Surface surface_at(const Obstacle& obstacle, const Vector3d& point) {
+  return std::visit([&](const auto& shape) { return surface_of(shape, point); }, obstacle.shape);
+}
+
+void check_obstacle(const Obstacle& obstacle) {
+  std::visit([](const auto& shape) { check_shape(shape); }, obstacle.shape);
+  require_at_least("an obstacle's friction", obstacle.friction, 0);
+  check_point("an obstacle's velocity", obstacle.velocity);
+}
+
+void move_obstacle(Obstacle& obstacle, double h) {
+  std::visit([&](auto& shape) { move_shape(shape, h * obstacle.velocity); }, obstacle.shape);
+}
+
+CollisionReport collide(const std::vector<Obstacle>& obstacles, const particles::Particles& particles,
+                        double h, particles::Input x_before, particles::State& state) {
+  CollisionReport report;
+  for (int i = 0; i < particles.count(); ++i) {
+    if (particles.is_pinned(i)) continue;
+    auto x = state.x.segment<3>(3 * i), v = state.v.segment<3>(3 * i);
+    double deepest = 0;
+    for (int pass = 0; pass < kMostCollisionPasses; ++pass) {
+      deepest = 0;
+      for (const Obstacle& obstacle : obstacles) {
+        const Surface surface = surface_at(obstacle, x);
+        const double depth = -surface.distance;
+        if (!(depth > 0)) continue;
+        deepest = std::max(deepest, depth);
+        const Vector3d& n = surface.normal;
+
+        const Vector3d way = x - x_before.segment<3>(3 * i) - h * obstacle.velocity;
+        x += depth * n - friction(way, n, obstacle.friction * depth);
+
+        const Vector3d u = v - obstacle.velocity;
+        const double speed = -n.dot(u);
+        if (speed > 0) v += speed * n - friction(u, n, obstacle.friction * speed);
+      }
+      if (pass == 0 && deepest > 0) {
+        ++report.contacts;
+        report.deepest = std::max(report.deepest, deepest);
+      }
+      if (deepest <= rounding(x)) break;
+    }
+    if (deepest <= rounding(x)) continue;
+    for (const Obstacle& obstacle : obstacles)
+      report.penetration = std::max(report.penetration, -surface_at(obstacle, x).distance);
+  }
+  return report;
+}
+
+}  // namespace hair

@@ -1,0 +1,128 @@
+#include "hair/truth/space_error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <memory>
+
+#include "hair/io/cpu_time.h"
+#include "hair/io/files/printable.h"
+#include "hair/truth/cvode.h"
+#include "hair/truth/rigid_strand_ode.h"
+#include "hair/truth/strand_ode.h"
+#include "hair/truth/trajectory.h"
+
+namespace hair {
+
+namespace {
+
+constexpr int kLevels = 4;
+constexpr double kTolerance = 1e-9;       // of the accurate motions
+constexpr double kOtherTolerance = 1e-8;  // that tells how good they are
+constexpr int kMostSegments = 400;        // beyond it takes minutes
+constexpr double kLeastOrder = 0.5;
+constexpr double kAsHardAsHair = 0.3;  // times hair's EA, from which on stretching is left out
+
+std::string why_not(const Problem& problem) {
+  if (problem.is_toy()) return "a toy is no continuum";
+  const StrandStart& start = problem.scene.hair.strands[0];
+  if (start.strand.segments() < 1) return "a strand of one particle is no continuum";
+  if (start.rest_curvature.size() > 0) return "a strand that rests curved can't be divided anew";
+  if (!starts_rigid(problem) && times_the_ea_of_hair(start.strand) > kAsHardAsHair)
+    return "a strand that starts stretched or compressed rings, and to follow that through the finest takes "
+           "minutes";
+  return "";
+}
+
+// The places that all have, of all moments after the start, in one column.
+Eigen::VectorXd places_of(const Trajectory& states, int base) {
+  const Eigen::Index moments = static_cast<Eigen::Index>(states.size()) - 1;
+  const Eigen::Index apart = (states[0].x.size() / 3 - 1) / base;
+  Eigen::VectorXd places(3 * moments * base);
+  for (Eigen::Index k = 0; k < moments; ++k)
+    for (int i = 0; i < base; ++i)
+      places.segment<3>(3 * (k * base + i)) = states[k + 1].x.segment<3>(3 * apart * (i + 1));
+  return places;
+}
+
+std::optional<SpaceError> divided_ever_finer(const Problem& problem, Patience patience,
+                                             const std::atomic<bool>& interrupted) {
+  SpaceError result;
+  result.left_out = why_not(problem);
+  if (!result.left_out.empty()) return result;
+
+  const StrandStart& start = problem.scene.hair.strands[0];
+  const int own = start.strand.segments(), base = own % 2 == 0 ? own / 2 : own;
+  if (base << (kLevels - 1) > kMostSegments) {
+    result.left_out = "strands of so many segments, divided further, take minutes";
+    return result;
+  }
+  const bool rigid = starts_rigid(problem) && times_the_ea_of_hair(start.strand) >= kAsHardAsHair;
+  if (!rigid && patience == Patience::seconds) {
+    result.left_out =
+        "to follow how so soft a strand stretches through the finest segments may take minutes; --space "
+        "waits "
+        "for them";
+    return result;
+  }
+  const double began = cpu_seconds();
+  const auto move = [&](int segments, double tolerance) -> std::optional<Eigen::VectorXd> {
+    Problem divided = problem;
+    divided.scene.hair.strands[0] = divide_anew(start, segments);
+    std::unique_ptr<Ode> ode;
+    if (rigid)
+      ode = std::make_unique<RigidStrandOde>(divided);
+    else
+      ode = std::make_unique<StrandOde>(divided);
+    const auto run =
+        run_cvode(*ode, problem.duration, problem.scene.frames, {CvodeMethod::adams, tolerance}, interrupted);
+    if (!run) return {};
+    if (rigid) result.stretch = std::max(result.stretch, static_cast<RigidStrandOde&>(*ode).stretch());
+    return places_of(run->states, base);
+  };
+
+  std::vector<Eigen::VectorXd> places;
+  for (int level = 0; level < kLevels; ++level) {
+    auto moved = move(base << level, kTolerance);
+    if (!moved) return {};
+    places.push_back(std::move(*moved));
+  }
+  const auto other = move(base << (kLevels - 2), kOtherTolerance);
+  if (!other) return {};
+
+  const Eigen::VectorXd &finest = places[3], &second = places[2], &third = places[1];
+  result.time_error = largest_distance(second, *other);
+  result.order = std::log2(largest_distance(third, second) / largest_distance(second, finest));
+  result.cpu_seconds = cpu_seconds() - began;
+  if (!(result.order >= kLeastOrder)) {
+    result.left_out =
+        "more segments lead to no limit, or to none that is in sight yet: so it is with a strand that starts "
+        "with a kink";
+    return result;
+  }
+  const Eigen::VectorXd limit = finest + (finest - second) / (std::exp2(result.order) - 1);
+  for (int level = 0; level < kLevels; ++level)
+    result.levels.push_back({base << level, largest_distance(places[level], limit)});
+  return result;
+}
+
+}  // namespace
+
+std::optional<double> SpaceError::error_of(int segments) const {
+  for (const SpaceLevel& level : levels)
+    if (level.segments == segments) return level.error;
+  return {};
+}
+
+std::optional<SpaceError> space_error(const Problem& problem, Patience patience,
+                                      const std::atomic<bool>& interrupted) {
+  try {
+    return divided_ever_finer(problem, patience, interrupted);
+  } catch (const std::exception& error) {
+    SpaceError none;
+    none.left_out = printable(error.what());
+    return none;
+  }
+}
+
+}  // namespace hair

@@ -1,0 +1,130 @@
+#include "particles/toys/moving_toy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+#include "particles/drag.h"
+#include "particles/gravity.h"
+#include "particles/require.h"
+#include "particles/system.h"
+#include "particles/toys/toy_methods.h"
+
+namespace particles {
+
+namespace {
+
+// HAIR_HAS_P1 and the like are defined for the course's exercises.
+[[maybe_unused, noreturn]] void leave_out(const std::string& what, const std::string& exercise) {
+  throw std::invalid_argument(what + " needs exercise " + exercise + ", which this course leaves out");
+}
+
+void check_vector(std::string_view what, Input values) {
+  for (double value : values) require_finite(what, value);
+}
+
+void check_index(const std::string& what, int i, int n) {
+  require(i >= 0 && i < n, what, i, "a particle, from 0 to " + std::to_string(n - 1));
+}
+
+void check(const Toy& toy) {
+  const int n = toy.particles.count();
+  require(static_cast<int>(toy.particles.pinned.size()) == n, "a toy: the numbers of `pinned`",
+          static_cast<double>(toy.particles.pinned.size()), std::to_string(n));
+  require(toy.start.x.size() == 3 * n, "a toy: the numbers in x", static_cast<double>(toy.start.x.size()),
+          std::to_string(3 * n));
+  require(toy.start.v.size() == 3 * n, "a toy: the numbers in v", static_cast<double>(toy.start.v.size()),
+          std::to_string(3 * n));
+  for (double mass : toy.particles.mass) require_positive("a toy: a mass", mass);
+  check_vector("a toy: a position", toy.start.x);
+  check_vector("a toy: a velocity", toy.start.v);
+  check_vector("a toy: gravity", toy.gravity);
+  check_vector("a toy: the wind", toy.wind);
+  require_at_least("a toy: the drag", toy.drag, 0);
+  for (const Spring& spring : toy.springs) {
+    check_index("a spring's end", spring.i, n);
+    check_index("a spring's end", spring.j, n);
+  }
+  for (const Rod& rod : toy.constraints.rods) {
+    check_index("a rod's end", rod.i, n);
+    check_index("a rod's end", rod.j, n);
+    require(rod.i != rod.j, "a rod's other end", rod.j, "another particle");
+    require_at_least("a rod's length", rod.length, 0);
+  }
+  for (const Wire& wire : toy.constraints.wires) {
+    check_index("a wire's particle", wire.i, n);
+    check_vector("a wire's centre", wire.centre);
+    require(std::abs(wire.normal.norm() - 1) <= 1e-9, "the length of a wire's normal", wire.normal.norm(),
+            "1");
+    require_positive("a wire's radius", wire.radius);
+  }
+  require_at_least("the constraints' stiffness", toy.constraints.stiffness, 0);
+  require_at_least("the constraints' damping", toy.constraints.damping, 0);
+}
+
+// NaN once either is.
+double worse(double stretch, const Vector3d& between, double rest_length) {
+  if (rest_length == 0) return stretch;
+  const double other = std::abs(between.norm() / rest_length - 1);
+  return std::isnan(stretch) || other <= stretch ? stretch : other;
+}
+
+}  // namespace
+
+MovingToy::MovingToy(const Toy& description) : toy(description), state(toy.start) {
+  check(toy);
+  const bool implicit = toy.method == ToyMethod::implicit_euler, held = toy.constraints.rows() > 0;
+  if (implicit && held)
+    throw std::invalid_argument("a toy: rods and wires need an explicit method, not implicit Euler");
+
+  if (toy.gravity != Vector3d::Zero()) force.emplace<Gravity>(toy.particles.mass, toy.gravity);
+  if (!toy.springs.empty())
+    force.emplace<DampedSprings>(toy.springs, implicit ? Products::definite : Products::exact);
+  if (toy.drag > 0) force.emplace<Drag>(Eigen::VectorXd::Constant(toy.particles.count(), toy.drag), toy.wind);
+
+  if (held) {
+#ifdef HAIR_HAS_P2
+    dynamics = constrained_dynamics(*this);
+#else
+    leave_out("what rods and wires hold", "P2");
+#endif
+  } else if (!implicit) {
+    dynamics = std::make_unique<ParticleSystem>(toy.particles, force);
+  }
+}
+
+ToyStep toy_step_of(ToyMethod method) {
+  switch (method) {
+#ifdef HAIR_HAS_P1
+    case ToyMethod::forward_euler:
+      return kToyForwardEuler;
+    case ToyMethod::symplectic_euler:
+      return kToySymplecticEuler;
+    case ToyMethod::midpoint:
+      return kToyMidpoint;
+    case ToyMethod::runge_kutta_4:
+      return kToyRungeKutta4;
+#endif
+#ifdef HAIR_HAS_H4
+    case ToyMethod::implicit_euler:
+      return kToyImplicitEuler;
+#endif
+    default:
+      break;
+  }
+  if (method == ToyMethod::implicit_euler) leave_out("implicit Euler", "H4");
+  leave_out("an explicit method", "P1");
+}
+
+double largest_stretch(const Toy& toy, Input x) {
+  const auto between = [&](int i, int j) -> Vector3d { return x.segment<3>(3 * i) - x.segment<3>(3 * j); };
+  double stretch = 0;
+  for (const Spring& spring : toy.springs)
+    stretch = worse(stretch, between(spring.i, spring.j), spring.rest_length);
+  for (const Rod& rod : toy.constraints.rods) stretch = worse(stretch, between(rod.i, rod.j), rod.length);
+  return stretch;
+}
+
+}  // namespace particles

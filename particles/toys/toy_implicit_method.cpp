@@ -1,0 +1,19 @@
+#include "particles/implicit_euler.h"
+#include "particles/toys/toy_methods.h"
+
+namespace particles {
+
+namespace {
+
+void take_step(MovingToy& moving, const StepOptions& options, const Scratch& scratch) {
+  const SolveReport report =
+      implicit_euler(moving.force, moving.toy.particles, options.h, options.tolerance, moving.state, scratch);
+  moving.solves.steps += report.steps;
+  moving.solves.unconverged += !report.converged;
+}
+
+}  // namespace
+
+const ToyStep kToyImplicitEuler{take_step, kImplicitScratch};
+
+}  // namespace particles

@@ -1,0 +1,15 @@
+// The parts of a toy that call an exercise: there if the course has it.
+#pragma once
+
+#include "particles/toys/moving_toy.h"
+
+namespace particles {
+
+// P1
+extern const ToyStep kToyForwardEuler, kToySymplecticEuler, kToyMidpoint, kToyRungeKutta4;
+// H4
+extern const ToyStep kToyImplicitEuler;
+// P2: how a toy accelerates while its constraints hold. Refers to the toy.
+std::unique_ptr<Dynamics> constrained_dynamics(MovingToy& moving);
+
+}  // namespace particles
