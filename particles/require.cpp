@@ -4,6 +4,7 @@
 #include <limits>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 
 namespace particles {
 
@@ -29,6 +30,15 @@ void require_at_least(std::string_view what, double value, double bound) {
   text.precision(17);
   text << "finite and at least " << bound;
   require(false, what, value, text.str());
+}
+
+void require_finite(std::string_view what, Input values) {
+  for (const double value : values) require_finite(what, value);
+}
+
+void require_direction(std::string_view what, const Vector3d& direction) {
+  if (std::abs(direction.norm() - 1) <= 1e-9) return;
+  require(false, std::string(what) + ": its length", direction.norm(), "1");
 }
 
 }  // namespace particles

@@ -1,8 +1,10 @@
-// Preconditions of what is given: each throws std::invalid_argument, "<what> is <value>; it must be <bound>". NaN holds
-// for nothing that is compared. What holds costs no memory, so that steps can check, too.
+// Preconditions of what is given: each throws std::invalid_argument, "<what> is <value>; it must be <bound>". NaN fails
+// every check. A check that holds takes no memory, so that steps can check, too.
 #pragma once
 
 #include <string_view>
+
+#include "particles/vectors.h"
 
 namespace particles {
 
@@ -10,5 +12,7 @@ void require(bool holds, std::string_view what, double value, std::string_view b
 void require_finite(std::string_view what, double value);
 void require_positive(std::string_view what, double value);                // and normal: 1 / value is finite
 void require_at_least(std::string_view what, double value, double bound);  // and finite
+void require_finite(std::string_view what, Input values);                  // each of them
+void require_direction(std::string_view what, const Vector3d& direction);  // of length 1
 
 }  // namespace particles

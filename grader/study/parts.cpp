@@ -18,39 +18,14 @@ struct Known {
 };
 
 Known known(hair::Method method) {
-  switch (method) {
-    case hair::Method::forward_euler:
-      return {"forward Euler", 1};
-    case hair::Method::symplectic_euler:
-      return {"symplectic Euler", 1};
-    case hair::Method::midpoint:
-      return {"midpoint", 2};
-    case hair::Method::runge_kutta_4:
-      return {"Runge-Kutta 4", 4};
-    case hair::Method::implicit_euler:
-      return {"implicit Euler", 1};
-    case hair::Method::newton_euler:
-      return {"implicit Euler by Newton's method", 1};
-    case hair::Method::predictor_corrector:
-      break;
-  }
-  return {"predictor and corrector", 1};
+  const hair::MethodRow& row = hair::row_of(method);
+  return {row.name, row.order};
 }
 
 Known known(hair::ToyMethod method) {
-  switch (method) {
-    case hair::ToyMethod::forward_euler:
-      return known(hair::Method::forward_euler);
-    case hair::ToyMethod::symplectic_euler:
-      return known(hair::Method::symplectic_euler);
-    case hair::ToyMethod::midpoint:
-      return known(hair::Method::midpoint);
-    case hair::ToyMethod::runge_kutta_4:
-      return known(hair::Method::runge_kutta_4);
-    case hair::ToyMethod::implicit_euler:
-      break;
-  }
-  return known(hair::Method::implicit_euler);
+  for (const hair::MethodRow& row : hair::methods())
+    if (row.toy == method) return {row.name, row.order};
+  return {"", 1};
 }
 
 StudiedPart part_of(const json& scene, const std::string& name) {

@@ -13,7 +13,7 @@ void BendForce::add_force(Input x, Input, Output f) const {
 }
 
 void BendForce::add_dfdx(Input x, Input, Input dx, Output df) const {
-  if (product_ == BendProduct::exact)
+  if (product_ == Products::exact)
     add_bend_product(strand_, x, dx, df);
   else
     add_bend_product_spd(strand_, x, dx, df);

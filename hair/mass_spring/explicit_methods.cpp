@@ -1,4 +1,4 @@
-#include "hair/mass_spring/methods.h"
+#include "hair/mass_spring/step_methods.h"
 #include "particles/explicit_integrators.h"
 
 namespace hair {

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "hair/mass_spring/point_forces.h"
 #include "hair/mass_spring/rest_curvature.h"
 #include "hair/strand.h"
 #include "particles/force_sum.h"
@@ -31,7 +32,8 @@ struct MovingStrand {
   // Newton's method alone: the same forces with products that are definite. For others nothing.
   particles::ForceSum definite_force;
   std::vector<RestCurvature*> rest_curvatures;  // parts of these sums, if the strand rests curved
-  particles::ParticleSystem system;             // what explicit methods see
+  std::vector<PointForces*> point_forces;  // parts of these sums, if something outside pulls at the strand
+  particles::ParticleSystem system;        // what explicit methods see
 };
 
 }  // namespace hair

@@ -1,5 +1,5 @@
-#include "hair/mass_spring/methods.h"
 #include "hair/mass_spring/newton_euler.h"
+#include "hair/mass_spring/step_methods.h"
 
 namespace hair {
 
@@ -18,6 +18,6 @@ StepOutcome take_newton_step(MovingStrand& moving, const StepOptions& options,
 
 }  // namespace
 
-const StepMethod kNewtonEuler{take_newton_step, kNewtonScratch};
+const StepMethod kNewtonEuler{take_newton_step, kNewtonScratch, nullptr, true};
 
 }  // namespace hair

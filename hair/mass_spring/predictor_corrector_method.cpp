@@ -1,6 +1,6 @@
 #include <cmath>
 
-#include "hair/mass_spring/methods.h"
+#include "hair/mass_spring/step_methods.h"
 #include "hair/predictor_corrector.h"
 
 namespace hair {

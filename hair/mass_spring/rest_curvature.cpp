@@ -55,7 +55,7 @@ Eigen::VectorXd bend_components(Input x, const Vector3d& tangent, const Vector3d
 }
 
 RestCurvature::RestCurvature(const Strand& strand, Eigen::VectorXd rest, const Vector3d& root_normal,
-                             BendProduct product)
+                             Products product)
     : strand_(strand), rest_(std::move(rest)), product_(product) {
   if (!strand.clamped) throw std::invalid_argument("a strand that is curved at rest must be clamped");
   require(rest_.size() == 2 * strand.segments(), "the number of rest components",
@@ -87,7 +87,7 @@ void RestCurvature::add_force(Input x, Input, Output f) const {
 }
 
 void RestCurvature::add_dfdx(Input x, Input, Input dx, Output df) const {
-  if (product_ == BendProduct::spd) {
+  if (product_ == Products::definite) {
     spread_all<double>(
         strand_, rest_, root_normal_, [&](int i) { return difference(x, i); }, Squares(dx), Squares(dx),
         [&](int i, const Vector3d& force) { df.segment<3>(3 * i) += force; });

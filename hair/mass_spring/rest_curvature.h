@@ -67,11 +67,11 @@ class RestCurvature final : public particles::Force {
   // root_tangent, to within 1e-6; no joint rests at more than kMostRest. Throws std::invalid_argument otherwise, and
   // for a strand that is not clamped.
   //
-  // Products: exact, or spd, which is that of Gauss and Newton, -J^T k J with J = dr/dx of the r whose squares E adds
+  // Products: exact, or definite, which is that of Gauss and Newton, -J^T k J with J = dr/dx of the r whose squares E adds
   // up (next to a fold without what turns kappa and has no energy there), and equal to the exact one at rest. The
   // force is -J^T k r with the same J, and so a step (M + h^2 J^T k J) dv = -h J^T k r gives the strand a kinetic
   // energy of at most E / 4, whatever h.
-  RestCurvature(const Strand& strand, Eigen::VectorXd rest, const Vector3d& root_normal, BendProduct product);
+  RestCurvature(const Strand& strand, Eigen::VectorXd rest, const Vector3d& root_normal, Products product);
 
   // When the root turns, its normal does with root_tangent.
   void set_root_normal(const Vector3d& normal);
@@ -85,7 +85,7 @@ class RestCurvature final : public particles::Force {
   const Strand& strand_;
   Eigen::VectorXd rest_;
   Vector3d root_normal_;
-  BendProduct product_;
+  Products product_;
 };
 
 }  // namespace hair

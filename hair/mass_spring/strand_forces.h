@@ -5,11 +5,13 @@
 #include "hair/geometric_term.h"
 #include "hair/strand.h"
 #include "particles/force.h"
+#include "particles/products.h"
 
 namespace hair {
 
 using particles::Input;
 using particles::Output;
+using particles::Products;
 
 // H1: springs along the segments. The products' geometric term is as said.
 class StretchForce final : public particles::Force {
@@ -25,13 +27,10 @@ class StretchForce final : public particles::Force {
   GeometricTerm term_;
 };
 
-// What a bending force's products are: its exact derivative, or the semi-definite one for implicit steps.
-enum class BendProduct { exact, spd };
-
 // H2: angular springs at the joints.
 class BendForce final : public particles::Force {
  public:
-  BendForce(const Strand& strand, BendProduct product) : strand_(strand), product_(product) {}
+  BendForce(const Strand& strand, Products product) : strand_(strand), product_(product) {}
   double energy(Input x) const override;
   void add_force(Input x, Input v, Output f) const override;
   void add_dfdx(Input x, Input v, Input dx, Output df) const override;
@@ -39,7 +38,7 @@ class BendForce final : public particles::Force {
 
  private:
   const Strand& strand_;
-  BendProduct product_;
+  Products product_;
 };
 
 // H3: springs that skip a particle.

@@ -9,7 +9,7 @@ namespace {
 using Eigen::Vector3d;
 
 // Adds springs from every particle to the one that is so many rows and columns further on.
-void add_springs(const Cloth& cloth, int by_rows, int by_columns, double stiffness, Toy& toy) {
+void add_springs(const Cloth& cloth, int by_rows, int by_columns, double stiffness, particles::Toy& toy) {
   if (stiffness == 0) return;
   for (int r = 0; r + by_rows < cloth.rows; ++r)
     for (int c = 0; c < cloth.columns; ++c) {
@@ -23,13 +23,13 @@ void add_springs(const Cloth& cloth, int by_rows, int by_columns, double stiffne
 
 }  // namespace
 
-Toy make_cloth(const Cloth& cloth) {
+particles::Toy make_cloth(const Cloth& cloth) {
   particles::require_at_least("a cloth's rows", cloth.rows, 2);
   particles::require_at_least("a cloth's columns", cloth.columns, 2);
   const Vector3d right = cloth.across / (cloth.columns - 1), below = cloth.down / (cloth.rows - 1);
   const double square = cloth.area_density * right.cross(below).norm();
 
-  Toy toy;
+  particles::Toy toy;
   toy.rows = cloth.rows;
   toy.columns = cloth.columns;
   const int n = cloth.rows * cloth.columns;

@@ -24,6 +24,6 @@ struct Cloth {
 };
 
 // Throws std::invalid_argument for fewer rows or columns.
-Toy make_cloth(const Cloth& cloth);
+particles::Toy make_cloth(const Cloth& cloth);
 
 }  // namespace hair

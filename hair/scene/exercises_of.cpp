@@ -1,49 +1,50 @@
-#include <set>
+#include <algorithm>
 
+#include "hair/mass_spring/force_parts.h"
 #include "hair/scene/scene.h"
+#include "hair/simulation/models.h"
+#include "particles/toys/moving_toy.h"
+#include "solver/course.h"
 
 namespace hair {
 
 namespace {
 
-void add_strands(const Description& hair, std::set<std::string>& called) {
-  switch (hair.method) {
-    case Method::predictor_corrector:
-      called.insert({"S1", "H4", "H5", "H6"});
-      break;
-    case Method::implicit_euler:
-    case Method::newton_euler:
-      called.insert({"S1", "H4"});
-      break;
-    default:
-      called.insert("P1");
+class Called {
+ public:
+  template <class Ids>
+  void add(const Ids& ids) {
+    for (const auto& id : ids) {
+      const std::string text(id);
+      if (std::find(ids_.begin(), ids_.end(), text) == ids_.end()) ids_.push_back(text);
+    }
   }
-  for (const StrandStart& start : hair.strands) {
-    if (start.strand.stretch_rigidity > 0) called.insert("H1");
-    if (start.strand.bend_rigidity > 0 && start.rest_curvature.size() == 0) called.insert("H2");
-    if (start.strand.skip_rigidity > 0) called.insert("H3");
+  // In the course's order; those that it leaves out come last.
+  std::vector<std::string> take() {
+    std::sort(ids_.begin(), ids_.end());
+    std::stable_sort(ids_.begin(), ids_.end(), [](const std::string& a, const std::string& b) {
+      return place_in_course(a) < place_in_course(b);
+    });
+    return std::move(ids_);
   }
-}
 
-void add_toy(const Toy& toy, std::set<std::string>& called) {
-  if (toy.method == ToyMethod::implicit_euler) {
-    called.insert({"S1", "H4"});
-  } else {
-    called.insert("P1");
-  }
-  if (toy.constraints.rows() > 0) called.insert({"S1", "P2"});
-}
+ private:
+  std::vector<std::string> ids_;
+};
 
 }  // namespace
 
 std::vector<std::string> exercises_of(const Scene& scene) {
-  std::set<std::string> called;
-  if (!scene.hair.strands.empty()) add_strands(scene.hair, called);
-  for (const Toy& toy : scene.toys) add_toy(toy, called);
-  std::vector<std::string> ordered;
-  for (const char* id : {"S1", "P1", "P2", "H1", "H2", "H3", "H4", "H5", "H6"})
-    if (called.count(id) > 0) ordered.emplace_back(id);
-  return ordered;
+  Called called;
+  if (has_strands(scene)) called.add(row_of(scene.hair.method).exercises);
+  for (const StrandStart& start : scene.hair.strands) called.add(exercises_of(start));
+  for (const ModelledStrand& strand : scene.hair.modelled) called.add(strand.model->exercises(strand.spec));
+  for (const Toy& toy : scene.toys) {
+    for (const MethodRow& row : methods())
+      if (row.toy == toy.method) called.add(row.exercises);
+    called.add(particles::exercises_of_constraints(toy));
+  }
+  return called.take();
 }
 
 }  // namespace hair

@@ -1,31 +1,23 @@
 #include "hair/scene/playback.h"
 
 #include <algorithm>
-#include <deque>
-#include <stdexcept>
 #include <string>
 
 #include "hair/scene/riding.h"
-#include "hair/strand/measures.h"
+#include "hair/scene/toy_body.h"
+#include "hair/simulation/simulation.h"
 #include "particles/require.h"
-#include "particles/system.h"
-#include "particles/toys/moving_toy.h"
 
 namespace hair {
 
 namespace {
 
-void add(FrameMeasures& sum, double stretch, double kinetic, double potential, const Vector3d& momentum,
-         const Vector3d& angular_momentum) {
-  if (!(stretch <= sum.stretch)) sum.stretch = stretch;  // and if it is NaN
-  sum.kinetic += kinetic;
-  sum.potential += potential;
-  sum.momentum += momentum;
-  sum.angular_momentum += angular_momentum;
-}
-
-bool is_sound(const particles::State& state) {
-  return (state.x.array().abs() <= kFarthest).all() && (state.v.array().abs() <= kFastest).all();
+void add(FrameMeasures& sum, const BodyMeasures& part) {
+  if (!(part.stretch <= sum.stretch)) sum.stretch = part.stretch;  // and if it is NaN
+  sum.kinetic += part.kinetic;
+  sum.potential += part.potential;
+  sum.momentum += part.momentum;
+  sum.angular_momentum += part.angular_momentum;
 }
 
 void check_times(const Scene& scene) {
@@ -39,19 +31,19 @@ void check_times(const Scene& scene) {
 class Playback::Parts {
  public:
   explicit Parts(const Scene& scene)
-      : options_{scene.hair.step, scene.hair.tolerance},
+      : h_(scene.hair.step),
+        tolerance_(scene.hair.tolerance),
         steps_per_frame_(scene.steps_per_frame),
         frames_per_second_(scene.frames_per_second),
         still_(scene.hair.obstacles) {
     check_times(scene);
-    if (!scene.hair.strands.empty()) simulation_.emplace(scene.hair);
-    if (simulation_)
+    if (has_strands(scene)) {
+      simulation_.emplace(scene.hair);
       for (const Rider& rider : scene.riders) riding_.emplace_back(rider, scene.hair);
+      for (int i = 0; i < simulation_->strands(); ++i) strands_.push_back(simulation_->body(i).points());
+    }
     add_toys(scene.toys);
-    for (const StrandStart& start : scene.hair.strands) strands_.push_back(start.strand.count());
-    size_ = 0;
-    for (const int count : strands_) size_ += 3 * count;
-    for (const MovingToy& toy : toys_) size_ += static_cast<int>(toy.state.x.size());
+    for (int i = 0; i < bodies(); ++i) size_ += body(i).size();
   }
 
   void restart(const Scene& scene) {
@@ -60,11 +52,10 @@ class Playback::Parts {
                        static_cast<double>(scene.toys.size()), std::to_string(toys_.size()));
     if (simulation_) simulation_->restart(scene.hair);
     scratch_.setZero();
-    for (MovingToy& toy : toys_) {
-      toy.state = toy.toy.start;
-      toy.solves = {};
-    }
-    options_.h = scene.hair.step;
+    for (std::size_t i = 0; i < toys_.size(); ++i)
+      toys_[i]->write(scene.toys[i].start.x, scene.toys[i].start.v);
+    toys_work_ = {};
+    h_ = scene.hair.step;
     steps_per_frame_ = scene.steps_per_frame;
     frames_per_second_ = scene.frames_per_second;
     frame_ = 0;
@@ -87,22 +78,18 @@ class Playback::Parts {
   particles::State state() const {
     particles::State all{Eigen::VectorXd(size_), Eigen::VectorXd(size_)};
     Eigen::Index at = 0;
-    const auto put = [&](const particles::State& state) {
-      all.x.segment(at, state.x.size()) = state.x;
-      all.v.segment(at, state.v.size()) = state.v;
-      at += state.x.size();
-    };
-    for (std::size_t i = 0; i < strands_.size(); ++i) put(simulation_->state(static_cast<int>(i)));
-    for (const MovingToy& toy : toys_) put(toy.state);
+    for (int i = 0; i < bodies(); ++i) {
+      const int size = body(i).size();
+      body(i).read(all.x.segment(at, size), all.v.segment(at, size));
+      at += size;
+    }
     return all;
   }
 
   Work work() const {
     Work work = simulation_ ? simulation_->work() : Work{};
-    for (const MovingToy& toy : toys_) {
-      work.solver_steps += toy.solves.steps;
-      work.unconverged += toy.solves.unconverged;
-    }
+    work.solver_steps += toys_work_.solver_steps;
+    work.unconverged += toys_work_.unconverged;
     return work;
   }
 
@@ -111,67 +98,60 @@ class Playback::Parts {
                        static_cast<double>(all.x.size()), std::to_string(size_));
     FrameMeasures sum;
     Eigen::Index at = 0;
-    particles::State state;
-    const auto take = [&](Eigen::Index size) {
-      state.x = all.x.segment(at, size);
-      state.v = all.v.segment(at, size);
+    for (int i = 0; i < bodies(); ++i) {
+      const int size = body(i).size();
+      add(sum, body(i).measure(all.x.segment(at, size), all.v.segment(at, size)));
       at += size;
-    };
-    for (int i = 0; i < static_cast<int>(strands_.size()); ++i) {
-      take(3 * strands_[i]);
-      const Measures part =
-          hair::measure(simulation_->strand(i), simulation_->particles(i), simulation_->force(i), state);
-      add(sum, part.stretch, part.kinetic, part.potential, part.momentum,
-          part.angular_momentum + Vector3d(state.x.head<3>()).cross(part.momentum));
-    }
-    for (const MovingToy& toy : toys_) {
-      take(toy.state.x.size());
-      const particles::Particles& bodies = toy.toy.particles;
-      add(sum, largest_stretch(toy.toy, state.x), particles::kinetic_energy(bodies, state.v),
-          toy.force.energy(state.x), particles::momentum(bodies, state.v),
-          particles::angular_momentum(bodies, state.x, state.v));
     }
     return sum;
   }
 
  private:
+  // Strand after strand, then toy after toy.
+  int bodies() const { return static_cast<int>(strands_.size() + toys_.size()); }
+  const Body& body(int i) const {
+    const auto index = static_cast<std::size_t>(i);
+    if (index < strands_.size()) return simulation_->body(i);
+    return *toys_[index - strands_.size()];
+  }
+
   void add_toys(const std::vector<Toy>& toys) {
-    Eigen::Index rows = 0;
-    int columns = 0;
+    int rows = 0, columns = 0;
     for (const Toy& toy : toys) {
-      const MovingToy& moving = toys_.emplace_back(toy);
-      toy_steps_.push_back(toy_step_of(toy.method));
-      rows = std::max(rows, moving.state.x.size());
-      columns = std::max(columns, toy_steps_.back().scratch);
+      const ToyBody& body = *toys_.emplace_back(std::make_unique<ToyBody>(toy));
+      rows = std::max(rows, body.scratch_rows());
+      columns = std::max(columns, body.scratch_columns());
     }
     scratch_.setZero(rows, columns);
   }
 
   void step() {
-    const double time = static_cast<double>(steps_++) * options_.h;
-    for (const Riding& riding : riding_) riding.lead(*simulation_, time, options_.h);
+    const double time = static_cast<double>(steps_++) * h_;
+    for (const Riding& riding : riding_) riding.lead(*simulation_, time, h_);
     if (simulation_)
       if (const auto blow_up = simulation_->step())
-        trouble_ = "strand " + std::to_string(blow_up->strand) + ", step " + std::to_string(blow_up->step) +
-                   ": " + stage_name(blow_up->stage);
-    for (std::size_t i = 0; i < toys_.size() && !trouble_; ++i) {
-      toy_steps_[i].step(toys_[i], options_, scratch_.topRows(toys_[i].state.x.size()));
-      if (!is_sound(toys_[i].state))
-        trouble_ = "toy " + std::to_string(i) + ", step " + std::to_string(steps_) + ": " +
-                   stage_name(toys_[i].dynamics ? Stage::integration : Stage::filter);
-    }
+        trouble_ = trouble("strand", blow_up->strand, blow_up->step, blow_up->stage);
+    const BodyStep step{h_, tolerance_, still_};
+    for (std::size_t i = 0; i < toys_.size() && !trouble_; ++i)
+      if (const auto stage = toys_[i]->step(step, scratch_.topRows(toys_[i]->scratch_rows()), toys_work_))
+        trouble_ = trouble("toy", static_cast<int>(i), steps_, *stage);
   }
 
-  StepOptions options_;
+  static std::string trouble(const char* what, int which, long step, Stage stage) {
+    return std::string(what) + " " + std::to_string(which) + ", step " + std::to_string(step) + ": " +
+           stage_name(stage);
+  }
+
+  double h_, tolerance_;
   int steps_per_frame_;
   double frames_per_second_;
   std::optional<Simulation> simulation_;  // none without strands
   std::vector<Riding> riding_;
-  std::deque<MovingToy> toys_;      // never moves what it holds
-  std::vector<ToyStep> toy_steps_;  // of each toy
-  Eigen::MatrixXd scratch_;         // shared by the toys, which take turns
-  std::vector<Obstacle> still_;     // without strands nothing moves them
-  std::vector<int> strands_;
+  std::vector<std::unique_ptr<ToyBody>> toys_;
+  Work toys_work_;
+  Eigen::MatrixXd scratch_;      // shared by the toys, which take turns
+  std::vector<Obstacle> still_;  // without strands nothing moves them
+  std::vector<int> strands_;     // the points of each
   int size_ = 0;
   int frame_ = 0;
   long steps_ = 0;

@@ -29,9 +29,9 @@ class Playback {
   Playback(const Playback&) = delete;
   Playback& operator=(const Playback&) = delete;
 
-  // Back to the start, and on from there in the steps of `scene`, which is else that which it was made of, so that
-  // nothing is assembled anew: for those who play it again and again. Work is counted from 0. Throws
-  // std::invalid_argument for other particles.
+  // Back to the start, and on from there in the steps of `scene`: for those who play it again and again, for nothing
+  // is assembled anew. Only states, root frames, obstacles and steps may differ from the original scene. Work is counted
+  // from 0. Throws std::invalid_argument for other particles.
   void restart(const Scene& scene);
 
   // To the next frame. Nothing, or where it broke: "strand 0, step 17: filter". After that it stays where it
@@ -42,9 +42,9 @@ class Playback {
   int frame() const;    // 0 at the start
   long steps() const;   // since the start, the one that broke among them
 
-  // All particles: strand after strand, then toy after toy.
+  // The coordinates of all bodies: strand after strand, then toy after toy. Of masses and springs these are positions.
   particles::State state() const;
-  const std::vector<int>& strands() const;         // the number of particles of each strand
+  const std::vector<int>& strands() const;         // the number of points of each strand
   const std::vector<Obstacle>& obstacles() const;  // where they are now
   Work work() const;                               // of the hair; of toys the solver's steps
 

@@ -1,5 +1,6 @@
 #include "hair/scene/riding.h"
 
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -10,6 +11,11 @@ namespace hair {
 using particles::require, particles::require_finite;
 
 namespace {
+
+Vector3d angular_velocity(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to, double h) {
+  const Eigen::AngleAxisd turn(to * from.conjugate());
+  return turn.angle() / h * turn.axis();
+}
 
 Vector3d place(const Plane& plane) {
   return plane.point;
@@ -43,6 +49,19 @@ Vector3d place_of(const Obstacle& obstacle) {
   return std::visit([](const auto& shape) { return place(shape); }, obstacle.shape);
 }
 
+Riding::LedRoot Riding::root_of(const Description& hair, int strand) {
+  const auto index = static_cast<std::size_t>(strand);
+  if (index >= hair.strands.size()) {
+    const RestShape shape = rest_shape(hair.modelled[index - hair.strands.size()].spec);
+    return {strand, shape.x.head<3>(), shape.tangent, shape.normal};
+  }
+  const StrandStart& start = hair.strands[index];
+  const Vector3d& tangent = start.strand.root_tangent;
+  // A strand that is straight at rest may have any normal.
+  const bool fits = std::abs(tangent.dot(start.root_normal)) <= 1e-6;
+  return {strand, start.state.x.head<3>(), tangent, fits ? start.root_normal : tangent.unitOrthogonal()};
+}
+
 Riding::Riding(const Rider& rider, const Description& hair) : motion_(rider.motion) {
   check(motion_);
   turns_ = turns(motion_);
@@ -51,10 +70,8 @@ Riding::Riding(const Rider& rider, const Description& hair) : motion_(rider.moti
             "less than " + std::to_string(count));
   };
   for (const int i : rider.strands) {
-    check_index("a rider's strand", i, hair.strands.size());
-    const StrandStart& start = hair.strands[i];
-    roots_.push_back(
-        {i, start.strand.clamped, start.state.x.head<3>(), start.strand.root_tangent, start.root_normal});
+    check_index("a rider's strand", i, hair.strands.size() + hair.modelled.size());
+    roots_.push_back(root_of(hair, i));
   }
   for (const int i : rider.obstacles) {
     check_index("a rider's obstacle", i, hair.obstacles.size());
@@ -62,22 +79,25 @@ Riding::Riding(const Rider& rider, const Description& hair) : motion_(rider.moti
     if (turns_ && !std::holds_alternative<Sphere>(obstacle.shape))
       throw std::invalid_argument("obstacle " + std::to_string(i) +
                                   " rides on a motion that turns, which only a sphere can");
-    bodies_.push_back({i, place_of(obstacle)});
+    obstacles_.push_back({i, place_of(obstacle)});
   }
 }
 
 void Riding::lead(Simulation& simulation, double time, double h) const {
   const Way way = way_at(motion_, time + h);
-  for (const Root& root : roots_) {
-    const Vector3d here = simulation.state(root.strand).x.head<3>();
-    simulation.set_root_velocity(root.strand, (way(root.position) - here) / h);
-    if (turns_ && root.clamped)
-      simulation.set_root_frame(root.strand, (way.rotation * root.tangent).normalized(),
-                                (way.rotation * root.normal).normalized());
+  for (const LedRoot& root : roots_) {
+    const Vector3d here = simulation.body(root.strand).root_position(), there = way(root.position);
+    Root next{there, root.tangent, root.normal, (there - here) / h, Vector3d::Zero()};
+    if (turns_) {
+      next.tangent = (way.rotation * root.tangent).normalized();
+      next.normal = (way.rotation * root.normal).normalized();
+      next.angular_velocity = angular_velocity(way_at(motion_, time).rotation, way.rotation, h);
+    }
+    simulation.set_root(root.strand, next);
   }
-  for (const Body& body : bodies_)
-    simulation.set_obstacle_velocity(body.obstacle,
-                                     (way(body.place) - place_of(simulation.obstacles()[body.obstacle])) / h);
+  for (const LedObstacle& led : obstacles_)
+    simulation.set_obstacle_velocity(led.obstacle,
+                                     (way(led.place) - place_of(simulation.obstacles()[led.obstacle])) / h);
 }
 
 }  // namespace hair

@@ -22,20 +22,21 @@ class Riding {
   void lead(Simulation& simulation, double time, double h) const;
 
  private:
-  struct Root {
+  struct LedRoot {
     int strand;
-    bool clamped;
     Vector3d position, tangent, normal;  // before the motion's first key
   };
-  struct Body {
+  struct LedObstacle {
     int obstacle;
     Vector3d place;
   };
 
+  static LedRoot root_of(const Description& hair, int strand);
+
   Motion motion_;
   bool turns_;
-  std::vector<Root> roots_;
-  std::vector<Body> bodies_;
+  std::vector<LedRoot> roots_;
+  std::vector<LedObstacle> obstacles_;
 };
 
 }  // namespace hair

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "hair/scene/motion.h"
-#include "hair/simulation/simulation.h"
+#include "hair/simulation/description.h"
 #include "particles/toys/toy.h"
 
 namespace hair {
@@ -41,11 +41,16 @@ struct Scene {
   int frames = 1;     // after the first, which is the start
   double frames_per_second = 30;
   int steps_per_frame = 8;  // 1 / (frames_per_second * hair.step), which is a whole number
-  Description hair;         // no strands: there is no hair simulation
+  Description hair;         // without strands there is no hair simulation
   std::vector<Rider> riders;
   std::vector<Toy> toys;     // particles with springs, rods, wires: for P1 and P2, and cloth
   std::optional<Look> look;  // none: there is nothing to render
 };
+
+// Whether there is a hair simulation.
+inline bool has_strands(const Scene& scene) {
+  return !scene.hair.strands.empty() || !scene.hair.modelled.empty();
+}
 
 // Throw BadInput with file and JSON path: "FILE: hair[0].roots.count: ...". Paths of grooms count from the
 // scene's folder.

@@ -2,6 +2,8 @@
 // simulation: nothing is drawn or measured as if it had not happened.
 #pragma once
 
+#include "particles/state.h"
+
 namespace hair {
 
 // A part of a step, in the order in which they come.
@@ -24,5 +26,8 @@ struct BlowUp {
 // What no hair's particle has: to be this far from the origin, to move faster than light.
 inline constexpr double kFarthest = 1e9;  // m
 inline constexpr double kFastest = 3e8;   // m/s
+
+// False for a state with such a number, or one that is not finite.
+bool is_sound(const particles::State& state);
 
 }  // namespace hair

@@ -29,6 +29,20 @@ void check_resolved(double segment, double wave) {
           "at most 1/4");
 }
 
+// From t on the axis to where the wave is longer by `length`: dt/ds = 1 / sqrt(1 + (A k cos(kt))^2), by Runge and
+// Kutta's method. A wave turns over a length of 1 / (k (1 + A k)) at the least, which 50 steps follow to rounding.
+double further_along(double amplitude, double wavelength, double t, double length) {
+  const double k = kTurn / wavelength, steepness = amplitude * k;
+  const int steps = static_cast<int>(std::ceil(50 * length * k * (1 + steepness)));
+  const double h = length / steps;
+  auto rate = [&](double at) { return 1 / std::hypot(1, steepness * std::cos(k * at)); };
+  for (int j = 0; j < steps; ++j) {
+    const double a = rate(t), b = rate(t + h / 2 * a), c = rate(t + h / 2 * b), d = rate(t + h * c);
+    t += h / 6 * (a + 2 * b + 2 * c + d);
+  }
+  return t;
+}
+
 // The first tangent, and the part of `side` that is perpendicular to it.
 RestShape begin(int segments, const RootFrame& frame, const Vector3d& tangent) {
   RestShape shape{Eigen::VectorXd(3 * (segments + 1)), tangent.normalized(), {}};
@@ -55,23 +69,18 @@ RestShape wavy_shape(int segments, double length, double amplitude, double wavel
   const double segment = length / segments;
   check_resolved(segment, wavelength);
 
-  // How far along the axis: dt/ds = 1 / sqrt(1 + (A k cos(kt))^2), by Runge and Kutta's method. A wave turns
-  // over a length of 1 / (k (1 + A k)) at the least, which 50 steps follow to rounding.
   const double k = kTurn / wavelength, steepness = amplitude * k;
-  const int steps = static_cast<int>(std::ceil(50 * segment * k * (1 + steepness)));
-  const double h = segment / steps;
-  auto rate = [&](double t) { return 1 / std::hypot(1, steepness * std::cos(k * t)); };
-
   RestShape shape = begin(segments, frame, frame.axis + steepness * frame.side);
   double t = 0;
   for (int i = 0; i <= segments; ++i) {
     shape.x.segment<3>(3 * i) = frame.position + t * frame.axis + amplitude * std::sin(k * t) * frame.side;
-    for (int j = 0; j < steps; ++j) {
-      const double a = rate(t), b = rate(t + h / 2 * a), c = rate(t + h / 2 * b), d = rate(t + h * c);
-      t += h / 6 * (a + 2 * b + 2 * c + d);
-    }
+    t = further_along(amplitude, wavelength, t, segment);
   }
   return shape;
+}
+
+double wave_axis(double amplitude, double wavelength, double s) {
+  return further_along(amplitude, wavelength, 0, s);
 }
 
 RestShape curly_shape(int segments, double length, double radius, double pitch, const RootFrame& frame) {

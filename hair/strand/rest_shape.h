@@ -33,6 +33,9 @@ RestShape straight_shape(int segments, double length, const RootFrame& frame);
 RestShape wavy_shape(int segments, double length, double amplitude, double wavelength,
                      const RootFrame& frame);
 
+// How far along the axis that wave is, m, where its length is s >= 0.
+double wave_axis(double amplitude, double wavelength, double s);
+
 // A right-handed helix: turns of `radius` >= 0, which advance along the axis by `pitch` > 0 each. The helix's
 // own axis goes past the root at -radius * side. Its curvature is r / (r^2 + c^2) and its torsion c / (r^2 +
 // c^2), with c = pitch / 2 pi.

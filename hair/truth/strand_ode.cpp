@@ -15,7 +15,7 @@ bool rests_curved(const StrandStart& start) {
 Description exact_description(const Problem& problem) {
   Description hair = problem.scene.hair;
   hair.geometric_term = GeometricTerm::full;
-  hair.bend_product = BendProduct::exact;
+  hair.bend_product = Products::exact;
   return hair;
 }
 

@@ -10,7 +10,7 @@ namespace hair {
 
 class ToyOde : public Ode {
  public:
-  // Throws what MovingToy throws.
+  // Throws what particles::MovingToy throws.
   explicit ToyOde(const Problem& problem);
 
   int size() const override { return 6 * static_cast<int>(free_.size()); }
@@ -22,7 +22,7 @@ class ToyOde : public Ode {
  private:
   void unpack(double t, particles::Input y);
 
-  MovingToy moving_;
+  particles::MovingToy moving_;
   std::vector<int> free_;  // particles
   double duration_;
   particles::State state_;

@@ -198,7 +198,7 @@ TEST(AddBendForce, WhereDirectionsAreLostIsZero) {
   }
 }
 
-TEST(AddBendProduct, IsTheForcesDerivative) {
+TEST(AddProducts, IsTheForcesDerivative) {
   for (double bend : {1e-6, 0.3, 1.5, 2.8}) {
     const Case c = bent(6, bend);
     const VectorXd dx = scattered_vector(18, 5);
@@ -214,14 +214,14 @@ TEST(AddBendProduct, IsTheForcesDerivative) {
   }
 }
 
-TEST(AddBendProduct, IsSymmetric) {
+TEST(AddProducts, IsSymmetric) {
   const Case c = clamped(uneven(8, 2));
   expect_symmetric([&](const VectorXd& dx) { return product(c.strand, c.x, dx); }, scattered_vector(24, 1),
                    scattered_vector(24, 2), 24 * 1024 * kU * 200,
                    "24 entries, 1024 u of k pi / |e|^2 each: rounding");
 }
 
-TEST(AddBendProduct, IsIndefinite) {
+TEST(AddProducts, IsIndefinite) {
   // phi = pi/2, k = 4, |e| = 1: the ends out of the bend's plane, one to either side, have -k phi tan(phi/2)
   // = -2 pi.
   const Strand strand = strand_of(vector({1, 1}));
@@ -231,7 +231,7 @@ TEST(AddBendProduct, IsIndefinite) {
       << ": the energy falls along it, by k phi tan(phi/2) = 2 pi; (df/dx) out = " << particles_in_words(df);
 }
 
-TEST(AddBendProductSpd, IsNegativeSemidefinite) {
+TEST(AddProductsSpd, IsNegativeSemidefinite) {
   for (const Case& c : {bent(6, 0.3), bent(6, 2.8), clamped(uneven(7, 2))}) {
     for (int which = 0; which < 20; ++which) {
       const VectorXd dx = scattered_vector(static_cast<int>(c.x.size()), which);
@@ -242,7 +242,7 @@ TEST(AddBendProductSpd, IsNegativeSemidefinite) {
   }
 }
 
-TEST(AddBendProductSpd, IsTheFormula) {
+TEST(AddProductsSpd, IsTheFormula) {
   const Strand strand = strand_of(vector({1, 1}));
   // phi = pi/2: cot(phi) = 0, and only the bend itself counts: k grad phi grad phi^T.
   const VectorXd gradient = vector({0, 1, 0, 0, -1, -1, 0, 0, 1});
@@ -260,7 +260,7 @@ TEST(AddBendProductSpd, IsTheFormula) {
                  "256 u of k / |e|^2: rounding");
 }
 
-TEST(AddBendProductSpd, IsExactForAStraightStrand) {
+TEST(AddProductsSpd, IsExactForAStraightStrand) {
   Case c = bent(6, 0);
   const VectorXd dx = scattered_vector(18, 4);
   for (const Vector3d& direction :
@@ -273,7 +273,7 @@ TEST(AddBendProductSpd, IsExactForAStraightStrand) {
   }
 }
 
-TEST(AddBendProductSpd, IsAddedToWhatDfHolds) {
+TEST(AddProductsSpd, IsAddedToWhatDfHolds) {
   const Case c = uneven(5, 6);
   const VectorXd dx = scattered_vector(15, 2), before = scattered_vector(15, 9);
   VectorXd df = before, df_spd = before;
@@ -286,7 +286,7 @@ TEST(AddBendProductSpd, IsAddedToWhatDfHolds) {
                  "df (semi-definite), which held " + particles_in_words(before), source);
 }
 
-TEST(AddBendProductSpd, WhereDirectionsAreLostIsZero) {
+TEST(AddProductsSpd, WhereDirectionsAreLostIsZero) {
   const Strand strand = strand_of(vector({1, 1}));
   const VectorXd dx = scattered_vector(9, 1);
   for (const VectorXd& x :
@@ -304,6 +304,6 @@ int main(int argc, char** argv) {
   return run(argc, argv,
              {{"bend_energy", "BendEnergy", [] { bend_energy(lone, x); }},
               {"add_bend_force", "AddBendForce", [] { add_bend_force(lone, x, out); }},
-              {"add_bend_product", "AddBendProduct", [] { add_bend_product(lone, x, x, out); }},
-              {"add_bend_product_spd", "AddBendProductSpd", [] { add_bend_product_spd(lone, x, x, out); }}});
+              {"add_bend_product", "AddProducts", [] { add_bend_product(lone, x, x, out); }},
+              {"add_bend_product_spd", "AddProductsSpd", [] { add_bend_product_spd(lone, x, x, out); }}});
 }

@@ -8,6 +8,7 @@
 #   hair_warnings(TARGET)          the same and warnings, for our code, never for a student's file. They are errors in the staff's
 #                                  build alone: a student's compiler may be newer than ours
 #   hair_own_code(TARGET)          the same, and what makes the staff's build quicker: precompiled headers
+#   hair_knows_course(TARGET)      TARGET's code may ask which exercises the course has
 #   hair_exercise_libraries(NAME DIR)
 #                                  one static library <NAME>_<id> for each exercise file in DIR, compiled as for grading
 #   hair_test(NAME [OPTIMISED] SOURCES ... LIBRARIES ...)
@@ -92,6 +93,12 @@ function(hair_use_libraries TARGET ID)
       target_link_libraries(${TARGET} PUBLIC Eigen3::Eigen)
     endif()
   endforeach()
+endfunction()
+
+# What the code of TARGET asks in_course() of (solver/course.h).
+function(hair_knows_course TARGET)
+  list(JOIN HAIR_EXERCISES " " course)
+  target_compile_definitions(${TARGET} PRIVATE "HAIR_COURSE=\" ${course} \"")
 endfunction()
 
 function(hair_exercise_libraries NAME DIR)

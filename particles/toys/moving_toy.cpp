@@ -11,19 +11,13 @@
 #include "particles/require.h"
 #include "particles/system.h"
 #include "particles/toys/toy_methods.h"
+#include "solver/course.h"
 
 namespace particles {
 
 namespace {
 
-// HAIR_HAS_P1 and the like are defined for the course's exercises.
-[[maybe_unused, noreturn]] void leave_out(const std::string& what, const std::string& exercise) {
-  throw std::invalid_argument(what + " needs exercise " + exercise + ", which this course leaves out");
-}
-
-void check_vector(std::string_view what, Input values) {
-  for (double value : values) require_finite(what, value);
-}
+constexpr const char* kConstraints = "P2";
 
 void check_index(const std::string& what, int i, int n) {
   require(i >= 0 && i < n, what, i, "a particle, from 0 to " + std::to_string(n - 1));
@@ -38,10 +32,10 @@ void check(const Toy& toy) {
   require(toy.start.v.size() == 3 * n, "a toy: the numbers in v", static_cast<double>(toy.start.v.size()),
           std::to_string(3 * n));
   for (double mass : toy.particles.mass) require_positive("a toy: a mass", mass);
-  check_vector("a toy: a position", toy.start.x);
-  check_vector("a toy: a velocity", toy.start.v);
-  check_vector("a toy: gravity", toy.gravity);
-  check_vector("a toy: the wind", toy.wind);
+  require_finite("a toy: a position", toy.start.x);
+  require_finite("a toy: a velocity", toy.start.v);
+  require_finite("a toy: gravity", toy.gravity);
+  require_finite("a toy: the wind", toy.wind);
   require_at_least("a toy: the drag", toy.drag, 0);
   for (const Spring& spring : toy.springs) {
     check_index("a spring's end", spring.i, n);
@@ -55,13 +49,22 @@ void check(const Toy& toy) {
   }
   for (const Wire& wire : toy.constraints.wires) {
     check_index("a wire's particle", wire.i, n);
-    check_vector("a wire's centre", wire.centre);
+    require_finite("a wire's centre", wire.centre);
     require(std::abs(wire.normal.norm() - 1) <= 1e-9, "the length of a wire's normal", wire.normal.norm(),
             "1");
     require_positive("a wire's radius", wire.radius);
   }
   require_at_least("the constraints' stiffness", toy.constraints.stiffness, 0);
   require_at_least("the constraints' damping", toy.constraints.damping, 0);
+}
+
+// Names what is linked only in a course that has it.
+template <const ToyStep& step, bool is_there>
+constexpr const ToyStep* step_of() {
+  if constexpr (is_there)
+    return &step;
+  else
+    return nullptr;
 }
 
 // NaN once either is.
@@ -85,37 +88,34 @@ MovingToy::MovingToy(const Toy& description) : toy(description), state(toy.start
   if (toy.drag > 0) force.emplace<Drag>(Eigen::VectorXd::Constant(toy.particles.count(), toy.drag), toy.wind);
 
   if (held) {
-#ifdef HAIR_HAS_P2
-    dynamics = constrained_dynamics(*this);
-#else
-    leave_out("what rods and wires hold", "P2");
-#endif
+    hair::require_exercise("what rods and wires hold", kConstraints);
+    if constexpr (hair::in_course(kConstraints)) dynamics = constrained_dynamics(*this);
   } else if (!implicit) {
     dynamics = std::make_unique<ParticleSystem>(toy.particles, force);
   }
 }
 
 ToyStep toy_step_of(ToyMethod method) {
-  switch (method) {
-#ifdef HAIR_HAS_P1
-    case ToyMethod::forward_euler:
-      return kToyForwardEuler;
-    case ToyMethod::symplectic_euler:
-      return kToySymplecticEuler;
-    case ToyMethod::midpoint:
-      return kToyMidpoint;
-    case ToyMethod::runge_kutta_4:
-      return kToyRungeKutta4;
-#endif
-#ifdef HAIR_HAS_H4
-    case ToyMethod::implicit_euler:
-      return kToyImplicitEuler;
-#endif
-    default:
-      break;
-  }
-  if (method == ToyMethod::implicit_euler) leave_out("implicit Euler", "H4");
-  leave_out("an explicit method", "P1");
+  struct Row {
+    const char *what, *exercise;
+    const ToyStep* step;  // null: the course leaves it out
+  };
+  constexpr bool explicit_ones = hair::in_course("P1"), implicit_ones = hair::in_course("H4");
+  static constexpr Row kRows[] = {
+      {"forward Euler", "P1", step_of<kToyForwardEuler, explicit_ones>()},
+      {"symplectic Euler", "P1", step_of<kToySymplecticEuler, explicit_ones>()},
+      {"midpoint", "P1", step_of<kToyMidpoint, explicit_ones>()},
+      {"Runge-Kutta 4", "P1", step_of<kToyRungeKutta4, explicit_ones>()},
+      {"implicit Euler", "H4", step_of<kToyImplicitEuler, implicit_ones>()},
+  };
+  const Row& row = kRows[static_cast<std::size_t>(method)];
+  if (!row.step) hair::require_exercise(row.what, row.exercise);
+  return *row.step;
+}
+
+std::vector<std::string> exercises_of_constraints(const Toy& toy) {
+  if (toy.constraints.rows() == 0) return {};
+  return {"S1", kConstraints};
 }
 
 double largest_stretch(const Toy& toy, Input x) {

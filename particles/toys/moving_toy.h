@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "particles/dynamics.h"
 #include "particles/force_sum.h"
@@ -36,7 +38,11 @@ struct ToyStep {
   int scratch;  // columns of 3n numbers
 };
 
+// Throws std::invalid_argument for one that the course leaves out.
 ToyStep toy_step_of(ToyMethod method);
+
+// The exercises that the toy's rods and wires call.
+std::vector<std::string> exercises_of_constraints(const Toy& toy);
 
 // The largest | |d| - l0 | / l0 of all springs and rods whose l0 is not 0. NaN if a length is.
 double largest_stretch(const Toy& toy, Input x);

@@ -5,11 +5,9 @@
 
 namespace particles {
 
-// P1
 extern const ToyStep kToyForwardEuler, kToySymplecticEuler, kToyMidpoint, kToyRungeKutta4;
-// H4
 extern const ToyStep kToyImplicitEuler;
-// P2: how a toy accelerates while its constraints hold. Refers to the toy.
+// How a toy accelerates while its constraints hold. Refers to the toy.
 std::unique_ptr<Dynamics> constrained_dynamics(MovingToy& moving);
 
 }  // namespace particles

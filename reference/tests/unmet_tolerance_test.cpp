@@ -53,7 +53,7 @@ TEST(UnmetTolerance, CorrectedStepsOfHumanHairComeCloseToIt) {
   const Strand strand = human_hair();
   for (double h : {1.0 / 60, 1.0 / 240, 1.0 / 960}) {
     Hair hair(strand, GeometricTerm::filtered);
-    hair.force.emplace<hair::BendForce>(strand, hair::BendProduct::spd);
+    hair.force.emplace<hair::BendForce>(strand, particles::Products::definite);
     hair.place(Vector3d::UnitX());
     int not_met = 0;
     for (int i = 0; i < std::lround(1 / h); ++i) {

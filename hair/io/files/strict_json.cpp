@@ -24,7 +24,7 @@ std::string line_and_column(const std::string& text, std::size_t byte) {
   return "line " + std::to_string(line) + ", column " + std::to_string(column);
 }
 
-std::string listed(std::initializer_list<std::string_view> words) {
+std::string listed(std::span<const std::string_view> words) {
   std::string list;
   for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + std::string(word);
   return list;
@@ -205,6 +205,10 @@ bool JsonValue::boolean() const {
 }
 
 std::size_t JsonValue::word(std::initializer_list<std::string_view> words) const {
+  return word(std::span(words.begin(), words.size()));
+}
+
+std::size_t JsonValue::word(std::span<const std::string_view> words) const {
   if (value_->is_string()) {
     const auto found = std::find(words.begin(), words.end(), value_->get_ref<const std::string&>());
     if (found != words.end()) return static_cast<std::size_t>(found - words.begin());

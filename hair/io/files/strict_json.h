@@ -8,6 +8,7 @@
 #include <initializer_list>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -51,6 +52,7 @@ class JsonValue {
   std::array<double, 3> three_numbers(double lowest, double highest) const;  // an array of them
   bool boolean() const;
   std::size_t word(std::initializer_list<std::string_view> words) const;  // one of them: which
+  std::size_t word(std::span<const std::string_view> words) const;
   // An object's only key, one of `choices`.
   std::string only_key(std::initializer_list<std::string_view> choices) const;
 

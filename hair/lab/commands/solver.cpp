@@ -10,13 +10,11 @@
 #include "hair/lab/commands/studies.h"
 #include "hair/lab/run/interruption.h"
 #include "hair/lab/run/output_folder.h"
+#include "hair/lab/solver/functions.h"
 #include "hair/lab/solver/solver_page.h"
 #include "hair/lab/solver/solver_record.h"
 #include "hair/lab/solver/solver_tables.h"
 #include "hair/lab/stub.h"
-#ifdef HAIR_HAS_S2
-#include "solver/normal_equations.h"
-#endif
 
 namespace hair {
 
@@ -36,18 +34,6 @@ const OutputKind& solver_output() {
   return kind;
 }
 
-// The exercises that the course has.
-solver::study::Functions functions() {
-  solver::study::Functions all;
-#ifdef HAIR_HAS_S1
-  all.conj_grad = ConjGrad;
-#endif
-#ifdef HAIR_HAS_S2
-  all.normal_equations = solve_normal_equations;
-#endif
-  return all;
-}
-
 void write(const OutputFolder& folder, const solver::study::SolverStudy& study, const std::string& left_out) {
   const std::string machine = measured_on(this_machine());
   write_file(folder.now("solver.json"), solver_json(study, machine, left_out));
@@ -57,7 +43,7 @@ void write(const OutputFolder& folder, const solver::study::SolverStudy& study, 
 }
 
 int run(const SolverOptions& options) {
-  const solver::study::Functions studied = functions();
+  const solver::study::Functions studied = studied_functions();
   if (!studied.conj_grad) throw BadInput("this course leaves out S1, ConjGrad; there is no solver to study");
   const std::atomic<bool>& interrupted = catch_interruption("\nhairlab: stopping; once more ends at once\n");
   OutputFolder folder(options.out, solver_output());

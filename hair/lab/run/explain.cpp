@@ -7,6 +7,7 @@
 
 #include "hair/lab/run/film.h"
 #include "hair/lab/run/run_record.h"
+#include "hair/mass_spring/force_parts.h"
 
 namespace hair {
 
@@ -48,10 +49,6 @@ std::size_t count_toys(const Scene& scene, const std::function<bool(const Toy&)>
   return static_cast<std::size_t>(std::count_if(scene.toys.begin(), scene.toys.end(), holds));
 }
 
-bool is_curved(const StrandStart& start) {
-  return start.rest_curvature.size() > 0;
-}
-
 void explain_hair(const Scene& scene, Parts& parts) {
   const Description& hair = scene.hair;
   const bool any = !hair.strands.empty();
@@ -63,26 +60,15 @@ void explain_hair(const Scene& scene, Parts& parts) {
   for (const StrandStart& start : hair.strands) particles += static_cast<std::size_t>(start.strand.count());
   parts.add("hair", any, counted(hair.strands.size(), "strand") + ", " + counted(particles, "particle"),
             none);
-  parts.add("method", any, std::string(method_name(hair.method)) + ", a step of " + shown(hair.step) + " s",
+  parts.add("method", any, std::string(row_of(hair.method).id) + ", a step of " + shown(hair.step) + " s",
             none);
 
-  const auto stretched =
-      count_strands(scene, [](const StrandStart& start) { return start.strand.stretch_rigidity > 0; });
-  parts.add("stretching", stretched > 0, "H1, springs along the segments " + of(stretched),
-            why_not("no strand resists it: EA is 0"));
-  const auto bent = count_strands(
-      scene, [](const StrandStart& start) { return start.strand.bend_rigidity > 0 && !is_curved(start); });
-  const auto curved = count_strands(
-      scene, [](const StrandStart& start) { return start.strand.bend_rigidity > 0 && is_curved(start); });
-  parts.add("bending", bent > 0, "H2, angular springs at the joints " + of(bent),
-            why_not(curved > 0 ? "rest curvature takes its place" : "no strand resists it: EI is 0"));
-  parts.add("rest curvature", curved > 0, "given, at the joints " + of(curved),
-            why_not(count_strands(scene, is_curved) > 0 ? "no curved strand resists bending: EI is 0"
-                                                        : "every strand is straight at rest"));
-  const auto skipping =
-      count_strands(scene, [](const StrandStart& start) { return start.strand.skip_rigidity > 0; });
-  parts.add("springs that skip", skipping > 0, "H3, springs that skip a particle, " + of(skipping),
-            why_not("no strand has them"));
+  for (const ForcePart& part : force_parts()) {
+    const auto count = count_strands(scene, part.acts);
+    const std::string whose = *part.exercise == '\0' ? "given" : part.exercise;
+    parts.add(part.name, count > 0, whose + ", " + part.how + " " + of(count),
+              why_not(part.why_not(hair.strands)));
+  }
   parts.add("collisions", any && !hair.obstacles.empty(), counted(hair.obstacles.size(), "obstacle"),
             why_not("the scene has no obstacles, and so no collision stage"));
   parts.add("key frames", !scene.riders.empty(), counted(scene.riders.size(), "motion"),

@@ -67,28 +67,8 @@ std::string text_or_null(const std::string& text) {
 
 }  // namespace
 
-const char* method_name(Method method) {
-  switch (method) {
-    case Method::forward_euler:
-      return "forward_euler";
-    case Method::symplectic_euler:
-      return "symplectic_euler";
-    case Method::midpoint:
-      return "midpoint";
-    case Method::runge_kutta_4:
-      return "runge_kutta_4";
-    case Method::implicit_euler:
-      return "implicit_euler";
-    case Method::predictor_corrector:
-      return "predictor_corrector";
-    case Method::newton_euler:
-      return "newton_euler";
-  }
-  return "";
-}
-
 std::string run_json(const Scene& scene, const RunRecord& record) {
-  const bool hair = !scene.hair.strands.empty();
+  const bool hair = has_strands(scene);
   const JsonMember head[] = {
       {"program", json_text("hairlab")},
       {"format", json_text(1)},
@@ -102,7 +82,7 @@ std::string run_json(const Scene& scene, const RunRecord& record) {
       {"frames_per_second", json_text(scene.frames_per_second)},
       {"steps_per_frame", json_text(scene.steps_per_frame)},
       {"step", json_text(scene.hair.step)},
-      {"method", hair ? json_text(method_name(scene.hair.method)) : "null"},
+      {"method", hair ? json_text(row_of(scene.hair.method).id) : "null"},
       {"strands", json_text(std::ssize(record.strands))},
       {"particles", json_text(record.particles)},
       {"no_pictures", json_text(record.no_pictures)},

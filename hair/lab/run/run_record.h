@@ -47,7 +47,4 @@ inline constexpr std::string_view kRunRecordBegin = "{\n  \"program\": \"hairlab
 // A line for each frame. Everything but "seconds" is the same whenever the same is run again.
 std::string run_json(const Scene& scene, const RunRecord& record);
 
-// As scenes name it: "predictor_corrector".
-const char* method_name(Method method);
-
 }  // namespace hair

@@ -110,7 +110,7 @@ std::vector<ExtremeRun> run_extremes(const Description& hair, const StudyMethod&
       if (interrupted) return {};
       add(h, {});
     }
-    if (method.is_explicit) {
+    if (method.is_explicit()) {
       // Where a method has no limit without drag, half of RK4's, the largest of all.
       const Oscillator fastest{hang(description, 1, false).fastest()};
       const double limit = explicit_limit(method.method, fastest);

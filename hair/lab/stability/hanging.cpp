@@ -45,7 +45,7 @@ Modes modes_of(const Eigen::VectorXd& mass, Eigen::MatrixXd stiffness) {
 }
 
 Description with_products(const Description& hair, const StrandStart& start, GeometricTerm term,
-                          BendProduct product) {
+                          Products product) {
   Description one = hair;
   one.strands = {start};
   one.obstacles.clear();
@@ -92,7 +92,7 @@ Hanging hang(const Description& hair, double stiffness, bool keeps_lengths) {
   strand.root_tangent = hanging.down;
   const int n = strand.count();
   hanging.mass = strand.mass.tail(n - 1);
-  // Drag and mass are shared out among particles in the same way (simulation_parts.cpp).
+  // Drag and mass are shared out among particles in the same way (force_parts.cpp).
   hanging.drag_per_mass = strand.rest_length[n - 2] / 2 / strand.mass[n - 1];
 
   particles::State& state = start.state;
@@ -101,7 +101,7 @@ Hanging hang(const Description& hair, double stiffness, bool keeps_lengths) {
     state.x.segment<3>(3 * i) = state.x.segment<3>(3 * i - 3) + strand.rest_length[i - 1] * hanging.down;
   const particles::State at_rest_lengths = state;
 
-  const Simulation simulation(with_products(hair, start, GeometricTerm::full, BendProduct::exact));
+  const Simulation simulation(with_products(hair, start, GeometricTerm::full, Products::exact));
   const particles::Force& force = simulation.force(0);
   // Straight springs in a line are linear: the second step takes away what the first one's rounding left.
   for (int k = 0; k < 2; ++k) {
@@ -127,8 +127,8 @@ Hanging hang(const Description& hair, double stiffness, bool keeps_lengths) {
   return hanging;
 }
 
-Products products_of(const Description& hair, const Hanging& hanging, GeometricTerm term,
-                     BendProduct product) {
+ProductParts products_of(const Description& hair, const Hanging& hanging, GeometricTerm term,
+                         Products product) {
   const Simulation simulation(with_products(hair, hanging.start, term, product));
   const particles::State& state = hanging.start.state;
   return {stiffness_in(simulation.force(0), state, hanging.down),

@@ -35,11 +35,11 @@ struct Hanging {
 Hanging hang(const Description& hair, double stiffness, bool keeps_lengths);
 
 // The matrices that a method's products make of this hair: -df/dx, along and across, of particles but the root.
-struct Products {
+struct ProductParts {
   Eigen::MatrixXd along, across;
 };
-Products products_of(const Description& hair, const Hanging& hanging, GeometricTerm term,
-                     BendProduct product);
+ProductParts products_of(const Description& hair, const Hanging& hanging, GeometricTerm term,
+                         Products product);
 
 // The same energy for every mode, as velocities, with signs that look random. So little that no segment comes out of
 // tension, and nowhere does the strand turn by more than 1e-3: all stays linear. What keeps lengths gets no motion along.

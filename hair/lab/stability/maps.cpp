@@ -21,51 +21,28 @@ std::vector<double> logarithmic(double low, double high, int count) {
 }
 
 long steps_of(const StudyMethod& method, const MapSettings& settings) {
-  switch (method.method) {
-    case Method::forward_euler:
-    case Method::symplectic_euler:
-      return settings.evaluations;
-    case Method::midpoint:
-      return settings.evaluations / 2;
-    case Method::runge_kutta_4:
-      return settings.evaluations / 4;
-    default:
-      return settings.implicit_steps;
-  }
+  return method.is_explicit() ? settings.evaluations / row_of(method.method).evaluations
+                              : settings.implicit_steps;
 }
 
 bool keeps_lengths(const StudyMethod& method) {
-  return method.method == Method::predictor_corrector;
+  return row_of(method.method).keeps_lengths;
 }
 
 // The frequency that a map's axes count from: of explicit methods the fastest of all, of implicit ones the fastest that
 // tension alone would have.
 double reference_frequency(const Description& hair, const StudyMethod& method) {
   const Hanging hanging = hang(hair, 1, false);
-  if (method.is_explicit) return hanging.fastest();
-  const Products products = products_of(hair, hanging, GeometricTerm::dropped, BendProduct::exact);
+  if (method.is_explicit()) return hanging.fastest();
+  const ProductParts products = products_of(hair, hanging, GeometricTerm::dropped, Products::exact);
   const double mu = implicit_limit(hanging.mass, hanging.across_modes.stiffness - products.across,
                                    Eigen::MatrixXd::Zero(hanging.mass.size(), hanging.mass.size()), 0);
   return std::isfinite(mu) ? 2 / mu : hanging.across_modes.omega.maxCoeff();
 }
 
-const char* limit_name(const StudyMethod& method) {
-  switch (method.method) {
-    case Method::forward_euler:
-      return "theory: the least of 2 zeta/omega and 2/|lambda|";
-    case Method::symplectic_euler:
-      return "theory: 2 (sqrt(1 + zeta^2) - zeta)/omega";
-    case Method::midpoint:
-      return "theory: |1 + z + z^2/2| = 1";
-    case Method::runge_kutta_4:
-      return "theory: RK4's |R(h lambda)| = 1";
-    case Method::implicit_euler:
-      return "theory: what its matrix leaves out";
-    case Method::predictor_corrector:
-      return "theory: across the hair";
-    default:
-      return "theory";
-  }
+std::string limit_name(const StudyMethod& method) {
+  const std::string limit = row_of(method.method).limit;
+  return limit.empty() ? "theory" : "theory: " + limit;
 }
 
 // One column's hair.
@@ -89,14 +66,14 @@ double theory_of(const Description& hair, const StudyMethod& method, const Stati
   const Hanging& hanging = station.hanging;
   const Modes &along = hanging.along_modes, &across = hanging.across_modes;
   const double gamma = hanging.drag_per_mass * station.drag;
-  if (method.is_explicit) {
+  if (method.is_explicit()) {
     double least = std::numeric_limits<double>::infinity();
     for (const Modes* modes : {&along, &across})
       for (const double omega : modes->omega)
         least = std::min(least, explicit_limit(method.method, {omega, gamma}, growth));
     return least;
   }
-  const Products products = products_of(hair, hanging, method.geometric_term, method.bend_product);
+  const ProductParts products = products_of(hair, hanging, method.geometric_term, method.bend_product);
   if (keeps_lengths(method))
     return predictor_corrector_limit(hanging.mass, across.stiffness, products.across, gamma, hs.back() * 4,
                                      growth);
@@ -172,11 +149,11 @@ Distance distance_of(const std::vector<double>& boundary, const std::vector<doub
 }
 
 bool alike_when_hanging(const Description& hair, const StudyMethod& a, const StudyMethod& b) {
-  if (a.method != b.method || a.is_explicit) return false;
+  if (a.method != b.method || a.is_explicit()) return false;
   for (const double stiffness : {kSofter, 1.0, kStiffer}) {
     const Hanging hanging = hang(with_options(hair, a), stiffness, false);
-    const Products first = products_of(with_options(hair, a), hanging, a.geometric_term, a.bend_product);
-    const Products second = products_of(with_options(hair, b), hanging, b.geometric_term, b.bend_product);
+    const ProductParts first = products_of(with_options(hair, a), hanging, a.geometric_term, a.bend_product);
+    const ProductParts second = products_of(with_options(hair, b), hanging, b.geometric_term, b.bend_product);
     const auto differ = [](const Eigen::MatrixXd& p, const Eigen::MatrixXd& q) {
       return (p - q).norm() > 1e-9 * p.norm();
     };
@@ -195,8 +172,8 @@ StabilityMap make_map(const Description& hair, const StudyMethod& method, Swept 
   map.method = method;
   map.sweep = sweep;
   map.steps = steps_of(method, settings);
-  map.hs = method.is_explicit ? logarithmic(3e-3 / omega, 60 / omega, settings.rows)
-                              : logarithmic(0.04 / omega, 40 / omega, settings.rows);
+  map.hs = method.is_explicit() ? logarithmic(3e-3 / omega, 60 / omega, settings.rows)
+                                : logarithmic(0.04 / omega, 40 / omega, settings.rows);
   if (sweep == Swept::stiffness) {
     map.xs = logarithmic(kSofter, kStiffer, settings.columns);
   } else {

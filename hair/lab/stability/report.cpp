@@ -33,7 +33,7 @@ Problem problem_of(const Scene& scene, const StabilitySettings& settings) {
 
 Frequencies frequencies_of(const Description& hair) {
   const Hanging hanging = hang(hair, 1, false);
-  const Products products = products_of(hair, hanging, GeometricTerm::dropped, BendProduct::exact);
+  const ProductParts products = products_of(hair, hanging, GeometricTerm::dropped, Products::exact);
   const Eigen::Index n = hanging.mass.size();
   const double limit = implicit_limit(hanging.mass, hanging.across_modes.stiffness - products.across,
                                       Eigen::MatrixXd::Zero(n, n), 0);

@@ -18,18 +18,11 @@ using Complex = std::complex<double>;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-// 1, 1/2, 1/6, ...: the polynomials of the three methods are exponential series that end after so many powers.
+// 1, 1/2, 1/6, ...: some methods' polynomials are exponential series that end after so many powers.
 int powers_of(Method method) {
-  switch (method) {
-    case Method::forward_euler:
-      return 1;
-    case Method::midpoint:
-      return 2;
-    case Method::runge_kutta_4:
-      return 4;
-    default:
-      throw std::invalid_argument("a method that is not one of P1's has no stability polynomial");
-  }
+  const int powers = row_of(method).polynomial;
+  if (powers == 0) throw std::invalid_argument("this method's stability function is no part of exp's series");
+  return powers;
 }
 
 double amplification(int powers, Complex z) {

@@ -15,19 +15,6 @@ namespace {
 
 constexpr int kMostTimes = 1000;  // between two looks at the clock
 
-// What a step's evaluations of the forces are, by the contracts of P1, H4 and H6, and to begin with.
-long evaluations_of_a_step(Method method) {
-  switch (method) {
-    case Method::midpoint:
-    case Method::predictor_corrector:  // for each of its two solves one
-      return 2;
-    case Method::runge_kutta_4:
-      return 4;
-    default:
-      return 1;
-  }
-}
-
 bool once_more(const std::vector<double>& seconds, const Repeats& repeats) {
   const int times = static_cast<int>(seconds.size());
   const double sum = std::accumulate(seconds.begin(), seconds.end(), 0.0);
@@ -142,7 +129,7 @@ void MethodRunner::count(MethodRun& run) const {
   counts.steps = playback_->steps();
   counts.iterations = work.solver_steps;
   counts.corrections = work.correction_steps;
-  counts.evaluations = counts.steps * evaluations_of_a_step(method_.method) + work.halvings;
+  counts.evaluations = counts.steps * row_of(method_.method).evaluations + work.halvings;
   // Each of its Newton steps looks where it led to.
   if (method_.method == Method::newton_euler) counts.evaluations += counts.corrections;
   counts.unconverged = work.unconverged;

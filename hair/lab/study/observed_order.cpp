@@ -61,8 +61,8 @@ std::string verdict(const Sweep& sweep, const ObservedOrder& observed) {
   if (!any) return "no run got to the end";
   if (observed.stays_at) return "stays " + to_text(*observed.stays_at) + " m off, however small the step";
   if (!observed.order) return "no order seen: not asymptotic";
-  if (std::abs(*observed.order - sweep.method.order) <= kAsTheory) return "as theory has it";
-  return std::string(*observed.order < sweep.method.order ? "less" : "more") + " than theory says";
+  if (std::abs(*observed.order - sweep.method.order()) <= kAsTheory) return "as theory has it";
+  return std::string(*observed.order < sweep.method.order() ? "less" : "more") + " than theory says";
 }
 
 }  // namespace hair

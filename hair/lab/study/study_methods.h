@@ -14,9 +14,10 @@ struct StudyMethod {
   std::string name;  // "H4, filtered": in plots
   Method method = Method::predictor_corrector;
   GeometricTerm geometric_term = GeometricTerm::filtered;
-  BendProduct bend_product = BendProduct::spd;
-  int order = 1;  // of its time error, if it has one
-  bool is_explicit = false;
+  Products bend_product = Products::definite;
+
+  int order() const { return row_of(method).order; }  // of its time error, if it has one
+  bool is_explicit() const { return row_of(method).is_explicit; }
 };
 
 // Those that fit: all of a strand's, or what a toy's parts allow; without those whose exercise the course leaves out.

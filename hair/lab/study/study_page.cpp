@@ -56,7 +56,7 @@ Table order_table(const Study& study) {
   for (const Sweep& sweep : study.sweeps) {
     const ObservedOrder seen = observed_order(sweep, Norm::trajectory, study.floors[Norm::trajectory]);
     std::vector<std::string> row = {
-        sweep.method.name, std::to_string(sweep.method.order), "", "", verdict(sweep, seen),
+        sweep.method.name, std::to_string(sweep.method.order()), "", "", verdict(sweep, seen),
         name_of(sweep.end)};
     if (seen.order) {
       row[2] = to_text(std::round(*seen.order * 100) / 100);

@@ -131,8 +131,8 @@ Json head_of(const Study& study) {
     finished = finished && sweep.end != SweepEnd::unfinished;
     methods.push_back({{"id", sweep.method.id},
                        {"name", sweep.method.name},
-                       {"order", sweep.method.order},
-                       {"explicit", sweep.method.is_explicit},
+                       {"order", sweep.method.order()},
+                       {"explicit", sweep.method.is_explicit()},
                        {"end", name_of(sweep.end)},
                        {"left_out", sweep.left_out}});
   }

@@ -73,7 +73,7 @@ std::unique_ptr<MethodRunner> make_runner(const Problem& problem, const StudyMet
 }  // namespace
 
 int coarsest_steps(const Problem& problem, const StudyMethod& method) {
-  if (!method.is_explicit) return 1;
+  if (!method.is_explicit()) return 1;
   // The largest limit of P1's methods is Runge and Kutta's, 2.83 / omega.
   constexpr double kFar = 2;  // times beyond
   const double limit = 2.83 / std::sqrt(std::max(fastest_squared(problem), 1e-12));

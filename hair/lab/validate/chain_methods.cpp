@@ -10,6 +10,8 @@ namespace hair {
 
 namespace {
 
+using particles::MovingToy, particles::Toy, particles::ToyMethod, particles::ToyStep;
+
 constexpr double kSolves = 1e-12;
 
 Eigen::VectorXd masses_with_hinge(const HangingChain& chain) {
@@ -47,7 +49,7 @@ class ChainOfRods : public MovingChain {
  public:
   ChainOfRods(const HangingChain& chain, const particles::State& state, double step)
       : toy_(describe(chain, state)),
-        step_(toy_step_of(ToyMethod::runge_kutta_4)),
+        step_(particles::toy_step_of(ToyMethod::runge_kutta_4)),
         options_{step, 0},
         scratch_(state.x.size(), step_.scratch) {}
   void step() override { step_.step(toy_, options_, scratch_); }

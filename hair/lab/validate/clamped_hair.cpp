@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "hair/simulation/simulation_parts.h"
+#include "hair/mass_spring/force_parts.h"
 #include "hair/strand/make_strand.h"
 
 namespace hair {
@@ -27,12 +27,9 @@ StrandStart clamped_hair(const Material& material, int segments, double length, 
 }
 
 std::unique_ptr<MovingStrand> under_gravity(const StrandStart& start, const Vector3d& gravity) {
-  Description description;
-  description.gravity = gravity;
-  description.geometric_term = GeometricTerm::full;
-  description.bend_product = BendProduct::exact;
+  const ForceOptions options{GeometricTerm::full, Products::exact, gravity};
   auto moving = std::make_unique<MovingStrand>(start.strand, start.state);
-  add_forces(description, start, *moving);
+  add_forces(options, start, false, *moving);
   return moving;
 }
 

@@ -1,20 +1,17 @@
 #include "hair/lab/validate/validations.h"
 
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 #include "hair/lab/validate/bending_validations.h"
+#include "solver/course.h"
 
 namespace hair {
 
 namespace {
 
-// HAIR_COURSE is the course's exercises: " S1 S2 P1 ".
 bool has_all(const std::vector<std::string>& exercises) {
-  return std::all_of(exercises.begin(), exercises.end(), [](const std::string& id) {
-    return std::string_view(HAIR_COURSE).find(" " + id + " ") != std::string_view::npos;
-  });
+  return std::all_of(exercises.begin(), exercises.end(), [](const std::string& id) { return in_course(id); });
 }
 
 }  // namespace

@@ -16,14 +16,14 @@ TEST(RestCurvature, StaysFiniteWhereDirectionsAreLost) {
   fold << 0, 0, 0, 0, 0, -1, 0, 0, -0.5, 0, 1, -0.5, 0, 1, 0;
   one << 0, 0, 0, 0, 0, -1, 0, 0, -1, 0, 1, -1, 1, 1, -1;
   for (const VectorXd& x : {fold, none, one}) {
-    for (BendProduct product : {BendProduct::exact, BendProduct::spd}) {
+    for (Products product : {Products::exact, Products::definite}) {
       const RestCurvature force(strand, some_rest(strand), normal, product);
       EXPECT_TRUE(std::isfinite(force.energy(x)));
       EXPECT_TRUE(force_of(force, x).allFinite());
       EXPECT_TRUE(product_of(force, x, VectorXd::LinSpaced(15, -1, 1)).allFinite());
     }
   }
-  const RestCurvature force(strand, some_rest(strand), normal, BendProduct::exact);
+  const RestCurvature force(strand, some_rest(strand), normal, Products::exact);
   EXPECT_EQ(force.energy(none), 0);
   EXPECT_EQ(force_of(force, none), VectorXd::Zero(15));
 }
@@ -33,7 +33,7 @@ TEST(RestCurvature, AtTheFoldHasTheEnergyOfAStraightStrandsJointAndThatOfItsRest
   Strand strand = reference_tests::test_strand(4);
   strand.clamped = true;
   const VectorXd rest = some_rest(strand);
-  const RestCurvature force(strand, rest, Vector3d::UnitX(), BendProduct::exact);
+  const RestCurvature force(strand, rest, Vector3d::UnitX(), Products::exact);
   // The second joint is folded, exactly or nearly; the third is straight or bends by a right angle.
   for (double off : {0.0, 1e-12, 1e-6, 0.05})
     for (double bend : {0.0, pi / 2}) {
@@ -56,8 +56,8 @@ TEST(RestCurvature, AtTheFoldHasTheEnergyOfAStraightStrandsJointAndThatOfItsRest
 TEST(RestCurvature, IsBoundedUpToTheFold) {
   Strand strand = reference_tests::test_strand(6);
   strand.clamped = true;
-  const RestCurvature exact(strand, some_rest(strand), Vector3d::UnitX(), BendProduct::exact),
-      spd(strand, some_rest(strand), Vector3d::UnitX(), BendProduct::spd);
+  const RestCurvature exact(strand, some_rest(strand), Vector3d::UnitX(), Products::exact),
+      spd(strand, some_rest(strand), Vector3d::UnitX(), Products::definite);
   double most_force = 0, most_product = 0;
   std::vector<double> angles = {pi - 1e-15, pi - 1e-12, pi - 1e-8, pi - 1e-4};
   for (double off = 0.01; off < 0.8; off += 0.01) angles.push_back(pi - off);
@@ -85,7 +85,7 @@ TEST(RestCurvature, IsBoundedUpToTheFold) {
 TEST(RestCurvature, WhereJointsCloseAgreesWithCentralDifferences) {
   Strand strand = reference_tests::test_strand(6);
   strand.clamped = true;
-  const RestCurvature force(strand, some_rest(strand), Vector3d::UnitX(), BendProduct::exact);
+  const RestCurvature force(strand, some_rest(strand), Vector3d::UnitX(), Products::exact);
   const reference_tests::ForceUnderTest f = {
       [&](const VectorXd& x) { return force.energy(x); },
       [&](const VectorXd& x) { return force_of(force, x); },

@@ -32,7 +32,7 @@ TEST(RestCurvature, AgreesWithCentralDifferencesInEveryState) {
   for (const StrandState& s : clamped_states()) {
     SCOPED_TRACE(s.name + ", " + std::to_string(s.strand.count()) + " particles");
     const RestCurvature force(s.strand, some_rest(s.strand), some_normal(s.strand.root_tangent),
-                              BendProduct::exact);
+                              Products::exact);
     const reference_tests::ForceUnderTest f = {
         [&](const VectorXd& x) { return force.energy(x); },
         [&](const VectorXd& x) { return force_of(force, x); },
@@ -46,7 +46,7 @@ TEST(RestCurvature, OfStraightHairIsThatOfAngularSprings) {
   for (const StrandState& s : clamped_states()) {
     SCOPED_TRACE(s.name);
     const RestCurvature force(s.strand, VectorXd::Zero(2 * s.strand.segments()),
-                              some_normal(s.strand.root_tangent), BendProduct::exact);
+                              some_normal(s.strand.root_tangent), Products::exact);
     VectorXd f = VectorXd::Zero(s.x.size()), df = f;
     const VectorXd dx = VectorXd::LinSpaced(s.x.size(), -1, 1);
     add_bend_force(s.strand, s.x, f);
@@ -66,7 +66,7 @@ TEST(RestCurvature, IsAtRestInItsRestShape) {
     strand.clamped = true;
     strand.root_tangent = shape.tangent;
     const VectorXd rest = bend_components(shape.x, shape.tangent, shape.normal);
-    const RestCurvature force(strand, rest, shape.normal, BendProduct::exact);
+    const RestCurvature force(strand, rest, shape.normal, Products::exact);
     EXPECT_EQ(force.energy(shape.x), 0);
     EXPECT_EQ(force_of(force, shape.x), VectorXd::Zero(shape.x.size()));
     // Moved by 1 um, it is not.
@@ -84,8 +84,8 @@ TEST(RestCurvature, TurnsWithItsRootFrame) {
     const Vector3d normal = some_normal(s.strand.root_tangent);
     Strand turned = s.strand;
     turned.root_tangent = motion.rotation * s.strand.root_tangent;
-    const RestCurvature before(s.strand, some_rest(s.strand), normal, BendProduct::exact),
-        after(turned, some_rest(s.strand), motion.rotation * normal, BendProduct::exact);
+    const RestCurvature before(s.strand, some_rest(s.strand), normal, Products::exact),
+        after(turned, some_rest(s.strand), motion.rotation * normal, Products::exact);
     const VectorXd x = motion.points(s.x);
     const Scales scales(s);
     const double relative =
@@ -101,7 +101,7 @@ TEST(RestCurvature, FeelsItsRootTurnAboutItself) {
   strand.clamped = true;
   strand.root_tangent = shape.tangent;
   RestCurvature force(strand, bend_components(shape.x, shape.tangent, shape.normal), shape.normal,
-                      BendProduct::exact);
+                      Products::exact);
   force.set_root_normal(shape.tangent.cross(shape.normal));
   EXPECT_GT(force.energy(shape.x), 0);
   EXPECT_GT(force_of(force, shape.x).norm(), 0);
@@ -109,7 +109,7 @@ TEST(RestCurvature, FeelsItsRootTurnAboutItself) {
 
 TEST(RestCurvature, HasSymmetricProducts) {
   for (const StrandState& s : clamped_states()) {
-    for (BendProduct product : {BendProduct::exact, BendProduct::spd}) {
+    for (Products product : {Products::exact, Products::definite}) {
       const RestCurvature force(s.strand, some_rest(s.strand), some_normal(s.strand.root_tangent), product);
       SCOPED_TRACE(s.name);
       reference_tests::expect_symmetric_matrix(matrix_of(force, s.x),
@@ -122,15 +122,15 @@ TEST(RestCurvature, HasASemidefiniteProductThatIsExactAtRest) {
   for (const StrandState& s : clamped_states()) {
     SCOPED_TRACE(s.name);
     const RestCurvature force(s.strand, some_rest(s.strand), some_normal(s.strand.root_tangent),
-                              BendProduct::spd);
+                              Products::definite);
     const MatrixXd S = -matrix_of(force, s.x);
     EXPECT_GE(eigenvalues(S).minCoeff(),
               -64 * kUnit * static_cast<double>(S.rows()) * S.cwiseAbs().maxCoeff());
 
     if (s.name.starts_with("nearly folded")) continue;  // no shape that hair may rest in
     const VectorXd rest = bend_components(s.x, s.strand.root_tangent, some_normal(s.strand.root_tangent));
-    const RestCurvature exact(s.strand, rest, some_normal(s.strand.root_tangent), BendProduct::exact),
-        spd(s.strand, rest, some_normal(s.strand.root_tangent), BendProduct::spd);
+    const RestCurvature exact(s.strand, rest, some_normal(s.strand.root_tangent), Products::exact),
+        spd(s.strand, rest, some_normal(s.strand.root_tangent), Products::definite);
     EXPECT_LE((matrix_of(exact, s.x) - matrix_of(spd, s.x)).cwiseAbs().maxCoeff(),
               256 * kUnit * Scales(s).product / std::min(1.0, s.least_bend));
   }
@@ -163,7 +163,7 @@ TEST(RestCurvature, LeavesAClampedHelixNoZeroEnergyMode) {
   for (int segments : {16, 24, 48}) {
     const auto [shape, strand] = helix(segments);
     const RestCurvature force(strand, bend_components(shape.x, shape.tangent, shape.normal), shape.normal,
-                              BendProduct::exact);
+                              Products::exact);
     const int free = 3 * segments;
     const VectorXd all = eigenvalues(
         -(matrix_of(force, shape.x) + stretch_matrix(strand, shape.x)).bottomRightCorner(free, free));
@@ -217,7 +217,7 @@ TEST(RestCurvature, DoesNotDependOnTheSampling) {
   for (int segments : {24, 48, 96, 192}) {
     const auto [shape, strand] = helix(segments);
     const RestCurvature force(strand, bend_components(shape.x, shape.tangent, shape.normal), shape.normal,
-                              BendProduct::exact);
+                              Products::exact);
     VectorXd x = VectorXd::Zero(shape.x.size());
     for (int i = 0; i < segments; ++i)
       x.segment<3>(3 * i + 3) = x.segment<3>(3 * i) + strand.rest_length[i] * shape.tangent;
@@ -234,7 +234,7 @@ TEST(RestCurvature, ServesTenThousandParticles) {
   strand.clamped = true;
   strand.root_tangent = shape.tangent;
   const RestCurvature force(strand, bend_components(shape.x, shape.tangent, shape.normal), shape.normal,
-                            BendProduct::spd);
+                            Products::definite);
   VectorXd x = shape.x;
   for (Eigen::Index i = 0; i < x.size(); ++i) x[i] += 1e-5 * std::sin(static_cast<double>(i * i));
   EXPECT_TRUE(force_of(force, x).allFinite());
@@ -245,13 +245,12 @@ TEST(RestCurvature, RefusesWhatMakesNoSense) {
   Strand strand = reference_tests::test_strand(4);
   const VectorXd rest = VectorXd::Zero(6);
   const Vector3d normal(1, 0, 0);
-  EXPECT_THROW(RestCurvature(strand, rest, normal, BendProduct::exact), std::invalid_argument)
-      << "not clamped";
+  EXPECT_THROW(RestCurvature(strand, rest, normal, Products::exact), std::invalid_argument) << "not clamped";
   strand.clamped = true;
-  EXPECT_NO_THROW(RestCurvature(strand, rest, normal, BendProduct::exact));
-  EXPECT_THROW(RestCurvature(strand, VectorXd::Zero(4), normal, BendProduct::exact), std::invalid_argument);
-  EXPECT_THROW(RestCurvature(strand, rest, Vector3d(0, 0, 1), BendProduct::exact), std::invalid_argument);
-  EXPECT_THROW(RestCurvature(strand, rest, Vector3d(2, 0, 0), BendProduct::exact), std::invalid_argument);
+  EXPECT_NO_THROW(RestCurvature(strand, rest, normal, Products::exact));
+  EXPECT_THROW(RestCurvature(strand, VectorXd::Zero(4), normal, Products::exact), std::invalid_argument);
+  EXPECT_THROW(RestCurvature(strand, rest, Vector3d(0, 0, 1), Products::exact), std::invalid_argument);
+  EXPECT_THROW(RestCurvature(strand, rest, Vector3d(2, 0, 0), Products::exact), std::invalid_argument);
   EXPECT_THROW(bend_components(VectorXd::Ones(9), Vector3d::UnitZ(), normal), std::invalid_argument);
   EXPECT_THROW(bend_components(VectorXd::Ones(4), Vector3d::UnitZ(), normal), std::invalid_argument);
 }

@@ -1,34 +1,8 @@
 #include "hair/scene/json/fibre.h"
 
 #include "hair/scene/json/values.h"
-#include "hair/strand/make_strand.h"
 
 namespace hair::json {
-
-StrandStart Fibre::strand(const RestShape& rest, bool straight, bool clamped) const {
-  StrandStart start;
-  if (straight || !clamped) {
-    start = {strand_from_rest(material, rest.x), {rest.x, Eigen::VectorXd::Zero(rest.x.size())}};
-    start.strand.clamped = clamped;
-    start.strand.root_tangent = rest.tangent;
-    start.root_normal = rest.normal;
-  } else {
-    start = start_at_rest(material, rest);
-  }
-  start.strand.stretch_rigidity *= stretch_factor;
-  start.strand.bend_rigidity *= bend_factor;
-  start.strand.skip_rigidity = skip_factor * start.strand.stretch_rigidity;
-  return start;
-}
-
-void Held::apply(StrandStart& start) const {
-  if (!differently) return;
-  Eigen::VectorXd& x = start.state.x;
-  for (int i = 0; i < start.strand.segments(); ++i) {
-    const double along = (folded && i % 2 == 1 ? -stretch : stretch) * start.strand.rest_length[i];
-    x.segment<3>(3 * i + 3) = x.segment<3>(3 * i) + along * direction;
-  }
-}
 
 Fibre read_fibre(const JsonValue& group) {
   Fibre fibre;

@@ -53,9 +53,9 @@ void read_groom(const JsonValue& group, Reading& reading) {
     if (rider) rider->strands.push_back(static_cast<int>(strands.size()));
     try {
       StrandStart& start =
-          strands.emplace_back(fibre.strand(shape_of(points[i], scale, move), false, clamped));
+          strands.emplace_back(start_at_rest(fibre, shape_of(points[i], scale, move), false, clamped));
       if (!can_rest(start)) groom.fail(which + "bends by more than 154 degrees; no hair rests so");
-      held.apply(start);
+      hold(held, start);
       start.state.v.head<3>() = velocity;
     } catch (const std::invalid_argument& error) {
       groom.fail(which + error.what());

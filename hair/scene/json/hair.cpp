@@ -15,34 +15,17 @@ namespace {
 constexpr double kDegree = std::numbers::pi / 180;
 constexpr int kMostSegments = 10'000;
 
-// The shape at rest. A wave's or curl's two numbers, m.
-struct Shape {
-  enum class Kind { straight, wavy, curly } kind = Kind::straight;
-  double across = 0, along = 0;
-
-  RestShape make(int segments, double length, const RootFrame& frame) const {
-    switch (kind) {
-      case Kind::wavy:
-        return wavy_shape(segments, length, across, along, frame);
-      case Kind::curly:
-        return curly_shape(segments, length, across, along, frame);
-      default:
-        return straight_shape(segments, length, frame);
-    }
-  }
-};
-
-Shape read_shape(const JsonValue& group) {
-  if (!group.has("shape")) return {};
+RestForm read_form(const JsonValue& group) {
+  if (!group.has("shape")) return Straight{};
   const JsonValue object = group["shape"];
   const std::string kind = object.only_key({"wavy", "curly"});
   const JsonValue numbers = object[kind];
   if (kind == "wavy") {
     numbers.check_keys({"amplitude", "wavelength"});
-    return {Shape::Kind::wavy, numbers["amplitude"].number(0, kLongest), length(numbers["wavelength"])};
+    return Wavy{numbers["amplitude"].number(0, kLongest), length(numbers["wavelength"])};
   }
   numbers.check_keys({"radius", "pitch"});
-  return {Shape::Kind::curly, numbers["radius"].number(0, kLongest), length(numbers["pitch"])};
+  return Curly{numbers["radius"].number(0, kLongest), length(numbers["pitch"])};
 }
 
 struct Spread {
@@ -63,23 +46,14 @@ Spread read_spread(const JsonValue& group) {
 }
 
 struct Group {
-  Fibre fibre;
-  Shape shape;
-  Held held;
+  StrandSpec spec;  // but for its root
   Spread spread;
-  int segments = 0;
-  double length = 0;
-  bool clamped = true;
-  Vector3d velocity = Vector3d::Zero();
 
-  StrandStart make(RootFrame frame, Variation& variation) const {
-    const double own = length * (1 + variation.uniform(-spread.length, spread.length));
-    frame = varied(frame, spread.tilt, spread.turn, variation);
-    StrandStart start =
-        fibre.strand(shape.make(segments, own, frame), shape.kind == Shape::Kind::straight, clamped);
-    held.apply(start);
-    start.state.v.head<3>() = velocity;
-    return start;
+  StrandSpec make(const RootFrame& frame, Variation& variation) const {
+    StrandSpec own = spec;
+    own.length *= 1 + variation.uniform(-spread.length, spread.length);
+    own.root = varied(frame, spread.tilt, spread.turn, variation);
+    return own;
   }
 };
 
@@ -87,16 +61,17 @@ Group read_group(const JsonValue& object) {
   object.check_keys({"segments", "length", "roots"},
                     {"material", "shape", "clamped", "start", "variation", "root_velocity", "moves_with"});
   Group group;
-  group.segments = static_cast<int>(object["segments"].whole_number(1, kMostSegments));
-  group.length = length(object["length"]);
-  group.fibre = read_fibre(object);
-  group.shape = read_shape(object);
-  group.held = read_held(object);
+  StrandSpec& spec = group.spec;
+  spec.elements = static_cast<int>(object["segments"].whole_number(1, kMostSegments));
+  spec.length = length(object["length"]);
+  spec.fibre = read_fibre(object);
+  spec.form = read_form(object);
+  spec.start = read_held(object);
   group.spread = read_spread(object);
-  group.clamped = boolean_or(object, "clamped", true);
-  if (!group.clamped && group.shape.kind != Shape::Kind::straight)
+  spec.clamped = boolean_or(object, "clamped", true);
+  if (!spec.clamped && !std::holds_alternative<Straight>(spec.form))
     object["clamped"].fail("wavy and curly hair must be clamped; write true, or leave the shape out");
-  group.velocity = read_root_velocity(object);
+  spec.root_velocity = read_root_velocity(object);
   return group;
 }
 
@@ -110,7 +85,7 @@ void read_hair(const JsonValue& list, Reading& reading) {
     }
     const Group group = read_group(object);
     const auto expect = [&](const JsonValue& where, long count) {
-      reading.expect(where, count, group.segments + 1L);
+      reading.expect(where, count, group.spec.elements + 1L);
     };
     std::vector<StrandStart>& strands = reading.scene.hair.strands;
     Rider* const rider = reading.rider(object);
@@ -118,7 +93,7 @@ void read_hair(const JsonValue& list, Reading& reading) {
     for (const RootFrame& frame : read_roots(object["roots"], expect)) {
       if (rider) rider->strands.push_back(static_cast<int>(strands.size()));
       try {
-        strands.push_back(group.make(frame, variation));
+        strands.push_back(discretise(group.make(frame, variation)));
       } catch (const std::invalid_argument& error) {
         object.fail(error.what());
       }

@@ -4,6 +4,7 @@
 
 #include "hair/scene/json/parts.h"
 #include "hair/scene/json/values.h"
+#include "solver/course.h"
 
 namespace hair::json {
 
@@ -11,42 +12,6 @@ namespace {
 
 // Of a solve's tolerance: rounding leaves more, and a solver that waits for 0 waits forever.
 constexpr double kTightest = 1e-15;
-
-// The exercises that this course has.
-bool has_exercise(const std::string& id) {
-  const char* const there[] = {
-#ifdef HAIR_HAS_S1
-      "S1",
-#endif
-#ifdef HAIR_HAS_P1
-      "P1",
-#endif
-#ifdef HAIR_HAS_P2
-      "P2",
-#endif
-#ifdef HAIR_HAS_H1
-      "H1",
-#endif
-#ifdef HAIR_HAS_H2
-      "H2",
-#endif
-#ifdef HAIR_HAS_H3
-      "H3",
-#endif
-#ifdef HAIR_HAS_H4
-      "H4",
-#endif
-#ifdef HAIR_HAS_H5
-      "H5",
-#endif
-#ifdef HAIR_HAS_H6
-      "H6",
-#endif
-      ""};
-  for (const char* const one : there)
-    if (id == one) return true;
-  return false;
-}
 
 // As short as it can be read back.
 std::string exact_text(double number) {
@@ -73,19 +38,16 @@ void read_times(const JsonValue& object, Scene& scene) {
 
 void read_method(const JsonValue& object, Description& hair) {
   if (object.has("method")) {
-    constexpr Method kMethods[] = {
-        Method::forward_euler,  Method::symplectic_euler,    Method::midpoint,    Method::runge_kutta_4,
-        Method::implicit_euler, Method::predictor_corrector, Method::newton_euler};
-    hair.method =
-        kMethods[object["method"].word({"forward_euler", "symplectic_euler", "midpoint", "runge_kutta_4",
-                                        "implicit_euler", "predictor_corrector", "newton_euler"})];
+    std::vector<std::string_view> ids;
+    for (const MethodRow& row : methods()) ids.emplace_back(row.id);
+    hair.method = methods()[object["method"].word(ids)].method;
   }
   if (object.has("geometric_term")) {
     constexpr GeometricTerm kTerms[] = {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped};
     hair.geometric_term = kTerms[object["geometric_term"].word({"full", "filtered", "dropped"})];
   }
   if (object.has("bend_product")) {
-    constexpr BendProduct kProducts[] = {BendProduct::exact, BendProduct::spd};
+    constexpr Products kProducts[] = {Products::exact, Products::definite};
     hair.bend_product = kProducts[object["bend_product"].word({"exact", "definite"})];
   }
   hair.tolerance = number_or(object, "tolerance", hair.tolerance, kTightest, 1);
@@ -136,7 +98,7 @@ Scene scene_of(const JsonDocument& document, const std::filesystem::path& file, 
   if (object.has("render")) scene.look = read_look(object["render"]);
   check_use(object, reading);
   for (const std::string& id : exercises_of(scene))
-    if (!has_exercise(id)) object.fail("needs exercise " + id + ", which this course leaves out");
+    if (!in_course(id)) object.fail("needs exercise " + id + ", which this course leaves out");
   return std::move(scene);
 }
 

@@ -81,11 +81,14 @@ Toy read_toy(const JsonValue& item, Reading& reading) {
   toy.gravity = reading.scene.hair.gravity;
   toy.wind = reading.scene.hair.wind;
   if (item.has("method")) {
-    constexpr ToyMethod kMethods[] = {ToyMethod::forward_euler, ToyMethod::symplectic_euler,
-                                      ToyMethod::midpoint, ToyMethod::runge_kutta_4,
-                                      ToyMethod::implicit_euler};
-    toy.method = kMethods[item["method"].word(
-        {"forward_euler", "symplectic_euler", "midpoint", "runge_kutta_4", "implicit_euler"})];
+    std::vector<std::string_view> ids;
+    std::vector<ToyMethod> toy_methods;
+    for (const MethodRow& row : methods()) {
+      if (!row.toy) continue;
+      ids.emplace_back(row.id);
+      toy_methods.push_back(*row.toy);
+    }
+    toy.method = toy_methods[item["method"].word(ids)];
   }
   toy.drag = number_or(item, "drag", 0, 0, 1e6);
   if (item.has("springs")) read_springs(item["springs"], toy);

@@ -5,8 +5,9 @@
 
 #include <cmath>
 
-#include "../allocations.h"
+#include "hair/simulation/simulation.h"
 #include "hair/strand/measures.h"
+#include "solver/tests/allocations.h"
 
 namespace reference_tests {
 namespace {

@@ -180,7 +180,7 @@ TEST(Extremes, OtherJacobiansAreNeverNaNInSilence) {
         for (const auto term : {hair::GeometricTerm::dropped, hair::GeometricTerm::full}) {
           Description description = alone(extreme.start, Method::implicit_euler, h);
           description.geometric_term = term;
-          description.bend_product = hair::BendProduct::exact;
+          description.bend_product = particles::Products::exact;
           breaks(extreme, description, 30);
         }
 }

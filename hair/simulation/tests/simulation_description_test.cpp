@@ -54,20 +54,20 @@ TEST(SimulationDescription, BendsHaveTheProductThatItAsksFor) {
   bent.rest_curvature.resize(0);
   const Eigen::VectorXd dx = Eigen::VectorXd::LinSpaced(curl.state.x.size(), -1, 2).array().sin();
 
-  const auto product_in_simulation = [&](const StrandStart& start, hair::BendProduct bend_product) {
+  const auto product_in_simulation = [&](const StrandStart& start, particles::Products bend_product) {
     Description description = alone(start, Method::implicit_euler, 0.01);
     description.bend_product = bend_product;
     return product(Simulation(std::move(description)).force(0), start.state, dx);
   };
-  for (const hair::BendProduct asked : {hair::BendProduct::exact, hair::BendProduct::spd}) {
+  for (const particles::Products asked : {particles::Products::exact, particles::Products::definite}) {
     const hair::BendForce springs(bent.strand, asked);
     EXPECT_EQ(product_in_simulation(bent, asked), product(springs, bent.state, dx));
     const hair::RestCurvature rest(curl.strand, curl.rest_curvature, curl.root_normal, asked);
     EXPECT_EQ(product_in_simulation(curl, asked), product(rest, curl.state, dx));
   }
   for (const StrandStart& start : {bent, curl})
-    EXPECT_NE(product_in_simulation(start, hair::BendProduct::exact),
-              product_in_simulation(start, hair::BendProduct::spd));
+    EXPECT_NE(product_in_simulation(start, particles::Products::exact),
+              product_in_simulation(start, particles::Products::definite));
 }
 
 // A step of the simulation is the exercise's with the description's numbers, bit by bit.

@@ -24,7 +24,7 @@ constexpr double kOff = 1e-9;
 
 TEST(AccurateMotion, OfADampedSpringIsTheClosedForm) {
   constexpr double kMass = 0.1, kStiffness = 40, kDamping = 0.5, kAway = 0.2;
-  hair::Toy toy;
+  particles::Toy toy;
   toy.particles = {Eigen::Vector2d(1, kMass), {1, 0}};
   toy.start.x = toy.start.v = Eigen::VectorXd::Zero(6);
   toy.start.x[3] = 1 + kAway;

@@ -72,7 +72,6 @@ TEST(Extremes, AnExplicitMethodBreaksAtCommonStepsAndNotBelowItsLimit) {
   hair::StudyMethod method;
   method.id = method.name = "symplectic Euler";
   method.method = Method::symplectic_euler;
-  method.is_explicit = true;
   const std::vector<hair::ExtremeRun> runs = hair::run_extremes(falling_hair(), method, kNeverInterrupted);
   ASSERT_EQ(runs.size(), 3 * 8u);
   for (const hair::ExtremeRun& run : runs) {
@@ -93,7 +92,6 @@ TEST(Extremes, SayWhoseLimitAStepIsHalfOf) {
   hair::StudyMethod method;
   method.id = method.name = "midpoint";
   method.method = Method::midpoint;
-  method.is_explicit = true;
   const std::vector<hair::ExtremeRun> runs = hair::run_extremes(falling_hair(), method, kNeverInterrupted);
   const double fastest = hair::hang(hair::with_options(falling_hair(), method), 1, false).fastest();
   int own = 0;

@@ -29,7 +29,6 @@ hair::StudyMethod explicit_method(Method method) {
   hair::StudyMethod one;
   one.id = one.name = name_of(method);
   one.method = method;
-  one.is_explicit = true;
   return one;
 }
 

@@ -1,0 +1,94 @@
+// STAFF ONLY.
+#include "grader/suite/H2/joints.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "hair/angular_springs.h"
+
+namespace grader::h2 {
+
+using Eigen::Vector3d;
+
+std::vector<Joint> joints(const Posed& posed) {
+  std::vector<Joint> result;
+  const Strand& strand = posed.strand;
+  auto segment = [&](int i) -> Vector3d { return posed.x.segment<3>(3 * i + 3) - posed.x.segment<3>(3 * i); };
+  auto add = [&](double stiffness, const Vector3d& e1, const Vector3d& e2, double arm) {
+    if (e1.norm() == 0 || e2.norm() == 0) return;
+    const Vector3d u1 = e1.normalized(), u2 = e2.normalized();
+    result.push_back({stiffness, std::atan2(u1.cross(u2).norm(), u1.dot(u2)), arm});
+  };
+  if (strand.clamped && strand.segments() > 0)
+    add(2 * strand.bend_rigidity / strand.rest_length[0], strand.root_tangent, segment(0), segment(0).norm());
+  for (int i = 1; i < strand.segments(); ++i) {
+    const double l = (strand.rest_length[i - 1] + strand.rest_length[i]) / 2;
+    const Vector3d e1 = segment(i - 1), e2 = segment(i);
+    add(strand.bend_rigidity / l, e1, e2, std::min(e1.norm(), e2.norm()));
+  }
+  return result;
+}
+
+double energy_rounding(const Posed& posed) {
+  double sum = 0, energy = 0;
+  const std::vector<Joint> all = joints(posed);
+  for (const Joint& joint : all) {
+    sum += 64 * kUnit * joint.stiffness * (joint.angle + 64 * kUnit);
+    energy += joint.stiffness * joint.angle * joint.angle / 2;
+  }
+  return sum + kUnit * static_cast<double>(all.size()) * energy;
+}
+
+double force_rounding(const Posed& posed) {
+  double most = 0;
+  for (const Joint& joint : joints(posed)) {
+    const double s = joint.angle > 2 ? std::sin(joint.angle) : 1;
+    if (s > 4 * kUnit) most = std::max(most, joint.stiffness / joint.arm / s);
+  }
+  return 512 * kUnit * std::numbers::pi * most;
+}
+
+double product_rounding(const Posed& posed, const VectorXd& dx) {
+  double most = 0;
+  for (const Joint& joint : joints(posed)) {
+    const double s = std::sin(joint.angle);
+    if (s > 4 * kUnit) most = std::max(most, joint.stiffness / std::pow(joint.arm * s, 2));
+  }
+  return 512 * kUnit * std::numbers::pi * most * 4 * largest(dx);
+}
+
+void expect_energy(Trial& trial, const Posed& posed) {
+  trial.expect_at_most(std::abs(ask_energy(trial, posed) - hair::bend_energy(posed.strand, posed.x)),
+                       energy_rounding(posed), "the error of the energy");
+}
+
+VectorXd reference_force(const Posed& posed) {
+  VectorXd f = VectorXd::Zero(posed.x.size());
+  hair::add_bend_force(posed.strand, posed.x, f);
+  return f;
+}
+
+void expect_force(Trial& trial, const Posed& posed) {
+  expect_vector(trial, ask_force(trial, posed), reference_force(posed), force_rounding(posed), "the force");
+}
+
+VectorXd ask_spd(Trial& trial, const Posed& posed, const VectorXd& dx) {
+  return ask_product(trial, posed, dx, GeometricTerm::full, kSpdProduct);
+}
+
+VectorXd reference_product(const Posed& posed, const VectorXd& dx, int function) {
+  VectorXd df = VectorXd::Zero(dx.size());
+  (function == kProduct ? hair::add_bend_product : hair::add_bend_product_spd)(posed.strand, posed.x, dx, df);
+  return df;
+}
+
+void expect_product(Trial& trial, const Posed& posed, int function, double rounding_of_straight) {
+  const VectorXd dx = random_vector(trial.random, posed.x.size());
+  const VectorXd df = ask_product(trial, posed, dx, GeometricTerm::full, function);
+  expect_vector(trial, df, reference_product(posed, dx, function),
+                product_rounding(posed, dx) + rounding_of_straight * largest(dx), "the product");
+}
+
+}  // namespace grader::h2

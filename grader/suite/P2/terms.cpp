@@ -1,0 +1,69 @@
+// STAFF ONLY. P2: hidden cases of what the solve is put together from: C, J v, J^T lambda, J W J^T.
+#include <cmath>
+
+#include "grader/suite/P2/answers.h"
+#include "grader/suite/P2/categories.h"
+
+namespace grader::p2 {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+void expect_values_and_rates(Trial& trial, const std::vector<ConstrainedSystem>& systems) {
+  for (const ConstrainedSystem& system : systems)
+    for (double junk : {0.0, kNaN}) {
+      const VectorXd there = VectorXd::Constant(system.rows(), junk);
+      trial.expect_at_most((answer(trial, kValues, system, {there}, system.rows()) - system.values()).norm(),
+                           32 * kUnit * system.value_size(), "the error of C");
+      const MatrixXd J = system.jacobian();
+      trial.expect_at_most(
+          (answer(trial, kRates, system, {there}, system.rows()) - J * system.state.v).norm(),
+          32 * kUnit * (J.cwiseAbs() * system.state.v.cwiseAbs()).norm(), "the error of J v");
+    }
+}
+
+void expect_forces(Trial& trial, const std::vector<ConstrainedSystem>& systems) {
+  for (const ConstrainedSystem& system : systems) {
+    const VectorXd lambda = random_vector(trial.random, system.rows());
+    const VectorXd there = 10 * random_vector(trial.random, 3 * system.n());
+    const MatrixXd Jt = system.jacobian().transpose();
+    const VectorXd f = answer(trial, kForces, system, {lambda, there}, there.size());
+    trial.expect_at_most(
+        (f - there - Jt * lambda).norm(),
+        (16 + system.rows()) * kUnit * ((Jt.cwiseAbs() * lambda.cwiseAbs()).norm() + 2 * there.norm()),
+        "the error of the constraint forces");
+  }
+}
+
+}  // namespace
+
+void rod_values(Trial& trial) {
+  expect_values_and_rates(trial, chains(trial.random));
+}
+
+void wire_values(Trial& trial) {
+  expect_values_and_rates(trial, beads(trial.random));
+}
+
+void rod_forces(Trial& trial) {
+  expect_forces(trial, chains(trial.random));
+}
+
+void wire_forces(Trial& trial) {
+  expect_forces(trial, beads(trial.random));
+}
+
+void matrix(Trial& trial) {
+  for (const ConstrainedSystem& system : chains(trial.random)) expect_matrix(trial, system);
+
+  const ConstrainedSystem system = random_chain(trial.random, 5);
+  const VectorXd a = random_vector(trial.random, system.rows()),
+                 b = random_vector(trial.random, system.rows());
+  const VectorXd Ab = product(trial, system, b, 0);
+  const double rounding = 4 * (16 + system.rows()) * kUnit * system.matrix_size() * a.norm() * b.norm();
+  trial.expect_at_most(std::abs(a.dot(Ab) - b.dot(product(trial, system, a, 0))), rounding,
+                       "the asymmetry of J W J'");
+}
+
+}  // namespace grader::p2

@@ -1,0 +1,300 @@
+// STAFF ONLY. S2: hidden cases of dense_matrix, normal_matrix and solve_normal_equations.
+#include "grader/suite/S2/categories.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "grader/suite/linear_system.h"
+#include "grader/suite/rounding.h"
+
+namespace grader::s2 {
+namespace {
+
+constexpr int kDense = 0, kNormal = 1, kSolve = 2;  // as in serve_S2.cpp
+
+// A rows x cols table with products on the trusted side.
+struct Table {
+  int rows, cols;
+  std::vector<double> entries;  // by rows
+
+  std::vector<double> times(const std::vector<double>& x) const {
+    std::vector<double> y(rows);
+    for (int i = 0; i < rows; ++i) {
+      long double sum = 0;
+      for (int j = 0; j < cols; ++j) sum += static_cast<long double>(entries[i * cols + j]) * x[j];
+      y[i] = static_cast<double>(sum);
+    }
+    return y;
+  }
+  Table transposed() const {
+    Table result{cols, rows, std::vector<double>(entries.size())};
+    for (int i = 0; i < rows; ++i)
+      for (int j = 0; j < cols; ++j) result.entries[j * rows + i] = entries[i * cols + j];
+    return result;
+  }
+  double norm() const { return grader::norm(entries); }  // Frobenius, >= ||A||
+};
+
+Table random_table(Random& random, int rows, int cols) {
+  return {rows, cols, random.normals(rows * cols)};
+}
+
+// Serves A as operator 0 and A' as operator 1, and counts.
+struct Served {
+  Table A, A_transposed;
+  int products = 0, transposed_products = 0, most = 1 << 20;
+
+  explicit Served(const Table& table) : A(table), A_transposed(table.transposed()) {}
+
+  bool operator()(int which, const std::vector<double>& x, std::vector<double>& y) {
+    if (which != 0 && which != 1) throw MalformedMessage("an operator that is not there");
+    const Table& table = which == 0 ? A : A_transposed;
+    if (static_cast<int>(x.size()) != table.cols) throw MalformedMessage("a product that makes no sense");
+    y = table.times(x);
+    return ++(which == 0 ? products : transposed_products) <= most;
+  }
+};
+
+// `product` was A x, twice, into buffers that held junk; its entries may be off by `rounding`.
+void expect_product(Trial& trial, MessageReader& reply, const std::vector<double>& x,
+                    const std::vector<double>& expected, double rounding, const std::string& what) {
+  const std::vector<double> first = reply.get_doubles(expected.size());
+  const std::vector<double> x_after = reply.get_doubles(x.size());
+  const std::vector<double> second = reply.get_doubles(expected.size());
+  reply.expect_end();
+  trial.expect_at_most(distance(first, expected), rounding, "the error of " + what);
+  trial.expect(same_bits(x, x_after), what + " changes x");
+  trial.expect(first == second, what + " gives another result the second time");
+}
+
+void expect_dense_product(Trial& trial, const std::string& name, const Table& table,
+                          const std::vector<double>& x) {
+  trial.describe(name + ", " + std::to_string(table.rows) + " x " + std::to_string(table.cols));
+  for (double junk : {0.0, 1e3, std::numeric_limits<double>::quiet_NaN()}) {
+    MessageWriter request;
+    request.put(kDense).put(table.rows).put(table.cols).put(std::span<const double>(table.entries));
+    request.put(std::span<const double>(x))
+        .put(std::span<const double>(std::vector<double>(table.rows, junk)));
+    MessageReader reply =
+        trial.ask(request, [](int, const auto&, auto&) -> bool { throw MalformedMessage("no operator"); });
+    // Each entry is a dot product of `cols` terms.
+    expect_product(trial, reply, x, table.times(x), kUnit * (table.cols + 1) * table.norm() * norm(x),
+                   "dense_matrix's product");
+  }
+}
+
+struct NormalSolution {
+  double value;
+  int steps;
+  std::vector<double> x;
+  int products, transposed_products;  // as the suite counted them
+  bool b_changed;                     // or a product's input and output overlapped
+};
+
+// Calls the student's solve_normal_equations.
+NormalSolution solve(Trial& trial, const std::string& name, const Table& table, const std::vector<double>& b,
+                     double epsilon, int steps) {
+  trial.describe(name + ", " + std::to_string(table.rows) + " x " + std::to_string(table.cols));
+  Served served(table);
+  const int limit = steps == 0 ? std::max(100, 2 * table.cols) : std::max(0, steps);
+  served.most = limit + limit / 64 + 4;
+  MessageWriter request;
+  request.put(kSolve).put(table.rows).put(table.cols).put(epsilon).put(steps);
+  request.put(std::span<const double>(trial.random.normals(table.cols, 1e3))).put(std::span<const double>(b));
+  MessageReader reply = trial.ask(request, std::ref(served));
+  NormalSolution solution;
+  solution.value = reply.get<double>();
+  solution.steps = reply.get<int>();
+  solution.x = reply.get_doubles(table.cols);
+  const std::vector<double> b_after = reply.get_doubles(b.size());
+  const int overlaps = reply.get<int>();
+  reply.expect_end();
+
+  trial.expect(solution.steps >= 0 && solution.steps <= limit + 1,
+               "the number of steps is negative, or far beyond the limit", std::to_string(solution.steps));
+  solution.b_changed = overlaps > 0 || !same_bits(b, b_after);
+  solution.products = served.products;
+  solution.transposed_products = served.transposed_products;
+  return solution;
+}
+
+// The drift of linear_system.h for the matrix A'A, whose products have the error of two dot products.
+double drift(const Table& table, const std::vector<double>& x, const std::vector<double>& Atb) {
+  const double error = table.rows + table.cols + 2, squared = table.norm() * table.norm();
+  return kUnit * (65 * (10 + 2 * error) * squared * (2 * norm(x) + norm(Atb)) + 2 * error * norm(Atb));
+}
+
+// ||A'(b - Ax)||, by the suite's own products.
+double normal_residual(const Table& table, const std::vector<double>& x, std::vector<double> b) {
+  const std::vector<double> Ax = table.times(x);
+  for (std::size_t i = 0; i < b.size(); ++i) b[i] -= Ax[i];
+  return norm(table.transposed().times(b));
+}
+
+// x solves A'A x = A'b within what epsilon and rounding leave, and is as close to `expected` as that says;
+// `smallest` is a lower bound of A's smallest singular value.
+void expect_solves(Trial& trial, const std::string& name, const Table& table, const std::vector<double>& b,
+                   const std::vector<double>& expected, double smallest) {
+  const std::vector<double> Atb = table.transposed().times(b);
+  const double epsilon = std::pow(1e-9 * norm(Atb), 2);
+  const NormalSolution solution = solve(trial, name, table, b, epsilon, 0);
+  const double allowed = std::sqrt(epsilon) + drift(table, expected, Atb);
+  trial.expect_at_most(normal_residual(table, solution.x, b), allowed, "the norm of A'(b - Ax)");
+  trial.expect_at_most(distance(solution.x, expected), allowed / (smallest * smallest), "the error of x");
+}
+
+// A = D + N: D diagonal with entries of size `large` or more, ||N||_F <= 1, so that no singular value is
+// below large - 1.
+Table dominant(Random& random, const std::vector<double>& diagonal) {
+  const int n = static_cast<int>(diagonal.size());
+  Table table = random_table(random, n, n);
+  const double scale = 1 / table.norm();
+  for (double& entry : table.entries) entry *= scale;
+  for (int i = 0; i < n; ++i) table.entries[i * n + i] += diagonal[i];
+  return table;
+}
+
+void table(Trial& trial) {
+  Random& random = trial.random;
+  expect_dense_product(trial, "Example 1", {2, 2, {2, 0, 0, 1}}, {0.5, 1});
+  expect_dense_product(trial, "Example 2", {2, 2, {2, 1, 1, 1}}, {-1, 5});
+  for (auto [rows, cols] : {std::pair{1, 1}, {3, 3}, {7, 4}, {4, 7}, {1, 9}, {9, 1}, {60, 50}})
+    expect_dense_product(trial, "random", random_table(random, rows, cols), random.normals(cols));
+  expect_dense_product(trial, "no columns", {3, 0, {}}, {});
+  expect_dense_product(trial, "no rows", {0, 3, {}}, random.normals(3));
+}
+
+void normal_operator(Trial& trial) {
+  Random& random = trial.random;
+  for (auto [rows, cols] : {std::pair{2, 2}, {5, 5}, {9, 4}, {4, 9}, {40, 30}}) {
+    const Table table = random_table(random, rows, cols);
+    const std::vector<double> x = random.normals(cols);
+    trial.describe("A'A, A " + std::to_string(rows) + " x " + std::to_string(cols));
+    Served served(table);
+    MessageWriter request;
+    request.put(kNormal).put(rows).put(cols).put(std::span<const double>(x));
+    request.put(std::span<const double>(random.normals(cols, 1e3)));
+    MessageReader reply = trial.ask(request, std::ref(served));
+    const double rounding = kUnit * (rows + cols + 2) * table.norm() * table.norm() * norm(x);
+    expect_product(trial, reply, x, table.transposed().times(table.times(x)), rounding,
+                   "normal_matrix's product");
+    trial.expect(
+        served.products == 2 && served.transposed_products == 2,
+        "a product with A'A does not take one product with A and one with A'",
+        std::to_string(served.products) + " and " + std::to_string(served.transposed_products) + " for two");
+  }
+}
+
+void non_symmetric(Trial& trial) {
+  Random& random = trial.random;
+  for (int n : {2, 3, 10, 40}) {
+    std::vector<double> diagonal(n);
+    for (double& value : diagonal) value = random.uniform(2, 6);
+    const Table A = dominant(random, diagonal);
+    const std::vector<double> x = random.normals(n);
+    expect_solves(trial, "non-symmetric", A, A.times(x), x, 1);
+  }
+  // A rotation: A'A is the identity, and one look suffices.
+  const double angle = random.uniform(0.5, 1);
+  const Table rotation{2, 2, {std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle)}};
+  const std::vector<double> x = random.normals(2);
+  expect_solves(trial, "rotation", rotation, rotation.times(x), x, 0.99);
+}
+
+void indefinite(Trial& trial) {
+  Random& random = trial.random;
+  for (int n : {2, 5, 20}) {
+    std::vector<double> diagonal(n);
+    for (int i = 0; i < n; ++i) diagonal[i] = (i % 2 == 0 ? 1 : -1) * random.uniform(2, 6);
+    Table A = dominant(random, diagonal);
+    for (int i = 0; i < n; ++i)
+      for (int j = 0; j < i; ++j) A.entries[i * n + j] = A.entries[j * n + i];
+    // Made symmetric, the part beside the diagonal is no longer than sqrt(2).
+    const std::vector<double> x = random.normals(n);
+    expect_solves(trial, "symmetric, indefinite", A, A.times(x), x, 2 - std::sqrt(2.0));
+  }
+  // Saddle point: [[1, 1], [1, 0]], eigenvalues (1 -+ sqrt(5)) / 2.
+  expect_solves(trial, "saddle point", {2, 2, {1, 1, 1, 0}}, {3, 1}, {1, 2}, 0.618);
+}
+
+void least_squares(Trial& trial) {
+  Random& random = trial.random;
+  for (auto [rows, cols] : {std::pair{6, 3}, {30, 10}}) {
+    // A = Q [B; 0] with Q orthogonal has B's singular values, at least 1, and Q [0; z] is orthogonal to its
+    // columns: b = A x + Q [0; z] has the solution x.
+    std::vector<double> diagonal(cols);
+    for (double& value : diagonal) value = random.uniform(2, 5);
+    const Table B = dominant(random, diagonal);
+    std::vector<double> mirror = random.normals(rows);
+    const double length = norm(mirror);
+    for (double& value : mirror) value /= length;
+    auto reflect = [&](std::vector<double> v) {
+      double dot = 0;
+      for (std::size_t i = 0; i < mirror.size(); ++i) dot += mirror[i] * v[i];
+      for (std::size_t i = 0; i < mirror.size(); ++i) v[i] -= 2 * dot * mirror[i];
+      return v;
+    };
+    Table A{rows, cols, std::vector<double>(rows * cols)};
+    for (int j = 0; j < cols; ++j) {
+      std::vector<double> column(rows, 0.0);
+      for (int i = 0; i < cols; ++i) column[i] = B.entries[i * cols + j];
+      column = reflect(column);
+      for (int i = 0; i < rows; ++i) A.entries[i * cols + j] = column[i];
+    }
+    std::vector<double> unreachable(rows, 0.0);
+    for (int i = cols; i < rows; ++i) unreachable[i] = random.normal();
+    unreachable = reflect(unreachable);
+    const std::vector<double> x = random.normals(cols);
+    std::vector<double> b = A.times(x);
+    for (int i = 0; i < rows; ++i) b[i] += unreachable[i];
+    // Rounding leaves A'Q[0; z] at u ||A|| ||z||, within the drift's allowance.
+    expect_solves(trial, "least squares", A, b, x, 0.99);
+  }
+}
+
+void steps_and_products(Trial& trial) {
+  Random& random = trial.random;
+  const int n = random.integer(12, 18);
+  std::vector<double> diagonal(n);
+  for (double& value : diagonal) value = random.uniform(2, 20);
+  const Table A = dominant(random, diagonal);
+  const std::vector<double> x = random.normals(n), b = A.times(x), Atb = A.transposed().times(b);
+  expect_solves(trial, "ordinary", A, b, x, 1);
+
+  struct Limit {
+    const char* name;
+    double epsilon;
+    int limit, expected;
+  };
+  for (const Limit& one : {Limit{"one step", 0, 1, 1},
+                           {"three steps", 0, 3, 3},
+                           {"no steps", 0, -1, 0},
+                           {"many steps", 0, 70, 70},
+                           {"a huge epsilon", 1e300, 0, 0}}) {
+    const NormalSolution solution = solve(trial, one.name, A, b, one.epsilon, one.limit);
+    trial.expect(solution.steps == one.expected, "the step limit and epsilon are not ConjGrad's",
+                 std::to_string(solution.steps));
+    const int expected = 1 + solution.steps + solution.steps / 64;
+    trial.expect(solution.products == expected && solution.transposed_products == expected + 1,
+                 "the number of products is not 1 + steps + floor(steps / 64) with A, and one more with A'",
+                 std::to_string(solution.products) + " and " + std::to_string(solution.transposed_products));
+    trial.expect(!solution.b_changed, "b is changed, or a product's input and output overlap");
+    trial.expect_at_most(std::abs(std::sqrt(solution.value) - normal_residual(A, solution.x, b)),
+                         drift(A, x, Atb) + kUnit * (n + 2) * std::sqrt(solution.value),
+                         "the difference between the return value and the squared norm of A'(b - Ax)");
+  }
+}
+
+}  // namespace
+
+std::vector<Category> categories() {
+  return {{"Table", "A matrix from a table", 4, table},
+          {"NormalOperator", "A'A as an operator", 4, normal_operator},
+          {"NonSymmetric", "Non-symmetric systems", 4, non_symmetric},
+          {"Indefinite", "Indefinite systems", 3, indefinite},
+          {"LeastSquares", "Least squares", 2, least_squares},
+          {"StepsAndProducts", "Steps and products", 3, steps_and_products}};
+}
+
+}  // namespace grader::s2

@@ -1,0 +1,8 @@
+#include "hair/lab/solver/functions.h"
+#include "solver/normal_equations.h"
+
+namespace hair {
+
+const solver::study::NormalEquationsFunction kNormalEquations = solve_normal_equations;
+
+}  // namespace hair

@@ -1,0 +1,49 @@
+// A strand of masses and springs as a body: its coordinates are its particles' positions, which are its centre line, too.
+#pragma once
+
+#include "hair/mass_spring/force_parts.h"
+#include "hair/mass_spring/moving_strand.h"
+#include "hair/mass_spring/step_methods.h"
+#include "hair/mass_spring/strand_start.h"
+#include "hair/strand/body.h"
+
+namespace hair {
+
+class MassSpringBody final : public Body {
+ public:
+  // `start` has passed check_start. With `collides`, steps keep where they began. Throws std::invalid_argument for what
+  // needs an exercise that the course leaves out.
+  MassSpringBody(const StrandStart& start, const StepMethod& method, const ForceOptions& options,
+                 bool collides);
+
+  const MovingStrand& moving() const { return moving_; }
+
+  // Back to a start of the same size. Masses, lengths and forces stay.
+  void restart(const StrandStart& start);
+  void set_root_velocity(const Vector3d& velocity) { moving_.state.v.head<3>() = velocity; }
+  void set_root_frame(const Vector3d& tangent, const Vector3d& normal);
+
+  Coordinates coordinates() const override { return Coordinates::positions; }
+  int size() const override { return 3 * moving_.strand.count(); }
+  int points() const override { return moving_.strand.count(); }
+  int scratch_rows() const override { return size(); }
+  int scratch_columns() const override { return method_.scratch + (collides_ ? 1 : 0); }
+  void read(particles::Output q, particles::Output rate) const override;
+  void write(particles::Input q, particles::Input rate) override;
+  void set_root(const Root& root) override;
+  Vector3d root_position() const override { return moving_.state.x.head<3>(); }
+  std::optional<Stage> step(const BodyStep& step, const particles::Scratch& scratch, Work& work) override;
+  void centre_line(particles::Input q, particles::Input rate, particles::Output x,
+                   particles::Output v) const override;
+  BodyMeasures measure(particles::Input q, particles::Input rate) const override;
+
+ private:
+  void collide(const BodyStep& step, particles::Input x_before, const particles::Scratch& scratch,
+               Work& work);
+
+  MovingStrand moving_;
+  const StepMethod& method_;
+  bool collides_;
+};
+
+}  // namespace hair

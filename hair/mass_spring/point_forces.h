@@ -1,0 +1,32 @@
+// Forces from outside at a strand's particles, as a part of its forces: links between hairs, penalties.
+#pragma once
+
+#include <span>
+
+#include "hair/strand/body.h"
+#include "particles/force.h"
+
+namespace hair {
+
+class PointForces final : public particles::Force {
+ public:
+  // Until the next call. Refers to what it is given.
+  void set(std::span<const PointForce> forces) { forces_ = forces; }
+
+  // Not known: where they come from has their energy.
+  double energy(particles::Input) const override { return 0; }
+  void add_force(particles::Input, particles::Input, particles::Output f) const override {
+    for (const PointForce& one : forces_) f.segment<3>(3 * one.point) += one.force;
+  }
+  void add_dfdx(particles::Input, particles::Input, particles::Input dx,
+                particles::Output df) const override {
+    for (const PointForce& one : forces_)
+      df.segment<3>(3 * one.point) -= one.stiffness * dx.segment<3>(3 * one.point);
+  }
+  void add_dfdv(particles::Input, particles::Input, particles::Input, particles::Output) const override {}
+
+ private:
+  std::span<const PointForce> forces_;
+};
+
+}  // namespace hair

@@ -1,0 +1,33 @@
+// A toy as a body: its coordinates are its particles' positions. It has no root, no obstacles and no tip.
+#pragma once
+
+#include "hair/strand/body.h"
+#include "particles/toys/moving_toy.h"
+
+namespace hair {
+
+class ToyBody final : public Body {
+ public:
+  // Throws std::invalid_argument as MovingToy does.
+  explicit ToyBody(const particles::Toy& toy) : moving_(toy), method_(particles::toy_step_of(toy.method)) {}
+
+  Coordinates coordinates() const override { return Coordinates::positions; }
+  int size() const override { return static_cast<int>(moving_.state.x.size()); }
+  int points() const override { return size() / 3; }
+  int scratch_rows() const override { return size(); }
+  int scratch_columns() const override { return method_.scratch; }
+  void read(particles::Output q, particles::Output rate) const override;
+  void write(particles::Input q, particles::Input rate) override;
+  void set_root(const Root&) override {}
+  Vector3d root_position() const override { return moving_.state.x.head<3>(); }
+  std::optional<Stage> step(const BodyStep& step, const particles::Scratch& scratch, Work& work) override;
+  void centre_line(particles::Input q, particles::Input rate, particles::Output x,
+                   particles::Output v) const override;
+  BodyMeasures measure(particles::Input q, particles::Input rate) const override;
+
+ private:
+  particles::MovingToy moving_;
+  particles::ToyStep method_;
+};
+
+}  // namespace hair

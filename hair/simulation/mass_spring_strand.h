@@ -1,0 +1,17 @@
+// A strand of masses and springs, with what a description asks for.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "hair/mass_spring/mass_spring_body.h"
+#include "hair/simulation/description.h"
+
+namespace hair {
+
+// Throws std::invalid_argument for a start that is out of bounds (of `name`), and what needs an exercise that the course
+// leaves out.
+std::unique_ptr<MassSpringBody> mass_spring_strand(const std::string& name, const StrandStart& start,
+                                                   const Description& description);
+
+}  // namespace hair

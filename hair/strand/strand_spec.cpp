@@ -1,0 +1,52 @@
+#include "hair/strand/strand_spec.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace hair {
+
+namespace {
+
+constexpr double kFullTurn = 2 * std::numbers::pi;
+
+RestShape shape_of(const Straight&, const StrandSpec& spec) {
+  return straight_shape(spec.elements, spec.length, spec.root);
+}
+
+RestShape shape_of(const Wavy& wave, const StrandSpec& spec) {
+  return wavy_shape(spec.elements, spec.length, wave.amplitude, wave.wavelength, spec.root);
+}
+
+RestShape shape_of(const Curly& curl, const StrandSpec& spec) {
+  return curly_shape(spec.elements, spec.length, curl.radius, curl.pitch, spec.root);
+}
+
+Bend bend_of(const Straight&, double) {
+  return {};
+}
+
+// y = A sin(kt): curvature y'' / (1 + y'^2)^(3/2), at the t where the curve's length is s.
+Bend bend_of(const Wavy& wave, double s) {
+  const double k = kFullTurn / wave.wavelength;
+  const double t = wave_axis(wave.amplitude, wave.wavelength, s);
+  const double slope = wave.amplitude * k * std::cos(k * t);
+  const double bend = -wave.amplitude * k * k * std::sin(k * t);
+  return {bend / std::pow(1 + slope * slope, 1.5), 0};
+}
+
+Bend bend_of(const Curly& curl, double) {
+  const double c = curl.pitch / kFullTurn, squared = curl.radius * curl.radius + c * c;
+  return {curl.radius / squared, c / squared};
+}
+
+}  // namespace
+
+RestShape rest_shape(const StrandSpec& spec) {
+  return std::visit([&](const auto& form) { return shape_of(form, spec); }, spec.form);
+}
+
+Bend bend_at(const RestForm& form, double s) {
+  return std::visit([&](const auto& one) { return bend_of(one, s); }, form);
+}
+
+}  // namespace hair

@@ -1,0 +1,61 @@
+// A strand as a scene gives it, before any model cuts it into particles, links or elements.
+#pragma once
+
+#include <variant>
+
+#include "hair/strand/material.h"
+#include "hair/strand/rest_shape.h"
+
+namespace hair {
+
+// What a strand is made of; factors make it stiffer or softer than its material.
+struct Fibre {
+  Material material;
+  double stretch_factor = 1;  // of EA
+  double bend_factor = 1;     // of EI
+  double twist_factor = 1;    // of GJ
+  double skip_factor = 0;     // of EA: the rigidity of springs that skip a particle
+};
+
+// The curve at rest.
+struct Straight {};
+struct Wavy {
+  double amplitude, wavelength;  // m: see wavy_shape
+};
+struct Curly {
+  double radius, pitch;  // m: see curly_shape
+};
+using RestForm = std::variant<Straight, Wavy, Curly>;
+
+// How a strand is held at the start, if not at rest: straight in a direction, every segment `stretch` times as
+// long, or to and fro.
+struct Held {
+  bool differently = false;
+  Vector3d direction = Vector3d::Zero();
+  double stretch = 1;
+  bool folded = false;
+};
+
+struct StrandSpec {
+  Fibre fibre;
+  RestForm form;
+  double length = 0.1;  // m, > 0
+  int elements = 10;    // segments, links, helices: >= 1
+  RootFrame root;
+  bool clamped = true;
+  Held start;
+  Vector3d root_velocity = Vector3d::Zero();  // m/s
+};
+
+// Throws std::invalid_argument as straight_shape, wavy_shape and curly_shape do.
+RestShape rest_shape(const StrandSpec& spec);
+
+// The curve's curvature and torsion, 1/m, at the arc length s from its root, in the frame that starts with the tangent
+// and the normal of rest_shape and turns with the torsion. A planar curve has a signed curvature and no torsion; a helix
+// bends towards its own axis at constant curvature and torsion.
+struct Bend {
+  double curvature = 0, torsion = 0;
+};
+Bend bend_at(const RestForm& form, double s);
+
+}  // namespace hair
