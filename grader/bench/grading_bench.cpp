@@ -76,7 +76,7 @@ void time_batches(const Course& course, const fs::path& scratch, int count) {
   settings.course = course;
   settings.kit = HAIR_KIT_DIR;
   settings.suite = HAIR_SUITE;
-  settings.scenes = fs::path(HAIR_PROJECT) / "grader/suite/scenes";
+  settings.scenes = fs::path(HAIR_HIDDEN_SCENES);
   settings.cache = scratch / "cache";
   settings.secret = "the secret of the benchmark";
   const Grading grading(settings);

@@ -141,7 +141,7 @@ int main(int argc, char* argv[]) {
     for (const Exercise& exercise : course) exercises.push_back(exercise.id);
     fs::create_directories(HAIR_KEPT);
     for (const std::string& exercise : exercises) {
-      const fs::path file = fs::path(HAIR_PROJECT) / "grader/suite/scenes" / (exercise + ".json");
+      const fs::path file = fs::path(HAIR_HIDDEN_SCENES) / (exercise + ".json");
       if (!fs::exists(file)) continue;
       for (const std::string& seed : seeds) {
         const fs::path kept = fs::path(HAIR_KEPT) / (exercise + "-" + seed);

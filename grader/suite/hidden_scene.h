@@ -1,4 +1,4 @@
-// STAFF ONLY. The scene of an exercise's whole run: a file of grader/suite/scenes, varied a little by a seed,
+// STAFF ONLY. The scene of an exercise's whole run: grader/suite/H1/scene.json for H1, varied a little by a seed,
 // so that nobody knows where it ends. The seed is the same for a class, whose pictures can then be compared.
 //
 //   {"canary": "STAFF ONLY: ...",

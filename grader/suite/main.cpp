@@ -39,6 +39,7 @@
 #include "grader/report/study_json.h"
 #include "grader/study/submission_study.h"
 #include "grader/suite/end_to_end.h"
+#include "grader/suite/suite_table.h"
 #include "grader/suite/trial.h"
 #include "grader/suite/whole_run.h"
 

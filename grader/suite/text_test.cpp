@@ -9,6 +9,7 @@
 #include <string>
 
 #include "grader/course/course.h"
+#include "grader/suite/suite_table.h"
 #include "grader/suite/trial.h"
 #include "grader/suite/whole_run.h"
 

@@ -61,6 +61,4 @@ struct Category {
 // How many times the bound an error is, in bands: an exact figure would be a hidden case's value in disguise.
 std::string band(double error, double bound);
 
-std::vector<Category> categories(const std::string& exercise);  // throws BadInput for one without a suite
-
 }  // namespace grader

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <sstream>
 
 namespace grader {
@@ -26,14 +25,6 @@ std::string at(const Moment& moment) {
 }
 
 }  // namespace
-
-WholeRunPoints whole_run_points(const std::string& exercise) {
-  static const std::map<std::string, WholeRunPoints> points = {
-      {"S1", {1, 1}}, {"P1", {1, 2}}, {"P2", {1, 2}}, {"H1", {1, 3}}, {"H2", {2, 3}},
-      {"H3", {1, 1}}, {"H4", {2, 3}}, {"H5", {2, 3}}, {"H6", {2, 4}}};
-  const auto found = points.find(exercise);
-  return found == points.end() ? WholeRunPoints() : found->second;
-}
 
 WorkerSetup whole_run_worker(const WorkerSetup& cases, const hair::Scene& scene,
                              const std::vector<std::string>& exercises) {

@@ -20,6 +20,7 @@
 #include "grader/report/result.h"
 #include "grader/suite/hidden_scene.h"
 #include "grader/suite/run_comparison.h"
+#include "grader/suite/suite_table.h"
 #include "grader/suite/trial.h"
 
 namespace grader {
@@ -35,15 +36,8 @@ inline constexpr double kLeastStretch = 1e-4;
 // Of pictures.
 inline constexpr double kBlurredRmse = 0.0005, kFlip = 0.001;
 
-struct WholeRunPoints {
-  double run = 0, pictures = 0;
-};
-
 inline constexpr const char* kRunTitle = "The whole run";
 inline constexpr const char* kPicturesTitle = "Pictures of it";
-
-// The points of both categories; 0 for an exercise that no scene needs.
-WholeRunPoints whole_run_points(const std::string& exercise);
 
 // Who plays the scene: as `cases` answers for the exercise's other cases, with its own object, which is the
 // last, and for all other exercises, of which `exercises` is the order, the reference's, or stubs where the

@@ -1,5 +1,6 @@
 // STAFF ONLY. Hidden scenes are what they say, and a run that is not what it should be is seen to be so.
 #include "grader/suite/whole_run.h"
+#include "grader/suite/suite_table.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kScenes = fs::path(HAIR_PROJECT) / "grader/suite/scenes";
+const fs::path kScenes = HAIR_HIDDEN_SCENES;
 
 HiddenScene hidden_scene_of(const std::string& exercise, const std::string& seed = "a seed") {
   return read_hidden_scene(kScenes / (exercise + ".json"), seed);

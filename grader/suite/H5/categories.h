@@ -2,10 +2,13 @@
 #pragma once
 
 #include "grader/suite/trial.h"
+#include "grader/suite/whole_run_points.h"
 
 namespace grader::h5 {
 
 std::vector<Category> categories();
+
+inline constexpr WholeRunPoints kWholeRun{2, 3};
 
 // Each sends its cases to the student's functions and throws CaseFailed at the first that fails.
 void relaxation(Trial& trial);

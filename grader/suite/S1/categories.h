@@ -2,10 +2,13 @@
 #pragma once
 
 #include "grader/suite/trial.h"
+#include "grader/suite/whole_run_points.h"
 
 namespace grader::s1 {
 
 std::vector<Category> categories();
+
+inline constexpr WholeRunPoints kWholeRun{1, 1};
 
 // Each sends its cases to the student's ConjGrad and throws CaseFailed at the first that fails.
 void examples(Trial& trial);
