@@ -1,5 +1,6 @@
 // STAFF ONLY.
 #include "grader/bench/cost.h"
+#include "solver/timing.h"
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -30,11 +31,6 @@ Cost so_far() {
     cost.cpu += seconds(usage.ru_utime) + seconds(usage.ru_stime);
   }
   return cost;
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
 }
 
 }  // namespace
@@ -68,7 +64,8 @@ std::vector<Cost> median_costs(const std::vector<Part>& parts, int rounds) {
       cpus[i].push_back(cost.cpu);
     }
   std::vector<Cost> medians;
-  for (std::size_t i = 0; i < parts.size(); ++i) medians.push_back({median(walls[i]), median(cpus[i])});
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    medians.push_back({timing::median(walls[i]), timing::median(cpus[i])});
   return medians;
 }
 

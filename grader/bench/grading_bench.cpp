@@ -23,6 +23,7 @@
 #include "grader/tool/batch.h"
 #include "grader/tool/grading.h"
 #include "grader/tool/suite_run.h"
+#include "hair/io/files/temporary_folder.h"
 
 namespace grader_bench {
 namespace {
@@ -57,19 +58,6 @@ Submission submission(const Course& course, int number) {
   }
   return result;
 }
-
-struct TemporaryFolder {
-  fs::path path;
-  TemporaryFolder() {
-    std::string pattern = (fs::temp_directory_path() / "grading-bench-XXXXXX").string();
-    require(mkdtemp(pattern.data()) != nullptr, pattern + " can't be made");
-    path = pattern;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
-  }
-};
 
 void time_batches(const Course& course, const fs::path& scratch, int count) {
   GradingSettings settings;
@@ -199,11 +187,11 @@ int main(int argc, char* argv[]) {
   std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // rows as they are measured, also into a pipe
   try {
     if (sodium_init() < 0) throw std::runtime_error("no source of random numbers");
-    const grader_bench::TemporaryFolder scratch;
+    const hair::TemporaryFolder scratch("grading-bench");
     const grader::Course course =
         grader::read_course(std::filesystem::path(HAIR_PROJECT) / "handout/exercises.json");
-    grader_bench::time_batches(course, scratch.path, count);
-    for (const char* id : {"S1", "H2"}) grader_bench::time_parts(course, *course.find(id), scratch.path);
+    grader_bench::time_batches(course, scratch.path(), count);
+    for (const char* id : {"S1", "H2"}) grader_bench::time_parts(course, *course.find(id), scratch.path());
   } catch (const std::exception& error) {
     std::cerr << "grading_bench: " << error.what() << "\n";
     return 1;

@@ -14,15 +14,12 @@
 #include "grader/course/course.h"
 #include "grader/suite/whole_run.h"
 #include "hair/scene/playback.h"
+#include "solver/timing.h"
 
 namespace {
 
 namespace fs = std::filesystem;
 using namespace grader;
-
-double cpu_seconds() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
 
 Played play(const hair::Scene& scene) {
   hair::Playback playback(scene);
@@ -109,10 +106,10 @@ void print_scene(const std::string& exercise, const HiddenScene& hidden, const f
     }
     print_row(exercise.c_str(), difference, run, draw_shots(run.shots, run.camera, kept));
   };
-  const double start = cpu_seconds();
+  const double start = timing::cpu_seconds();
   const Played right = play(hidden.scene);
   std::printf("| %s | %s, %.3f s of CPU time | | | | | |\n", exercise.c_str(), hidden.scene.shows.c_str(),
-              cpu_seconds() - start);
+              timing::cpu_seconds() - start);
   for (const std::string& compiler : other_compilers()) {
     const fs::path object = fs::path(HAIR_OTHER_OBJECTS) / compiler / (exercise + ".so");
     if (fs::exists(object)) row(compiler, play_object(exercise, object, hidden, exercises));

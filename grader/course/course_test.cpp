@@ -8,6 +8,7 @@
 #include <string>
 
 #include "grader/course/input.h"
+#include "hair/io/files/temporary_folder.h"
 
 namespace grader {
 namespace {
@@ -16,12 +17,6 @@ namespace fs = std::filesystem;
 
 class CourseFiles : public testing::Test {
  protected:
-  CourseFiles() {
-    std::string pattern = (fs::temp_directory_path() / "course-XXXXXX").string();
-    dir_ = mkdtemp(pattern.data());
-  }
-  ~CourseFiles() override { fs::remove_all(dir_); }
-
   fs::path write(const std::string& name, const std::string& text) const {
     std::ofstream(dir_ / name, std::ios::binary) << text;
     return dir_ / name;
@@ -53,7 +48,8 @@ class CourseFiles : public testing::Test {
     return complaint(list(exercise("S1") + "," + exercise("S2", "[\"S1\"]")), course);
   }
 
-  fs::path dir_;
+  hair::TemporaryFolder temporary_{"course"};
+  fs::path dir_ = temporary_.path();
 };
 
 // One line that has `part` in it.

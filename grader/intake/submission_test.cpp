@@ -13,6 +13,7 @@
 
 #include "grader/course/input.h"
 #include "grader/intake/archive_builder.h"
+#include "hair/io/files/temporary_folder.h"
 
 namespace grader {
 namespace {
@@ -36,12 +37,6 @@ std::string zip(const std::string& path, const std::string& text = "int x;\n") {
 
 class Submissions : public testing::Test {
  protected:
-  Submissions() {
-    std::string pattern = (fs::temp_directory_path() / "intake-XXXXXX").string();
-    dir_ = mkdtemp(pattern.data());
-  }
-  ~Submissions() override { fs::remove_all(dir_); }
-
   fs::path write(const std::string& name, const std::string& bytes) const {
     fs::create_directories((dir_ / name).parent_path());
     std::ofstream(dir_ / name, std::ios::binary) << bytes;
@@ -71,7 +66,8 @@ class Submissions : public testing::Test {
     return "";
   }
 
-  fs::path dir_;
+  hair::TemporaryFolder temporary_{"intake"};
+  fs::path dir_ = temporary_.path();
 };
 
 testing::AssertionResult says(const std::string& message, const std::string& part) {

@@ -13,6 +13,7 @@
 #include "grader/intake/submission.h"
 #include "grader/package/handout.h"
 #include "grader/tests/bytes_of.h"
+#include "hair/io/files/temporary_folder.h"
 
 namespace grader {
 namespace {
@@ -33,15 +34,6 @@ bool says_not_implemented(const std::string& output, const std::string& id) {
 
 class StudentsWay : public testing::Test {
  protected:
-  StudentsWay() {
-    std::string pattern = (fs::temp_directory_path() / "hair-student-XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-  }
-  ~StudentsWay() override {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-  }
-
   void unpack() {
     make_handout(sources_, course_, folder_ / "handout.tar.gz");
     ASSERT_EQ(run("sh -c 'cd .. && cmake -E tar xf handout.tar.gz'").code, 0);
@@ -69,7 +61,8 @@ class StudentsWay : public testing::Test {
                     fs::copy_options::overwrite_existing);
   }
 
-  fs::path folder_;
+  hair::TemporaryFolder temporary_{"hair-student"};
+  fs::path folder_ = temporary_.path();
   const std::string configure_ = "cmake --preset release";
   HandoutSources sources_{HAIR_SOURCE_DIR, HAIR_GOLDEN_DIR};
   Course course_ = read_course(sources_.root / "handout/exercises.json");

@@ -8,6 +8,7 @@
 #include "grader/report/pages.h"
 #include "grader/report/pictures.h"
 #include "grader/report/text.h"
+#include "solver/timing.h"
 
 namespace grader {
 namespace {
@@ -73,7 +74,7 @@ Html means_table(const Results& results, const std::vector<Column>& columns) {
         "<tr><th scope=\"row\">{} {}{}</th><td class=\"number\">{}</td><td class=\"number\">{}</td><td "
         "class=\"number\">{}</td><td class=\"number\">{} of {}</td><td>{}</td></tr>\n",
         {column.id, column.title, column.extra_credit ? " (extra credit)" : "", shown_points(mean(values)),
-         shown_points(median(values)), shown_points(column.max_points), passed, values.size(),
+         shown_points(timing::median(values)), shown_points(column.max_points), passed, values.size(),
          share_bar(column.max_points > 0 ? mean(values) / column.max_points : 0)});
   }
   return table += html("</tbody>\n</table></div>\n</section>\n");
@@ -240,7 +241,8 @@ std::string class_page(const Results& results) {
       "href=\"#pictures\">Pictures</a> <a href=\"#exercises\">Exercises</a> <a "
       "href=\"#distribution\">Distribution</a> <a "
       "href=\"#categories\">Categories</a></nav>\n</header>\n<main>\n",
-      {shown_points(mean(totals)), shown_points(reachable), shown_points(median(totals)), results.size()});
+      {shown_points(mean(totals)), shown_points(reachable), shown_points(timing::median(totals)),
+       results.size()});
   body += to_look_at(results);
   body += class_table(results, columns);
   body += pictures_by_distance(results, {"staff/pictures"});

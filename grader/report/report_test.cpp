@@ -18,6 +18,7 @@
 #include "grader/report/base64.h"
 #include "grader/report/picture_files.h"
 #include "grader/report/sample_results.h"
+#include "hair/io/files/temporary_folder.h"
 
 namespace grader {
 namespace {
@@ -27,12 +28,6 @@ using Files = std::map<std::string, std::string>;
 
 class Reports : public testing::Test {
  protected:
-  Reports() {
-    std::string pattern = (fs::temp_directory_path() / "report-XXXXXX").string();
-    dir_ = mkdtemp(pattern.data());
-  }
-  ~Reports() override { fs::remove_all(dir_); }
-
   static Files files_in(const fs::path& dir) {
     Files files;
     for (const auto& item : fs::recursive_directory_iterator(dir)) {
@@ -48,7 +43,8 @@ class Reports : public testing::Test {
     write_class_reports(dir, results);
   }
 
-  fs::path dir_;
+  hair::TemporaryFolder temporary_{"report"};
+  fs::path dir_ = temporary_.path();
 };
 
 TEST_F(Reports, StandWhereTheyShould) {

@@ -7,6 +7,7 @@
 #include "grader/report/pages.h"
 #include "hair/io/plot/figure.h"
 #include "hair/io/plot/page.h"
+#include "solver/timing.h"
 
 namespace grader {
 namespace {
@@ -34,19 +35,20 @@ const StudyPoint* with_steps(const StudyCurve& curve, int steps) {
 // What a run took: the median of its rounds. One that failed stands where it would have been: by its steps beside the
 // nearest one that finished, or if there is none, where its first play was. 0: not known.
 double seconds_of(const StudyPoint& point, const StudyCurve& curve) {
-  if (point.end == StudyEnd::finished) return median(point.seconds);
+  if (point.end == StudyEnd::finished) return timing::median(point.seconds);
   const StudyPoint* nearest = nullptr;
   for (const StudyPoint& other : curve.points)
-    if (other.end == StudyEnd::finished && median(other.seconds) > 0 &&
+    if (other.end == StudyEnd::finished && timing::median(other.seconds) > 0 &&
         (nearest == nullptr || std::abs(other.steps - point.steps) < std::abs(nearest->steps - point.steps)))
       nearest = &other;
-  return nearest == nullptr ? point.first_seconds : median(nearest->seconds) * point.steps / nearest->steps;
+  return nearest == nullptr ? point.first_seconds
+                            : timing::median(nearest->seconds) * point.steps / nearest->steps;
 }
 
 // How many times the time of its first play a run's measured ones take; 0: not known.
 double again(const StudyPoint* point) {
   if (point == nullptr || point->end != StudyEnd::finished || !(point->first_seconds > 0)) return 0;
-  return median(point->seconds) / point->first_seconds;
+  return timing::median(point->seconds) / point->first_seconds;
 }
 
 // The median of a curve's runs, of those that another has as well: short plays take longer at first, whosever they are.
@@ -54,7 +56,7 @@ double again(const StudyCurve& curve, const StudyCurve& other) {
   std::vector<double> all;
   for (const StudyPoint& point : curve.points)
     if (again(&point) > 0 && again(with_steps(other, point.steps)) > 0) all.push_back(again(&point));
-  return median(all);
+  return timing::median(all);
 }
 
 // Whether the student's code takes far less time for what it was asked before, the reference's beside it.
@@ -127,7 +129,7 @@ Html time_cell(const StudyPoint* point, double seconds) {
 }
 
 Html time_cells(const StudyPoint* point) {
-  return time_cell(point, point == nullptr ? 0 : median(point->seconds)) +=
+  return time_cell(point, point == nullptr ? 0 : timing::median(point->seconds)) +=
          time_cell(point, point == nullptr ? 0 : point->first_seconds);
 }
 

@@ -17,12 +17,6 @@ std::string to_string(StudyEnd end) {
   return "";
 }
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  std::sort(values.begin(), values.end());
-  return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
-}
-
 double step_of(const PartStudy& part, int steps) {
   return part.duration / steps;
 }

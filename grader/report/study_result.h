@@ -72,7 +72,6 @@ struct SubmissionStudy {
   double student_seconds = 0, reference_seconds = 0;  // of CPU time, of both workers
 };
 
-double median(std::vector<double> values);         // 0 of nothing
 double step_of(const PartStudy& part, int steps);  // s
 
 }  // namespace grader

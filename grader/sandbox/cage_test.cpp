@@ -16,6 +16,7 @@
 #include <system_error>
 
 #include "grader/sandbox/identity.h"
+#include "hair/io/files/temporary_folder.h"
 
 namespace grader {
 namespace {
@@ -25,8 +26,6 @@ namespace fs = std::filesystem;
 class CageTest : public testing::Test {
  protected:
   CageTest() {
-    std::string pattern = (fs::temp_directory_path() / "cage-test-XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
     share_with_sandbox(folder_, false);
     fs::create_directory(folder_ / "empty");
     chmod((folder_ / "empty").c_str(), 0755);
@@ -38,7 +37,6 @@ class CageTest : public testing::Test {
     cage_.limits.cpu_seconds = 5;
     cage_.limits.memory_bytes = std::size_t{256} << 20;
   }
-  ~CageTest() override { fs::remove_all(folder_); }
 
   struct Run {
     Ending ending;
@@ -53,7 +51,8 @@ class CageTest : public testing::Test {
     return {process.wait(cage_.limits.wall_seconds), text};
   }
 
-  fs::path folder_;
+  hair::TemporaryFolder temporary_{"cage-test"};
+  fs::path folder_ = temporary_.path();
   Cage cage_;
 };
 

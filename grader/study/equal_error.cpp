@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "grader/report/study_result.h"
+#include "solver/timing.h"
 
 namespace grader {
 namespace {
@@ -52,7 +53,7 @@ std::optional<double> time_ratio(const std::vector<Sample>& theirs, const std::v
       if (sample.error >= low && sample.error <= high)
         ratios.push_back(std::exp(time_for(one, sample.error) - time_for(two, sample.error)));
   if (ratios.empty()) return {};
-  return median(ratios);
+  return timing::median(ratios);
 }
 
 }  // namespace grader

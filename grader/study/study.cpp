@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "grader/study/equal_error.h"
+#include "solver/timing.h"
 
 namespace grader {
 namespace {
@@ -80,7 +81,7 @@ std::optional<PartStudy::Ratio> ratio_of(const PartStudy& part) {
       ratios.push_back(*ratio);
   if (ratios.empty()) return {};
   const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
-  return PartStudy::Ratio{median(ratios), *least, *most};
+  return PartStudy::Ratio{timing::median(ratios), *least, *most};
 }
 
 class PartStudied {

@@ -11,6 +11,7 @@
 #include <thread>
 
 #include "grader/report/pages.h"
+#include "hair/io/files/temporary_folder.h"
 #include "hair/io/plot/tests/parsed.h"
 #include "hair/scene/playback.h"
 
@@ -369,8 +370,8 @@ TEST(Parts, PlayTheSameMotionInOtherSteps) {
 }
 
 TEST(Truth, IsKept) {
-  std::string folder = "/tmp/hairgrade-truth-XXXXXX";
-  ASSERT_NE(mkdtemp(folder.data()), nullptr);
+  const hair::TemporaryFolder temporary("hairgrade-truth");
+  const std::filesystem::path& folder = temporary.path();
   const StudiedPart part = pendulum("midpoint");
   const Truth found = true_motion(part, folder);
   const auto only_file = [&] { return std::filesystem::directory_iterator(folder)->path(); };
@@ -385,7 +386,6 @@ TEST(Truth, IsKept) {
   // Half a file is none.
   std::filesystem::resize_file(only_file(), std::filesystem::file_size(only_file()) / 2);
   EXPECT_EQ(true_motion(part, folder).frames.back().x, found.frames.back().x);
-  std::filesystem::remove_all(folder);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // STAFF ONLY.
 #include "grader/suite/whole_run.h"
+#include "solver/timing.h"
 
 #include <time.h>
 
@@ -9,12 +10,6 @@
 
 namespace grader {
 namespace {
-
-double cpu_seconds() {
-  timespec time = {};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 std::string at(const Moment& moment) {
   std::ostringstream text;
@@ -81,9 +76,9 @@ void WholeRun::judge_run(Trial& trial) {
 void WholeRun::judge_pictures(Trial& trial) {
   trial.describe(hidden_.scene.name);
   trial.expect(run_.has_value(), "there is no run to draw");
-  const double start = cpu_seconds();
+  const double start = timing::process_cpu_seconds();
   pictures_ = draw_shots(run_->shots, run_->camera, *kept_pictures_);
-  picture_seconds_ = cpu_seconds() - start;
+  picture_seconds_ = timing::process_cpu_seconds() - start;
   for (const PictureResult& picture : pictures_) {
     std::ostringstream scores;
     scores << "at " << picture.name << ": blurred RMSE " << picture.blurred_rmse << ", FLIP " << picture.flip;

@@ -15,6 +15,7 @@
 #include "grader/compare/compare.h"
 #include "grader/compare/test_pictures.h"
 #include "grader/tests/run_program.h"
+#include "hair/io/files/temporary_folder.h"
 #include "hair/io/image/png.h"
 
 namespace grader {
@@ -33,12 +34,6 @@ Image frame(int shift) {
 
 class Comparing : public testing::Test {
  protected:
-  Comparing() {
-    string pattern = (fs::temp_directory_path() / "comparing-test-XXXXXX").string();
-    folder_ = mkdtemp(pattern.data());
-  }
-  ~Comparing() override { fs::remove_all(folder_); }
-
   string path(const string& name) const { return (folder_ / name).string(); }
   string out() const { return path("out"); }
   string put(const string& name, const Image& image) const {
@@ -84,7 +79,8 @@ class Comparing : public testing::Test {
     return all;
   }
 
-  fs::path folder_;
+  hair::TemporaryFolder temporary_{"comparing-test"};
+  fs::path folder_ = temporary_.path();
 };
 
 TEST_F(Comparing, TwoPicturesGiveTheirDistances) {

@@ -13,6 +13,7 @@
 #include "grader/tool/isolation.h"
 #include "grader/tool/secret.h"
 #include "hair/render/renderer.h"
+#include "solver/timing.h"
 
 namespace grader {
 namespace {
@@ -22,16 +23,6 @@ namespace fs = std::filesystem;
 constexpr std::size_t kMostLog = 16 << 10;  // of what a worker printed
 constexpr int kLeastCpuSeconds = 2;
 constexpr double kTimesReference = 20;  // a student's code may take this many times the reference's CPU time
-
-class Stopwatch {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 std::string beginning_of(const fs::path& file, std::size_t most) {
   std::ifstream in(file, std::ios::binary);
@@ -189,7 +180,7 @@ void Grading::grade_exercise(const Exercise& exercise, const Submission& submiss
   if (file == submission.files.end()) return without_cases(Status::missing, sentence_for(Status::missing));
   if (!file->second.problem.empty()) return without_cases(Status::missing, file->second.problem);
 
-  const Stopwatch compiling;
+  const timing::Stopwatch compiling;
   const Compiled compiled = compiler_.compile(exercise, file->second.text, job);
   timing.compile_seconds = compiling.seconds();
   result.compiler_messages = compiled.messages;
@@ -226,7 +217,7 @@ std::optional<SuiteJob::WholeRun> Grading::whole_run(const std::string& exercise
 }
 
 SuiteResult Grading::timed(const SuiteJob& job, ExerciseTiming& timing) const {
-  const Stopwatch running;
+  const timing::Stopwatch running;
   SuiteResult found = run_suite(settings_.suite, job);
   timing.suite_seconds = running.seconds();
   timing.worker_cpu_seconds = found.cpu_seconds;

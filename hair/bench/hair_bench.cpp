@@ -18,6 +18,7 @@
 #include "hair/strand/make_strand.h"
 #include "hair/strand/measures.h"
 #include "hair/strand/rest_shape.h"
+#include "solver/timing.h"
 
 namespace hair_bench {
 namespace {
@@ -54,11 +55,6 @@ double seconds(Work work) {
   const std::clock_t start = std::clock();
   work();
   return static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
 }
 
 // Arguments: number of strands, of 16 particles each.
@@ -167,7 +163,7 @@ void beside_bullet(benchmark::State& state, Method method) {
   }
   state.counters["us"] = 1e6 * *std::min_element(ours.begin(), ours.end());
   state.counters["bullet_us"] = 1e6 * *std::min_element(bullets.begin(), bullets.end());
-  state.counters["ratio"] = median(ratios);
+  state.counters["ratio"] = timing::median(ratios);
   state.counters["stretch"] = stretch;
   state.counters["bullet_stretch"] = bullet_stretch;
 }

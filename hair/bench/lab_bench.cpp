@@ -15,11 +15,11 @@
 #include <vector>
 
 #include "hair/bench/plain_program.h"
-#include "hair/io/cpu_time.h"
 #include "hair/lab/run/run.h"
 #include "hair/scene/playback.h"
 #include "hair/strand/make_strand.h"
 #include "hair/strand/rest_shape.h"
+#include "solver/timing.h"
 
 namespace {
 
@@ -42,11 +42,6 @@ Scene hair_on_head(int strands, Method method = Method::predictor_corrector) {
     scene.hair.strands.push_back({strand_from_rest({}, x), {x, Eigen::VectorXd::Zero(x.size())}});
   }
   return scene;
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
 }
 
 // A run's seconds for a frame, from the fastest of `runs` runs.
@@ -166,12 +161,12 @@ void beside() {
     for (int turn = 0; turn < kTurns; ++turn) {
       double times[2];
       for (const int who : {turn % 2, 1 - turn % 2}) {
-        const double start = cpu_seconds();
+        const double start = timing::cpu_seconds();
         if (who == 0)
           plain.steps(row.frames_a_turn * row.steps_per_frame);
         else
           for (int k = 0; k < row.frames_a_turn; ++k) playback.advance();
-        times[who] = cpu_seconds() - start;
+        times[who] = timing::cpu_seconds() - start;
       }
       const double particle_steps =
           static_cast<double>(row.frames_a_turn) * row.steps_per_frame * row.strands * (kSegments + 1);
@@ -185,8 +180,9 @@ void beside() {
       same = same && state.x.segment(3 * (kSegments + 1) * i, 3 * (kSegments + 1)) == plain.state(i).x;
     if (!same) std::puts("these two don't do the same:");
     std::sort(ratios.begin(), ratios.end());
-    std::printf("| %s | %d | %.1f | %.1f | %.3f | %.3f to %.3f |\n", row.name, row.strands, median(plains),
-                median(scenes), ratios[kTurns / 2], ratios[kTurns / 4], ratios[3 * kTurns / 4]);
+    std::printf("| %s | %d | %.1f | %.1f | %.3f | %.3f to %.3f |\n", row.name, row.strands,
+                timing::median(plains), timing::median(scenes), ratios[kTurns / 2], ratios[kTurns / 4],
+                ratios[3 * kTurns / 4]);
     std::fflush(stdout);
   }
 }

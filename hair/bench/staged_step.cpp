@@ -5,6 +5,7 @@
 #include "hair/length_correction.h"
 #include "hair/predictor_corrector.h"
 #include "particles/implicit_euler.h"
+#include "solver/timing.h"
 
 namespace hair_bench {
 
@@ -13,33 +14,16 @@ namespace {
 using particles::Input;
 using particles::Output;
 
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-// Adds the time until it goes to `sum`.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& sum) : sum_(sum), start_(now()) {}
-  ~Stopwatch() { sum_ += now() - start_; }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
- private:
-  double& sum_;
-  double start_;
-};
-
 class TimedForce : public particles::Force {
  public:
   TimedForce(const particles::Force& force, Stages& stages) : force_(force), stages_(stages) {}
   double energy(Input x) const override { return force_.energy(x); }
   void add_force(Input x, Input v, Output f) const override {
-    const Stopwatch watch(stages_.forces);
+    const timing::AddsTime watch(stages_.forces);
     force_.add_force(x, v, f);
   }
   void add_dfdx(Input x, Input v, Input dx, Output df) const override {
-    const Stopwatch watch(stages_.products);
+    const timing::AddsTime watch(stages_.products);
     force_.add_dfdx(x, v, dx, df);
   }
   void add_dfdv(Input x, Input v, Input dv, Output df) const override { force_.add_dfdv(x, v, dv, df); }
@@ -58,13 +42,13 @@ void staged_step(const particles::Force& force, const particles::Particles& part
   const TimedForce timed(force, stages);
   double solves = 0;
   {
-    const Stopwatch watch(stages.all);
+    const timing::AddsTime watch(stages.all);
     auto solve_scratch = scratch.leftCols(particles::kImplicitScratch);
     auto correction_scratch = scratch.middleCols(particles::kImplicitScratch, hair::kCorrectionScratch);
     auto dv = scratch.col(hair::kPredictorCorrectorScratch - 1);
     auto predicted = scratch.col(hair::kPredictorCorrectorScratch - 2);
     const auto solve = [&] {
-      const Stopwatch solve_watch(solves);
+      const timing::AddsTime solve_watch(solves);
       solve_implicit(timed, particles, state, h / 2, h, particles::kSolveTolerance, dv, solve_scratch);
       state.v += dv;
     };
@@ -72,7 +56,7 @@ void staged_step(const particles::Force& force, const particles::Particles& part
     state.x += h * state.v;
     predicted = state.x;
     {
-      const Stopwatch correction_watch(stages.correction);
+      const timing::AddsTime correction_watch(stages.correction);
       correct_lengths(strand, hair::kLengthTolerance, hair::kMostCorrections, state.x, correction_scratch);
     }
     state.v += (state.x - predicted) / h;

@@ -13,6 +13,7 @@
 #include "hair/render/ribbons.h"
 #include "hair/render/view.h"
 #include "particles/require.h"
+#include "solver/timing.h"
 
 namespace hair {
 namespace {
@@ -35,25 +36,22 @@ int map_size(const RenderSettings& settings) {
 // Where layers of hair end, as parts of the map's width.
 const Eigen::Vector4f kLayers(0.015F, 0.05F, 0.15F, 0.5F);
 
-class Stopwatch {
+class Laps {
  public:
-  explicit Stopwatch(bool on) : on_(on) { last_ = now(); }
+  explicit Laps(bool on) : on_(on) {}
 
   // Adds the time since the last lap, when OpenGL is done with what it was told.
   void lap(const gl::Functions& gl, double& sum) {
     if (!on_) return;
     gl.Finish();
-    const double time = now();
+    const double time = timing::wall_seconds();
     sum += time - last_;
     last_ = time;
   }
 
  private:
-  static double now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-  }
   bool on_;
-  double last_;
+  double last_ = timing::wall_seconds();
 };
 
 }  // namespace
@@ -67,7 +65,7 @@ class Renderer::Parts {
     check_drawing(drawing);
     const View view(camera, static_cast<double>(settings_.width) / settings_.height);
     const GlContext::Current current(context_);
-    Stopwatch watch(measured);
+    Laps watch(measured);
     const Content content = send(drawing, view);
     watch.lap(gl_, times.upload);
     if (content.shadows()) draw_maps(content);

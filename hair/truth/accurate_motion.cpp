@@ -6,7 +6,6 @@
 #include <memory>
 #include <tuple>
 
-#include "hair/io/cpu_time.h"
 #include "hair/io/files/bad_input.h"
 #include "hair/io/plot/page.h"
 #include "hair/truth/cvode.h"
@@ -15,6 +14,7 @@
 #include "hair/truth/strand_ode.h"
 #include "hair/truth/toy_ode.h"
 #include "particles/require.h"
+#include "solver/timing.h"
 
 namespace hair {
 
@@ -85,7 +85,7 @@ std::optional<AccurateMotion> accurate_motion(const Problem& problem, const Accu
     if (auto kept = find_motion(*settings.cache, key)) return kept;
   }
 
-  const double start = cpu_seconds();
+  const double start = timing::cpu_seconds();
   std::array<Trajectory, std::tuple_size_v<Ways>> found;
   for (std::size_t k = 0; k < ways.size(); ++k) {
     std::optional<CvodeRun> run =
@@ -94,7 +94,7 @@ std::optional<AccurateMotion> accurate_motion(const Problem& problem, const Accu
     motion.evaluations += run->evaluations;
     found[k] = std::move(run->states);
   }
-  motion.cpu_seconds = cpu_seconds() - start;
+  motion.cpu_seconds = timing::cpu_seconds() - start;
   motion.agreement = largest_distance(found[0], found[1]);
   if (rigid) motion.agreement = std::max(motion.agreement, kOfStretch * rigid->stretch());
   motion.states = std::move(found[0]);

@@ -5,12 +5,12 @@
 #include <exception>
 #include <memory>
 
-#include "hair/io/cpu_time.h"
 #include "hair/io/files/printable.h"
 #include "hair/truth/cvode.h"
 #include "hair/truth/rigid_strand_ode.h"
 #include "hair/truth/strand_ode.h"
 #include "hair/truth/trajectory.h"
+#include "solver/timing.h"
 
 namespace hair {
 
@@ -65,7 +65,7 @@ std::optional<SpaceError> divided_ever_finer(const Problem& problem, Patience pa
         "for them";
     return result;
   }
-  const double began = cpu_seconds();
+  const double began = timing::cpu_seconds();
   const auto move = [&](int segments, double tolerance) -> std::optional<Eigen::VectorXd> {
     Problem divided = problem;
     divided.scene.hair.strands[0] = divide_anew(start, segments);
@@ -93,7 +93,7 @@ std::optional<SpaceError> divided_ever_finer(const Problem& problem, Patience pa
   const Eigen::VectorXd &finest = places[3], &second = places[2], &third = places[1];
   result.time_error = largest_distance(second, *other);
   result.order = std::log2(largest_distance(third, second) / largest_distance(second, finest));
-  result.cpu_seconds = cpu_seconds() - began;
+  result.cpu_seconds = timing::cpu_seconds() - began;
   if (!(result.order >= kLeastOrder)) {
     result.left_out =
         "more segments lead to no limit, or to none that is in sight yet: so it is with a strand that starts "

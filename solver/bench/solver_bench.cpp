@@ -15,6 +15,7 @@
 #include "solver/bench/operators.h"
 #include "solver/normal_equations.h"
 #include "solver/study/eigen_conj_grad.h"
+#include "solver/timing.h"
 
 namespace solver_bench {
 namespace {
@@ -40,11 +41,6 @@ double seconds(Work work) {
   const auto start = std::chrono::steady_clock::now();
   work();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double median(Vector values) {
-  std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-  return values[values.size() / 2];
 }
 
 void compare(benchmark::State& state, implicitMatrix& A, int n) {
@@ -81,7 +77,7 @@ void compare(benchmark::State& state, implicitMatrix& A, int n) {
     state.SetIterationTime(our_time);
   }
   const double nano = 1e9, vector_gigabytes = 8e-9 * n;
-  state.counters["ratio"] = median(ratios);
+  state.counters["ratio"] = timing::median(ratios);
   state.counters["steps"] = steps;
   state.counters["eigen_steps"] = eigen_steps;
   auto fastest = [](const Vector& times) { return *std::min_element(times.begin(), times.end()); };

@@ -2,9 +2,10 @@
 #pragma once
 
 #include <algorithm>
-#include <ctime>
 #include <functional>
 #include <vector>
+
+#include "solver/timing.h"
 
 namespace solver::study {
 
@@ -17,47 +18,38 @@ struct Timing {
   }
 };
 
-inline double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 // Seconds that each of the calls takes. They are repeated in turn, so that a machine that slows down for a
 // while slows down all of them. The first calls, which count how many make a repeat, warm up.
-inline std::vector<double> median_seconds(const Timing& timing,
+inline std::vector<double> median_seconds(const Timing& how,
                                           const std::vector<std::function<void()>>& calls) {
   const auto seconds = [&](std::size_t call, long times) {
-    const double start = cpu_seconds();
+    const double start = timing::cpu_seconds();
     for (long i = 0; i < times; ++i) calls[call]();
-    return cpu_seconds() - start;
+    return timing::cpu_seconds() - start;
   };
   std::vector<long> times(calls.size(), 1);
   std::vector<int> repeats;
   for (std::size_t call = 0; call < calls.size(); ++call) {
     double taken = seconds(call, 1);
-    while (taken < timing.least_seconds && times[call] < (1L << 30)) {
-      const double needed = taken > 0 ? static_cast<double>(times[call]) * timing.least_seconds / taken : 0;
+    while (taken < how.least_seconds && times[call] < (1L << 30)) {
+      const double needed = taken > 0 ? static_cast<double>(times[call]) * how.least_seconds / taken : 0;
       times[call] = std::max(2 * times[call], static_cast<long>(needed));
       taken = seconds(call, times[call]);
     }
-    repeats.push_back(timing.repeats_of(taken / static_cast<double>(times[call])));
+    repeats.push_back(how.repeats_of(taken / static_cast<double>(times[call])));
   }
   std::vector<std::vector<double>> all(calls.size());
-  for (int repeat = 0; repeat < timing.repeats; ++repeat)
+  for (int repeat = 0; repeat < how.repeats; ++repeat)
     for (std::size_t call = 0; call < calls.size(); ++call)
       if (repeat < repeats[call])
         all[call].push_back(seconds(call, times[call]) / static_cast<double>(times[call]));
   std::vector<double> medians;
-  for (std::vector<double>& one : all) {
-    std::nth_element(one.begin(), one.begin() + one.size() / 2, one.end());
-    medians.push_back(one[one.size() / 2]);
-  }
+  for (const std::vector<double>& one : all) medians.push_back(timing::median(one));
   return medians;
 }
 
-inline double median_seconds(const Timing& timing, const std::function<void()>& call) {
-  return median_seconds(timing, std::vector{call})[0];
+inline double median_seconds(const Timing& how, const std::function<void()>& call) {
+  return median_seconds(how, std::vector{call})[0];
 }
 
 }  // namespace solver::study

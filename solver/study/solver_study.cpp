@@ -56,12 +56,12 @@ class Study {
   }
 
   SolverStudy run() {
-    const double start = cpu_seconds();
+    const double start = timing::cpu_seconds();
     histories();
     needed();
     if (functions_.normal_equations) digits();
     products();
-    study_.cpu_seconds = cpu_seconds() - start;
+    study_.cpu_seconds = timing::cpu_seconds() - start;
     return std::move(study_);
   }
 

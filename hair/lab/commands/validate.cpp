@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 
-#include "hair/io/cpu_time.h"
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/printable.h"
 #include "hair/io/files/write_file.h"
@@ -16,6 +15,7 @@
 #include "hair/lab/run/output_folder.h"
 #include "hair/lab/stub.h"
 #include "hair/lab/validate/record.h"
+#include "solver/timing.h"
 
 namespace hair {
 
@@ -54,7 +54,7 @@ std::vector<Validation> chosen(const std::vector<std::string>& ids) {
 // Throws Interrupted.
 ValidationRecord run_one(const Validation& one, const ValidationSettings& settings) {
   ValidationRecord record{one.id, one.title, one.exercises, {}};
-  const double start = cpu_seconds();
+  const double start = timing::cpu_seconds();
   try {
     record.result = one.run(settings);
   } catch (const NotImplemented& stub) {
@@ -62,7 +62,7 @@ ValidationRecord run_one(const Validation& one, const ValidationSettings& settin
   } catch (const std::exception& error) {
     record.broke = printable(error.what(), 500);
   }
-  record.cpu_seconds = cpu_seconds() - start;
+  record.cpu_seconds = timing::cpu_seconds() - start;
   return record;
 }
 

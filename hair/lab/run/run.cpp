@@ -10,8 +10,8 @@
 #include "hair/lab/run/pictures.h"
 #include "hair/lab/run/states_csv.h"
 #include "hair/lab/run/states_file.h"
-#include "hair/lab/run/stopwatch.h"
 #include "hair/scene/playback.h"
+#include "solver/timing.h"
 
 namespace hair {
 
@@ -69,22 +69,22 @@ class FrameWriter {
     const particles::State state = playback_.state();
     const int frame = static_cast<int>(record_.frames.size());
     {
-      const Stopwatch watch(seconds.measure);
+      const timing::AddsTime watch(seconds.measure);
       record_.frames.push_back({playback_.time(), playback_.measure(state), playback_.work()});
     }
     {
-      const Stopwatch watch(seconds.write);
+      const timing::AddsTime watch(seconds.write);
       binary_.add(playback_.time(), state);
       csv_.add(playback_.time(), state);
     }
     if (!pictures_) return;
     const Image image = pictures_->draw(state, playback_.obstacles());
-    const Stopwatch watch(seconds.png);
+    const timing::AddsTime watch(seconds.png);
     write_whole(folder_, frame_name(frame), encode_png(image));
   }
 
   void close() {
-    const Stopwatch watch(record_.seconds.write);
+    const timing::AddsTime watch(record_.seconds.write);
     binary_.close();
     csv_.close();
   }
@@ -109,7 +109,7 @@ void play(Playback& playback, FrameWriter& frames, RunRecord& record, const std:
     if (progress) *progress << "\rframe " << k << " of " << record.frames_asked << std::flush;
     std::optional<std::string> trouble;
     {
-      const Stopwatch watch(record.seconds.simulate);
+      const timing::AddsTime watch(record.seconds.simulate);
       trouble = playback.advance();
     }
     if (trouble) {
@@ -143,7 +143,7 @@ RunResult run_scene(const Scene& scene, const RunSettings& settings, const std::
     record.seconds.draw = times.draw;
     record.seconds.read_back = times.read_back;
     if (progress) *progress << "\rfilm                       " << std::flush;
-    const Stopwatch watch(record.seconds.film);
+    const timing::AddsTime watch(record.seconds.film);
     record.no_film = make_film(folder.now(""), scene.frames_per_second);
     if (record.no_film) notes << (progress ? "\r" : "") << "no film: " << *record.no_film << "\n";
   }

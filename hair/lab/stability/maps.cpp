@@ -5,8 +5,8 @@
 #include <limits>
 #include <optional>
 
-#include "hair/io/cpu_time.h"
 #include "hair/lab/stability/theory.h"
+#include "solver/timing.h"
 
 namespace hair {
 
@@ -165,7 +165,7 @@ bool alike_when_hanging(const Description& hair, const StudyMethod& a, const Stu
 StabilityMap make_map(const Description& hair, const StudyMethod& method, Swept sweep,
                       const MapSettings& settings, const std::atomic<bool>& interrupted,
                       const Progress& progress) {
-  const double start = cpu_seconds();
+  const double start = timing::cpu_seconds();
   const Description description = with_options(hair, method);
   const double omega = reference_frequency(description, method);
   StabilityMap map;
@@ -196,7 +196,7 @@ StabilityMap make_map(const Description& hair, const StudyMethod& method, Swept 
   map.boundary = boundary_of(map.grid, map.hs);
   map.limits = limits_of(description, method, stations, map.hs, map.steps);
   for (const Limit& limit : map.limits) map.distances.push_back(distance_of(map.boundary, limit.h, map.hs));
-  map.cpu_seconds = cpu_seconds() - start;
+  map.cpu_seconds = timing::cpu_seconds() - start;
   return map;
 }
 

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hair/io/cpu_time.h"
 #include "hair/io/digest.h"
 #include "hair/io/files/bad_input.h"
 #include "hair/io/machine.h"
 #include "hair/lab/stability/theory.h"
 #include "hair/lab/validate/hanging_chain.h"
 #include "hair/truth/content.h"
+#include "solver/timing.h"
 
 namespace hair {
 
@@ -60,7 +60,7 @@ std::string identity_of(const Scene& scene, const StabilitySettings& settings) {
 
 StabilityReport study_stability(const Scene& scene, const StabilitySettings& settings,
                                 const std::atomic<bool>& interrupted, const Tell& tell) {
-  const double start = cpu_seconds();
+  const double start = timing::cpu_seconds();
   const Problem problem = problem_of(scene, settings);
   const Description& hair = problem.scene.hair;
   const StrandStart& original = scene.hair.strands[settings.strand];
@@ -147,7 +147,7 @@ StabilityReport study_stability(const Scene& scene, const StabilitySettings& set
     });
   }
   report.interrupted = interrupted;
-  report.cpu_seconds = cpu_seconds() - start;
+  report.cpu_seconds = timing::cpu_seconds() - start;
   return report;
 }
 

@@ -4,10 +4,10 @@
 #include <exception>
 #include <numeric>
 
-#include "hair/io/cpu_time.h"
 #include "hair/io/files/printable.h"
 #include "hair/io/plot/page.h"
 #include "solver/not_implemented.h"
+#include "solver/timing.h"
 
 namespace hair {
 
@@ -25,11 +25,7 @@ bool once_more(const std::vector<double>& seconds, const Repeats& repeats) {
 }  // namespace
 
 double MethodRun::time() const {
-  std::vector<double> sorted = seconds;
-  if (sorted.empty()) return 0;
-  std::sort(sorted.begin(), sorted.end());
-  const std::size_t middle = sorted.size() / 2;
-  return sorted.size() % 2 == 1 ? sorted[middle] : (sorted[middle - 1] + sorted[middle]) / 2;
+  return timing::median(seconds);
 }
 
 MethodRunner::MethodRunner(const Problem& problem, const StudyMethod& method, const Trajectory& accurate,
@@ -48,9 +44,9 @@ bool MethodRunner::compare(const Scene& scene, const std::atomic<bool>& interrup
   run.seconds = {0};
   while (playback_->frame() < scene.frames) {
     if (interrupted) return false;
-    const double start = cpu_seconds();
+    const double start = timing::cpu_seconds();
     const std::optional<std::string> trouble = playback_->advance();
-    run.seconds[0] += cpu_seconds() - start;
+    run.seconds[0] += timing::cpu_seconds() - start;
     if (trouble) {
       run.ending = RunEnding::broke;
       run.trouble = *trouble;
@@ -73,7 +69,7 @@ bool MethodRunner::compare(const Scene& scene, const std::atomic<bool>& interrup
 
 std::optional<double> MethodRunner::play(const Scene& scene, int times, int advances,
                                          const std::atomic<bool>& interrupted) {
-  const double start = cpu_seconds();
+  const double start = timing::cpu_seconds();
   for (int i = 0; i < times; ++i) {
     playback_->restart(scene);
     for (int k = 0; k < advances; ++k) {
@@ -81,7 +77,7 @@ std::optional<double> MethodRunner::play(const Scene& scene, int times, int adva
       playback_->advance();
     }
   }
-  return cpu_seconds() - start;
+  return timing::cpu_seconds() - start;
 }
 
 bool MethodRunner::repeat(const Scene& scene, const Repeats& repeats, const std::atomic<bool>& interrupted,

@@ -72,28 +72,17 @@ std::string read_bytes(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-TestFolder::TestFolder() {
-  std::string pattern = (fs::temp_directory_path() / "hairlab-XXXXXX").string();
-  if (mkdtemp(pattern.data()) == nullptr) throw std::system_error(errno, std::generic_category(), pattern);
-  path_ = pattern;
-}
-
-TestFolder::~TestFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
-
 std::vector<std::string> TestFolder::names(const std::string& folder) const {
   std::vector<std::string> all;
-  for (const fs::directory_entry& entry : fs::directory_iterator(path_ / folder))
+  for (const fs::directory_entry& entry : fs::directory_iterator(path() / folder))
     all.push_back(entry.path().filename().string());
   std::sort(all.begin(), all.end());
   return all;
 }
 
 std::string TestFolder::write(const std::string& name, const std::string& bytes) const {
-  std::ofstream(path_ / name, std::ios::binary) << bytes;
-  return (path_ / name).string();
+  std::ofstream(path() / name, std::ios::binary) << bytes;
+  return (path() / name).string();
 }
 
 }  // namespace hair

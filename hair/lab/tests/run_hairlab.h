@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "hair/io/files/temporary_folder.h"
+
 namespace hair {
 
 struct ProgramRun {
@@ -33,20 +35,15 @@ std::string read_bytes(const std::filesystem::path& file);
 // A folder of a test's own, which goes with it.
 class TestFolder {
  public:
-  TestFolder();
-  ~TestFolder();
-  TestFolder(const TestFolder&) = delete;
-  TestFolder& operator=(const TestFolder&) = delete;
-
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path operator/(const std::string& name) const { return path() / name; }
+  const std::filesystem::path& path() const { return folder_.path(); }
   std::vector<std::string> names(const std::string& folder = "") const;  // of all that is in it, in order
 
   // Writes a file, and returns its path.
   std::string write(const std::string& name, const std::string& bytes) const;
 
  private:
-  std::filesystem::path path_;
+  TemporaryFolder folder_{"hairlab"};
 };
 
 }  // namespace hair

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <limits>
 
-#include "hair/io/cpu_time.h"
 #include "hair/lab/validate/clamped_hair.h"
+#include "solver/timing.h"
 
 namespace hair {
 
@@ -20,12 +20,12 @@ Settled settle(const StrandStart& start, const Material& material, Method method
   description.drag = 2 * slowest * material.line_density();
   Simulation simulation(std::move(description));
   const particles::State& state = simulation.state(0);
-  const double before = cpu_seconds();
+  const double before = timing::cpu_seconds();
   while (simulation.time() < 60 / slowest) {
     settings.go_on();
     if (simulation.step()) return result;
   }
-  result.cpu_seconds = cpu_seconds() - before;
+  result.cpu_seconds = timing::cpu_seconds() - before;
   result.x = state.x;
   result.speed = state.v.cwiseAbs().maxCoeff();
   return result;

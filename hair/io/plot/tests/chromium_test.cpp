@@ -10,6 +10,7 @@
 #include <sstream>
 #include <string>
 
+#include "hair/io/files/temporary_folder.h"
 #include "hair/io/plot/page.h"
 #include "hair/io/plot/tests/sample_figures.h"
 
@@ -43,15 +44,8 @@ struct Opened {
 class ChromiumTest : public testing::Test {
  protected:
   void SetUp() override {
-    std::string name = (std::filesystem::temp_directory_path() / "hair-plot-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
     browser_ = browser();
     if (browser_.empty()) GTEST_SKIP() << "no chromium on PATH: pages are not opened in a browser";
-  }
-  void TearDown() override {
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
   }
 
   Opened open(const std::string& html) const {
@@ -73,7 +67,8 @@ class ChromiumTest : public testing::Test {
   }
 
  private:
-  std::filesystem::path folder_;
+  TemporaryFolder temporary_{"hair-plot"};
+  std::filesystem::path folder_ = temporary_.path();
   std::string browser_;
 };
 

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "hair/io/files/bad_input.h"
+#include "hair/io/files/temporary_folder.h"
 #include "hair/io/files/write_file.h"
 #include "hair/lab/study/study_page.h"
 #include "studies.h"
@@ -20,13 +21,6 @@ using Json = nlohmann::json;
 
 class StudyRecord : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "hair-study-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   fs::path keep(const hair::Study& study) const {
     hair::write_file(folder_ / "study.json", hair::study_json(study));
     return folder_ / "study.json";
@@ -40,7 +34,8 @@ class StudyRecord : public testing::Test {
     return "";
   }
 
-  fs::path folder_;
+  hair::TemporaryFolder temporary_{"hair-study"};
+  fs::path folder_ = temporary_.path();
 };
 
 // Without what differs from time to time.

@@ -1,0 +1,59 @@
+// Clocks, and the median of what they say.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <vector>
+
+namespace timing {
+
+inline double clock_seconds(clockid_t clock) {
+  timespec now{};
+  clock_gettime(clock, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+// The processor's time of this thread: what a measurement takes, whatever else runs beside it.
+inline double cpu_seconds() {
+  return clock_seconds(CLOCK_THREAD_CPUTIME_ID);
+}
+
+// Of all threads.
+inline double process_cpu_seconds() {
+  return clock_seconds(CLOCK_PROCESS_CPUTIME_ID);
+}
+
+inline double wall_seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+class Stopwatch {
+ public:
+  double seconds() const { return wall_seconds() - start_; }  // since it was made
+
+ private:
+  double start_ = wall_seconds();
+};
+
+// Adds the wall time until it goes to a sum.
+class AddsTime {
+ public:
+  explicit AddsTime(double& sum) : sum_(sum) {}
+  ~AddsTime() { sum_ += watch_.seconds(); }
+  AddsTime(const AddsTime&) = delete;
+  AddsTime& operator=(const AddsTime&) = delete;
+
+ private:
+  double& sum_;
+  Stopwatch watch_;
+};
+
+// Of an even number of values the mean of the two in the middle; 0 of nothing.
+inline double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
+}
+
+}  // namespace timing
