@@ -3,8 +3,8 @@
 
 #include <filesystem>
 
-#include "grader/report/html.h"
 #include "grader/report/pictures.h"
+#include "hair/io/plot/html.h"
 
 namespace grader {
 namespace {

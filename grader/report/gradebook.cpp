@@ -3,12 +3,13 @@
 
 #include "grader/report/columns.h"
 #include "grader/report/text.h"
+#include "hair/io/plot/readable.h"
 
 namespace grader {
 namespace {
 
 std::string cell(const std::string& bytes) {
-  std::string text = valid_utf8(bytes);
+  std::string text = hair::valid_utf8(bytes);
   if (!text.empty() && std::string_view("=+-@\t\r\n").find(text.front()) != std::string_view::npos) {
     text.insert(text.begin(), '\'');
   }

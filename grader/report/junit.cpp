@@ -1,6 +1,6 @@
 // STAFF ONLY.
 #include "grader/report/gradebook.h"
-#include "grader/report/text.h"
+#include "hair/io/plot/readable.h"
 
 namespace grader {
 namespace {
@@ -12,7 +12,7 @@ struct Counts {
 // Line breaks and tabs would become spaces in an attribute.
 std::string attribute(const std::string& bytes) {
   std::string text;
-  for (const char c : escaped_markup(bytes)) {
+  for (const char c : hair::escaped(bytes)) {
     if (c == '\n')
       text += "&#10;";
     else if (c == '\t')

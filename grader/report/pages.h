@@ -4,11 +4,13 @@
 #include <string>
 #include <vector>
 
-#include "grader/report/html.h"
 #include "grader/report/result.h"
 #include "grader/report/study_result.h"
+#include "hair/io/plot/html.h"
 
 namespace grader {
+
+using hair::Html, hair::html, hair::html_page, hair::Pictures, hair::Scripts;
 
 std::string student_page(
     const SubmissionResult& result);                     // NAME/report.html: nothing of the staff's is in it

@@ -13,7 +13,7 @@
 #include "grader/report/picture_files.h"
 #include "grader/report/results_json.h"
 #include "grader/report/sample_results.h"
-#include "grader/report/text.h"
+#include "hair/io/plot/readable.h"
 #include "hair/io/plot/tests/parsed.h"
 
 namespace grader {
@@ -33,7 +33,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 }
 
 void expect_clean(const std::string& output) {
-  EXPECT_EQ(output, valid_utf8(output));
+  EXPECT_EQ(output, hair::valid_utf8(output));
   for (const char c : output) {
     EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 || c == '\n' || c == '\t' || c == '\r')
         << static_cast<int>(c);

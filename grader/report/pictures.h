@@ -5,10 +5,12 @@
 #include <string>
 #include <vector>
 
-#include "grader/report/html.h"
 #include "grader/report/result.h"
+#include "hair/io/plot/html.h"
 
 namespace grader {
+
+using hair::Html, hair::html, hair::html_page, hair::Pictures, hair::Scripts;
 
 // Where a page has its pictures: in itself, or in a folder of files (picture_files.h) that is reached from it by
 // this path.

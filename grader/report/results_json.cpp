@@ -6,6 +6,7 @@
 #include "grader/course/input.h"
 #include "grader/report/picture_files.h"
 #include "grader/report/text.h"
+#include "hair/io/plot/readable.h"
 
 namespace grader {
 namespace {
@@ -22,12 +23,12 @@ std::string joined(const std::string& first, const std::string& second) {
 
 Json test(const ExerciseResult& exercise, const std::string& number, const std::string& name, Status status,
           double points, double max_points, const std::string& output) {
-  return {{"name", readable(name)},
+  return {{"name", hair::readable(name)},
           {"number", number},
           {"score", rounded_points(points)},
           {"max_score", rounded_points(max_points)},
           {"status", status == Status::passed ? "passed" : "failed"},
-          {"output", readable(output)},
+          {"output", hair::readable(output)},
           {"output_format", "text"},
           {"tags", Json::array({exercise.id})},
           {"visibility", "visible"},
@@ -35,12 +36,12 @@ Json test(const ExerciseResult& exercise, const std::string& number, const std::
 }
 
 Json case_json(const CaseResult& one) {
-  return {{"name", valid_utf8(one.name)},
+  return {{"name", hair::valid_utf8(one.name)},
           {"status", to_string(one.status)},
           {"points", one.points},
           {"max_points", one.max_points},
-          {"feedback", valid_utf8(one.feedback)},
-          {"detail", valid_utf8(one.detail)}};
+          {"feedback", hair::valid_utf8(one.feedback)},
+          {"detail", hair::valid_utf8(one.detail)}};
 }
 
 CaseResult case_from(const Json& json) {
@@ -52,7 +53,7 @@ CaseResult case_from(const Json& json) {
 Json pictures_json(const std::vector<PictureResult>& pictures) {
   Json all = Json::array();
   for (const PictureResult& picture : pictures)
-    all.push_back({{"name", valid_utf8(picture.name)},
+    all.push_back({{"name", hair::valid_utf8(picture.name)},
                    {"blurred_rmse", picture.blurred_rmse},
                    {"flip", picture.flip},
                    {"student", picture_name(picture.student)},
@@ -76,18 +77,18 @@ std::vector<PictureResult> pictures_from(const Json& json, const std::filesystem
 Json exercise_json(const ExerciseResult& exercise) {
   Json cases = Json::array();
   for (const CaseResult& one : exercise.cases) cases.push_back(case_json(one));
-  return {{"id", valid_utf8(exercise.id)},
-          {"title", valid_utf8(exercise.title)},
-          {"file", valid_utf8(exercise.file)},
+  return {{"id", hair::valid_utf8(exercise.id)},
+          {"title", hair::valid_utf8(exercise.title)},
+          {"file", hair::valid_utf8(exercise.file)},
           {"extra_credit", exercise.extra_credit},
           {"status", to_string(exercise.status)},
           {"points", exercise.points},
           {"max_points", exercise.max_points},
-          {"feedback", valid_utf8(exercise.feedback)},
-          {"compiler_messages", valid_utf8(exercise.compiler_messages)},
+          {"feedback", hair::valid_utf8(exercise.feedback)},
+          {"compiler_messages", hair::valid_utf8(exercise.compiler_messages)},
           {"cases", cases},
           {"pictures", pictures_json(exercise.pictures)},
-          {"staff_log", valid_utf8(exercise.staff_log)}};
+          {"staff_log", hair::valid_utf8(exercise.staff_log)}};
 }
 
 ExerciseResult exercise_from(const Json& json, const std::filesystem::path& pictures) {
@@ -109,22 +110,22 @@ ExerciseResult exercise_from(const Json& json, const std::filesystem::path& pict
 
 // Gradescope shows it; it changes no score.
 Json run_test(const RunResult& run, const std::string& number) {
-  return {{"name", "End to end: " + readable(run.shows)},
+  return {{"name", "End to end: " + hair::readable(run.shows)},
           {"number", number},
           {"score", 0},
           {"max_score", 0},
           {"status", run.outcome == RunOutcome::same ? "passed" : "failed"},
-          {"output", readable(to_string(run.outcome) + ": " + run.feedback)},
+          {"output", hair::readable(to_string(run.outcome) + ": " + run.feedback)},
           {"output_format", "text"},
           {"tags", Json::array({"runs"})},
           {"visibility", "visible"},
-          {"extra_data", {{"run", readable(run.name)}, {"outcome", to_string(run.outcome)}}}};
+          {"extra_data", {{"run", hair::readable(run.name)}, {"outcome", to_string(run.outcome)}}}};
 }
 
 Json run_json(const RunResult& run) {
-  return {{"name", valid_utf8(run.name)},      {"shows", valid_utf8(run.shows)},
-          {"outcome", to_string(run.outcome)}, {"feedback", valid_utf8(run.feedback)},
-          {"detail", valid_utf8(run.detail)},  {"pictures", pictures_json(run.pictures)}};
+  return {{"name", hair::valid_utf8(run.name)},     {"shows", hair::valid_utf8(run.shows)},
+          {"outcome", to_string(run.outcome)},      {"feedback", hair::valid_utf8(run.feedback)},
+          {"detail", hair::valid_utf8(run.detail)}, {"pictures", pictures_json(run.pictures)}};
 }
 
 RunResult run_from(const Json& json, const std::filesystem::path& pictures) {
@@ -151,7 +152,7 @@ std::string student_json(const SubmissionResult& result) {
                               {"score", rounded_points(exercise.points)},
                               {"max_score", rounded_points(exercise.max_points)},
                               {"extra_credit", exercise.extra_credit},
-                              {"output", readable(exercise.feedback)}};
+                              {"output", hair::readable(exercise.feedback)}};
   }
   for (std::size_t i = 0; i < result.runs.size(); ++i)
     tests.push_back(run_test(result.runs[i], "runs." + std::to_string(i + 1)));
@@ -159,7 +160,7 @@ std::string student_json(const SubmissionResult& result) {
                                    result.images ? "" : "Graded without pictures.");
   return dumped(
       {{"score", rounded_points(points(result))},
-       {"output", joined(stamp, readable(result.note))},
+       {"output", joined(stamp, hair::readable(result.note))},
        {"output_format", "text"},
        {"visibility", "visible"},
        {"stdout_visibility", "hidden"},
@@ -172,11 +173,11 @@ std::string staff_json(const SubmissionResult& result) {
   for (const ExerciseResult& exercise : result.exercises) exercises.push_back(exercise_json(exercise));
   Json runs = Json::array();
   for (const RunResult& run : result.runs) runs.push_back(run_json(run));
-  Json all = {{"name", valid_utf8(result.name)},
-              {"fingerprint", valid_utf8(result.fingerprint)},
+  Json all = {{"name", hair::valid_utf8(result.name)},
+              {"fingerprint", hair::valid_utf8(result.fingerprint)},
               {"isolated", result.isolated},
               {"images", result.images},
-              {"note", valid_utf8(result.note)},
+              {"note", hair::valid_utf8(result.note)},
               {"exercises", exercises},
               {"runs", runs}};
   if (result.studied) all["studied"] = true;

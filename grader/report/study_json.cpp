@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "grader/report/text.h"
+#include "hair/io/plot/readable.h"
 
 namespace grader {
 namespace {
@@ -13,7 +13,7 @@ using Json = nlohmann::ordered_json;
 
 Json to_json(const StudyPoint& point) {
   Json all = {{"steps", point.steps}, {"end", to_string(point.end)}};
-  if (!point.note.empty()) all["note"] = valid_utf8(point.note);
+  if (!point.note.empty()) all["note"] = hair::valid_utf8(point.note);
   if (point.end == StudyEnd::finished) all["error"] = point.error;
   if (point.end != StudyEnd::broke) {
     all["solver_steps"] = point.solver_steps;
@@ -63,7 +63,7 @@ Json to_json(const PartStudy& part) {
               {"least_error", part.least_error},
               {"rounds", part.rounds},
               {"time_ratio", nullptr},
-              {"note", valid_utf8(part.note)},
+              {"note", hair::valid_utf8(part.note)},
               {"student", to_json(part.student)},
               {"reference", to_json(part.reference)}};
   if (part.ratio)
@@ -98,7 +98,7 @@ std::string study_json(const SubmissionStudy& study) {
     for (const PartStudy& part : scene.parts) parts.push_back(to_json(part));
     scenes.push_back({{"name", scene.name},
                       {"shows", scene.shows},
-                      {"left_out", valid_utf8(scene.left_out)},
+                      {"left_out", hair::valid_utf8(scene.left_out)},
                       {"parts", parts}});
   }
   const Json all = {{"student_seconds", study.student_seconds},

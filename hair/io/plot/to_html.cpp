@@ -6,39 +6,12 @@
 #include <vector>
 
 #include "hair/io/plot/check_table.h"
+#include "hair/io/plot/html.h"
 #include "hair/io/plot/page.h"
-#include "hair/io/plot/xml.h"
 
 namespace hair {
 
 namespace {
-
-using plot::XmlWriter;
-
-// Nothing is loaded and no script runs, whatever a text or a figure holds.
-constexpr const char* kPolicy =
-    "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'";
-
-constexpr const char* kStyle = R"(
-:root { color-scheme: light; }
-body { margin: 0; background: #fff; color: #1a1a1a; font: 16px/1.5 system-ui, sans-serif; }
-main { max-width: 60rem; margin: 0 auto; padding: 1.5rem 1rem 4rem; }
-h1 { font-size: 1.8rem; line-height: 1.2; margin: 0 0 1rem; }
-h2 { font-size: 1.3rem; line-height: 1.3; margin: 2.5rem 0 .75rem; border-top: 1px solid #d0d0d0; padding-top: 1rem; }
-p { max-width: 45rem; margin: 0 0 .75rem; }
-a { color: #005a8c; }
-figure { margin: 1rem 0 1.5rem; }
-svg { display: block; max-width: 100%; height: auto; }
-summary { cursor: pointer; padding: .25rem 0; }
-.wide { overflow-x: auto; margin: .5rem 0 1rem; }
-table { border-collapse: collapse; font-size: .875rem; font-variant-numeric: tabular-nums; }
-caption { text-align: left; font-weight: bold; padding: .25rem 0; }
-th, td { padding: .2rem .75rem .2rem 0; text-align: left; vertical-align: top; border-bottom: 1px solid #e4e4e4; }
-thead th { border-bottom: 2px solid #767676; vertical-align: bottom; }
-tbody th { font-weight: normal; }
-.number { text-align: right; white-space: nowrap; }
-@media print { body { font-size: 11pt; } figure, tr { break-inside: avoid; } h2 { break-after: avoid; } }
-)";
 
 bool is_number(const std::string& text) {
   return !text.empty() && text.find_first_of("0123456789") != std::string::npos &&
@@ -59,51 +32,42 @@ std::vector<bool> columns_of_numbers(const Table& table) {
   return numbers;
 }
 
-void write_table(XmlWriter& html, const Table& table) {
+Html table_of(const Table& table) {
   plot::check_table(table);
   const std::vector<bool> numbers = columns_of_numbers(table);
-  const auto cell = [&](const char* tag, const char* scope, std::size_t column, const std::string& text) {
-    const char* kind = numbers[column] ? "number" : "text";
-    if (scope)
-      html.leaf(tag, {{"scope", scope}, {"class", kind}}, text);
-    else
-      html.leaf(tag, {{"class", kind}}, text);
-  };
+  const auto kind = [&](std::size_t column) { return numbers[column] ? "number" : "text"; };
   // What is wider than the page scrolls, with the keyboard, too.
-  html.open("div", {{"class", "wide"}, {"role", "region"}, {"aria-label", table.caption}, {"tabindex", "0"}});
-  html.open("table").leaf("caption", {}, table.caption);
-  html.open("thead").open("tr");
-  for (std::size_t i = 0; i < table.header.size(); ++i) cell("th", "col", i, table.header[i]);
-  html.close().close().open("tbody");
+  Html all = html(
+      "<div class=\"wide\" role=\"region\" aria-label=\"{}\" "
+      "tabindex=\"0\"><table>\n<caption>{}</caption>\n<thead><tr>",
+      {table.caption, table.caption});
+  for (std::size_t i = 0; i < table.header.size(); ++i)
+    all += html("<th scope=\"col\" class=\"{}\">{}</th>", {kind(i), table.header[i]});
+  all += html("</tr></thead>\n<tbody>\n");
   for (const std::vector<std::string>& row : table.rows) {
-    html.open("tr");
+    all += html("<tr>");
     for (std::size_t i = 0; i < row.size(); ++i)
-      cell(i == 0 ? "th" : "td", i == 0 ? "row" : nullptr, i, row[i]);
-    html.close();
+      all += i == 0 ? html("<th scope=\"row\" class=\"{}\">{}</th>", {kind(i), row[i]})
+                    : html("<td class=\"{}\">{}</td>", {kind(i), row[i]});
+    all += html("</tr>\n");
   }
-  html.close().close().close();
+  return all += html("</tbody>\n</table></div>\n");
 }
 
 std::string section_id(std::size_t section) {
   return "section-" + std::to_string(section + 1);
 }
 
-void write_section(XmlWriter& html, const Section& section, const std::string& id) {
-  html.open("section", {{"aria-labelledby", id}});
-  html.leaf("h2", {{"id", id}}, section.heading);
-  for (const std::string& paragraph : section.paragraphs) html.leaf("p", {}, paragraph);
-  for (const Table& table : section.first) write_table(html, table);
-  for (const std::string& figure : section.figures) html.open("figure").as_it_is(figure).close();
-  for (const Table& table : section.tables) {
-    if (section.figures.empty()) {
-      write_table(html, table);
-      continue;
-    }
-    html.open("details").leaf("summary", {}, "Table: " + table.caption);
-    write_table(html, table);
-    html.close();
-  }
-  html.close();
+Html section_of(const Section& section, const std::string& id) {
+  Html all = html("<section aria-labelledby=\"{}\">\n<h2 id=\"{}\">{}</h2>\n", {id, id, section.heading});
+  for (const std::string& paragraph : section.paragraphs) all += html("<p>{}</p>\n", {paragraph});
+  for (const Table& table : section.first) all += table_of(table);
+  for (const std::string& figure : section.figures) all += html("<figure>{}</figure>\n", {Html{figure}});
+  for (const Table& table : section.tables)
+    all += section.figures.empty() ? table_of(table)
+                                   : html("<details><summary>Table: {}</summary>\n{}</details>\n",
+                                          {table.caption, table_of(table)});
+  return all += html("</section>\n");
 }
 
 // An id that comes twice leads readers to the wrong place.
@@ -135,23 +99,17 @@ void require_unique_ids(const Page& page) {
 
 std::string to_html(const Page& page) {
   require_unique_ids(page);
-  XmlWriter html;
-  html.as_it_is("<!DOCTYPE html>\n").open("html", {{"lang", "en"}}).open("head");
-  html.empty("meta", {{"charset", "utf-8"}});
-  html.empty("meta", {{"http-equiv", "Content-Security-Policy"}, {"content", kPolicy}});
-  html.empty("meta", {{"name", "viewport"}, {"content", "width=device-width, initial-scale=1"}});
-  html.leaf("title", {}, page.title);
-  html.open("style").as_it_is(kStyle).close().close();
-  html.open("body").open("main").leaf("h1", {}, page.title);
-  for (const std::string& paragraph : page.paragraphs) html.leaf("p", {}, paragraph);
+  Html body = html("<main>\n<h1>{}</h1>\n", {page.title});
+  for (const std::string& paragraph : page.paragraphs) body += html("<p>{}</p>\n", {paragraph});
   if (page.sections.size() > 2) {
-    html.open("nav", {{"aria-label", "Contents"}}).open("ul");
+    body += html("<nav aria-label=\"Contents\"><ul>\n");
     for (std::size_t i = 0; i < page.sections.size(); ++i)
-      html.open("li").leaf("a", {{"href", "#" + section_id(i)}}, page.sections[i].heading).close();
-    html.close().close();
+      body += html("<li><a href=\"#{}\">{}</a></li>\n", {section_id(i), page.sections[i].heading});
+    body += html("</ul></nav>\n");
   }
-  for (std::size_t i = 0; i < page.sections.size(); ++i) write_section(html, page.sections[i], section_id(i));
-  return html.close().close().close().take();
+  for (std::size_t i = 0; i < page.sections.size(); ++i) body += section_of(page.sections[i], section_id(i));
+  body += html("</main>\n");
+  return html_page(page.title, body);
 }
 
 }  // namespace hair

@@ -3,36 +3,11 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdint>
 #include <stdexcept>
 
 namespace hair::plot {
 
 namespace {
-
-constexpr std::string_view kLost = "\xEF\xBF\xBD";  // U+FFFD
-
-// The bytes of the UTF-8 character that `text` begins with (RFC 3629, section 4), 0 if it begins with none
-// that XML allows.
-std::size_t length_of_character(std::string_view text) {
-  const auto byte = [&](std::size_t i) {
-    return i < text.size() ? static_cast<std::uint8_t>(text[i]) : std::uint8_t{0};
-  };
-  const std::uint8_t first = byte(0);
-  if (first < 0x80) return first >= 0x20 && first != 0x7F ? 1 : first == '\t' || first == '\n';
-  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  std::uint32_t code = first & (0x7F >> length);
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return 0;
-    code = code << 6 | (byte(i) & 0x3F);
-  }
-  constexpr std::array<std::uint32_t, 5> kLeast = {0, 0, 0x80, 0x800, 0x10000};
-  const bool surrogate = code >= 0xD800 && code <= 0xDFFF, no_character = code == 0xFFFE || code == 0xFFFF;
-  const bool control = code < 0xA0;  // U+0080 to U+009F
-  if (first < 0xC2 || code < kLeast[length] || code > 0x10FFFF || surrogate || no_character || control)
-    return 0;
-  return length;
-}
 
 // In running text a line break would come between words that belong together.
 bool breaks_line_after(std::string_view tag) {
@@ -40,31 +15,6 @@ bool breaks_line_after(std::string_view tag) {
 }
 
 }  // namespace
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  out.reserve(text.size());
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = length_of_character(text.substr(i));
-    const char c = text[i];
-    if (length == 0)
-      out += kLost;
-    else if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else if (c == '"')
-      out += "&quot;";
-    else if (c == '\'')
-      out += "&#39;";
-    else
-      out += text.substr(i, length);
-    i += length == 0 ? 1 : length;
-  }
-  return out;
-}
 
 std::string pixels(double value) {
   const double rounded = std::round(value * 100) / 100;

@@ -1,4 +1,4 @@
-// XML and HTML, written so that it can't be anything but well formed: elements close in their order, and
+// XML (SVG), written so that it can't be anything but well formed: elements close in their order, and
 // whatever a text holds is shown and never obeyed.
 #pragma once
 
@@ -7,11 +7,9 @@
 #include <string_view>
 #include <vector>
 
-namespace hair::plot {
+#include "hair/io/plot/readable.h"
 
-// Text for an element or a quoted attribute: the five special characters as entities; what XML 1.0 does not
-// allow (control characters, bytes that are not UTF-8) as U+FFFD, the sign for a lost character.
-std::string escaped(std::string_view text);
+namespace hair::plot {
 
 // At most two decimals, without zeros at the end: what a coordinate in pixels needs.
 std::string pixels(double value);

@@ -1,11 +1,11 @@
-// STAFF ONLY.
-#include "grader/report/html.h"
+#include "hair/io/plot/html.h"
 
 #include <stdexcept>
 
-#include "grader/report/text.h"
+#include "hair/io/plot/readable.h"
 
-namespace grader {
+namespace hair {
+
 namespace {
 
 // Colours: text on its background has a contrast of at least 4.5 in both schemes.
@@ -74,16 +74,18 @@ th[aria-sort=ascending] button::after { content: " \2191"; } th[aria-sort=descen
 .pictures.one { grid-template-columns: minmax(0, 30rem); }
 figure { margin: 0; } figcaption { color: var(--quiet); font-size: .875rem; }
 figure img { display: block; width: 100%; height: auto; border-radius: .25rem; background: #000; }
+svg { display: block; max-width: 100%; height: auto; background: #fff; border-radius: .375rem; }
+nav ul { margin: .4rem 0; padding-left: 1.25rem; } .text { text-align: left; }
 .scale { display: inline-block; width: 5rem; height: .6rem; margin: 0 .35rem; border-radius: .125rem; }
 .small { display: block; width: 10rem; height: auto; border-radius: .25rem; }
-@media print { body { max-width: none; padding: 0; } .badge, .note, .stamp { border: 1px solid; } }
+@media print { body { max-width: none; padding: 0; } figure, tr { break-inside: avoid; } h2 { break-after: avoid; } .badge, .note, .stamp { border: 1px solid; } }
 )css";
 
 }  // namespace
 
-HtmlPart::HtmlPart(const char* text) : html_(escaped_markup(text)) {}
-HtmlPart::HtmlPart(const std::string& text) : html_(escaped_markup(text)) {}
-HtmlPart::HtmlPart(std::string_view text) : html_(escaped_markup(text)) {}
+HtmlPart::HtmlPart(const char* text) : html_(escaped(text)) {}
+HtmlPart::HtmlPart(const std::string& text) : html_(escaped(text)) {}
+HtmlPart::HtmlPart(std::string_view text) : html_(escaped(text)) {}
 
 Html html(std::string_view pattern, std::initializer_list<HtmlPart> parts) {
   Html result;
@@ -123,4 +125,4 @@ std::string html_page(const std::string& title, const Html& body, Scripts script
       .text;
 }
 
-}  // namespace grader
+}  // namespace hair

@@ -1,4 +1,4 @@
-// STAFF ONLY. HTML from patterns in which every value is escaped unless it is HTML by its type: what is
+// HTML from patterns in which every value is escaped unless it is HTML by its type: what is
 // forgotten is safe.
 #pragma once
 
@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-namespace grader {
+namespace hair {
 
 struct Html {
   std::string text;
@@ -43,4 +43,4 @@ enum class Pictures { inside, beside };
 std::string html_page(const std::string& title, const Html& body, Scripts scripts = Scripts::off,
                       Pictures pictures = Pictures::inside);
 
-}  // namespace grader
+}  // namespace hair
