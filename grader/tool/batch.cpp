@@ -61,7 +61,7 @@ Batch grade_batch(const Grading& grading, const std::vector<Submission>& submiss
 
   const auto start = std::chrono::steady_clock::now();
   Batch batch;
-  batch.problems = grading.problems();
+  batch.problems = grading.reference().problems;
   std::map<std::string, TimingByExercise> timing;
   std::string failure;
   Progress progress(settings.only ? 1 : submissions.size());
@@ -72,7 +72,7 @@ Batch grade_batch(const Grading& grading, const std::vector<Submission>& submiss
     const bool selected = !settings.only || *settings.only == submission.name;
     if (!selected || settings.resume) {
       std::optional<SubmissionResult> earlier = read_results(settings.out, submission.name);
-      const bool complete = earlier && (earlier->studied || !grading.reference_study());
+      const bool complete = earlier && (earlier->studied || !grading.reference().study);
       if (earlier && (!selected || (complete && earlier->fingerprint == grading.fingerprint(submission)))) {
         const std::lock_guard lock(shared);
         batch.results.push_back(std::move(*earlier));
@@ -89,7 +89,7 @@ Batch grade_batch(const Grading& grading, const std::vector<Submission>& submiss
       keep_other_exercises(graded.result, read_results(settings.out, submission.name), grading.course());
     if (graded.study) {
       graded.result.studied = true;
-      write_study(settings.out, graded.result, *graded.study, *grading.reference_study());
+      write_study(settings.out, graded.result, *graded.study, *grading.reference().study);
     } else if (!graded.result.studied) {
       remove_study(settings.out, graded.result);
     }
@@ -131,7 +131,7 @@ Batch grade_batch(const Grading& grading, const std::vector<Submission>& submiss
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   write_class_reports(settings.out, batch.results);
   remove_unshown_pictures(settings.out);
-  write_timing(settings.out, grading.reference_timing(), timing, seconds, batch.graded, settings.jobs);
+  write_timing(settings.out, grading.reference().timing, timing, seconds, batch.graded, settings.jobs);
   return batch;
 }
 

@@ -7,35 +7,17 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "grader/compile/compiler.h"
 #include "grader/compile/kit.h"
 #include "grader/course/course.h"
 #include "grader/intake/submission.h"
 #include "grader/report/result.h"
-#include "grader/tool/suite_run.h"
+#include "grader/tool/reference_grading.h"
+#include "grader/tool/suite_jobs.h"
 
 namespace grader {
-
-struct GradingSettings {
-  Course course;
-  std::optional<std::string> exercise;  // grade this one alone
-  std::filesystem::path kit, suite, scenes, cache;
-  std::string secret;
-  bool isolated = true;
-  bool images = true;  // draw whole runs
-  bool study = false;  // error against time, beside the reference: shown, and not scored
-};
-
-// What an exercise cost; the only part of a result that differs from run to run.
-struct ExerciseTiming {
-  double compile_seconds = 0;  // by the wall clock, linking included; 0 if it came from the cache
-  double suite_seconds = 0;    // by the wall clock
-  double worker_cpu_seconds = 0;
-  int worker_starts = 0;
-  double run_cpu_seconds = 0;      // of the worker that plays the whole run
-  double picture_cpu_seconds = 0;  // to draw and compare its pictures
-};
 
 struct Graded {
   SubmissionResult result;
@@ -58,39 +40,17 @@ class Grading {
 
   const Course& course() const { return settings_.course; }
 
-  // The reference in an identical worker.
-  const std::map<std::string, ExerciseTiming>& reference_timing() const { return reference_; }
-
-  const std::vector<std::string>& problems() const { return problems_; }  // ours, a line each
-
-  // The reference beside itself: what is not 1 in its ratios is noise. Nothing without studies.
-  const std::optional<SubmissionStudy>& reference_study() const { return reference_study_; }
+  const ReferenceGraded& reference() const { return reference_; }  // in an identical worker
 
  private:
-  void grade_exercise(const Exercise& exercise, const Submission& submission,
-                      const std::filesystem::path& job, ExerciseResult& result, ExerciseTiming& timing) const;
-  void run_cases(const Exercise& exercise, const std::string& student, const std::filesystem::path& object,
-                 const std::filesystem::path& job, ExerciseResult& result, ExerciseTiming& timing) const;
-  SuiteJob end_to_end_job(const std::filesystem::path& job, const SubmissionResult& result) const;
   void run_end_to_end(const std::filesystem::path& job, Graded& graded) const;
-  SubmissionStudy study(SuiteJob runs, ExerciseTiming& timing) const;
-  std::optional<SuiteJob::WholeRun> whole_run(const std::string& exercise) const;
-  SuiteJob suite_job(const std::string& exercise, const std::filesystem::path& job) const;
-  SuiteResult timed(const SuiteJob& job, ExerciseTiming& timing) const;
-  void measure_reference();
-  bool selected(const Exercise& exercise) const;
 
   GradingSettings settings_;
   StagedKit kit_;
   Compiler compiler_;
+  SuiteJobs jobs_;
   std::string base_fingerprint_;
-  std::optional<std::filesystem::path> pictures_;  // where the reference's are kept, if any are drawn
-  std::map<std::string, ExerciseTiming> reference_;
-  std::optional<SubmissionStudy> reference_study_;
-  std::vector<std::string> problems_;
+  ReferenceGraded reference_;
 };
-
-// An exercise's status from those of its cases.
-Status overall_status(const std::vector<CaseResult>& cases);
 
 }  // namespace grader

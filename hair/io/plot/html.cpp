@@ -74,7 +74,7 @@ th[aria-sort=ascending] button::after { content: " \2191"; } th[aria-sort=descen
 .pictures.one { grid-template-columns: minmax(0, 30rem); }
 figure { margin: 0; } figcaption { color: var(--quiet); font-size: .875rem; }
 figure img { display: block; width: 100%; height: auto; border-radius: .25rem; background: #000; }
-svg { display: block; max-width: 100%; height: auto; background: #fff; border-radius: .375rem; }
+svg { display: block; margin: 1rem 0 1.5rem; max-width: 100%; height: auto; background: #fff; border-radius: .375rem; }
 nav ul { margin: .4rem 0; padding-left: 1.25rem; } .text { text-align: left; }
 .scale { display: inline-block; width: 5rem; height: .6rem; margin: 0 .35rem; border-radius: .125rem; }
 .small { display: block; width: 10rem; height: auto; border-radius: .25rem; }

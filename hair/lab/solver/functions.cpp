@@ -3,7 +3,7 @@
 #include "solver/course.h"
 #include "solver/linearSolver.h"
 
-namespace hair {
+namespace hair::solver_lab {
 
 solver::study::Functions studied_functions() {
   solver::study::Functions all;
@@ -12,4 +12,4 @@ solver::study::Functions studied_functions() {
   return all;
 }
 
-}  // namespace hair
+}  // namespace hair::solver_lab

@@ -3,7 +3,7 @@
 
 #include "solver/study/solver_study.h"
 
-namespace hair {
+namespace hair::solver_lab {
 
 // Those that the course has; the others are empty.
 solver::study::Functions studied_functions();
@@ -11,4 +11,4 @@ solver::study::Functions studied_functions();
 // There if the course has the normal equations.
 extern const solver::study::NormalEquationsFunction kNormalEquations;
 
-}  // namespace hair
+}  // namespace hair::solver_lab

@@ -1,8 +1,8 @@
 #include "hair/lab/solver/functions.h"
 #include "solver/normal_equations.h"
 
-namespace hair {
+namespace hair::solver_lab {
 
 const solver::study::NormalEquationsFunction kNormalEquations = solve_normal_equations;
 
-}  // namespace hair
+}  // namespace hair::solver_lab

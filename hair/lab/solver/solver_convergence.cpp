@@ -8,7 +8,7 @@
 #include "hair/lab/solver/solver_tables.h"
 #include "hair/lab/solver/solver_verdicts.h"
 
-namespace hair {
+namespace hair::solver_lab {
 
 namespace {
 
@@ -175,4 +175,4 @@ Section strands_section(const SolverStudy& study) {
        table_of(direct, to_text)}};
 }
 
-}  // namespace hair
+}  // namespace hair::solver_lab

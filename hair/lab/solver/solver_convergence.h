@@ -4,10 +4,10 @@
 #include "hair/io/plot/page.h"
 #include "solver/study/solver_study.h"
 
-namespace hair {
+namespace hair::solver_lab {
 
 Section conditions_section(const solver::study::SolverStudy& study);
 Section clusters_section(const solver::study::SolverStudy& study);
 Section strands_section(const solver::study::SolverStudy& study);
 
-}  // namespace hair
+}  // namespace hair::solver_lab

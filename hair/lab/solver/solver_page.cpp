@@ -9,7 +9,7 @@
 #include "hair/lab/solver/solver_tables.h"
 #include "hair/lab/solver/solver_verdicts.h"
 
-namespace hair {
+namespace hair::solver_lab {
 
 namespace {
 
@@ -157,4 +157,4 @@ Page solver_page(const SolverStudy& study, const std::string& machine, const std
   return page;
 }
 
-}  // namespace hair
+}  // namespace hair::solver_lab

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace hair {
+namespace hair::solver_lab {
 
 namespace {
 
@@ -80,4 +80,4 @@ std::string solver_json(const SolverStudy& study, const std::string& machine, co
   return json.dump(2) + "\n";
 }
 
-}  // namespace hair
+}  // namespace hair::solver_lab

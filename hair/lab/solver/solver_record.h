@@ -17,11 +17,11 @@
 
 #include "solver/study/solver_study.h"
 
-namespace hair {
+namespace hair::solver_lab {
 
 inline constexpr std::string_view kSolverRecordBegin = "{\n  \"program\": \"hairlab solver\"";
 
 std::string solver_json(const solver::study::SolverStudy& study, const std::string& machine,
                         const std::string& left_out);
 
-}  // namespace hair
+}  // namespace hair::solver_lab

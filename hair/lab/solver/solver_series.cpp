@@ -6,7 +6,7 @@
 
 #include "hair/io/plot/page.h"
 
-namespace hair {
+namespace hair::solver_lab {
 
 namespace {
 
@@ -60,4 +60,4 @@ std::string condition_name(const History& history) {
   return "condition " + to_text(history.condition);
 }
 
-}  // namespace hair
+}  // namespace hair::solver_lab

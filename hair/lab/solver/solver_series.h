@@ -6,7 +6,7 @@
 #include "hair/io/plot/figure.h"
 #include "solver/study/solver_study.h"
 
-namespace hair {
+namespace hair::solver_lab {
 
 enum class Against { iterations, products, time };
 enum class Measure { error, squared_residual };
@@ -22,4 +22,4 @@ Series bound_of(const solver::study::History& history, const std::string& name, 
 
 std::string condition_name(const solver::study::History& history);
 
-}  // namespace hair
+}  // namespace hair::solver_lab

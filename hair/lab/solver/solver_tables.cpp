@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-namespace hair {
+namespace hair::solver_lab {
 
 namespace {
 
@@ -106,4 +106,4 @@ std::vector<NamedTable> solver_tables(const SolverStudy& study) {
   return tables;
 }
 
-}  // namespace hair
+}  // namespace hair::solver_lab

@@ -7,7 +7,7 @@
 #include "hair/io/plot/page.h"
 #include "solver/study/solver_study.h"
 
-namespace hair {
+namespace hair::solver_lab {
 
 // How a number is written: to_text or to_exact_text.
 using Written = std::string (*)(double);
@@ -25,4 +25,4 @@ struct NamedTable {
 };
 std::vector<NamedTable> solver_tables(const solver::study::SolverStudy& study);
 
-}  // namespace hair
+}  // namespace hair::solver_lab

@@ -5,7 +5,7 @@
 
 #include "hair/io/plot/page.h"
 
-namespace hair {
+namespace hair::solver_lab {
 
 namespace {
 
@@ -111,4 +111,4 @@ std::string stopped_verdict(const std::vector<DigitsLost>& digits) {
          listed(stopped) + ": these points stand at the figure's upper edge.";
 }
 
-}  // namespace hair
+}  // namespace hair::solver_lab

@@ -6,7 +6,7 @@
 
 #include "solver/study/solver_study.h"
 
-namespace hair {
+namespace hair::solver_lab {
 
 // Whether ConjGrad's errors are below the theory's bound, before they come near rounding.
 std::string bound_verdict(const std::vector<solver::study::Compared>& systems);
@@ -26,4 +26,4 @@ std::string stopped_verdict(const std::vector<solver::study::DigitsLost>& digits
 // "h = 10 ms" of "strand, h = 10 ms".
 std::string step_of(const std::string& system);
 
-}  // namespace hair
+}  // namespace hair::solver_lab

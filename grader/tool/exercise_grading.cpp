@@ -1,0 +1,100 @@
+// STAFF ONLY.
+#include "grader/tool/exercise_grading.h"
+
+#include <algorithm>
+#include <fstream>
+
+#include "solver/timing.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMostLog = 16 << 10;  // of what a worker printed
+
+std::string beginning_of(const fs::path& file, std::size_t most) {
+  std::ifstream in(file, std::ios::binary);
+  std::string text(most, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(most));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return text;
+}
+
+}  // namespace
+
+ExerciseResult describe(const Exercise& exercise) {
+  ExerciseResult result;
+  result.id = exercise.id;
+  result.title = exercise.title;
+  result.file = exercise.file;
+  result.extra_credit = exercise.role == Role::optional;
+  result.max_points = exercise.points;
+  return result;
+}
+
+Status overall_status(const std::vector<CaseResult>& cases) {
+  auto any = [&](Status status) {
+    return std::any_of(cases.begin(), cases.end(), [&](const CaseResult& c) { return c.status == status; });
+  };
+  for (Status status : {Status::broke_rules, Status::out_of_memory, Status::timed_out, Status::crashed,
+                        Status::does_not_compile})
+    if (any(status)) return status;
+  if (!any(Status::wrong) && !any(Status::not_implemented)) return Status::passed;
+  if (any(Status::passed)) return Status::partly;
+  return any(Status::not_implemented) ? Status::not_implemented : Status::wrong;
+}
+
+void grade_exercise(const SuiteJobs& jobs, const Compiler& compiler, const Exercise& exercise,
+                    const Submission& submission, const fs::path& job, ExerciseResult& result,
+                    ExerciseTiming& timing) {
+  auto without_cases = [&](Status status, const std::string& feedback) {
+    result.status = status;
+    result.feedback = feedback;
+  };
+  if (!submission.problem.empty()) return without_cases(Status::missing, submission.problem);
+  const auto file = submission.files.find(exercise.file);
+  if (file == submission.files.end()) return without_cases(Status::missing, sentence_for(Status::missing));
+  if (!file->second.problem.empty()) return without_cases(Status::missing, file->second.problem);
+
+  const timing::Stopwatch compiling;
+  const Compiled compiled = compiler.compile(exercise, file->second.text, job);
+  timing.compile_seconds = compiling.seconds();
+  result.compiler_messages = compiled.messages;
+  result.staff_log = compiled.log;
+  if (compiled.object.empty())
+    return without_cases(Status::does_not_compile, sentence_for(Status::does_not_compile));
+
+  run_cases(jobs, exercise, submission.name, compiled.object, job, result, timing);
+}
+
+void run_cases(const SuiteJobs& jobs, const Exercise& exercise, const std::string& student,
+               const fs::path& object, const fs::path& job, ExerciseResult& result, ExerciseTiming& timing) {
+  const SuiteJob suite = jobs.cases(exercise, student, object, job);
+  SuiteResult found = jobs.run(suite, timing);
+  double weights = 0;
+  for (const CaseResult& one : found.cases) weights += one.max_points;
+  const bool nothing_to_call = std::all_of(found.cases.begin(), found.cases.end(), [](const CaseResult& one) {
+    return one.status == Status::does_not_compile;
+  });
+  if (nothing_to_call) {
+    result.status = Status::does_not_compile;
+    result.feedback = "The file compiles, but does not define the functions of " + exercise.header +
+                      " as they are declared there.";
+    result.staff_log += found.cases.front().detail + "\n";
+    return;
+  }
+  result.points = 0;
+  for (CaseResult& one : found.cases) {
+    one.points *= exercise.points / weights;
+    one.max_points *= exercise.points / weights;
+    result.points += one.points;
+  }
+  result.cases = std::move(found.cases);
+  result.pictures = std::move(found.pictures);
+  result.status = overall_status(result.cases);
+  result.feedback = sentence_for(result.status);
+  result.staff_log += beginning_of(suite.log, kMostLog);
+}
+
+}  // namespace grader

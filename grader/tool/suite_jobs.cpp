@@ -1,0 +1,131 @@
+// STAFF ONLY.
+#include "grader/tool/suite_jobs.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "grader/compile/hash.h"
+#include "grader/course/input.h"
+#include "grader/tool/secret.h"
+#include "hair/render/renderer.h"
+#include "solver/timing.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kLeastCpuSeconds = 2;
+constexpr double kTimesReference = 20;  // a student's code may take this many times the reference's CPU time
+
+// What a worker may take, of the reference's.
+int cpu_limit(double reference) {
+  return std::max(kLeastCpuSeconds, static_cast<int>(std::ceil(kTimesReference * reference)));
+}
+
+// What draws here: OpenGL and its version. Throws BadInput where there is none.
+std::string what_draws() {
+  try {
+    hair::RenderSettings least;
+    least.width = least.height = 16;
+    least.shadows = false;
+    return hair::Renderer(least).about();
+  } catch (const hair::NoOpenGl& none) {
+    throw BadInput(
+        std::string("this machine can't draw: ") + none.what() +
+        "; install libosmesa6, or grade with --no-images, which leaves the pictures' points to the "
+        "other categories and stamps the report");
+  }
+}
+
+}  // namespace
+
+SuiteJobs::SuiteJobs(const GradingSettings& settings, const StagedKit& kit)
+    : settings_(settings),
+      kit_(kit),
+      suite_hash_(sha256_of(settings.suite)),
+      drawn_(settings.images ? what_draws() : "") {
+  if (settings_.images) pictures_ = settings_.cache / "pictures" / sha256(suite_hash_ + drawn_);
+}
+
+std::string SuiteJobs::fingerprint() const {
+  std::string all = kit_.hash() + suite_hash_ + sha256_of(settings_.scenes) + sha256(settings_.secret) +
+                    (settings_.isolated ? "" : "unsafe") + (settings_.images ? drawn_ : "no images");
+  for (const Exercise& exercise : settings_.course.exercises)
+    if (selected(exercise)) all += exercise.id + to_string(exercise.role) + std::to_string(exercise.points);
+  return all;
+}
+
+bool SuiteJobs::selected(const Exercise& exercise) const {
+  return (exercise.role == Role::assigned || exercise.role == Role::optional) &&
+         (!settings_.exercise || *settings_.exercise == exercise.id);
+}
+
+SuiteJob SuiteJobs::job(const std::string& exercise, const fs::path& folder) const {
+  SuiteJob suite;
+  suite.exercise = exercise;
+  suite.kit = kit_.folder();
+  suite.log = folder / "output";
+  suite.isolated = settings_.isolated;
+  suite.cpu_seconds = kLeastCpuSeconds;
+  if (const auto reference = reference_.find(exercise); reference != reference_.end())
+    suite.cpu_seconds = cpu_limit(reference->second.worker_cpu_seconds);
+  return suite;
+}
+
+std::optional<SuiteJob::WholeRun> SuiteJobs::whole_run(const std::string& exercise) const {
+  const fs::path scene = settings_.scenes / (exercise + ".json");
+  if (!fs::exists(scene)) return {};
+  SuiteJob::WholeRun run;
+  run.scene = scene;
+  run.seed = seed_for(settings_.secret, "the class", exercise);  // no submission's name has a space
+  for (const Exercise& one : settings_.course.exercises) run.exercises.push_back(one.id);
+  run.cpu_seconds = kLeastCpuSeconds;
+  if (const auto reference = reference_.find(exercise); reference != reference_.end())
+    run.cpu_seconds = cpu_limit(reference->second.run_cpu_seconds);
+  return run;
+}
+
+SuiteJob SuiteJobs::cases(const Exercise& exercise, const std::string& student, const fs::path& object,
+                          const fs::path& folder) const {
+  SuiteJob suite = job(exercise.id, folder);
+  suite.seed = seed_for(settings_.secret, student, exercise.id);
+  for (const std::string& id : exercise.prerequisites)
+    suite.objects.push_back(kit_.folder() / "lib" / (id + ".so"));
+  suite.objects.push_back(object);
+  suite.whole_run = whole_run(exercise.id);
+  if (pictures_ && suite.whole_run)
+    suite.pictures = *pictures_ / sha256(sha256_of(suite.whole_run->scene) + suite.whole_run->seed);
+  return suite;
+}
+
+SuiteJob SuiteJobs::end_to_end(const fs::path& folder) const {
+  SuiteJob suite = job(kRuns, folder);
+  if (pictures_) suite.pictures = *pictures_ / kRuns;
+  return suite;
+}
+
+SuiteJob SuiteJobs::study(SuiteJob end_to_end) const {
+  end_to_end.exercise = kStudy;
+  end_to_end.motions = settings_.cache / "motions" / suite_hash_;
+  for (const Exercise& exercise : settings_.course.exercises)
+    end_to_end.reference_objects.push_back(reference_object(exercise));
+  return end_to_end;
+}
+
+fs::path SuiteJobs::reference_object(const Exercise& exercise) const {
+  return kit_.folder() / "lib" / (exercise.id + ".so");
+}
+
+SuiteResult SuiteJobs::run(const SuiteJob& job, ExerciseTiming& timing) const {
+  const timing::Stopwatch running;
+  SuiteResult found = run_suite(settings_.suite, job);
+  timing.suite_seconds = running.seconds();
+  timing.worker_cpu_seconds = found.cpu_seconds;
+  timing.worker_starts = found.starts;
+  timing.run_cpu_seconds = found.run_cpu_seconds;
+  timing.picture_cpu_seconds = found.picture_cpu_seconds;
+  return found;
+}
+
+}  // namespace grader
