@@ -18,6 +18,11 @@ Played play_elsewhere(Trial& trial, const std::string& text, const hair::Scene& 
   played.trouble = reply.get_text();
   for (std::int64_t* steps : {&played.solver_steps, &played.correction_steps})
     *steps = reply.get<std::int64_t>();
+  if (reply.get<std::uint64_t>() != scene.hair.strands.size() + scene.toys.size())
+    throw MalformedMessage("another number of bodies");
+  for (std::size_t i = 0; i < scene.hair.strands.size() + scene.toys.size(); ++i)
+    if (reply.get<std::uint32_t>() != static_cast<std::uint32_t>(hair::Coordinates::positions))
+      throw MalformedMessage("coordinates that are no positions");
   const auto frames = reply.get<std::uint64_t>();
   if (frames > static_cast<std::uint64_t>(scene.frames) + 1) throw MalformedMessage("too many frames");
   for (std::uint64_t i = 0; i < frames; ++i) {

@@ -1,6 +1,7 @@
 // STAFF ONLY. Plays a scene with all of a submission's files together, as often as asked, each time from its beginning.
 //
-//   JSON, times -> trouble, work, number of frames; of each: time, x, v    (all of the last time)
+//   JSON, times -> trouble, work, number of bodies; what the coordinates of each are;
+//                  number of frames; of each: time, coordinates, their rates    (all of the last time)
 #include <vector>
 
 #include "grader/worker/session.h"
@@ -14,8 +15,10 @@ struct Frame {
 };
 
 // Until it ends or breaks.
-std::string play(const hair::Scene& scene, std::vector<Frame>& frames, hair::Work& work) {
+std::string play(const hair::Scene& scene, std::vector<Frame>& frames, hair::Work& work,
+                 std::vector<hair::Coordinates>& coordinates) {
   hair::Playback playback(scene);
+  coordinates = playback.coordinates();
   frames.assign(1, {0, playback.state()});
   std::string trouble;
   for (int k = 0; k < scene.frames && trouble.empty(); ++k) {
@@ -33,13 +36,16 @@ extern "C" __attribute__((visibility("default"))) void serve(grader::Session& se
   const int times = session.request.get<int>();
   std::vector<Frame> frames;
   hair::Work work;
+  std::vector<hair::Coordinates> coordinates;
   std::string trouble;
-  for (int i = 0; i < times; ++i) trouble = play(scene, frames, work);
+  for (int i = 0; i < times; ++i) trouble = play(scene, frames, work, coordinates);
 
   const auto span = [](const Eigen::VectorXd& values) {
     return std::span<const double>(values.data(), static_cast<std::size_t>(values.size()));
   };
   session.reply.put(trouble).put<std::int64_t>(work.solver_steps).put<std::int64_t>(work.correction_steps);
+  session.reply.put(static_cast<std::uint64_t>(coordinates.size()));
+  for (const hair::Coordinates one : coordinates) session.reply.put(static_cast<std::uint32_t>(one));
   session.reply.put(static_cast<std::uint64_t>(frames.size()));
   for (const Frame& frame : frames)
     session.reply.put(frame.time).put(span(frame.state.x)).put(span(frame.state.v));

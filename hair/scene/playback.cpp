@@ -86,6 +86,12 @@ class Playback::Parts {
     return all;
   }
 
+  std::vector<Coordinates> coordinates() const {
+    std::vector<Coordinates> all;
+    for (int i = 0; i < bodies(); ++i) all.push_back(body(i).coordinates());
+    return all;
+  }
+
   Work work() const {
     Work work = simulation_ ? simulation_->work() : Work{};
     work.solver_steps += toys_work_.solver_steps;
@@ -178,6 +184,9 @@ long Playback::steps() const {
 }
 particles::State Playback::state() const {
   return parts_->state();
+}
+std::vector<Coordinates> Playback::coordinates() const {
+  return parts_->coordinates();
 }
 const std::vector<int>& Playback::strands() const {
   return parts_->strands();

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hair/scene/scene.h"
+#include "hair/strand/body.h"
 #include "particles/state.h"
 
 namespace hair {
@@ -44,6 +45,7 @@ class Playback {
 
   // The coordinates of all bodies: strand after strand, then toy after toy. Of masses and springs these are positions.
   particles::State state() const;
+  std::vector<Coordinates> coordinates() const;    // what each body's numbers are
   const std::vector<int>& strands() const;         // the number of points of each strand
   const std::vector<Obstacle>& obstacles() const;  // where they are now
   Work work() const;                               // of the hair; of toys the solver's steps

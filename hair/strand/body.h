@@ -6,6 +6,7 @@
 // know its twist.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -51,8 +52,8 @@ struct BodyMeasures {
   double energy() const { return kinetic + potential; }
 };
 
-// What the numbers of q are: a reader refuses what it does not know.
-enum class Coordinates { positions };
+// What the numbers of q are, in files and replies, too: a reader refuses a number that it does not know.
+enum class Coordinates : std::uint32_t { positions = 0 };
 
 const char* coordinates_name(Coordinates coordinates);
 

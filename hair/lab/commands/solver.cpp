@@ -18,6 +18,8 @@
 
 namespace hair {
 
+using namespace solver_lab;
+
 namespace {
 
 struct SolverOptions {

@@ -60,7 +60,8 @@ class FrameWriter {
         playback_(playback),
         pictures_(pictures),
         record_(record),
-        binary_(folder.now("states.bin"), folder.then("states.bin"), record.strands, record.particles),
+        binary_(folder.now("states.bin"), folder.then("states.bin"), record.strands, record.particles,
+                playback.coordinates().front()),
         csv_(folder.now("states.csv"), folder.then("states.csv"), record.strands) {}
 
   // Where the playback is now.

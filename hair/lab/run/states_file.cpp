@@ -35,11 +35,12 @@ std::uint64_t padding(std::uint64_t strands) {
 }  // namespace
 
 StatesWriter::StatesWriter(const std::filesystem::path& file, const std::filesystem::path& shown,
-                           const std::vector<int>& strands, int particles)
+                           const std::vector<int>& strands, int particles, Coordinates coordinates)
     : file_(file, shown) {
   file_.write(kMagic);
   for (const std::uint32_t number :
-       {static_cast<std::uint32_t>(strands.size()), static_cast<std::uint32_t>(particles), 0U, 0U})
+       {static_cast<std::uint32_t>(strands.size()), static_cast<std::uint32_t>(particles), 0U,
+        static_cast<std::uint32_t>(coordinates)})
     file_.write(bytes_of(number));
   for (const int size : strands) file_.write(bytes_of(static_cast<std::uint32_t>(size)));
   file_.write(std::string(padding(strands.size()), '\0'));
@@ -77,6 +78,9 @@ StatesFile read_states(const std::filesystem::path& file) {
   read(magic.data(), magic.size());
   read(numbers.data(), sizeof numbers);
   if (std::string_view(magic.data(), magic.size()) != kMagic) fail("is no file of states");
+  if (numbers[3] != static_cast<std::uint32_t>(Coordinates::positions))
+    fail("has coordinates of the kind " + std::to_string(numbers[3]) +
+         ", which this program does not know; it knows 0, positions");
   const std::uint64_t strands = numbers[0], particles = numbers[1], frames = numbers[2];
   // None of these overflows, for each number is below 2^32; and all is compared with the size before anything
   // of that size is made.
@@ -98,8 +102,8 @@ StatesFile read_states(const std::filesystem::path& file) {
            std::to_string(particles) + " in all");
     states.strands.push_back(static_cast<int>(count));
   }
-  std::uint32_t zeros = numbers[3];
-  if (zeros == 0) read(&zeros, padding(strands));
+  std::uint32_t zeros = 0;
+  read(&zeros, padding(strands));
   if (zeros != 0) fail("has something else where zeros belong");
   const auto numbers_each = static_cast<Eigen::Index>(3 * particles);
   for (std::uint64_t k = 0; k < frames; ++k) {

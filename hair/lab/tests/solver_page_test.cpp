@@ -8,6 +8,8 @@
 #include "hair/lab/solver/solver_verdicts.h"
 
 namespace hair {
+
+using namespace solver_lab;
 namespace {
 
 using namespace solver::study;

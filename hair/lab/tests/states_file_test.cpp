@@ -80,6 +80,11 @@ TEST(StatesFileTest, RefusesWhatIsNotWhole) {
       std::memcpy(bad.data() + at, &value, sizeof value);
       EXPECT_TRUE(refuses(bad)) << "byte " << at << ", " << value;
     }
+  for (const std::uint32_t unknown : {1U, 7U, 0xffffffffU}) {
+    std::string bad = good;
+    std::memcpy(bad.data() + 20, &unknown, sizeof unknown);
+    EXPECT_TRUE(refuses(bad)) << "coordinates of the kind " << unknown;
+  }
   for (const int at : {24, 28})
     for (const std::uint32_t value : {0U, 5U, 0xfffffffeU}) {
       std::string bad = good;
