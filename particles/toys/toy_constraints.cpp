@@ -14,7 +14,7 @@ class ConstrainedDynamics : public Dynamics {
         force_(moving.force),
         solves_(moving.solves),
         state_(moving.state),
-        lambda_(constraints_.rows()) {}
+        lambda_(Eigen::VectorXd::Zero(constraints_.rows())) {}
 
   void acceleration(Input x, Input v, Output a) override {
     state_.x = x;
@@ -38,7 +38,7 @@ class ConstrainedDynamics : public Dynamics {
   const Force& force_;
   SolveCount& solves_;
   State state_;
-  Eigen::VectorXd lambda_;
+  Eigen::VectorXd lambda_;  // 0 at first: an exercise that reads it before it writes does the same each time
 };
 
 }  // namespace
