@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <string_view>
 
 #include "hair/mass_spring/force_parts.h"
 #include "hair/scene/scene.h"
@@ -14,10 +15,8 @@ class Called {
  public:
   template <class Ids>
   void add(const Ids& ids) {
-    for (const auto& id : ids) {
-      const std::string text(id);
-      if (std::find(ids_.begin(), ids_.end(), text) == ids_.end()) ids_.push_back(text);
-    }
+    for (const std::string_view id : ids)
+      if (std::find(ids_.begin(), ids_.end(), id) == ids_.end()) ids_.emplace_back(id);
   }
   // In the course's order; those that it leaves out come last.
   std::vector<std::string> take() {

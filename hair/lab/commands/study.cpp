@@ -100,12 +100,6 @@ std::vector<StudyMethod> chosen_methods(const Problem& problem, const std::vecto
   return methods;
 }
 
-void write_whole(const OutputFolder& folder, const std::string& name, std::string_view bytes) {
-  OutputFile file(folder.now(name), folder.then(name));
-  file.write(bytes);
-  file.close();
-}
-
 void keep(const Study& study, OutputFolder& folder) {
   write_whole(folder, "study.csv", to_csv(table_of_runs(study)));
   write_whole(folder, "index.html", to_html(study_page(study)));

@@ -12,6 +12,7 @@
 
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/printable.h"
+#include "hair/lab/run/output_file.h"
 #include "hair/lab/run/run_record.h"
 
 namespace hair {
@@ -144,6 +145,12 @@ void OutputFolder::keep() {
   }
   temporary_.clear();
   if (replaces) fs::remove_all(before, error);
+}
+
+void write_whole(const OutputFolder& folder, const std::string& name, std::string_view bytes) {
+  OutputFile file(folder.now(name), folder.then(name));
+  file.write(bytes);
+  file.close();
 }
 
 std::string frame_name(int frame) {

@@ -47,6 +47,9 @@ class OutputFolder {
   std::vector<std::filesystem::path> above_;  // those that were not there, the innermost first
 };
 
+// A file of the folder at once. Throws BadInput if it can't be written.
+void write_whole(const OutputFolder& folder, const std::string& name, std::string_view bytes);
+
 // "frame-0007.png"
 std::string frame_name(int frame);
 

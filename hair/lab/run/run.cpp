@@ -46,12 +46,6 @@ std::unique_ptr<Pictures> prepare_pictures(const Scene& scene, const RunSettings
   return {};
 }
 
-void write_whole(const OutputFolder& folder, const std::string& name, std::string_view bytes) {
-  OutputFile file(folder.now(name), folder.then(name));
-  file.write(bytes);
-  file.close();
-}
-
 // Where frames go.
 class FrameWriter {
  public:
