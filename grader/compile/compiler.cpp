@@ -13,6 +13,17 @@ namespace grader {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+// Nothing of a file that is not there.
+std::string text_of(const fs::path& file) {
+  std::ostringstream text;
+  if (std::ifstream in(file, std::ios::binary); in) text << in.rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
 Compiler::Compiler(const StagedKit& kit, fs::path cache, bool isolated)
     : toolchain_(kit, isolated), precompiled_(toolchain_, cache), cache_(std::move(cache)) {
   std::error_code error;
@@ -21,12 +32,13 @@ Compiler::Compiler(const StagedKit& kit, fs::path cache, bool isolated)
 }
 
 Compiled Compiler::compile(const Exercise& exercise, const std::string& source, const fs::path& job) const {
-  const fs::path object = job / (exercise.id + ".so"), cached = cache_ / (key(exercise, source) + ".so");
+  const fs::path object = job / (exercise.id + ".so");
+  const std::string kept = (cache_ / key(exercise, source)).string();
   std::error_code error;
   // What was compiled without a cage may hold anything, and is not kept.
-  if (toolchain_.isolated() && fs::copy_file(cached, object, error)) {
+  if (toolchain_.isolated() && fs::copy_file(kept + ".so", object, error)) {
     fs::permissions(object, fs::perms(0755));
-    return {object, {}, {}};
+    return {object, {}, text_of(kept + ".log")};
   }
 
   Compiled compiled = run_compiler(exercise, source, job);
@@ -34,9 +46,14 @@ Compiled Compiler::compile(const Exercise& exercise, const std::string& source, 
   const std::string compiler_log = std::move(compiled.log);
   compiled = run_linker(exercise, job);
   compiled.log = compiler_log + compiled.log;
-  // With warnings it is compiled again the next time, so that they are there again.
-  if (toolchain_.isolated() && !compiled.object.empty() && compiled.log.empty())
-    keep_copy(compiled.object, cached);
+  if (toolchain_.isolated() && !compiled.object.empty()) {
+    // Its warnings are there whenever it is.
+    if (!compiled.log.empty()) {
+      std::ofstream(job / "log", std::ios::binary) << compiled.log;
+      keep_copy(job / "log", kept + ".log");
+    }
+    keep_copy(compiled.object, kept + ".so");
+  }
   return compiled;
 }
 
@@ -55,6 +72,7 @@ Compiled Compiler::run_compiler(const Exercise& exercise, const std::string& sou
   share_with_sandbox(in, false);
   std::ofstream(in / exercise.file, std::ios::binary) << source;
   fs::permissions(in / exercise.file, fs::perms(0644));
+  fs::last_write_time(in / exercise.file, fs::file_time_type());  // __TIMESTAMP__ is always the same
 
   auto run = [&](bool precompiled, bool& used) {
     Cage cage = toolchain_.compiling(exercise.libraries);

@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "grader/course/course.h"
 
@@ -18,10 +20,18 @@ const fs::path kCache = HAIR_TEST_CACHE;
 class CompilerTest : public testing::Test {
  protected:
   // The precompiled header may be of an earlier run; objects may not.
-  CompilerTest() {
+  CompilerTest() { forget_objects(); }
+
+  static void forget_objects() {
     std::error_code none;
     for (const auto& entry : fs::directory_iterator(kCache, none))
-      if (entry.path().extension() == ".so") fs::remove(entry.path());
+      if (entry.path().extension() == ".so" || entry.path().extension() == ".log") fs::remove(entry.path());
+  }
+
+  static std::string bytes_of(const fs::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
   }
 
   std::string reference(const Exercise& exercise) const {
@@ -50,6 +60,52 @@ TEST_F(CompilerTest, MessagesAreThoseOfTheFileItself) {
   EXPECT_TRUE(compiled.object.empty());
   EXPECT_EQ(compiled.messages, "stretch_springs.cpp:2:11: error: 'two' was not declared in this scope\n");
   EXPECT_EQ(compiled.log.find("precompiled"), std::string::npos) << compiled.log;
+}
+
+// Else a grade could depend on when, or how often, a file was compiled.
+TEST_F(CompilerTest, TheSameFileBecomesTheSameBytesAtAnyTime) {
+  const Exercise& exercise = *course_.find("S1");
+  const std::string source = reference(exercise) +
+                             "extern const char* const when;\n"
+                             "const char* const when = __DATE__ __TIME__ __TIMESTAMP__;\n"
+                             "namespace { struct Here { virtual ~Here() = default; }; }\n"
+                             "void* make_here();\nvoid* make_here() { return new Here; }\n";
+  std::string first;
+  for (int run = 0; run < 2; ++run) {
+    forget_objects();
+    const Compiled compiled =
+        compiler_.compile(exercise, source, kit_.new_job("when-" + std::to_string(run)));
+    ASSERT_FALSE(compiled.object.empty()) << compiled.log;
+    if (run == 0) {
+      first = bytes_of(compiled.object);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // __TIME__ has seconds
+    } else {
+      EXPECT_EQ(bytes_of(compiled.object), first);
+    }
+  }
+}
+
+TEST_F(CompilerTest, WarningsAreKeptWithTheObject) {
+  const Exercise& exercise = *course_.find("S1");
+  const std::string source = reference(exercise) + "#warning look here\n";
+  const Compiled first = compiler_.compile(exercise, source, kit_.new_job("warns-1"));
+  ASSERT_FALSE(first.object.empty()) << first.log;
+  EXPECT_NE(first.log.find("look here"), std::string::npos) << first.log;
+  const fs::path job = kit_.new_job("warns-2");
+  const Compiled again = compiler_.compile(exercise, source, job);
+  EXPECT_FALSE(fs::exists(job / "source")) << "it was compiled once more";
+  EXPECT_EQ(again.log, first.log);
+}
+
+// As the lecture's own programs have it.
+TEST_F(CompilerTest, TheLecturesIncludeIsFound) {
+  const Exercise& exercise = *course_.find("S1");
+  std::string source = reference(exercise);
+  const std::string ours = "\"solver/linearSolver.h\"";
+  ASSERT_NE(source.find(ours), std::string::npos);
+  source.replace(source.find(ours), ours.size(), "\"linearSolver.h\"");
+  const Compiled compiled = compiler_.compile(exercise, source, kit_.new_job("lectures-include"));
+  EXPECT_FALSE(compiled.object.empty()) << compiled.log;
 }
 
 TEST_F(CompilerTest, AnExerciseWithoutEigenHasNone) {

@@ -24,6 +24,7 @@ const std::vector<std::string> kCompile = {"-std=c++20",
                                            "-fPIC",
                                            "-ffp-contract=off",
                                            "-pipe",
+                                           "-frandom-seed=exercise",
                                            "-fmax-errors=20",
                                            "-fno-diagnostics-show-caret",
                                            "-fdiagnostics-color=never"};
@@ -109,7 +110,7 @@ std::vector<std::string> Toolchain::compile_command(const std::vector<std::strin
   command.insert(command.end(), kCompile.begin(), kCompile.end());
   for (const std::string& library : libraries)
     command.insert(command.end(), {"-isystem", "/usr/include/" + folder_of(library)});
-  command.emplace_back("-I/given");
+  command.insert(command.end(), {"-I/given", "-I/given/solver/lecture"});
   return command;
 }
 

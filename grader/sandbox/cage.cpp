@@ -69,7 +69,8 @@ std::vector<std::string> bwrap_command(const Cage& cage, const std::vector<std::
     else
       append({mount.writable ? "--bind" : "--ro-bind", mount.source.string(), mount.target});
   }
-  append({"--setenv", "PATH", "/usr/bin", "--setenv", "LC_ALL", "C"});
+  // The same bytes whenever it is compiled: __DATE__ and __TIME__ are those of this second.
+  append({"--setenv", "PATH", "/usr/bin", "--setenv", "LC_ALL", "C", "--setenv", "SOURCE_DATE_EPOCH", "1"});
   append({"--remount-ro", "/", "--chdir", cage.folder, "--"});
   all.insert(all.end(), command.begin(), command.end());
   return all;
@@ -127,7 +128,7 @@ CagedProcess::CagedProcess(const Cage& cage, const std::vector<std::string>& com
   } else {
     for (const std::string& word : command) words.push_back(outside(cage, word));
     folder = outside(cage, cage.folder);
-    environment = {"PATH=/usr/bin", "LC_ALL=C"};
+    environment = {"PATH=/usr/bin", "LC_ALL=C", "SOURCE_DATE_EPOCH=1"};
   }
 
   std::vector<Descriptor> joins;

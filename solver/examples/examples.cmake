@@ -15,8 +15,6 @@ function(hair_lecture_examples NAME_PREFIX EXERCISE_LIB_PREFIX)
     set(name ${NAME_PREFIX}_example${example})
     add_executable(${name} "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/example${example}.cpp")
     hair_compile_settings(${name})
-    # The lecture includes "linearSolver.h", without a folder.
-    target_include_directories(${name} PRIVATE "${CMAKE_CURRENT_FUNCTION_LIST_DIR}/..")
     target_link_libraries(${name} PRIVATE ${EXERCISE_LIB_PREFIX}_${exercise} hair_solver)
   endforeach()
 endfunction()
