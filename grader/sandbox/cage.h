@@ -1,8 +1,8 @@
 // STAFF ONLY. A process in a cage: bubblewrap with its own user, process, network, mount, IPC and host-name
 // namespaces, no /proc, no environment, a read-only root with only the mounts, and a system call filter.
 //
-// Three fences limit its resources: limits inside the cage (`inner_limits`, or the worker sets its own), a
-// control group if the machine has one, and a watchdog outside that kills the whole cage.
+// Three fences limit its resources: limits inside the cage (`with_inner_limits`, or the worker sets its own),
+// a control group if the machine has one, and a watchdog outside that kills the whole cage.
 #pragma once
 
 #include <sys/types.h>

@@ -54,7 +54,7 @@ struct BodyMeasures {
   double energy() const { return kinetic + potential; }
 };
 
-// The meaning of the numbers in q, in memory, files and replies: a reader rejects a kind that it does not know.
+// The meaning of the numbers in q, also in files and replies: a reader rejects a kind that it does not know.
 enum class Coordinates : std::uint32_t { positions = 0 };
 
 const char* coordinates_name(Coordinates coordinates);

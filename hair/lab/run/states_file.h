@@ -45,8 +45,8 @@ class StatesWriter {
   std::uint32_t frames_ = 0;
 };
 
-// Throws BadInput for a file of another format or with unknown coordinates, one that is cut off, or one that is
-// longer than its header says.
+// Throws BadInput for a file of another format or with unknown coordinates, one that is cut off, or one that
+// is longer than its header says.
 StatesFile read_states(const std::filesystem::path& file);
 
 }  // namespace hair
