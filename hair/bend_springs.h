@@ -1,17 +1,18 @@
-// H3. The lecture's alternative to angular springs: more linear springs, one from each particle to the next
-// but one. Source: the lecture, "Alternative: More Linear Springs".
+// H3. The lecture's alternative to angular springs: additional linear springs, from each particle to the
+// second next. Source: the lecture, "Alternative: More Linear Springs".
 //
-// With d the distance of particles i and i + 2, and d0 = l_i + l_{i+1} the sum of the rest lengths between
-// them:
+// With d the distance between particles i and i + 2, and d0 = l_i + l_{i+1} the sum of the rest lengths
+// between them:
 //
 //   E = sum_i k_i (d - d0)^2 / 2      k_i = skip_rigidity / d0, N/m
 //
-// Straight is at rest. "Difficulty: Each spring constant affects both bending and stretching": on top of the
-// segments' springs these resist stretching too (twice over, for they overlap), and resist a small bend not
-// at all, for d - d0 is of second order in the angle. Measurements of both are in the assignment's text.
+// The rest shape is straight. "Difficulty: Each spring constant affects both bending and stretching": these
+// springs resist stretching in addition to the segments' springs (twice, because they overlap), and do not
+// resist small bends, because d - d0 is of second order in the angle. The assignment's text has measurements
+// of both.
 //
-// Two particles in the same place have no direction: neither force nor product. A strand of fewer than 3
-// particles has no such springs. x, f, dx and df have 3n entries.
+// Two particles at the same place have neither force nor product, because the direction is undefined. A
+// strand of fewer than 3 particles has no such springs. x, f, dx and df have 3n entries.
 #pragma once
 
 #include "hair/geometric_term.h"

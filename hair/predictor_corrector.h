@@ -17,10 +17,10 @@
 
 namespace hair {
 
-// Columns of 3n numbers that `scratch` has.
+// `scratch` has this many columns of 3n numbers.
 inline constexpr int kPredictorCorrectorScratch = 16;
 
-// What step 3 is asked for.
+// The tolerance and the limit of step 3.
 inline constexpr double kLengthTolerance = 1e-12;
 inline constexpr int kMostCorrections = 100;
 
@@ -30,8 +30,8 @@ struct StepReport {
   particles::SolveReport second_filter;  // step 5
 };
 
-// One step of h seconds, h > 0, of a strand whose masses are strand.mass and whose root is pinned, as
-// `particles` says too. Takes two evaluations of the force and allocates nothing beyond what ConjGrad does.
+// One step of h seconds, h > 0. The masses of `particles` are strand.mass, and its root is pinned. Evaluates
+// the force twice and allocates nothing, apart from ConjGrad's own memory.
 StepReport predictor_corrector(const particles::Force& force, const particles::Particles& particles,
                                const Strand& strand, double h, double tolerance, particles::State& state,
                                Scratch scratch);

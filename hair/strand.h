@@ -4,9 +4,9 @@
 //   0 ---- 1 ---- 2 ---- ... ---- n-1
 //      0      1      2        n-2          segments
 //
-// The constants are those of the continuum: EA and EI, not spring constants. What a segment's or a joint's
-// spring constant is follows from them and from lengths, so that a strand has the same energy however finely
-// it is divided: the lecture's k_i ~ 1/l_i.
+// The constants are those of the continuum, EA and EI, not spring constants. The spring constant of a segment
+// or joint follows from them and from the lengths, so that a strand has the same energy with any number of
+// segments: the lecture's k_i ~ 1/l_i.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,14 +14,14 @@
 namespace hair {
 
 struct Strand {
-  Eigen::VectorXd mass;         // n, kg, > 0; of a uniform strand half of the segments on either side
+  Eigen::VectorXd mass;         // n, kg, > 0; in a uniform strand half of the mass of the adjacent segments
   Eigen::VectorXd rest_length;  // n - 1, m, > 0
   double stretch_rigidity = 0;  // EA, N
   double bend_rigidity = 0;     // EI, N m^2
   double skip_rigidity = 0;     // N: of springs that skip a particle, the alternative to bend_rigidity
 
-  // Clamped: the strand leaves the root in the direction root_tangent (of length 1), whatever pulls at it. If
-  // not, the root is a hinge.
+  // Clamped: the strand leaves the root in the direction root_tangent (of length 1), under any force.
+  // Otherwise the root is a hinge.
   bool clamped = false;
   Eigen::Vector3d root_tangent = Eigen::Vector3d(0, 0, -1);
 

@@ -1,11 +1,12 @@
 // H1. Stretching: a linear spring along each segment. Source: the lecture, "Hair Model" and "Discretization".
 //
-// With l the length of segment i, l0 its rest length, u the unit vector from particle i to particle i + 1:
+// With l the length of segment i, l0 its rest length, and u the unit vector from particle i to particle i +
+// 1:
 //
 //   E = sum_i k_i (l - l0)^2 / 2      k_i = EA / l0, N/m: k_i ~ 1/l_i
 //   f on i = k_i (l - l0) u, and on i + 1 the opposite
 //
-// A segment of length 0 has no direction, and so gives neither force nor product (its energy stays k l0^2 /
+// A segment of length 0 has no direction, so it has neither force nor product (its energy is still k l0^2 /
 // 2). A strand of 1 particle has no segments, and an energy of 0. x, f, dx and df have 3n entries.
 #pragma once
 
@@ -24,8 +25,8 @@ double stretch_energy(const Strand& strand, Input x);
 // f += -dE/dx, N.
 void add_stretch_force(const Strand& strand, Input x, Output f);
 
-// df += (df/dx) dx, N: symmetric, and with the full geometric term exact. Filtered or dropped, -df/dx is
-// positive semi-definite.
+// df += (df/dx) dx, N: symmetric, and exact with the full geometric term. With the filtered or dropped term,
+// -df/dx is positive semi-definite.
 void add_stretch_product(const Strand& strand, Input x, GeometricTerm term, Input dx, Output df);
 
 }  // namespace hair

@@ -1,5 +1,5 @@
-// Rods and circular wires, as plain data: what they demand of particles, and how the forces that hold them are
-// found, is exercise P2 (constraint_forces.h).
+// Rods and circular wires, as plain data. Their equations and the forces that maintain them are exercise P2
+// (constraint_forces.h).
 #pragma once
 
 #include <vector>

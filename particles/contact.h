@@ -1,13 +1,13 @@
-// Penalty contact: obstacles that push out what has entered them. With p the depth of a particle below the
-// surface, N the surface's normal there, out of the obstacle, a particle with p > 0 has
+// Penalty contact: obstacles that push out particles that have entered them. Let p be the depth of a particle
+// below the surface and N the surface's normal there, pointing out of the obstacle. A particle with p > 0 has
 //
 //   E = k p^2 / 2,   f = max(k p - c v . N, 0) N,
 //
-// and one with p <= 0 nothing. So damping acts in contact alone, and never pulls a particle back that leaves
-// faster than the penalty pushes it. The force jumps by -c v . N where contact begins; without damping it is
-// continuous. There is no friction.
+// and a particle with p <= 0 has neither energy nor force. So damping acts only in contact, and never pulls
+// back a particle that leaves faster than the penalty pushes it. The force jumps by -c v . N where contact
+// begins; without damping it is continuous. There is no friction.
 //
-// Where max(...) is 0, products are 0 as well.
+// Where max(...) is 0, the products with df/dx and df/dv are 0 too.
 #pragma once
 
 #include "particles/force.h"
@@ -15,7 +15,7 @@
 
 namespace particles {
 
-// All that is below the plane through `point` whose normal is `normal`.
+// The half-space below the plane through `point` with the normal `normal`.
 class PlaneContact : public Force {
  public:
   // normal: any length but 0. stiffness k, N/m, damping c, N s/m: >= 0. Throws std::invalid_argument.
@@ -31,10 +31,11 @@ class PlaneContact : public Force {
   double stiffness_, damping_;
 };
 
-// The ball inside of a sphere. At its very centre the normal is (0, 0, 1), and does not turn.
+// The ball inside a sphere. At its very centre the normal is (0, 0, 1) and its derivative is taken as 0.
 //
-// Pressed to a ball a particle is pushed sideways, too, once it has moved sideways: df/dx has positive
-// eigenvalues, and damping makes it unsymmetric. Products::definite leaves out that the normal turns.
+// A particle that is pressed against a ball is also pushed sideways once it has moved sideways: df/dx has
+// positive eigenvalues, and damping makes it unsymmetric. Products::definite leaves out the derivative of the
+// normal.
 class SphereContact : public Force {
  public:
   // radius: m, > 0; otherwise as above.

@@ -1,4 +1,4 @@
-// Linear drag against air that moves: f_i = -c_i (v_i - wind) on each particle. It has no energy.
+// Linear drag against moving air: f_i = -c_i (v_i - wind) on each particle. It has no energy.
 #pragma once
 
 #include "particles/force.h"
@@ -7,8 +7,8 @@ namespace particles {
 
 class Drag : public Force {
  public:
-  // coefficients c: n, N s/m, >= 0, or std::invalid_argument; wind: the air's velocity, m/s. For the same
-  // coefficient everywhere: Drag(Eigen::VectorXd::Constant(n, c)).
+  // coefficients c: n entries, N s/m, >= 0 (else throws std::invalid_argument); wind: the air's velocity,
+  // m/s. For the same coefficient everywhere: Drag(Eigen::VectorXd::Constant(n, c)).
   explicit Drag(Eigen::VectorXd coefficients, const Vector3d& wind = Vector3d::Zero());
 
   double energy(Input x) const override;  // 0

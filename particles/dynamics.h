@@ -1,4 +1,4 @@
-// What explicit integrators see of a system: how it accelerates, and nothing of why.
+// A system as explicit integrators see it: only its acceleration.
 #pragma once
 
 #include "particles/vectors.h"
@@ -9,8 +9,8 @@ class Dynamics {
  public:
   virtual ~Dynamics() = default;
 
-  // a = x''(x, v), m/s^2, 3n entries each: overwrites all of a, leaves x and v alone. Pinned particles have
-  // the acceleration 0.
+  // a = x''(x, v), m/s^2, 3n entries each. Overwrites all of a and does not change x and v. The acceleration
+  // of pinned particles is 0.
   virtual void acceleration(Input x, Input v, Output a) = 0;
 };
 

@@ -1,4 +1,4 @@
-// Several forces as one. It owns its parts; without any it is no force at all.
+// The sum of several forces. It owns its parts; without parts it is zero.
 #pragma once
 
 #include <memory>

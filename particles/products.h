@@ -1,10 +1,10 @@
-// What a force's products with df/dx are: its derivative, or what an implicit step would rather have.
+// Which matrix a force's products with df/dx use: the exact derivative, or one that suits an implicit step.
 #pragma once
 
 namespace particles {
 
 enum class Products {
-  exact,    // df/dx as it is. It may have positive eigenvalues, and with damping it is not symmetric
+  exact,    // the exact df/dx. It may have positive eigenvalues, and with damping it is not symmetric
   definite  // df/dx without those parts: symmetric and negative semi-definite, so that ConjGrad can solve
 };
 

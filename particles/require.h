@@ -1,5 +1,5 @@
-// Preconditions of what is given: each throws std::invalid_argument, "<what> is <value>; it must be <bound>". NaN fails
-// every check. A check that holds takes no memory, so that steps can check, too.
+// Checks of arguments: each throws std::invalid_argument, "<what> is <value>; it must be <bound>". NaN fails
+// every check. A check that passes allocates no memory, so steps can use it too.
 #pragma once
 
 #include <string_view>

@@ -3,11 +3,11 @@
 //
 //   E = k (l - l0)^2 / 2,   f_i = -(k (l - l0) + c w . u) u = -f_j.
 //
-// The damping c acts along the spring alone, so that turning costs nothing. A spring of length 0 has no
-// direction: it pulls nowhere, and its derivatives are 0.
+// The damping c acts only along the spring, so rotation is not damped. A spring of length 0 has no direction:
+// its force and its derivatives are 0.
 //
-// Products with df/dx, Products::definite: the geometric term k (1 - l0/l) (I - u u^T) is left out in
-// compression, and the damping's part is left out. Source: D. Baraff and A. Witkin, "Large Steps in Cloth
+// With Products::definite, the products with df/dx leave out the geometric term k (1 - l0/l) (I - u u^T) in
+// compression, and always the damping's part. Source: D. Baraff and A. Witkin, "Large Steps in Cloth
 // Simulation" (SIGGRAPH 1998), section 4.
 #pragma once
 

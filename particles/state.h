@@ -1,4 +1,4 @@
-// Particles: what they are, where they are and how fast they move.
+// Particles: masses, positions and velocities.
 #pragma once
 
 #include <vector>
@@ -7,10 +7,10 @@
 
 namespace particles {
 
-// What does not change from step to step.
+// The constants of a simulation.
 struct Particles {
   Eigen::VectorXd mass;      // n, kg, > 0
-  std::vector<char> pinned;  // n; not 0: moves with the velocity that it has, whatever pulls at it
+  std::vector<char> pinned;  // n; not 0: keeps its velocity, whatever forces act on it
 
   int count() const { return static_cast<int>(mass.size()); }
   bool is_pinned(int i) const { return pinned[i] != 0; }

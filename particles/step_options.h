@@ -1,11 +1,11 @@
-// What all methods are told of a step.
+// The parameters of a step, common to all methods.
 #pragma once
 
 namespace particles {
 
 struct StepOptions {
   double h;          // s
-  double tolerance;  // of implicit solves, relative
+  double tolerance;  // relative tolerance of implicit solves
 };
 
 }  // namespace particles

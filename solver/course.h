@@ -1,5 +1,5 @@
-// Which exercises this course has. The build says it, from exercises.json: hair_knows_course in
-// handout/cmake/exercises.cmake defines HAIR_COURSE for the code that asks.
+// The list of exercises in this course. The build takes it from exercises.json: hair_knows_course in
+// handout/cmake/exercises.cmake defines HAIR_COURSE for the code that includes this header.
 #pragma once
 
 #include <stdexcept>
@@ -8,7 +8,7 @@
 
 namespace hair {
 
-// Where the exercise is in the course's order; npos: the course leaves it out.
+// The position of the exercise in the course's order; npos if the course leaves it out.
 constexpr std::size_t place_in_course(std::string_view id) {
   constexpr std::string_view course = HAIR_COURSE;  // " S1 S2 "
   for (std::size_t at = course.find(id); at != course.npos; at = course.find(id, at + 1))
@@ -16,12 +16,12 @@ constexpr std::size_t place_in_course(std::string_view id) {
   return std::string_view::npos;
 }
 
-// `if constexpr (in_course("H3"))` leaves out what calls an exercise that is not there to be linked.
+// `if constexpr (in_course("H3"))` leaves out calls of an exercise that is not linked.
 constexpr bool in_course(std::string_view id) {
   return place_in_course(id) != std::string_view::npos;
 }
 
-// Throws std::invalid_argument for what calls an exercise that is not there.
+// Throws std::invalid_argument if `what` needs an exercise that this course leaves out.
 inline void require_exercise(const std::string& what, const std::string& id) {
   if (!in_course(id))
     throw std::invalid_argument(what + " needs exercise " + id + ", which this course leaves out");

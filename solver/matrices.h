@@ -1,5 +1,4 @@
-// Matrices to try a solver on, known well enough to say what the answer must be. A product costs
-// O(non-zeros).
+// Matrices for testing a solver, with known properties. A product costs O(non-zeros).
 #pragma once
 
 #include <vector>
@@ -17,8 +16,8 @@ class SparseMatrix : public implicitMatrix {
     double value;
   };
 
-  // Entries in any order; several for one place add up. Throws std::invalid_argument for one outside of the
-  // matrix.
+  // Entries may come in any order; entries for the same place add up. Throws std::invalid_argument for an
+  // entry outside the matrix.
   SparseMatrix(int rows, int cols, const std::vector<Entry>& entries);
 
   // b = A x, with cols() values in x and rows() values in b.
@@ -29,7 +28,7 @@ class SparseMatrix : public implicitMatrix {
   std::vector<Entry> entries() const;  // by rows, then columns
   SparseMatrix transposed() const;
   double norm_bound() const;  // sqrt(||A||_1 ||A||_inf) >= ||A||_2, even with |a_ij| for a_ij
-  int longest_row() const;    // the most non-zeros in a row: the rounding error of a product over u
+  int longest_row() const;    // the most non-zeros in a row: the rounding error of a product, in units of u
 
  private:
   int cols_;
@@ -57,11 +56,11 @@ SparseMatrix hilbert(int n);
 // and k_bend (N/m) across (x and y). 3 masses.size() unknowns, ordered x0 y0 z0 x1 y1 z1 ...; h in seconds.
 SparseMatrix strand_implicit_euler(const std::vector<double>& masses, double k, double k_bend, double h);
 
-// A = Q diag(spectrum) Q', Q a product of Householder reflections I - 2 v v'/(v'v): symmetric, with the
-// eigenvalues wanted, and full, while a product costs O(n).
+// A = Q diag(spectrum) Q', where Q is a product of Householder reflections I - 2 v v'/(v'v). A is symmetric
+// and full and has the given eigenvalues, but a product costs only O(n).
 class SpectralMatrix : public implicitMatrix {
  public:
-  // Each of `reflectors` holds spectrum.size() values, not all zero (throws std::invalid_argument).
+  // Each of `reflectors` holds spectrum.size() values, not all zero (else throws std::invalid_argument).
   SpectralMatrix(std::vector<double> spectrum, std::vector<std::vector<double>> reflectors);
 
   void matVecMult(double x[], double b[]) override;

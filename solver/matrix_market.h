@@ -3,9 +3,9 @@
 // 5935 (1996).
 //
 // Read: `matrix coordinate real general|symmetric` and `matrix array real general|symmetric` (also `integer`,
-// and `pattern` as ones for coordinate). A symmetric file holds the lower triangle; entries for one place add
-// up. Written: `coordinate real general` for matrices and `array real general` for vectors, with 17
-// significant digits, so that it is read back bit by bit.
+// and `pattern`, read as ones, for coordinate). A symmetric file holds the lower triangle; entries for the
+// same place add up. Written: `coordinate real general` for matrices and `array real general` for vectors,
+// with 17 significant digits, so that reading them back gives the same bits.
 #pragma once
 
 #include <iosfwd>
@@ -16,13 +16,13 @@
 
 namespace solver {
 
-// Throws std::invalid_argument with one line, "name:line: what is wrong; what would be right". `name` stands
-// for the stream in that line. Entries that are not finite are refused, and so are more than 100 million
-// entries, rows or columns.
+// Throws std::invalid_argument with one line, "name:line: what is wrong; what would be right", where `name`
+// names the stream. Throws for entries that are not finite, and for more than 100 million entries, rows or
+// columns.
 SparseMatrix read_matrix_market(std::istream& in, const std::string& name);
 SparseMatrix read_matrix_market(const std::string& path);
 
-// Throws std::invalid_argument for an entry that is not finite, since no reader would take it.
+// Throws std::invalid_argument for an entry that is not finite, because the readers reject it.
 void write_matrix_market(std::ostream& out, const SparseMatrix& matrix);
 
 // A vector is a matrix of one column, written as an array.

@@ -22,14 +22,14 @@
 // The table is copied: the caller may change or free `a` afterwards.
 std::unique_ptr<implicitMatrix> dense_matrix(int rows, int cols, const double a[]);
 
-// The matrix A'A, given nothing but products with A and with A'.
+// The matrix A'A, computed only from products with A and with A'.
 //
 //   A                 matVecMult takes cols values to rows values
 //   A_transposed      matVecMult takes rows values to cols values
 //   matVecMult(x, b)  b = A'(A x), with cols values in x and in b: one product with A and one with A', and
 //                     no other work; it allocates nothing
 //
-// The result refers to A and A_transposed, and owns neither.
+// The result keeps A and A_transposed as pointers, and owns neither.
 std::unique_ptr<implicitMatrix> normal_matrix(int rows, int cols, implicitMatrix* A,
                                               implicitMatrix* A_transposed);
 
@@ -41,6 +41,6 @@ std::unique_ptr<implicitMatrix> normal_matrix(int rows, int cols, implicitMatrix
 //   steps    as ConjGrad's, which also says what happens when A'A is singular or a value is not finite
 //   returns  what ConjGrad returns: ||A'(b - Ax)||^2
 //
-// Takes 1 + steps + floor(steps / 64) products with A, and one more than that with A'.
+// Takes 1 + steps + floor(steps / 64) products with A, and one more product than that with A'.
 double solve_normal_equations(int rows, int cols, implicitMatrix* A, implicitMatrix* A_transposed, double x[],
                               double b[], double epsilon, int* steps);

@@ -1,4 +1,4 @@
-// What a stub throws: a function that is not written yet names itself, rather than to return zeros that look
+// The exception that a stub throws: an unwritten function names itself, instead of returning zeros that look
 // plausible.
 #pragma once
 

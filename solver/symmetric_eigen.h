@@ -1,5 +1,5 @@
-// Eigenvalues and eigenvectors of a symmetric matrix: Eigen's SelfAdjointEigenSolver, compiled once for all that needs it (three
-// seconds for each file else).
+// Eigenvalues and eigenvectors of a symmetric matrix by Eigen's SelfAdjointEigenSolver. It is compiled only
+// here, because it costs three seconds for each file that includes it.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,13 +11,13 @@ struct SymmetricEigen {
   Eigen::MatrixXd vectors;  // n x n; column i belongs to values[i] and has length 1
 };
 
-// A: n x n; its lower triangle alone is read. Values are near the true ones to some roundings of ||A||.
+// A: n x n; only its lower triangle is read. The values are correct up to a few roundings of ||A||.
 SymmetricEigen symmetric_eigen(const Eigen::MatrixXd& A);
 
-// The same values alone: n, ascending.
+// The eigenvalues only: n, ascending.
 Eigen::VectorXd symmetric_eigenvalues(const Eigen::MatrixXd& A);
 
-// Of a symmetric tridiagonal matrix: its diagonal, n numbers, and what is beside it, n - 1.
+// The eigenvalues of a symmetric tridiagonal matrix with n numbers on the diagonal and n - 1 beside it.
 Eigen::VectorXd tridiagonal_eigenvalues(const Eigen::VectorXd& diagonal, const Eigen::VectorXd& beside);
 
 }  // namespace solver

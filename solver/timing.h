@@ -1,4 +1,4 @@
-// Clocks, and the median of what they say.
+// Clocks, and the median of measured times.
 #pragma once
 
 #include <algorithm>
@@ -14,12 +14,12 @@ inline double clock_seconds(clockid_t clock) {
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-// The processor's time of this thread: what a measurement takes, whatever else runs beside it.
+// CPU time of this thread, independent of other programs on the machine.
 inline double cpu_seconds() {
   return clock_seconds(CLOCK_THREAD_CPUTIME_ID);
 }
 
-// Of all threads.
+// CPU time of all threads of this process.
 inline double process_cpu_seconds() {
   return clock_seconds(CLOCK_PROCESS_CPUTIME_ID);
 }
@@ -30,13 +30,13 @@ inline double wall_seconds() {
 
 class Stopwatch {
  public:
-  double seconds() const { return wall_seconds() - start_; }  // since it was made
+  double seconds() const { return wall_seconds() - start_; }  // since the Stopwatch was made
 
  private:
   double start_ = wall_seconds();
 };
 
-// Adds the wall time until it goes to a sum.
+// Adds the wall time of its own life to a sum.
 class AddsTime {
  public:
   explicit AddsTime(double& sum) : sum_(sum) {}
@@ -49,7 +49,7 @@ class AddsTime {
   Stopwatch watch_;
 };
 
-// Of an even number of values the mean of the two in the middle; 0 of nothing.
+// The median; for an even number of values the mean of the two in the middle; 0 if there are none.
 inline double median(std::vector<double> values) {
   if (values.empty()) return 0;
   std::sort(values.begin(), values.end());

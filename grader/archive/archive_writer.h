@@ -1,6 +1,6 @@
-// STAFF ONLY. Archives as the handout ships, as students upload them, and as attackers would: any path,
-// links, files larger than any disk. The same entries give the same bytes, if the time zone is UTC and the
-// locale's encoding UTF-8.
+// STAFF ONLY. Writes archives as the handout, as students or as attackers make them: any path, links, files
+// larger than any disk. The same entries give the same bytes, if the time zone is UTC and the locale's
+// encoding UTF-8.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@ namespace grader {
 struct ArchiveEntry {
   std::string path;
   std::string bytes;        // a file's content
-  std::string link;         // not empty: a symbolic link to it
-  std::uint64_t zeros = 0;  // so many zero bytes follow `bytes`
+  std::string link;         // not empty: a symbolic link with this target
+  std::uint64_t zeros = 0;  // this many zero bytes follow `bytes`
 };
 
 // Both throw std::runtime_error with the path and the reason.
 void write_zip(const std::filesystem::path& file, const std::vector<ArchiveEntry>& entries);
 
-// A long run of zeros becomes identical gzip members, so that 10 GB of them take no longer than writing 10
+// A long run of zeros becomes identical gzip members, so that 10 GB of zeros take no longer than writing 10
 // MB.
 void write_tar_gz(const std::filesystem::path& file, const std::vector<ArchiveEntry>& entries);
 

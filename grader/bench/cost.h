@@ -1,4 +1,4 @@
-// STAFF ONLY. What work costs: by the clock, and in CPU time, which a busy machine stretches less.
+// STAFF ONLY. The cost of work: wall time, and CPU time, which depends less on other load of the machine.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,7 @@
 namespace grader_bench {
 
 struct Cost {
-  double wall = 0, cpu = 0;  // seconds; CPU time of this process and of all that it has started
+  double wall = 0, cpu = 0;  // seconds; CPU time of this process and of all processes that it started
 };
 
 Cost operator-(const Cost& a, const Cost& b);
@@ -21,11 +21,11 @@ struct Part {
   std::function<void()> work;
 };
 
-// The median of each part's costs. The parts take turns, so that what else the machine does meets all of
+// The median of each part's costs. The parts take turns, so that other load of the machine affects all of
 // them.
 std::vector<Cost> median_costs(const std::vector<Part>& parts, int rounds);
 
-// Runs a program with nothing on its standard input and its output thrown away; its exit code.
+// Runs a program with empty standard input and ignored output; returns its exit code.
 int run_program(const std::vector<std::string>& command);
 
 }  // namespace grader_bench

@@ -1,7 +1,8 @@
-// STAFF ONLY. How far a picture is from another, as numbers.
+// STAFF ONLY. The distance between two pictures, as numbers.
 //
-// A thin strand that moves by a pixel is wrong in all of its pixels, and yet looks the same. The blurred RMSE
-// looks past that. FLIP tells what a person sees who flips between the two, a moved strand included.
+// If a thin strand moves by one pixel, all of its pixels are wrong, but it looks the same. The blurred RMSE
+// ignores such shifts. FLIP measures the difference that a person sees who flips between the two pictures,
+// including a moved strand.
 #pragma once
 
 #include "grader/compare/flip.h"
@@ -11,18 +12,18 @@ namespace grader {
 inline constexpr double kBlur = 4;  // px, sigma of the Gaussian
 
 struct PictureDistance {
-  // The root mean square, over pixels and channels, of the difference of the pictures blurred by kBlur: 0, to
-  // 1 for black and white. Of the values as they are encoded, 0 to 1: equal steps of these look about equally
-  // large, so that hair in the shadow counts as hair in the light does.
+  // The root mean square, over pixels and channels, of the difference of the pictures blurred by kBlur: from
+  // 0 to 1, which is black against white. It uses the encoded values, 0 to 1: equal steps of them look about
+  // equally large, so that hair in the shadow counts as much as hair in the light.
   double blurred_rmse = 0;
   double flip_mean = 0, flip_max = 0;
   bool identical = false;  // byte for byte
 };
 
-// Both of the same size, else std::invalid_argument. It is symmetric.
+// Both pictures must have the same size, else throws std::invalid_argument. The distance is symmetric.
 PictureDistance compare_pictures(const hair::Image& reference, const hair::Image& test);
 
-// The same of a map of FLIP that is at hand.
+// The same, with a FLIP map that was already computed.
 PictureDistance compare_pictures(const hair::Image& reference, const hair::Image& test, const ErrorMap& map);
 
 }  // namespace grader

@@ -1,4 +1,4 @@
-// STAFF ONLY. What comparing pictures found.
+// STAFF ONLY. The result of comparing pictures.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ struct ComparedPair {
 };
 
 struct Comparison {
-  std::string reference, test;      // as they were named
+  std::string reference, test;      // as given on the command line
   std::vector<ComparedPair> pairs;  // worst first
   std::vector<std::string> only_in_reference, only_in_test;
 };
@@ -25,7 +25,7 @@ bool is_worse(const ComparedPair& a, const ComparedPair& b);
 
 std::size_t count_identical(const Comparison& comparison);
 
-// For a terminal: ASCII. Those that are the same are counted, and not listed.
+// For a terminal: ASCII. Identical pairs are counted, not listed.
 std::string comparison_table(const Comparison& comparison);
 
 // {"pairs": [{"name", "width", "height", "identical", "blurred_rmse", "flip_mean", "flip_max"}], worst first,

@@ -1,5 +1,5 @@
-// STAFF ONLY. What the eye resolves: the contrast sensitivity S(f) = sum of a exp(-b f^2), f in cycles per
-// degree, as a filter in the plane. Source of the constants: the paper on FLIP, see flip.h.
+// STAFF ONLY. The resolution of the eye: the contrast sensitivity S(f) = sum of a exp(-b f^2), f in cycles
+// per degree, as a filter in the plane. Source of the constants: the paper on FLIP, see flip.h.
 #pragma once
 
 #include "grader/compare/plane.h"
@@ -8,7 +8,7 @@ namespace grader {
 
 enum class Opponent { achromatic, red_green, blue_yellow };
 
-// A channel of Y_y C_x C_z as it is seen. What is even stays as it is.
+// A channel of Y_y C_x C_z, filtered by the eye. A uniform channel does not change.
 Plane seen(const Plane& channel, Opponent opponent, double pixels_per_degree);
 
 }  // namespace grader

@@ -3,9 +3,9 @@
 // Evaluator for Alternating Images", Proceedings of the ACM on Computer Graphics and Interactive Techniques
 // 3(2), 2020.
 //
-// Two pipelines meet. Colour: what the eye can't resolve at this distance is filtered away, what is left is
-// compared in a uniform colour space. Features: edges and points that are in one picture only. In each pixel
-// FLIP = colour^(1 - feature).
+// FLIP combines two pipelines. Colour: details below the eye's resolution at this distance are filtered out,
+// and the rest is compared in a uniform colour space. Features: edges and points that only one picture has.
+// In each pixel FLIP = colour^(1 - feature).
 #pragma once
 
 #include "grader/compare/plane.h"
@@ -15,10 +15,11 @@ namespace grader {
 
 using ErrorMap = Plane;  // 0 (no difference) to 1
 
-// Half a metre and more from a screen of 0.25 mm a pixel.
+// A viewing distance of about 0.96 m from a screen with 0.25 mm pixels.
 inline constexpr double kPixelsPerDegree = 67;
 
-// Both of the same size, and 1 to 1000 pixels per degree, else std::invalid_argument. It is symmetric.
+// Both pictures must have the same size, and pixels_per_degree must be 1 to 1000, else throws
+// std::invalid_argument. FLIP is symmetric.
 ErrorMap flip(const hair::Image& reference, const hair::Image& test,
               double pixels_per_degree = kPixelsPerDegree);
 

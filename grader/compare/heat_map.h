@@ -1,5 +1,5 @@
-// STAFF ONLY. Errors as colours: the larger, the lighter, so that a map reads on paper and without colour
-// vision, too.
+// STAFF ONLY. Errors as colours: larger errors are lighter, so that a map is also readable on paper and
+// without colour vision.
 #pragma once
 
 #include <array>
@@ -12,11 +12,11 @@ namespace grader {
 
 using HeatColor = std::array<std::uint8_t, 3>;  // red, green, blue
 
-// Night blue, violet, red, orange, pale yellow: evenly spaced from 0 to 1, mixed as they are encoded.
+// Night blue, violet, red, orange, pale yellow: evenly spaced from 0 to 1, interpolated in encoded values.
 inline constexpr std::array<HeatColor, 5> kHeatColors{
     {{8, 10, 34}, {84, 28, 116}, {196, 54, 78}, {248, 150, 48}, {255, 246, 198}}};
 
-HeatColor heat_color(double value);  // 0 to 1; what is outside is as its end
+HeatColor heat_color(double value);  // clamped to 0..1
 
 // The map as a picture.
 hair::Image heat_map(const Plane& map);

@@ -1,4 +1,4 @@
-// STAFF ONLY. Pictures put together, and made small.
+// STAFF ONLY. Montages of pictures, and shrunk pictures.
 #pragma once
 
 #include <vector>
@@ -7,12 +7,12 @@
 
 namespace grader {
 
-// From left to right with a dark line between them. All of the same height, at least one, else
-// std::invalid_argument.
+// Puts pictures from left to right with a dark line between them. At least one picture, and all of the same
+// height, else throws std::invalid_argument.
 hair::Image side_by_side(const std::vector<hair::Image>& images);
 
-// At most `width` pixels wide, its sides as they were to each other: each pixel is the mean of what it
-// covers. A picture that is narrower stays as it is.
+// At most `width` pixels wide, with the same aspect ratio: each pixel is the mean of the pixels that it
+// covers. A narrower picture stays unchanged.
 hair::Image shrunk(const hair::Image& image, int width);
 
 }  // namespace grader

@@ -1,4 +1,4 @@
-// STAFF ONLY. Which pictures are compared with which: what a person names on the command line.
+// STAFF ONLY. The pairs of pictures to compare, from the command line's arguments.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 namespace grader {
 
 struct PicturePair {
-  std::string name;  // the file's, the second's if they differ
+  std::string name;  // the file name; the second file's name if they differ
   std::filesystem::path reference, test;
 };
 
@@ -17,8 +17,8 @@ struct PicturePairs {
   std::vector<std::string> only_in_reference, only_in_test;
 };
 
-// Two files, or the files *.png of two folders, matched by their names. Throws BadInput: nothing there, one
-// file and one folder, a folder without pictures, no name that is in both.
+// Takes two files, or the files *.png of two folders, matched by name. Throws BadInput if a path does not
+// exist, if one is a file and one a folder, if a folder has no pictures, or if no name is in both.
 PicturePairs find_pairs(const std::filesystem::path& reference, const std::filesystem::path& test);
 
 }  // namespace grader

@@ -1,5 +1,5 @@
-// STAFF ONLY. Pictures in few colours, for pages: strands on a plain ground need no more, and take a quarter of
-// the bytes. What is measured is measured before.
+// STAFF ONLY. Pictures with few colours, for pages: enough for strands on a plain ground, and a quarter of
+// the bytes. All measurements use the full-colour pictures.
 #pragma once
 
 #include <array>
@@ -15,12 +15,13 @@ namespace grader {
 struct PalettePicture {
   int width = 0, height = 0;
   std::vector<std::array<std::uint8_t, 3>> colors;  // red, green, blue; at most 256
-  std::vector<std::uint8_t> pixels;                 // which of them, row by row from the top
+  std::vector<std::uint8_t> pixels;                 // indices of colors, row by row from the top
 };
 
-// At most so many colours, 1 to 256, else std::invalid_argument; the picture itself if it has no more. By median
-// cut (P. Heckbert, Color image quantization for frame buffer display, SIGGRAPH 1982), but cut at the mean, and
-// with a colour's weight the root of how often it occurs: the ground is most of a picture and has few colours.
+// Reduces a picture to at most `most` colours, 1 to 256, else throws std::invalid_argument. A picture with
+// few enough colours keeps them. Uses median cut (P. Heckbert, Color image quantization for frame buffer
+// display, SIGGRAPH 1982), but cuts at the mean, and weights a colour by the square root of its frequency:
+// the ground fills most of a picture and has few colours.
 PalettePicture in_few_colors(const hair::Image& image, std::size_t most);
 
 // As a PNG file's bytes. The same picture gives the same bytes.

@@ -1,4 +1,4 @@
-// STAFF ONLY. A number for each pixel, and filters that run along rows and columns.
+// STAFF ONLY. A number for each pixel, and separable filters along rows and columns.
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,7 @@ using Kernel = std::vector<float>;
 Kernel gaussian(double sigma, int radius);
 
 // out(x, y) = sum over i and j of along_rows[i] along_columns[j] in(x + i, y + j). Beyond its border the
-// plane goes on as it ends there.
+// plane repeats its border values.
 Plane filtered(const Plane& in, const Kernel& along_rows, const Kernel& along_columns);
 
 }  // namespace grader

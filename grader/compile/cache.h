@@ -1,11 +1,11 @@
-// STAFF ONLY. Files that are kept from one run to the next.
+// STAFF ONLY. A file cache between runs.
 #pragma once
 
 #include <filesystem>
 
 namespace grader {
 
-// Copies a file to where others may read it at any time: under another name first. What can't be kept is not.
+// Copies a file into a cache that others may read at any time: first under another name. Ignores failures.
 void keep_copy(const std::filesystem::path& file, const std::filesystem::path& kept);
 
 }  // namespace grader

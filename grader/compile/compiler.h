@@ -1,9 +1,8 @@
-// STAFF ONLY. From a student's file to a shared object that exports the exercise's functions and nothing
-// else.
+// STAFF ONLY. Compiles a student's file to a shared object that exports only the exercise's functions.
 //
-// The file is compiled in a cage that holds it, the given headers and the system's compiler; it is linked in
-// another that holds the object and the prerequisites' shared objects. Objects are cached by the content of
-// all that went into them.
+// The file is compiled in a cage with the file, the given headers and the system's compiler; it is linked in
+// another cage with the object and the prerequisites' shared objects. Objects are cached by a hash of all
+// their inputs.
 #pragma once
 
 #include <filesystem>
@@ -18,18 +17,18 @@ namespace grader {
 
 struct Compiled {
   std::filesystem::path object;  // empty: it did not compile
-  std::string messages;          // for the student: what the compiler says about their own lines
-  std::string log;               // for staff: all that compiler and linker printed
+  std::string messages;          // for the student: the compiler's messages about the student's own lines
+  std::string log;               // for staff: the whole output of compiler and linker
 };
 
 class Compiler {
  public:
-  // `cache`: a folder for shared objects, made if need be. Throws BadInput if there is no compiler or no
-  // cache.
+  // `cache`: a folder for shared objects, made if it is missing. Throws BadInput if there is no compiler or
+  // no cache.
   Compiler(const StagedKit& kit, std::filesystem::path cache, bool isolated);
 
-  // `job` is a folder of the kit's for this one file; the object is written into it as <id>.so. Throws
-  // std::runtime_error if it is the machine that fails.
+  // `job` is one of the kit's folders, for this file only; the object is written into it as <id>.so. Throws
+  // std::runtime_error if the machine fails.
   Compiled compile(const Exercise& exercise, const std::string& source,
                    const std::filesystem::path& job) const;
 
@@ -44,7 +43,7 @@ class Compiler {
   std::filesystem::path cache_;
 };
 
-// The lines of a compiler's output that speak of `file`, a line each, none of another file's text.
+// The lines of a compiler's output about `file`, one message per line, without text of other files.
 std::string own_messages(const std::string& log, const std::string& file);
 
 }  // namespace grader

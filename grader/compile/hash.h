@@ -9,7 +9,8 @@ namespace grader {
 std::string sha256(const std::string& bytes);
 std::string hmac_sha256(const std::string& key, const std::string& bytes);
 
-// Of a file's bytes; of a folder's, with the names in it. Throws BadInput for what can't be read.
+// The hash of a file's bytes, or of a folder's files with their names. Throws BadInput for a path that can't
+// be read.
 std::string sha256_of(const std::filesystem::path& path);
 
 }  // namespace grader

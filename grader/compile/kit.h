@@ -1,5 +1,5 @@
-// STAFF ONLY. The grading kit (see grader/worker/CMakeLists.txt), copied to where the sandbox's user can read
-// it and nobody else: a clone under /root can't be mounted from there.
+// STAFF ONLY. A copy of the grading kit (see grader/worker/CMakeLists.txt) in a place that only the sandbox's
+// user can read. The original can't be mounted directly if the clone is under /root.
 #pragma once
 
 #include <filesystem>
@@ -12,8 +12,8 @@ namespace grader {
 
 class StagedKit {
  public:
-  // A new folder in the system's folder for temporary files. Throws BadInput if the kit is not there or not
-  // complete.
+  // Makes a new folder in the system's folder for temporary files. Throws BadInput if the kit is missing or
+  // incomplete.
   StagedKit(const std::filesystem::path& kit, const Course& course);
   StagedKit(const StagedKit&) = delete;
   StagedKit& operator=(const StagedKit&) = delete;
@@ -22,15 +22,15 @@ class StagedKit {
   std::filesystem::path folder() const { return root_ / "kit"; }
   std::filesystem::path empty_folder() const { return root_ / "empty"; }
 
-  // A new folder beside it for one job, which the sandbox's user can read.
+  // A new folder beside it for one job; the sandbox's user can read it.
   std::filesystem::path new_job(const std::string& name) const;
 
-  // Changes whenever what student code is compiled against, or run by, does.
+  // Changes whenever the files change that student code is compiled against or run by.
   const std::string& hash() const { return hash_; }
 
  private:
   std::filesystem::path root_;
-  Descriptor lock_;  // held as long as the folder is in use
+  Descriptor lock_;  // held while the folder is in use
   std::string hash_;
 };
 

@@ -1,9 +1,9 @@
-// STAFF ONLY. What every exercise with Eigen includes, read by the compiler once and not for each file: half of
-// the time that such a file takes. The object is the same, bit by bit.
+// STAFF ONLY. A precompiled header of the Eigen headers that every exercise with Eigen includes. It saves
+// half of such a file's compile time. The object is bit-identical.
 //
-// GCC takes a precompiled header in place of its text if compiler and options are those that made it, and else,
-// without a word, the text. So a file can fail for it in one way only: by a macro that it defines for Eigen,
-// which comes too late. Whoever compiles with it compiles what fails once more without.
+// GCC uses a precompiled header if compiler and options are the same as for its creation; otherwise it
+// silently reads the text. So it can make a file fail in only one way: if the file defines a macro for Eigen,
+// the definition comes too late. The caller therefore compiles a failing file once more without it.
 #pragma once
 
 #include <filesystem>
@@ -21,8 +21,8 @@ class PrecompiledHeader {
   PrecompiledHeader(const Toolchain& toolchain, std::filesystem::path cache)
       : toolchain_(toolchain), cache_(std::move(cache)) {}
 
-  // Mounts it for exercises with these libraries, and adds the option that uses it. Makes it when it is needed
-  // for the first time and not in the cache. False, and nothing changed, if the exercise has no use for it.
+  // Mounts it for exercises with these libraries, and adds the option to use it. Makes it at the first use if
+  // it is not in the cache. Returns false, and changes nothing, if the exercise can't use it.
   bool use(const std::vector<std::string>& libraries, Cage& cage, std::vector<std::string>& command) const;
 
  private:
@@ -32,7 +32,7 @@ class PrecompiledHeader {
   const Toolchain& toolchain_;
   std::filesystem::path cache_;
   mutable std::once_flag made_;
-  mutable std::filesystem::path folder_;  // empty: it can't be made
+  mutable std::filesystem::path folder_;  // empty: making it failed
 };
 
 }  // namespace grader

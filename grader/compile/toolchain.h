@@ -18,18 +18,18 @@ class Toolchain {
 
   struct Run {
     Ending ending;
-    std::string output;  // its beginning
+    std::string output;  // the beginning of the output
   };
 
-  // Runs a command, which speaks of `file`. Throws std::runtime_error if it is the machine that fails.
+  // Runs a command about `file`. Throws std::runtime_error if the machine fails.
   Run run(const Cage& cage, const std::vector<std::string>& command, const std::string& file) const;
 
-  // A cage with the given headers and those of the libraries, and the command to compile in it. Missing are what
-  // is compiled, where to, and the mounts for both.
+  // A cage with the given headers and the libraries' headers, and the command to compile in it. The caller
+  // adds the input, the output, and the mounts for both.
   Cage compiling(const std::vector<std::string>& libraries) const;
   std::vector<std::string> compile_command(const std::vector<std::string>& libraries) const;
 
-  // The same for linking: a cage with neither.
+  // The same for linking: a cage without headers.
   Cage linking() const;
   std::vector<std::string> link_command() const;
 
@@ -43,11 +43,11 @@ class Toolchain {
   std::string program_, version_;
 };
 
-// A new folder in which the sandbox's user may write.
+// A new folder that the sandbox's user may write to.
 std::filesystem::path writable_folder(const std::filesystem::path& path);
 
-// What a tool wrote there; nothing if that is no plain file, or larger than `most`. Not through a link, which it
-// could have left.
+// Reads a tool's output file; nothing if it is not a plain file, or larger than `most`. Does not follow
+// links, because the tool could have left one.
 std::optional<std::string> read_written(const std::filesystem::path& path, std::size_t most);
 
 }  // namespace grader

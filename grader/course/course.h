@@ -1,7 +1,7 @@
-// STAFF ONLY. The exercises of a course: handout/exercises.json, and what an instructor's course file changes
-// in it.
+// STAFF ONLY. The exercises of a course: handout/exercises.json, with the changes of an instructor's course
+// file.
 //
-// A course file gives an exercise another role or other points; what it does not name stays:
+// A course file changes the role or the points of exercises; everything else keeps its value:
 //
 //   {"exercises": {"S1": {"role": "given"}, "S2": {"role": "optional", "points": 5}}}
 #pragma once
@@ -13,7 +13,7 @@
 
 namespace grader {
 
-// assigned: counts. optional: counts as extra credit, not in the total. given: ships solved. absent: left
+// assigned: counts. optional: extra credit, added on top of the total. given: handed out solved. absent: left
 // out.
 enum class Role { assigned, optional, given, absent };
 
@@ -21,12 +21,12 @@ struct Exercise {
   std::string id;                          // "S1"
   std::string title;                       // "Conjugate gradients"
   std::string file;                        // "conj_grad.cpp"
-  std::vector<std::string> functions;      // what the file defines, demangled: "ConjGrad(int, ...)"
-  std::string header;                      // their contract, from the project's root
-  std::string text;                        // the assignment text, from handout/
-  std::string checks;                      // the public checks, from handout/
+  std::vector<std::string> functions;      // defined in the file, demangled: "ConjGrad(int, ...)"
+  std::string header;                      // the header with their contract, relative to the project's root
+  std::string text;                        // the assignment text, relative to handout/
+  std::string checks;                      // the public checks, relative to handout/
   std::vector<std::string> prerequisites;  // ids of exercises whose functions it calls
-  std::vector<std::string> libraries;      // what it may include beside the standard library: "eigen"
+  std::vector<std::string> libraries;      // allowed besides the standard library: "eigen"
   double points = 0;
   Role role = Role::assigned;
 };

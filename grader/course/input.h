@@ -1,5 +1,4 @@
-// STAFF ONLY. How files are read and written, and how bad input is reported, is the same for all of the
-// project's programs.
+// STAFF ONLY. The project's common functions for reading and writing files and for reporting bad input.
 #pragma once
 
 #include "hair/io/files/bad_input.h"

@@ -1,5 +1,5 @@
-// STAFF ONLY. Archives: zip (by its central directory) and tar, plain or in one layer of gzip. Told apart by
-// content. Reading costs at most what the limits say, whatever sizes the archive states.
+// STAFF ONLY. Archives: zip (by its central directory) and tar, plain or in one layer of gzip, recognised by
+// content. The limits bound the cost of reading, whatever sizes the archive claims.
 #pragma once
 
 #include <filesystem>
@@ -12,13 +12,13 @@
 namespace grader {
 
 struct ArchiveLimits {
-  std::size_t unpacked_bytes;  // of a tar's whole stream; of a zip only what is read is unpacked
+  std::size_t unpacked_bytes;  // of a tar's whole stream; of a zip, only of the entries that are read
   std::size_t entries;
 };
 
 class Archive : public Container {
  public:
-  // `shown` names it in sentences.
+  // `shown` is its name in messages.
   Archive(std::filesystem::path file, std::string shown, ArchiveLimits limits);
   Archive(std::string bytes, std::string shown, ArchiveLimits limits);
 
@@ -32,12 +32,12 @@ class Archive : public Container {
   ArchiveLimits limits_;
 };
 
-// Whether `name` ends as archives do, also those that can't be read here ("x.rar"): a student who hands in
-// one gets told.
+// Whether `name` has an archive's extension, including archives that can't be read here ("x.rar"), so that a
+// student who hands one in gets a message.
 bool has_archive_ending(std::string_view name);
-// `name` without such an ending.
+// `name` without such an extension.
 std::string_view without_archive_ending(std::string_view name);
-// Whether the file begins as a zip or a gzip does, or holds a tar.
+// Whether the file starts like a zip or a gzip, or is a tar.
 bool has_archive_content(const std::filesystem::path& file);
 
 }  // namespace grader

@@ -1,5 +1,5 @@
-// STAFF ONLY. Makes archives for tests, in memory, entry by entry as a test says: also such as no honest
-// program makes.
+// STAFF ONLY. Makes archives for tests in memory, entry by entry, including archives that no normal program
+// makes.
 #pragma once
 
 #include <archive.h>
@@ -12,7 +12,7 @@
 
 namespace grader {
 
-// `bytes` in a gzip of its own, without a tar.
+// `bytes` as a gzip without a tar.
 inline std::string gzip(const std::string& bytes) {
   std::string packed(bytes.size() + 4096, '\0');
   std::size_t used = 0;

@@ -1,6 +1,6 @@
-// STAFF ONLY. What holds files: an archive or a folder. It is listed first and read later, so that what is
-// read depends on the names alone. Nothing in it is trusted: not the sizes that it states, nor its paths, nor
-// that it ends.
+// STAFF ONLY. A container of files: an archive or a folder. It is listed first and read later, so that only
+// names decide which files are read. The container is untrusted: its sizes, its paths and its length may be
+// wrong or infinite.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace grader {
 
-// Why something can't be taken: a sentence for the student, without control characters.
+// The reason for a rejection: a sentence for the student, without control characters.
 class Refused : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -21,32 +21,33 @@ class Refused : public std::runtime_error {
 struct Entry {
   enum class Kind { file, folder, symbolic_link, hard_link, special };
 
-  std::string shown;  // the path as it is written there
-  std::string path;   // folders and name with '/' between them, without ".", ".." and what leads to a root
+  std::string shown;  // the path as the container states it
+  std::string path;   // folders and name separated by '/', without ".", ".." and a root
   Kind kind = Kind::file;
-  std::uintmax_t bytes = 0;    // as stated there
-  bool leads_outside = false;  // absolute, or with ".." in it
+  std::uintmax_t bytes = 0;    // as the container states it
+  bool leads_outside = false;  // an absolute path, or one with ".."
   bool encrypted = false;
   bool closed = false;  // a folder that can't be listed
 };
 
-// `path` and `leads_outside` from `shown`. '\' separates, too: some Windows programs write it into archives.
+// Derives `path` and `leads_outside` from `shown`. '\' also separates, because some Windows programs write
+// it.
 Entry entry_at(std::string shown);
 
 std::string_view name_of(const Entry& entry);  // the last part of its path
 
 class Container {
  public:
-  // The bytes of an entry. Throws Refused if it can't be read or is longer than `most` bytes; it never reads
-  // much more.
+  // Returns the bytes of an entry. Throws Refused if it can't be read or is longer than `most` bytes; it
+  // never reads much more than that.
   using Read = std::function<std::string(std::size_t most)>;
 
   virtual ~Container() = default;
 
-  // In an order that depends on the container's contents alone. Throws Refused.
+  // The order depends only on the container's contents. Throws Refused.
   virtual std::vector<Entry> list() = 0;
 
-  // Calls `take` for entries of the list, named by their indices in ascending order. Throws Refused.
+  // Calls `take` for the listed entries with these indices, which are in ascending order. Throws Refused.
   virtual void visit(const std::vector<std::size_t>& indices,
                      const std::function<void(std::size_t index, const Read&)>& take) = 0;
 };

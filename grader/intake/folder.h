@@ -1,5 +1,5 @@
-// STAFF ONLY. A folder on disk as a container. Links are listed as links and never followed; what layout.h
-// ignores is not listed.
+// STAFF ONLY. A folder on disk as a container. Links are listed as links and never followed. Paths that
+// layout.h ignores are not listed.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// STAFF ONLY. The gates that a handout must pass before anyone gets it. Each looks at what is in the archive,
-// and throws HandoutError with one line: what leaks or lacks, and where.
+// STAFF ONLY. Checks ("gates") that a handout must pass before its release. Each checks the archive's
+// contents and throws HandoutError with one line: what leaks or is missing, and where.
 #pragma once
 
 #include <map>
@@ -16,20 +16,20 @@ class HandoutError : public std::runtime_error {
 using Files = std::map<std::string, std::string>;  // path -> bytes
 using Paths = std::set<std::string>;
 
-// The handout holds the files that the manifest lists, all of them and no others.
+// The handout contains exactly the files that the manifest lists.
 void check_listing(const Files& handout, const Paths& listed);
 
-// No file holds the words that every file of the staff's begins with. `solved` are the files of given
-// exercises, which do.
+// No file contains the mark with which every staff file begins. `solved` are the files of given exercises,
+// which contain it.
 void check_canary(const Files& handout, const Paths& solved);
 
-// No four consecutive lines of the reference appear in a file, but in `solved`: blank lines, #include and the
-// space around a line do not count, nor do four lines that the stub of the same name has, too. `reference`
-// and `stubs` are by name ("conj_grad.cpp").
+// No file except `solved` contains four consecutive lines of the reference. Blank lines, #include and white
+// space at the ends of a line are ignored, and so are four lines that the stub of the same name also has. The
+// keys of `reference` and `stubs` are file names ("conj_grad.cpp").
 void check_reference_lines(const Files& handout, const Files& reference, const Files& stubs,
                            const Paths& solved);
 
-// Whether a file of the staff's says so, in its first lines.
+// Whether a text has the staff's mark in its first lines.
 bool carries_canary(const std::string& text);
 
 }  // namespace grader

@@ -1,4 +1,4 @@
-// STAFF ONLY. The archive that students get: handout/manifest.txt's files for a course, in the folder
+// STAFF ONLY. Makes the students' archive: the files of handout/manifest.txt for a course, in the folder
 // hair-assignment/.
 #pragma once
 
@@ -10,14 +10,13 @@
 namespace grader {
 
 struct HandoutSources {
-  std::filesystem::path root;    // the project's
-  std::filesystem::path golden;  // what the build made for the public checks: <build>/golden
+  std::filesystem::path root;    // the project's root
+  std::filesystem::path golden;  // the build's output for the public checks: <build>/golden
 };
 
-// Writes `out`, a .tar.gz; the same sources and course give the same bytes. It is written under a temporary
-// name, read back, and renamed only after it has passed the gates. Throws BadInput for a source that is
-// missing or an `out` that can't be written, HandoutError for a gate that closes; then `out` is left as it
-// was.
+// Writes `out`, a .tar.gz; the same sources and course give the same bytes. Writes a temporary file, reads it
+// back, and renames it only if it passes all gates. Throws BadInput for a missing source or an `out` that
+// can't be written, and HandoutError for a failed gate; then `out` stays unchanged.
 void make_handout(const HandoutSources& sources, const Course& course, const std::filesystem::path& out);
 
 // The files of the handout, by their paths in it.

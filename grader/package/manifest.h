@@ -1,4 +1,4 @@
-// STAFF ONLY. handout/manifest.txt: the files that students get. Its form is described at its own top.
+// STAFF ONLY. handout/manifest.txt: the list of the students' files. The file itself describes its format.
 #pragma once
 
 #include <filesystem>
@@ -10,14 +10,14 @@
 namespace grader {
 
 struct ManifestLine {
-  std::string source;       // from the project's root; "golden/..." is made by the build
-  std::string destination;  // from the handout's top
+  std::string source;       // relative to the project's root; "golden/..." comes from the build
+  std::string destination;  // relative to the handout's top
   std::string where;        // "handout/manifest.txt:12", for messages
 };
 
-// The lines that hold for the course: not those of its absent exercises. Throws BadInput with file and line
-// for one that can't be read, names an unknown exercise, leads out of the project or the handout, or has a
-// destination that another one has.
+// The lines for this course, without those of absent exercises. Throws BadInput with file and line for a line
+// that can't be parsed, names an unknown exercise, points outside the project or the handout, or repeats a
+// destination.
 std::vector<ManifestLine> read_manifest(const std::filesystem::path& file, const Course& course);
 
 }  // namespace grader

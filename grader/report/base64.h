@@ -8,7 +8,7 @@ namespace grader {
 
 std::string base64(std::string_view bytes);
 
-// The bytes again. Throws std::invalid_argument for text that base64() can't have made.
+// Decodes the text. Throws std::invalid_argument for text that base64() can't produce.
 std::string from_base64(std::string_view text);
 
 }  // namespace grader

@@ -1,5 +1,5 @@
-// STAFF ONLY. A page for TAs: pictures compared, worst first. What it shows is in it; what it links to, in
-// full size, stands beside it.
+// STAFF ONLY. A page for TAs with compared pictures, worst first. The page contains small pictures and links
+// to full-size files beside it.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace grader {
 
-// A pair in small, as PNG files' bytes.
+// A shrunk pair, as the bytes of PNG files.
 struct SmallPair {
   ComparedPair pair;
   std::string reference, test, heat;
 };
 
-// The files that hold a pair in full size, beside the page: "frame-0003-heat.png".
+// The names of a pair's full-size files beside the page: "frame-0003-heat.png".
 std::string heat_file(const std::string& name);
 std::string side_file(const std::string& name);
 

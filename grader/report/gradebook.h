@@ -1,4 +1,5 @@
-// STAFF ONLY. The class for other programs: a table for a spreadsheet, test results for a build server.
+// STAFF ONLY. The class's results for other programs: a table for a spreadsheet, test results for a build
+// server.
 #pragma once
 
 #include <string>
@@ -8,13 +9,14 @@
 
 namespace grader {
 
-// RFC 4180. A line a submission: name, total, points to reach, whether a sandbox held it, whether its
-// pictures were graded, then points and status of each exercise, then what is wrong with it as a whole. A
-// cell that a spreadsheet would run as a formula begins with ' instead.
+// RFC 4180. A line for each submission: name, total, maximum without extra credit, whether it ran in a
+// sandbox, whether its pictures were graded, then points and status of each exercise, then the note on the
+// whole submission. A cell that a spreadsheet would run as a formula gets a leading '.
 std::string grades_csv(const std::vector<SubmissionResult>& results);
 
-// A suite a submission, a case a category; "S1" alone for an exercise without categories. What a student did
-// not hand in or not begin is skipped, wrong answers are failures, what ended a program is an error.
+// A suite for each submission, a case for each category; only "S1" for an exercise without categories. An
+// exercise that was not handed in or not begun is skipped, a wrong answer is a failure, and a program that
+// ended early is an error.
 std::string junit_xml(const std::vector<SubmissionResult>& results);
 
 }  // namespace grader

@@ -1,4 +1,4 @@
-// STAFF ONLY. The pages that people read.
+// STAFF ONLY. The HTML pages.
 #pragma once
 
 #include <string>
@@ -13,19 +13,19 @@ namespace grader {
 using hair::Html, hair::html, hair::html_page, hair::Pictures, hair::Scripts;
 
 std::string student_page(
-    const SubmissionResult& result);                     // NAME/report.html: nothing of the staff's is in it
+    const SubmissionResult& result);                     // NAME/report.html: contains nothing of the staff's
 std::string staff_page(const SubmissionResult& result);  // staff/NAME.html
 
-// NAME/study.html, for both. `beside_itself` is the reference's, which tells what is noise.
+// NAME/study.html, for students and staff. `beside_itself` is the reference's study, which shows the noise.
 std::string study_page(const SubmissionResult& result, const SubmissionStudy& study,
                        const SubmissionStudy& beside_itself);
 
 std::string class_page(const std::vector<SubmissionResult>& results);  // index.html
 
-const char* look_of(Status status);  // how good it is, as a class of the style sheet
-Html badge(Status status);           // its words, coloured by how good it is
+const char* look_of(Status status);  // the status as a class of the style sheet
+Html badge(Status status);           // the status in words, coloured
 
-// What every page says about results that were graded without a sandbox, or without pictures.
+// The warning of every page with results that were graded without a sandbox, or without pictures.
 Html stamps(bool isolated, bool images);
 
 }  // namespace grader

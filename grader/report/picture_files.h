@@ -1,5 +1,5 @@
-// STAFF ONLY. The pictures that staff see, as files in DIR/staff/pictures. Each is named by the SHA-256 of its
-// bytes: one that many results show, as they do the reference's, is there once, and damage shows.
+// STAFF ONLY. The staff's pictures, as files in DIR/staff/pictures. Each file name is the SHA-256 of its
+// bytes: a picture that many results show, such as the reference's, is stored once, and damage is detected.
 #pragma once
 
 #include <filesystem>
@@ -13,14 +13,14 @@ std::filesystem::path pictures_folder(const std::filesystem::path& dir);
 
 std::string picture_name(const std::string& png);  // "HASH.png"; "" for no picture
 
-// All of a result's, before the page and the record that name them.
+// Writes all pictures of a result. Call it before writing the page and the record that name them.
 void write_pictures(const std::filesystem::path& folder, const SubmissionResult& result);
 
-// The bytes that have this name, "" for "". Throws BadInput if they are missing or others.
+// The bytes of the picture with this name, "" for "". Throws BadInput if they are missing or damaged.
 std::string read_picture(const std::filesystem::path& folder, const std::string& name);
 
-// Removes what no staff/NAME.html shows any more. Pages decide, not this batch's results: `dir` may hold
-// other submissions' reports, too.
+// Removes pictures that no staff/NAME.html shows any more. It looks at the pages, not at this batch's
+// results, because `dir` may hold reports of other submissions too.
 void remove_unshown_pictures(const std::filesystem::path& dir);
 
 }  // namespace grader

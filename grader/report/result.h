@@ -1,4 +1,5 @@
-// STAFF ONLY. What grading found, as plain data: made by the suite and the build, read by the reports.
+// STAFF ONLY. The results of grading, as plain data: the suite and the build make them, the reports read
+// them.
 #pragma once
 
 #include <optional>
@@ -22,37 +23,37 @@ enum class Status {
 
 std::string to_string(Status status);           // "does not compile"
 Status status_from_string(const std::string&);  // throws std::invalid_argument
-std::string sentence_for(Status status);        // helps the student, gives nothing away
+std::string sentence_for(Status status);        // helps the student without revealing hidden cases
 
 // One category of an exercise's hidden cases.
 struct CaseResult {
   std::string name;  // for students: "Ill-conditioned systems"
   Status status = Status::wrong;
   double points = 0, max_points = 0;
-  std::string feedback;  // for students: category and size of the error in bands, never a value or an input
+  std::string feedback;  // for students: the category and the error in bands, never a value or an input
   std::string detail;    // for staff: inputs, expected and actual values
 };
 
-// A moment of a run, drawn by us from the states that a submission's code reached and from the reference's.
-// No text and no name of a student's is in it.
+// A moment of a run. We draw it from the states of the submission's code and of the reference. It contains no
+// text and no name from a student.
 struct PictureResult {
   std::string name;                      // "0.50 s"
   double blurred_rmse = 0, flip = 0;     // 0 to 1, see compare/compare.h; flip: the mean
-  std::string student, reference, heat;  // PNG files' bytes; heat is empty where the two are the same
-  // The largest that give points; 0: shown, and not scored.
+  std::string student, reference, heat;  // PNG files' bytes; heat is empty if both pictures are the same
+  // The limits for points; 0: shown, but not scored.
   double blurred_rmse_limit = 0, flip_limit = 0;
 };
 
 struct ExerciseResult {
   std::string id, title, file;
-  bool extra_credit = false;  // an optional exercise: its points are not in the total to reach
+  bool extra_credit = false;  // an optional exercise: its points are added on top of the total
   Status status = Status::missing;
   double points = 0, max_points = 0;
   std::string feedback;           // for students
-  std::string compiler_messages;  // for students: what the compiler says about their own lines
+  std::string compiler_messages;  // for students: the compiler's messages about their own lines
   std::vector<CaseResult> cases;
   std::vector<PictureResult> pictures;  // of the whole run
-  std::string staff_log;                // all that compiler, linker and worker printed
+  std::string staff_log;                // the whole output of compiler, linker and worker
 };
 
 enum class RunOutcome { same, differs, blew_up, failed, not_run };
@@ -60,9 +61,9 @@ enum class RunOutcome { same, differs, blew_up, failed, not_run };
 std::string to_string(RunOutcome outcome);               // "blew up"
 RunOutcome run_outcome_from_string(const std::string&);  // throws std::invalid_argument
 
-// A scene that all of a submission's exercises run together: shown, and not scored.
+// A scene that runs all exercises of a submission together: shown, but not scored.
 struct RunResult {
-  std::string name, shows;  // "strand-swing", and what there is to see
+  std::string name, shows;  // "strand-swing", and a line about what to see
   RunOutcome outcome = RunOutcome::not_run;
   std::string feedback;  // for students
   std::string detail;    // for staff
@@ -73,11 +74,11 @@ struct SubmissionResult {
   std::string name;
   std::vector<ExerciseResult> exercises;
   std::vector<RunResult> runs;
-  std::string note;         // not empty: what is wrong with the submission as a whole, for the student
+  std::string note;         // not empty: an error of the whole submission, for the student
   std::string fingerprint;  // of the submission's bytes and of the suite, in hexadecimal
   bool isolated = true;     // false: graded without a sandbox; every page says so
   bool images = true;       // false: graded without pictures; every page says so
-  bool studied = false;     // there is a study.html, which pages lead to
+  bool studied = false;     // there is a study.html, to which pages link
 };
 
 bool too_far(const PictureResult&);  // over a limit
@@ -85,7 +86,7 @@ bool too_far(const PictureResult&);  // over a limit
 double points(const SubmissionResult&);
 double max_points(const SubmissionResult&);  // without extra credit
 
-// The largest FLIP of the exercises' pictures; nothing without pictures.
+// The largest FLIP of the exercises' pictures; nothing if there are none.
 std::optional<double> picture_distance(const SubmissionResult&);
 
 }  // namespace grader

@@ -1,5 +1,5 @@
-// STAFF ONLY. Results as JSON: results.json for the student in Gradescope's schema, and a whole copy for
-// staff, from which grading goes on where it stopped.
+// STAFF ONLY. Results as JSON: results.json for the student in Gradescope's schema, and the whole result for
+// staff, which --resume reads.
 #pragma once
 
 #include <filesystem>
@@ -12,12 +12,13 @@ namespace grader {
 
 // Gradescope's schema (gradescope-autograders.readthedocs.io, "Output format"). A test is a category,
 // numbered "S1.3"; an exercise without categories (it is missing, it does not compile) is one test, "S1".
-// Nothing of the staff's is in it.
+// It contains nothing of the staff's.
 std::string student_json(const SubmissionResult& result);
 
-// All but the pictures, whose files it names.
+// Everything except the pictures; it names their files.
 std::string staff_json(const SubmissionResult& result);
-// With the pictures from this folder. Nothing if the text is not whole, or one of them is missing or damaged.
+// Reads the pictures from this folder. Nothing if the text is incomplete, or if a picture is missing or
+// damaged.
 std::optional<SubmissionResult> result_from_staff_json(const std::string& text,
                                                        const std::filesystem::path& pictures);
 

@@ -1,4 +1,4 @@
-// STAFF ONLY. Made-up results for tests.
+// STAFF ONLY. Synthetic results for tests.
 #pragma once
 
 #include <string>
@@ -13,17 +13,17 @@ constexpr Status all_statuses[] = {Status::passed,          Status::partly,    S
                                    Status::crashed,         Status::timed_out, Status::out_of_memory,
                                    Status::broke_rules};
 
-// A moment of strands, the student's moved to the right by so many pixels.
+// A moment with strands; the student's are moved to the right by `shift` pixels.
 PictureResult sample_picture(const std::string& name, int shift, double limit);
 
-// A class of `size` in which every status occurs, from the tenth submission on twice, and so forth. What runs
-// has pictures: the same if it passed, near if it partly did, far if it is wrong.
+// A class of `size` submissions with every status, repeated after each ten. Results that run have pictures:
+// the same if it passed, near if it passed partly, far if it is wrong.
 std::vector<SubmissionResult> sample_class(int size);
 
-// The same with the course's ten exercises in each, two of them extra credit.
+// The same with the course's ten exercises for each submission, two of them extra credit.
 std::vector<SubmissionResult> class_of_ten_exercises(int size);
 
-// A submission whose every text is `text`, staff's texts too.
+// A submission in which every text is `text`, including the staff's.
 SubmissionResult submission_full_of(const std::string& text);
 
 }  // namespace grader

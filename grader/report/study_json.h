@@ -1,4 +1,4 @@
-// STAFF ONLY. A study as JSON: study.json, and how the suite hands it over. README.md has its form.
+// STAFF ONLY. A study as JSON: study.json, also the suite's output. README.md describes the format.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace grader {
 
 std::string study_json(const SubmissionStudy& study);
 
-// Throws std::runtime_error for a text that is no study.
+// Throws std::runtime_error for a text that is not a study.
 SubmissionStudy study_from_json(const std::string& text);
 
 }  // namespace grader

@@ -5,13 +5,13 @@
 
 namespace grader {
 
-// Points as people write them: two decimals at most, no trailing zeros.
+// Points for readers: at most two decimals, no trailing zeros.
 std::string shown_points(double points);
 
 // The same with one decimal at most, for tables.
 std::string short_points(double points);
 
-// What is written where programs read on: without the noise of sums of fractions.
+// Points for files that programs read: without the rounding noise of sums of fractions.
 double rounded_points(double points);
 
 }  // namespace grader

@@ -1,5 +1,5 @@
-// STAFF ONLY. Limits on memory and processes that hold for a cage as a whole, where the kernel's control
-// groups (v1 or v2) can be written; elsewhere the limits inside of the cage stand alone.
+// STAFF ONLY. Limits on memory and processes for a whole cage, if the kernel's control groups (v1 or v2) are
+// writable. Otherwise only the limits inside the cage apply.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@ class ControlGroup {
 
   ControlGroup(ControlGroup&&) noexcept = default;
   ControlGroup& operator=(ControlGroup&&) = delete;
-  ~ControlGroup();  // kills what is left in it
+  ~ControlGroup();  // kills the remaining processes in it
 
   // Files that a process joins by writing "0" to each.
   std::vector<std::filesystem::path> join_files() const;

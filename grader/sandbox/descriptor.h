@@ -1,4 +1,4 @@
-// STAFF ONLY. File descriptors that close themselves; all of them close on exec.
+// STAFF ONLY. File descriptors that close themselves; all have close-on-exec.
 #pragma once
 
 #include <string>
@@ -31,7 +31,7 @@ struct Pipe {
 
 Pipe make_pipe();  // throws std::system_error
 
-// All that can be read until the other side closes or the time is up, at most `limit` bytes.
+// Reads until the other side closes or the time is up, at most `limit` bytes.
 std::string read_all(const Descriptor& from, std::size_t limit, double seconds);
 
 }  // namespace grader

@@ -1,5 +1,5 @@
-// STAFF ONLY. Who the cage runs as. A cage that root starts could write host kernel settings through /proc,
-// so root first becomes an unprivileged user of its own.
+// STAFF ONLY. The user that runs a cage. A cage started by root could write host kernel settings through
+// /proc, so root first becomes a separate unprivileged user.
 #pragma once
 
 #include <sys/types.h>
@@ -11,18 +11,18 @@ namespace grader {
 struct Identity {
   uid_t user = 0;
   gid_t group = 0;
-  bool changes = false;  // true: we are root and give it up
+  bool changes = false;  // true: we are root and drop root
 };
 
-// Root becomes this user and group, which no account should have; anybody else stays.
+// Root becomes this user and group, which no account should have; other users stay themselves.
 inline constexpr uid_t kSandboxUser = 64123;
 
 Identity sandbox_identity();
 
-// Gives up root for good. Async-signal-safe: for use between fork and exec. False if the kernel refuses.
+// Drops root permanently. Async-signal-safe, for use between fork and exec. False if the kernel refuses.
 bool become(const Identity& identity);
 
-// A folder that the sandbox user can read and nobody else but us; `writable`: can write, too.
+// Makes a folder readable only for the sandbox user and us; `writable`: also writable.
 void share_with_sandbox(const std::filesystem::path& folder, bool writable);
 
 }  // namespace grader

@@ -1,26 +1,25 @@
-// STAFF ONLY. The system calls that a caged process keeps. Everything else fails with EPERM; clone3 fails
-// with ENOSYS, so that the C library falls back to clone, whose flags a filter can see.
+// STAFF ONLY. The system calls that a caged process may use. All others fail with EPERM; clone3 fails with
+// ENOSYS, so that the C library falls back to clone, whose flags a filter can inspect.
 #pragma once
 
 namespace grader {
 
 enum class Syscalls {
-  // Compute, allocate, print, start threads, read files that are there. No processes, no sockets, no writing
-  // to files. What student code has no honest use for (see `denied_syscall`) raises SIGSYS, so that the
-  // worker can say so.
+  // Compute, allocate, print, start threads, read existing files. No processes, no sockets, no writing to
+  // files. System calls that honest student code never needs (see `denied_syscall`) raise SIGSYS, so that the
+  // worker can report them.
   compute,
-  // What a compiler and a linker need beside: processes and files.
+  // The additional needs of a compiler and a linker: processes and files.
   toolchain,
 };
 
-// Puts this process and all that it will start under the filter, for good. Throws std::runtime_error.
+// Puts this process and all its later children under the filter permanently. Throws std::runtime_error.
 void restrict_syscalls(Syscalls kept);
 
-// The filter as a program that bwrap's --seccomp reads from a descriptor (close-on-exec; the caller closes
-// it).
+// The filter program on a descriptor, for bwrap's --seccomp (close-on-exec; the caller closes it).
 int syscall_filter_descriptor(Syscalls kept);
 
-// For people: what the system call with that number was trying to do, as in "to open a network connection".
+// A phrase for the intention of a system call, as in "to open a network connection".
 const char* denied_syscall(int number);
 
 }  // namespace grader

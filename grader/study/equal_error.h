@@ -1,4 +1,4 @@
-// STAFF ONLY. How many times one curve's time another takes for the same error.
+// STAFF ONLY. The ratio of two curves' times for the same error.
 #pragma once
 
 #include <optional>
@@ -6,14 +6,14 @@
 
 namespace grader {
 
-// What a run with one number of steps gave.
+// The result of a run with one number of steps.
 struct Sample {
   double seconds = 0, error = 0;  // both > 0
 };
 
-// The median of theirs / ours over the errors that both reach, those of either curve; nothing if there are none. The
-// time for an error is the least that any run takes which is as near or nearer, straight lines between runs in
-// logarithms. Samples below `least_error` count as if they were there.
+// The median of theirs / ours over the errors of both curves' samples that both curves reach; nothing if
+// there are none. The time for an error is the smallest time of a run with at most that error, with straight
+// lines between runs in logarithmic axes. Samples below `least_error` count as if they had that error.
 std::optional<double> time_ratio(const std::vector<Sample>& theirs, const std::vector<Sample>& ours,
                                  double least_error);
 

@@ -1,9 +1,10 @@
-// STAFF ONLY. Who plays a motion for a study, and by which clock: a worker, asked as for its end-to-end scenes.
+// STAFF ONLY. Plays motions for a study and measures the time: a worker, with the same requests as for
+// end-to-end scenes.
 //
-// The clock is the kernel's, of all of the worker's threads, read by us after each answer. A play is charged with all
-// that the worker took since the answer before: code can do its work earlier or later than it is asked to, for another
-// play to be charged with it. It is told no time, and can hide none that it takes; but it can remember what it answered
-// before, and then takes none.
+// The clock is the kernel's CPU time of all threads of the worker, which we read after each answer. A play is
+// charged with all CPU time since the previous answer. So code can shift its work to an earlier or later
+// play. It gets no times, and can't hide any; but it can remember an earlier answer, which then costs no
+// time.
 #pragma once
 
 #include <optional>
@@ -17,13 +18,13 @@ namespace grader {
 
 struct Play {
   Played played;
-  std::optional<double> seconds;  // CPU time of all times together; nothing: the worker is a new one
+  std::optional<double> seconds;  // CPU time of all repetitions together; nothing: the worker was restarted
 };
 
 class Player {
  public:
   virtual ~Player() = default;
-  // `scene` is what the text says. Throws CaseFailed or MalformedMessage.
+  // `scene` is the parsed text. Throws CaseFailed or MalformedMessage.
   virtual Play play(const SceneText& text, const hair::Scene& scene, int times) = 0;
 };
 
@@ -34,12 +35,12 @@ class WorkerPlayer : public Player {
 
  private:
   Student& student_;
-  int starts_ = 0;  // of its worker, when the clock was last read
+  int starts_ = 0;  // the worker's starts when the clock was last read
   double clock_ = 0;
 };
 
-// Asks another, until that one times out, breaks the rules, crashes for the third time, or has taken so much time by the
-// clock on the wall: then each play fails without being asked for.
+// Forwards to another player, until that one times out, breaks the rules, crashes for the third time, or has
+// used up its wall time. After that each play fails at once.
 class UntilItGivesUp : public Player {
  public:
   static constexpr int kMostCrashes = 3;

@@ -10,13 +10,13 @@
 
 namespace grader {
 
-// What a worker's CPU time is limited to. Each part may take most_seconds, and the play that begins before they are over:
-// with twice the steps of the one before, it takes about as long as all before it together.
+// The CPU time limit of a worker. Each part may take most_seconds, plus the play that starts before they are
+// used up: with twice the steps of the previous play, it takes about as long as all plays before it together.
 int study_cpu_seconds(const StudySettings& settings = {});
 
-// Both workers have the server of scenes and objects of all exercises, the reference's those of the reference. Scenes
-// that can't be run say why, and are not played. What is true of a part is kept in `kept`, for the class. Throws
-// std::runtime_error if the reference fails.
+// Both workers have the server of scenes and the objects of all exercises; the reference's worker has the
+// reference's objects. Scenes that can't be run have a reason in the result, and are not played. The true
+// motion of each part is stored in `kept`, for the class. Throws std::runtime_error if the reference fails.
 SubmissionStudy study_submission(Student& student, Student& reference, const AvailableExercises& exercises,
                                  const std::optional<std::filesystem::path>& kept,
                                  const StudySettings& settings = {});

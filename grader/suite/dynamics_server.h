@@ -1,4 +1,4 @@
-// STAFF ONLY. Dynamics that a student's code is served: the suite's side of grader/worker/served_dynamics.h.
+// STAFF ONLY. Serves Dynamics to a student's code: the suite's side of grader/worker/served_dynamics.h.
 #pragma once
 
 #include <vector>
@@ -10,11 +10,11 @@ namespace grader {
 
 class DynamicsServer {
  public:
-  // Of n particles; it answers `most` questions and then stops the request.
+  // For n particles; it answers `most` questions and then stops the request.
   DynamicsServer(particles::Dynamics& dynamics, int n, int most)
       : dynamics_(dynamics), size_(3 * n), most_(most) {}
 
-  // As Student::Products asks for it.
+  // The signature of Student::Products.
   bool operator()(int which, const std::vector<double>& question, std::vector<double>& answer) {
     if (which != 0 || static_cast<int>(question.size()) != 2 * size_)
       throw MalformedMessage("a question that makes no sense");

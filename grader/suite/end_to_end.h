@@ -1,5 +1,5 @@
-// STAFF ONLY. End to end: all of a submission's files together run small scenes beside the reference. What
-// comes out is shown and not scored.
+// STAFF ONLY. End to end: all files of a submission together run small scenes, compared with the reference.
+// The results are shown, but not scored.
 #pragma once
 
 #include <filesystem>
@@ -16,16 +16,17 @@
 namespace grader {
 
 struct AvailableExercises {
-  std::set<std::string> left_out;                  // by the course: scenes that call one are no part of it
-  std::map<std::string, std::string> unavailable;  // why a submission's can't be called: "does not compile"
+  std::set<std::string> left_out;                  // by the course; also leaves out scenes that need one
+  std::map<std::string, std::string> unavailable;  // exercise -> reason: "does not compile"
 };
 
-// Whether a scene is no part of the course; and why it can't be run: "H4 does not compile.", or nothing.
+// Whether the course leaves out a scene; and the reason why it can't be run: "H4 does not compile.", or
+// empty.
 bool is_left_out(const hair::Scene& scene, const AvailableExercises& exercises);
 std::string why_not_run(const hair::Scene& scene, const AvailableExercises& exercises);
 
 // A result for each scene of the course, in the order of end_to_end_scenes.h. Scenes that can't be run don't
-// start a worker. The reference's pictures are kept in `kept_pictures`; without it none are drawn.
+// start a worker. The reference's pictures are stored in `kept_pictures`; without it no pictures are drawn.
 std::vector<RunResult> run_end_to_end(Student& student, const AvailableExercises& exercises,
                                       const std::optional<std::filesystem::path>& kept_pictures);
 

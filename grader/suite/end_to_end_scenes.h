@@ -1,5 +1,5 @@
-// STAFF ONLY. Small scenes that run end to end through all exercises: what they show is whether everything
-// fits together. Each takes the reference a few milliseconds.
+// STAFF ONLY. Small scenes that run end to end through all exercises and show whether they work together.
+// Each takes the reference a few milliseconds.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ namespace grader {
 
 struct SceneText {
   std::string name;  // "strand-swing"
-  std::string json;  // as hair/scenes/README.md has it
+  std::string json;  // in the format of hair/scenes/README.md
 };
 
 const std::vector<SceneText>& end_to_end_scenes();

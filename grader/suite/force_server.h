@@ -1,5 +1,5 @@
-// STAFF ONLY. A force that a student's code is served: the suite's side of grader/worker/served_force.h. It
-// counts what it is asked for, and keeps where it was asked.
+// STAFF ONLY. Serves a force to a student's code: the suite's side of grader/worker/served_force.h. It counts
+// the questions and stores the positions of force evaluations.
 #pragma once
 
 #include <vector>
@@ -12,10 +12,10 @@ namespace grader {
 
 class ForceServer {
  public:
-  // Of n particles; it answers `most` questions and then stops the request.
+  // For n particles; it answers `most` questions and then stops the request.
   ForceServer(const particles::Force& force, int n, int most) : force_(force), size_(3 * n), most_(most) {}
 
-  // As Student::Products asks for it.
+  // The signature of Student::Products.
   bool operator()(int which, const std::vector<double>& question, std::vector<double>& answer);
 
   int energies = 0, forces = 0, dfdx = 0, dfdv = 0;  // questions so far

@@ -1,13 +1,14 @@
-// STAFF ONLY. Particles under a force, and the system of an implicit step on them: written out as a table, so that
-// the suite can say how wrong a dv is without a solver.
+// STAFF ONLY. Particles under a force, and the system of an implicit step as a table, so that the suite can
+// compute the error of a dv without a solver.
 //
 // Bounds. With u = 2^-53, A the matrix, e the rounding of a product with it over u ||A||, X = 2 ||dv*|| + ||rhs||,
 // solver/linearSolver.h gives, as in linear_system.h,
 //
 //   ||rhs - A dv|| <= tolerance ||rhs|| + 65 (10 + 2e) u ||A|| X,   ||dv - dv*|| <= that / lambda_min,
 //
-// where ||A|| is the norm of all |a_ij|, at most Frobenius'. e: a product of ours sums up 3n terms in each of df/dx and
-// df/dv, and a few more operations put them together: 2 (3n + 8). The right-hand side rounds by as much.
+// where ||A|| is the norm of the matrix of all |a_ij|, at most Frobenius'. e: our product sums 3n terms for
+// each of df/dx and df/dv, and a few more operations combine them: 2 (3n + 8). The right-hand side has the
+// same rounding error.
 #pragma once
 
 #include <memory>
@@ -31,10 +32,10 @@ struct Cloud {
 };
 
 // f = f0 - K x - s x^3 - D v, with full symmetric, positive definite tables K and D, and the cube of each
-// coordinate: everything acts on everything, and df/dx is another one at another x.
+// coordinate: all coordinates are coupled, and df/dx depends on x.
 class CoupledForce : public particles::Force {
  public:
-  // Of n particles; the eigenvalues of K and D are about `stiffness` (N/m) and `damping` (N s/m).
+  // For n particles; the eigenvalues of K and D are about `stiffness` (N/m) and `damping` (N s/m).
   CoupledForce(Random& random, int n, double stiffness, double damping);
 
   double energy(particles::Input x) const override;
@@ -49,19 +50,19 @@ class CoupledForce : public particles::Force {
   Eigen::MatrixXd K_, D_;
 };
 
-// n particles anywhere, the masses between `lightest` and `heaviest`.
+// n particles at random positions, with masses between `lightest` and `heaviest`.
 Cloud random_cloud(Random& random, std::string name, int n, double lightest, double heaviest,
                    double stiffness, double damping);
 
-// A chain of springs of lengths about 1 cm, stretched and turned a little, whose root is pinned; masses of about
-// `mass`, stiffness such that h^2 k / m = `stiff`.
+// A chain of springs with lengths of about 1 cm, slightly stretched and turned, whose root is pinned. The
+// masses are about `mass`; the stiffness k is such that h^2 k / m = `stiff`.
 Cloud chain(Random& random, int n, double mass, double stiff, double h);
 
 struct ImplicitSystem {
   Eigen::MatrixXd A;
-  Eigen::VectorXd rhs, dv;  // dv solves it
-  double norm, smallest;    // Frobenius' of A, A's smallest eigenvalue
-  double rounding;          // 65 (10 + 2e) u ||A|| X, and the right-hand side's
+  Eigen::VectorXd rhs, dv;  // dv is the solution
+  double norm, smallest;    // the Frobenius norm of A, A's smallest eigenvalue
+  double rounding;          // 65 (10 + 2e) u ||A|| X, plus that of the right-hand side
 
   double residual(const Eigen::VectorXd& other) const { return (rhs - A * other).norm(); }
 };

@@ -1,5 +1,5 @@
-// STAFF ONLY. Random inputs: from a seed the same on every machine, which the standard library's
-// distributions are not.
+// STAFF ONLY. Random inputs: a seed gives the same ones on every machine, unlike the standard library's
+// distributions.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@ namespace grader {
 
 class Random {
  public:
-  // Another `purpose` gives another sequence.
+  // Each `purpose` gives its own sequence.
   Random(const std::string& seed, const std::string& purpose) {
     const std::string text = seed + "/" + purpose;
     std::seed_seq sequence(text.begin(), text.end());

@@ -1,4 +1,4 @@
-// STAFF ONLY. What the bounds of the hidden cases are counted in.
+// STAFF ONLY. The unit of the hidden cases' bounds.
 #pragma once
 
 namespace grader {

@@ -1,4 +1,4 @@
-// STAFF ONLY. A run of a scene that was played elsewhere, beside the reference's own.
+// STAFF ONLY. Compares a worker's run of a scene with the reference's own.
 #pragma once
 
 #include <string>
@@ -12,22 +12,22 @@ namespace grader {
 
 struct Moment {
   double time = 0;                   // s
-  hair::FrameMeasures ours, theirs;  // both by our forces
-  double apart = 0;                  // m, the largest distance of a particle from the reference's
-  double held_apart = 0;             // m, the same of those that are held
+  hair::FrameMeasures ours, theirs;  // both measured with our forces
+  double apart = 0;                  // m, the largest distance between a particle and the reference's
+  double held_apart = 0;             // m, the same for held particles
 };
 
 struct RunComparison {
-  double size = 0;              // m: the diagonal of the box that holds the reference's run
-  double kinetic = 0;           // J: its largest kinetic energy
-  bool finite = true;           // all of their numbers
-  std::vector<Moment> moments;  // that both have, until a number is not finite
-  std::vector<Shot> shots;      // of the frames that were asked for, if they can be drawn
-  hair::Camera camera;          // has all of the reference's run in its pictures
+  double size = 0;              // m: the diagonal of the bounding box of the reference's run
+  double kinetic = 0;           // J: the largest kinetic energy in the reference's run
+  bool finite = true;           // all of the worker's numbers
+  std::vector<Moment> moments;  // in both runs, until a number is not finite
+  std::vector<Shot> shots;      // of the requested frames, if they can be drawn
+  hair::Camera camera;          // shows all of the reference's run
 };
 
-// Plays the scene with the reference. `pictures` are the frames of which there are to be shots. Throws
-// std::logic_error if the reference itself breaks.
+// Plays the scene with the reference. `pictures` are the frames for shots. Throws std::logic_error if the
+// reference itself breaks.
 RunComparison compare_runs(const hair::Scene& scene, const std::vector<int>& pictures, const Played& theirs);
 
 }  // namespace grader

@@ -1,5 +1,5 @@
-// STAFF ONLY. Pictures of two runs of a scene, the submission's and the reference's, and how far apart they
-// are. The reference's are the same for a class: they are drawn once, and kept.
+// STAFF ONLY. Pictures of two runs of a scene, the submission's and the reference's, and their distance. The
+// reference's pictures are the same for a class: they are drawn once and stored.
 #pragma once
 
 #include <cstddef>
@@ -13,19 +13,19 @@
 
 namespace grader {
 
-// Pixels. Small, for there are many; a strand is some 3 of them wide.
+// Pixels. Small, because there are many pictures; a strand is about 3 pixels wide.
 inline constexpr int kPictureWidth = 480, kPictureHeight = 270;
-// Of what pages show, so that a submission of which nothing is right takes less than 1 MB with all pictures.
+// The number of colours on pages: a submission with only wrong pictures stays below 1 MB.
 inline constexpr std::size_t kPictureColors = 96, kMapColors = 32;
 
 // A moment of both runs.
 struct Shot {
   std::string name;  // "0.50 s"
   hair::Drawing reference, student;
-  bool same = false;  // whose particles nobody could tell apart: one picture does for both
+  bool same = false;  // no visible difference between the particles: one picture is used for both
 };
 
-// `kept` is the folder in which the reference's pictures of this run are kept. Throws hair::NoOpenGl.
+// `kept` is the folder with the reference's stored pictures of this run. Throws hair::NoOpenGl.
 std::vector<PictureResult> draw_shots(const std::vector<Shot>& shots, const hair::Camera& camera,
                                       const std::filesystem::path& kept);
 

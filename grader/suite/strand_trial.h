@@ -1,5 +1,5 @@
-// STAFF ONLY. What the hidden cases of H1, H2 and H3 share: a student's force of a strand, asked across the
-// pipe; the strands and states that it is asked about; its answers beside the reference's.
+// STAFF ONLY. Shared code of the hidden cases of H1, H2 and H3: calls of a student's strand forces through
+// the pipe, strands and states as inputs, and comparisons with the reference.
 #pragma once
 
 #include <Eigen/Core>
@@ -18,51 +18,51 @@ using Eigen::VectorXd;
 using hair::GeometricTerm;
 using hair::Strand;
 
-// A strand where it is.
+// A strand with its positions.
 struct Posed {
   Strand strand;
   VectorXd x;
   std::string name;  // for staff
 };
 
-// The functions of an exercise, by their number in strand_call.h. Each checks that an answer is finite.
+// Call an exercise's functions by their number in strand_call.h. Each checks that the answer is finite.
 inline constexpr int kProduct = 2, kSpdProduct = 3;
 double ask_energy(Trial& trial, const Posed& posed);
 VectorXd ask_force(Trial& trial, const Posed& posed, const VectorXd& before);
-VectorXd ask_force(Trial& trial, const Posed& posed);  // from zeros
+VectorXd ask_force(Trial& trial, const Posed& posed);  // starting from zeros
 VectorXd ask_product(Trial& trial, const Posed& posed, const VectorXd& dx, const VectorXd& before,
                      GeometricTerm term = GeometricTerm::full, int function = kProduct);
 VectorXd ask_product(Trial& trial, const Posed& posed, const VectorXd& dx,
                      GeometricTerm term = GeometricTerm::full, int function = kProduct);
 
-// The largest entry's size.
+// The largest absolute value of an entry.
 double largest(const VectorXd& v);
 
-// No entry is off by more than `bound`.
+// Checks that no entry is off by more than `bound`.
 void expect_vector(Trial& trial, const VectorXd& actual, const VectorXd& expected, double bound,
                    const std::string& what);
 
-// Between a hundredth and a hundred times of what it should be: for cases that ask for a property, so that
-// zeros don't have it, and another mistake does not cost it.
+// Checks that a value is between 1/100 and 100 times the expected one. It is for cases that test another
+// property: zeros must not have it, and an unrelated mistake must not cost it.
 void expect_size(Trial& trial, double actual, double expected, const std::string& what);
 
-// Numbers that differ by no more than `relative` of the largest.
+// Checks that the numbers differ by at most `relative` times the largest.
 void expect_all_equal(Trial& trial, const std::vector<double>& values, double relative,
                       const std::string& what);
 
-// Rest lengths of 1 m, masses and rigidities drawn, none of them 1; a hinge at the root.
+// Rest lengths of 1 m, random masses and rigidities, none of them 1; a hinge at the root.
 Strand toy_strand(Random& random, int count);
 
 struct Range {
   double low, high;
 };
 
-// A random pose: segments are `stretch` times their rest length, each turned from the one before by an angle
-// in `bend` about an axis without preference. The root, and the first direction (root_tangent if clamped,
-// turned likewise), are drawn.
+// A random pose: segments have `stretch` times their rest length, and each is turned from the previous one by
+// an angle in `bend` about a uniformly random axis. The root's position and the first direction are random
+// (if clamped, root_tangent is random and the first segment is turned from it likewise).
 Posed random_pose(Random& random, const Strand& strand, Range stretch, Range bend, const std::string& name);
 
-// On a line through the root: segments of the lengths given, along `direction`.
+// A pose on a line through the root: segments of the given lengths along `direction`.
 Posed straight_pose(const Strand& strand, const VectorXd& lengths, const Eigen::Vector3d& direction,
                     const std::string& name);
 

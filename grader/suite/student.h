@@ -1,5 +1,5 @@
-// STAFF ONLY. A student's code as the suite sees it: somebody behind two pipes who gets requests and may
-// answer. Nothing that comes back is believed; a worker that dies is started again for the next request.
+// STAFF ONLY. A student's code as the suite sees it: a process behind two pipes that gets requests and may
+// answer. All answers are untrusted; a worker that dies is restarted for the next request.
 #pragma once
 
 #include <filesystem>
@@ -17,9 +17,9 @@ namespace grader {
 
 struct WorkerSetup {
   std::filesystem::path kit;                   // see grader/worker/CMakeLists.txt
-  std::string exercise;                        // whose server answers
-  std::vector<std::filesystem::path> objects;  // in the order in which they are loaded; the student's last
-  std::filesystem::path log;                   // what the worker prints is appended here
+  std::string exercise;                        // the exercise whose server answers
+  std::vector<std::filesystem::path> objects;  // in loading order; the student's last
+  std::filesystem::path log;                   // the worker's output is appended here
   bool isolated = true;
   int cpu_seconds = 10;  // of one worker
   Watchdog::Patience patience = {};
@@ -27,7 +27,7 @@ struct WorkerSetup {
 
 enum class Outcome {
   done,
-  stopped,  // the suite had seen enough products
+  stopped,  // the suite stopped it after enough products
   not_implemented,
   threw,
   out_of_memory,
@@ -39,32 +39,32 @@ enum class Outcome {
 
 struct Answer {
   Outcome outcome;
-  MessageReader reply;  // of what the server wrote, if done
+  MessageReader reply;  // the server's reply, if done
   std::string note;     // for staff: what happened
 };
 
 class Student {
  public:
   static constexpr int kMostRestarts = 5;  // after crashes
-  static constexpr int kMostTimeouts = 2;  // the third would only cost more time
+  static constexpr int kMostTimeouts = 2;  // a third one would only cost time
 
   explicit Student(WorkerSetup setup) : setup_(std::move(setup)) {}
 
-  // Serves one product of operator `which`: y = A x, y sized by the handler. False: enough, give up on this
-  // request. Throws MalformedMessage for an operator or a length that makes no sense.
+  // Serves one product of operator `which`: y = A x; the handler sets the size of y. False: stop this
+  // request. Throws MalformedMessage for an invalid operator or length.
   using Products = std::function<bool(int which, const std::vector<double>& x, std::vector<double>& y)>;
 
   // Sends a request and waits for its answer.
   Answer ask(const MessageWriter& request, const Products& products);
 
-  // Of the workers that `finish` ended; what one used that died by itself is not known.
+  // Of the workers that `finish` ended; the time of a worker that died by itself is unknown.
   double cpu_seconds() const { return cpu_seconds_; }
 
-  // What the worker that there is now has used so far, all its threads together, by the kernel's clock: nothing that
-  // runs in it can turn that back. Nothing if there is none.
+  // The CPU time of the present worker so far, all threads together, by the kernel's clock, which code in the
+  // worker can't change. Nothing if there is no worker.
   std::optional<double> worker_cpu_seconds() const;
   int starts() const { return starts_; }
-  const std::optional<Answer>& gave_up() const { return gave_up_; }  // the last answer, for good
+  const std::optional<Answer>& gave_up() const { return gave_up_; }  // the final answer, if the suite gave up
   void finish();
 
  private:

@@ -1,4 +1,4 @@
-// STAFF ONLY. Which exercise has which hidden suite: one folder each, grader/suite/H1/ and so forth.
+// STAFF ONLY. The table of hidden suites: one folder for each exercise, grader/suite/H1/ and so forth.
 #pragma once
 
 #include <string>

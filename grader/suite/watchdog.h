@@ -1,6 +1,6 @@
-// STAFF ONLY. Waits for a worker, and says when there is no point in it. A worker's CPU time is limited from
-// inside; what the watchdog ends is one that sleeps instead, and it tells that from one which a busy machine
-// does not let run.
+// STAFF ONLY. Waits for a worker, and decides when waiting is useless. Limits inside the cage bound a
+// worker's CPU time. The watchdog ends a worker that sleeps, and distinguishes it from one that waits for a
+// busy machine.
 #pragma once
 
 #include "grader/sandbox/cage.h"
@@ -9,16 +9,16 @@ namespace grader {
 
 class Watchdog {
  public:
-  // Of all waits for one worker together.
+  // Sums over all waits for one worker.
   struct Patience {
-    double idle_seconds = 5;  // neither computing nor waiting for a processor, as far as can be seen
+    double idle_seconds = 5;  // neither computing nor waiting for a processor, as observed
     double total_seconds =
-        120;  // ends one that dozes in naps too short to be seen; some 400 times what all answers take
+        120;  // ends a worker that sleeps in unobservably short naps; about 400 times what all answers take
   };
 
   Watchdog(const CagedProcess& process, Patience patience) : process_(process), patience_(patience) {}
 
-  // Waits until `descriptor` is ready for `events` (POLLIN, POLLOUT). False: the patience is at its end.
+  // Waits until `descriptor` is ready for `events` (POLLIN, POLLOUT). False: the patience is used up.
   bool wait_for(int descriptor, short events);
 
   bool waited_in_vain() const { return waited_in_vain_; }

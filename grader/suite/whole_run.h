@@ -1,15 +1,13 @@
-// STAFF ONLY. The whole run of an exercise: a worker with the submission's file for it, and the reference's
-// for all others that are called, plays a hidden scene from its beginning to its end. Two categories judge
-// what comes of it.
+// STAFF ONLY. The whole run of an exercise: a worker with the submission's file for this exercise, and the
+// reference's for all others, plays a hidden scene from start to end. Two categories judge the result.
 //
-// The run. It ends, with numbers. It starts where the scene says, and what is held stays where the reference
-// has it. Energy and stretch, by our own forces, are what the reference's run has, give or take what kEnergy
-// and kStretch allow. Nobody's positions are asked for: right solutions may be apart by rounding, which a
-// scene lets grow, if little; how little, and what these bounds tell apart, is measured (grader/README.md,
-// "Whole runs").
+// The run. It must end with finite numbers. It must start as the scene says, and held particles must stay
+// where the reference has them. Energy and stretch, by our own forces, must agree with the reference's run
+// within kEnergy and kStretch. Positions are not compared: correct solutions may differ by rounding, which a
+// scene can amplify. How much, and what these bounds detect, was measured (grader/README.md, "Whole runs").
 //
-// Its pictures. A few frames, the submission's and the reference's, drawn by us: RMSE of the blurred pictures
-// and mean FLIP, each below a threshold.
+// Its pictures. We draw a few frames of the submission and of the reference. The RMSE of the blurred pictures
+// and the mean FLIP must each be below a threshold.
 #pragma once
 
 #include <filesystem>
@@ -25,34 +23,34 @@
 
 namespace grader {
 
-// What is held may be off by this part of the scene's size: the rounding of its motion.
+// The largest error of held particles, relative to the scene's size: the rounding of their motion.
 inline constexpr double kHeld = 1e-9;
-// The largest difference of energies at a moment, as a part of the largest kinetic energy of the reference's
+// The largest difference of energies at a moment, relative to the largest kinetic energy of the reference's
 // run.
 inline constexpr double kEnergy = 0.01;
-// The largest stretch may be this many times the reference's, or kLeastStretch.
+// The limit of the stretch: the larger of kStretch times the reference's and kLeastStretch.
 inline constexpr double kStretch = 1.5;
 inline constexpr double kLeastStretch = 1e-4;
-// Of pictures.
+// The limits for pictures.
 inline constexpr double kBlurredRmse = 0.0005, kFlip = 0.001;
 
 inline constexpr const char* kRunTitle = "The whole run";
 inline constexpr const char* kPicturesTitle = "Pictures of it";
 
-// Who plays the scene: as `cases` answers for the exercise's other cases, with its own object, which is the
-// last, and for all other exercises, of which `exercises` is the order, the reference's, or stubs where the
-// scene calls none.
+// The worker that plays the scene. It has the exercise's own object from `cases`, loaded last. For all other
+// exercises, in the order of `exercises`, it has the reference's objects, or stubs if the scene does not call
+// them.
 WorkerSetup whole_run_worker(const WorkerSetup& cases, const hair::Scene& scene,
                              const std::vector<std::string>& exercises);
 
 class WholeRun {
  public:
-  // The reference's pictures are kept in `kept_pictures`; without it none are drawn. `cases` is who answers
-  // for the exercise's other cases: one whose worker the suite gave up on is not asked again.
+  // The reference's pictures are stored in `kept_pictures`; without it no pictures are drawn. `cases` is the
+  // worker of the exercise's other cases: if the suite gave up on it, the whole run is not played.
   WholeRun(WorkerSetup worker, HiddenScene scene, std::optional<std::filesystem::path> kept_pictures,
            const Student& cases);
 
-  // In the order in which they are run.
+  // The categories, in the order of running.
   std::vector<Category> categories(const std::string& exercise);
 
   Student& student() { return student_; }
@@ -67,7 +65,7 @@ class WholeRun {
   HiddenScene hidden_;
   std::optional<std::filesystem::path> kept_pictures_;
   const Student& cases_;
-  std::optional<RunComparison> run_;  // once it was played
+  std::optional<RunComparison> run_;  // set once it was played
   std::vector<PictureResult> pictures_;
   double picture_seconds_ = 0;
 };

@@ -1,4 +1,4 @@
-// STAFF ONLY. What the whole run of an exercise's hidden scene is worth.
+// STAFF ONLY. The points of the whole run of an exercise's hidden scene.
 #pragma once
 
 namespace grader {

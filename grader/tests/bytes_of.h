@@ -1,4 +1,4 @@
-// STAFF ONLY. What is in a file, for tests.
+// STAFF ONLY. A file's content, for tests.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// STAFF ONLY. hairgrade as a person runs it.
+// STAFF ONLY. Runs hairgrade as a user does.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +9,12 @@
 namespace grader {
 
 struct ProgramRun {
-  int code = 0;  // what it returned; -1: a signal ended it
+  int code = 0;  // its exit code; -1: a signal ended it
   std::string output, errors;
 };
 
-// Runs hairgrade with these arguments. `meanwhile` gets its process number once it runs, which is then also the number of its
-// process group.
+// Runs hairgrade with these arguments. `meanwhile` is called with its process id once it runs, which is also
+// the id of its process group.
 ProgramRun run_hairgrade(const std::vector<std::string>& arguments,
                          const std::function<void(int)>& meanwhile = {});
 

@@ -1,5 +1,5 @@
-// STAFF ONLY. `hairgrade compare`: two pictures, or two folders of frames. It draws nothing, runs nothing of
-// a student's and needs no secret.
+// STAFF ONLY. `hairgrade compare`: compares two pictures, or two folders of frames. It draws nothing, runs no
+// student code and needs no secret.
 #pragma once
 
 #include <atomic>
@@ -12,11 +12,12 @@ namespace grader {
 struct CompareSettings {
   std::filesystem::path reference, test;
   std::optional<std::filesystem::path> out;  // a folder: NAME-heat.png, NAME-side.png, index.html
-  bool json = false;                         // on `output`, in place of the table
+  bool json = false;                         // on `output`, instead of the table
 };
 
-// The exit code: 0, or 130 if `interrupted` was set meanwhile. Throws BadInput before anything is in `out`:
-// what find_pairs throws, a picture that can't be read, sizes that differ, a folder that can't be written.
+// Returns the exit code: 0, or 130 if `interrupted` was set. Throws BadInput before writing to `out`: as
+// find_pairs does, for a picture that can't be read, for different sizes, and for a folder that can't be
+// written.
 int compare(const CompareSettings& settings, std::ostream& output, const std::atomic<bool>& interrupted);
 
 }  // namespace grader

@@ -1,4 +1,4 @@
-// STAFF ONLY. All files of a submission together: the scenes that they run end to end, which give no points.
+// STAFF ONLY. Runs all files of a submission together in the end-to-end scenes, which give no points.
 #pragma once
 
 #include <filesystem>
@@ -8,8 +8,8 @@
 
 namespace grader {
 
-// One worker for all of a submission's objects, which lie in the folders of `job`. The reference's stand in for exercises
-// that are given, and stubs for those that can't be called: scenes that need these are not run.
+// One worker for all of a submission's objects, which lie in the folders of `job`. Given exercises use the
+// reference's objects, and exercises that can't be called use stubs: scenes that need a stub are not run.
 SuiteJob end_to_end_job(const SuiteJobs& jobs, const std::filesystem::path& job,
                         const SubmissionResult& result);
 

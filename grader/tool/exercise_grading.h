@@ -1,4 +1,5 @@
-// STAFF ONLY. One exercise of a submission: its file is compiled and linked in cages, and its hidden suite run against it.
+// STAFF ONLY. Grades one exercise of a submission: compiles and links its file in cages, and runs its hidden
+// suite.
 #pragma once
 
 #include <filesystem>
@@ -12,15 +13,15 @@
 
 namespace grader {
 
-// Without status, points and cases.
+// The result without status, points and cases.
 ExerciseResult describe(const Exercise& exercise);
 
-// `job`: a folder for temporary files. What goes wrong on our side is thrown.
+// `job`: a folder for temporary files. Throws for errors on our side.
 void grade_exercise(const SuiteJobs& jobs, const Compiler& compiler, const Exercise& exercise,
                     const Submission& submission, const std::filesystem::path& job, ExerciseResult& result,
                     ExerciseTiming& timing);
 
-// The suite alone, against an object of `student`.
+// Runs only the suite, against an object of `student`.
 void run_cases(const SuiteJobs& jobs, const Exercise& exercise, const std::string& student,
                const std::filesystem::path& object, const std::filesystem::path& job, ExerciseResult& result,
                ExerciseTiming& timing);

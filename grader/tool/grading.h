@@ -1,6 +1,6 @@
-// STAFF ONLY. One submission from its files to its result: compile and link each exercise's file in cages,
-// run its hidden suite against it, and say what became of it; then run them all together, which gives no points.
-// Needs no lock: submissions are graded side by side.
+// STAFF ONLY. Grades one submission, from its files to its result: compiles and links each exercise's file in
+// cages and runs its hidden suite; then runs all files together, which gives no points. Needs no lock:
+// submissions are graded in parallel.
 #pragma once
 
 #include <filesystem>
@@ -21,21 +21,21 @@ namespace grader {
 
 struct Graded {
   SubmissionResult result;
-  std::map<std::string, ExerciseTiming> timing;  // by exercise, and of "runs" and "study"
+  std::map<std::string, ExerciseTiming> timing;  // by exercise, also of "runs" and "study"
   std::optional<SubmissionStudy> study;
-  std::vector<std::string> problems;  // ours: what kept us from grading, a line each
+  std::vector<std::string> problems;  // on our side: what prevented grading, a line each
 };
 
 class Grading {
  public:
-  // Throws BadInput if this machine can't isolate student code and `isolated` asks for it, if it can't draw and
-  // `images` asks for that, or if the reference does not get full points.
+  // Throws BadInput if `isolated` is set and this machine can't isolate student code, if `images` is set and
+  // it can't draw, or if the reference does not get full points.
   explicit Grading(GradingSettings settings);
 
-  // What goes wrong on our side is said in the result, which then has no fingerprint.
+  // Errors on our side are in the result, which then has no fingerprint.
   Graded grade(const Submission& submission) const;
 
-  // Of the submission's bytes, and of all else that its result depends on.
+  // A hash of the submission's bytes, and of everything else that its result depends on.
   std::string fingerprint(const Submission& submission) const;
 
   const Course& course() const { return settings_.course; }

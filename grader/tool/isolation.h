@@ -1,4 +1,4 @@
-// STAFF ONLY. Whether this machine can isolate student code, found out by doing it.
+// STAFF ONLY. Tests whether this machine can isolate student code, by doing it.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace grader {
 
-// Empty if a caged worker starts; otherwise why it does not, and what would help.
+// Empty if a caged worker starts; otherwise the reason and a remedy.
 std::string why_not_isolated(const StagedKit& kit);
 
 }  // namespace grader

@@ -1,4 +1,4 @@
-// STAFF ONLY. How far long work is: one line on a terminal, nothing in a pipe.
+// STAFF ONLY. The progress of long work: one line on a terminal, nothing in a pipe.
 #pragma once
 
 #include <unistd.h>

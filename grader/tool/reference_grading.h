@@ -1,5 +1,5 @@
-// STAFF ONLY. Every batch begins with the reference in a worker like the students': it must pass, and its CPU time sets
-// theirs.
+// STAFF ONLY. Every batch begins with the reference, in a worker like the students': it must pass, and its
+// CPU time determines the students' limit.
 #pragma once
 
 #include <map>
@@ -13,12 +13,12 @@
 namespace grader {
 
 struct ReferenceGraded {
-  std::map<std::string, ExerciseTiming> timing;  // by exercise, and of kRuns and kStudy
-  std::optional<SubmissionStudy> study;          // beside itself: what is not 1 in its ratios is noise
-  std::vector<std::string> problems;             // of studies, which are only shown: grades do without
+  std::map<std::string, ExerciseTiming> timing;  // by exercise, also of kRuns and kStudy
+  std::optional<SubmissionStudy> study;          // beside itself: deviations of its ratios from 1 are noise
+  std::vector<std::string> problems;             // of studies; they don't affect grades
 };
 
-// Throws std::runtime_error if it does not pass.
+// Throws std::runtime_error if the reference does not pass.
 ReferenceGraded grade_reference(const SuiteJobs& jobs);
 
 }  // namespace grader

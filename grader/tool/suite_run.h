@@ -1,4 +1,4 @@
-// STAFF ONLY. The hidden suite as a program of its own: a job goes in, what it found comes out. See
+// STAFF ONLY. Runs the hidden suite as a separate program, with a job as input and the results as output. See
 // grader/suite/main.cpp.
 #pragma once
 
@@ -17,29 +17,29 @@ struct SuiteJob {
   std::string exercise;  // or "runs", or "study"
   std::string seed;
   std::filesystem::path kit;
-  std::vector<std::filesystem::path> objects;  // in the order in which they are loaded
+  std::vector<std::filesystem::path> objects;  // in loading order
   std::filesystem::path log;
   bool isolated = true;
   int cpu_seconds = 10;
   std::optional<std::filesystem::path> pictures =
-      {};  // where the reference's are kept; nothing: none are drawn
+      {};  // the folder of the reference's pictures; nothing: none are drawn
 
-  // Of an exercise with a whole run, see grader/suite/whole_run.h.
+  // For an exercise with a whole run, see grader/suite/whole_run.h.
   struct WholeRun {
     std::filesystem::path scene;
     std::string seed;
-    std::vector<std::string> exercises;  // all that the kit has, in their order
+    std::vector<std::string> exercises;  // all of the kit's, in their order
     int cpu_seconds = 10;
   };
   std::optional<WholeRun> whole_run = {};
 
-  // Of "runs" and "study" alone, see grader/suite/end_to_end.h.
+  // Only for "runs" and "study", see grader/suite/end_to_end.h.
   std::vector<std::string> left_out = {};
   std::map<std::string, std::string> unavailable = {};
 
-  // Of "study" alone, see grader/study/submission_study.h.
+  // Only for "study", see grader/study/submission_study.h.
   std::vector<std::filesystem::path> reference_objects = {};
-  std::filesystem::path motions = {};  // where what is true of scenes is kept
+  std::filesystem::path motions = {};  // the folder of true motions
 };
 
 struct SuiteResult {
@@ -49,7 +49,7 @@ struct SuiteResult {
   std::vector<PictureResult> pictures;
   double cpu_seconds = 0;          // of the worker
   double run_cpu_seconds = 0;      // of the worker that played the whole run
-  double picture_cpu_seconds = 0;  // of ours: drawn and compared
+  double picture_cpu_seconds = 0;  // on our side: drawing and comparing
   int starts = 0;
 };
 

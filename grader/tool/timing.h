@@ -1,4 +1,4 @@
-// STAFF ONLY. timing.json: what everything cost, beside the reference in an identical worker. The only file
+// STAFF ONLY. timing.json: the cost of everything, beside the reference in an identical worker. The only file
 // that differs from run to run.
 #pragma once
 
@@ -12,7 +12,7 @@ namespace grader {
 
 using TimingByExercise = std::map<std::string, ExerciseTiming>;
 
-// Adds to what an earlier run left in `out`. `wall_seconds` and `graded` are this run's.
+// Adds to the file of an earlier run in `out`. `wall_seconds` and `graded` are those of this run.
 void write_timing(const std::filesystem::path& out, const TimingByExercise& reference,
                   const std::map<std::string, TimingByExercise>& submissions, double wall_seconds, int graded,
                   int jobs);

@@ -1,12 +1,14 @@
-// STAFF ONLY. Messages over two pipes. One side asks, the other answers:
+// STAFF ONLY. Messages over two pipes. The suite sends requests, the worker answers:
 //
-//   suite -> worker  request(function, ...)        worker -> suite  hello, once, when it is ready
-//                    product_result(...)                            product(operator, x)  while it works on
-//                    the request stop                                           done(...) | not_implemented |
-//                    threw | out_of_memory
-//                                                                   | denied | cannot_load
+//   suite -> worker           worker -> suite
 //
-// Each request carries a number drawn at random, and so must all that is sent for it.
+//                             hello, once, when it is ready | cannot_load
+//   request(function, ...)
+//   product_result(...)       product(operator, x), during the request
+//   stop, for the request     denied(system call), during the request
+//                             done(...) | stopped | not_implemented | threw | out_of_memory
+//
+// Each request carries a random number (nonce). Every message for this request must carry the same number.
 #pragma once
 
 #include <cstdint>
@@ -20,12 +22,12 @@ namespace grader {
 enum class Kind : std::uint32_t {
   hello = 0x68616972,
   cannot_load,     // text
-  request,         // int function, then what the function needs
+  request,         // int function, then its arguments
   product,         // int operator, doubles x
   product_result,  // doubles
-  stop,            // enough products: give up on this request
+  stop,            // enough products: stop this request
   stopped,
-  done,             // what the function returned
+  done,             // the function's results
   not_implemented,  // text
   threw,            // text
   out_of_memory,
@@ -43,9 +45,9 @@ class Channel {
   // Waits until `descriptor` is ready for `events` (POLLIN, POLLOUT); false to give up.
   using Wait = std::function<bool(int descriptor, short events)>;
 
-  // Neither descriptor is owned. Without `wait` sending and receiving block; with it they ask it before every
-  // step, and `out` must not block, so that the other side can hold up nothing by sending half a message or
-  // by reading none.
+  // Does not own the descriptors. Without `wait`, sending and receiving block. With it, they call it before
+  // every step, and `out` must be non-blocking, so that the other side can't block us by sending half a
+  // message or by not reading.
   Channel(int in, int out, Wait wait = {}) : in_(in), out_(out), wait_(std::move(wait)) {}
 
   // False if the other side is gone, or `wait` gave up.

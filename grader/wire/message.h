@@ -1,5 +1,5 @@
-// STAFF ONLY. What a message is made of: numbers in this machine's own form, one after the other; arrays with
-// their length before them.
+// STAFF ONLY. The contents of a message: numbers in this machine's own format, one after the other; arrays
+// with their length before them.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace grader {
 
-// A message that is not of its form. From a worker, that is a broken rule.
+// A message with an invalid form. If it comes from a worker, the worker broke the rules.
 class MalformedMessage : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -36,7 +36,7 @@ class MessageWriter {
   std::vector<std::byte> bytes_;
 };
 
-// Reads what a MessageWriter wrote, in its order. Throws MalformedMessage where there is less than asked for.
+// Reads the values of a MessageWriter in the same order. Throws MalformedMessage if the message is too short.
 class MessageReader {
  public:
   explicit MessageReader(std::vector<std::byte> bytes) : bytes_(std::move(bytes)) {}
@@ -48,9 +48,9 @@ class MessageReader {
     return value;
   }
   std::vector<double> get_doubles();
-  std::vector<double> get_doubles(std::size_t expected);  // MalformedMessage for another number of them
-  std::string get_text();  // its first 1000 bytes, control characters as spaces: the sender may be anybody
-  std::string get_document();  // all of a text, as it is: from a sender who is trusted
+  std::vector<double> get_doubles(std::size_t expected);  // throws MalformedMessage for another number
+  std::string get_text();      // the first 1000 bytes, control characters as spaces: for untrusted senders
+  std::string get_document();  // the whole text, unchanged: only for trusted senders
   void expect_end() const;
 
  private:

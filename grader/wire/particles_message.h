@@ -10,6 +10,6 @@ void put(MessageWriter& message, const particles::Particles& particles);
 particles::Particles get_particles(MessageReader& message);
 
 void put(MessageWriter& message, const particles::State& state);
-particles::State get_state(MessageReader& message, int n);  // of n particles; MalformedMessage for others
+particles::State get_state(MessageReader& message, int n);  // of n particles; else throws MalformedMessage
 
 }  // namespace grader

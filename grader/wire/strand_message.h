@@ -12,8 +12,8 @@ Eigen::VectorXd get_vector(MessageReader& message,
 
 void put(MessageWriter& message, const hair::Strand& strand);
 
-// Throws MalformedMessage for what has no particles, or not one segment less than it has particles. Numbers
-// may be anything: whoever needs them finite or positive looks for himself.
+// Throws MalformedMessage if there are no particles, or if the number of segments is not one less. Numbers
+// may be anything: callers that need finite or positive numbers must check.
 hair::Strand get_strand(MessageReader& message);
 
 }  // namespace grader

@@ -1,4 +1,4 @@
-// STAFF ONLY. Vectors and scratch memory as exercises get them: in front of a page that nobody may touch.
+// STAFF ONLY. Vectors and scratch memory for exercises, in front of a protected page.
 #pragma once
 
 #include <limits>
@@ -21,7 +21,7 @@ class GuardedVector {
   Eigen::Map<Eigen::VectorXd> view_;
 };
 
-// Full of NaN, so that what is read before it is written shows.
+// Filled with NaN, so that reading before writing becomes visible.
 class GuardedScratch {
  public:
   GuardedScratch(int rows, int columns)

@@ -1,5 +1,5 @@
-// STAFF ONLY. Dynamics that the suite holds: the worker asks for each acceleration through the pipe, so that
-// the suite's count is the true one. Its other side is grader/suite/dynamics_server.h.
+// STAFF ONLY. Dynamics that the suite holds: the worker requests each acceleration through the pipe, so that
+// the suite's count is correct. The other side is grader/suite/dynamics_server.h.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@ namespace grader {
 
 class ServedDynamics : public particles::Dynamics {
  public:
-  // Of n particles.
+  // For n particles.
   ServedDynamics(Session& session, int n) : session_(session), size_(3 * n) {}
 
   void acceleration(particles::Input x, particles::Input v, particles::Output a) override {
@@ -28,7 +28,7 @@ class ServedDynamics : public particles::Dynamics {
     session_.product(0, question, {a.data(), static_cast<std::size_t>(size_)});
   }
 
-  // Accelerations that were to overwrite what they depend on.
+  // The number of accelerations whose output overlapped their inputs.
   int mistakes() const { return mistakes_; }
 
  private:

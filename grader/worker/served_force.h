@@ -1,5 +1,5 @@
-// STAFF ONLY. A force that the suite holds: the worker asks for each value and each product through the pipe,
-// so that the suite's counts are the true ones. Its other side is grader/suite/force_server.h.
+// STAFF ONLY. A force that the suite holds: the worker requests each value and each product through the pipe,
+// so that the suite's counts are correct. The other side is grader/suite/force_server.h.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@ namespace grader {
 
 class ServedForce : public particles::Force {
  public:
-  // Of n particles.
+  // For n particles.
   ServedForce(Session& session, int n) : session_(session), size_(3 * n) {}
 
   double energy(particles::Input x) const override {
@@ -37,7 +37,7 @@ class ServedForce : public particles::Force {
     add(kForceDfdv, joined({&x, &v, &dv}), df);
   }
 
-  // Products that were to be added to their own input, which no contract allows.
+  // The number of products whose output overlapped their input, which no contract allows.
   int mistakes() const { return mistakes_; }
 
  private:

@@ -1,6 +1,6 @@
-// STAFF ONLY. One request as the code that serves an exercise sees it. An exercise's server is a shared
-// object of its own, grader/worker/serve_<id>.cpp, which is loaded after the student's and calls it through
-// the given headers.
+// STAFF ONLY. One request, as the server of an exercise sees it. Each server is a separate shared object,
+// grader/worker/serve_<id>.cpp. It is loaded after the student's object and calls it through the given
+// headers.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace grader {
 
-// The suite has seen enough products: it unwinds the student's function.
+// The suite stopped the request: this exception unwinds the student's function.
 struct Stopped {};
 
 class Session {
@@ -33,7 +33,7 @@ class Session {
   std::uint64_t nonce_;
 };
 
-// A matrix that the suite holds. `mistakes` counts products whose result was to overwrite their input.
+// A matrix that the suite holds. `mistakes` counts products whose output overlapped their input.
 class ServedMatrix : public implicitMatrix {
  public:
   ServedMatrix(Session& session, int which, int rows, int cols)
@@ -49,7 +49,7 @@ class ServedMatrix : public implicitMatrix {
   int mistakes_ = 0;
 };
 
-// `values`, in memory that ends where a page begins that nobody may touch.
+// A copy of `values` that ends directly before a protected page.
 class GuardedBuffer {
  public:
   explicit GuardedBuffer(const std::vector<double>& values);
@@ -65,8 +65,8 @@ class GuardedBuffer {
   std::span<double> values_;
 };
 
-// What each server defines: reads the session's request, calls the student's function, writes the session's
-// reply.
+// The function that each server defines: it reads the session's request, calls the student's function, and
+// writes the session's reply.
 using Server = void (*)(Session& session);
 inline constexpr const char* kServerName = "serve";
 

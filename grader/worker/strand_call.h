@@ -1,7 +1,7 @@
-// STAFF ONLY. What a request of H1, H2 or H3 asks for, and the memory that it is done in. Function 0 is the
-// energy, 1 the force, 2 and up are products:
+// STAFF ONLY. A request of H1, H2 or H3 and its memory. Function 0 is the energy, 1 the force, 2 and up are
+// products:
 //
-//   function, geometric term, strand, x, dx, what f or df holds beforehand  ->  E | f | df
+//   function, geometric term, strand, x, dx, initial value of f or df  ->  E | f | df
 #pragma once
 
 #include <Eigen/Core>

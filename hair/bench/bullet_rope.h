@@ -1,5 +1,5 @@
-// The rope of the Bullet physics library (a soft body of links, in single precision) as a strand: the same
-// particles, masses, gravity and step.
+// The rope of the Bullet physics library (a soft body of links, in single precision) as a strand, with the
+// same particles, masses, gravity and step.
 #pragma once
 
 #include <memory>
@@ -11,8 +11,8 @@ namespace hair_bench {
 
 class BulletRope {
  public:
-  // A uniform strand that starts level, along x, with its root at the origin. A step takes `iterations` sweeps over
-  // the links (Bullet's piterations).
+  // A uniform strand that starts horizontal, along x, with its root at the origin. A step makes `iterations`
+  // sweeps over the links (Bullet's piterations).
   BulletRope(const hair::Strand& strand, int iterations);
   ~BulletRope();
 

@@ -1,6 +1,6 @@
-// What somebody would write who needs one kind of scene and nothing else: straight strands without bending,
-// stretch springs, gravity and a method. It calls the exercises' functions itself, looks for no blow-up,
-// counts nothing, and knows no obstacles, motions, toys or pictures.
+// A minimal program for one kind of scene: straight strands without bending, with stretch springs, gravity
+// and a method. It calls the exercises' functions directly. It does not check for blow-ups, counts nothing,
+// and has no obstacles, motions, toys or pictures.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@ namespace hair_bench {
 
 class PlainProgram {
  public:
-  // Of the description's strands, method (H4, H6, symplectic Euler or RK4), step and gravity along z.
+  // Uses the description's strands, method (H4, H6, symplectic Euler or RK4), step and gravity along z.
   explicit PlainProgram(const hair::Description& description);
 
   void steps(int count);

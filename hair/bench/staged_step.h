@@ -1,4 +1,4 @@
-// H6 step by step with a clock beside it: which part takes how long.
+// A step of H6 with a clock: the time that each part takes.
 #pragma once
 
 #include "hair/strand.h"
@@ -7,7 +7,7 @@
 
 namespace hair_bench {
 
-// Seconds, summed up.
+// Sums, in seconds.
 struct Stages {
   double products = 0;  // with df/dx and df/dv
   double forces = 0;

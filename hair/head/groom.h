@@ -1,4 +1,4 @@
-// Hair as somebody combed it: strands as points.
+// Groomed hair: each strand is a list of points.
 #pragma once
 
 #include <Eigen/Core>

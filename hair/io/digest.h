@@ -1,5 +1,5 @@
-// A digest of numbers, bit by bit: FNV-1a, 64 bits (G. Fowler, L. C. Noll, K.-P. Vo; RFC 9923). No secret, and no
-// protection against who wants a clash.
+// A digest of numbers, bit by bit: FNV-1a, 64 bits (G. Fowler, L. C. Noll, K.-P. Vo; RFC 9923). It is not
+// cryptographic: collisions are easy to construct.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,7 +22,7 @@ class Digest {
   Digest& add(int value) { return add(static_cast<std::uint64_t>(static_cast<std::int64_t>(value))); }
   Digest& add(bool value) { return add(static_cast<std::uint64_t>(value)); }
 
-  // The size first, so that what follows is not taken for a part of it.
+  // Adds the size first, so that later values can't be mistaken for a part of this vector.
   template <typename Derived>
   Digest& add(const Eigen::MatrixBase<Derived>& values) {
     add(static_cast<std::uint64_t>(values.size()));

@@ -1,4 +1,4 @@
-// What measured: times mean nothing without it.
+// The machine and the build that measured: times mean nothing without them.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@ namespace hair {
 
 struct Machine {
   std::string processor;  // "AMD EPYC 9654 96-Core Processor"
-  int cores = 0;          // that the system has
+  int cores = 0;          // of the machine
   std::string compiler;   // "GCC 12.2.0"
   std::string build;      // "Release, -O3 -DNDEBUG; ... -O3"
   std::string eigen;      // "3.4.0"
@@ -17,11 +17,11 @@ struct Machine {
 
 Machine this_machine();
 
-// For a page: "Measured on ..., 2 cores, one of them used; GCC ...".
+// A text for a page: "Measured on ..., 2 cores, one of them used; GCC ...".
 std::string measured_on(const Machine& machine);
 
-// Of the bytes of the program that runs, with all that was linked into it; where the system has no way to read them,
-// "unknown".
+// A digest of the running program's bytes, including all statically linked code; "unknown" if the system
+// can't read them.
 std::string program_digest();
 
 }  // namespace hair

@@ -1,4 +1,4 @@
-// What a scene still misses of the exercises that it calls.
+// Names the exercise that a scene needs but that is still a stub.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 namespace hair {
 
 // "H2: student/angular_springs.cpp, bend_energy is not implemented yet"
-std::string missing_part(const std::string& what);  // of a stub, printable
+std::string missing_part(const std::string& what);  // `what` of a stub, printable
 inline std::string missing_part(const NotImplemented& stub) {
   return missing_part(printable(stub.what()));
 }

@@ -1,6 +1,5 @@
-// Dual numbers: a value and its derivative along one direction. A function that is written for any type of
-// number, and called with x + dx as duals, returns its directional derivative beside its value, exact to
-// rounding.
+// Dual numbers: a value and its derivative along one direction. A function written for any number type,
+// called with x + dx as duals, returns its value and its directional derivative, exact up to rounding.
 #pragma once
 
 #include <Eigen/Core>
@@ -40,7 +39,7 @@ inline Dual operator-(const Dual& a) {
   return {-a.value, -a.change};
 }
 
-// The derivative of a root at 0 is infinite: callers look first.
+// The derivative of a square root at 0 is infinite: callers must check.
 inline Dual sqrt(const Dual& a) {
   const double root = std::sqrt(a.value);
   return {root, a.change / (2 * root)};
@@ -62,7 +61,7 @@ inline double value_of(const Dual& a) {
 
 namespace Eigen {
 
-// What Eigen asks of a type of number.
+// The traits that Eigen requires of a number type.
 template <>
 struct NumTraits<hair::Dual> : NumTraits<double> {
   using Real = hair::Dual;

@@ -1,5 +1,5 @@
-// What acts on a strand of masses and springs. Each part is a row, with the exercise that it calls: a strand has those
-// that it asks for, and a course without the exercise has no such strand.
+// The forces of a strand of masses and springs. Each part is a row with the exercise that it calls. A strand
+// uses the parts that it needs; a course without a part's exercise can't have such a strand.
 #pragma once
 
 #include <span>
@@ -12,24 +12,24 @@
 
 namespace hair {
 
-// What a strand's forces are made with.
+// Parameters of a strand's forces.
 struct ForceOptions {
   GeometricTerm geometric_term = GeometricTerm::filtered;
   Products bend_product = Products::definite;
   Vector3d gravity = Vector3d::Zero();  // m/s^2
   double drag = 0;                      // N s/m^2: for each metre of hair
-  Vector3d wind = Vector3d::Zero();     // m/s, of the air that drags
-  bool point_forces = false;            // steps come with forces from outside
+  Vector3d wind = Vector3d::Zero();     // m/s, of the air
+  bool point_forces = false;            // steps also apply external forces
 };
 
 struct ForcePart {
   const char* name;      // "stretching"
   const char* how;       // "springs along the segments"
-  const char* exercise;  // "H1"; "": it is given
+  const char* exercise;  // "H1"; "" if it needs no exercise
   bool (*acts)(const StrandStart&);
-  // Why no strand of a scene has it.
+  // The reason why no strand of a scene uses this part.
   const char* (*why_not)(std::span<const StrandStart>);
-  // To `sum`, one of the strand's sums, with products as said.
+  // Adds the part to `sum`, one of the strand's sums, with the given kind of products.
   void (*add)(const StrandStart&, GeometricTerm, Products, MovingStrand&, particles::ForceSum& sum);
 };
 
@@ -38,8 +38,8 @@ std::span<const ForcePart> force_parts();
 // The exercises that the parts of this strand call.
 std::vector<std::string> exercises_of(const StrandStart& start);
 
-// The forces that act, to a strand that was made of `start`. `with_definite`: products of the exact
-// derivative, and the same forces with definite products beside them. Throws std::invalid_argument for a part whose
+// Adds the forces to a strand that was made from `start`. `with_definite`: `force` gets exact products, and
+// `definite_force` the same forces with definite products. Throws std::invalid_argument for a part whose
 // exercise the course leaves out.
 void add_forces(const ForceOptions& options, const StrandStart& start, bool with_definite,
                 MovingStrand& moving);

@@ -1,4 +1,5 @@
-// A strand of masses and springs as a body: its coordinates are its particles' positions, which are its centre line, too.
+// A strand of masses and springs as a body: its coordinates are its particles' positions, and so is its
+// centre line.
 #pragma once
 
 #include "hair/mass_spring/force_parts.h"
@@ -11,14 +12,14 @@ namespace hair {
 
 class MassSpringBody final : public Body {
  public:
-  // `start` has passed check_start. With `collides`, steps keep where they began. Throws std::invalid_argument for what
-  // needs an exercise that the course leaves out.
+  // `start` has passed check_start. With `collides`, steps keep a copy of their start positions. Throws
+  // std::invalid_argument for parts that need an exercise that the course leaves out.
   MassSpringBody(const StrandStart& start, const StepMethod& method, const ForceOptions& options,
                  bool collides);
 
   const MovingStrand& moving() const { return moving_; }
 
-  // Back to a start of the same size. Masses, lengths and forces stay.
+  // Restarts from a start of the same size. Masses, lengths and forces stay the same.
   void restart(const StrandStart& start);
   void set_root_velocity(const Vector3d& velocity) { moving_.state.v.head<3>() = velocity; }
   void set_root_frame(const Vector3d& tangent, const Vector3d& normal);

@@ -1,4 +1,4 @@
-// A strand with all that moves it.
+// A strand with its state and its forces.
 #pragma once
 
 #include <utility>
@@ -13,7 +13,7 @@
 
 namespace hair {
 
-// Its parts refer to each other, so that it stays where it was made.
+// Its parts refer to each other, so it can be neither copied nor moved.
 struct MovingStrand {
   MovingStrand(Strand the_strand, particles::State start)
       : strand(std::move(the_strand)),
@@ -29,11 +29,11 @@ struct MovingStrand {
   particles::Particles particles;  // the strand's masses; the root is pinned
   particles::State state;
   particles::ForceSum force;
-  // Newton's method alone: the same forces with products that are definite. For others nothing.
+  // For Newton's method only: the same forces with definite products. Empty for other methods.
   particles::ForceSum definite_force;
-  std::vector<RestCurvature*> rest_curvatures;  // parts of these sums, if the strand rests curved
-  std::vector<PointForces*> point_forces;  // parts of these sums, if something outside pulls at the strand
-  particles::ParticleSystem system;        // what explicit methods see
+  std::vector<RestCurvature*> rest_curvatures;  // parts of these sums, if the strand is curved at rest
+  std::vector<PointForces*> point_forces;       // parts of these sums, if external forces act on the strand
+  particles::ParticleSystem system;             // for the explicit methods
 };
 
 }  // namespace hair

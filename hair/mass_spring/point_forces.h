@@ -1,4 +1,4 @@
-// Forces from outside at a strand's particles, as a part of its forces: links between hairs, penalties.
+// External forces at a strand's particles, as a part of its forces: links between hairs, penalties.
 #pragma once
 
 #include <span>
@@ -10,10 +10,10 @@ namespace hair {
 
 class PointForces final : public particles::Force {
  public:
-  // Until the next call. Refers to what it is given.
+  // Valid until the next call. Keeps a reference to `forces`.
   void set(std::span<const PointForce> forces) { forces_ = forces; }
 
-  // Not known: where they come from has their energy.
+  // Unknown here: the source of these forces counts their energy.
   double energy(particles::Input) const override { return 0; }
   void add_force(particles::Input, particles::Input, particles::Output f) const override {
     for (const PointForce& one : forces_) f.segment<3>(3 * one.point) += one.force;

@@ -1,6 +1,6 @@
-// The bend of hair that is curved at rest: one joint, its energy and force; then the walk along all joints from the root on,
-// by which a frame, and the share of it that is kept, pass from each joint to the next. What the letters mean is in
-// rest_curvature.h.
+// The bending of hair that is curved at rest: the energy and force of one joint, and the walk along all
+// joints from the root, which passes the frame and its kept share from each joint to the next.
+// rest_curvature.h defines the symbols.
 #pragma once
 
 #include <cmath>
@@ -48,8 +48,8 @@ struct Quotient {
   }
 };
 
-// What a joint passes on of the frame, and its logarithm's derivative by cos(phi): from 1 at phi = 2.69 down to
-// nothing at 3.00, c = y^2 (3 - 2y). With `one_plus` = 1 + cos(phi).
+// The share of the frame that a joint keeps, and the derivative of its logarithm by cos(phi): c = y^2 (3 -
+// 2y), from 1 at phi = 2.69 down to 0 at 3.00. With `one_plus` = 1 + cos(phi).
 template <typename T>
 struct Kept {
   T value = T(1), slope = T(0);
@@ -72,32 +72,32 @@ struct Joint {
   int above = -1, below = 0;  // its segments; above is -1 at the root
   Vec3<T> u, v;               // their directions
   T length_above = T(1), length_below = T(1);
-  Vec3<T> second, third;  // of the frame, beside u
+  Vec3<T> second, third;  // of the frame, whose first vector is u
   T cosine = T(1), one_plus_cosine = T(2);
   bool folded = false;
   double stiffness = 0;
-  T kappa[2] = {T(0), T(0)}, off[2] = {T(0), T(0)};  // components of w, and how far they are from rest
+  T kappa[2] = {T(0), T(0)}, off[2] = {T(0), T(0)};  // components of w, and their difference from rest
   double rest[2] = {0, 0};
-  Kept<T> kept;    // by this joint
-  T share = T(1);  // s: what all joints from the root to this one keep
+  Kept<T> kept;    // the share that this joint keeps
+  T share = T(1);  // s: the product of the shares of all joints from the root to this one
 
   bool is_obtuse() const { return value_of(cosine) < 0; }
   double rest_squared() const { return rest[0] * rest[0] + rest[1] * rest[1]; }
 
-  // Not at the fold:
+  // Not set at the fold:
   T q = T(1), slope = T(0);
   Vec3<T> u_x_v, w, tan_b;  // phi b and tan(phi/2) b
-  Vec3<T> b;                // where the joint is obtuse
+  Vec3<T> b;                // only if the joint is obtuse
 
-  // How |off|^2 / 2 changes, with off = by, while the frame turns about the strand.
+  // The derivative of |off|^2 / 2 by a rotation of the frame about the strand, with off = by.
   T turn(const T by[2]) const { return kappa[0] * by[1] - kappa[1] * by[0]; }
 };
 
-// A derivative of the energy by what a joint's segments do, without its stiffness.
+// A derivative of the energy by the joint's quantities, without its stiffness.
 template <typename T>
 struct Gradient {
-  T turning[2] = {T(0), T(0)};  // by kappa, of what counts from the frame
-  T bending[2] = {T(0), T(0)};  // by kappa, of what asks for the angle alone
+  T turning[2] = {T(0), T(0)};  // by kappa, the part that depends on the frame
+  T bending[2] = {T(0), T(0)};  // by kappa, the part that depends only on the angle
   T share = T(0);               // by log(s)
 };
 
@@ -111,7 +111,7 @@ inline double energy(const Joint<double>& joint) {
   return joint.stiffness * squared / 2;
 }
 
-// Of that energy.
+// The gradient of that energy.
 template <typename T>
 Gradient<T> energy_gradient(const Joint<T>& joint) {
   Gradient<T> gradient;
@@ -123,8 +123,8 @@ Gradient<T> energy_gradient(const Joint<T>& joint) {
   return gradient;
 }
 
-// Calls add(particle, force) with what a joint pulls, minus its gradient. `turn` and `share` sum up those below it, and
-// for the share the joint itself too.
+// Calls add(particle, force) with the joint's forces, minus its gradient. `turn` is the sum over the joints
+// below it; `share` also includes the joint itself.
 template <typename T, typename Add>
 void spread(const Joint<T>& joint, const Gradient<T>& gradient, const T& turn, const T& share, Add add) {
   if (joint.folded) return;
@@ -136,7 +136,7 @@ void spread(const Joint<T>& joint, const Gradient<T>& gradient, const T& turn, c
   by_u += joint.v * (joint.kept.slope * share);
   by_v += joint.u * (joint.kept.slope * share);
   if (joint.is_obtuse()) {
-    // Next to the fold only what is along b has no large numbers that cancel.
+    // Near the fold only the component along b avoids cancellation of large numbers.
     const T along = joint.b.dot(error);
     const T angle = (along + joint.b.dot(bend)) * k;
     error -= joint.b * along;
@@ -162,7 +162,8 @@ inline Vector3d difference(Input x, int i) {
   return x.segment<3>(3 * i + 3) - x.segment<3>(3 * i);
 }
 
-// Calls visit(joint) for all joints that have an angle, from the root. segment(i) is the vector of segment i.
+// Calls visit(joint) for all joints that have an angle, from the root to the tip. segment(i) is the vector of
+// segment i.
 template <typename T, typename Segment, typename Visit>
 void walk(const Strand& strand, const Eigen::VectorXd& rest, const Vector3d& root_normal, Segment segment,
           Visit visit) {
@@ -171,7 +172,7 @@ void walk(const Strand& strand, const Eigen::VectorXd& rest, const Vector3d& roo
   joint.v = joint.third = joint.u_x_v = joint.w = joint.tan_b = joint.b = Vec3<T>::Zero();
   joint.u = strand.root_tangent.cast<T>();
   joint.second = root_normal.cast<T>();
-  bool meets = true;  // nothing of length 0 since the segment above
+  bool meets = true;  // no segment of length 0 since the segment above
   for (int i = 0; i < strand.segments(); ++i) {
     const Vec3<T> e = segment(i);
     const T squared = e.dot(e);
@@ -187,7 +188,7 @@ void walk(const Strand& strand, const Eigen::VectorXd& rest, const Vector3d& roo
     joint.cosine = joint.u.dot(joint.v);
     const T sine_squared = joint.u_x_v.dot(joint.u_x_v);
     const Vec3<T> bisector = joint.u + joint.v;
-    joint.one_plus_cosine = bisector.dot(bisector) / T(2);  // with all digits, next to the fold too
+    joint.one_plus_cosine = bisector.dot(bisector) / T(2);  // accurate near the fold too
     joint.folded = joint.is_obtuse() && value_of(sine_squared) == 0;
     joint.kept = Kept<T>(joint.one_plus_cosine);
     joint.share *= joint.kept.value;
@@ -213,8 +214,8 @@ void walk(const Strand& strand, const Eigen::VectorXd& rest, const Vector3d& roo
     joint.stiffness = strand.bend_rigidity / l;
     if (meets) visit(joint);
 
-    // The frame goes on to the segment below: minimal rotation from u to v (about `second` at the fold). Made
-    // perpendicular again, for roundings add up along the strand.
+    // Passes the frame to the segment below: the minimal rotation from u to v (about `second` at the fold).
+    // Then makes it perpendicular again, because rounding errors sum up along the strand.
     if (!joint.folded) joint.second -= bisector * (joint.v.dot(joint.second) / joint.one_plus_cosine);
     joint.second -= joint.v * joint.v.dot(joint.second);
     joint.second = joint.second / sqrt(joint.second.dot(joint.second));
@@ -225,7 +226,7 @@ void walk(const Strand& strand, const Eigen::VectorXd& rest, const Vector3d& roo
   }
 }
 
-// What all frames and shares of joints below add up to.
+// The sums over all joints below: of the frames' turns and of the shares.
 template <typename T>
 struct Below {
   T turn = T(0), share = T(0);
@@ -236,8 +237,8 @@ struct Below {
   }
 };
 
-// Calls add(particle, force) with what all joints pull. Two walks: gradients are asked for twice, `first` and `second`,
-// each time from the root on.
+// Calls add(particle, force) with the forces of all joints. It makes two walks from the root; `first` and
+// `second` return a joint's gradient in the first and in the second walk.
 template <typename T, typename Segment, typename First, typename Second, typename Add>
 void spread_all(const Strand& strand, const Eigen::VectorXd& rest, const Vector3d& root_normal,
                 Segment segment, First first, Second second, Add add) {

@@ -1,5 +1,6 @@
-// The forces within a strand as particles::Force, for what moves particles. Each refers to a strand, which
-// must outlive it and may change between calls, such as the root's tangent does when the root turns.
+// The forces within a strand as particles::Force, for the integrators. Each keeps a reference to a strand,
+// which must outlive it and may change between calls; for example the root's tangent changes when the root
+// turns.
 #pragma once
 
 #include "hair/geometric_term.h"
@@ -13,7 +14,7 @@ using particles::Input;
 using particles::Output;
 using particles::Products;
 
-// H1: springs along the segments. The products' geometric term is as said.
+// H1: springs along the segments. `term` selects the products' geometric term.
 class StretchForce final : public particles::Force {
  public:
   StretchForce(const Strand& strand, GeometricTerm term) : strand_(strand), term_(term) {}

@@ -1,4 +1,4 @@
-// A strand of masses and springs, and where it starts.
+// A strand of masses and springs, and its initial state.
 #pragma once
 
 #include "hair/mass_spring/rest_curvature.h"
@@ -10,29 +10,31 @@ namespace hair {
 
 struct StrandStart {
   Strand strand;
-  particles::State state;  // 3n each; the root goes on with the velocity that it has
+  particles::State state;  // 3n each; the root keeps its velocity
 
-  // Of a strand that is not straight at rest: two components for each segment (bend_components), and the normal
-  // at the root that they count from. It must be clamped, and bends by its rest curvature instead of H2's springs.
-  // Without effect if EI = 0: what resists no bend has no shape to go back to.
+  // For a strand that is not straight at rest: two components for each segment (bend_components), and the
+  // normal at the root that they refer to. The strand must be clamped, and bends by its rest curvature
+  // instead of H2's springs. No effect if EI = 0, because a strand without bending stiffness has no shape to
+  // return to.
   Eigen::VectorXd rest_curvature = {};
   Vector3d root_normal = Vector3d::UnitX();
 };
 
-// A clamped strand that rests in the given shape, and starts there.
+// A clamped strand with this rest shape, which starts in that shape.
 StrandStart start_at_rest(const Material& material, const RestShape& shape);
 
-// The same of a fibre. Straight hair, and hair that is not clamped, bends by H2's springs.
+// The same for a fibre. Straight hair, and hair that is not clamped, bends by H2's springs.
 StrandStart start_at_rest(const Fibre& fibre, const RestShape& shape, bool straight, bool clamped);
 
-// Moves a strand's particles to where they are held.
+// Moves a strand's particles to their positions as held.
 void hold(const Held& held, StrandStart& start);
 
-// The strand in as many segments as the specification has elements. Throws std::invalid_argument for a shape that its
-// segments can't follow, and what is out of bounds.
+// The strand with as many segments as the specification has elements. Throws std::invalid_argument for a
+// shape that these segments can't follow, and for values out of bounds.
 StrandStart discretise(const StrandSpec& spec);
 
-// Throws std::invalid_argument for what is out of bounds, not finite or of the wrong size. `name`: "strand 3".
+// Throws std::invalid_argument for values that are out of bounds, not finite or of the wrong size. `name`:
+// "strand 3".
 void check_start(const std::string& name, const StrandStart& start);
 
 }  // namespace hair

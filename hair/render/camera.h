@@ -1,4 +1,4 @@
-// Where pictures are taken from.
+// The camera of a picture.
 #pragma once
 
 #include "particles/vectors.h"
@@ -12,7 +12,7 @@ struct Camera {
   double field_of_view = 0.5;  // rad, of the picture's height
 };
 
-// A box, from which a camera is made that has all of it in the picture.
+// A box; frame_camera makes a camera that shows all of it.
 struct Bounds {
   Vector3d low = Vector3d::Constant(1e300), high = Vector3d::Constant(-1e300);
 
@@ -23,12 +23,12 @@ struct Bounds {
   bool empty() const { return !(low.array() <= high.array()).all(); }
 };
 
-// The part of the picture's height and width that the box may take.
+// The largest part of the picture's height and width for the box.
 inline constexpr double kFramed = 0.9;
 
 // Looks at the box from `direction` (from the box to the eye; any length but 0), from as near as `aspect`
-// (width / height) allows. A box that is empty, or a point, is seen from some millimetres. Throws
-// std::invalid_argument for what is not finite, and for an aspect that is not positive.
+// (width / height) allows. A box that is empty or a point is seen from a few millimetres. Throws
+// std::invalid_argument for values that are not finite, and for an aspect that is not positive.
 Camera frame_camera(const Bounds& bounds, double aspect, const Vector3d& direction = Vector3d(0.35, -1, 0.2));
 
 }  // namespace hair

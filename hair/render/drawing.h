@@ -1,4 +1,4 @@
-// What there is to draw, as plain data: the renderer knows nothing of scenes, simulations or exercises.
+// The content of a picture, as plain data: the renderer is independent of scenes, simulations and exercises.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@ namespace hair {
 
 using Colour = Eigen::Vector3f;  // linear, 0 to 1
 
-// Strands: one after the other, each a line through its points.
+// Strands, one after the other; each is a line through its points.
 struct StrandsDrawing {
   std::vector<int> sizes;        // points of each strand, >= 1
   std::vector<Vector3d> points;  // m, strand after strand
@@ -17,7 +17,7 @@ struct StrandsDrawing {
   Colour root = {0.10f, 0.05f, 0.02f}, tip = {0.22f, 0.12f, 0.05f};
 };
 
-// What toys are made of: rods and springs between points, wires, and cloth.
+// The parts of toys: rods and springs between points, wires, and cloth.
 struct Tube {
   Vector3d a, b;  // m
   double radius;  // m
@@ -36,7 +36,7 @@ struct Ring {
   Colour colour;
 };
 
-// A grid of rows x columns points, seen from both sides.
+// A grid of rows x columns points, visible from both sides.
 struct Sheet {
   int rows, columns;
   std::vector<Vector3d> points;
@@ -49,7 +49,7 @@ struct Drawing {
   std::vector<Ball> balls;
   std::vector<Ring> rings;
   std::vector<Sheet> sheets;
-  std::vector<Obstacle> obstacles;  // head, ground, limbs: where they are
+  std::vector<Obstacle> obstacles;  // head, ground, limbs, at their present positions
 };
 
 }  // namespace hair

@@ -1,6 +1,6 @@
-// The part of OpenGL 3.3 core that is used here: types, constants and functions, which are looked up at run
-// time. Source: The OpenGL Graphics System, a Specification, Version 3.3 (Core Profile), Khronos 2010; the
-// numbers are those of its registry.
+// The used part of OpenGL 3.3 core: types, constants and functions, which are looked up at run time. Source:
+// The OpenGL Graphics System, a Specification, Version 3.3 (Core Profile), Khronos 2010; the numbers are from
+// its registry.
 #pragma once
 
 #include <cstddef>
@@ -30,8 +30,8 @@ inline constexpr Enum kCompileStatus = 0x8B81, kLinkStatus = 0x8B82;
 inline constexpr Enum kRenderer = 0x1F01, kVersion = 0x1F02;
 inline constexpr Enum kNoError = 0;
 
-// X(name without its prefix gl, type). What is an offset into a buffer is a number here, though OpenGL's own
-// headers call it a pointer.
+// X(name without its prefix gl, type). Offsets into buffers are numbers here; OpenGL's own headers declare
+// them as pointers.
 #define HAIR_GL_FUNCTIONS(X)                                                         \
   X(ActiveTexture, void(Enum))                                                       \
   X(AttachShader, void(Name, Name))                                                  \

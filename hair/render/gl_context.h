@@ -1,5 +1,5 @@
-// OpenGL 3.3 core without a window, from a library that is loaded here: OSMesa, which draws into memory, or
-// EGL on Mesa's surfaceless platform. Sources: Mesa's GL/osmesa.h; Khronos, EGL 1.5 and
+// OpenGL 3.3 core without a window. Loads a library at run time: OSMesa, which draws into memory, or EGL on
+// Mesa's surfaceless platform. Sources: Mesa's GL/osmesa.h; Khronos, EGL 1.5 and
 // EGL_MESA_platform_surfaceless.
 #pragma once
 
@@ -11,13 +11,14 @@ namespace hair {
 
 class GlContext {
  public:
-  // `library`: the one to load, EGL if its name says so; empty: whichever is there. Throws NoOpenGl.
+  // `library`: the library to load, with EGL if its name says so; empty: any available one. Throws NoOpenGl.
   explicit GlContext(const std::string& library);
   ~GlContext();
   GlContext(const GlContext&) = delete;
   GlContext& operator=(const GlContext&) = delete;
 
-  // OpenGL draws here, in this thread, as long as it lives. Contexts of different libraries can take turns.
+  // Makes the context current in this thread as long as the object lives. Contexts of different libraries can
+  // alternate.
   class Current {
    public:
     explicit Current(const GlContext& context);
@@ -45,7 +46,7 @@ class GlContext {
   void* library_ = nullptr;
   void* display_ = nullptr;  // EGL's; none with OSMesa
   void* context_ = nullptr;
-  mutable unsigned char memory_[4 * 16 * 16] = {};  // OSMesa wants a picture of its own
+  mutable unsigned char memory_[4 * 16 * 16] = {};  // OSMesa requires its own image
   std::string why_not_, about_;
   gl::Functions functions_;
 };

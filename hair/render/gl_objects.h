@@ -1,5 +1,5 @@
-// What lives in a context: programs, pictures to draw into, buffers of triangles. A context that ends takes
-// them with it, so nothing here is given back one by one.
+// The objects of a context: programs, render targets, buffers of triangles. The context frees them when it
+// ends, so there are no destructors here.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace hair::gl {
 
 class Program {
  public:
-  // Throws std::runtime_error with the compiler's words. `header` stands before both shaders.
+  // Throws std::runtime_error with the compiler's message. `header` is inserted before both shaders.
   Program(const Functions& functions, const ShaderPair& shaders, const std::string& header = "");
 
   void use() const { gl_.UseProgram(name_); }
@@ -27,22 +27,22 @@ class Program {
   Name name_;
 };
 
-// What is drawn into, and read as a texture: colours, depths, or both.
+// A render target that can be read as a texture: colours, depths, or both.
 struct Target {
   Name framebuffer = 0, colour = 0, depth = 0;
   int width = 0, height = 0;
 };
 
-// `colour_format` 0: no colours. `depth`: a texture to use, that of another target if one is given; 0: a new
+// `colour_format` 0: no colours. `depth`: the depth texture to use, for example another target's; 0: a new
 // one.
 Target make_target(const Functions& gl, int width, int height, Enum colour_format, bool with_depth,
                    Name depth = 0);
 void draw_into(const Functions& gl, const Target& target);
 
-// Triangles: vertices of floats, and indices, which are sent anew only if they changed.
+// Triangles: vertices of floats, and indices. Sends the indices again only if they changed.
 class Triangles {
  public:
-  // The numbers of floats that belong to each attribute of a vertex.
+  // `attributes`: the number of floats of each vertex attribute.
   Triangles(const Functions& functions, const std::vector<int>& attributes);
 
   void send(const void* vertices, std::size_t bytes, std::vector<std::uint32_t> indices);

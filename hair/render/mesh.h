@@ -1,4 +1,4 @@
-// All that is not hair, as triangles with normals.
+// Everything except hair, as triangles with normals.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +12,17 @@ namespace hair {
 struct MeshVertex {
   Eigen::Vector3f at, normal;  // the view's axes
   Colour colour;
-  float ground = 0;  // of ground: 1, so that it fades into the distance
+  float ground = 0;  // 1 for the ground, so that it fades into the distance
 };
 
 struct Mesh {
   std::vector<MeshVertex> vertices;
-  std::vector<std::uint32_t> indices;  // three for each triangle; of what casts shadows first
-  std::size_t casting = 0;             // indices
+  std::vector<std::uint32_t> indices;  // three for each triangle; shadow casters first
+  std::size_t casting = 0;             // the number of indices of shadow casters
 };
 
-// Round things get as many corners as keep their outline within a tenth of a sample, `samples` of which are
-// in the picture's height.
+// Round shapes get enough corners to keep their outline within a tenth of a sample; the picture's height has
+// `samples` samples.
 Mesh mesh_of(const Drawing& drawing, const View& view, int samples);
 
 }  // namespace hair

@@ -1,6 +1,6 @@
-// Pictures of what there is to draw, without a window: OpenGL 3.3 core by OSMesa or EGL, whichever this
-// machine has. Both are loaded when a renderer is made, and nothing links them. The same drawing gives the
-// same bytes, and nearly the same on another machine (grader/README.md says how nearly).
+// Draws pictures without a window: OpenGL 3.3 core by OSMesa or EGL, whichever this machine has. Both are
+// loaded when a renderer is made; no program links them. The same drawing gives the same bytes on one
+// machine, and nearly the same picture on another (grader/README.md gives the tolerance).
 #pragma once
 
 #include <memory>
@@ -13,19 +13,19 @@
 
 namespace hair {
 
-// There is no OpenGL here: one line that says what was tried, and which package brings it.
+// This machine has no OpenGL: one line with what was tried, and the package to install.
 class NoOpenGl : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 struct RenderSettings {
   int width = 1280, height = 720;  // pixels, 16 to 4096
-  bool shadows = true;             // without, what a shadow needs is not there
-  std::string library = {};        // that brings OpenGL, such as "libEGL.so.1"; empty: OSMesa, else EGL
+  bool shadows = true;             // false: the pipeline has no shadow passes
+  std::string library = {};        // the OpenGL library, such as "libEGL.so.1"; empty: OSMesa, else EGL
 };
 
-// What each part of the pipeline took, in seconds, summed over all pictures. The clock waits for OpenGL to
-// finish each part, and only if it is asked for.
+// The time of each part of the pipeline, in seconds, summed over all pictures. Measuring waits for OpenGL to
+// finish each part, so it is done only on request.
 struct RenderTimes {
   double upload = 0, shadow = 0, draw = 0, read_back = 0;
 };
@@ -38,7 +38,7 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  // Throws std::invalid_argument for numbers that are not finite. Buffers are kept from picture to picture.
+  // Throws std::invalid_argument for numbers that are not finite. Reuses its buffers from picture to picture.
   Image draw(const Drawing& drawing, const Camera& camera);
 
   void measure(bool on);  // off at first

@@ -1,6 +1,6 @@
-// Strands as ribbons that face the eye: each point becomes two vertices, which the vertex shader pulls apart.
-// Where a strand has few points, a Catmull-Rom curve goes through them. Source: E. Catmull and R. Rom, "A
-// Class of Local Interpolating Splines", Computer Aided Geometric Design, 1974.
+// Strands as ribbons that face the eye: each point becomes two vertices, which the vertex shader moves apart.
+// If a strand has few points, a Catmull-Rom curve goes through them. Source: E. Catmull and R. Rom, "A Class
+// of Local Interpolating Splines", Computer Aided Geometric Design, 1974.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace hair {
 struct RibbonVertex {
   Eigen::Vector3f at, tangent;  // the view's axes
   float along;                  // 0 at the root, 1 at the tip
-  float tone;                   // -1 to 1, the strand's own
+  float tone;                   // a number from -1 to 1 for each strand
 };
 
 // Vertices 2i and 2i + 1 are the two sides of point i.

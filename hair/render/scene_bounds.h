@@ -1,5 +1,5 @@
-// The box that a scene is seen in: found from its description alone, so that every run of it is seen from the
-// same place.
+// The box that the camera shows. It depends only on the scene's description, so that every run has the same
+// camera.
 #pragma once
 
 #include "hair/render/camera.h"
@@ -7,9 +7,9 @@
 
 namespace hair {
 
-// Where things start, and where key frames take them; where hair hangs from its roots, or goes with the wind;
-// the other side of what swings, for it gets no higher there. What hangs on a wire is inside wherever its
-// bead is, and what nothing holds, falls for as long as the scene lasts.
+// The box contains the start positions and their motion by key frames; hair hanging from its roots or blown
+// by the wind; the mirrored side of swinging objects, which get no higher there; the whole wire of each bead;
+// and the fall of unsupported objects over the scene's duration.
 Bounds scene_bounds(const Scene& scene);
 
 }  // namespace hair

@@ -1,5 +1,5 @@
-// A scene as it is drawn: its strands, obstacles and toys wherever a state has them, and the camera that
-// looks at it from the first frame to the last.
+// A scene as a drawing: its strands, obstacles and toys at the positions of a state, and one camera for all
+// frames.
 #pragma once
 
 #include <vector>
@@ -12,18 +12,18 @@
 
 namespace hair {
 
-// A scene that says nothing of its look gets the default one.
+// A scene without a look gets the default one.
 class SceneDrawing {
  public:
-  explicit SceneDrawing(const Scene& scene);  // refers to the scene, which must outlive it
+  explicit SceneDrawing(const Scene& scene);  // keeps a reference to the scene, which must outlive it
 
   RenderSettings settings() const;
-  const Camera& camera() const { return camera_; }  // scene_bounds.h says where
+  const Camera& camera() const { return camera_; }  // placed by scene_bounds.h
 
-  // Of all particles' positions (strand after strand, then toy after toy) and of the obstacles where they are
-  // then. Throws std::invalid_argument for a state of another size.
+  // Draws from the positions of all particles (strand after strand, then toy after toy) and the obstacles at
+  // that time. Throws std::invalid_argument for a state of another size.
   //
-  // Of a toy, springs and rods are tubes, particles balls and wires rings; cloth is a sheet.
+  // In a toy, springs and rods are tubes, particles are balls and wires are rings; cloth is a sheet.
   Drawing at(const particles::State& state, const std::vector<Obstacle>& obstacles) const;
 
  private:
@@ -32,7 +32,7 @@ class SceneDrawing {
   const Scene& scene_;
   Look look_;
   Camera camera_;
-  double unit_;  // m: the height of what the picture shows
+  double unit_;  // m: the height of the visible region
 };
 
 }  // namespace hair

@@ -1,5 +1,4 @@
-// The shaders, GLSL 3.30. Each begins after a header that says which of HAIR_SHADOWS and SOLID_SHADOWS there
-// are.
+// The shaders, GLSL 3.30. A header before each defines HAIR_SHADOWS, SOLID_SHADOWS, both or none.
 #pragma once
 
 #include <string>
@@ -10,11 +9,11 @@ struct ShaderPair {
   std::string vertex, fragment;
 };
 
-ShaderPair ribbon_shader();        // hair, as the camera sees it
-ShaderPair mesh_shader();          // all that is not hair, as the camera sees it
-ShaderPair ribbon_depth_shader();  // hair as the light sees it: how near,
-ShaderPair ribbon_count_shader();  //   and how many strands one behind the other
-ShaderPair mesh_depth_shader();    // the rest as the light sees it
+ShaderPair ribbon_shader();        // hair, from the camera
+ShaderPair mesh_shader();          // everything except hair, from the camera
+ShaderPair ribbon_depth_shader();  // hair, from the light: its depth,
+ShaderPair ribbon_count_shader();  //   and the number of strands behind one another
+ShaderPair mesh_depth_shader();    // everything except hair, from the light
 ShaderPair resolve_shader();       // samples to pixels
 
 }  // namespace hair

@@ -1,4 +1,4 @@
-// A drawing with something of everything, for tests.
+// A drawing with every kind of object, for tests.
 #pragma once
 
 #include "hair/render/camera.h"
@@ -11,8 +11,7 @@ struct TestScene {
   Camera camera;
 };
 
-// Two hundred wavy strands on a head, ground, a limb, tubes, a ball, a ring, a sheet; a metre wide, or
-// `scale`.
+// Two hundred wavy strands on a head, ground, a limb, tubes, a ball, a ring and a sheet; `scale` metres wide.
 TestScene test_scene(double aspect, double scale = 1);
 
 }  // namespace hair

@@ -1,5 +1,6 @@
-// What a camera sees, in its own axes: x to the right, y up, z towards the eye, which is the origin. The unit
-// is the distance from eye to target, so that a millimetre and a kilometre are drawn with the same numbers.
+// The view of a camera in its own axes: x to the right, y up, z towards the eye, which is the origin. The
+// unit is the distance from eye to target, so that scenes of a millimetre and of a kilometre have the same
+// numbers.
 #pragma once
 
 #include "hair/render/camera.h"
@@ -11,18 +12,18 @@ Eigen::Matrix3d view_axes(const Vector3d& back, const Vector3d& up);
 
 class View {
  public:
-  // Throws std::invalid_argument for a camera that looks nowhere.
+  // Throws std::invalid_argument for a camera whose direction is undefined.
   View(const Camera& camera, double aspect);
 
-  // Of a point. What is very far away stays finite.
+  // The coordinates of a point. They stay finite for very distant points.
   Eigen::Vector3f at(const Vector3d& point) const;
   Eigen::Vector3f direction(const Vector3d& direction) const { return (axes_ * direction).cast<float>(); }
   float length(double metres) const;
 
-  float tangent_x() const { return static_cast<float>(tangent_x_); }  // of half the picture's angle of view
+  float tangent_x() const { return static_cast<float>(tangent_x_); }  // of half the angle of view
   float tangent_y() const { return static_cast<float>(tangent_y_); }
 
-  // From here to clip space, column by column.
+  // From the view's axes to clip space, column by column.
   Eigen::Matrix4f projection() const;
 
  private:

@@ -1,4 +1,4 @@
-// Rigid motion by key frames: how a head, a hand, the roots of hair move.
+// Rigid motion by key frames: of a head, a hand, the roots of hair.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -21,16 +21,16 @@ struct Key {
   Pose pose;
 };
 
-// Keys at increasing times, at least one. Before the first and after the last it rests.
+// At least one key, at increasing times. The pose is constant before the first key and after the last.
 struct Motion {
   std::vector<Key> keys;
 
-  // Between two keys it speeds up and slows down smoothly: 3 s^2 - 2 s^3 of the way after a part s of the
-  // time, at rest at each key.
+  // Between two keys it speeds up and slows down smoothly: after a fraction s of the time it has gone 3 s^2 -
+  // 2 s^3 of the way, and it is at rest at each key.
   Pose at(double time) const;
 };
 
-// A pose relative to a motion's first: x -> rotation (x - from) + to, where x is a place at the first key.
+// A pose relative to a motion's first: x -> rotation (x - from) + to, for a position x at the first key.
 struct Way {
   Eigen::Quaterniond rotation;
   Vector3d from, to;

@@ -1,4 +1,4 @@
-// A scene that plays: assembled once, with the parts that it needs and no others, then frame after frame.
+// Plays a scene: assembles it once, with only the parts that it needs, then goes frame by frame.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace hair {
 
-// Of all strands and toys together.
+// Sums and maxima over all strands and toys.
 struct FrameMeasures {
   double stretch = 0;                    // the largest |l - l0| / l0 of all segments, springs and rods
   double kinetic = 0, potential = 0;     // J
@@ -30,28 +30,29 @@ class Playback {
   Playback(const Playback&) = delete;
   Playback& operator=(const Playback&) = delete;
 
-  // Back to the start, and on from there in the steps of `scene`: for those who play it again and again, for nothing
-  // is assembled anew. Only states, root frames, obstacles and steps may differ from the original scene. Work is counted
-  // from 0. Throws std::invalid_argument for other particles.
+  // Restarts from the start of `scene`, with its steps, for repeated runs: nothing is assembled again. Only
+  // states, root frames, obstacles and steps may differ from the original scene. Work is counted from 0.
+  // Throws std::invalid_argument for other particles.
   void restart(const Scene& scene);
 
-  // To the next frame. Nothing, or where it broke: "strand 0, step 17: filter". After that it stays where it
-  // is and says the same. What a stub throws, passes.
+  // Plays to the next frame. Returns nothing, or the place of a blow-up: "strand 0, step 17: filter". After a
+  // blow-up it stays there and returns the same. Passes on exceptions of stubs.
   std::optional<std::string> advance();
 
   double time() const;  // s
   int frame() const;    // 0 at the start
-  long steps() const;   // since the start, the one that broke among them
+  long steps() const;   // since the start, including the one that broke
 
-  // The coordinates of all bodies: strand after strand, then toy after toy. Of masses and springs these are positions.
+  // The coordinates of all bodies: strand after strand, then toy after toy. For masses and springs they are
+  // positions.
   particles::State state() const;
   std::vector<Coordinates> coordinates() const;    // what each body's numbers are
   const std::vector<int>& strands() const;         // the number of points of each strand
   const std::vector<Obstacle>& obstacles() const;  // where they are now
-  Work work() const;                               // of the hair; of toys the solver's steps
+  Work work() const;                               // of the hair; for toys the solver's steps
 
-  // Of any state of the scene's particles at the present frame: a state that came from elsewhere is measured
-  // by our own forces.
+  // Measures any state of the scene's particles at the present frame. A state from elsewhere is measured with
+  // our own forces.
   FrameMeasures measure(const particles::State& state) const;
 
  private:

@@ -1,5 +1,5 @@
-// How riders are led through a step: roots and obstacles get the velocity that brings them where their motion
-// is at the step's end, from where they are, so that errors never sum up.
+// Moves riders during a step: roots and obstacles get the velocity that brings them from their present
+// position to that of their motion at the step's end, so that errors never sum up.
 #pragma once
 
 #include <vector>
@@ -9,16 +9,16 @@
 
 namespace hair {
 
-// The point that an obstacle's place is told by: a point of its plane, its centre, its first end.
+// The reference point of an obstacle: a plane's point, a sphere's centre, a capsule's first end.
 Vector3d place_of(const Obstacle& obstacle);
 
 class Riding {
  public:
-  // Throws std::invalid_argument for a strand or an obstacle that is not there, keys that don't come one
-  // after the other, and a plane or capsule on a motion that turns: an obstacle moves, and does not turn.
+  // Throws std::invalid_argument for a missing strand or obstacle, for keys whose times don't increase, and
+  // for a plane or capsule on a motion that turns: obstacles only translate.
   Riding(const Rider& rider, const Description& hair);
 
-  // Before the step from `time` to time + h.
+  // Call it before the step from `time` to time + h.
   void lead(Simulation& simulation, double time, double h) const;
 
  private:

@@ -1,5 +1,5 @@
-// A scene: what there is, how it moves, for how long. Plain data, read from JSON (hair/scenes/README.md says
-// how) or made by hand.
+// A scene: its objects, their motion, its duration. Plain data, read from JSON (hair/scenes/README.md) or
+// made by code.
 #pragma once
 
 #include <filesystem>
@@ -15,21 +15,21 @@ namespace hair {
 
 using particles::Toy, particles::ToyMethod;
 
-// How it is drawn. What `hairlab` needs, and nothing that changes how it moves.
+// How the scene is drawn. Only `hairlab` uses it; it has no effect on the motion.
 struct Look {
-  double width = 1e-4;                        // m, of a strand as it is drawn
+  double width = 1e-4;                        // m, the drawn width of a strand
   Vector3d root_colour = {0.10, 0.05, 0.02};  // linear, 0 to 1
   Vector3d tip_colour = {0.22, 0.12, 0.05};
   Vector3d view = Vector3d(0.35, -1, 0.2);  // from the scene to the camera
-  std::optional<Vector3d> look_at = {};     // m; none: the middle of all that there will be to see
-  double zoom = 1;                          // times as near; above 1 something may be outside of the picture
+  std::optional<Vector3d> look_at = {};     // m; none: the middle of the box of all objects
+  double zoom = 1;                          // magnification; above 1 objects may be outside the picture
   int image_width = 1280, image_height = 720;
   bool shadows = true;
 };
 
-// What rides on a motion: the roots of strands (their positions, and the frames of those that are clamped),
-// and obstacles. Poses are relative to the start: the motion's first key is where things are in the
-// description.
+// Objects that follow a motion: the roots of strands (positions, and frames of clamped strands), and
+// obstacles. Poses are relative to the start: at the motion's first key, things are where the description has
+// them.
 struct Rider {
   Motion motion;
   std::vector<int> strands, obstacles;
@@ -38,13 +38,13 @@ struct Rider {
 struct Scene {
   std::string name;   // "strand-swing"
   std::string shows;  // one line
-  int frames = 1;     // after the first, which is the start
+  int frames = 1;     // not counting frame 0, the start
   double frames_per_second = 30;
   int steps_per_frame = 8;  // 1 / (frames_per_second * hair.step), which is a whole number
   Description hair;         // without strands there is no hair simulation
   std::vector<Rider> riders;
-  std::vector<Toy> toys;     // particles with springs, rods, wires: for P1 and P2, and cloth
-  std::optional<Look> look;  // none: there is nothing to render
+  std::vector<Toy> toys;     // particles with springs, rods, wires: for P1 and P2, and for cloth
+  std::optional<Look> look;  // none: no pictures
 };
 
 // Whether there is a hair simulation.
@@ -52,15 +52,14 @@ inline bool has_strands(const Scene& scene) {
   return !scene.hair.strands.empty() || !scene.hair.modelled.empty();
 }
 
-// Throw BadInput with file and JSON path: "FILE: hair[0].roots.count: ...". Paths of grooms count from the
-// scene's folder.
+// Both throw BadInput with file and JSON path: "FILE: hair[0].roots.count: ...". Paths of grooms are relative
+// to the scene's folder.
 Scene read_scene(const std::filesystem::path& file);
 
-// The same of text, for a scene without files of its own: one that names a groom is refused. `name` stands
-// for the file.
+// The same for a text, for a scene without files: rejects a scene that names a groom. Errors name it `name`.
 Scene parse_scene(const std::string& text, const std::string& name);
 
-// The exercises whose functions it calls, in the order of exercises.json: {"S1", "H1", ...}.
+// The exercises whose functions the scene calls, in the order of exercises.json: {"S1", "H1", ...}.
 std::vector<std::string> exercises_of(const Scene& scene);
 
 }  // namespace hair

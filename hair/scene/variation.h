@@ -1,5 +1,5 @@
-// Small differences between strands, from a seed: the same on every machine, which the standard library's
-// distributions are not.
+// Small random differences between strands, from a seed. They are the same on every machine, unlike those of
+// the standard library's distributions.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace hair {
 
-// Numbers that look random: G. Steele, D. Lea and C. Flood, "Fast Splittable Pseudorandom Number Generators"
+// Pseudo-random numbers: G. Steele, D. Lea and C. Flood, "Fast Splittable Pseudorandom Number Generators"
 // (OOPSLA 2014), SplitMix.
 class Variation {
  public:
@@ -20,7 +20,7 @@ class Variation {
   std::uint64_t state_;
 };
 
-// The frame, tilted by up to `tilt` and turned about its axis by up to `turn` (radians) either way.
+// The frame, tilted by up to `tilt` and turned about its axis by up to `turn` radians in either direction.
 RootFrame varied(const RootFrame& frame, double tilt, double turn, Variation& variation);
 
 }  // namespace hair

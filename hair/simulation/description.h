@@ -1,4 +1,4 @@
-// What a simulation of strands is made of: plain data.
+// The input of a simulation of strands: plain data.
 #pragma once
 
 #include <vector>
@@ -14,27 +14,28 @@ namespace hair {
 
 struct ModelRow;
 
-// A strand that its model cuts into parts when the simulation is assembled.
+// A strand that its model divides into elements when the simulation is assembled.
 struct ModelledStrand {
-  const ModelRow* model;  // of the table of models
+  const ModelRow* model;  // a row of the table of models
   StrandSpec spec;
 };
 
 struct Description {
   std::vector<StrandStart> strands;      // of masses and springs
-  std::vector<ModelledStrand> modelled;  // of any model; they are counted after those
+  std::vector<ModelledStrand> modelled;  // of any model; their indices follow those of `strands`
   Method method = Method::predictor_corrector;
   double step = 1.0 / 240;                   // s
   Vector3d gravity = Vector3d(0, 0, -9.81);  // m/s^2
   double drag = 0;                           // N s/m^2: for each metre of hair
-  Vector3d wind = Vector3d::Zero();          // m/s, of the air that drags
+  Vector3d wind = Vector3d::Zero();          // m/s, of the air
   std::vector<Obstacle> obstacles;
-  bool point_forces = false;  // steps come with forces at points of strands
+  bool point_forces = false;  // steps also apply forces at points of strands
 
-  // Of implicit methods alone; newton_euler, whose result they don't change, has products of its own choice.
+  // Only for implicit methods. newton_euler ignores the two kinds of products, because its result does not
+  // depend on them.
   GeometricTerm geometric_term = GeometricTerm::filtered;
   Products bend_product = Products::definite;
-  double tolerance = 1e-10;  // of a solve's residual, relative to its right-hand side
+  double tolerance = 1e-10;  // residual of a solve, relative to its right-hand side
 };
 
 }  // namespace hair

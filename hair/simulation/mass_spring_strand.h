@@ -1,4 +1,4 @@
-// A strand of masses and springs, with what a description asks for.
+// Makes a strand of masses and springs with a description's method and forces.
 #pragma once
 
 #include <memory>
@@ -9,8 +9,8 @@
 
 namespace hair {
 
-// Throws std::invalid_argument for a start that is out of bounds (of `name`), and what needs an exercise that the course
-// leaves out.
+// Throws std::invalid_argument for a start that is out of bounds (`name` is in the message), and for parts
+// that need an exercise that the course leaves out.
 std::unique_ptr<MassSpringBody> mass_spring_strand(const std::string& name, const StrandStart& start,
                                                    const Description& description);
 

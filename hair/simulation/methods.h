@@ -1,5 +1,6 @@
-// The table of time methods: a row has all that the rest of the project knows of a method. Nothing else asks which method
-// it is, so that a new one is a row here, and a step in the room of each model that it moves.
+// The table of time methods: a row holds everything that the rest of the project knows about a method. No
+// other code distinguishes methods, so a new method is one row here, and a step function in the folder of
+// each model that it moves.
 #pragma once
 
 #include <optional>
@@ -25,22 +26,23 @@ struct MethodRow {
   Method method;
   const char* id;                               // in scenes and records: "forward_euler"
   const char* name;                             // in sentences: "forward Euler"
-  std::span<const std::string_view> exercises;  // that it calls; the last one is its own
+  std::span<const std::string_view> exercises;  // the exercises that it calls; the last one is its own
   int order;                                    // of its error in time
-  int evaluations;                              // of the forces in a step, to begin with
+  int evaluations;                              // of the forces in a step, without iterations
   bool is_explicit;
   bool keeps_lengths;
-  int polynomial;     // its amplification is the series of exp up to this power; 0: it is none of these
-  const char* limit;  // what bounds its steps in theory, in words
+  int polynomial;     // the power up to which its amplification is the Taylor series of exp; 0: other
+  const char* limit;  // the theoretical limit of its steps, in words
 
-  const StepMethod* mass_spring;                 // a step of such a strand; null: the course leaves it out
-  std::optional<particles::ToyMethod> toy = {};  // the toys' method; none: toys have no such one
+  const StepMethod* mass_spring;                 // the step of such a strand; null: the course leaves it out
+  std::optional<particles::ToyMethod> toy = {};  // the toys' method; none: toys don't have it
 };
 
 std::span<const MethodRow> methods();  // in the order of the enumeration
 const MethodRow& row_of(Method method);
 
-// The step of a strand of masses and springs. Throws std::invalid_argument for one that the course leaves out.
+// The step of a strand of masses and springs. Throws std::invalid_argument for a method that the course
+// leaves out.
 const StepMethod& mass_spring_step(Method method);
 
 }  // namespace hair

@@ -1,15 +1,15 @@
-// Where a simulation broke. A step that leaves a number that is not finite, or one that no hair has, ends the
-// simulation: nothing is drawn or measured as if it had not happened.
+// The place where a simulation broke. A step that produces a number that is not finite, or impossible for
+// hair, ends the simulation, so that the numbers are not drawn or measured as if they were valid.
 #pragma once
 
 #include "particles/state.h"
 
 namespace hair {
 
-// A part of a step, in the order in which they come.
+// The stages of a step, in their order.
 enum class Stage {
   integration,    // P1: the step of an explicit method
-  filter,         // H4; H6, steps 1 and 2: the implicit solve and the way that it moves the particles
+  filter,         // H4; H6, steps 1 and 2: the implicit solve and the motion of the particles with its result
   correction,     // H6, steps 3 and 4: lengths and impulse
   second_filter,  // H6, step 5
   collision
@@ -23,11 +23,11 @@ struct BlowUp {
   Stage stage = Stage::integration;
 };
 
-// What no hair's particle has: to be this far from the origin, to move faster than light.
+// Bounds that no particle of hair exceeds: the distance from the origin, and the speed of light.
 inline constexpr double kFarthest = 1e9;  // m
 inline constexpr double kFastest = 3e8;   // m/s
 
-// False for a state with such a number, or one that is not finite.
+// False if the state exceeds these bounds or has a number that is not finite.
 bool is_sound(const particles::State& state);
 
 }  // namespace hair

@@ -1,4 +1,4 @@
-// What a hair is made of. Every strand model takes its constants from here.
+// The material of a hair. Every strand model takes its constants from here.
 #pragma once
 
 #include <numbers>

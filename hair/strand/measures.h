@@ -1,4 +1,4 @@
-// What studies and reports say of a strand: its stretch, its energy, its momenta.
+// Measures of a strand for studies and reports: its stretch, its energy, its momenta.
 #pragma once
 
 #include "hair/strand.h"
@@ -7,19 +7,19 @@
 
 namespace hair {
 
-// The largest |l - l0| / l0 of all segments, 0 of a strand without any. NaN if a length is.
+// The largest |l - l0| / l0 of all segments, 0 for a strand without segments. NaN if a length is NaN.
 double largest_stretch(const Strand& strand, particles::Input x);
 
 struct Measures {
   double stretch = 0;                 // largest_stretch
   double kinetic = 0, potential = 0;  // J
   Eigen::Vector3d momentum;           // kg m/s
-  Eigen::Vector3d angular_momentum;   // kg m^2/s, about where the root is
+  Eigen::Vector3d angular_momentum;   // kg m^2/s, about the root's position
 
   double energy() const { return kinetic + potential; }
 };
 
-// `force` is all that acts on the strand, and has the potential energy.
+// `force` is the sum of all forces on the strand, and gives the potential energy.
 Measures measure(const Strand& strand, const particles::Particles& particles, const particles::Force& force,
                  const particles::State& state);
 

@@ -1,11 +1,11 @@
-// What hair can't go through: the ground, a head, a limb. Collisions are a stage of their own after a step,
-// which pushes particles out, takes away the velocity that they hit with, and lets the surface rub. Sources:
-// R. Bridson, R. Fedkiw and J. Anderson, "Robust Treatment of Collisions, Contact and Friction for Cloth
-// Animation" (SIGGRAPH 2002), for velocities; M. Macklin et al., "Unified Particle Physics for Real-Time
-// Applications" (SIGGRAPH 2014), for positions.
+// Obstacles that hair can't pass: the ground, a head, a limb. Collisions are a separate stage after a step.
+// It pushes particles out, removes the velocity into the obstacle, and applies friction. Sources: R. Bridson,
+// R. Fedkiw and J. Anderson, "Robust Treatment of Collisions, Contact and Friction for Cloth Animation"
+// (SIGGRAPH 2002), for velocities; M. Macklin et al., "Unified Particle Physics for Real-Time Applications"
+// (SIGGRAPH 2014), for positions.
 //
-// Only particles collide, not the segments between them: with segments of length l a sphere of radius r shows
-// through the hair by l^2 / 8r, and what is smaller than a segment may slip between two particles.
+// Only particles collide, not the segments between them: with segments of length l a sphere of radius r
+// sticks out of the hair by l^2 / 8r, and an obstacle smaller than a segment may slip between two particles.
 #pragma once
 
 #include <variant>
@@ -17,7 +17,7 @@ namespace hair {
 
 using Eigen::Vector3d;
 
-// All that is below: on the side of `point` that the normal (of length 1) points away from.
+// The half-space on the side of `point` opposite to the normal (of length 1).
 struct Plane {
   Vector3d point, normal;  // m, 1
 };
@@ -27,7 +27,7 @@ struct Sphere {
   double radius;    // m, > 0
 };
 
-// All points that are at most `radius` from the line from a to b. a may be b.
+// All points within `radius` of the line segment from a to b. a may equal b.
 struct Capsule {
   Vector3d a, b;  // m
   double radius;  // m, > 0
@@ -36,39 +36,39 @@ struct Capsule {
 struct Obstacle {
   std::variant<Plane, Sphere, Capsule> shape;
   double friction = 0;                   // Coulomb's mu, >= 0: the friction is at most mu times the pressure
-  Vector3d velocity = Vector3d::Zero();  // m/s: what moves, rubs along
+  Vector3d velocity = Vector3d::Zero();  // m/s: the friction drags hair along
 };
 
 struct Surface {
-  double distance;  // m, of a point to the obstacle's surface; inside it is negative
+  double distance;  // m, from a point to the obstacle's surface; negative inside
   Vector3d normal;  // from the obstacle to the point, of length 1
 };
 
-// A point that is as near to one side as to another, such as a sphere's centre, gets one of the normals.
+// A point with equal distances to several sides, such as a sphere's centre, gets one of the normals.
 Surface surface_at(const Obstacle& obstacle, const Vector3d& point);
 
-// Throws std::invalid_argument for a radius or friction that is out of bounds, a normal that is not of length
-// 1, or what is not finite.
+// Throws std::invalid_argument for a radius or friction out of bounds, a normal that is not of length 1, and
+// values that are not finite.
 void check_obstacle(const Obstacle& obstacle);
 
-// The obstacle moves for h seconds.
+// Moves the obstacle for h seconds.
 void move_obstacle(Obstacle& obstacle, double h);
 
 struct CollisionReport {
   int contacts = 0;        // particles that were inside an obstacle
-  double deepest = 0;      // m, how deep the deepest of them was
-  double penetration = 0;  // m, the deepest that is left: > 0 only where obstacles leave no room between them
+  double deepest = 0;      // m, the depth of the deepest one
+  double penetration = 0;  // m, the largest remaining depth: > 0 only if obstacles leave no room between them
 };
 
-// Of each particle that is not pinned and is inside an obstacle, with n the normal there and u its velocity
+// For each particle that is not pinned and is inside an obstacle, with n the normal there and u its velocity
 // relative to the obstacle:
 //
-//   x += depth n, and its way along the surface since x_before (relative to the obstacle, h seconds) gets shorter
-//        by at most mu depth;
-//   u -= (u . n) n if u . n < 0, and its part along the surface gets shorter by at most mu |u . n|.
+//   x += depth n, and its displacement along the surface since x_before (relative to the obstacle, during h
+//        seconds) gets shorter by at most mu depth;
+//   u -= (u . n) n if u . n < 0, and its component along the surface gets shorter by at most mu |u . n|.
 //
-// So a particle rests on a slope if its tangent is at most mu, without creeping, and slides down a steeper
-// one with the acceleration g (sin - mu cos). Obstacles are dealt with one after the other, again until no
+// So a particle rests on a slope whose tangent is at most mu, without creeping, and slides down a steeper one
+// with the acceleration g (sin - mu cos). Obstacles are handled one after the other, repeatedly, until no
 // particle is inside one by more than rounding, at most kMostCollisionPasses times.
 inline constexpr int kMostCollisionPasses = 200;
 

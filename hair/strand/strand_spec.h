@@ -1,4 +1,4 @@
-// A strand as a scene gives it, before any model cuts it into particles, links or elements.
+// A strand as a scene describes it, before a model divides it into particles, links or elements.
 #pragma once
 
 #include <variant>
@@ -8,7 +8,7 @@
 
 namespace hair {
 
-// What a strand is made of; factors make it stiffer or softer than its material.
+// The fibre of a strand; the factors make it stiffer or softer than its material.
 struct Fibre {
   Material material;
   double stretch_factor = 1;  // of EA
@@ -17,7 +17,7 @@ struct Fibre {
   double skip_factor = 0;     // of EA: the rigidity of springs that skip a particle
 };
 
-// The curve at rest.
+// The rest curve.
 struct Straight {};
 struct Wavy {
   double amplitude, wavelength;  // m: see wavy_shape
@@ -27,8 +27,8 @@ struct Curly {
 };
 using RestForm = std::variant<Straight, Wavy, Curly>;
 
-// How a strand is held at the start, if not at rest: straight in a direction, every segment `stretch` times as
-// long, or to and fro.
+// The initial shape of a strand that does not start at rest: straight in a direction, with every segment
+// `stretch` times as long, or folded to and fro.
 struct Held {
   bool differently = false;
   Vector3d direction = Vector3d::Zero();
@@ -50,9 +50,9 @@ struct StrandSpec {
 // Throws std::invalid_argument as straight_shape, wavy_shape and curly_shape do.
 RestShape rest_shape(const StrandSpec& spec);
 
-// The curve's curvature and torsion, 1/m, at the arc length s from its root, in the frame that starts with the tangent
-// and the normal of rest_shape and turns with the torsion. A planar curve has a signed curvature and no torsion; a helix
-// bends towards its own axis at constant curvature and torsion.
+// The curve's curvature and torsion, 1/m, at the arc length s from its root. They refer to the frame that
+// starts with the tangent and the normal of rest_shape and turns with the torsion. A planar curve has a
+// signed curvature and no torsion; a helix bends towards its own axis with constant curvature and torsion.
 struct Bend {
   double curvature = 0, torsion = 0;
 };

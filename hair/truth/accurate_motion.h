@@ -1,13 +1,15 @@
-// How a problem really moves: the solution of its ordinary differential equations, by SUNDIALS' CVODE, with the
-// strand's sparsity, as accurate as pays. It is what a method's time error is measured against.
+// The accurate motion of a problem: the solution of its ordinary differential equations by SUNDIALS' CVODE,
+// with the strand's sparsity, as accurate as is practical. The time errors of methods are measured against
+// it.
 //
-//   M x'' = f(x, x') for the particles that are free; those that are held move as the scene says.
+//   M x'' = f(x, x') for the free particles; held particles move as the scene says.
 //
-// CVODE is asked twice, in two ways; how far the two agree is said, and no error below that means anything. A strand
-// so hard to stretch that CVODE would take minutes (kHardToStretch times hair's EA) moves as one that does not stretch
-// at all: the equations are those with rigid segments (rigid_strand_ode.h). How far the two are apart falls like 1/EA,
-// is known from the tensions, and part of the agreement. One that starts with other lengths than it rests with has no
-// such limit, for it never ends ringing: it takes its minutes.
+// CVODE solves each problem twice, in two ways. The result includes their agreement, and smaller errors are
+// meaningless. If a strand is so hard to stretch that CVODE would take minutes (kHardToStretch times hair's
+// EA), it is replaced by its inextensible limit: the equations with rigid segments (rigid_strand_ode.h). The
+// difference of the two motions falls like 1/EA, is known from the tensions, and is included in the
+// agreement. A strand that does not start with its rest lengths has no such limit, because it oscillates
+// along its length for ever; then CVODE takes its minutes.
 #pragma once
 
 #include <atomic>
@@ -20,14 +22,14 @@
 
 namespace hair {
 
-inline constexpr double kTightest = 1e-12;  // a relative tolerance: below it rounding is all there is to see
-inline constexpr double kLeastError = 1e-10;   // m: nothing below is quoted
-inline constexpr double kHardToStretch = 100;  // times the EA of hair as thick
+inline constexpr double kTightest = 1e-12;     // a relative tolerance: below it only rounding is left
+inline constexpr double kLeastError = 1e-10;   // m: smaller errors are not reported
+inline constexpr double kHardToStretch = 100;  // times the EA of hair of the same thickness
 
 struct AccurateMotion {
   Trajectory states;
-  // m, the largest distance of a particle at any moment between the two solutions; or between the limit of rigid
-  // segments and the strand that stretches (four times what tensions stretch it by), if that is more.
+  // m, the largest distance of a particle at any moment between the two solutions; or, if larger, between the
+  // inextensible limit and the strand that stretches (four times the stretch by the tensions).
   double agreement = 0;
   std::string method;  // "CVODE 6.4.1: Adams at 1e-12, beside BDF at 1e-12"
   bool inextensible = false;
@@ -35,19 +37,19 @@ struct AccurateMotion {
   double cpu_seconds = 0;  // when it was computed
   long evaluations = 0;    // of the forces
 
-  double least_error() const;  // max(agreement, kLeastError): below it no error is quoted
+  double least_error() const;  // max(agreement, kLeastError): smaller errors are not reported
 };
 
 struct AccurateSettings {
-  double tolerance = kTightest;  // > 0, of the strand's length, for each step; below kTightest it is that
+  double tolerance = kTightest;  // > 0, relative to the strand's length, for each step; at least kTightest
 
-  // A folder that motions are kept in (motion_cache.h), or none. One that can't be written is none.
+  // A folder for computed motions (motion_cache.h), or none. A folder that can't be written is ignored.
   std::optional<std::filesystem::path> cache = {};
 };
 
-// Throws std::runtime_error where CVODE gives up, which it does of forces that are not finite or jump, and
-// std::invalid_argument without SUNDIALS: have_accurate_motion() tells before; and what forces throw. Empty if
-// `interrupted` before it was done.
+// Throws std::runtime_error if CVODE fails, as it does for forces that are not finite or jump;
+// std::invalid_argument without SUNDIALS (check have_accurate_motion() before); and the forces' own
+// exceptions. Empty if `interrupted` before the end.
 std::optional<AccurateMotion> accurate_motion(const Problem& problem, const AccurateSettings& settings,
                                               const std::atomic<bool>& interrupted);
 bool have_accurate_motion();

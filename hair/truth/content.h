@@ -1,4 +1,4 @@
-// What a problem is, as a short text: two problems with the same text move in the same way.
+// A problem's content as a short text: two problems with the same text have the same motion.
 #pragma once
 
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace hair {
 
-// 16 hexadecimal digits, made of every number that the problem's motion depends on, bit by bit: particles,
-// forces, roots, moments. Not of its name, and not of how it is moved: method, step, tolerance.
+// 16 hexadecimal digits, a digest of every number that the problem's motion depends on, bit by bit:
+// particles, forces, roots, moments. It excludes the name, and the method, step and tolerance.
 std::string content_of(const Problem& problem);
 
 }  // namespace hair

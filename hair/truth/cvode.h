@@ -11,14 +11,14 @@
 
 namespace hair {
 
-// Backward differentiation, orders 1 to 5, its equations solved by Newton's method with a banded matrix; or Adams and
-// Moulton, orders 1 to 12, by fixed-point iteration, which needs no matrix. BDF is for what is stiff and damped; what
-// rings is followed by either, and with Adams' many orders cheaper.
+// BDF: backward differentiation, orders 1 to 5, with Newton's method and a banded matrix. Adams:
+// Adams-Moulton, orders 1 to 12, with fixed-point iteration, which needs no matrix. BDF suits stiff, damped
+// systems. Both follow undamped oscillations; Adams is cheaper there because of its high orders.
 enum class CvodeMethod { bdf, adams };
 
 struct CvodeWay {
   CvodeMethod method = CvodeMethod::bdf;
-  double tolerance = 1e-12;  // times an entry's scale: what a step may be wrong by, in the mean of squares
+  double tolerance = 1e-12;  // times an entry's scale: the allowed error of a step, root mean square
 };
 
 struct CvodeRun {
@@ -28,13 +28,13 @@ struct CvodeRun {
   long steps = 0;
 };
 
-// The states at the start and at `moments` times at equal distances, of which the last is `duration` seconds. Empty if
-// `interrupted`. Throws std::runtime_error with one line where CVODE gives up (f is not finite, steps vanish), and
-// what f throws.
+// The states at the start and at `moments` equally spaced times, of which the last is `duration` seconds.
+// Empty if `interrupted`. Throws std::runtime_error with one line if CVODE fails (f is not finite, steps
+// vanish), and passes on exceptions of f.
 std::optional<CvodeRun> run_cvode(Ode& ode, double duration, int moments, const CvodeWay& way,
                                   const std::atomic<bool>& interrupted);
 
 bool have_cvode();
-std::string cvode_version();  // "6.4.1"; "" without
+std::string cvode_version();  // "6.4.1"; "" if there is none
 
 }  // namespace hair

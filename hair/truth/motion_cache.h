@@ -1,5 +1,5 @@
-// Accurate motions that were computed before: a folder with a file for each. A file says what it is the motion of, in
-// full, and ends with a digest of itself: what is of something else, cut short or changed is as good as not there.
+// A cache of accurate motions: a folder with one file for each. A file contains its full key and ends with a
+// digest of itself. A file with another key, or one that is cut short or changed, is ignored.
 #pragma once
 
 #include <filesystem>
@@ -11,14 +11,14 @@
 
 namespace hair {
 
-// All that a motion depends on, in one line: the problem, how it is solved, with what, and what the forces are:
-// digests of f at the start and near it, since the code of an exercise may be another today.
+// Everything that a motion depends on, in one line: the problem, the solution method, the versions, and the
+// forces, as digests of f at the start and near it, because the code of an exercise may have changed.
 std::string motion_key(const Problem& problem, Ode& ode, const std::string& method);
 
-// As it was kept, bit by bit, with from_cache set; nothing if there is none, or none to trust.
+// The stored motion, bit by bit, with from_cache set; nothing if there is none, or if the file is not valid.
 std::optional<AccurateMotion> find_motion(const std::filesystem::path& folder, const std::string& key);
 
-// Throws BadInput where the folder can't be written.
+// Throws BadInput if the folder can't be written.
 void keep_motion(const std::filesystem::path& folder, const std::string& key, const AccurateMotion& motion);
 
 }  // namespace hair

@@ -1,14 +1,14 @@
-// A problem's strand whose segments keep their lengths: what a strand becomes as EA grows without bound, with all
-// its other forces. Index-reduced equations of motion: y has for each segment, from the root on, its direction u and
-// the direction's rate w = u', six numbers, and the tensions T follow from |u| = 1, twice differentiated. With
-// segment i between particles i and i + 1, of lengths l, masses m and other forces f,
+// A problem's strand with segments of fixed length: the limit of the strand for EA to infinity, with all its
+// other forces. Index-reduced equations of motion: for each segment, from the root on, y has its direction u
+// and the direction's rate w = u', six numbers. The tensions T follow from |u| = 1, differentiated twice.
+// With segment i between particles i and i + 1, with lengths l, masses m and other forces f,
 //
 //   a_i = (f_i + T_i u_i - T_{i-1} u_{i-1}) / m_i,   a_0 the root's,   u_i' = w_i,   w_i' = (a_{i+1} - a_i) / l_i,
 //   u_i . (a_{i+1} - a_i) = -l_i |w_i|^2:   a tridiagonal system for T, solved directly.
 //
-// Positions are sums of l_i u_i / |u_i|, so that lengths are exact whatever errors |u| has, and of w what is
-// perpendicular to u counts. E. Hairer and G. Wanner, "Solving Ordinary Differential Equations II" (1996), section
-// VII.1, for what index reduction is.
+// Positions are sums of l_i u_i / |u_i|, so that lengths are exact even if |u| has errors; only the part of w
+// perpendicular to u counts. For index reduction see E. Hairer and G. Wanner, "Solving Ordinary Differential
+// Equations II" (1996), section VII.1.
 #pragma once
 
 #include "hair/simulation/simulation.h"
@@ -20,7 +20,7 @@ namespace hair {
 
 class RigidStrandOde : public Ode {
  public:
-  // Copies what it needs of the problem. Throws what Simulation throws.
+  // Copies the needed parts of the problem. Throws what Simulation throws.
   explicit RigidStrandOde(const Problem& problem);
 
   int size() const override { return 6 * segments_; }
@@ -31,8 +31,8 @@ class RigidStrandOde : public Ode {
   void rates(double t, particles::Input y, particles::Output dy) override;
   particles::State state(double t, particles::Input y) override;
 
-  // By how much the tensions would stretch the strand that the problem has, all segments together: the most
-  // since it was made, m. What sets this motion apart from that strand's, but for a factor of the order of 1.
+  // How much the tensions would stretch the problem's strand, all segments together: the maximum since
+  // construction, m. The distance between this motion and that strand's has this order of magnitude.
   double stretch() const { return stretch_; }
 
  private:
@@ -52,12 +52,12 @@ class RigidStrandOde : public Ode {
   double stretch_ = 0;
 };
 
-// Does it start as one whose segments have always kept their lengths, so that it has such a limit? To 1e-9 of the
-// lengths, and of the velocities' size.
+// Whether the strand starts as if its segments had always kept their lengths, so that it has such a limit.
+// Tolerance: 1e-9 of the lengths, and of the velocities' size.
 bool starts_rigid(const Problem& problem);
 
-// How hard a strand is to stretch, in units of hair of the same mass for each metre: whatever its radius, the EA of a
-// fibre is E / density times that mass.
+// The strand's EA, in units of hair with the same mass per metre: for any radius, the EA of a fibre is E /
+// density times that mass.
 double times_the_ea_of_hair(const Strand& strand);
 
 }  // namespace hair

@@ -1,14 +1,16 @@
-// How far a strand of n segments is from the continuum: what its time error is not, and no smaller step takes away.
+// The distance between a strand of n segments and the continuum. It is separate from the time error: smaller
+// steps do not reduce it.
 //
-// Accurate motions of the strand divided anew, into b, 2b, 4b and 8b segments, are compared at the places that all of
-// them have, the ends of the b segments, at all moments after the start. Two of them whose difference shrinks by 2^p
-// when n doubles lead to the limit (L. F. Richardson, "The Approximate Arithmetical Solution by Finite Differences",
-// Phil. Trans. Roy. Soc. A 210 (1911)):
+// Accurate motions of the strand divided into b, 2b, 4b and 8b segments are compared at their common places,
+// the ends of the b segments, at all moments after the start. If the difference of two of them shrinks by 2^p
+// when n doubles, they give the limit (L. F. Richardson, "The Approximate Arithmetical Solution by Finite
+// Differences", Phil. Trans. Roy. Soc. A 210 (1911)):
 //
 //   x = x_8b + (x_8b - x_4b) / (2^p - 1),   p = log2(|x_4b - x_2b| / |x_8b - x_4b|).
 //
-// Segments are rigid where the strand has that limit and is no softer than hair: stretching moves hair by a millionth
-// of its length, and space errors are thousands of times that. (Rigid, it takes a second; otherwise minutes.)
+// The segments are rigid if the strand has an inextensible limit and is no softer than hair: stretching moves
+// hair by a millionth of its length, and space errors are thousands of times larger. (With rigid segments it
+// takes a second, otherwise minutes.)
 #pragma once
 
 #include <atomic>
@@ -22,26 +24,27 @@ namespace hair {
 
 struct SpaceLevel {
   int segments;
-  double error;  // m, the largest distance from the limit, of any place at any moment
+  double error;  // m, the largest distance from the limit, over all places and moments
 };
 
 struct SpaceError {
   std::vector<SpaceLevel> levels;  // 4, one of them with the problem's own segments
-  double order = 0;                // p; 2 in theory, of a smooth motion
-  double time_error = 0;  // m, of the finest but one, by another tolerance: far below its space error
-  double stretch = 0;     // m, what rigid segments leave out, about; 0 if they stretch
+  double order = 0;                // p; 2 in theory, for a smooth motion
+  double time_error = 0;  // m, of the second finest, from another tolerance: far below its space error
+  double stretch = 0;     // m, the approximate effect of rigid segments; 0 if they stretch
   double cpu_seconds = 0;
 
-  // Why there is none, and then there are no levels: a toy, a strand that rests curved, no order in sight, ...
+  // The reason why there are no levels: a toy, a strand that is curved at rest, no clear order, ...
   std::string left_out = {};
 
-  std::optional<double> error_of(int segments) const;  // m; none of segments that are no level
+  std::optional<double> error_of(int segments) const;  // m; none for a number of segments that is not a level
 };
 
-// Which strands are waited for: all, or those whose segments may be rigid, which take no more than seconds.
+// Which strands are computed: all, or only those whose segments may be rigid, which take a few seconds at
+// most.
 enum class Patience { seconds, minutes };
 
-// Empty if `interrupted`. Where CVODE gives up, or forces throw, there is none either, and `left_out` says so.
+// Empty if `interrupted`. If CVODE fails or forces throw, there are no levels, and `left_out` has the reason.
 std::optional<SpaceError> space_error(const Problem& problem, Patience patience,
                                       const std::atomic<bool>& interrupted);
 

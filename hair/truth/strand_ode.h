@@ -1,10 +1,11 @@
-// A problem's strand as a system of ordinary differential equations. Of each particle but the root, from the root on,
-// y has its position and then its velocity, six numbers: forces between neighbours, and between those that have one
-// particle between them, make a band of df/dy. The forces are those of a simulation of the problem's scene, with
-// products that are derivatives and nothing else. The root moves by itself.
+// A problem's strand as a system of ordinary differential equations. For each particle except the root, from
+// the root on, y has its position and then its velocity, six numbers: forces between neighbours and second
+// neighbours make df/dy a band matrix. The forces are those of a simulation of the problem's scene, with
+// exact products. The root moves independently.
 //
-// A strand that rests curved has a full matrix, for the frame at a joint depends on all joints before it. It is given
-// the band alone: what is hard, stretching, is in there, and Newton's method converges as fast without the rest.
+// A strand that is curved at rest has a full matrix, because the frame at a joint depends on all joints
+// before it. The solver gets only the band: it contains the stiff part, stretching, and Newton's method
+// converges as fast without the rest.
 #pragma once
 
 #include "hair/simulation/simulation.h"
@@ -14,11 +15,11 @@
 
 namespace hair {
 
-// The problem's hair with products that are exact.
+// The problem's hair with exact products.
 Description exact_description(const Problem& problem);
 
-// Natural sizes of positions and velocities: the strand's length, and that length in the study's duration, or the
-// largest velocity at the start if that is more.
+// Natural sizes of positions and velocities: the strand's length; and that length over the study's duration,
+// or the largest velocity at the start if that is larger.
 struct Scales {
   double position, velocity;  // m, m/s
 };
@@ -29,7 +30,7 @@ inline constexpr int kReach = 2;
 
 class StrandOde : public Ode {
  public:
-  // Copies what it needs of the problem. Throws what Simulation throws.
+  // Copies the needed parts of the problem. Throws what Simulation throws.
   explicit StrandOde(const Problem& problem);
 
   int size() const override { return 6 * (n_ - 1); }
@@ -50,7 +51,7 @@ class StrandOde : public Ode {
   Simulation simulation_;
   StrandRoot root_;
   int n_;      // particles
-  int apart_;  // particles whose columns of df/dy have no row of the band in common
+  int apart_;  // distance of particles whose columns of df/dy share no row of the band
   Scales scales_;
   particles::State state_;
   Eigen::VectorXd force_, change_, by_x_, by_v_;

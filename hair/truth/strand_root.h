@@ -1,4 +1,4 @@
-// Where the root of a problem's strand is: it goes on with the velocity that it has, or as what it rides on does.
+// The root of a problem's strand: it keeps its velocity, or follows the motion that it rides on.
 #pragma once
 
 #include <vector>
@@ -14,14 +14,14 @@ struct RootMotion {
 
 class StrandRoot {
  public:
-  // Refers to the scene, which has one strand.
+  // Keeps a reference to the scene, which has one strand.
   explicit StrandRoot(const Scene& scene);
 
-  // Tangent and normal move: what holds on to them must know.
+  // Whether tangent and normal change with time.
   bool turns() const { return turns_; }
 
-  // The times at which it speeds up or slows down at once: a motion's keys. What at() says holds between two of them:
-  // from `time` on until the next, once it was told start_span(time), and from before the first at the start.
+  // The times of a motion's keys, at which the acceleration jumps. at() is valid between two of them: from
+  // `time` to the next one after start_span(time), and before the first one initially.
   std::vector<double> breaks() const;
   void start_span(double time);
 
@@ -29,9 +29,9 @@ class StrandRoot {
 
  private:
   const StrandStart& start_;
-  const Motion* motion_ = nullptr;  // none: nothing that it rides on
+  const Motion* motion_ = nullptr;  // null: the root rides on nothing
   bool turns_ = false;
-  std::size_t next_key_ = 0;  // that the span ends with; motion_->keys.size() in the last
+  std::size_t next_key_ = 0;  // at the end of the span; motion_->keys.size() in the last span
 };
 
 }  // namespace hair

@@ -1,5 +1,5 @@
-// A problem's toy as a system of ordinary differential equations: positions, then velocities, of the particles that
-// are not pinned. What holds rods and wires is exercise P2.
+// A problem's toy as a system of ordinary differential equations: positions, then velocities, of the
+// particles that are not pinned. Exercise P2 computes the forces of rods and wires.
 #pragma once
 
 #include "hair/truth/ode.h"

@@ -1,6 +1,7 @@
-// A force compared with its own energy, and its products with its own differences, by central differences
-// (g(e) - g(-e)) / 2e. With the step e = 1e-5 of lengths of about 1, they are off by e^2/6 g''' and u |g| /
-// e, about 1e-10 and 1e-11 of g: the bound 1e-6 leaves room for third derivatives 1e4 times as large as g.
+// Compares a force with the differences of its energy, and its products with the differences of the force, by
+// central differences (g(e) - g(-e)) / 2e. With the step e = 1e-5 and lengths of about 1, their errors are
+// e^2/6 g''' and u |g| / e, about 1e-10 and 1e-11 of g: the bound 1e-6 leaves room for third derivatives 1e4
+// times as large as g.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -51,8 +52,7 @@ inline void expect_near(const VectorXd& actual, const VectorXd& expected, const 
                           << "\nexpected: " << expected.transpose();
 }
 
-// f = -dE/dx: for all directions at once, by one difference for each coordinate. At v = 0, so that damping
-// does not take part.
+// f = -dE/dx, one coordinate after the other. v = 0, so that damping has no effect.
 inline void expect_force_is_minus_gradient(const particles::Force& force, const VectorXd& x) {
   VectorXd expected(x.size()), moved = x;
   for (int i = 0; i < x.size(); ++i) {
@@ -78,14 +78,14 @@ inline void expect_products_are_derivatives(const particles::Force& force, const
   }
 }
 
-// a'Kb = b'Ka for the products' matrix K = df/dx, to the rounding of the sums.
+// a'Kb = b'Ka for the matrix K = df/dx of the products, up to the rounding of the sums.
 inline void expect_symmetric_dfdx(const particles::Force& force, const VectorXd& x, const VectorXd& v) {
   const VectorXd a = scattered(static_cast<int>(x.size()), 4), b = scattered(static_cast<int>(x.size()), 5);
   const VectorXd Ka = dfdx_at(force, x, v, a), Kb = dfdx_at(force, x, v, b);
   EXPECT_NEAR(a.dot(Kb), b.dot(Ka), 1e-14 * (Ka.norm() * b.norm() + Kb.norm() * a.norm()));
 }
 
-// The matrix of products with df/dx, column by column.
+// The matrix df/dx, column by column from products.
 inline Eigen::MatrixXd dfdx_matrix(const particles::Force& force, const VectorXd& x, const VectorXd& v) {
   Eigen::MatrixXd K(x.size(), x.size());
   for (int i = 0; i < x.size(); ++i) K.col(i) = dfdx_at(force, x, v, VectorXd::Unit(x.size(), i));

@@ -1,4 +1,4 @@
-// A toy that moves, and how it takes a step: the exercises' methods behind one signature.
+// The state of a moving toy and its step function: the exercises' methods behind one signature.
 #pragma once
 
 #include <memory>
@@ -12,24 +12,24 @@
 
 namespace particles {
 
-// What solves took so far.
+// The effort of all solves so far.
 struct SolveCount {
-  long steps = 0;  // of ConjGrad
+  long steps = 0;  // iterations of ConjGrad
   long unconverged = 0;
 };
 
-// Its parts refer to each other, so that it stays where it was made.
+// Its parts refer to each other, so it can be neither copied nor moved.
 struct MovingToy {
-  // Throws std::invalid_argument for what is out of bounds, not finite or of the wrong size, and for what
-  // needs an exercise that the course leaves out.
+  // Throws std::invalid_argument for values that are out of bounds, not finite or of the wrong size, and for
+  // parts that need an exercise that the course leaves out.
   explicit MovingToy(const Toy& description);
   MovingToy(const MovingToy&) = delete;
   MovingToy& operator=(const MovingToy&) = delete;
 
   Toy toy;
   State state;
-  ForceSum force;                      // all that acts, but constraints
-  std::unique_ptr<Dynamics> dynamics;  // what explicit methods see; none with implicit Euler
+  ForceSum force;                      // all forces except those of constraints
+  std::unique_ptr<Dynamics> dynamics;  // for the explicit methods; empty with implicit Euler
   SolveCount solves;
 };
 
@@ -38,13 +38,13 @@ struct ToyStep {
   int scratch;  // columns of 3n numbers
 };
 
-// Throws std::invalid_argument for one that the course leaves out.
+// Throws std::invalid_argument for a method that the course leaves out.
 ToyStep toy_step_of(ToyMethod method);
 
-// The exercises that the toy's rods and wires call.
+// The exercises that the toy's rods and wires need.
 std::vector<std::string> exercises_of_constraints(const Toy& toy);
 
-// The largest | |d| - l0 | / l0 of all springs and rods whose l0 is not 0. NaN if a length is.
+// The largest | |d| - l0 | / l0 of all springs and rods with l0 > 0. NaN if one of these lengths is NaN.
 double largest_stretch(const Toy& toy, Input x);
 
 }  // namespace particles

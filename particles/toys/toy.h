@@ -1,5 +1,5 @@
-// Toys: points with mass, springs between them, rods and circular wires that hold them. A pendulum, beads on
-// a wire, a patch of cloth: the same particles and springs as hair.
+// Toys: point masses, springs between them, and constraints: rods and circular wires. Examples: a pendulum,
+// beads on a wire, a patch of cloth, all made of the same particles and springs as hair.
 #pragma once
 
 #include <vector>
@@ -16,13 +16,13 @@ struct Toy {
   Particles particles;
   State start;
   std::vector<Spring> springs;
-  Constraints constraints;  // none: P2 is not called. Not with implicit_euler
+  Constraints constraints;  // if empty, P2 is not called. Not with implicit_euler
   ToyMethod method = ToyMethod::runge_kutta_4;
   Eigen::Vector3d gravity = Eigen::Vector3d(0, 0, -9.81);  // m/s^2
   double drag = 0;                                         // kg/s, of each particle
   Eigen::Vector3d wind = Eigen::Vector3d::Zero();          // m/s
 
-  // Of a patch of cloth: how its particles lie, to draw them as one. 0: there is none.
+  // Only for a patch of cloth: the layout of its particles, for drawing. 0: no cloth.
   int rows = 0, columns = 0;
 };
 

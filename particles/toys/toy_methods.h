@@ -1,4 +1,4 @@
-// The parts of a toy that call an exercise: there if the course has it.
+// The parts of a toy that call an exercise. Each exists only if the course has its exercise.
 #pragma once
 
 #include "particles/toys/moving_toy.h"
@@ -7,7 +7,7 @@ namespace particles {
 
 extern const ToyStep kToyForwardEuler, kToySymplecticEuler, kToyMidpoint, kToyRungeKutta4;
 extern const ToyStep kToyImplicitEuler;
-// How a toy accelerates while its constraints hold. Refers to the toy.
+// The acceleration of a toy under its constraints. Keeps a reference to the toy.
 std::unique_ptr<Dynamics> constrained_dynamics(MovingToy& moving);
 
 }  // namespace particles

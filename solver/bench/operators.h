@@ -1,5 +1,5 @@
-// Matrices to time a solver with: known by a formula, so that a product reads x, writes b, and hardly
-// anything else.
+// Matrices for timing a solver. Each is given by a formula, so a product reads x, writes b, and touches
+// almost no other memory.
 #pragma once
 
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace solver_bench {
 
-// M + h^2 K of an implicit Euler step of a hair: block-tridiagonal, 3 x 3 blocks, which are multiples of the
-// identity as the springs pull alike in all directions. 3 `particles` unknowns, at least 2 particles;
-// `spring` is h^2 k / m.
+// M + h^2 K of an implicit Euler step of a hair: block-tridiagonal, with 3 x 3 blocks that are multiples of
+// the identity, since the springs pull equally in all directions. 3 `particles` unknowns, at least 2
+// particles; `spring` is h^2 k / m.
 class StrandOperator : public implicitMatrix {
  public:
   StrandOperator(int particles, double spring) : n_(3 * particles), spring_(spring) {}
@@ -29,10 +29,10 @@ class PoissonOperator : public implicitMatrix {
 
  private:
   int side_;
-  std::vector<double> boundary_;  // stands above the first row and below the last
+  std::vector<double> boundary_;  // the zeros above the first row and below the last row
 };
 
-// a = b + s c, the triad of the STREAM benchmark: what memory gives.
+// a = b + s c, the triad of the STREAM benchmark: measures the memory bandwidth.
 void triad(int n, double a[], const double b[], double s, const double c[]);
 
 }  // namespace solver_bench

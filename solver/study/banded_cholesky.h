@@ -1,6 +1,6 @@
-// Solving Ax = b by elimination where A has entries near its diagonal only: A = LL', L as narrow as A's lower
-// half. What a strand's matrix is: 3 below the diagonal. O(n w^2) work once, O(n w) for each b. Source: Golub
-// and Van Loan, "Matrix Computations", 4th edition, section 4.3.5.
+// Solves Ax = b by elimination for a banded A: A = LL', where L has the same bandwidth as A's lower half. A
+// strand's matrix has 3 entries below the diagonal. O(n w^2) work once, O(n w) for each b. Source: Golub and
+// Van Loan, "Matrix Computations", 4th edition, section 4.3.5.
 #pragma once
 
 #include <vector>
@@ -11,14 +11,14 @@ namespace solver::study {
 
 class BandedCholesky {
  public:
-  // A is symmetric and positive definite; its lower half is read. Throws std::invalid_argument if it is not
-  // square, or not positive definite.
+  // A is symmetric and positive definite; only its lower half is read. Throws std::invalid_argument if A is
+  // not square or not positive definite.
   explicit BandedCholesky(const SparseMatrix& A);
 
   int size() const { return n_; }
-  int width() const { return width_; }  // how far below the diagonal entries are
+  int width() const { return width_; }  // the number of diagonals below the main one
 
-  // L L' = A, from the entries that the constructor read: what is timed.
+  // Computes L with L L' = A from the entries that the constructor read. The study times this function.
   void factor();
 
   // x = A^-1 x.

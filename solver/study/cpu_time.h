@@ -1,4 +1,4 @@
-// How long calls take: time of this thread's processor, medians of repeats.
+// The duration of calls: CPU time of this thread, medians of repeats.
 #pragma once
 
 #include <algorithm>
@@ -10,16 +10,16 @@
 namespace solver::study {
 
 struct Timing {
-  double least_seconds = 1e-4;  // of a repeat: shorter calls are made several times in one
-  int repeats = 5;              // a third of them for calls of 10 least_seconds and more
+  double least_seconds = 1e-4;  // of a repeat; a repeat makes several calls if they are shorter
+  int repeats = 5;              // a third of them if a call takes 10 least_seconds or more
 
   int repeats_of(double call_seconds) const {
     return call_seconds < 10 * least_seconds ? repeats : (repeats + 2) / 3;
   }
 };
 
-// Seconds that each of the calls takes. They are repeated in turn, so that a machine that slows down for a
-// while slows down all of them. The first calls, which count how many make a repeat, warm up.
+// The seconds that each of the calls takes. The calls are repeated in turn, so that a temporary slowdown of
+// the machine affects all of them. The first calls warm up and determine how many calls make a repeat.
 inline std::vector<double> median_seconds(const Timing& how,
                                           const std::vector<std::function<void()>>& calls) {
   const auto seconds = [&](std::size_t call, long times) {

@@ -1,5 +1,5 @@
 // Eigen's conjugate gradients behind ConjGrad's interface: no preconditioner, the same operator, first guess
-// and end.
+// and stopping rule.
 #pragma once
 
 #include "solver/linearSolver.h"

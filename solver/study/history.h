@@ -1,8 +1,8 @@
-// How a method of conjugate gradients gets on, from iteration to iteration.
+// How the error of a conjugate gradient method shrinks, from iteration to iteration.
 //
-// ConjGrad tells nothing on its way, and any may be asked: so it is called anew for 1, 2, 3, ... iterations,
-// and for fewer and fewer numbers of them further on; what it returns each time is compared with the solution
-// that is known.
+// ConjGrad reports nothing while it runs. So the study calls it anew for 1, 2, 3, ... iterations, with
+// growing gaps further on, and compares each result with the known solution. This works for any
+// implementation.
 #pragma once
 
 #include <atomic>
@@ -20,7 +20,7 @@ using ConjGradFunction = std::function<double(int, implicitMatrix*, double[], do
 
 struct Interrupted {};
 
-// Of a study that runs. `interrupted` may be null.
+// Lets a running study be interrupted. `interrupted` may be null.
 struct Watch {
   const std::atomic<bool>* interrupted = nullptr;
 
@@ -31,13 +31,13 @@ struct Watch {
 };
 
 struct Progress {
-  int asked = 0;  // how many iterations it might take
+  int asked = 0;  // the iterations that it was allowed
   int iterations = 0;
   long products = 0;            // with A, counted
   double error = 0;             // ||x - x*||_A / ||b - x*||_A: 1 at the first guess
   double squared_residual = 0;  // ||b - Ax||^2 / ||b||^2, computed from x
-  double claimed = 0;           // the same as the solver returned it
-  double seconds = 0;           // of CPU time that so many iterations take
+  double claimed = 0;           // the same, as the solver returned it
+  double seconds = 0;           // CPU time of these iterations
 };
 
 struct History {
@@ -47,13 +47,13 @@ struct History {
   std::vector<Progress> progress;
 };
 
-// Until the solver gets no better, ends by itself, or has taken `most` iterations. Values that are not finite
-// are kept as they are, and end it.
+// Runs until the solver gets no better, ends by itself, or has taken `most` iterations. Values that are not
+// finite are kept as they are and end the history.
 History history_of(const ConjGradFunction& solve, const std::string& name, const System& system, int most,
                    const Watch& watch);
 
-// Sets the seconds of histories of one system, each by the solver beside it, and those of other calls: all in
-// turn, so that they can be compared.
+// Measures the seconds of several histories of one system, each with its solver, and of other calls. All are
+// repeated in turn, so that their times can be compared.
 struct TimedHistory {
   const ConjGradFunction* solve;
   History* history;
@@ -65,8 +65,8 @@ struct TimedCall {
 void time_in_turn(const System& system, const std::vector<TimedHistory>& histories,
                   std::vector<TimedCall> calls, const Timing& timing, const Watch& watch);
 
-// What the error can be at most after so many iterations, without rounding: 2 ((sqrt(c) - 1) / (sqrt(c) +
-// 1))^m for the condition number c (Golub and Van Loan, "Matrix Computations", 4th edition, theorem 11.3.3).
+// The bound of the error after this many iterations, without rounding: 2 ((sqrt(c) - 1) / (sqrt(c) + 1))^m
+// for the condition number c (Golub and Van Loan, "Matrix Computations", 4th edition, theorem 11.3.3).
 double error_bound(double condition, int iterations);
 
 // Counts the products with a matrix.

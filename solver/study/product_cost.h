@@ -1,4 +1,4 @@
-// The lecture's "Why implicitMatrix?": what a product with a strand's matrix costs by its formula, and by the
+// The lecture's "Why implicitMatrix?": the cost of a product with a strand's matrix, by a formula and by the
 // table of its entries.
 #pragma once
 
@@ -13,9 +13,9 @@ namespace solver::study {
 // M + h^2 K of a strand, as strand_implicit_euler in solver/matrices.h: three numbers for each particle.
 struct StrandFormula {
   std::vector<double> mass;           // kg
-  std::vector<double> stretch, bend;  // h^2 k of the springs that it hangs from, along z and across, kg
+  std::vector<double> stretch, bend;  // h^2 k of the spring above each particle, along z and across, kg
 
-  // b = A x for n = 3 mass.size(), in any type that can be added, and multiplied with a number.
+  // b = A x for n = 3 mass.size(). Number is any type with addition and multiplication by a number.
   template <class Number>
   void multiply(int n, const Number* x, Number* b) const {
     const int particles = n / 3;
@@ -52,13 +52,13 @@ Table table_of(const StrandFormula& formula, int n);
 struct ProductCost {
   int n = 0;
   struct Way {
-    long multiplications = 0;  // counted while it multiplies
-    std::size_t bytes = 0;     // that the matrix keeps
-    double seconds = 0;        // a product takes
+    long multiplications = 0;  // counted during a product
+    std::size_t bytes = 0;     // memory of the matrix
+    double seconds = 0;        // of one product
   } formula, table;
 };
 
-// n is 3 for each particle.
+// n = 3 particles.
 ProductCost product_cost(int particles, const Timing& timing);
 
 }  // namespace solver::study

@@ -1,5 +1,5 @@
-// Systems Ax = b to watch a solver on: symmetric, positive definite, with a solution and a spectrum that are
-// known.
+// Systems Ax = b for studying a solver: symmetric, positive definite, with a known solution and known
+// eigenvalues.
 #pragma once
 
 #include <memory>
@@ -23,35 +23,36 @@ struct System {
   double condition() const { return largest / smallest; }
 };
 
-// The largest eigenvalue of the two below. The first guess is b, so that an eigenvalue of 1 would have its
-// part of the solution for nothing; and as |1 - eigenvalue| <= 1, the first residual is no longer than b.
+// The largest eigenvalue of the two systems below. It is not 1: the first guess is b, so the part of the
+// solution that belongs to an eigenvalue of 1 would be right from the start. As |1 - eigenvalue| <= 1, the
+// first residual is no longer than b.
 inline constexpr double kLargestEigenvalue = 2;
 
-// Eigenvalues whose logarithms are evenly spaced: no two of them help each other.
+// Eigenvalues with evenly spaced logarithms, so that there are no clusters.
 System spread_system(int n, double condition);
 
-// Eigenvalues in `clusters` >= 2 places whose logarithms are evenly spaced, n / clusters in each.
+// Eigenvalues at `clusters` >= 2 places with evenly spaced logarithms, n / clusters at each place.
 System clustered_system(int n, double condition, int clusters);
 
-// A step of `step` seconds of implicit Euler of a model of a hair: 30 cm long, in so many segments, straight
-// and clamped, springs along it and across it between neighbours. (Bending as in exercise H2 reaches two
-// particles far, and makes the band 8 wide instead of 3.) Its unknowns are 3 segments, its condition number
-// grows with step^2 EA / (l m).
+// An implicit Euler step of `step` seconds for a model of a hair: 30 cm long, with `segments` segments,
+// straight and clamped, with springs along it and across it between neighbours. (Bending as in exercise H2
+// couples particles two apart, which makes the band 8 wide instead of 3.) It has 3 * segments unknowns; its
+// condition number grows with step^2 EA / (l m).
 System strand_system(int segments, double step);
 
-// The same as a matrix in rows: SparseMatrix entries.
+// The same matrix as a SparseMatrix.
 SparseMatrix strand_matrix(int segments, double step);
 
-// What a strand is made of: human hair (C. R. Robbins, "Chemical and Physical Behavior of Human Hair", 5th
-// edition, 2012, chapter 9), for `segments` springs.
+// The numbers of a strand of human hair with `segments` springs (C. R. Robbins, "Chemical and Physical
+// Behavior of Human Hair", 5th edition, 2012, chapter 9).
 struct StrandNumbers {
   double mass;     // kg, of a particle
   double stretch;  // N/m, EA / l
-  double bend;     // N/m, EI / l^3: of a spring across, as stiff as a segment of a beam that bends
+  double bend;     // N/m, EI / l^3: of a spring across, as stiff as a bending beam segment
 };
 StrandNumbers strand_numbers(int segments);
 
-// Numbers in (-1, 1) with no pattern, the same for the same seed.
+// Pseudo-random numbers in (-1, 1), the same for the same seed.
 Vector scattered(int n, unsigned seed);
 
 double squared_norm(const Vector& x);

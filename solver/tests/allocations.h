@@ -1,4 +1,4 @@
-// STAFF ONLY. How often this program has allocated memory with new.
+// STAFF ONLY. The number of allocations with new that this program has made.
 #pragma once
 
 namespace reference_tests {

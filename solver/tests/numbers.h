@@ -1,4 +1,4 @@
-// STAFF ONLY. Numbers that tests of all exercises use.
+// STAFF ONLY. Constants that the tests of all exercises use.
 #pragma once
 
 #include <limits>

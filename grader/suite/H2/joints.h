@@ -1,13 +1,14 @@
-// STAFF ONLY. H2's functions beside the reference's: a strand's joints, and how much rounding they may leave.
+// STAFF ONLY. Compares H2's functions with the reference: a strand's joints, and bounds of the rounding
+// errors.
 //
-// A segment's vector comes out of one subtraction, so that its direction has an error of a few u = 2^-53
-// wherever the strand is, and an angle phi one of a few u at any size. Directions perpendicular to the bend
-// come from u1 x u2, of length s = sin(phi), and are known to u / s. Less than 16 more operations give 64 u,
-// in an entry where three joints meet with two segments each 512 u, of
+// A segment's vector is one subtraction, so its direction has an error of a few u = 2^-53 at any place of the
+// strand, and an angle phi an error of a few u at any size. Directions perpendicular to the bend come from u1
+// x u2, of length s = sin(phi), with an error of u / s. Less than 16 more operations give 64 u; in an entry
+// with three joints of two segments each, 512 u, of
 //
 //   k (phi + 64 u)          N m    for a joint's energy, and u for each term of the sum
-//   k phi_max / l           N      for the force; next to the fold, where s is lost, over s
-//   k phi_max / (l^2 s^2)   N/m    for products, in the formula that rounds most
+//   k phi_max / l           N      for the force; near the fold, where s is inaccurate, divided by s
+//   k phi_max / (l^2 s^2)   N/m    for products, in the formula with the largest rounding error
 #pragma once
 
 #include <vector>
@@ -21,7 +22,7 @@ struct Joint {
       arm;  // EI/l, phi, the shorter of the two segments; of a clamped root the first segment
 };
 
-// Those that have an angle.
+// The joints that have an angle.
 std::vector<Joint> joints(const Posed& posed);
 
 inline constexpr Range kStretch = {0.6, 1.5}, kBend = {0.1, 2.8};
@@ -34,7 +35,8 @@ VectorXd reference_force(const Posed& posed);
 VectorXd reference_product(const Posed& posed, const VectorXd& dx, int function);
 VectorXd ask_spd(Trial& trial, const Posed& posed, const VectorXd& dx);
 
-// The student's answers are the reference's, to rounding; a product's to `rounding_of_straight` (N/m) more.
+// Compares the student's answers with the reference's, up to rounding; a product has `rounding_of_straight`
+// (N/m) in addition.
 void expect_energy(Trial& trial, const Posed& posed);
 void expect_force(Trial& trial, const Posed& posed);
 void expect_product(Trial& trial, const Posed& posed, int function, double rounding_of_straight = 0);

@@ -1,4 +1,4 @@
-// STAFF ONLY. Some of H2's categories; see h2_categories.cpp.
+// STAFF ONLY. Some of H2's categories; see categories.cpp.
 #pragma once
 
 #include "grader/suite/trial.h"

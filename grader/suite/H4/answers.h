@@ -1,5 +1,5 @@
-// STAFF ONLY. A student's answers about an implicit step, asked across the pipe while the suite answers for
-// the force; beside the table of implicit_system.h.
+// STAFF ONLY. A student's answers about an implicit step, requested through the pipe while the suite serves
+// the force; and their comparison with the table of implicit_system.h.
 #pragma once
 
 #include "grader/suite/implicit_system.h"
@@ -20,18 +20,18 @@ struct Solution {
   Eigen::VectorXd dv;
   Eigen::VectorXd x, v;  // after a step of implicit_euler
   Report report;
-  int forces, dfdx, dfdv;  // as the suite counted them
+  int forces, dfdx, dfdv;  // the suite's own counts
 };
 
-// solve_implicit and implicit_euler.
+// Call the student's solve_implicit and implicit_euler.
 Solution solve(Trial& trial, const Cloud& cloud, double a, double b, double tolerance = kTolerance);
 Solution step(Trial& trial, const Cloud& cloud, double h, double tolerance = kTolerance);
 
-// The matrix' product, twice, is that of the table.
+// Compares the matrix' product, computed twice, with the table's.
 void expect_matrix(Trial& trial, const Cloud& cloud, double a, double b);
 
-// dv solves the system, by the suite's own table. How tightly it has to is what one category is about; in the
-// others a hundredth does.
+// Checks with the suite's own table that dv solves the system. One category tests the tolerance; for the
+// others an error of a hundredth is enough.
 void expect_solves(Trial& trial, const ImplicitSystem& system, const Eigen::VectorXd& dv,
                    double tolerance = 1e-2);
 

@@ -1,9 +1,10 @@
-// STAFF ONLY. A student's corrections, asked across the pipe, and what holds for all of them. Sweeps may go in
-// any order and methods differ, so that values are compared with the reference's only where all must agree:
+// STAFF ONLY. A student's corrections, requested through the pipe, and properties that all of them must have.
+// The order of sweeps is free and methods differ, so values are compared with the reference's only where all
+// methods must agree:
 //
-//   - small errors: a correction is W J^T lambda with J at some state on the way. Where errors are of size e,
+//   - small errors: a correction is W J^T lambda with J at some intermediate state. If errors are of size e,
 //     all these states differ by O(e), and so do corrections, relative to their size;
-//   - velocities: what makes J v = 0 and is W J^T lambda is one and the same for all.
+//   - velocities: the correction W J^T lambda that makes J v = 0 is unique.
 #pragma once
 
 #include <string>
@@ -24,7 +25,7 @@ struct Corrected {
   CorrectionReport report;
 };
 
-// kRelax's or kCorrect's, for feedback.
+// The name of the function of kRelax or kCorrect, for feedback.
 std::string name_of(int function);
 
 Corrected correct(Trial& trial, int function, const Strand& strand, const VectorXd& x, double tolerance,
@@ -37,12 +38,13 @@ VectorXd reference_lengths(const Strand& strand, VectorXd x);
 void expect_lengths(Trial& trial, int function, const Strand& strand, double tolerance,
                     const Corrected& corrected);
 
-// Coarse: whatever the order of impulses along the segments, they add up to about what has to be moved, and
-// even those that know no masses move a few times as much. What is put elsewhere is far beyond.
+// A coarse check: with any order of impulses along the segments, their sum is about the necessary motion, and
+// even code that ignores the masses moves only a few times as much. A wrong place is far beyond that.
 void expect_near(Trial& trial, int function, const Strand& strand, const VectorXd& x, const VectorXd& after);
 
-// With `values`, beside the reference's: corrections differ by what the tolerance leaves, r of size tolerance
-// in each segment, which is sqrt(r' (J W J')^-1 r) in the norm of `moved`.
+// With `values`, also compares with the reference's: corrections differ by the effect of the tolerance. A
+// remaining rate r of size tolerance in each segment has the effect sqrt(r' (J W J')^-1 r) in the norm of
+// `moved`.
 void expect_velocities(Trial& trial, const Strand& strand, const VectorXd& x, const VectorXd& v,
                        double tolerance, bool values);
 

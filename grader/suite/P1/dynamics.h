@@ -1,4 +1,4 @@
-// STAFF ONLY. Accelerations that P1's suite serves: a linear one, one that is coupled, one that is not.
+// STAFF ONLY. Accelerations that P1's suite serves: a linear one, a coupled one, an uncoupled one.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,7 +21,7 @@ class Oscillator : public particles::Dynamics {
   double omega_;
 };
 
-// a = A sin(x) + B sin(v), entry by entry: not linear, and everything depends on everything. Pinned particles
+// a = A sin(x) + B sin(v), entry by entry: nonlinear, and every entry depends on all others. Pinned particles
 // have rows of zeros.
 class Waves : public particles::Dynamics {
  public:
@@ -38,8 +38,7 @@ class Waves : public particles::Dynamics {
   Eigen::MatrixXd A, B;
 };
 
-// a = -c sin(x), with another c for each coordinate of a particle: each for itself, and the same forwards and
-// backwards in time.
+// a = -c sin(x), with its own c for each coordinate of a particle: uncoupled, and reversible in time.
 class Pendulums : public particles::Dynamics {
  public:
   explicit Pendulums(Random& random)

@@ -1,4 +1,4 @@
-// STAFF ONLY. The student's integrators, run across the pipe on accelerations that the suite serves.
+// STAFF ONLY. The student's integrators, run through the pipe with accelerations that the suite serves.
 #pragma once
 
 #include <Eigen/Core>
@@ -30,7 +30,7 @@ State random_state(Random& random, int n);
 struct Run {
   std::vector<State> states;  // after each step
   int evaluations = 0;
-  bool overlaps = false;  // an acceleration was to overwrite the x or v that it was asked for
+  bool overlaps = false;  // an output of acceleration overlapped its x or v
 
   const State& end() const { return states.back(); }
 };
@@ -39,15 +39,14 @@ struct Setting {
   double h;
   int steps = 1;
   int columns = particles::kIntegratorScratch;
-  double junk = kNaN;  // what scratch holds on entry
+  double junk = kNaN;  // the contents of scratch on entry
 };
 
-// The student's steps.
+// Runs the student's steps.
 Run run(Trial& trial, const Method& method, particles::Dynamics& dynamics, const State& start,
         const Setting& setting);
 
-// A category about how steps are taken gives nothing to a function that takes none: for a short step the
-// particles move by about h v.
+// Prevents points for a function that does nothing: in a short step the particles must move by about h v.
 void expect_moves(Trial& trial, const Method& method, const State& start, double h, const State& end);
 
 }  // namespace grader::p1

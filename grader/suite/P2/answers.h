@@ -1,4 +1,5 @@
-// STAFF ONLY. A student's answers about rods and wires, asked across the pipe, beside p2_system.h's tables.
+// STAFF ONLY. A student's answers about rods and wires, requested through the pipe, and their comparison with
+// the tables of system.h.
 #pragma once
 
 #include <initializer_list>
@@ -13,23 +14,23 @@ namespace grader::p2 {
 
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-// The residual that the categories which solve allow, of the right-hand side: coarse, so that the tolerance is
-// looked at in its own category alone.
+// The residual that categories with solves allow, relative to the right-hand side. It is coarse, so that only
+// the tolerance's own category tests the tolerance.
 inline constexpr double kTolerance = 1e-3;
 
 inline constexpr int kValues = 0, kRates = 1, kForces = 2, kMatrix = 3, kSolve = 4;  // as in serve_P2.cpp
 
-// A function's vector of `size` entries, for the vectors that it takes.
+// Calls a function with these vectors; its result has `size` entries.
 Eigen::VectorXd answer(Trial& trial, int function, const ConstrainedSystem& system,
                        std::initializer_list<Eigen::VectorXd> vectors, Eigen::Index size);
 
-// A product with the matrix, twice into buffers that hold junk.
+// A product with the matrix, computed twice into buffers with junk.
 Eigen::VectorXd product(Trial& trial, const ConstrainedSystem& system, const Eigen::VectorXd& multiplier,
                         double junk);
 
 struct Solved {
   int steps;
-  double residual;  // as the student reports it
+  double residual;  // the student's reported value
   Eigen::VectorXd lambda;
 };
 
@@ -40,7 +41,7 @@ void expect_matrix(Trial& trial, const ConstrainedSystem& system);
 void expect_solved(Trial& trial, const ConstrainedSystem& system, const Eigen::VectorXd& lambda,
                    double tolerance = kTolerance);
 
-// Where lambda is not the only solution: it accelerates the particles as any does.
+// For systems with several solutions lambda: each solution must give the same accelerations.
 void expect_same_accelerations(Trial& trial, const ConstrainedSystem& system);
 
 }  // namespace grader::p2

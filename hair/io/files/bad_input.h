@@ -1,5 +1,5 @@
-// What a person gave us is wrong: one line that says what, where and what would be right.
-// Programs print it and exit with code 2.
+// Wrong input from a user: one line with what is wrong, where, and what would be right. Programs print it and
+// exit with code 2.
 #pragma once
 
 #include <stdexcept>

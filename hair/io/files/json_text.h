@@ -1,5 +1,5 @@
-// JSON that programs write, as text: a value's, and those of objects and lists made of such. The library that knows how is
-// compiled once, here.
+// Writes JSON as text: single values, and objects and lists of such texts. json_text.cpp hides the JSON
+// library, which is slow to compile.
 #pragma once
 
 #include <initializer_list>
@@ -9,7 +9,7 @@
 
 namespace hair {
 
-std::string json_text(double number);  // as short as it can be read back; null if it is not finite
+std::string json_text(double number);  // the shortest text that reads back the same; null if it is not finite
 std::string json_text(long number);
 inline std::string json_text(int number) {
   return json_text(static_cast<long>(number));

@@ -1,4 +1,4 @@
-// Names and text from outside as one line that can do nothing to a terminal.
+// Untrusted names and text as one line that is safe to print on a terminal.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace hair {
 
-// Control characters, bytes outside ASCII and the backslash as \xNN; more than `most` bytes are cut and end
-// with "...".
+// Writes control characters, bytes outside ASCII and the backslash as \xNN. Cuts more than `most` bytes and
+// ends them with "...".
 std::string printable(std::string_view bytes, std::size_t most = 200);
 
 }  // namespace hair

@@ -1,4 +1,4 @@
-// A whole file's bytes.
+// Reads all bytes of a file.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace hair {
 
-// Throws BadInput for what can't be read, is a folder, or has more than `most` bytes; none more than these are
-// read. `wanted` ends the sentence "give the path of ...": "a JSON file".
+// Throws BadInput for a file that can't be read, is a folder, or has more than `most` bytes; never reads more
+// bytes than that. `wanted` ends the sentence "give the path of ...": "a JSON file".
 std::string read_file(const std::filesystem::path& file, std::size_t most, const std::string& wanted);
 
 }  // namespace hair

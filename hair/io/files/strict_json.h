@@ -1,6 +1,5 @@
-// JSON files that people write: read strictly, so that a slip of the pen is reported and not
-// passed over. The library's own header, which takes seconds to compile, is for those who look into a document without
-// JsonValue.
+// Reads JSON files that people write. It is strict, so that mistakes are reported. The JSON library's own
+// header takes seconds to compile; only code that does not use JsonValue needs it.
 #pragma once
 
 #include <array>
@@ -18,42 +17,42 @@ namespace hair {
 inline constexpr std::size_t kMostJsonBytes = 64 << 20;
 inline constexpr int kMostJsonDepth = 64;
 
-// A file's JSON. Throws BadInput with file, line and column; a key that stands twice in an object is an
-// error, too, and so is a file of more than kMostJsonBytes or a value within more than kMostJsonDepth others.
+// A file's JSON. Throws BadInput with file, line and column. Errors are also: the same key twice in an
+// object, a file of more than kMostJsonBytes, and a value nested deeper than kMostJsonDepth.
 nlohmann::json read_json(const std::filesystem::path& file);
 
-// The same of text that is at hand; `name` stands for the file in what is thrown.
+// The same for a text; errors name it `name`.
 nlohmann::json parse_json(const std::string& text, const std::string& name);
 
-// The same for those who look into them through JsonValue alone.
+// The same for code that uses only JsonValue.
 using JsonDocument = std::shared_ptr<const nlohmann::json>;
 JsonDocument read_document(const std::filesystem::path& file);
 JsonDocument parse_document(const std::string& text, const std::string& name);
 
-// A value and where it stands. Every check that fails throws BadInput: "FILE: exercises[0].points: what is
-// wrong; what would be right". The document must outlive it.
+// A value and its position. Every failed check throws BadInput: "FILE: exercises[0].points: what is wrong;
+// what would be right". The document must outlive the JsonValue.
 class JsonValue {
  public:
   JsonValue(const nlohmann::json& document, std::filesystem::path file);
 
-  // An object that has all of `required` and nothing beside them and `optional`.
+  // Checks an object: it has all keys of `required`, and no others except those of `optional`.
   void check_keys(std::initializer_list<std::string_view> required,
                   std::initializer_list<std::string_view> optional = {}) const;
   bool has(const std::string& key) const;
-  JsonValue operator[](const std::string& key) const;  // of an object, a key that it has
+  JsonValue operator[](const std::string& key) const;  // of an object that has this key
   bool is_null() const;
 
   std::vector<std::string> keys() const;   // of an object
   std::vector<JsonValue> items() const;    // of an array
-  std::string text() const;                // a string that is not empty
-  std::vector<std::string> texts() const;  // an array of such strings, no two of them equal
+  std::string text() const;                // a non-empty string
+  std::vector<std::string> texts() const;  // an array of such strings, all different
   double number(double lowest, double highest) const;
   long whole_number(long lowest, long highest) const;                        // also written as 3.0 or 3e2
-  std::array<double, 3> three_numbers(double lowest, double highest) const;  // an array of them
+  std::array<double, 3> three_numbers(double lowest, double highest) const;  // an array of three
   bool boolean() const;
-  std::size_t word(std::initializer_list<std::string_view> words) const;  // one of them: which
+  std::size_t word(std::initializer_list<std::string_view> words) const;  // the index of the value in `words`
   std::size_t word(std::span<const std::string_view> words) const;
-  // An object's only key, one of `choices`.
+  // The only key of an object; it must be one of `choices`.
   std::string only_key(std::initializer_list<std::string_view> choices) const;
 
   [[noreturn]] void fail(const std::string& what) const;

@@ -1,4 +1,4 @@
-// A new folder for as long as it lives, that nobody else may look into.
+// A new private folder. It is removed at the end of this object's life.
 #pragma once
 
 #include <stdlib.h>

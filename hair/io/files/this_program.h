@@ -1,11 +1,12 @@
-// The program that runs.
+// The running program.
 #pragma once
 
 #include <filesystem>
 
 namespace hair {
 
-// Its file: what is read there are the bytes that run, even where a newer file has taken its name meanwhile.
+// The program's file. Reading it gives the bytes that are running, even if a newer file has replaced its
+// name.
 std::filesystem::path this_program();
 
 }  // namespace hair

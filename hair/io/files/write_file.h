@@ -1,4 +1,4 @@
-// Files appear whole or not at all.
+// Writes files atomically: the whole file appears, or nothing.
 #pragma once
 
 #include <filesystem>
@@ -6,9 +6,9 @@
 
 namespace hair {
 
-// Writes to a temporary name beside `file` and renames. Makes missing folders. If anything fails, the
-// temporary file is removed, an earlier `file` stays as it was, and BadInput says which path and why. Several may
-// write the same file: one of them comes last.
+// Writes to a temporary name beside `file` and renames it. Makes missing folders. If anything fails, removes
+// the temporary file, leaves an earlier `file` unchanged, and throws BadInput with the path and the reason.
+// Several processes may write the same file: the last one wins.
 void write_file(const std::filesystem::path& file, std::string_view bytes);
 
 }  // namespace hair

@@ -1,5 +1,5 @@
-// What is used of stb_image and stb_image_write. They are compiled in stb.cpp alone, and their names can't
-// meet another library's.
+// The used parts of stb_image and stb_image_write. Only stb.cpp compiles them, so that their names can't
+// clash with those of another library.
 #pragma once
 
 #include <cstddef>
@@ -10,8 +10,8 @@
 
 namespace hair {
 
-// Four bytes a pixel, or the reason why not: memory is taken for what the header says, and for what its data
-// inflate to.
+// Four bytes a pixel, or the reason why not. Decoding allocates memory for the header's size and for the
+// inflated data.
 struct StbPicture {
   int width = 0, height = 0;
   std::vector<std::uint8_t> rgba;
@@ -19,7 +19,7 @@ struct StbPicture {
 };
 StbPicture stb_decode_png(std::string_view bytes);
 
-// Whether zlib's data are whole and inflate to at most that many bytes.
+// Whether the zlib data are complete and inflate to at most `most` bytes.
 bool stb_inflates(std::string_view zlib, std::size_t most);
 
 std::string stb_encode_png(int width, int height, const std::uint8_t* rgb);

@@ -1,5 +1,5 @@
-// The frame that figures and maps have in common: a box with ticks, labels and titles, within an SVG that
-// says to those who can't see it what it shows.
+// The frame of figures and maps: a box with ticks, labels and titles, within an SVG that has a description
+// for screen readers.
 #pragma once
 
 #include <string>
@@ -20,15 +20,15 @@ struct Box {
 inline constexpr double kFigureWidth = 900;
 inline constexpr double kPlotHeight = 400;
 inline constexpr double kLeftMargin = 84;
-inline constexpr double kGap = 18;        // between a plot and what is beside it
+inline constexpr double kGap = 18;        // between a plot and its neighbour
 inline constexpr double kBelowPlot = 56;  // ticks, labels, title of the x axis
 inline constexpr double kBottomMargin = 10;
 inline constexpr double kTitleHeight = 36;
 
-// Throws std::invalid_argument for an id that is not letters, digits and hyphens after a letter.
+// Throws std::invalid_argument unless the id is a letter followed by letters, digits and hyphens.
 void check_id(const std::string& id);
 
-// Opens <svg>, with title and description; the title is written at its top, too.
+// Opens <svg> with title and description, and writes the title at the top.
 void open_svg(XmlWriter& xml, const std::string& id, const std::string& title, const std::string& description,
               double height);
 
@@ -36,7 +36,7 @@ void draw_grid(XmlWriter& xml, const Box& box, const Scale& x, const Scale& y);
 void draw_axes(XmlWriter& xml, const Box& box, const Scale& x, const Scale& y, const std::string& x_title,
                const std::string& y_title);
 
-// A clip path of the box, with that id.
+// Defines a clip path of the box with this id.
 void define_clip(XmlWriter& xml, const std::string& id, const Box& box);
 
 }  // namespace hair::plot

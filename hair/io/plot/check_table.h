@@ -1,4 +1,4 @@
-// A table's rows are as long as its header, and there is one.
+// Checks a table: it has a header, and all rows are as long as the header.
 #pragma once
 
 #include <stdexcept>

@@ -1,5 +1,5 @@
-// HTML from patterns in which every value is escaped unless it is HTML by its type: what is
-// forgotten is safe.
+// Builds HTML from patterns. Every value is escaped, unless its type is Html, so that a forgotten escape is
+// impossible.
 #pragma once
 
 #include <initializer_list>
@@ -17,7 +17,7 @@ struct Html {
   }
 };
 
-// What stands for a {} in a pattern.
+// A value for one {} of a pattern.
 class HtmlPart {
  public:
   HtmlPart(const char* text);
@@ -32,14 +32,14 @@ class HtmlPart {
   std::string html_;
 };
 
-// The pattern with each {} replaced by the next part. Throws std::invalid_argument if their numbers differ.
+// Replaces each {} of the pattern by the next part. Throws std::invalid_argument if their numbers differ.
 Html html(std::string_view pattern, std::initializer_list<HtmlPart> parts = {});
 
 enum class Scripts { off, on };
 enum class Pictures { inside, beside };
 
-// A whole page: its style is in it, and it may load nothing but, with Pictures::beside, picture files. Only a
-// page with Scripts::on runs its own inline script.
+// A whole page with its style inside. It may load only picture files, and those only with Pictures::beside.
+// Only a page with Scripts::on runs its own inline script.
 std::string html_page(const std::string& title, const Html& body, Scripts scripts = Scripts::off,
                       Pictures pictures = Pictures::inside);
 

@@ -1,4 +1,4 @@
-// What belongs to which name, beside a plot.
+// The legend beside a plot: a name for each look.
 #pragma once
 
 #include <functional>

@@ -1,4 +1,4 @@
-// Text in figures. What a font makes of it is not known, so widths are guessed, rather too large.
+// Text in figures. The font is unknown, so widths are estimated, with a margin.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ inline constexpr double kSize = 13, kSmall = 12, kTitle = 16;  // of letters, in
 
 double text_width(std::string_view text, double size);
 
-// Lines that are no wider, broken at spaces; a word that is too long alone is cut.
+// Breaks text at spaces into lines of at most this width, and cuts words that are longer.
 std::vector<std::string> wrapped(std::string_view text, double width, double size);
 
 struct Lettering {

@@ -1,5 +1,5 @@
-// A page that stands alone: headings, text, figures, tables, in one HTML file, readable with scripts off and
-// by a screen reader; and tables as CSV.
+// A self-contained page of headings, text, figures and tables: one HTML file, readable without scripts and by
+// a screen reader. Also tables as CSV.
 #pragma once
 
 #include <string>
@@ -10,33 +10,33 @@ namespace hair {
 struct Table {
   std::string caption;
   std::vector<std::string> header;
-  std::vector<std::vector<std::string>> rows;  // as long as the header, each
+  std::vector<std::vector<std::string>> rows;  // each as long as the header
 };
 
 struct Section {
   std::string heading;
   std::vector<std::string> paragraphs = {};
   std::vector<std::string> figures = {};  // SVG texts
-  std::vector<Table> tables = {};         // beneath the figures, folded unless there is no figure
+  std::vector<Table> tables = {};         // beneath the figures, folded if there is a figure
   std::vector<Table> first = {};          // above the figures, never folded
 };
 
 struct Page {
   std::string title;
-  std::vector<std::string> paragraphs = {};  // what it shows, on which machine, with what versions
+  std::vector<std::string> paragraphs = {};  // the topic, the machine, the versions
   std::vector<Section> sections = {};
 };
 
-// Text is escaped; figures are taken as they are.
+// Text is escaped; figures are inserted unchanged.
 std::string to_html(const Page& page);
 
-// RFC 4180, with line feeds alone: the header, then the rows.
+// RFC 4180, except that lines end with a line feed only: the header, then the rows.
 std::string to_csv(const Table& table);
 
 // Enough digits to see a difference, few enough to read: "1.23e-5".
 std::string to_text(double value);
 
-// The fewest digits that read back as the same number: for CSV.
+// The shortest text that reads back as the same number: for CSV.
 std::string to_exact_text(double value);
 
 }  // namespace hair

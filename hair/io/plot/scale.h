@@ -1,4 +1,4 @@
-// From an axis' values to pixels: linear, or in the logarithm; and the ticks that a reader finds on it.
+// Maps the values of an axis to pixels, linearly or logarithmically, and chooses the axis' ticks.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace hair::plot {
 struct Tick {
   double value = 0;
 
-  // "0.1", or "10" and "-6" above it. A minor tick has none.
+  // "0.1", or "10" with the exponent "-6". A minor tick has no label.
   std::string label = {}, exponent = {};
 
   bool is_minor() const { return label.empty(); }
@@ -19,10 +19,10 @@ struct Tick {
 
 class Scale {
  public:
-  // The axis' own limits, or what the values need with a little room at either end: `room` of the length, 0
-  // where what is drawn fills the axis. The pixels are those of the lower and the upper limit. Throws
-  // std::invalid_argument, with `what` in the message, for a value that is not finite, or not positive on a
-  // logarithmic axis, and for a lower limit that is not below the upper one.
+  // The limits are the axis' own, or fit the values with a margin at either end: `room` is the margin
+  // relative to the length, 0 if the drawing fills the axis. pixel_low and pixel_high belong to the lower and
+  // upper limit. Throws std::invalid_argument, with `what` in the message, for a value that is not finite, or
+  // not positive on a logarithmic axis, and for a lower limit that is not below the upper one.
   Scale(const Axis& axis, const std::vector<double>& values, double room, double pixel_low, double pixel_high,
         const std::string& what);
 
@@ -35,7 +35,7 @@ class Scale {
   // Ticks in increasing order, about `most` of them with labels.
   std::vector<Tick> ticks(int most) const;
 
-  // A value as the axis counts: itself, or its logarithm. Differences of these are lengths on the axis.
+  // The value itself, or its logarithm on a logarithmic axis. Differences of places are lengths on the axis.
   double place(double value) const;
   double value_at(double place) const;
 

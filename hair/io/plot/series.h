@@ -13,8 +13,8 @@ namespace hair::plot {
 
 struct Stroke {
   const char* colour;
-  const char* dash = nullptr;  // none: drawn through
-  const char* halo = nullptr;  // the colour of a wider line beneath, which parts it from what is below
+  const char* dash = nullptr;  // none: a solid line
+  const char* halo = nullptr;  // the colour of a wider line beneath, which separates it from the background
 };
 
 struct Place {
@@ -25,11 +25,11 @@ struct Place {
 
 void draw_curve(XmlWriter& xml, const Series& series, const Stroke& stroke, const Place& place);
 
-// Points beyond the axes stand at the edge, empty. `shape` as in marker_path.
+// Points outside the axes are drawn at the edge, as outlines. `shape` as in marker_path.
 void draw_markers(XmlWriter& xml, const Series& series, int shape, const char* colour, const Place& place,
                   const std::string& x_title, const std::string& y_title);
 
-// A marker that says `hover`; `full` or an outline.
+// A marker with the tooltip `hover`; filled if `full`, otherwise an outline.
 void draw_marker(XmlWriter& xml, double x, double y, int shape, const char* colour, bool full,
                  const std::string& hover);
 

@@ -1,4 +1,4 @@
-// Where slope guides stand: in the free part of a plot, not far from what they are compared with.
+// Places slope guides in the free part of a plot, near the data.
 #pragma once
 
 #include <vector>
@@ -16,11 +16,11 @@ struct Spot {
 
 struct PlacedGuide {
   Spot from, to;
-  Spot label;  // where its text begins, on the base line
+  Spot label;  // the start of its text, on the base line
 };
 
-// One for each guide, none of them outside of the box. `taken` is what they keep away from. The same input
-// gives the same places.
+// One for each guide, all inside the box and away from the points `taken`. The same input gives the same
+// places.
 std::vector<PlacedGuide> place_guides(const std::vector<SlopeGuide>& guides, const Box& box, const Scale& x,
                                       const Scale& y, const std::vector<Spot>& taken);
 

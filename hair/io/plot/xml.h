@@ -1,5 +1,4 @@
-// XML (SVG), written so that it can't be anything but well formed: elements close in their order, and
-// whatever a text holds is shown and never obeyed.
+// Writes XML (SVG) that is always well formed: elements are closed in order, and all text is escaped.
 #pragma once
 
 #include <initializer_list>
@@ -11,7 +10,7 @@
 
 namespace hair::plot {
 
-// At most two decimals, without zeros at the end: what a coordinate in pixels needs.
+// A coordinate in pixels: at most two decimals, without trailing zeros.
 std::string pixels(double value);
 
 struct Attribute {
@@ -28,13 +27,13 @@ using Attributes = std::initializer_list<Attribute>;
 class XmlWriter {
  public:
   XmlWriter& open(std::string_view tag, Attributes attributes = {});
-  XmlWriter& close();  // what was opened last
+  XmlWriter& close();  // the innermost open element
   XmlWriter& text(std::string_view text);
   XmlWriter& leaf(std::string_view tag, Attributes attributes, std::string_view text);  // <tag>text</tag>
   XmlWriter& empty(std::string_view tag, Attributes attributes);                        // <tag/>
   XmlWriter& as_it_is(std::string_view xml);
 
-  // All that was written. Throws std::logic_error if something is still open.
+  // Returns the whole text. Throws std::logic_error if an element is still open.
   std::string take();
 
  private:

@@ -1,7 +1,8 @@
-// hairlab's subcommands: each adds its options to the program's, and says what to do once they are read.
+// hairlab's subcommands: each adds its options to the program's and returns the function to run after
+// parsing.
 //
-// What a command returns is the program's exit code. A command may throw BadInput (2), NotImplemented (3), or anything
-// else (1).
+// The return value of a command is the program's exit code. A command may throw BadInput (exit code 2),
+// NotImplemented (3), or anything else (1).
 #pragma once
 
 #include <CLI/CLI.hpp>

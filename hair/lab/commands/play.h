@@ -1,4 +1,4 @@
-// What `hairlab run` and `hairlab scenes` do, without how their command line is read: the headers of scenes and those of
+// What `hairlab run` and `hairlab scenes` do, without their command lines: the headers of scenes and those of
 // command lines take seconds to compile, so no file includes both.
 #pragma once
 
@@ -9,13 +9,13 @@
 namespace hair {
 
 struct PlayOptions {
-  std::string scene;          // a file, or the name of one that comes along
-  std::filesystem::path out;  // a folder; empty: explain alone
-  std::optional<int> frames;  // after the first, instead of the scene's
+  std::string scene;          // a file, or the name of a shipped scene
+  std::filesystem::path out;  // a folder; empty: only explain
+  std::optional<int> frames;  // after the first one; overrides the scene's number
   bool explain = false, no_render = false;
 };
 
-// Both return what the program is to return.
+// Both return the program's exit code.
 int play_scene(const PlayOptions& options);
 int list_scenes();
 

@@ -1,4 +1,4 @@
-// What hairlab's programs do alike.
+// The common main function of hairlab's programs.
 #pragma once
 
 #include <vector>
@@ -7,8 +7,7 @@
 
 namespace hair {
 
-// Reads the command line and runs the command that it names. What goes wrong is said in one line. Returns what the
-// program is to return.
+// Parses the command line and runs the named command. Prints an error as one line. Returns the exit code.
 int run_program(CLI::App& app, const std::vector<Command>& commands, int argc, char* argv[]);
 
 }  // namespace hair

@@ -1,5 +1,5 @@
-// hairlab's studies: commands that are in a program of their own, hairlab-study, which takes minutes to build. It lies
-// beside hairlab, and hairlab hands over to it.
+// hairlab's studies: commands of a separate program, hairlab-study, because it takes minutes to build. It
+// lies beside hairlab, and hairlab starts it.
 #pragma once
 
 #include <array>
@@ -26,8 +26,9 @@ inline constexpr std::array kStudyCommands = {kSolverStudy, kStabilityStudy, kEr
 
 bool is_study(std::string_view command);
 
-// Becomes hairlab-study, with the same command line. Returns only if it can't, what the program is to return: where it is
-// missing, or older than hairlab and so without what was changed last, it says how to build it.
+// Replaces this process by hairlab-study, with the same command line. Returns only if that fails, with the
+// exit code. If hairlab-study is missing, or older than hairlab and so out of date, it prints how to build
+// it.
 int hand_over_to_studies(char* argv[]);
 
 }  // namespace hair

@@ -1,4 +1,4 @@
-// Which parts a run of a scene has: what a scene does not need is not there.
+// Lists the parts of a scene's run: a scene uses only the parts that it needs.
 #pragma once
 
 #include <string>
@@ -11,13 +11,13 @@ namespace hair {
 struct Part {
   std::string name;  // "bending"
   bool used = false;
-  std::string why;  // what it is, or why it is left out
+  std::string why;  // what it does, or why it is not used
 };
 
-// All parts that there are, in the same order for each scene; `render` as in RunSettings.
+// All existing parts, in the same order for each scene; `render` as in RunSettings.
 std::vector<Part> explain(const Scene& scene, bool render);
 
-// A line for each: "bending             used      H2: angular springs, ..."
+// One line for each part: "bending             used      H2: angular springs, ..."
 std::string explanation(const std::vector<Part>& parts);
 
 }  // namespace hair

@@ -1,4 +1,4 @@
-// A film of a run's pictures, by the program ffmpeg where there is one.
+// Makes a film of a run's pictures with the program ffmpeg, if it is installed.
 #pragma once
 
 #include <filesystem>
@@ -7,11 +7,11 @@
 
 namespace hair {
 
-// Makes film.mp4 of the folder's frame-0000.png, frame-0001.png, ... Nothing, or one sentence that says why
-// there is no film; then there is no part of one, either.
+// Makes film.mp4 of the folder's frame-0000.png, frame-0001.png, ... Returns nothing on success. On failure
+// it returns one sentence with the reason, and leaves no partial file.
 std::optional<std::string> make_film(const std::filesystem::path& folder, double frames_per_second);
 
-// ffmpeg on PATH, or nothing.
+// The path of ffmpeg from PATH, or nothing.
 std::optional<std::filesystem::path> find_ffmpeg();
 
 }  // namespace hair

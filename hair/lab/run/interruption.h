@@ -1,13 +1,13 @@
-// Ctrl-C: long work ends in order and keeps what is finished.
+// Handles Ctrl-C: long work stops cleanly and keeps finished results.
 #pragma once
 
 #include <atomic>
 
 namespace hair {
 
-// From now on SIGINT, SIGTERM and SIGHUP set what is returned, the second time they end the program at once. Writing
-// to a closed pipe or beyond a file's limit fails, and says why, instead of ending it. `message` is what a person is
-// told the first time; it must live as long as the program.
+// From now on the first SIGINT, SIGTERM or SIGHUP sets the returned flag and prints `message`; the second one
+// ends the program at once. Writing to a closed pipe or beyond a file size limit returns an error instead of
+// ending the program. `message` must live as long as the program.
 const std::atomic<bool>& catch_interruption(const char* message);
 
 }  // namespace hair

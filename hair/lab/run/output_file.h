@@ -1,5 +1,4 @@
-// A file that is written piece by piece. It lies in a run's temporary folder, and errors name the place where
-// it is going to be.
+// A file that is written piece by piece. It lies in a run's temporary folder; errors name its final path.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +10,10 @@ namespace hair {
 
 class OutputFile {
  public:
-  // All of them throw BadInput, with `shown` and why.
+  // All functions throw BadInput with `shown` and the reason.
   OutputFile(const std::filesystem::path& file, std::filesystem::path shown);
   void write(std::string_view bytes);
-  void overwrite(std::uint64_t at, std::string_view bytes);  // of what was written before
+  void overwrite(std::uint64_t at, std::string_view bytes);  // replaces bytes that were written before
   void close();
 
   ~OutputFile();

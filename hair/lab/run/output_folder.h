@@ -1,5 +1,5 @@
-// A folder that appears whole, or not at all. Until then what is in it lies in a hidden folder beside it; the folders
-// above it are made, and go again if they are empty at the end.
+// A folder that appears complete or not at all. Until then its files lie in a hidden folder beside it.
+// Missing parent folders are made, and removed again if they are empty at the end.
 #pragma once
 
 #include <filesystem>
@@ -9,23 +9,23 @@
 
 namespace hair {
 
-// What a command writes into a folder, and knows it by: its own earlier output it replaces, and nothing else.
+// How to recognise the output of a command in a folder. A command replaces only its own earlier output.
 struct OutputKind {
   std::string_view command;             // "hairlab run"
-  std::string_view record;              // "run.json": is always there
-  std::string_view begin;               // how that file begins
-  std::vector<std::string_view> files;  // beside it
-  bool frames = false;                  // and frame_name(0), ...
+  std::string_view record;              // this file always exists
+  std::string_view begin;               // the first bytes of that file
+  std::vector<std::string_view> files;  // the other files
+  bool frames = false;                  // also frame_name(0), ...
 };
 
-// Of `hairlab run`.
+// The output of `hairlab run`.
 const OutputKind& run_output();
 
 class OutputFolder {
  public:
-  // Throws BadInput for a folder that can't be made, and for one that holds anything but what `kind` says.
+  // Throws BadInput if the folder can't be made, or if it holds anything other than output of this kind.
   explicit OutputFolder(const std::filesystem::path& folder, const OutputKind& kind = run_output());
-  ~OutputFolder();  // removes what was not kept
+  ~OutputFolder();  // removes the files unless keep() was called
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;
 
@@ -33,10 +33,10 @@ class OutputFolder {
   std::filesystem::path then(const std::string& name) const { return folder_ / name; }    // where it will be
   const std::filesystem::path& path() const { return folder_; }
 
-  // The record of the study that is there, to go on from. Throws BadInput if there is none.
+  // The record of the earlier study in this folder, to continue it. Throws BadInput if there is none.
   std::filesystem::path earlier_record() const;
 
-  // Puts it in its place. Throws BadInput; what was there before then stays.
+  // Moves the output to its final place. If it throws BadInput, the earlier content stays.
   void keep();
 
  private:
@@ -44,7 +44,7 @@ class OutputFolder {
 
   OutputKind kind_;
   std::filesystem::path folder_, temporary_;
-  std::vector<std::filesystem::path> above_;  // those that were not there, the innermost first
+  std::vector<std::filesystem::path> above_;  // those that were made, the innermost first
 };
 
 // A file of the folder at once. Throws BadInput if it can't be written.

@@ -1,4 +1,5 @@
-// Pictures of a scene while it plays. What draws them is loaded when this is made, and not before.
+// Draws pictures of a scene while it plays. The constructor loads the OpenGL libraries, so runs without
+// pictures don't.
 #pragma once
 
 #include "hair/render/renderer.h"
@@ -10,7 +11,7 @@ namespace hair {
 
 class Pictures {
  public:
-  // Of a scene that has a look, and outlives this. Throws NoOpenGl.
+  // The scene must have a look and outlive this object. Throws NoOpenGl.
   explicit Pictures(const Scene& scene);
 
   Image draw(const particles::State& state, const std::vector<Obstacle>& obstacles);

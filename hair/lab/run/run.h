@@ -1,4 +1,4 @@
-// Plays a scene, and writes what it does into a folder: states, measures, pictures, a film.
+// Plays a scene and writes the results into a folder: states, measures, pictures, a film.
 #pragma once
 
 #include <atomic>
@@ -15,7 +15,7 @@ namespace hair {
 
 struct RunSettings {
   std::filesystem::path out;
-  std::optional<int> frames;  // after the first, instead of the scene's
+  std::optional<int> frames;  // after the first one; overrides the scene's number
   bool render = true;         // if the scene has a look
 };
 
@@ -24,9 +24,10 @@ struct RunResult {
   std::filesystem::path folder;
 };
 
-// Throws BadInput for what the scene or the folder is; what a stub throws, passes; the folder is then as it
-// was before. `interrupted` ends it after the present frame, as a whole run of fewer frames. What a person
-// should know, a line each, goes to `notes`; how far it is, to `progress`, if that is not null.
+// Throws BadInput for errors of the scene or the folder, and passes on exceptions of stubs; the folder is
+// then unchanged. `interrupted` ends the run after the present frame; the result is a complete run of fewer
+// frames. Writes messages for the user, one line each, to `notes`, and the progress to `progress` unless it
+// is null.
 RunResult run_scene(const Scene& scene, const RunSettings& settings, const std::atomic<bool>& interrupted,
                     std::ostream& notes, std::ostream* progress);
 

@@ -1,4 +1,4 @@
-// run.json: what a run was, how it went, and what each of its frames measures.
+// run.json: the settings and the outcome of a run, and the measures of each frame.
 #pragma once
 
 #include <optional>
@@ -16,10 +16,10 @@ enum class Ending { finished, interrupted, blow_up };
 struct FrameRecord {
   double time = 0;  // s
   FrameMeasures measures;
-  Work work;  // from the start to here
+  Work work;  // from the start to this frame
 };
 
-// What each stage took, s.
+// The duration of each stage, s.
 struct Seconds {
   double simulate = 0, measure = 0, write = 0;                      // states
   double upload = 0, shadow = 0, draw = 0, read_back = 0, png = 0;  // pictures
@@ -29,22 +29,22 @@ struct Seconds {
 struct RunRecord {
   int frames_asked = 0;  // after the first
   Ending ending = Ending::finished;
-  std::string blow_up;  // where it broke
+  std::string blow_up;  // the place of the blow-up
   std::vector<int> strands;
   int particles = 0;
   std::vector<FrameRecord> frames;
 
-  // Why there are none of them, or nothing.
+  // The reason why there are none, or nothing.
   std::optional<std::string> no_pictures, no_film;
-  std::string opengl;  // what drew them
+  std::string opengl;  // the renderer's name
 
   Seconds seconds;
 };
 
-// How every run.json begins: by this a run's folder is known.
+// The beginning of every run.json: it identifies the folder of a run.
 inline constexpr std::string_view kRunRecordBegin = "{\n  \"program\": \"hairlab\"";
 
-// A line for each frame. Everything but "seconds" is the same whenever the same is run again.
+// One line for each frame. Equal runs give equal text, except for "seconds".
 std::string run_json(const Scene& scene, const RunRecord& record);
 
 }  // namespace hair

@@ -7,11 +7,11 @@
 
 namespace hair {
 
-// Their names, in order: "bead-on-wire", ... of the *.json in the folder.
+// Their names in alphabetical order: "bead-on-wire", ..., from the *.json files in the folder.
 std::vector<std::string> shipped_scenes(const std::filesystem::path& folder);
 
-// What a person means by `scene`: a file, or the name of a shipped one. Throws BadInput, which lists those
-// that ship.
+// The path of `scene`: a file, or the name of a shipped scene. Throws BadInput with a list of the shipped
+// scenes.
 std::filesystem::path find_scene(const std::string& scene, const std::filesystem::path& folder);
 
 }  // namespace hair

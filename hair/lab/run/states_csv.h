@@ -1,5 +1,5 @@
-// states.csv: the same numbers as states.bin, a line for each particle of each frame. Toys' particles have no
-// strand. Each number has the digits that tell it from its neighbours, 17 at most, and reads back as it was.
+// states.csv: the same numbers as states.bin, a line for each particle of each frame. For particles of toys
+// the field `strand` is empty. Each number has the fewest digits, at most 17, that read back the same value.
 #pragma once
 
 #include <filesystem>
@@ -14,7 +14,7 @@ inline constexpr std::string_view kCsvHead = "frame,time,strand,particle,x,y,z,v
 
 class CsvWriter {
  public:
-  // All throw BadInput if it can't be written.
+  // All functions throw BadInput if the file can't be written.
   CsvWriter(const std::filesystem::path& file, const std::filesystem::path& shown, std::vector<int> strands);
   void add(double time, const particles::State& state);
   void close() { file_.close(); }

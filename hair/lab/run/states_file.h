@@ -2,9 +2,9 @@
 //
 //   8 bytes     "HAIRRUN1"
 //   u32 s       strands
-//   u32 n       particles, those of strands first, then those of toys
+//   u32 n       particles: first those of strands, then those of toys
 //   u32 f       frames
-//   u32 c       what the coordinates are (hair/strand/body.h): 0, positions
+//   u32 c       the kind of coordinates (hair/strand/body.h): 0, positions
 //   u32 x s     particles of each strand; their sum is at most n
 //   zeros       up to a multiple of 8 bytes from the start
 //   f times     f64 time (s), f64 x 3n coordinates (m), f64 x 3n of their rates (m/s)
@@ -25,15 +25,15 @@ struct StateFrame {
 };
 
 struct StatesFile {
-  std::vector<int> strands;  // particles of each
-  int particles = 0;         // of all, with those of toys
+  std::vector<int> strands;  // the number of particles of each strand
+  int particles = 0;         // of strands and toys together
   Coordinates coordinates = Coordinates::positions;
   std::vector<StateFrame> frames;
 };
 
 class StatesWriter {
  public:
-  // All throw BadInput if it can't be written.
+  // All functions throw BadInput if the file can't be written.
   StatesWriter(const std::filesystem::path& file, const std::filesystem::path& shown,
                const std::vector<int>& strands, int particles,
                Coordinates coordinates = Coordinates::positions);
@@ -45,7 +45,8 @@ class StatesWriter {
   std::uint32_t frames_ = 0;
 };
 
-// Throws BadInput: not such a file, of coordinates that it does not know, cut off, or longer than it says.
+// Throws BadInput for a file of another format or with unknown coordinates, one that is cut off, or one that
+// is longer than its header says.
 StatesFile read_states(const std::filesystem::path& file);
 
 }  // namespace hair

@@ -1,4 +1,5 @@
-// The sections of the solver's page that show how conjugate gradients get on, a family of systems each.
+// The sections of the solver page with the convergence of conjugate gradients, one for each family of
+// systems.
 #pragma once
 
 #include "hair/io/plot/page.h"

@@ -8,7 +8,8 @@
 
 namespace hair::solver_lab {
 
-// `machine` is a line about what measured; `left_out` says why there are no normal equations, or is empty.
+// `machine` is a line about the machine; `left_out` is the reason why there are no normal equations, or
+// empty.
 Page solver_page(const solver::study::SolverStudy& study, const std::string& machine,
                  const std::string& left_out);
 

@@ -1,4 +1,4 @@
-// The solver's study as the series of its figures.
+// The series of the solver study's figures.
 #pragma once
 
 #include <string>
@@ -11,13 +11,14 @@ namespace hair::solver_lab {
 enum class Against { iterations, products, time };
 enum class Measure { error, squared_residual };
 
-// What is not finite is a failed point; what is exactly zero stands low enough to be seen as that.
+// A value that is not finite becomes a failed point; an exact zero is drawn low enough to stand out.
 Point point(double x, double y, std::string note = {});
 
 Series series_of(const solver::study::History& history, const std::string& name, Against against,
                  Measure measure);
 
-// The theory's curve for a measured one, down to where that ends; in the look of another series.
+// The theory's curve for a measured history, down to the history's last error; with the look of another
+// series.
 Series bound_of(const solver::study::History& history, const std::string& name, int look);
 
 std::string condition_name(const solver::study::History& history);

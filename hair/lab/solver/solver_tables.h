@@ -1,4 +1,4 @@
-// The solver's study as tables: for the CSV with all digits, for the page to be read.
+// The solver study as tables: with all digits for CSV, rounded for the page.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace hair::solver_lab {
 
-// How a number is written: to_text or to_exact_text.
+// The format of numbers: to_text or to_exact_text.
 using Written = std::string (*)(double);
 
 Table table_of(const std::string& caption, const std::vector<solver::study::Compared>& systems,

@@ -1,4 +1,5 @@
-// What the solver's study found, in sentences that its numbers decide: the code that it studies may be wrong.
+// The conclusions of the solver study, as sentences. The numbers decide each sentence, because the studied
+// code may be wrong.
 #pragma once
 
 #include <string>
@@ -8,19 +9,19 @@
 
 namespace hair::solver_lab {
 
-// Whether ConjGrad's errors are below the theory's bound, before they come near rounding.
+// Whether ConjGrad's errors are below the theory's bound, as long as they are well above rounding.
 std::string bound_verdict(const std::vector<solver::study::Compared>& systems);
 
-// How many iterations ConjGrad took for each.
+// The iterations that ConjGrad took for each system.
 std::string clusters_verdict(const std::vector<solver::study::Compared>& clusters);
 
-// How long ConjGrad, Eigen's and the direct way took on the first and the last system.
+// The times of ConjGrad, Eigen's conjugate gradients and the direct solver on the first and the last system.
 std::string time_verdict(const std::vector<solver::study::Compared>& systems);
 
-// Whether ConjGrad took more iterations than the bound, and how Eigen's compares.
+// Whether ConjGrad took more iterations than the bound, compared with Eigen's.
 std::string needed_verdict(const std::vector<solver::study::IterationsNeeded>& needed);
 
-// Where the normal equations were stopped; empty: nowhere.
+// Where the normal equations used all iterations; empty if nowhere.
 std::string stopped_verdict(const std::vector<solver::study::DigitsLost>& digits);
 
 // "h = 10 ms" of "strand, h = 10 ms".

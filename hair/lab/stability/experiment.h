@@ -1,18 +1,21 @@
-// One cell of a stability map: hair that hangs, disturbed a little, is moved by a method for so many steps, and what
-// became of it.
+// One cell of a stability map: hanging hair with a small disturbance, a method that moves it for a number of
+// steps, and the outcome.
 //
-// The true motion keeps the disturbance's energy, mode by mode, but for what drag takes, and that is known. So:
+// In the true motion each mode keeps the energy of its disturbance, except for the known loss by drag. So the
+// classes are:
 //
-//   blown up     the simulation says so (a number that no hair has), or the hair moves with more energy than it would take to
-//                throw it over its root: kinetic energy above 2 m g L and above 1e6 of the disturbance's
-//   wrong        all numbers are finite, but at some moment a mode has 100 times the energy that it was given: ten times the
-//                motion, and nothing that could have done so
-//   damped out   less than a tenth of the energy that should be there is left, at a moment when drag has left a
+//   blown up     the simulation reports a blow-up (an impossible number), or the hair moves with more energy
+//                than it would take to throw it over its root: kinetic energy above 2 m g L and above 1e6
+//                times the disturbance's
+//   wrong        all numbers are finite, but at some moment a mode has 100 times its initial energy: ten
+//                times the motion, without a cause
+//   damped out   less than a tenth of the expected energy is left, at a moment when drag has left at least a
 //                hundredth of it
 //   stable       none of these
 //
-// The first that holds is what a cell is. 100 and not 2: near its limit symplectic Euler keeps errors bounded and yet
-// exchanges energy, by (1 + h omega/2) / (1 - h omega/2), which is 100 at 0.98 of the limit.
+// The first class that applies counts. Why 100 and not 2: near its limit symplectic Euler keeps errors
+// bounded but exchanges energy, by the factor (1 + h omega/2) / (1 - h omega/2), which is 100 at 0.98 of the
+// limit.
 #pragma once
 
 #include <optional>
@@ -28,30 +31,32 @@ inline constexpr int kFates = 4;
 const char* fate_name(Fate fate);
 
 inline constexpr double kWrongGrowth = 100;  // of a mode's energy
-inline constexpr double kLostEnergy = 0.1;   // of what should be there
+inline constexpr double kLostEnergy = 0.1;   // of the expected energy
 inline constexpr double kStillThere = 0.01;  // of the disturbance's energy, after drag
-inline constexpr int kLooks = 32;            // moments in a run, at equal distances
+inline constexpr int kLooks = 32;            // equally spaced moments in a run
 
 struct Outcome {
   Fate fate = Fate::stable;
-  long steps = 0;  // that were taken: a run ends as soon as it has blown up
+  long steps = 0;  // the steps taken: a run ends as soon as it blows up
   double growth =
-      0;  // the largest energy of a mode at any moment, over what it was given; of those that are finite
-  double kept = 1;  // the energy at the last moment that drag leaves enough, over what should be there
+      0;  // the largest energy of a mode at any moment, relative to its initial energy; of finite ones only
+  double kept = 1;  // energy over expected energy, at the last moment when drag leaves enough
 };
 
-// Runs `steps` steps of size h. The description has the method's options; its strands, step and drag don't matter.
+// Runs `steps` steps of size h. Uses the method's options of the description and ignores its strands, step
+// and drag.
 Outcome run_disturbed(const Description& hair, const Hanging& hanging, const Disturbance& disturbance,
                       double drag, double h, long steps);
 
-// The energy after t seconds, in parts of that at the start, of an oscillator that started with a velocity alone.
+// The energy after t seconds, relative to the start, of an oscillator that started with a velocity only.
 double oscillator_energy(double omega, double gamma, double t);
 
-// The same of what was measured, for any trajectory: energies of modes at moments, and what they should be in sum, in
-// parts of the energy that each was given. `kinetic` is that of the moment over the bound above.
+// The same judgement for any measured trajectory. Takes the energies of the modes at each moment and their
+// expected mean, relative to the initial energy of each mode. `kinetic` is the kinetic energy over the bound
+// above.
 class Judge {
  public:
-  // Whether it has blown up, so that the run can end.
+  // Returns true if the hair has blown up, so that the run can end.
   bool look(const Eigen::VectorXd& energies, double kinetic, double true_mean);
   void broke() { outcome_.fate = Fate::blown_up; }
   const Outcome& outcome() const { return outcome_; }

@@ -1,5 +1,6 @@
-// Stability maps of a method: what becomes of a strand that hangs and is disturbed a little, for each of a grid of step
-// sizes and stiffnesses, or step sizes and drags; and how far the boundary that was found is from theory's.
+// Stability maps of a method: the outcome for a hanging strand with a small disturbance, over a grid of step
+// sizes and stiffnesses, or of step sizes and drags; and the distance between the measured boundary and the
+// theory's.
 #pragma once
 
 #include <atomic>
@@ -13,51 +14,50 @@
 namespace hair {
 
 enum class Swept {
-  stiffness,  // Young's modulus, times the scene's: EA and EI together, with the scene's drag
+  stiffness,  // Young's modulus relative to the scene's: scales EA and EI together, with the scene's drag
   drag        // N s/m for each metre of hair, with the scene's stiffness
 };
 
 struct MapSettings {
   int columns = 80, rows = 80;
   long evaluations =
-      4000;  // of forces, that an explicit method's run may take: RK4 has a quarter as many steps
+      4000;  // of forces, the limit for a run of an explicit method: RK4 takes a quarter as many steps
   long implicit_steps = 64;
 };
 
-// A curve that theory draws into a map.
+// A theoretical curve in a map.
 struct Limit {
   std::string name;       // "theory: 2/omega"
-  std::vector<double> h;  // of each column, s; infinity where there is none, 0 where no step is stable
-  bool of_run = false;    // not the method's limit, but what so few steps can show of it
+  std::vector<double> h;  // for each column, s; infinity: no limit; 0: no step is stable
+  bool of_run = false;    // true: not the method's limit, but the limit that a run of so few steps can detect
 };
 
-// How far the measured boundary is from a limit: > 0 is stable beyond theory.
+// The distance of the measured boundary from a limit: > 0 means stable beyond theory.
 struct Distance {
-  int columns = 0;  // where both are on the map, which the next three are of
+  int columns = 0;  // those where both are on the map; the next three numbers are over these columns
   double median_cells = 0, worst_cells = 0;
   double median_relative = 0;  // measured over limit, less 1
-  // Columns where one of them or both have left the map, and they are more than a cell apart all the same; and
-  // the largest of these distances, each counted to the map's edge: it is at least that.
+  // The number of columns where one or both have left the map although they are more than a cell apart; and
+  // the largest of these distances, counted up to the map's edge: a lower bound.
   int columns_beyond = 0;
   double beyond_cells = 0;
 };
 
 struct StabilityMap {
   StudyMethod method;
-  std::vector<StudyMethod>
-      alike;  // methods that make the same matrix of this hair, which this map is of as well
+  std::vector<StudyMethod> alike;  // methods with the same matrix for this hair: the map holds for them too
   Swept sweep = Swept::stiffness;
-  std::vector<double> xs, hs;  // the cells' middles; hs in s
+  std::vector<double> xs, hs;  // the centres of the cells; hs in s
   RefinedGrid grid;            // of Fate
-  long steps = 0;              // of a run that does not blow up
+  long steps = 0;              // of a run without a blow-up
   std::vector<double>
-      boundary;  // of each column, s: below it nothing is wrong or blown up; infinity where nothing is
+      boundary;  // for each column, s: no smaller step is wrong or blown up; infinity if no step is
   std::vector<Limit> limits;
-  std::vector<Distance> distances;  // of each limit
+  std::vector<Distance> distances;  // for each limit
   double cpu_seconds = 0;
 };
 
-// The measured boundary of a grid, at the edge between two cells; 0 where the lowest cell is wrong already.
+// The measured boundary of a grid, at the edge between two cells; 0 if the lowest cell is already wrong.
 std::vector<double> boundary_of(const RefinedGrid& grid, const std::vector<double>& hs);
 Distance distance_of(const std::vector<double>& boundary, const std::vector<double>& limit,
                      const std::vector<double>& hs);
@@ -65,16 +65,17 @@ Distance distance_of(const std::vector<double>& boundary, const std::vector<doub
 // Called after each cell with the number of runs so far.
 using Progress = std::function<void(long runs)>;
 
-// The problem is one strand's; the method fits it. What a stub throws, passes. grid.complete says whether it was
-// interrupted.
+// Maps one strand's problem with a method that fits it. Passes on exceptions of stubs. grid.complete is false
+// if the function was interrupted.
 StabilityMap make_map(const Description& hair, const StudyMethod& method, Swept sweep,
                       const MapSettings& settings, const std::atomic<bool>& interrupted,
                       const Progress& progress = {});
 
-// Whether two methods' matrices are the same for hair that hangs, for all stiffnesses of a map, and nothing else differs.
+// Whether two methods have the same matrix for hanging hair, for all stiffnesses of a map, and differ in
+// nothing else.
 bool alike_when_hanging(const Description& hair, const StudyMethod& a, const StudyMethod& b);
 
-// A description with a method's options.
+// The description with the method's options.
 Description with_options(Description hair, const StudyMethod& method);
 
 }  // namespace hair

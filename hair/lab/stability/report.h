@@ -1,4 +1,4 @@
-// A stability study of a scene: its maps, its extreme cases, and what is written of them.
+// A stability study of a scene: its maps, its extreme cases, and their output.
 #pragma once
 
 #include <filesystem>
@@ -17,22 +17,22 @@
 
 namespace hair {
 
-inline constexpr int kMapSegments = 10;  // of a strand that has more; what is stiff scales with theory
+inline constexpr int kMapSegments = 10;  // the limit for longer strands; stiff frequencies scale by theory
 
 struct StabilitySettings {
   MapSettings maps;
   int strand = 0;                    // counted from 0
   std::optional<int> segments = {};  // none: the scene's, but at most kMapSegments
   bool quick = false;
-  std::vector<StabilityMap> finished = {};  // of the same study before: read_maps
+  std::vector<StabilityMap> finished = {};  // from an earlier run of the same study: read_maps
 };
 
 MapSettings quick_maps();
 
-// The frequencies that rule the maps, 1/s.
+// The frequencies that determine the maps, 1/s.
 struct Frequencies {
   double along = 0, across = 0;  // the fastest of this hair
-  double tension = 0;            // the fastest across it that tension alone makes, with the tip's half mass
+  double tension = 0;            // the fastest across it from tension alone, with half a mass at the tip
   double chain =
       0;  // the same with full mass at the tip: sqrt(g/l x), x the Laguerre polynomial's largest zero
 };
@@ -40,7 +40,7 @@ struct Frequencies {
 struct LeftOut {
   StudyMethod method;
   std::string why;
-  std::optional<NotImplemented> stub = {};  // of an exercise that is not written yet
+  std::optional<NotImplemented> stub = {};  // if its exercise is not written yet
 };
 
 struct StabilityReport {
@@ -50,7 +50,7 @@ struct StabilityReport {
   bool was_curved = false;
   bool quick = false;
   Frequencies frequencies;
-  std::vector<StabilityMap> maps;  // complete ones
+  std::vector<StabilityMap> maps;  // only complete ones
   std::vector<ExtremeRun> extremes;
   std::vector<LeftOut> left_out;
   std::string identity;
@@ -59,18 +59,19 @@ struct StabilityReport {
   double cpu_seconds = 0;
 };
 
-// Says now and then how far it is: "map 3 of 14: H6, stiffness: 120 runs".
+// Reports the progress from time to time: "map 3 of 14: H6, stiffness: 120 runs".
 using Tell = std::function<void(const std::string&)>;
 
-// Throws BadInput for a scene without hair, and what it can't use. Interrupted, it has what is finished.
+// Throws BadInput for a scene without hair, or with hair that the study can't use. If interrupted, returns
+// the finished parts.
 StabilityReport study_stability(const Scene& scene, const StabilitySettings& settings,
                                 const std::atomic<bool>& interrupted, const Tell& tell);
 
-// A digest of all that makes a map what it is: the hair, the settings, and the program with its exercises. Throws as
-// study_stability does.
+// A digest of everything that determines a map: the hair, the settings, and the program with its exercises.
+// Throws as study_stability does.
 std::string identity_of(const Scene& scene, const StabilitySettings& settings);
 
-// The finished maps of a record. Throws BadInput for a file that is none, and for one of another identity.
+// The finished maps of a record. Throws BadInput if the file is not such a record, or has another identity.
 std::vector<StabilityMap> read_maps(const std::filesystem::path& file, const std::string& identity);
 
 inline constexpr std::string_view kStabilityBegin = "{\n  \"program\": \"hairlab stability\"";

@@ -1,4 +1,4 @@
-// Which method gets to an error with the least CPU time.
+// Which method reaches a given error with the least CPU time.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace hair {
 
-// The CPU time with which a method gets to an error, s: between two of its runs along the line that joins
-// them in the diagram. From there on all finer runs are at least as good. None if it does not get there.
+// The CPU time that a method needs for an error, s: interpolated on the line between two of its runs in the
+// diagram, such that all finer runs have at most this error. None if it does not reach the error.
 std::optional<double> time_for(const Sweep& sweep, Norm norm, double error);
 
 struct Cost {
@@ -17,7 +17,7 @@ struct Cost {
   double seconds;
 };
 
-// Those that get there, the cheapest first.
+// The methods that reach the error, the cheapest first.
 std::vector<Cost> costs_for(const Study& study, Norm norm, double error);
 
 }  // namespace hair

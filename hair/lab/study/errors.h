@@ -1,7 +1,7 @@
-// How far a run is from the accurate motion, in several norms, at the problem's moments.
+// The distance of a run from the accurate motion, in several norms, at the problem's moments.
 //
-// With x_i the run's particles, y_i the accurate ones, l_j and m_j the lengths of their segments (or springs
-// and rods):
+// Let x_i be the run's particles and y_i the accurate ones, and l_j and m_j the lengths of their segments (or
+// springs and rods):
 //
 //   final_largest     max_i |x_i - y_i| at the end, m
 //   final_rms         sqrt(mean_i |x_i - y_i|^2) at the end, m
@@ -28,11 +28,11 @@ inline constexpr int kNorms = 6;
 struct NormName {
   const char* id;     // "final_largest": in files
   const char* title;  // "largest error at the end, m": on axes
-  const char* says;   // what it is, in a sentence
+  const char* says;   // a definition, in one sentence
 };
 const NormName& name_of(Norm norm);
 
-// NaN in a norm that the problem has not: an energy where nothing moves, a length where nothing has one.
+// NaN in a norm that the problem does not have: energy if nothing moves, length if nothing has a length.
 class Errors {
  public:
   double& operator[](Norm norm) { return values_[static_cast<int>(norm)]; }
@@ -47,34 +47,35 @@ struct RestLength {
   double length;
 };
 
-// Of a strand's segments, or of a toy's springs and rods that are longer than 0.
+// The rest lengths of a strand's segments, or of a toy's springs and rods that are longer than 0.
 std::vector<RestLength> rest_lengths(const Problem& problem);
 
-// Below these nothing is quoted. Where positions are known to `least` metres, so are lengths at either end,
-// and relative to its size the rest.
+// Errors below these floors are not reported. `least` is the accuracy of the positions, m. The floor of
+// lengths is 2 least / (shortest rest length), those of energy and angular momentum are least /
+// size_of(problem).
 Errors floors(const Problem& problem, double least);
 
-// m, what an error is large or small beside: the strand's length, or the largest distance of a toy's particle
-// from its first at the start; of a lone particle 1.
+// The length scale for errors, m: the strand's length, or the largest distance between a toy's first particle
+// and another at the start; 1 for a single particle.
 double size_of(const Problem& problem);
 
-// Compares a run with the accurate motion while it goes on.
+// Compares a run with the accurate motion during the run.
 class ErrorTally {
  public:
-  // Refers to the accurate states.
+  // Keeps a reference to the accurate states.
   ErrorTally(const Problem& problem, const Trajectory& accurate);
 
-  // At each moment, the start among them, in their order. Returns the largest distance of a particle, m.
+  // Call it at each moment in order, including the start. Returns the largest distance of a particle, m.
   double add(const Playback& playback);
 
-  Errors errors() const;  // once all moments were added
+  Errors errors() const;  // valid after all moments were added
 
  private:
   const Trajectory& accurate_;
   std::vector<RestLength> lengths_;
   int moments_ = 0;
   double potential_ = 0;  // at the start
-  double squares_ = 0;    // of all distances at all moments but the start
+  double squares_ = 0;    // of all distances at all moments except the start
   Errors largest_;
   double most_energy_ = 0, most_angular_momentum_ = 0;
 };

@@ -1,4 +1,4 @@
-// The order of a method as its runs show it: p in error ~ h^p.
+// The observed order of a method: p in error ~ h^p.
 #pragma once
 
 #include <optional>
@@ -9,19 +9,20 @@
 namespace hair {
 
 struct ObservedOrder {
-  // The mean of log2(error at h / error at h/2) over the finest two or more halvings in a row that agree to
-  // within 0.25 (those that make no difference left aside), or none. Runs nearer to the floor than 10 times
-  // it don't count: there the reference's own error shows.
+  // The mean of log2(error at h / error at h/2) over the finest two or more consecutive halvings that agree
+  // within 0.25, or none. Halvings that make no difference are ignored. Runs with an error below 10 times the
+  // floor don't count, because the reference's own error affects them.
   std::optional<double> order;
-  double coarsest = 0, finest = 0;  // s, the steps between which that was seen
+  double coarsest = 0, finest = 0;  // s, the range of steps of this order
 
-  // m, where errors stay: the last two halvings made no difference worth a tenth of an order.
+  // m, the level at which errors stagnate: the last two halvings changed them by less than a tenth of an
+  // order.
   std::optional<double> stays_at;
 };
 
 ObservedOrder observed_order(const Sweep& sweep, Norm norm, double floor);
 
-// "as theory has it", or what is wrong, in a few words.
+// "as theory has it", or a few words about the deviation.
 std::string verdict(const Sweep& sweep, const ObservedOrder& observed);
 
 }  // namespace hair

@@ -1,5 +1,5 @@
-// A study as plain data: how far methods are from a problem's accurate motion, with each of their steps, and
-// what that takes.
+// A study as plain data: the errors of methods against a problem's accurate motion, for several steps each,
+// and their cost.
 #pragma once
 
 #include <optional>
@@ -15,14 +15,14 @@ namespace hair {
 
 enum class RunEnding {
   finished,
-  broke,   // a number that is not finite, or that no hair has
-  useless  // a particle farther off than the whole strand is long: ended there
+  broke,   // a number that is not finite, or impossible for hair
+  useless  // a particle was off by more than the strand's length: the run stopped there
 };
 
-// What a run took, the same on every machine.
+// The cost of a run, the same on every machine.
 struct Counts {
   long steps = 0;
-  long evaluations = 0;  // of the forces, as many as the method's contract says
+  long evaluations = 0;  // of the forces, as many as the method's contract specifies
   long iterations = 0;   // of ConjGrad: each a product with a matrix
   long corrections = 0;  // Newton steps: of H6's length correction, or of implicit Euler to convergence
   long unconverged = 0;  // solves and corrections that ended above their tolerance
@@ -34,20 +34,20 @@ struct MethodRun {
   int steps_per_moment = 0;
   double step = 0;  // s
   RunEnding ending = RunEnding::finished;
-  std::string trouble;  // where it ended before its end, and how: "strand 0, step 17: integration"
+  std::string trouble;  // if it did not finish, where and how: "strand 0, step 17: integration"
   Counts counts;
-  Errors errors;                // of one that finished; below the study's floors: 0
+  Errors errors;                // of a finished run; 0 if below the study's floors
   std::vector<double> seconds;  // CPU time of each repeat
 
   double time() const;  // their median, s
 };
 
-// Why a method has no finer steps.
+// Why a method gets no finer steps.
 enum class SweepEnd {
   unfinished,  // there is more to do
-  floor,       // its errors are below what the reference knows
+  floor,       // its errors are below the reference's accuracy
   stalls,      // smaller steps make no difference
-  budget,      // the next run would take more than a study allows
+  budget,      // the next run would cost more than a study allows
   not_written  // an exercise is a stub
 };
 
@@ -55,20 +55,20 @@ struct Sweep {
   StudyMethod method;
   std::vector<MethodRun> runs;  // coarse to fine
   SweepEnd end = SweepEnd::unfinished;
-  std::string left_out;  // what is not written
+  std::string left_out;  // the exercise that is not written
 };
 
 struct Study {
   std::string scene, shows;
-  std::string content;  // of the problem: content_of
+  std::string content;  // the problem's content_of
   bool quick = false;
   double duration = 0;  // s
   int strand = 0, particles = 0;
-  double size = 0;       // m: size_of
-  double tolerance = 0;  // of implicit solves
-  double most_work = 0;  // of a run: StudySettings
+  double size = 0;       // m, from size_of
+  double tolerance = 0;  // of implicit solves, relative
+  double most_work = 0;  // the limit for a run: StudySettings
   Machine machine;
-  std::string program_digest;  // of whoever wants to resume it: program_digest()
+  std::string program_digest;  // of the program that measured: program_digest(); compared on resuming
 
   // The accurate motion.
   std::string reference;
@@ -79,7 +79,7 @@ struct Study {
 
   std::vector<Sweep> sweeps;
 
-  // What is wrong however small the step. None before it is known.
+  // The error that remains for any time step. None until it is known.
   std::optional<SpaceError> space_error;
 };
 

@@ -1,4 +1,4 @@
-// A study's figures: an error, of all methods, against what it takes or against the step.
+// A study's figures: an error, for all methods, against the cost or against the step.
 #pragma once
 
 #include "hair/io/plot/figure.h"
@@ -8,8 +8,8 @@ namespace hair {
 
 enum class Against { time, step, work };
 
-// A run that did not get to its end stands at the upper edge, where the whole run would have been; an error
-// that is below what the reference knows, on the line that says so.
+// A run that did not finish is drawn at the upper edge, at the cost of a whole run. An error below the
+// reference's accuracy is drawn on the line that marks that accuracy.
 Figure error_figure(const Study& study, Norm norm, Against against);
 
 }  // namespace hair

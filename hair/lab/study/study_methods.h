@@ -1,4 +1,4 @@
-// The methods that a study compares, and a problem's scene with one of them.
+// The methods that a study compares, and the problem's scene with one of them.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace hair {
 
-// A way to move a strand or a toy.
+// A method with its options, for a strand or a toy.
 struct StudyMethod {
   std::string id;    // "h4-filtered-spd": in files
   std::string name;  // "H4, filtered": in plots
@@ -16,15 +16,16 @@ struct StudyMethod {
   GeometricTerm geometric_term = GeometricTerm::filtered;
   Products bend_product = Products::definite;
 
-  int order() const { return row_of(method).order; }  // of its time error, if it has one
+  int order() const { return row_of(method).order; }  // of its time error, if known
   bool is_explicit() const { return row_of(method).is_explicit; }
 };
 
-// Those that fit: all of a strand's, or what a toy's parts allow; without those whose exercise the course leaves out.
-// H4 comes with each option of its Jacobian that makes a difference here, and with Newton's method to convergence.
+// The methods that fit the problem: all of them for a strand, or those that a toy's parts allow, except
+// methods whose exercise the course leaves out. H4 appears with each option of its Jacobian that makes a
+// difference here, and with Newton's method to convergence.
 std::vector<StudyMethod> methods_for(const Problem& problem);
 
-// The problem's scene with a method, and each frame in steps_per_frame steps.
+// The problem's scene with this method and steps_per_frame steps for each frame.
 Scene with_method(const Problem& problem, const StudyMethod& method, int steps_per_frame);
 
 }  // namespace hair

@@ -1,5 +1,4 @@
-// A study as a page for people: which method is the cheapest at which error, which orders it shows, what
-// failed.
+// A study as an HTML page: the cheapest method for each error, the observed orders, and the failures.
 #pragma once
 
 #include "hair/io/plot/page.h"

@@ -1,16 +1,20 @@
-// study.json: a study as a file, which programs read and --resume goes on from; and its table as CSV.
+// study.json: a study as a file that programs read and that --resume continues; also its table as CSV.
 //
 //   program, format, finished
-//   scene, shows, content, quick, duration, strand, particles, size, tolerance, most_work    the problem, and how far runs go
+//   scene, shows, content, quick, duration, strand, particles, size, tolerance, most_work
+//                    the problem, and the limit of a run
 //   machine          processor, cores, compiler, build, eigen
-//   program_digest   of the program's own bytes: with another, forces and methods may be others
+//   program_digest   of the program's own bytes: another program may have other forces and methods
 //   reference        method, agreement, least_error, inextensible, from_cache, seconds
-//   space_error      null, or levels (segments, error), order, time_error, stretch, seconds; or left_out, why there is none
-//   floors           by norm: below it nothing is quoted
-//   methods          id, name, order (that theory promises), explicit, end (why there are no finer steps), left_out, runs
-//   runs             steps_per_moment, step, ending, trouble, steps, evaluations, iterations, corrections, unconverged,
-//                    errors by norm (null: below the floor; a norm that the problem has not is not there; none of a run
-//                    that did not finish), seconds (all repeats), time (their median)
+//   space_error      null, or levels (segments, error), order, time_error, stretch, seconds; or left_out, the
+//                    reason why there is none
+//   floors           by norm: smaller errors are not reported
+//   methods          id, name, order (by theory), explicit, end (why there are no finer steps), left_out,
+//                    runs
+//   runs             steps_per_moment, step, ending, trouble, steps, evaluations, iterations, corrections,
+//                    unconverged, errors by norm (null: below the floor; norms that the problem does not
+//                    have are missing; no errors if the run did not finish), seconds (all repeats), time
+//                    (their median)
 #pragma once
 
 #include <filesystem>
@@ -27,12 +31,12 @@ inline constexpr std::string_view kStudyRecordBegin = "{\n  \"program\": \"hairl
 
 std::string study_json(const Study& study);
 
-// The sweeps of a study that was written before, for one that would be the same: `study` has no runs yet.
-// Throws BadInput for a file that is none, and for a study of something else, from elsewhere, or by another program: it
-// names what differs. Before the reference is known, that and what follows from it are not compared.
+// Reads the sweeps of an earlier run of the same study into `study`, which has no runs yet. Throws BadInput
+// if the file is not a study, or if its problem, machine or program differs; the message names the
+// difference. If the reference is not known yet, it and everything derived from it are not compared.
 void read_runs(const std::filesystem::path& file, Study& study);
 
-Table table_of_runs(const Study& study);  // all of them; for the CSV
+Table table_of_runs(const Study& study);  // all runs; for the CSV
 
 const char* name_of(RunEnding ending);
 const char* name_of(SweepEnd end);

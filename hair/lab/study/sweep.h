@@ -1,6 +1,6 @@
-// Which steps a method is run with: from a coarse one on each half of the one before, until nothing is left
-// to learn. What comes next depends on what was counted and on errors alone, never on times: on every
-// machine, interrupted or not, a study has the same runs.
+// Chooses the steps of a method: from a coarse one, each half of the one before, until finer steps tell
+// nothing new. The choice depends only on counts and errors, never on times, so a study has the same runs on
+// every machine, interrupted or not.
 #pragma once
 
 #include <atomic>
@@ -12,32 +12,34 @@
 namespace hair {
 
 struct StudySettings {
-  // Of one run: evaluations of forces and iterations of ConjGrad, times the particles. About a tenth of a
-  // microsecond each.
+  // The limit of one run: (evaluations of forces + iterations of ConjGrad) times particles. Each unit takes
+  // about a tenth of a microsecond.
   double most_work = 1e7;
   Repeats repeats;
 
-  // Is told before each run what it is: "RK4, 1024 steps a moment".
+  // Called before each run with its description: "RK4, 1024 steps a moment".
   std::function<void(const std::string&)> progress = {};
 };
 
-// A study without runs, and without a reference yet.
+// A study that has neither runs nor a reference yet.
 Study prepare_study(const Problem& problem, const std::vector<StudyMethod>& methods,
                     const StudySettings& settings);
 
-// Makes `motion` its reference.
+// Sets `motion` as the study's reference.
 void set_reference(const Problem& problem, const AccurateMotion& motion, Study& study);
 
-// All runs that are still missing, coarse steps of all methods first: those that the study has are kept.
-// False if interrupted: the study has what is finished. Of a method whose exercise is not written it says so.
+// Makes all missing runs, the coarse steps of all methods first, and keeps the runs that the study has.
+// Returns false if interrupted: the study then has the finished runs. Marks methods whose exercise is not
+// written.
 bool finish_study(const Problem& problem, const AccurateMotion& motion, const StudySettings& settings,
                   Study& study, const std::atomic<bool>& interrupted);
 
-// The coarsest step of an explicit method, as steps for each moment: a power of two, within which no method
-// is stable where springs are stiff.
+// The coarsest step of an explicit method, as steps for each moment: a power of two. With stiff springs no
+// method is stable with it.
 int coarsest_steps(const Problem& problem, const StudyMethod& method);
 
-// What is next for a method that had these runs: nothing if `sweep.end` says why.
+// The next number of steps for a method after these runs; nothing if the sweep is at its end: `sweep.end` has
+// the reason.
 std::optional<int> next_steps(Sweep& sweep, const Errors& floors, int first, double most_work, int particles);
 
 }  // namespace hair

@@ -1,4 +1,4 @@
-// hairlab as a person runs it.
+// Runs hairlab as a user does.
 #pragma once
 
 #include <cstddef>
@@ -12,32 +12,32 @@
 namespace hair {
 
 struct ProgramRun {
-  int code = 0;  // what it returned; -1: a signal ended it
+  int code = 0;  // the exit code; -1: a signal ended it
   std::string output, errors;
 };
 
 struct ProgramSettings {
   std::string program = HAIRLAB;
-  std::vector<std::string> environment = {};  // "NAME=value", beside ours
+  std::vector<std::string> environment = {};  // "NAME=value", in addition to our own
   long file_limit = -1;                       // the largest file that it may write, in units of 512 bytes
-  std::function<void(int)> meanwhile = {};    // gets its process number once it runs
+  std::function<void(int)> meanwhile = {};    // called with its process id once it runs
 };
 
 ProgramRun run_hairlab(const std::vector<std::string>& arguments, const ProgramSettings& settings = {});
 
-// What tests ask of a text: whether a part is in it, how many lines it has.
+// Helpers for tests: whether a text contains a part, and its number of lines.
 bool has(const std::string& text, const std::string& part);
 std::ptrdiff_t lines_of(const std::string& text);
 
 // A file's bytes; empty if it can't be read.
 std::string read_bytes(const std::filesystem::path& file);
 
-// A folder of a test's own, which goes with it.
+// A test's own folder; removed with this object.
 class TestFolder {
  public:
   std::filesystem::path operator/(const std::string& name) const { return path() / name; }
   const std::filesystem::path& path() const { return folder_.path(); }
-  std::vector<std::string> names(const std::string& folder = "") const;  // of all that is in it, in order
+  std::vector<std::string> names(const std::string& folder = "") const;  // of all its files, in order
 
   // Writes a file, and returns its path.
   std::string write(const std::string& name, const std::string& bytes) const;

@@ -1,4 +1,4 @@
-// The ways in which the exercises move a chain whose links keep their length, behind one signature.
+// The exercises' methods for a chain with links of fixed length, behind one signature.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace hair {
 
-// A chain on its way. The hinge is particle 0, and mass i of the chain particle i + 1.
+// A moving chain. The hinge is particle 0; mass i of the chain is particle i + 1.
 class MovingChain {
  public:
   virtual ~MovingChain() = default;
@@ -24,14 +24,15 @@ struct ChainMethod {
   std::vector<std::string> exercises;
   int order;  // of its time error
 
-  // The frequency that it was asked to move by, from the one that it moved by (dispersion.h).
+  // The true frequency from the measured one: undoes the integrator's dispersion (dispersion.h).
   double (*undo)(double measured, double step);
 
-  // A bound of how far a small oscillation of w^2 = (g/l) x is off for other reasons than its step and its
-  // amplitude, relative to w.
+  // A bound of a small oscillation's frequency error, relative to w, from causes other than the step and the
+  // amplitude. The oscillation has w^2 = (g/l) x.
   double (*other_error)(const HangingChain& chain, double x);
 
-  // What a step that turns by `turn` takes of that oscillation's amplitude, and a bound of how far that is off.
+  // The part of that oscillation's amplitude that a step takes away if the phase turns by `turn`; and a bound
+  // of its error.
   double (*decay)(const HangingChain& chain, double x, double turn);
   double (*decay_error)(const HangingChain& chain, double x, double turn);
 
@@ -39,12 +40,12 @@ struct ChainMethod {
                                         double step);
 };
 
-// Springs that are hardly longer for their load, moved by H6.
+// Stiff springs that the load hardly stretches, moved by H6.
 const ChainMethod& chain_by_h6();
 // P2's rods, moved by P1's Runge-Kutta method.
 const ChainMethod& chain_by_rods();
 
-// The chain hangs from 0 along -z, with links turned by `angles` towards +x, at rest.
+// The chain at rest, hanging from 0 along -z, with links turned by `angles` towards +x.
 particles::State turned(const HangingChain& chain, const Eigen::VectorXd& angles);
 
 }  // namespace hair

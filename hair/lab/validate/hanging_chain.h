@@ -1,14 +1,15 @@
-// A chain that hangs from a hinge: n masses on massless links that don't stretch, in a plane, without
-// bending; and its small oscillations. Mass i, counted from the top, hangs on link i.
+// A chain that hangs from a hinge: n masses on massless links of fixed length, in a plane, without bending;
+// and its small oscillations. Mass i, counted from the top, hangs on link i.
 //
-// With T_i = g sum_{j >= i} m_j the tension of link i and q_i mass i sideways (q of the hinge is 0),
+// Let T_i = g sum_{j >= i} m_j be the tension of link i and q_i the sideways position of mass i (q of the
+// hinge is 0):
 //
 //   m_i q_i'' = T_{i+1} (q_{i+1} - q_i) / l - T_i (q_i - q_{i-1}) / l.
 //
-// For equal masses a mode's w^2 is (g/l) x, with x a zero of the Laguerre polynomial L_n, and mass i goes by
-// L_{n-i}(x): what stands above is then (j+1) L_{j+1} = (2j+1-x) L_j - j L_{j-1}, j = n - i (D. Bernoulli
-// 1732, for the chain; M. Abramowitz and I. A. Stegun, "Handbook of Mathematical Functions", 22.7.12, for the
-// polynomials).
+// For equal masses a mode's w^2 is (g/l) x, with x a zero of the Laguerre polynomial L_n, and the amplitude
+// of mass i is L_{n-i}(x). The equation above is then (j+1) L_{j+1} = (2j+1-x) L_j - j L_{j-1}, j = n - i (D.
+// Bernoulli 1732, for the chain; M. Abramowitz and I. A. Stegun, "Handbook of Mathematical Functions",
+// 22.7.12, for the polynomials).
 //
 // Two masses, upper m and lower mu m: w^2 = (g/l) (1 + mu +- sqrt(mu (1 + mu))). The determinant of the two
 // equations, with w^2 = (g/l) x, is (1 + mu) (1 - x)^2 = mu x^2; so x = 1 / (1 -+ s), s = sqrt(mu / (1 +
@@ -23,7 +24,7 @@ struct HangingChain {
   Eigen::VectorXd mass;   // n, kg, from the top
   double link = 0.01;     // m
   double gravity = 9.81;  // m/s^2
-  double stretch = 1e-9;  // T_0/EA, where the links are springs: as little as rounding lets be
+  double stretch = 1e-9;  // T_0/EA, if the links are springs: as small as rounding allows
 
   int count() const { return static_cast<int>(mass.size()); }
   double tension(int i) const { return gravity * mass.tail(count() - i).sum(); }  // N, of link i
@@ -34,25 +35,25 @@ struct HangingChain {
 // and j beside it (G. H. Golub and J. H. Welsch, Math. Comp. 23 (1969), 221), then one Newton step each.
 Eigen::VectorXd laguerre_zeros(int n);
 
-// x of the two masses' slow and fast mode.
+// x of the slow and the fast mode of two masses.
 Eigen::Vector2d double_pendulum_squares(double mass_ratio);
 
-// The angles of the links in the mode of w^2 = (g/l) x, the largest of size 1.
+// The angles of the links in the mode with w^2 = (g/l) x, scaled so that the largest is 1.
 Eigen::VectorXd mode_angles(const HangingChain& chain, double x);
 
-// By how much a larger swing slows a mode: its frequency is w (1 + c A^2 + ...), A the largest angle of a
-// link.
+// How much a larger amplitude slows a mode: its frequency is w (1 + c A^2 + ...), with A the largest angle of
+// a link.
 //
 // With M_ij = l^2 sum_{k >= max(i,j)} m_k and G_i = l T_i the Lagrangian is
 //
 //   sum_ij M_ij cos(a_i - a_j) a_i' a_j' / 2 + sum_i G_i cos(a_i),
 //
-// and its mean over a period with a = A f cos(wt) is stationary in A (G. B. Whitham, "Linear and Nonlinear
-// Waves", 1974, section 14.2). Its terms of fourth order give c = -4 (tau + nu / w^2) / f'Mf, with
+// and its mean over a period, with a = A f cos(wt), is stationary in A (G. B. Whitham, "Linear and Nonlinear
+// Waves", 1974, section 14.2). Its fourth-order terms give c = -4 (tau + nu / w^2) / f'Mf, with
 //
 //   tau = -sum_ij M_ij (f_i - f_j)^2 f_i f_j / 32,   nu = sum_i G_i f_i^4 / 64.
 //
-// Of one mass that is the pendulum's -1/16.
+// For one mass this is the pendulum's -1/16.
 double softening(const HangingChain& chain, double x, const Eigen::VectorXd& angles);
 
 }  // namespace hair

@@ -1,8 +1,8 @@
-// Strands at rest, in the plane y = 0: where all forces balance, by Newton's method with the forces' own
-// exact products. For strands whose particle 0 is held and whose forces keep them in that plane.
+// Strands at rest in the plane y = 0: Newton's method, with the forces' own exact products, finds the balance
+// of all forces. For strands whose particle 0 is fixed and whose forces keep them in that plane.
 //
-// Unknowns are (x, z) of particles 1 to n - 1: 2(n - 1) numbers. Dense matrices: for hundreds of segments,
-// not for thousands.
+// The unknowns are (x, z) of particles 1 to n - 1: 2(n - 1) numbers. The matrices are dense: suited for
+// hundreds of segments, not for thousands.
 #pragma once
 
 #include "hair/strand.h"
@@ -10,31 +10,32 @@
 
 namespace hair {
 
-// K = -df/dx, N/m, by one product with add_dfdx for each of 10 groups of columns: forces that reach two
-// particles far have five diagonals of blocks. x: 3n.
+// K = -df/dx, N/m, with one call of add_dfdx for each of 10 groups of columns: forces that couple particles
+// two apart have five block diagonals. x: 3n.
 Eigen::MatrixXd planar_stiffness(const particles::Force& force, particles::Input x);
 
-// The frequency of the slowest small oscillation about x in the plane, rad/s; NaN where x is not stable.
+// The frequency of the slowest small oscillation about x in the plane, rad/s; NaN if x is not stable.
 double slowest_frequency(const Strand& strand, const particles::Force& force, particles::Input x);
 
-// The last particle: how far it is from the origin along x, and how far down.
+// The last particle: its distance from the origin along x, and its depth below the origin.
 Eigen::Vector2d planar_tip(particles::Input x);
 
 struct Balance {
   Eigen::VectorXd x;    // 3n, m
   int iterations = 0;   // of Newton's method
-  double change = 1;    // radians, or a part of a segment's length: the most that the last of them changed
+  double change = 1;    // the largest one in the last iteration: radians, or parts of a segment
   double residual = 0;  // N, the largest force on a free particle
-  double rounding = 0;  // N, what of it rounding may leave
+  double rounding = 0;  // N, the rounding error that `residual` may have
   bool found() const { return residual <= rounding && change <= 1e-9; }
 };
 
-// Where it puts the tip; NaN, if none was found.
+// The tip's position; NaN if no balance was found.
 Eigen::Vector2d tip_of(const Balance& balance);
 
-// From x on, by Newton's method in the segments' angles and lengths: straight on, segments that turn would
-// stretch, and hair is stiff. A step turns none by more than a radian. So straight hair finds its elastica in
-// 4 to 16 steps, without a continuation in the load, and a moment bends it at once.
+// Starts from x and uses Newton's method in the segments' angles and lengths. (In positions, a turning
+// segment would also stretch, and hair is stiff.) A step turns no segment by more than a radian. So straight
+// hair finds its elastica in 4 to 16 steps, without a continuation in the load, and an end moment bends it
+// directly.
 Balance planar_balance(const Strand& strand, const particles::Force& force, Eigen::VectorXd x);
 
 }  // namespace hair

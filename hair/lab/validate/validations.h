@@ -1,4 +1,4 @@
-// The validations that there are: a function each.
+// The functions that return the validations.
 #pragma once
 
 #include "hair/lab/validate/chain_methods.h"
@@ -6,10 +6,10 @@
 
 namespace hair {
 
-// published_numbers.cpp, which calls no exercise
+// In published_numbers.cpp; calls no exercise.
 Validation published_numbers();
 
-// Those with a method keep a reference to it. pendulum_period.cpp, then chain_oscillations.cpp
+// They keep a reference to the method. In pendulum_period.cpp, then chain_oscillations.cpp.
 Validation pendulum_period(const ChainMethod& method);
 Validation chain_oscillations(const ChainMethod& method);
 Validation double_pendulums(const ChainMethod& method);

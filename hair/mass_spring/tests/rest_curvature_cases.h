@@ -1,4 +1,4 @@
-// STAFF ONLY. What tests of hair/mass_spring/rest_curvature.h share.
+// STAFF ONLY. Shared code of the tests of hair/mass_spring/rest_curvature.h.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ inline Vector3d some_normal(const Vector3d& tangent) {
   return tangent.cross(Vector3d(0.3, -0.2, 0.9)).normalized();
 }
 
-// Components of 0.5 radians and less, and none is like another.
+// Components of at most 0.5 radians, all different.
 inline VectorXd some_rest(const Strand& strand) {
   VectorXd rest(2 * strand.segments());
   for (Eigen::Index i = 0; i < rest.size(); ++i)
@@ -51,7 +51,7 @@ inline VectorXd eigenvalues(const MatrixXd& matrix) {
   return solver::symmetric_eigenvalues((matrix + matrix.transpose()) / 2);
 }
 
-// Energies, forces and products are as large as k pi, k pi / l and k pi / l^2, with frames that add up along
+// The sizes of energies, forces and products: k pi, k pi / l and k pi / l^2, times the sum of frames along
 // the strand.
 struct Scales {
   explicit Scales(const StrandState& s)

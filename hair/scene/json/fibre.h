@@ -1,4 +1,4 @@
-// What all groups of strands have: what they are made of, and how they are held at the start.
+// The common keys of all groups of strands: the fibre, and how it is held at the start.
 #pragma once
 
 #include "hair/io/files/strict_json.h"
@@ -6,11 +6,11 @@
 
 namespace hair::json {
 
-// Of a group's "material" and "start".
+// From a group's "material" and "start".
 Fibre read_fibre(const JsonValue& group);
 Held read_held(const JsonValue& group);
 
-// Of a group's "root_velocity". Roots that move with a motion have none of their own.
+// From a group's "root_velocity". Not allowed for roots that move with a motion.
 Vector3d read_root_velocity(const JsonValue& group);
 
 }  // namespace hair::json

@@ -9,7 +9,7 @@
 
 namespace hair::json {
 
-// `expect` is told how many there will be before there are any, and throws for too many.
+// Calls `expect` with the number of roots before making any; it throws for too many.
 std::vector<RootFrame> read_roots(const JsonValue& object,
                                   const std::function<void(const JsonValue& where, long count)>& expect);
 

@@ -1,4 +1,4 @@
-// STAFF ONLY. Scenes as texts, and what is said of them.
+// STAFF ONLY. Scenes as texts, and the errors of reading them.
 #pragma once
 
 #include <string>
@@ -7,10 +7,10 @@
 
 namespace reference_tests {
 
-// A small scene that is right, with the first `what` in its text replaced by `by`.
+// A small valid scene, with the first `what` in its text replaced by `by`.
 std::string small_scene(const std::string& what = "", const std::string& by = "");
 
-// The BadInput that reading the text as "a.json" throws; empty if none.
+// The message of the BadInput for the text as "a.json"; empty if there is none.
 std::string complaint(const std::string& text);
 
 }  // namespace reference_tests

@@ -1,4 +1,4 @@
-// STAFF ONLY. Hairs for the tests of whole strands.
+// STAFF ONLY. Hairs for the tests of strands.
 #pragma once
 
 #include <array>
@@ -30,7 +30,7 @@ inline const char* name_of(Method method) {
   return kMethodNames[static_cast<std::size_t>(method)];
 }
 
-// At rest where it is: straight, from the origin on.
+// Straight hair at rest, starting at the origin.
 inline StrandStart straight_hair(int segments, double length, const Vector3d& direction = kDown,
                                  const hair::Material& material = {}) {
   const Eigen::VectorXd x =
@@ -38,7 +38,7 @@ inline StrandStart straight_hair(int segments, double length, const Vector3d& di
   return {hair::strand_from_rest(material, x), {x, Eigen::VectorXd::Zero(x.size())}};
 }
 
-// One strand, and nothing that acts on it from outside.
+// One strand without external forces.
 inline Description alone(StrandStart start, Method method, double step) {
   Description description;
   description.strands.push_back(std::move(start));

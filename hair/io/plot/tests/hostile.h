@@ -1,4 +1,4 @@
-// Texts that break what does not expect them.
+// Texts that break careless code.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// XML as a strict parser reads it (libxml2), as a tree of plain data.
+// Parses XML with a strict parser (libxml2) into a tree of plain data.
 #pragma once
 
 #include <map>
@@ -10,13 +10,14 @@ namespace hair::plot {
 struct Element {
   std::string name;
   std::map<std::string, std::string> attributes;
-  std::string text;  // its own and that of its elements, one after the other
+  std::string text;  // its own text and that of its elements, one after the other
   std::vector<Element> elements;
 
   const std::string& operator[](const std::string& attribute) const { return attributes.at(attribute); }
   bool has(const std::string& attribute, const std::string& value) const;
 
-  // All within it that `holds` is true of, in the order of the text; and those of that name.
+  // All elements within it for which `holds` is true, in the order of the text; named() selects those with a
+  // tag.
   template <class Holds>
   std::vector<Element> all(const Holds& holds) const {
     std::vector<Element> found;
@@ -31,7 +32,7 @@ struct Element {
   std::vector<Element> of_class(const std::string& wanted) const;
 };
 
-// Throws std::runtime_error with the parser's own words for what is not well formed.
+// Throws std::runtime_error with the parser's own message if the XML is not well formed.
 Element parse(const std::string& xml);
 
 }  // namespace hair::plot

@@ -1,4 +1,4 @@
-// A figure and a map that have everything a figure and a map can have.
+// A figure and a map that use every feature.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace hair::plot {
 
-// Twelve methods of orders 1 to 4, some of whose runs failed, a bound, and slope guides.
+// Twelve methods of orders 1 to 4, some with failed runs, a bound, and slope guides.
 inline Figure sample_figure() {
   Figure figure;
   figure.id = "sample";

@@ -1,4 +1,4 @@
-// STAFF ONLY. For studies that run to their end.
+// STAFF ONLY. A flag for studies that run to their end.
 #pragma once
 
 #include <atomic>

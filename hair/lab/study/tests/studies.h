@@ -1,4 +1,4 @@
-// STAFF ONLY. Problems whose studies take no time: soft ones.
+// STAFF ONLY. Soft problems, whose studies take almost no time.
 #pragma once
 
 #include <atomic>
@@ -9,17 +9,17 @@
 
 namespace reference_tests {
 
-// 12 cm in 6 segments, ten thousand times as easy to stretch as hair, that start level and swing.
+// 12 cm in 6 segments, ten thousand times as easy to stretch as hair; starts horizontal and swings.
 inline const char* const kSoftHair =
     R"({"shows": "soft hair", "frames": 3, "hair": [{"segments": 6, "length": 0.12,
   "clamped": false, "material": {"stretch_factor": 1e-4},
   "roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}]})";
 
-// Hair as it is, 4 cm in 4 segments.
+// Real hair, 4 cm in 4 segments.
 inline const char* const kHair = R"({"shows": "hair", "frames": 3, "hair": [{"segments": 4, "length": 0.04,
   "clamped": false, "roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}]})";
 
-// A double pendulum of springs.
+// A double pendulum made of springs.
 inline const char* const kPendulum = R"({"shows": "a pendulum", "frames": 3, "toys": [{
   "particles": [{"position": [0, 0, 0], "mass": 1, "pinned": true}, {"position": [0.4, 0, -0.3], "mass": 0.3},
                 {"position": [0.4, 0, -0.8], "mass": 0.2}],
@@ -35,13 +35,13 @@ struct Studied {
   hair::Study whole() const;
 };
 
-// So many seconds of a scene, with these methods, each run once.
+// The first `duration` seconds of a scene with these methods; each run is made once.
 Studied studied(const char* scene, double duration, const std::vector<std::string>& methods,
                 double most_work);
 
 const hair::Sweep& sweep_of(const hair::Study& study, const std::string& id);
 
-// Its runs in words, for a failure.
+// A description of its runs, for failure messages.
 std::string shown(const hair::Sweep& sweep);
 
 }  // namespace reference_tests
