@@ -42,7 +42,7 @@
 // the fold; only H2's own jump of direction at phi = pi remains. At the fold itself a joint has the energy k
 // (pi^2 + |rest|^2) / 2 and no force or product; the frame turns about its second vector.
 //
-// Forces and products grow like 1 / |e| and 1 / |e|^2 as a segment shrinks to 0, as H2's do. README.md
+// Forces and products grow like 1 / |e| and 1 / |e|^2 as a segment shrinks to 0, as H2's do. hair/README.md
 // describes the consequences in a simulation.
 #pragma once
 

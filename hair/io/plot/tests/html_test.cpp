@@ -1,0 +1,56 @@
+#include "hair/io/plot/html.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "hair/io/plot/readable.h"
+
+namespace hair {
+namespace {
+
+const std::string fffd = "\xef\xbf\xbd";
+
+TEST(ValidUtf8, ValidTextStays) {
+  const std::string text = "a\xc3\xa9\xe2\x82\xac\xf0\x9f\x98\x80\n";
+  EXPECT_EQ(valid_utf8(text), text);
+}
+
+TEST(ValidUtf8, EveryStrayByteIsReplaced) {
+  EXPECT_EQ(valid_utf8("a\xff"
+                       "b"),
+            "a" + fffd + "b");
+  EXPECT_EQ(valid_utf8("\xc3"), fffd);
+  EXPECT_EQ(valid_utf8("\xe2\x82"), fffd + fffd);
+  EXPECT_EQ(valid_utf8("\xc0\xaf"), fffd + fffd) << "overlong '/'";
+  EXPECT_EQ(valid_utf8("\xed\xa0\x80"), fffd + fffd + fffd) << "a surrogate";
+  EXPECT_EQ(valid_utf8("\xf4\x90\x80\x80"), fffd + fffd + fffd + fffd) << "beyond U+10FFFF";
+}
+
+TEST(Readable, TerminalColoursGoAsAWhole) {
+  EXPECT_EQ(readable("\x1b[1;31merror\x1b[0m: x\x1b"), "error: x");
+  EXPECT_EQ(readable("\x1b]0;title\x07"), "]0;title" + fffd);
+}
+
+TEST(Readable, ControlCharactersAreReplacedAndLinesStay) {
+  EXPECT_EQ(readable(std::string("a\0b\x7f\r\nc\td\r", 10)), "a" + fffd + "b" + fffd + "\nc\td" + fffd);
+  EXPECT_EQ(readable("\xc2\x85\xef\xbf\xbf"), fffd + fffd);
+}
+
+TEST(HtmlPattern, EveryTextIsEscapedAndHtmlIsNot) {
+  const std::string text = "<a href=\"x\">'&";
+  EXPECT_EQ(html("{}|{}", {text, Html{"<b>"}}).text, "&lt;a href=&quot;x&quot;&gt;&#39;&amp;|<b>");
+}
+
+TEST(HtmlPattern, BracesInTextAreNoHoles) {
+  EXPECT_EQ(html("{}{}", {"{}", "x"}).text, "{}x");
+}
+
+TEST(HtmlPattern, HolesAndPartsMustMatch) {
+  EXPECT_THROW(html("{}"), std::invalid_argument);
+  EXPECT_THROW(html("", {"x"}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace hair
