@@ -7,6 +7,7 @@
 #include "hair/mass_spring/step_methods.h"
 #include "hair/mass_spring/strand_start.h"
 #include "hair/strand/body.h"
+#include "hair/strand/centre_line.h"
 
 namespace hair {
 
@@ -27,6 +28,7 @@ class MassSpringBody final : public Body {
   Coordinates coordinates() const override { return Coordinates::positions; }
   int size() const override { return 3 * moving_.strand.count(); }
   int points() const override { return moving_.strand.count(); }
+  Eigen::VectorXd arc_lengths() const override { return hair::arc_lengths(moving_.strand); }
   int scratch_rows() const override { return size(); }
   int scratch_columns() const override { return method_.scratch + (collides_ ? 1 : 0); }
   void read(particles::Output q, particles::Output rate) const override;

@@ -14,6 +14,7 @@ class ToyBody final : public Body {
   Coordinates coordinates() const override { return Coordinates::positions; }
   int size() const override { return static_cast<int>(moving_.state.x.size()); }
   int points() const override { return size() / 3; }
+  Eigen::VectorXd arc_lengths() const override { return {}; }
   int scratch_rows() const override { return size(); }
   int scratch_columns() const override { return method_.scratch; }
   void read(particles::Output q, particles::Output rate) const override;

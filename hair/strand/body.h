@@ -70,6 +70,10 @@ class Body {
   virtual int size() const = 0;    // of q, and of its rate
   virtual int points() const = 0;  // of the centre line
 
+  // The arc lengths of these points at rest, from the root, m: by them lines with different numbers of points are compared
+  // (hair/strand/centre_line.h). Empty: the points lie on no line.
+  virtual Eigen::VectorXd arc_lengths() const = 0;
+
   // The memory that a step needs: bodies share one matrix of at least `scratch_rows` x `scratch_columns`.
   virtual int scratch_rows() const = 0;
   virtual int scratch_columns() const = 0;

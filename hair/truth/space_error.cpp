@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "hair/io/files/printable.h"
+#include "hair/strand/centre_line.h"
 #include "hair/truth/cvode.h"
 #include "hair/truth/rigid_strand_ode.h"
 #include "hair/truth/strand_ode.h"
@@ -34,14 +35,13 @@ std::string why_not(const Problem& problem) {
   return "";
 }
 
-// The places that all have, of all moments after the start, in one column.
-Eigen::VectorXd places_of(const Trajectory& states, int base) {
-  const Eigen::Index moments = static_cast<Eigen::Index>(states.size()) - 1;
-  const Eigen::Index apart = (states[0].x.size() / 3 - 1) / base;
-  Eigen::VectorXd places(3 * moments * base);
+// The places at the arc lengths `wanted`, of all moments after the start, in one column. `at`: those of the particles.
+Eigen::VectorXd places_of(const Trajectory& states, const Eigen::VectorXd& at,
+                          const Eigen::VectorXd& wanted) {
+  const Eigen::Index moments = static_cast<Eigen::Index>(states.size()) - 1, size = 3 * wanted.size();
+  Eigen::VectorXd places(moments * size);
   for (Eigen::Index k = 0; k < moments; ++k)
-    for (int i = 0; i < base; ++i)
-      places.segment<3>(3 * (k * base + i)) = states[k + 1].x.segment<3>(3 * apart * (i + 1));
+    places.segment(k * size, size) = points_at(states[k + 1].x, at, wanted);
   return places;
 }
 
@@ -66,6 +66,7 @@ std::optional<SpaceError> divided_ever_finer(const Problem& problem, Patience pa
     return result;
   }
   const double began = timing::cpu_seconds();
+  const Eigen::VectorXd wanted = arc_lengths(divide_anew(start, base).strand).tail(base);
   const auto move = [&](int segments, double tolerance) -> std::optional<Eigen::VectorXd> {
     Problem divided = problem;
     divided.scene.hair.strands[0] = divide_anew(start, segments);
@@ -78,7 +79,7 @@ std::optional<SpaceError> divided_ever_finer(const Problem& problem, Patience pa
         run_cvode(*ode, problem.duration, problem.scene.frames, {CvodeMethod::adams, tolerance}, interrupted);
     if (!run) return {};
     if (rigid) result.stretch = std::max(result.stretch, static_cast<RigidStrandOde&>(*ode).stretch());
-    return places_of(run->states, base);
+    return places_of(run->states, arc_lengths(divided.scene.hair.strands[0].strand), wanted);
   };
 
   std::vector<Eigen::VectorXd> places;

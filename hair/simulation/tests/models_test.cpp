@@ -94,6 +94,10 @@ TEST(Body, WhatIsWrittenIsRead) {
   body.centre_line(q, rate, x, v);
   EXPECT_EQ(body.root_position(), Vector3d(x.head<3>()));
   EXPECT_EQ(*body.measure(q, rate).tip, Vector3d(x.tail<3>()));
+  EXPECT_EQ(body.arc_lengths().size(), body.points());
+  // Segments are chords, shorter than the curve by (curvature length)^2 / 24 and terms of the fourth power.
+  const double bent = bend_at(curl().form, 0).curvature * curl().length / curl().elements;
+  EXPECT_NEAR(body.arc_lengths()[body.points() - 1] / curl().length, 1 - bent * bent / 24, 1e-3);
 }
 
 // Two particles that nothing joins: the root, and one that a point force pulls at.

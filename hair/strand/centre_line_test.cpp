@@ -1,0 +1,56 @@
+#include "hair/strand/centre_line.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "hair/strand/make_strand.h"
+
+namespace hair {
+namespace {
+
+// An arc of a circle with radius 1, from its arc length 0 to 1.
+Eigen::VectorXd arc(int segments) {
+  Eigen::VectorXd x(3 * (segments + 1));
+  for (int i = 0; i <= segments; ++i) {
+    const double s = static_cast<double>(i) / segments;
+    x.segment<3>(3 * i) = Eigen::Vector3d(std::cos(s), std::sin(s), 0);
+  }
+  return x;
+}
+
+Eigen::VectorXd evenly(int segments) {
+  return Eigen::VectorXd::LinSpaced(segments + 1, 0, 1);
+}
+
+TEST(CentreLine, ItsOwnPointsComeBackBitForBit) {
+  const Strand strand = uniform_strand({}, 30, 0.3);
+  const Eigen::VectorXd x = arc(30), at = arc_lengths(strand);
+  EXPECT_NEAR(at[30], 0.3, 1e-15);
+  EXPECT_EQ(points_at(x, at, at), x);
+  // A line with half of the points has them, too.
+  const Eigen::VectorXd half = arc_lengths(uniform_strand({}, 15, 0.3));
+  for (int i = 0; i <= 15; ++i) EXPECT_EQ(points_at(x, at, half).segment<3>(3 * i), x.segment<3>(6 * i)) << i;
+}
+
+TEST(CentreLine, BetweenPointsItIsOffByTheSagOfTheChord) {
+  const Eigen::VectorXd wanted = Eigen::VectorXd::Constant(1, 0.5);
+  for (const int segments : {5, 15, 45}) {  // odd: 0.5 is the middle of a segment
+    const Eigen::Vector3d exact(std::cos(0.5), std::sin(0.5), 0);
+    const Eigen::Vector3d found = points_at(arc(segments), evenly(segments), wanted);
+    const double l = 1.0 / segments;
+    EXPECT_NEAR((found - exact).norm(), 1 - std::cos(l / 2), 1e-15);
+    EXPECT_LE((found - exact).norm(), l * l / 8);
+  }
+}
+
+TEST(CentreLine, RefusesWhatIsNotOnTheLine) {
+  const Eigen::VectorXd x = arc(4), at = evenly(4);
+  for (const double s : {-0.01, 1.01, std::nan("")})
+    EXPECT_THROW(points_at(x, at, Eigen::VectorXd::Constant(1, s)), std::invalid_argument) << s;
+  EXPECT_THROW(points_at(x, evenly(3), at), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace hair
