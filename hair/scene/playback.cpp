@@ -39,7 +39,7 @@ class Playback::Parts {
     check_times(scene);
     if (has_strands(scene)) {
       simulation_.emplace(scene.hair);
-      for (const Rider& rider : scene.riders) riding_.emplace_back(rider, scene.hair);
+      ride(scene);
       for (int i = 0; i < simulation_->strands(); ++i) strands_.push_back(simulation_->body(i).points());
     }
     add_toys(scene.toys);
@@ -50,7 +50,10 @@ class Playback::Parts {
     check_times(scene);
     particles::require(scene.toys.size() == toys_.size(), "the toys of a scene that starts anew",
                        static_cast<double>(scene.toys.size()), std::to_string(toys_.size()));
-    if (simulation_) simulation_->restart(scene.hair);
+    if (simulation_) {
+      simulation_->restart(scene.hair);
+      ride(scene);
+    }
     scratch_.setZero();
     for (std::size_t i = 0; i < toys_.size(); ++i)
       toys_[i]->write(scene.toys[i].start.x, scene.toys[i].start.v);
@@ -119,6 +122,12 @@ class Playback::Parts {
     const auto index = static_cast<std::size_t>(i);
     if (index < strands_.size()) return simulation_->body(i);
     return *toys_[index - strands_.size()];
+  }
+
+  // Riders start from where the scene has roots and obstacles.
+  void ride(const Scene& scene) {
+    riding_.clear();
+    for (const Rider& rider : scene.riders) riding_.emplace_back(rider, scene.hair);
   }
 
   void add_toys(const std::vector<Toy>& toys) {

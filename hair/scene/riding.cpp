@@ -85,13 +85,15 @@ Riding::Riding(const Rider& rider, const Description& hair) : motion_(rider.moti
 
 void Riding::lead(Simulation& simulation, double time, double h) const {
   const Way way = way_at(motion_, time + h);
+  const Vector3d spin =
+      turns_ ? angular_velocity(way_at(motion_, time).rotation, way.rotation, h) : Vector3d(Vector3d::Zero());
   for (const LedRoot& root : roots_) {
     const Vector3d here = simulation.body(root.strand).root_position(), there = way(root.position);
     Root next{there, root.tangent, root.normal, (there - here) / h, Vector3d::Zero()};
     if (turns_) {
       next.tangent = (way.rotation * root.tangent).normalized();
       next.normal = (way.rotation * root.normal).normalized();
-      next.angular_velocity = angular_velocity(way_at(motion_, time).rotation, way.rotation, h);
+      next.angular_velocity = spin;
     }
     simulation.set_root(root.strand, next);
   }

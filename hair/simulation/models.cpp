@@ -2,7 +2,6 @@
 
 #include <stdexcept>
 
-#include "hair/mass_spring/mass_spring_body.h"
 #include "hair/simulation/mass_spring_strand.h"
 
 namespace hair {
@@ -29,15 +28,6 @@ constexpr ModelRow kModels[] = {
 };
 
 }  // namespace
-
-std::unique_ptr<MassSpringBody> mass_spring_strand(const std::string& name, const StrandStart& start,
-                                                   const Description& description) {
-  check_start(name, start);
-  const ForceOptions options{description.geometric_term, description.bend_product, description.gravity,
-                             description.drag,           description.wind,         description.point_forces};
-  return std::make_unique<MassSpringBody>(start, mass_spring_step(description.method), options,
-                                          !description.obstacles.empty());
-}
 
 std::span<const ModelRow> models() {
   return kModels;

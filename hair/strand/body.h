@@ -57,8 +57,6 @@ struct BodyMeasures {
 // The meaning of the numbers in q, also in files and replies: a reader rejects a kind that it does not know.
 enum class Coordinates : std::uint32_t { positions = 0 };
 
-const char* coordinates_name(Coordinates coordinates);
-
 class Body {
  public:
   Body() = default;

@@ -163,6 +163,23 @@ TEST(Motion, SpeedsUpAndSlowsDownBetweenKeysAndRestsOutsideOfThem) {
   EXPECT_NEAR(1 - height(0.1 - 1e-4), 3e-6, 3e-9);
 }
 
+// Roots that ride go on from where the new scene has them, and in the frames that it gives them.
+TEST(Playback, RestartsWithRootsElsewhere) {
+  const Scene scene = scene_of(kRiders, R"("method": "implicit_euler", )");
+  Scene moved = scene;
+  for (hair::StrandStart& start : moved.hair.strands)
+    for (Eigen::Index i = 0; i < start.state.x.size(); i += 3)
+      start.state.x.segment<3>(i) += Eigen::Vector3d(0.25, -0.5, 0.125);
+  Playback again(scene), fresh(moved);
+  again.advance();
+  again.restart(moved);
+  for (int k = 0; k < 3; ++k) {
+    again.advance();
+    fresh.advance();
+    EXPECT_EQ(again.state().x, fresh.state().x) << "frame " << k;
+  }
+}
+
 TEST(Playback, RidersAreWhereTheirMotionSaysAfterEveryFrame) {
   const Scene scene = scene_of(kRiders, R"("method": "implicit_euler", )");
   Playback playback(scene);
