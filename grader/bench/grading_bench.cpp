@@ -124,7 +124,7 @@ void time_parts(const Course& course, const Exercise& exercise, const fs::path& 
 
   int round = 0;
   auto compile_in_cages = [&](const std::string& text) {
-    const Compiled compiled = compiler.compile(exercise, text, kit.new_job(id + std::to_string(round++)));
+    const Compiled compiled = compiler.compile(exercise, text, kit.new_job(id + std::to_string(round++)), 60);
     require(!compiled.object.empty(), exercise.file + " does not compile: " + compiled.log);
   };
   auto start_worker = [&] {

@@ -31,7 +31,8 @@ Compiler::Compiler(const StagedKit& kit, fs::path cache, bool isolated)
   if (error) throw BadInput(cache_.string() + ": can't keep compiled objects there: " + error.message());
 }
 
-Compiled Compiler::compile(const Exercise& exercise, const std::string& source, const fs::path& job) const {
+Compiled Compiler::compile(const Exercise& exercise, const std::string& source, const fs::path& job,
+                           double cpu_seconds) const {
   const fs::path object = job / (exercise.id + ".so");
   const std::string kept = (cache_ / key(exercise, source)).string();
   std::error_code error;
@@ -41,11 +42,11 @@ Compiled Compiler::compile(const Exercise& exercise, const std::string& source, 
     return {object, {}, text_of(kept + ".log")};
   }
 
-  Compiled compiled = run_compiler(exercise, source, job);
-  if (compiled.object.empty()) return compiled;
-  const std::string compiler_log = std::move(compiled.log);
-  compiled = run_linker(exercise, job);
-  compiled.log = compiler_log + compiled.log;
+  const Compiled first = run_compiler(exercise, source, job, cpu_seconds);
+  if (first.object.empty()) return first;
+  Compiled compiled = run_linker(exercise, job, cpu_seconds - first.cpu_seconds);
+  compiled.log = first.log + compiled.log;
+  compiled.cpu_seconds += first.cpu_seconds;
   if (toolchain_.isolated() && !compiled.object.empty()) {
     // Its warnings are there whenever it is.
     if (!compiled.log.empty()) {
@@ -65,8 +66,8 @@ std::string Compiler::key(const Exercise& exercise, const std::string& source) c
   return sha256(all + '\0' + source);
 }
 
-Compiled Compiler::run_compiler(const Exercise& exercise, const std::string& source,
-                                const fs::path& job) const {
+Compiled Compiler::run_compiler(const Exercise& exercise, const std::string& source, const fs::path& job,
+                                double cpu_seconds) const {
   const fs::path in = job / "source", out = writable_folder(job / "object");
   fs::create_directory(in);
   share_with_sandbox(in, false);
@@ -74,34 +75,41 @@ Compiled Compiler::run_compiler(const Exercise& exercise, const std::string& sou
   fs::permissions(in / exercise.file, fs::perms(0644));
   fs::last_write_time(in / exercise.file, fs::file_time_type());  // __TIMESTAMP__ is always the same
 
+  double taken = 0;
+  Cage cage;
   auto run = [&](bool precompiled, bool& used) {
-    Cage cage = toolchain_.compiling(exercise.libraries);
+    cage = toolchain_.compiling(exercise.libraries, cpu_seconds - taken);
     cage.mounts.push_back({in, "/student"});
     cage.mounts.push_back({out, "/out", true});
     cage.folder = "/student";
     std::vector<std::string> command = toolchain_.compile_command(exercise.libraries);
     used = precompiled && precompiled_.use(exercise.libraries, cage, command);
     command.insert(command.end(), {"-c", exercise.file, "-o", "/out/object.o"});
-    return toolchain_.run(cage, command, exercise.file);
+    Toolchain::Run found = toolchain_.run(cage, command, exercise.file);
+    taken += found.cpu_seconds;
+    return found;
   };
   bool used = false;
   Toolchain::Run found = run(true, used);
-  if (used && !found.ending.well()) found = run(false, used);
+  if (used && !found.ending.well() && !found.limited) found = run(false, used);
 
-  const auto& [ending, output] = found;
-  Compiled compiled{ending.well() ? out / "object.o" : fs::path(), own_messages(output, exercise.file),
-                    output};
-  if (!ending.well() && compiled.messages.empty())
+  Compiled compiled{{}, own_messages(found.output, exercise.file), found.output, taken};
+  if (found.ending.well()) {
+    compiled.object = out / "object.o";
+    return compiled;
+  }
+  toolchain_.prove_it_compiles(cage);
+  if (compiled.messages.empty())
     compiled.messages =
         "the compiler gave up on the file: it takes more time or memory than there is, or names a file that "
         "is not there\n";
   return compiled;
 }
 
-Compiled Compiler::run_linker(const Exercise& exercise, const fs::path& job) const {
+Compiled Compiler::run_linker(const Exercise& exercise, const fs::path& job, double cpu_seconds) const {
   constexpr std::size_t kLargestObject = 8 << 20;
   const fs::path out = writable_folder(job / "linked");
-  Cage cage = toolchain_.linking();
+  Cage cage = toolchain_.linking(cpu_seconds);
   cage.mounts.push_back({job / "object", "/object"});
   cage.mounts.push_back({out, "/out", true});
   cage.mounts.push_back({toolchain_.kit().folder() / "export" / (exercise.id + ".map"), "/export.map"});
@@ -114,9 +122,10 @@ Compiled Compiler::run_linker(const Exercise& exercise, const fs::path& job) con
     command.push_back("/lib-given/" + id + ".so");
   }
 
-  const auto [ending, output] = toolchain_.run(cage, command, exercise.file);
-  Compiled compiled{{}, {}, output};
-  if (!ending.well()) {
+  const Toolchain::Run found = toolchain_.run(cage, command, exercise.file);
+  Compiled compiled{{}, {}, found.output, found.cpu_seconds};
+  if (!found.ending.well()) {
+    toolchain_.prove_it_links(cage);
     compiled.messages =
         "the file compiles, but does not link: it uses a function that neither it nor its prerequisites "
         "define\n";

@@ -19,6 +19,7 @@ struct Compiled {
   std::filesystem::path object;  // empty: it did not compile
   std::string messages;          // for the student: the compiler's messages about the student's own lines
   std::string log;               // for staff: the whole output of compiler and linker
+  double cpu_seconds = 0;        // what it took; 0 if the object was cached
 };
 
 class Compiler {
@@ -27,16 +28,16 @@ class Compiler {
   // no cache.
   Compiler(const StagedKit& kit, std::filesystem::path cache, bool isolated);
 
-  // `job` is one of the kit's folders, for this file only; the object is written into it as <id>.so. Throws
-  // std::runtime_error if the machine fails.
-  Compiled compile(const Exercise& exercise, const std::string& source,
-                   const std::filesystem::path& job) const;
+  // `job` is one of the kit's folders, for this file only; the object is written into it as <id>.so.
+  // `cpu_seconds`: what compiler and linker may take. Throws std::runtime_error if the machine fails.
+  Compiled compile(const Exercise& exercise, const std::string& source, const std::filesystem::path& job,
+                   double cpu_seconds) const;
 
  private:
   std::string key(const Exercise& exercise, const std::string& source) const;
-  Compiled run_compiler(const Exercise& exercise, const std::string& source,
-                        const std::filesystem::path& job) const;
-  Compiled run_linker(const Exercise& exercise, const std::filesystem::path& job) const;
+  Compiled run_compiler(const Exercise& exercise, const std::string& source, const std::filesystem::path& job,
+                        double cpu_seconds) const;
+  Compiled run_linker(const Exercise& exercise, const std::filesystem::path& job, double cpu_seconds) const;
 
   Toolchain toolchain_;
   PrecompiledHeader precompiled_;

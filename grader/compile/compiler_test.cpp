@@ -40,6 +40,8 @@ class CompilerTest : public testing::Test {
     return text.str();
   }
 
+  static constexpr double kSeconds = 20;
+
   const Course course_ = read_course(fs::path(HAIR_PROJECT) / "handout/exercises.json");
   const Exercise& with_eigen_ = *course_.find("H1");
   const StagedKit kit_{HAIR_KIT_DIR, course_};
@@ -50,13 +52,13 @@ TEST_F(CompilerTest, WhatMustComeBeforeEigenMayComeBeforeEigen) {
   // Eigen has this function with this macro alone, which comes too late for a precompiled header.
   const std::string source = "#define EIGEN_RUNTIME_NO_MALLOC\n" + reference(with_eigen_) +
                              "bool may_allocate() { return Eigen::internal::is_malloc_allowed(); }\n";
-  const Compiled compiled = compiler_.compile(with_eigen_, source, kit_.new_job("before-eigen"));
+  const Compiled compiled = compiler_.compile(with_eigen_, source, kit_.new_job("before-eigen"), kSeconds);
   EXPECT_FALSE(compiled.object.empty()) << compiled.log;
 }
 
 TEST_F(CompilerTest, MessagesAreThoseOfTheFileItself) {
   const Compiled compiled = compiler_.compile(
-      with_eigen_, "#include \"hair/stretch_springs.h\"\nint one = two;\n", kit_.new_job("wrong"));
+      with_eigen_, "#include \"hair/stretch_springs.h\"\nint one = two;\n", kit_.new_job("wrong"), kSeconds);
   EXPECT_TRUE(compiled.object.empty());
   EXPECT_EQ(compiled.messages, "stretch_springs.cpp:2:11: error: 'two' was not declared in this scope\n");
   EXPECT_EQ(compiled.log.find("precompiled"), std::string::npos) << compiled.log;
@@ -74,7 +76,7 @@ TEST_F(CompilerTest, TheSameFileBecomesTheSameBytesAtAnyTime) {
   for (int run = 0; run < 2; ++run) {
     forget_objects();
     const Compiled compiled =
-        compiler_.compile(exercise, source, kit_.new_job("when-" + std::to_string(run)));
+        compiler_.compile(exercise, source, kit_.new_job("when-" + std::to_string(run)), kSeconds);
     ASSERT_FALSE(compiled.object.empty()) << compiled.log;
     if (run == 0) {
       first = bytes_of(compiled.object);
@@ -88,11 +90,11 @@ TEST_F(CompilerTest, TheSameFileBecomesTheSameBytesAtAnyTime) {
 TEST_F(CompilerTest, WarningsAreKeptWithTheObject) {
   const Exercise& exercise = *course_.find("S1");
   const std::string source = reference(exercise) + "#warning look here\n";
-  const Compiled first = compiler_.compile(exercise, source, kit_.new_job("warns-1"));
+  const Compiled first = compiler_.compile(exercise, source, kit_.new_job("warns-1"), kSeconds);
   ASSERT_FALSE(first.object.empty()) << first.log;
   EXPECT_NE(first.log.find("look here"), std::string::npos) << first.log;
   const fs::path job = kit_.new_job("warns-2");
-  const Compiled again = compiler_.compile(exercise, source, job);
+  const Compiled again = compiler_.compile(exercise, source, job, kSeconds);
   EXPECT_FALSE(fs::exists(job / "source")) << "it was compiled once more";
   EXPECT_EQ(again.log, first.log);
 }
@@ -104,16 +106,62 @@ TEST_F(CompilerTest, TheLecturesIncludeIsFound) {
   const std::string ours = "\"solver/linearSolver.h\"";
   ASSERT_NE(source.find(ours), std::string::npos);
   source.replace(source.find(ours), ours.size(), "\"linearSolver.h\"");
-  const Compiled compiled = compiler_.compile(exercise, source, kit_.new_job("lectures-include"));
+  const Compiled compiled = compiler_.compile(exercise, source, kit_.new_job("lectures-include"), kSeconds);
   EXPECT_FALSE(compiled.object.empty()) << compiled.log;
 }
 
 TEST_F(CompilerTest, AnExerciseWithoutEigenHasNone) {
   const Exercise& without = *course_.find("S1");
-  const Compiled compiled =
-      compiler_.compile(without, "#include <Eigen/Core>\n" + reference(without), kit_.new_job("without"));
+  const Compiled compiled = compiler_.compile(without, "#include <Eigen/Core>\n" + reference(without),
+                                              kit_.new_job("without"), kSeconds);
   EXPECT_TRUE(compiled.object.empty());
   EXPECT_NE(compiled.messages.find("Eigen/Core: No such file"), std::string::npos) << compiled.messages;
+}
+
+// Whatever a file makes the tools say: that it does not compile is its own fault.
+TEST_F(CompilerTest, IsNotToldByTheFileThatTheMachineFails) {
+  const Exercise& exercise = *course_.find("S1");
+  for (const std::string& source :
+       {std::string("#line 1 \"x\"\n#error cannot execute \x1b[2J\n"),
+        std::string("#line 1 \"x\"\n#error Resource temporarily unavailable\n"),
+        std::string("asm(\".globl cannot_execute\\n.error \\\"cannot execute\\\"\");\n"),
+        std::string("void cannot() asm(\"cannot execute \x1b[31m\"); void f() { cannot(); }\n")}) {
+    const Compiled compiled =
+        compiler_.compile(exercise, source, kit_.new_job(std::to_string(source.size())), kSeconds);
+    EXPECT_TRUE(compiled.object.empty()) << source;
+    EXPECT_NE(compiled.messages, "") << source;
+  }
+}
+
+TEST_F(CompilerTest, ProvesThatTheMachineFails) {
+  const Toolchain toolchain(kit_, true);
+  Cage cage = toolchain.compiling({}, 5);
+  EXPECT_NO_THROW(toolchain.prove_it_compiles(cage));
+  EXPECT_NO_THROW(toolchain.prove_it_links(toolchain.linking(5)));
+  cage.limits.memory_bytes = std::size_t{20} << 20;  // less than the compiler itself
+  EXPECT_THROW(toolchain.prove_it_compiles(cage), std::runtime_error);
+  cage.mounts.clear();
+  EXPECT_THROW(toolchain.prove_it_links(cage), std::runtime_error);
+}
+
+// A bomb is compiled once, with the precompiled header, and takes what it may take.
+TEST_F(CompilerTest, EndsWhatTakesTooLong) {
+  const std::string bomb =
+      "#include <Eigen/Core>\ntemplate <int n, int m> struct F { static constexpr long value = F<n - 1, "
+      "m>::value + F<n - 1, m + (1 << n)>::value; };\n"
+      "template <int m> struct F<0, m> { static constexpr long value = m; };\nlong f() { return F<22, "
+      "0>::value; }\n";
+  const Compiled compiled = compiler_.compile(with_eigen_, bomb, kit_.new_job("bomb"), 2);
+  EXPECT_TRUE(compiled.object.empty());
+  EXPECT_NEAR(compiled.cpu_seconds, 2, 0.5);
+  EXPECT_EQ(compiled.log, "a limit on time, memory or output was reached\n");
+}
+
+TEST_F(CompilerTest, SaysWhatItTook) {
+  const Compiled compiled = compiler_.compile(
+      with_eigen_, "// never compiled before\n" + reference(with_eigen_), kit_.new_job("cost"), kSeconds);
+  EXPECT_GT(compiled.cpu_seconds, 0.1);
+  EXPECT_LT(compiled.cpu_seconds, kSeconds);
 }
 
 }  // namespace

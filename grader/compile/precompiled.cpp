@@ -12,6 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double kMostSeconds = 30;  // of CPU time
 constexpr std::size_t kMostBytes = std::size_t{512} << 20;
 const std::vector<std::string> kLibraries = {"eigen"};
 constexpr const char* kText =
@@ -64,7 +65,7 @@ std::optional<std::string> PrecompiledHeader::compile() const {
   fs::permissions(in / "given.h", fs::perms(0644));
   const fs::path out = writable_folder(job / "object");
 
-  Cage cage = toolchain_.compiling(kLibraries);
+  Cage cage = toolchain_.compiling(kLibraries, kMostSeconds);
   cage.limits.file_bytes = kMostBytes;
   cage.mounts.push_back({in, "/student"});
   cage.mounts.push_back({out, "/out", true});

@@ -4,6 +4,8 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <cmath>
 #include <initializer_list>
 #include <sstream>
 #include <stdexcept>
@@ -11,6 +13,7 @@
 #include "grader/compile/hash.h"
 #include "grader/course/input.h"
 #include "grader/sandbox/identity.h"
+#include "solver/timing.h"
 
 namespace grader {
 namespace {
@@ -66,38 +69,61 @@ Toolchain::Toolchain(const StagedKit& kit, bool isolated)
 
 Toolchain::Run Toolchain::run(const Cage& cage, const std::vector<std::string>& command,
                               const std::string& file) const {
+  const timing::Stopwatch running;
   Pipe output = make_pipe();
   const std::vector<std::string> limited = cage.isolated ? with_inner_limits(cage.limits, command) : command;
   CagedProcess process(cage, limited, -1, -1, output.write_end.get());
   output.write_end.close();
-  std::string text = read_all(output.read_end, kMostOutput, cage.limits.wall_seconds);
-  const bool flood = text.size() >= kMostOutput;
+  Run run{{}, read_all(output.read_end, kMostOutput, cage.limits.wall_seconds)};
+  const bool flood = run.output.size() >= kMostOutput;
   // It may still run: out of time, or with more to say than anybody reads.
-  const Ending ending = process.wait(flood ? 0 : 1);
-  // What keeps a compiler from starting is the machine's fault, and no student's.
-  if (ending.code == 126 || ending.code == 127 ||
-      tool_says(text, file, {"cannot execute", "Resource temporarily unavailable"}))
-    throw std::runtime_error("the compiler could not run: " + text.substr(0, 500));
+  run.ending = process.wait(flood ? 0 : 1);
+  // Of what we have ended ourselves the CPU time is unknown.
+  run.cpu_seconds =
+      run.ending.timed_out ? std::max(running.seconds(), run.ending.cpu_seconds) : run.ending.cpu_seconds;
+  run.limited =
+      flood || run.ending.timed_out || run.ending.out_of_memory ||
+      run.cpu_seconds >= cage.limits.cpu_seconds ||
+      tool_says(run.output, file, {"Killed signal", "memory exhausted", "out of memory", "CPU time limit"});
   // Which limit a bomb meets first differs from run to run; that it met one does not.
-  if (flood ||
-      tool_says(text, file, {"Killed signal", "memory exhausted", "out of memory", "CPU time limit"}))
-    text = "a limit on time, memory or output was reached\n";
-  return {ending, std::move(text)};
+  if (run.limited && !run.ending.well()) run.output = "a limit on time, memory or output was reached\n";
+  return run;
 }
 
-Cage Toolchain::linking() const {
+void Toolchain::prove(const Cage& cage, const std::vector<std::string>& command) const {
+  const Run control = run(cage, command, "/dev/null");
+  if (!control.ending.well())
+    throw std::runtime_error("the compiler could not run: " + printable(control.output.substr(0, 500)));
+}
+
+void Toolchain::prove_it_compiles(const Cage& cage) const {
+  std::vector<std::string> command = {program_};
+  command.insert(command.end(), kCompile.begin(), kCompile.end());
+  command.insert(command.end(), {"-x", "c++", "-c", "/dev/null", "-o", "/dev/null"});
+  prove(cage, command);
+}
+
+void Toolchain::prove_it_links(const Cage& cage) const {
+  std::vector<std::string> command = link_command();
+  command.insert(command.end(), {"-nostdlib", "-o", "/dev/null", "-Wl,--version"});
+  prove(cage, command);
+}
+
+Cage Toolchain::linking(double cpu_seconds) const {
   Cage cage;
   cage.mounts = toolchain_mounts();
   cage.tmp_bytes = 64 << 20;
   cage.syscalls = Syscalls::toolchain;
   cage.limits.memory_bytes = std::size_t{2} << 30;
-  cage.limits.cpu_seconds = 15;
+  cage.limits.cpu_seconds = static_cast<int>(std::ceil(std::max(1.0, cpu_seconds)));
+  cage.limits.wall_seconds = 600;  // compilers do not sleep, but machines are busy
+  cage.as_first_process = true;
   cage.isolated = isolated_;
   return cage;
 }
 
-Cage Toolchain::compiling(const std::vector<std::string>& libraries) const {
-  Cage cage = linking();
+Cage Toolchain::compiling(const std::vector<std::string>& libraries, double cpu_seconds) const {
+  Cage cage = linking(cpu_seconds);
   std::vector<std::string> folders;
   for (const std::string& library : libraries) folders.push_back(folder_of(library));
   for (const Mount& mount : header_mounts(kit_.empty_folder(), folders)) cage.mounts.push_back(mount);

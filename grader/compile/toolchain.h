@@ -18,19 +18,26 @@ class Toolchain {
 
   struct Run {
     Ending ending;
-    std::string output;  // the beginning of the output
+    std::string output;      // the beginning of the output
+    double cpu_seconds = 0;  // of compiler, assembler and linker
+    bool limited = false;    // it met a limit: the same again would meet it again
   };
 
-  // Runs a command about `file`. Throws std::runtime_error if the machine fails.
+  // Runs a command about `file`.
   Run run(const Cage& cage, const std::vector<std::string>& command, const std::string& file) const;
 
-  // A cage with the given headers and the libraries' headers, and the command to compile in it. The caller
+  // Whose fault is it that a command failed? Runs the same tools in the same cage on nothing at all. Throws
+  // std::runtime_error, our fault, if that fails, too. What a student's file makes the tools say decides nothing.
+  void prove_it_compiles(const Cage& cage) const;
+  void prove_it_links(const Cage& cage) const;
+
+  // A cage for `cpu_seconds` of each tool, with the given headers and the libraries' headers, and the command to compile in it. The caller
   // adds the input, the output, and the mounts for both.
-  Cage compiling(const std::vector<std::string>& libraries) const;
+  Cage compiling(const std::vector<std::string>& libraries, double cpu_seconds) const;
   std::vector<std::string> compile_command(const std::vector<std::string>& libraries) const;
 
   // The same for linking: a cage without headers.
-  Cage linking() const;
+  Cage linking(double cpu_seconds) const;
   std::vector<std::string> link_command() const;
 
   const StagedKit& kit() const { return kit_; }
@@ -38,6 +45,8 @@ class Toolchain {
   const std::string& version() const { return version_; }  // changes with the compiler and its options
 
  private:
+  void prove(const Cage& cage, const std::vector<std::string>& command) const;
+
   const StagedKit& kit_;
   bool isolated_;
   std::string program_, version_;

@@ -96,9 +96,15 @@ Exercise read_exercise(const JsonValue& json, const Course& before) {
   return exercise;
 }
 
-void apply_course_file(Course& course, const JsonValue& json) {
-  json.check_keys({"exercises"});
-  const JsonValue changes = json["exercises"];
+void read_budget(Budget& budget, const JsonValue& json) {
+  constexpr double kLeast = 1, kMost = 1e9;
+  json.check_keys({}, {"idle_seconds", "worker_cpu_seconds", "compiler_cpu_seconds", "suite_cpu_seconds",
+                       "restarts", "messages", "megabytes"});
+  for (const BudgetField& field : budget_fields())
+    if (json.has(field.key)) budget.*field.value = json[field.key].number(kLeast, kMost);
+}
+
+void change_exercises(Course& course, const JsonValue& changes) {
   for (const std::string& id : changes.keys()) {
     const auto exercise = std::find_if(course.exercises.begin(), course.exercises.end(),
                                        [&](const Exercise& candidate) { return candidate.id == id; });
@@ -111,6 +117,12 @@ void apply_course_file(Course& course, const JsonValue& json) {
     if (changes[id].has("role")) exercise->role = read_role(changes[id]["role"]);
     if (changes[id].has("points")) exercise->points = changes[id]["points"].number(0, most_points);
   }
+}
+
+void apply_course_file(Course& course, const JsonValue& json) {
+  json.check_keys({"exercises"}, {"budget"});
+  change_exercises(course, json["exercises"]);
+  if (json.has("budget")) read_budget(course.budget, json["budget"]);
 }
 
 // Without the functions that it calls an exercise can't be linked, whoever writes it.

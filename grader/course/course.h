@@ -1,15 +1,19 @@
 // STAFF ONLY. The exercises of a course: handout/exercises.json, with the changes of an instructor's course
 // file.
 //
-// A course file changes the role or the points of exercises; everything else keeps its value:
+// A course file changes the role or the points of exercises, and what a submission may take of the machine
+// (budget.h). What it leaves out keeps its value, and "budget" may be missing:
 //
-//   {"exercises": {"S1": {"role": "given"}, "S2": {"role": "optional", "points": 5}}}
+//   {"exercises": {"S1": {"role": "given"}, "S2": {"role": "optional", "points": 5}},
+//    "budget": {"idle_seconds": 10}}
 #pragma once
 
 #include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "grader/course/budget.h"
 
 namespace grader {
 
@@ -33,6 +37,7 @@ struct Exercise {
 
 struct Course {
   std::vector<Exercise> exercises;  // in the order of exercises.json, absent ones included
+  Budget budget = {};               // of a submission
 
   const Exercise* find(const std::string& id) const;  // null if there is none
 };

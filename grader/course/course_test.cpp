@@ -186,5 +186,33 @@ TEST_F(CourseFiles, ComplaintsCarryNoControlCharacters) {
   EXPECT_TRUE(says(said, "exercises.\\x1b[2J\\x0a: there is no such exercise"));
 }
 
+TEST_F(CourseFiles, ChangeTheBudgetOfASubmission) {
+  const fs::path file = write("exercises.json", list(exercise("S1")));
+  const Course course =
+      read_course(file, write("course.json", R"({"exercises": {}, "budget": {"idle_seconds": 4.5}})"));
+  EXPECT_EQ(course.budget.idle_seconds, 4.5);
+  EXPECT_EQ(course.budget.worker_cpu_seconds, Budget().worker_cpu_seconds);
+  EXPECT_TRUE(says(course_complaint(R"({"exercises": {}, "budget": {"idle": 4}})"), "idle"));
+  EXPECT_TRUE(
+      says(course_complaint(R"({"exercises": {}, "budget": {"idle_seconds": 0}})"), "budget.idle_seconds"));
+  for (const BudgetField& field : budget_fields())
+    EXPECT_EQ(course_complaint("{\"exercises\": {}, \"budget\": {\"" + std::string(field.key) + "\": 7}}"),
+              "");
+}
+
+TEST(Budget, IsSharedOutAndUsedUp) {
+  const Budget share = share_of(Budget(), 10);
+  EXPECT_DOUBLE_EQ(share.idle_seconds, 3);
+  Budget spent = nothing_spent();
+  EXPECT_EQ(used_up(spent, share), nullptr);
+  for (const BudgetField& field : budget_fields()) {
+    spent.*field.value = share.*field.value;
+    EXPECT_EQ(used_up(spent, share), nullptr);
+    spent.*field.value *= 1.01;
+    EXPECT_STREQ(used_up(spent, share), field.name);
+    spent.*field.value = 0;
+  }
+}
+
 }  // namespace
 }  // namespace grader

@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <time.h>
@@ -71,6 +72,7 @@ std::vector<std::string> bwrap_command(const Cage& cage, const std::vector<std::
   }
   // The same bytes whenever it is compiled: __DATE__ and __TIME__ are those of this second.
   append({"--setenv", "PATH", "/usr/bin", "--setenv", "LC_ALL", "C", "--setenv", "SOURCE_DATE_EPOCH", "1"});
+  if (cage.as_first_process) append({"--as-pid-1"});
   append({"--remount-ro", "/", "--chdir", cage.folder, "--"});
   all.insert(all.end(), command.begin(), command.end());
   return all;
@@ -81,6 +83,24 @@ std::vector<char*> as_argv(const std::vector<std::string>& words) {
   for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
   argv.push_back(nullptr);
   return argv;
+}
+
+double seconds_of(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
+// Of each thread of a process: what it has computed and waited for a processor, the first two numbers of
+// its `schedstat`, in nanoseconds.
+void add_busy_seconds(pid_t process, std::map<pid_t, double>& busy) {
+  std::error_code error;
+  const std::filesystem::path tasks = "/proc/" + std::to_string(process) + "/task";
+  for (std::filesystem::directory_iterator task(tasks, error), end; !error && task != end;
+       task.increment(error)) {
+    std::ifstream file(task->path() / "schedstat");
+    double computed = 0, queued = 0;
+    if (file >> computed >> queued)
+      busy[static_cast<pid_t>(std::atoi(task->path().filename().c_str()))] = 1e-9 * (computed + queued);
+  }
 }
 
 // What happens between fork and exec: system calls only, for other threads may have held any lock.
@@ -189,8 +209,10 @@ Ending CagedProcess::wait(double seconds) {
     ending.timed_out = true;
   }
   int status = 0;
-  while (waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+  rusage used{};
+  while (wait4(process_, &status, 0, &used) < 0 && errno == EINTR) {
   }
+  ending.cpu_seconds = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
   if (WIFSIGNALED(status)) {
     ending.signal = WTERMSIG(status);
   } else if (WEXITSTATUS(status) > 128 && isolated_) {
@@ -227,14 +249,11 @@ CagedProcess::Activity CagedProcess::activity() const {
   Activity now;
   clockid_t clock;
   timespec used{};
-  if (clock_getcpuclockid(process, &clock) == 0 && clock_gettime(clock, &used) == 0)
+  now.alive = clock_getcpuclockid(process, &clock) == 0 && clock_gettime(clock, &used) == 0;
+  if (now.alive)
     now.cpu_seconds = static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
-  std::ifstream file("/proc/" + std::to_string(process) + "/stat");
-  std::string line;
-  std::getline(file, line);
-  const std::size_t name_end = line.rfind(')');  // pid (name) state ...
-  now.wants_to_run = name_end != std::string::npos &&
-                     (line.compare(name_end, 3, ") R") == 0 || line.compare(name_end, 3, ") D") == 0);
+  for (const pid_t one : {process_, init_, process})
+    if (one > 0) add_busy_seconds(one, now.busy_seconds);
   return now;
 }
 

@@ -8,6 +8,7 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -38,6 +39,9 @@ struct Cage {
   std::size_t tmp_bytes = 0;              // the size of a writable /tmp; 0: none
   std::optional<Syscalls> syscalls = {};  // the filter at the start; none: the process puts itself under one
   Limits limits = {};
+  // The command is the first process of its name space and takes leave of its children itself, as compilers do.
+  // Then it is known how much CPU time all of them took.
+  bool as_first_process = false;
   // False: no cage at all, for machines that can't make one and for --unsafe-no-sandbox. Paths inside are
   // then replaced by those outside.
   bool isolated = true;
@@ -49,6 +53,7 @@ struct Ending {
   int signal = 0;              // or the signal that killed it
   bool timed_out = false;      // it used up its CPU time, or the watchdog killed it
   bool out_of_memory = false;  // the kernel killed it
+  double cpu_seconds = 0;      // of all its processes, if it was the first one and has ended by itself
 
   bool well() const { return code == 0 && signal == 0 && !timed_out && !out_of_memory; }
 };
@@ -68,11 +73,13 @@ class CagedProcess {
   // Waits until it ends or the time is up, then kills it.
   Ending wait(double seconds);
 
-  // The data for a watchdog. `wants_to_run` is true for a process that waits for a busy processor or for the
-  // disk, and false for one that sleeps, is stopped or has left its threads alone.
+  // The data for a watchdog: what the process has done so far, by the kernel's clocks.
   struct Activity {
-    bool wants_to_run = false;
-    double cpu_seconds = 0;
+    bool alive = false;
+    double cpu_seconds = 0;  // of all its threads, also those that have ended
+    // What each of its threads has computed and waited for a processor; and those of the processes that made its
+    // cage. Empty if the kernel does not tell (it has no /proc/PID/task/TID/schedstat).
+    std::map<pid_t, double> busy_seconds = {};
   };
   Activity activity() const;
 

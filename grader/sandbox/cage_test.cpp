@@ -187,12 +187,23 @@ TEST_F(CageTest, EndsAProcessThatComputesForever) {
 TEST_F(CageTest, SeesSleepAndWorkFromOutside) {
   CagedProcess sleeper(cage_, {"/usr/bin/sleep", "1000"}, -1, -1, -1);
   usleep(300000);
-  EXPECT_FALSE(sleeper.activity().wants_to_run);
+  const auto busy = [](const CagedProcess& process) {
+    double sum = 0;
+    for (const auto& [thread, seconds] : process.activity().busy_seconds) sum += seconds;
+    return sum;
+  };
+  const double asleep = busy(sleeper);
+  usleep(300000);
+  EXPECT_NEAR(busy(sleeper), asleep, 0.01);
+  EXPECT_TRUE(sleeper.activity().alive);
   cage_.limits.cpu_seconds = 5;
   CagedProcess worker(cage_, {"/usr/bin/bash", "-c", "while :; do :; done"}, -1, -1, -1);
   usleep(500000);
   EXPECT_GT(worker.activity().cpu_seconds, 0.05);
-  EXPECT_TRUE(worker.activity().wants_to_run);
+  // What does not compute waits for a processor, however many others want one.
+  const double before = busy(worker);
+  usleep(500000);
+  EXPECT_GT(busy(worker) - before, 0.45);
 }
 
 TEST_F(CageTest, LimitsMemory) {

@@ -4,10 +4,11 @@
 // Reads a job as JSON from standard input and writes what it found as JSON to standard output:
 //
 //   {"exercise": "S1", "seed": "...", "kit": DIR, "objects": [FILE...], "log": FILE, "isolated": true,
-//    "cpu_seconds": 10, "pictures": DIR}
+//    "cpu_seconds": 10, "allowance": {"idle_seconds": 3, ...}, "pictures": DIR}
 //   {"cases": [{"name", "status", "weight", "points", "feedback", "detail"}...],
-//    "cpu_seconds": 0.1, "starts": 1}
+//    "cpu_seconds": 0.1, "starts": 1, "spent": {"idle_seconds": 0.01, ...}}
 //
+// "allowance" and "spent" are as in grader/course/budget.h.
 // "pictures" is where the reference's are kept; null, and none are drawn. Of an exercise with a whole run the job says
 // more, and its two categories come last, with its pictures:
 //
@@ -77,6 +78,8 @@ Job read_job(std::istream& in) {
     job.worker.log = document.at("log").get<std::string>();
     job.worker.isolated = document.at("isolated");
     job.worker.cpu_seconds = document.at("cpu_seconds");
+    for (const grader::BudgetField& field : grader::budget_fields())
+      job.worker.allowance->limit.*field.value = document.at("allowance").at(field.key);
     if (const json& folder = document.at("pictures"); !folder.is_null())
       job.pictures = folder.get<std::string>();
     if (document.contains("whole_run")) {
@@ -206,6 +209,7 @@ json run_scenes(const Job& job, grader::Student& student) {
 json study(const Job& job, grader::Student& student) {
   grader::WorkerSetup setup = job.worker;
   setup.objects = job.reference_objects;
+  setup.allowance = std::make_shared<grader::Allowance>(job.worker.allowance->limit);
   grader::Student reference(setup);
   return {{"study", json::parse(grader::study_json(
                         grader::study_submission(student, reference, job.exercises, job.motions)))}};
@@ -235,6 +239,8 @@ int main(int argc, char* argv[]) {
     const bool whole = !result.is_null();
     result["cpu_seconds"] = student.cpu_seconds();
     result["starts"] = student.starts();
+    for (const grader::BudgetField& field : grader::budget_fields())
+      result["spent"][field.key] = job.worker.allowance->spent.*field.value;
     std::cout << result.dump(-1, ' ', false, json::error_handler_t::replace) << std::endl;
     return whole ? 0 : 1;
   } catch (const grader::BadInput& error) {

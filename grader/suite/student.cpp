@@ -5,8 +5,11 @@
 #include <signal.h>
 #include <sodium.h>
 
+#include <algorithm>
 #include <cerrno>
-#include <memory>
+#include <cmath>
+
+#include "solver/timing.h"
 
 namespace grader {
 namespace {
@@ -28,8 +31,16 @@ Cage worker_cage(const WorkerSetup& setup) {
   for (std::size_t i = 0; i < setup.objects.size(); ++i)
     cage.mounts.push_back({setup.objects[i], "/objects/" + setup.objects[i].filename().string()});
   cage.isolated = setup.isolated;
-  cage.limits.cpu_seconds = setup.cpu_seconds;
+  cage.limits.cpu_seconds = static_cast<int>(
+      std::ceil(std::clamp(setup.allowance->cpu_seconds_left(), 1.0, 1.0 * setup.cpu_seconds)));
   return cage;
+}
+
+Watchdog::Patience patience(const WorkerSetup& setup) {
+  Watchdog::Patience patience;
+  patience.idle_seconds = setup.allowance->idle_seconds_of_a_worker();
+  patience.cpu_seconds = std::min(1.0 * setup.cpu_seconds, setup.allowance->cpu_seconds_left());
+  return patience;
 }
 
 std::vector<std::string> worker_command(const WorkerSetup& setup, const Limits& limits) {
@@ -53,7 +64,7 @@ struct Student::Worker {
       : log(open(setup.log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600)),
         process(cage, worker_command(setup, cage.limits), requests.read_end.get(), replies.write_end.get(),
                 log.get()),
-        watchdog(process, setup.patience),
+        watchdog(process, patience(setup)),
         channel(replies.read_end.get(), requests.write_end.get(),
                 [this](int descriptor, short events) { return watchdog.wait_for(descriptor, events); }) {
     requests.read_end.close();
@@ -65,67 +76,100 @@ struct Student::Worker {
   }
 };
 
+// The answer to all requests from now on, once something of the allowance is used up.
+std::optional<Answer> Student::give_up_if_used_up() {
+  if (const char* what = used_up(setup_.allowance->spent, setup_.allowance->limit);
+      what != nullptr && !gave_up_)
+    gave_up_ = Answer{Outcome::timed_out, MessageReader({}), std::string("used up: ") + what};
+  return gave_up_;
+}
+
+// Ends the worker, which has `grace_seconds` to leave by itself, and charges what it took.
+Ending Student::end(double grace_seconds) {
+  Budget& spent = setup_.allowance->spent;
+  worker_->watchdog.look();
+  const timing::Stopwatch waiting;
+  const Ending ending = worker_->process.wait(grace_seconds);
+  spent.idle_seconds += worker_->watchdog.idle_seconds() + (ending.timed_out ? waiting.seconds() : 0);
+  spent.worker_cpu_seconds += worker_->watchdog.cpu_seconds();
+  cpu_seconds_ += worker_->watchdog.cpu_seconds();
+  worker_.reset();
+  return ending;
+}
+
+// The next message. What it costs is charged, and a worker that has used up the allowance is not listened to.
+std::optional<Message> Student::receive() {
+  std::optional<Message> message = worker_->channel.receive(kLargestMessage);
+  if (message) {
+    setup_.allowance->spent.messages += 1;
+    setup_.allowance->spent.megabytes += 1e-6 * static_cast<double>(message->body.size());
+  }
+  return message;
+}
+
 std::optional<Answer> Student::start() {
-  if (gave_up_) return gave_up_;
+  if (starts_ > 0) setup_.allowance->spent.restarts += 1;
+  if (give_up_if_used_up()) return gave_up_;
   ++starts_;
-  const Cage cage = worker_cage(setup_);
-  worker_ = std::make_shared<Worker>(setup_, cage);
+  worker_ = std::make_shared<Worker>(setup_, worker_cage(setup_));
   try {
-    const std::optional<Message> message = worker_->channel.receive(kLargestMessage);
+    const std::optional<Message> message = receive();
     if (!message) return ended("while the code was loaded");
-    if (message->kind == Kind::hello) return {};
-    if (message->kind == Kind::denied) {
-      Answer answer = ended("while the code was loaded");
-      answer.outcome = Outcome::broke_rules;
-      return answer;
+    switch (message->kind) {
+      case Kind::hello:
+        return {};
+      case Kind::denied:
+        return broke_rules("it tried " +
+                           std::string(denied_syscall(MessageReader(message->body).get<int>())));
+      case Kind::cannot_load:
+        end(1);
+        gave_up_ = Answer{Outcome::cannot_load, MessageReader({}), MessageReader(message->body).get_text()};
+        return gave_up_;
+      default:
+        return broke_rules("something else than a greeting");
     }
-    if (message->kind == Kind::cannot_load) {
-      gave_up_ = Answer{Outcome::cannot_load, MessageReader({}), MessageReader(message->body).get_text()};
-      finish();
-      return gave_up_;
-    }
-    throw MalformedMessage("something else than a greeting");
   } catch (const MalformedMessage& error) {
-    return broke_rules(error);
+    return broke_rules(error.what());
   }
 }
 
 Answer Student::ask(const MessageWriter& request, const Products& products) {
-  if (!worker_)
-    if (std::optional<Answer> failure = start()) return *failure;
-  try {
-    return converse(request, products);
-  } catch (const MalformedMessage& error) {
-    return broke_rules(error);
-  }
+  const double before = timing::process_cpu_seconds();
+  const double spent_before = setup_.allowance->spent.suite_cpu_seconds;
+  auto answer = [&]() -> Answer {
+    if (gave_up_) return *gave_up_;
+    if (!worker_)
+      if (std::optional<Answer> failure = start()) return *failure;
+    try {
+      return converse(request, [&](int which, const std::vector<double>& x, std::vector<double>& y) {
+        const bool go_on = products(which, x, y);
+        setup_.allowance->spent.suite_cpu_seconds = spent_before + timing::process_cpu_seconds() - before;
+        return go_on;
+      });
+    } catch (const MalformedMessage& error) {
+      return broke_rules(error.what());
+    }
+  }();
+  setup_.allowance->spent.suite_cpu_seconds = spent_before + timing::process_cpu_seconds() - before;
+  return answer;
 }
 
 // A worker that does not keep to the protocol is not asked again; a new one may be.
-Answer Student::broke_rules(const MalformedMessage& error) {
-  finish();
-  const Answer answer{Outcome::broke_rules, MessageReader({}), error.what()};
-  if (starts_ > kMostRestarts) gave_up_ = answer;
-  return answer;
+Answer Student::broke_rules(const std::string& how) {
+  end(0);
+  return {Outcome::broke_rules, MessageReader({}), how};
 }
 
 Answer Student::converse(const MessageWriter& request, const Products& products) {
   const std::uint64_t nonce = random_nonce();
-  std::optional<int> denied;
   bool stopping = false;
-  auto finished = [&](Outcome outcome, MessageReader reply, const std::string& note = {}) {
-    if (denied)
-      return Answer{Outcome::broke_rules, MessageReader({}),
-                    std::string("it tried ") + denied_syscall(*denied)};
-    return Answer{outcome, std::move(reply), note};
-  };
-
   if (!worker_->channel.send(Kind::request, nonce, request.bytes())) return ended("before the request");
   for (;;) {
-    std::optional<Message> message = worker_->channel.receive(kLargestMessage);
-    if (!message) {
-      Answer answer = ended("during the request");
-      if (denied) answer.outcome = Outcome::broke_rules;
-      return answer;
+    std::optional<Message> message = receive();
+    if (!message) return ended("during the request");
+    if (give_up_if_used_up()) {
+      end(0);
+      return *gave_up_;
     }
     if (message->nonce != nonce) throw MalformedMessage("a message for another request");
     MessageReader body(std::move(message->body));
@@ -144,18 +188,17 @@ Answer Student::converse(const MessageWriter& request, const Products& products)
         break;
       }
       case Kind::denied:
-        denied = body.get<int>();
-        break;
+        return broke_rules("it tried " + std::string(denied_syscall(body.get<int>())));
       case Kind::done:
-        return finished(Outcome::done, std::move(body));
+        return {Outcome::done, std::move(body), {}};
       case Kind::stopped:
-        return finished(Outcome::stopped, MessageReader({}));
+        return {Outcome::stopped, MessageReader({}), {}};
       case Kind::not_implemented:
-        return finished(Outcome::not_implemented, MessageReader({}), body.get_text());
+        return {Outcome::not_implemented, MessageReader({}), body.get_text()};
       case Kind::threw:
-        return finished(Outcome::threw, MessageReader({}), body.get_text());
+        return {Outcome::threw, MessageReader({}), body.get_text()};
       case Kind::out_of_memory:
-        return finished(Outcome::out_of_memory, MessageReader({}));
+        return {Outcome::out_of_memory, MessageReader({}), {}};
       default:
         throw MalformedMessage("a message of kind " +
                                std::to_string(static_cast<std::uint32_t>(message->kind)));
@@ -163,19 +206,18 @@ Answer Student::converse(const MessageWriter& request, const Products& products)
   }
 }
 
-// The worker is gone, or asleep for good. Says how, and gives up after too many.
+// The worker is gone, or not worth waiting for. Says how, and gives up after too many.
 Answer Student::ended(const std::string& during) {
-  const bool asleep = worker_->watchdog.waited_in_vain();
+  const char* why = worker_->watchdog.why();
   // A worker that has closed its pipes may still run.
-  const Ending ending = worker_->process.wait(asleep ? 0 : 1);
-  worker_.reset();
+  const Ending ending = end(why != nullptr ? 0 : 1);
 
   Answer answer{Outcome::crashed, MessageReader({}), during};
   if (ending.out_of_memory) {
     answer.outcome = Outcome::out_of_memory;
   } else if (ending.timed_out) {
     answer.outcome = Outcome::timed_out;
-    answer.note += asleep ? ": asleep" : ": out of CPU time";
+    answer.note += std::string(": ") + (why != nullptr ? why : "out of CPU time");
     ++timeouts_;
   } else if (ending.signal == SIGSYS) {
     answer.outcome = Outcome::broke_rules;
@@ -183,7 +225,7 @@ Answer Student::ended(const std::string& during) {
     answer.note += ending.signal != 0 ? ": signal " + std::to_string(ending.signal)
                                       : ": it left with code " + std::to_string(ending.code);
   }
-  if (starts_ > kMostRestarts || timeouts_ >= kMostTimeouts) gave_up_ = answer;
+  if (timeouts_ >= kMostTimeouts) gave_up_ = answer;
   return answer;
 }
 
@@ -194,10 +236,8 @@ std::optional<double> Student::worker_cpu_seconds() const {
 
 void Student::finish() {
   if (!worker_) return;
-  cpu_seconds_ += worker_->process.activity().cpu_seconds;
   worker_->requests.write_end.close();
-  worker_->process.wait(1);
-  worker_.reset();
+  end(1);
 }
 
 }  // namespace grader

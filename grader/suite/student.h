@@ -1,14 +1,17 @@
 // STAFF ONLY. A student's code as the suite sees it: a process behind two pipes that gets requests and may
-// answer. All answers are untrusted; a worker that dies is restarted for the next request.
+// answer. All answers are untrusted; a worker that dies is restarted for the next request, as long as the
+// allowance lasts.
 #pragma once
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "grader/sandbox/cage.h"
+#include "grader/suite/allowance.h"
 #include "grader/suite/watchdog.h"
 #include "grader/wire/channel.h"
 #include "grader/wire/message.h"
@@ -22,7 +25,8 @@ struct WorkerSetup {
   std::filesystem::path log;                   // the worker's output is appended here
   bool isolated = true;
   int cpu_seconds = 10;  // of one worker
-  Watchdog::Patience patience = {};
+  // Workers that share it may be copies of one setup.
+  std::shared_ptr<Allowance> allowance = std::make_shared<Allowance>();
 };
 
 enum class Outcome {
@@ -45,7 +49,6 @@ struct Answer {
 
 class Student {
  public:
-  static constexpr int kMostRestarts = 5;  // after crashes
   static constexpr int kMostTimeouts = 2;  // a third one would only cost time
 
   explicit Student(WorkerSetup setup) : setup_(std::move(setup)) {}
@@ -57,7 +60,7 @@ class Student {
   // Sends a request and waits for its answer.
   Answer ask(const MessageWriter& request, const Products& products);
 
-  // Of the workers that `finish` ended; the time of a worker that died by itself is unknown.
+  // Of all workers that have ended.
   double cpu_seconds() const { return cpu_seconds_; }
 
   // The CPU time of the present worker so far, all threads together, by the kernel's clock, which code in the
@@ -72,8 +75,11 @@ class Student {
 
   std::optional<Answer> start();
   Answer converse(const MessageWriter& request, const Products& products);
-  Answer broke_rules(const MalformedMessage& error);
+  std::optional<Message> receive();
+  Answer broke_rules(const std::string& how);
   Answer ended(const std::string& during);
+  std::optional<Answer> give_up_if_used_up();
+  Ending end(double grace_seconds);
 
   WorkerSetup setup_;
   std::shared_ptr<Worker> worker_;

@@ -1,7 +1,12 @@
-// STAFF ONLY. Waits for a worker, and decides when waiting is useless. Limits inside the cage bound a
-// worker's CPU time. The watchdog ends a worker that sleeps, and distinguishes it from one that waits for a
-// busy machine.
+// STAFF ONLY. Waits for a worker, and decides when waiting is useless. Limits inside the cage bound the CPU time of a
+// worker by whole seconds; the watchdog bounds it more closely, and ends a worker that idles.
+//
+// Idle is the time that we wait for it less what it computes and less what its threads wait for a processor,
+// whatever state the kernel calls them in. So a worker on a busy machine is not idle, and one that sleeps in short
+// naps is. The sum is taken over windows of 0.25 s of waiting, and what is computed in one hides no idling in the next.
 #pragma once
+
+#include <chrono>
 
 #include "grader/sandbox/cage.h"
 
@@ -9,25 +14,38 @@ namespace grader {
 
 class Watchdog {
  public:
-  // Sums over all waits for one worker.
   struct Patience {
-    double idle_seconds = 5;  // neither computing nor waiting for a processor, as observed
-    double total_seconds =
-        120;  // ends a worker that sleeps in unobservably short naps; about 400 times what all answers take
+    double idle_seconds = 3;
+    double cpu_seconds = 10;
+    // From the start of the worker, whatever it does and whatever the kernel counts: the last fence.
+    double wall_seconds = 300;
   };
 
-  Watchdog(const CagedProcess& process, Patience patience) : process_(process), patience_(patience) {}
+  Watchdog(const CagedProcess& process, Patience patience);
 
   // Waits until `descriptor` is ready for `events` (POLLIN, POLLOUT). False: the patience is used up.
   bool wait_for(int descriptor, short events);
 
-  bool waited_in_vain() const { return waited_in_vain_; }
+  bool waited_in_vain() const { return why_ != nullptr; }
+  const char* why() const { return why_; }  // "asleep"; null as long as there is patience left
+
+  // Looks once more, if the worker is still there.
+  void look();
+
+  // What the worker has taken, as last seen; the time that we have waited for it since then counts as computing.
+  double idle_seconds() const { return idle_; }
+  double cpu_seconds() const { return last_.cpu_seconds + waited_; }
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   const CagedProcess& process_;
   Patience patience_;
-  double idle_ = 0, waited_ = 0;
-  bool waited_in_vain_ = false;
+  Clock::time_point start_ = Clock::now();
+  CagedProcess::Activity last_ = {};
+  double waited_ = 0;  // since the last look
+  double idle_ = 0;
+  const char* why_ = nullptr;
 };
 
 }  // namespace grader

@@ -36,7 +36,7 @@ WorkerSetup whole_run_worker(const WorkerSetup& cases, const hair::Scene& scene,
 }
 
 WholeRun::WholeRun(WorkerSetup worker, HiddenScene scene, std::optional<std::filesystem::path> kept_pictures,
-                   const Student& cases)
+                   Student& cases)
     : student_(std::move(worker)),
       hidden_(std::move(scene)),
       kept_pictures_(std::move(kept_pictures)),
@@ -54,6 +54,8 @@ std::vector<Category> WholeRun::categories(const std::string& exercise) {
 
 void WholeRun::judge_run(Trial& trial) {
   trial.describe(hidden_.scene.name);
+  // What it took is charged, before another worker takes of the same allowance.
+  cases_.finish();
   // A code that never answers would cost its limits once more.
   if (cases_.gave_up()) trial.reply_of(*cases_.gave_up());
 

@@ -46,9 +46,10 @@ WorkerSetup whole_run_worker(const WorkerSetup& cases, const hair::Scene& scene,
 class WholeRun {
  public:
   // The reference's pictures are stored in `kept_pictures`; without it no pictures are drawn. `cases` is the
-  // worker of the exercise's other cases: if the suite gave up on it, the whole run is not played.
+  // worker of the exercise's other cases: it is finished first, and if the suite gave up on it, the whole run is
+  // not played.
   WholeRun(WorkerSetup worker, HiddenScene scene, std::optional<std::filesystem::path> kept_pictures,
-           const Student& cases);
+           Student& cases);
 
   // The categories, in the order of running.
   std::vector<Category> categories(const std::string& exercise);
@@ -64,7 +65,7 @@ class WholeRun {
   Student student_;
   HiddenScene hidden_;
   std::optional<std::filesystem::path> kept_pictures_;
-  const Student& cases_;
+  Student& cases_;
   std::optional<RunComparison> run_;  // set once it was played
   std::vector<PictureResult> pictures_;
   double picture_seconds_ = 0;

@@ -46,8 +46,8 @@ Status overall_status(const std::vector<CaseResult>& cases) {
 }
 
 void grade_exercise(const SuiteJobs& jobs, const Compiler& compiler, const Exercise& exercise,
-                    const Submission& submission, const fs::path& job, ExerciseResult& result,
-                    ExerciseTiming& timing) {
+                    const Submission& submission, const fs::path& job, double compiler_seconds,
+                    ExerciseResult& result, ExerciseTiming& timing) {
   auto without_cases = [&](Status status, const std::string& feedback) {
     result.status = status;
     result.feedback = feedback;
@@ -58,8 +58,9 @@ void grade_exercise(const SuiteJobs& jobs, const Compiler& compiler, const Exerc
   if (!file->second.problem.empty()) return without_cases(Status::missing, file->second.problem);
 
   const timing::Stopwatch compiling;
-  const Compiled compiled = compiler.compile(exercise, file->second.text, job);
+  const Compiled compiled = compiler.compile(exercise, file->second.text, job, compiler_seconds);
   timing.compile_seconds = compiling.seconds();
+  timing.spent.compiler_cpu_seconds = compiled.cpu_seconds;
   result.compiler_messages = compiled.messages;
   result.staff_log = compiled.log;
   if (compiled.object.empty())

@@ -16,10 +16,10 @@ namespace grader {
 // The result without status, points and cases.
 ExerciseResult describe(const Exercise& exercise);
 
-// `job`: a folder for temporary files. Throws for errors on our side.
+// `job`: a folder for temporary files. `compiler_seconds`: the CPU time that compiler and linker may take. Throws for errors on our side.
 void grade_exercise(const SuiteJobs& jobs, const Compiler& compiler, const Exercise& exercise,
-                    const Submission& submission, const std::filesystem::path& job, ExerciseResult& result,
-                    ExerciseTiming& timing);
+                    const Submission& submission, const std::filesystem::path& job, double compiler_seconds,
+                    ExerciseResult& result, ExerciseTiming& timing);
 
 // Runs only the suite, against an object of `student`.
 void run_cases(const SuiteJobs& jobs, const Exercise& exercise, const std::string& student,

@@ -1,6 +1,7 @@
 // STAFF ONLY.
 #include "grader/tool/grading.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -51,12 +52,17 @@ Graded Grading::grade(const Submission& submission) const {
   graded.result.isolated = settings_.isolated;
   graded.result.images = settings_.images;
   const fs::path job = kit_.new_job("submission-" + submission.name);
+  // Honest files take very different times: what earlier ones leave of their shares, later ones may take.
+  double compiler_seconds = 0;
   for (const Exercise& exercise : settings_.course.exercises) {
     if (!jobs_.selected(exercise)) continue;
     const fs::path folder = kit_.new_job(job.filename() / exercise.id);
     ExerciseResult result = describe(exercise);
     try {
-      grade_exercise(jobs_, compiler_, exercise, submission, folder, result, graded.timing[exercise.id]);
+      ExerciseTiming& timing = graded.timing[exercise.id];
+      compiler_seconds += jobs_.allowance().compiler_cpu_seconds;
+      grade_exercise(jobs_, compiler_, exercise, submission, folder, compiler_seconds, result, timing);
+      compiler_seconds = std::max(0.0, compiler_seconds - timing.spent.compiler_cpu_seconds);
     } catch (const std::exception& problem) {  // ours, not the student's; and it stops no other submission
       result = describe(exercise);
       result.status = Status::crashed;

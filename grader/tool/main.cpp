@@ -104,7 +104,7 @@ int grade(const GradeOptions& options) {
   if (options.no_images) std::cout << ", without pictures";
   std::cout << "\n" << fs::absolute(options.batch.out / "index.html").lexically_normal().string() << "\n";
   for (const std::string& problem : batch.problems)
-    std::cerr << "hairgrade: could not grade " << problem << "\n";
+    std::cerr << "hairgrade: could not grade " << printable(problem, 2000) << "\n";
   if (!batch.interrupted) return batch.problems.empty() ? 0 : 1;
   std::cerr << "hairgrade: interrupted after " << batch.results.size() << " of " << submissions.size()
             << " submissions; the same command with --resume goes on\n";

@@ -23,6 +23,10 @@ int cpu_limit(double reference) {
   return std::max(kLeastCpuSeconds, static_cast<int>(std::ceil(kTimesReference * reference)));
 }
 
+bool asked_for(const Exercise& exercise) {
+  return exercise.role == Role::assigned || exercise.role == Role::optional;
+}
+
 // What draws here: OpenGL and its version. Throws BadInput where there is none.
 std::string what_draws() {
   try {
@@ -57,8 +61,7 @@ std::string SuiteJobs::fingerprint() const {
 }
 
 bool SuiteJobs::selected(const Exercise& exercise) const {
-  return (exercise.role == Role::assigned || exercise.role == Role::optional) &&
-         (!settings_.exercise || *settings_.exercise == exercise.id);
+  return asked_for(exercise) && (!settings_.exercise || *settings_.exercise == exercise.id);
 }
 
 SuiteJob SuiteJobs::job(const std::string& exercise, const fs::path& folder) const {
@@ -68,9 +71,16 @@ SuiteJob SuiteJobs::job(const std::string& exercise, const fs::path& folder) con
   suite.log = folder / "output";
   suite.isolated = settings_.isolated;
   suite.cpu_seconds = kLeastCpuSeconds;
+  suite.allowance = allowance();
   if (const auto reference = reference_.find(exercise); reference != reference_.end())
     suite.cpu_seconds = cpu_limit(reference->second.worker_cpu_seconds);
   return suite;
+}
+
+Budget SuiteJobs::allowance() const {
+  int parts = 1;  // the end-to-end runs
+  for (const Exercise& exercise : settings_.course.exercises) parts += asked_for(exercise) ? 1 : 0;
+  return share_of(settings_.course.budget, parts);
 }
 
 std::optional<SuiteJob::WholeRun> SuiteJobs::whole_run(const std::string& exercise) const {
@@ -123,6 +133,9 @@ SuiteResult SuiteJobs::run(const SuiteJob& job, ExerciseTiming& timing) const {
   timing.suite_seconds = running.seconds();
   timing.worker_cpu_seconds = found.cpu_seconds;
   timing.worker_starts = found.starts;
+  const double compiler = timing.spent.compiler_cpu_seconds;
+  timing.spent = found.spent;
+  timing.spent.compiler_cpu_seconds = compiler;
   timing.run_cpu_seconds = found.run_cpu_seconds;
   timing.picture_cpu_seconds = found.picture_cpu_seconds;
   return found;

@@ -30,6 +30,7 @@ struct ExerciseTiming {
   double suite_seconds = 0;    // wall time
   double worker_cpu_seconds = 0;
   int worker_starts = 0;
+  Budget spent = nothing_spent();
   double run_cpu_seconds = 0;      // of the worker that plays the whole run
   double picture_cpu_seconds = 0;  // for drawing and comparing its pictures
 };
@@ -54,6 +55,9 @@ class SuiteJobs {
   const std::map<std::string, ExerciseTiming>& reference() const { return reference_; }
 
   bool selected(const Exercise& exercise) const;  // to be graded
+
+  // What an exercise may take of the course's budget, also if others are not selected.
+  Budget allowance() const;
 
   // The cases of an exercise and its whole run, against an object; its prerequisites use the reference's
   // objects.

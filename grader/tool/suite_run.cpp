@@ -38,6 +38,7 @@ json to_json(const SuiteJob& job) {
       {"kit", job.kit.string()},        {"objects", texts(job.objects)},
       {"log", job.log.string()},        {"isolated", job.isolated},
       {"cpu_seconds", job.cpu_seconds}, {"pictures", job.pictures ? json(job.pictures->string()) : json()}};
+  for (const BudgetField& field : budget_fields()) all["allowance"][field.key] = job.allowance.*field.value;
   if (job.whole_run)
     all["whole_run"] = {{"scene", job.whole_run->scene.string()},
                         {"seed", job.whole_run->seed},
@@ -99,6 +100,8 @@ SuiteResult run_suite(const std::filesystem::path& suite, const SuiteJob& job) {
   SuiteResult result;
   result.cpu_seconds = found.at("cpu_seconds");
   result.starts = found.at("starts");
+  for (const BudgetField& field : budget_fields())
+    result.spent.*field.value = found.at("spent").at(field.key);
   result.run_cpu_seconds = found.value("run_cpu_seconds", 0.0);
   result.picture_cpu_seconds = found.value("picture_cpu_seconds", 0.0);
   result.pictures = pictures_from(found.value("pictures", json::array()));

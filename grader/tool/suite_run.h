@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "grader/course/budget.h"
 #include "grader/report/result.h"
 #include "grader/report/study_result.h"
 
@@ -21,6 +22,7 @@ struct SuiteJob {
   std::filesystem::path log;
   bool isolated = true;
   int cpu_seconds = 10;
+  Budget allowance = {};
   std::optional<std::filesystem::path> pictures =
       {};  // the folder of the reference's pictures; nothing: none are drawn
 
@@ -51,6 +53,7 @@ struct SuiteResult {
   double run_cpu_seconds = 0;      // of the worker that played the whole run
   double picture_cpu_seconds = 0;  // on our side: drawing and comparing
   int starts = 0;
+  Budget spent = nothing_spent();
 };
 
 // Throws std::runtime_error if the suite itself fails.

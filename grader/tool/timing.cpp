@@ -13,11 +13,14 @@ using nlohmann::json;
 
 json to_json(const TimingByExercise& timing) {
   json result = json::object();
-  for (const auto& [exercise, one] : timing)
+  for (const auto& [exercise, one] : timing) {
     result[exercise] = {
         {"compile_seconds", one.compile_seconds},       {"suite_seconds", one.suite_seconds},
         {"worker_cpu_seconds", one.worker_cpu_seconds}, {"worker_starts", one.worker_starts},
         {"run_cpu_seconds", one.run_cpu_seconds},       {"picture_cpu_seconds", one.picture_cpu_seconds}};
+    for (const BudgetField& field : budget_fields())
+      result[exercise]["spent"][field.key] = one.spent.*field.value;
+  }
   return result;
 }
 

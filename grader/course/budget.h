@@ -1,0 +1,37 @@
+// STAFF ONLY. What a submission may take of the machine, all of its exercises together; or what it has taken.
+//
+// Each exercise has an equal share, and so have the end-to-end runs: what one overruns is not taken from another.
+// A share is no grade: an exercise that uses up its share ends there, with the points of its other categories.
+#pragma once
+
+#include <span>
+
+namespace grader {
+
+struct Budget {
+  double idle_seconds = 30;          // workers that neither compute nor wait for a processor
+  double worker_cpu_seconds = 40;    // the submission's code at run time
+  double compiler_cpu_seconds = 60;  // compiler and linker
+  double suite_cpu_seconds = 40;     // what the suite spends to converse with workers
+  double restarts = 55;              // of workers that crashed or broke the rules
+  double messages = 4e6;             // from workers
+  double megabytes = 4000;           // in these messages
+};
+
+struct BudgetField {
+  const char* key;   // in course files and timing.json
+  const char* name;  // "idle time"
+  double Budget::*value;
+};
+
+std::span<const BudgetField> budget_fields();
+
+// One of `parts` equal shares.
+Budget share_of(const Budget& budget, int parts);
+
+Budget nothing_spent();
+
+// The name of what is over its limit; null if nothing is.
+const char* used_up(const Budget& spent, const Budget& limit);
+
+}  // namespace grader

@@ -1,0 +1,92 @@
+// STAFF ONLY. What the watchdog ends, and what it leaves alone: processes of all kinds, on an idle and on a busy machine.
+#include "grader/suite/watchdog.h"
+
+#include <gtest/gtest.h>
+#include <poll.h>
+
+#include <atomic>
+#include <thread>
+#include <vector>
+
+#include "grader/sandbox/descriptor.h"
+
+namespace grader {
+namespace {
+
+// A process that never answers, and a watchdog that waits for it.
+class Waiting {
+ public:
+  explicit Waiting(const std::vector<std::string>& command, Watchdog::Patience patience, bool isolated = true)
+      : process_(cage(isolated), command, -1, -1, -1), watchdog_(process_, patience) {}
+
+  // Until the patience is used up.
+  const Watchdog& wait() {
+    EXPECT_FALSE(watchdog_.wait_for(silence_.read_end.get(), POLLIN));
+    return watchdog_;
+  }
+
+ private:
+  static Cage cage(bool isolated) {
+    Cage cage;
+    cage.mounts = toolchain_mounts();
+    cage.isolated = isolated;
+    return cage;
+  }
+
+  Pipe silence_ = make_pipe();
+  CagedProcess process_;
+  Watchdog watchdog_;
+};
+
+const std::vector<std::string> kComputes = {"/usr/bin/bash", "-c", "while :; do :; done"};
+
+TEST(Watchdog, EndsWhatSleeps) {
+  Waiting sleeper({"/usr/bin/sleep", "1000"}, {.idle_seconds = 0.6, .cpu_seconds = 10});
+  const Watchdog& watchdog = sleeper.wait();
+  EXPECT_STREQ(watchdog.why(), "asleep");
+  EXPECT_NEAR(watchdog.idle_seconds(), 0.75, 0.2);
+}
+
+// The kernel calls this state D, as if it waited for a disk.
+TEST(Watchdog, EndsWhatWaitsForAChildThatSharesItsMemory) {
+  Waiting waiting({HAIR_IDLER, "vfork"}, {.idle_seconds = 0.6, .cpu_seconds = 10, .wall_seconds = 20}, false);
+  EXPECT_STREQ(waiting.wait().why(), "asleep");
+}
+
+TEST(Watchdog, EndsWhatSleepsInShortNaps) {
+  Waiting naps({HAIR_IDLER, "naps"}, {.idle_seconds = 0.6, .cpu_seconds = 10, .wall_seconds = 20}, false);
+  EXPECT_STREQ(naps.wait().why(), "asleep");
+}
+
+TEST(Watchdog, EndsWhatComputesForever) {
+  Waiting computing(kComputes, {.idle_seconds = 5, .cpu_seconds = 0.5});
+  const Watchdog& watchdog = computing.wait();
+  EXPECT_STREQ(watchdog.why(), "out of CPU time");
+  EXPECT_GE(watchdog.cpu_seconds(), 0.5);
+  EXPECT_LT(watchdog.cpu_seconds(), 1);
+}
+
+// On a machine on which everybody has to wait for a processor, that is no idling.
+TEST(Watchdog, LeavesAloneWhatWaitsForABusyMachine) {
+  std::atomic<bool> enough = false;
+  std::vector<std::jthread> others;
+  for (unsigned i = 0; i < 4 * std::thread::hardware_concurrency(); ++i)
+    others.emplace_back([&] {
+      while (!enough) {
+      }
+    });
+  Waiting computing(kComputes, {.idle_seconds = 0.6, .cpu_seconds = 0.4, .wall_seconds = 60});
+  const Watchdog& watchdog = computing.wait();
+  enough = true;
+  EXPECT_STREQ(watchdog.why(), "out of CPU time");
+  EXPECT_LT(watchdog.idle_seconds(), 0.3);
+}
+
+// Whatever the kernel counts, at some time it is enough.
+TEST(Watchdog, EndsWhatTakesTooLong) {
+  Waiting computing(kComputes, {.idle_seconds = 5, .cpu_seconds = 50, .wall_seconds = 0.5});
+  EXPECT_STREQ(computing.wait().why(), "out of time");
+}
+
+}  // namespace
+}  // namespace grader
