@@ -75,7 +75,9 @@ TEST(Pages, HostileTextKeepsTheGradebookWellFormed) {
   EXPECT_EQ(count(junit, "<script"), 0u);
   EXPECT_EQ(count(junit, "\"") % 2, 0u);
   expect_clean(student_json(result));
-  const auto json = nlohmann::json::parse(student_json(result));
+  SubmissionResult without_cases = result;  // then the compiler's messages are there
+  without_cases.exercises[0].cases.clear();
+  const auto json = nlohmann::json::parse(student_json(without_cases));
   EXPECT_NE(json.at("tests").at(0).at("output").get<std::string>().find("<script>"), std::string::npos);
 }
 

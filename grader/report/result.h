@@ -42,6 +42,8 @@ struct PictureResult {
   std::string student, reference, heat;  // PNG files' bytes; heat is empty if both pictures are the same
   // The limits for points; 0: shown, but not scored.
   double blurred_rmse_limit = 0, flip_limit = 0;
+  // Its particles are far from the reference's: students see it coarsely (student_view.h).
+  bool far_off = false;
 };
 
 struct ExerciseResult {

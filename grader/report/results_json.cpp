@@ -5,6 +5,7 @@
 
 #include "grader/course/input.h"
 #include "grader/report/picture_files.h"
+#include "grader/report/student_view.h"
 #include "grader/report/text.h"
 #include "hair/io/plot/readable.h"
 
@@ -60,7 +61,8 @@ Json pictures_json(const std::vector<PictureResult>& pictures) {
                    {"reference", picture_name(picture.reference)},
                    {"heat", picture_name(picture.heat)},
                    {"blurred_rmse_limit", picture.blurred_rmse_limit},
-                   {"flip_limit", picture.flip_limit}});
+                   {"flip_limit", picture.flip_limit},
+                   {"far_off", picture.far_off}});
   return all;
 }
 
@@ -70,7 +72,7 @@ std::vector<PictureResult> pictures_from(const Json& json, const std::filesystem
   for (const Json& one : json)
     pictures.push_back({one.at("name"), one.at("blurred_rmse"), one.at("flip"), bytes(one.at("student")),
                         bytes(one.at("reference")), bytes(one.at("heat")), one.at("blurred_rmse_limit"),
-                        one.at("flip_limit")});
+                        one.at("flip_limit"), one.at("far_off")});
   return pictures;
 }
 
@@ -135,7 +137,8 @@ RunResult run_from(const Json& json, const std::filesystem::path& pictures) {
 
 }  // namespace
 
-std::string student_json(const SubmissionResult& result) {
+std::string student_json(const SubmissionResult& whole) {
+  const SubmissionResult result = for_student(whole);
   Json tests = Json::array();
   Json exercises = Json::object();
   for (const ExerciseResult& exercise : result.exercises) {

@@ -1,6 +1,7 @@
 // STAFF ONLY.
 #include "grader/report/pages.h"
 #include "grader/report/pictures.h"
+#include "grader/report/student_view.h"
 #include "grader/report/text.h"
 
 namespace grader {
@@ -178,7 +179,7 @@ Html badge(Status status) {
 }
 
 std::string student_page(const SubmissionResult& result) {
-  return html_page("Report for " + result.name, body_of(result, Reader::student));
+  return html_page("Report for " + result.name, body_of(for_student(result), Reader::student));
 }
 
 std::string staff_page(const SubmissionResult& result) {

@@ -76,8 +76,8 @@ void judge(RunResult& result, const Played& theirs, const RunComparison& run, in
     result.feedback = "Numbers that are not finite.";
   } else if (!theirs.trouble.empty()) {
     result.outcome = RunOutcome::blew_up;
-    result.feedback = "Broke off after " + seconds(run.moments.empty() ? 0 : run.moments.back().time) + ": " +
-                      theirs.trouble + ".";
+    result.feedback = "Broke off after " + seconds(run.moments.empty() ? 0 : run.moments.back().time) + ".";
+    result.detail += "; the code says: " + theirs.trouble;
   } else if (theirs.frames.size() != static_cast<std::size_t>(frames) + 1) {
     throw MalformedMessage("a run with another number of frames");
   } else if (difference.first < 0) {
@@ -108,7 +108,7 @@ void run_scene(Student& student, const SceneText& text, const hair::Scene& scene
     const bool stub = failure.status == Status::not_implemented;
     result.outcome = stub ? RunOutcome::not_run : RunOutcome::failed;
     result.feedback = stub ? "A function that it calls is not implemented yet."
-                           : to_string(failure.status) + ": " + failure.feedback;
+                           : to_string(failure.status) + ": " + failure.feedback + ".";
     result.detail = failure.detail;
   } catch (const MalformedMessage& error) {
     result.outcome = RunOutcome::failed;

@@ -49,8 +49,7 @@ struct Solution {
   double value = 0;  // ConjGrad's return value
   int steps = 0;
   std::vector<double> x;
-  int products = 0;        // the suite's own count
-  bool b_changed = false;  // or a product's input and output overlapped
+  int products = 0;  // the suite's own count, of all calls
 };
 
 double norm(const std::vector<double>& v);
@@ -71,9 +70,10 @@ struct Tolerance {
 Tolerance tolerance_after(const LinearSystem& system, int least_steps);
 
 // Calls the student's ConjGrad, and checks only that x is finite: each category checks its own property, so
-// that one mistake does not fail all categories. `x` is the buffer's content on entry (junk if it is empty).
+// that one mistake does not fail all categories. `x` is the buffer's content on entry (junk if it is empty). Of
+// several `calls`, which share b, the answer is the last one's.
 Solution solve(Trial& trial, const LinearSystem& system, double epsilon, int steps,
-               std::vector<double> x = {});
+               std::vector<double> x = {}, int calls = 1);
 
 // The reference's answer to the same call.
 Solution reference_solution(const LinearSystem& system, double epsilon, int steps);
@@ -85,8 +85,7 @@ void expect_steps(Trial& trial, const Solution& solution, int expected);
 
 // Checks that the return value is the squared norm of b - Ax, within the drift.
 void expect_honest_value(Trial& trial, const LinearSystem& system, const Solution& solution);
-// Checks products = 1 + steps + floor(steps / 64), plus or minus two for an ill-conditioned system; and that
-// b is unchanged.
+// Checks products = 1 + steps + floor(steps / 64), plus or minus two for an ill-conditioned system.
 void expect_counted_products(Trial& trial, const LinearSystem& system, const Solution& solution);
 // For systems on which rounding decides: either it is solved, which is required if the return value says so,
 // or it is at the step limit.

@@ -152,6 +152,7 @@ json to_json(const std::vector<grader::PictureResult>& pictures) {
     all.push_back({{"name", picture.name},
                    {"blurred_rmse", picture.blurred_rmse},
                    {"flip", picture.flip},
+                   {"far_off", picture.far_off},
                    {"student", grader::base64(picture.student)},
                    {"reference", grader::base64(picture.reference)},
                    {"heat", grader::base64(picture.heat)}});

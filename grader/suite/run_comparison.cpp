@@ -12,6 +12,8 @@ namespace {
 
 // Apart by less, as a part of the scene's size, nobody can tell particles apart: a thousandth of a pixel.
 constexpr double kSameParticles = 1e-6;
+// Nearer than this, a particle's place can tell a student next to nothing that is not in the reference's picture.
+constexpr double kNear = 0.01;
 // What is further out than this, in the scene's size, is not drawn: a picture would not show it.
 constexpr double kFarthestDrawn = 100;
 
@@ -101,9 +103,9 @@ RunComparison compare_runs(const hair::Scene& scene, const std::vector<int>& pic
 
   for (const Taken& one : taken) {
     if (!(one.moment.apart <= kFarthestDrawn * result.size)) break;
-    result.shots.push_back({name_at(one.moment.time), drawing.at(one.ours, one.obstacles),
-                            drawing.at(one.theirs, one.obstacles),
-                            one.moment.apart <= kSameParticles * result.size});
+    result.shots.push_back(
+        {name_at(one.moment.time), drawing.at(one.ours, one.obstacles), drawing.at(one.theirs, one.obstacles),
+         one.moment.apart <= kSameParticles * result.size, one.moment.apart > kNear * result.size});
   }
   return result;
 }

@@ -76,11 +76,11 @@ struct Student::Worker {
   }
 };
 
-// The answer to all requests from now on, once something of the allowance is used up.
+// The answer to all requests from now on, once something of the allowance is used up: what failed last, again.
 std::optional<Answer> Student::give_up_if_used_up() {
   if (const char* what = used_up(setup_.allowance->spent, setup_.allowance->limit);
       what != nullptr && !gave_up_)
-    gave_up_ = Answer{Outcome::timed_out, MessageReader({}), std::string("used up: ") + what};
+    gave_up_ = Answer{last_failure_, MessageReader({}), std::string("used up: ") + what};
   return gave_up_;
 }
 
@@ -157,6 +157,7 @@ Answer Student::ask(const MessageWriter& request, const Products& products) {
 // A worker that does not keep to the protocol is not asked again; a new one may be.
 Answer Student::broke_rules(const std::string& how) {
   end(0);
+  last_failure_ = Outcome::broke_rules;
   return {Outcome::broke_rules, MessageReader({}), how};
 }
 
@@ -225,6 +226,7 @@ Answer Student::ended(const std::string& during) {
     answer.note += ending.signal != 0 ? ": signal " + std::to_string(ending.signal)
                                       : ": it left with code " + std::to_string(ending.code);
   }
+  last_failure_ = answer.outcome;
   if (timeouts_ >= kMostTimeouts) gave_up_ = answer;
   return answer;
 }

@@ -84,6 +84,7 @@ class Student {
   WorkerSetup setup_;
   std::shared_ptr<Worker> worker_;
   std::optional<Answer> gave_up_;
+  Outcome last_failure_ = Outcome::timed_out;
   double cpu_seconds_ = 0;
   int starts_ = 0, timeouts_ = 0;
 };

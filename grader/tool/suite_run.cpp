@@ -87,9 +87,12 @@ std::string run_trusted(const std::filesystem::path& program, const std::string&
 std::vector<PictureResult> pictures_from(const json& found) {
   std::vector<PictureResult> pictures;
   const auto bytes = [](const json& text) { return from_base64(text.get_ref<const std::string&>()); };
-  for (const json& one : found)
-    pictures.push_back({one.at("name"), one.at("blurred_rmse"), one.at("flip"), bytes(one.at("student")),
-                        bytes(one.at("reference")), bytes(one.at("heat"))});
+  for (const json& one : found) {
+    PictureResult picture{one.at("name"),           one.at("blurred_rmse"),     one.at("flip"),
+                          bytes(one.at("student")), bytes(one.at("reference")), bytes(one.at("heat"))};
+    picture.far_off = one.at("far_off");
+    pictures.push_back(std::move(picture));
+  }
   return pictures;
 }
 

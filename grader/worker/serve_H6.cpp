@@ -26,5 +26,4 @@ extern "C" __attribute__((visibility("default"))) void serve(grader::Session& se
       .put(report.correction.error)
       .put(report.correction.converged);
   session.reply.put(second.steps).put(second.residual).put(second.rhs).put(second.converged);
-  session.reply.put(force.mistakes());
 }

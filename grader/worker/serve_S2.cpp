@@ -1,9 +1,8 @@
 // STAFF ONLY. Serves S2, by function:
-//   0 dense_matrix            rows, cols, a, x, junk           -> result, x; result again
-//   1 normal_matrix           rows, cols, x, junk              -> result, x; result again
-//   2 solve_normal_equations  rows, cols, epsilon, steps, x, b -> return value, steps, x, b,
-//                                                                 overlapping products
-// `junk` is what the result's buffer holds before the product.
+//   0 dense_matrix            rows, cols, a, x, junk                  -> result; result again, of the same x
+//   1 normal_matrix           rows, cols, x, junk                     -> result; result again, of the same x
+//   2 solve_normal_equations  rows, cols, epsilon, steps, calls, x, b -> return value, steps, x of the last call
+// All calls share b: what one does to it, the next one meets. `junk` is what the result's buffer holds before the product.
 #include <algorithm>
 #include <limits>
 
@@ -24,7 +23,7 @@ void multiply_twice(Session& session, implicitMatrix& matrix) {
   GuardedBuffer first(junk), second(junk);
   matrix.matVecMult(x.data(), first.data());
   matrix.matVecMult(x.data(), second.data());
-  session.reply.put(first.values()).put(x.values()).put(second.values());
+  session.reply.put(first.values()).put(second.values());
 }
 
 }  // namespace
@@ -44,14 +43,15 @@ extern "C" __attribute__((visibility("default"))) void serve(Session& session) {
     multiply_twice(session, *normal_matrix(rows, cols, &A, &A_transposed));
   } else {
     const double epsilon = session.request.get<double>();
-    int steps = session.request.get<int>();
-    GuardedBuffer x(session.request.get_doubles(cols)), b(session.request.get_doubles(rows));
-    const double value =
-        solve_normal_equations(rows, cols, &A, &A_transposed, x.data(), b.data(), epsilon, &steps);
-    session.reply.put(value)
-        .put(steps)
-        .put(x.values())
-        .put(b.values())
-        .put(A.mistakes() + A_transposed.mistakes());
+    const int most_steps = session.request.get<int>(), calls = session.request.get<int>();
+    const std::vector<double> first_x = session.request.get_doubles(cols);
+    GuardedBuffer b(session.request.get_doubles(rows));
+    for (int call = 1; call <= calls; ++call) {
+      GuardedBuffer x(first_x);
+      int steps = most_steps;
+      const double value =
+          solve_normal_equations(rows, cols, &A, &A_transposed, x.data(), b.data(), epsilon, &steps);
+      if (call == calls) session.reply.put(value).put(steps).put(x.values());
+    }
   }
 }

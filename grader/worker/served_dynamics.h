@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -22,14 +23,12 @@ class ServedDynamics : public particles::Dynamics {
       throw std::invalid_argument("acceleration of " + std::to_string(size_) + " numbers asked for with " +
                                   std::to_string(x.size()) + ", " + std::to_string(v.size()) + " and " +
                                   std::to_string(a.size()));
-    if (overlap(x, a) || overlap(v, a)) ++mistakes_;
+    const bool overlaps = overlap(x, a) || overlap(v, a);
     std::vector<double> question(x.data(), x.data() + size_);
     question.insert(question.end(), v.data(), v.data() + size_);
     session_.product(0, question, {a.data(), static_cast<std::size_t>(size_)});
+    if (overlaps) a.setConstant(std::numeric_limits<double>::quiet_NaN());  // no contract allows it
   }
-
-  // The number of accelerations whose output overlapped their inputs.
-  int mistakes() const { return mistakes_; }
 
  private:
   bool overlap(particles::Input in, const particles::Output& out) const {
@@ -39,7 +38,6 @@ class ServedDynamics : public particles::Dynamics {
 
   Session& session_;
   Eigen::Index size_;
-  int mistakes_ = 0;
 };
 
 }  // namespace grader

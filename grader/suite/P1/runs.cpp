@@ -47,7 +47,6 @@ Run run(Trial& trial, const Method& method, particles::Dynamics& dynamics, const
   const std::vector<double> numbers =
       reply.get_doubles(2 * static_cast<std::size_t>(size) * static_cast<std::size_t>(setting.steps));
   Run result;
-  result.overlaps = reply.get<int>() != 0;
   reply.expect_end();
   result.evaluations = server.evaluations;
   for (int step = 0; step < setting.steps; ++step) {

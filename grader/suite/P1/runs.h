@@ -30,7 +30,6 @@ State random_state(Random& random, int n);
 struct Run {
   std::vector<State> states;  // after each step
   int evaluations = 0;
-  bool overlaps = false;  // an output of acceleration overlapped its x or v
 
   const State& end() const { return states.back(); }
 };

@@ -141,6 +141,9 @@ void products(Trial& trial) {
   const Solution solved = solve(trial, system, epsilon, 0);
   expect_solved(trial, system, solved, epsilon);
   expect_counted_products(trial, system, solved);
+  // The second call finds b as it was.
+  trial.expect(solve(trial, system, epsilon, 0, {}, 2).x == solved.x,
+               "a second call with the same b gives another x");
   const LinearSystem hilbert = sparse_system("Hilbert", solver::hilbert(10), random.normals(10), 0);
   expect_counted_products(trial, hilbert, solve(trial, hilbert, 0, 0));
 }

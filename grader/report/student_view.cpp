@@ -1,0 +1,71 @@
+// STAFF ONLY.
+#include "grader/report/student_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "grader/compare/montage.h"
+#include "hair/io/image/png.h"
+
+namespace grader {
+namespace {
+
+constexpr int kCoarseWidth = 48;  // pixels, a tenth
+
+Status right_wrong_or_broke_off(Status status) {
+  return status == Status::passed || status == Status::wrong ? status : Status::crashed;
+}
+
+// A stub implements nothing. What implements one category and says of another that it does not breaks off.
+bool is_stub(const ExerciseResult& exercise) {
+  return std::all_of(exercise.cases.begin(), exercise.cases.end(),
+                     [](const CaseResult& one) { return one.status == Status::not_implemented; });
+}
+
+const char* sentence_of_a_case(Status status) {
+  switch (status) {
+    case Status::passed:
+      return "";
+    case Status::not_implemented:
+      return "Not implemented yet.";
+    case Status::wrong:
+      return "Not right. The public checks show what a right one does, with inputs that you can see.";
+    default:
+      return "It broke off: no answer, or none of the kind that was asked for.";
+  }
+}
+
+std::string coarse(const std::string& png) {
+  if (png.empty()) return png;
+  return hair::encode_png(shrunk(hair::decode_png(png, "a picture"), kCoarseWidth));
+}
+
+double to_hundredths(double value) {
+  return std::round(100 * value) / 100;
+}
+
+}  // namespace
+
+SubmissionResult for_student(const SubmissionResult& result) {
+  SubmissionResult view = result;
+  for (ExerciseResult& exercise : view.exercises) {
+    exercise.staff_log.clear();
+    const bool stub = is_stub(exercise);
+    for (CaseResult& one : exercise.cases) {
+      if (!stub) one.status = right_wrong_or_broke_off(one.status);
+      one.feedback = sentence_of_a_case(one.status);
+      one.detail.clear();
+    }
+    for (PictureResult& picture : exercise.pictures) {
+      if (!picture.far_off) continue;
+      picture.student = coarse(picture.student);
+      picture.heat = coarse(picture.heat);
+      picture.blurred_rmse = to_hundredths(picture.blurred_rmse);
+      picture.flip = to_hundredths(picture.flip);
+    }
+  }
+  for (RunResult& run : view.runs) run.detail.clear();
+  return view;
+}
+
+}  // namespace grader

@@ -1,0 +1,80 @@
+// STAFF ONLY. What a student sees of a result: how many different things, and nothing finer.
+#include "grader/report/student_view.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "grader/report/pages.h"
+#include "grader/report/results_json.h"
+#include "grader/report/sample_results.h"
+#include "hair/io/image/png.h"
+
+namespace grader {
+namespace {
+
+constexpr Status kAll[] = {Status::passed,          Status::partly,    Status::wrong,
+                           Status::not_implemented, Status::missing,   Status::does_not_compile,
+                           Status::crashed,         Status::timed_out, Status::out_of_memory,
+                           Status::broke_rules};
+
+ExerciseResult exercise_with(const std::vector<Status>& statuses) {
+  ExerciseResult exercise;
+  for (const Status status : statuses)
+    exercise.cases.push_back({"a category", status, 0, 5, "feedback of " + to_string(status), "detail"});
+  return exercise;
+}
+
+TEST(StudentView, HasThreeKindsOfCategories) {
+  std::set<std::pair<Status, std::string>> seen;
+  for (const Status status : kAll)
+    for (const Status other : {Status::passed, Status::wrong}) {
+      SubmissionResult result;
+      result.exercises = {exercise_with({status, other})};
+      const SubmissionResult view = for_student(result);
+      for (const CaseResult& one : view.exercises[0].cases) {
+        seen.insert({one.status, one.feedback});
+        EXPECT_EQ(one.detail, "");
+        EXPECT_EQ(one.max_points, 5);
+      }
+    }
+  EXPECT_EQ(seen.size(), 3u);
+}
+
+TEST(StudentView, CallsAStubAStub) {
+  SubmissionResult result;
+  result.exercises = {exercise_with({Status::not_implemented, Status::not_implemented})};
+  EXPECT_EQ(for_student(result).exercises[0].cases[1].status, Status::not_implemented);
+}
+
+// Sentences and details of the suite, and what compiler, linker and worker print, stay with the staff.
+TEST(StudentView, IsWhatStudentsGet) {
+  SubmissionResult result = sample_class(1).front();
+  for (ExerciseResult& exercise : result.exercises)
+    for (CaseResult& one : exercise.cases) one.feedback = one.detail = "SUITESAYS";
+  for (RunResult& run : result.runs) run.detail = "SUITESAYS";
+  EXPECT_EQ(student_page(result).find("SUITESAYS"), std::string::npos);
+  EXPECT_EQ(student_json(result).find("SUITESAYS"), std::string::npos);
+  EXPECT_NE(staff_page(result).find("SUITESAYS"), std::string::npos);
+}
+
+// Particles can spell anything; 48 coarse pixels in a row can't.
+TEST(StudentView, DrawsCoarselyWhatIsFarOff) {
+  SubmissionResult result;
+  ExerciseResult exercise = exercise_with({Status::wrong});
+  PictureResult picture = sample_picture("1 s", 5, 0.1);
+  picture.flip = 0.123456;
+  exercise.pictures = {picture, picture};
+  exercise.pictures[1].far_off = true;
+  result.exercises = {exercise};
+  const auto pictures = for_student(result).exercises[0].pictures;
+  EXPECT_EQ(pictures[0].student, picture.student);
+  EXPECT_EQ(pictures[0].flip, picture.flip);
+  EXPECT_LE(hair::decode_png(pictures[1].student, "").width, 48);
+  EXPECT_LE(hair::decode_png(pictures[1].heat, "").width, 48);
+  EXPECT_EQ(pictures[1].reference, picture.reference);
+  EXPECT_EQ(pictures[1].flip, 0.12);
+}
+
+}  // namespace
+}  // namespace grader
