@@ -90,6 +90,9 @@ Job read_job(std::istream& in) {
     if (job.exercise == "study") {
       job.worker.exercise = "runs";
       job.worker.cpu_seconds = grader::study_cpu_seconds();
+      // Asked for by the instructor, beside the submission's budget.
+      grader::Budget& limit = job.worker.allowance->limit;
+      limit.worker_cpu_seconds = limit.suite_cpu_seconds = job.worker.cpu_seconds;
       for (const std::string object : document.at("reference_objects"))
         job.reference_objects.push_back(object);
       job.motions = document.at("motions").get<std::string>();
