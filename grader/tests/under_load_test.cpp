@@ -1,0 +1,82 @@
+// STAFF ONLY. The same bytes, the same grade: graded twenty times beside twenty programs that want the processors, with and without
+// what was compiled before.
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "grader/tests/run_program.h"
+#include "hair/io/files/temporary_folder.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kTimes = 20, kPrograms = 20;
+constexpr const char* kFile = "stretch_springs.cpp";
+
+std::map<std::string, std::string> files_in(const fs::path& folder) {
+  std::map<std::string, std::string> all;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file()) all[fs::relative(entry.path(), folder).string()] = read_file(entry.path());
+  return all;
+}
+
+TEST(UnderLoad, GivesTheSameBytesTwentyTimes) {
+  const hair::TemporaryFolder temporary("under-load");
+  const fs::path folder = temporary.path(), students = folder / "class", cache = folder / "cache";
+  const std::string right = read_file(fs::path(HAIR_PROJECT) / "reference" / kFile);
+  const auto hand_in = [&](const std::string& name, const std::string& text) {
+    fs::create_directories(students / name);
+    std::ofstream(students / name / kFile) << text;
+  };
+  hand_in("right", right);
+  // Points that would depend on the second in which it is compiled, beside a warning, which is shown.
+  hand_in("clock",
+          "#include <stdexcept>\n"
+          "static bool odd() { int unused; return __TIME__[7] % 2 == 1; }\n"
+          "struct Sometimes { Sometimes() { if (odd()) throw std::runtime_error(__TIMESTAMP__); } } "
+          "sometimes;\n" +
+              right);
+  hand_in("naps", "#include <unistd.h>\nstruct Nap { Nap() { usleep(200000); } } nap;\n" + right);
+  hand_in("crashes", "#include <cstdlib>\nstruct Crash { Crash() { abort(); } } crash;\n" + right);
+  std::ofstream(folder / "secret") << "a secret for this test";
+
+  std::atomic<bool> enough = false;
+  std::vector<std::jthread> others;
+  for (int i = 0; i < kPrograms; ++i)
+    others.emplace_back([&] {
+      while (!enough) {
+      }
+    });
+  std::map<std::string, std::string> first;
+  for (int time = 0; time < kTimes; ++time) {
+    if (time % 5 == 0) fs::remove_all(cache);
+    const fs::path out = folder / std::to_string(time);
+    const ProgramRun run =
+        run_hairgrade({"grade", students.string(), "--out", out.string(), "--exercise", "H1", "--secret",
+                       (folder / "secret").string(), "--cache", cache.string()});
+    ASSERT_EQ(run.code, 0) << run.errors;
+    std::map<std::string, std::string> all = files_in(out);
+    EXPECT_EQ(all.erase("timing.json"), 1U);
+    if (time == 0) {
+      first = all;
+      const std::string grades = all.at("grades.csv");
+      EXPECT_NE(grades.find("right"), std::string::npos) << grades;
+    }
+    EXPECT_EQ(all.size(), first.size());
+    for (const auto& [name, bytes] : first)
+      EXPECT_TRUE(all.count(name) > 0 && all.at(name) == bytes) << name << ", time " << time;
+    fs::remove_all(out);
+  }
+  enough = true;
+}
+
+}  // namespace
+}  // namespace grader
