@@ -50,11 +50,11 @@ fs::path folder() {
   return fs::path(HAIR_GRADED) / "attacks" / place();
 }
 
-fs::path graded() {
+fs::path grades() {
   return folder() / "grades";
 }
 
-std::vector<Sample> samples() {
+std::vector<Sample> corpus() {
   std::vector<Sample> all = read_samples(HAIR_PROJECT);
   std::erase_if(all, [](const Sample& sample) { return !sample.graded_at(place()); });
   return all;
@@ -142,18 +142,18 @@ class AttackCorpus : public testing::Test {
     fs::create_directories(folder());
     std::ofstream(folder() / "version") << version();
     std::vector<std::string> words = {"grade",    (fs::path(HAIR_ATTACKS) / place()).string(),
-                                      "--out",    graded().string(),
+                                      "--out",    grades().string(),
                                       "--cache",  (folder() / "cache").string(),
                                       "--secret", HAIR_TEST_SECRET,
                                       "--resume"};
     const std::vector<std::string> more = course();
     words.insert(words.end(), more.begin(), more.end());
     run_ = run_shard(words, folder() / "terminal");
-    timing_ = json::parse(read_file(graded() / "timing.json"), nullptr, false);
+    timing_ = json::parse(read_file(grades() / "timing.json"), nullptr, false);
   }
 
   static SubmissionResult result_of(const Sample& sample) {
-    std::optional<SubmissionResult> result = read_results(graded(), submission_name(sample.name));
+    std::optional<SubmissionResult> result = read_results(grades(), submission_name(sample.name));
     if (!result) throw std::runtime_error("no result for " + sample.name);
     return *result;
   }
@@ -167,7 +167,7 @@ json AttackCorpus::timing_;
 
 // Both of what students get.
 std::vector<std::string> pages_of(const Sample& sample) {
-  const fs::path of = graded() / submission_name(sample.name);
+  const fs::path of = grades() / submission_name(sample.name);
   return {read_file(of / "report.html"), read_file(of / "results.json")};
 }
 
@@ -187,12 +187,12 @@ TEST_F(AttackCorpus, IsGradedToItsEnd) {
   if (trouble != std::string::npos) {
     ADD_FAILURE() << printable(terminal.substr(trouble, 400), 400);
   }
-  for (const Sample& sample : samples())
-    EXPECT_TRUE(fs::exists(graded() / submission_name(sample.name) / "report.html")) << sample.name;
+  for (const Sample& sample : corpus())
+    EXPECT_TRUE(fs::exists(grades() / submission_name(sample.name) / "report.html")) << sample.name;
 }
 
 TEST_F(AttackCorpus, GetsItsStatuses) {
-  for (const Sample& sample : samples()) {
+  for (const Sample& sample : corpus()) {
     SCOPED_TRACE(sample.name + ": " + sample.shows);
     for (const ExerciseResult& exercise : result_of(sample).exercises) {
       const ExpectedResult& expected = sample.expected.at(exercise.id);
@@ -208,7 +208,7 @@ TEST_F(AttackCorpus, GetsItsStatuses) {
 }
 
 TEST_F(AttackCorpus, GetsNoMorePointsThanItMay) {
-  for (const Sample& sample : samples()) {
+  for (const Sample& sample : corpus()) {
     if (!sample.attack) continue;
     SCOPED_TRACE(sample.name + ": " + sample.shows);
     double points = 0;
@@ -226,7 +226,7 @@ TEST_F(AttackCorpus, GetsNoMorePointsThanItMay) {
 
 TEST_F(AttackCorpus, CostsNobodyBesideItAnything) {
   int honest = 0;
-  for (const Sample& sample : samples()) {
+  for (const Sample& sample : corpus()) {
     if (sample.attack) continue;
     SCOPED_TRACE(sample.name);
     for (const ExerciseResult& exercise : result_of(sample).exercises)
@@ -242,7 +242,7 @@ TEST_F(AttackCorpus, CostsNobodyBesideItAnything) {
 TEST_F(AttackCorpus, TakesNoMoreTimeThanItMay) {
   ASSERT_TRUE(timing_.is_object());
   double bounds = 0;
-  for (const Sample& sample : samples()) {
+  for (const Sample& sample : corpus()) {
     if (!sample.attack) continue;
     bounds += sample.attack->most_cpu_seconds;
     double seconds = 0;
@@ -265,7 +265,7 @@ TEST_F(AttackCorpus, LeavesNothingRunning) {
 
 TEST_F(AttackCorpus, ChangesNothingOutsideOfTheSandbox) {
   std::vector<fs::path> places = {"/tmp",   "/var/tmp",  "/", "/dev/shm", fs::current_path(),
-                                  graded(), HAIR_ATTACKS};
+                                  grades(), HAIR_ATTACKS};
   if (const char* home = std::getenv("HOME")) places.emplace_back(home);
   for (const fs::path& one : places) {
     std::error_code error;
@@ -288,7 +288,7 @@ TEST_F(AttackCorpus, ChangesNoTerminal) {
 }
 
 TEST_F(AttackCorpus, SaysNothingOnAStudentsPage) {
-  for (const Sample& sample : samples())
+  for (const Sample& sample : corpus())
     for (const std::string& page : pages_of(sample)) {
       EXPECT_FALSE(page.empty()) << sample.name;
       const std::size_t at = page.find(kMarker);
@@ -300,8 +300,8 @@ TEST_F(AttackCorpus, SaysNothingOnAStudentsPage) {
 
 // Of staff's pages, too.
 TEST_F(AttackCorpus, WritesNoMarkupAndNoControlCharacters) {
-  for (const Sample& sample : samples()) {
-    const fs::path staff = graded() / "staff" / (submission_name(sample.name) + ".html");
+  for (const Sample& sample : corpus()) {
+    const fs::path staff = grades() / "staff" / (submission_name(sample.name) + ".html");
     for (const std::string& page : {pages_of(sample).at(0), read_file(staff)})
       for (const char* markup : {"<script>document", "<script>alert", "<img src=x"})
         EXPECT_EQ(page.find(markup), std::string::npos) << sample.name << ": " << markup;
@@ -312,7 +312,7 @@ TEST_F(AttackCorpus, WritesNoMarkupAndNoControlCharacters) {
 }
 
 TEST_F(AttackCorpus, ShowsNoPictureThatItMustNot) {
-  for (const Sample& sample : samples()) {
+  for (const Sample& sample : corpus()) {
     if (!sample.attack || !sample.attack->no_pictures) continue;
     const std::string page = pages_of(sample).at(0);
     const SubmissionResult result = result_of(sample);
