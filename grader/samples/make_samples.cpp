@@ -1,5 +1,6 @@
-// STAFF ONLY. Packs the sample class: make_samples PROJECT CLASS SHOWCASE makes both folders anew. CLASS gets an archive
-// or a folder for each sample of PROJECT/grader/samples/list, SHOWCASE a copy of those that are marked for it.
+// STAFF ONLY. Packs the samples: make_samples PROJECT CLASS SHOWCASE ATTACKS makes the three folders anew. CLASS gets an
+// archive or a folder for each sample of PROJECT/grader/samples/list but most attacks, SHOWCASE a copy of those that are
+// marked for it, and ATTACKS a folder for each place, with its attacks and what is graded beside them.
 #include <clocale>
 #include <cstdlib>
 #include <filesystem>
@@ -58,6 +59,21 @@ void write_folder(const fs::path& folder, const std::vector<ArchiveEntry>& entri
   }
 }
 
+// Changes bytes of a file, as a damaged or forged archive has them.
+void overwrite(const fs::path& path, const std::vector<grader::Overwrite>& changes) {
+  if (changes.empty()) return;
+  std::string bytes = grader::read_bytes(path);
+  const auto size = static_cast<std::int64_t>(bytes.size());
+  for (const grader::Overwrite& change : changes) {
+    const std::int64_t at = change.at < 0 ? size + change.at : change.at;
+    if (at < 0 || at + static_cast<std::int64_t>(change.bytes.size()) > size)
+      throw grader::BadInput(path.string() + ": there is nothing to overwrite at " +
+                             std::to_string(change.at));
+    bytes.replace(static_cast<std::size_t>(at), change.bytes.size(), change.bytes);
+  }
+  grader::write_bytes(path, bytes);
+}
+
 void write_sample(const Sample& sample, const fs::path& project, const fs::path& folder) {
   const fs::path path = folder / sample.file_name();
   const auto entries = entries_of(sample, project, folder / ".scratch");
@@ -73,6 +89,7 @@ void write_sample(const Sample& sample, const fs::path& project, const fs::path&
       break;
   }
   if (sample.cut) fs::resize_file(path, *sample.cut);
+  overwrite(path, sample.overwrite);
 }
 
 // A folder that is there as a whole or not at all: `fill` gets one of another name, which is then renamed.
@@ -99,19 +116,28 @@ void check_patches_are_used(const std::vector<Sample>& samples, const fs::path& 
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 4) {
-    std::cerr << "usage: make_samples PROJECT CLASS SHOWCASE\n";
+  if (argc != 5) {
+    std::cerr << "usage: make_samples PROJECT CLASS SHOWCASE ATTACKS\n";
     return 2;
   }
   // What archives hold of times and names depends on both.
   setenv("TZ", "UTC", 1);
   if (!std::setlocale(LC_CTYPE, "C.UTF-8")) std::setlocale(LC_CTYPE, "en_US.UTF-8");
   try {
-    const fs::path project = argv[1], all = argv[2], showcase = argv[3];
+    const fs::path project = argv[1], all = argv[2], showcase = argv[3], attacks = argv[4];
     const auto samples = grader::read_samples(project);
     check_patches_are_used(samples, project / "grader" / "samples" / "patches");
     make_folder(all, [&](const fs::path& folder) {
-      for (const Sample& sample : samples) write_sample(sample, project, folder);
+      for (const Sample& sample : samples)
+        if (sample.in_class()) write_sample(sample, project, folder);
+    });
+    make_folder(attacks, [&](const fs::path& folder) {
+      for (const std::string place : grader::kPlaces)
+        for (const Sample& sample : samples)
+          if (sample.graded_at(place)) {
+            fs::create_directories(folder / place);
+            write_sample(sample, project, folder / place);
+          }
     });
     make_folder(showcase, [&](const fs::path& folder) {
       for (const Sample& sample : samples) {

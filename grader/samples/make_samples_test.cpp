@@ -68,7 +68,8 @@ Outcome make_samples(const fs::path& project, const fs::path& out,
                      const fs::path& showcase = scratch("project") / "showcase") {
   const fs::path log = scratch("log");
   const std::string command = std::string("'") + HAIR_MAKE_SAMPLES + "' '" + project.string() + "' '" +
-                              out.string() + "' '" + showcase.string() + "' >'" + log.string() + "' 2>&1";
+                              out.string() + "' '" + showcase.string() + "' '" + out.string() +
+                              "-attacks' >'" + log.string() + "' 2>&1";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(log)};
 }
@@ -105,6 +106,41 @@ TEST(MakeSamples, CopiesWhatIsMarkedToTheShowcase) {
   EXPECT_EQ(bytes_of(showcase / "shown" / "src" / "a.cpp"), "one\n");
   EXPECT_FALSE(fs::exists(showcase / "bug"));
   EXPECT_TRUE(fs::exists(out / "bug"));
+}
+
+TEST(MakeSamples, PacksAttacksByPlaceAndApartFromTheClass) {
+  const fs::path project = small_project("one\n"), out = project / "class",
+                 attacks = project / "class-attacks";
+  add_sample(project, "attacks",
+             R"("form": "folder", "files": {"a.cpp": "plain"}, "expect": {"A": {"status": "wrong"}},
+                "attack": {"place": "start", "fence": "A wall.", "most_points": 2, "most_cpu_seconds": 1})");
+  std::ofstream(project / "grader" / "samples" / "list" / "right.json")
+      << R"({"samples": [{"name": "honest", "shows": "It.", "form": "folder", "files": {"a.cpp": "plain"},
+             "beside_attacks": true, "expect": {"A": {"status": "passed"}}}]})";
+  const Outcome run = make_samples(project, out);
+  EXPECT_EQ(run.code, 0) << run.output;
+  EXPECT_FALSE(fs::exists(out / "attacks"));
+  EXPECT_TRUE(fs::exists(attacks / "start" / "attacks"));
+  EXPECT_FALSE(fs::exists(attacks / "run" / "attacks"));
+  for (const char* place : kPlaces) EXPECT_TRUE(fs::exists(attacks / place / "honest")) << place;
+  EXPECT_TRUE(fs::exists(out / "honest"));
+}
+
+TEST(MakeSamples, OverwritesBytesFromBothEnds) {
+  const fs::path project = small_project("one\n"), out = project / "class";
+  const std::string sample =
+      R"("form": "zip", "files": {"a.cpp": "plain"}, "expect": {"A": {"status": "passed"}})";
+  add_sample(project, "forged",
+             sample + R"(, "overwrite": [{"at": 0, "hex": "00ff"}, {"at": -2, "hex": "fe"}])");
+  Outcome run = make_samples(project, out);
+  EXPECT_EQ(run.code, 0) << run.output;
+  const std::string bytes = bytes_of(out / "forged.zip");
+  EXPECT_EQ(bytes.substr(0, 2), std::string("\0\xff", 2));
+  EXPECT_EQ(bytes.substr(bytes.size() - 2, 1), "\xfe");
+  add_sample(project, "forged", sample + R"(, "overwrite": [{"at": 100000, "hex": "00"}])");
+  run = make_samples(project, out);
+  EXPECT_EQ(run.code, 2);
+  EXPECT_NE(run.output.find("nothing to overwrite at 100000"), std::string::npos) << run.output;
 }
 
 TEST(MakeSamples, RefusesAPatchThatDoesNotApply) {
@@ -154,6 +190,31 @@ TEST(ReadSamples, ReadsPointsAndLeavesThemOpen) {
   EXPECT_FALSE(samples[0].showcase);
 }
 
+TEST(ReadSamples, ReadsAttacks) {
+  const fs::path project = small_project("one\n");
+  add_sample(project, "attacks",
+             R"("form": "zip", "files": {}, "expect": {},
+                "attack": {"place": "start", "fence": "A wall.", "most_points": {"A": 2}, "most_cpu_seconds": 1.5,
+                           "also": ["crashed"], "no_pictures": true})");
+  const std::vector<Sample> samples = read_samples(project);
+  ASSERT_TRUE(samples.at(1).attack.has_value());
+  const Attack& attack = *samples[1].attack;
+  EXPECT_EQ(attack.place, "start");
+  EXPECT_EQ(attack.fence, "A wall.");
+  EXPECT_EQ(attack.most_points_of.at("A"), 2);
+  EXPECT_EQ(attack.most_points, std::nullopt);
+  EXPECT_EQ(attack.most_cpu_seconds, 1.5);
+  EXPECT_EQ(attack.also, std::vector<std::string>{"crashed"});
+  EXPECT_TRUE(attack.no_pictures);
+  EXPECT_FALSE(samples[1].in_class());
+  EXPECT_FALSE(samples[0].attack.has_value());
+  add_sample(project, "attacks",
+             R"("form": "zip", "files": {}, "expect": {}, "showcase": true,
+                "attack": {"place": "run", "fence": "A wall.", "most_points": 7, "most_cpu_seconds": 1})");
+  EXPECT_EQ(read_samples(project).at(1).attack->most_points, 7.0);
+  EXPECT_TRUE(read_samples(project)[1].in_class());
+}
+
 TEST(ReadSamples, ReadsTheListsInTheOrderOfTheirNames) {
   const fs::path project = small_project("one\n");
   add_sample(project, "more", R"("form": "zip", "files": {}, "expect": {})");
@@ -193,6 +254,17 @@ TEST(ReadSamples, NamesWhatIsNotRight) {
   expect_refused(project, "samples[0].expect.A.points: 6 is not right; give a number from 0 to 5");
   add_sample(project, "more", R"("form": "zip", "files": {}, "showcase": "yes", "expect": {})");
   expect_refused(project, "samples[0].showcase: ");
+  const std::string attack =
+      R"("form": "zip", "files": {}, "expect": {}, "attack": {"fence": "A wall.", "most_cpu_seconds": 1, )";
+  add_sample(project, "more", attack + R"("place": "nowhere", "most_points": 0})");
+  expect_refused(project, "samples[0].attack.place: unknown place; write build, ");
+  add_sample(project, "more", attack + R"("place": "run", "most_points": {"C": 0}})");
+  expect_refused(project, "samples[0].attack.most_points: there is no exercise C");
+  add_sample(project, "more", attack + R"("place": "run"})");
+  expect_refused(project, "most_points");
+  add_sample(project, "more",
+             R"("form": "zip", "files": {}, "expect": {}, "overwrite": [{"at": 1, "hex": "0"}])");
+  expect_refused(project, "samples[0].overwrite[0].hex: write two digits");
 }
 
 }  // namespace

@@ -49,6 +49,41 @@ ExpectedResult read_expected(const JsonValue& json, const Exercise& exercise) {
   return expected;
 }
 
+Attack read_attack(const JsonValue& json, bool one_number, const Course& course) {
+  json.check_keys({"place", "fence", "most_points", "most_cpu_seconds"}, {"also", "no_pictures"});
+  Attack attack;
+  attack.place = json["place"].text();
+  if (std::find(kPlaces.begin(), kPlaces.end(), attack.place) == kPlaces.end())
+    json["place"].fail("unknown place; write build, start, run, protocol, archive, report or time");
+  attack.fence = json["fence"].text();
+  const JsonValue points = json["most_points"];
+  if (one_number) {
+    attack.most_points = points.number(0, 1000);
+  } else {
+    for (const std::string& id : points.keys()) {
+      const Exercise* exercise = course.find(id);
+      if (exercise == nullptr) points.fail("there is no exercise " + id);
+      attack.most_points_of[id] = points[id].number(0, exercise->points);
+    }
+  }
+  attack.most_cpu_seconds = json["most_cpu_seconds"].number(0, 1000);
+  if (json.has("also"))
+    for (const JsonValue& status : json["also"].items()) attack.also.push_back(status.text());
+  if (json.has("no_pictures")) attack.no_pictures = json["no_pictures"].boolean();
+  return attack;
+}
+
+Overwrite read_overwrite(const JsonValue& json) {
+  json.check_keys({"at", "hex"});
+  Overwrite overwrite{static_cast<std::int64_t>(json["at"].number(-1e9, 1e9)), ""};
+  const std::string hex = json["hex"].text();
+  if (hex.size() % 2 != 0 || hex.find_first_not_of("0123456789abcdef") != std::string::npos)
+    json["hex"].fail("write two digits for a byte, 0 to 9 and a to f");
+  for (std::size_t i = 0; i < hex.size(); i += 2)
+    overwrite.bytes += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
+  return overwrite;
+}
+
 // Fills in "others", and what each exercise of the course is expected to give.
 void complete(Sample& sample, const JsonValue& json, const Course& course) {
   std::string others;
@@ -90,8 +125,9 @@ void read_list(const std::filesystem::path& list, const Course& course, std::set
   const std::vector<JsonValue> items = top["samples"].items();
   for (std::size_t i = 0; i < items.size(); ++i) {
     const JsonValue& json = items[i];
-    json.check_keys({"name", "shows", "form", "files", "expect"},
-                    {"others", "patch", "windows", "cut", "showcase"});
+    json.check_keys(
+        {"name", "shows", "form", "files", "expect"},
+        {"others", "patch", "windows", "cut", "overwrite", "showcase", "beside_attacks", "attack"});
     Sample sample;
     sample.list = list.stem().string();
     sample.name = json["name"].text();
@@ -105,6 +141,13 @@ void read_list(const std::filesystem::path& list, const Course& course, std::set
     if (json.has("windows")) sample.windows = json["windows"].boolean();
     if (json.has("showcase")) sample.showcase = json["showcase"].boolean();
     if (json.has("cut")) sample.cut = read_bytes(json["cut"]);
+    if (json.has("overwrite"))
+      for (const JsonValue& bytes : json["overwrite"].items())
+        sample.overwrite.push_back(read_overwrite(bytes));
+    if (json.has("beside_attacks")) sample.beside_attacks = json["beside_attacks"].boolean();
+    if (json.has("attack"))
+      sample.attack = read_attack(json["attack"],
+                                  raw["attack"].value("most_points", nlohmann::json()).is_number(), course);
     complete(sample, json, course);
     samples.push_back(std::move(sample));
   }

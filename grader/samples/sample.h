@@ -12,7 +12,11 @@
 //     "windows": true                          optional: solution files begin with a byte order mark and have CR LF
 //     "cut":     1000                          optional: the bytes of the archive that are left, as after a
 //                                              broken upload
+//     "overwrite": [{"at": -6, "hex": "ff00"}] optional: bytes of the packed archive that are changed; -6 is the sixth
+//                                              from the end
 //     "showcase": true                         optional: one of the few that show every kind of sample
+//     "beside_attacks": true                   optional: right, and graded beside the attacks of every place
+//     "attack":  ATTACK                        optional: see below
 //     "expect":  {"S1": {"status": "partly", "points": 12}, ...}
 //                                              without points: all of them if it passed, or else none
 //   }, ...]}
@@ -20,10 +24,22 @@
 // CONTENT is "reference", "stub" or a folder of solutions/, which hold an exercise file of that name;
 // {"text": "..."}; {"link": TARGET}, a symbolic link; or {"zeros": BYTES}, so many zero bytes.
 //
+// ATTACK makes a sample one of the corpus, which is graded place by place, apart from the class. Only attacks that the
+// showcase has are in the class, too.
+//
+//   {"place": "run"                            build, start, run, protocol, archive, report or time
+//    "fence": "..."                            what stops it
+//    "most_points": {"S1": 0}                  of these exercises; or a number: of all of them together
+//    "most_cpu_seconds": 10                    of ours
+//    "also": ["crashed", ...]                  optional: statuses that are right, too, for the exercises that most_points
+//                                              names: it depends on the machine which limit comes first
+//    "no_pictures": true}                      optional: the student's report shows no picture of its run
+//
 // "expect" names every exercise whose file "files" names. What "others" fills in is expected to have passed
 // ("reference") or not to be implemented ("stub"); all other exercises that "expect" does not name, to be missing.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -49,18 +65,39 @@ struct ExpectedResult {
   std::optional<double> points;  // nothing: all if it passed, or else none
 };
 
+struct Attack {
+  std::string place, fence;
+  std::map<std::string, double> most_points_of;  // by exercise
+  std::optional<double> most_points;             // of all
+  double most_cpu_seconds = 0;
+  std::vector<std::string> also;
+  bool no_pictures = false;
+};
+
+inline constexpr std::array<const char*, 7> kPlaces{"build",   "start",  "run", "protocol",
+                                                    "archive", "report", "time"};
+
+struct Overwrite {
+  std::int64_t at = 0;
+  std::string bytes;
+};
+
 struct Sample {
   std::string list;  // that names it: "H1" for H1.json
   std::string name, shows;
   SampleForm form = SampleForm::zip;
   std::vector<SampleFile> files;  // sorted by path
   std::string patch;              // empty: none
-  bool windows = false, showcase = false;
+  bool windows = false, showcase = false, beside_attacks = false;
   std::optional<std::uint64_t> cut;
+  std::vector<Overwrite> overwrite;
+  std::optional<Attack> attack;
   std::map<std::string, ExpectedResult> expected;  // by exercise id: every exercise of the course
   std::vector<std::string> listed;                 // of these, the ids that "expect" names
 
   std::string file_name() const;  // "wrong-beta.zip"
+  bool in_class() const { return !attack || showcase; }
+  bool graded_at(const std::string& place) const { return attack ? attack->place == place : beside_attacks; }
 };
 
 // The lists of PROJECT/grader/samples/list, for the exercises of PROJECT/handout/exercises.json. Throws BadInput

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kProject = HAIR_PROJECT, kClass = HAIR_SAMPLE_CLASS;
+const fs::path kProject = HAIR_PROJECT, kClass = HAIR_SAMPLE_CLASS, kAttacks = HAIR_ATTACKS;
 constexpr std::size_t kMostBytes = std::size_t{80} << 20;  // of a file, to compare
 
 struct Packed {
@@ -64,8 +64,12 @@ std::map<std::string, Packed> read_folder(const fs::path& path) {
   return files;
 }
 
+fs::path packed_path(const Sample& sample) {
+  return (sample.in_class() ? kClass : kAttacks / sample.attack->place) / sample.file_name();
+}
+
 std::map<std::string, Packed> read_packed(const Sample& sample) {
-  const fs::path path = kClass / sample.file_name();
+  const fs::path path = packed_path(sample);
   return sample.form == SampleForm::folder ? read_folder(path) : read_archive(path);
 }
 
@@ -83,17 +87,40 @@ fs::path base_file(const SampleFile& file) {
 
 TEST(SampleClass, HoldsEverySampleAndNothingElse) {
   std::set<std::string> listed, packed;
-  for (const Sample& sample : all_samples()) listed.insert(sample.file_name());
+  for (const Sample& sample : all_samples())
+    if (sample.in_class()) listed.insert(sample.file_name());
   for (const auto& item : fs::directory_iterator(kClass)) packed.insert(item.path().filename().string());
   EXPECT_EQ(packed, listed);
   EXPECT_GE(listed.size(), 24u);
 }
 
+TEST(AttackCorpus, HoldsThePlacesAttacksAndWhatIsGradedBesideThem) {
+  std::size_t attacks = 0;
+  for (const std::string place : kPlaces) {
+    SCOPED_TRACE(place);
+    std::set<std::string> listed, packed;
+    std::size_t honest = 0, here = 0;
+    for (const Sample& sample : all_samples())
+      if (sample.graded_at(place)) {
+        listed.insert(sample.file_name());
+        ++(sample.attack ? here : honest);
+      }
+    for (const auto& item : fs::directory_iterator(kAttacks / place))
+      packed.insert(item.path().filename().string());
+    EXPECT_EQ(packed, listed);
+    EXPECT_GE(here, 7U);
+    EXPECT_GE(honest, 2U);
+    attacks += here;
+  }
+  EXPECT_GE(attacks, 60U);
+}
+
 TEST(SampleClass, HoldsTheFilesThatAreListed) {
   for (const Sample& sample : all_samples()) {
     SCOPED_TRACE(sample.name);
+    if (!sample.overwrite.empty()) continue;
     if (sample.cut) {
-      EXPECT_EQ(fs::file_size(kClass / sample.file_name()), *sample.cut);
+      EXPECT_EQ(fs::file_size(packed_path(sample)), *sample.cut);
       continue;
     }
     const auto packed = read_packed(sample);
@@ -131,7 +158,7 @@ TEST(SampleClass, HoldsTheFilesThatAreListed) {
 TEST(SampleClass, PatchesChangeAFileAndNothingElseDoes) {
   for (const Sample& sample : all_samples()) {
     SCOPED_TRACE(sample.name);
-    if (sample.cut || sample.windows || sample.name == "ten-gigabytes") continue;
+    if (sample.cut || !sample.overwrite.empty() || sample.windows || sample.name == "ten-gigabytes") continue;
     const auto packed = read_packed(sample);
     bool changed = false;
     for (const SampleFile& file : sample.files) {
@@ -144,7 +171,7 @@ TEST(SampleClass, PatchesChangeAFileAndNothingElseDoes) {
 }
 
 TEST(SampleClass, TenGigabytesTakeLittleSpace) {
-  const fs::path path = kClass / "ten-gigabytes.tar.gz";
+  const fs::path path = kAttacks / "archive" / "ten-gigabytes.tar.gz";
   const auto packed = read_archive(path);
   ASSERT_EQ(packed.size(), 1u);
   EXPECT_EQ(packed.begin()->second.size, 10'737'418'240u);
@@ -159,6 +186,8 @@ TEST(SampleClass, ExpectsAKnownStatusForEachExercise) {
     SCOPED_TRACE(sample.name);
     for (const auto& [id, expected] : sample.expected)
       EXPECT_TRUE(known.count(expected.status)) << id << ": " << expected.status;
+    if (!sample.attack) continue;
+    for (const std::string& status : sample.attack->also) EXPECT_TRUE(known.count(status)) << status;
   }
 }
 
@@ -174,11 +203,29 @@ std::string losses(const Sample& sample) {
   return text.str().empty() ? "passed" : text.str();
 }
 
+// "S1 0": the most points that it may get.
+std::string most_points(const Attack& attack) {
+  std::ostringstream text;
+  if (attack.most_points) text << *attack.most_points;
+  for (const auto& [id, points] : attack.most_points_of)
+    text << (text.str().empty() ? "" : ", ") << id << " " << points;
+  return text.str();
+}
+
+std::string row(const Sample& sample) {
+  std::ostringstream text;
+  text << "| `" << sample.name << "` | " << sample.shows << " | ";
+  if (sample.attack) text << sample.attack->fence << " | ";
+  text << losses(sample) << " |";
+  if (sample.attack)
+    text << " " << most_points(*sample.attack) << " | " << sample.attack->most_cpu_seconds << " |";
+  return text.str() + "\n";
+}
+
 TEST(SampleClass, IsDescribedInTheReadme) {
   const std::string readme = bytes_of(kProject / "grader" / "samples" / "README.md");
   for (const Sample& sample : all_samples()) {
-    const std::string row = "| `" + sample.name + "` | " + sample.shows + " | " + losses(sample) + " |\n";
-    EXPECT_NE(readme.find(row), std::string::npos) << "README.md lacks the row\n" << row;
+    EXPECT_NE(readme.find(row(sample)), std::string::npos) << "README.md lacks the row\n" << row(sample);
   }
 }
 

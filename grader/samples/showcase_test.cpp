@@ -46,9 +46,11 @@ TEST(Showcase, IsGradedSoon) {
   EXPECT_LE(shown().size(), 28U);
 }
 
-// Each list is a kind: the bugs in an exercise, attacks on the grade, archives, ...
+// Each list of the class is a kind: the bugs in an exercise, attacks on the grade, archives, ...
 TEST(Showcase, HasASampleOfEveryList) {
-  EXPECT_EQ(lists(shown()), lists(read_samples(HAIR_PROJECT)));
+  std::vector<Sample> of_the_class = read_samples(HAIR_PROJECT);
+  std::erase_if(of_the_class, [](const Sample& sample) { return !sample.in_class(); });
+  EXPECT_EQ(lists(shown()), lists(of_the_class));
 }
 
 TEST(Showcase, HasEveryStatus) {

@@ -16,19 +16,12 @@
 #include "grader/report/result.h"
 #include "grader/samples/sample.h"
 #include "grader/tests/run_program.h"
+#include "grader/tests/submission_name.h"
 
 namespace grader {
 namespace {
 
 namespace fs = std::filesystem;
-
-// As intake cleans a name.
-std::string submission_name(std::string name) {
-  for (char& letter : name)
-    if (!isalnum(static_cast<unsigned char>(letter)) && std::string("._-").find(letter) == std::string::npos)
-      letter = '_';
-  return name;
-}
 
 std::string class_name() {
   const char* name = std::getenv("HAIR_CLASS");
@@ -41,7 +34,8 @@ fs::path graded() {
 
 std::vector<Sample> samples() {
   std::vector<Sample> all = read_samples(HAIR_PROJECT);
-  if (class_name() == "showcase") std::erase_if(all, [](const Sample& sample) { return !sample.showcase; });
+  const bool showcase = class_name() == "showcase";
+  std::erase_if(all, [&](const Sample& sample) { return !(showcase ? sample.showcase : sample.in_class()); });
   return all;
 }
 

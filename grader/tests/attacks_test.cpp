@@ -1,0 +1,332 @@
+// STAFF ONLY. The attack corpus, graded place by place: what each attack gets and costs, and that it reaches nobody. The
+// environment's HAIR_PLACE names the place. What was graded is kept: a test that was interrupted goes on where it was, as
+// long as hairgrade and its suite are the same.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <system_error>
+#include <thread>
+
+#include "grader/course/course.h"
+#include "grader/course/input.h"
+#include "grader/report/base64.h"
+#include "grader/report/report.h"
+#include "grader/report/result.h"
+#include "grader/samples/sample.h"
+#include "grader/tests/run_program.h"
+#include "grader/tests/submission_name.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+// What attacks print, throw or claim in a worker.
+const std::string kMarker = "hair-attack-says";
+
+std::string place() {
+  const char* name = std::getenv("HAIR_PLACE");
+  if (name == nullptr) throw std::runtime_error("HAIR_PLACE is not set: name a place, such as run");
+  return name;
+}
+
+fs::path folder() {
+  return fs::path(HAIR_GRADED) / "attacks" / place();
+}
+
+fs::path grades() {
+  return folder() / "grades";
+}
+
+std::vector<Sample> corpus() {
+  std::vector<Sample> all = read_samples(HAIR_PROJECT);
+  std::erase_if(all, [](const Sample& sample) { return !sample.graded_at(place()); });
+  return all;
+}
+
+double cpu_seconds_of_children() {
+  rusage used{};
+  getrusage(RUSAGE_CHILDREN, &used);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
+
+struct ShardRun {
+  int code = 0;
+  double cpu_seconds = 0;  // of all processes that it started, dead by now
+  int left_behind = 0;     // processes that still ran long after it had ended
+};
+
+// What it prints is added to the file `terminal`. This process adopts what hairgrade's processes leave behind: so their
+// time is known, and that they end.
+ShardRun run_shard(std::vector<std::string> words, const fs::path& terminal) {
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
+  const double before = cpu_seconds_of_children();
+  words.insert(words.begin(), HAIRGRADE);
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  const int output = open(terminal.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
+  const pid_t process = fork();
+  if (process < 0) throw std::system_error(errno, std::generic_category(), "fork");
+  if (process == 0) {
+    prctl(PR_SET_PDEATHSIG, SIGTERM);  // a test that runs out of time leaves nothing running
+    dup2(output, 1);
+    dup2(output, 2);
+    execv(argv[0], argv.data());
+    _exit(127);
+  }
+  close(output);
+
+  ShardRun run;
+  int status = 0;
+  for (pid_t ended = 0; ended != process; ended = waitpid(-1, &status, 0)) {
+  }
+  run.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  for (;;) {
+    const pid_t ended = waitpid(-1, nullptr, WNOHANG);
+    if (ended < 0) break;  // there is no child any more
+    if (ended > 0) continue;
+    if (std::chrono::steady_clock::now() > deadline) {
+      ++run.left_behind;
+      break;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  run.cpu_seconds = cpu_seconds_of_children() - before;
+  return run;
+}
+
+// Of what --resume does not look at: hairgrade and its suite as they were built.
+std::string version() {
+  std::string all;
+  for (const char* program : {HAIRGRADE, HAIR_SUITE_PROGRAM})
+    all += std::to_string(std::hash<std::string>()(read_file(program))) + "\n";
+  return all + read_file(HAIR_ATTACKS_COURSE);
+}
+
+// The course's budgets are scaled down, so that the corpus takes minutes. A hairgrade that knows no budgets grades with
+// its own.
+std::vector<std::string> course() {
+  try {
+    read_course(fs::path(HAIR_PROJECT) / "handout" / "exercises.json", HAIR_ATTACKS_COURSE);
+    return {"--course", HAIR_ATTACKS_COURSE};
+  } catch (const BadInput&) {
+    return {};
+  }
+}
+
+class AttackCorpus : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    if (read_file(folder() / "version") != version()) fs::remove_all(folder());
+    fs::create_directories(folder());
+    std::ofstream(folder() / "version") << version();
+    std::vector<std::string> words = {"grade",    (fs::path(HAIR_ATTACKS) / place()).string(),
+                                      "--out",    grades().string(),
+                                      "--cache",  (folder() / "cache").string(),
+                                      "--secret", HAIR_TEST_SECRET,
+                                      "--resume"};
+    const std::vector<std::string> more = course();
+    words.insert(words.end(), more.begin(), more.end());
+    run_ = run_shard(words, folder() / "terminal");
+    timing_ = json::parse(read_file(grades() / "timing.json"), nullptr, false);
+  }
+
+  static SubmissionResult result_of(const Sample& sample) {
+    std::optional<SubmissionResult> result = read_results(grades(), submission_name(sample.name));
+    if (!result) throw std::runtime_error("no result for " + sample.name);
+    return *result;
+  }
+
+  static ShardRun run_;
+  static json timing_;
+};
+
+ShardRun AttackCorpus::run_;
+json AttackCorpus::timing_;
+
+// Both of what students get.
+std::vector<std::string> pages_of(const Sample& sample) {
+  const fs::path of = grades() / submission_name(sample.name);
+  return {read_file(of / "report.html"), read_file(of / "results.json")};
+}
+
+// Control characters but line feeds and tabs, in UTF-8 or not: what a terminal obeys.
+bool has_control_characters(const std::string& text) {
+  return std::any_of(text.begin(), text.end(), [](char letter) {
+    const auto byte = static_cast<unsigned char>(letter);
+    return (byte < 0x20 && letter != '\n' && letter != '\t') || byte == 0x7f;
+  });
+}
+
+// No attack is a failure of the grader's own.
+TEST_F(AttackCorpus, IsGradedToItsEnd) {
+  EXPECT_EQ(run_.code, 0);
+  const std::string terminal = read_file(folder() / "terminal");
+  const std::size_t trouble = terminal.find("could not grade");
+  if (trouble != std::string::npos) {
+    ADD_FAILURE() << printable(terminal.substr(trouble, 400), 400);
+  }
+  for (const Sample& sample : corpus())
+    EXPECT_TRUE(fs::exists(grades() / submission_name(sample.name) / "report.html")) << sample.name;
+}
+
+TEST_F(AttackCorpus, GetsItsStatuses) {
+  for (const Sample& sample : corpus()) {
+    SCOPED_TRACE(sample.name + ": " + sample.shows);
+    for (const ExerciseResult& exercise : result_of(sample).exercises) {
+      const ExpectedResult& expected = sample.expected.at(exercise.id);
+      const std::string status = to_string(exercise.status);
+      const bool attacked = sample.attack && (sample.attack->most_points ||
+                                              sample.attack->most_points_of.count(exercise.id) > 0);
+      const bool also = attacked && std::ranges::count(sample.attack->also, status) > 0;
+      EXPECT_TRUE(status == expected.status || also)
+          << exercise.id << " " << status << ", expected: " << expected.status << "\n"
+          << printable(exercise.staff_log.substr(0, 300), 300);
+    }
+  }
+}
+
+TEST_F(AttackCorpus, GetsNoMorePointsThanItMay) {
+  for (const Sample& sample : corpus()) {
+    if (!sample.attack) continue;
+    SCOPED_TRACE(sample.name + ": " + sample.shows);
+    double points = 0;
+    for (const ExerciseResult& exercise : result_of(sample).exercises) {
+      points += exercise.points;
+      const auto most = sample.attack->most_points_of.find(exercise.id);
+      if (most == sample.attack->most_points_of.end()) continue;
+      EXPECT_LE(exercise.points, most->second) << exercise.id;
+    }
+    if (sample.attack->most_points) {
+      EXPECT_LE(points, *sample.attack->most_points);
+    }
+  }
+}
+
+TEST_F(AttackCorpus, CostsNobodyBesideItAnything) {
+  int honest = 0;
+  for (const Sample& sample : corpus()) {
+    if (sample.attack) continue;
+    SCOPED_TRACE(sample.name);
+    for (const ExerciseResult& exercise : result_of(sample).exercises)
+      if (sample.expected.at(exercise.id).status == "passed") {
+        EXPECT_EQ(exercise.points, exercise.max_points) << exercise.id;
+        ++honest;
+      }
+  }
+  EXPECT_GE(honest, 2);
+}
+
+// CPU seconds alone: a busy machine takes longer by the clock.
+TEST_F(AttackCorpus, TakesNoMoreTimeThanItMay) {
+  ASSERT_TRUE(timing_.is_object());
+  double bounds = 0;
+  for (const Sample& sample : corpus()) {
+    if (!sample.attack) continue;
+    bounds += sample.attack->most_cpu_seconds;
+    double seconds = 0;
+    const json& exercises = timing_.at("submissions").at(submission_name(sample.name));
+    for (const auto& [exercise, times] : exercises.items())
+      for (const auto& [key, value] : times.items())
+        if (key.ends_with("cpu_seconds")) seconds += value.get<double>();
+    EXPECT_LE(seconds, sample.attack->most_cpu_seconds) << sample.name << ": " << sample.shows << "\n"
+                                                        << exercises;
+  }
+  // With all that no file tells of: compilers, workers that were killed, hairgrade itself. The reference and those who are
+  // right take less than a minute.
+  EXPECT_LE(run_.cpu_seconds, bounds + 60);
+  RecordProperty("cpu_seconds", std::to_string(run_.cpu_seconds));
+}
+
+TEST_F(AttackCorpus, LeavesNothingRunning) {
+  EXPECT_EQ(run_.left_behind, 0);
+}
+
+TEST_F(AttackCorpus, ChangesNothingOutsideOfTheSandbox) {
+  std::vector<fs::path> places = {"/tmp",   "/var/tmp",  "/", "/dev/shm", fs::current_path(),
+                                  grades(), HAIR_ATTACKS};
+  if (const char* home = std::getenv("HOME")) places.emplace_back(home);
+  for (const fs::path& one : places) {
+    std::error_code error;
+    for (const auto& entry : fs::directory_iterator(one, error))
+      EXPECT_EQ(entry.path().filename().string().find("hair-sample-was-here"), std::string::npos)
+          << entry.path();
+  }
+}
+
+TEST_F(AttackCorpus, ChangesNoTerminal) {
+  const std::string terminal = read_file(folder() / "terminal");
+  EXPECT_FALSE(terminal.empty());
+  for (std::size_t at = 0, end = 0; at < terminal.size(); at = end + 1) {
+    end = std::min(terminal.find('\n', at), terminal.size());
+    // Progress may return to the line's beginning.
+    std::string line = terminal.substr(at, end - at);
+    std::erase(line, '\r');
+    EXPECT_FALSE(has_control_characters(line)) << printable(line, 300);
+  }
+}
+
+TEST_F(AttackCorpus, SaysNothingOnAStudentsPage) {
+  for (const Sample& sample : corpus())
+    for (const std::string& page : pages_of(sample)) {
+      EXPECT_FALSE(page.empty()) << sample.name;
+      const std::size_t at = page.find(kMarker);
+      if (at != std::string::npos) {
+        ADD_FAILURE() << sample.name << ": " << printable(page.substr(at < 200 ? 0 : at - 200, 300), 300);
+      }
+    }
+}
+
+// Of staff's pages, too.
+TEST_F(AttackCorpus, WritesNoMarkupAndNoControlCharacters) {
+  for (const Sample& sample : corpus()) {
+    const fs::path staff = grades() / "staff" / (submission_name(sample.name) + ".html");
+    for (const std::string& page : {pages_of(sample).at(0), read_file(staff)})
+      for (const char* markup : {"<script>document", "<script>alert", "<img src=x"})
+        EXPECT_EQ(page.find(markup), std::string::npos) << sample.name << ": " << markup;
+    std::vector<std::string> all = pages_of(sample);
+    all.push_back(read_file(staff));
+    for (const std::string& page : all) EXPECT_FALSE(has_control_characters(page)) << sample.name;
+  }
+}
+
+TEST_F(AttackCorpus, ShowsNoPictureThatItMustNot) {
+  for (const Sample& sample : corpus()) {
+    if (!sample.attack || !sample.attack->no_pictures) continue;
+    const std::string page = pages_of(sample).at(0);
+    const SubmissionResult result = result_of(sample);
+    const auto check = [&](const std::vector<PictureResult>& pictures) {
+      for (const PictureResult& picture : pictures) {
+        if (picture.student.empty() || picture.student == picture.reference) continue;
+        EXPECT_EQ(page.find(base64(picture.student)), std::string::npos)
+            << sample.name << ", " << picture.name;
+      }
+    };
+    for (const ExerciseResult& exercise : result.exercises) check(exercise.pictures);
+    for (const RunResult& run : result.runs) check(run.pictures);
+  }
+}
+
+}  // namespace
+}  // namespace grader
