@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "grader/sandbox/cage.h"
-#include "grader/suite/watchdog.h"
+#include "grader/sandbox/watchdog.h"
 #include "grader/wire/channel.h"
 #include "grader/wire/message.h"
 
