@@ -2,16 +2,20 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <signal.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "grader/course/input.h"
 #include "grader/intake/archive_builder.h"
+#include "grader/intake/caged_archive.h"
 #include "grader/intake/submission.h"
 #include "hair/io/files/temporary_folder.h"
 
@@ -34,15 +38,26 @@ inline std::string zip(const std::string& path, const std::string& text = "int x
   return ArchiveBuilder(Packing::zip).file(path, text).bytes();
 }
 
+// How the tests open archives: in a cage, if the environment's HAIR_READER names a reader.
+inline const OpenArchive& opener() {
+  static const char* program = std::getenv("HAIR_READER");
+  static const std::unique_ptr<CagedReader> reader =
+      program == nullptr ? nullptr : std::make_unique<CagedReader>(program);
+  static const OpenArchive open = reader ? reader->opener() : OpenArchive(open_here);
+  return open;
+}
+
 class Submissions : public testing::Test {
  protected:
+  Submissions() { signal(SIGPIPE, SIG_IGN); }
+
   fs::path write(const std::string& name, const std::string& bytes) const {
     fs::create_directories((dir_ / name).parent_path());
     std::ofstream(dir_ / name, std::ios::binary) << bytes;
     return dir_ / name;
   }
   static Intake take(const std::vector<fs::path>& arguments, const IntakeLimits& limits = {}) {
-    return read_submissions(arguments, two_exercises(), open_here, limits);
+    return read_submissions(arguments, two_exercises(), opener(), limits);
   }
   static std::vector<Submission> read(const std::vector<fs::path>& arguments,
                                       const IntakeLimits& limits = {}) {

@@ -26,6 +26,10 @@ const GradingSettings& checked(const GradingSettings& settings, const StagedKit&
 
 }  // namespace
 
+void check_isolation(const GradingSettings& settings) {
+  checked(settings, StagedKit(settings.kit, settings.course));
+}
+
 Grading::Grading(GradingSettings settings)
     : settings_(std::move(settings)),
       kit_(settings_.kit, settings_.course),

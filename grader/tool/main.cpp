@@ -1,7 +1,7 @@
 // STAFF ONLY. hairgrade: grades submissions, compares pictures, and makes the handout.
 //
-// Exit code 0: all submissions have results (or the handout is written). 1: the grader itself failed,
-// something in what was handed in could not be graded by name (a line each), or a gate of the handout closed. 2: bad input or usage. 130: interrupted; what was finished is kept, and
+// Exit code 0: all submissions have results (or the handout is written). 1: the grader itself failed, intake
+// left something out (a line each, all else is graded), or a gate of the handout closed. 2: bad input or usage. 130: interrupted; what was finished is kept, and
 // --resume goes on.
 #include <locale.h>
 #include <signal.h>
@@ -16,6 +16,7 @@
 
 #include "grader/course/course.h"
 #include "grader/course/input.h"
+#include "grader/intake/caged_archive.h"
 #include "grader/intake/submission.h"
 #include "grader/package/handout.h"
 #include "grader/report/report.h"
@@ -87,7 +88,13 @@ int grade(const GradeOptions& options) {
   settings.isolated = !options.unsafe;
   settings.images = !options.no_images;
   settings.study = options.study;
-  const Intake intake = read_submissions(options.submissions, settings.course, open_here);
+  std::optional<CagedReader> reader;
+  if (settings.isolated) {
+    check_isolation(settings);  // whoever has no sandbox hears of that, and not of archives
+    reader.emplace(HAIR_READER);
+  }
+  const Intake intake =
+      read_submissions(options.submissions, settings.course, reader ? reader->opener() : open_here);
   settings.cache = options.cache ? *options.cache : default_cache();
   settings.secret = read_secret(options.secret);
 
