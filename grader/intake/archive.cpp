@@ -3,6 +3,7 @@
 
 #include <archive.h>
 #include <archive_entry.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -13,50 +14,30 @@
 #include <utility>
 
 #include "grader/course/input.h"
+#include "grader/intake/archive_format.h"
 
 namespace grader {
 namespace {
-
-using Source = std::variant<std::filesystem::path, std::string>;
-
-constexpr std::size_t longest_path = 4096;
 
 struct CloseArchive {
   void operator()(archive* handle) const { archive_read_free(handle); }
 };
 using Handle = std::unique_ptr<archive, CloseArchive>;
 
-std::string first_bytes(const Source& source) {
-  constexpr std::size_t tar_header = 512;
-  if (const auto* bytes = std::get_if<std::string>(&source)) return bytes->substr(0, tar_header);
-  std::string head(tar_header, '\0');
-  std::ifstream in(std::get<std::filesystem::path>(source), std::ios::binary);
-  in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+std::string first_bytes(const ArchiveSource& source) {
+  if (const auto* bytes = std::get_if<std::string>(&source)) return bytes->substr(0, kHeadBytes);
+  std::string head(kHeadBytes, '\0');
+  std::size_t size = 0;
+  if (const auto* file = std::get_if<OpenFile>(&source)) {
+    size =
+        static_cast<std::size_t>(std::max<ssize_t>(pread(file->descriptor, head.data(), head.size(), 0), 0));
+  } else {
+    std::ifstream in(std::get<std::filesystem::path>(source), std::ios::binary);
+    in.read(head.data(), static_cast<std::streamsize>(head.size()));
+    size = static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0));
+  }
+  head.resize(size);
   return head;
-}
-
-bool is_zip(std::string_view head) {
-  return head.starts_with("PK\x03\x04") || head.starts_with("PK\x05\x06");
-}
-bool is_gzip(std::string_view head) {
-  return head.starts_with("\x1f\x8b");
-}
-bool is_tar(std::string_view head) {
-  return head.size() == 512 && head.substr(257, 5) == "ustar";
-}
-
-// What people hand in by mistake.
-std::string_view foreign_format(std::string_view head) {
-  if (head.starts_with("Rar!")) return "a RAR archive";
-  if (head.starts_with("7z\xbc\xaf\x27\x1c")) return "a 7z archive";
-  if (head.starts_with("\xfd"
-                       "7zXZ"))
-    return "packed with xz";
-  if (head.starts_with("BZh")) return "packed with bzip2";
-  if (head.starts_with("\x28\xb5\x2f\xfd")) return "packed with zstd";
-  if (head.empty()) return "empty";
-  return "neither a zip nor a tar.gz archive";
 }
 
 // How many entries a zip's directory claims. The library keeps all of them in memory, so they are counted
@@ -74,10 +55,10 @@ std::size_t count_zip_entries(std::string_view bytes) {
 // is counted: the bytes that the inner tar states are not.
 class Reading {
  public:
-  Reading(const Source& source, const std::string& shown, ArchiveLimits limits)
+  Reading(const ArchiveSource& source, const std::string& shown, ArchiveLimits limits)
       : shown_(shown), limits_(limits), left_(limits.unpacked_bytes) {
     if (const auto* file = std::get_if<std::filesystem::path>(&source); file && !std::ifstream(*file)) {
-      throw Refused(shown_ + " can't be read (" + std::generic_category().message(errno) + ").");
+      throw Unreadable(shown_ + " can't be read (" + std::generic_category().message(errno) + ").");
     }
     const std::string head = first_bytes(source);
     entries_.reset(archive_read_new());
@@ -98,8 +79,8 @@ class Reading {
       archive_read_support_format_tar(entries_.get());
       open(entries_, source);
     } else {
-      throw Refused(shown_ + " is " + std::string(foreign_format(head)) +
-                    ". Hand in a .zip or .tar.gz archive.");
+      throw Unreadable(shown_ + " is " + std::string(foreign_format(head)) +
+                       ". Hand in a .zip or .tar.gz archive.");
     }
   }
   Reading(const Reading&) = delete;
@@ -122,7 +103,7 @@ class Reading {
       const la_ssize_t size = archive_read_data(entries_.get(), block.data(), block.size());
       if (size == 0) return bytes;
       if (size < 0) {
-        throw Refused(path + " is damaged in " + shown_ + ". Pack it again, and check that it opens.");
+        throw Unreadable(path + " is damaged in " + shown_ + ". Pack it again, and check that it opens.");
       }
       bytes.append(block.data(), static_cast<std::size_t>(size));
       if (bytes.size() > most) throw Refused(path + " is larger than " + shown_size(most) + ".");
@@ -135,11 +116,18 @@ class Reading {
   }
 
  private:
-  void open(Handle& handle, const Source& source) {
-    const auto* bytes = std::get_if<std::string>(&source);
-    const int result = bytes ? archive_read_open_memory(handle.get(), bytes->data(), bytes->size())
-                             : archive_read_open_filename(
-                                   handle.get(), std::get<std::filesystem::path>(source).c_str(), 65536);
+  void open(Handle& handle, const ArchiveSource& source) {
+    constexpr std::size_t block = 65536;
+    int result = ARCHIVE_FATAL;
+    if (const auto* bytes = std::get_if<std::string>(&source)) {
+      result = archive_read_open_memory(handle.get(), bytes->data(), bytes->size());
+    } else if (const auto* file = std::get_if<OpenFile>(&source)) {
+      if (lseek(file->descriptor, 0, SEEK_SET) == 0)
+        result = archive_read_open_fd(handle.get(), file->descriptor, block);
+    } else {
+      result =
+          archive_read_open_filename(handle.get(), std::get<std::filesystem::path>(source).c_str(), block);
+    }
     if (result < ARCHIVE_WARN) refuse_damaged();
   }
 
@@ -169,8 +157,8 @@ class Reading {
                   ". Hand in only the exercise files.");
   }
   [[noreturn]] void refuse_damaged() const {
-    throw Refused(shown_ +
-                  " can't be read: it is damaged or cut short. Pack it again, and check that it opens.");
+    throw Unreadable(shown_ +
+                     " can't be read: it is damaged or cut short. Pack it again, and check that it opens.");
   }
 
   std::string shown_;
@@ -202,35 +190,18 @@ Entry described(archive_entry* entry) {
   return result;
 }
 
-constexpr std::array<std::string_view, 14> endings{".tar.gz", ".tgz",     ".zip",  ".tar",     ".tar.xz",
-                                                   ".txz",    ".tar.bz2", ".tbz2", ".tar.zst", ".rar",
-                                                   ".7z",     ".gz",      ".xz",   ".bz2"};
-
-std::size_t ending_length(std::string_view name) {
-  std::string lower(name);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
-  for (const std::string_view ending : endings) {
-    if (lower.ends_with(ending)) return ending.size();
-  }
-  return 0;
-}
-
 }  // namespace
 
-Archive::Archive(std::filesystem::path file, std::string shown, ArchiveLimits limits)
-    : source_(std::move(file)), shown_(std::move(shown)), limits_(limits) {}
-
-Archive::Archive(std::string bytes, std::string shown, ArchiveLimits limits)
-    : source_(std::move(bytes)), shown_(std::move(shown)), limits_(limits) {}
+Archive::Archive(ArchiveSource source, std::string shown, ArchiveLimits limits)
+    : source_(std::move(source)), shown_(std::move(shown)), limits_(limits) {}
 
 std::vector<Entry> Archive::list() {
   Reading reading(source_, shown_, limits_);
   std::vector<Entry> entries;
   while (archive_entry* entry = reading.next()) {
     entries.push_back(described(entry));
-    if (entries.back().shown.size() > longest_path) {
-      throw Refused(shown_ + " holds a path of more than " + std::to_string(longest_path) +
+    if (entries.back().shown.size() > kLongestPath) {
+      throw Refused(shown_ + " holds a path of more than " + std::to_string(kLongestPath) +
                     " characters. Hand in only the exercise files.");
     }
   }
@@ -253,12 +224,8 @@ void Archive::visit(const std::vector<std::size_t>& indices,
   }
 }
 
-bool has_archive_ending(std::string_view name) {
-  return ending_length(name) > 0;
-}
-
-std::string_view without_archive_ending(std::string_view name) {
-  return name.substr(0, name.size() - ending_length(name));
+std::unique_ptr<Container> open_here(ArchiveSource source, const std::string& shown, ArchiveLimits limits) {
+  return std::make_unique<Archive>(std::move(source), shown, limits);
 }
 
 bool has_archive_content(const std::filesystem::path& file) {

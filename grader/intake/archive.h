@@ -3,8 +3,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <string>
-#include <string_view>
 #include <variant>
 
 #include "grader/intake/container.h"
@@ -16,27 +17,35 @@ struct ArchiveLimits {
   std::size_t entries;
 };
 
+inline constexpr std::size_t kLongestPath = 4096;  // in an archive, bytes
+
+struct OpenFile {
+  int descriptor;  // of a file, which its owner closes
+};
+// A file on disk, an archive's bytes, or an open file.
+using ArchiveSource = std::variant<std::filesystem::path, std::string, OpenFile>;
+
 class Archive : public Container {
  public:
   // `shown` is its name in messages.
-  Archive(std::filesystem::path file, std::string shown, ArchiveLimits limits);
-  Archive(std::string bytes, std::string shown, ArchiveLimits limits);
+  Archive(ArchiveSource source, std::string shown, ArchiveLimits limits);
 
   std::vector<Entry> list() override;
   void visit(const std::vector<std::size_t>& indices,
              const std::function<void(std::size_t index, const Read&)>& take) override;
 
  private:
-  std::variant<std::filesystem::path, std::string> source_;  // a file, or an archive's bytes
+  ArchiveSource source_;
   std::string shown_;
   ArchiveLimits limits_;
 };
 
-// Whether `name` has an archive's extension, including archives that can't be read here ("x.rar"), so that a
-// student who hands one in gets a message.
-bool has_archive_ending(std::string_view name);
-// `name` without such an extension.
-std::string_view without_archive_ending(std::string_view name);
+// How archives are opened. `open_here` reads them in this process, with all its rights, whatever their bytes
+// do to the library; caged_archive.h reads them in a cage.
+using OpenArchive =
+    std::function<std::unique_ptr<Container>(ArchiveSource, const std::string& shown, ArchiveLimits)>;
+std::unique_ptr<Container> open_here(ArchiveSource source, const std::string& shown, ArchiveLimits limits);
+
 // Whether the file starts like a zip or a gzip, or is a tar.
 bool has_archive_content(const std::filesystem::path& file);
 

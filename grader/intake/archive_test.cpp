@@ -6,6 +6,7 @@
 #include <string>
 
 #include "grader/intake/archive_builder.h"
+#include "grader/intake/archive_format.h"
 
 namespace grader {
 namespace {

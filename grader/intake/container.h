@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace grader {
@@ -16,6 +17,18 @@ namespace grader {
 // The reason for a rejection: a sentence for the student, without control characters.
 class Refused : public std::runtime_error {
   using std::runtime_error::runtime_error;
+};
+
+// The same for what can't be read as what it is. The whole submission then gets a status of its own.
+class Unreadable : public Refused {
+ public:
+  // `failure`: not empty if our reader failed with it, a sentence for staff.
+  explicit Unreadable(const std::string& why, std::string failure = {})
+      : Refused(why), failure_(std::move(failure)) {}
+  const std::string& failure() const { return failure_; }
+
+ private:
+  std::string failure_;
 };
 
 struct Entry {

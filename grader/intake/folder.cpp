@@ -100,7 +100,7 @@ std::vector<Entry> Folder::list() {
       if (entries.back().kind == Entry::Kind::folder) waiting.push_back(entries.back().path);
     }
     if (!error) continue;
-    if (folder.empty()) throw Refused(shown_ + " can't be read" + reason(error.value()) + ".");
+    if (folder.empty()) throw Unreadable(shown_ + " can't be read" + reason(error.value()) + ".");
     const auto closed = std::find_if(entries.begin(), entries.end(),
                                      [&](const Entry& entry) { return entry.path == folder; });
     closed->closed = true;

@@ -1,43 +1,57 @@
 // STAFF ONLY. Decides whether an argument holds one submission or a class of them. Only the names in it
 // decide, so that the contents of files can't change the owner.
 //
-// Items are the exercise files and the archives. `__MACOSX`, names that begin with a dot, and everything
-// below them are ignored. The root is the deepest folder that contains all items, so that enclosing folders
-// make no difference. An argument is
-//   1. one submission, if an exercise file lies directly in the root, or a CMakeLists.txt lies in the root or
-//      in a folder around it: this is a student's project;
-//   2. a class, if two or more of the root's folders and archives are or contain items. Then each folder and
-//      each archive in the root is a submission, even without an exercise file, so that nobody is left out;
-//   3. a class of one, if it is a folder on disk and one archive lies directly in it: the archive's name then
-//      stays the same when others are added;
-//   4. otherwise one submission.
+// Items are the exercise files, the archives, and single exercise files as Canvas names them (canvas.h).
+// Hidden names, what Macs and Windows add, and everything below such names are ignored. The root is the
+// deepest folder that contains all items, so that enclosing folders make no difference.
+//
+// The first of these rules that holds decides:
+//   1. A student's project is one submission: the root, or a folder around it, has a CMakeLists.txt and beside
+//      it a folder of the handout (solver, particles, hair or student).
+//   2. Files that Canvas named for students, directly in the root, make a class.
+//   3. Two or more folders and archives in the root make a class, if each of them is or contains an item.
+//   4. A folder on disk whose only item is one archive directly in it is a class of one: the archive's name
+//      then stays the same when others are added.
+//   5. Everything else is one submission.
+//
+// In a class each folder, each archive and each document (.pdf) in the root is a submission, even without an
+// exercise file, so that nobody is left out. All of a student's files from Canvas are one submission. Any
+// other file, and what lies outside of the root, is a stray: it belongs to nobody, and is reported. So a bare
+// conj_grad.cpp or CMakeLists.txt beside the archives of a class makes no difference to them.
+//
+// Rule 3 takes one student's conj_grad.cpp with old copies in two folders beside it for a class with a stray
+// file: a class of two folders looks the same. In an archive of its own in a folder it is one submission.
+//
 // A submission is never a class: everything nested in it belongs to it. Its exercise files may lie at any
 // depth; archives in it are opened only if there are no exercise files.
 #pragma once
 
-#include <functional>
-#include <optional>
-#include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "grader/intake/canvas.h"
 #include "grader/intake/container.h"
 
 namespace grader {
 
-using FileNames = std::set<std::string, std::less<>>;
-
 struct Member {
+  enum class Kind { whole, folder, archive, document, canvas };
+
   std::string path;  // below the container; "" if the container is the submission
-  bool archive = false;
-  std::vector<std::size_t> entries;  // indices of all counted entries in it, or of the archive only
+  Kind kind = Kind::whole;
+  // Indices of all counted entries in it; of an archive or a document only itself.
+  std::vector<std::size_t> entries = {};
 };
 
 struct Layout {
-  std::vector<Member> members;  // by path
-  bool is_class = false;        // false: one member, the container
-  bool found = false;           // false: neither an exercise file nor an archive in it
+  std::vector<Member> members;      // by path
+  std::vector<std::string> strays;  // paths of what belongs to no member of a class
+  // Paths of two members that Canvas's names say are one student's: single files and an archive.
+  std::vector<std::pair<std::string, std::string>> of_one_student;
+  bool is_class = false;  // false: one member, the container
+  bool found = false;     // false: no item in it
 };
 
 bool is_ignored(std::string_view path);
@@ -46,9 +60,15 @@ Layout layout_of(const std::vector<Entry>& entries, const FileNames& exercise_fi
 
 // The entries to take from a submission: its exercise files; if there are none, the archives in it.
 struct Takings {
-  std::vector<std::size_t> files, archives;
+  struct File {
+    std::size_t index;
+    std::string name;  // of the exercise file that it is
+  };
+  std::vector<File> files;
+  std::vector<std::size_t> archives;
+  std::vector<std::size_t> left_shut;  // archives beside exercise files
+  std::vector<std::size_t> outdated;   // of a file that Canvas has in several versions, all but the latest
 };
-Takings takings_of(const std::vector<Entry>& list, const std::vector<std::size_t>& entries,
-                   const FileNames& exercise_files);
+Takings takings_of(const std::vector<Entry>& list, const Member& member, const FileNames& exercise_files);
 
 }  // namespace grader

@@ -11,8 +11,8 @@ namespace {
 
 const FileNames files{"conj_grad.cpp", "normal_equations.cpp"};
 
-// The submissions in a container with these paths (those that end with '/' are folders); "one" if it is a
-// submission itself, "nothing" if it is neither.
+// The submissions in a container with these paths (those that end with '/' are folders), and its strays with
+// "? " before them; "one" if it is a submission itself, "nothing" if it is neither.
 std::vector<std::string> members(const std::vector<std::string>& paths, bool on_disk = false) {
   std::vector<Entry> entries;
   for (const std::string& path : paths) {
@@ -24,6 +24,7 @@ std::vector<std::string> members(const std::vector<std::string>& paths, bool on_
   if (!layout.is_class) return {"one"};
   std::vector<std::string> names;
   for (const Member& member : layout.members) names.push_back(member.path);
+  for (const std::string& stray : layout.strays) names.push_back("? " + stray);
   return names;
 }
 
@@ -38,7 +39,7 @@ TEST(Layout, ArchivesAreAClass) {
 TEST(Layout, FoldersAreAClassWithThoseThatHoldNothing) {
   EXPECT_EQ(
       members({"alice/conj_grad.cpp", "bob/src/conj_grad.cpp", "carol/", "dave/main.cpp", "README.txt"}),
-      (Names{"alice", "bob", "carol", "dave"}));
+      (Names{"alice", "bob", "carol", "dave", "? README.txt"}));
 }
 
 TEST(Layout, FoldersAndArchivesMix) {
@@ -50,12 +51,51 @@ TEST(Layout, FoldersAroundEverythingChangeNothing) {
   const Names paths{"alice/conj_grad.cpp", "bob/handin.zip", "carol/"};
   Names wrapped{"README"};
   for (const std::string& path : paths) wrapped.push_back("a/b/" + path);
-  EXPECT_EQ(members(wrapped), (Names{"a/b/alice", "a/b/bob", "a/b/carol"}));
+  EXPECT_EQ(members(wrapped), (Names{"a/b/alice", "a/b/bob", "a/b/carol", "? README"}));
 }
 
-TEST(Layout, AnExerciseFileAtTheRootMakesOneSubmission) {
+TEST(Layout, AnExerciseFileAtTheRootMakesOneSubmissionWithAtMostOneFolderOrArchive) {
   EXPECT_EQ(members({"conj_grad.cpp"}), Names{"one"});
-  EXPECT_EQ(members({"x/conj_grad.cpp", "x/old/conj_grad.cpp", "x/handin.zip"}), Names{"one"});
+  EXPECT_EQ(members({"x/conj_grad.cpp", "x/old/conj_grad.cpp", "x/notes/"}), Names{"one"});
+  EXPECT_EQ(members({"conj_grad.cpp", "handin.zip"}), Names{"one"});
+  EXPECT_EQ(members({"conj_grad.cpp", "handin.zip"}, true), Names{"one"});
+}
+
+TEST(Layout, BareFilesBesideAClassAreStrays) {
+  EXPECT_EQ(members({"alice.zip", "bob.zip", "conj_grad.cpp"}),
+            (Names{"alice.zip", "bob.zip", "? conj_grad.cpp"}));
+  EXPECT_EQ(members({"alice/conj_grad.cpp", "bob/conj_grad.cpp", "CMakeLists.txt"}),
+            (Names{"alice", "bob", "? CMakeLists.txt"}));
+  EXPECT_EQ(members({"c/alice.zip", "c/bob.zip", "c/CMakeLists.txt", "CMakeLists.txt"}),
+            (Names{"c/alice.zip", "c/bob.zip", "? CMakeLists.txt", "? c/CMakeLists.txt"}));
+  // One student's old copies look like this, too.
+  EXPECT_EQ(members({"conj_grad.cpp", "old/conj_grad.cpp", "older/conj_grad.cpp"}),
+            (Names{"old", "older", "? conj_grad.cpp"}));
+}
+
+TEST(Layout, WhatLiesOutsideOfTheRootIsAStray) {
+  EXPECT_EQ(members({"c/d/alice.zip", "c/d/bob.zip", "c/carol/main.cpp", "c/carol/x/y.cpp", "notes.txt"}),
+            (Names{"c/d/alice.zip", "c/d/bob.zip", "? c/carol", "? notes.txt"}));
+}
+
+TEST(Layout, DocumentsInAClassAreSubmissions) {
+  EXPECT_EQ(members({"alice.zip", "bob.zip", "carol.pdf", "dave.DOCX", "README.txt"}),
+            (Names{"alice.zip", "bob.zip", "carol.pdf", "dave.DOCX", "? README.txt"}));
+  EXPECT_EQ(members({"alice.zip", "carol.pdf"}, true), (Names{"alice.zip", "carol.pdf"}));
+  EXPECT_EQ(members({"handin.zip", "report.pdf"}), Names{"one"});
+  EXPECT_EQ(members({"conj_grad.cpp", "report.pdf"}, true), Names{"one"});
+}
+
+TEST(Layout, FilesOfCanvasInTheRootAreAClass) {
+  EXPECT_EQ(members({"doe_1_2_conj_grad.cpp"}), Names{"doe_1"});
+  EXPECT_EQ(
+      members({"c/doe_1_2_conj_grad.cpp", "c/doe_1_3_normal_equations.cpp", "c/roe_LATE_2_4_conj_grad-1.cpp",
+               "c/poe_3_5_handin.zip", "c/notes_1_2_x.txt", "c/x.txt"}),
+      (Names{"c/doe_1", "c/notes_1", "c/poe_3_5_handin.zip", "c/roe_2", "? c/x.txt"}));
+  EXPECT_EQ(members({"alice.zip", "bob.zip", "notes_1_2_x.txt"}),
+            (Names{"alice.zip", "bob.zip", "? notes_1_2_x.txt"}))
+      << "nothing else is Canvas's";
+  EXPECT_EQ(members({"alice/conj_grad.cpp", "bob/doe_1_2_conj_grad.cpp"}), (Names{"alice", "bob"}));
 }
 
 TEST(Layout, AProjectIsOneSubmission) {
@@ -64,7 +104,21 @@ TEST(Layout, AProjectIsOneSubmission) {
   EXPECT_EQ(members({"p/CMakeLists.txt", "p/student/conj_grad.cpp", "p/old/conj_grad.cpp"}), Names{"one"});
   EXPECT_EQ(members({"p/CMakeLists.txt", "p/student/1/conj_grad.cpp", "p/student/2/normal_equations.cpp"}),
             Names{"one"});
+  EXPECT_EQ(members({"CMakeLists.txt", "hair/", "a.zip", "b.zip"}), Names{"one"});
   EXPECT_EQ(members({"student/conj_grad.cpp", "solver/x.h", "build/a.o"}), Names{"one"});
+  EXPECT_EQ(
+      members({"conj_grad.cpp", "CMakeLists.txt", "particles/x.h", "old/conj_grad.cpp", "v2/conj_grad.cpp"}),
+      Names{"one"});
+}
+
+TEST(Layout, AProjectNeedsAFolderOfTheHandout) {
+  EXPECT_EQ(members({"CMakeLists.txt", "src/conj_grad.cpp", "lib/conj_grad.cpp", "hairy/x"}),
+            (Names{"hairy", "lib", "src", "? CMakeLists.txt"}));
+  EXPECT_EQ(members({"CMakeLists.txt", "solver", "a.zip", "b.zip"}),
+            (Names{"a.zip", "b.zip", "? CMakeLists.txt", "? solver"}))
+      << "a file is no folder";
+  EXPECT_EQ(members({"x/CMakeLists.txt", "x/solver/y.h", "a.zip", "b.zip"}), (Names{"a.zip", "b.zip", "x"}))
+      << "one student's project beside others' archives";
 }
 
 TEST(Layout, ProjectsOfAClassStayApart) {
@@ -98,9 +152,13 @@ TEST(Layout, NothingToLookAtIsSaid) {
 TEST(Layout, ArchivesAreTakenOnlyWhereNoExerciseFileLies) {
   const std::vector<Entry> with{entry_at("student/conj_grad.cpp"), entry_at("build/handin.zip")};
   const std::vector<Entry> without{entry_at("main.cpp"), entry_at("build/handin.zip")};
-  EXPECT_EQ(takings_of(with, {0, 1}, files).files, std::vector<std::size_t>{0});
-  EXPECT_TRUE(takings_of(with, {0, 1}, files).archives.empty());
-  EXPECT_EQ(takings_of(without, {0, 1}, files).archives, std::vector<std::size_t>{1});
+  const Member all{"", Member::Kind::whole, {0, 1}};
+  EXPECT_EQ(takings_of(with, all, files).files.at(0).index, 0u);
+  EXPECT_EQ(takings_of(with, all, files).files.at(0).name, "conj_grad.cpp");
+  EXPECT_TRUE(takings_of(with, all, files).archives.empty());
+  EXPECT_EQ(takings_of(with, all, files).left_shut, std::vector<std::size_t>{1});
+  EXPECT_EQ(takings_of(without, all, files).archives, std::vector<std::size_t>{1});
+  EXPECT_TRUE(takings_of(without, all, files).left_shut.empty());
 }
 
 TEST(EntryPath, IsCleanedAndWhatLeadsOutsideIsNoted) {

@@ -7,7 +7,11 @@
 //   class.zip with alice.zip, bob.tar.gz, carol/   a class of three
 //   class/ with alice/, bob/                       a class of two
 //   class.zip with Alice_1/handin.zip, Bob_2/...   a class, as some learning platforms export it
+//   class.zip with alice_12_34_conj_grad.cpp, ...  a class, as Canvas exports single files (canvas.h)
 //   alice.zip with project/student/conj_grad.cpp   one submission with a whole project
+//
+// Nobody gets lost: an archive, or a document in the place of one, always gives a submission, and what is
+// left out has a notice.
 #pragma once
 
 #include <filesystem>
@@ -16,6 +20,7 @@
 #include <vector>
 
 #include "grader/course/course.h"
+#include "grader/intake/archive.h"
 
 namespace grader {
 
@@ -25,12 +30,16 @@ struct SourceFile {
 };
 
 struct Submission {
-  // The name of the archive or folder without its extension. Bytes other than letters, digits, '.', '_' and
-  // '-' become '_', and so does a leading dot. A name that the class reports need ("staff") gets a '_' at its
-  // end.
-  std::string name;
+  std::string name;                         // see names.h
   std::map<std::string, SourceFile> files;  // by exercise file ("conj_grad.cpp"); only handed-in files
-  std::string problem;  // not empty: why the whole submission is rejected, for the student
+  std::string problem;      // not empty: why the whole submission is rejected, for the student
+  bool unreadable = false;  // it has a problem: it is no archive that we read, or a damaged or encrypted one
+};
+
+struct Intake {
+  std::vector<Submission> submissions;  // sorted by name; each has a name of its own
+  // For staff, a line each: files that belong to nobody, archives that stayed shut, names that clash.
+  std::vector<std::string> notices;
 };
 
 // Limits for reading one submission. A whole argument may have 50 times the entries, and its stream may
@@ -42,11 +51,10 @@ struct IntakeLimits {
   std::size_t entries = 20000;         // files and folders, including those in nested archives
 };
 
-// Sorted by name. Files of absent exercises are ignored. An error in one submission is reported in it and
-// does not affect others: an archive always gives a submission. Throws BadInput for an argument that does not
-// exist, or that is neither an archive nor a folder with an exercise file or an archive in it, and for two
-// submissions with the same name (the message names both).
-std::vector<Submission> read_submissions(const std::vector<std::filesystem::path>& arguments,
-                                         const Course& course, const IntakeLimits& limits = {});
+// Files of absent exercises are ignored. An error in one submission is reported in it and does not affect
+// others. Throws BadInput for an argument that does not exist, or that is neither an archive nor a folder with
+// an exercise file or an archive in it.
+Intake read_submissions(const std::vector<std::filesystem::path>& arguments, const Course& course,
+                        const OpenArchive& open_archive, const IntakeLimits& limits = {});
 
 }  // namespace grader

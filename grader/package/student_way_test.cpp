@@ -110,7 +110,7 @@ TEST_F(StudentsWay, LeadsFromTheArchiveToTheHandIn) {
   ASSERT_EQ(ran.code, 0) << ran.output;
   const fs::path archive = folder_ / "hair-assignment/build/ada.zip";
   EXPECT_NE(ran.output.find("Wrote " + archive.string()), std::string::npos) << ran.output;
-  const std::vector<Submission> submissions = read_submissions({archive}, course_);
+  const std::vector<Submission> submissions = read_submissions({archive}, course_, open_here).submissions;
   ASSERT_EQ(submissions.size(), 1u);
   EXPECT_EQ(submissions[0].name, "ada");
   ASSERT_EQ(submissions[0].files.size(), course_.exercises.size());

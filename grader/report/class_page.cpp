@@ -119,7 +119,7 @@ Html to_look_at(const Results& results) {
   }
   groups += list_of(html("<span class=\"badge bad\">could not be taken</span>"), with_note, notes, "notes");
   for (const Status status :
-       {Status::broke_rules, Status::crashed, Status::out_of_memory, Status::timed_out,
+       {Status::unreadable, Status::broke_rules, Status::crashed, Status::out_of_memory, Status::timed_out,
         Status::does_not_compile, Status::wrong, Status::missing, Status::not_implemented}) {
     Html items;
     std::size_t count = 0;

@@ -16,7 +16,7 @@ std::string grades_csv(const std::vector<SubmissionResult>& results);
 
 // A suite for each submission, a case for each category; only "S1" for an exercise without categories. An
 // exercise that was not handed in or not begun is skipped, a wrong answer is a failure, and a program that
-// ended early is an error.
+// ended early or a submission that can't be read is an error.
 std::string junit_xml(const std::vector<SubmissionResult>& results);
 
 }  // namespace grader

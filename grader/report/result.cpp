@@ -15,7 +15,7 @@ struct Wording {
   const char* sentence;
 };
 
-constexpr std::array<Wording, 10> wordings{{
+constexpr std::array<Wording, 11> wordings{{
     {Status::passed, "passed", "Everything passes. Well done."},
     {Status::partly, "partly",
      "Part of this works. The categories below say where points are left; each can be won on its own."},
@@ -43,6 +43,10 @@ constexpr std::array<Wording, 10> wordings{{
     {Status::broke_rules, "broke the rules",
      "The code did something that an exercise may not do, such as opening files or connections. It needs "
      "only to compute and return."},
+    {Status::unreadable, "can't be read",
+     "What you handed in could not be read, so nothing in it was graded. Pack the exercise files into a .zip "
+     "or "
+     "a .tar.gz, and check that it opens."},
 }};
 
 const Wording& wording_of(Status status) {

@@ -19,6 +19,7 @@ enum class Status {
   timed_out,
   out_of_memory,
   broke_rules,
+  unreadable,  // the whole submission, such as a .rar
 };
 
 std::string to_string(Status status);           // "does not compile"

@@ -11,12 +11,15 @@
 namespace grader {
 namespace {
 
+constexpr int kUnreadable = 14;  // the number of the submission that can't be read
+
 constexpr std::array<const char*, 6> categories{"The lecture's examples",  "Known matrices",
                                                 "Ill-conditioned systems", "Clustered eigenvalues",
                                                 "The step limit",          "Scaling"};
 
 bool runs(Status status) {
-  return status != Status::missing && status != Status::not_implemented && status != Status::does_not_compile;
+  return status != Status::missing && status != Status::not_implemented &&
+         status != Status::does_not_compile && status != Status::unreadable;
 }
 
 ExerciseResult exercise(const char* id, const char* title, const char* file, double max_points, Status status,
@@ -80,12 +83,14 @@ std::vector<SubmissionResult> sample_class(int size) {
     result.name =
         std::string(names[static_cast<std::size_t>(i % 10)]) + (i < 10 ? "" : "_" + std::to_string(i / 10));
     result.fingerprint = "0123456789abcdef0123456789abcdef";
-    const Status first = i % 3 == 2 ? all_statuses[0] : all_statuses[(i + i / 10) % 10];
-    const Status second = i % 2 == 1 ? all_statuses[1] : all_statuses[(i * 3 + i / 10) % 10];
+    Status first = i % 3 == 2 ? all_statuses[0] : all_statuses[(i + i / 10) % 10];
+    Status second = i % 2 == 1 ? all_statuses[1] : all_statuses[(i * 3 + i / 10) % 10];
+    Status third = all_statuses[i % 10];
+    if (i == kUnreadable) first = second = third = Status::unreadable;
     result.exercises.push_back(exercise("S1", "Conjugate gradients", "conj_grad.cpp", 30, first, i));
     result.exercises.push_back(exercise("S2", "Normal equations", "normal_equations.cpp", 20, second, i + 1));
     result.exercises.push_back(
-        exercise("P1", "Explicit integrators", "explicit_integrators.cpp", 5, all_statuses[i % 10], i + 2));
+        exercise("P1", "Explicit integrators", "explicit_integrators.cpp", 5, third, i + 2));
     result.exercises.back().extra_credit = true;
     for (ExerciseResult& one : result.exercises)
       if (runs(one.status)) {
@@ -100,7 +105,7 @@ std::vector<SubmissionResult> sample_class(int size) {
                              "Apart from ours by 1 to 10 % of the scene's size.",
                              "largest distance 0.0314159"});
     result.runs[1].pictures = {pictures[2]};
-    if (i == 14) {
+    if (i == kUnreadable) {
       result.note =
           "handin.tar.gz can't be read: it is damaged or cut short. Pack it again, and check that it opens.";
     }
@@ -125,7 +130,8 @@ std::vector<SubmissionResult> class_of_ten_exercises(int size) {
   for (int i = 0; i < size; ++i)
     for (int j = 0; j < static_cast<int>(more.size()); ++j) {
       const Made& one = more[static_cast<std::size_t>(j)];
-      const Status status = (i + j) % 3 == 0 ? Status::passed : all_statuses[(i * 3 + j * 7) % 10];
+      Status status = (i + j) % 3 == 0 ? Status::passed : all_statuses[(i * 3 + j * 7) % 10];
+      if (i == kUnreadable) status = Status::unreadable;
       std::vector<ExerciseResult>& exercises = results[static_cast<std::size_t>(i)].exercises;
       exercises.push_back(exercise(one.id, one.title, one.file, one.points, status, i + j));
       exercises.back().extra_credit = j == 0 || j == 3;

@@ -11,12 +11,12 @@ namespace grader {
 constexpr Status all_statuses[] = {Status::passed,          Status::partly,    Status::wrong,
                                    Status::not_implemented, Status::missing,   Status::does_not_compile,
                                    Status::crashed,         Status::timed_out, Status::out_of_memory,
-                                   Status::broke_rules};
+                                   Status::broke_rules,     Status::unreadable};
 
 // A moment with strands; the student's are moved to the right by `shift` pixels.
 PictureResult sample_picture(const std::string& name, int shift, double limit);
 
-// A class of `size` submissions with every status, repeated after each ten. Results that run have pictures:
+// A class of `size` submissions. Each of ten has another status; the fifteenth can't be read. Results that run have pictures:
 // the same if it passed, near if it passed partly, far if it is wrong.
 std::vector<SubmissionResult> sample_class(int size);
 

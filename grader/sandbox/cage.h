@@ -100,6 +100,9 @@ std::vector<std::string> with_inner_limits(const Limits& limits, const std::vect
 // Mounts for this program's own C++ library and libseccomp: all that a worker needs from the system.
 std::vector<Mount> runtime_library_mounts();
 
+// Mounts for the folders of the system's libraries.
+std::vector<Mount> library_mounts();
+
 // Mounts for the system's compiler and linker, without any headers.
 std::vector<Mount> toolchain_mounts();
 

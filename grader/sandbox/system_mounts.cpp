@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <set>
 
 #include "grader/sandbox/cage.h"
@@ -23,6 +24,14 @@ bool is_standard(const std::string& folder) {
   return names.count(folder) > 0 || folder.find("-linux-gnu") != std::string::npos;
 }
 
+std::vector<Mount> existing(std::initializer_list<const char*> folders) {
+  std::vector<Mount> mounts;
+  std::error_code error;
+  for (const char* path : folders)
+    if (fs::exists(path, error)) mounts.push_back({path, path});
+  return mounts;
+}
+
 }  // namespace
 
 std::vector<Mount> runtime_library_mounts() {
@@ -40,12 +49,13 @@ std::vector<Mount> runtime_library_mounts() {
   return mounts;
 }
 
+std::vector<Mount> library_mounts() {
+  return existing({"/usr/lib", "/usr/lib64", "/lib", "/lib64"});
+}
+
 std::vector<Mount> toolchain_mounts() {
-  std::vector<Mount> mounts;
-  std::error_code error;
-  for (const char* path :
-       {"/usr/bin", "/usr/lib", "/usr/lib64", "/usr/libexec", "/bin", "/lib", "/lib64", "/etc/alternatives"})
-    if (fs::exists(path, error)) mounts.push_back({path, path});
+  std::vector<Mount> mounts = existing({"/usr/bin", "/usr/libexec", "/bin", "/etc/alternatives"});
+  for (const Mount& mount : library_mounts()) mounts.push_back(mount);
   return mounts;
 }
 

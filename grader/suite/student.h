@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "grader/sandbox/cage.h"
+#include "grader/sandbox/watchdog.h"
 #include "grader/suite/allowance.h"
-#include "grader/suite/watchdog.h"
 #include "grader/wire/channel.h"
 #include "grader/wire/message.h"
 

@@ -96,7 +96,7 @@ class Hairgrade : public testing::Test {
     const Course course = read_course(fs::path(HAIR_PROJECT) / "handout" / "exercises.json");
     for (const char* ending : {"", ".zip", ".tar.gz"})
       if (const fs::path path = sample(name) + ending; fs::exists(path))
-        return read_submissions({path}, course).at(0).files.at(file).text;
+        return read_submissions({path}, course, open_here).submissions.at(0).files.at(file).text;
     throw std::runtime_error("no sample " + name);
   }
 
@@ -129,12 +129,48 @@ TEST_F(Hairgrade, RefusesSubmissionsThatAreNone) {
   expect_refused(grade({(folder_ / "empty").string(), "--out", out()}), {"empty"});
 }
 
-TEST_F(Hairgrade, RefusesTwoSubmissionsOfOneName) {
+// Strays, names that clash and archives beside exercise files: a line each, exit code 1, and all else is graded.
+TEST_F(Hairgrade, GradesAClassWithStraysAndClashes) {
+  const fs::path everybody = folder_ / "class";
+  for (const char* name : {"x 1", "x_1", "alice"}) {
+    fs::create_directories(everybody / name);
+    std::ofstream(everybody / name / "conj_grad.cpp") << code_of("perfect", "conj_grad.cpp");
+  }
+  std::ofstream(everybody / "alice" / "old.zip") << "";
+  std::ofstream(everybody / "bob.rar") << "Rar!";
+  std::ofstream(everybody / "conj_grad.cpp") << "";
+  const ProgramRun run = grade({everybody.string(), "--out", out()});
+  EXPECT_EQ(run.code, 1) << run.errors;
+  EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 4) << run.errors;
+  for (const string& line :
+       {"hairgrade: " + (everybody / "conj_grad.cpp").string() + ": was not graded",
+        "hairgrade: " + (everybody / "alice").string() + ": alice/old.zip was not opened",
+        "hairgrade: " + (everybody / "x 1").string() + " and " + (everybody / "x_1").string() + " are both",
+        "hairgrade: " + (everybody / "x_1").string() + " and " + (everybody / "x 1").string() + " are both"})
+    EXPECT_NE(run.errors.find(line), string::npos) << line << "\nnot in: " << run.errors;
+
+  EXPECT_EQ(points(read_results(out(), "alice").value()), 32);
+  const SubmissionResult bob = read_results(out(), "bob").value();
+  EXPECT_EQ(points(bob), 0);
+  for (const ExerciseResult& exercise : bob.exercises) EXPECT_EQ(exercise.status, Status::unreadable);
+  EXPECT_NE(read_file(fs::path(out()) / "bob" / "report.html").find("bob.rar is a RAR archive"),
+            string::npos);
+  const string gradebook = read_file(fs::path(out()) / "grades.csv");
+  EXPECT_NE(gradebook.find("\nx_1-"), string::npos) << gradebook;
+  EXPECT_EQ(std::count(gradebook.begin(), gradebook.end(), '\n'), 5) << gradebook;
+}
+
+TEST_F(Hairgrade, MarksTwoSubmissionsOfOneName) {
   fs::create_directory(folder_ / "late");
-  fs::copy_file(sample("other-order"), folder_ / "late" / "other-order.tar.gz");
-  expect_refused(
-      grade({sample("other-order"), (folder_ / "late" / "other-order.tar.gz").string(), "--out", out()}),
-      {sample("other-order"), (folder_ / "late" / "other-order.tar.gz").string()});
+  const string late = (folder_ / "late" / "other-order.tar.gz").string();
+  fs::copy_file(sample("other-order"), late);
+  const ProgramRun run = grade({sample("other-order"), late, sample("stubs"), "--out", out()});
+  EXPECT_EQ(run.code, 1) << run.errors;
+  for (const string& word : {sample("other-order"), late})
+    EXPECT_NE(run.errors.find(word), string::npos) << run.errors;
+  EXPECT_NE(run.output.find("3 graded"), string::npos) << run.output;
+  EXPECT_TRUE(fs::exists(fs::path(out()) / "stubs" / "report.html"));
+  EXPECT_FALSE(fs::exists(fs::path(out()) / "other-order"));
 }
 
 TEST_F(Hairgrade, RefusesBadCourseFiles) {

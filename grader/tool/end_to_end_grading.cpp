@@ -21,6 +21,8 @@ std::string why_not_called(Status status) {
       return "takes too much memory";
     case Status::broke_rules:
       return "breaks the rules";
+    case Status::unreadable:
+      return "can't be read";
     default:
       return "";
   }

@@ -52,7 +52,8 @@ void grade_exercise(const SuiteJobs& jobs, const Compiler& compiler, const Exerc
     result.status = status;
     result.feedback = feedback;
   };
-  if (!submission.problem.empty()) return without_cases(Status::missing, submission.problem);
+  if (!submission.problem.empty())
+    return without_cases(submission.unreadable ? Status::unreadable : Status::missing, submission.problem);
   const auto file = submission.files.find(exercise.file);
   if (file == submission.files.end()) return without_cases(Status::missing, sentence_for(Status::missing));
   if (!file->second.problem.empty()) return without_cases(Status::missing, file->second.problem);

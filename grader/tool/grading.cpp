@@ -27,6 +27,10 @@ const GradingSettings& checked(const GradingSettings& settings, const StagedKit&
 
 }  // namespace
 
+void check_isolation(const GradingSettings& settings) {
+  checked(settings, StagedKit(settings.kit, settings.course));
+}
+
 Grading::Grading(GradingSettings settings)
     : settings_(std::move(settings)),
       kit_(settings_.kit, settings_.course),
@@ -38,7 +42,8 @@ Grading::Grading(GradingSettings settings)
 }
 
 std::string Grading::fingerprint(const Submission& submission) const {
-  std::string all = base_fingerprint_ + "\n" + submission.name + "\n" + submission.problem + "\n";
+  std::string all = base_fingerprint_ + "\n" + submission.name + "\n" + submission.problem + "\n" +
+                    (submission.unreadable ? "unreadable\n" : "");
   for (const auto& [name, file] : submission.files)
     all += name + "\n" + sha256(file.text) + "\n" + file.problem + "\n";
   return sha256(all);

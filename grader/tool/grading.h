@@ -26,6 +26,9 @@ struct Graded {
   std::vector<std::string> problems;  // on our side: what prevented grading, a line each
 };
 
+// Throws BadInput if `isolated` is set and this machine can't isolate student code.
+void check_isolation(const GradingSettings& settings);
+
 class Grading {
  public:
   // Throws BadInput if `isolated` is set and this machine can't isolate student code, if `images` is set and

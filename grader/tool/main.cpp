@@ -1,7 +1,7 @@
 // STAFF ONLY. hairgrade: grades submissions, compares pictures, and makes the handout.
 //
-// Exit code 0: all submissions have results (or the handout is written). 1: the grader itself failed, or a
-// gate of the handout closed. 2: bad input or usage. 130: interrupted; what was finished is kept, and
+// Exit code 0: all submissions have results (or the handout is written). 1: the grader itself failed, intake
+// left something out (a line each, all else is graded), or a gate of the handout closed. 2: bad input or usage. 130: interrupted; what was finished is kept, and
 // --resume goes on.
 #include <locale.h>
 #include <signal.h>
@@ -16,6 +16,7 @@
 
 #include "grader/course/course.h"
 #include "grader/course/input.h"
+#include "grader/intake/caged_archive.h"
 #include "grader/intake/submission.h"
 #include "grader/package/handout.h"
 #include "grader/report/report.h"
@@ -67,7 +68,6 @@ void note_interruptions() {
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
   sigaction(SIGHUP, &action, nullptr);
-  signal(SIGPIPE, SIG_IGN);
 }
 
 int grade(const GradeOptions& options) {
@@ -88,7 +88,13 @@ int grade(const GradeOptions& options) {
   settings.isolated = !options.unsafe;
   settings.images = !options.no_images;
   settings.study = options.study;
-  const std::vector<Submission> submissions = read_submissions(options.submissions, settings.course);
+  std::optional<CagedReader> reader;
+  if (settings.isolated) {
+    check_isolation(settings);  // whoever has no sandbox hears of that, and not of archives
+    reader.emplace(HAIR_READER);
+  }
+  const Intake intake =
+      read_submissions(options.submissions, settings.course, reader ? reader->opener() : open_here);
   settings.cache = options.cache ? *options.cache : default_cache();
   settings.secret = read_secret(options.secret);
 
@@ -96,7 +102,7 @@ int grade(const GradeOptions& options) {
   const Grading grading(std::move(settings));
   BatchSettings batch_settings = options.batch;
   batch_settings.merge = options.exercise.has_value();
-  const Batch batch = grade_batch(grading, submissions, batch_settings, interrupted);
+  const Batch batch = grade_batch(grading, intake.submissions, batch_settings, interrupted);
   print_table(std::cout, batch.results);
   std::cout << "\n" << batch.graded << " graded";
   if (batch.kept > 0) std::cout << ", " << batch.kept << " kept from before";
@@ -105,8 +111,9 @@ int grade(const GradeOptions& options) {
   std::cout << "\n" << fs::absolute(options.batch.out / "index.html").lexically_normal().string() << "\n";
   for (const std::string& problem : batch.problems)
     std::cerr << "hairgrade: could not grade " << printable(problem, 2000) << "\n";
-  if (!batch.interrupted) return batch.problems.empty() ? 0 : 1;
-  std::cerr << "hairgrade: interrupted after " << batch.results.size() << " of " << submissions.size()
+  for (const std::string& notice : intake.notices) std::cerr << "hairgrade: " << notice << "\n";
+  if (!batch.interrupted) return batch.problems.empty() && intake.notices.empty() ? 0 : 1;
+  std::cerr << "hairgrade: interrupted after " << batch.results.size() << " of " << intake.submissions.size()
             << " submissions; the same command with --resume goes on\n";
   return 130;
 }
@@ -125,6 +132,7 @@ int handout(const HandoutOptions& options) {
 
 int main(int argc, char* argv[]) {
   setlocale(LC_CTYPE, "C.UTF-8");  // names in archives may hold any letters
+  signal(SIGPIPE, SIG_IGN);        // who reads what we write may be gone, as an archive's reader in its cage
   if (sodium_init() < 0) {
     std::cerr << "hairgrade: no source of random numbers\n";
     return 1;

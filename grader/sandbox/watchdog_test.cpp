@@ -1,5 +1,5 @@
 // STAFF ONLY. What the watchdog ends, and what it leaves alone: processes of all kinds, on an idle and on a busy machine.
-#include "grader/suite/watchdog.h"
+#include "grader/sandbox/watchdog.h"
 
 #include <gtest/gtest.h>
 #include <poll.h>

@@ -1,5 +1,5 @@
 // STAFF ONLY.
-#include "grader/suite/watchdog.h"
+#include "grader/sandbox/watchdog.h"
 
 #include <poll.h>
 

@@ -1,0 +1,70 @@
+// STAFF ONLY.
+#include "grader/intake/archive_format.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <string>
+
+namespace grader {
+namespace {
+
+constexpr std::array<std::string_view, 19> archives{
+    ".tar.gz", ".tgz", ".zip", ".tar", ".tar.xz", ".txz", ".tar.bz2", ".tbz2", ".tar.zst", ".rar",
+    ".7z",     ".gz",  ".xz",  ".bz2", ".zst",    ".lz",  ".lzma",    ".zipx", ".cab"};
+
+// No text files: a README.txt or a grades.csv beside a class's archives is nobody's.
+constexpr std::array<std::string_view, 8> documents{".pdf", ".doc",   ".docx", ".odt",
+                                                    ".rtf", ".pages", ".ppt",  ".pptx"};
+
+std::size_t ending_length(std::string_view name, std::span<const std::string_view> endings) {
+  std::string lower(name);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
+  for (const std::string_view ending : endings) {
+    if (lower.ends_with(ending)) return ending.size();
+  }
+  return 0;
+}
+
+}  // namespace
+
+bool is_zip(std::string_view head) {
+  return head.starts_with("PK\x03\x04") || head.starts_with("PK\x05\x06");
+}
+
+bool is_gzip(std::string_view head) {
+  return head.starts_with("\x1f\x8b");
+}
+
+bool is_tar(std::string_view head) {
+  return head.size() == kHeadBytes && head.substr(257, 5) == "ustar";
+}
+
+std::string_view foreign_format(std::string_view head) {
+  if (head.starts_with("Rar!")) return "a RAR archive";
+  if (head.starts_with("7z\xbc\xaf\x27\x1c")) return "a 7z archive";
+  if (head.starts_with("\xfd"
+                       "7zXZ"))
+    return "packed with xz";
+  if (head.starts_with("BZh")) return "packed with bzip2";
+  if (head.starts_with("\x28\xb5\x2f\xfd")) return "packed with zstd";
+  if (head.starts_with("%PDF")) return "a PDF document";
+  if (head.empty()) return "empty";
+  return "neither a zip nor a tar.gz archive";
+}
+
+bool has_archive_ending(std::string_view name) {
+  return ending_length(name, archives) > 0;
+}
+
+std::string_view without_archive_ending(std::string_view name) {
+  const std::size_t archive = ending_length(name, archives);
+  return name.substr(0, name.size() - (archive > 0 ? archive : ending_length(name, documents)));
+}
+
+bool has_document_ending(std::string_view name) {
+  return ending_length(name, documents) > 0;
+}
+
+}  // namespace grader

@@ -1,0 +1,39 @@
+// STAFF ONLY. Archives, read in a cage: libarchive meets hostile bytes in a process that holds nothing but the
+// system's libraries, without rights, network or names of files. Each archive, also each one in another, has a
+// process of its own, so that one that breaks its reader costs itself alone.
+//
+// The trusted side opens the file and hands over the descriptor. So the process needs no right to the
+// instructor's folders, and no path leads out of it to anything else.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "grader/intake/archive.h"
+#include "grader/sandbox/cage.h"
+#include "hair/io/files/temporary_folder.h"
+
+namespace grader {
+
+class CagedReader {
+ public:
+  // `program`: hairintake. It is copied to where the sandbox's user can read it. The process that uses this
+  // must ignore SIGPIPE: a reader may end at any time.
+  explicit CagedReader(const std::filesystem::path& program);
+
+  // Throws Unreadable for a file that can't be opened, and std::runtime_error if no reader starts at all. What
+  // it returns must not outlive this, and may be visited once. A reader that breaks down, takes too much time
+  // or memory, or says what no reader says, makes list and visit throw Unreadable.
+  std::unique_ptr<Container> open(ArchiveSource source, const std::string& shown, ArchiveLimits limits) const;
+
+  OpenArchive opener() const;
+
+ private:
+  hair::TemporaryFolder folder_;
+};
+
+// The cage of a reader, whose program is the file `program`.
+Cage reader_cage(const std::filesystem::path& program);
+
+}  // namespace grader

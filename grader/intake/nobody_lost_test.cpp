@@ -1,0 +1,203 @@
+// STAFF ONLY. Intake loses nobody: strays, clashes, wrong types and Canvas's single files.
+#include "grader/intake/submissions_fixture.h"
+
+namespace grader {
+namespace {
+
+TEST_F(Submissions, BareFilesBesideAClassAreReportedAndTheClassStaysOne) {
+  for (const char* stray : {"conj_grad.cpp", "CMakeLists.txt", "grades.csv", "README.txt", "build.ninja"}) {
+    SCOPED_TRACE(stray);
+    const hair::TemporaryFolder folder("strays");
+    dir_ = folder.path();
+    write("class/alice.zip", zip("conj_grad.cpp", "a"));
+    write("class/bob.zip", zip("conj_grad.cpp", "b"));
+    write(std::string("class/") + stray, "stray");
+    const Intake on_disk = take({dir_ / "class"});
+    ASSERT_EQ(names(on_disk.submissions), (Names{"alice", "bob"}));
+    EXPECT_EQ(on_disk.submissions[0].files.at("conj_grad.cpp").text, "a");
+    EXPECT_EQ(on_disk.notices.size(), 1u);
+    EXPECT_TRUE(has_notice(on_disk, {std::string("class/") + stray + ": ", "belongs to nobody"}));
+
+    const std::string bytes = ArchiveBuilder(Packing::zip)
+                                  .file("c/alice/conj_grad.cpp", "a")
+                                  .file("c/bob.zip", zip("conj_grad.cpp", "b"))
+                                  .file(std::string("c/") + stray, "stray")
+                                  .bytes();
+    const Intake packed = take({write("class.zip", bytes)});
+    EXPECT_EQ(names(packed.submissions), (Names{"alice", "bob"}));
+    EXPECT_TRUE(has_notice(packed, {std::string("class.zip/c/") + stray}));
+  }
+}
+
+TEST_F(Submissions, WhatLiesOutsideOfTheRootIsReported) {
+  write("class/group/alice.zip", zip("conj_grad.cpp"));
+  write("class/group/bob.zip", zip("conj_grad.cpp"));
+  write("class/carol/main.cpp", "");
+  write("class/carol/more/main.cpp", "");
+  write("class/notes.txt", "");
+  const Intake intake = take({dir_ / "class"});
+  EXPECT_EQ(names(intake.submissions), (Names{"alice", "bob"}));
+  EXPECT_EQ(intake.notices.size(), 2u);
+  EXPECT_TRUE(has_notice(intake, {"class/carol: ", "belongs to nobody"}));
+  EXPECT_TRUE(has_notice(intake, {"class/notes.txt: "}));
+}
+
+TEST_F(Submissions, WhatSystemsLeaveInFoldersIsNotReported) {
+  for (const char* file : {".DS_Store", "Thumbs.db", "desktop.ini", "__MACOSX/._alice.zip", "._alice.zip"})
+    write(std::string("class/") + file, "x");
+  write("class/alice.zip", zip("conj_grad.cpp"));
+  write("class/bob.zip", zip("conj_grad.cpp"));
+  const Intake intake = take({dir_ / "class"});
+  EXPECT_EQ(names(intake.submissions), (Names{"alice", "bob"}));
+  EXPECT_EQ(intake.notices, Names{});
+}
+
+TEST_F(Submissions, ArchivesThatStayShutAreReported) {
+  write("class/alice/conj_grad.cpp", "");
+  write("class/alice/build/handin.zip", zip("conj_grad.cpp"));
+  write("class/bob.zip", zip("conj_grad.cpp"));
+  const Intake intake = take({dir_ / "class"});
+  EXPECT_EQ(intake.submissions.at(0).problem, "");
+  EXPECT_EQ(intake.notices.size(), 1u);
+  EXPECT_TRUE(has_notice(intake, {"class/alice: ", "alice/build/handin.zip was not opened"}));
+
+  const Intake nested = take({write(
+      "dave.zip",
+      ArchiveBuilder(Packing::zip).file("conj_grad.cpp").file("old.zip", zip("conj_grad.cpp")).bytes())});
+  EXPECT_EQ(names(nested.submissions), Names{"dave"});
+  EXPECT_TRUE(has_notice(nested, {"dave.zip: old.zip was not opened"}));
+}
+
+TEST_F(Submissions, ArchivesThatLieTooDeepAreReported) {
+  std::string bytes = zip("conj_grad.cpp");
+  for (int i = 0; i < 10; ++i) bytes = zip("x.zip", bytes);
+  EXPECT_TRUE(
+      has_notice(take({write("alice.zip", bytes)}), {"alice.zip: x.zip/x.zip/x.zip/x.zip was not opened"}));
+}
+
+TEST_F(Submissions, ClashesAreMarkedAndTheRestIsRead) {
+  write("class/x 1/conj_grad.cpp", "");
+  write("class/x_1/conj_grad.cpp", "");
+  write("class/y.zip", zip("conj_grad.cpp"));
+  write("class/y.tar.gz", ArchiveBuilder(Packing::tar_gz).file("conj_grad.cpp").bytes());
+  write("class/z.zip", zip("conj_grad.cpp", "fine"));
+  const Intake intake = take({dir_ / "class"});
+  ASSERT_EQ(intake.submissions.size(), 5u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const Submission& one = intake.submissions[i];
+    EXPECT_TRUE(one.name.starts_with(i < 2 ? "x_1-" : "y-")) << one.name;
+    EXPECT_TRUE(one.files.empty());
+    EXPECT_FALSE(one.unreadable);
+    EXPECT_TRUE(
+        says(one.problem, i < 2 ? "are both the submission \"x_1\"" : "are both the submission \"y\""));
+    for (const char* path :
+         i < 2 ? std::array{"class/x 1", "class/x_1"} : std::array{"class/y.zip", "class/y.tar.gz"})
+      EXPECT_TRUE(says(one.problem, path));
+    EXPECT_EQ(one.problem.find(dir_.string()), std::string::npos) << "students see it: " << one.problem;
+    EXPECT_TRUE(has_notice(intake, {"rename one of them", "\"" + one.name + "\""}));
+  }
+  EXPECT_NE(intake.submissions[0].name, intake.submissions[1].name);
+  EXPECT_EQ(intake.notices.size(), 4u);
+  EXPECT_EQ(intake.submissions[4].name, "z");
+  EXPECT_EQ(intake.submissions[4].files.at("conj_grad.cpp").text, "fine");
+}
+
+TEST_F(Submissions, ClashingNamesAreTheSameInAnyOrder) {
+  const fs::path first = write("a/alice.zip", zip("conj_grad.cpp", "1")),
+                 second = write("b/alice.zip", zip("conj_grad.cpp", "2"));
+  const Intake one = take({first, second}), other = take({second, first});
+  EXPECT_EQ(names(one.submissions), names(other.submissions));
+  EXPECT_EQ(one.notices, other.notices);
+  ASSERT_EQ(one.submissions.size(), 2u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(one.submissions[i].problem, other.submissions[i].problem);
+    EXPECT_TRUE(says(one.submissions[i].problem, "a/alice.zip"));
+    EXPECT_TRUE(says(one.submissions[i].problem, "b/alice.zip"));
+  }
+  EXPECT_EQ(names(take({first, second, write("b/bob.zip", zip("conj_grad.cpp"))}).submissions).back(), "bob");
+}
+
+TEST_F(Submissions, WhatIsGivenTwiceIsReadOnce) {
+  write("class/alice.zip", zip("conj_grad.cpp", "1"));
+  write("class/bob.zip", zip("conj_grad.cpp", "2"));
+  const Intake intake = take({dir_ / "class", dir_ / "class/alice.zip"});
+  EXPECT_EQ(names(intake.submissions), (Names{"alice", "bob"}));
+  EXPECT_EQ(intake.submissions[0].problem, "");
+  EXPECT_TRUE(has_notice(intake, {"class/alice.zip: was given twice"}));
+}
+
+TEST_F(Submissions, WrongTypesAreNamedAndUnreadable) {
+  write("class/alice.rar", "Rar!\x1a\x07");
+  write("class/bob.7z", "7z\xbc\xaf\x27\x1c");
+  write("class/carol.tar.xz",
+        "\xfd"
+        "7zXZ");
+  write("class/dave.pdf", "%PDF-1.4");
+  write("class/erin.docx", zip("word/document.xml"));
+  write("class/frank.zip", "<html>Please log in</html>");
+  write("class/grace.zip", zip("conj_grad.cpp").substr(0, 60));
+  write("class/heidi.zip",
+        ArchiveBuilder(Packing::zip, "zip:encryption=aes256").file("conj_grad.cpp").bytes());
+  write("class/ivan.zip", zip("main.cpp"));
+  write("class/judy.zip", zip("conj_grad.cpp", "fine"));
+  const Intake intake = take({dir_ / "class"});
+  ASSERT_EQ(names(intake.submissions),
+            (Names{"alice", "bob", "carol", "dave", "erin", "frank", "grace", "heidi", "ivan", "judy"}));
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT_TRUE(intake.submissions[i].unreadable) << intake.submissions[i].name;
+    EXPECT_NE(intake.submissions[i].problem, "");
+  }
+  EXPECT_TRUE(says(intake.submissions[0].problem, "alice.rar is a RAR archive. Hand in a .zip"));
+  EXPECT_TRUE(says(intake.submissions[3].problem, "dave.pdf is no archive. Hand in a .zip"));
+  EXPECT_TRUE(says(intake.submissions[8].problem, "None of the exercise files"));
+  EXPECT_FALSE(intake.submissions[8].unreadable) << "it could be read";
+  EXPECT_EQ(intake.submissions[9].files.at("conj_grad.cpp").text, "fine");
+  EXPECT_EQ(intake.notices, Names{});
+  const Submission alone = read({dir_ / "class/dave.pdf"}).front();
+  EXPECT_EQ(alone.name, "dave");
+  EXPECT_TRUE(alone.unreadable);
+}
+
+TEST_F(Submissions, FilesOfCanvasBelongToTheirStudents) {
+  write("class/doejane_12347_678901_conj_grad.cpp", "jane 1");
+  write("class/doejane_12347_678902_normal_equations.cpp", "jane 2");
+  write("class/roe_LATE_99_5_conj_grad.cpp", "late");
+  write("class/roe_99_6_conj_grad-1.cpp", "older");
+  write("class/roe_99_7_conj_grad-2.cpp", "newest");
+  write("class/poe_7_8_main.cpp", "a wrong name");
+  write("class/moe_8_9_report.pdf", "%PDF");
+  write("class/conj_grad.cpp", "nobody's");
+  const Intake intake = take({dir_ / "class"});
+  ASSERT_EQ(names(intake.submissions), (Names{"doejane_12347", "moe_8", "poe_7", "roe_99"}));
+  EXPECT_EQ(intake.submissions[0].files.at("conj_grad.cpp").text, "jane 1");
+  EXPECT_EQ(intake.submissions[0].files.at("normal_equations.cpp").text, "jane 2");
+  EXPECT_TRUE(says(intake.submissions[1].problem, "None of the exercise files"));
+  EXPECT_TRUE(says(intake.submissions[2].problem, "None of the exercise files"));
+  EXPECT_EQ(intake.submissions[3].files.at("conj_grad.cpp").text, "newest");
+  EXPECT_EQ(intake.notices.size(), 3u);
+  EXPECT_TRUE(has_notice(intake, {"roe_99: ", "roe_LATE_99_5_conj_grad.cpp is older"}));
+  EXPECT_TRUE(has_notice(intake, {"roe_99: ", "roe_99_6_conj_grad-1.cpp is older"}));
+  EXPECT_TRUE(has_notice(intake, {"class/conj_grad.cpp: ", "belongs to nobody"}));
+}
+
+TEST_F(Submissions, FilesOfCanvasAreFoundInAnArchiveToo) {
+  const std::string bytes = ArchiveBuilder(Packing::zip)
+                                .file("doe_1_2_conj_grad.cpp", "a")
+                                .file("roe_2_3_conj_grad.cpp", "b")
+                                .file("roe_2_4_conj_grad.cpp", "also")
+                                .file("poe_3_4_handin.zip", zip("conj_grad.cpp", "c"))
+                                .file("doe_1_9_handin.zip", zip("conj_grad.cpp", "d"))
+                                .bytes();
+  const Intake intake = take({write("submissions.zip", bytes)});
+  ASSERT_EQ(names(intake.submissions), (Names{"doe_1", "doe_1_9_handin", "poe_3_4_handin", "roe_2"}));
+  EXPECT_EQ(intake.submissions[0].files.at("conj_grad.cpp").text, "a");
+  EXPECT_EQ(intake.submissions[1].files.at("conj_grad.cpp").text, "d");
+  EXPECT_EQ(intake.submissions[2].files.at("conj_grad.cpp").text, "c");
+  EXPECT_TRUE(says(intake.submissions[3].files.at("conj_grad.cpp").problem,
+                   "more than one conj_grad.cpp: roe_2_3_conj_grad.cpp and roe_2_4_conj_grad.cpp"));
+  EXPECT_EQ(intake.notices.size(), 1u);
+  EXPECT_TRUE(has_notice(intake, {"submissions.zip/doe_1 and doe_1_9_handin.zip are of one student"}));
+}
+
+}  // namespace
+}  // namespace grader

@@ -1,0 +1,107 @@
+// STAFF ONLY. For tests: writes what students hand in, and reads it.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "grader/course/input.h"
+#include "grader/intake/archive_builder.h"
+#include "grader/intake/caged_archive.h"
+#include "grader/intake/submission.h"
+#include "hair/io/files/temporary_folder.h"
+
+namespace grader {
+
+namespace fs = std::filesystem;
+using Names = std::vector<std::string>;
+
+inline Course two_exercises() {
+  Course course;
+  course.exercises.resize(3);
+  course.exercises[0].file = "conj_grad.cpp";
+  course.exercises[1].file = "normal_equations.cpp";
+  course.exercises[2].file = "left_out.cpp";
+  course.exercises[2].role = Role::absent;
+  return course;
+}
+
+inline std::string zip(const std::string& path, const std::string& text = "int x;\n") {
+  return ArchiveBuilder(Packing::zip).file(path, text).bytes();
+}
+
+// How the tests open archives: in a cage, if the environment's HAIR_READER names a reader.
+inline const OpenArchive& opener() {
+  static const char* program = std::getenv("HAIR_READER");
+  static const std::unique_ptr<CagedReader> reader =
+      program == nullptr ? nullptr : std::make_unique<CagedReader>(program);
+  static const OpenArchive open = reader ? reader->opener() : OpenArchive(open_here);
+  return open;
+}
+
+class Submissions : public testing::Test {
+ protected:
+  Submissions() { signal(SIGPIPE, SIG_IGN); }
+
+  fs::path write(const std::string& name, const std::string& bytes) const {
+    fs::create_directories((dir_ / name).parent_path());
+    std::ofstream(dir_ / name, std::ios::binary) << bytes;
+    return dir_ / name;
+  }
+  static Intake take(const std::vector<fs::path>& arguments, const IntakeLimits& limits = {}) {
+    return read_submissions(arguments, two_exercises(), opener(), limits);
+  }
+  static std::vector<Submission> read(const std::vector<fs::path>& arguments,
+                                      const IntakeLimits& limits = {}) {
+    return take(arguments, limits).submissions;
+  }
+  static testing::AssertionResult has_notice(const Intake& intake, const std::vector<std::string>& parts) {
+    for (const std::string& notice : intake.notices) {
+      const bool one_line = notice.find('\n') == std::string::npos;
+      if (one_line && std::all_of(parts.begin(), parts.end(), [&](const std::string& part) {
+            return notice.find(part) != std::string::npos;
+          }))
+        return testing::AssertionSuccess();
+    }
+    return testing::AssertionFailure() << "no such notice in: " << testing::PrintToString(intake.notices);
+  }
+  // The one submission in an archive of these bytes.
+  Submission only(const std::string& bytes, const IntakeLimits& limits = {}) const {
+    const std::vector<Submission> all = read({write("alice.zip", bytes)}, limits);
+    if (all.size() != 1) throw std::runtime_error("expected one submission");
+    return all.front();
+  }
+  static Names names(const std::vector<Submission>& submissions) {
+    Names names;
+    for (const Submission& submission : submissions) names.push_back(submission.name);
+    return names;
+  }
+  static std::string bad_input(const std::vector<fs::path>& arguments) {
+    try {
+      read(arguments);
+    } catch (const BadInput& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  hair::TemporaryFolder temporary_{"intake"};
+  fs::path dir_ = temporary_.path();
+};
+
+inline testing::AssertionResult says(const std::string& message, const std::string& part) {
+  if (message.find(part) != std::string::npos && message.find('\n') == std::string::npos) {
+    return testing::AssertionSuccess();
+  }
+  return testing::AssertionFailure() << "says: " << message << "\nnot:  " << part;
+}
+
+}  // namespace grader
