@@ -385,6 +385,8 @@ TEST_F(Submissions, NamesAreSafeForFilesAndPages) {
   };
   EXPECT_EQ(name("Smith, Zo\xc3\xab <b>.zip"), "Smith__Zo____b_");
   EXPECT_EQ(name("staff.zip"), "staff_");
+  EXPECT_EQ(name("costs.html.zip"), "costs.html_");
+  EXPECT_EQ(name("made-by.json.zip"), "made-by.json_");
   EXPECT_EQ(name("grades.csv.zip"), "grades.csv_");
   EXPECT_EQ(name(".hidden.zip"), "_hidden");
   EXPECT_EQ(name("..zip"), "_");
