@@ -28,6 +28,7 @@ const GradingSettings& checked(const GradingSettings& settings, const StagedKit&
 
 Grading::Grading(GradingSettings settings)
     : settings_(std::move(settings)),
+      made_by_(grader::made_by(settings_)),
       kit_(settings_.kit, settings_.course),
       compiler_(kit_, settings_.cache, settings_.isolated),
       jobs_(checked(settings_, kit_), kit_),

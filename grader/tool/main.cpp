@@ -21,6 +21,7 @@
 #include "grader/report/report.h"
 #include "grader/tool/batch.h"
 #include "grader/tool/comparing.h"
+#include "grader/tool/folder_of_grades.h"
 #include "grader/tool/grading.h"
 #include "grader/tool/secret.h"
 
@@ -92,11 +93,16 @@ int grade(const GradeOptions& options) {
   settings.cache = options.cache ? *options.cache : default_cache();
   settings.secret = read_secret(options.secret);
 
+  check_made_by(options.batch.out, made_by(settings));  // before the reference takes its seconds
   note_interruptions();
   const Grading grading(std::move(settings));
   BatchSettings batch_settings = options.batch;
   batch_settings.merge = options.exercise.has_value();
   const Batch batch = grade_batch(grading, submissions, batch_settings, interrupted);
+  if (!batch.began) {
+    std::cerr << "hairgrade: interrupted while it waited; nothing was written\n";
+    return 130;
+  }
   print_table(std::cout, batch.results);
   std::cout << "\n" << batch.graded << " graded";
   if (batch.kept > 0) std::cout << ", " << batch.kept << " kept from before";
@@ -105,8 +111,12 @@ int grade(const GradeOptions& options) {
   std::cout << "\n" << fs::absolute(options.batch.out / "index.html").lexically_normal().string() << "\n";
   for (const std::string& problem : batch.problems)
     std::cerr << "hairgrade: could not grade " << problem << "\n";
+  for (const std::string& name : batch.unreadable)
+    std::cerr << "hairgrade: " << (options.batch.out / name).string()
+              << ": its reports are not whole, so the class's files leave it out; grade " << name
+              << " again\n";
   if (!batch.interrupted) return batch.problems.empty() ? 0 : 1;
-  std::cerr << "hairgrade: interrupted after " << batch.results.size() << " of " << submissions.size()
+  std::cerr << "hairgrade: interrupted after " << batch.finished << " of " << submissions.size()
             << " submissions; the same command with --resume goes on\n";
   return 130;
 }
