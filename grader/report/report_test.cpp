@@ -347,6 +347,20 @@ TEST_F(Reports, AStudyThatChangesTakesTheRecordAwayFirst) {
   EXPECT_FALSE(read_results(dir_, result.name));
 }
 
+TEST_F(Reports, AReportThatIsHalfReplacedIsNoResult) {
+  const SubmissionResult result = sample_class(1).front();
+  write_submission_reports(dir_, result);
+  const fs::path report = dir_ / result.name / "report.html";
+  fs::rename(report, dir_ / "aside");
+  fs::create_directory(report);  // the second file that is written
+  EXPECT_THROW(write_submission_reports(dir_, result), BadInput);
+  fs::remove(report);
+  fs::rename(dir_ / "aside", report);
+  EXPECT_FALSE(read_results(dir_, result.name));
+  write_submission_reports(dir_, result);
+  EXPECT_TRUE(read_results(dir_, result.name));
+}
+
 TEST_F(Reports, NamesThatLeadElsewhereAreRefused) {
   for (const char* name : {"", ".", "..", "../x", "a/b", "staff", ".hidden"}) {
     SubmissionResult result;
