@@ -71,15 +71,20 @@ Html share(double part, double whole) {
       {percent, percent});
 }
 
-Html head_of(const char* first, const std::vector<CostColumn>& columns, const Html& more) {
-  Html head = html(
-      "<thead><tr><th scope=\"col\" data-sort=\"text\">{}</th><th scope=\"col\" class=\"number\" "
-      "data-sort=\"number\" title=\"seconds by the wall clock\">Cost</th>",
-      {first});
-  for (const CostColumn& column : columns)
-    head += html("<th scope=\"col\" class=\"number\" data-sort=\"number\" title=\"{}\">{}</th>",
-                 {column.explanation, column.heading});
-  return head += html("{}</tr></thead>\n<tbody>\n", {more});
+enum class Sorted { never, by_readers };
+
+Html head_of(const char* first, const std::vector<CostColumn>& columns, const Html& more,
+             Sorted sorted = Sorted::never) {
+  const auto cell = [&](const std::string& heading, const std::string& explanation, const char* kind) {
+    return html("<th scope=\"col\"{}{}{}>{}</th>",
+                {kind == std::string("text") ? Html() : html(" class=\"number\""),
+                 sorted == Sorted::by_readers ? html(" data-sort=\"{}\"", {kind}) : Html(),
+                 explanation.empty() ? Html() : html(" title=\"{}\"", {explanation}), heading});
+  };
+  Html cells = cell(first, "", "text");
+  cells += cell("Cost", "what a submission had to wait for, seconds by the wall clock", "number");
+  for (const CostColumn& column : columns) cells += cell(column.heading, column.explanation, "number");
+  return html("<thead><tr>{}{}</tr></thead>\n<tbody>\n", {cells, more});
 }
 
 Html table_of(const Html& head, const Html& rows, const char* look) {
@@ -161,7 +166,7 @@ Html by_submission(const Costs& costs, double whole) {
       "<th scope=\"col\">Most of it in</th><th scope=\"col\" class=\"number\">Of all</th><th "
       "scope=\"col\"></th>");
   return html("<section id=\"submissions\">\n<h2>Submissions, most expensive first</h2>\n{}</section>\n",
-              {table_of(head_of("Submission", costs.columns, more), rows, "class")});
+              {table_of(head_of("Submission", costs.columns, more, Sorted::by_readers), rows, "class")});
 }
 
 }  // namespace

@@ -50,6 +50,14 @@ TEST(CostsPage, ShowsTheWholeClassBesideTheReference) {
       page, {">H4<", ">4.50<", ">1.50<", ">3.00<", ">2.25<", ">4.0<", "69 %", "the reference", ">0.75<"});
 }
 
+// In the others a row belongs to the row above it.
+TEST(CostsPage, LetsReadersSortTheSubmissionsAlone) {
+  const std::string page = costs_page(three_submissions());
+  const std::size_t submissions = page.find("id=\"submissions\"");
+  EXPECT_GT(page.find(" data-sort="), submissions);
+  expect_in_order(page.substr(submissions), {"data-sort=\"text\"", "data-sort=\"number\""});
+}
+
 TEST(CostsPage, HasWhateverColumnsThereAre) {
   Costs costs = three_submissions();
   costs.columns.push_back({"Idle <s>", "waiting & sleeping", CostKind::cpu_seconds});
