@@ -43,12 +43,15 @@ StagedKit::StagedKit(const fs::path& kit, const Course& course) {
         throw BadInput((kit / part).string() + " is missing; build the target grading_kit");
 
   remove_stale();
-  std::string pattern = (fs::temp_directory_path() / (std::string(kPrefix) + "XXXXXX")).string();
-  if (mkdtemp(pattern.data()) == nullptr)
-    throw BadInput(pattern + ": can't make a folder for temporary files: " + std::strerror(errno));
-  root_ = pattern;
-  lock_ = Descriptor(open((root_ / kLock).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
-  flock(lock_.get(), LOCK_EX);
+  // Another grader may take the new folder for a stale one and remove it, until we hold its lock.
+  do {
+    std::string pattern = (fs::temp_directory_path() / (std::string(kPrefix) + "XXXXXX")).string();
+    if (mkdtemp(pattern.data()) == nullptr)
+      throw BadInput(pattern + ": can't make a folder for temporary files: " + std::strerror(errno));
+    root_ = pattern;
+    lock_ = Descriptor(open((root_ / kLock).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
+    flock(lock_.get(), LOCK_EX);
+  } while (!fs::exists(root_ / kLock));
   share_with_sandbox(root_, false);
   fs::copy(kit, folder(), fs::copy_options::recursive);
   fs::create_directory(empty_folder());

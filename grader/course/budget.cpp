@@ -5,13 +5,13 @@ namespace grader {
 namespace {
 
 constexpr BudgetField kFields[] = {
-    {"idle_seconds", "idle time", &Budget::idle_seconds},
-    {"worker_cpu_seconds", "CPU time", &Budget::worker_cpu_seconds},
-    {"compiler_cpu_seconds", "the compiler's CPU time", &Budget::compiler_cpu_seconds},
-    {"suite_cpu_seconds", "the suite's CPU time", &Budget::suite_cpu_seconds},
-    {"restarts", "restarts", &Budget::restarts},
-    {"messages", "messages", &Budget::messages},
-    {"megabytes", "bytes of messages", &Budget::megabytes},
+    {"idle_seconds", "idle time", "Idle", &Budget::idle_seconds},
+    {"worker_cpu_seconds", "CPU time", "Own CPU", &Budget::worker_cpu_seconds},
+    {"compiler_cpu_seconds", "the compiler's CPU time", "Compiler CPU", &Budget::compiler_cpu_seconds},
+    {"suite_cpu_seconds", "the suite's CPU time", "Suite CPU", &Budget::suite_cpu_seconds},
+    {"restarts", "restarts", "Restarts", &Budget::restarts},
+    {"messages", "messages", "Messages", &Budget::messages},
+    {"megabytes", "bytes of messages", "MB", &Budget::megabytes},
 };
 
 }  // namespace

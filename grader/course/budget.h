@@ -19,8 +19,9 @@ struct Budget {
 };
 
 struct BudgetField {
-  const char* key;   // in course files and timing.json
-  const char* name;  // "idle time"
+  const char* key;      // in course files and timing.json
+  const char* name;     // "idle time"
+  const char* heading;  // "Idle"
   double Budget::*value;
 };
 

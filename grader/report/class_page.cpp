@@ -15,25 +15,6 @@ namespace {
 
 using Results = std::vector<SubmissionResult>;
 
-constexpr std::string_view sort_script = R"js(<script>
-for (const th of document.querySelectorAll("table.class thead th[data-sort]")) {
-  const column = th.cellIndex, button = document.createElement("button");
-  button.append(...th.childNodes);
-  th.append(button);
-  button.onclick = () => {
-    const down = th.getAttribute("aria-sort") === "ascending";
-    for (const other of th.parentNode.children) other.removeAttribute("aria-sort");
-    th.setAttribute("aria-sort", down ? "descending" : "ascending");
-    const value = row => row.cells[column].dataset.value;
-    const order = th.dataset.sort === "number"
-      ? (a, b) => value(a) - value(b) : (a, b) => value(b) > value(a) ? -1 : value(a) > value(b);
-    const body = th.closest("table").tBodies[0];
-    body.append(...[...body.rows].sort((a, b) => down ? order(b, a) : order(a, b)));
-  };
-}
-</script>
-)js";
-
 double mean(const std::vector<double>& values) {
   double sum = 0;
   for (const double value : values) sum += value;
@@ -236,7 +217,7 @@ std::string class_page(const Results& results) {
       "<header>\n<h1>Grades of the class</h1>\n<p class=\"total\"><strong>{}</strong> of {} points on "
       "average, median {}, {} submissions</p>\n"
       "<p class=\"quiet\"><a href=\"grades.csv\">grades.csv</a> &#183; <a "
-      "href=\"junit.xml\">junit.xml</a></p>\n"
+      "href=\"junit.xml\">junit.xml</a> &#183; <a href=\"costs.html\">what grading cost</a></p>\n"
       "<nav><a href=\"#look\">Worth a look</a> <a href=\"#submissions\">Submissions</a> <a "
       "href=\"#pictures\">Pictures</a> <a href=\"#exercises\">Exercises</a> <a "
       "href=\"#distribution\">Distribution</a> <a "
@@ -250,7 +231,7 @@ std::string class_page(const Results& results) {
   body += distribution(results);
   body += categories_table(results);
   body += html("</main>\n");
-  body += Html{std::string(sort_script)};
+  body += sort_script();
   return html_page("Grades of the class", body, Scripts::on, Pictures::beside);
 }
 

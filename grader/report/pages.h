@@ -22,6 +22,9 @@ std::string study_page(const SubmissionResult& result, const SubmissionStudy& st
 
 std::string class_page(const std::vector<SubmissionResult>& results);  // index.html
 
+// Lets a reader sort a table of class "class" by its columns with data-sort, "text" or "number".
+Html sort_script();
+
 const char* look_of(Status status);  // the status as a class of the style sheet
 Html badge(Status status);           // the status in words, coloured
 

@@ -1,6 +1,7 @@
 // STAFF ONLY.
 #include "grader/report/report.h"
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -19,38 +20,53 @@ namespace {
 namespace fs = std::filesystem;
 
 // A name becomes a part of paths: it must not lead elsewhere.
+bool can_name_a_folder(const std::string& name) {
+  return !name.empty() && name.front() != '.' && name != "staff" &&
+         name.find_first_of(std::string("/\\\0", 3)) == name.npos;
+}
+
 void check_name(const std::string& name) {
-  if (name.empty() || name.front() == '.' || name == "staff" ||
-      name.find_first_of(std::string("/\\\0", 3)) != name.npos) {
+  if (!can_name_a_folder(name)) {
     throw std::invalid_argument("\"" + printable(name) + "\" can't name a submission's folder");
   }
+}
+
+fs::path record_of(const fs::path& dir, const std::string& name) {
+  return dir / "staff" / (name + ".json");
+}
+
+// The record comes last and goes first: where it is, all other files belong to it. So a grader that is killed
+// leaves either a whole result or none.
+void remove_record(const fs::path& dir, const std::string& name) {
+  std::error_code not_there;
+  fs::remove(record_of(dir, name), not_there);
 }
 
 }  // namespace
 
 void write_submission_reports(const fs::path& dir, const SubmissionResult& result) {
   check_name(result.name);
-  const fs::path record = dir / "staff" / (result.name + ".json");
-  // The record comes last and goes first: where it is, all the others belong to it.
-  std::error_code not_there;
-  fs::remove(record, not_there);
+  remove_record(dir, result.name);
+  fs::create_directories(dir / "staff");
+  fs::permissions(dir / "staff", fs::perms::owner_all);  // hidden inputs and expected values
   write_file(dir / result.name / "results.json", student_json(result));
   write_file(dir / result.name / "report.html", student_page(result));
   write_pictures(pictures_folder(dir), result);
   write_file(dir / "staff" / (result.name + ".html"), staff_page(result));
-  fs::permissions(dir / "staff", fs::perms::owner_all);  // hidden inputs and expected values
-  write_file(record, staff_json(result));
+  write_file(record_of(dir, result.name), staff_json(result));
 }
 
 void write_study(const fs::path& dir, const SubmissionResult& result, const SubmissionStudy& study,
                  const SubmissionStudy& beside_itself) {
   check_name(result.name);
+  remove_record(dir, result.name);
   write_file(dir / result.name / "study.json", study_json(study));
   write_file(dir / result.name / "study.html", study_page(result, study, beside_itself));
 }
 
 void remove_study(const fs::path& dir, const SubmissionResult& result) {
   check_name(result.name);
+  remove_record(dir, result.name);
   std::error_code not_there;
   for (const char* file : {"study.html", "study.json"}) fs::remove(dir / result.name / file, not_there);
 }
@@ -67,7 +83,7 @@ std::optional<SubmissionResult> read_results(const fs::path& dir, const std::str
   const bool whole = fs::exists(dir / name / "results.json", error) &&
                      fs::exists(dir / name / "report.html", error) &&
                      fs::exists(dir / "staff" / (name + ".html"), error);
-  std::ifstream in(dir / "staff" / (name + ".json"), std::ios::binary);
+  std::ifstream in(record_of(dir, name), std::ios::binary);
   if (!whole || !in) return {};
   std::ostringstream text;
   text << in.rdbuf();
@@ -75,6 +91,17 @@ std::optional<SubmissionResult> read_results(const fs::path& dir, const std::str
       result_from_staff_json(std::move(text).str(), pictures_folder(dir));
   if (result && result->name != name) return {};
   return result;
+}
+
+std::vector<std::string> submissions_in(const fs::path& dir) {
+  std::vector<std::string> names;
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(dir, none))
+    if (const std::string name = entry.path().filename().string();
+        can_name_a_folder(name) && fs::exists(entry.path() / "results.json", none))
+      names.push_back(name);
+  std::sort(names.begin(), names.end());
+  return names;
 }
 
 }  // namespace grader

@@ -322,6 +322,45 @@ TEST_F(Reports, WhatIsNotWholeIsNotRead) {
   }
 }
 
+TEST_F(Reports, AreOfAllWhoHaveAFolder) {
+  write_all(dir_, sample_class(3));
+  SubmissionResult named_results = sample_class(1).front();
+  named_results.name = "results";  // its record is staff/results.json
+  write_submission_reports(dir_, named_results);
+  write_file(dir_ / ".trash" / "results.json", "{}");
+  write_file(dir_ / "notes" / "of-the-staff.txt", "x");
+  EXPECT_EQ(submissions_in(dir_), (std::vector<std::string>{"alice", "bob", "carol", "results"}));
+  fs::remove_all(dir_ / "bob");
+  EXPECT_EQ(submissions_in(dir_), (std::vector<std::string>{"alice", "carol", "results"}));
+  EXPECT_TRUE(submissions_in(dir_ / "not" / "there").empty());
+}
+
+// A grader may be killed between any two files.
+TEST_F(Reports, AStudyThatChangesTakesTheRecordAwayFirst) {
+  const SubmissionResult result = sample_class(1).front();
+  write_submission_reports(dir_, result);
+  EXPECT_TRUE(read_results(dir_, result.name));
+  remove_study(dir_, result);
+  EXPECT_FALSE(read_results(dir_, result.name));
+  write_submission_reports(dir_, result);
+  write_study(dir_, result, {}, {});
+  EXPECT_FALSE(read_results(dir_, result.name));
+}
+
+TEST_F(Reports, AReportThatIsHalfReplacedIsNoResult) {
+  const SubmissionResult result = sample_class(1).front();
+  write_submission_reports(dir_, result);
+  const fs::path report = dir_ / result.name / "report.html";
+  fs::rename(report, dir_ / "aside");
+  fs::create_directory(report);  // the second file that is written
+  EXPECT_THROW(write_submission_reports(dir_, result), BadInput);
+  fs::remove(report);
+  fs::rename(dir_ / "aside", report);
+  EXPECT_FALSE(read_results(dir_, result.name));
+  write_submission_reports(dir_, result);
+  EXPECT_TRUE(read_results(dir_, result.name));
+}
+
 TEST_F(Reports, NamesThatLeadElsewhereAreRefused) {
   for (const char* name : {"", ".", "..", "../x", "a/b", "staff", ".hidden"}) {
     SubmissionResult result;

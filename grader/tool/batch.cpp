@@ -1,18 +1,16 @@
 // STAFF ONLY.
 #include "grader/tool/batch.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <iostream>
-#include <map>
 #include <mutex>
 #include <thread>
 
 #include "grader/course/input.h"
 #include "grader/report/picture_files.h"
 #include "grader/report/report.h"
+#include "grader/tool/folder_of_grades.h"
 #include "grader/tool/progress.h"
 #include "grader/tool/timing.h"
 
@@ -45,6 +43,24 @@ void keep_other_exercises(SubmissionResult& result, const std::optional<Submissi
   result.runs = earlier->runs;
 }
 
+bool has(const std::vector<SubmissionResult>& results, const std::string& name) {
+  return std::any_of(results.begin(), results.end(),
+                     [&](const SubmissionResult& result) { return result.name == name; });
+}
+
+// The rows of those whom this batch did not grade: other people's, and what an interrupted batch did not reach.
+void add_what_else_is_there(Batch& batch, const std::filesystem::path& folder) {
+  for (const std::string& name : submissions_in(folder)) {
+    if (has(batch.results, name)) continue;
+    if (std::optional<SubmissionResult> earlier = read_results(folder, name))
+      batch.results.push_back(std::move(*earlier));
+    else
+      batch.unreadable.push_back(name);
+  }
+  std::sort(batch.results.begin(), batch.results.end(),
+            [](const SubmissionResult& a, const SubmissionResult& b) { return a.name < b.name; });
+}
+
 }  // namespace
 
 Batch grade_batch(const Grading& grading, const std::vector<Submission>& submissions,
@@ -53,34 +69,33 @@ Batch grade_batch(const Grading& grading, const std::vector<Submission>& submiss
                                     [&](const Submission& s) { return s.name == *settings.only; }))
     throw BadInput("--only " + *settings.only + ": no submission has that name; there are " +
                    names_of(submissions));
-  std::error_code error;
-  std::filesystem::create_directories(settings.out, error);
-  if (error || access(settings.out.c_str(), W_OK) != 0)
-    throw BadInput(settings.out.string() + ": reports can't be written there" +
-                   (error ? ": " + error.message() : ""));
-
-  const auto start = std::chrono::steady_clock::now();
   Batch batch;
+  const std::optional<FolderOfGrades> folder =
+      FolderOfGrades::open(settings.out, grading.made_by(), interrupted, std::cerr);
+  if (!folder) {
+    batch.interrupted = true;
+    batch.began = false;
+    return batch;
+  }
+  const auto start = std::chrono::steady_clock::now();
   batch.problems = grading.reference().problems;
-  std::map<std::string, TimingByExercise> timing;
+  Timing timing(settings.out, grading.reference().timing, settings.merge);
   std::string failure;
   Progress progress(settings.only ? 1 : submissions.size());
   std::mutex shared;  // guards all of the above
   std::atomic<std::size_t> next = 0;
 
   auto grade_one = [&](const Submission& submission) {
-    const bool selected = !settings.only || *settings.only == submission.name;
-    if (!selected || settings.resume) {
+    if (settings.only && *settings.only != submission.name) return;
+    if (settings.resume) {
       std::optional<SubmissionResult> earlier = read_results(settings.out, submission.name);
       const bool complete = earlier && (earlier->studied || !grading.reference().study);
-      if (earlier && (!selected || (complete && earlier->fingerprint == grading.fingerprint(submission)))) {
+      if (complete && earlier->fingerprint == grading.fingerprint(submission)) {
         const std::lock_guard lock(shared);
         batch.results.push_back(std::move(*earlier));
-        ++batch.kept;
-        if (selected) progress.step(submission.name);
+        progress.step(submission.name);
         return;
       }
-      if (!selected) return;
     }
     Graded graded = grading.grade(submission);
     // Ctrl-C reaches the suite, too: what it left is no result.
@@ -96,7 +111,7 @@ Batch grade_batch(const Grading& grading, const std::vector<Submission>& submiss
     write_submission_reports(settings.out, graded.result);
     const std::lock_guard lock(shared);
     batch.results.push_back(std::move(graded.result));
-    timing[submission.name] = std::move(graded.timing);
+    timing.add(submission.name, graded.timing);
     batch.problems.insert(batch.problems.end(), graded.problems.begin(), graded.problems.end());
     ++batch.graded;
     progress.step(submission.name);
@@ -118,20 +133,13 @@ Batch grade_batch(const Grading& grading, const std::vector<Submission>& submiss
   if (!failure.empty()) throw BadInput(failure);
 
   batch.interrupted = interrupted;
-  if (interrupted) {
-    // Those that were not reached keep what an earlier run found.
-    for (const Submission& submission : submissions)
-      if (std::none_of(batch.results.begin(), batch.results.end(),
-                       [&](const SubmissionResult& result) { return result.name == submission.name; }))
-        if (std::optional<SubmissionResult> earlier = read_results(settings.out, submission.name))
-          batch.results.push_back(std::move(*earlier));
-  }
-  std::sort(batch.results.begin(), batch.results.end(),
-            [](const SubmissionResult& a, const SubmissionResult& b) { return a.name < b.name; });
+  add_what_else_is_there(batch, settings.out);
+  batch.kept = static_cast<int>(batch.results.size()) - batch.graded;
+  for (const Submission& submission : submissions) batch.finished += has(batch.results, submission.name);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   write_class_reports(settings.out, batch.results);
   remove_unshown_pictures(settings.out);
-  write_timing(settings.out, grading.reference().timing, timing, seconds, batch.graded, settings.jobs);
+  timing.finish(batch.results, {seconds, batch.graded, settings.jobs});
   return batch;
 }
 

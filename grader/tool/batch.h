@@ -1,5 +1,6 @@
 // STAFF ONLY. Grades many submissions in parallel. Each one's reports are written as soon as it is graded, so
-// that an interrupted batch leaves the finished ones. A failure in one submission does not affect others.
+// that an interrupted batch leaves the finished ones. A failure in one submission does not affect others. The
+// class's pages are made from all results in the folder, whoever graded them.
 #pragma once
 
 #include <atomic>
@@ -18,19 +19,23 @@ struct BatchSettings {
   std::filesystem::path out;
   int jobs = 1;
   bool resume = false;              // keep results whose fingerprint has not changed
-  std::optional<std::string> only;  // grade only this submission; keep the others' results
+  std::optional<std::string> only;  // grade only this submission
   bool merge = false;               // only one exercise is graded: keep the earlier results of the others
 };
 
 struct Batch {
-  std::vector<SubmissionResult> results;  // sorted by name; only those that exist
-  int graded = 0, kept = 0;
-  std::vector<std::string> problems;  // on our side: what could not be graded, a line each
+  std::vector<SubmissionResult> results;  // all that the folder holds, sorted by name
+  int graded = 0, kept = 0;               // by this batch; from before
+  std::size_t finished = 0;               // of the submissions that were asked for: how many have a result
+  std::vector<std::string> problems;      // on our side: what could not be graded, a line each
+  std::vector<std::string> unreadable;    // submissions whose reports in the folder are not whole
   bool interrupted = false;
+  bool began = true;  // false: interrupted while another process had the folder
 };
 
-// When `interrupted` is set from outside (Ctrl-C), the batch starts nothing new and ends. Throws BadInput for
-// an `only` that names none of the submissions, and for a folder that can't be written.
+// Waits while another process grades into the same folder. When `interrupted` is set from outside (Ctrl-C), the
+// batch starts nothing new and ends. Throws BadInput for an `only` that names none of the submissions, and as
+// FolderOfGrades::open does.
 Batch grade_batch(const Grading& grading, const std::vector<Submission>& submissions,
                   const BatchSettings& settings, const std::atomic<bool>& interrupted);
 

@@ -33,6 +33,7 @@ void check_isolation(const GradingSettings& settings) {
 
 Grading::Grading(GradingSettings settings)
     : settings_(std::move(settings)),
+      made_by_(grader::made_by(settings_)),
       kit_(settings_.kit, settings_.course),
       compiler_(kit_, settings_.cache, settings_.isolated),
       jobs_(checked(settings_, kit_), kit_),

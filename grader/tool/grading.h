@@ -14,6 +14,7 @@
 #include "grader/course/course.h"
 #include "grader/intake/submission.h"
 #include "grader/report/result.h"
+#include "grader/tool/made_by.h"
 #include "grader/tool/reference_grading.h"
 #include "grader/tool/suite_jobs.h"
 
@@ -42,6 +43,7 @@ class Grading {
   std::string fingerprint(const Submission& submission) const;
 
   const Course& course() const { return settings_.course; }
+  const MadeBy& made_by() const { return made_by_; }
 
   const ReferenceGraded& reference() const { return reference_; }  // in an identical worker
 
@@ -49,6 +51,7 @@ class Grading {
   void run_end_to_end(const std::filesystem::path& job, Graded& graded) const;
 
   GradingSettings settings_;
+  MadeBy made_by_;
   StagedKit kit_;
   Compiler compiler_;
   SuiteJobs jobs_;

@@ -22,6 +22,7 @@
 #include "grader/report/report.h"
 #include "grader/tool/batch.h"
 #include "grader/tool/comparing.h"
+#include "grader/tool/folder_of_grades.h"
 #include "grader/tool/grading.h"
 #include "grader/tool/secret.h"
 
@@ -98,11 +99,16 @@ int grade(const GradeOptions& options) {
   settings.cache = options.cache ? *options.cache : default_cache();
   settings.secret = read_secret(options.secret);
 
+  check_made_by(options.batch.out, made_by(settings));  // before the reference takes its seconds
   note_interruptions();
   const Grading grading(std::move(settings));
   BatchSettings batch_settings = options.batch;
   batch_settings.merge = options.exercise.has_value();
   const Batch batch = grade_batch(grading, intake.submissions, batch_settings, interrupted);
+  if (!batch.began) {
+    std::cerr << "hairgrade: interrupted while it waited; nothing was written\n";
+    return 130;
+  }
   print_table(std::cout, batch.results);
   std::cout << "\n" << batch.graded << " graded";
   if (batch.kept > 0) std::cout << ", " << batch.kept << " kept from before";
@@ -111,9 +117,13 @@ int grade(const GradeOptions& options) {
   std::cout << "\n" << fs::absolute(options.batch.out / "index.html").lexically_normal().string() << "\n";
   for (const std::string& problem : batch.problems)
     std::cerr << "hairgrade: could not grade " << printable(problem, 2000) << "\n";
+  for (const std::string& name : batch.unreadable)
+    std::cerr << "hairgrade: " << (options.batch.out / name).string()
+              << ": its reports are not whole, so the class's files leave it out; grade " << name
+              << " again\n";
   for (const std::string& notice : intake.notices) std::cerr << "hairgrade: " << notice << "\n";
   if (!batch.interrupted) return batch.problems.empty() && intake.notices.empty() ? 0 : 1;
-  std::cerr << "hairgrade: interrupted after " << batch.results.size() << " of " << intake.submissions.size()
+  std::cerr << "hairgrade: interrupted after " << batch.finished << " of " << intake.submissions.size()
             << " submissions; the same command with --resume goes on\n";
   return 130;
 }

@@ -1,10 +1,11 @@
-// STAFF ONLY. timing.json: the cost of everything, beside the reference in an identical worker. The only file
-// that differs from run to run.
+// STAFF ONLY. timing.json: the cost of everything, beside the reference in an identical worker; and costs.html,
+// the page that shows it. Besides studies, only these two differ from run to run.
 #pragma once
 
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "grader/tool/grading.h"
 
@@ -12,9 +13,31 @@ namespace grader {
 
 using TimingByExercise = std::map<std::string, ExerciseTiming>;
 
-// Adds to the file of an earlier run in `out`. `wall_seconds` and `graded` are those of this run.
-void write_timing(const std::filesystem::path& out, const TimingByExercise& reference,
-                  const std::map<std::string, TimingByExercise>& submissions, double wall_seconds, int graded,
-                  int jobs);
+struct LastRun {
+  double wall_seconds = 0;
+  int graded = 0, jobs = 0;
+};
+
+class Timing {
+ public:
+  // Begins with what earlier runs found. `merge`: this run grades one exercise alone, and keeps the costs of the
+  // others.
+  Timing(std::filesystem::path folder, const TimingByExercise& reference, bool merge);
+
+  // Writes timing.json, so that no cost is lost if the batch is killed.
+  void add(const std::string& submission, const TimingByExercise& timing);
+
+  // Leaves out whoever has no result in the folder any more, and writes both files.
+  void finish(const std::vector<SubmissionResult>& results, const LastRun& run);
+
+ private:
+  void put(TimingByExercise& place, const TimingByExercise& timing) const;
+  void write(const LastRun* run) const;
+
+  std::filesystem::path folder_;
+  bool merge_;
+  TimingByExercise reference_;
+  std::map<std::string, TimingByExercise> submissions_;
+};
 
 }  // namespace grader

@@ -1,0 +1,198 @@
+// STAFF ONLY. One folder of grades, several graders: who come at once, who are killed, who grade by other rules.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <stdexcept>
+#include <thread>
+
+#include "grader/sandbox/descriptor.h"
+#include "grader/tests/run_program.h"
+#include "hair/io/files/temporary_folder.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+using std::string;
+
+constexpr const char* kWaiting = " is in use by another hairgrade; waiting until it has finished\n";
+
+string sample(const string& name) {
+  for (const char* ending : {"", ".zip", ".tar.gz"})
+    if (const fs::path path = fs::path(HAIR_SAMPLE_CLASS) / (name + ending); fs::exists(path)) return path;
+  throw std::runtime_error("the sample class has no " + name);
+}
+
+bool has_open(int process, const fs::path& file) {
+  std::error_code error;
+  for (const auto& descriptor : fs::directory_iterator("/proc/" + std::to_string(process) + "/fd", error))
+    if (fs::read_symlink(descriptor.path(), error) == file) return true;
+  return false;
+}
+
+bool wait_for(const std::function<bool()>& what) {
+  for (int i = 0; i < 60'000; ++i, usleep(1000))
+    if (what()) return true;
+  return false;
+}
+
+int lines_with(const string& text, const string& words) {
+  int lines = 0;
+  for (std::size_t at = text.find(words); at != string::npos; at = text.find(words, at + 1)) ++lines;
+  return lines;
+}
+
+// S2 alone and without pictures, so that a submission takes a second.
+class OneFolder : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    common_ = new hair::TemporaryFolder("one-folder");
+    write("secret", "a secret for this test");
+    write("course.json", R"({"exercises": {"H6": {"role": "absent"}}})");
+  }
+  static void TearDownTestSuite() { delete common_; }
+
+  static string write(const string& name, const string& text) {
+    std::ofstream(common_->path() / name) << text;
+    return (common_->path() / name).string();
+  }
+  static ProgramRun grade(const std::vector<string>& samples, const fs::path& out,
+                          std::vector<string> options = {}, const std::function<void(int)>& meanwhile = {}) {
+    std::vector<string> words = {"grade", "--out", out.string(), "--exercise", "S2"};
+    for (const string& name : samples) words.push_back(sample(name));
+    const auto add = [&](const string& option, const string& value) {
+      if (std::ranges::count(options, option) == 0) words.insert(words.end(), {option, value});
+    };
+    add("--secret", (common_->path() / "secret").string());
+    add("--cache", (common_->path() / "cache").string());
+    add("--course", (common_->path() / "course.json").string());
+    if (std::ranges::count(options, "--with-images") == 0) words.push_back("--no-images");
+    std::erase(options, "--with-images");
+    words.insert(words.end(), options.begin(), options.end());
+    return run_hairgrade(words, meanwhile);
+  }
+  // All but times.
+  static std::map<string, string> files(const fs::path& folder) {
+    std::map<string, string> all;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+      if (entry.is_regular_file()) all[fs::relative(entry.path(), folder).string()] = read_file(entry.path());
+    EXPECT_EQ(all.erase("timing.json") + all.erase("costs.html"), 2U);
+    return all;
+  }
+  static void expect_same(const fs::path& found, const fs::path& expected) {
+    const std::map<string, string> a = files(found), b = files(expected);
+    for (const auto& [name, bytes] : b) EXPECT_TRUE(a.contains(name) && a.at(name) == bytes) << name;
+    for (const auto& [name, bytes] : a) EXPECT_TRUE(b.contains(name)) << name;
+  }
+
+  inline static hair::TemporaryFolder* common_ = nullptr;
+  hair::TemporaryFolder temporary_{"one-folder"};
+  fs::path out_ = temporary_.path() / "grades";
+};
+
+// The first is stopped where it has graded one of three, while the others come; then it is killed.
+TEST_F(OneFolder, FourAtOnceOfWhichOneIsKilledLoseNothing) {
+  const std::vector<string> first = {"other-order", "perfect", "textbook"};
+  const std::array<string, 3> others = {"stubs", "segfault", "prints-success"};
+  const auto is_waiting = [&](int process) { return has_open(process, out_ / ".lock"); };
+  std::array<ProgramRun, 3> runs;
+  std::atomic<int> waiting = 0;
+  const ProgramRun killed = grade(first, out_, {"-j", "1"}, [&](int process) {
+    EXPECT_TRUE(wait_for([&] { return fs::exists(out_ / "staff" / "other-order.json"); }));
+    kill(-process, SIGSTOP);
+    std::vector<std::jthread> graders;
+    for (std::size_t i = 0; i < others.size(); ++i)
+      graders.emplace_back([&, i] {
+        runs[i] = grade({others[i]}, out_, {}, [&](int other) {
+          if (wait_for([&] { return is_waiting(other); })) ++waiting;
+        });
+      });
+    EXPECT_TRUE(wait_for([&] { return waiting == 3; }));
+    usleep(300'000);  // for what they say
+    EXPECT_FALSE(fs::exists(out_ / "stubs"));
+    kill(-process, SIGKILL);
+  });
+  EXPECT_EQ(killed.code, -1);
+  for (const ProgramRun& run : runs) {
+    EXPECT_EQ(run.code, 0) << run.errors;
+    EXPECT_EQ(lines_with(run.errors, kWaiting), 1) << run.errors;
+    EXPECT_EQ(lines_with(run.errors, "\n"), 1) << run.errors;
+  }
+  const string gradebook = read_file(out_ / "grades.csv");
+  for (const char* row : {"\r\nother-order,20,", "\r\nprints-success,", "\r\nsegfault,", "\r\nstubs,0,"})
+    EXPECT_NE(gradebook.find(row), string::npos) << row << " is not in " << gradebook;
+  for (const char* row : {"perfect", "textbook"}) EXPECT_EQ(gradebook.find(row), string::npos) << gradebook;
+
+  const ProgramRun resumed = grade(first, out_, {"--resume"});
+  EXPECT_EQ(resumed.code, 0) << resumed.errors;
+  EXPECT_NE(resumed.output.find("2 graded, 4 kept from before"), string::npos) << resumed.output;
+  std::vector<string> everybody = first;
+  everybody.insert(everybody.end(), others.begin(), others.end());
+  const fs::path undisturbed = temporary_.path() / "undisturbed";
+  ASSERT_EQ(grade(everybody, undisturbed).code, 0);
+  expect_same(out_, undisturbed);
+  const string costs = read_file(out_ / "costs.html"), timing = read_file(out_ / "timing.json");
+  for (const string& name : everybody) {
+    EXPECT_NE(costs.find("staff/" + name + ".html"), string::npos) << name;
+    EXPECT_NE(timing.find("\"" + name + "\""), string::npos) << name;
+  }
+}
+
+TEST_F(OneFolder, CanBeLeftWhileItIsWaitedFor) {
+  fs::create_directory(out_);
+  const Descriptor lock(open((out_ / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
+  ASSERT_EQ(flock(lock.get(), LOCK_EX), 0);
+  const ProgramRun run = grade({"stubs"}, out_, {}, [&](int process) {
+    EXPECT_TRUE(wait_for([&] { return has_open(process, out_ / ".lock"); }));
+    usleep(300'000);
+    kill(-process, SIGINT);
+  });
+  EXPECT_EQ(run.code, 130) << run.errors;
+  EXPECT_EQ(run.errors, "hairgrade: " + out_.string() + kWaiting +
+                            "hairgrade: interrupted while it waited; nothing was written\n");
+  EXPECT_EQ(std::distance(fs::directory_iterator(out_), {}), 1) << "the lock alone";
+}
+
+TEST_F(OneFolder, IsNotMixedWithOtherRules) {
+  ASSERT_EQ(grade({"stubs"}, out_).code, 0);
+  const std::map<string, string> before = files(out_);
+  const auto course = [&](const string& name, const string& exercises) {
+    return write(name, R"({"exercises": {)" + exercises + "}}");
+  };
+  const std::map<string, std::vector<string>> refused = {
+      {"S2 is worth 20 points there and 15 here",
+       {"--course", course("points.json", R"("H6": {"role": "absent"}, "S2": {"points": 15})")}},
+      {"H6 is left out there and assigned here", {"--course", course("role.json", "")}},
+      {"another secret", {"--secret", write("other", "another secret for this test")}},
+      {"a sandbox, and here is none", {"--unsafe-no-sandbox"}},
+      {"no pictures, and here are some", {"--with-images"}}};
+  for (const auto& [words, options] : refused) {
+    const ProgramRun run = grade({"other-order"}, out_, options);
+    EXPECT_EQ(run.code, 2) << words;
+    EXPECT_EQ(lines_with(run.errors, "\n"), 1) << run.errors;
+    EXPECT_NE(run.errors.find(words), string::npos) << run.errors;
+    EXPECT_NE(run.errors.find("name another folder with --out, or move this one away"), string::npos)
+        << run.errors;
+  }
+  EXPECT_EQ(files(out_), before);
+}
+
+TEST_F(OneFolder, NamesWhoHasNoWholeResult) {
+  ASSERT_EQ(grade({"stubs", "other-order"}, out_).code, 0);
+  fs::remove(out_ / "staff" / "stubs.json");  // as of a grader that was killed while it graded it again
+  const ProgramRun run = grade({"stubs", "other-order"}, out_, {"--only", "other-order"});
+  EXPECT_EQ(run.code, 0);
+  EXPECT_NE(run.errors.find("grades/stubs: its reports are not whole"), string::npos) << run.errors;
+  EXPECT_EQ(read_file(out_ / "grades.csv").find("stubs"), string::npos);
+}
+
+}  // namespace
+}  // namespace grader

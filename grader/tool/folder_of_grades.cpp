@@ -1,0 +1,105 @@
+// STAFF ONLY.
+#include "grader/tool/folder_of_grades.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <fstream>
+#include <iterator>
+#include <ostream>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+#include "grader/course/input.h"
+#include "grader/report/report.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::chrono::milliseconds kBetweenLooks{100};
+
+std::optional<std::string> text_of(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return {};
+  return std::string{std::istreambuf_iterator<char>(in), {}};
+}
+
+[[noreturn]] void refuse(const fs::path& folder, const std::string& why, const std::string& way) {
+  throw BadInput(printable(folder.string(), 4096) + ": " + why + "; " + way +
+                 "name another folder with --out, or move this one away to grade all again");
+}
+
+// "a; b" and "a and b": what is different, and what would make it the same.
+void refuse(const fs::path& folder, const std::vector<Difference>& differences) {
+  std::string what, way;
+  for (const Difference& one : differences) {
+    what += (what.empty() ? "" : "; ") + one.what;
+    way += (way.empty() ? "" : " and ") + one.way;
+  }
+  refuse(folder, "its grades were made with " + what, way + " to add to it, ");
+}
+
+// What a hairgrade that was killed had not finished. Nobody else is writing here.
+void remove_half_written(const fs::path& folder) {
+  std::vector<fs::path> left;
+  std::error_code ignored;
+  for (const auto& entry : fs::recursive_directory_iterator(folder, ignored))
+    if (const std::string name = entry.path().filename().string();
+        name.starts_with('.') && name.ends_with(".part"))
+      left.push_back(entry.path());
+  for (const fs::path& file : left) fs::remove(file, ignored);
+}
+
+[[noreturn]] void can_not_write(const fs::path& folder, const std::string& why) {
+  throw BadInput(printable(folder.string(), 4096) + ": reports can't be written there: " + why +
+                 "; name a folder that can be written with --out");
+}
+
+}  // namespace
+
+void check_made_by(const fs::path& folder, const MadeBy& mine) {
+  // In this order: another hairgrade may write made-by.json and its first result just now.
+  if (submissions_in(folder).empty()) return;
+  const std::optional<std::string> text = text_of(folder / kMadeBy);
+  if (!text)
+    refuse(folder, "it has grades, but no " + std::string(kMadeBy) + " that tells what they were made with",
+           "");
+  const std::optional<MadeBy> there = made_by_from_json(*text);
+  if (!there) refuse(folder, std::string(kMadeBy) + " in it is damaged", "");
+  if (const std::vector<Difference> found = differences(*there, mine); !found.empty()) refuse(folder, found);
+}
+
+std::optional<FolderOfGrades> FolderOfGrades::open(const fs::path& folder, const MadeBy& mine,
+                                                   const std::atomic<bool>& interrupted, std::ostream& says) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) can_not_write(folder, error.message());
+  if (access(folder.c_str(), W_OK) != 0) can_not_write(folder, std::generic_category().message(errno));
+  // No program that we start inherits it, so a killed hairgrade's lock does not live on in its workers.
+  Descriptor lock(::open((folder / kFolderLock).c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644));
+  if (!lock) can_not_write(folder, std::generic_category().message(errno));
+  bool said = false;
+  while (flock(lock.get(), LOCK_EX | LOCK_NB) != 0) {
+    if (errno != EWOULDBLOCK && errno != EINTR) can_not_write(folder, std::generic_category().message(errno));
+    if (interrupted) return {};
+    if (!said)
+      says << "hairgrade: " << printable(folder.string(), 4096)
+           << " is in use by another hairgrade; waiting until it has finished\n"
+           << std::flush;
+    said = true;
+    std::this_thread::sleep_for(kBetweenLooks);
+  }
+  check_made_by(folder, mine);
+  remove_half_written(folder);
+  if (const std::string text = to_json(mine); text_of(folder / kMadeBy) != text)
+    write_file(folder / kMadeBy, text);
+  return FolderOfGrades(std::move(lock));
+}
+
+}  // namespace grader

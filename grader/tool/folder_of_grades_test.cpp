@@ -1,0 +1,186 @@
+// STAFF ONLY. One hairgrade at a time writes to a folder of grades, and all that do agree on how.
+#include "grader/tool/folder_of_grades.h"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "grader/course/input.h"
+#include "hair/io/files/temporary_folder.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Folder : public testing::Test {
+ protected:
+  Folder() {
+    mine_.exercises = {{"S2", Role::assigned, 20}};
+    mine_.suite = "suite";
+    other_ = mine_;
+    other_.exercises[0].points = 15;
+  }
+
+  std::optional<FolderOfGrades> open(const MadeBy& made_by) {
+    return FolderOfGrades::open(grades_, made_by, interrupted_, said_);
+  }
+  void add_result(const std::string& name) const { write_file(grades_ / name / "results.json", "{}"); }
+  std::string memory() const {
+    std::ostringstream text;
+    text << std::ifstream(grades_ / kMadeBy).rdbuf();
+    return text.str();
+  }
+  // The line with which the folder refuses; "" if it does not.
+  std::string refusal(const MadeBy& made_by) {
+    std::string checked, opened;
+    try {
+      check_made_by(grades_, made_by);
+    } catch (const BadInput& line) {
+      checked = line.what();
+    }
+    try {
+      open(made_by);
+    } catch (const BadInput& line) {
+      opened = line.what();
+    }
+    EXPECT_EQ(checked, opened);
+    EXPECT_EQ(opened.find('\n'), std::string::npos);
+    return opened;
+  }
+
+  hair::TemporaryFolder temporary_{"folder"};
+  fs::path grades_ = temporary_.path() / "of" / "grades";
+  MadeBy mine_, other_;
+  std::atomic<bool> interrupted_ = false;
+  std::ostringstream said_;
+};
+
+TEST_F(Folder, RemembersWhatMadeItBeforeTheFirstResult) {
+  EXPECT_TRUE(open(mine_));
+  EXPECT_EQ(made_by_from_json(memory()), mine_);
+  EXPECT_EQ(said_.str(), "");
+}
+
+TEST_F(Folder, WithResultsRefusesWhatWasMadeOtherwise) {
+  open(mine_);
+  add_result("alice");
+  EXPECT_EQ(refusal(mine_), "");
+  EXPECT_EQ(
+      refusal(other_),
+      grades_.string() +
+          ": its grades were made with another course file: S2 is worth 20 points there and 15 here; use the "
+          "course file that made it to add to it, name another folder with --out, or move this one away to "
+          "grade all again");
+  EXPECT_EQ(made_by_from_json(memory()), mine_);
+  other_.images = false;
+  EXPECT_NE(
+      refusal(other_).find("15 here; pictures, and here are none; use the course file that made it and leave "
+                           "out --no-images to add to it"),
+      std::string::npos)
+      << refusal(other_);
+}
+
+TEST_F(Folder, WithoutResultsIsForAnybody) {
+  open(mine_);
+  EXPECT_EQ(refusal(other_), "");
+  EXPECT_EQ(made_by_from_json(memory()), other_);
+}
+
+TEST_F(Folder, OfAnOlderVersionIsNotMixedWith) {
+  add_result("alice");
+  EXPECT_NE(refusal(mine_).find("no made-by.json"), std::string::npos) << refusal(mine_);
+  EXPECT_EQ(memory(), "");
+  write_file(grades_ / kMadeBy, "{");
+  EXPECT_NE(refusal(mine_).find("damaged"), std::string::npos) << refusal(mine_);
+  EXPECT_EQ(memory(), "{");
+}
+
+TEST_F(Folder, IsUsedByOneAtATime) {
+  std::optional<FolderOfGrades> first = open(mine_);
+  std::atomic<bool> has_it = false;
+  std::jthread second([&] { has_it = open(mine_).has_value(); });
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  EXPECT_FALSE(has_it);
+  first.reset();
+  second.join();
+  EXPECT_TRUE(has_it);
+  EXPECT_EQ(said_.str(), "hairgrade: " + grades_.string() +
+                             " is in use by another hairgrade; waiting until it has finished\n")
+      << "once, however long it waits";
+}
+
+TEST_F(Folder, IsCheckedOnceMoreAfterTheWait) {
+  std::optional<FolderOfGrades> first = open(mine_);
+  std::string refused;
+  std::jthread second([&] {
+    try {
+      open(other_);
+    } catch (const BadInput& line) {
+      refused = line.what();
+    }
+  });
+  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  add_result("alice");
+  first.reset();
+  second.join();
+  EXPECT_NE(refused.find("20 points there and 15 here"), std::string::npos) << refused;
+}
+
+TEST_F(Folder, IsNotWaitedForAfterCtrlC) {
+  const std::optional<FolderOfGrades> first = open(mine_);
+  interrupted_ = true;
+  EXPECT_FALSE(open(mine_));
+}
+
+// As with `kill -9`: the process has no time for anything, and a program that it started lives on.
+TEST_F(Folder, IsFreeOnceItsProcessIsKilled) {
+  const pid_t process = fork();
+  if (process == 0) {
+    setpgid(0, 0);
+    try {
+      const std::optional<FolderOfGrades> held = open(mine_);
+      if (fork() == 0) execlp("sleep", "sleep", "20", nullptr);
+      add_result("alice");
+      pause();
+    } catch (const BadInput&) {
+    }
+    _exit(1);
+  }
+  for (int i = 0; i < 10'000 && !fs::exists(grades_ / "alice" / "results.json"); ++i) usleep(1000);
+  usleep(100'000);  // its child has become `sleep` by then
+  kill(process, SIGKILL);
+  waitpid(process, nullptr, 0);
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_TRUE(open(mine_));
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+  kill(-process, SIGKILL);  // `sleep`
+}
+
+TEST_F(Folder, LosesWhatAKilledHairgradeHadHalfWritten) {
+  open(mine_);
+  add_result("alice");
+  const std::vector<fs::path> half = {grades_ / ".grades.csv.12-34.part",
+                                      grades_ / "alice" / ".report.html.12-34.part",
+                                      grades_ / "staff" / "pictures" / ".ab.png.12-34.part"};
+  for (const fs::path& file : half) write_file(file, "hal");
+  open(mine_);
+  for (const fs::path& file : half) EXPECT_FALSE(fs::exists(file)) << file;
+  EXPECT_TRUE(fs::exists(grades_ / "alice" / "results.json"));
+}
+
+TEST_F(Folder, ThatCanNotBeWrittenIsRefused) {
+  fs::create_directories(grades_.parent_path());
+  std::ofstream{grades_} << "a file";
+  EXPECT_THROW(open(mine_), BadInput);
+  EXPECT_EQ(fs::file_size(grades_), 6U);
+}
+
+}  // namespace
+}  // namespace grader

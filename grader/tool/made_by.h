@@ -1,0 +1,44 @@
+// STAFF ONLY. What a folder of grades was made with. Rows of one gradebook can be compared only if all of this is
+// the same for all of them.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grader/tool/suite_jobs.h"
+
+namespace grader {
+
+struct MadeBy {
+  struct Rule {
+    std::string id;
+    Role role = Role::assigned;
+    double points = 0;  // 0 for an exercise that is not asked for
+    bool operator==(const Rule&) const = default;
+  };
+  std::vector<Rule> exercises;                // all that there are, in the course's order
+  std::map<std::string, std::string> budget;  // the course's limits by their names; empty: it sets none
+  std::string suite;                          // a hash of all that asks and judges
+  std::string secret;  // an HMAC whose key is the secret: it tells two secrets apart, and nothing else
+  bool isolated = true, images = true;
+
+  bool operator==(const MadeBy&) const = default;
+};
+
+// Of a run with these settings. `exercise` and `study` are no part of it: they leave out or add, and change no
+// points.
+MadeBy made_by(const GradingSettings& settings);
+
+std::string to_json(const MadeBy& made_by);
+std::optional<MadeBy> made_by_from_json(const std::string& text);  // nothing for any other text
+
+struct Difference {
+  std::string what;  // "another course file: S2 is worth 10 points there and 15 here"
+  std::string way;   // what makes `here` like `there`: "use the course file that made it"
+};
+
+std::vector<Difference> differences(const MadeBy& there, const MadeBy& here);
+
+}  // namespace grader

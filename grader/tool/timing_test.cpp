@@ -1,0 +1,82 @@
+// STAFF ONLY. timing.json keeps the costs of everybody who has a result, whichever run graded them.
+#include "grader/tool/timing.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "hair/io/files/temporary_folder.h"
+
+namespace grader {
+namespace {
+
+class TimingOfAFolder : public testing::Test {
+ protected:
+  static TimingByExercise cost(const std::vector<std::string>& parts, double seconds) {
+    TimingByExercise all;
+    for (const std::string& part : parts) {
+      all[part].suite_seconds = seconds;
+      all[part].worker_starts = 3;
+    }
+    return all;
+  }
+  static std::vector<SubmissionResult> results(const std::vector<std::string>& names) {
+    std::vector<SubmissionResult> all(names.size());
+    for (std::size_t i = 0; i < names.size(); ++i) all[i].name = names[i];
+    return all;
+  }
+  nlohmann::json file() const { return nlohmann::json::parse(std::ifstream(folder() / "timing.json")); }
+  const std::filesystem::path& folder() const { return temporary_.path(); }
+
+  hair::TemporaryFolder temporary_{"timing"};
+};
+
+TEST_F(TimingOfAFolder, IsWrittenWithEachSubmissionAndKeptByTheNextRun) {
+  Timing killed(folder(), cost({"S1", "S2"}, 1), false);
+  killed.add("alice", cost({"S1", "S2"}, 2));
+  EXPECT_EQ(file()["submissions"]["alice"]["S1"]["suite_seconds"], 2);
+  EXPECT_EQ(file()["submissions"]["alice"]["S1"]["worker_starts"], 3);
+  Timing next(folder(), cost({"S1", "S2"}, 4), false);
+  next.add("bob", cost({"S1"}, 5));
+  next.finish(results({"alice", "bob"}), {10, 1, 2});
+  EXPECT_EQ(file()["reference"]["S1"]["suite_seconds"], 4);
+  EXPECT_EQ(file()["submissions"]["alice"]["S2"]["suite_seconds"], 2);
+  EXPECT_EQ(file()["submissions"]["bob"].size(), 1U);
+  EXPECT_EQ(file()["last_run"]["submissions_per_minute"], 6);
+}
+
+TEST_F(TimingOfAFolder, OfOneExerciseKeepsThoseOfTheOthers) {
+  Timing all(folder(), cost({"S1", "S2"}, 1), false);
+  all.add("alice", cost({"S1", "S2"}, 2));
+  Timing one(folder(), cost({"S2"}, 3), true);
+  one.add("alice", cost({"S2"}, 4));
+  for (const nlohmann::json& parts : {file()["reference"], file()["submissions"]["alice"]})
+    EXPECT_EQ(parts.size(), 2U) << parts;
+  EXPECT_EQ(file()["submissions"]["alice"]["S2"]["suite_seconds"], 4);
+}
+
+TEST_F(TimingOfAFolder, LeavesOutWhoHasNoResultAnyMore) {
+  Timing timing(folder(), cost({"S1"}, 1), false);
+  timing.add("alice", cost({"S1"}, 2));
+  timing.add("bob", cost({"S1"}, 2));
+  timing.finish(results({"bob"}), {});
+  EXPECT_FALSE(file()["submissions"].contains("alice"));
+  std::ostringstream page;
+  page << std::ifstream(folder() / "costs.html").rdbuf();
+  EXPECT_NE(page.str().find("staff/bob.html"), std::string::npos);
+  EXPECT_EQ(page.str().find("alice"), std::string::npos);
+}
+
+TEST_F(TimingOfAFolder, BeginsAnewWhereTheFileIsDamaged) {
+  std::ofstream(folder() / "timing.json") << R"({"submissions": [3, {"S1": null}], "reference": "x)";
+  Timing timing(folder(), cost({"S1"}, 1), false);
+  std::ofstream(folder() / "timing.json") << R"({"submissions": [3, {"S1": null}], "reference": "x"})";
+  Timing again(folder(), cost({"S1"}, 1), false);
+  again.add("bob", cost({"S1"}, 2));
+  EXPECT_EQ(file()["submissions"]["bob"]["S1"]["suite_seconds"], 2);
+}
+
+}  // namespace
+}  // namespace grader
