@@ -63,6 +63,29 @@ TEST(Png, KindsThatOthersWrite) {
             (Pixels{40, 50, 60, 1, 2, 3}));
 }
 
+// Leaves numbers on the stack, for a decoder that reads what it has not written.
+[[gnu::noinline]] void scribble() {
+  volatile char left[100'000];
+  for (volatile char& byte : left) byte = 0x66;
+}
+
+TEST(Png, AColourThatThePaletteLacksIsBlack) {
+  scribble();
+  const std::string palette = chunk("PLTE", bytes({1, 2, 3})), indices = stored(bytes({0, 0, 1, 255}));
+  EXPECT_EQ(decode_png(png({3, 1, 8, 3}, indices, palette), "").pixels, (Pixels{1, 2, 3, 0, 0, 0, 0, 0, 0}));
+  EXPECT_NE(refusal(png({3, 1, 8, 3}, indices, chunk("PLTE", ""))), "");
+  EXPECT_NE(refusal(png({3, 1, 8, 3}, indices, chunk("PLTE", bytes({1, 2, 3, 4})))), "");
+  EXPECT_NE(refusal(png({3, 1, 8, 3}, indices, chunk("PLTE", std::string(771, '\1')))), "");
+}
+
+// The data of an iPhone's PNG have no header, so that they are more than those that were counted.
+TEST(Png, ACriticalChunkThatNoPngHasIsRefused) {
+  const std::string raw = stored(bytes({0, 9}));
+  EXPECT_EQ(refusal(png({1, 1, 8, 0}, raw, chunk("CgBI", bytes({0, 0, 0, 0})))),
+            "a.png: has a CgBI, which no PNG has; make it anew");
+  EXPECT_EQ(refusal(png({1, 1, 8, 0}, raw, chunk("tEXt", "a"))), "");
+}
+
 TEST(Png, WhatIsTransparentIsPutOnBlack) {
   const std::string half = bytes({0, 200, 100, 50, 128, 9, 9, 9, 0});
   // 200 * 128 / 255 = 100.4 and so on, rounded.
