@@ -46,7 +46,8 @@ LIST
 to_lint() {
   sed 's/#.*//' <<'LIST'
 ccache               # remembers what was compiled
-clang                # the second compiler for the handout
+clang                # the second compiler for the handout,
+libclang-rt-dev      #   and its sanitisers and libFuzzer
 clang-format         # layout
 clang-tidy           # common mistakes, names,
 python3              #   and what runs it

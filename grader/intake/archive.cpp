@@ -97,6 +97,10 @@ class Reading {
   }
 
   std::string data(const std::string& path, std::size_t most) {
+    if (!is_frugal()) {
+      throw Refused(path + " is packed in " + shown_ +
+                    " by a method that is not read here. Pack it again as a .zip without special settings.");
+    }
     std::string bytes;
     std::array<char, 65536> block;
     for (;;) {
@@ -129,6 +133,14 @@ class Reading {
           archive_read_open_filename(handle.get(), std::get<std::filesystem::path>(source).c_str(), block);
     }
     if (result < ARCHIVE_WARN) refuse_damaged();
+  }
+
+  // Stored and deflated data take a window of 32 kB. With other methods of zip a few bytes ask for gigabytes: the
+  // dictionary of LZMA and xz, the model of PPMd. The library names the method: "ZIP 2.0 (deflation)".
+  bool is_frugal() {
+    if (archive_format(entries_.get()) != ARCHIVE_FORMAT_ZIP) return true;
+    const std::string_view name = archive_format_name(entries_.get());
+    return name.ends_with("(deflation)") || name.ends_with("(uncompressed)");
   }
 
   void read_tar(la_ssize_t (*read)(archive*, void*, const void**)) {

@@ -104,4 +104,13 @@ class ArchiveBuilder {
   std::string bytes_;
 };
 
+// A zip of one file "a.cpp" with these data, which are packed by one of zip's methods (APPNOTE.TXT, 4.4.5): 8 deflate,
+// 12 bzip2, 14 LZMA, 93 Zstandard, 95 xz, 98 PPMd.
+inline std::string zip_of_method(int method, const std::string& data) {
+  std::string zip = ArchiveBuilder(Packing::zip, "zip:compression=store").file("a.cpp", data).bytes();
+  zip.at(8) = static_cast<char>(method);
+  zip.at(zip.find("PK\x01\x02") + 10) = static_cast<char>(method);
+  return zip;
+}
+
 }  // namespace grader

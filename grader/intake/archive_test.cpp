@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <string>
 
 #include "grader/intake/archive_builder.h"
@@ -151,6 +152,18 @@ TEST(Archive, AFalseSizeDoesNotWidenTheLimit) {
   Archive archive(bytes, "x", kLimits);
   ASSERT_EQ(archive.list().at(0).bytes, 4u);
   archive.visit({0}, [](std::size_t, const Container::Read& read) { EXPECT_THROW(read(1000), Refused); });
+}
+
+// What unpacks them takes as much memory as they ask for: here 4 GiB for a dictionary, 256 MiB for a model.
+TEST(Archive, MethodsOfZipThatAskForMemoryAreRefused) {
+  const std::string lzma("\x09\x04\x05\0\x5d\xff\xff\xff\xff\0", 10), model("\xff\x2f", 2);
+  for (const auto& [method, data] :
+       std::map<int, std::string>{{12, "BZh9"}, {14, lzma}, {93, ""}, {95, ""}, {98, model}}) {
+    EXPECT_NE(refusal(zip_of_method(method, data + "12345678")).find("by a method that is not read here"),
+              std::string::npos)
+        << method;
+  }
+  EXPECT_EQ(refusal(zip_of_method(0, "int x;")), "");
 }
 
 TEST(Archive, AZipThatClaimsCountlessEntriesIsRefusedUnread) {

@@ -53,7 +53,7 @@ std::string MessageReader::get_text() {
   if (size == 0) return {};
   std::string text(reinterpret_cast<const char*>(take(size)), std::min(size, kMost));
   std::replace_if(
-      text.begin(), text.end(), [](unsigned char letter) { return letter < ' '; }, ' ');
+      text.begin(), text.end(), [](unsigned char letter) { return letter < ' ' || letter == 0x7f; }, ' ');
   return text;
 }
 

@@ -23,6 +23,13 @@ TEST(Message, IsReadAsItWasWritten) {
   EXPECT_NO_THROW(reader.expect_end());
 }
 
+TEST(Message, ATextOfAWorkerHasNoControlCharacters) {
+  MessageWriter writer;
+  writer.put(std::string("a\nb\x1b[2Jc\x7f"));
+  EXPECT_EQ(MessageReader(writer.bytes()).get_text(), "a b [2Jc ");
+  EXPECT_EQ(MessageReader(writer.bytes()).get_document(), "a\nb\x1b[2Jc\x7f");
+}
+
 TEST(Message, ThatIsTooShortIsMalformedAtEveryLength) {
   MessageWriter writer;
   writer.put(7).put(std::vector<double>{1, 2, 3}).put(std::string("text"));

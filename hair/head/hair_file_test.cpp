@@ -2,37 +2,18 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cmath>
-#include <cstdint>
 #include <cstdlib>
 #include <fstream>
 #include <limits>
 
+#include "hair/head/made_hair_file.h"
 #include "hair/io/files/bad_input.h"
 
 namespace hair {
 namespace {
 
-// A .hair file, made by hand.
-struct Made {
-  std::uint32_t strands = 2, points = 5, arrays = 3, segments = 0;
-  std::vector<std::uint16_t> own = {1, 2};
-  std::vector<float> numbers = {0, 0, 0, 1, 0, 0, /* strand 1 */ 0, 1, 0, 0, 1, 1, 0, 1, 2};
-  std::string rest = {};
-
-  std::string bytes() const {
-    std::string all = "HAIR";
-    const auto put = [&](std::uint32_t value, int size) {
-      for (int i = 0; i < size; ++i) all.push_back(static_cast<char>(value >> (8 * i)));
-    };
-    for (const std::uint32_t value : {strands, points, arrays, segments}) put(value, 4);
-    all.resize(128, '\0');
-    for (const std::uint16_t value : own) put(value, 2);
-    for (const float value : numbers) put(std::bit_cast<std::uint32_t>(value), 4);
-    return all + rest;
-  }
-};
+using Made = MadeHairFile;
 
 std::string complaint(const std::string& bytes) {
   try {

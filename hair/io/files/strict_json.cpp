@@ -53,13 +53,20 @@ class PlaceOfError : public json::json_sax_t {
   }
 };
 
-// The library's reason, without its own prefix and position: "syntax error while parsing ...".
+// The library's reason, without its own prefix and position: "syntax error while parsing ...". It quotes the
+// text, as it is and as long as it is.
 std::string reason_of(const json::exception& error) {
   const std::string_view what = error.what();
   const std::size_t syntax = what.find("syntax error");
   const std::size_t prefix = what.find("] ");
-  if (syntax != std::string_view::npos) return std::string(what.substr(syntax));
-  return std::string(what.substr(prefix == std::string_view::npos ? 0 : prefix + 2));
+  if (syntax == std::string_view::npos)
+    return printable(what.substr(prefix == std::string_view::npos ? 0 : prefix + 2));
+  const std::string_view reason = what.substr(syntax);
+  const std::size_t quoted = std::min(reason.find("last read: "), reason.size());
+  const std::size_t after = std::min(reason.rfind("; expected "), reason.size());
+  if (after < quoted) return std::string(reason.substr(0, quoted)) + printable(reason.substr(quoted));
+  return std::string(reason.substr(0, quoted)) + printable(reason.substr(quoted, after - quoted)) +
+         printable(reason.substr(after));
 }
 
 }  // namespace

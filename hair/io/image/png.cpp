@@ -40,6 +40,18 @@ std::string bytes_of(const std::filesystem::path& file) {
   return bytes;
 }
 
+// The same file with all 256 colours that a palette can have: black for those that it lacks. stb would take what
+// its memory holds for these. It refuses a palette of no colours or too many, and looks at no checksum.
+std::string with_whole_palette(std::string_view bytes, const PngChunks& chunks) {
+  constexpr std::size_t whole = 3 * 256;
+  std::string all(bytes);
+  const std::size_t length = chunks.palette_length;
+  if (length == 0 || length > whole || length % 3 != 0) return all;
+  all[chunks.palette + 2] = static_cast<char>(whole >> 8);
+  all[chunks.palette + 3] = static_cast<char>(whole & 0xff);
+  return all.insert(chunks.palette + 8 + length, whole - length, '\0');
+}
+
 }  // namespace
 
 std::string encode_png(const Image& image) {
@@ -58,14 +70,16 @@ Image decode_png(std::string_view bytes, const std::string& name) {
   const auto fail = [&](const std::string& what) { throw BadInput(printable(name, 4096) + ": " + what); };
   if (bytes.size() > kMostBytes)
     fail("has " + std::to_string(bytes.size()) + " bytes; no PNG here has as many");
+  std::string with_colours;
   {
     // stb takes as much memory as the data ask for: those that ask for too much never reach it.
     const PngChunks chunks = read_png_chunks(bytes, name);
     if (!stb_inflates(chunks.data, chunks.most)) {
       fail("its data are damaged, or more than its header says; make it anew");
     }
+    if (chunks.palette != 0) with_colours = with_whole_palette(bytes, chunks);
   }
-  const StbPicture picture = stb_decode_png(bytes);
+  const StbPicture picture = stb_decode_png(with_colours.empty() ? bytes : with_colours);
   if (!picture.why_not.empty()) fail(picture.why_not + "; make it anew");
 
   Image image{picture.width, picture.height, {}};

@@ -37,6 +37,12 @@ std::uint32_t checksum(std::string_view bytes) {
   return ~c;
 }
 
+// A chunk that a decoder must understand has a capital letter first (section 5.4). There are these four. An
+// iPhone's "CgBI" is none of PNG: its data are packed in another way.
+bool is_of_png(std::string_view type) {
+  return (type[0] & 0x20) != 0 || type == "IHDR" || type == "PLTE" || type == "IDAT" || type == "IEND";
+}
+
 // Bytes of a pixel's samples, at most; 0 if there is no such kind.
 std::size_t samples_of(int colour_type) {
   switch (colour_type) {
@@ -59,6 +65,7 @@ std::size_t samples_of(int colour_type) {
 PngChunks read_png_chunks(std::string_view bytes, const std::string& name) {
   const auto fail = [&](const std::string& what) { throw BadInput(printable(name, 4096) + ": " + what); };
   if (bytes.substr(0, kSignature.size()) != kSignature) fail("is not a PNG picture; give a .png file");
+  const std::size_t whole = bytes.size();
   bytes.remove_prefix(kSignature.size());
 
   PngChunks chunks;
@@ -71,6 +78,11 @@ PngChunks read_png_chunks(std::string_view bytes, const std::string& name) {
     const std::string_view data = bytes.substr(8, length);
     if (checksum(bytes.substr(4, 4 + length)) != big_endian(bytes.substr(8 + length))) {
       fail("is damaged (the checksum of its " + printable(type) + " is wrong); make it anew");
+    }
+    if (!is_of_png(type)) fail("has a " + printable(type) + ", which no PNG has; make it anew");
+    if (type == "PLTE" && chunks.palette == 0) {
+      chunks.palette = whole - bytes.size();
+      chunks.palette_length = length;
     }
     bytes.remove_prefix(kFrame + length);
 

@@ -11,9 +11,12 @@
 
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/write_file.h"
+#include "hair/io/image/made_png.h"
 
 namespace hair {
 namespace {
+
+using made::chunk, made::Header, made::png, made::stored;
 
 Image speckled(int width, int height) {
   Image image{width, height, {}};
@@ -21,45 +24,6 @@ Image speckled(int width, int height) {
     image.pixels.push_back(static_cast<std::uint8_t>(static_cast<unsigned>(i) * 2654435761U >> 24));
   }
   return image;
-}
-
-std::string big_endian(std::uint32_t number) {
-  return {static_cast<char>(number >> 24), static_cast<char>(number >> 16), static_cast<char>(number >> 8),
-          static_cast<char>(number)};
-}
-
-// PNG by hand, for kinds that are not written here: a chunk, zlib's data without compression, a file.
-std::string chunk(const std::string& type, const std::string& data) {
-  std::uint32_t c = 0xffffffffU;
-  for (const char byte : type + data) {
-    c ^= static_cast<std::uint8_t>(byte);
-    for (int bit = 0; bit < 8; ++bit) c = (c & 1) != 0 ? 0xedb88320U ^ c >> 1 : c >> 1;
-  }
-  return big_endian(static_cast<std::uint32_t>(data.size())) + type + data + big_endian(~c);
-}
-
-std::string stored(const std::string& raw) {
-  const auto size = static_cast<std::uint16_t>(raw.size());
-  std::uint32_t a = 1, b = 0;
-  for (const char byte : raw) {
-    a = (a + static_cast<std::uint8_t>(byte)) % 65521;
-    b = (b + a) % 65521;
-  }
-  const std::string lengths = {static_cast<char>(size), static_cast<char>(size >> 8),
-                               static_cast<char>(~size), static_cast<char>(~size >> 8)};
-  return std::string("\x78\x01\x01") + lengths + raw + big_endian(b << 16 | a);
-}
-
-struct Header {
-  std::uint32_t width, height;
-  char bits, kind;
-  char interlaced = 0;
-};
-
-std::string png(const Header& header, const std::string& zlib, const std::string& before_data = "") {
-  const std::string fields = big_endian(header.width) + big_endian(header.height) + header.bits +
-                             header.kind + '\0' + '\0' + header.interlaced;
-  return "\x89PNG\r\n\x1a\n" + chunk("IHDR", fields) + before_data + chunk("IDAT", zlib) + chunk("IEND", "");
 }
 
 std::string bytes(const std::vector<int>& numbers) {
@@ -97,6 +61,29 @@ TEST(Png, KindsThatOthersWrite) {
   const std::string palette = chunk("PLTE", bytes({1, 2, 3, 40, 50, 60}));
   EXPECT_EQ(decode_png(png({2, 1, 8, 3}, stored(bytes({0, 1, 0})), palette), "").pixels,
             (Pixels{40, 50, 60, 1, 2, 3}));
+}
+
+// Leaves numbers on the stack, for a decoder that reads what it has not written.
+[[gnu::noinline]] void scribble() {
+  volatile char left[100'000];
+  for (volatile char& byte : left) byte = 0x66;
+}
+
+TEST(Png, AColourThatThePaletteLacksIsBlack) {
+  scribble();
+  const std::string palette = chunk("PLTE", bytes({1, 2, 3})), indices = stored(bytes({0, 0, 1, 255}));
+  EXPECT_EQ(decode_png(png({3, 1, 8, 3}, indices, palette), "").pixels, (Pixels{1, 2, 3, 0, 0, 0, 0, 0, 0}));
+  EXPECT_NE(refusal(png({3, 1, 8, 3}, indices, chunk("PLTE", ""))), "");
+  EXPECT_NE(refusal(png({3, 1, 8, 3}, indices, chunk("PLTE", bytes({1, 2, 3, 4})))), "");
+  EXPECT_NE(refusal(png({3, 1, 8, 3}, indices, chunk("PLTE", std::string(771, '\1')))), "");
+}
+
+// The data of an iPhone's PNG have no header, so that they are more than those that were counted.
+TEST(Png, ACriticalChunkThatNoPngHasIsRefused) {
+  const std::string raw = stored(bytes({0, 9}));
+  EXPECT_EQ(refusal(png({1, 1, 8, 0}, raw, chunk("CgBI", bytes({0, 0, 0, 0})))),
+            "a.png: has a CgBI, which no PNG has; make it anew");
+  EXPECT_EQ(refusal(png({1, 1, 8, 0}, raw, chunk("tEXt", "a"))), "");
 }
 
 TEST(Png, WhatIsTransparentIsPutOnBlack) {

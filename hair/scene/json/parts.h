@@ -12,6 +12,10 @@
 
 namespace hair::json {
 
+inline constexpr long kMostParticles = 10'000'000;
+inline constexpr long kMostFrames = 100'000;
+inline constexpr long kMostStates = 1'000'000'000;  // particles times frames
+
 // The common state of the readers.
 struct Reading {
   // Reads a groom's file, with a path relative to the scene's folder; empty: this scene has no files.
@@ -20,17 +24,14 @@ struct Reading {
   Scene scene;
   std::map<std::string, std::size_t> motions;  // name -> index of the scene's riders
   long particles = 0;
+  long most_particles = kMostParticles;
 
-  // Counts particles before memory is allocated for them: at most kMostParticles in a scene.
+  // Counts particles before memory is allocated for them: at most `most_particles` in a scene.
   void expect(const JsonValue& where, long strands, long of_each);
 
   // The rider of the motion that `object` names as "moves_with", or null.
   Rider* rider(const JsonValue& object);
 };
-
-inline constexpr long kMostParticles = 10'000'000;
-inline constexpr long kMostFrames = 100'000;
-inline constexpr long kMostStates = 1'000'000'000;  // particles times frames
 
 void read_motions(const JsonValue& list, Reading& reading);
 void read_obstacles(const JsonValue& list, Reading& reading);

@@ -70,9 +70,9 @@ void check_use(const JsonValue& object, const Reading& reading) {
 
 void Reading::expect(const JsonValue& where, long strands, long of_each) {
   particles += strands * of_each;
-  if (particles > kMostParticles)
+  if (particles > most_particles)
     where.fail("makes " + std::to_string(particles) + " particles in all; a scene has at most " +
-               std::to_string(kMostParticles));
+               std::to_string(most_particles));
   if (particles * scene.frames > kMostStates)
     where.fail("makes " + std::to_string(particles) + " particles in " + std::to_string(scene.frames) +
                " frames; particles times frames are at most " + std::to_string(kMostStates));

@@ -1,11 +1,11 @@
 // STAFF ONLY. Grooms in scenes.
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
 
+#include "hair/head/made_hair_file.h"
 #include "hair/io/files/bad_input.h"
 #include "hair/scene/playback.h"
 
@@ -49,15 +49,8 @@ class Folder {
 
 // The bytes of a .hair file of one strand through the points.
 std::string hair_file(const std::vector<float>& numbers) {
-  std::string bytes = "HAIR";
-  const auto put = [&](std::uint32_t value) {
-    for (int i = 0; i < 4; ++i) bytes.push_back(static_cast<char>(value >> (8 * i)));
-  };
   const auto points = static_cast<std::uint32_t>(numbers.size() / 3);
-  for (const std::uint32_t value : {1U, points, 2U, points - 1}) put(value);
-  bytes.resize(128, '\0');
-  for (const float number : numbers) put(std::bit_cast<std::uint32_t>(number));
-  return bytes;
+  return hair::MadeHairFile{1, points, 2, points - 1, {}, numbers}.bytes();
 }
 
 TEST(GroomScene, IsScaledAndMovedAndRestsAsItIs) {

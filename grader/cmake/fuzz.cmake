@@ -1,0 +1,25 @@
+# STAFF ONLY. Fuzz programs: hostile bytes for a reader, made by libFuzzer. Preset `fuzz` links them, for .ci/fuzz. Other presets
+# know their sources, so that clang-tidy looks at them, and build nothing.
+#
+#   hair_fuzz(NAME SOURCES ... LIBRARIES ...)   a program of ours, build/fuzz/programs/NAME; hair/io/fuzz/fuzz.h says what its
+#                                               sources define
+option(HAIR_FUZZ "Link the fuzz programs; asks for clang++ and -fsanitize=fuzzer-no-link" OFF)
+if(HAIR_FUZZ)
+  add_custom_target(fuzz)
+endif()
+
+function(hair_fuzz NAME)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "" "" "SOURCES;LIBRARIES")
+  set(sources ${ARG_SOURCES} "${PROJECT_SOURCE_DIR}/hair/io/fuzz/fuzz.cpp")
+  if(HAIR_FUZZ)
+    add_executable(${NAME} EXCLUDE_FROM_ALL ${sources})
+    target_link_options(${NAME} PRIVATE -fsanitize=fuzzer)
+    set_target_properties(${NAME} PROPERTIES RUNTIME_OUTPUT_DIRECTORY "${CMAKE_BINARY_DIR}/programs")
+    add_dependencies(fuzz ${NAME})
+  else()
+    add_library(${NAME} OBJECT EXCLUDE_FROM_ALL ${sources})
+  endif()
+  hair_own_code(${NAME})
+  target_include_directories(${NAME} PRIVATE "${PROJECT_SOURCE_DIR}")
+  target_link_libraries(${NAME} PRIVATE ${ARG_LIBRARIES})
+endfunction()

@@ -1,0 +1,246 @@
+// STAFF ONLY. Hostile bytes from a worker: as a stream of messages, and as the body of one that is read by a
+// script. Of the input, the first byte is the script's length, then comes the script, then the body. What is
+// read can be sent, and arrives as it was.
+#include <unistd.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "grader/wire/channel.h"
+#include "grader/wire/constraints_message.h"
+#include "grader/wire/particles_message.h"
+#include "grader/wire/strand_message.h"
+#include "hair/io/fuzz/fuzz.h"
+
+namespace {
+
+using grader::Message, grader::MessageReader, grader::MessageWriter;
+using Bytes = std::vector<std::byte>;
+
+constexpr std::size_t kLongestMessage = 4096;
+
+Bytes bytes_of(std::string_view text) {
+  const auto* begin = reinterpret_cast<const std::byte*>(text.data());
+  return {begin, begin + text.size()};
+}
+
+// What a step of a script reads, its low four bits; the others are a length.
+enum Step : unsigned char {
+  an_int,
+  a_double,
+  a_byte,
+  doubles,
+  as_many_doubles,
+  a_text,
+  a_document,
+  a_vector,
+  a_strand,
+  some_particles,
+  a_state,
+  particles_and_state,
+  some_constraints,
+  the_end
+};
+
+void read_text(MessageReader& reader, MessageWriter& copy) {
+  const std::string said = reader.get_text();
+  fuzz::expect(said.size() <= 1000, "a text has at most 1000 bytes");
+  if (!said.empty()) fuzz::expect_readable(said);
+  copy.put(said);
+}
+
+void read_particles(MessageReader& reader, MessageWriter& copy, bool with_state) {
+  const particles::Particles all = grader::get_particles(reader);
+  fuzz::expect(all.pinned.size() == static_cast<std::size_t>(all.mass.size()), "each particle may be pinned");
+  put(copy, all);
+  if (with_state) put(copy, grader::get_state(reader, all.count()));
+}
+
+void read_strand(MessageReader& reader, MessageWriter& copy) {
+  const hair::Strand all = grader::get_strand(reader);
+  fuzz::expect(all.count() >= 1 && all.segments() == all.count() - 1, "a strand has one segment less");
+  put(copy, all);
+}
+
+void read_vector(MessageReader& reader, MessageWriter& copy, int length) {
+  const Eigen::VectorXd all = grader::get_vector(reader, length);
+  fuzz::expect(all.size() == length, "a vector has the length that is asked for");
+  put(copy, all);
+}
+
+// Reads by the script, and writes what was read.
+void play(std::string_view script, MessageReader& reader, MessageWriter& copy) {
+  for (const char c : script) {
+    const auto step = static_cast<unsigned char>(c);
+    const int length = step >> 4;
+    switch (step & 15) {
+      case an_int:
+        copy.put(reader.get<int>());
+        break;
+      case a_double:
+        copy.put(reader.get<double>());
+        break;
+      case a_byte:
+        copy.put(reader.get<std::uint8_t>());
+        break;
+      case doubles:
+        copy.put(std::span<const double>(reader.get_doubles()));
+        break;
+      case as_many_doubles:
+        copy.put(std::span<const double>(reader.get_doubles(static_cast<std::size_t>(length))));
+        break;
+      case a_text:
+        read_text(reader, copy);
+        break;
+      case a_document:
+        copy.put(reader.get_document());
+        break;
+      case a_vector:
+        read_vector(reader, copy, length);
+        break;
+      case a_strand:
+        read_strand(reader, copy);
+        break;
+      case some_particles:
+      case particles_and_state:
+        read_particles(reader, copy, (step & 15) == particles_and_state);
+        break;
+      case a_state:
+        put(copy, grader::get_state(reader, length));
+        break;
+      case some_constraints:
+        put(copy, grader::get_constraints(reader));
+        break;
+      default:
+        reader.expect_end();
+    }
+  }
+}
+
+void try_body(std::string_view script, const Bytes& body) {
+  MessageWriter first, second;
+  try {
+    MessageReader reader(body);
+    play(script, reader, first);
+  } catch (const grader::MalformedMessage& error) {
+    fuzz::expect_readable(error.what());
+    return;
+  }
+  MessageReader reader(first.bytes());
+  play(script, reader, second);
+  reader.expect_end();
+  fuzz::expect(first.bytes() == second.bytes(), "what is sent arrives as it was");
+}
+
+class Pipe {
+ public:
+  Pipe() {
+    if (pipe(ends_) != 0) throw std::runtime_error("no pipe");
+  }
+  ~Pipe() {
+    close(ends_[0]);
+    close_in();
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+
+  int out() const { return ends_[0]; }
+  int in() const { return ends_[1]; }
+  void close_in() {
+    if (ends_[1] >= 0) close(ends_[1]);
+    ends_[1] = -1;
+  }
+
+ private:
+  int ends_[2];
+};
+
+void expect_sent(const Message& message) {
+  Pipe other;
+  grader::Channel channel(other.out(), other.in());
+  fuzz::expect(channel.send(message.kind, message.nonce, message.body), "a message is sent");
+  const std::optional<Message> arrived = channel.receive(kLongestMessage);
+  fuzz::expect(arrived && arrived->kind == message.kind && arrived->nonce == message.nonce &&
+                   arrived->body == message.body,
+               "a message arrives as it was");
+}
+
+// All at once, and then the other side is gone.
+void try_stream(std::string_view bytes) {
+  // What a pipe holds while nobody reads.
+  constexpr std::size_t most = 65536;
+  if (bytes.size() > most) return;
+  Pipe hostile;
+  if (write(hostile.in(), bytes.data(), bytes.size()) != static_cast<ssize_t>(bytes.size()))
+    throw std::runtime_error("the pipe is full");
+  hostile.close_in();
+  grader::Channel channel(hostile.out(), -1);
+  try {
+    while (const std::optional<Message> message = channel.receive(kLongestMessage)) {
+      fuzz::expect(message->body.size() <= std::min(kLongestMessage, bytes.size()), "a body is bounded");
+      expect_sent(*message);
+    }
+  } catch (const grader::MalformedMessage& error) {
+    fuzz::expect_readable(error.what());
+  }
+}
+
+}  // namespace
+
+void fuzz::try_input(std::string_view bytes) {
+  try_stream(bytes);
+  if (bytes.empty()) return;
+  const auto length = std::min<std::size_t>(static_cast<unsigned char>(bytes[0]), bytes.size() - 1);
+  try_body(bytes.substr(1, length), bytes_of(bytes.substr(1 + length)));
+}
+
+// The body, what is read of it, and two texts that grow to twice their size. A stream has at most a message that
+// was announced, twice.
+std::size_t fuzz::most_memory(std::size_t input) {
+  return 10'000 + 4 * kLongestMessage + 12 * input;
+}
+
+std::vector<std::string> fuzz::seeds() {
+  std::vector<std::string> all;
+  const auto add = [&](const std::string& script, const MessageWriter& body) {
+    const auto* text = reinterpret_cast<const char*>(body.bytes().data());
+    all.push_back(static_cast<char>(script.size()) + script + std::string(text, body.bytes().size()));
+  };
+  const std::vector<double> three = {1, -0.0, 1e300};
+  add({an_int, a_double, a_byte, the_end}, MessageWriter().put(7).put(2.5).put(std::uint8_t{1}));
+  add({doubles, as_many_doubles + (3 << 4), a_text, a_document, the_end},
+      MessageWriter().put(three).put(three).put(std::string("a\ntext")).put(std::string("{}")));
+
+  MessageWriter strand_body;
+  hair::Strand three_particles;
+  three_particles.mass = Eigen::Vector3d(1, 2, 3);
+  three_particles.rest_length = Eigen::Vector2d(0.1, 0.2);
+  put(strand_body, three_particles);
+  put(strand_body, three_particles.mass);
+  add({a_strand, a_vector + (3 << 4), the_end}, strand_body);
+
+  MessageWriter moving;
+  const particles::Particles two{Eigen::Vector2d(1, 2), {1, 0}};
+  const particles::State rest{Eigen::VectorXd::Ones(6), Eigen::VectorXd::Zero(6)};
+  put(moving, two);
+  put(moving, two);
+  put(moving, rest);
+  put(moving, rest);
+  add({some_particles, particles_and_state, a_state + (2 << 4), the_end}, moving);
+
+  MessageWriter held;
+  put(held, particles::Constraints{{{0, 1, 2.0}}, {{1, {0, 0, 0}, {0, 0, 1}, 2.0}}, 100, 20});
+  add({some_constraints, the_end}, held);
+
+  // A stream of two messages: kind, nothing, a number, the body's length, the body.
+  std::string stream;
+  for (const std::string& body : {std::string("12345678"), std::string()}) {
+    const std::uint32_t kind[] = {static_cast<std::uint32_t>(grader::Kind::done), 0};
+    const std::uint64_t rest_of_header[] = {99, body.size()};
+    stream.append(reinterpret_cast<const char*>(kind), sizeof kind);
+    stream.append(reinterpret_cast<const char*>(rest_of_header), sizeof rest_of_header);
+    stream += body;
+  }
+  all.push_back(stream);
+  return all;
+}
