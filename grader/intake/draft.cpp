@@ -3,7 +3,7 @@
 
 namespace grader {
 
-void Budget::charge(const std::vector<Entry>& list, const std::vector<std::size_t>& entries) {
+void IntakeBudget::charge(const std::vector<Entry>& list, const std::vector<std::size_t>& entries) {
   entries_ += entries.size();
   if (entries_ > limits_.entries) {
     throw Refused("More than " + std::to_string(limits_.entries) +

@@ -11,9 +11,9 @@
 
 namespace grader {
 
-class Budget {
+class IntakeBudget {
  public:
-  explicit Budget(const IntakeLimits& limits) : limits_(limits), bytes_left_(limits.unpacked_bytes) {}
+  explicit IntakeBudget(const IntakeLimits& limits) : limits_(limits), bytes_left_(limits.unpacked_bytes) {}
 
   // Sizes are those that the container states; reading is limited again by what really comes. Throws Refused.
   void charge(const std::vector<Entry>& list, const std::vector<std::size_t>& entries);
@@ -31,7 +31,7 @@ struct Draft {
   std::string origin;  // for staff: which argument, and where in it
   std::string path;    // the same from the root of the disk on, whatever the argument was
   std::string shown;   // for students: its own part of the path, with the folder or archive around it
-  Budget budget;
+  IntakeBudget budget;
   std::map<std::string, std::string> first_paths = {};  // where each exercise file was found first
   std::size_t archives = 0;                             // opened in it
   std::vector<std::string> notices = {};

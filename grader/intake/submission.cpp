@@ -194,7 +194,7 @@ ClassReader::Named ClassReader::named(const fs::path& argument) {
 
 Draft ClassReader::new_draft(const std::string& name, const Named& argument, const std::string& below) const {
   Draft draft{
-      {submission_name(name), {}, {}}, argument.origin, argument.path, argument.shown, Budget(limits_)};
+      {submission_name(name), {}, {}}, argument.origin, argument.path, argument.shown, IntakeBudget(limits_)};
   if (!below.empty()) {
     draft.origin += "/" + printable(below, 4096);
     draft.path += "/" + below;
