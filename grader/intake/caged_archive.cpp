@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -33,10 +34,13 @@ int cpu_seconds(ArchiveLimits limits) {
   return static_cast<int>(std::min<std::size_t>(5 + limits.unpacked_bytes / 10'000'000, 7200));
 }
 
-// It waits for disks, too, and by the clock for others who want the processor.
-Watchdog::Patience patience(ArchiveLimits limits) {
+// It waits for disks, too, which read ten megabytes a second at least; and by the clock for others who want the
+// processor.
+Watchdog::Patience patience(ArchiveLimits limits, int archive) {
+  struct stat status = {};
+  const double megabytes = fstat(archive, &status) == 0 ? 1e-6 * static_cast<double>(status.st_size) : 0;
   const double most = cpu_seconds(limits);
-  return {.idle_seconds = 60, .cpu_seconds = most + 1, .wall_seconds = 120 + 4 * most};
+  return {.idle_seconds = 3 + megabytes / 10, .cpu_seconds = most + 1, .wall_seconds = 120 + 4 * most};
 }
 
 std::string because_of(int error) {
@@ -77,7 +81,7 @@ class CagedArchive : public Container {
         conversation_(make_conversation()),
         process_(reader_cage(program), command(), archive_.get(), conversation_.write_end.get(),
                  said_.write_end.get()),
-        watchdog_(process_, patience(limits)),
+        watchdog_(process_, patience(limits, archive_.get())),
         channel_(conversation_.read_end.get(), conversation_.read_end.get(),
                  [this](int descriptor, short events) { return watchdog_.wait_for(descriptor, events); }) {
     conversation_.write_end.close();

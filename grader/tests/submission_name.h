@@ -11,6 +11,7 @@ inline std::string submission_name(std::string name) {
   for (char& letter : name)
     if (!isalnum(static_cast<unsigned char>(letter)) && std::string("._-").find(letter) == std::string::npos)
       letter = '_';
+  if (!name.empty() && !isalnum(static_cast<unsigned char>(name.front()))) name.insert(0, "x");
   return name == "staff" ? "staff_" : name;
 }
 
