@@ -1,5 +1,5 @@
 // STAFF ONLY. A force that the suite holds: the worker requests each value and each product through the pipe,
-// so that the suite's counts are correct. The other side is grader/suite/force_server.h.
+// so that the suite's counts are correct. The other side is grader/play/force_server.h.
 #pragma once
 
 #include <functional>
@@ -16,7 +16,9 @@ namespace grader {
 class ServedForce : public particles::Force {
  public:
   // For n particles.
-  ServedForce(Session& session, int n) : session_(session), size_(3 * n) {}
+  ServedForce(Session& session, int n) : session_(session), size_(3 * n) { session.served_force = this; }
+  ServedForce(const ServedForce&) = delete;
+  ServedForce& operator=(const ServedForce&) = delete;
 
   double energy(particles::Input x) const override {
     double energy = 0;

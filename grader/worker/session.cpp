@@ -11,16 +11,47 @@
 #include <new>
 
 namespace grader {
+namespace {
+
+constexpr std::size_t kLargestAnswer = std::size_t{256} << 20;
+
+}  // namespace
 
 void Session::product(int which, std::span<const double> x, std::span<double> result) {
   MessageWriter message;
   message.put(which).put(x);
   if (!channel_.send(Kind::product, nonce_, message.bytes())) _exit(0);
-  const std::optional<Message> answer = channel_.receive(result.size_bytes() + sizeof(std::uint64_t));
+  const std::vector<double> values =
+      MessageReader(receive(result.size_bytes() + sizeof(std::uint64_t)).body).get_doubles(result.size());
+  std::copy(values.begin(), values.end(), result.begin());
+}
+
+MessageReader Session::call(const MessageWriter& arguments, const Callback& callback) {
+  if (!channel_.send(Kind::call, nonce_, arguments.bytes())) _exit(0);
+  for (;;) {
+    Message answer = receive(kLargestAnswer);
+    MessageReader body(std::move(answer.body));
+    if (answer.kind != Kind::callback) return body;
+    const int which = body.get<int>();
+    std::vector<double> x = body.get_doubles(), y;
+    try {
+      callback(which, x, y);
+    } catch (...) {
+      channel_.send(Kind::callback_threw, nonce_);
+      throw;
+    }
+    MessageWriter result;
+    result.put(std::span<const double>(y));
+    if (!channel_.send(Kind::callback_result, nonce_, result.bytes())) _exit(0);
+  }
+}
+
+// Without the suite there is nothing left to do.
+Message Session::receive(std::size_t limit) {
+  std::optional<Message> answer = channel_.receive(limit);
   if (!answer) _exit(0);
   if (answer->kind == Kind::stop) throw Stopped();
-  const std::vector<double> values = MessageReader(answer->body).get_doubles(result.size());
-  std::copy(values.begin(), values.end(), result.begin());
+  return std::move(*answer);
 }
 
 void ServedMatrix::matVecMult(double x[], double b[]) {

@@ -1,5 +1,5 @@
 // STAFF ONLY.
-#include "grader/suite/force_server.h"
+#include "grader/play/force_server.h"
 
 namespace grader {
 namespace {
