@@ -46,15 +46,15 @@ class AskedForce : public particles::Force {
     return ask(products_, kForceEnergy, joined({&x}), 1)[0];
   }
   void add_force(particles::Input x, particles::Input v, particles::Output f) const override {
-    add(kForceForce, joined({&x, &v}), f);
+    add(kForceForce, {&x, &v}, f);
   }
   void add_dfdx(particles::Input x, particles::Input v, particles::Input dx,
                 particles::Output df) const override {
-    add(kForceDfdx, joined({&x, &v, &dx}), df);
+    add(kForceDfdx, {&x, &v, &dx}, df);
   }
   void add_dfdv(particles::Input x, particles::Input v, particles::Input dv,
                 particles::Output df) const override {
-    add(kForceDfdv, joined({&x, &v, &dv}), df);
+    add(kForceDfdv, {&x, &v, &dv}, df);
   }
 
  private:
@@ -66,9 +66,11 @@ class AskedForce : public particles::Force {
     return all;
   }
 
-  void add(int which, const std::vector<double>& question, particles::Output& sum) const {
-    const std::vector<double> part = ask(products_, which, question, static_cast<std::size_t>(sum.size()));
-    sum += Eigen::Map<const Eigen::VectorXd>(part.data(), sum.size());
+  void add(int which, std::initializer_list<const View*> inputs, particles::Output& sum) const {
+    std::vector<double> question = joined(inputs);
+    question.insert(question.end(), sum.data(), sum.data() + sum.size());
+    const std::vector<double> answer = ask(products_, which, question, static_cast<std::size_t>(sum.size()));
+    sum = Eigen::Map<const Eigen::VectorXd>(answer.data(), sum.size());
   }
 
   const Products& products_;

@@ -22,12 +22,14 @@ inline void no_callback(int, std::vector<double>&, std::vector<double>&) {
 // Answers questions about a force of the worker's own, in the form of grader/wire/force_message.h.
 inline Session::Callback callback_of(const particles::Force& force) {
   return [&force](int which, std::vector<double>& question, std::vector<double>& answer) {
-    const int vectors = which == kForceEnergy ? 1 : which == kForceForce ? 2 : 3;
-    const auto size = static_cast<Eigen::Index>(question.size()) / vectors;
+    const auto size = static_cast<Eigen::Index>(question.size()) / vectors_of_question(which);
     const auto vector = [&](int i) {
       return Eigen::Map<const Eigen::VectorXd>(question.data() + i * size, size);
     };
-    answer.assign(which == kForceEnergy ? 1 : static_cast<std::size_t>(size), 0.0);
+    if (which == kForceEnergy)
+      answer.assign(1, 0.0);
+    else
+      answer.assign(question.end() - size, question.end());
     Eigen::Map<Eigen::VectorXd> result(answer.data(), static_cast<Eigen::Index>(answer.size()));
     if (which == kForceEnergy)
       result[0] = force.energy(vector(0));

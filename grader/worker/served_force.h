@@ -26,17 +26,17 @@ class ServedForce : public particles::Force {
     return energy;
   }
   void add_force(particles::Input x, particles::Input v, particles::Output f) const override {
-    add(kForceForce, joined({&x, &v}), f);
+    add(kForceForce, {&x, &v}, f);
   }
   void add_dfdx(particles::Input x, particles::Input v, particles::Input dx,
                 particles::Output df) const override {
     note_overlap(dx, df);
-    add(kForceDfdx, joined({&x, &v, &dx}), df);
+    add(kForceDfdx, {&x, &v, &dx}, df);
   }
   void add_dfdv(particles::Input x, particles::Input v, particles::Input dv,
                 particles::Output df) const override {
     note_overlap(dv, df);
-    add(kForceDfdv, joined({&x, &v, &dv}), df);
+    add(kForceDfdv, {&x, &v, &dv}, df);
   }
 
   // The number of products whose output overlapped their input, which no contract allows.
@@ -55,11 +55,12 @@ class ServedForce : public particles::Force {
     return all;
   }
 
-  void add(int which, const std::vector<double>& question, particles::Output& output) const {
-    expect_size(output.size());
-    std::vector<double> answer(size_);
+  void add(int which, std::initializer_list<const View*> inputs, particles::Output& sum) const {
+    expect_size(sum.size());
+    std::vector<double> question = joined(inputs), answer(size_);
+    question.insert(question.end(), sum.data(), sum.data() + size_);
     session_.product(which, question, answer);
-    output += Eigen::Map<const Eigen::VectorXd>(answer.data(), size_);
+    sum = Eigen::Map<const Eigen::VectorXd>(answer.data(), size_);
   }
 
   void expect_size(Eigen::Index size) const {
