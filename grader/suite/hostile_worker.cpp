@@ -19,7 +19,7 @@ Channel channel(3, 4);
 MessageWriter conj_grad(int n, std::size_t given) {
   MessageWriter call;
   const std::vector<double> b(given, 1.0);
-  call.put(kLentConjGrad).put(n).put(0.0).put(std::numeric_limits<int>::max());
+  call.put(kLentConjGrad).put(n).put(-1.0).put(std::numeric_limits<int>::max());
   return call.put(std::span<const double>(b));
 }
 
@@ -37,20 +37,27 @@ void send(Kind kind, const MessageWriter& body = {}) {
   if (!channel.send(kind, nonce, body.bytes())) _exit(0);
 }
 
-Kind receive() {
-  const auto message = channel.receive(std::size_t{1} << 24);
+Message receive() {
+  auto message = channel.receive(std::size_t{1} << 24);
   if (!message) _exit(0);
   nonce = message->nonce;
-  return message->kind;
+  return std::move(*message);
 }
 
-void send_product(std::size_t n) {
+void send_product(const std::vector<double>& y) {
   MessageWriter result;
-  // Of a matrix that is definite and never solved.
-  static double next = 1;
-  next = 1.5 + next / 3;
-  const std::vector<double> y(n, next);
   send(Kind::callback_result, result.put(std::span<const double>(y)));
+}
+
+// Products with another definite matrix each time: no solution is ever reached.
+void send_products_forever() {
+  for (double scale = 2;; scale = scale < 100 ? scale + 0.3 : 2) {
+    MessageReader question(receive().body);
+    question.get<int>();
+    std::vector<double> y = question.get_doubles();
+    for (std::size_t i = 0; i < y.size(); ++i) y[i] *= i % 2 == 0 ? scale : 1 / scale;
+    send_product(y);
+  }
 }
 
 void misbehave(const std::string& how) {
@@ -72,11 +79,11 @@ void misbehave(const std::string& how) {
   } else if (how == "throws-unasked") {
     send(Kind::callback_threw);
   } else if (how == "answers-unasked") {
-    send_product(3);
+    send_product({1, 2, 3});
   } else if (how == "answers-with-another-length") {
     send(Kind::call, conj_grad(3, 3));
     receive();
-    send_product(4);
+    send_product({1, 2, 3, 4});
   } else if (how == "is-done-in-a-callback") {
     send(Kind::call, conj_grad(3, 3));
     receive();
@@ -94,7 +101,7 @@ void misbehave(const std::string& how) {
     return;
   } else if (how == "solves-forever") {
     send(Kind::call, conj_grad(3, 3));
-    while (receive() == Kind::callback) send_product(3);
+    send_products_forever();
   } else if (how == "sweeps-forever") {
     send(Kind::call, endless_sweeps());
     receive();

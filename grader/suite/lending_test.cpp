@@ -30,7 +30,9 @@ class Lending : public testing::Test {
 
   // Asked twice: after the first answer there is still a suite.
   Outcome outcome(const std::string& how) {
+    allowance_ = std::make_shared<Allowance>();
     WorkerSetup setup;
+    setup.allowance = allowance_;
     setup.kit = folder_;
     setup.exercise = "X";
     setup.lent = {"S1", "H5"};
@@ -47,6 +49,7 @@ class Lending : public testing::Test {
   }
 
   fs::path folder_;
+  std::shared_ptr<Allowance> allowance_;  // of the last worker
 };
 
 TEST_F(Lending, RefusesWhatMakesNoSense) {
@@ -64,7 +67,9 @@ TEST_F(Lending, GoesOnAfterACallbackThatEnds) {
 
 TEST_F(Lending, ComputesNoLongerThanItMay) {
   EXPECT_EQ(outcome("solves-forever"), Outcome::timed_out);
+  EXPECT_GT(allowance_->spent.messages, allowance_->limit.messages) << "it ended for another reason";
   EXPECT_EQ(outcome("sweeps-forever"), Outcome::done);
+  EXPECT_LT(allowance_->spent.suite_cpu_seconds, 5) << "two calls";
 }
 
 }  // namespace
