@@ -64,6 +64,7 @@ void time_batches(const Course& course, const fs::path& scratch, int count) {
   settings.course = course;
   settings.kit = HAIR_KIT_DIR;
   settings.suite = HAIR_SUITE;
+  settings.players = HAIR_PLAYERS;
   settings.scenes = fs::path(HAIR_HIDDEN_SCENES);
   settings.cache = scratch / "cache";
   settings.secret = "the secret of the benchmark";
@@ -110,11 +111,9 @@ void time_parts(const Course& course, const Exercise& exercise, const fs::path& 
   std::vector<std::string> link = {"/usr/bin/g++", "-shared", "-s", "-Wl,-z,defs", "-Wl,-z,now"};
   link.insert(link.end(), {"-Wl,--version-script=" + (kit.folder() / "export" / (id + ".map")).string(), "-o",
                            (scratch / (id + ".so")).string(), object});
-  std::vector<fs::path> objects;
   for (const std::string& prerequisite : exercise.prerequisites)
-    objects.push_back(kit.folder() / "lib" / (prerequisite + ".so"));
-  link.insert(link.end(), objects.begin(), objects.end());
-  objects.push_back(kit.folder() / "lib" / (id + ".so"));
+    link.push_back((kit.folder() / "lent" / (prerequisite + ".so")).string());
+  const std::vector<fs::path> objects = {kit.folder() / "lib" / (id + ".so")};
 
   Cage toolchain;
   toolchain.mounts = toolchain_mounts();
@@ -131,6 +130,7 @@ void time_parts(const Course& course, const Exercise& exercise, const fs::path& 
     WorkerSetup setup;
     setup.kit = kit.folder();
     setup.exercise = id;
+    setup.lent = exercise.prerequisites;
     setup.objects = objects;
     setup.log = scratch / "log";
     Student student(setup);
@@ -141,7 +141,8 @@ void time_parts(const Course& course, const Exercise& exercise, const fs::path& 
   };
   auto run_cases = [&] {
     const SuiteResult found =
-        run_suite(HAIR_SUITE, {id, "a seed", kit.folder(), objects, scratch / "log", true, 10});
+        run_suite(HAIR_SUITE, {id, "a seed", kit.folder(), exercise.prerequisites, objects,
+                               scratch / "log", true, 10});
     for (const CaseResult& one : found.cases)
       require(one.status == Status::passed, "the reference fails in " + one.name);
   };

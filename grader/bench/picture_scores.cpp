@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "grader/course/course.h"
+#include "grader/suite/student_play.h"
 #include "grader/suite/whole_run.h"
 #include "hair/scene/playback.h"
 #include "solver/timing.h"
@@ -41,18 +42,18 @@ std::vector<std::string> other_compilers() {
 }
 
 // By a worker, as a submission's object for `exercise` is played.
-Played play_object(const std::string& exercise, const fs::path& object, const HiddenScene& hidden,
-                   const std::vector<std::string>& exercises) {
-  WorkerSetup cases;
-  cases.kit = HAIR_KIT_DIR;
-  cases.exercise = exercise;
-  cases.objects = {object};
-  cases.log = fs::path(HAIR_KEPT) / "worker.log";
-  cases.isolated = false;
-  cases.cpu_seconds = 100;  // what is not optimised takes its time
-  Student student(whole_run_worker(cases, hidden.scene, exercises));
+Played play_object(const Exercise& exercise, const fs::path& object, const HiddenScene& hidden) {
+  WorkerSetup setup;
+  setup.kit = HAIR_KIT_DIR;
+  setup.exercise = exercise.id;
+  setup.lent = exercise.prerequisites;
+  setup.objects = {object};
+  setup.log = fs::path(HAIR_KEPT) / "worker.log";
+  setup.isolated = false;
+  setup.cpu_seconds = 100;  // what is not optimised takes its time
+  Student student(setup);
   Trial trial(student, Random("", ""));
-  return play_elsewhere(trial, hidden.text, hidden.scene);
+  return play_with_student(trial, fs::path(HAIR_PLAYERS) / (exercise.id + ".so"), hidden.scene);
 }
 
 // Every number of the start moved by a few roundings: what another order of summation does, many times over.
@@ -89,8 +90,7 @@ void print_row(const char* exercise, const std::string& difference, const RunCom
               stretch, blurred, flip);
 }
 
-void print_scene(const std::string& exercise, const HiddenScene& hidden, const fs::path& kept,
-                 const std::vector<std::string>& exercises) {
+void print_scene(const Exercise& exercise, const HiddenScene& hidden, const fs::path& kept) {
   const auto row = [&](const std::string& difference, const Played& played, std::size_t without = 1000) {
     RunComparison run = compare_runs(hidden.scene, hidden.pictures, played);
     for (Shot& shot : run.shots) {
@@ -104,15 +104,15 @@ void print_scene(const std::string& exercise, const HiddenScene& hidden, const f
         strands.sizes.erase(strands.sizes.begin() + static_cast<std::ptrdiff_t>(without));
       }
     }
-    print_row(exercise.c_str(), difference, run, draw_shots(run.shots, run.camera, kept));
+    print_row(exercise.id.c_str(), difference, run, draw_shots(run.shots, run.camera, kept));
   };
   const double start = timing::cpu_seconds();
   const Played right = play(hidden.scene);
-  std::printf("| %s | %s, %.3f s of CPU time | | | | | |\n", exercise.c_str(), hidden.scene.shows.c_str(),
+  std::printf("| %s | %s, %.3f s of CPU time | | | | | |\n", exercise.id.c_str(), hidden.scene.shows.c_str(),
               timing::cpu_seconds() - start);
   for (const std::string& compiler : other_compilers()) {
-    const fs::path object = fs::path(HAIR_OTHER_OBJECTS) / compiler / (exercise + ".so");
-    if (fs::exists(object)) row(compiler, play_object(exercise, object, hidden, exercises));
+    const fs::path object = fs::path(HAIR_OTHER_OBJECTS) / compiler / (exercise.id + ".so");
+    if (fs::exists(object)) row(compiler, play_object(exercise, object, hidden));
   }
   row("the start moved by 1e-13", play(with_other_roundings(hidden.scene)));
   row("gravity 1 % larger", play(with_gravity_times(1.01, hidden.scene)));
@@ -134,16 +134,14 @@ int main(int argc, char* argv[]) {
     std::printf("|---|---|--:|--:|--:|--:|--:|\n");
     const std::vector<Exercise> course =
         read_course(fs::path(HAIR_PROJECT) / "handout/exercises.json").exercises;
-    std::vector<std::string> exercises;
-    for (const Exercise& exercise : course) exercises.push_back(exercise.id);
     fs::create_directories(HAIR_KEPT);
-    for (const std::string& exercise : exercises) {
-      const fs::path file = fs::path(HAIR_HIDDEN_SCENES) / (exercise + ".json");
+    for (const Exercise& exercise : course) {
+      const fs::path file = fs::path(HAIR_HIDDEN_SCENES) / (exercise.id + ".json");
       if (!fs::exists(file)) continue;
       for (const std::string& seed : seeds) {
-        const fs::path kept = fs::path(HAIR_KEPT) / (exercise + "-" + seed);
+        const fs::path kept = fs::path(HAIR_KEPT) / (exercise.id + "-" + seed);
         fs::remove_all(kept);
-        print_scene(exercise, read_hidden_scene(file, seed), kept, exercises);
+        print_scene(exercise, read_hidden_scene(file, seed), kept);
       }
     }
     return 0;

@@ -118,8 +118,8 @@ Compiled Compiler::run_linker(const Exercise& exercise, const fs::path& job, dou
   command.insert(command.end(), {"-Wl,-soname," + exercise.id + ".so", "-Wl,--version-script=/export.map",
                                  "-o", "/out/" + exercise.id + ".so", "/object/object.o"});
   for (const std::string& id : exercise.prerequisites) {
-    cage.mounts.push_back({toolchain_.kit().folder() / "lib" / (id + ".so"), "/lib-given/" + id + ".so"});
-    command.push_back("/lib-given/" + id + ".so");
+    cage.mounts.push_back({toolchain_.kit().folder() / "lent" / (id + ".so"), "/lent/" + id + ".so"});
+    command.push_back("/lent/" + id + ".so");
   }
 
   const Toolchain::Run found = toolchain_.run(cage, command, exercise.file);

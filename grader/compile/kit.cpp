@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <vector>
 
 #include "grader/compile/hash.h"
 #include "grader/course/input.h"
@@ -34,13 +35,17 @@ void remove_stale() {
 }  // namespace
 
 StagedKit::StagedKit(const fs::path& kit, const Course& course) {
-  for (const Exercise& exercise : course.exercises)
-    for (const fs::path& part :
-         {fs::path("worker"), fs::path("serve/runs.so"), fs::path("include") / exercise.header,
-          fs::path("lib") / (exercise.id + ".so"), fs::path("stub") / (exercise.id + ".so"),
-          fs::path("serve") / (exercise.id + ".so"), fs::path("export") / (exercise.id + ".map")})
-      if (!fs::exists(kit / part))
-        throw BadInput((kit / part).string() + " is missing; build the target grading_kit");
+  std::vector<fs::path> parts = {"worker", "serve/runs.so"};
+  for (const Exercise& exercise : course.exercises) {
+    parts.push_back(fs::path("include") / exercise.header);
+    parts.push_back(fs::path("export") / (exercise.id + ".map"));
+    for (const char* folder : {"lib", "stub", "serve"})
+      parts.push_back(fs::path(folder) / (exercise.id + ".so"));
+    for (const std::string& id : exercise.prerequisites) parts.push_back(fs::path("lent") / (id + ".so"));
+  }
+  for (const fs::path& part : parts)
+    if (!fs::exists(kit / part))
+      throw BadInput((kit / part).string() + " is missing; build the target grading_kit");
 
   remove_stale();
   // Another grader may take the new folder for a stale one and remove it, until we hold its lock.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <fstream>
 
 namespace grader {
 namespace {
@@ -20,15 +21,27 @@ double busy_between(const CagedProcess::Activity& last, const CagedProcess::Acti
   return std::max(threads, now.cpu_seconds - last.cpu_seconds);
 }
 
+// How long this thread has been ready to run without a processor. 0 if the kernel does not tell.
+double own_delay_seconds() {
+  std::ifstream file("/proc/thread-self/schedstat");
+  double computed = 0, delayed = 0;
+  file >> computed >> delayed;
+  return file ? 1e-9 * delayed : 0;
+}
+
 }  // namespace
 
-Watchdog::Watchdog(const CagedProcess& process, Patience patience) : process_(process), patience_(patience) {}
+Watchdog::Watchdog(const CagedProcess& process, Patience patience)
+    : process_(process), patience_(patience), own_delay_(own_delay_seconds()) {}
 
 void Watchdog::look() {
   CagedProcess::Activity now = process_.activity();
   // Clocks of a process do not go back: this is another one, of those that made its cage.
   if (!now.alive || now.cpu_seconds < last_.cpu_seconds) return;
-  if (!now.busy_seconds.empty()) idle_ += std::max(0.0, waited_ - busy_between(last_, now));
+  const double own_delay = own_delay_seconds();
+  if (!now.busy_seconds.empty())
+    idle_ += std::max(0.0, waited_ - busy_between(last_, now) - (own_delay - own_delay_));
+  own_delay_ = own_delay;
   waited_ = 0;
   last_ = std::move(now);
   if (idle_ > patience_.idle_seconds) why_ = "asleep";

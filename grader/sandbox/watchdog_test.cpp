@@ -3,12 +3,13 @@
 
 #include <gtest/gtest.h>
 #include <poll.h>
+#include <unistd.h>
 
-#include <atomic>
 #include <thread>
 #include <vector>
 
 #include "grader/sandbox/descriptor.h"
+#include "solver/timing.h"
 
 namespace grader {
 namespace {
@@ -66,20 +67,51 @@ TEST(Watchdog, EndsWhatComputesForever) {
   EXPECT_LT(watchdog.cpu_seconds(), 1);
 }
 
-// On a machine on which everybody has to wait for a processor, that is no idling.
+// A machine on which everybody has to wait for a processor.
+class BusyMachine {
+ public:
+  BusyMachine() {
+    for (unsigned i = 0; i < 4 * std::thread::hardware_concurrency(); ++i)
+      others_.emplace_back([](const std::stop_token& enough) {
+        while (!enough.stop_requested()) {
+        }
+      });
+  }
+
+ private:
+  std::vector<std::jthread> others_;
+};
+
+// To wait there is no idling.
 TEST(Watchdog, LeavesAloneWhatWaitsForABusyMachine) {
-  std::atomic<bool> enough = false;
-  std::vector<std::jthread> others;
-  for (unsigned i = 0; i < 4 * std::thread::hardware_concurrency(); ++i)
-    others.emplace_back([&] {
-      while (!enough) {
-      }
-    });
+  const BusyMachine busy;
   Waiting computing(kComputes, {.idle_seconds = 0.6, .cpu_seconds = 0.4, .wall_seconds = 60});
   const Watchdog& watchdog = computing.wait();
-  enough = true;
   EXPECT_STREQ(watchdog.why(), "out of CPU time");
   EXPECT_LT(watchdog.idle_seconds(), 0.3);
+}
+
+// Neither is it idle while its answer is there, and we have no processor to read it.
+TEST(Watchdog, LeavesAloneWhatAnswersQuicklyOnABusyMachine) {
+  const BusyMachine busy;
+  Cage cage;
+  cage.mounts = toolchain_mounts();
+  cage.isolated = false;
+  Pipe to = make_pipe(), from = make_pipe();
+  CagedProcess echo(cage, {"/usr/bin/bash", "-c", "exec cat <&3 >&4"}, to.read_end.get(),
+                    from.write_end.get(), -1);
+  Watchdog watchdog(echo, {.idle_seconds = 5, .cpu_seconds = 10, .wall_seconds = 60});
+  for (int i = 0; i < 100; ++i) {
+    // Who computes a lot is let wait when it has something to do again.
+    for (const double start = timing::cpu_seconds(); timing::cpu_seconds() < start + 0.004;) {
+    }
+    char letter = 'a';
+    ASSERT_EQ(write(to.write_end.get(), &letter, 1), 1);
+    ASSERT_TRUE(watchdog.wait_for(from.read_end.get(), POLLIN));
+    ASSERT_EQ(read(from.read_end.get(), &letter, 1), 1);
+  }
+  watchdog.look();
+  EXPECT_LT(watchdog.idle_seconds(), 0.2);
 }
 
 // Whatever the kernel counts, at some time it is enough.

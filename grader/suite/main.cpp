@@ -3,16 +3,16 @@
 //
 // Reads a job as JSON from standard input and writes what it found as JSON to standard output:
 //
-//   {"exercise": "S1", "seed": "...", "kit": DIR, "objects": [FILE...], "log": FILE, "isolated": true,
-//    "cpu_seconds": 10, "allowance": {"idle_seconds": 3, ...}, "pictures": DIR}
+//   {"exercise": "S2", "seed": "...", "kit": DIR, "lent": ["S1"], "objects": [FILE...], "log": FILE,
+//    "isolated": true, "cpu_seconds": 10, "allowance": {"idle_seconds": 3, ...}, "pictures": DIR}
 //   {"cases": [{"name", "status", "weight", "points", "feedback", "detail"}...],
 //    "cpu_seconds": 0.1, "starts": 1, "spent": {"idle_seconds": 0.01, ...}}
 //
-// "allowance" and "spent" are as in grader/course/budget.h.
+// "lent" are the exercises whose functions the suite lends (lending.h). "allowance" and "spent" are as in grader/course/budget.h.
 // "pictures" is where the reference's are kept; null, and none are drawn. Of an exercise with a whole run the job says
 // more, and its two categories come last, with its pictures:
 //
-//   {..., "whole_run": {"scene": FILE, "seed": "...", "exercises": ["S1"...], "cpu_seconds": 10}}
+//   {..., "whole_run": {"scene": FILE, "seed": "...", "player": FILE, "cpu_seconds": 10}}
 //   {..., "pictures": [{"name", "blurred_rmse", "flip", "student", "reference", "heat"}...],
 //    "run_cpu_seconds": 0.1, "picture_cpu_seconds": 0.1}
 //
@@ -60,7 +60,7 @@ struct Job {
   struct WholeRun {
     std::filesystem::path scene;
     std::string seed;
-    std::vector<std::string> exercises;
+    std::filesystem::path player;
     int cpu_seconds = 10;
   };
   std::optional<WholeRun> whole_run;
@@ -74,6 +74,7 @@ Job read_job(std::istream& in) {
     job.seed = document.at("seed");
     job.worker.exercise = job.exercise;
     job.worker.kit = document.at("kit").get<std::string>();
+    document.at("lent").get_to(job.worker.lent);
     for (const std::string object : document.at("objects")) job.worker.objects.push_back(object);
     job.worker.log = document.at("log").get<std::string>();
     job.worker.isolated = document.at("isolated");
@@ -84,8 +85,8 @@ Job read_job(std::istream& in) {
       job.pictures = folder.get<std::string>();
     if (document.contains("whole_run")) {
       const json& run = document.at("whole_run");
-      job.whole_run = {run.at("scene").get<std::string>(), run.at("seed"), run.at("exercises"),
-                       run.at("cpu_seconds")};
+      job.whole_run = {run.at("scene").get<std::string>(), run.at("seed"),
+                       run.at("player").get<std::string>(), run.at("cpu_seconds")};
     }
     if (job.exercise == "study") {
       job.worker.exercise = "runs";
@@ -176,9 +177,9 @@ json run_categories(const Job& job, grader::Student& student) {
   std::vector<Category> of_the_run;
   if (job.whole_run) {
     grader::HiddenScene scene = grader::read_hidden_scene(job.whole_run->scene, job.whole_run->seed);
-    grader::WorkerSetup worker = grader::whole_run_worker(job.worker, scene.scene, job.whole_run->exercises);
+    grader::WorkerSetup worker = job.worker;
     worker.cpu_seconds = job.whole_run->cpu_seconds;
-    run.emplace(std::move(worker), std::move(scene), job.pictures, student);
+    run.emplace(std::move(worker), job.whole_run->player, std::move(scene), job.pictures, student);
     of_the_run = run->categories(job.exercise);
     for (const Category& category : of_the_run) add(category, run->student());
   }

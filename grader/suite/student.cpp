@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <cmath>
 
+#include "grader/suite/lending.h"
 #include "solver/timing.h"
 
 namespace grader {
@@ -17,10 +18,24 @@ namespace {
 // Larger than any array that a case sends; a worker that announces more has broken the protocol.
 constexpr std::size_t kLargestMessage = std::size_t{8} << 20;
 
+// More calls within callbacks than honest code makes.
+constexpr int kMostCalls = 4;
+
+// The worker's object threw when it was asked: its exception has left the call already.
+struct CallbackThrew {};
+
 std::uint64_t random_nonce() {
   std::uint64_t nonce;
   randombytes_buf(&nonce, sizeof nonce);
   return nonce;
+}
+
+// In loading order.
+std::vector<std::filesystem::path> all_objects(const WorkerSetup& setup) {
+  std::vector<std::filesystem::path> all;
+  for (const std::string& id : setup.lent) all.push_back(setup.kit / "lent" / (id + ".so"));
+  all.insert(all.end(), setup.objects.begin(), setup.objects.end());
+  return all;
 }
 
 Cage worker_cage(const WorkerSetup& setup) {
@@ -28,8 +43,8 @@ Cage worker_cage(const WorkerSetup& setup) {
   cage.mounts = runtime_library_mounts();
   cage.mounts.push_back({setup.kit / "worker", "/worker"});
   cage.mounts.push_back({setup.kit / "serve" / (setup.exercise + ".so"), "/server.so"});
-  for (std::size_t i = 0; i < setup.objects.size(); ++i)
-    cage.mounts.push_back({setup.objects[i], "/objects/" + setup.objects[i].filename().string()});
+  for (const auto& object : all_objects(setup))
+    cage.mounts.push_back({object, "/objects/" + object.filename().string()});
   cage.isolated = setup.isolated;
   cage.limits.cpu_seconds = static_cast<int>(
       std::ceil(std::clamp(setup.allowance->cpu_seconds_left(), 1.0, 1.0 * setup.cpu_seconds)));
@@ -46,7 +61,7 @@ Watchdog::Patience patience(const WorkerSetup& setup) {
 std::vector<std::string> worker_command(const WorkerSetup& setup, const Limits& limits) {
   std::vector<std::string> command = {"/worker", std::to_string(limits.cpu_seconds),
                                       std::to_string(limits.memory_bytes), std::to_string(limits.processes)};
-  for (const auto& object : setup.objects) command.push_back("/objects/" + object.filename().string());
+  for (const auto& object : all_objects(setup)) command.push_back("/objects/" + object.filename().string());
   command.push_back("/server.so");
   return command;
 }
@@ -133,25 +148,35 @@ std::optional<Answer> Student::start() {
   }
 }
 
+// A request on its way: `depth` calls of lent functions wait for callbacks.
+struct Student::Conversation {
+  std::uint64_t nonce;
+  const Products& products;
+  double spent_before;
+  double cpu_before = timing::process_cpu_seconds();
+  bool stopping = false;
+  int depth = 0;
+};
+
 Answer Student::ask(const MessageWriter& request, const Products& products) {
-  const double before = timing::process_cpu_seconds();
-  const double spent_before = setup_.allowance->spent.suite_cpu_seconds;
+  Conversation conversation{random_nonce(), products, setup_.allowance->spent.suite_cpu_seconds};
   auto answer = [&]() -> Answer {
     if (gave_up_) return *gave_up_;
     if (!worker_)
       if (std::optional<Answer> failure = start()) return *failure;
     try {
-      return converse(request, [&](int which, const std::vector<double>& x, std::vector<double>& y) {
-        const bool go_on = products(which, x, y);
-        setup_.allowance->spent.suite_cpu_seconds = spent_before + timing::process_cpu_seconds() - before;
-        return go_on;
-      });
+      return converse(request, conversation);
     } catch (const MalformedMessage& error) {
       return broke_rules(error.what());
     }
   }();
-  setup_.allowance->spent.suite_cpu_seconds = spent_before + timing::process_cpu_seconds() - before;
+  charge(conversation);
   return answer;
+}
+
+void Student::charge(const Conversation& conversation) {
+  setup_.allowance->spent.suite_cpu_seconds =
+      conversation.spent_before + timing::process_cpu_seconds() - conversation.cpu_before;
 }
 
 // A worker that does not keep to the protocol is not asked again; a new one may be.
@@ -161,49 +186,101 @@ Answer Student::broke_rules(const std::string& how) {
   return {Outcome::broke_rules, MessageReader({}), how};
 }
 
-Answer Student::converse(const MessageWriter& request, const Products& products) {
-  const std::uint64_t nonce = random_nonce();
-  bool stopping = false;
-  if (!worker_->channel.send(Kind::request, nonce, request.bytes())) return ended("before the request");
+// Ends a conversation, from however deep in calls and callbacks.
+struct Student::Over {
+  Answer answer;
+};
+
+Answer Student::converse(const MessageWriter& request, Conversation& conversation) {
+  if (!worker_->channel.send(Kind::request, conversation.nonce, request.bytes()))
+    return ended("before the request");
+  try {
+    return {Outcome::done, listen(conversation, Kind::done), {}};
+  } catch (Over& over) {
+    return std::move(over.answer);
+  }
+}
+
+// The next message of the kind `until`, after all that the worker asks before it.
+MessageReader Student::listen(Conversation& conversation, Kind until) {
   for (;;) {
     std::optional<Message> message = receive();
-    if (!message) return ended("during the request");
+    if (!message) throw Over{ended("during the request")};
+    charge(conversation);
     if (give_up_if_used_up()) {
       end(0);
-      return *gave_up_;
+      throw Over{*gave_up_};
     }
-    if (message->nonce != nonce) throw MalformedMessage("a message for another request");
+    if (message->nonce != conversation.nonce) throw MalformedMessage("a message for another request");
     MessageReader body(std::move(message->body));
+    if (message->kind == until) return body;
     switch (message->kind) {
-      case Kind::product: {
-        if (stopping) throw MalformedMessage("a product after the request was stopped");
-        const int which = body.get<int>();
-        const std::vector<double> x = body.get_doubles();
-        body.expect_end();
-        std::vector<double> y;
-        stopping = !products(which, x, y);
-        MessageWriter result;
-        result.put(std::span<const double>(y));
-        if (!worker_->channel.send(stopping ? Kind::stop : Kind::product_result, nonce, result.bytes()))
-          return ended("during a product");
+      case Kind::product:
+        serve_product(conversation, body);
         break;
-      }
+      case Kind::call:
+        serve_call(conversation, std::move(body));
+        break;
+      case Kind::callback_threw:
+        if (conversation.depth > 0) throw CallbackThrew();
+        throw MalformedMessage("an exception of a callback that nobody asked for");
       case Kind::denied:
-        return broke_rules("it tried " + std::string(denied_syscall(body.get<int>())));
-      case Kind::done:
-        return {Outcome::done, std::move(body), {}};
+        throw Over{broke_rules("it tried " + std::string(denied_syscall(body.get<int>())))};
       case Kind::stopped:
-        return {Outcome::stopped, MessageReader({}), {}};
+        throw Over{{Outcome::stopped, MessageReader({}), {}}};
       case Kind::not_implemented:
-        return {Outcome::not_implemented, MessageReader({}), body.get_text()};
+        throw Over{{Outcome::not_implemented, MessageReader({}), body.get_text()}};
       case Kind::threw:
-        return {Outcome::threw, MessageReader({}), body.get_text()};
+        throw Over{{Outcome::threw, MessageReader({}), body.get_text()}};
       case Kind::out_of_memory:
-        return {Outcome::out_of_memory, MessageReader({}), {}};
+        throw Over{{Outcome::out_of_memory, MessageReader({}), {}}};
       default:
         throw MalformedMessage("a message of kind " +
                                std::to_string(static_cast<std::uint32_t>(message->kind)));
     }
+  }
+}
+
+void Student::serve_product(Conversation& conversation, MessageReader& asked) {
+  if (conversation.stopping) throw MalformedMessage("a product after the request was stopped");
+  const int which = asked.get<int>();
+  const std::vector<double> x = asked.get_doubles();
+  asked.expect_end();
+  std::vector<double> y;
+  conversation.stopping = !conversation.products(which, x, y);
+  MessageWriter result;
+  result.put(std::span<const double>(y));
+  if (!worker_->channel.send(conversation.stopping ? Kind::stop : Kind::product_result, conversation.nonce,
+                             result.bytes()))
+    throw Over{ended("during a product")};
+}
+
+// A function of a prerequisite's, which may ask the worker about its own objects.
+void Student::serve_call(Conversation& conversation, MessageReader call) {
+  if (conversation.stopping) throw MalformedMessage("a call after the request was stopped");
+  if (conversation.depth == kMostCalls) throw MalformedMessage("calls within calls");
+  const auto send = [&](Kind kind, const MessageWriter& body) {
+    if (!worker_->channel.send(kind, conversation.nonce, body.bytes())) throw Over{ended("during a call")};
+  };
+  const Products callback = [&](int which, const std::vector<double>& x, std::vector<double>& y) {
+    MessageWriter question;
+    send(Kind::callback, question.put(which).put(std::span<const double>(x)));
+    MessageReader answer = listen(conversation, Kind::callback_result);
+    y = answer.get_doubles();
+    answer.expect_end();
+    return true;
+  };
+  ++conversation.depth;
+  try {
+    const MessageWriter result = lend(setup_.lent, std::move(call), conversation.products, callback);
+    --conversation.depth;
+    send(Kind::call_result, result);
+  } catch (const CallbackThrew&) {
+    --conversation.depth;
+  } catch (const StoppedLoan&) {
+    --conversation.depth;
+    conversation.stopping = true;
+    send(Kind::stop, {});
   }
 }
 

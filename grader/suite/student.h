@@ -15,12 +15,14 @@
 #include "grader/suite/allowance.h"
 #include "grader/wire/channel.h"
 #include "grader/wire/message.h"
+#include "grader/wire/products.h"
 
 namespace grader {
 
 struct WorkerSetup {
   std::filesystem::path kit;                   // see grader/worker/CMakeLists.txt
   std::string exercise;                        // the exercise whose server answers
+  std::vector<std::string> lent;               // prerequisites that the suite lends, see lending.h
   std::vector<std::filesystem::path> objects;  // in loading order; the student's last
   std::filesystem::path log;                   // the worker's output is appended here
   bool isolated = true;
@@ -53,10 +55,6 @@ class Student {
 
   explicit Student(WorkerSetup setup) : setup_(std::move(setup)) {}
 
-  // Serves one product of operator `which`: y = A x; the handler sets the size of y. False: stop this
-  // request. Throws MalformedMessage for an invalid operator or length.
-  using Products = std::function<bool(int which, const std::vector<double>& x, std::vector<double>& y)>;
-
   // Sends a request and waits for its answer.
   Answer ask(const MessageWriter& request, const Products& products);
 
@@ -74,7 +72,13 @@ class Student {
   struct Worker;
 
   std::optional<Answer> start();
-  Answer converse(const MessageWriter& request, const Products& products);
+  struct Conversation;
+  struct Over;
+  Answer converse(const MessageWriter& request, Conversation& conversation);
+  void charge(const Conversation& conversation);
+  MessageReader listen(Conversation& conversation, Kind until);
+  void serve_product(Conversation& conversation, MessageReader& asked);
+  void serve_call(Conversation& conversation, MessageReader call);
   std::optional<Message> receive();
   Answer broke_rules(const std::string& how);
   Answer ended(const std::string& during);

@@ -6,8 +6,7 @@
 
 namespace grader {
 
-MessageReader Trial::ask(const MessageWriter& request, const Student::Products& products,
-                         const std::string& stopped) {
+MessageReader Trial::ask(const MessageWriter& request, const Products& products, const std::string& stopped) {
   return reply_of(student_.ask(request, products), stopped);
 }
 

@@ -27,7 +27,7 @@ class Trial {
   // The return value of the student's function. Throws CaseFailed if it did not return; with the feedback
   // `stopped` if `products` stopped it.
   MessageReader ask(
-      const MessageWriter& request, const Student::Products& products,
+      const MessageWriter& request, const Products& products,
       const std::string& stopped = "takes more products with the matrix than the step limit allows");
 
   // The reply in an answer; throws CaseFailed as above if there is none.

@@ -1,12 +1,12 @@
 // STAFF ONLY.
 #include "grader/suite/whole_run.h"
-#include "solver/timing.h"
-
-#include <time.h>
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+
+#include "grader/suite/student_play.h"
+#include "solver/timing.h"
 
 namespace grader {
 namespace {
@@ -21,23 +21,10 @@ std::string at(const Moment& moment) {
 
 }  // namespace
 
-WorkerSetup whole_run_worker(const WorkerSetup& cases, const hair::Scene& scene,
-                             const std::vector<std::string>& exercises) {
-  const std::vector<std::string> called = hair::exercises_of(scene);
-  WorkerSetup setup = cases;
-  setup.exercise = "runs";
-  setup.objects.clear();
-  for (const std::string& id : exercises) {
-    const bool needed = std::find(called.begin(), called.end(), id) != called.end();
-    setup.objects.push_back(id == cases.exercise ? cases.objects.back()
-                                                 : cases.kit / (needed ? "lib" : "stub") / (id + ".so"));
-  }
-  return setup;
-}
-
-WholeRun::WholeRun(WorkerSetup worker, HiddenScene scene, std::optional<std::filesystem::path> kept_pictures,
-                   Student& cases)
+WholeRun::WholeRun(WorkerSetup worker, std::filesystem::path player, HiddenScene scene,
+                   std::optional<std::filesystem::path> kept_pictures, Student& cases)
     : student_(std::move(worker)),
+      player_(std::move(player)),
       hidden_(std::move(scene)),
       kept_pictures_(std::move(kept_pictures)),
       cases_(cases) {}
@@ -59,7 +46,7 @@ void WholeRun::judge_run(Trial& trial) {
   // A code that never answers would cost its limits once more.
   if (cases_.gave_up()) trial.reply_of(*cases_.gave_up());
 
-  const Played theirs = play_elsewhere(trial, hidden_.text, hidden_.scene);
+  const Played theirs = play_with_student(trial, player_, hidden_.scene);
   run_ = compare_runs(hidden_.scene, hidden_.pictures, theirs);
   trial.expect(run_->finite, "numbers that are not finite");
   trial.expect(theirs.trouble.empty() && run_->moments.size() == hidden_.scene.frames + std::size_t{1},

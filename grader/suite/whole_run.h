@@ -1,5 +1,7 @@
-// STAFF ONLY. The whole run of an exercise: a worker with the submission's file for this exercise, and the
-// reference's for all others, plays a hidden scene from start to end. Two categories judge the result.
+// STAFF ONLY. The whole run of an exercise: the suite plays a hidden scene from start to end, with the submission's
+// functions for this exercise and the reference's for all others. Each call of the submission's goes to a worker of
+// its own, which holds the submission's object, lent prerequisites (lending.h), and nothing else. Two categories
+// judge the result.
 //
 // The run. It must end with finite numbers. It must start as the scene says, and held particles must stay
 // where the reference has them. Energy and stretch, by our own forces, must agree with the reference's run
@@ -37,19 +39,14 @@ inline constexpr double kBlurredRmse = 0.0005, kFlip = 0.001;
 inline constexpr const char* kRunTitle = "The whole run";
 inline constexpr const char* kPicturesTitle = "Pictures of it";
 
-// The worker that plays the scene. It has the exercise's own object from `cases`, loaded last. For all other
-// exercises, in the order of `exercises`, it has the reference's objects, or stubs if the scene does not call
-// them.
-WorkerSetup whole_run_worker(const WorkerSetup& cases, const hair::Scene& scene,
-                             const std::vector<std::string>& exercises);
-
 class WholeRun {
  public:
+  // `worker` answers for the exercise as in its cases, and `player` plays the scene with it (grader/play/play.h).
   // The reference's pictures are stored in `kept_pictures`; without it no pictures are drawn. `cases` is the
   // worker of the exercise's other cases: it is finished first, and if the suite gave up on it, the whole run is
   // not played.
-  WholeRun(WorkerSetup worker, HiddenScene scene, std::optional<std::filesystem::path> kept_pictures,
-           Student& cases);
+  WholeRun(WorkerSetup worker, std::filesystem::path player, HiddenScene scene,
+           std::optional<std::filesystem::path> kept_pictures, Student& cases);
 
   // The categories, in the order of running.
   std::vector<Category> categories(const std::string& exercise);
@@ -63,6 +60,7 @@ class WholeRun {
   void judge_pictures(Trial& trial);
 
   Student student_;
+  std::filesystem::path player_;
   HiddenScene hidden_;
   std::optional<std::filesystem::path> kept_pictures_;
   Student& cases_;

@@ -85,6 +85,7 @@ int grade(const GradeOptions& options) {
   settings.exercise = options.exercise;
   settings.kit = HAIR_KIT_DIR;
   settings.suite = HAIR_SUITE;
+  settings.players = HAIR_PLAYERS;
   settings.scenes = HAIR_HIDDEN_SCENES;
   settings.isolated = !options.unsafe;
   settings.images = !options.no_images;

@@ -47,7 +47,7 @@ std::string what_draws() {
 SuiteJobs::SuiteJobs(const GradingSettings& settings, const StagedKit& kit)
     : settings_(settings),
       kit_(kit),
-      suite_hash_(sha256_of(settings.suite)),
+      suite_hash_(sha256(sha256_of(settings.suite) + sha256_of(settings.players))),
       drawn_(settings.images ? what_draws() : "") {
   if (settings_.images) pictures_ = settings_.cache / "pictures" / sha256(suite_hash_ + drawn_);
 }
@@ -91,7 +91,7 @@ std::optional<SuiteJob::WholeRun> SuiteJobs::whole_run(const std::string& exerci
   SuiteJob::WholeRun run;
   run.scene = scene;
   run.seed = seed_for(settings_.secret, "the class", exercise);  // no submission's name has a space
-  for (const Exercise& one : settings_.course.exercises) run.exercises.push_back(one.id);
+  run.player = settings_.players / (exercise + ".so");
   run.cpu_seconds = kLeastCpuSeconds;
   if (const auto reference = reference_.find(exercise); reference != reference_.end())
     run.cpu_seconds = cpu_limit(reference->second.run_cpu_seconds);
@@ -102,8 +102,7 @@ SuiteJob SuiteJobs::cases(const Exercise& exercise, const std::string& student, 
                           const fs::path& folder) const {
   SuiteJob suite = job(exercise.id, folder);
   suite.seed = seed_for(settings_.secret, student, exercise.id);
-  for (const std::string& id : exercise.prerequisites)
-    suite.objects.push_back(kit_.folder() / "lib" / (id + ".so"));
+  suite.lent = exercise.prerequisites;
   suite.objects.push_back(object);
   suite.whole_run = whole_run(exercise.id);
   if (pictures_ && suite.whole_run)

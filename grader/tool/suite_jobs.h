@@ -17,7 +17,7 @@ namespace grader {
 struct GradingSettings {
   Course course;
   std::optional<std::string> exercise;  // grade only this one
-  std::filesystem::path kit, suite, scenes, cache;
+  std::filesystem::path kit, suite, players, scenes, cache;
   std::string secret;
   bool isolated = true;
   bool images = true;  // draw whole runs
@@ -47,7 +47,7 @@ class SuiteJobs {
   const GradingSettings& settings() const { return settings_; }
   const StagedKit& kit() const { return kit_; }
 
-  // A hash of everything that results depend on: kit, suite, scenes, secret, renderer, course.
+  // A hash of everything that results depend on: kit, suite, players, scenes, secret, renderer, course.
   std::string fingerprint() const;
 
   // From now on a worker's limit is a multiple of the reference's time.
@@ -59,8 +59,7 @@ class SuiteJobs {
   // What an exercise may take of the course's budget, also if others are not selected.
   Budget allowance() const;
 
-  // The cases of an exercise and its whole run, against an object; its prerequisites use the reference's
-  // objects.
+  // The cases of an exercise and its whole run, against an object; the suite lends its prerequisites.
   SuiteJob cases(const Exercise& exercise, const std::string& student, const std::filesystem::path& object,
                  const std::filesystem::path& folder) const;
 

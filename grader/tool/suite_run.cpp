@@ -33,16 +33,20 @@ json texts(const std::vector<std::filesystem::path>& paths) {
 }
 
 json to_json(const SuiteJob& job) {
-  json all = {
-      {"exercise", job.exercise},       {"seed", job.seed},
-      {"kit", job.kit.string()},        {"objects", texts(job.objects)},
-      {"log", job.log.string()},        {"isolated", job.isolated},
-      {"cpu_seconds", job.cpu_seconds}, {"pictures", job.pictures ? json(job.pictures->string()) : json()}};
+  json all = {{"exercise", job.exercise},
+              {"seed", job.seed},
+              {"kit", job.kit.string()},
+              {"lent", job.lent},
+              {"objects", texts(job.objects)},
+              {"log", job.log.string()},
+              {"isolated", job.isolated},
+              {"cpu_seconds", job.cpu_seconds},
+              {"pictures", job.pictures ? json(job.pictures->string()) : json()}};
   for (const BudgetField& field : budget_fields()) all["allowance"][field.key] = job.allowance.*field.value;
   if (job.whole_run)
     all["whole_run"] = {{"scene", job.whole_run->scene.string()},
                         {"seed", job.whole_run->seed},
-                        {"exercises", job.whole_run->exercises},
+                        {"player", job.whole_run->player.string()},
                         {"cpu_seconds", job.whole_run->cpu_seconds}};
   if (job.exercise == "study") {
     all["reference_objects"] = texts(job.reference_objects);

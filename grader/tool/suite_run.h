@@ -18,6 +18,7 @@ struct SuiteJob {
   std::string exercise;  // or "runs", or "study"
   std::string seed;
   std::filesystem::path kit;
+  std::vector<std::string> lent;               // exercises whose functions the suite lends
   std::vector<std::filesystem::path> objects;  // in loading order
   std::filesystem::path log;
   bool isolated = true;
@@ -30,7 +31,7 @@ struct SuiteJob {
   struct WholeRun {
     std::filesystem::path scene;
     std::string seed;
-    std::vector<std::string> exercises;  // all of the kit's, in their order
+    std::filesystem::path player;  // see grader/play/play.h
     int cpu_seconds = 10;
   };
   std::optional<WholeRun> whole_run = {};

@@ -8,6 +8,13 @@
 //   stop, for the request     denied(system call), during the request
 //                             done(...) | stopped | not_implemented | threw | out_of_memory
 //
+// During the request the worker may also call a function of a prerequisite, which the suite lends
+// (grader/wire/lent_functions.h). Then the suite may ask for products with an object of the caller's:
+//
+//                             call(function, ...)
+//   callback(operator, x)     callback_result(doubles) | callback_threw, which ends the call
+//   call_result(...)
+//
 // Each request carries a random number (nonce). Every message for this request must carry the same number.
 #pragma once
 
@@ -31,7 +38,12 @@ enum class Kind : std::uint32_t {
   not_implemented,  // text
   threw,            // text
   out_of_memory,
-  denied,  // int system call; the request goes on
+  denied,           // int system call; the request goes on
+  call,             // int function, then its arguments
+  call_result,      // the function's results
+  callback,         // int operator, doubles x
+  callback_result,  // doubles
+  callback_threw,   // an exception leaves the call; the request goes on
 };
 
 struct Message {

@@ -1,5 +1,5 @@
 // STAFF ONLY. A force that the suite holds: the worker requests each value and each product through the pipe,
-// so that the suite's counts are correct. The other side is grader/suite/force_server.h.
+// so that the suite's counts are correct. The other side is grader/play/force_server.h.
 #pragma once
 
 #include <functional>
@@ -17,7 +17,9 @@ namespace grader {
 class ServedForce : public particles::Force {
  public:
   // For n particles.
-  ServedForce(Session& session, int n) : session_(session), size_(3 * n) {}
+  ServedForce(Session& session, int n) : session_(session), size_(3 * n) { session.served_force = this; }
+  ServedForce(const ServedForce&) = delete;
+  ServedForce& operator=(const ServedForce&) = delete;
 
   double energy(particles::Input x) const override {
     double energy = 0;
@@ -25,16 +27,16 @@ class ServedForce : public particles::Force {
     return energy;
   }
   void add_force(particles::Input x, particles::Input v, particles::Output f) const override {
-    add(kForceForce, joined({&x, &v}), f);
+    add(kForceForce, {&x, &v}, f);
   }
   void add_dfdx(particles::Input x, particles::Input v, particles::Input dx,
                 particles::Output df) const override {
-    add(kForceDfdx, joined({&x, &v, &dx}), df);
+    add(kForceDfdx, {&x, &v, &dx}, df);
     spoil_overlap(dx, df);
   }
   void add_dfdv(particles::Input x, particles::Input v, particles::Input dv,
                 particles::Output df) const override {
-    add(kForceDfdv, joined({&x, &v, &dv}), df);
+    add(kForceDfdv, {&x, &v, &dv}, df);
     spoil_overlap(dv, df);
   }
 
@@ -51,11 +53,12 @@ class ServedForce : public particles::Force {
     return all;
   }
 
-  void add(int which, const std::vector<double>& question, particles::Output& output) const {
-    expect_size(output.size());
-    std::vector<double> answer(size_);
+  void add(int which, std::initializer_list<const View*> inputs, particles::Output& sum) const {
+    expect_size(sum.size());
+    std::vector<double> question = joined(inputs), answer(size_);
+    question.insert(question.end(), sum.data(), sum.data() + size_);
     session_.product(which, question, answer);
-    output += Eigen::Map<const Eigen::VectorXd>(answer.data(), size_);
+    sum = Eigen::Map<const Eigen::VectorXd>(answer.data(), size_);
   }
 
   void expect_size(Eigen::Index size) const {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <stdexcept>
 #include <vector>
@@ -25,10 +26,19 @@ class Session {
   // Asks the suite for the product of its operator number `which` with x.
   void product(int which, std::span<const double> x, std::span<double> result);
 
+  // Computes what the suite asks of a caller's object: y, from x.
+  using Callback = std::function<void(int which, std::vector<double>& x, std::vector<double>& y)>;
+
+  // Calls a function that the suite lends, grader/wire/lent_functions.h. An exception of `callback` ends the call.
+  MessageReader call(const MessageWriter& arguments, const Callback& callback);
+
   MessageReader request;
   MessageWriter reply;
+  const void* served_force = nullptr;  // the force that the suite holds in this request, if there is one
 
  private:
+  Message receive(std::size_t limit);
+
   Channel& channel_;
   std::uint64_t nonce_;
 };
@@ -67,5 +77,10 @@ class GuardedBuffer {
 // writes the session's reply.
 using Server = void (*)(Session& session);
 inline constexpr const char* kServerName = "serve";
+
+// The variable that each object of lent functions defines: the session of the present request, which contracts have
+// no argument for.
+using LentSession = Session*;
+inline constexpr const char* kLentSessionName = "lent_session";
 
 }  // namespace grader

@@ -17,6 +17,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <vector>
 
 #include "grader/sandbox/syscalls.h"
 #include "grader/worker/session.h"
@@ -74,7 +75,14 @@ void send_text(Channel& channel, Kind kind, std::uint64_t nonce, const char* tex
   channel.send(kind, nonce, message.bytes());
 }
 
-Server load(Channel& channel, int count, char* files[]) {
+// What is loaded: the server, and where objects of lent functions look for the session.
+struct Loaded {
+  Server serve = nullptr;
+  std::vector<LentSession*> lent;
+};
+
+Loaded load(Channel& channel, int count, char* files[]) {
+  Loaded loaded;
   void* object = nullptr;
   for (int i = 0; i < count; ++i) {
     object = dlopen(files[i], RTLD_NOW | (i + 1 < count ? RTLD_GLOBAL : RTLD_LOCAL));
@@ -82,15 +90,19 @@ Server load(Channel& channel, int count, char* files[]) {
       send_text(channel, Kind::cannot_load, 0, dlerror());
       _exit(0);
     }
+    if (void* session = dlsym(object, kLentSessionName))
+      loaded.lent.push_back(static_cast<LentSession*>(session));
   }
-  return reinterpret_cast<Server>(dlsym(object, kServerName));
+  loaded.serve = reinterpret_cast<Server>(dlsym(object, kServerName));
+  return loaded;
 }
 
-void answer(Channel& channel, Server serve, Message& request) {
+void answer(Channel& channel, const Loaded& loaded, Message& request) {
   const std::uint64_t nonce = request.nonce;
   try {
     Session session(channel, nonce, MessageReader(std::move(request.body)));
-    serve(session);
+    for (LentSession* lent : loaded.lent) *lent = &session;
+    loaded.serve(session);
     channel.send(Kind::done, nonce, session.reply.bytes());
   } catch (const Stopped&) {
     channel.send(Kind::stopped, nonce);
@@ -113,11 +125,11 @@ int main(int argc, char* argv[]) {
   if (argc < 5) return 2;
   Channel channel(kIn, kOut);
   lock_down(std::atoi(argv[1]), std::strtoull(argv[2], nullptr, 10), std::strtoull(argv[3], nullptr, 10));
-  const Server serve = load(channel, argc - 4, argv + 4);
+  const Loaded loaded = load(channel, argc - 4, argv + 4);
   channel.send(Kind::hello, 0);
   while (std::optional<Message> request = channel.receive(kLargestRequest)) {
     current_nonce = request->nonce;
-    answer(channel, serve, *request);
+    answer(channel, loaded, *request);
   }
   _exit(0);  // not through the student's destructors
 }

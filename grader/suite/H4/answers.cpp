@@ -5,7 +5,7 @@
 #include <functional>
 #include <limits>
 
-#include "grader/suite/force_server.h"
+#include "grader/play/force_server.h"
 #include "grader/wire/particles_message.h"
 #include "grader/wire/strand_message.h"
 

@@ -15,7 +15,7 @@ using Eigen::MatrixXd;
 
 constexpr double kFar = 5;  // see expect_near
 
-Student::Products no_products() {
+Products no_products() {
   return [](int, const auto&, auto&) -> bool { throw MalformedMessage("no operator"); };
 }
 

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "grader/suite/force_server.h"
+#include "grader/play/force_server.h"
 #include "grader/suite/implicit_system.h"
 #include "grader/wire/particles_message.h"
 #include "grader/wire/strand_message.h"

@@ -5,7 +5,7 @@
 #include <span>
 #include <sstream>
 
-#include "grader/suite/dynamics_server.h"
+#include "grader/play/dynamics_server.h"
 
 namespace grader::p1 {
 namespace {

@@ -15,7 +15,7 @@ class ForceServer {
   // For n particles; it answers `most` questions and then stops the request.
   ForceServer(const particles::Force& force, int n, int most) : force_(force), size_(3 * n), most_(most) {}
 
-  // The signature of Student::Products.
+  // A handler of Products.
   bool operator()(int which, const std::vector<double>& question, std::vector<double>& answer);
 
   int energies = 0, forces = 0, dfdx = 0, dfdv = 0;  // questions so far

@@ -14,7 +14,7 @@ class DynamicsServer {
   DynamicsServer(particles::Dynamics& dynamics, int n, int most)
       : dynamics_(dynamics), size_(3 * n), most_(most) {}
 
-  // The signature of Student::Products.
+  // A handler of Products.
   bool operator()(int which, const std::vector<double>& question, std::vector<double>& answer) {
     if (which != 0 || static_cast<int>(question.size()) != 2 * size_)
       throw MalformedMessage("a question that makes no sense");

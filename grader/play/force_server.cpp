@@ -1,5 +1,5 @@
 // STAFF ONLY.
-#include "grader/suite/force_server.h"
+#include "grader/play/force_server.h"
 
 namespace grader {
 namespace {
@@ -10,15 +10,17 @@ constexpr std::size_t kForcesKept = 4;
 }  // namespace
 
 bool ForceServer::operator()(int which, const std::vector<double>& question, std::vector<double>& answer) {
-  const int vectors = which == kForceEnergy ? 1 : which == kForceForce ? 2 : 3;
   if (which < kForceEnergy || which > kForceDfdv) throw MalformedMessage("an operator that is not there");
-  if (static_cast<int>(question.size()) != vectors * size_)
+  if (static_cast<int>(question.size()) != vectors_of_question(which) * size_)
     throw MalformedMessage("a question that makes no sense");
 
   const auto vector = [&](int i) {
     return Eigen::Map<const Eigen::VectorXd>(question.data() + static_cast<std::ptrdiff_t>(i) * size_, size_);
   };
-  answer.assign(which == kForceEnergy ? 1 : size_, 0.0);
+  if (which == kForceEnergy)
+    answer.assign(1, 0.0);
+  else
+    answer.assign(question.end() - size_, question.end());
   Eigen::Map<Eigen::VectorXd> result(answer.data(), static_cast<Eigen::Index>(answer.size()));
   switch (which) {
     case kForceEnergy:

@@ -1,0 +1,12 @@
+// STAFF ONLY. What proxies ask through: the student's worker of the present play. See play.h.
+#pragma once
+
+#include "grader/wire/message.h"
+#include "grader/wire/products.h"
+
+namespace grader {
+
+MessageReader ask_student(const MessageWriter& request, const Products& products);
+MessageReader ask_student(const MessageWriter& request);  // for functions that call nothing back
+
+}  // namespace grader

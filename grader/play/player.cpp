@@ -1,0 +1,61 @@
+// STAFF ONLY. The one function that a player exports.
+#include <exception>
+
+#include "grader/play/asking.h"
+#include "grader/play/play.h"
+#include "hair/scene/playback.h"
+
+namespace grader {
+namespace {
+
+// Contracts have no argument for who is asked. A player plays one scene at a time.
+const Ask* asked = nullptr;
+
+class Asked {
+ public:
+  explicit Asked(const Ask& ask) { asked = &ask; }
+  Asked(const Asked&) = delete;
+  Asked& operator=(const Asked&) = delete;
+  ~Asked() { asked = nullptr; }
+};
+
+// Until it ends or breaks.
+void play_frames(const hair::Scene& scene, Played& played) {
+  hair::Playback playback(scene);
+  played.frames.push_back(playback.state());
+  for (int k = 0; k < scene.frames && played.trouble.empty(); ++k) {
+    played.trouble = playback.advance().value_or("");
+    if (played.trouble.empty()) played.frames.push_back(playback.state());
+  }
+  const hair::Work work = playback.work();
+  played.solver_steps = work.solver_steps;
+  played.correction_steps = work.correction_steps;
+}
+
+}  // namespace
+
+MessageReader ask_student(const MessageWriter& request, const Products& products) {
+  return (*asked)(request, products);
+}
+
+MessageReader ask_student(const MessageWriter& request) {
+  return ask_student(request, [](int, const auto&, auto&) -> bool {
+    throw MalformedMessage("a product that nobody asked for");
+  });
+}
+
+}  // namespace grader
+
+extern "C" __attribute__((visibility("default"))) void play(const hair::Scene& scene, const grader::Ask& ask,
+                                                            grader::PlayResult& result) {
+  const grader::Asked asked(ask);
+  try {
+    grader::play_frames(scene, result.played);
+  } catch (const grader::MalformedMessage& error) {
+    result.end = grader::PlayEnd::malformed;
+    result.note = error.what();
+  } catch (const std::exception& error) {
+    result.end = grader::PlayEnd::threw;
+    result.note = error.what();
+  }
+}

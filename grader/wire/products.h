@@ -1,0 +1,13 @@
+// STAFF ONLY. Products with an object of the side that called: y = A x, of operator number `which`.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+namespace grader {
+
+// Sets the size of y. Returns false to stop the request. Throws MalformedMessage for an operator that is not there,
+// or for another length of x.
+using Products = std::function<bool(int which, const std::vector<double>& x, std::vector<double>& y)>;
+
+}  // namespace grader
