@@ -203,14 +203,14 @@ CagedReader::CagedReader(const fs::path& program) : folder_(kProgram) {
   fs::permissions(folder_.path() / kProgram, fs::perms(0755));
 }
 
-std::unique_ptr<Container> CagedReader::open(ArchiveSource source, const std::string& shown,
+std::unique_ptr<Container> CagedReader::open(const ArchiveSource& source, const std::string& shown,
                                              ArchiveLimits limits) const {
   return std::make_unique<CagedArchive>(folder_.path() / kProgram, source, shown, limits);
 }
 
 OpenArchive CagedReader::opener() const {
-  return [this](ArchiveSource source, const std::string& shown, ArchiveLimits limits) {
-    return open(std::move(source), shown, limits);
+  return [this](const ArchiveSource& source, const std::string& shown, ArchiveLimits limits) {
+    return open(source, shown, limits);
   };
 }
 

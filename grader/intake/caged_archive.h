@@ -25,7 +25,8 @@ class CagedReader {
   // Throws Unreadable for a file that can't be opened, and std::runtime_error if no reader starts at all. What
   // it returns must not outlive this, and may be visited once. A reader that breaks down, takes too much time
   // or memory, or says what no reader says, makes list and visit throw Unreadable.
-  std::unique_ptr<Container> open(ArchiveSource source, const std::string& shown, ArchiveLimits limits) const;
+  std::unique_ptr<Container> open(const ArchiveSource& source, const std::string& shown,
+                                  ArchiveLimits limits) const;
 
   OpenArchive opener() const;
 
