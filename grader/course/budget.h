@@ -14,8 +14,8 @@ struct Budget {
   double compiler_cpu_seconds = 60;  // compiler and linker
   double suite_cpu_seconds = 40;     // what the suite spends to converse with workers
   double restarts = 55;              // of workers that crashed or broke the rules
-  double messages = 4e6;             // from workers
-  double megabytes = 4000;           // in these messages
+  double messages = 12e6;            // from workers
+  double megabytes = 8000;           // in these messages
 };
 
 struct BudgetField {
