@@ -39,6 +39,18 @@ std::vector<Category> WholeRun::categories(const std::string& exercise) {
   return all;
 }
 
+// A solver that does not converge asks for products without end: that is a wrong answer, not a slow one.
+Played WholeRun::play(Trial& trial) {
+  try {
+    return play_with_student(trial, player_, hidden_.scene);
+  } catch (CaseFailed& failure) {
+    if (failure.status == Status::timed_out && student_.gave_up() &&
+        student_.gave_up()->note.starts_with("used up"))
+      failure = {Status::wrong, "the run takes many times the calls and products of ours", failure.detail};
+    throw;
+  }
+}
+
 void WholeRun::judge_run(Trial& trial) {
   trial.describe(hidden_.scene.name);
   // What it took is charged, before another worker takes of the same allowance.
@@ -46,7 +58,7 @@ void WholeRun::judge_run(Trial& trial) {
   // A code that never answers would cost its limits once more.
   if (cases_.gave_up()) trial.reply_of(*cases_.gave_up());
 
-  const Played theirs = play_with_student(trial, player_, hidden_.scene);
+  const Played theirs = play(trial);
   run_ = compare_runs(hidden_.scene, hidden_.pictures, theirs);
   trial.expect(run_->finite, "numbers that are not finite");
   trial.expect(theirs.trouble.empty() && run_->moments.size() == hidden_.scene.frames + std::size_t{1},

@@ -57,6 +57,7 @@ class WholeRun {
 
  private:
   void judge_run(Trial& trial);
+  Played play(Trial& trial);
   void judge_pictures(Trial& trial);
 
   Student student_;

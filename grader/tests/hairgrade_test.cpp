@@ -247,7 +247,7 @@ TEST_F(Hairgrade, ResumesWhatHasNotChanged) {
   EXPECT_EQ(fs::last_write_time(fs::path(out()) / "other-order" / "results.json"), before);
   // The same name with other bytes.
   fs::create_directory(folder_ / "other-order");
-  std::ofstream(folder_ / "other-order" / "conj_grad.cpp") << code_of("wrong-beta", "conj_grad.cpp");
+  std::ofstream(folder_ / "other-order" / "conj_grad.cpp") << code_of("entry-test-inverted", "conj_grad.cpp");
   const ProgramRun other = grade({(folder_ / "other-order").string(), "--out", out(), "--resume"});
   EXPECT_NE(other.output.find("1 graded"), string::npos) << other.output;
 }
@@ -288,16 +288,12 @@ TEST_F(Hairgrade, KeepsPicturesOfOthersAndNoneThatNobodyHas) {
 
 // A bug in every exercise that has a run, so that all pictures differ from the reference's.
 TEST_F(Hairgrade, TakesLessThanAMegabyteForASubmissionWithAllPictures) {
-  const std::map<string, string> bugs = {{"conj_grad.cpp", "wrong-beta"},
-                                         {"normal_equations.cpp", "perfect"},
-                                         {"explicit_integrators.cpp", "p1-x-before-v"},
-                                         {"constraint_forces.cpp", "p2-no-damping"},
-                                         {"stretch_springs.cpp", "h1-k-not-scaled"},
-                                         {"angular_springs.cpp", "h2-k-not-scaled"},
-                                         {"bend_springs.cpp", "h3-k-not-scaled"},
-                                         {"implicit_euler.cpp", "h4-h-for-h-squared"},
-                                         {"length_correction.cpp", "h5-straightens"},
-                                         {"predictor_corrector.cpp", "h6-whole-step"}};
+  const std::map<string, string> bugs = {
+      {"conj_grad.cpp", "entry-test-inverted"},      {"normal_equations.cpp", "perfect"},
+      {"explicit_integrators.cpp", "p1-x-before-v"}, {"constraint_forces.cpp", "p2-no-damping"},
+      {"stretch_springs.cpp", "h1-k-not-scaled"},    {"angular_springs.cpp", "h2-k-not-scaled"},
+      {"bend_springs.cpp", "h3-k-not-scaled"},       {"implicit_euler.cpp", "h4-h-for-h-squared"},
+      {"length_correction.cpp", "h5-straightens"},   {"predictor_corrector.cpp", "h6-whole-step"}};
   fs::create_directory(folder_ / "wrong");
   for (const auto& [file, bug] : bugs) std::ofstream(folder_ / "wrong" / file) << code_of(bug, file);
   const string all_exercises = (folder_ / "all.json").string();
@@ -395,7 +391,10 @@ TEST_F(Hairgrade, KeepsWhatIsFinishedWhenInterrupted) {
   // One at a time: `other-order` is graded at once, `sleeps` sleeps until the watchdog comes, and `stubs` is not
   // reached.
   add("other-order");
-  add("sleeps");
+  fs::create_directories(folder_ / "class" / "sleeps");
+  std::ofstream(folder_ / "class" / "sleeps" / "conj_grad.cpp")
+      << "#include <unistd.h>\nstruct Sleep { Sleep() { sleep(100); } } now;\n"
+      << code_of("perfect", "conj_grad.cpp");
   const fs::path first = fs::path(out()) / "other-order" / "results.json";
   const ProgramRun run = grade({everybody, "--out", out(), "-j", "1"}, [&](int process) {
     for (int i = 0; i < 400 && !fs::exists(first); ++i) usleep(50000);
