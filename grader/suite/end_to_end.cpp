@@ -104,6 +104,8 @@ void run_scene(Student& student, const SceneText& text, const hair::Scene& scene
     const RunComparison run = compare_runs(scene, pictures, theirs);
     judge(result, theirs, run, scene.frames);
     if (kept_pictures) result.pictures = draw_shots(run.shots, run.camera, *kept_pictures / text.name);
+    // The scene is public, and the worker holds nothing of ours: students see all of it.
+    for (PictureResult& picture : result.pictures) picture.far_off = false;
   } catch (const CaseFailed& failure) {
     const bool stub = failure.status == Status::not_implemented;
     result.outcome = stub ? RunOutcome::not_run : RunOutcome::failed;
