@@ -1,4 +1,5 @@
 // Hostile bytes as a .hair file. What is accepted can be written, and is the same when it is read again.
+#include <cstdint>
 #include <limits>
 #include <numeric>
 

@@ -1,6 +1,9 @@
 // Hostile bytes as a scene. What is accepted is finite, can be assembled, and is the same when its JSON is written and
 // read again, as the grader does with hidden scenes. Scenes here have few particles: more take time, and are no
 // different.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
