@@ -269,7 +269,8 @@ TEST_F(Hairgrade, KeepsPicturesOfOthersAndNoneThatNobodyHas) {
   // Both end with the same bytes of code, at first: only their names differ.
   for (const char* name : {"alice", "bob"}) {
     fs::create_directories(folder_ / "class" / name);
-    std::ofstream(folder_ / "class" / name / "conj_grad.cpp") << code_of("entry-test-inverted", "conj_grad.cpp");
+    std::ofstream(folder_ / "class" / name / "conj_grad.cpp")
+        << code_of("entry-test-inverted", "conj_grad.cpp");
   }
   const auto pictures = [&] { return files(fs::path(out()) / "staff" / "pictures"); };
   const std::vector<string> everybody = {(folder_ / "class").string(), "--out", out(), "--exercise", "S1"};
