@@ -121,7 +121,8 @@ void try_intake(std::string_view bytes) {
   const grader::IntakeLimits limits{kMostOfAFile, kMostUnpacked, kMostEntries};
   const MemoryFile file(bytes);
   try {
-    for (const grader::Submission& submission : grader::read_submissions({file.path()}, course, limits)) {
+    for (const grader::Submission& submission :
+         grader::read_submissions({file.path()}, course, grader::open_here, limits).submissions) {
       if (!submission.problem.empty()) fuzz::expect_readable(submission.problem);
       fuzz::expect(submission.problem.empty() != submission.files.empty(),
                    "a submission has files or a problem");

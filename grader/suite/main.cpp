@@ -214,7 +214,7 @@ json run_scenes(const Job& job, grader::Student& student) {
 json study(const Job& job, grader::Student& student) {
   grader::WorkerSetup setup = job.worker;
   setup.objects = job.reference_objects;
-  setup.allowance = std::make_shared<grader::Allowance>(job.worker.allowance->limit);
+  setup.allowance = std::make_shared<grader::Allowance>(grader::Allowance{job.worker.allowance->limit});
   grader::Student reference(setup);
   return {{"study", json::parse(grader::study_json(
                         grader::study_submission(student, reference, job.exercises, job.motions)))}};
