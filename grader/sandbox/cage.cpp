@@ -250,6 +250,9 @@ CagedProcess::Activity CagedProcess::activity() const {
   clockid_t clock;
   timespec used{};
   now.alive = clock_getcpuclockid(process, &clock) == 0 && clock_gettime(clock, &used) == 0;
+  std::string program;
+  std::ifstream("/proc/" + std::to_string(process) + "/comm") >> program;
+  now.started = now.alive && (!isolated_ || (process != process_ && process != init_ && program != "bwrap"));
   if (now.alive)
     now.cpu_seconds = static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
   for (const pid_t one : {process_, init_, process})

@@ -76,6 +76,7 @@ class CagedProcess {
   // The data for a watchdog: what the process has done so far, by the kernel's clocks.
   struct Activity {
     bool alive = false;
+    bool started = false;    // its cage is made, and the command runs in it
     double cpu_seconds = 0;  // of all its threads, also those that have ended
     // What each of its threads has computed and waited for a processor; and those of the processes that made its
     // cage. Empty if the kernel does not tell (it has no /proc/PID/task/TID/schedstat).

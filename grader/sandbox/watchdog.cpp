@@ -39,7 +39,8 @@ void Watchdog::look() {
   // Clocks of a process do not go back: this is another one, of those that made its cage.
   if (!now.alive || now.cpu_seconds < last_.cpu_seconds) return;
   const double own_delay = own_delay_seconds();
-  if (!now.busy_seconds.empty())
+  started_ = started_ || now.started;
+  if (started_ && !now.busy_seconds.empty())
     idle_ += std::max(0.0, waited_ - busy_between(last_, now) - (own_delay - own_delay_));
   own_delay_ = own_delay;
   waited_ = 0;

@@ -38,7 +38,7 @@ table { width: 100%; margin: .75rem 0; border-collapse: collapse; font-variant-n
 caption { text-align: left; color: var(--quiet); padding-bottom: .25rem; }
 th, td { padding: .45rem .75rem; border-bottom: 1px solid var(--line); text-align: left; vertical-align: top; }
 thead th { color: var(--quiet); font-size: .875rem; font-weight: 600; border-bottom-width: 2px; }
-tbody th { font-weight: 500; overflow-wrap: anywhere; }
+tbody th { font-weight: 500; overflow-wrap: anywhere; min-width: 6.5rem; }
 tfoot th, tfoot td { border-bottom: 0; color: var(--quiet); }
 .number { text-align: right; white-space: nowrap; }
 .quiet { color: var(--quiet); }
