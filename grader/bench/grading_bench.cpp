@@ -140,9 +140,8 @@ void time_parts(const Course& course, const Exercise& exercise, const fs::path& 
     student.finish();
   };
   auto run_cases = [&] {
-    const SuiteResult found =
-        run_suite(HAIR_SUITE, {id, "a seed", kit.folder(), exercise.prerequisites, objects,
-                               scratch / "log", true, 10});
+    const SuiteResult found = run_suite(
+        HAIR_SUITE, {id, "a seed", kit.folder(), exercise.prerequisites, objects, scratch / "log", true, 10});
     for (const CaseResult& one : found.cases)
       require(one.status == Status::passed, "the reference fails in " + one.name);
   };

@@ -12,7 +12,7 @@ namespace particles {
 namespace {
 
 constexpr int kProduct = 0, kSolve = 1, kEuler = 2;
-constexpr int kNoLimit = std::numeric_limits<int>::max();  // the submission's budget is one
+constexpr int kNoLimit = std::numeric_limits<int>::max();  // player.cpp has one
 
 grader::MessageWriter request_of(int function, const Particles& particles, const State& state) {
   grader::MessageWriter request;
@@ -25,12 +25,6 @@ grader::MessageWriter request_of(int function, const Particles& particles, const
 grader::MessageReader ask(const grader::MessageWriter& request, const Force& force, int n) {
   grader::ForceServer server(force, n, kNoLimit);
   return grader::ask_student(request, std::ref(server));
-}
-
-// The products that were added to their own input are the last number. Cases look at them.
-void expect_end(grader::MessageReader& reply) {
-  reply.get<int>();
-  reply.expect_end();
 }
 
 class AskedMatrix : public implicitMatrix {
@@ -49,7 +43,7 @@ class AskedMatrix : public implicitMatrix {
     product = grader::get_vector(reply, size);
     input = grader::get_vector(reply, size);
     grader::get_vector(reply, size);
-    expect_end(reply);
+    if (grader::overlapped(reply)) product.setConstant(grader::kNoNumber);
   }
 
  private:
@@ -74,7 +68,7 @@ SolveReport solve_implicit(const Force& force, const Particles& particles, const
   grader::MessageReader reply = ask(request, force, particles.count());
   dv = grader::get_vector(reply, dv.size());
   const SolveReport report = grader::get_solve_report(reply);
-  expect_end(reply);
+  if (grader::overlapped(reply)) dv.setConstant(grader::kNoNumber);
   return report;
 }
 
@@ -85,7 +79,7 @@ SolveReport implicit_euler(const Force& force, const Particles& particles, doubl
   grader::MessageReader reply = ask(request, force, particles.count());
   state = grader::get_state(reply, particles.count());
   const SolveReport report = grader::get_solve_report(reply);
-  expect_end(reply);
+  if (grader::overlapped(reply)) state.v.setConstant(grader::kNoNumber);
   return report;
 }
 

@@ -12,15 +12,14 @@ namespace {
 void step(int method, Dynamics& dynamics, double h, Output& x, Output& v) {
   const int size = static_cast<int>(x.size()), n = size / 3;
   grader::MessageWriter request;
-  request.put(method).put(n).put(h).put(1).put(kIntegratorScratch).put(0.0);
+  request.put(method).put(n).put(h).put(1).put(kIntegratorScratch).put(grader::kNoNumber);
   for (const Output* vector : {&x, &v})
     request.put(std::span<const double>(vector->data(), static_cast<std::size_t>(size)));
-  // No limit: the submission's budget is one.
+  // No limit here: player.cpp has one.
   grader::DynamicsServer server(dynamics, n, std::numeric_limits<int>::max());
   grader::MessageReader reply = grader::ask_student(request, std::ref(server));
-  const std::vector<double> after = reply.get_doubles(2 * static_cast<std::size_t>(size));
-  reply.get<int>();  // accelerations whose arguments overlapped: cases look at them
-  reply.expect_end();
+  std::vector<double> after = reply.get_doubles(2 * static_cast<std::size_t>(size));
+  if (grader::overlapped(reply)) after.assign(after.size(), grader::kNoNumber);
   x = Eigen::Map<const Eigen::VectorXd>(after.data(), size);
   v = Eigen::Map<const Eigen::VectorXd>(after.data() + size, size);
 }

