@@ -16,7 +16,8 @@ PlayFunction load_player(const std::filesystem::path& player) {
 
 Played play_with_student(Trial& trial, const std::filesystem::path& player, const hair::Scene& scene) {
   const Ask ask = [&](const MessageWriter& request, const Products& products) {
-    return trial.ask(request, products);
+    return trial.ask(request, products,
+                     "asks for far more products or forces in a run than a solution takes");
   };
   PlayResult play;
   load_player(player)(scene, ask, play);

@@ -16,6 +16,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kLeastCpuSeconds = 2;
+constexpr int kLeastRunCpuSeconds =
+    3;  // a run has a bound of its own, of questions: see grader/play/player.cpp
 constexpr double kTimesReference = 20;  // a student's code may take this many times the reference's CPU time
 
 // What a worker may take, of the reference's.
@@ -92,9 +94,9 @@ std::optional<SuiteJob::WholeRun> SuiteJobs::whole_run(const std::string& exerci
   run.scene = scene;
   run.seed = seed_for(settings_.secret, "the class", exercise);  // no submission's name has a space
   run.player = settings_.players / (exercise + ".so");
-  run.cpu_seconds = kLeastCpuSeconds;
+  run.cpu_seconds = kLeastRunCpuSeconds;
   if (const auto reference = reference_.find(exercise); reference != reference_.end())
-    run.cpu_seconds = cpu_limit(reference->second.run_cpu_seconds);
+    run.cpu_seconds = std::max(kLeastRunCpuSeconds, cpu_limit(reference->second.run_cpu_seconds));
   return run;
 }
 
