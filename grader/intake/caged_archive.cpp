@@ -40,7 +40,7 @@ Watchdog::Patience patience(ArchiveLimits limits, int archive) {
   struct stat status = {};
   const double megabytes = fstat(archive, &status) == 0 ? 1e-6 * static_cast<double>(status.st_size) : 0;
   const double most = cpu_seconds(limits);
-  return {.idle_seconds = 3 + megabytes / 10, .cpu_seconds = most + 1, .wall_seconds = 120 + 4 * most};
+  return {.idle_seconds = 5 + megabytes / 10, .cpu_seconds = most + 1, .wall_seconds = 120 + 4 * most};
 }
 
 std::string because_of(int error) {

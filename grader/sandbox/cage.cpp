@@ -91,7 +91,7 @@ double seconds_of(const timeval& time) {
 
 // Of each thread of a process: what it has computed and waited for a processor, the first two numbers of
 // its `schedstat`, in nanoseconds.
-void add_busy_seconds(pid_t process, std::map<pid_t, double>& busy) {
+void add_busy(pid_t process, std::map<pid_t, CagedProcess::Activity::Busy>& busy) {
   std::error_code error;
   const std::filesystem::path tasks = "/proc/" + std::to_string(process) + "/task";
   for (std::filesystem::directory_iterator task(tasks, error), end; !error && task != end;
@@ -99,7 +99,7 @@ void add_busy_seconds(pid_t process, std::map<pid_t, double>& busy) {
     std::ifstream file(task->path() / "schedstat");
     double computed = 0, queued = 0;
     if (file >> computed >> queued)
-      busy[static_cast<pid_t>(std::atoi(task->path().filename().c_str()))] = 1e-9 * (computed + queued);
+      busy[static_cast<pid_t>(std::atoi(task->path().filename().c_str()))] = {1e-9 * computed, 1e-9 * queued};
   }
 }
 
@@ -256,7 +256,7 @@ CagedProcess::Activity CagedProcess::activity() const {
   if (now.alive)
     now.cpu_seconds = static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
   for (const pid_t one : {process_, init_, process})
-    if (one > 0) add_busy_seconds(one, now.busy_seconds);
+    if (one > 0) add_busy(one, now.busy);
   return now;
 }
 

@@ -80,7 +80,10 @@ class CagedProcess {
     double cpu_seconds = 0;  // of all its threads, also those that have ended
     // What each of its threads has computed and waited for a processor; and those of the processes that made its
     // cage. Empty if the kernel does not tell (it has no /proc/PID/task/TID/schedstat).
-    std::map<pid_t, double> busy_seconds = {};
+    struct Busy {
+      double computed = 0, queued = 0;  // s; the kernel counts a wait when it is over
+    };
+    std::map<pid_t, Busy> busy = {};
   };
   Activity activity() const;
 

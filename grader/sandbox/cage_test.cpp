@@ -189,7 +189,7 @@ TEST_F(CageTest, SeesSleepAndWorkFromOutside) {
   usleep(300000);
   const auto busy = [](const CagedProcess& process) {
     double sum = 0;
-    for (const auto& [thread, seconds] : process.activity().busy_seconds) sum += seconds;
+    for (const auto& [thread, times] : process.activity().busy) sum += times.computed + times.queued;
     return sum;
   };
   const double asleep = busy(sleeper);

@@ -12,13 +12,16 @@ namespace {
 
 // What threads have computed and waited for a processor between two looks. Threads that have ended in between have
 // computed, too: the process's own clock knows.
-double busy_between(const CagedProcess::Activity& last, const CagedProcess::Activity& now) {
-  double threads = 0;
-  for (const auto& [thread, seconds] : now.busy_seconds) {
-    const auto before = last.busy_seconds.find(thread);
-    threads += seconds - (before == last.busy_seconds.end() ? 0 : before->second);
+CagedProcess::Activity::Busy busy_between(const CagedProcess::Activity& last,
+                                          const CagedProcess::Activity& now) {
+  CagedProcess::Activity::Busy sum;
+  for (const auto& [thread, busy] : now.busy) {
+    const auto before = last.busy.find(thread);
+    sum.computed += busy.computed - (before == last.busy.end() ? 0 : before->second.computed);
+    sum.queued += busy.queued - (before == last.busy.end() ? 0 : before->second.queued);
   }
-  return std::max(threads, now.cpu_seconds - last.cpu_seconds);
+  sum.computed = std::max(sum.computed, now.cpu_seconds - last.cpu_seconds);
+  return sum;
 }
 
 // How long this thread has been ready to run without a processor. 0 if the kernel does not tell.
@@ -40,8 +43,12 @@ void Watchdog::look() {
   if (!now.alive || now.cpu_seconds < last_.cpu_seconds) return;
   const double own_delay = own_delay_seconds();
   started_ = started_ || now.started;
-  if (started_ && !now.busy_seconds.empty())
-    idle_ += std::max(0.0, waited_ - busy_between(last_, now) - (own_delay - own_delay_));
+  if (started_ && !now.busy.empty()) {
+    const CagedProcess::Activity::Busy busy = busy_between(last_, now);
+    const double idle = waited_ - busy.computed - busy.queued - (own_delay - own_delay_);
+    // A wait for a processor that began before the last look is counted now, and was taken for idling then.
+    idle_ = std::max(0.0, idle_ + std::max(idle, -busy.queued));
+  }
   own_delay_ = own_delay;
   waited_ = 0;
   last_ = std::move(now);

@@ -4,7 +4,7 @@
 // Idle is the time that we wait for it less what it computes and less what its threads wait for a processor,
 // whatever state the kernel calls them in, and less what we ourselves wait for one after its answer is there: a whole
 // run has ten thousands of answers. So a worker on a busy machine is not idle, and one that sleeps in short naps is.
-// The sum is taken over windows of 0.25 s of waiting, and what is computed in one hides no idling in the next. It begins
+// The sum is taken over windows of 0.25 s of waiting, and what is computed in one hides no idling in another. It begins
 // when the worker's own code does: while its cage is made, the kernel's locks may have us wait for others.
 #pragma once
 
