@@ -102,6 +102,10 @@ Batch grade_batch(const Grading& grading, const std::vector<Submission>& submiss
     if (interrupted) return;
     if (settings.merge)
       keep_other_exercises(graded.result, read_results(settings.out, submission.name), grading.course());
+    {
+      const std::lock_guard lock(shared);
+      timing.add(submission.name, graded.timing);  // before the result: no result is there without its cost
+    }
     if (graded.study) {
       graded.result.studied = true;
       write_study(settings.out, graded.result, *graded.study, *grading.reference().study);
@@ -111,7 +115,6 @@ Batch grade_batch(const Grading& grading, const std::vector<Submission>& submiss
     write_submission_reports(settings.out, graded.result);
     const std::lock_guard lock(shared);
     batch.results.push_back(std::move(graded.result));
-    timing.add(submission.name, graded.timing);
     batch.problems.insert(batch.problems.end(), graded.problems.begin(), graded.problems.end());
     ++batch.graded;
     progress.step(submission.name);
