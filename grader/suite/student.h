@@ -65,6 +65,7 @@ class Student {
   // worker can't change. Nothing if there is no worker.
   std::optional<double> worker_cpu_seconds() const;
   int starts() const { return starts_; }
+  const Budget& spent() const { return setup_.allowance->spent; }
   const std::optional<Answer>& gave_up() const { return gave_up_; }  // the final answer, if the suite gave up
   void finish();
 
