@@ -70,7 +70,8 @@ json to_json(const TimingByExercise& timing) {
   json result = json::object();
   for (const auto& [exercise, one] : timing)
     for (const Measured& measured : all_measured())
-      std::visit([&, &one = one](auto member) { result[exercise][measured.key] = value_of(one, member); },
+      std::visit([&, &exercise = exercise,
+                  &one = one](auto member) { result[exercise][measured.key] = value_of(one, member); },
                  measured.member);
   return result;
 }
