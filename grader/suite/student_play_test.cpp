@@ -175,8 +175,8 @@ TEST_P(StudentPlay, SurvivesAnyNumbers) {
       std::vector<std::byte> bytes = bytes_of(std::move(reply));
       if (call >= when && call % every == 0) {
         // Past the first length, in a number or in what is between numbers.
-        const auto at =
-            static_cast<std::size_t>(8 * random.integer(1, static_cast<int>(bytes.size()) / 8 - 1));
+        const auto at = std::size_t{8} *
+                        static_cast<std::size_t>(random.integer(1, static_cast<int>(bytes.size()) / 8 - 1));
         for (std::size_t i = at; i < at + 8; ++i)
           bytes[i] = nan ? std::byte{0xff} : static_cast<std::byte>(random.integer(0, 255));
       }

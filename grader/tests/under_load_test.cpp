@@ -30,7 +30,8 @@ std::map<std::string, std::string> files_in(const fs::path& folder) {
 
 TEST(UnderLoad, GivesTheSameBytesTwentyTimes) {
   const hair::TemporaryFolder temporary("under-load");
-  const fs::path folder = temporary.path(), students = folder / "class", cache = folder / "cache";
+  const fs::path& folder = temporary.path();
+  const fs::path students = folder / "class", cache = folder / "cache";
   const std::string right = read_file(fs::path(HAIR_PROJECT) / "reference" / kFile);
   const auto hand_in = [&](const std::string& name, const std::string& text) {
     fs::create_directories(students / name);
