@@ -16,4 +16,9 @@ enum class GeometricTerm {
   dropped    // 0
 };
 
+// The nearest term with which products are definite.
+constexpr GeometricTerm definite(GeometricTerm term) {
+  return term == GeometricTerm::full ? GeometricTerm::filtered : term;
+}
+
 }  // namespace hair

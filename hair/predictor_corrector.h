@@ -18,7 +18,7 @@
 namespace hair {
 
 // `scratch` has this many columns of 3n numbers.
-inline constexpr int kPredictorCorrectorScratch = 16;
+inline constexpr int kPredictorCorrectorScratch = particles::kImplicitScratch + 10;
 
 // The tolerance and the limit of step 3.
 inline constexpr double kLengthTolerance = 1e-12;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "particles/require.h"
+#include "solver/block_band.h"
 
 namespace particles {
 
@@ -26,6 +27,13 @@ void Drag::add_dfdx(Input /*x*/, Input /*v*/, Input /*dx*/, Output /*df*/) const
 void Drag::add_dfdv(Input /*x*/, Input /*v*/, Input dv, Output df) const {
   for (int i = 0; i < coefficients_.size(); ++i)
     df.segment<3>(3 * i) -= coefficients_[i] * dv.segment<3>(3 * i);
+}
+
+bool Drag::add_band(Input /*x*/, Input /*v*/, double /*by_dfdx*/, double by_dfdv, solver::BlockBand& band,
+                    Scratch /*work*/) const {
+  for (int i = 0; i < coefficients_.size(); ++i)
+    band.block(i, 0).diagonal().array() -= by_dfdv * coefficients_[i];
+  return true;
 }
 
 }  // namespace particles

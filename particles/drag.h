@@ -15,6 +15,8 @@ class Drag : public Force {
   void add_force(Input x, Input v, Output f) const override;
   void add_dfdx(Input x, Input v, Input dx, Output df) const override;  // 0
   void add_dfdv(Input x, Input v, Input dv, Output df) const override;
+  bool add_band(Input x, Input v, double by_dfdx, double by_dfdv, solver::BlockBand& band,
+                Scratch work) const override;
 
  private:
   Eigen::VectorXd coefficients_;

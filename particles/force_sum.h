@@ -33,8 +33,19 @@ class ForceSum : public Force {
   void add_dfdv(Input x, Input v, Input dv, Output df) const override {
     for (const auto& part : parts_) part->add_dfdv(x, v, dv, df);
   }
+  bool add_band(Input x, Input v, double by_dfdx, double by_dfdv, solver::BlockBand& band,
+                Scratch work) const override {
+    if (!has_band_) return false;
+    for (const auto& part : parts_)
+      if (!part->add_band(x, v, by_dfdx, by_dfdv, band, work)) return false;
+    return true;
+  }
+
+  // From now on as if a part did not know its band: solves are not preconditioned.
+  void hide_band() { has_band_ = false; }
 
  private:
+  bool has_band_ = true;
   std::vector<std::unique_ptr<const Force>> parts_;
 };
 

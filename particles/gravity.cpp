@@ -21,4 +21,9 @@ void Gravity::add_dfdx(Input /*x*/, Input /*v*/, Input /*dx*/, Output /*df*/) co
 
 void Gravity::add_dfdv(Input /*x*/, Input /*v*/, Input /*dv*/, Output /*df*/) const {}
 
+bool Gravity::add_band(Input /*x*/, Input /*v*/, double /*by_dfdx*/, double /*by_dfdv*/,
+                       solver::BlockBand& /*band*/, Scratch /*work*/) const {
+  return true;
+}
+
 }  // namespace particles

@@ -18,8 +18,8 @@ class ForceServer {
   // A handler of Products.
   bool operator()(int which, const std::vector<double>& question, std::vector<double>& answer);
 
-  int energies = 0, forces = 0, dfdx = 0, dfdv = 0;  // questions so far
-  std::vector<std::vector<double>> forces_at;        // x of the first evaluations of the force
+  int energies = 0, forces = 0, dfdx = 0, dfdv = 0, bands = 0;  // questions so far
+  std::vector<std::vector<double>> forces_at;                   // x of the first evaluations of the force
 
  private:
   const particles::Force& force_;

@@ -76,7 +76,7 @@ const std::vector<SceneText>& end_to_end_scenes() {
       {"stiff-swing", R"({
   "shows": "a stiff hair, its root pulled aside",
   "frames": 12, "frames_per_second": 120, "steps_per_frame": 2,
-  "method": "implicit_euler",
+  "method": "implicit_euler", "preconditioner": "none",
   "hair": [{
     "segments": 10, "length": 0.1,
     "material": {"stretch_factor": 10},

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "grader/wire/force_message.h"
+#include "grader/wire/force_answer.h"
 #include "grader/wire/lent_functions.h"
 #include "grader/wire/particles_message.h"
 #include "grader/wire/report_message.h"
@@ -55,6 +55,15 @@ class AskedForce : public particles::Force {
   void add_dfdv(particles::Input x, particles::Input v, particles::Input dv,
                 particles::Output df) const override {
     add(kForceDfdv, {&x, &v, &dv}, df);
+  }
+  bool add_band(particles::Input x, particles::Input v, double by_dfdx, double by_dfdv,
+                solver::BlockBand& band, particles::Scratch /*work*/) const override {
+    std::vector<double> question = joined({&x, &v});
+    question.push_back(by_dfdx);
+    question.push_back(by_dfdv);
+    std::vector<double> answer =
+        ask(products_, kForceBand, question, size_of_band(static_cast<int>(x.size())));
+    return add_answered_band(answer, band);
   }
 
  private:

@@ -2,6 +2,8 @@
 // with its vectors concatenated into one.
 #pragma once
 
+#include <cstddef>
+
 namespace grader {
 
 // Far from the numbers of matrices, which start at 0, because an exercise may use both. A question holds what is to
@@ -10,10 +12,32 @@ inline constexpr int kForceEnergy = 100;  // x             -> energy, one number
 inline constexpr int kForceForce = 101;   // x, v, f       -> f, 3n
 inline constexpr int kForceDfdx = 102;    // x, v, dx, df  -> df + (df/dx) dx, 3n
 inline constexpr int kForceDfdv = 103;    // x, v, dv, df  -> df + (df/dv) dv, 3n
+// x, v, by_dfdx, by_dfdv -> 1 if there is a band, 0 if there is none; then the band's 27n numbers, column by column
+inline constexpr int kForceBand = 104;
 
-// The vectors of a question.
-inline int vectors_of_question(int which) {
-  return which == kForceEnergy ? 1 : which == kForceForce ? 3 : 4;
+// The numbers of a question, with vectors of `size` numbers.
+inline int size_of_question(int which, int size) {
+  switch (which) {
+    case kForceEnergy:
+      return size;
+    case kForceForce:
+      return 3 * size;
+    case kForceBand:
+      return 2 * size + 2;
+    default:
+      return 4 * size;
+  }
+}
+
+// The other way round: the numbers of a vector in a question of so many.
+inline int size_of_vectors(int which, std::size_t numbers) {
+  const int without = size_of_question(which, 0);
+  return (static_cast<int>(numbers) - without) / (size_of_question(which, 1) - without);
+}
+
+// The numbers of an answer about a band.
+inline constexpr std::size_t size_of_band(int size) {
+  return 1 + 9 * static_cast<std::size_t>(size);
 }
 
 }  // namespace grader

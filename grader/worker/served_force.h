@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/wire/force_message.h"
+#include "grader/wire/force_answer.h"
 #include "grader/worker/session.h"
 #include "particles/force.h"
 
@@ -38,6 +38,14 @@ class ServedForce : public particles::Force {
                 particles::Output df) const override {
     add(kForceDfdv, {&x, &v, &dv}, df);
     spoil_overlap(dv, df);
+  }
+  bool add_band(particles::Input x, particles::Input v, double by_dfdx, double by_dfdv,
+                solver::BlockBand& band, particles::Scratch /*work*/) const override {
+    std::vector<double> question = joined({&x, &v}), answer(size_of_band(static_cast<int>(size_)));
+    question.push_back(by_dfdx);
+    question.push_back(by_dfdv);
+    session_.product(kForceBand, question, answer);
+    return add_answered_band(answer, band);
   }
 
  private:

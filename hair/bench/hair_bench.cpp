@@ -97,6 +97,7 @@ void shares(benchmark::State& state) {
     state.SetIterationTime(stages.all - before);
   }
   state.counters["products_%"] = 100 * stages.products / stages.all;
+  state.counters["bands_%"] = 100 * stages.bands / stages.all;
   state.counters["solver_%"] = 100 * stages.solver / stages.all;
   state.counters["forces_%"] = 100 * stages.forces / stages.all;
   state.counters["correction_%"] = 100 * stages.correction / stages.all;

@@ -6,6 +6,7 @@
 #include "hair/stretch_springs.h"
 #include "particles/explicit_integrators.h"
 #include "particles/implicit_euler.h"
+#include "particles/products_to_band.h"
 
 namespace hair_bench {
 
@@ -28,6 +29,12 @@ class StretchAndWeight final : public particles::Force {
     add_stretch_product(strand_, x, term_, dx, df);
   }
   void add_dfdv(Input, Input, Input, Output) const override {}
+  bool add_band(Input x, Input, double by_dfdx, double, solver::BlockBand& band,
+                particles::Scratch work) const override {
+    particles::add_products(
+        1, by_dfdx, [&](Input dx, Output df) { add_stretch_product(strand_, x, term_, dx, df); }, band, work);
+    return true;
+  }
 
  private:
   const hair::Strand& strand_;
@@ -60,7 +67,7 @@ PlainProgram::PlainProgram(const hair::Description& description)
       h_(description.step),
       tolerance_(description.tolerance),
       gravity_(description.gravity.z()),
-      term_(description.geometric_term) {
+      term_(description.geometric_term.value_or(hair::row_of(description.method).usual_term())) {
   int most = 0;
   for (const hair::StrandStart& start : description.strands) {
     const int n = start.strand.count();

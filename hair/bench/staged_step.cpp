@@ -27,6 +27,11 @@ class TimedForce : public particles::Force {
     force_.add_dfdx(x, v, dx, df);
   }
   void add_dfdv(Input x, Input v, Input dv, Output df) const override { force_.add_dfdv(x, v, dv, df); }
+  bool add_band(Input x, Input v, double by_dfdx, double by_dfdv, solver::BlockBand& band,
+                particles::Scratch work) const override {
+    const timing::AddsTime watch(stages_.bands);
+    return force_.add_band(x, v, by_dfdx, by_dfdv, band, work);
+  }
 
  private:
   const particles::Force& force_;
@@ -38,7 +43,7 @@ class TimedForce : public particles::Force {
 void staged_step(const particles::Force& force, const particles::Particles& particles,
                  const hair::Strand& strand, double h, particles::State& state, Eigen::MatrixXd& scratch,
                  Stages& stages) {
-  const double before = stages.products + stages.forces;
+  const double before = stages.products + stages.forces + stages.bands;
   const TimedForce timed(force, stages);
   double solves = 0;
   {
@@ -62,7 +67,7 @@ void staged_step(const particles::Force& force, const particles::Particles& part
     state.v += (state.x - predicted) / h;
     solve();
   }
-  stages.solver += solves - (stages.products + stages.forces - before);
+  stages.solver += solves - (stages.products + stages.forces + stages.bands - before);
 }
 
 }  // namespace hair_bench

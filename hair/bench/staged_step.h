@@ -11,7 +11,8 @@ namespace hair_bench {
 struct Stages {
   double products = 0;  // with df/dx and df/dv
   double forces = 0;
-  double solver = 0;  // ConjGrad's own sweeps over vectors
+  double bands = 0;   // the preconditioners' assembly, by products
+  double solver = 0;  // factors, and ConjGrad's own sweeps over vectors
   double correction = 0;
   double all = 0;
 };

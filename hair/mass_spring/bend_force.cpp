@@ -1,6 +1,6 @@
-#include "hair/mass_spring/strand_forces.h"
-
 #include "hair/angular_springs.h"
+#include "hair/mass_spring/strand_forces.h"
+#include "particles/products_to_band.h"
 
 namespace hair {
 
@@ -17,6 +17,13 @@ void BendForce::add_dfdx(Input x, Input, Input dx, Output df) const {
     add_bend_product(strand_, x, dx, df);
   else
     add_bend_product_spd(strand_, x, dx, df);
+}
+
+bool BendForce::add_band(Input x, Input, double by_dfdx, double, solver::BlockBand& band,
+                         particles::Scratch work) const {
+  particles::add_products(
+      2, by_dfdx, [&](Input dx, Output df) { add_bend_product_spd(strand_, x, dx, df); }, band, work);
+  return true;
 }
 
 }  // namespace hair

@@ -130,6 +130,10 @@ void add_forces(const ForceOptions& options, const StrandStart& start, bool with
   } else {
     add_parts(options, start, options.geometric_term, options.bend_product, moving, moving.force);
   }
+  if (!options.band) {
+    moving.force.hide_band();
+    moving.definite_force.hide_band();
+  }
 }
 
 }  // namespace hair

@@ -20,6 +20,7 @@ struct ForceOptions {
   double drag = 0;                      // N s/m^2: for each metre of hair
   Vector3d wind = Vector3d::Zero();     // m/s, of the air
   bool point_forces = false;            // steps also apply external forces
+  bool band = true;                     // the forces tell their band, for preconditioners
 };
 
 struct ForcePart {

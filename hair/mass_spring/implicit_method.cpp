@@ -9,7 +9,10 @@ StepOutcome take_implicit_step(MovingStrand& moving, const StepOptions& options,
                                const particles::Scratch& scratch) {
   const particles::SolveReport report = particles::implicit_euler(moving.force, moving.particles, options.h,
                                                                   options.tolerance, moving.state, scratch);
-  return {.solver_steps = report.steps, .unconverged = !report.converged, .suspect = Stage::filter};
+  return {.solver_steps = report.steps,
+          .plain_solves = !report.preconditioned,
+          .unconverged = !report.converged,
+          .suspect = Stage::filter};
 }
 
 }  // namespace

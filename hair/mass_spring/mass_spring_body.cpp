@@ -57,6 +57,7 @@ std::optional<Stage> MassSpringBody::step(const BodyStep& step, const particles:
   const StepOutcome outcome = method_.step(moving_, {step.h, step.tolerance}, for_method);
   ++work.strand_steps;
   work.solver_steps += outcome.solver_steps;
+  work.plain_solves += outcome.plain_solves;
   work.correction_steps += outcome.correction_steps;
   work.halvings += outcome.halvings;
   work.unconverged += outcome.unconverged;

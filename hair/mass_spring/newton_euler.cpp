@@ -30,7 +30,8 @@ class Step {
         v_(scratch.col(1)),
         left_(scratch.col(2)),
         change_(scratch.col(3)),
-        before_(scratch.col(4)) {
+        before_(scratch.col(4)),
+        work_(scratch.rightCols(particles::kPreconditionerScratch + 2)) {
     x_ = state.x;
     v_ = state.v;
   }
@@ -85,17 +86,33 @@ class Step {
   bool solve(const Force& force, NewtonReport& report) {
     const auto matrix = particles::implicit_matrix(force, particles_, state_, h_, h_);
     const int size = static_cast<int>(left_.size()), most = std::max(100, 20 * size);
-    const double epsilon = std::pow(kSolve * left_.norm(), 2);
-    int steps = most;
-    const double squared = ConjGrad(size, matrix.get(), change_.data(), left_.data(), epsilon, &steps);
-    report.solver_steps += steps;
-    return squared <= epsilon || steps == most;
+    const auto solve = [&](implicitMatrix* A, double* b) {
+      const double epsilon = std::pow(kSolve * Eigen::Map<Eigen::VectorXd>(b, size).norm(), 2);
+      int steps = most;
+      const double squared = ConjGrad(size, A, change_.data(), b, epsilon, &steps);
+      report.solver_steps += steps;
+      return squared <= epsilon || steps == most;
+    };
+    const particles::Preconditioner preconditioner(force, particles_, state_, h_, h_,
+                                                   work_.rightCols(particles::kPreconditionerScratch));
+    if (!preconditioner.exists()) {
+      ++report.plain_solves;
+      return solve(matrix.get(), left_.data());
+    }
+    auto right = work_.col(0);
+    particles::PreconditionedMatrix near_identity(*matrix, preconditioner, work_.col(1));
+    right = left_;
+    preconditioner.solve_lower(right);
+    const bool solved = solve(&near_identity, right.data());
+    preconditioner.solve_lower_transposed(change_);
+    return solved;
   }
 
   const Particles& particles_;
   double h_;
   State& state_;
   Column x_, v_, left_, change_, before_;
+  particles::Scratch work_;
 };
 
 }  // namespace

@@ -6,7 +6,8 @@
 // separates the cost of the linearisation from the cost of the order. Not meant for hair: a step costs
 // several of H4's solves.
 //
-// A Newton step solves H4's matrix (implicit_matrix, at x + h u and u) for the remaining residual. If hair is
+// A Newton step solves H4's matrix (implicit_matrix, at x + h u and u) for the remaining residual, with a
+// preconditioner if there is one. If hair is
 // compressed or bent that matrix may be indefinite; then the step uses the definite one. Each such step is a
 // descent direction of |u - v|_M^2 / 2 + E(x + h u), which u minimises if the forces have an energy. A step
 // that goes too far is halved. Source: J. Nocedal and S. J. Wright, "Numerical Optimization" (2006), chapters
@@ -14,16 +15,18 @@
 #pragma once
 
 #include "particles/force.h"
+#include "particles/preconditioner.h"
 #include "particles/state.h"
 
 namespace hair {
 
 // `scratch` has this many columns of 3n numbers.
-inline constexpr int kNewtonScratch = 5;
+inline constexpr int kNewtonScratch = particles::kPreconditionerScratch + 7;
 
 struct NewtonReport {
   int newton_steps = 0;
   long solver_steps = 0;   // iterations of ConjGrad
+  int plain_solves = 0;    // without a preconditioner
   int definite_steps = 0;  // Newton steps with the definite matrix
   int halvings = 0;        // of steps that went too far: each evaluates the forces once more
   bool converged = false;

@@ -10,6 +10,7 @@ StepOutcome take_newton_step(MovingStrand& moving, const StepOptions& options,
   const NewtonReport report =
       newton_euler(moving.force, moving.definite_force, moving.particles, options.h, moving.state, scratch);
   return {.solver_steps = report.solver_steps,
+          .plain_solves = report.plain_solves,
           .unconverged = !report.converged,
           .correction_steps = report.newton_steps,
           .halvings = report.halvings,

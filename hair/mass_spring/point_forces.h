@@ -5,6 +5,7 @@
 
 #include "hair/strand/body.h"
 #include "particles/force.h"
+#include "solver/block_band.h"
 
 namespace hair {
 
@@ -24,6 +25,11 @@ class PointForces final : public particles::Force {
       df.segment<3>(3 * one.point) -= one.stiffness * dx.segment<3>(3 * one.point);
   }
   void add_dfdv(particles::Input, particles::Input, particles::Input, particles::Output) const override {}
+  bool add_band(particles::Input, particles::Input, double by_dfdx, double, solver::BlockBand& band,
+                particles::Scratch) const override {
+    for (const PointForce& one : forces_) band.block(one.point, 0) -= by_dfdx * one.stiffness;
+    return true;
+  }
 
  private:
   std::span<const PointForce> forces_;

@@ -17,6 +17,7 @@ StepOutcome predict_and_correct(MovingStrand& moving, const StepOptions& options
                                                 options.tolerance, moving.state, scratch);
   StepOutcome outcome;
   outcome.solver_steps = report.filter.steps + report.second_filter.steps;
+  outcome.plain_solves = !report.filter.preconditioned + !report.second_filter.preconditioned;
   outcome.unconverged =
       !report.filter.converged + !report.correction.converged + !report.second_filter.converged;
   outcome.correction_steps = report.correction.iterations;

@@ -78,6 +78,9 @@ class RestCurvature final : public particles::Force {
   void add_force(Input x, Input v, Output f) const override;
   void add_dfdx(Input x, Input v, Input dx, Output df) const override;
   void add_dfdv(Input, Input, Input, Output) const override {}
+  // Without the frames' turn, through which every joint reaches all particles above it.
+  bool add_band(Input x, Input v, double by_dfdx, double by_dfdv, solver::BlockBand& band,
+                particles::Scratch work) const override;
 
  private:
   const Strand& strand_;

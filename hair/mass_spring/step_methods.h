@@ -12,6 +12,7 @@ using particles::StepOptions;
 // The effort of a step, and the stage of a failure.
 struct StepOutcome {
   long solver_steps = 0;               // iterations of ConjGrad
+  int plain_solves = 0;                // solves that had no preconditioner
   int unconverged = 0;                 // solves and corrections that ended above their tolerance
   long correction_steps = 0;           // Newton steps: of the length correction, or of newton_euler
   long halvings = 0;                   // of newton_euler's steps: each evaluates the forces once more

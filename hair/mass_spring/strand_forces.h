@@ -22,6 +22,8 @@ class StretchForce final : public particles::Force {
   void add_force(Input x, Input v, Output f) const override;
   void add_dfdx(Input x, Input v, Input dx, Output df) const override;
   void add_dfdv(Input, Input, Input, Output) const override {}
+  bool add_band(Input x, Input v, double by_dfdx, double by_dfdv, solver::BlockBand& band,
+                particles::Scratch work) const override;
 
  private:
   const Strand& strand_;
@@ -36,6 +38,8 @@ class BendForce final : public particles::Force {
   void add_force(Input x, Input v, Output f) const override;
   void add_dfdx(Input x, Input v, Input dx, Output df) const override;
   void add_dfdv(Input, Input, Input, Output) const override {}
+  bool add_band(Input x, Input v, double by_dfdx, double by_dfdv, solver::BlockBand& band,
+                particles::Scratch work) const override;
 
  private:
   const Strand& strand_;
@@ -50,6 +54,8 @@ class BendSpringForce final : public particles::Force {
   void add_force(Input x, Input v, Output f) const override;
   void add_dfdx(Input x, Input v, Input dx, Output df) const override;
   void add_dfdv(Input, Input, Input, Output) const override {}
+  bool add_band(Input x, Input v, double by_dfdx, double by_dfdv, solver::BlockBand& band,
+                particles::Scratch work) const override;
 
  private:
   const Strand& strand_;

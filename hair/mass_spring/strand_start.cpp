@@ -43,6 +43,8 @@ void hold(const Held& held, StrandStart& start) {
     const double along =
         (held.folded && i % 2 == 1 ? -held.stretch : held.stretch) * start.strand.rest_length[i];
     x.segment<3>(3 * i + 3) = x.segment<3>(3 * i) + along * held.direction;
+    const Vector3d arm = x.segment<3>(3 * i + 3) - x.head<3>();
+    start.state.v.segment<3>(3 * i + 3) = held.spin.cross(arm);
   }
 }
 

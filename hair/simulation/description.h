@@ -1,6 +1,7 @@
 // The input of a simulation of strands: plain data.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "hair/geometric_term.h"
@@ -33,9 +34,10 @@ struct Description {
 
   // Only for implicit methods. newton_euler ignores the two kinds of products, because its result does not
   // depend on them.
-  GeometricTerm geometric_term = GeometricTerm::filtered;
+  std::optional<GeometricTerm> geometric_term;  // of a segment's product; empty: row_of(method).usual_term()
   Products bend_product = Products::definite;
-  double tolerance = 1e-10;  // residual of a solve, relative to its right-hand side
+  double tolerance = 1e-10;    // residual of a solve, relative to its right-hand side
+  bool preconditioner = true;  // solves use the band of the forces (particles/preconditioner.h)
 };
 
 }  // namespace hair

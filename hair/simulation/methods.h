@@ -7,6 +7,7 @@
 #include <span>
 #include <string_view>
 
+#include "hair/geometric_term.h"
 #include "hair/mass_spring/step_methods.h"
 #include "particles/toys/toy.h"
 
@@ -36,6 +37,12 @@ struct MethodRow {
 
   const StepMethod* mass_spring;                 // the step of such a strand; null: the course leaves it out
   std::optional<particles::ToyMethod> toy = {};  // the toys' method; none: toys don't have it
+
+  // The geometric term that a scene gets if it asks for none. Segments of exactly their rest length have no such term.
+  // But 1 - l0/l rounds, to a positive mean once the filter takes its negative values away: a drag of about u k h^2 / m.
+  GeometricTerm usual_term() const {
+    return keeps_lengths ? GeometricTerm::dropped : GeometricTerm::filtered;
+  }
 };
 
 std::span<const MethodRow> methods();  // in the order of the enumeration

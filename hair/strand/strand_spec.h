@@ -28,12 +28,13 @@ struct Curly {
 using RestForm = std::variant<Straight, Wavy, Curly>;
 
 // The initial shape of a strand that does not start at rest: straight in a direction, with every segment
-// `stretch` times as long, or folded to and fro.
+// `stretch` times as long, or folded to and fro; and how it turns about its root.
 struct Held {
   bool differently = false;
   Vector3d direction = Vector3d::Zero();
   double stretch = 1;
   bool folded = false;
+  Vector3d spin = Vector3d::Zero();  // rad/s
 };
 
 struct StrandSpec {

@@ -44,7 +44,9 @@ Swing swing(GeometricTerm term, double h, Step step) {
   return result;
 }
 
+// What is chaotic depends on rounding, and so on how systems are solved: as they are without a preconditioner.
 void implicit(Hair& hair, double h) {
+  hair.force.hide_band();
   hair.implicit_step(h);
 }
 
@@ -106,6 +108,7 @@ TEST(SwingingHair, NeedsATightTolerance) {
   const double h = 1.0 / 240;
   const Strand strand = human_hair();
   Hair hair(strand, GeometricTerm::full);
+  hair.force.hide_band();  // with a preconditioner even 1e-2 gets near the solution
   hair.place(Vector3d::UnitX());
   const double tolerances[] = {1e-10, 1e-6, 1e-4};
   std::vector<double> errors[3];

@@ -58,6 +58,7 @@ Solution solve(Trial& trial, const Cloud& cloud, double a, double b, double tole
   solution.forces = server.forces;
   solution.dfdx = server.dfdx;
   solution.dfdv = server.dfdv;
+  solution.bands = server.bands;
   return solution;
 }
 
@@ -76,6 +77,7 @@ Solution step(Trial& trial, const Cloud& cloud, double h, double tolerance) {
   solution.forces = server.forces;
   solution.dfdx = server.dfdx;
   solution.dfdv = server.dfdv;
+  solution.bands = server.bands;
   return solution;
 }
 

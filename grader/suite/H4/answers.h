@@ -20,7 +20,7 @@ struct Solution {
   Eigen::VectorXd dv;
   Eigen::VectorXd x, v;  // after a step of implicit_euler
   Report report;
-  int forces, dfdx, dfdv;  // the suite's own counts
+  int forces, dfdx, dfdv, bands;  // the suite's own counts
 };
 
 // Call the student's solve_implicit and implicit_euler.

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "grader/suite/H4/answers.h"
+#include "grader/suite/H4/stiff_hair.h"
 #include "particles/springs.h"
 
 namespace grader::h4 {
@@ -141,6 +142,32 @@ void cost(Trial& trial) {
   }
 }
 
+// Beside the products for the right-hand side, each solve takes one more than its iterations, and one for its residual.
+// The first residual of a preconditioned solve is what rounding leaves, 1e-8 or so for such hair, and an iteration
+// multiplies it by as much: two of them reach 1e-10. What the band does not know of, a spring, adds three eigenvalues,
+// and an iteration for each of them. Who writes the matrix out takes 3n products.
+void preconditioned(Trial& trial) {
+  Random& random = trial.random;
+  for (int n : {12, 40})
+    for (int far : {0, 1}) {
+      const double h = 1.0 / random.integer(60, 240), a = random.uniform(0.4, 1) * h;
+      const Cloud hair = stiff_hair(random, n, h, far == 1);
+      const ImplicitSystem system = implicit_system(hair, a, h);
+      const Solution solution = solve(trial, hair, a, h);
+      const double size = system.norm * solution.dv.norm() + system.rhs.norm();
+      trial.expect_at_most(system.residual(solution.dv),
+                           kTolerance * system.rhs.norm() + 0x1p-48 * size + system.rounding,
+                           "the residual of the implicit step's system");
+      trial.expect(solution.report.converged,
+                   "a solve that meets its tolerance is reported as not converged");
+      trial.expect(solution.bands >= 1, "the forces' band is not asked for: there is no preconditioner");
+      const int steps = particles::kMostSolves * (2 + 3 * far);
+      trial.expect_at_most(solution.report.steps, steps, "the number of steps with a preconditioner");
+      trial.expect_at_most(solution.dfdx, std::max(1 + steps + 2 * particles::kMostSolves, 3 * n + 4),
+                           "the number of products with df/dx");
+    }
+}
+
 // A particle of mass m on a spring, turning around its pinned end.
 Cloud turning(double stiffness_over_mass, particles::Products products) {
   Cloud cloud;
@@ -214,9 +241,10 @@ std::vector<Category> categories() {
           {"Damping", "Damping", 3, damping},
           {"Pinned", "Pinned particles", 3, pinned},
           {"Masses", "Masses", 2, masses},
-          {"System", "The system, solved", 4, system},
-          {"Step", "A step", 3, a_step},
+          {"System", "The system, solved", 3, system},
+          {"Step", "A step", 2, a_step},
           {"Tolerance", "The tolerance", 2, tolerance},
+          {"Preconditioned", "A stiff hair, preconditioned", 2, preconditioned},
           {"Cost", "Evaluations and products", 2, cost},
           {"Revolution", "A revolution, an oscillation", 1, revolution},
           {"Unsolvable", "What can't be solved", 1, unsolvable}};

@@ -63,6 +63,9 @@ void explain_hair(const Scene& scene, Parts& parts) {
   parts.add("method", any, std::string(row_of(hair.method).id) + ", a step of " + shown(hair.step) + " s",
             none);
 
+  const bool implicit = !row_of(hair.method).is_explicit;
+  parts.add("preconditioner", any && implicit && hair.preconditioner, "block Cholesky of the forces' band",
+            why_not(implicit ? "the scene asks for none" : "an explicit method solves nothing"));
   for (const ForcePart& part : force_parts()) {
     const auto count = count_strands(scene, part.acts);
     const std::string whose = *part.exercise == '\0' ? "given" : part.exercise;

@@ -27,6 +27,7 @@ const char* name_of(Ending ending) {
 std::string text_of(const Work& work) {
   return json_object({{"strand_steps", json_text(work.strand_steps)},
                       {"solver_steps", json_text(work.solver_steps)},
+                      {"plain_solves", json_text(work.plain_solves)},
                       {"correction_steps", json_text(work.correction_steps)},
                       {"unconverged", json_text(work.unconverged)},
                       {"contacts", json_text(work.contacts)},

@@ -16,12 +16,18 @@ const std::vector<StudyMethod>& all_methods() {
       {"runge-kutta-4", "RK4", Method::runge_kutta_4, full, Products::exact},
       {"h4-filtered", "H4, filtered", Method::implicit_euler, filtered, definite},
       {"h4-filtered-exact", "H4, filtered, exact bending", Method::implicit_euler, filtered, Products::exact},
+      {"h4-filtered-plain", "H4, filtered, plain", Method::implicit_euler, filtered, definite, false},
       {"h4-full", "H4, full", Method::implicit_euler, full, definite},
+      {"h4-full-plain", "H4, full, plain", Method::implicit_euler, full, definite, false},
       {"h4-full-exact", "H4, full, exact bending", Method::implicit_euler, full, Products::exact},
       {"h4-dropped", "H4, dropped", Method::implicit_euler, dropped, definite},
+      {"h4-dropped-plain", "H4, dropped, plain", Method::implicit_euler, dropped, definite, false},
       {"h4-dropped-exact", "H4, dropped, exact bending", Method::implicit_euler, dropped, Products::exact},
       {"newton-euler", "implicit Euler to convergence", Method::newton_euler, full, Products::exact},
-      {"h6", "H6", Method::predictor_corrector, filtered, definite},
+      {"newton-euler-plain", "implicit Euler to convergence, plain", Method::newton_euler, full,
+       Products::exact, false},
+      {"h6", "H6", Method::predictor_corrector, dropped, definite},
+      {"h6-plain", "H6, plain", Method::predictor_corrector, dropped, definite, false},
   };
   return methods;
 }
@@ -54,6 +60,7 @@ Scene with_method(const Problem& problem, const StudyMethod& method, int steps_p
   scene.hair.method = method.method;
   scene.hair.geometric_term = method.geometric_term;
   scene.hair.bend_product = method.bend_product;
+  scene.hair.preconditioner = method.preconditioner;
   for (Toy& toy : scene.toys) toy.method = row_of(method.method).toy.value_or(ToyMethod::implicit_euler);
   return scene;
 }

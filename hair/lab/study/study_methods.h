@@ -15,6 +15,7 @@ struct StudyMethod {
   Method method = Method::predictor_corrector;
   GeometricTerm geometric_term = GeometricTerm::filtered;
   Products bend_product = Products::definite;
+  bool preconditioner = true;
 
   int order() const { return row_of(method).order; }  // of its time error, if known
   bool is_explicit() const { return row_of(method).is_explicit; }
@@ -22,7 +23,8 @@ struct StudyMethod {
 
 // The methods that fit the problem: all of them for a strand, or those that a toy's parts allow, except
 // methods whose exercise the course leaves out. H4 appears with each option of its Jacobian that makes a
-// difference here, and with Newton's method to convergence.
+// difference here, and with Newton's method to convergence. Implicit methods of strands appear once more
+// without the preconditioner ("-plain"), but for those with exact bending.
 std::vector<StudyMethod> methods_for(const Problem& problem);
 
 // The problem's scene with this method and steps_per_frame steps for each frame.

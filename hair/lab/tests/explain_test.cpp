@@ -34,11 +34,11 @@ std::string names(const std::map<std::string, Part>& parts, bool used) {
 
 const std::string kRoots = R"("roots": {"list": [{"position": [0, 0, 0]}]})";
 
-TEST(Explain, LeavesOutOfALimpHairAllButStretchingAndGravity) {
+TEST(Explain, LeavesOutOfALimpHairAllButStretchingGravityAndWhatSolves) {
   const auto parts = parts_of(R"({"shows": "x", "frames": 1, "hair": [{"segments": 3, "length": 0.1,
     "material": {"bend_factor": 0}, )" +
                               kRoots + "}]}");
-  EXPECT_EQ(names(parts, true), "gravity, hair, method, stretching");
+  EXPECT_EQ(names(parts, true), "gravity, hair, method, preconditioner, stretching");
   EXPECT_EQ(parts.at("bending").why, "no strand resists it: EI is 0");
   EXPECT_EQ(parts.at("OpenGL").why, "the scene has no \"render\": no library is loaded");
 }

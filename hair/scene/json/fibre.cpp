@@ -23,9 +23,9 @@ Fibre read_fibre(const JsonValue& group) {
 Held read_held(const JsonValue& group) {
   if (!group.has("start")) return {};
   const JsonValue object = group["start"];
-  object.check_keys({"direction"}, {"stretch", "folded"});
+  object.check_keys({"direction"}, {"stretch", "folded", "spin"});
   return {true, direction(object["direction"]), number_or(object, "stretch", 1, 0, 100),
-          boolean_or(object, "folded", false)};
+          boolean_or(object, "folded", false), vector_or(object, "spin", Vector3d::Zero(), kFast)};
 }
 
 Vector3d read_root_velocity(const JsonValue& group) {

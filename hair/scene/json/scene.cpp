@@ -50,6 +50,8 @@ void read_method(const JsonValue& object, Description& hair) {
     constexpr Products kProducts[] = {Products::exact, Products::definite};
     hair.bend_product = kProducts[object["bend_product"].word({"exact", "definite"})];
   }
+  if (object.has("preconditioner"))
+    hair.preconditioner = object["preconditioner"].word({"none", "band"}) == 1;
   hair.tolerance = number_or(object, "tolerance", hair.tolerance, kTightest, 1);
 }
 
@@ -57,7 +59,8 @@ void read_method(const JsonValue& object, Description& hair) {
 void check_use(const JsonValue& object, const Reading& reading) {
   if (reading.particles == 0) object.fail("there is nothing that moves; give \"hair\" or \"toys\"");
   if (reading.scene.hair.strands.empty()) {
-    for (const char* key : {"method", "drag", "geometric_term", "bend_product", "obstacles"})
+    for (const char* key :
+         {"method", "drag", "geometric_term", "bend_product", "preconditioner", "obstacles"})
       if (object.has(key)) object[key].fail("is for hair, and there is none; leave it out");
   }
   for (const auto& [name, rider] : reading.motions)
@@ -80,9 +83,10 @@ void Reading::expect(const JsonValue& where, long strands, long of_each) {
 
 Scene scene_of(const JsonDocument& document, const std::filesystem::path& file, Reading reading) {
   const JsonValue object(*document, file);
-  object.check_keys({"shows", "frames"}, {"frames_per_second", "steps_per_frame", "step", "gravity", "wind",
-                                          "method", "drag", "geometric_term", "bend_product", "tolerance",
-                                          "hair", "obstacles", "motions", "toys", "render"});
+  object.check_keys(
+      {"shows", "frames"},
+      {"frames_per_second", "steps_per_frame", "step", "gravity", "wind", "method", "drag", "geometric_term",
+       "bend_product", "tolerance", "preconditioner", "hair", "obstacles", "motions", "toys", "render"});
   Scene& scene = reading.scene;
   scene.name = file.stem().string();
   scene.shows = object["shows"].text();

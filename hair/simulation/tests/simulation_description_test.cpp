@@ -80,6 +80,7 @@ TEST(SimulationDescription, StepsAreSolvedToItsTolerance) {
       Description description = alone(start, method, h);
       description.gravity = kG * kDown;
       description.tolerance = tolerance;
+      description.preconditioner = false;  // with it this hair is solved at once
       Simulation simulation(std::move(description));
       particles::State expected = simulation.state(0);
       ASSERT_FALSE(simulation.step());
