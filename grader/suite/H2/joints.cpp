@@ -84,11 +84,23 @@ VectorXd reference_product(const Posed& posed, const VectorXd& dx, int function)
   return df;
 }
 
-void expect_product(Trial& trial, const Posed& posed, int function, double rounding_of_straight) {
+namespace {
+
+void expect_product(Trial& trial, const Posed& posed, int function, const VectorXd& dx, double rounding) {
+  expect_vector(trial, ask_product(trial, posed, dx, GeometricTerm::full, function),
+                reference_product(posed, dx, function), rounding, "the product");
+}
+
+}  // namespace
+
+void expect_product(Trial& trial, const Posed& posed, int function) {
   const VectorXd dx = random_vector(trial.random, posed.x.size());
-  const VectorXd df = ask_product(trial, posed, dx, GeometricTerm::full, function);
-  expect_vector(trial, df, reference_product(posed, dx, function),
-                product_rounding(posed, dx) + rounding_of_straight * largest(dx), "the product");
+  expect_product(trial, posed, function, dx, product_rounding(posed, dx));
+}
+
+void expect_straight_product(Trial& trial, const Posed& posed, int function, double rounding) {
+  const VectorXd dx = random_vector(trial.random, posed.x.size());
+  expect_product(trial, posed, function, dx, rounding * largest(dx));
 }
 
 }  // namespace grader::h2

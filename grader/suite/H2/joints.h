@@ -35,10 +35,13 @@ VectorXd reference_force(const Posed& posed);
 VectorXd reference_product(const Posed& posed, const VectorXd& dx, int function);
 VectorXd ask_spd(Trial& trial, const Posed& posed, const VectorXd& dx);
 
-// Compares the student's answers with the reference's, up to rounding; a product has `rounding_of_straight`
-// (N/m) in addition.
+// Compares the student's answers with the reference's, up to rounding.
 void expect_energy(Trial& trial, const Posed& posed);
 void expect_force(Trial& trial, const Posed& posed);
-void expect_product(Trial& trial, const Posed& posed, int function, double rounding_of_straight = 0);
+void expect_product(Trial& trial, const Posed& posed, int function);
+
+// The same for a strand whose bends are roundings, up to `rounding` (N/m) times the largest entry of dx:
+// product_rounding divides by their squares, and may be larger than the answer.
+void expect_straight_product(Trial& trial, const Posed& posed, int function, double rounding);
 
 }  // namespace grader::h2

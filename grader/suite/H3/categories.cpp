@@ -1,8 +1,10 @@
 // STAFF ONLY. H3: hidden cases of bend_spring_energy, add_bend_spring_force and add_bend_spring_product.
 //
-// Rounding: as of H1's springs (h1_categories.cpp), and for an entry where two springs meet 128 u = 2^-46 of
+// Rounding: as of H1's springs (H1/categories.cpp), and for an entry where two springs meet 128 u = 2^-46 of
 //
-//   k (d + d0)  N,     k (1 + d0/d) |de|  N,     k |d - d0| (d + d0)  N m.
+//   k (d + d0)  N,     k (1 + d0/d) |de|  N,     k |d - d0| (d + d0)  N m,
+//
+// and for the energy 4 u k (d + d0)^2 more, since it may be written k (d^2 - 2 d d0 + d0^2) / 2.
 #include "grader/suite/H3/categories.h"
 
 #include <Eigen/Geometry>
@@ -34,6 +36,7 @@ void expect_energy(Trial& trial, const Posed& posed) {
   for (int i = 0; i + 2 < posed.strand.count(); ++i) {
     const auto [k, d0, d] = spring(posed, i);
     rounding += 64 * kUnit * k * (std::abs(d - d0) + 64 * kUnit * d0) * (d + d0);
+    rounding += 4 * kUnit * k * (d + d0) * (d + d0);
   }
   trial.expect_at_most(std::abs(ask_energy(trial, posed) - expected), rounding, "the error of the energy");
 }

@@ -1,0 +1,69 @@
+// STAFF ONLY. Hidden cases under many seeds, for the suite's bounds: a right program must pass under all of them, and a
+// wrong one must fail under all of them.
+//
+//   hairseeds EXERCISE FIRST COUNT KIT OBJECT...
+//
+// The objects are loaded in their order, the exercise's last, in a process without a cage: this is for staff's own
+// programs. Prints a line for each category that fails: under how many seeds, and what staff read of the first. The exit
+// code is 0 if no category fails, 1 if one does.
+#include <sodium.h>
+
+#include <iostream>
+#include <limits>
+#include <map>
+
+#include "grader/suite/suite_table.h"
+
+namespace {
+
+struct Failures {
+  int count = 0;
+  std::string first;
+};
+
+grader::Student uncaged(const std::string& exercise, const std::string& kit,
+                        const std::vector<std::filesystem::path>& objects) {
+  grader::WorkerSetup setup;
+  setup.kit = std::filesystem::absolute(kit);
+  setup.exercise = exercise;
+  for (const std::filesystem::path& object : objects)
+    setup.objects.push_back(std::filesystem::absolute(object));
+  setup.log = "/dev/null";
+  setup.isolated = false;
+  setup.cpu_seconds = 1'000'000;
+  for (const grader::BudgetField& field : grader::budget_fields())
+    setup.allowance->limit.*field.value = std::numeric_limits<double>::infinity();
+  setup.allowance->limit.worker_cpu_seconds = setup.cpu_seconds;
+  setup.allowance->limit.idle_seconds = setup.cpu_seconds;
+  return grader::Student(setup);
+}
+
+}  // namespace
+
+int main(int argc, char* argv[]) {
+  if (argc < 6 || sodium_init() < 0) {
+    std::cerr << "hairseeds EXERCISE FIRST COUNT KIT OBJECT...\n";
+    return 2;
+  }
+  const std::string exercise = argv[1];
+  const int first = std::stoi(argv[2]), count = std::stoi(argv[3]);
+  grader::Student student = uncaged(exercise, argv[4], {argv + 5, argv + argc});
+  std::map<std::string, Failures> failures;
+  for (int seed = first; seed < first + count; ++seed) {
+    for (const grader::Category& category : grader::categories(exercise)) {
+      try {
+        grader::Trial trial(student, grader::Random(std::to_string(seed), category.name));
+        category.run(trial);
+      } catch (const grader::CaseFailed& failure) {
+        Failures& of = failures[category.name];
+        if (++of.count == 1)
+          of.first = "seed " + std::to_string(seed) + ", " + failure.feedback + "; " + failure.detail;
+      }
+    }
+  }
+  student.finish();
+  std::cout << exercise << ": " << count << " seeds, " << failures.size() << " categories fail\n";
+  for (const auto& [category, of] : failures)
+    std::cout << "  " << category << ": " << of.count << "; first: " << of.first << "\n";
+  return failures.empty() ? 0 : 1;
+}
