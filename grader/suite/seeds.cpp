@@ -16,6 +16,8 @@
 
 namespace {
 
+constexpr int kSeedsOfAWorker = 100;  // a worker has a limit of wall time
+
 struct Failures {
   int count = 0;
   std::string first;
@@ -47,9 +49,13 @@ int main(int argc, char* argv[]) {
   }
   const std::string exercise = argv[1];
   const int first = std::stoi(argv[2]), count = std::stoi(argv[3]);
-  grader::Student student = uncaged(exercise, argv[4], {argv + 5, argv + argc});
   std::map<std::string, Failures> failures;
+  grader::Student student = uncaged(exercise, argv[4], {argv + 5, argv + argc});
   for (int seed = first; seed < first + count; ++seed) {
+    if ((seed - first) % kSeedsOfAWorker == 0 && seed > first) {
+      student.finish();
+      student = uncaged(exercise, argv[4], {argv + 5, argv + argc});
+    }
     for (const grader::Category& category : grader::categories(exercise)) {
       try {
         grader::Trial trial(student, grader::Random(std::to_string(seed), category.name));

@@ -1,5 +1,5 @@
-// STAFF ONLY. A right H5 by relaxation alone, first of the even segments and then of the odd ones: those of one kind have no
-// particle in common. Errors of lengths are those of their squares.
+// STAFF ONLY. A right H5 by relaxation alone: first of the even segments and then of the odd ones, which have no particle
+// in common; where it must be fast, from the root to the tip and back. Errors of lengths are those of their squares.
 #include "hair/length_correction.h"
 
 #include <cmath>
@@ -43,15 +43,14 @@ double largest(const Strand& strand, Input x) {
   return value;
 }
 
-CorrectionReport relax(const Strand& strand, double tolerance, int most, Output x) {
+template <typename Sweep>
+CorrectionReport relax(const Strand& strand, double tolerance, int most, Output x, Sweep sweep) {
   CorrectionReport report;
   for (;;) {
     report.error = largest(strand, x);
     report.converged = report.error <= tolerance;
     if (report.converged || report.iterations == most) return report;
-    const auto place = [&](int i) { share(strand, i, excess(strand, x, i) * direction(strand, x, i), x); };
-    for (int i = 0; i < strand.segments(); i += 2) place(i);
-    for (int i = 1; i < strand.segments(); i += 2) place(i);
+    sweep([&](int i) { share(strand, i, excess(strand, x, i) * direction(strand, x, i), x); });
     ++report.iterations;
   }
 }
@@ -59,12 +58,18 @@ CorrectionReport relax(const Strand& strand, double tolerance, int most, Output 
 }  // namespace
 
 CorrectionReport relax_lengths(const Strand& strand, double tolerance, int most_sweeps, Output x) {
-  return relax(strand, tolerance, most_sweeps, x);
+  return relax(strand, tolerance, most_sweeps, x, [&](auto place) {
+    for (int i = 0; i < strand.segments(); i += 2) place(i);
+    for (int i = 1; i < strand.segments(); i += 2) place(i);
+  });
 }
 
 CorrectionReport correct_lengths(const Strand& strand, double tolerance, int most_iterations, Output x,
                                  Scratch /*scratch*/) {
-  return relax(strand, tolerance, most_iterations, x);
+  return relax(strand, tolerance, most_iterations, x, [&](auto place) {
+    for (int i = 0; i < strand.segments(); ++i) place(i);
+    for (int i = strand.segments() - 2; i >= 0; --i) place(i);
+  });
 }
 
 CorrectionReport correct_velocities(const Strand& strand, Input x, double tolerance, int most_sweeps,
