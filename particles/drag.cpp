@@ -22,6 +22,15 @@ void Drag::add_force(Input /*x*/, Input v, Output f) const {
     f.segment<3>(3 * i) -= coefficients_[i] * (v.segment<3>(3 * i) - wind_);
 }
 
+double Drag::work(double h, Input v_before, Input v_after, const Vector3d& frame) const {
+  double power = 0;
+  for (int i = 0; i < coefficients_.size(); ++i) {
+    const Vector3d before = v_before.segment<3>(3 * i), after = v_after.segment<3>(3 * i);
+    power -= coefficients_[i] * (after - wind_).dot((before + after) / 2 - frame);
+  }
+  return h * power;
+}
+
 void Drag::add_dfdx(Input /*x*/, Input /*v*/, Input /*dx*/, Output /*df*/) const {}
 
 void Drag::add_dfdv(Input /*x*/, Input /*v*/, Input dv, Output df) const {

@@ -13,11 +13,16 @@ class ForceSum : public Force {
  public:
   void add(std::unique_ptr<const Force> part) { parts_.push_back(std::move(part)); }
 
-  // add(std::make_unique<Part>(arguments...)).
+  // add(std::make_unique<Part>(arguments...)). Returns the part, which lives as long as the sum.
   template <typename Part, typename... Arguments>
-  void emplace(Arguments&&... arguments) {
-    add(std::make_unique<const Part>(std::forward<Arguments>(arguments)...));
+  const Part& emplace(Arguments&&... arguments) {
+    auto part = std::make_unique<const Part>(std::forward<Arguments>(arguments)...);
+    const Part& added = *part;
+    add(std::move(part));
+    return added;
   }
+
+  const Force& last() const { return *parts_.back(); }
 
   double energy(Input x) const override {
     double energy = 0;

@@ -29,7 +29,9 @@ class Asked {
 
 // Until it ends or breaks.
 void play_frames(const hair::Scene& scene, Played& played) {
-  hair::Playback playback(scene);
+  hair::Scene unwatched = scene;  // nobody has to have written energies
+  unwatched.hair.watched = false;
+  hair::Playback playback(unwatched);
   played.frames.push_back(playback.state());
   for (int k = 0; k < scene.frames && played.trouble.empty(); ++k) {
     played.trouble = playback.advance().value_or("");

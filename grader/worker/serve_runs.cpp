@@ -32,7 +32,8 @@ std::string play(const hair::Scene& scene, std::vector<Frame>& frames, hair::Wor
 }  // namespace
 
 extern "C" __attribute__((visibility("default"))) void serve(grader::Session& session) {
-  const hair::Scene scene = hair::parse_scene(session.request.get_document(), "scene");
+  hair::Scene scene = hair::parse_scene(session.request.get_document(), "scene");
+  scene.hair.watched = false;  // nobody has to have written energies
   const int times = session.request.get<int>();
   std::vector<Frame> frames;
   hair::Work work;

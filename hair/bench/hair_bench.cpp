@@ -30,6 +30,7 @@ using hair::Simulation;
 
 constexpr double kStep = 1.0 / 240;
 constexpr int kWarmUp = 20;
+constexpr int kTurn = 5;  // steps: enough for the clock, which counts microseconds
 
 hair::StrandStart level_hair(int segments, const hair::Material& material = {}) {
   const Eigen::VectorXd x = hair::straight_shape(segments, 0.01 * segments,
@@ -83,6 +84,32 @@ BENCHMARK_CAPTURE(steps, H6, Method::predictor_corrector)->Arg(1)->Iterations(40
 BENCHMARK_CAPTURE(steps, H6, Method::predictor_corrector)->Arg(100)->Iterations(20)->UseManualTime();
 BENCHMARK_CAPTURE(steps, H6, Method::predictor_corrector)->Arg(10'000)->Iterations(3)->UseManualTime();
 
+// What the watch adds to a step: the same steps with it and without, turn by turn. Arguments: segments.
+void watched(benchmark::State& state, Method method) {
+  Description description;
+  description.method = method;
+  description.step = kStep;
+  description.strands = {level_hair(static_cast<int>(state.range(0)))};
+  Simulation with(description);
+  description.watched = false;
+  Simulation without(description);
+  with.advance(kWarmUp);
+  without.advance(kWarmUp);
+  std::vector<double> ratios;
+  for (auto _ : state) {
+    const double time = seconds([&] { with.advance(kTurn); });
+    ratios.push_back(time / seconds([&] { without.advance(kTurn); }));
+    state.SetIterationTime(time);
+  }
+  state.counters["ratio"] = timing::median(ratios);
+}
+BENCHMARK_CAPTURE(watched, H4, Method::implicit_euler)->Arg(15)->Arg(150)->Iterations(100)->UseManualTime();
+BENCHMARK_CAPTURE(watched, H6, Method::predictor_corrector)
+    ->Arg(15)
+    ->Arg(150)
+    ->Iterations(100)
+    ->UseManualTime();
+
 // Where a step of H6 spends its time. Arguments: segments.
 void shares(benchmark::State& state) {
   const int segments = static_cast<int>(state.range(0));
@@ -128,8 +155,6 @@ BENCHMARK_CAPTURE(stiffness, H6, Method::predictor_corrector)
     ->Iterations(40)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
-
-constexpr int kTurn = 5;  // steps: enough for the clock, which counts microseconds
 
 // A swing of half a second, by H4 or H6 and by Bullet's rope, turn by turn. Arguments: steps a second, Bullet's
 // iterations. Without bending, which the rope has not. `stretch` and `bullet_stretch` are the largest on the way.

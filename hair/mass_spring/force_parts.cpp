@@ -77,7 +77,7 @@ void add_skipping(const StrandStart&, GeometricTerm term, Products, MovingStrand
 }
 
 constexpr ForcePart kParts[] = {
-    {"stretching", "springs along the segments", "H1", stretches, why_no_stretching, add_stretching},
+    {"stretching", "springs along the segments", "H1", stretches, why_no_stretching, add_stretching, true},
     {"bending", "angular springs at the joints", "H2", bends_straight, why_no_bending, add_bending},
     {"rest curvature", "at the joints", "", bends_curved, why_no_rest_curvature, add_rest_curvature},
     {"springs that skip", "springs that skip a particle,", "H3", skips, why_no_skipping, add_skipping},
@@ -87,10 +87,12 @@ constexpr ForcePart kParts[] = {
 void add_parts(const ForceOptions& options, const StrandStart& start, GeometricTerm geometric_term,
                Products bend_product, MovingStrand& moving, particles::ForceSum& sum) {
   const Strand& strand = moving.strand;
+  const bool main = &sum == &moving.force;
   for (const ForcePart& part : kParts)
     if (part.acts(start)) {
       if (*part.exercise != '\0') require_exercise(part.name, part.exercise);
       part.add(start, geometric_term, bend_product, moving, sum);
+      if (main) (part.of_lengths ? moving.stretching : moving.bending).push_back(&sum.last());
     }
   if (options.gravity != Vector3d::Zero()) sum.emplace<particles::Gravity>(strand.mass, options.gravity);
   if (options.drag > 0) {
@@ -98,7 +100,8 @@ void add_parts(const ForceOptions& options, const StrandStart& start, GeometricT
     Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(strand.count());
     coefficients.head(strand.segments()) += options.drag / 2 * strand.rest_length;
     coefficients.tail(strand.segments()) += options.drag / 2 * strand.rest_length;
-    sum.emplace<particles::Drag>(std::move(coefficients), options.wind);
+    const auto& drag = sum.emplace<particles::Drag>(std::move(coefficients), options.wind);
+    if (main) moving.drag = &drag;
   }
   if (options.point_forces) {
     auto forces = std::make_unique<PointForces>();

@@ -32,6 +32,7 @@ struct ForcePart {
   const char* (*why_not)(std::span<const StrandStart>);
   // Adds the part to `sum`, one of the strand's sums, with the given kind of products.
   void (*add)(const StrandStart&, GeometricTerm, Products, MovingStrand&, particles::ForceSum& sum);
+  bool of_lengths = false;  // its energy is that of stretched segments
 };
 
 std::span<const ForcePart> force_parts();

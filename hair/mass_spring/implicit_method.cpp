@@ -12,11 +12,13 @@ StepOutcome take_implicit_step(MovingStrand& moving, const StepOptions& options,
   return {.solver_steps = report.steps,
           .plain_solves = !report.preconditioned,
           .unconverged = !report.converged,
+          .residual = left_by(report),
           .suspect = Stage::filter};
 }
 
 }  // namespace
 
-const StepMethod kImplicitEuler{take_implicit_step, particles::kImplicitScratch};
+const StepMethod kImplicitEuler{take_implicit_step, particles::kImplicitScratch, nullptr,
+                                KeptEnergy::without_stretching};
 
 }  // namespace hair

@@ -15,19 +15,26 @@ constexpr int kMostMends = 20;
 }  // namespace
 
 MassSpringBody::MassSpringBody(const StrandStart& start, const StepMethod& method,
-                               const ForceOptions& options, bool collides)
-    : moving_(start.strand, start.state), method_(method), collides_(collides) {
+                               const ForceOptions& options, bool collides, bool watched)
+    : moving_(start.strand, start.state), method_(method), collides_(collides), watched_(watched) {
   add_forces(options, start, method.needs_definite_force, moving_);
+  const bool keeps = method.keeps == KeptEnergy::all || (method.keeps == KeptEnergy::without_stretching &&
+                                                         options.geometric_term == GeometricTerm::filtered);
+  if (watched && keeps) energy_.emplace(moving_, options.gravity, method.keeps == KeptEnergy::all);
 }
 
 void MassSpringBody::restart(const StrandStart& start) {
   moving_.state = start.state;
   set_root_frame(start.strand.root_tangent, start.root_normal);
+  if (energy_) energy_->restart();
+  sizes_ = {};
+  steps_ = unmended_steps_ = 0;
 }
 
 void MassSpringBody::set_root_frame(const Vector3d& tangent, const Vector3d& normal) {
   moving_.strand.root_tangent = tangent;
   for (RestCurvature* rest : moving_.rest_curvatures) rest->set_root_normal(normal);
+  if (energy_) energy_->root_turned();
 }
 
 void MassSpringBody::read(particles::Output q, particles::Output rate) const {
@@ -38,6 +45,7 @@ void MassSpringBody::read(particles::Output q, particles::Output rate) const {
 void MassSpringBody::write(particles::Input q, particles::Input rate) {
   moving_.state.x = q;
   moving_.state.v = rate;
+  if (energy_) energy_->restart();
 }
 
 // The root is a particle that moves by its velocity: that brings it to its position.
@@ -50,8 +58,11 @@ std::optional<Stage> MassSpringBody::step(const BodyStep& step, const particles:
                                           Work& work) {
   particles::Scratch memory = scratch;  // a view that may be written to
   const bool collides = collides_ && !step.obstacles.empty();
-  if (collides) memory.col(method_.scratch) = moving_.state.x;
+  auto x_before = memory.col(method_.scratch), v_before = memory.col(method_.scratch + 1);
+  if (collides) x_before = moving_.state.x;
+  if (energy_ && moving_.drag) v_before = moving_.state.v;
   for (PointForces* forces : moving_.point_forces) forces->set(step.forces);
+  if (energy_) energy_->before_step();
 
   const particles::Scratch for_method = memory.leftCols(method_.scratch);
   const StepOutcome outcome = method_.step(moving_, {step.h, step.tolerance}, for_method);
@@ -63,24 +74,58 @@ std::optional<Stage> MassSpringBody::step(const BodyStep& step, const particles:
   work.unconverged += outcome.unconverged;
   if (!is_sound(moving_.state)) return outcome.suspect;
 
-  if (!collides) return {};
-  collide(step, memory.col(method_.scratch), for_method, work);
-  if (!is_sound(moving_.state)) return Stage::collision;
+  Collisions collisions;
+  if (collides) {
+    collisions = collide(step, x_before, for_method);
+    work.contacts += collisions.contacts;
+    work.unmended += !collisions.mended;
+    work.penetration = std::max(work.penetration, collisions.penetration);
+    if (!is_sound(moving_.state)) return Stage::collision;
+  }
+  if (watched_) watch(step.h, v_before, outcome, collisions);
   return {};
 }
 
 // Pushed out of obstacles, segments have other lengths, and with their lengths back particles are inside
 // obstacles again, but less each time. The last word have the obstacles.
-void MassSpringBody::collide(const BodyStep& step, particles::Input x_before,
-                             const particles::Scratch& scratch, Work& work) {
-  CollisionReport report;
+MassSpringBody::Collisions MassSpringBody::collide(const BodyStep& step, particles::Input x_before,
+                                                   const particles::Scratch& scratch) {
+  Collisions all;
   for (int pass = 0;; ++pass) {
-    report = hair::collide(step.obstacles, moving_.particles, step.h, x_before, moving_.state);
-    if (pass == 0) work.contacts += report.contacts;
-    if (!method_.mend || report.deepest <= kDeepEnough || pass == kMostMends) break;
+    const CollisionReport report =
+        hair::collide(step.obstacles, moving_.particles, step.h, x_before, moving_.state);
+    if (pass == 0) all.contacts = report.contacts;
+    all.work.work += report.work;
+    all.work.impulse += report.impulse;
+    all.penetration = report.penetration;
+    if (!method_.mend || report.deepest <= kDeepEnough) return all;
+    if (pass == kMostMends) {
+      all.mended = false;
+      return all;
+    }
     method_.mend(moving_, scratch);
   }
-  work.penetration = std::max(work.penetration, report.penetration);
+}
+
+void MassSpringBody::watch(double h, particles::Input v_before, const StepOutcome& outcome,
+                           const Collisions& collisions) {
+  ++steps_;
+  unmended_steps_ += !collisions.mended;
+  if (energy_) {
+    energy_->after_step(h, v_before, collisions.contacts > 0 ? &collisions.work : nullptr);
+    sizes_[Concern::energy] = energy_->gain();
+    sizes_[Concern::contact_energy] = energy_->contact_gain();
+    if (method_.keeps == KeptEnergy::without_stretching) sizes_[Concern::stretching] = energy_->stretching();
+  }
+  if (method_.keeps == KeptEnergy::all) {
+    const auto& [x, v] = moving_.state;
+    sizes_[Concern::stretch] = largest_stretch(moving_.strand, x);
+    sizes_[Concern::stretch_rate] = h * largest_stretch_rate(moving_.strand, x, v);
+  }
+  sizes_[Concern::penetration] = collisions.penetration;
+  sizes_[Concern::mends] =
+      static_cast<double>(unmended_steps_) / static_cast<double>(std::max(steps_, kFewSteps));
+  sizes_[Concern::unconverged] = outcome.residual;
 }
 
 void MassSpringBody::centre_line(particles::Input q, particles::Input rate, particles::Output x,

@@ -2,6 +2,7 @@
 // centre line.
 #pragma once
 
+#include "hair/mass_spring/energy_watch.h"
 #include "hair/mass_spring/force_parts.h"
 #include "hair/mass_spring/moving_strand.h"
 #include "hair/mass_spring/step_methods.h"
@@ -13,10 +14,11 @@ namespace hair {
 
 class MassSpringBody final : public Body {
  public:
-  // `start` has passed check_start. With `collides`, steps keep a copy of their start positions. Throws
-  // std::invalid_argument for parts that need an exercise that the course leaves out.
+  // `start` has passed check_start. With `collides`, steps keep a copy of their start positions; with `watched`,
+  // sizes() tells what a step did. Throws std::invalid_argument for parts that need an exercise that the course
+  // leaves out.
   MassSpringBody(const StrandStart& start, const StepMethod& method, const ForceOptions& options,
-                 bool collides);
+                 bool collides, bool watched);
 
   const MovingStrand& moving() const { return moving_; }
 
@@ -30,7 +32,7 @@ class MassSpringBody final : public Body {
   int points() const override { return moving_.strand.count(); }
   Eigen::VectorXd arc_lengths() const override { return hair::arc_lengths(moving_.strand); }
   int scratch_rows() const override { return size(); }
-  int scratch_columns() const override { return method_.scratch + (collides_ ? 1 : 0); }
+  int scratch_columns() const override { return method_.scratch + 2; }
   void read(particles::Output q, particles::Output rate) const override;
   void write(particles::Input q, particles::Input rate) override;
   void set_root(const Root& root) override;
@@ -39,14 +41,25 @@ class MassSpringBody final : public Body {
   void centre_line(particles::Input q, particles::Input rate, particles::Output x,
                    particles::Output v) const override;
   BodyMeasures measure(particles::Input q, particles::Input rate) const override;
+  Sizes sizes() const override { return sizes_; }
 
  private:
-  void collide(const BodyStep& step, particles::Input x_before, const particles::Scratch& scratch,
-               Work& work);
+  // What a step's collisions did.
+  struct Collisions {
+    ContactWork work;
+    int contacts = 0;
+    bool mended = true;
+    double penetration = 0;  // m
+  };
+  Collisions collide(const BodyStep& step, particles::Input x_before, const particles::Scratch& scratch);
+  void watch(double h, particles::Input v_before, const StepOutcome& outcome, const Collisions& collisions);
 
   MovingStrand moving_;
   const StepMethod& method_;
-  bool collides_;
+  bool collides_, watched_;
+  std::optional<EnergyWatch> energy_;  // of methods that keep some
+  Sizes sizes_;
+  long steps_ = 0, unmended_steps_ = 0;
 };
 
 }  // namespace hair

@@ -7,6 +7,7 @@
 #include "hair/mass_spring/point_forces.h"
 #include "hair/mass_spring/rest_curvature.h"
 #include "hair/strand.h"
+#include "particles/drag.h"
 #include "particles/force_sum.h"
 #include "particles/state.h"
 #include "particles/system.h"
@@ -33,7 +34,10 @@ struct MovingStrand {
   particles::ForceSum definite_force;
   std::vector<RestCurvature*> rest_curvatures;  // parts of these sums, if the strand is curved at rest
   std::vector<PointForces*> point_forces;       // parts of these sums, if external forces act on the strand
-  particles::ParticleSystem system;             // for the explicit methods
+  // Parts of `force`: those whose energy is that of lengths, those of bends, and the air's drag, if there is one.
+  std::vector<const particles::Force*> stretching, bending;
+  const particles::Drag* drag = nullptr;
+  particles::ParticleSystem system;  // for the explicit methods
 };
 
 }  // namespace hair

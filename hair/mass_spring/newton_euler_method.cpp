@@ -19,6 +19,6 @@ StepOutcome take_newton_step(MovingStrand& moving, const StepOptions& options,
 
 }  // namespace
 
-const StepMethod kNewtonEuler{take_newton_step, kNewtonScratch, nullptr, true};
+const StepMethod kNewtonEuler{take_newton_step, kNewtonScratch, nullptr, KeptEnergy::nothing, true};
 
 }  // namespace hair

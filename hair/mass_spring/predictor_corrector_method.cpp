@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "hair/mass_spring/step_methods.h"
@@ -20,6 +21,7 @@ StepOutcome predict_and_correct(MovingStrand& moving, const StepOptions& options
   outcome.plain_solves = !report.filter.preconditioned + !report.second_filter.preconditioned;
   outcome.unconverged =
       !report.filter.converged + !report.correction.converged + !report.second_filter.converged;
+  outcome.residual = std::max(left_by(report.filter), left_by(report.second_filter));
   outcome.correction_steps = report.correction.iterations;
   outcome.suspect = !is_finite(report.filter)                 ? Stage::filter
                     : !std::isfinite(report.correction.error) ? Stage::correction
@@ -38,6 +40,6 @@ void mend(MovingStrand& moving, const particles::Scratch& scratch) {
 
 }  // namespace
 
-const StepMethod kPredictorCorrector{predict_and_correct, kPredictorCorrectorScratch, mend};
+const StepMethod kPredictorCorrector{predict_and_correct, kPredictorCorrectorScratch, mend, KeptEnergy::all};
 
 }  // namespace hair

@@ -3,6 +3,7 @@
 
 #include "hair/mass_spring/moving_strand.h"
 #include "hair/strand/blow_up.h"
+#include "particles/implicit_euler.h"
 #include "particles/step_options.h"
 
 namespace hair {
@@ -14,10 +15,19 @@ struct StepOutcome {
   long solver_steps = 0;               // iterations of ConjGrad
   int plain_solves = 0;                // solves that had no preconditioner
   int unconverged = 0;                 // solves and corrections that ended above their tolerance
+  double residual = 0;                 // the largest of these solves, relative to its right-hand side
   long correction_steps = 0;           // Newton steps: of the length correction, or of newton_euler
   long halvings = 0;                   // of newton_euler's steps: each evaluates the forces once more
   Stage suspect = Stage::integration;  // where numbers stopped being finite; otherwise the last stage
 };
+
+// What a solve that ended above its tolerance left, relative to its right-hand side; 0 of one that did not.
+inline double left_by(const particles::SolveReport& report) {
+  return report.converged ? 0 : report.residual / report.rhs;
+}
+
+// H4 keeps the second one with the filtered geometric term only.
+enum class KeptEnergy { nothing, without_stretching, all };
 
 struct StepMethod {
   StepOutcome (*step)(MovingStrand&, const StepOptions&, const particles::Scratch&);
@@ -25,6 +35,9 @@ struct StepMethod {
 
   // Null, or restores the method's invariants after something else moved the strand: a collision.
   void (*mend)(MovingStrand&, const particles::Scratch&) = nullptr;
+
+  // What its steps may lose, but never gain.
+  KeptEnergy keeps = KeptEnergy::nothing;
 
   // The method uses exact products of the force, and also definite ones: MovingStrand::definite_force.
   bool needs_definite_force = false;

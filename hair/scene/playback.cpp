@@ -95,6 +95,8 @@ class Playback::Parts {
     return all;
   }
 
+  const Watch& watch() const { return simulation_ ? simulation_->watch() : nothing_; }
+
   Work work() const {
     Work work = simulation_ ? simulation_->work() : Work{};
     work.solver_steps += toys_work_.solver_steps;
@@ -164,6 +166,7 @@ class Playback::Parts {
   std::vector<Riding> riding_;
   std::vector<std::unique_ptr<ToyBody>> toys_;
   Work toys_work_;
+  Watch nothing_;                // toys are not watched
   Eigen::MatrixXd scratch_;      // shared by the toys, which take turns
   std::vector<Obstacle> still_;  // without strands nothing moves them
   std::vector<int> strands_;     // the points of each
@@ -202,6 +205,9 @@ const std::vector<int>& Playback::strands() const {
 }
 const std::vector<Obstacle>& Playback::obstacles() const {
   return parts_->obstacles();
+}
+const Watch& Playback::watch() const {
+  return parts_->watch();
 }
 Work Playback::work() const {
   return parts_->work();

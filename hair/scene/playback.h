@@ -49,6 +49,7 @@ class Playback {
   std::vector<Coordinates> coordinates() const;    // what each body's numbers are
   const std::vector<int>& strands() const;         // the number of points of each strand
   const std::vector<Obstacle>& obstacles() const;  // where they are now
+  const Watch& watch() const;                      // of the hair
   Work work() const;                               // of the hair; for toys the solver's steps
 
   // Measures any state of the scene's particles at the present frame. A state from elsewhere is measured with

@@ -31,6 +31,9 @@ struct Description {
   Vector3d wind = Vector3d::Zero();          // m/s, of the air
   std::vector<Obstacle> obstacles;
   bool point_forces = false;  // steps also apply forces at points of strands
+  // Watches for numbers that are finite and wrong (hair/strand/watch.h). False where energies may not be written
+  // yet: then nobody asks for them.
+  bool watched = true;
 
   // Only for implicit methods. newton_euler ignores the two kinds of products, because its result does not
   // depend on them.

@@ -13,7 +13,7 @@ std::unique_ptr<MassSpringBody> mass_spring_strand(const std::string& name, cons
                              description.point_forces,
                              description.preconditioner};
   return std::make_unique<MassSpringBody>(start, mass_spring_step(description.method), options,
-                                          !description.obstacles.empty());
+                                          !description.obstacles.empty(), description.watched);
 }
 
 }  // namespace hair

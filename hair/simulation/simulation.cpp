@@ -34,7 +34,8 @@ void check_frame(const Vector3d& tangent, const Vector3d& normal) {
 
 }  // namespace
 
-Simulation::Simulation(Description description) : step_{description.step, description.tolerance} {
+Simulation::Simulation(Description description)
+    : step_{description.step, description.tolerance}, watched_(description.watched) {
   check(description);
   for (const StrandStart& start : description.strands) {
     auto body = mass_spring_strand("strand " + std::to_string(bodies_.size()), start, description);
@@ -48,6 +49,7 @@ Simulation::Simulation(Description description) : step_{description.step, descri
     rows = std::max(rows, body->scratch_rows());
     columns = std::max(columns, body->scratch_columns());
   }
+  watch_ = Watch(strands());
   // An exercise that reads what it should not moves hair the same way each time all the same.
   scratch_.setZero(rows, columns);
   obstacles_ = std::move(description.obstacles);
@@ -62,6 +64,7 @@ std::optional<BlowUp> Simulation::step() {
     Body& body = *bodies_[i];
     const auto stage = body.step(step, scratch_.topRows(body.scratch_rows()), work_);
     if (stage && !blow_up_) blow_up_ = {i, steps_, *stage};
+    if (!stage && watched_) watch_.see(i, steps_, body.sizes());
   }
   return blow_up_;
 }
@@ -95,6 +98,7 @@ void Simulation::restart(const Description& description) {
   scratch_.setZero();
   steps_ = 0;
   work_ = {};
+  watch_ = Watch(strands());
   blow_up_.reset();
 }
 

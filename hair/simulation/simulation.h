@@ -42,6 +42,7 @@ class Simulation {
   double time() const { return static_cast<double>(steps_) * step_.h; }  // s
   long steps() const { return steps_; }
   const Work& work() const { return work_; }
+  const Watch& watch() const { return watch_; }
 
   int strands() const { return static_cast<int>(bodies_.size()); }
   Body& body(int i) { return *bodies_.at(i); }
@@ -72,9 +73,11 @@ class Simulation {
   struct {
     double h, tolerance;
   } step_;
+  bool watched_;
   Eigen::MatrixXd scratch_;  // shared by the strands, which are stepped one after the other
   long steps_ = 0;
   Work work_;
+  Watch watch_;
   std::optional<BlowUp> blow_up_;
 };
 

@@ -14,6 +14,7 @@
 
 #include "hair/strand/blow_up.h"
 #include "hair/strand/obstacles.h"
+#include "hair/strand/watch.h"
 #include "hair/strand/work.h"
 #include "particles/vectors.h"
 
@@ -87,6 +88,9 @@ class Body {
   // One step, including collisions. Adds to `work`; allocates nothing, apart from ConjGrad's own memory. If
   // the body breaks, returns the stage, and leaves numbers that may be infinite or NaN.
   virtual std::optional<Stage> step(const BodyStep& step, const particles::Scratch& scratch, Work& work) = 0;
+
+  // Of the step before, for the simulation's watch.
+  virtual Sizes sizes() const { return {}; }
 
   // For any coordinates of this body, also those of a state from elsewhere. x, v: 3 points() numbers each.
   virtual void centre_line(particles::Input q, particles::Input rate, particles::Output x,

@@ -18,6 +18,19 @@ double largest_stretch(const Strand& strand, particles::Input x) {
   return worst;
 }
 
+double largest_stretch_rate(const Strand& strand, particles::Input x, particles::Input v) {
+  double largest = 0;
+  for (int i = 0; i < strand.segments(); ++i) {
+    const Eigen::Vector3d e = x.segment<3>(3 * i + 3) - x.segment<3>(3 * i);
+    const double length = e.norm();
+    if (length == 0) continue;
+    const double along = e.dot(v.segment<3>(3 * i + 3) - v.segment<3>(3 * i)) / length;
+    const double rate = std::abs(along) / strand.rest_length[i];
+    if (!(rate <= largest)) largest = rate;
+  }
+  return largest;
+}
+
 Measures measure(const Strand& strand, const particles::Particles& particles, const particles::Force& force,
                  const particles::State& state) {
   Measures measures;

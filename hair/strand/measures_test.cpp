@@ -43,5 +43,21 @@ TEST(Measures, EnergyAndMomentaAreSumsOverTheParticles) {
   EXPECT_DOUBLE_EQ(measures.angular_momentum[1], -9 * tip);  // (0, 0, -3) x (3, 0, 0)
 }
 
+// A turn about the root stretches nothing; a growth by 3 / s stretches all segments by that, whatever their lengths.
+TEST(Measures, TheStretchRateIsThatOfTheLargestGrowth) {
+  Strand strand;
+  strand.mass = Eigen::VectorXd::Ones(3);
+  strand.rest_length = Eigen::Vector2d(1, 2);
+  Eigen::VectorXd x(9), turn(9);
+  x << 0, 0, 0, 0, 1, 0, 2, 1, 0;
+  turn << 0, 0, 0, -5, 0, 0, -5, 10, 0;
+  EXPECT_EQ(largest_stretch_rate(strand, x, turn), 0);
+  EXPECT_EQ(largest_stretch_rate(strand, x, turn + 3 * x), 3);
+  x.segment<3>(3).setZero();  // without a direction
+  EXPECT_EQ(largest_stretch_rate(strand, x, Eigen::VectorXd::Zero(9)), 0);
+  turn[8] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(std::isnan(largest_stretch_rate(strand, x, turn)));
+}
+
 }  // namespace
 }  // namespace hair

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hair/strand/meeting.h"
 #include "particles/require.h"
 
 namespace hair {
@@ -80,6 +81,31 @@ double rounding(const Vector3d& point) {
   return 1e-14 * (1 + point.cwiseAbs().maxCoeff());
 }
 
+// A particle that is as near to a surface at a step's beginning slides on it; it may cut off a part of what is round.
+constexpr double kTouching = 1e-6;  // m
+constexpr double kCutOff = 0.5;     // up to 60 degrees of it
+
+bool is_inside(const Obstacle& obstacle, const Vector3d& point) {
+  return surface_at(obstacle, point).distance < -rounding(point);
+}
+
+// Where a particle goes through an obstacle in a step, instead of into it: it ends where the nearest surface is
+// not the one that it met. `way`: of the particle to x, in the obstacle's frame; `end`: the surface at x. Nothing if it
+// was inside an obstacle, or another one is in the way.
+std::optional<Meeting> passes(const std::vector<Obstacle>& obstacles, const Obstacle& obstacle, double h,
+                              const Vector3d& x, const Vector3d& way, const Surface& end) {
+  if (!(end.normal.dot(way) > 0) || end.distance > way.norm()) return {};
+  const Vector3d from = x - way, at_rest = from - h * obstacle.velocity;
+  const auto meeting = first_meeting(obstacle, from, x);
+  if (!meeting) return {};
+  if (surface_at(obstacle, from).distance <= kTouching && meeting->normal.dot(end.normal) >= kCutOff)
+    return {};
+  for (const Obstacle& any : obstacles)
+    if (is_inside(any, at_rest + h * any.velocity) || (&any != &obstacle && is_inside(any, meeting->point)))
+      return {};
+  return meeting;
+}
+
 }  // namespace
 
 Surface surface_at(const Obstacle& obstacle, const Vector3d& point) {
@@ -107,17 +133,27 @@ CollisionReport collide(const std::vector<Obstacle>& obstacles, const particles:
       deepest = 0;
       for (const Obstacle& obstacle : obstacles) {
         const Surface surface = surface_at(obstacle, x);
-        const double depth = -surface.distance;
+        double depth = -surface.distance;
+        Vector3d n = surface.normal;
+        const Vector3d way = x - x_before.segment<3>(3 * i) - h * obstacle.velocity;
+        if (pass == 0)
+          if (const auto meeting = passes(obstacles, obstacle, h, x, way, surface)) {
+            n = meeting->normal;
+            depth = n.dot(meeting->point - x);
+          }
         if (!(depth > 0)) continue;
         deepest = std::max(deepest, depth);
-        const Vector3d& n = surface.normal;
 
-        const Vector3d way = x - x_before.segment<3>(3 * i) - h * obstacle.velocity;
         x += depth * n - friction(way, n, obstacle.friction * depth);
 
         const Vector3d u = v - obstacle.velocity;
         const double speed = -n.dot(u);
-        if (speed > 0) v += speed * n - friction(u, n, obstacle.friction * speed);
+        if (!(speed > 0)) continue;
+        const Vector3d change = speed * n - friction(u, n, obstacle.friction * speed);
+        v += change;
+        const Vector3d impulse = particles.mass[i] * change;
+        report.impulse += impulse;
+        report.work += impulse.dot(obstacle.velocity);
       }
       if (pass == 0 && deepest > 0) {
         ++report.contacts;

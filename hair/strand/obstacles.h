@@ -6,6 +6,8 @@
 //
 // Only particles collide, not the segments between them: with segments of length l a sphere of radius r
 // sticks out of the hair by l^2 / 8r, and an obstacle smaller than a segment may slip between two particles.
+// A particle collides along its way, which is straight during a step, in the frame of the moving obstacle: none is so
+// fast that it passes through.
 #pragma once
 
 #include <variant>
@@ -58,6 +60,8 @@ struct CollisionReport {
   int contacts = 0;        // particles that were inside an obstacle
   double deepest = 0;      // m, the depth of the deepest one
   double penetration = 0;  // m, the largest remaining depth: > 0 only if obstacles leave no room between them
+  double work = 0;         // J: impulses times the velocities of the obstacles that gave them
+  Vector3d impulse = Vector3d::Zero();  // N s, their sum
 };
 
 // For each particle that is not pinned and is inside an obstacle, with n the normal there and u its velocity
@@ -66,6 +70,10 @@ struct CollisionReport {
 //   x += depth n, and its displacement along the surface since x_before (relative to the obstacle, during h
 //        seconds) gets shorter by at most mu depth;
 //   u -= (u . n) n if u . n < 0, and its component along the surface gets shorter by at most mu |u . n|.
+//
+// A particle that goes through an obstacle, and ends outside or nearer to another side, meets the plane that touches the
+// obstacle where it enters: depth and n are that plane's. Sliding on a surface, it may cut off up to 60 degrees of it.
+// What is inside at the start is pushed out to the nearest side.
 //
 // So a particle rests on a slope whose tangent is at most mu, without creeping, and slides down a steeper one
 // with the acceleration g (sin - mu cos). Obstacles are handled one after the other, repeatedly, until no

@@ -101,6 +101,67 @@ TEST(Obstacles, FrictionIsMuTimesTheBlowAlongTheSurface) {
   EXPECT_LE((state.v - Vector3d(1.5, 2, 0)).norm(), 1e-15);  // 5 m/s less 0.5 * 5 m/s
 }
 
+// --- Along the way ---
+
+// The particle goes from `from` to `to` in a step, and ends where the plane that touches the obstacle at `meets` lets it.
+void expect_stopped(const Obstacle& obstacle, const Vector3d& from, const Vector3d& to,
+                    const Vector3d& meets) {
+  constexpr double h = 0.01;
+  State state = state_of(to, (to - from) / h);
+  const CollisionReport report = collide({obstacle}, one_particle(), h, from, state);
+  const Vector3d n = surface_at(obstacle, meets).normal;
+  const double depth = n.dot(meets - to);
+  EXPECT_GT(depth, 0);
+  EXPECT_EQ(report.contacts, 1);
+  EXPECT_LE((state.x - (to + depth * n)).norm(), 1e-12);
+  const Vector3d u = (to - from) / h - obstacle.velocity;
+  EXPECT_LE((state.v - obstacle.velocity - (u - n.dot(u) * n)).norm(), 1e-10);
+  EXPECT_GE(surface_at(obstacle, state.x).distance, -1e-12);
+}
+
+TEST(Obstacles, NobodyGoesThroughOneInAStep) {
+  const Obstacle ball{Sphere{Vector3d(1, 2, 3), 0.5}};
+  expect_stopped(ball, {1, 2, 5}, {1, 2, 0}, {1, 2, 3.5});
+  expect_stopped(ball, {0.7, 2, 5}, {0.7, 2, 0}, {0.7, 2, 3.4});
+  expect_stopped(ball, {0.7, 2, 5}, {0.7, 2, 2.7}, {0.7, 2, 3.4});  // inside, nearer to the other side
+  const Obstacle limb{Capsule{Vector3d(-1, 0, 0), Vector3d(1, 0, 0), 0.2}};
+  expect_stopped(limb, {0.5, 0, 2}, {0.3, 0, -2}, {0.41, 0, 0.2});
+  expect_stopped(limb, {2, 0, 0.1}, {-2, 0, 0.1}, {1 + std::sqrt(0.03), 0, 0.1});
+  expect_stopped(limb, {1.1, 0, 1}, {1.1, 0, -1}, {1.1, 0, std::sqrt(0.03)});
+  expect_stopped({Capsule{Vector3d::Zero(), Vector3d::Zero(), 0.2}}, {0, 0, 1}, {0, 0, -1}, {0, 0, 0.2});
+}
+
+// What counts is the way relative to the obstacle, which is at its place at the step's end.
+TEST(Obstacles, NobodyIsOvertakenByOne) {
+  const Obstacle ball{Sphere{Vector3d(0, 0, 3), 0.5}, 0, Vector3d(0, 0, 600)};  // 6 m in the step
+  State state = state_of({0, 0, 0}, Vector3d::Zero());
+  const CollisionReport report = collide({ball}, one_particle(), 0.01, Vector3d::Zero(), state);
+  EXPECT_EQ(report.contacts, 1);
+  EXPECT_LE((state.x - Vector3d(0, 0, 3.5)).norm(), 1e-12);
+  EXPECT_LE((state.v - ball.velocity).norm(), 1e-10);
+  // Its work is the impulse, m v, times the velocity v that it has.
+  const double m = one_particle().mass[0];
+  EXPECT_NEAR(report.work, m * 600 * 600, 1e-9 * m * 600 * 600);
+  EXPECT_LE((report.impulse - m * ball.velocity).norm(), 1e-10);
+}
+
+TEST(Obstacles, WhoPassesBesideOneOrBeginsInsideIsAsBefore) {
+  const Obstacle ball{Sphere{Vector3d::Zero(), 0.5}};
+  const auto after = [&](const Vector3d& from, const Vector3d& to) {
+    State state = state_of(to, Vector3d::Zero());
+    collide({ball}, one_particle(), 0.01, from, state);
+    return Vector3d(state.x);
+  };
+  EXPECT_EQ(after({0.501, 0, 2}, {0.501, 0, -2}), Vector3d(0.501, 0, -2));  // beside it
+  EXPECT_EQ(after({0, 0, 2}, {0, 0, 0.6}), Vector3d(0, 0, 0.6));            // before it
+  EXPECT_EQ(after({0, 0, 0.6}, {0, 0, 2}), Vector3d(0, 0, 2));              // away from it
+  EXPECT_EQ(after({0, 0, 0.1}, {0, 0, -2}), Vector3d(0, 0, -2));            // from inside
+  EXPECT_LE((after({0, 0, 0.1}, {0, 0, -0.1}) - Vector3d(0, 0, -0.5)).norm(), 1e-15);
+  // Sliding, from the surface to the surface, 30 degrees on.
+  const Vector3d slid(0.25 + 1e-9, 0, std::sqrt(0.1875));
+  EXPECT_EQ(after({0, 0, 0.5}, slid), slid);
+}
+
 // On a slope of angle a a particle rests if and only if tan(a) <= mu, the edge of the friction cone.
 TEST(Obstacles, AParticleRestsInsideTheFrictionConeAndSlidesOutside) {
   for (const double degrees : {5.0, 20.0, 45.0, 70.0}) {

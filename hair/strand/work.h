@@ -10,6 +10,7 @@ struct Work {
   long correction_steps = 0;  // Newton steps: of the length correction, or of newton_euler
   long halvings = 0;          // of newton_euler's steps: each evaluates the forces once more
   long unconverged = 0;       // solves and corrections that ended above their tolerance
+  long unmended = 0;          // collisions after which obstacles and lengths did not agree (H6)
   long contacts = 0;          // particles that were pushed out of an obstacle
   double penetration = 0;     // m, the largest depth of a particle that remained in an obstacle
 };

@@ -42,6 +42,8 @@ int play_scene(const PlayOptions& options) {
                 : record.no_film   ? ""
                                    : ", film.mp4")
             << "\n";
+  if (!record.warnings.empty())
+    std::cerr << "hairlab: " << scene.name << ": warning: " << warning_text(record.warnings) << "\n";
   if (record.ending == Ending::blow_up) {
     std::cerr << "hairlab: " << scene.name << " broke: " << record.blow_up << "; what came before is kept\n";
     return kBroke;
@@ -51,7 +53,7 @@ int play_scene(const PlayOptions& options) {
               << " frames, which are kept\n";
     return kInterrupted;
   }
-  return 0;
+  return options.strict && !record.warnings.empty() ? kBroke : 0;
 }
 
 int list_scenes() {

@@ -13,6 +13,7 @@ struct PlayOptions {
   std::filesystem::path out;  // a folder; empty: only explain
   std::optional<int> frames;  // after the first one; overrides the scene's number
   bool explain = false, no_render = false;
+  bool strict = false;  // warnings make the exit code kBroke
 };
 
 // Both return the program's exit code.

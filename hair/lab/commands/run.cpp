@@ -15,6 +15,7 @@ Command add_run_command(CLI::App& program) {
   app->add_flag("--explain", options->explain,
                 "Say which parts the scene needs, and which not; without --out that is all");
   app->add_flag("--no-render", options->no_render, "No pictures: OpenGL is not loaded");
+  app->add_flag("--strict", options->strict, "With warnings the exit code is 1");
   app->final_callback([options, out] {
     if (out->count() == 0 && !options->explain)
       throw CLI::RequiredError("--out, a folder for what the run writes,");

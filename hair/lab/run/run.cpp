@@ -131,6 +131,7 @@ RunResult run_scene(const Scene& scene, const RunSettings& settings, const std::
   FrameWriter frames(folder, *playback, pictures.get(), record);
   play(*playback, frames, record, interrupted, progress);
   frames.close();
+  record.warnings = playback->watch().warnings();
   if (pictures) {
     const RenderTimes& times = pictures->times();
     record.seconds.upload = times.upload;

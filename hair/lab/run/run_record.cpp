@@ -1,6 +1,7 @@
 #include "hair/lab/run/run_record.h"
 
 #include <iterator>
+#include <sstream>
 
 #include "hair/io/files/json_text.h"
 
@@ -31,6 +32,7 @@ std::string text_of(const Work& work) {
                       {"correction_steps", json_text(work.correction_steps)},
                       {"unconverged", json_text(work.unconverged)},
                       {"contacts", json_text(work.contacts)},
+                      {"unmended", json_text(work.unmended)},
                       {"penetration", json_text(work.penetration)}});
 }
 
@@ -50,6 +52,20 @@ std::string text_of(long k, const FrameRecord& frame, const Work& before) {
                       {"contacts", json_text(frame.work.contacts - before.contacts)}});
 }
 
+std::string text_of(const std::vector<Warning>& warnings) {
+  std::string text;
+  for (const Warning& one : warnings)
+    text +=
+        (text.empty() ? "\n    " : ",\n    ") + json_object({{"concern", json_text(one.concern->id)},
+                                                             {"strand", json_text(one.strand)},
+                                                             {"step", json_text(one.step)},
+                                                             {"strands", json_text(one.strands)},
+                                                             {"size", json_text(one.size)},
+                                                             {"bound", json_text(one.concern->bound)},
+                                                             {"measure", json_text(one.concern->measure)}});
+  return text.empty() ? "[]" : "[" + text + "\n  ]";
+}
+
 std::string text_of(const Seconds& seconds) {
   return json_object({{"simulate", json_text(seconds.simulate)},
                       {"measure", json_text(seconds.measure)},
@@ -67,6 +83,20 @@ std::string text_or_null(const std::string& text) {
 }
 
 }  // namespace
+
+std::string warning_text(const std::vector<Warning>& warnings) {
+  std::ostringstream text;
+  text.precision(3);
+  const char* between = "";
+  for (const Warning& one : warnings) {
+    text << between << "strand " << one.strand;
+    if (one.strands > 1) text << " (the first of " << one.strands << ")";
+    text << " " << one.concern->says << ", from step " << one.step << " on: " << one.size << " "
+         << one.concern->measure;
+    between = "; ";
+  }
+  return text.str();
+}
 
 std::string run_json(const Scene& scene, const RunRecord& record) {
   const bool hair = has_strands(scene);
@@ -90,6 +120,7 @@ std::string run_json(const Scene& scene, const RunRecord& record) {
       {"no_film", json_text(record.no_film)},
       {"opengl", text_or_null(record.opengl)},
       {"work", text_of(record.frames.empty() ? Work{} : record.frames.back().work)},
+      {"warnings", text_of(record.warnings)},
   };
   std::string text = "{\n";
   for (const JsonMember& one : head) text += "  " + json_text(one.key) + ": " + one.value + ",\n";

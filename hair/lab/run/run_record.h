@@ -33,6 +33,7 @@ struct RunRecord {
   std::vector<int> strands;
   int particles = 0;
   std::vector<FrameRecord> frames;
+  std::vector<Warning> warnings;
 
   // The reason why there are none, or nothing.
   std::optional<std::string> no_pictures, no_film;
@@ -43,6 +44,9 @@ struct RunRecord {
 
 // The beginning of every run.json: it identifies the folder of a run.
 inline constexpr std::string_view kRunRecordBegin = "{\n  \"program\": \"hairlab\"";
+
+// One line: "strand 3 gains energy ..., from step 17 on; ...". Empty without warnings.
+std::string warning_text(const std::vector<Warning>& warnings);
 
 // One line for each frame. Equal runs give equal text, except for "seconds".
 std::string run_json(const Scene& scene, const RunRecord& record);

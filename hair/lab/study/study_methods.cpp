@@ -58,6 +58,7 @@ Scene with_method(const Problem& problem, const StudyMethod& method, int steps_p
   scene.steps_per_frame = steps_per_frame;
   scene.hair.step = problem.duration / scene.frames / steps_per_frame;
   scene.hair.method = method.method;
+  scene.hair.watched = false;  // times are the methods' own
   scene.hair.geometric_term = method.geometric_term;
   scene.hair.bend_product = method.bend_product;
   scene.hair.preconditioner = method.preconditioner;

@@ -36,6 +36,12 @@ const char* const kBlowUp = R"({"shows": "breaks", "frames": 400, "frames_per_se
  "steps_per_frame": 1, "method": "forward_euler", "hair": [{"segments": 4, "length": 0.04, "clamped": false,
  "roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}]})";
 
+// Too stiff for its steps: it stays level.
+const char* const kWarns =
+    R"({"shows": "warns", "frames": 10, "steps_per_frame": 1, "method": "implicit_euler",
+ "hair": [{"segments": 30, "length": 0.3, "clamped": false, "material": {"stretch_factor": 1e6},
+ "roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}]})";
+
 Json read_run(const fs::path& folder) {
   return Json::parse(read_bytes(folder / "run.json"));
 }
@@ -209,6 +215,34 @@ TEST_F(Hairlab, KeepsWhatCameBeforeABlowUp) {
   EXPECT_LT(states.frames.size(), 401u);
   EXPECT_EQ(record["frames"].size(), states.frames.size());
   for (const StateFrame& frame : states.frames) EXPECT_TRUE(frame.state.x.allFinite());
+}
+
+// Its numbers are finite and wrong: it says so at the end, where programs and people see it.
+TEST_F(Hairlab, WarnsInItsLastLineAndInTheRecord) {
+  const ProgramRun run = play(kWarns);
+  EXPECT_EQ(run.code, 0);
+  const Json warnings = read_run(out_)["warnings"];
+  ASSERT_EQ(warnings.size(), 1U) << warnings;
+  const Json& one = warnings[0];
+  EXPECT_EQ(one["concern"], "stretching");
+  EXPECT_EQ(one["strand"], 0);
+  EXPECT_EQ(one["strands"], 1);
+  EXPECT_GE(one["step"], 1);
+  EXPECT_LE(one["step"], 10);
+  EXPECT_GT(one["size"], one["bound"]);
+  EXPECT_EQ(lines_of(run.errors), 1) << run.errors;
+  EXPECT_TRUE(run.errors.starts_with("hairlab: scene: warning: strand 0 is held by stretched springs"))
+      << run.errors;
+  EXPECT_TRUE(has(run.errors, "from step " + one["step"].dump() + " on")) << run.errors;
+}
+
+TEST_F(Hairlab, WarningsFailAStrictRun) {
+  EXPECT_EQ(play(kWarns, {"--strict"}).code, 1);
+  EXPECT_EQ(read_run(out_)["ended"], "finished");
+  const ProgramRun well = play(kSwing, {"--strict", "--no-render"});
+  EXPECT_EQ(well.code, 0) << well.errors;
+  EXPECT_EQ(well.errors, "");
+  EXPECT_TRUE(read_run(out_)["warnings"].empty());
 }
 
 TEST_F(Hairlab, KeepsWhatIsFinishedWhenItIsInterrupted) {

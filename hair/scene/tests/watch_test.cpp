@@ -1,0 +1,161 @@
+// STAFF ONLY. What a scene's run warns of, with the reference: scenes whose numbers are finite and wrong, and none of
+// those that ship.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "hair/scene/playback.h"
+
+namespace reference_tests {
+namespace {
+
+using hair::Concern;
+using hair::Scene;
+using hair::Watch;
+
+constexpr int kMostStrands = 6;
+
+// Strands of a scene, evenly taken from all.
+void thin_out(Scene& scene) {
+  std::vector<hair::StrandStart>& all = scene.hair.strands;
+  const std::size_t every = (all.size() + kMostStrands - 1) / kMostStrands;
+  if (every < 2) return;
+  std::vector<hair::StrandStart> some;
+  for (std::size_t i = 0; i < all.size(); i += every) some.push_back(all[i]);
+  for (hair::Rider& rider : scene.riders) {
+    std::vector<int> strands;
+    for (int strand : rider.strands)
+      if (strand % static_cast<int>(every) == 0) strands.push_back(strand / static_cast<int>(every));
+    rider.strands = strands;
+  }
+  all = some;
+}
+
+Watch play(const Scene& scene) {
+  hair::Playback playback(scene);
+  for (int k = 0; k < scene.frames; ++k)
+    if (const auto trouble = playback.advance()) {
+      ADD_FAILURE() << scene.name << ": " << *trouble;
+      break;
+    }
+  return playback.watch();
+}
+
+TEST(Watch, NoShippedSceneComesWithinAThirdOfAWarning) {
+  int watched = 0;
+  for (const auto& file : std::filesystem::directory_iterator(HAIR_SCENES)) {
+    if (file.path().extension() != ".json") continue;
+    Scene scene = hair::read_scene(file.path());
+    if (!has_strands(scene)) continue;
+    ++watched;
+    thin_out(scene);
+    const Watch watch = play(scene);
+    for (const hair::ConcernRow& row : hair::concerns())
+      EXPECT_LE(watch.worst(row.concern), row.bound / 3) << scene.name << ": " << row.id;
+  }
+  EXPECT_GE(watched, 10);
+}
+
+// A level hair of 30 cm in 30 segments, held by a hinge, with other keys of the scene and of the hair.
+Scene level_hair(const std::string& keys, const std::string& of_hair = "") {
+  return hair::parse_scene(
+      R"({"shows": "a level hair", "hair": [{"segments": 30, "length": 0.3, )" + of_hair +
+          R"("roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}], )" + keys + "}",
+      "scene");
+}
+
+constexpr const char* kHinge = R"("clamped": false, )";
+
+// Curls of 20 turns.
+Scene curls(const std::string& method) {
+  return hair::parse_scene(R"({"shows": "curls", "hair": [{"segments": 160, "length": 0.3,
+    "shape": {"curly": {"radius": 0.005, "pitch": 0.0125}},
+    "roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}],
+    "steps_per_frame": 1, "frames": 3, "method": ")" +
+                               method + R"("})",
+                           "scene");
+}
+
+void expect_warns(const Scene& scene, const std::set<Concern>& expected) {
+  const Watch watch = play(scene);
+  std::set<Concern> warned;
+  for (const hair::Warning& warning : watch.warnings()) {
+    warned.insert(warning.concern->concern);
+    EXPECT_EQ(warning.strand, 0);
+    EXPECT_GE(warning.step, 1);
+    EXPECT_LE(warning.step, static_cast<long>(scene.frames) * scene.steps_per_frame);
+    EXPECT_EQ(warning.strands, 1);
+    EXPECT_GT(warning.size, warning.concern->bound);
+    EXPECT_EQ(warning.size, watch.worst(warning.concern->concern));
+  }
+  for (Concern concern : expected)
+    EXPECT_TRUE(warned.count(concern))
+        << hair::concerns()[static_cast<std::size_t>(concern)].id << ": " << watch.worst(concern);
+}
+
+TEST(Watch, WarnsOfHairInsideAnObstacleAtTheStart) {
+  expect_warns(
+      level_hair(R"("frames": 10, "obstacles": [{"sphere": {"centre": [0.1, 0, 0], "radius": 0.05}}])",
+                 kHinge),
+      {Concern::contact_energy});
+}
+
+TEST(Watch, WarnsOfARootInsideAnObstacleAndOfMendsWithoutEnd) {
+  expect_warns(
+      level_hair(R"("frames": 10, "obstacles": [{"sphere": {"centre": [0, 0, -0.02], "radius": 0.05}}])",
+                 kHinge),
+      {Concern::contact_energy, Concern::stretch, Concern::mends});
+}
+
+TEST(Watch, WarnsOfFrictionThatHoldsHairInItsStretch) {
+  const Scene scene =
+      hair::parse_scene(R"({"shows": "falls on a sphere", "frames": 60, "method": "implicit_euler",
+    "hair": [{"segments": 24, "length": 0.3, "clamped": false,
+              "roots": {"list": [{"position": [-0.12, 0, 0.1], "direction": [1, 0, 0]}]}}],
+    "obstacles": [{"sphere": {"centre": [0, 0, 0], "radius": 0.09}, "friction": 1000}]})",
+                        "scene");
+  expect_warns(scene, {Concern::stretching});
+}
+
+TEST(Watch, WarnsOfCurlsInLargeSteps) {
+  expect_warns(curls("predictor_corrector"), {Concern::energy});
+  expect_warns(curls("implicit_euler"), {Concern::unconverged});
+}
+
+TEST(Watch, WarnsOfHairThatIsTooStiffToMove) {
+  expect_warns(level_hair(R"("frames": 30, "steps_per_frame": 1, "method": "implicit_euler")",
+                          R"("clamped": false, "material": {"stretch_factor": 1e6}, )"),
+               {Concern::stretching});
+}
+
+TEST(Watch, WarnsOfVelocitiesThatStretch) {
+  expect_warns(level_hair(R"("frames": 5, "drag": 1e6, "wind": [1e6, 0, 0])"), {Concern::stretch_rate});
+}
+
+TEST(Watch, WarnsOfEnergyFromNowhere) {
+  expect_warns(level_hair(R"("frames": 10, "gravity": [0, 0, -1e6])", kHinge), {Concern::energy});
+  expect_warns(level_hair(R"("frames": 10, "frames_per_second": 0.1, "steps_per_frame": 1)", kHinge),
+               {Concern::energy});
+}
+
+TEST(Watch, WarnsOfObstaclesThatLeaveNoRoom) {
+  const std::string obstacles = R"("obstacles": [{"sphere": {"centre": [0.2, 0, 0.07], "radius": 0.08}},
+                                                 {"sphere": {"centre": [0.2, 0, -0.07], "radius": 0.08}}])";
+  expect_warns(
+      level_hair(R"("frames": 1, "steps_per_frame": 1, "method": "implicit_euler", )" + obstacles, kHinge),
+      {Concern::penetration});
+}
+
+// A root that flies past a sphere pulls its hair into it, 40 cm in a step.
+TEST(Watch, FastHairMeetsASphereInItsWay) {
+  Scene scene = level_hair(R"("frames": 5, "method": "implicit_euler",
+    "obstacles": [{"sphere": {"centre": [0.06, 0.6, 0], "radius": 0.05}}])",
+                           R"("clamped": false, "root_velocity": [0, 100, 0], )");
+  hair::Playback playback(scene);
+  for (int k = 0; k < scene.frames; ++k) ASSERT_FALSE(playback.advance());
+  EXPECT_GT(playback.work().contacts, 0);
+}
+
+}  // namespace
+}  // namespace reference_tests

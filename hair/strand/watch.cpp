@@ -1,0 +1,53 @@
+#include "hair/strand/watch.h"
+
+#include <cstddef>
+
+namespace hair {
+
+namespace {
+
+constexpr ConcernRow kRows[] = {
+    {Concern::energy, "energy", "gains energy that nothing gives it",
+     "energy gained, of all that it had and got", 0.5},
+    {Concern::contact_energy, "contact energy", "gains energy in steps with contacts",
+     "energy gained, of all that it had and got", 0.5},
+    {Concern::stretching, "stretching", "is held by stretched springs, and does not move as hair does",
+     "mean energy of stretching, of all that it had and got", 200},
+    {Concern::stretch, "stretch", "does not keep its lengths", "|l - l0| / l0", 5e-3},
+    {Concern::stretch_rate, "stretch rate", "has velocities that do not keep its lengths",
+     "|l - l0| / l0 in a step", 0.5},
+    {Concern::penetration, "penetration", "remains inside an obstacle", "m", 1e-4},
+    {Concern::mends, "mends", "is pushed out of obstacles and corrected without end", "of all steps", 0.15},
+    {Concern::unconverged, "unconverged", "has solves that end far above their tolerance",
+     "residual, of the right-hand side", 0.1},
+};
+static_assert(std::size(kRows) == kConcerns);
+
+}  // namespace
+
+std::span<const ConcernRow> concerns() {
+  return kRows;
+}
+
+void Watch::see(int strand, long step, const Sizes& sizes) {
+  for (std::size_t i = 0; i < kConcerns; ++i) {
+    const double size = sizes.of[i];
+    Seen& seen = seen_[i];
+    if (size > seen.size) seen.size = size;
+    if (!(size > kRows[i].bound) || above_[strand][i]) continue;
+    above_[strand][i] = true;
+    if (seen.strands++ > 0) continue;
+    seen.strand = strand;
+    seen.step = step;
+  }
+}
+
+std::vector<Warning> Watch::warnings() const {
+  std::vector<Warning> all;
+  for (std::size_t i = 0; i < kConcerns; ++i)
+    if (const Seen& seen = seen_[i]; seen.strands > 0)
+      all.push_back({&kRows[i], seen.strand, seen.step, seen.strands, seen.size});
+  return all;
+}
+
+}  // namespace hair
