@@ -14,7 +14,7 @@ using hair::Concern;
 using hair::Scene;
 using hair::Watch;
 
-constexpr int kMostStrands = 6;
+constexpr int kMostStrands = 4;
 
 // Strands of a scene, evenly taken from all.
 void thin_out(Scene& scene) {
