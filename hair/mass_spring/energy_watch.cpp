@@ -6,6 +6,9 @@ namespace hair {
 
 namespace {
 
+// m/s. The energy of a strand that moves as slowly counts as had: rounding alone is far below it, and is no gain.
+constexpr double kUnseen = 1e-3;
+
 double energy(const std::vector<const particles::Force*>& parts, const Eigen::VectorXd& x) {
   double sum = 0;
   for (const particles::Force* part : parts) sum += part->energy(x);
@@ -45,7 +48,7 @@ void EnergyWatch::begin() {
   now_ = read();
   const Strand& strand = moving_.strand;
   scale_ = now_.kinetic + now_.bending + now_.stretching +
-           strand.mass.sum() * gravity_.norm() * strand.rest_length.sum();
+           strand.mass.sum() * (gravity_.norm() * strand.rest_length.sum() + kUnseen * kUnseen / 2);
   // What is stretched at the start may move the strand.
   free_ = with_stretching_ ? 0 : -now_.stretching;
   in_contact_ = gain_ = contact_gain_ = stretching_ = 0;

@@ -103,6 +103,22 @@ TEST(EnergyWatch, TheWorkOfAnObstacleIsNoGain) {
   }
 }
 
+// Where nothing happens, there are roundings alone.
+TEST(EnergyWatch, RoundingIsNoGain) {
+  for (Method method : {Method::implicit_euler, Method::predictor_corrector}) {
+    Description description = swing(method, 1.0 / 240);
+    description.gravity.setZero();
+    description.strands[0].strand.clamped = true;
+    description.strands[0].strand.root_tangent = Vector3d(0.6, 0.8, 0);
+    for (int i = 1; i <= 10; ++i)
+      description.strands[0].state.x.segment<3>(3 * i) = 0.01 * i * Vector3d(0.6, 0.8, 0);
+    Simulation simulation(std::move(description));
+    ASSERT_FALSE(simulation.advance(100));
+    EXPECT_TRUE(simulation.watch().warnings().empty());
+    EXPECT_LE(largest_of(simulation, Concern::energy), 1e-9) << name_of(method);
+  }
+}
+
 // Who is thrown by a hand between two steps starts anew; and who is not watched is not asked.
 TEST(EnergyWatch, BeginsAnewWithAnotherState) {
   Simulation simulation(swing(Method::predictor_corrector, 1e-3));
