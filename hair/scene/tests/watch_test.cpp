@@ -14,12 +14,12 @@ using hair::Concern;
 using hair::Scene;
 using hair::Watch;
 
-constexpr int kMostStrands = 4;
+constexpr int kFewStrands = 4;
 
 // Strands of a scene, evenly taken from all.
 void thin_out(Scene& scene) {
   std::vector<hair::StrandStart>& all = scene.hair.strands;
-  const std::size_t every = (all.size() + kMostStrands - 1) / kMostStrands;
+  const std::size_t every = (all.size() + kFewStrands - 1) / kFewStrands;
   if (every < 2) return;
   std::vector<hair::StrandStart> some;
   for (std::size_t i = 0; i < all.size(); i += every) some.push_back(all[i]);
