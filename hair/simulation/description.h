@@ -35,6 +35,8 @@ struct Description {
   // yet: then nobody asks for them.
   bool watched = true;
 
+  int jobs = 1;  // threads that step strands, >= 1; exercises' code then runs in all of them at a time
+
   // Only for implicit methods. newton_euler ignores the two kinds of products, because its result does not
   // depend on them.
   std::optional<GeometricTerm> geometric_term;  // of a segment's product; empty: row_of(method).usual_term()

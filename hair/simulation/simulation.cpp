@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -20,6 +21,7 @@ namespace {
 void check(const Description& description) {
   require_positive("the step", description.step);
   require_at_least("the tolerance", description.tolerance, 0);
+  require_at_least("the number of threads", description.jobs, 1);
   require_at_least("the drag", description.drag, 0);
   require_finite("gravity", description.gravity);
   require_finite("the wind", description.wind);
@@ -34,9 +36,12 @@ void check_frame(const Vector3d& tangent, const Vector3d& normal) {
 
 }  // namespace
 
-Simulation::Simulation(Description description)
-    : step_{description.step, description.tolerance}, watched_(description.watched) {
+Simulation::Simulation(Description description) : step_{description.step, description.tolerance} {
   check(description);
+  // Explicit methods promise nothing but what a blow-up shows.
+  watched_ =
+      description.watched && !(row_of(description.method).is_explicit && description.obstacles.empty());
+  description.watched = watched_;
   for (const StrandStart& start : description.strands) {
     auto body = mass_spring_strand("strand " + std::to_string(bodies_.size()), start, description);
     springs_.push_back(body.get());
@@ -51,7 +56,10 @@ Simulation::Simulation(Description description)
   }
   watch_ = Watch(strands());
   // An exercise that reads what it should not moves hair the same way each time all the same.
-  scratch_.setZero(rows, columns);
+  own_.resize(description.jobs);
+  for (Thread& own : own_) own.scratch.setZero(rows, columns);
+  broke_.resize(bodies_.size());
+  threads_ = std::make_unique<StrandThreads>(description.jobs);
   obstacles_ = std::move(description.obstacles);
 }
 
@@ -60,11 +68,17 @@ std::optional<BlowUp> Simulation::step() {
   ++steps_;
   for (Obstacle& obstacle : obstacles_) move_obstacle(obstacle, step_.h);
   const BodyStep step{step_.h, step_.tolerance, obstacles_};
-  for (int i = 0; i < strands(); ++i) {
+  const auto step_strand = [&](int thread, int i) {
     Body& body = *bodies_[i];
-    const auto stage = body.step(step, scratch_.topRows(body.scratch_rows()), work_);
-    if (stage && !blow_up_) blow_up_ = {i, steps_, *stage};
-    if (!stage && watched_) watch_.see(i, steps_, body.sizes());
+    Thread& own = own_[thread];
+    broke_[i] = body.step(step, own.scratch.topRows(body.scratch_rows()), own.work);
+  };
+  threads_->run(strands(), std::ref(step_strand));
+  work_ = {};
+  for (const Thread& own : own_) work_ += own.work;
+  for (int i = 0; i < strands(); ++i) {
+    if (broke_[i] && !blow_up_) blow_up_ = {i, steps_, *broke_[i]};
+    if (!broke_[i] && watched_) watch_.see(i, steps_, bodies_[i]->sizes());
   }
   return blow_up_;
 }
@@ -95,7 +109,10 @@ void Simulation::restart(const Description& description) {
   }
   step_.h = description.step;
   obstacles_ = description.obstacles;
-  scratch_.setZero();
+  for (Thread& own : own_) {
+    own.scratch.setZero();
+    own.work = {};
+  }
   steps_ = 0;
   work_ = {};
   watch_ = Watch(strands());

@@ -3,7 +3,8 @@
 // A strand of masses and springs has a stretch part if EA > 0, a bending part if EI > 0, springs that skip a
 // particle if skip_rigidity > 0, and a rest curvature instead of angular springs if it has a rest shape;
 // gravity and drag if they are not 0. A simulation without obstacles has no collision stage. Nothing couples
-// strands, so each is stepped separately.
+// strands, so each is stepped separately, by any of the threads that the description asks for. The result is the same bit
+// by bit for any number of them.
 #pragma once
 
 #include <memory>
@@ -13,6 +14,7 @@
 
 #include "hair/mass_spring/mass_spring_body.h"
 #include "hair/simulation/description.h"
+#include "hair/simulation/strand_threads.h"
 #include "hair/strand/blow_up.h"
 #include "hair/strand/body.h"
 
@@ -74,7 +76,13 @@ class Simulation {
     double h, tolerance;
   } step_;
   bool watched_;
-  Eigen::MatrixXd scratch_;  // shared by the strands, which are stepped one after the other
+  struct Thread {
+    Eigen::MatrixXd scratch;  // shared by the strands that it steps, one after the other
+    Work work;
+  };
+  std::vector<Thread> own_;                  // what each thread has of its own
+  std::vector<std::optional<Stage>> broke_;  // in this step, by strand
+  std::unique_ptr<StrandThreads> threads_;
   long steps_ = 0;
   Work work_;
   Watch watch_;

@@ -1,6 +1,8 @@
 // The effort of steps. Each step adds its numbers.
 #pragma once
 
+#include <algorithm>
+
 namespace hair {
 
 struct Work {
@@ -13,6 +15,19 @@ struct Work {
   long unmended = 0;          // collisions after which obstacles and lengths did not agree (H6)
   long contacts = 0;          // particles that were pushed out of an obstacle
   double penetration = 0;     // m, the largest depth of a particle that remained in an obstacle
+
+  Work& operator+=(const Work& other) {
+    strand_steps += other.strand_steps;
+    solver_steps += other.solver_steps;
+    plain_solves += other.plain_solves;
+    correction_steps += other.correction_steps;
+    halvings += other.halvings;
+    unconverged += other.unconverged;
+    unmended += other.unmended;
+    contacts += other.contacts;
+    penetration = std::max(penetration, other.penetration);
+    return *this;
+  }
 };
 
 }  // namespace hair

@@ -2,8 +2,10 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <iostream>
 #include <optional>
+#include <thread>
 
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/printable.h"
@@ -17,7 +19,9 @@
 namespace hair {
 
 int play_scene(const PlayOptions& options) {
-  const Scene scene = read_scene(find_scene(options.scene, HAIR_SCENES_DIR));
+  Scene scene = read_scene(find_scene(options.scene, HAIR_SCENES_DIR));
+  scene.hair.jobs =
+      options.jobs > 0 ? options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const RunSettings settings{options.out, options.frames, !options.no_render};
   if (options.explain) {
     std::cout << scene.name << ": " << printable(scene.shows, 200) << "\n"

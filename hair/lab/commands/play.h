@@ -13,6 +13,7 @@ struct PlayOptions {
   std::filesystem::path out;  // a folder; empty: only explain
   std::optional<int> frames;  // after the first one; overrides the scene's number
   bool explain = false, no_render = false;
+  int jobs = 1;         // threads; 0: as many as there are processors
   bool strict = false;  // warnings make the exit code kBroke
 };
 

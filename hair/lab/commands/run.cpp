@@ -15,6 +15,9 @@ Command add_run_command(CLI::App& program) {
   app->add_flag("--explain", options->explain,
                 "Say which parts the scene needs, and which not; without --out that is all");
   app->add_flag("--no-render", options->no_render, "No pictures: OpenGL is not loaded");
+  app->add_option("--jobs", options->jobs,
+                  "Threads that move strands; 0: one for each processor (default: 1)")
+      ->check(CLI::Range(0, 256));
   app->add_flag("--strict", options->strict, "With warnings the exit code is 1");
   app->final_callback([options, out] {
     if (out->count() == 0 && !options->explain)

@@ -1,0 +1,45 @@
+// Threads over strands: nothing couples strands within a step, so that each may be stepped by any thread.
+#pragma once
+
+#include <atomic>
+#include <barrier>
+#include <exception>
+#include <functional>
+#include <thread>
+#include <vector>
+
+namespace hair {
+
+class StrandThreads {
+ public:
+  // `threads` >= 1, the caller's among them. They wait until the end of this object's life.
+  explicit StrandThreads(int threads);
+  ~StrandThreads();
+  StrandThreads(const StrandThreads&) = delete;
+  StrandThreads& operator=(const StrandThreads&) = delete;
+
+  int count() const { return static_cast<int>(others_.size()) + 1; }
+
+  // Calls task(thread, i) once for each i from 0 to `tasks` - 1, and returns when all have returned. `thread` counts
+  // from 0; no two calls at a time have the same one. If tasks throw, the others are not begun any more, and the
+  // exception of the smallest i that threw is thrown here. Allocates nothing.
+  using Task = std::function<void(int thread, int i)>;
+  void run(int tasks, const Task& task);
+
+ private:
+  void take_tasks(int thread);
+
+  std::barrier<> begin_, end_;
+  bool stop_ = false;
+  std::atomic<int> next_ = 0;
+  int tasks_ = 0;
+  const Task* task_ = nullptr;
+  struct Failure {
+    int i = 0;
+    std::exception_ptr exception;
+  };
+  std::vector<Failure> failures_;  // of each thread
+  std::vector<std::jthread> others_;
+};
+
+}  // namespace hair
