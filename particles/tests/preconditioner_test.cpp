@@ -49,7 +49,7 @@ class Banded : public Force {
   }
 
   mutable int products = 0;
-  const MatrixXd& K() const { return K_; }
+  const MatrixXd& stiffness() const { return K_; }
 
  private:
   int reach_;
@@ -90,7 +90,8 @@ TEST(ProductsToBand, TakesThreeProductsForEachOfTheParticlesThatMeet) {
       EXPECT_EQ(force.products, 3 * std::min(n, 2 * reach + 1));
       for (int i = 0; i < n; ++i)
         for (int back = 0; back <= std::min(i, 2); ++back)
-          EXPECT_EQ(band.block(i, back), 2 * force.K().block(3 * i, 3 * (i - back), 3, 3)) << "of " << n;
+          EXPECT_EQ(band.block(i, back), 2 * force.stiffness().block(3 * i, 3 * (i - back), 3, 3))
+              << "of " << n;
     }
 }
 
@@ -107,7 +108,7 @@ TEST(PreconditionerTest, IsTheMatrixOfForcesWithABand) {
       const Preconditioner preconditioner = c.of(sum);
       ASSERT_TRUE(preconditioner.exists());
 
-      MatrixXd A = 0.3 * 0.7 * Banded(n, 2).K();
+      MatrixXd A = 0.3 * 0.7 * Banded(n, 2).stiffness();
       for (int i = 0; i < 3 * n; ++i) A(i, i) += c.particles.mass[i / 3] + 0.3 * drag[i / 3];
       if (pinned >= 0) {
         A.middleRows<3>(3 * pinned).setZero();
