@@ -96,10 +96,16 @@ void add_busy(pid_t process, std::map<pid_t, CagedProcess::Activity::Busy>& busy
   const std::filesystem::path tasks = "/proc/" + std::to_string(process) + "/task";
   for (std::filesystem::directory_iterator task(tasks, error), end; !error && task != end;
        task.increment(error)) {
-    std::ifstream file(task->path() / "schedstat");
+    std::ifstream file(task->path() / "schedstat"), status(task->path() / "stat");
     double computed = 0, queued = 0;
-    if (file >> computed >> queued)
-      busy[static_cast<pid_t>(std::atoi(task->path().filename().c_str()))] = {1e-9 * computed, 1e-9 * queued};
+    if (!(file >> computed >> queued)) continue;
+    // "THREAD (NAME) STATE ...", and a name may hold parentheses.
+    std::string state;
+    std::getline(status, state);
+    const std::size_t name_end = state.rfind(") ");
+    const bool runnable = name_end != std::string::npos && state.compare(name_end, 3, ") R") == 0;
+    busy[static_cast<pid_t>(std::atoi(task->path().filename().c_str()))] = {1e-9 * computed, 1e-9 * queued,
+                                                                            runnable};
   }
 }
 

@@ -82,6 +82,7 @@ class CagedProcess {
     // cage. Empty if the kernel does not tell (it has no /proc/PID/task/TID/schedstat).
     struct Busy {
       double computed = 0, queued = 0;  // s; the kernel counts a wait when it is over
+      bool runnable = false;            // it runs, or waits for a processor
     };
     std::map<pid_t, Busy> busy = {};
   };

@@ -24,6 +24,13 @@ CagedProcess::Activity::Busy busy_between(const CagedProcess::Activity& last,
   return sum;
 }
 
+// Whether a thread has waited for a processor all the time: the kernel counts that when the wait is over.
+bool waits(const CagedProcess::Activity::Busy& since, const CagedProcess::Activity& now) {
+  const bool runnable =
+      std::ranges::any_of(now.busy, [](const auto& thread) { return thread.second.runnable; });
+  return runnable && since.computed <= 0 && since.queued <= 0;
+}
+
 // How long this thread has been ready to run without a processor. 0 if the kernel does not tell.
 double own_delay_seconds() {
   std::ifstream file("/proc/thread-self/schedstat");
@@ -37,20 +44,30 @@ double own_delay_seconds() {
 Watchdog::Watchdog(const CagedProcess& process, Patience patience)
     : process_(process), patience_(patience), own_delay_(own_delay_seconds()) {}
 
+// It says something, so its own code runs.
+void Watchdog::greets() {
+  if (!started_) waited_ = postponed_ = 0;
+  started_ = true;
+}
+
 void Watchdog::look() {
   CagedProcess::Activity now = process_.activity();
-  // Clocks of a process do not go back: this is another one, of those that made its cage.
-  if (!now.alive || now.cpu_seconds < last_.cpu_seconds) return;
+  // Once it has started, what is seen instead of it is one of those that made its cage: it has ended.
+  if (!now.alive || (started_ && !now.started)) return;
+  const CagedProcess::Activity::Busy busy = busy_between(last_, now);
+  if (waits(busy, now)) {
+    postponed_ = waited_;
+    return;
+  }
   const double own_delay = own_delay_seconds();
-  started_ = started_ || now.started;
+  started_ = now.started;
   if (started_ && !now.busy.empty()) {
-    const CagedProcess::Activity::Busy busy = busy_between(last_, now);
     const double idle = waited_ - busy.computed - busy.queued - (own_delay - own_delay_);
     // A wait for a processor that began before the last look is counted now, and was taken for idling then.
     idle_ = std::max(0.0, idle_ + std::max(idle, -busy.queued));
   }
   own_delay_ = own_delay;
-  waited_ = 0;
+  waited_ = postponed_ = 0;
   last_ = std::move(now);
   if (idle_ > patience_.idle_seconds) why_ = "asleep";
   if (last_.cpu_seconds > patience_.cpu_seconds) why_ = "out of CPU time";
@@ -61,11 +78,13 @@ bool Watchdog::wait_for(int descriptor, short events) {
   pollfd wanted{descriptor, events, 0};
   while (why_ == nullptr) {
     const Clock::time_point start = Clock::now();
-    const int ready = poll(&wanted, 1, static_cast<int>(1000 * std::max(0.001, kWindow - waited_)));
+    const int ready =
+        poll(&wanted, 1, static_cast<int>(1000 * std::max(0.001, postponed_ + kWindow - waited_)));
     const Clock::time_point now = Clock::now();
     waited_ += std::chrono::duration<double>(now - start).count();
     if (ready < 0 && errno != EINTR) return false;
-    if (waited_ >= kWindow) look();
+    if (ready > 0 && (wanted.revents & POLLIN) != 0) greets();
+    if (waited_ >= postponed_ + kWindow) look();
     if (why_ == nullptr && std::chrono::duration<double>(now - start_).count() > patience_.wall_seconds)
       why_ = "out of time";
     if (ready > 0 && why_ == nullptr) return true;

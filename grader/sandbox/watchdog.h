@@ -4,7 +4,8 @@
 // Idle is the time that we wait for it less what it computes and less what its threads wait for a processor,
 // whatever state the kernel calls them in, and less what we ourselves wait for one after its answer is there: a whole
 // run has ten thousands of answers. So a worker on a busy machine is not idle, and one that sleeps in short naps is.
-// The sum is taken over windows of 0.25 s of waiting, and what is computed in one hides no idling in another. It begins
+// The sum is taken over windows of 0.25 s of waiting, and what is computed in one hides no idling in another. A window
+// is longer where a thread waits for a processor all through it: the kernel counts a wait when it is over. The sum begins
 // when the worker's own code does: while its cage is made, the kernel's locks may have us wait for others.
 #pragma once
 
@@ -41,13 +42,16 @@ class Watchdog {
  private:
   using Clock = std::chrono::steady_clock;
 
+  void greets();
+
   const CagedProcess& process_;
   Patience patience_;
   Clock::time_point start_ = Clock::now();
   CagedProcess::Activity last_ = {};
   bool started_ = false;
-  double waited_ = 0;  // since the last look
-  double own_delay_;   // of this thread, at the last look
+  double waited_ = 0;     // since the last look
+  double postponed_ = 0;  // of it: the part after which a look has told nothing
+  double own_delay_;      // of this thread, at the last look
   double idle_ = 0;
   const char* why_ = nullptr;
 };
