@@ -25,16 +25,19 @@ std::string text_of(const fs::path& file) {
 }  // namespace
 
 Compiler::Compiler(const StagedKit& kit, fs::path cache, bool isolated)
-    : toolchain_(kit, isolated), precompiled_(toolchain_, cache), cache_(std::move(cache)) {
+    : toolchain_(kit, isolated),
+      precompiled_(toolchain_, cache, Build::ordinary),
+      precompiled_sanitised_(toolchain_, cache, Build::sanitised),
+      cache_(std::move(cache)) {
   std::error_code error;
   fs::create_directories(cache_, error);
   if (error) throw BadInput(cache_.string() + ": can't keep compiled objects there: " + error.message());
 }
 
 Compiled Compiler::compile(const Exercise& exercise, const std::string& source, const fs::path& job,
-                           double cpu_seconds) const {
+                           double cpu_seconds, Build build) const {
   const fs::path object = job / (exercise.id + ".so");
-  const std::string kept = (cache_ / key(exercise, source)).string();
+  const std::string kept = (cache_ / key(exercise, source, build)).string();
   std::error_code error;
   // What was compiled without a cage may hold anything, and is not kept.
   if (toolchain_.isolated() && fs::copy_file(kept + ".so", object, error)) {
@@ -42,9 +45,9 @@ Compiled Compiler::compile(const Exercise& exercise, const std::string& source, 
     return {object, {}, text_of(kept + ".log")};
   }
 
-  const Compiled first = run_compiler(exercise, source, job, cpu_seconds);
+  const Compiled first = run_compiler(exercise, source, job, cpu_seconds, build);
   if (first.object.empty()) return first;
-  Compiled compiled = run_linker(exercise, job, cpu_seconds - first.cpu_seconds);
+  Compiled compiled = run_linker(exercise, job, cpu_seconds - first.cpu_seconds, build);
   compiled.log = first.log + compiled.log;
   compiled.cpu_seconds += first.cpu_seconds;
   if (toolchain_.isolated() && !compiled.object.empty()) {
@@ -58,16 +61,16 @@ Compiled Compiler::compile(const Exercise& exercise, const std::string& source, 
   return compiled;
 }
 
-std::string Compiler::key(const Exercise& exercise, const std::string& source) const {
-  std::string all =
-      toolchain_.kit().hash() + '\0' + toolchain_.version() + '\0' + exercise.id + '\0' + exercise.file;
+std::string Compiler::key(const Exercise& exercise, const std::string& source, Build build) const {
+  std::string all = toolchain_.kit().hash() + '\0' + toolchain_.version() + '\0' + exercise.id + '\0' +
+                    exercise.file + (build == Build::sanitised ? std::string(1, '\0') + "sanitised" : "");
   for (const auto* words : {&exercise.libraries, &exercise.prerequisites})
     for (const std::string& word : *words) all += '\0' + word;
   return sha256(all + '\0' + source);
 }
 
 Compiled Compiler::run_compiler(const Exercise& exercise, const std::string& source, const fs::path& job,
-                                double cpu_seconds) const {
+                                double cpu_seconds, Build build) const {
   const fs::path in = job / "source", out = writable_folder(job / "object");
   fs::create_directory(in);
   share_with_sandbox(in, false);
@@ -82,8 +85,9 @@ Compiled Compiler::run_compiler(const Exercise& exercise, const std::string& sou
     cage.mounts.push_back({in, "/student"});
     cage.mounts.push_back({out, "/out", true});
     cage.folder = "/student";
-    std::vector<std::string> command = toolchain_.compile_command(exercise.libraries);
-    used = precompiled && precompiled_.use(exercise.libraries, cage, command);
+    std::vector<std::string> command = toolchain_.compile_command(exercise.libraries, build);
+    const PrecompiledHeader& header = build == Build::sanitised ? precompiled_sanitised_ : precompiled_;
+    used = precompiled && header.use(exercise.libraries, cage, command);
     command.insert(command.end(), {"-c", exercise.file, "-o", "/out/object.o"});
     Toolchain::Run found = toolchain_.run(cage, command, exercise.file);
     taken += found.cpu_seconds;
@@ -106,14 +110,15 @@ Compiled Compiler::run_compiler(const Exercise& exercise, const std::string& sou
   return compiled;
 }
 
-Compiled Compiler::run_linker(const Exercise& exercise, const fs::path& job, double cpu_seconds) const {
+Compiled Compiler::run_linker(const Exercise& exercise, const fs::path& job, double cpu_seconds,
+                              Build build) const {
   constexpr std::size_t kLargestObject = 8 << 20;
   const fs::path out = writable_folder(job / "linked");
   Cage cage = toolchain_.linking(cpu_seconds);
   cage.mounts.push_back({job / "object", "/object"});
   cage.mounts.push_back({out, "/out", true});
   cage.mounts.push_back({toolchain_.kit().folder() / "export" / (exercise.id + ".map"), "/export.map"});
-  std::vector<std::string> command = toolchain_.link_command();
+  std::vector<std::string> command = toolchain_.link_command(build);
   // Under its name other exercises' objects find it, where all run together.
   command.insert(command.end(), {"-Wl,-soname," + exercise.id + ".so", "-Wl,--version-script=/export.map",
                                  "-o", "/out/" + exercise.id + ".so", "/object/object.o"});

@@ -31,16 +31,19 @@ class Compiler {
   // `job` is one of the kit's folders, for this file only; the object is written into it as <id>.so.
   // `cpu_seconds`: what compiler and linker may take. Throws std::runtime_error if the machine fails.
   Compiled compile(const Exercise& exercise, const std::string& source, const std::filesystem::path& job,
-                   double cpu_seconds) const;
+                   double cpu_seconds, Build build = Build::ordinary) const;
+
+  const Toolchain& toolchain() const { return toolchain_; }
 
  private:
-  std::string key(const Exercise& exercise, const std::string& source) const;
+  std::string key(const Exercise& exercise, const std::string& source, Build build) const;
   Compiled run_compiler(const Exercise& exercise, const std::string& source, const std::filesystem::path& job,
-                        double cpu_seconds) const;
-  Compiled run_linker(const Exercise& exercise, const std::filesystem::path& job, double cpu_seconds) const;
+                        double cpu_seconds, Build build) const;
+  Compiled run_linker(const Exercise& exercise, const std::filesystem::path& job, double cpu_seconds,
+                      Build build) const;
 
   Toolchain toolchain_;
-  PrecompiledHeader precompiled_;
+  PrecompiledHeader precompiled_, precompiled_sanitised_;
   std::filesystem::path cache_;
 };
 

@@ -35,7 +35,7 @@ void remove_stale() {
 }  // namespace
 
 StagedKit::StagedKit(const fs::path& kit, const Course& course) {
-  std::vector<fs::path> parts = {"worker", "serve/runs.so"};
+  std::vector<fs::path> parts = {"worker", "sanitised/worker", "serve/runs.so"};
   for (const Exercise& exercise : course.exercises) {
     parts.push_back(fs::path("include") / exercise.header);
     parts.push_back(fs::path("export") / (exercise.id + ".map"));

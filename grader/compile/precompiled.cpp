@@ -15,6 +15,10 @@ namespace fs = std::filesystem;
 constexpr double kMostSeconds = 30;  // of CPU time
 constexpr std::size_t kMostBytes = std::size_t{512} << 20;
 const std::vector<std::string> kLibraries = {"eigen"};
+const char* name_of(Build build) {
+  return build == Build::sanitised ? "sanitised" : "given";
+}
+
 constexpr const char* kText =
     "#include <algorithm>\n#include <cmath>\n#include <memory>\n#include <vector>\n\n"
     "#include \"particles/vectors.h\"\n";
@@ -32,24 +36,26 @@ bool PrecompiledHeader::use(const std::vector<std::string>& libraries, Cage& cag
 }
 
 void PrecompiledHeader::make() const {
-  const fs::path folder = toolchain_.kit().new_job("precompiled");
+  const fs::path folder = toolchain_.kit().new_job(std::string("precompiled-") + name_of(build_));
   const fs::path file = folder / "given.h.gch";
   std::ofstream(folder / "given.h") << kText;
   fs::permissions(folder / "given.h", fs::perms(0644));
 
   const fs::path cached =
       cache_ /
-      ("given-" + sha256(toolchain_.version() + kText + sha256_of(toolchain_.kit().folder() / "include")) +
-       ".gch");
+      (std::string(name_of(build_)) + "-" +
+       sha256(toolchain_.version() + kText + sha256_of(toolchain_.kit().folder() / "include")) + ".gch");
   std::error_code error;
   if (!toolchain_.isolated() || !fs::copy_file(cached, file, error)) {
     const std::optional<std::string> bytes = compile();
     if (!bytes) return;
     std::ofstream(file, std::ios::binary) << *bytes;
     if (toolchain_.isolated()) {
-      // One is enough: it is large, and of use for one kit and one compiler.
+      // One of each build is enough: they are large, and of use for one kit and one compiler.
       for (const auto& entry : fs::directory_iterator(cache_, error))
-        if (entry.path().extension() == ".gch") fs::remove(entry.path(), error);
+        if (entry.path().extension() == ".gch" &&
+            entry.path().filename().string().starts_with(std::string(name_of(build_)) + "-"))
+          fs::remove(entry.path(), error);
       keep_copy(file, cached);
     }
   }
@@ -58,7 +64,8 @@ void PrecompiledHeader::make() const {
 }
 
 std::optional<std::string> PrecompiledHeader::compile() const {
-  const fs::path job = toolchain_.kit().new_job("precompile"), in = job / "source";
+  const fs::path job = toolchain_.kit().new_job(std::string("precompile-") + name_of(build_)),
+                 in = job / "source";
   fs::create_directory(in);
   share_with_sandbox(in, false);
   std::ofstream(in / "given.h") << kText;
@@ -70,7 +77,7 @@ std::optional<std::string> PrecompiledHeader::compile() const {
   cage.mounts.push_back({in, "/student"});
   cage.mounts.push_back({out, "/out", true});
   cage.folder = "/student";
-  std::vector<std::string> command = toolchain_.compile_command(kLibraries);
+  std::vector<std::string> command = toolchain_.compile_command(kLibraries, build_);
   command.insert(command.end(), {"-x", "c++-header", "given.h", "-o", "/out/given.h.gch"});
   const Toolchain::Run run = toolchain_.run(cage, command, "given.h");
   std::optional<std::string> bytes =

@@ -18,8 +18,8 @@ namespace grader {
 
 class PrecompiledHeader {
  public:
-  PrecompiledHeader(const Toolchain& toolchain, std::filesystem::path cache)
-      : toolchain_(toolchain), cache_(std::move(cache)) {}
+  PrecompiledHeader(const Toolchain& toolchain, std::filesystem::path cache, Build build)
+      : toolchain_(toolchain), cache_(std::move(cache)), build_(build) {}
 
   // Mounts it for exercises with these libraries, and adds the option to use it. Makes it at the first use if
   // it is not in the cache. Returns false, and changes nothing, if the exercise can't use it.
@@ -31,6 +31,7 @@ class PrecompiledHeader {
 
   const Toolchain& toolchain_;
   std::filesystem::path cache_;
+  Build build_;
   mutable std::once_flag made_;
   mutable std::filesystem::path folder_;  // empty: making it failed
 };

@@ -31,8 +31,22 @@ const std::vector<std::string> kCompile = {"-std=c++20",
                                            "-fmax-errors=20",
                                            "-fno-diagnostics-show-caret",
                                            "-fdiagnostics-color=never"};
-const std::vector<std::string> kLink = {"-shared",     "-s",        "-fno-lto", "-fno-use-linker-plugin",
-                                        "-Wl,-z,defs", "-Wl,-z,now"};
+// What finds errors, and takes the compiler little time: calls for checks are compiled faster than the checks themselves, and
+// -O1 faster than -O0, which writes out more functions. UndefinedBehaviorSanitizer's tests of pointers repeat those
+// of AddressSanitizer, and take the compiler as long again.
+const std::vector<std::string> kSanitise = {
+    "-O1",
+    "-g1",
+    "-fno-omit-frame-pointer",
+    "-fsanitize=address,signed-integer-overflow,bounds,integer-divide-by-zero,shift,vla-bound,return",
+    "-fno-sanitize-recover=all",
+    "--param=asan-instrumentation-with-call-threshold=0",
+    "--param=ggc-min-heapsize=524288"};
+const std::vector<std::string> kLinkSanitised = {"-fsanitize=address,undefined"};
+// The lines of the program are in what is stripped otherwise.
+const std::string kStrip = "-s";
+const std::vector<std::string> kLink = {"-shared", "-fno-lto", "-fno-use-linker-plugin", "-Wl,-z,defs",
+                                        "-Wl,-z,now"};
 
 std::string find_compiler() {
   for (const char* name : {"/usr/bin/g++", "/usr/bin/c++", "/usr/bin/clang++"})
@@ -62,7 +76,7 @@ bool tool_says(const std::string& log, const std::string& student_file,
 Toolchain::Toolchain(const StagedKit& kit, bool isolated)
     : kit_(kit), isolated_(isolated), program_(find_compiler()) {
   std::string all = sha256_of(program_);
-  for (const auto* words : {&kCompile, &kLink})
+  for (const auto* words : {&kCompile, &kSanitise, &kLink, &kLinkSanitised})
     for (const std::string& word : *words) all += '\0' + word;
   version_ = sha256(all);
 }
@@ -131,18 +145,24 @@ Cage Toolchain::compiling(const std::vector<std::string>& libraries, double cpu_
   return cage;
 }
 
-std::vector<std::string> Toolchain::compile_command(const std::vector<std::string>& libraries) const {
+std::vector<std::string> Toolchain::compile_command(const std::vector<std::string>& libraries,
+                                                    Build build) const {
   std::vector<std::string> command = {program_};
   command.insert(command.end(), kCompile.begin(), kCompile.end());
+  if (build == Build::sanitised) command.insert(command.end(), kSanitise.begin(), kSanitise.end());
   for (const std::string& library : libraries)
     command.insert(command.end(), {"-isystem", "/usr/include/" + folder_of(library)});
   command.insert(command.end(), {"-I/given", "-I/given/solver/lecture"});
   return command;
 }
 
-std::vector<std::string> Toolchain::link_command() const {
+std::vector<std::string> Toolchain::link_command(Build build) const {
   std::vector<std::string> command = {program_};
   command.insert(command.end(), kLink.begin(), kLink.end());
+  if (build == Build::sanitised)
+    command.insert(command.end(), kLinkSanitised.begin(), kLinkSanitised.end());
+  else
+    command.push_back(kStrip);
   if (fs::exists("/usr/bin/ld.gold"))
     command.emplace_back("-fuse-ld=gold");  // a third of the default linker's time
   return command;

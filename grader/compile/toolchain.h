@@ -11,6 +11,9 @@
 
 namespace grader {
 
+// How a student's file is built: as it is graded, or with the sanitizers that find memory errors.
+enum class Build { ordinary, sanitised };
+
 class Toolchain {
  public:
   // Throws BadInput if there is no compiler.
@@ -34,11 +37,12 @@ class Toolchain {
   // A cage for `cpu_seconds` of each tool, with the given headers and the libraries' headers, and the command to compile in it. The caller
   // adds the input, the output, and the mounts for both.
   Cage compiling(const std::vector<std::string>& libraries, double cpu_seconds) const;
-  std::vector<std::string> compile_command(const std::vector<std::string>& libraries) const;
+  std::vector<std::string> compile_command(const std::vector<std::string>& libraries,
+                                           Build build = Build::ordinary) const;
 
   // The same for linking: a cage without headers.
   Cage linking(double cpu_seconds) const;
-  std::vector<std::string> link_command() const;
+  std::vector<std::string> link_command(Build build = Build::ordinary) const;
 
   const StagedKit& kit() const { return kit_; }
   bool isolated() const { return isolated_; }

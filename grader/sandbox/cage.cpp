@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
+#include <sys/personality.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -15,6 +16,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <stdexcept>
 #include <system_error>
 
 #include "grader/sandbox/identity.h"
@@ -116,6 +118,7 @@ struct Child {
   const char* folder;      // null: stay
   int requests, replies, output, info, filter;
   Identity identity;
+  bool fixed_addresses;
 
   [[noreturn]] void exec() const {
     for (int group : joins)
@@ -133,6 +136,7 @@ struct Child {
     if (output < 0 && (dup2(nothing, 1) < 0 || dup2(nothing, 2) < 0)) _exit(126);
     if (!become(identity)) _exit(126);
     if (folder != nullptr && chdir(folder) != 0) _exit(126);
+    if (fixed_addresses && personality(ADDR_NO_RANDOMIZE) < 0) _exit(126);
     execve(argv[0], argv.data(), environment.data());
     _exit(127);
   }
@@ -144,6 +148,8 @@ CagedProcess::CagedProcess(const Cage& cage, const std::vector<std::string>& com
                            int replies, int output)
     : isolated_(cage.isolated),
       group_(ControlGroup::create(cage.limits.memory_bytes, cage.limits.processes + 4 /* bwrap's own */)) {
+  if (cage.limits.memory_of_group && !(group_ && group_->bounds_memory()))
+    throw std::runtime_error("no control group bounds the memory of a program with sanitizers");
   std::vector<std::string> words, environment;
   std::string folder;
   Descriptor filter;
@@ -171,7 +177,8 @@ CagedProcess::CagedProcess(const Cage& cage, const std::vector<std::string>& com
               output,
               cage.isolated ? info.write_end.get() : -1,
               filter.get(),
-              sandbox_identity()};
+              sandbox_identity(),
+              cage.fixed_addresses};
   for (const Descriptor& join : joins)
     if (join) child.joins.push_back(join.get());
 

@@ -27,6 +27,8 @@ struct Mount {
 
 struct Limits {
   std::size_t memory_bytes = std::size_t{1} << 30;
+  // The control group alone bounds it, and not the address space; without one nothing is started.
+  bool memory_of_group = false;
   std::size_t file_bytes = std::size_t{64} << 20;  // of each file that it writes
   int processes = 32;                              // and threads
   int cpu_seconds = 20;                            // of one process
@@ -42,6 +44,9 @@ struct Cage {
   // The command is the first process of its name space and takes leave of its children itself, as compilers do.
   // Then it is known how much CPU time all of them took.
   bool as_first_process = false;
+  // Memory is where it always is. With as much chance as some kernels have it, AddressSanitizer's runtime may not find
+  // the addresses that it needs.
+  bool fixed_addresses = false;
   // False: no cage at all, for machines that can't make one and for --unsafe-no-sandbox. Paths inside are
   // then replaced by those outside.
   bool isolated = true;

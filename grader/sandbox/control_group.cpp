@@ -94,14 +94,23 @@ std::optional<ControlGroup> ControlGroup::create(std::size_t memory_bytes, int p
   const std::string name = kPrefix + std::to_string(getpid()) + "-" + std::to_string(std::random_device()());
   const std::string memory = std::to_string(memory_bytes), pids = std::to_string(processes);
   if (auto both = make_group("", name, {{"memory.max", memory}, {"pids.max", pids}}))
-    return ControlGroup({*both});
+    return ControlGroup({*both}, true);
 
   std::vector<fs::path> folders;
   if (auto folder = make_group("memory", name, {{"memory.limit_in_bytes", memory}}))
     folders.push_back(*folder);
+  const bool bounds_memory = !folders.empty();
   if (auto folder = make_group("pids", name, {{"pids.max", pids}})) folders.push_back(*folder);
   if (folders.empty()) return {};
-  return ControlGroup(std::move(folders));
+  return ControlGroup(std::move(folders), bounds_memory);
+}
+
+bool memory_can_be_bounded() {
+  static const bool can = [] {
+    const std::optional<ControlGroup> group = ControlGroup::create(std::size_t{1} << 30, 8);
+    return group && group->bounds_memory();
+  }();
+  return can;
 }
 
 ControlGroup::~ControlGroup() {

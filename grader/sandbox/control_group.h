@@ -17,14 +17,22 @@ class ControlGroup {
   ControlGroup& operator=(ControlGroup&&) = delete;
   ~ControlGroup();  // kills the remaining processes in it
 
+  // False: it bounds the number of processes alone.
+  bool bounds_memory() const { return bounds_memory_; }
+
   // Files that a process joins by writing "0" to each.
   std::vector<std::filesystem::path> join_files() const;
   bool ran_out_of_memory() const;
 
  private:
-  explicit ControlGroup(std::vector<std::filesystem::path> folders) : folders_(std::move(folders)) {}
+  ControlGroup(std::vector<std::filesystem::path> folders, bool bounds_memory)
+      : folders_(std::move(folders)), bounds_memory_(bounds_memory) {}
 
   std::vector<std::filesystem::path> folders_;  // one (v2), or one for memory and one for pids (v1)
+  bool bounds_memory_;
 };
+
+// Can a control group bound memory here? Tried once, by making one.
+bool memory_can_be_bounded();
 
 }  // namespace grader

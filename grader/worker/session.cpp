@@ -10,6 +10,12 @@
 #include <limits>
 #include <new>
 
+// Of the sanitizers' runtime, where there is one.
+extern "C" __attribute__((weak)) void __asan_poison_memory_region(const volatile void* begin,
+                                                                  std::size_t bytes);
+extern "C" __attribute__((weak)) void __asan_unpoison_memory_region(const volatile void* begin,
+                                                                    std::size_t bytes);
+
 namespace grader {
 namespace {
 
@@ -101,9 +107,14 @@ GuardedBuffer::GuardedBuffer(const std::vector<double>& values) {
   std::fill(before.begin(), before.end(), std::byte{0});
   values_ = {reinterpret_cast<double*>(pages_.data() + before.size()), values.size()};
   std::copy(values.begin(), values.end(), values_.begin());
+  // What is around the values can be watched, too.
+  if (__asan_poison_memory_region == nullptr) return;
+  __asan_poison_memory_region(pages_.data(), usable - bytes);
+  __asan_poison_memory_region(pages_.data() + usable, page);
 }
 
 GuardedBuffer::~GuardedBuffer() {
+  if (__asan_unpoison_memory_region != nullptr) __asan_unpoison_memory_region(pages_.data(), pages_.size());
   keep_or_unmap(pages_);
 }
 

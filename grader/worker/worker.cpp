@@ -3,6 +3,8 @@
 //
 //   hairworker CPU_SECONDS MEMORY_BYTES THREADS OBJECT... SERVER
 //
+// MEMORY_BYTES limits the address space; 0: the control group bounds memory, and the sanitizers have the address space
+// that they need.
 // Objects are loaded in their order, each finding the functions of those before it. Nothing here is trusted
 // once they are in.
 #include <dlfcn.h>
@@ -20,17 +22,14 @@
 #include <vector>
 
 #include "grader/sandbox/syscalls.h"
+#include "grader/worker/request.h"
 #include "grader/worker/session.h"
 #include "solver/not_implemented.h"
 
 namespace grader {
 namespace {
 
-constexpr int kIn = 3, kOut = 4;
 constexpr std::size_t kLargestRequest = std::size_t{256} << 20;
-
-// The request at work: what a denied system call is reported for.
-std::uint64_t current_nonce = 0;
 
 void limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
   const rlimit value{soft, hard};
@@ -41,7 +40,7 @@ void limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
 void on_denied(int /*signal*/, siginfo_t* info, void* context) {
   MessageWriter message;
   message.put(static_cast<int>(info->si_syscall));
-  Channel(kIn, kOut).send(Kind::denied, current_nonce, message.bytes());
+  Channel(kIn, kOut).send(Kind::denied, current.nonce, message.bytes());
   auto& registers = static_cast<ucontext_t*>(context)->uc_mcontext;
 #if defined(__x86_64__)
   registers.gregs[REG_RAX] = -EPERM;
@@ -55,7 +54,7 @@ void on_denied(int /*signal*/, siginfo_t* info, void* context) {
 void lock_down(int cpu_seconds, rlim_t memory, rlim_t threads) {
   if (syscall(SYS_close_range, kOut + 1, ~0U, 0U) != 0) _exit(120);
   limit(RLIMIT_CPU, cpu_seconds, cpu_seconds + 1);
-  limit(RLIMIT_AS, memory, memory);
+  if (memory > 0) limit(RLIMIT_AS, memory, memory);
   limit(RLIMIT_NPROC, threads, threads);
   limit(RLIMIT_FSIZE, 1 << 20, 1 << 20);  // standard output is a file
   limit(RLIMIT_NOFILE, 32, 32);
@@ -84,6 +83,7 @@ struct Loaded {
 Loaded load(Channel& channel, int count, char* files[]) {
   Loaded loaded;
   void* object = nullptr;
+  current.object = files[count - 2];
   for (int i = 0; i < count; ++i) {
     object = dlopen(files[i], RTLD_NOW | (i + 1 < count ? RTLD_GLOBAL : RTLD_LOCAL));
     if (object == nullptr) {
@@ -117,19 +117,31 @@ void answer(Channel& channel, const Loaded& loaded, Message& request) {
   }
 }
 
+struct Arguments {
+  int count = 0;
+  char** files = nullptr;
+};
+Arguments arguments;
+
+void serve_requests() {
+  Channel channel(kIn, kOut);
+  const Loaded loaded = load(channel, arguments.count, arguments.files);
+  channel.send(Kind::hello, 0);
+  while (std::optional<Message> request = channel.receive(kLargestRequest)) {
+    current.nonce = request->nonce;
+    answer(channel, loaded, *request);
+  }
+  _exit(0);  // not through the student's destructors
+}
+
 }  // namespace
 }  // namespace grader
 
 int main(int argc, char* argv[]) {
   using namespace grader;
   if (argc < 5) return 2;
-  Channel channel(kIn, kOut);
   lock_down(std::atoi(argv[1]), std::strtoull(argv[2], nullptr, 10), std::strtoull(argv[3], nullptr, 10));
-  const Loaded loaded = load(channel, argc - 4, argv + 4);
-  channel.send(Kind::hello, 0);
-  while (std::optional<Message> request = channel.receive(kLargestRequest)) {
-    current_nonce = request->nonce;
-    answer(channel, loaded, *request);
-  }
-  _exit(0);  // not through the student's destructors
+  arguments = {argc - 4, argv + 4};
+  // Under the filter already, as all its threads are then.
+  run_on_known_stack != nullptr ? run_on_known_stack(serve_requests) : serve_requests();
 }
