@@ -33,6 +33,8 @@ struct CaseResult {
   double points = 0, max_points = 0;
   std::string feedback;  // for students: the category and the error in bands, never a value or an input
   std::string detail;    // for staff: inputs, expected and actual values
+  // For students, too: a memory error, as a sentence of ours with a line of their file. Empty: none was found.
+  std::string memory_error = {};
 };
 
 // A moment of a run. We draw it from the states of the submission's code and of the reference. It contains no

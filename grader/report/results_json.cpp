@@ -42,13 +42,15 @@ Json case_json(const CaseResult& one) {
           {"points", one.points},
           {"max_points", one.max_points},
           {"feedback", hair::valid_utf8(one.feedback)},
-          {"detail", hair::valid_utf8(one.detail)}};
+          {"detail", hair::valid_utf8(one.detail)},
+          {"memory_error", hair::valid_utf8(one.memory_error)}};
 }
 
 CaseResult case_from(const Json& json) {
-  return {json.at("name"),     status_from_string(json.at("status")),
-          json.at("points"),   json.at("max_points"),
-          json.at("feedback"), json.at("detail")};
+  return {json.at("name"),        status_from_string(json.at("status")),
+          json.at("points"),      json.at("max_points"),
+          json.at("feedback"),    json.at("detail"),
+          json.at("memory_error")};
 }
 
 Json pictures_json(const std::vector<PictureResult>& pictures) {

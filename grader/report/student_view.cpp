@@ -53,7 +53,7 @@ SubmissionResult for_student(const SubmissionResult& result) {
     const bool stub = is_stub(exercise);
     for (CaseResult& one : exercise.cases) {
       if (!stub) one.status = right_wrong_or_broke_off(one.status);
-      one.feedback = sentence_of_a_case(one.status);
+      one.feedback = one.memory_error.empty() ? sentence_of_a_case(one.status) : one.memory_error;
       one.detail.clear();
     }
     for (PictureResult& picture : exercise.pictures) {

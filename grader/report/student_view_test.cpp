@@ -47,6 +47,15 @@ TEST(StudentView, CallsAStubAStub) {
   EXPECT_EQ(for_student(result).exercises[0].cases[1].status, Status::not_implemented);
 }
 
+TEST(StudentView, TellsOfAMemoryErrorAndItsLine) {
+  SubmissionResult result;
+  result.exercises = {exercise_with({Status::wrong, Status::passed})};
+  const std::string told = "The code follows a null pointer, in line 7 of conj_grad.cpp.";
+  result.exercises[0].cases[0].memory_error = told;
+  EXPECT_EQ(for_student(result).exercises[0].cases[0].feedback, told);
+  EXPECT_NE(student_page(result).find(told), std::string::npos);
+}
+
 // Sentences and details of the suite, and what compiler, linker and worker print, stay with the staff.
 TEST(StudentView, IsWhatStudentsGet) {
   SubmissionResult result = sample_class(1).front();

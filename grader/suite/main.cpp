@@ -4,11 +4,14 @@
 // Reads a job as JSON from standard input and writes what it found as JSON to standard output:
 //
 //   {"exercise": "S2", "seed": "...", "kit": DIR, "lent": ["S1"], "objects": [FILE...], "log": FILE,
-//    "isolated": true, "cpu_seconds": 10, "allowance": {"idle_seconds": 3, ...}, "pictures": DIR}
+//    "isolated": true, "cpu_seconds": 10, "allowance": {"idle_seconds": 3, ...}, "pictures": DIR, "sanitised": FILE}
 //   {"cases": [{"name", "status", "weight", "points", "feedback", "detail"}...],
 //    "cpu_seconds": 0.1, "starts": 1, "spent": {"idle_seconds": 0.01, ...}}
 //
 // "lent" are the exercises whose functions the suite lends (lending.h). "allowance" and "spent" are as in grader/course/budget.h.
+// "sanitised" is the student's object with sanitizers, or "" if there is none; without it memory errors are not looked
+// for, and the result has no "memory": {"told": a sentence or "", "offsets": [...], "cpu_seconds": 0.1}, which is told to
+// the student, and where in the object it is (grader/wire/memory_error.h).
 // "pictures" is where the reference's are kept; null, and none are drawn. Of an exercise with a whole run the job says
 // more, and its two categories come last, with its pictures:
 //
@@ -32,6 +35,7 @@
 #include <sys/prctl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
@@ -40,6 +44,7 @@
 #include "grader/report/study_json.h"
 #include "grader/study/submission_study.h"
 #include "grader/suite/end_to_end.h"
+#include "grader/suite/memory_errors.h"
 #include "grader/suite/suite_table.h"
 #include "grader/suite/trial.h"
 #include "grader/suite/whole_run.h"
@@ -55,7 +60,7 @@ struct Job {
   grader::AvailableExercises exercises;  // for runs and studies
   std::vector<std::filesystem::path> reference_objects;
   std::filesystem::path motions;
-  std::optional<std::filesystem::path> pictures;
+  std::optional<std::filesystem::path> pictures, sanitised;
 
   struct WholeRun {
     std::filesystem::path scene;
@@ -83,6 +88,7 @@ Job read_job(std::istream& in) {
       job.worker.allowance->limit.*field.value = document.at("allowance").at(field.key);
     if (const json& folder = document.at("pictures"); !folder.is_null())
       job.pictures = folder.get<std::string>();
+    if (document.contains("sanitised")) job.sanitised = document.at("sanitised").get<std::string>();
     if (document.contains("whole_run")) {
       const json& run = document.at("whole_run");
       job.whole_run = {run.at("scene").get<std::string>(), run.at("seed"),
@@ -112,8 +118,9 @@ Job read_job(std::istream& in) {
 // One category as a GoogleTest test.
 class CategoryTest : public testing::Test {
  public:
-  CategoryTest(const Category& category, grader::Student& student, const std::string& seed, json& cases)
-      : category_(category), student_(student), seed_(seed), cases_(cases) {}
+  CategoryTest(const Category& category, grader::Student& student, const std::string& seed,
+               grader::Recording& recording, json& cases)
+      : category_(category), student_(student), seed_(seed), recording_(recording), cases_(cases) {}
 
   void TestBody() override {
     json result = {{"name", category_.title},
@@ -122,6 +129,7 @@ class CategoryTest : public testing::Test {
                    {"status", "passed"},
                    {"feedback", ""},
                    {"detail", ""}};
+    recording_.begin_category(category_.title);
     try {
       grader::Trial trial(student_, grader::Random(seed_, category_.name));
       category_.run(trial);
@@ -147,6 +155,7 @@ class CategoryTest : public testing::Test {
   const Category& category_;
   grader::Student& student_;
   const std::string& seed_;
+  grader::Recording& recording_;
   json& cases_;
 };
 
@@ -165,30 +174,44 @@ json to_json(const std::vector<grader::PictureResult>& pictures) {
 
 // Null if a category has no result, which is our fault.
 json run_categories(const Job& job, grader::Student& student) {
-  const std::vector<Category> categories = grader::categories(job.exercise);
+  std::vector<Category> categories = grader::categories(job.exercise), of_the_run, of_memory;
   json cases = json::array();
-  auto add = [&](const Category& category, grader::Student& who) {
-    testing::RegisterTest(
-        job.exercise.c_str(), category.name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
-        [&]() -> testing::Test* { return new CategoryTest(category, who, job.seed, cases); });
-  };
-  for (const Category& category : categories) add(category, student);
+  grader::Recording recording;
   std::optional<grader::WholeRun> run;
-  std::vector<Category> of_the_run;
   if (job.whole_run) {
     grader::HiddenScene scene = grader::read_hidden_scene(job.whole_run->scene, job.whole_run->seed);
     grader::WorkerSetup worker = job.worker;
     worker.cpu_seconds = job.whole_run->cpu_seconds;
     run.emplace(std::move(worker), job.whole_run->player, std::move(scene), job.pictures, student);
     of_the_run = run->categories(job.exercise);
-    for (const Category& category : of_the_run) add(category, run->student());
   }
+  std::optional<grader::MemoryErrors> memory;
+  if (job.sanitised) {
+    student.record(&recording);
+    std::vector<grader::Student*> earlier = {&student};
+    if (run) earlier.push_back(&run->student());
+    memory.emplace(job.worker, *job.sanitised, std::move(earlier), recording, [&cases] {
+      return std::any_of(cases.begin(), cases.end(),
+                         [](const json& one) { return one.at("status") == "passed"; });
+    });
+    of_memory.push_back(memory->category());
+    grader::pay_for_memory_errors(categories, of_the_run);
+  }
+
+  auto add = [&](const Category& category, grader::Student& who) {
+    testing::RegisterTest(
+        job.exercise.c_str(), category.name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
+        [&]() -> testing::Test* { return new CategoryTest(category, who, job.seed, recording, cases); });
+  };
+  for (const Category& category : categories) add(category, student);
+  for (const Category& category : of_the_run) add(category, run->student());
+  for (const Category& category : of_memory) add(category, memory->student());
 
   // Standard output carries the result, and nothing else.
   testing::TestEventListeners& listeners = testing::UnitTest::GetInstance()->listeners();
   delete listeners.Release(listeners.default_result_printer());
   const bool ran = RUN_ALL_TESTS() >= 0;  // a category that fails is a result, not an error
-  if (!ran || cases.size() != categories.size() + of_the_run.size()) return {};
+  if (!ran || cases.size() != categories.size() + of_the_run.size() + of_memory.size()) return {};
   json result = {{"cases", cases}};
   if (run) {
     run->student().finish();
@@ -196,6 +219,10 @@ json run_categories(const Job& job, grader::Student& student) {
     result["run_cpu_seconds"] = run->student().cpu_seconds();
     result["picture_cpu_seconds"] = run->picture_seconds();
   }
+  if (memory)
+    result["memory"] = {{"told", memory->told()},
+                        {"offsets", memory->offsets()},
+                        {"cpu_seconds", memory->student().cpu_seconds()}};
   return result;
 }
 

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "grader/suite/lending.h"
+#include "grader/suite/recording.h"
 #include "solver/timing.h"
 
 namespace grader {
@@ -41,7 +42,14 @@ std::vector<std::filesystem::path> all_objects(const WorkerSetup& setup) {
 Cage worker_cage(const WorkerSetup& setup) {
   Cage cage;
   cage.mounts = runtime_library_mounts();
-  cage.mounts.push_back({setup.kit / "worker", "/worker"});
+  cage.mounts.push_back({setup.kit / (setup.sanitised ? "sanitised/worker" : "worker"), "/worker"});
+  if (setup.sanitised) {
+    for (const auto& library : std::filesystem::directory_iterator(setup.kit / "sanitised/lib"))
+      cage.mounts.push_back({library.path(), "/sanitised/" + library.path().filename().string()});
+    cage.fixed_addresses = true;
+    cage.limits.memory_of_group = true;
+    cage.limits.memory_bytes *= 2;  // of that, the runtime takes its share
+  }
   cage.mounts.push_back({setup.kit / "serve" / (setup.exercise + ".so"), "/server.so"});
   for (const auto& object : all_objects(setup))
     cage.mounts.push_back({object, "/objects/" + object.filename().string()});
@@ -60,7 +68,8 @@ Watchdog::Patience patience(const WorkerSetup& setup) {
 
 std::vector<std::string> worker_command(const WorkerSetup& setup, const Limits& limits) {
   std::vector<std::string> command = {"/worker", std::to_string(limits.cpu_seconds),
-                                      std::to_string(limits.memory_bytes), std::to_string(limits.processes)};
+                                      limits.memory_of_group ? "0" : std::to_string(limits.memory_bytes),
+                                      std::to_string(limits.processes)};
   for (const auto& object : all_objects(setup)) command.push_back("/objects/" + object.filename().string());
   command.push_back("/server.so");
   return command;
@@ -133,6 +142,10 @@ std::optional<Answer> Student::start() {
     switch (message->kind) {
       case Kind::hello:
         return {};
+      case Kind::memory_error:  // of something static
+        if (!setup_.sanitised) return broke_rules("something else than a greeting");
+        end(1);
+        return Answer{Outcome::memory_error, MessageReader(message->body), {}};
       case Kind::denied:
         return broke_rules("it tried " +
                            std::string(denied_syscall(MessageReader(message->body).get<int>())));
@@ -159,6 +172,18 @@ struct Student::Conversation {
 };
 
 Answer Student::ask(const MessageWriter& request, const Products& products) {
+  if (recording_ == nullptr || gave_up_) return ask_worker(request, products);
+  recording_->begin(request);
+  Answer answer = ask_worker(request, [&](int which, const std::vector<double>& x, std::vector<double>& y) {
+    const bool go_on = products(which, x, y);
+    recording_->add_product(which, y, go_on);
+    return go_on;
+  });
+  recording_->end(answer.outcome);
+  return answer;
+}
+
+Answer Student::ask_worker(const MessageWriter& request, const Products& products) {
   Conversation conversation{random_nonce(), products, setup_.allowance->spent.suite_cpu_seconds};
   auto answer = [&]() -> Answer {
     if (gave_up_) return *gave_up_;
@@ -234,6 +259,10 @@ MessageReader Student::listen(Conversation& conversation, Kind until) {
         throw Over{{Outcome::threw, MessageReader({}), body.get_text()}};
       case Kind::out_of_memory:
         throw Over{{Outcome::out_of_memory, MessageReader({}), {}}};
+      case Kind::memory_error:
+        if (!setup_.sanitised) throw MalformedMessage("a memory error that nobody looks for");
+        end(1);
+        throw Over{{Outcome::memory_error, std::move(body), {}}};
       default:
         throw MalformedMessage("a message of kind " +
                                std::to_string(static_cast<std::uint32_t>(message->kind)));

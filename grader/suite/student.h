@@ -19,6 +19,8 @@
 
 namespace grader {
 
+class Recording;
+
 struct WorkerSetup {
   std::filesystem::path kit;                   // see grader/worker/CMakeLists.txt
   std::string exercise;                        // the exercise whose server answers
@@ -26,7 +28,8 @@ struct WorkerSetup {
   std::vector<std::filesystem::path> objects;  // in loading order; the student's last
   std::filesystem::path log;                   // the worker's output is appended here
   bool isolated = true;
-  int cpu_seconds = 10;  // of one worker
+  bool sanitised = false;  // with the sanitizers' runtime; only where a control group bounds its memory
+  int cpu_seconds = 10;    // of one worker
   // Workers that share it may be copies of one setup.
   std::shared_ptr<Allowance> allowance = std::make_shared<Allowance>();
 };
@@ -41,11 +44,12 @@ enum class Outcome {
   timed_out,
   broke_rules,
   cannot_load,
+  memory_error,  // the reply is one, see grader/wire/memory_error.h
 };
 
 struct Answer {
   Outcome outcome;
-  MessageReader reply;  // the server's reply, if done
+  MessageReader reply;  // the server's reply, if done; or the memory error
   std::string note;     // for staff: what happened
 };
 
@@ -54,6 +58,9 @@ class Student {
   static constexpr int kMostTimeouts = 2;  // a third one would only cost time
 
   explicit Student(WorkerSetup setup) : setup_(std::move(setup)) {}
+
+  // From now on what is asked is written down there. Null: no longer.
+  void record(Recording* recording) { recording_ = recording; }
 
   // Sends a request and waits for its answer.
   Answer ask(const MessageWriter& request, const Products& products);
@@ -75,6 +82,7 @@ class Student {
   std::optional<Answer> start();
   struct Conversation;
   struct Over;
+  Answer ask_worker(const MessageWriter& request, const Products& products);
   Answer converse(const MessageWriter& request, Conversation& conversation);
   void charge(const Conversation& conversation);
   MessageReader listen(Conversation& conversation, Kind until);
@@ -87,6 +95,7 @@ class Student {
   Ending end(double grace_seconds);
 
   WorkerSetup setup_;
+  Recording* recording_ = nullptr;
   std::shared_ptr<Worker> worker_;
   std::optional<Answer> gave_up_;
   Outcome last_failure_ = Outcome::timed_out;

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <fstream>
 
+#include "grader/compile/lines.h"
+#include "grader/sandbox/identity.h"
+#include "grader/suite/memory_points.h"
 #include "solver/timing.h"
 
 namespace grader {
@@ -19,6 +22,14 @@ std::string beginning_of(const fs::path& file, std::size_t most) {
   in.read(text.data(), static_cast<std::streamsize>(most));
   text.resize(static_cast<std::size_t>(in.gcount()));
   return text;
+}
+
+// The place of a memory error, as a phrase: ", in line 12 of conj_grad.cpp".
+std::string place_of(const Sanitised& sanitised, const std::string& file,
+                     const std::vector<std::uint64_t>& offsets) {
+  const std::optional<int> line =
+      line_of(sanitised.toolchain, sanitised.object, file, sanitised.lines, offsets);
+  return line ? ", in line " + std::to_string(*line) + " of " + file : "";
 }
 
 }  // namespace
@@ -67,12 +78,33 @@ void grade_exercise(const SuiteJobs& jobs, const Compiler& compiler, const Exerc
   if (compiled.object.empty())
     return without_cases(Status::does_not_compile, sentence_for(Status::does_not_compile));
 
-  run_cases(jobs, exercise, submission.name, compiled.object, job, result, timing);
+  std::optional<Sanitised> sanitised;
+  double compiler_cpu_seconds = compiled.cpu_seconds;
+  if (jobs.settings().memory_errors) {
+    const timing::Stopwatch once_more;
+    const fs::path folder = job / "sanitised";
+    fs::create_directory(folder);
+    share_with_sandbox(folder, false);
+    const Compiled checked = compiler.compile(exercise, file->second.text, folder,
+                                              compiler_seconds - compiled.cpu_seconds, Build::sanitised);
+    timing.compile_seconds += once_more.seconds();
+    compiler_cpu_seconds += checked.cpu_seconds;
+    if (checked.object.empty())
+      result.staff_log +=
+          "memory errors were not looked for, since it does not compile with sanitizers:\n" + checked.log;
+    const auto lines = std::count(file->second.text.begin(), file->second.text.end(), '\n') + 1;
+    sanitised.emplace(Sanitised{compiler.toolchain(), checked.object, static_cast<int>(lines)});
+  }
+  timing.spent.compiler_cpu_seconds = compiler_cpu_seconds;
+
+  run_cases(jobs, exercise, submission.name, compiled.object, job, sanitised, result, timing);
 }
 
 void run_cases(const SuiteJobs& jobs, const Exercise& exercise, const std::string& student,
-               const fs::path& object, const fs::path& job, ExerciseResult& result, ExerciseTiming& timing) {
-  const SuiteJob suite = jobs.cases(exercise, student, object, job);
+               const fs::path& object, const fs::path& job, const std::optional<Sanitised>& sanitised,
+               ExerciseResult& result, ExerciseTiming& timing) {
+  SuiteJob suite = jobs.cases(exercise, student, object, job);
+  if (sanitised) suite.sanitised = sanitised->object;
   SuiteResult found = jobs.run(suite, timing);
   double weights = 0;
   for (const CaseResult& one : found.cases) weights += one.max_points;
@@ -92,10 +124,19 @@ void run_cases(const SuiteJobs& jobs, const Exercise& exercise, const std::strin
     one.max_points *= exercise.points / weights;
     result.points += one.points;
   }
+  if (sanitised && !found.memory_error.told.empty()) {
+    const std::string told =
+        found.memory_error.told + place_of(*sanitised, exercise.file, found.memory_error.offsets) + ".";
+    for (CaseResult& one : found.cases)
+      if (one.name == kMemoryTitle) one.memory_error = one.feedback = told;
+  }
   result.cases = std::move(found.cases);
   result.pictures = std::move(found.pictures);
   result.status = overall_status(result.cases);
   result.feedback = sentence_for(result.status);
+  if (!jobs.settings().memory_errors)
+    result.feedback +=
+        " Memory errors were not looked for on this machine; their point went to the largest category.";
   result.staff_log += beginning_of(suite.log, kMostLog);
 }
 

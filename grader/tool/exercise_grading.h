@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,10 +22,17 @@ void grade_exercise(const SuiteJobs& jobs, const Compiler& compiler, const Exerc
                     const Submission& submission, const std::filesystem::path& job, double compiler_seconds,
                     ExerciseResult& result, ExerciseTiming& timing);
 
-// Runs only the suite, against an object of `student`.
+// A student's file, compiled once more with the sanitizers that find memory errors.
+struct Sanitised {
+  const Toolchain& toolchain;    // which knows an object's lines
+  std::filesystem::path object;  // empty: the compiler met a limit with them
+  int lines = 0;                 // of the file
+};
+
+// Runs only the suite, against an object of `student`. Without `sanitised` memory errors are not looked for.
 void run_cases(const SuiteJobs& jobs, const Exercise& exercise, const std::string& student,
-               const std::filesystem::path& object, const std::filesystem::path& job, ExerciseResult& result,
-               ExerciseTiming& timing);
+               const std::filesystem::path& object, const std::filesystem::path& job,
+               const std::optional<Sanitised>& sanitised, ExerciseResult& result, ExerciseTiming& timing);
 
 // An exercise's status from those of its cases.
 Status overall_status(const std::vector<CaseResult>& cases);

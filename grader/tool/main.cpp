@@ -115,6 +115,8 @@ int grade(const GradeOptions& options) {
   if (batch.kept > 0) std::cout << ", " << batch.kept << " kept from before";
   if (options.unsafe) std::cout << ", without a sandbox";
   if (options.no_images) std::cout << ", without pictures";
+  if (!memory_can_be_bounded())
+    std::cout << ", without a look for memory errors (no control group bounds memory)";
   std::cout << "\n" << fs::absolute(options.batch.out / "index.html").lexically_normal().string() << "\n";
   for (const std::string& problem : batch.problems)
     std::cerr << "hairgrade: could not grade " << printable(problem, 2000) << "\n";

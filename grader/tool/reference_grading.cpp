@@ -32,7 +32,7 @@ ReferenceGraded grade_reference(const SuiteJobs& jobs) {
     if (!jobs.selected(exercise)) continue;
     ExerciseResult result;
     run_cases(jobs, exercise, "", jobs.reference_object(exercise),
-              jobs.kit().new_job("reference-" + exercise.id), result, graded.timing[exercise.id]);
+              jobs.kit().new_job("reference-" + exercise.id), {}, result, graded.timing[exercise.id]);
     for (const CaseResult& one : result.cases)
       if (one.status != Status::passed)
         throw std::runtime_error("the reference fails its own suite for " + exercise.id + ", in \"" +

@@ -56,7 +56,8 @@ SuiteJobs::SuiteJobs(const GradingSettings& settings, const StagedKit& kit)
 
 std::string SuiteJobs::fingerprint() const {
   std::string all = kit_.hash() + suite_hash_ + sha256_of(settings_.scenes) + sha256(settings_.secret) +
-                    (settings_.isolated ? "" : "unsafe") + (settings_.images ? drawn_ : "no images");
+                    (settings_.isolated ? "" : "unsafe") + (settings_.images ? drawn_ : "no images") +
+                    (settings_.memory_errors ? "" : "no sanitizers");
   for (const BudgetField& field : budget_fields())
     all += std::string(field.key) + std::to_string(settings_.course.budget.*field.value);
   for (const Exercise& exercise : settings_.course.exercises)
@@ -139,6 +140,7 @@ SuiteResult SuiteJobs::run(const SuiteJob& job, ExerciseTiming& timing) const {
   const double compiler = timing.spent.compiler_cpu_seconds;
   timing.spent = found.spent;
   timing.spent.compiler_cpu_seconds = compiler;
+  timing.sanitised_cpu_seconds = found.sanitised_cpu_seconds;
   timing.run_cpu_seconds = found.run_cpu_seconds;
   timing.picture_cpu_seconds = found.picture_cpu_seconds;
   return found;

@@ -10,6 +10,7 @@
 #include "grader/compile/kit.h"
 #include "grader/course/course.h"
 #include "grader/report/result.h"
+#include "grader/sandbox/control_group.h"
 #include "grader/tool/suite_run.h"
 
 namespace grader {
@@ -20,7 +21,8 @@ struct GradingSettings {
   std::filesystem::path kit, suite, players, scenes, cache;
   std::string secret;
   bool isolated = true;
-  bool images = true;  // draw whole runs
+  bool images = true;                            // draw whole runs
+  bool memory_errors = memory_can_be_bounded();  // look for them, once more with sanitizers
   bool study = false;  // error against time, beside the reference: shown, but not scored
 };
 
@@ -30,6 +32,7 @@ struct ExerciseTiming {
   double suite_seconds = 0;    // wall time
   double worker_cpu_seconds = 0;
   int worker_starts = 0;
+  double sanitised_cpu_seconds = 0;  // of the worker with sanitizers
   Budget spent = nothing_spent();
   double run_cpu_seconds = 0;      // of the worker that plays the whole run
   double picture_cpu_seconds = 0;  // for drawing and comparing its pictures

@@ -43,6 +43,7 @@ json to_json(const SuiteJob& job) {
               {"cpu_seconds", job.cpu_seconds},
               {"pictures", job.pictures ? json(job.pictures->string()) : json()}};
   for (const BudgetField& field : budget_fields()) all["allowance"][field.key] = job.allowance.*field.value;
+  if (job.sanitised) all["sanitised"] = job.sanitised->string();
   if (job.whole_run)
     all["whole_run"] = {{"scene", job.whole_run->scene.string()},
                         {"seed", job.whole_run->seed},
@@ -111,6 +112,11 @@ SuiteResult run_suite(const std::filesystem::path& suite, const SuiteJob& job) {
     result.spent.*field.value = found.at("spent").at(field.key);
   result.run_cpu_seconds = found.value("run_cpu_seconds", 0.0);
   result.picture_cpu_seconds = found.value("picture_cpu_seconds", 0.0);
+  if (found.contains("memory")) {
+    const json& memory = found.at("memory");
+    result.memory_error = {memory.at("told"), memory.at("offsets")};
+    result.sanitised_cpu_seconds = memory.at("cpu_seconds");
+  }
   result.pictures = pictures_from(found.value("pictures", json::array()));
   for (const json& one : found.value("cases", json::array()))
     result.cases.push_back({one.at("name"), status_from_string(one.at("status")), one.at("points"),

@@ -27,6 +27,9 @@ struct SuiteJob {
   std::optional<std::filesystem::path> pictures =
       {};  // the folder of the reference's pictures; nothing: none are drawn
 
+  // The student's object with sanitizers; empty: there is none. Nothing: memory errors are not looked for.
+  std::optional<std::filesystem::path> sanitised = {};
+
   // For an exercise with a whole run, see grader/suite/whole_run.h.
   struct WholeRun {
     std::filesystem::path scene;
@@ -50,9 +53,16 @@ struct SuiteResult {
   std::optional<SubmissionStudy> study;  // of "study"
   std::vector<CaseResult> cases;         // points are weights, not yet scaled to the exercise's points
   std::vector<PictureResult> pictures;
-  double cpu_seconds = 0;          // of the worker
-  double run_cpu_seconds = 0;      // of the worker that played the whole run
-  double picture_cpu_seconds = 0;  // on our side: drawing and comparing
+  // A memory error, as a sentence for the student, and where in the sanitised object it is, see
+  // grader/wire/memory_error.h: not trusted. Empty: none was found.
+  struct {
+    std::string told;
+    std::vector<std::uint64_t> offsets;
+  } memory_error;
+  double cpu_seconds = 0;            // of the worker
+  double sanitised_cpu_seconds = 0;  // of the worker with sanitizers
+  double run_cpu_seconds = 0;        // of the worker that played the whole run
+  double picture_cpu_seconds = 0;    // on our side: drawing and comparing
   int starts = 0;
   Budget spent = nothing_spent();
 };

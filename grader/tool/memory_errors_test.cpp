@@ -1,0 +1,321 @@
+// STAFF ONLY. Memory errors are found, named in our words and placed in the student's file; and what else may happen to
+// those who look for them.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "grader/compile/compiler.h"
+#include "grader/compile/lines.h"
+#include "grader/report/student_view.h"
+#include "grader/sandbox/control_group.h"
+#include "grader/sandbox/identity.h"
+#include "grader/suite/memory_points.h"
+#include "grader/suite/student.h"
+#include "grader/tool/exercise_grading.h"
+#include "grader/tool/suite_jobs.h"
+#include "grader/wire/memory_error.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+const fs::path kProject = HAIR_PROJECT;
+
+GradingSettings settings_for_tests() {
+  GradingSettings settings;
+  settings.course = read_course(kProject / "handout/exercises.json");
+  settings.kit = HAIR_KIT_DIR;
+  settings.suite = HAIR_SUITE;
+  settings.players = HAIR_PLAYERS;
+  settings.scenes = HAIR_HIDDEN_SCENES;
+  settings.cache = HAIR_TEST_CACHE;
+  settings.secret = "a secret for tests alone";
+  settings.images = false;
+  return settings;
+}
+
+class MemoryErrorsTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!memory_can_be_bounded()) GTEST_SKIP() << "no control group can bound memory here";
+  }
+
+  // A ConjGrad that solves nothing; its body begins in line 5.
+  static std::string function(const std::string& body) {
+    return "#include \"solver/linearSolver.h\"\n#include <climits>\n#include <cstdlib>\n"
+           "double ConjGrad(int n, implicitMatrix*, double x[], double b[], double, int* steps) {\n" +
+           body + "\n}\n";
+  }
+
+  Compiled sanitised(const std::string& source, const std::string& name, double seconds = 20) const {
+    return compiler_.compile(s1_, source, kit_.new_job(name), seconds, Build::sanitised);
+  }
+
+  // What a worker with this object answers to a request with n = 4.
+  Answer ask(const fs::path& object) const {
+    WorkerSetup setup;
+    setup.kit = kit_.folder();
+    setup.exercise = "S1";
+    setup.objects = {object};
+    setup.log = kit_.folder().parent_path() / "log";
+    setup.sanitised = true;
+    Student student(setup);
+    const std::vector<double> values = {1, 2, 3, 4};
+    MessageWriter request;
+    request.put(4)
+        .put(1e-10)
+        .put(4)
+        .put(1)
+        .put(std::span<const double>(values))
+        .put(std::span<const double>(values));
+    return student.ask(request, [](int, const std::vector<double>& v, std::vector<double>& y) {
+      y = v;
+      return true;
+    });
+  }
+
+  struct Found {
+    Outcome outcome;
+    std::string shown;
+    std::optional<int> line;
+  };
+
+  Found look(const std::string& source, const std::string& name) const {
+    const Compiled compiled = sanitised(source, name);
+    if (compiled.object.empty()) return {Outcome::cannot_load, compiled.log, {}};
+    Answer answer = ask(compiled.object);
+    if (answer.outcome != Outcome::memory_error) return {answer.outcome, answer.note, {}};
+    const MemoryError error = read_memory_error(answer.reply);
+    return {answer.outcome, error.shown(),
+            line_of(compiler_.toolchain(), compiled.object, s1_.file, 100, error.offsets)};
+  }
+
+  // A whole S1, with and without a look for memory errors.
+  struct GradedExercise {
+    ExerciseResult result;
+    ExerciseTiming timing;
+  };
+  GradedExercise grade_timed(const std::string& source, bool memory_errors, const std::string& name) {
+    settings_.memory_errors = memory_errors;
+    const SuiteJobs jobs(settings_, kit_);
+    Submission submission;
+    submission.name = "somebody";
+    submission.files[s1_.file].text = source;
+    GradedExercise graded{describe(s1_), {}};
+    grade_exercise(jobs, compiler_, s1_, submission, kit_.new_job(name), 30, graded.result, graded.timing);
+    return graded;
+  }
+  ExerciseResult grade(const std::string& source, bool memory_errors, const std::string& name) {
+    return grade_timed(source, memory_errors, name).result;
+  }
+
+  static const CaseResult* memory_case(const ExerciseResult& result) {
+    for (const CaseResult& one : result.cases)
+      if (one.name == kMemoryTitle) return &one;
+    return nullptr;
+  }
+
+  GradingSettings settings_ = settings_for_tests();
+  const Exercise& s1_ = *settings_.course.find("S1");
+  const StagedKit kit_{settings_.kit, settings_.course};
+  const Compiler compiler_{kit_, settings_.cache, true};
+};
+
+struct Mistake {
+  const char* name;
+  const char* body;  // begins in line 5
+  const char* shown;
+  int line;
+};
+
+TEST_F(MemoryErrorsTest, AreNamedAndPlaced) {
+  const Mistake mistakes[] = {
+      {"heap", "double* volatile a = new double[n];\na[0] = 1;\nx[1] = a[n];\ndelete[] a;\nreturn 0;",
+       "reaches outside of memory that it got from new or malloc", 7},
+      {"freed", "double* volatile a = new double[n];\na[1] = x[0];\ndelete[] a;\nreturn a[1];",
+       "uses memory that is freed already", 8},
+      {"twice", "double* volatile a = new double[n];\na[1] = x[0];\ndelete[] a;\ndelete[] a;\nreturn 0;",
+       "uses memory that is freed already|frees the same memory twice", 8},
+      {"stack", "volatile double a[4] = {};\nvolatile double* p = a;\np[n] = x[0];\nreturn a[1];",
+       "reaches outside of an array or a variable on the stack", 7},
+      {"index", "volatile double a[4] = {};\na[n] = x[0];\nreturn a[1];", "has an index outside of its array",
+       6},
+      {"static", "static double a[4];\ndouble* volatile p = a;\np[n + 1] = x[0];\nreturn a[1];",
+       "reaches outside of a static or global array", 7},
+      {"before", "double sum = 0;\nfor (int i = -1; i < n; ++i) sum += x[i];\nreturn sum;",
+       "reaches outside of an array that it was given", 6},
+      {"behind", "double sum = 0;\nfor (int i = 0; i <= n; ++i) sum += x[i];\nreturn sum;",
+       "reaches outside of an array that it was given", 6},
+      {"wild", "volatile double* volatile p = b + (1L << 40);\n*p = 1;\nreturn 0;",
+       "reaches to an address where there is nothing", 6},
+      {"null",
+       "double* volatile p = nullptr;\nif (n == 4) *static_cast<volatile double*>(p) = b[0];\nreturn 0;",
+       "follows a null pointer", 6},
+      {"overflow", "volatile int most = INT_MAX;\nmost = most + n;\nreturn 0;",
+       "computes an integer that is too large for its type", 6},
+      {"zero", "volatile int zero = 0;\n*steps = n / zero;\nreturn 0;", "divides an integer by zero", 6},
+      {"other-free", "double* volatile a = new double[n];\na[1] = x[0];\ndelete a;\nreturn 0;",
+       "frees memory in another way than it was allocated: delete for new[], or free for new", 7},
+      {"no-return", "if (n < 4) return x[0];", "comes to the end of a function without a return", 4},
+  };
+  for (const Mistake& mistake : mistakes) {
+    SCOPED_TRACE(mistake.name);
+    const Found found = look(function(mistake.body), mistake.name);
+    EXPECT_EQ(found.outcome, Outcome::memory_error);
+    EXPECT_NE(("|" + std::string(mistake.shown) + "|").find("|" + found.shown + "|"), std::string::npos)
+        << found.shown;
+    EXPECT_EQ(found.line.value_or(0), mistake.line);
+  }
+}
+
+TEST_F(MemoryErrorsTest, AreNotWhatIsMerelyUnusual) {
+  const char* right[] = {
+      "double* a = new double[n];\na[0] = 1;\nreturn a[0];",                          // a leak
+      "try { throw 1; } catch (int) {}\nvolatile double a[400] = {};\nreturn a[n];",  // its own exceptions
+      "double a[n * 1000];\nfor (int i = 0; i < n; ++i) a[i] = x[i];\nreturn a[n - 1];",  // of variable length
+      "unsigned most = UINT_MAX;\nmost += n;\nreturn most;",
+  };
+  for (const char* body : right) {
+    SCOPED_TRACE(body);
+    const Found found = look(function(body), "right-" + std::to_string(&body - right));
+    EXPECT_EQ(found.outcome, Outcome::done) << found.shown;
+  }
+}
+
+TEST_F(MemoryErrorsTest, AreFoundBehindAnExceptionOfOurs) {
+  // Frames that an exception leaves are forgotten; what comes after it is watched like before.
+  const std::string body =
+      "struct Deep {\n  static double go(int k) {\n    volatile double a[64] = {};\n    if (k == 0) throw "
+      "1;\n"
+      "    return go(k - 1) + a[k];\n  }\n};\nfor (int k = 0; k < 50; ++k) {\n  try { Deep::go(k); } catch "
+      "(int) {}\n"
+      "  volatile double other[512] = {};\n  x[0] = other[k];\n}\nreturn 0;";
+  const Found found = look(function(body), "deep");
+  EXPECT_EQ(found.outcome, Outcome::done) << found.shown;
+}
+
+TEST_F(MemoryErrorsTest, AreToldInNoWordsOfTheStudents) {
+  const std::string body =
+      "#line 70000 \"FULL POINTS.cpp\"\nstruct FULL_POINTS {\n  static double go(double* a, int n) { return "
+      "a[n]; }\n};\n"
+      "double* a = new double[n];\nreturn FULL_POINTS::go(a, n);";
+  const Found found = look(function(body), "words");
+  EXPECT_EQ(found.outcome, Outcome::memory_error);
+  EXPECT_EQ(found.shown, "reaches outside of memory that it got from new or malloc");
+  EXPECT_FALSE(found.line) << "a line of another file, or beyond the end of this one";
+}
+
+// The sample of the issue.
+TEST_F(MemoryErrorsTest, CostAPointThatNothingElseCosts) {
+  std::string source = text_of(kProject / "grader/samples/solutions/plain/conj_grad.cpp");
+  const std::string vectors = "  vector<double> r(n), d(n), q(n), x_new(n);\n";
+  ASSERT_NE(source.find(vectors), std::string::npos);
+  const std::string right = source;
+  // Compilers put the later one first.
+  source.replace(source.find(vectors), 0,
+                 "  static volatile double behind[16384];\n  static double table[1000];\n"
+                 "  behind[12000 + *steps % 9] = 1;\n  double* volatile p = table;\n"
+                 "  for (int i = 0; i < n; ++i) p[i] = 1;\n");
+
+  const ExerciseResult seen = grade(source, true, "seen"), unseen = grade(source, false, "unseen");
+  EXPECT_EQ(unseen.status, Status::passed) << "the sanitizers alone see it";
+  EXPECT_DOUBLE_EQ(unseen.points, s1_.points);
+  EXPECT_EQ(memory_case(unseen), nullptr);
+  EXPECT_NE(unseen.feedback.find("Memory errors were not looked for"), std::string::npos) << unseen.feedback;
+
+  EXPECT_EQ(seen.status, Status::partly);
+  // Without pictures, whose point the others share.
+  EXPECT_DOUBLE_EQ(seen.points, s1_.points * (31 - kMemoryPoints) / 31);
+  ASSERT_NE(memory_case(seen), nullptr);
+  SubmissionResult submission;
+  submission.exercises = {seen};
+  const SubmissionResult view = for_student(submission);
+  EXPECT_EQ(memory_case(view.exercises[0])->feedback,
+            "The code reaches outside of a static or global array, in line 30 of conj_grad.cpp.");
+  EXPECT_EQ(seen.feedback.find("not looked for"), std::string::npos);
+
+  const ExerciseResult honest = grade(right, true, "right");
+  EXPECT_DOUBLE_EQ(honest.points, s1_.points);
+  double most = 0, most_unseen = 0;
+  for (const CaseResult& one : seen.cases) most += one.max_points;
+  for (const CaseResult& one : unseen.cases) most_unseen += one.max_points;
+  EXPECT_DOUBLE_EQ(most, most_unseen);
+}
+
+// The look comes last, and has what the others have left of the share.
+TEST_F(MemoryErrorsTest, AreLookedForAtNoOthersCost) {
+  std::string source = text_of(kProject / "grader/samples/solutions/plain/conj_grad.cpp");
+  const std::string vectors = "  vector<double> r(n), d(n), q(n), x_new(n);\n";
+  ASSERT_NE(source.find(vectors), std::string::npos);
+  source.replace(source.find(vectors), 0,
+                 "#ifdef __SANITIZE_ADDRESS__\n  for (volatile int i = 0;; i = 1 - i) {\n  }\n#endif\n");
+  settings_.course.budget.worker_cpu_seconds = 15;  // so that a worker may use up an exercise's share
+  const auto [result, timing] = grade_timed(source, true, "slow");
+  EXPECT_DOUBLE_EQ(result.points, s1_.points) << "slow code keeps the point";
+  EXPECT_GT(timing.sanitised_cpu_seconds, 1);
+  EXPECT_LT(timing.spent.worker_cpu_seconds, SuiteJobs(settings_, kit_).allowance().worker_cpu_seconds + 1);
+}
+
+TEST_F(MemoryErrorsTest, AreCachedApart) {
+  const std::string source =
+      function("return x[0];") + "// for the cache, " + std::to_string(getpid()) + "\n";
+  const Compiled ordinary = compiler_.compile(s1_, source, kit_.new_job("cache-1"), 20);
+  const Compiled first = sanitised(source, "cache-2"), second = sanitised(source, "cache-3");
+  EXPECT_GT(first.cpu_seconds, 0) << "the ordinary object took its place";
+  EXPECT_EQ(second.cpu_seconds, 0) << "compiled again";
+  EXPECT_EQ(text_of(first.object), text_of(second.object));
+  EXPECT_NE(text_of(first.object), text_of(ordinary.object));
+}
+
+// Where kernels place memory by more chance than here, AddressSanitizer's runtime fails now and then.
+TEST_F(MemoryErrorsTest, AreLookedForWhereMemoryIsAlwaysInTheSamePlace) {
+  const Compiled compiled = sanitised(
+      function("static double here;\nreturn static_cast<double>(reinterpret_cast<long>(&here));"), "place");
+  Answer first = ask(compiled.object), second = ask(compiled.object);
+  ASSERT_EQ(first.outcome, Outcome::done);
+  ASSERT_EQ(second.outcome, Outcome::done);
+  EXPECT_EQ(first.reply.get<double>(), second.reply.get<double>());
+}
+
+// A user that owns no control group can't bound memory, and starts no worker with sanitizers.
+TEST_F(MemoryErrorsTest, AreNotLookedForWithoutAControlGroup) {
+  if (geteuid() != 0) GTEST_SKIP() << "only root can become somebody else";
+  const pid_t child = fork();
+  if (child == 0) {
+    if (!become(sandbox_identity())) _exit(3);
+    const std::optional<ControlGroup> group = ControlGroup::create(std::size_t{1} << 30, 8);
+    if (group && group->bounds_memory()) _exit(4);
+    Cage cage;
+    cage.isolated = false;
+    cage.limits.memory_of_group = true;
+    try {
+      CagedProcess process(cage, {"/bin/true"}, -1, -1, -1);
+      _exit(5);
+    } catch (const std::runtime_error&) {
+      _exit(0);
+    }
+  }
+  int status = 0;
+  ASSERT_EQ(waitpid(child, &status, 0), child);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+}
+
+TEST_F(MemoryErrorsTest, DoNotIncludeMemoryThatIsUsedUp) {
+  const Found found = look(function("for (;;) {\n  volatile char* a = new char[1 << 26];\n"
+                                    "  for (int i = 0; i < 1 << 26; i += 4096) a[i] = 1;\n}"),
+                           "greedy");
+  EXPECT_EQ(found.outcome, Outcome::out_of_memory) << found.shown;
+}
+
+}  // namespace
+}  // namespace grader
