@@ -91,7 +91,7 @@ TEST(ConjGrad, SolvesExample2OfTheLectureInTwoSteps) {
 }
 
 TEST(ConjGrad, SolvesSystemsOfManySizes) {
-  for (int n : {1, 2, 3, 10, 100, 1000}) {
+  for (int n : {1, 2, 3, 10, 100, 1000, 5000}) {
     System s = system_with("the tridiagonal (-1, 3, -1), n = " + std::to_string(n),
                            solver::tridiagonal(n, 3, -1), scattered(n), 1);
     const double epsilon = relative_epsilon(s.b);
