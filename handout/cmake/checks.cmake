@@ -31,9 +31,11 @@ if(HAIR_SANITIZED_CHECKS)
   endif()
 endif()
 
+# Without the macro Eigen allocates in them as in all that is compiled without sanitizers: what one allocates the other may free.
 function(hair_sanitise TARGET)
   if(HAIR_SANITIZED_CHECKS AND HAIR_HAS_SANITIZERS)
-    target_compile_options(${TARGET} PRIVATE -O1 -g1 -fno-omit-frame-pointer ${HAIR_SANITIZERS} -fno-sanitize-recover=all)
+    target_compile_options(${TARGET} PRIVATE -O1 -g1 -fno-omit-frame-pointer ${HAIR_SANITIZERS} -fno-sanitize-recover=all
+                           -U__SANITIZE_ADDRESS__)
     target_link_options(${TARGET} INTERFACE ${HAIR_SANITIZERS})
   endif()
 endfunction()
