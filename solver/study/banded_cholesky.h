@@ -21,8 +21,10 @@ class BandedCholesky {
   // Computes L with L L' = A from the entries that the constructor read. The study times this function.
   void factor();
 
-  // x = A^-1 x.
+  // x = A^-1 x, x = L^-1 x and x = L^-T x.
   void solve(double x[]) const;
+  void solve_lower(double x[]) const;
+  void solve_lower_transposed(double x[]) const;
 
  private:
   double& at(std::vector<double>& band, int row, int column) const {

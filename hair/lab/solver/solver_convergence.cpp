@@ -51,7 +51,7 @@ void add_all_solvers(Figure& figure, const std::vector<Compared>& systems, Named
                      Measure measure) {
   for (const std::size_t i : {std::size_t{0}, systems.size() / 2, systems.size() - 1}) {
     const Compared& on = systems[i];
-    for (const History* history : {&on.conj_grad, &on.eigen})
+    for (const History* history : on.histories())
       figure.series.push_back(
           series_of(*history, history->solver + ", " + named(*history), against, measure));
     if (on.direct && against == Against::time)
@@ -173,6 +173,49 @@ Section strands_section(const SolverStudy& study) {
       {to_svg(products), to_svg(residual), to_svg(time)},
       {table_of("ConjGrad and Eigen's ConjugateGradient on a strand", study.strands, to_text),
        table_of(direct, to_text)}};
+}
+
+Section linked_section(const SolverStudy& study) {
+  const std::string found = preconditioned_verdict(study.linked);
+  Figure residual = figure_of("linked-squared-residual-against-iterations",
+                              "Squared residual against iterations: a strand with links",
+                              "The preconditioner leaves seven different eigenvalues. " + found,
+                              Against::iterations, Measure::squared_residual);
+  add_all_solvers(residual, study.linked, step_name, Against::iterations, Measure::squared_residual);
+  Figure products =
+      figure_of("linked-error-against-products", "Error against products: a strand with links",
+                "With the preconditioner the stiffest system should take no more products than the others.",
+                Against::products, Measure::error);
+  add_all_solvers(products, study.linked, step_name, Against::products, Measure::error);
+  Figure time =
+      figure_of("linked-error-against-time", "Error against CPU time: a strand with links",
+                "The preconditioner's factor is counted in each point.", Against::time, Measure::error);
+  add_all_solvers(time, study.linked, step_name, Against::time, Measure::error);
+
+  std::vector<DirectSolve> direct;
+  for (const Compared& on : study.linked)
+    if (on.direct) direct.push_back(*on.direct);
+  return {
+      "A strand with links, and a preconditioner",
+      {"The strand of before, and " + std::to_string(kLinks) +
+           " springs between particles that are far apart, as where it touches itself. The links spoil the "
+           "band: "
+           "a direct way has to fill in all that lies between a link's two ends. But most of the matrix is "
+           "still the "
+           "strand's, M. So a cheap factor, M = LL', serves as a preconditioner: ConjGrad gets "
+           "L\u207B\u00B9AL\u207B\u1D40 "
+           "instead of A.",
+       "Each link changes M by one spring along the strand and two across it, and the two across are alike. "
+       "So L\u207B\u00B9AL\u207B\u1D40 has " +
+           std::to_string(2 * kLinks) +
+           " eigenvalues that are not 1, whatever the step, and without rounding " +
+           std::to_string(2 * kLinks + 1) + " iterations are enough. " + found,
+       "With no links A is M, and the first guess is the solution: so it is with hair that is straight at "
+       "rest, in "
+       "implicit methods (exercise H4). " +
+           time_verdict(study.linked)},
+      {to_svg(residual), to_svg(products), to_svg(time)},
+      {table_of("A strand with links", study.linked, to_text), table_of(direct, to_text)}};
 }
 
 }  // namespace hair::solver_lab

@@ -10,5 +10,6 @@ namespace hair::solver_lab {
 Section conditions_section(const solver::study::SolverStudy& study);
 Section clusters_section(const solver::study::SolverStudy& study);
 Section strands_section(const solver::study::SolverStudy& study);
+Section linked_section(const solver::study::SolverStudy& study);
 
 }  // namespace hair::solver_lab

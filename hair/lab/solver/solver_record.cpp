@@ -44,8 +44,7 @@ std::string solver_json(const SolverStudy& study, const std::string& machine, co
                {"direct", Json::array()}};
   const auto add = [&](const std::string& family, const std::vector<Compared>& systems) {
     for (const Compared& on : systems) {
-      json["convergence"].push_back(json_of(family, on.conj_grad));
-      json["convergence"].push_back(json_of(family, on.eigen));
+      for (const History* history : on.histories()) json["convergence"].push_back(json_of(family, *history));
       if (on.direct)
         json["direct"].push_back({{"system", on.direct->system},
                                   {"solver", on.direct->solver},
@@ -58,6 +57,7 @@ std::string solver_json(const SolverStudy& study, const std::string& machine, co
   add("condition numbers", study.conditions);
   add("clusters", study.clusters);
   add("strands", study.strands);
+  add("linked strands", study.linked);
   for (const IterationsNeeded& one : study.needed)
     json["iterations"].push_back({{"condition", one.condition},
                                   {"conj_grad", json_of(one.conj_grad)},

@@ -28,7 +28,7 @@ Table table_of(const std::string& caption, const std::vector<Compared>& systems,
        "error in the A-norm, relative", "squared residual, relative", "as the solver says", "CPU time, s"},
       {}};
   for (const Compared& on : systems)
-    for (const History* history : {&on.conj_grad, &on.eigen})
+    for (const History* history : on.histories())
       for (const Progress& progress : history->progress)
         table.rows.push_back(
             {history->system, std::to_string(history->n), written(history->condition), history->solver,
@@ -93,7 +93,8 @@ Table table_of(const std::vector<ProductCost>& products, Written written) {
 std::vector<NamedTable> solver_tables(const SolverStudy& study) {
   std::vector<Compared> all;
   std::vector<DirectSolve> direct;
-  for (const std::vector<Compared>* family : {&study.conditions, &study.clusters, &study.strands})
+  for (const std::vector<Compared>* family :
+       {&study.conditions, &study.clusters, &study.strands, &study.linked})
     for (const Compared& on : *family) {
       all.push_back(on);
       if (on.direct) direct.push_back(*on.direct);

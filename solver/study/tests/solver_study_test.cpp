@@ -4,13 +4,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <stdexcept>
 
 #include "solver/study/banded_cholesky.h"
 #include "solver/study/eigen_conj_grad.h"
+#include "solver/study/preconditioned.h"
 #include "solver/study/systems.h"
+#include "solver/symmetric_eigen.h"
 
 namespace solver::study {
 namespace {
@@ -49,6 +52,37 @@ TEST(Systems, TheSolutionSolvesThem) {
   for (const System& system : {spread_system(50, 1e4), clustered_system(50, 1e4, 3), strand_system(5, 1e-3)})
     EXPECT_EQ(product(*system.matrix, system.solution), system.right_side) << system.name;
   EXPECT_THROW(clustered_system(50, 1e4, 1), std::invalid_argument);
+}
+
+// The eigenvalues of M^-1 A, with M the strand without its links: 1, and two for each link.
+TEST(Systems, LinksLeaveFewEigenvaluesBesideTheStrand) {
+  for (const double step : {1e-4, 1e-3}) {
+    const SparseMatrix A = linked_strand_matrix(10, step);
+    const BandedCholesky M(strand_matrix(10, step));
+    const int n = A.rows();
+    Eigen::MatrixXd between = Eigen::MatrixXd::Zero(n, n);
+    for (const SparseMatrix::Entry& entry : A.entries()) between(entry.row, entry.col) = entry.value;
+    for (int pass = 0; pass < 2; ++pass) {
+      for (int i = 0; i < n; ++i) M.solve_lower(between.col(i).data());
+      between.transposeInPlace();
+    }
+    const Eigen::VectorXd eigenvalues = symmetric_eigenvalues(between);
+    // Rounding moves them by about u times the condition number, here below 1e5.
+    EXPECT_EQ((eigenvalues.array() > 1 + 1e-9).count(), 3 * kLinks) << step;
+    EXPECT_GT(eigenvalues[0], 1 - 1e-9) << step;
+    int different = 0;
+    for (int i = 1; i < n; ++i) different += eigenvalues[i] > (1 + 1e-9) * eigenvalues[i - 1];
+    EXPECT_EQ(different, 2 * kLinks) << step;
+  }
+}
+
+TEST(Systems, ALinkedStrandHasTheEigenvaluesThatItSays) {
+  const System system = linked_strand_system(10, 1e-4);
+  const SparseMatrix A = linked_strand_matrix(10, 1e-4);
+  EXPECT_TRUE(definite(A, 1, (1 - 1e-9) * system.smallest));
+  EXPECT_FALSE(definite(A, 1, (1 + 1e-9) * system.smallest));
+  EXPECT_TRUE(definite(A, -1, (1 + 1e-9) * system.largest));
+  EXPECT_FALSE(definite(A, -1, (1 - 1e-9) * system.largest));
 }
 
 TEST(BandedCholeskyTest, SolvesAStrandAndRefusesWhatIsNotDefinite) {
@@ -207,6 +241,31 @@ TEST(IterationsNeededTest, OfTheNormalEquationsToo) {
   EXPECT_EQ(normal_iterations_needed(solve, system, *needed - 2), std::nullopt);
 }
 
+// k + 1 different eigenvalues take k + 1 iterations, whatever the condition number: so it is with Eigen's.
+TEST(PreconditionedTest, ALinkedStrandTakesAsManyIterationsAsItHasEigenvalues) {
+  const ConjGradFunction solve = eigen;
+  for (const double step : {1e-4, 1e-2}) {
+    const System system = linked_strand_system(20, step);
+    BandedCholesky band(strand_matrix(20, step));
+    const History with = history_of(preconditioned(solve, band), "with", system, 100, {});
+    const auto there =
+        std::ranges::find_if(with.progress, [](const Progress& one) { return one.error < 1e-9; });
+    ASSERT_NE(there, with.progress.end()) << step;
+    EXPECT_LE(there->iterations, 2 * kLinks + 1) << step;
+    EXPECT_LE(there->products, 2 * kLinks + 3) << step;
+    EXPECT_GT(history_of(solve, "without", system, 2 * kLinks + 2, {}).progress.back().error, 1e-3) << step;
+  }
+}
+
+// With all of the matrix for its band, the first guess is the solution.
+TEST(PreconditionedTest, AStrandTakesNone) {
+  const ConjGradFunction solve = eigen;
+  const System system = strand_system(20, 1e-2);
+  BandedCholesky band(strand_matrix(20, 1e-2));
+  const History with = history_of(preconditioned(solve, band), "with", system, 1, {});
+  EXPECT_LE(with.progress.front().squared_residual, 1e-20);
+}
+
 // The solver is asked for as many iterations as before, and not for those that it says it took.
 TEST(HistoryTest, TimesWhatWasAskedFor) {
   const System system = spread_system(10, 10);
@@ -275,12 +334,15 @@ TEST(SolverStudyTest, WithoutNormalEquationsAllFamiliesAreMeasuredAndTimedBeside
   EXPECT_STREQ(study->not_written->what(), "S2 solve_normal_equations is not implemented yet");
   EXPECT_TRUE(study->digits.empty());
   EXPECT_FALSE(study->products.empty());
-  for (const std::vector<Compared>* family : {&study->conditions, &study->clusters, &study->strands}) {
+  for (const std::vector<Compared>* family :
+       {&study->conditions, &study->clusters, &study->strands, &study->linked}) {
     EXPECT_GE(family->size(), 4);
     for (const Compared& on : *family) {
-      EXPECT_EQ(on.direct.has_value(), family == &study->strands) << "full matrices have no band";
+      EXPECT_EQ(on.direct.has_value(), family == &study->strands || family == &study->linked)
+          << "full matrices have no band";
+      EXPECT_EQ(on.preconditioned.has_value(), family == &study->linked);
       EXPECT_EQ(on.conj_grad.system, on.eigen.system);
-      for (const History* history : {&on.conj_grad, &on.eigen})
+      for (const History* history : on.histories())
         for (const Progress& one : history->progress)
           EXPECT_GT(one.seconds, 0) << history->system << ", " << history->solver;
       if (on.direct) {
