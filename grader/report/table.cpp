@@ -10,7 +10,7 @@
 namespace grader {
 namespace {
 
-// Ten exercises must stand side by side in 100 columns.
+// Eleven exercises must stand side by side in 100 columns.
 constexpr std::size_t kLongestName = 23;
 using Cells = std::vector<std::string>;
 

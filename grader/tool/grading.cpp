@@ -61,12 +61,12 @@ Graded Grading::grade(const Submission& submission) const {
   // Honest files take very different times: what earlier ones leave of their shares, later ones may take.
   double compiler_seconds = 0;
   for (const Exercise& exercise : settings_.course.exercises) {
+    compiler_seconds += jobs_.allowance().compiler_cpu_seconds;
     if (!jobs_.selected(exercise)) continue;
     const fs::path folder = kit_.new_job(job.filename() / exercise.id);
     ExerciseResult result = describe(exercise);
     try {
       ExerciseTiming& timing = graded.timing[exercise.id];
-      compiler_seconds += jobs_.allowance().compiler_cpu_seconds;
       grade_exercise(jobs_, compiler_, exercise, submission, folder, compiler_seconds, result, timing);
       compiler_seconds = std::max(0.0, compiler_seconds - timing.spent.compiler_cpu_seconds);
     } catch (const std::exception& problem) {  // ours, not the student's; and it stops no other submission

@@ -73,6 +73,15 @@ void add_strand(Bounds& bounds, const Description& hair, const StrandStart& star
   bounds.add(above(hair.obstacles, swing.high));
 }
 
+// Any model's strand starts where one of masses and springs does.
+template <class Carry>
+void add_strand(Bounds& bounds, const Description& hair, std::size_t index, const Carry& carry) {
+  if (index < hair.strands.size())
+    add_strand(bounds, hair, hair.strands[index], carry);
+  else
+    add_strand(bounds, hair, discretise(hair.modelled[index - hair.strands.size()].spec), carry);
+}
+
 template <class Carry>
 void add_obstacle(Bounds& bounds, const Obstacle& obstacle, const Carry& carry) {
   if (const auto* const ball = std::get_if<Sphere>(&obstacle.shape)) {
@@ -93,7 +102,8 @@ void add_rider(Bounds& bounds, const Description& hair, const Rider& rider) {
       const auto carry = [&](const Vector3d& x) -> Vector3d {
         return pose.rotation * (first.rotation.conjugate() * (x - first.position)) + pose.position;
       };
-      for (const int strand : rider.strands) add_strand(bounds, hair, hair.strands[strand], carry);
+      for (const int strand : rider.strands)
+        add_strand(bounds, hair, static_cast<std::size_t>(strand), carry);
       for (const int obstacle : rider.obstacles) add_obstacle(bounds, hair.obstacles[obstacle], carry);
     }
   }
@@ -175,7 +185,8 @@ void add_toy(Bounds& bounds, const Toy& toy, double seconds) {
 Bounds scene_bounds(const Scene& scene) {
   Bounds bounds;
   const auto stay = [](const Vector3d& x) { return x; };
-  for (const StrandStart& start : scene.hair.strands) add_strand(bounds, scene.hair, start, stay);
+  for (std::size_t i = 0; i < scene.hair.strands.size() + scene.hair.modelled.size(); ++i)
+    add_strand(bounds, scene.hair, i, stay);
   for (const Obstacle& obstacle : scene.hair.obstacles) add_obstacle(bounds, obstacle, stay);
   for (const Rider& rider : scene.riders) add_rider(bounds, scene.hair, rider);
   for (const Toy& toy : scene.toys) add_toy(bounds, toy, scene.frames / scene.frames_per_second);

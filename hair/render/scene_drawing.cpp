@@ -44,6 +44,10 @@ Drawing SceneDrawing::at(const particles::State& state, const std::vector<Obstac
     drawing.strands.sizes.push_back(start.strand.count());
     particles += start.strand.count();
   }
+  for (const ModelledStrand& strand : scene_.hair.modelled) {
+    drawing.strands.sizes.push_back(strand.spec.elements + 1);
+    particles += strand.spec.elements + 1;
+  }
   const Eigen::Index of_strands = particles;
   for (const Toy& toy : scene_.toys) particles += toy.particles.count();
   particles::require(state.x.size() == 3 * particles, "the number of the state's coordinates",

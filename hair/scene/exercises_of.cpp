@@ -35,9 +35,12 @@ class Called {
 
 std::vector<std::string> exercises_of(const Scene& scene) {
   Called called;
-  if (has_strands(scene)) called.add(row_of(scene.hair.method).exercises);
+  const auto calls_method = [](const ModelledStrand& strand) { return strand.model->calls_method; };
+  const std::vector<ModelledStrand>& modelled = scene.hair.modelled;
+  if (!scene.hair.strands.empty() || std::any_of(modelled.begin(), modelled.end(), calls_method))
+    called.add(row_of(scene.hair.method).exercises);
   for (const StrandStart& start : scene.hair.strands) called.add(exercises_of(start));
-  for (const ModelledStrand& strand : scene.hair.modelled) called.add(strand.model->exercises(strand.spec));
+  for (const ModelledStrand& strand : modelled) called.add(strand.model->exercises(strand.spec));
   for (const Toy& toy : scene.toys) {
     for (const MethodRow& row : methods())
       if (row.toy == toy.method) called.add(row.exercises);

@@ -95,6 +95,22 @@ class Playback::Parts {
     return all;
   }
 
+  particles::State centre_lines(const particles::State& all) const {
+    check_size(all);
+    Eigen::Index points = 0;
+    for (int i = 0; i < bodies(); ++i) points += body(i).points();
+    particles::State lines{Eigen::VectorXd(3 * points), Eigen::VectorXd(3 * points)};
+    Eigen::Index at = 0, to = 0;
+    for (int i = 0; i < bodies(); ++i) {
+      const int size = body(i).size(), numbers = 3 * body(i).points();
+      body(i).centre_line(all.x.segment(at, size), all.v.segment(at, size), lines.x.segment(to, numbers),
+                          lines.v.segment(to, numbers));
+      at += size;
+      to += numbers;
+    }
+    return lines;
+  }
+
   const Watch& watch() const { return simulation_ ? simulation_->watch() : nothing_; }
 
   Work work() const {
@@ -105,8 +121,7 @@ class Playback::Parts {
   }
 
   FrameMeasures measure(const particles::State& all) const {
-    particles::require(all.x.size() == size_ && all.v.size() == size_, "the numbers of a state",
-                       static_cast<double>(all.x.size()), std::to_string(size_));
+    check_size(all);
     FrameMeasures sum;
     Eigen::Index at = 0;
     for (int i = 0; i < bodies(); ++i) {
@@ -118,6 +133,10 @@ class Playback::Parts {
   }
 
  private:
+  void check_size(const particles::State& all) const {
+    particles::require(all.x.size() == size_ && all.v.size() == size_, "the numbers of a state",
+                       static_cast<double>(all.x.size()), std::to_string(size_));
+  }
   // Strand after strand, then toy after toy.
   int bodies() const { return static_cast<int>(strands_.size() + toys_.size()); }
   const Body& body(int i) const {
@@ -199,6 +218,9 @@ particles::State Playback::state() const {
 }
 std::vector<Coordinates> Playback::coordinates() const {
   return parts_->coordinates();
+}
+particles::State Playback::centre_lines(const particles::State& state) const {
+  return parts_->centre_lines(state);
 }
 const std::vector<int>& Playback::strands() const {
   return parts_->strands();

@@ -46,7 +46,9 @@ class Playback {
   // The coordinates of all bodies: strand after strand, then toy after toy. For masses and springs they are
   // positions.
   particles::State state() const;
-  std::vector<Coordinates> coordinates() const;    // what each body's numbers are
+  std::vector<Coordinates> coordinates() const;  // what each body's numbers are
+  particles::State centre_lines(
+      const particles::State& state) const;        // the points that such coordinates mean
   const std::vector<int>& strands() const;         // the number of points of each strand
   const std::vector<Obstacle>& obstacles() const;  // where they are now
   const Watch& watch() const;                      // of the hair

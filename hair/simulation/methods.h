@@ -9,6 +9,7 @@
 
 #include "hair/geometric_term.h"
 #include "hair/mass_spring/step_methods.h"
+#include "hair/simulation/rigid_links_strand.h"
 #include "particles/toys/toy.h"
 
 namespace hair {
@@ -35,7 +36,9 @@ struct MethodRow {
   int polynomial;     // the power up to which its amplification is the Taylor series of exp; 0: other
   const char* limit;  // the theoretical limit of its steps, in words
 
-  const StepMethod* mass_spring;                 // the step of such a strand; null: the course leaves it out
+  const StepMethod* mass_spring;  // the step of such a strand; null: the course leaves it out
+  const LinkMethod* rigid_links =
+      nullptr;  // the step of a strand of rigid links; null: it has none, or the same
   std::optional<particles::ToyMethod> toy = {};  // the toys' method; none: toys don't have it
 
   // The geometric term that a scene gets if it asks for none. Segments of exactly their rest length have no such term.

@@ -1,8 +1,11 @@
 #include "hair/simulation/models.h"
 
+#include <array>
 #include <stdexcept>
 
 #include "hair/simulation/mass_spring_strand.h"
+#include "hair/simulation/rigid_links_strand.h"
+#include "solver/course.h"
 
 namespace hair {
 
@@ -23,9 +26,19 @@ std::unique_ptr<Body> make_mass_spring(const StrandSpec& spec, const Description
   return mass_spring_strand("a strand", discretise(spec), description);
 }
 
-constexpr ModelRow kModels[] = {
-    {"mass_spring", mass_spring_exercises, mass_spring_why_not, make_mass_spring},
-};
+constexpr ModelRow kMassSpring = {"mass_spring", mass_spring_exercises, true, mass_spring_why_not,
+                                  make_mass_spring};
+
+// With what the course has; a row that is not used is not linked.
+template <bool has_links>
+constexpr auto rows() {
+  if constexpr (has_links)
+    return std::array{kMassSpring, ModelRow{"rigid_links", rigid_links_exercises, false, rigid_links_why_not,
+                                            make_rigid_links}};
+  else
+    return std::array{kMassSpring};
+}
+constexpr auto kModels = rows<in_course("H7")>();
 
 }  // namespace
 

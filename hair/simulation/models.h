@@ -16,8 +16,10 @@ namespace hair {
 struct ModelRow {
   const char* id;  // in scenes: "mass_spring"
 
-  // The exercises that such a strand calls, except those of its method.
+  // The exercises that such a strand calls, except those of its method, which it calls only if `calls_method`.
   std::vector<std::string> (*exercises)(const StrandSpec& spec);
+
+  bool calls_method;
 
   // The reason why the model can't express such a strand; empty if it can.
   std::string (*why_not)(const StrandSpec& spec);

@@ -56,7 +56,9 @@ struct BodyMeasures {
 };
 
 // The meaning of the numbers in q, also in files and replies: a reader rejects a kind that it does not know.
-enum class Coordinates : std::uint32_t { positions = 0 };
+// positions: of the centre line's points, m. turns: the root's position, m, and for each link the rotation vector, rad,
+// from where the rest shape has it.
+enum class Coordinates : std::uint32_t { positions = 0, turns = 1 };
 
 class Body {
  public:

@@ -51,26 +51,34 @@ std::size_t count_toys(const Scene& scene, const std::function<bool(const Toy&)>
 
 void explain_hair(const Scene& scene, Parts& parts) {
   const Description& hair = scene.hair;
-  const bool any = !hair.strands.empty();
+  const bool any = has_strands(scene);
   const std::string none = "the scene has no hair";
   const auto of = [](std::size_t count) { return "of " + counted(count, "strand"); };
   const auto why_not = [&](const std::string& why) { return any ? why : none; };
 
   std::size_t particles = 0;
   for (const StrandStart& start : hair.strands) particles += static_cast<std::size_t>(start.strand.count());
-  parts.add("hair", any, counted(hair.strands.size(), "strand") + ", " + counted(particles, "particle"),
-            none);
+  for (const ModelledStrand& strand : hair.modelled)
+    particles += static_cast<std::size_t>(strand.spec.elements + 1);
+  parts.add(
+      "hair", any,
+      counted(hair.strands.size() + hair.modelled.size(), "strand") + ", " + counted(particles, "particle"),
+      none);
   parts.add("method", any, std::string(row_of(hair.method).id) + ", a step of " + shown(hair.step) + " s",
             none);
 
+  const std::string other = "its strands are of another model";
   const bool implicit = !row_of(hair.method).is_explicit;
-  parts.add("preconditioner", any && implicit && hair.preconditioner, "block Cholesky of the forces' band",
-            why_not(implicit ? "the scene asks for none" : "an explicit method solves nothing"));
+  parts.add("preconditioner", !hair.strands.empty() && implicit && hair.preconditioner,
+            "block Cholesky of the forces' band",
+            why_not(!hair.modelled.empty() ? other
+                    : implicit             ? "the scene asks for none"
+                                           : "an explicit method solves nothing"));
   for (const ForcePart& part : force_parts()) {
     const auto count = count_strands(scene, part.acts);
     const std::string whose = *part.exercise == '\0' ? "given" : part.exercise;
     parts.add(part.name, count > 0, whose + ", " + part.how + " " + of(count),
-              why_not(part.why_not(hair.strands)));
+              why_not(hair.modelled.empty() ? part.why_not(hair.strands) : other));
   }
   parts.add("collisions", any && !hair.obstacles.empty(), counted(hair.obstacles.size(), "obstacle"),
             why_not("the scene has no obstacles, and so no collision stage"));
@@ -96,7 +104,7 @@ void explain_toys(const Scene& scene, Parts& parts) {
 // What acts on hair and toys alike.
 void explain_surroundings(const Scene& scene, Parts& parts) {
   const Description& hair = scene.hair;
-  const bool any = !hair.strands.empty();
+  const bool any = has_strands(scene);
   const Vector3d none = Vector3d::Zero();
   const bool gravity = (any && hair.gravity != none) ||
                        count_toys(scene, [&](const Toy& toy) { return toy.gravity != none; }) > 0;

@@ -61,7 +61,7 @@ class FrameWriter {
   // Where the playback is now.
   void add() {
     Seconds& seconds = record_.seconds;
-    const particles::State state = playback_.state();
+    const particles::State state = playback_.state(), lines = playback_.centre_lines(state);
     const int frame = static_cast<int>(record_.frames.size());
     {
       const timing::AddsTime watch(seconds.measure);
@@ -70,10 +70,10 @@ class FrameWriter {
     {
       const timing::AddsTime watch(seconds.write);
       binary_.add(playback_.time(), state);
-      csv_.add(playback_.time(), state);
+      csv_.add(playback_.time(), lines);
     }
     if (!pictures_) return;
-    const Image image = pictures_->draw(state, playback_.obstacles());
+    const Image image = pictures_->draw(lines, playback_.obstacles());
     const timing::AddsTime watch(seconds.png);
     write_whole(folder_, frame_name(frame), encode_png(image));
   }

@@ -1,12 +1,17 @@
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "hair/scene/json/fibre.h"
 #include "hair/scene/json/parts.h"
 #include "hair/scene/json/roots.h"
 #include "hair/scene/json/values.h"
 #include "hair/scene/variation.h"
+#include "hair/simulation/models.h"
 
 namespace hair::json {
 
@@ -46,6 +51,7 @@ Spread read_spread(const JsonValue& group) {
 }
 
 struct Group {
+  const ModelRow* model;
   StrandSpec spec;  // but for its root
   Spread spread;
 
@@ -57,10 +63,19 @@ struct Group {
   }
 };
 
+// The first one is that of masses and springs.
+const ModelRow* read_model(const JsonValue& group) {
+  if (!group.has("model")) return &models().front();
+  std::vector<std::string_view> names;
+  for (const ModelRow& row : models()) names.emplace_back(row.id);
+  return &models()[group["model"].word(names)];
+}
+
 Group read_group(const JsonValue& object) {
-  object.check_keys({"segments", "length", "roots"},
-                    {"material", "shape", "clamped", "start", "variation", "root_velocity", "moves_with"});
+  object.check_keys({"segments", "length", "roots"}, {"model", "material", "shape", "clamped", "start",
+                                                      "variation", "root_velocity", "moves_with"});
   Group group;
+  group.model = read_model(object);
   StrandSpec& spec = group.spec;
   spec.elements = static_cast<int>(object["segments"].whole_number(1, kMostSegments));
   spec.length = length(object["length"]);
@@ -75,29 +90,52 @@ Group read_group(const JsonValue& object) {
   return group;
 }
 
+// States are written with one kind of coordinates.
+void check_one_model(const JsonValue& object, const Description& hair) {
+  const auto differs = [&](const ModelledStrand& strand) {
+    return strand.model != hair.modelled.front().model;
+  };
+  if (hair.modelled.empty()) return;
+  if (!hair.strands.empty() || std::any_of(hair.modelled.begin(), hair.modelled.end(), differs))
+    object.fail("all hair of a scene has the same model; write the same \"model\" in each group");
+}
+
+// One strand of the group.
+void add_strand(const Group& group, const StrandSpec& spec, Description& hair) {
+  if (group.model == &models().front()) {
+    hair.strands.push_back(discretise(spec));
+    return;
+  }
+  if (const std::string why = group.model->why_not(spec); !why.empty()) throw std::invalid_argument(why);
+  rest_shape(spec);  // throws what is wrong with it
+  hair.modelled.push_back({group.model, spec});
+}
+
 }  // namespace
 
 void read_hair(const JsonValue& list, Reading& reading) {
   for (const JsonValue& object : list.items()) {
     if (object.has("groom")) {
       read_groom(object, reading);
+      check_one_model(object, reading.scene.hair);
       continue;
     }
     const Group group = read_group(object);
     const auto expect = [&](const JsonValue& where, long count) {
       reading.expect(where, count, group.spec.elements + 1L);
     };
-    std::vector<StrandStart>& strands = reading.scene.hair.strands;
+    Description& hair = reading.scene.hair;
     Rider* const rider = reading.rider(object);
     Variation variation(group.spread.seed);
     for (const RootFrame& frame : read_roots(object["roots"], expect)) {
-      if (rider) rider->strands.push_back(static_cast<int>(strands.size()));
+      if (rider) rider->strands.push_back(static_cast<int>(hair.strands.size() + hair.modelled.size()));
       try {
-        strands.push_back(discretise(group.make(frame, variation)));
+        add_strand(group, group.make(frame, variation), hair);
       } catch (const std::invalid_argument& error) {
         object.fail(error.what());
       }
     }
+    check_one_model(object, hair);
   }
 }
 

@@ -58,11 +58,14 @@ void read_method(const JsonValue& object, Description& hair) {
 // What has nothing that it could be for.
 void check_use(const JsonValue& object, const Reading& reading) {
   if (reading.particles == 0) object.fail("there is nothing that moves; give \"hair\" or \"toys\"");
-  if (reading.scene.hair.strands.empty()) {
+  if (!has_strands(reading.scene)) {
     for (const char* key :
          {"method", "drag", "geometric_term", "bend_product", "preconditioner", "obstacles"})
       if (object.has(key)) object[key].fail("is for hair, and there is none; leave it out");
   }
+  if (!reading.scene.hair.modelled.empty() && !reading.scene.toys.empty())
+    object["toys"].fail(
+        "toys stand beside hair of masses and springs only; leave them out, or the \"model\"");
   for (const auto& [name, rider] : reading.motions)
     if (reading.scene.riders[rider].strands.empty() && reading.scene.riders[rider].obstacles.empty())
       object["motions"].fail("nothing moves with \"" + name +

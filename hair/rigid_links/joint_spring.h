@@ -1,0 +1,36 @@
+// A spring and a damper at a joint. The energy of a spherical joint that is turned by the vector theta (rad, at most pi
+// long) against its rest is
+//
+//   E = theta^T K theta / 2      theta = 2 atan2(|v|, w) v / |v|  of its quaternion, w + v, with w >= 0
+//
+// theta has the same components along the axes at rest (q = 0) and along the turned ones: the spring treats its two
+// links alike. As w, the angular velocity between the links, turns the joint,
+//
+//   theta' = A w,   A = 1 - theta~ / 2 + g theta~^2,   g = (1 - |theta| / 2 cot(|theta| / 2)) / |theta|^2
+//
+// (J. E. Bortz, "A New Mathematical Formulation for Strapdown Inertial Navigation", IEEE Transactions on Aerospace and
+// Electronic Systems 7 (1971)), so its torque is -A^T K theta. At half a turn the torque
+// changes its sign, because then the other way back is shorter.
+//
+// A revolute or prismatic joint has the number K[0, 0].
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace hair {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+struct JointSpring {
+  Matrix3d stiffness =
+      Matrix3d::Zero();                 // K, N m/rad or N/m, along the joint's axes at rest; symmetric, >= 0
+  Matrix3d damping = Matrix3d::Zero();  // C, N m s/rad or N s/m: the same
+};
+
+// theta of a unit quaternion, and A.
+Vector3d turn_of(const Eigen::Quaterniond& q);
+Matrix3d rate_of_turn(const Vector3d& theta);
+
+}  // namespace hair

@@ -1,0 +1,189 @@
+#include "hair/rigid_links/rigid_links_body.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <utility>
+
+namespace hair {
+
+using Eigen::Quaterniond;
+
+namespace {
+
+constexpr int kMostAgain = 10;  // times that a step is made with fewer contacts
+
+// How a link lies, and how it turns, from a body's coordinates.
+struct Turned {
+  Quaterniond axes;
+  Vector3d omega;
+
+  Turned(const Vector3d& turn, const Vector3d& rate, const Quaterniond& at_first)
+      : axes(turn_by(turn) * at_first), omega(rate_of_turn(turn).inverse() * rate) {}
+  Vector3d along() const { return axes * Vector3d::UnitZ(); }
+};
+
+}  // namespace
+
+RigidLinksBody::RigidLinksBody(LinkStrand strand, const Vector3d& root_velocity, TreeStep method)
+    : strand_(std::move(strand)),
+      steps_(strand_.tree, strand_.forces),
+      method_(method),
+      rod_points_(2 * strand_.length.size()),
+      contacts_(2 * static_cast<int>(strand_.length.size())) {
+  root_.velocity = root_velocity;
+  Quaterniond axes = strand_.base.orientation;
+  for (int i = 0; i <= links(); ++i) {
+    axes = (axes * shape(i).rest).normalized();
+    at_rest_.push_back(axes);
+  }
+  root_.angular_velocity.setZero();
+}
+
+Eigen::VectorXd RigidLinksBody::arc_lengths() const {
+  Eigen::VectorXd s = Eigen::VectorXd::Zero(points());
+  for (int i = 0; i < links(); ++i) s[i + 1] = s[i] + strand_.length[i];
+  return s;
+}
+
+void RigidLinksBody::read(particles::Output q, particles::Output rate) const {
+  q.head<3>() = strand_.base.position;
+  rate.head<3>() = strand_.base.velocity.linear;
+  Quaterniond axes = strand_.base.orientation;
+  Vector3d omega = strand_.base.velocity.angular;
+  for (int i = 1; i <= links(); ++i) {
+    axes = axes * shape(i).rest * Quaterniond(strand_.q.segment<4>(4 * i - 4));
+    omega += strand_.rates.segment<3>(3 * i - 3);
+    const Vector3d turn = turn_of((axes * at_rest_[i].conjugate()).normalized());
+    q.segment<3>(3 * i) = turn;
+    rate.segment<3>(3 * i) = rate_of_turn(turn) * omega;
+  }
+}
+
+void RigidLinksBody::write(particles::Input q, particles::Input rate) {
+  strand_.base.position = q.head<3>();
+  strand_.base.velocity.linear = root_.velocity = rate.head<3>();
+  Quaterniond before = strand_.base.orientation;
+  Vector3d omega = strand_.base.velocity.angular;
+  for (int i = 1; i <= links(); ++i) {
+    const Turned link(q.segment<3>(3 * i), rate.segment<3>(3 * i), at_rest_[i]);
+    strand_.q.segment<4>(4 * i - 4) =
+        ((before * shape(i).rest).conjugate() * link.axes).normalized().coeffs();
+    strand_.rates.segment<3>(3 * i - 3) = link.omega - omega;
+    before = link.axes;
+    omega = link.omega;
+  }
+}
+
+void RigidLinksBody::set_root(const Root& root) {
+  root_ = root;
+  told_ = true;
+}
+
+std::optional<Stage> RigidLinksBody::step(const BodyStep& step, const particles::Scratch&, Work& work) {
+  TreeBase& base = strand_.base;
+  const bool turned = told_ && strand_.clamped;  // a hinge does not feel how its root is turned
+  const SpatialMotion goal{turned ? root_.angular_velocity : Vector3d::Zero(), root_.velocity};
+  base.acceleration = 1 / step.h * (goal + -1.0 * base.velocity);
+  more_.clear();
+  for (const PointForce& one : step.forces)
+    if (one.point > 0)
+      more_.push_back({one.point, Vector3d(0, 0, strand_.length[one.point - 1] / 2), one.force, one.stiffness,
+                       Matrix3d::Zero()});
+  if (step.obstacles.empty())
+    (steps_.*method_)(base, step.h, more_, strand_.q, strand_.rates);
+  else
+    step_among(step);
+  work.contacts += contacts_.contacts();
+  work.penetration = std::max(work.penetration, contacts_.deepest());
+
+  base.position = told_ ? root_.position : Vector3d(base.position + step.h * goal.linear);
+  if (turned) base.orientation = root_axes(root_.tangent, root_.normal);
+  base.velocity = goal;
+  told_ = false;
+  ++work.strand_steps;
+  if (!is_sound()) return Stage::integration;
+  return {};
+}
+
+void RigidLinksBody::step_among(const BodyStep& step) {
+  const std::size_t others = more_.size();
+  find_points();
+  contacts_.find(rod_points_, step.obstacles, strand_.forces.gravity, step.h);
+  q_before_ = strand_.q;
+  rates_before_ = strand_.rates;
+  for (int again = 0;; ++again) {
+    more_.erase(more_.begin() + static_cast<std::ptrdiff_t>(others), more_.end());
+    contacts_.add(rod_points_, more_);
+    (steps_.*method_)(strand_.base, step.h, more_, strand_.q, strand_.rates);
+    if (!contacts_.let_go(rod_points_, steps_.system().motion().passes) || again == kMostAgain) return;
+    strand_.q = q_before_;
+    strand_.rates = rates_before_;
+  }
+}
+
+void RigidLinksBody::find_points() {
+  Vector3d x = strand_.base.position, v = strand_.base.velocity.linear, omega = strand_.base.velocity.angular;
+  Quaterniond axes = strand_.base.orientation;
+  for (int i = 1; i <= links(); ++i) {
+    axes = axes * shape(i).rest * Quaterniond(strand_.q.segment<4>(4 * i - 4));
+    omega += strand_.rates.segment<3>(3 * i - 3);
+    const double half = strand_.length[i - 1] / 2;
+    const Vector3d rod = half * (axes * Vector3d::UnitZ());
+    for (int end = 0; end < 2; ++end) {
+      x += rod;
+      v += omega.cross(rod);
+      rod_points_[2 * i - 2 + end] = {i, end * half, shape(i).mass, x, v, end * rod};
+    }
+  }
+}
+
+Sizes RigidLinksBody::sizes() const {
+  Sizes sizes;
+  sizes[Concern::penetration] = contacts_.deepest();
+  return sizes;
+}
+
+// Faster than light, as far as one link turns.
+bool RigidLinksBody::is_sound() const {
+  return strand_.q.allFinite() && strand_.rates.allFinite() && strand_.base.position.norm() <= kFarthest &&
+         strand_.rates.cwiseAbs().maxCoeff() * strand_.length.maxCoeff() <= kFastest;
+}
+
+void RigidLinksBody::centre_line(particles::Input q, particles::Input rate, particles::Output x,
+                                 particles::Output v) const {
+  x.head<3>() = q.head<3>();
+  v.head<3>() = rate.head<3>();
+  for (int i = 1; i <= links(); ++i) {
+    const Turned link(q.segment<3>(3 * i), rate.segment<3>(3 * i), at_rest_[i]);
+    const Vector3d rod = strand_.length[i - 1] * link.along();
+    x.segment<3>(3 * i) = x.segment<3>(3 * i - 3) + rod;
+    v.segment<3>(3 * i) = v.segment<3>(3 * i - 3) + link.omega.cross(rod);
+  }
+}
+
+BodyMeasures RigidLinksBody::measure(particles::Input q, particles::Input rate) const {
+  BodyMeasures sum;
+  Vector3d x = q.head<3>(), v = rate.head<3>();
+  Quaterniond before = strand_.base.orientation;
+  for (int i = 1; i <= links(); ++i) {
+    const Turned link(q.segment<3>(3 * i), rate.segment<3>(3 * i), at_rest_[i]);
+    const Vector3d half = strand_.length[i - 1] / 2 * link.along();
+    const Vector3d centre = x + half, velocity = v + link.omega.cross(half);
+    const double mass = shape(i).mass;
+    const Vector3d own = link.axes.conjugate() * link.omega;
+    const Vector3d spin = link.axes * Vector3d(shape(i).moments.cwiseProduct(own));
+    const Vector3d bent = turn_of((before * shape(i).rest).conjugate() * link.axes);
+    sum.kinetic += (mass * velocity.squaredNorm() + link.omega.dot(spin)) / 2;
+    sum.potential +=
+        bent.dot(strand_.forces.springs[i].stiffness * bent) / 2 - mass * strand_.forces.gravity.dot(centre);
+    sum.momentum += mass * velocity;
+    sum.angular_momentum += mass * centre.cross(velocity) + spin;
+    x = centre + half;
+    v = velocity + link.omega.cross(half);
+    before = link.axes;
+  }
+  sum.tip = x;
+  return sum;
+}
+
+}  // namespace hair

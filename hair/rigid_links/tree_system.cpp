@@ -1,0 +1,98 @@
+#include "hair/rigid_links/tree_system.h"
+
+#include <utility>
+
+namespace hair {
+
+TreeSystem::TreeSystem(const LinkTree& tree, TreeForces forces)
+    : motion_(tree), forces_(std::move(forces)), Q_(tree.rates()) {}
+
+void TreeSystem::accelerations(const TreeBase& base, Input q, Input rates, double h,
+                               std::span<const LinkForce> more, Output result) {
+  motion_.place(base, q);
+  for (std::size_t i = 1; i < motion_.links.size(); ++i)
+    motion_.links[i].external.force = tree().shapes()[i].mass * forces_.gravity;
+  Q_.setZero();
+  if (!forces_.springs.empty()) add_springs(q, rates, h);
+  outward_velocities(motion_.links, rates, motion_.passes);
+  if (forces_.drag > 0) add_drag(h);
+  for (const LinkForce& one : more) add_force(one, h);
+  inward_inertias(motion_.links, Q_, motion_.passes);
+  outward_accelerations(motion_.links, Q_, motion_.passes, result);
+}
+
+void TreeSystem::add_springs(Input q, Input rates, double h) {
+  for (std::size_t i = 1; i < motion_.links.size(); ++i) {
+    Link& link = motion_.links[i];
+    const auto& [K, C] = forces_.springs[i];
+    const int first = tree().coordinate(static_cast<int>(i));
+    if (link.joint == JointType::spherical) {
+      const Matrix3d axes = motion_.frames()[i].joint_axes.toRotationMatrix();
+      const Vector3d theta = turn_of(Eigen::Quaterniond(q.segment<4>(first)));
+      const Matrix3d A = rate_of_turn(theta), AK = A.transpose() * K, stiffness = AK * A;
+      const Vector3d w = axes.transpose() * rates.segment<3>(link.first);
+      Q_.segment<3>(link.first) = -axes * (AK * theta + C * w + h * (stiffness * w));
+      if (h > 0) link.stiffening = axes * (h * h * stiffness + h * C) * axes.transpose();
+    } else {
+      const double rate = rates[link.first];
+      Q_[link.first] = -K(0, 0) * (q[first] + h * rate) - C(0, 0) * rate;
+      link.stiffening(0, 0) = h * h * K(0, 0) + h * C(0, 0);
+    }
+  }
+}
+
+// A rod e of the length l in still air feels -drag l v, and -drag / 12 l (l^2 - e e^T) omega.
+void TreeSystem::add_drag(double h) {
+  for (std::size_t i = 1; i < motion_.links.size(); ++i) {
+    const Vector3d e = motion_.frames()[i].axes * forces_.rods[i];
+    const double squared = e.squaredNorm(), c = forces_.drag * std::sqrt(squared);
+    const Matrix3d turning = c / 12 * (squared * Matrix3d::Identity() - e * e.transpose());
+    LinkPass& pass = motion_.passes[i];
+    pass.bias.force += c * (pass.v.linear - forces_.wind);
+    pass.bias.torque += turning * pass.v.angular;
+    motion_.links[i].inertia.M.diagonal().array() += h * c;
+    motion_.links[i].inertia.J += h * turning;
+  }
+}
+
+void TreeSystem::add_force(const LinkForce& one, double h) {
+  LinkPass& pass = motion_.passes[one.link];
+  const Vector3d arm = motion_.frames()[one.link].axes * one.arm;
+  const Vector3d v = pass.v.linear + pass.v.angular.cross(arm);
+  const Vector3d f = one.force - h * (one.stiffness * v);
+  pass.bias.force -= f;
+  pass.bias.torque -= arm.cross(f);
+  if (h > 0) {
+    const Matrix3d resists = h * h * one.stiffness + h * one.damping;
+    motion_.links[one.link].inertia += to_parent({resists, Matrix3d::Zero(), Matrix3d::Zero()}, arm);
+  }
+}
+
+double TreeSystem::kinetic_energy() const {
+  double sum = 0;
+  for (std::size_t i = 1; i < motion_.links.size(); ++i) {
+    const SpatialMotion& v = motion_.passes[i].v;
+    sum +=
+        tree().shapes()[i].mass * v.linear.squaredNorm() + v.angular.dot(motion_.links[i].tensor * v.angular);
+  }
+  return sum / 2;
+}
+
+double TreeSystem::potential_energy(Input q) const {
+  double sum = 0;
+  for (std::size_t i = 1; i < motion_.links.size(); ++i) {
+    sum -= tree().shapes()[i].mass * forces_.gravity.dot(motion_.frames()[i].position);
+    if (forces_.springs.empty()) continue;
+    const Matrix3d& K = forces_.springs[i].stiffness;
+    const int first = tree().coordinate(static_cast<int>(i));
+    if (motion_.links[i].joint == JointType::spherical) {
+      const Vector3d theta = turn_of(Eigen::Quaterniond(q.segment<4>(first)));
+      sum += theta.dot(K * theta) / 2;
+    } else {
+      sum += K(0, 0) * q[first] * q[first] / 2;
+    }
+  }
+  return sum;
+}
+
+}  // namespace hair

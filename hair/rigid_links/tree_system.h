@@ -1,0 +1,72 @@
+// A tree of links with all its forces: its joints' accelerations, for explicit steps and for linearly implicit ones.
+//
+// A linearly implicit step of h seconds takes the forces that grow with q and q' at its end:
+//
+//   Q(q + h q' + h^2 q", q' + h q") = Q(q, q') - h K q' - (h^2 K + h C) q"       K = -dQ/dq, C = -dQ/dq'
+//
+// The last term goes to the left, where it stiffens the joint: `stiffening` = h^2 K + h C adds to s^'I^A s^. Forces at
+// links do the same to the link's inertia: drag c adds h c, a force with the stiffness S at a point adds h^2 S. So the
+// recursion stays as it is, and linear. Source of the method: D. Baraff and A. Witkin, "Large Steps in Cloth Simulation"
+// (SIGGRAPH 1998), section 3, there for particles.
+//
+// Weight and the terms of velocities remain explicit. The tension T that they cause holds a strand across: per metre of hair
+// its waves of the wave number k have the mass rho A, and the stiffness T k^2 (explicit) + EI k^4 (implicit). A mode
+// with these three is stable if h^2 T k^2 <= 4 rho A + h^2 EI k^4. For all k that is T <= 4 sqrt(EI rho A) / h; of hair at
+// h = 1/60 s, 9.3e-5 N, the weight of 0.93 m of it. Longer hair needs smaller steps: h ~ 1 / length.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "hair/rigid_links/joint_spring.h"
+#include "hair/rigid_links/tree_motion.h"
+
+namespace hair {
+
+// Forces that are there as long as the tree is. All are optional: a vector has one entry for each link, the base included,
+// or none.
+struct TreeForces {
+  Vector3d gravity = Vector3d::Zero();  // m/s^2
+  std::vector<JointSpring> springs;
+  double drag = 0;                   // N s/m^2: for each metre of the rods
+  Vector3d wind = Vector3d::Zero();  // m/s, of the air
+  std::vector<Vector3d>
+      rods;  // m, from one end to the other, the centre of mass between them; along the link's axes
+};
+
+// A force at a point of a link, with its derivative by this point's place and velocity: f - S dx - C dv.
+struct LinkForce {
+  int link;
+  Vector3d arm;        // m, from the link's centre of mass to the point, along the link's axes
+  Vector3d force;      // N
+  Matrix3d stiffness;  // S, N/m, symmetric, >= 0
+  Matrix3d damping;    // C, N s/m, symmetric, >= 0
+};
+
+class TreeSystem {
+ public:
+  TreeSystem(const LinkTree& tree, TreeForces forces);
+
+  const LinkTree& tree() const { return motion_.tree(); }
+  const TreeMotion& motion() const { return motion_; }  // as accelerations() left it
+  TreeMotion& motion() { return motion_; }
+
+  // Places the links, and finds their accelerations; h = 0: not implicit. Allocates nothing.
+  void accelerations(const TreeBase& base, Input q, Input rates, double h, std::span<const LinkForce> more,
+                     Output result);
+
+  // J, of the links as `motion`'s q and velocities have them: of movement, of weight and of springs.
+  double kinetic_energy() const;
+  double potential_energy(Input q) const;
+
+ private:
+  void add_springs(Input q, Input rates, double h);
+  void add_drag(double h);
+  void add_force(const LinkForce& one, double h);
+
+  TreeMotion motion_;
+  TreeForces forces_;
+  Eigen::VectorXd Q_;
+};
+
+}  // namespace hair

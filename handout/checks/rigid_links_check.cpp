@@ -1,0 +1,406 @@
+// The public checks of H7, pass by pass: a pass is checked with right results of the passes before it, so that the first
+// check that fails names the pass that is wrong. Every failure prints the input, what was expected, what came, the error
+// and its bound. The contract is in hair/rigid_links.h.
+
+#include "hair/rigid_links.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "check.h"
+#include "derivative.h"
+
+using namespace checks;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using hair::JointType, hair::Link, hair::LinkPass, hair::Matrix3d;
+
+namespace {
+
+using Links = std::vector<Link>;
+using Passes = std::vector<LinkPass>;
+
+const Vector3d kX(1, 0, 0), kY(0, 1, 0), kZ(0, 0, 1);
+
+// ---- Links
+
+Link link_of(JointType joint, const Vector3d& u, const Vector3d& d, const Vector3d& r, double mass,
+             const Matrix3d& tensor = Matrix3d::Zero()) {
+  Link link;
+  link.joint = joint;
+  link.u = u;
+  link.d = d;
+  link.r = r;
+  link.tensor = tensor;
+  link.inertia.M = mass * Matrix3d::Identity();
+  link.inertia.J = tensor;
+  return link;
+}
+
+// Numbered and named as links must be: each hangs from the one before, after the base.
+Links chain_of(const Links& links) {
+  Links chain(1);
+  int first = 0;
+  for (const Link& link : links) {
+    chain.push_back(link);
+    chain.back().parent = static_cast<int>(chain.size()) - 2;
+    chain.back().first = first;
+    first += hair::rates_of(link.joint);
+  }
+  return chain;
+}
+
+int rates_of(const Links& links) {
+  return links.size() == 1 ? 0 : links.back().first + hair::rates_of(links.back().joint);
+}
+
+// A mass of m at the end of a rod of length l without mass, which hangs from (0, 0, 0), turned by `angle` about y away
+// from -z; under the weight m g.
+Links pendulum(double m, double l, double angle, double g = 0) {
+  const Vector3d d = l * Vector3d(-std::sin(angle), 0, -std::cos(angle));
+  Links links = chain_of({link_of(JointType::revolute, kY, d, d, m)});
+  links[1].external.force = Vector3d(0, 0, -m * g);
+  return links;
+}
+
+// ---- A chain that can be moved: joints on any axes, three kinds of them.
+
+struct Shape {
+  JointType joint;
+  Vector3d axis, joint_at, center;  // at q = 0, along the axes of the world
+};
+
+struct Placed {
+  Links links;
+  std::vector<Vector3d> position;  // of centres of mass
+};
+
+const std::vector<Shape>& shapes() {
+  static const std::vector<Shape> all = {
+      {JointType::revolute, kZ, Vector3d(0.1, 0, 0), Vector3d(0.3, 0.1, 0)},
+      {JointType::prismatic, Vector3d(0.6, 0, 0.8), Vector3d(0, 0.2, 0), Vector3d(0.1, 0, 0.2)},
+      {JointType::revolute, Vector3d(0, 0.6, 0.8), Vector3d(0.2, 0, 0.1), Vector3d(0, 0.3, 0)},
+      {JointType::revolute, kX, Vector3d(0, 0.1, 0.2), Vector3d(0, 0, 0.4)}};
+  return all;
+}
+
+Placed placed(const VectorXd& q) {
+  Links links;
+  Placed chain{{}, {Vector3d::Zero()}};
+  Matrix3d turned = Matrix3d::Identity();
+  for (std::size_t i = 0; i < shapes().size(); ++i) {
+    const Shape& shape = shapes()[i];
+    const Vector3d to_joint = turned * shape.joint_at;
+    const Vector3d u = turned * shape.axis;
+    const bool slides = shape.joint == JointType::prismatic;
+    if (!slides) turned = turned * Eigen::AngleAxisd(q[i], shape.axis).toRotationMatrix();
+    const Vector3d d = turned * shape.center;
+    const Vector3d r = slides ? Vector3d(to_joint + d + q[i] * u) : Vector3d(to_joint + d);
+    const Matrix3d tensor = turned * Vector3d(0.1, 0.2, 0.25).asDiagonal() * turned.transpose();
+    links.push_back(link_of(shape.joint, u, slides ? Vector3d(Vector3d::Zero()) : d, r,
+                            1.0 + static_cast<double>(i), tensor));
+    chain.position.push_back(chain.position.back() + r);
+  }
+  chain.links = chain_of(links);
+  return chain;
+}
+
+const VectorXd kQ = (VectorXd(4) << 0.3, 0.2, -0.7, 1.1).finished();
+const VectorXd kRates = (VectorXd(4) << 1.5, 0.7, -2, 0.9).finished();
+
+// Central differences over 1e-5 s: errors of 1e-10 times the third derivative, and of 1e-16 / 1e-5.
+constexpr double kStep = 1e-5, kByDifferences = 1e-7;
+const std::string kSource = "1e-7: what central differences over 1e-5 s leave";
+
+// ---- Calls
+
+Passes pass_1(const Links& links, const VectorXd& rates, const LinkPass& base = {}) {
+  Passes passes(links.size());
+  passes[0] = base;
+  outward_velocities(links, rates, passes);
+  return passes;
+}
+
+Passes pass_2(const Links& links, const VectorXd& Q, Passes passes) {
+  inward_inertias(links, Q, passes);
+  return passes;
+}
+
+VectorXd pass_3(const Links& links, const VectorXd& Q, Passes& passes) {
+  VectorXd accelerations = VectorXd::Constant(rates_of(links), 1e3);
+  outward_accelerations(links, Q, passes, accelerations);
+  return accelerations;
+}
+
+VectorXd all_passes(const Links& links, const VectorXd& rates, const VectorXd& Q, Passes& passes) {
+  passes = pass_2(links, Q, pass_1(links, rates, passes.empty() ? LinkPass() : passes[0]));
+  return pass_3(links, Q, passes);
+}
+
+void expect_vector(const Vector3d& actual, const Vector3d& expected, double bound, const std::string& what,
+                   const std::string& source) {
+  expect_entries(actual, expected, bound, what, source);
+}
+
+VectorXd one(double value) {
+  return VectorXd::Constant(1, value);
+}
+
+// Newton's and Euler's laws, and nothing of the recursion: the joint's force that each link needs with all that hangs from
+// it, less Q. Z^ is that of pass 1.
+VectorXd unbalanced(const Links& links, const Passes& passes, const Passes& after_pass_1, const VectorXd& Q) {
+  std::vector<hair::SpatialForce> needs(links.size());
+  VectorXd left = -Q;
+  for (std::size_t i = links.size() - 1; i > 0; --i) {
+    const Link& link = links[i];
+    needs[i] += link.inertia * passes[i].a + after_pass_1[i].bias;
+    const Vector3d torque = needs[i].torque + link.d.cross(needs[i].force);
+    if (link.joint == JointType::spherical)
+      left.segment<3>(link.first) += torque;
+    else
+      left[link.first] += link.joint == JointType::revolute ? link.u.dot(torque) : link.u.dot(needs[i].force);
+    needs[link.parent] += to_parent(needs[i], link.r);
+  }
+  return left;
+}
+
+}  // namespace
+
+// ---- Pass 1
+
+TEST(OutwardVelocities, AreThoseOfThePlaces) {
+  const Placed after = placed(kQ + kStep * kRates), before = placed(kQ - kStep * kRates);
+  const Passes passes = pass_1(placed(kQ).links, kRates);
+  for (int i = 1; i <= 4; ++i)
+    expect_vector(passes[i].v.linear, (after.position[i] - before.position[i]) / (2 * kStep), kByDifferences,
+                  "v of link " + std::to_string(i) + ", beside how its place changes", kSource);
+  expect_vector(passes[1].v.angular, Vector3d(0, 0, 1.5), 1e-14, "omega of link 1, which turns about z",
+                "1e-14");
+  expect_vector(passes[2].v.angular, Vector3d(0, 0, 1.5), 1e-14,
+                "omega of link 2, which slides on link 1 and turns with it", "1e-14");
+}
+
+TEST(OutwardVelocities, BeginAtTheBase) {
+  LinkPass base;
+  base.v = {Vector3d(0, 0, 2), Vector3d(1, 0, 0)};
+  const Passes passes = pass_1(pendulum(1, 0.5, 0), one(3), base);
+  // The mass hangs at (0, 0, -0.5); turning about y at 3 rad/s moves it along -x at 1.5 m/s.
+  expect_vector(passes[1].v.angular, Vector3d(0, 3, 2), 1e-14,
+                "omega of a pendulum on a base that turns about z", "1e-14");
+  expect_vector(passes[1].v.linear, Vector3d(-0.5, 0, 0), 1e-14,
+                "its v, on a base that moves along x at 1 m/s", "1e-14");
+}
+
+// (4.23) with q" = 0: c^_i is how v^_i changes beside what the parent's change makes of it.
+TEST(OutwardVelocities, AccelerateWhatMovesOnACurve) {
+  const auto at = [](double t) { return pass_1(placed(kQ + t * kRates).links, kRates); };
+  const Passes after = at(kStep), before = at(-kStep), now = at(0);
+  const Links links = placed(kQ).links;
+  const auto change = [&](int i) {
+    hair::SpatialMotion difference = after[i].v + (-1.0) * before[i].v;
+    return 1 / (2 * kStep) * difference;
+  };
+  for (int i = 1; i <= 4; ++i) {
+    const hair::SpatialMotion parents = i == 1 ? hair::SpatialMotion() : to_child(change(i - 1), links[i].r);
+    const hair::SpatialMotion c = change(i) + (-1.0) * parents;
+    const std::string name = " of link " + std::to_string(i) + ", beside how its v^ changes";
+    expect_vector(now[i].c.angular, c.angular, 10 * kByDifferences, "the first half of c^" + name, kSource);
+    expect_vector(now[i].c.linear, c.linear, 10 * kByDifferences, "the second half of c^" + name, kSource);
+  }
+  // A mass that circles at 3 rad/s, 0.5 m from its joint, accelerates towards it by 4.5 m/s^2.
+  expect_vector(pass_1(pendulum(1, 0.5, 0), one(3))[1].c.linear, Vector3d(0, 0, 4.5), 1e-14,
+                "c of a pendulum", "1e-14");
+}
+
+TEST(OutwardVelocities, GiveEulersAndExternalForces) {
+  Links links = chain_of({link_of(JointType::revolute, Vector3d(0.6, 0, 0.8), Vector3d::Zero(),
+                                  Vector3d::Zero(), 2, Vector3d(1, 2, 3).asDiagonal())});
+  links[1].external = {Vector3d(1, 2, 3), Vector3d(4, 5, 6)};
+  const Passes passes = pass_1(links, one(5));
+  // omega = (3, 0, 4), I omega = (3, 0, 12): omega x I omega = (0, 12 - 36, 0).
+  expect_vector(passes[1].bias.force, Vector3d(-1, -2, -3), 1e-13,
+                "the force in Z^, for an external one of (1, 2, 3)", "1e-13");
+  expect_vector(passes[1].bias.torque, Vector3d(-4, -24 - 5, -6), 1e-13,
+                "the torque in Z^: omega = (3, 0, 4), moments 1, 2, 3, an external torque of (4, 5, 6)",
+                "1e-13");
+}
+
+// ---- Pass 2
+
+// A rod without mass lets nothing through but what pulls along it, and what moves it along the joint's axis.
+TEST(InwardInertias, OfAPendulumAreThoseOfItsRod) {
+  const Links links = pendulum(2, 0.5, 0);
+  Passes passes(2);
+  passes = pass_2(links, one(0), passes);
+  EXPECT_NEAR(passes[1].gain(0, 0), 1 / (2 * 0.25), 1e-14) << "1 / (m l^2) of 2 kg at 0.5 m";
+  EXPECT_LE((passes[1].inertia.M - links[1].inertia.M).norm(), 1e-14)
+      << "the last link has nothing but its own inertia";
+  const Matrix3d expected = Vector3d(0, 2, 2).asDiagonal();
+  EXPECT_LE((passes[0].inertia.M - expected).norm(), 1e-14)
+      << "M of I^A of the base, to which a pendulum of 2 kg hangs down that turns about y: diag(0, 2, 2), "
+         "and it is\n"
+      << passes[0].inertia.M;
+}
+
+// The same in numbers, for all blocks: what the base feels is what Newton's law says of the whole, whatever it does.
+TEST(InwardInertias, AnswerEveryMotionOfTheBase) {
+  const Links links = placed(kQ).links;
+  const VectorXd rates = VectorXd::Zero(4), Q = VectorXd::Zero(4);
+  for (int k = 0; k < 6; ++k) {
+    Passes first = pass_1(links, rates);
+    (k < 3 ? first[0].a.angular : first[0].a.linear)[k % 3] = 1;
+    Passes passes = pass_2(links, Q, first);
+    const hair::SpatialForce felt = passes[0].inertia * passes[0].a;
+    pass_3(links, Q, passes);
+    hair::SpatialForce needed;
+    for (std::size_t i = links.size() - 1; i > 0; --i) {
+      needed += links[i].inertia * passes[i].a + first[i].bias;
+      needed = to_parent(needed, links[i].r);
+    }
+    const std::string motion = std::string(k < 3 ? "turns about " : "moves along ") + "xyz"[k % 3];
+    expect_vector(felt.force, needed.force, 1e-12, "the force on a base that " + motion,
+                  "1e-12: rounding of 10 kg");
+    expect_vector(felt.torque, needed.torque, 1e-12, "the torque on a base that " + motion,
+                  "1e-12: rounding of 10 kg m^2");
+  }
+}
+
+TEST(InwardInertias, CarryForcesThroughJoints) {
+  // 2 kg that hang 0.5 m down, pushed along x by 3 N: the rod turns, and nothing gets through. The joint's torque of
+  // 0.5 N m about y accelerates the mass by 0.5 / (m l) along -x, and the base pushes back.
+  Links links = pendulum(2, 0.5, 0);
+  links[1].external.force = Vector3d(3, 0, -20);
+  Passes passes = pass_1(links, one(0));
+  passes = pass_2(links, one(0.5), passes);
+  expect_vector(passes[0].bias.force, Vector3d(-1, 0, 20), 1e-13,
+                "Z^A of the base, a pendulum of 2 kg and 0.5 m, pushed by (3, 0, -20) N, Q = 0.5 N m: -Q/l "
+                "along x, and the weight",
+                "1e-13");
+  // Circling at 2 rad/s, the mass pulls at the base by m l omega^2.
+  Passes circling = pass_2(pendulum(2, 0.5, 0), one(0), pass_1(pendulum(2, 0.5, 0), one(2)));
+  expect_vector(circling[0].bias.force, Vector3d(0, 0, 4), 1e-13,
+                "Z^A of the base, a pendulum of 2 kg that circles at 2 rad/s", "1e-13");
+}
+
+TEST(InwardInertias, AddWhatStiffensAJoint) {
+  Links links = pendulum(2, 0.5, 0);
+  links[1].stiffening(0, 0) = 1.5;
+  const Passes passes = pass_2(links, one(0), Passes(2));
+  EXPECT_NEAR(passes[1].gain(0, 0), 0.5, 1e-14) << "1 / (m l^2 + stiffening) = 1 / (0.5 + 1.5)";
+  EXPECT_NEAR(passes[0].inertia.M(0, 0), 2 * 0.75, 1e-14) << "m (1 - m l^2 / (m l^2 + stiffening))";
+}
+
+// ---- Pass 3
+
+TEST(OutwardAccelerations, OfAPendulum) {
+  for (const double angle : {0.0, 0.3, 1.5, 3.0}) {
+    const Links links = pendulum(2, 0.5, angle, 9.81);
+    Passes passes(2);
+    const VectorXd found = all_passes(links, one(4), one(0), passes);
+    expect_entries(found, one(-9.81 / 0.5 * std::sin(angle)), 1e-12,
+                   "q\" of a pendulum of 0.5 m at " + std::to_string(angle) + " rad: -g/l sin", "1e-12");
+    const Vector3d d = links[1].d;
+    expect_vector(passes[1].a.linear, Vector3d(0, found[0], 0).cross(d) - 16 * d, 1e-12,
+                  "a of its mass, which circles at 4 rad/s", "1e-12");
+  }
+}
+
+TEST(OutwardAccelerations, OfABaseThatFalls) {
+  // Seen from a lift whose rope is cut, nothing has weight.
+  const Links links = pendulum(2, 0.5, 0.7, 9.81);
+  Passes passes = pass_1(links, one(0));
+  passes[0].a.linear = Vector3d(0, 0, -9.81);
+  passes = pass_2(links, one(0), passes);
+  expect_entries(pass_3(links, one(0), passes), one(0), 1e-12, "q\" of a pendulum in a lift that falls",
+                 "1e-12");
+}
+
+// Two equal pendulums, one at the other's end: the textbook's equations,
+//   2 q1" + cos(q1 - p) p" + sin(q1 - p) p'^2 + 2 g/l sin q1 = 0,   p" + cos(q1 - p) q1" - sin(q1 - p) q1'^2 + g/l sin p = 0,
+// where p = q1 + q2 is the lower one's angle to the vertical.
+TEST(OutwardAccelerations, OfADoublePendulum) {
+  const double l = 0.4, g = 9.81, q1 = 0.8, p = -0.5, q1_rate = 2, p_rate = -3;
+  Links links = chain_of({pendulum(1, l, q1, g)[1], pendulum(1, l, p, g)[1]});
+  const VectorXd rates = (VectorXd(2) << q1_rate, p_rate - q1_rate).finished();
+  Passes passes(3);
+  const VectorXd found = all_passes(links, rates, VectorXd::Zero(2), passes);
+  const double c = std::cos(q1 - p), s = std::sin(q1 - p);
+  const double right_1 = -s * p_rate * p_rate - 2 * g / l * std::sin(q1);
+  const double right_2 = s * q1_rate * q1_rate - g / l * std::sin(p);
+  const double q1_expected = (right_1 - c * right_2) / (2 - c * c),
+               p_expected = (2 * right_2 - c * right_1) / (2 - c * c);
+  expect_entries(
+      found, (VectorXd(2) << q1_expected, p_expected - q1_expected).finished(), 1e-11,
+      "q\" of a double pendulum of 0.4 m and 0.4 m at 0.8 and -0.5 rad to the vertical, 2 and -3 rad/s",
+      "1e-11");
+}
+
+TEST(OutwardAccelerations, ObeyNewtonAndEuler) {
+  Links links = placed(kQ).links;
+  for (Link& link : links) link.external = {Vector3d(1, -2, 3), Vector3d(0.5, 0.1, -0.3)};
+  const VectorXd Q = (VectorXd(4) << 1, -2, 0.5, 3).finished();
+  LinkPass base;
+  base.v = {Vector3d(0.3, -1, 0.4), Vector3d(1, 2, 0)};
+  base.a = {Vector3d(1, 0, -2), Vector3d(0, 0, 9.81)};
+  const Passes first = pass_1(links, kRates, base);
+  Passes passes = pass_2(links, Q, first);
+  pass_3(links, Q, passes);
+  expect_entries(unbalanced(links, passes, first, Q), VectorXd::Zero(4), 1e-11,
+                 "the joints' forces that four links need, less Q", "1e-11: rounding of some 100 N and N m");
+}
+
+// ---- Spherical joints: extra
+
+TEST(SphericalJoints, TurnATopAsEulerSays) {
+  // A free top about its centre of mass: I omega' + omega x I omega = Q.
+  Links links = chain_of({link_of(JointType::spherical, Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero(),
+                                  1, Vector3d(1, 2, 3).asDiagonal())});
+  const VectorXd omega = (VectorXd(3) << 2, 3, 5).finished(), Q = (VectorXd(3) << 1, 0, -1).finished();
+  Passes passes(2);
+  const VectorXd found = all_passes(links, omega, Q, passes);
+  // omega x I omega = (3*15 - 5*6, 5*2 - 2*15, 2*6 - 3*2) = (15, -20, 6)
+  expect_entries(found, (VectorXd(3) << (1 - 15) / 1.0, 20 / 2.0, (-1 - 6) / 3.0).finished(), 1e-12,
+                 "omega' of a top with the moments 1, 2, 3 at omega = (2, 3, 5), Q = (1, 0, -1)", "1e-12");
+}
+
+TEST(SphericalJoints, ObeyNewtonAndEuler) {
+  Links links;
+  for (int i = 0; i < 4; ++i) {
+    const VectorXd numbers = scattered_vector(6, i + 1);
+    links.push_back(link_of(JointType::spherical, Vector3d::Zero(), numbers.head<3>() / 2, numbers.tail<3>(),
+                            1 + i, Vector3d(0.1, 0.2, 0.25).asDiagonal()));
+  }
+  links[2].joint = JointType::revolute;
+  links[2].u = kZ;
+  links = chain_of(links);
+  for (Link& link : links) link.external.force = Vector3d(0, 0, -9.81);
+  const VectorXd rates = 2 * scattered_vector(10, 7), Q = scattered_vector(10, 8);
+  const Passes first = pass_1(links, rates);
+  Passes passes = pass_2(links, Q, first);
+  pass_3(links, Q, passes);
+  expect_entries(unbalanced(links, passes, first, Q), VectorXd::Zero(10), 1e-11,
+                 "the joints' forces that three spherical joints and a revolute one need, less Q",
+                 "1e-11: rounding of some 100 N m");
+}
+
+int main(int argc, char** argv) {
+  static const Links links = pendulum(1, 1, 0);
+  static const Links top =
+      chain_of({link_of(JointType::spherical, Vector3d::Zero(), kX, kX, 1, Matrix3d(Matrix3d::Identity()))});
+  static Passes passes(2);
+  static const VectorXd zero = VectorXd::Zero(3);
+  static VectorXd result = zero;
+  return run(
+      argc, argv,
+      {{"outward_velocities", "OutwardVelocities", [] { outward_velocities(links, zero.head(1), passes); }},
+       {"inward_inertias", "InwardInertias", [] { inward_inertias(links, zero.head(1), passes); }},
+       {"outward_accelerations", "OutwardAccelerations",
+        [] { outward_accelerations(links, zero.head(1), passes, result.head(1)); }},
+       {"H7", "SphericalJoints", [] {
+          outward_velocities(top, zero, passes);
+          inward_inertias(top, zero, passes);
+          outward_accelerations(top, zero, passes, result);
+        }}});
+}

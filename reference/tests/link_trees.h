@@ -1,0 +1,66 @@
+// STAFF ONLY. Trees of links for tests, and their equations of motion by other ways than H7's: with the dense
+// matrix of the links' Jacobians, and by Newton's and Euler's laws link by link.
+#pragma once
+
+#include <random>
+#include <vector>
+
+#include "hair/rigid_links/tree_motion.h"
+
+namespace reference_tests {
+
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using hair::JointType;
+
+class RandomNumbers {
+ public:
+  explicit RandomNumbers(unsigned seed) : generator_(seed) {}
+  double between(double from, double to) {
+    return std::uniform_real_distribution<double>(from, to)(generator_);
+  }
+  int below(int count) { return std::uniform_int_distribution<int>(0, count - 1)(generator_); }
+  Vector3d vector(double size) { return size * Vector3d(between(-1, 1), between(-1, 1), between(-1, 1)); }
+  Vector3d direction() { return Vector3d(normal(), normal(), normal()).normalized(); }
+  Eigen::Quaterniond turn() {
+    return Eigen::Quaterniond(normal(), normal(), normal(), normal()).normalized();
+  }
+
+ private:
+  double normal() { return std::normal_distribution<double>()(generator_); }
+  std::mt19937 generator_;
+};
+
+// Links of about 1 kg and 1 m, joints of the given types, parents at random (`chain`: the link before).
+hair::LinkTree random_tree(int links, const std::vector<JointType>& types, bool chain,
+                           RandomNumbers& numbers);
+
+// n rods of equal length and mass, of spherical joints, hanging down.
+hair::LinkTree rod_chain(int n, double length, double mass, double radius);
+
+// Coordinates anywhere.
+VectorXd random_coordinates(const hair::LinkTree& tree, RandomNumbers& numbers);
+
+hair::TreeBase random_base(RandomNumbers& numbers);
+
+// M q" + C = Q, from the Jacobians of each link. `external` and `stiffening` are those of `motion`'s links, and nothing
+// else of it is used.
+struct DenseMotion {
+  MatrixXd M;
+  VectorXd C;
+};
+DenseMotion dense_motion(const hair::TreeMotion& motion, const hair::TreeBase& base, const VectorXd& q,
+                         const VectorXd& rates);
+
+// Q for these accelerations, link by link from their places (frames) and from Newton's and Euler's laws.
+VectorXd joint_forces(const hair::TreeMotion& motion, const hair::TreeBase& base, const VectorXd& rates,
+                      const VectorXd& accelerations);
+
+// The three passes.
+void accelerate(hair::TreeMotion& motion, const VectorXd& rates, const VectorXd& Q, VectorXd& accelerations);
+
+// Weight on all links.
+void add_weight(const Vector3d& gravity, hair::TreeMotion& motion);
+
+}  // namespace reference_tests
