@@ -6,6 +6,7 @@
 #include <string>
 
 #include "hair/io/files/bad_input.h"
+#include "hair/simulation/models.h"
 #include "particles/require.h"
 
 namespace hair {
@@ -23,8 +24,8 @@ Vector3d point_along(const Eigen::VectorXd& x, const Eigen::VectorXd& rest_lengt
 
 void require_part(const Scene& scene, const char* what, int part, std::size_t count) {
   if (part < 0 || static_cast<std::size_t>(part) >= count)
-    throw BadInput(scene.name + ": there is no " + what + " " + std::to_string(part) + "; it has " + what +
-                   "s 0 to " + std::to_string(count - 1));
+    throw BadInput(scene.name + ": there is no " + what + " " + std::to_string(part) + "; it has " +
+                   (count == 0 ? "none" : what + ("s 0 to " + std::to_string(count - 1))));
 }
 
 }  // namespace
@@ -53,6 +54,9 @@ StrandStart divide_anew(const StrandStart& start, int segments) {
 }
 
 Problem make_problem(const Scene& scene, const ProblemSettings& settings) {
+  if (!scene.hair.modelled.empty())
+    throw BadInput(scene.name + ": studies know no " + scene.hair.modelled.front().model->id +
+                   "; study a scene whose hair is of masses and springs");
   Problem problem;
   Scene& one = problem.scene;
   one = scene;

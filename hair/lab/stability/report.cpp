@@ -16,7 +16,7 @@ namespace hair {
 namespace {
 
 Problem problem_of(const Scene& scene, const StabilitySettings& settings) {
-  if (scene.hair.strands.empty())
+  if (scene.hair.strands.empty() && scene.hair.modelled.empty())
     throw BadInput(scene.name + ": it has no hair; stability maps are of a strand that hangs");
   Scene bare = scene;  // what it hangs among does not matter
   bare.hair.obstacles.clear();

@@ -142,6 +142,9 @@ TEST_F(HairlabStudy, BadInputIsRefusedInOneLine) {
   for (const std::string duration : {"nan", "inf", "-1", "1e-7", "1001"})
     expect_refused(run_hairlab({"study", "strand-swing", "--out", out_.string(), "--duration", duration}), 2,
                    "--duration: " + duration + " is not right; give 1e-6 to 1000");
+  expect_refused(
+      run_hairlab({"study", "rigid-links", "--out", out_.string()}), 2,
+      "rigid-links: studies know no rigid_links; study a scene whose hair is of masses and springs");
   const std::string mine = folder_.write("mine.txt", "");
   expect_refused(run_hairlab({"study", "strand-swing", "--out", folder_.path().string()}), 2,
                  "is not empty, and not from hairlab study; ");
