@@ -24,6 +24,9 @@ CagedProcess::Activity::Busy busy_between(const CagedProcess::Activity& last,
   return sum;
 }
 
+// What it takes at most, on each answer, until a process that sleeps runs again, its and ours. It is in no clock of the kernel's.
+constexpr double kWakeUp = 50e-6;
+
 // Whether a thread has waited for a processor all the time: the kernel counts that when the wait is over.
 bool waits(const CagedProcess::Activity::Busy& since, const CagedProcess::Activity& now) {
   const bool runnable =
@@ -46,7 +49,7 @@ Watchdog::Watchdog(const CagedProcess& process, Patience patience)
 
 // It says something, so its own code runs.
 void Watchdog::greets() {
-  if (!started_) waited_ = postponed_ = 0;
+  if (!started_) waited_ = postponed_ = woken_ = 0;
   started_ = true;
 }
 
@@ -62,12 +65,12 @@ void Watchdog::look() {
   const double own_delay = own_delay_seconds();
   started_ = now.started;
   if (started_ && !now.busy.empty()) {
-    const double idle = waited_ - busy.computed - busy.queued - (own_delay - own_delay_);
+    const double idle = waited_ - woken_ - busy.computed - busy.queued - (own_delay - own_delay_);
     // A wait for a processor that began before the last look is counted now, and was taken for idling then.
     idle_ = std::max(0.0, idle_ + std::max(idle, -busy.queued));
   }
   own_delay_ = own_delay;
-  waited_ = postponed_ = 0;
+  waited_ = postponed_ = woken_ = 0;
   last_ = std::move(now);
   if (idle_ > patience_.idle_seconds) why_ = "asleep";
   if (last_.cpu_seconds > patience_.cpu_seconds) why_ = "out of CPU time";
@@ -81,7 +84,9 @@ bool Watchdog::wait_for(int descriptor, short events) {
     const int ready =
         poll(&wanted, 1, static_cast<int>(1000 * std::max(0.001, postponed_ + kWindow - waited_)));
     const Clock::time_point now = Clock::now();
-    waited_ += std::chrono::duration<double>(now - start).count();
+    const double waited = std::chrono::duration<double>(now - start).count();
+    waited_ += waited;
+    if (ready > 0) woken_ += std::min(waited, kWakeUp);
     if (ready < 0 && errno != EINTR) return false;
     if (ready > 0 && (wanted.revents & POLLIN) != 0) greets();
     if (waited_ >= postponed_ + kWindow) look();
