@@ -2,8 +2,8 @@
 // worker by whole seconds; the watchdog bounds it more closely, and ends a worker that idles.
 //
 // Idle is the time that we wait for it less what it computes and less what its threads wait for a processor,
-// whatever state the kernel calls them in, and less what we ourselves wait for one after its answer is there, and what it
-// takes two processes to wake each other up: a whole run has ten thousands of answers. So a worker on a busy machine is not idle, and one that sleeps in short naps is.
+// whatever state the kernel calls them in, and less what we ourselves wait for one after its answer is there, and less
+// what it takes two processes to wake each other up: a whole run has ten thousands of answers. So a worker on a busy machine is not idle, and one that sleeps in short naps is.
 // The sum is taken over windows of 0.25 s of waiting, and what is computed in one hides no idling in another. A window
 // is longer where a thread waits for a processor all through it: the kernel counts a wait when it is over. The sum begins
 // when the worker's own code does: while its cage is made, the kernel's locks may have us wait for others.

@@ -114,6 +114,26 @@ TEST(Watchdog, LeavesAloneWhatAnswersQuicklyOnABusyMachine) {
   EXPECT_LT(watchdog.idle_seconds(), 0.2);
 }
 
+// Two processes that wake each other up idle 15 us and more an answer by the kernel's clocks: a right P2 answers 50,000 times.
+TEST(Watchdog, TakesNoWakingUpForIdling) {
+  constexpr int kAnswers = 20000;
+  Cage cage;
+  cage.mounts = toolchain_mounts();
+  cage.isolated = false;
+  Pipe to = make_pipe(), from = make_pipe();
+  CagedProcess echo(cage, {"/usr/bin/bash", "-c", "exec cat <&3 >&4"}, to.read_end.get(),
+                    from.write_end.get(), -1);
+  Watchdog watchdog(echo, {.idle_seconds = 5, .cpu_seconds = 10, .wall_seconds = 60});
+  for (int i = 0; i < kAnswers; ++i) {
+    char letter = 'a';
+    ASSERT_EQ(write(to.write_end.get(), &letter, 1), 1);
+    ASSERT_TRUE(watchdog.wait_for(from.read_end.get(), POLLIN));
+    ASSERT_EQ(read(from.read_end.get(), &letter, 1), 1);
+  }
+  watchdog.look();
+  EXPECT_LT(watchdog.idle_seconds(), 5e-6 * kAnswers);
+}
+
 // Whatever the kernel counts, at some time it is enough.
 TEST(Watchdog, EndsWhatTakesTooLong) {
   Waiting computing(kComputes, {.idle_seconds = 5, .cpu_seconds = 50, .wall_seconds = 0.5});

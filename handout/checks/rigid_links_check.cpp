@@ -244,7 +244,7 @@ TEST(InwardInertias, OfAPendulumAreThoseOfItsRod) {
       << passes[0].inertia.M;
 }
 
-// The same in numbers, for all blocks: what the base feels is what Newton's law says of the whole, whatever it does.
+// All blocks of I^A: however the base moves, it feels the sum of the forces that move all links.
 TEST(InwardInertias, AnswerEveryMotionOfTheBase) {
   const Links links = placed(kQ).links;
   const VectorXd rates = VectorXd::Zero(4), Q = VectorXd::Zero(4);

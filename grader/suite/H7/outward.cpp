@@ -21,30 +21,29 @@ double acceleration_size(const Sizes& sizes) {
   return sizes.turn * (sizes.turn * sizes.length + sizes.speed);
 }
 
-}  // namespace
-
-void velocities(Trial& trial) {
+// One of the motions that pass 1 finds, of chains of all lengths.
+void expect_motions(Trial& trial, hair::SpatialMotion LinkPass::*member, double (*size)(const Sizes&),
+                    const std::string& what) {
   for (int links : {1, 2, 3, 5, 8})
     for (const auto* types : {&kRevolute, &kRequired}) {
       Tree tree = random_tree(trial.random, {.links = links, .types = *types});
       const Sizes sizes = sizes_of(tree);
       const Answered answered = ask(trial, 1, tree);
       reference_passes(tree, 1);
-      trial.expect_at_most(motion_error(answered.passes, tree.passes, &LinkPass::v, sizes.length),
-                           roundings(tree) * sizes.speed, "the velocity of a link");
+      trial.expect_at_most(motion_error(answered.passes, tree.passes, member, sizes.length),
+                           roundings(tree) * size(sizes), what);
     }
 }
 
+}  // namespace
+
+void velocities(Trial& trial) {
+  expect_motions(
+      trial, &LinkPass::v, [](const Sizes& sizes) { return sizes.speed; }, "the velocity of a link");
+}
+
 void moving_joints(Trial& trial) {
-  for (int links : {1, 2, 3, 5, 8})
-    for (const auto* types : {&kRevolute, &kRequired}) {
-      Tree tree = random_tree(trial.random, {.links = links, .types = *types});
-      const Sizes sizes = sizes_of(tree);
-      const Answered answered = ask(trial, 1, tree);
-      reference_passes(tree, 1);
-      trial.expect_at_most(motion_error(answered.passes, tree.passes, &LinkPass::c, sizes.length),
-                           roundings(tree) * acceleration_size(sizes), "c^ of a link");
-    }
+  expect_motions(trial, &LinkPass::c, acceleration_size, "c^ of a link");
 }
 
 void link_forces(Trial& trial) {
