@@ -35,7 +35,7 @@ class Force {
   // band += by_dfdx df/dx + by_dfdv df/dv, the lower half, with a df/dx that is symmetric, negative semi-definite and
   // 0 between particles more than two apart: a local, definite part of what add_dfdx multiplies by. It is for
   // preconditioners, so that it changes how fast a system is solved, and not its solution. Returns false, and leaves
-  // anything in the band, if a force knows no such part.
+  // anything in the band, if a force knows no such part, or if its products turn out to be unsymmetric.
   virtual bool add_band(Input /*x*/, Input /*v*/, double /*by_dfdx*/, double /*by_dfdv*/,
                         solver::BlockBand& /*band*/, Scratch /*work*/) const {
     return false;

@@ -5,7 +5,9 @@
 namespace particles {
 
 Gravity::Gravity(Eigen::VectorXd mass, const Vector3d& acceleration)
-    : mass_(std::move(mass)), acceleration_(acceleration) {}
+    : mass_(std::move(mass)), acceleration_(acceleration), weight_(3 * mass_.size()) {
+  for (int i = 0; i < mass_.size(); ++i) weight_.segment<3>(3 * i) = mass_[i] * acceleration;
+}
 
 double Gravity::energy(Input x) const {
   double energy = 0;
@@ -14,7 +16,7 @@ double Gravity::energy(Input x) const {
 }
 
 void Gravity::add_force(Input /*x*/, Input /*v*/, Output f) const {
-  for (int i = 0; i < mass_.size(); ++i) f.segment<3>(3 * i) += mass_[i] * acceleration_;
+  f += weight_;
 }
 
 void Gravity::add_dfdx(Input /*x*/, Input /*v*/, Input /*dx*/, Output /*df*/) const {}

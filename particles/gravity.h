@@ -20,6 +20,7 @@ class Gravity : public Force {
  private:
   Eigen::VectorXd mass_;
   Vector3d acceleration_;
+  Eigen::VectorXd weight_;  // m_i g
 };
 
 }  // namespace particles

@@ -30,8 +30,8 @@ class Preconditioner {
   Preconditioner(const Force& force, const Particles& particles, const State& state, double a, double b,
                  Scratch scratch);
 
-  // False: there is none, because a force does not know its band, or M is not positive definite. Then ConjGrad solves
-  // A x = b as it is, and the functions below must not be called.
+  // False: there is none, because a force does not know its band, its products are not symmetric, or M is not positive
+  // definite. Then ConjGrad solves A x = b as it is, and the functions below must not be called.
   bool exists() const { return exists_; }
 
   // An upper bound of M's norm, the largest sum of |m_ij| in a row.

@@ -5,22 +5,22 @@
 namespace particles {
 
 ParticleSystem::ParticleSystem(const Particles& particles, const Force& force)
-    : particles_(particles), force_(force) {
+    : force_(force), inverse_mass_(3 * particles.count()) {
   for (int i = 0; i < particles.count(); ++i)
     require(particles.mass[i] > 0, "ParticleSystem: mass", particles.mass[i], "> 0");
   require(static_cast<int>(particles.pinned.size()) == particles.count(), "ParticleSystem: size of pinned",
           static_cast<double>(particles.pinned.size()), "the number of masses");
+  for (int i = 0; i < particles.count(); ++i) {
+    inverse_mass_.segment<3>(3 * i).setConstant(1 / particles.mass[i]);
+    if (particles.is_pinned(i)) pinned_.push_back(i);
+  }
 }
 
 void ParticleSystem::acceleration(Input x, Input v, Output a) {
   a.setZero();
   force_.add_force(x, v, a);
-  for (int i = 0; i < particles_.count(); ++i) {
-    if (particles_.is_pinned(i))
-      a.segment<3>(3 * i).setZero();
-    else
-      a.segment<3>(3 * i) /= particles_.mass[i];
-  }
+  a.array() *= inverse_mass_.array();
+  for (int i : pinned_) a.segment<3>(3 * i).setZero();
 }
 
 double kinetic_energy(const Particles& particles, Input v) {

@@ -1,13 +1,16 @@
 // Particles under a force: the system for the integrators, and its conserved quantities.
 #pragma once
 
+#include <vector>
+
 #include "particles/dynamics.h"
 #include "particles/force.h"
 #include "particles/state.h"
 
 namespace particles {
 
-// a = f(x, v) / m, and 0 for pinned particles. Keeps references to both arguments, which must outlive it.
+// a = f(x, v) / m, and 0 for pinned particles. Keeps a reference to the force, which must outlive it; of the particles
+// it keeps what it needs.
 class ParticleSystem : public Dynamics {
  public:
   // Throws std::invalid_argument if a mass is not > 0, or if `pinned` has another size than `mass`.
@@ -16,8 +19,9 @@ class ParticleSystem : public Dynamics {
   void acceleration(Input x, Input v, Output a) override;
 
  private:
-  const Particles& particles_;
   const Force& force_;
+  Eigen::VectorXd inverse_mass_;  // 3n, 1 / kg: the same three times for each particle
+  std::vector<int> pinned_;
 };
 
 // Sums over all particles, including pinned ones.

@@ -31,9 +31,8 @@ class StretchAndWeight final : public particles::Force {
   void add_dfdv(Input, Input, Input, Output) const override {}
   bool add_band(Input x, Input, double by_dfdx, double, solver::BlockBand& band,
                 particles::Scratch work) const override {
-    particles::add_products(
+    return particles::add_products(
         1, by_dfdx, [&](Input dx, Output df) { add_stretch_product(strand_, x, term_, dx, df); }, band, work);
-    return true;
   }
 
  private:
@@ -44,19 +43,21 @@ class StretchAndWeight final : public particles::Force {
 
 class Falling final : public particles::Dynamics {
  public:
-  Falling(const hair::Strand& strand, double gravity) : strand_(strand), gravity_(gravity) {}
+  Falling(const hair::Strand& strand, const Eigen::VectorXd& inverse_mass, double gravity)
+      : strand_(strand), inverse_mass_(inverse_mass), gravity_(gravity) {}
   void acceleration(Input x, Input, Output a) override {
     a.setZero();
     add_stretch_force(strand_, x, a);
     a.head<3>().setZero();
     for (int i = 1; i < strand_.count(); ++i) {
       a[3 * i + 2] += strand_.mass[i] * gravity_;
-      a.segment<3>(3 * i) /= strand_.mass[i];
+      a.segment<3>(3 * i) *= inverse_mass_[i];
     }
   }
 
  private:
   const hair::Strand& strand_;
+  const Eigen::VectorXd& inverse_mass_;
   double gravity_;
 };
 
@@ -71,8 +72,10 @@ PlainProgram::PlainProgram(const hair::Description& description)
   int most = 0;
   for (const hair::StrandStart& start : description.strands) {
     const int n = start.strand.count();
-    Hair& hair =
-        strands_.emplace_back(Hair{start.strand, {start.strand.mass, std::vector<char>(n, 0)}, start.state});
+    Hair& hair = strands_.emplace_back(Hair{start.strand,
+                                            {start.strand.mass, std::vector<char>(n, 0)},
+                                            start.strand.mass.cwiseInverse(),
+                                            start.state});
     hair.particles.pinned[0] = 1;
     most = std::max(most, n);
   }
@@ -84,7 +87,7 @@ void PlainProgram::steps(int count) {
     for (Hair& hair : strands_) {
       auto scratch = scratch_.topRows(3 * hair.strand.count());
       const StretchAndWeight force(hair.strand, gravity_, term_);
-      Falling falling(hair.strand, gravity_);
+      Falling falling(hair.strand, hair.inverse_mass, gravity_);
       switch (method_) {
         case hair::Method::implicit_euler:
           implicit_euler(force, hair.particles, h_, tolerance_, hair.state, scratch);

@@ -21,6 +21,7 @@ class PlainProgram {
   struct Hair {
     hair::Strand strand;
     particles::Particles particles;
+    Eigen::VectorXd inverse_mass;
     particles::State state;
   };
 

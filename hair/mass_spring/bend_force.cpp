@@ -21,9 +21,8 @@ void BendForce::add_dfdx(Input x, Input, Input dx, Output df) const {
 
 bool BendForce::add_band(Input x, Input, double by_dfdx, double, solver::BlockBand& band,
                          particles::Scratch work) const {
-  particles::add_products(
+  return particles::add_products(
       2, by_dfdx, [&](Input dx, Output df) { add_bend_product_spd(strand_, x, dx, df); }, band, work);
-  return true;
 }
 
 }  // namespace hair

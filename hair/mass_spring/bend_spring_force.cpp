@@ -18,10 +18,9 @@ void BendSpringForce::add_dfdx(Input x, Input, Input dx, Output df) const {
 
 bool BendSpringForce::add_band(Input x, Input, double by_dfdx, double, solver::BlockBand& band,
                                particles::Scratch work) const {
-  particles::add_products(
+  return particles::add_products(
       2, by_dfdx, [&](Input dx, Output df) { add_bend_spring_product(strand_, x, definite(term_), dx, df); },
       band, work);
-  return true;
 }
 
 }  // namespace hair

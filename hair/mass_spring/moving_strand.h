@@ -14,20 +14,25 @@
 
 namespace hair {
 
+// The strand's masses; the root is pinned.
+inline particles::Particles held_at_root(const Strand& strand) {
+  particles::Particles particles{strand.mass, std::vector<char>(strand.mass.size(), 0)};
+  particles.pinned[0] = 1;
+  return particles;
+}
+
 // Its parts refer to each other, so it can be neither copied nor moved.
 struct MovingStrand {
   MovingStrand(Strand the_strand, particles::State start)
       : strand(std::move(the_strand)),
-        particles{strand.mass, std::vector<char>(strand.mass.size(), 0)},
+        particles(held_at_root(strand)),
         state(std::move(start)),
-        system(particles, force) {
-    particles.pinned[0] = 1;
-  }
+        system(particles, force) {}
   MovingStrand(const MovingStrand&) = delete;
   MovingStrand& operator=(const MovingStrand&) = delete;
 
   Strand strand;
-  particles::Particles particles;  // the strand's masses; the root is pinned
+  particles::Particles particles;
   particles::State state;
   particles::ForceSum force;
   // For Newton's method only: the same forces with definite products. Empty for other methods.

@@ -18,10 +18,9 @@ void StretchForce::add_dfdx(Input x, Input, Input dx, Output df) const {
 
 bool StretchForce::add_band(Input x, Input, double by_dfdx, double, solver::BlockBand& band,
                             particles::Scratch work) const {
-  particles::add_products(
+  return particles::add_products(
       1, by_dfdx, [&](Input dx, Output df) { add_stretch_product(strand_, x, definite(term_), dx, df); },
       band, work);
-  return true;
 }
 
 }  // namespace hair

@@ -38,15 +38,17 @@ class Banded : public Force {
   void add_dfdv(Input, Input, Input, Output) const override {}
   bool add_band(Input x, Input v, double by_dfdx, double, solver::BlockBand& band,
                 Scratch work) const override {
-    add_products(
+    return add_products(
         reach_, by_dfdx,
         [&](Input dx, Output df) {
           ++products;
           add_dfdx(x, v, dx, df);
         },
         band, work);
-    return true;
   }
+
+  // An entry of another size than that on the other side of the diagonal.
+  void make_unsymmetric() { K_(0, 4) += 0.1; }
 
   mutable int products = 0;
   const MatrixXd& stiffness() const { return K_; }
@@ -86,7 +88,7 @@ TEST(ProductsToBand, TakesThreeProductsForEachOfTheParticlesThatMeet) {
       solver::BlockBand band(memory);
       band.set_zero();
       const VectorXd x = VectorXd::Zero(3 * n);
-      force.add_band(x, x, -2, 0, band, work);
+      EXPECT_TRUE(force.add_band(x, x, -2, 0, band, work));
       EXPECT_EQ(force.products, 3 * std::min(n, 2 * reach + 1));
       for (int i = 0; i < n; ++i)
         for (int back = 0; back <= std::min(i, 2); ++back)
@@ -133,6 +135,10 @@ TEST(PreconditionerTest, DoesNotExistWithoutABandOrADefiniteMatrix) {
   hidden.emplace<Banded>(3, 1);
   hidden.hide_band();
   EXPECT_FALSE(c.of(hidden).exists());
+
+  Banded unsymmetric(3, 1);
+  unsymmetric.make_unsymmetric();
+  EXPECT_FALSE(c.of(unsymmetric).exists());
 
   const Banded force(3, 1);
   EXPECT_FALSE(Preconditioner(force, c.particles, c.state, 10, -10, c.scratch).exists()) << "indefinite";

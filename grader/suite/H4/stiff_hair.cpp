@@ -18,9 +18,8 @@ class NearSprings final : public particles::DampedSprings {
       : DampedSprings(springs, particles::Products::definite) {}
   bool add_band(Input x, Input v, double by_dfdx, double, solver::BlockBand& band,
                 particles::Scratch work) const override {
-    particles::add_products(
+    return particles::add_products(
         2, by_dfdx, [&](Input dx, Output df) { add_dfdx(x, v, dx, df); }, band, work);
-    return true;
   }
 };
 
