@@ -4,6 +4,16 @@
 
 namespace hair {
 
+double JointSpring::energy(double place) const {
+  const double too_far = beyond(place);
+  return (stiffness(0, 0) * place * place + limit_stiffness * too_far * too_far) / 2;
+}
+
+double JointSpring::energy(const Vector3d& theta) const {
+  const double too_far = beyond(theta.norm());
+  return (theta.dot(stiffness * theta) + limit_stiffness * too_far * too_far) / 2;
+}
+
 Vector3d turn_of(const Eigen::Quaterniond& q) {
   const double sine = q.vec().norm(), w = q.w() < 0 ? -q.w() : q.w();
   const double factor = sine > 1e-8 ? 2 * std::atan2(sine, w) / sine : 2;

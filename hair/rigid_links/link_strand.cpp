@@ -42,6 +42,11 @@ JointSpring spring(const Fibre& fibre, double length, const Vector3d& mean) {
   const double twist = fibre.twist_factor * fibre.material.twist_rigidity() / length;
   JointSpring spring;
   spring.stiffness = bend * Matrix3d::Identity() + (twist - bend) * mean * mean.transpose();
+  spring.damping = fibre.relaxation_time * spring.stiffness;
+  if (fibre.joint_limit) {
+    spring.upper = *fibre.joint_limit;
+    spring.limit_stiffness = kLimitFactor * fibre.material.bend_rigidity() / length;
+  }
   return spring;
 }
 
@@ -75,8 +80,7 @@ std::string why_not_of_links(const StrandSpec& spec) {
     return "rigid links have no springs that skip a particle; the skip_factor must be 0";
   if (spec.start.differently && spec.start.stretch != 1)
     return "rigid links don't stretch; the start's stretch must be 1";
-  if (!std::holds_alternative<Straight>(spec.form) && !spec.clamped)
-    return "wavy and curly hair must be clamped";
+  if (is_wave_or_curl(spec.form) && !spec.clamped) return "wavy and curly hair must be clamped";
   return {};
 }
 

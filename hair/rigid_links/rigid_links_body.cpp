@@ -174,8 +174,7 @@ BodyMeasures RigidLinksBody::measure(particles::Input q, particles::Input rate) 
     const Vector3d spin = link.axes * Vector3d(shape(i).moments.cwiseProduct(own));
     const Vector3d bent = turn_of((before * shape(i).rest).conjugate() * link.axes);
     sum.kinetic += (mass * velocity.squaredNorm() + link.omega.dot(spin)) / 2;
-    sum.potential +=
-        bent.dot(strand_.forces.springs[i].stiffness * bent) / 2 - mass * strand_.forces.gravity.dot(centre);
+    sum.potential += strand_.forces.springs[i].energy(bent) - mass * strand_.forces.gravity.dot(centre);
     sum.momentum += mass * velocity;
     sum.angular_momentum += mass * centre.cross(velocity) + spin;
     x = centre + half;

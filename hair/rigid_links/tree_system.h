@@ -6,7 +6,10 @@
 //
 // The last term goes to the left, where it stiffens the joint: `stiffening` = h^2 K + h C adds to s^'I^A s^. Forces at
 // links do the same to the link's inertia: drag c adds h c, a force with the stiffness S at a point adds h^2 S. So the
-// recursion stays as it is, and linear. Source of the method: D. Baraff and A. Witkin, "Large Steps in Cloth Simulation"
+// recursion stays as it is, and linear.
+//
+// A joint feels its limit if it is beyond it at the end of the step, which the step itself decides: it is made again with the
+// limits that were met, and without those that would have to pull, until nothing changes. Source of the method: D. Baraff and A. Witkin, "Large Steps in Cloth Simulation"
 // (SIGGRAPH 1998), section 3, there for particles.
 //
 // Weight and the terms of velocities remain explicit. The tension T that they cause holds a strand across: per metre of hair
@@ -60,12 +63,26 @@ class TreeSystem {
   double potential_energy(Input q) const;
 
  private:
+  // A limit that acts: the joint's place along `along` is above or below a bound.
+  struct Limit {
+    bool acts = false;
+    double bound = 0;                   // rad or m
+    Vector3d along = Vector3d::Zero();  // of a spherical joint's theta; else [+-1, 0, 0]
+  };
+
+  void attempt(const TreeBase& base, Input q, Input rates, double h, std::span<const LinkForce> more,
+               Output result);
   void add_springs(Input q, Input rates, double h);
+  void add_limit(int joint, Input rates, double h, const Vector3d& place, const Matrix3d& A);
+  // For places after h seconds with these rates and accelerations. False: none changed.
+  bool change_limits(Input q, Input rates, Input accelerations, double h);
+
   void add_drag(double h);
   void add_force(const LinkForce& one, double h);
 
   TreeMotion motion_;
   TreeForces forces_;
+  std::vector<Limit> limits_;  // of each link's joint; empty: nothing has a limit
   Eigen::VectorXd Q_;
 };
 

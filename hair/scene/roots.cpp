@@ -13,11 +13,6 @@ const double kGolden = std::numbers::pi * (3 - std::sqrt(5.0));
 
 }  // namespace
 
-Vector3d side_of(const Vector3d& axis) {
-  const Vector3d start = std::abs(axis.x()) < 0.9 ? Vector3d::UnitX() : Vector3d::UnitY();
-  return (start - axis.dot(start) * axis).normalized();
-}
-
 std::vector<Vector3d> points_on_line(const Vector3d& from, const Vector3d& to, int count) {
   std::vector<Vector3d> points;
   for (int i = 0; i < count; ++i)

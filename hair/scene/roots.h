@@ -7,10 +7,6 @@
 
 namespace hair {
 
-// The `side` of a strand along `axis` (of length 1): x made perpendicular to it, or y if x is nearly parallel
-// to it.
-Vector3d side_of(const Vector3d& axis);
-
 // From `from` to `to`, both included, equally spaced. count >= 1; a single point is in the middle.
 std::vector<Vector3d> points_on_line(const Vector3d& from, const Vector3d& to, int count);
 

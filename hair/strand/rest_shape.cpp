@@ -52,6 +52,11 @@ RestShape begin(int segments, const RootFrame& frame, const Vector3d& tangent) {
 
 }  // namespace
 
+Vector3d side_of(const Vector3d& axis) {
+  const Vector3d start = std::abs(axis.x()) < 0.9 ? Vector3d::UnitX() : Vector3d::UnitY();
+  return (start - axis.dot(start) * axis).normalized();
+}
+
 RestShape straight_shape(int segments, double length, const RootFrame& frame) {
   check(segments, length, frame);
   RestShape shape = begin(segments, frame, frame.axis);

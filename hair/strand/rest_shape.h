@@ -19,6 +19,10 @@ struct RootFrame {
   Vector3d side = Vector3d(1, 0, 0);
 };
 
+// The side of a strand along `axis` (of length 1): x made perpendicular to it, or y if x is nearly parallel
+// to it.
+Vector3d side_of(const Vector3d& axis);
+
 struct RestShape {
   Eigen::VectorXd x;  // 3(segments + 1), m; starts with the frame's position
   Vector3d tangent;   // of the curve at its root: the root_tangent of a clamped strand

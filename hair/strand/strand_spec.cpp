@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 namespace hair {
 
@@ -19,6 +20,13 @@ RestShape shape_of(const Wavy& wave, const StrandSpec& spec) {
 
 RestShape shape_of(const Curly& curl, const StrandSpec& spec) {
   return curly_shape(spec.elements, spec.length, curl.radius, curl.pitch, spec.root);
+}
+
+RestShape shape_of(const Drawn& drawn, const StrandSpec&) {
+  RestShape shape{drawn.x, {}, {}};
+  shape.tangent = (shape.x.segment<3>(3) - shape.x.head<3>()).normalized();
+  shape.normal = side_of(shape.tangent);
+  return shape;
 }
 
 Bend bend_of(const Straight&, double) {
@@ -39,7 +47,15 @@ Bend bend_of(const Curly& curl, double) {
   return {curl.radius / squared, c / squared};
 }
 
+Bend bend_of(const Drawn&, double) {
+  throw std::invalid_argument("a drawn strand has no curvature between its points");
+}
+
 }  // namespace
+
+bool is_wave_or_curl(const RestForm& form) {
+  return std::holds_alternative<Wavy>(form) || std::holds_alternative<Curly>(form);
+}
 
 RestShape rest_shape(const StrandSpec& spec) {
   return std::visit([&](const auto& form) { return shape_of(form, spec); }, spec.form);

@@ -1,6 +1,7 @@
 // A strand as a scene describes it, before a model divides it into particles, links or elements.
 #pragma once
 
+#include <optional>
 #include <variant>
 
 #include "hair/strand/material.h"
@@ -15,6 +16,10 @@ struct Fibre {
   double bend_factor = 1;     // of EI
   double twist_factor = 1;    // of GJ
   double skip_factor = 0;     // of EA: the rigidity of springs that skip a particle
+  // s, >= 0: bends and twists also resist their rates, with this times their stiffness.
+  double relaxation_time = 0;
+  // rad, > 0: how far a joint between two elements turns from its rest; none: any turn.
+  std::optional<double> joint_limit = {};
 };
 
 // The rest curve.
@@ -25,7 +30,12 @@ struct Wavy {
 struct Curly {
   double radius, pitch;  // m: see curly_shape
 };
-using RestForm = std::variant<Straight, Wavy, Curly>;
+struct Drawn {
+  Eigen::VectorXd x;  // m, 3n: a groom's points; as many elements as there are pieces between them
+};
+using RestForm = std::variant<Straight, Wavy, Curly, Drawn>;
+
+bool is_wave_or_curl(const RestForm& form);
 
 // The initial shape of a strand that does not start at rest: straight in a direction, with every segment
 // `stretch` times as long, or folded to and fro; and how it turns about its root.
@@ -48,12 +58,14 @@ struct StrandSpec {
   Vector3d root_velocity = Vector3d::Zero();  // m/s
 };
 
-// Throws std::invalid_argument as straight_shape, wavy_shape and curly_shape do.
+// Throws std::invalid_argument as straight_shape, wavy_shape and curly_shape do. A drawn strand leaves its root along its
+// first piece.
 RestShape rest_shape(const StrandSpec& spec);
 
 // The curve's curvature and torsion, 1/m, at the arc length s from its root. They refer to the frame that
 // starts with the tangent and the normal of rest_shape and turns with the torsion. A planar curve has a
-// signed curvature and no torsion; a helix bends towards its own axis with constant curvature and torsion.
+// signed curvature and no torsion; a helix bends towards its own axis with constant curvature and torsion. Drawn strands
+// have points, and no such curve: throws std::invalid_argument.
 struct Bend {
   double curvature = 0, torsion = 0;
 };

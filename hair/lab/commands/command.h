@@ -17,6 +17,7 @@ struct Command {
   std::function<int()> run;
 };
 
+Command add_models_command(CLI::App& program);
 Command add_run_command(CLI::App& program);
 Command add_scenes_command(CLI::App& program);
 Command add_solver_command(CLI::App& program);

@@ -19,10 +19,13 @@ inline constexpr StudyCommand kStabilityStudy = {
     "Map the step sizes with which each method is stable, beside theory, and what extreme cases do"};
 inline constexpr StudyCommand kErrorStudy = {"study",
                                              "Error against run time, of each method that fits a scene"};
+inline constexpr StudyCommand kModelsStudy = {
+    "models", "Springs, links and helices side by side: error against run time, which model when"};
 inline constexpr StudyCommand kValidation = {
     "validate", "Compare with what theory says: published numbers, exact solutions"};
 
-inline constexpr std::array kStudyCommands = {kSolverStudy, kStabilityStudy, kErrorStudy, kValidation};
+inline constexpr std::array kStudyCommands = {kSolverStudy, kStabilityStudy, kErrorStudy, kModelsStudy,
+                                              kValidation};
 
 bool is_study(std::string_view command);
 

@@ -63,14 +63,6 @@ struct Group {
   }
 };
 
-// The first one is that of masses and springs.
-const ModelRow* read_model(const JsonValue& group) {
-  if (!group.has("model")) return &models().front();
-  std::vector<std::string_view> names;
-  for (const ModelRow& row : models()) names.emplace_back(row.id);
-  return &models()[group["model"].word(names)];
-}
-
 Group read_group(const JsonValue& object) {
   object.check_keys({"segments", "length", "roots"}, {"model", "material", "shape", "clamped", "start",
                                                       "variation", "root_velocity", "moves_with"});
@@ -84,7 +76,7 @@ Group read_group(const JsonValue& object) {
   spec.start = read_held(object);
   group.spread = read_spread(object);
   spec.clamped = boolean_or(object, "clamped", true);
-  if (!spec.clamped && !std::holds_alternative<Straight>(spec.form))
+  if (!spec.clamped && is_wave_or_curl(spec.form))
     object["clamped"].fail("wavy and curly hair must be clamped; write true, or leave the shape out");
   spec.root_velocity = read_root_velocity(object);
   return group;
@@ -100,18 +92,24 @@ void check_one_model(const JsonValue& object, const Description& hair) {
     object.fail("all hair of a scene has the same model; write the same \"model\" in each group");
 }
 
-// One strand of the group.
-void add_strand(const Group& group, const StrandSpec& spec, Description& hair) {
-  if (group.model == &models().front()) {
+}  // namespace
+
+const ModelRow* read_model(const JsonValue& group) {
+  if (!group.has("model")) return &models().front();
+  std::vector<std::string_view> names;
+  for (const ModelRow& row : models()) names.emplace_back(row.id);
+  return &models()[group["model"].word(names)];
+}
+
+void add_strand(const ModelRow& model, const StrandSpec& spec, Description& hair) {
+  if (const std::string why = model.why_not(spec); !why.empty()) throw std::invalid_argument(why);
+  if (&model == &models().front()) {
     hair.strands.push_back(discretise(spec));
     return;
   }
-  if (const std::string why = group.model->why_not(spec); !why.empty()) throw std::invalid_argument(why);
   rest_shape(spec);  // throws what is wrong with it
-  hair.modelled.push_back({group.model, spec});
+  hair.modelled.push_back({&model, spec});
 }
-
-}  // namespace
 
 void read_hair(const JsonValue& list, Reading& reading) {
   for (const JsonValue& object : list.items()) {
@@ -130,7 +128,7 @@ void read_hair(const JsonValue& list, Reading& reading) {
     for (const RootFrame& frame : read_roots(object["roots"], expect)) {
       if (rider) rider->strands.push_back(static_cast<int>(hair.strands.size() + hair.modelled.size()));
       try {
-        add_strand(group, group.make(frame, variation), hair);
+        add_strand(*group.model, group.make(frame, variation), hair);
       } catch (const std::invalid_argument& error) {
         object.fail(error.what());
       }

@@ -9,6 +9,7 @@
 
 #include "hair/io/files/strict_json.h"
 #include "hair/scene/scene.h"
+#include "hair/simulation/models.h"
 
 namespace hair::json {
 
@@ -36,6 +37,9 @@ struct Reading {
 void read_motions(const JsonValue& list, Reading& reading);
 void read_obstacles(const JsonValue& list, Reading& reading);
 void read_hair(const JsonValue& list, Reading& reading);
+const ModelRow* read_model(const JsonValue& group);  // "model"; if there is none, that of masses and springs
+// One more strand. Throws std::invalid_argument for one that the model can't express.
+void add_strand(const ModelRow& model, const StrandSpec& spec, Description& hair);
 void read_groom(const JsonValue& group, Reading& reading);  // a group of "hair" that has "groom"
 void read_toys(const JsonValue& list, Reading& reading);
 Toy read_cloth(const JsonValue& object, Reading& reading);  // particles, springs, rows and columns

@@ -8,6 +8,7 @@
 #include "hair/head/made_hair_file.h"
 #include "hair/io/files/bad_input.h"
 #include "hair/scene/playback.h"
+#include "hair/simulation/models.h"
 
 namespace reference_tests {
 namespace {
@@ -64,6 +65,23 @@ TEST(GroomScene, IsScaledAndMovedAndRestsAsItIs) {
   EXPECT_TRUE(start.strand.clamped);
   EXPECT_EQ(start.strand.root_tangent, Eigen::Vector3d(0, 0, 1));
   EXPECT_NEAR(start.rest_curvature.tail<2>().norm(), M_PI / 2, 1e-15);
+}
+
+TEST(GroomScene, IsOfRigidLinksIfItSaysSo) {
+  if (!hair::find_model("rigid_links")) GTEST_SKIP() << "the course has no rigid links";
+  const Folder folder;
+  folder.write("a.hair", hair_file({0, 0, 0, 0, 0, 2, 0, 2, 2}));
+  const hair::Scene scene = hair::read_scene(
+      folder.scene(R"("file": "a.hair", "scale": 0.05, "move": [1, 0, 0])", R"(, "model": "rigid_links")"));
+  EXPECT_TRUE(scene.hair.strands.empty());
+  ASSERT_EQ(scene.hair.modelled.size(), 1U);
+  hair::Playback playback(scene);
+  EXPECT_LE((playback.centre_lines(playback.state()).x -
+             (Eigen::VectorXd(9) << 1, 0, 0, 1, 0, 0.1, 1, 0.1, 0.1).finished())
+                .norm(),
+            1e-15);
+  const auto trouble = playback.advance();
+  EXPECT_FALSE(trouble) << *trouble;
 }
 
 TEST(GroomScene, AGroomThatIsNotThereIsNamedTogetherWithItsPlace) {

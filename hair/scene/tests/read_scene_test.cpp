@@ -127,7 +127,7 @@ TEST(ReadScene, HairIsHeldAsItsStartSays) {
 
 TEST(ReadScene, RigiditiesHaveTheirFactors) {
   const Scene scene = read(small_scene(R"("stretch_factor": 1, "bend_factor": 1,
-                   "skip_factor": 0)",
+                   "twist_factor": 1, "skip_factor": 0)",
                                        R"("stretch_factor": 100, "bend_factor": 0, "skip_factor": 0.1)"));
   const hair::Strand& strand = scene.hair.strands[0].strand;
   EXPECT_DOUBLE_EQ(strand.stretch_rigidity, 100 * hair::Material{}.stretch_rigidity());

@@ -113,7 +113,7 @@ std::map<std::string, Bounds> read() {
   sections["The scene"]["step"] = step.sections().at("The scene").at("step");
   const Asked groom(
       R"({"shows": "a groom", "frames": 1, "hair": [{"groom": {"file": "a", "scale": 1, "every": 1,
-    "move": [0, 0, 0]}, "clamped": true, "root_velocity": [0, 0, 0]}]})");
+    "move": [0, 0, 0]}, "model": "mass_spring", "clamped": true, "root_velocity": [0, 0, 0]}]})");
   for (const char* section : {"hair[] with a groom", "hair[].groom"})
     sections[section] = groom.sections().at(section);
   return sections;

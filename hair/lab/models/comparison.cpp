@@ -1,0 +1,171 @@
+#include "hair/lab/models/comparison.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hair/lab/stub.h"
+#include "hair/simulation/simulation.h"
+#include "solver/not_implemented.h"
+#include "solver/timing.h"
+
+namespace hair::model_study {
+
+namespace {
+
+constexpr double kFrame = 1.0 / 60;  // s
+constexpr int kFinest = 6;           // halvings of it
+constexpr double kMostSeconds = 20;  // of CPU time for a second of motion: no finer run then
+constexpr double kNoBetter = 0.95;        // times the error before
+constexpr int kStalls = 3;                // so often in a row
+constexpr int kMostTimes = 5;        // that a short run is repeated
+constexpr double kEnough = 0.02;     // s of CPU time, of all its repeats
+constexpr double kMoment = kComparedTime / kMoments;
+
+class Runner {
+ public:
+  Runner(const ComparedHair& hair, const FineMotion& truth, const std::atomic<bool>& interrupted)
+      : hair_(hair), truth_(truth), interrupted_(interrupted) {}
+
+  // Empty if interrupted.
+  std::optional<ModelRun> run(const Family& family, int elements, double longest_step) {
+    const long steps = std::lround(std::ceil(kMoment / longest_step * (1 - 1e-9)));
+    ModelRun run;
+    run.elements = elements;
+    run.step = kMoment / static_cast<double>(steps);
+    std::vector<double> seconds;
+    double sum = 0;
+    do {
+      Simulation simulation(description_of(family, hair_.spec, elements, run.step));
+      seconds.push_back(0);
+      if (!play(simulation, steps, run, seconds.back())) return {};
+      sum += seconds.back();
+    } while (run.trouble.empty() && sum < kEnough && seconds.size() < kMostTimes);
+    run.seconds = timing::median(seconds) / kComparedTime;
+    return run;
+  }
+
+ private:
+  bool play(Simulation& simulation, long steps, ModelRun& run, double& seconds) {
+    const Body& body = simulation.body(0);
+    Eigen::VectorXd q(body.size()), rate(body.size()), x(3 * body.points()), v(x.size());
+    const Eigen::VectorXd at = body.arc_lengths();
+    const bool long_steps = run.step > 0.99 * kFrame;
+    std::vector<Eigen::VectorXd> lines;
+    run.lengths.clear();
+    run.trouble.clear();
+    for (int moment = 0; moment < kMoments; ++moment) {
+      for (long k = 0; k < steps; ++k) {
+        if (interrupted_) return false;
+        const double start = timing::cpu_seconds();
+        const auto blow_up = simulation.step();
+        seconds += timing::cpu_seconds() - start;
+        if (blow_up) {
+          run.trouble = "blows up after " + std::to_string(blow_up->step) + " steps";
+          return true;
+        }
+        if (!long_steps && k + 1 < steps) continue;
+        body.read(q, rate);
+        body.centre_line(q, rate, x, v);
+        if (long_steps) run.lengths.push_back(length_of(x) / at[at.size() - 1]);
+      }
+      lines.push_back(compared_points(hair_, x, at));
+    }
+    run.error = rms_distance(lines, truth_.lines);
+    if (!(run.error < hair_.spec.length)) run.trouble = "is farther off than the hair is long";
+    return true;
+  }
+
+  static double length_of(const Eigen::VectorXd& x) {
+    double sum = 0;
+    for (Eigen::Index k = 3; k < x.size(); k += 3) sum += (x.segment<3>(k) - x.segment<3>(k - 3)).norm();
+    return sum;
+  }
+
+  const ComparedHair& hair_;
+  const FineMotion& truth_;
+  const std::atomic<bool>& interrupted_;
+};
+
+// Steps from a frame's down to where finer ones are no better, or take too long.
+bool sweep(Runner& runner, const ComparedHair& hair, bool quick, FamilyRuns& family) {
+  const bool is_explicit = row_of(family.family.method).is_explicit;
+  for (const int elements : hair.elements) {
+    double step = is_explicit ? explicit_step(family.family, hair.spec, elements) : kFrame;
+    int stalls = 0;
+    for (int halved = 0; halved <= (is_explicit ? 0 : quick ? 2 : kFinest); ++halved, step /= 2) {
+      const auto run = runner.run(family.family, elements, step);
+      if (!run) return false;
+      const bool better = halved == 0 || !run->trouble.empty() || !family.runs.back().trouble.empty() ||
+                          run->error < kNoBetter * family.runs.back().error;
+      stalls = better ? 0 : stalls + 1;
+      family.runs.push_back(*run);
+      if (stalls == kStalls || run->seconds > kMostSeconds) break;
+    }
+  }
+  return true;
+}
+
+template <typename Runs>
+bool add_family(const Family& family, std::vector<FamilyRuns>& families, Runs make_runs) {
+  FamilyRuns& added = families.emplace_back(FamilyRuns{family, {}, left_out(family)});
+  if (!added.left_out.empty()) return true;
+  try {
+    return make_runs(added);
+  } catch (const NotImplemented& stub) {
+    added.left_out = "needs " + missing_part(stub);
+    added.runs.clear();
+    return true;
+  }
+}
+
+}  // namespace
+
+std::optional<Comparison> compare_models(bool quick, const std::atomic<bool>& interrupted,
+                                         const std::function<void(const std::string&)>& say) {
+  Comparison comparison;
+  comparison.quick = quick;
+  for (const ComparedHair& hair : compared_hairs(quick)) {
+    say(hair.title + ": the fine motion");
+    const auto truth = fine_motion(hair, interrupted);
+    if (!truth) return {};
+    HairComparison& one = comparison.hairs.emplace_back();
+    one.hair = hair;
+    one.uncertainty = truth->uncertainty;
+    one.fine_seconds = truth->seconds;
+    Runner runner(hair, *truth, interrupted);
+    for (const Family& family : families()) {
+      say(hair.title + ": " + family.name);
+      if (!add_family(family, one.families,
+                      [&](FamilyRuns& runs) { return sweep(runner, hair, quick, runs); }))
+        return {};
+    }
+    if (hair.id != "straight") continue;
+    for (const Family& family : stiff_families()) {
+      say(hair.title + ": " + family.name);
+      if (!add_family(family, one.stiff, [&](FamilyRuns& runs) {
+            for (const int elements : hair.elements) {
+              const auto run = runner.run(family, elements, kFrame);
+              if (!run) return false;
+              runs.runs.push_back(*run);
+            }
+            return true;
+          }))
+        return {};
+    }
+  }
+  return comparison;
+}
+
+std::vector<const ModelRun*> best_of(const FamilyRuns& family) {
+  std::vector<const ModelRun*> finished;
+  for (const ModelRun& run : family.runs)
+    if (run.trouble.empty()) finished.push_back(&run);
+  std::sort(finished.begin(), finished.end(),
+            [](const ModelRun* a, const ModelRun* b) { return a->seconds < b->seconds; });
+  std::vector<const ModelRun*> best;
+  for (const ModelRun* run : finished)
+    if (best.empty() || run->error < best.back()->error) best.push_back(run);
+  return best;
+}
+
+}  // namespace hair::model_study
