@@ -40,6 +40,7 @@ std::array<double, 8> stumpff(double x);
 // along the axes of the start,
 //
 //   axes = 1 + c_1 [p] + c_2 [p]^2,    position = s (e + c_2 p x e + c_3 p x (p x e)),    c_k of x = |p|^2, [p] v = p x v
+// Errors: 1e-10, and 1e-10 s, for |p| up to 200.
 MaterialFrame frame_at(const MaterialFrame& start, const Vector3d& curvature, double s);
 
 // Sets start and end of all elements, from their lengths and curvatures: the first starts at the root, each other one where
@@ -57,6 +58,7 @@ void elastic_force(const HelixStrand& strand, Input q, Output force);
 // n2, t),
 //
 //   turns_k = integral from 0 to s of n_k(s') ds',    moves_k = integral from 0 to s of n_k(s') x (r(s) - r(s')) ds'
+// Errors: 1e-10 s, and 1e-10 s^2.
 HelixJacobian jacobian_at(const MaterialFrame& start, const Vector3d& curvature, double s);
 
 // For (5) to (7), start, end and at_end of all elements are set, and position and moves of all points. A point's J has the
