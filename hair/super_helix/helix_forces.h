@@ -1,0 +1,23 @@
+// Forces on a super-helix, and its energies. Each function adds to the points of a motion, after place() and move().
+#pragma once
+
+#include "hair/super_helix/helix_motion.h"
+
+namespace hair {
+
+// A: - mass * acceleration at q" = 0, on all points.
+void add_motion(HelixMotion& motion);
+
+// gravity: m/s^2.
+void add_weight(const Vector3d& gravity, HelixMotion& motion);
+
+// - drag * (velocity - wind) for each metre, taken at the end of a step of h seconds; h = 0: at its beginning. drag: N s/m^2,
+// wind: the air's velocity, m/s.
+void add_drag(double drag, const Vector3d& wind, double h, HelixMotion& motion);
+
+// J. Elastic energy is 0 at the natural shape, that of weight at the origin; kinetic energy has no rotary inertia.
+double elastic_energy(const HelixStrand& strand, Input q);
+double weight_energy(const Vector3d& gravity, const HelixMotion& motion);
+double kinetic_energy(const HelixMotion& motion);
+
+}  // namespace hair

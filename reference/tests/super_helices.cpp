@@ -1,0 +1,124 @@
+// STAFF ONLY.
+#include "reference/tests/super_helices.h"
+
+#include <Eigen/Eigenvalues>
+
+#include "hair/strand/material.h"
+
+namespace reference_tests {
+
+HelixStrand hair_strand(int elements, double length, const Vector3d& natural) {
+  const hair::Material material;
+  HelixStrand strand;
+  strand.lengths = VectorXd::Constant(elements, length / elements);
+  strand.line_density = material.line_density();
+  strand.bend_rigidity = material.bend_rigidity();
+  strand.twist_rigidity = material.twist_rigidity();
+  strand.natural = natural.replicate(elements, 1);
+  return strand;
+}
+
+VectorXd random_curl(const HelixStrand& strand, double angle, RandomNumbers& numbers) {
+  VectorXd q(3 * strand.elements());
+  for (int i = 0; i < strand.elements(); ++i)
+    q.segment<3>(3 * i) = numbers.direction() * numbers.between(0, angle) / strand.lengths[i];
+  return q;
+}
+
+HelixRoot random_root(RandomNumbers& numbers) {
+  HelixRoot root;
+  root.frame = {numbers.vector(0.1), numbers.turn().toRotationMatrix()};
+  root.velocity = numbers.vector(1);
+  root.spin = numbers.vector(10);
+  root.acceleration = numbers.vector(10);
+  root.spin_acceleration = numbers.vector(100);
+  return root;
+}
+
+MatrixXd dense_jacobian(const HelixMotion& motion) {
+  const std::size_t points = motion.points.size();
+  MatrixXd J = MatrixXd::Zero(3 * points, 3 * motion.elements.size());
+  for (std::size_t j = 0; j < points; ++j) {
+    const hair::HelixPoint& point = motion.points[j];
+    J.block<3, 3>(3 * j, 3 * point.element) = point.moves;
+    for (int i = 0; i < point.element; ++i) {
+      const hair::HelixElement& element = motion.elements[i];
+      for (int k = 0; k < 3; ++k)
+        J.block<3, 1>(3 * j, 3 * i + k) =
+            element.at_end.moves.col(k) +
+            Vector3d(element.at_end.turns.col(k)).cross(point.position - element.end.position);
+    }
+  }
+  return J;
+}
+
+DenseStep dense_step(const HelixMotion& motion, const VectorXd& q, const VectorXd& rates, double h) {
+  const MatrixXd J = dense_jacobian(motion);
+  MatrixXd WJ(J.rows(), J.cols());
+  VectorXd force(J.rows()), K(q.size());
+  for (std::size_t j = 0; j < motion.points.size(); ++j) {
+    WJ.middleRows<3>(3 * j) = motion.points[j].inertia * J.middleRows<3>(3 * j);
+    force.segment<3>(3 * j) = motion.points[j].force;
+  }
+  hair::helix_stiffness(motion.strand(), K);
+  DenseStep step{J.transpose() * WJ, {}, {}};
+  step.matrix = step.M;
+  step.matrix.diagonal() += h * h * K;
+  step.right = h * (J.transpose() * force - K.cwiseProduct(q + h * rates - motion.strand().natural));
+  return step;
+}
+
+VectorXd helix_step(const HelixMotion& motion, const VectorXd& q, const VectorXd& rates, double h) {
+  MatrixXd scratch(q.size(), q.size() + 10);
+  VectorXd change(q.size());
+  hair::helix_step(motion.strand(), motion.elements, motion.points, q, rates, h, scratch, change);
+  return change;
+}
+
+namespace {
+
+VectorXd unbalanced(HelixMotion& motion, const hair::MaterialFrame& root, const Vector3d& gravity,
+                    const VectorXd& q) {
+  VectorXd elastic(q.size()), weight(q.size());
+  motion.place(root, q);
+  hair::add_weight(gravity, motion);
+  hair::generalised_force(motion.elements, motion.points, weight);
+  hair::elastic_force(motion.strand(), q, elastic);
+  return weight + elastic;
+}
+
+}  // namespace
+
+// Newton's method with a matrix by central differences. An energy's matrix is symmetric; if it is not definite, the step goes
+// down the energy with what makes it so. No element turns by more than half a radian at once.
+VectorXd balanced(HelixMotion& motion, const hair::MaterialFrame& root, const Vector3d& gravity, VectorXd q) {
+  const double length = motion.strand().lengths.sum(), small = 1e-5 / length;
+  const long n = q.size();
+  VectorXd K(n);
+  hair::helix_stiffness(motion.strand(), K);
+  for (int iteration = 0; iteration < 200; ++iteration) {
+    const VectorXd force = unbalanced(motion, root, gravity, q);
+    MatrixXd matrix(n, n);
+    for (long k = 0; k < n; ++k) {
+      VectorXd ahead = q, behind = q;
+      ahead[k] += small;
+      behind[k] -= small;
+      matrix.col(k) = (unbalanced(motion, root, gravity, behind) - unbalanced(motion, root, gravity, ahead)) /
+                      (2 * small);
+    }
+    matrix = (matrix + matrix.transpose()).eval() / 2;
+    const Eigen::SelfAdjointEigenSolver<MatrixXd> modes(matrix);
+    const VectorXd sizes = modes.eigenvalues().cwiseAbs().cwiseMax(1e-6 * K.maxCoeff());
+    VectorXd step =
+        modes.eigenvectors() * sizes.cwiseInverse().asDiagonal() * modes.eigenvectors().transpose() * force;
+    double widest = 0;
+    for (int i = 0; i < motion.strand().elements(); ++i)
+      widest = std::max(widest, step.segment<3>(3 * i).norm() * motion.strand().lengths[i]);
+    if (widest > 0.5) step *= 0.5 / widest;
+    q += step;
+    if (widest < 1e-12) break;
+  }
+  return q;
+}
+
+}  // namespace reference_tests

@@ -1,0 +1,36 @@
+// STAFF ONLY. Super-helices for tests, and what they must obey, made with dense Jacobians.
+#pragma once
+
+#include "hair/super_helix/helix_forces.h"
+#include "reference/tests/link_trees.h"
+
+namespace reference_tests {
+
+using Eigen::Matrix3Xd;
+using hair::HelixMotion, hair::HelixRoot, hair::HelixStrand;
+
+// Human hair of equal elements, with the same natural curvatures in each.
+HelixStrand hair_strand(int elements, double length, const Vector3d& natural = Vector3d::Zero());
+
+// Coordinates of a curl that winds by up to `angle` in each element.
+VectorXd random_curl(const HelixStrand& strand, double angle, RandomNumbers& numbers);
+
+HelixRoot random_root(RandomNumbers& numbers);
+
+// J of each point, 3 rows each, as hair/super_helix.h says.
+MatrixXd dense_jacobian(const HelixMotion& motion);
+
+// M + h^2 K and the right side of (7), from dense_jacobian().
+struct DenseStep {
+  MatrixXd M, matrix;
+  VectorXd right;
+};
+DenseStep dense_step(const HelixMotion& motion, const VectorXd& q, const VectorXd& rates, double h);
+
+// With the scratch that it needs.
+VectorXd helix_step(const HelixMotion& motion, const VectorXd& q, const VectorXd& rates, double h);
+
+// Of a straight strand that is clamped level under the weight `gravity` downward: where the forces balance.
+VectorXd balanced(HelixMotion& motion, const hair::MaterialFrame& root, const Vector3d& gravity, VectorXd q);
+
+}  // namespace reference_tests
