@@ -71,7 +71,7 @@ RunComparison compare_runs(const hair::Scene& scene, const std::vector<int>& pic
   RunComparison result;
   const std::vector<bool> held = held_particles(scene);
   hair::Playback ours(scene);
-  const hair::SceneDrawing drawing(scene);
+  const hair::SceneDrawing drawing(scene, ours.strands());
   hair::Bounds bounds;
   std::vector<Taken> taken;
   for (int frame = 0; frame <= scene.frames; ++frame) {

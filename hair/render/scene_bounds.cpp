@@ -79,7 +79,8 @@ void add_strand(Bounds& bounds, const Description& hair, std::size_t index, cons
   if (index < hair.strands.size())
     add_strand(bounds, hair, hair.strands[index], carry);
   else
-    add_strand(bounds, hair, discretise(hair.modelled[index - hair.strands.size()].spec), carry);
+    add_strand(bounds, hair, discretise(finely_divided(hair.modelled[index - hair.strands.size()].spec)),
+               carry);
 }
 
 template <class Carry>

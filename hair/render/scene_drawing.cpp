@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "hair/render/scene_bounds.h"
 #include "particles/require.h"
@@ -20,7 +22,8 @@ constexpr double kBall = 0.018, kTube = 0.005, kRing = 0.0035;
 
 }  // namespace
 
-SceneDrawing::SceneDrawing(const Scene& scene) : scene_(scene), look_(scene.look.value_or(Look())) {
+SceneDrawing::SceneDrawing(const Scene& scene, std::vector<int> strands)
+    : scene_(scene), strands_(std::move(strands)), look_(scene.look.value_or(Look())) {
   camera_ = frame_camera(scene_bounds(scene), static_cast<double>(look_.image_width) / look_.image_height,
                          look_.view);
   const Vector3d target = look_.look_at.value_or(camera_.target);
@@ -39,15 +42,8 @@ Drawing SceneDrawing::at(const particles::State& state, const std::vector<Obstac
   drawing.strands.width = look_.width;
   drawing.strands.root = look_.root_colour.cast<float>();
   drawing.strands.tip = look_.tip_colour.cast<float>();
-  Eigen::Index particles = 0;
-  for (const StrandStart& start : scene_.hair.strands) {
-    drawing.strands.sizes.push_back(start.strand.count());
-    particles += start.strand.count();
-  }
-  for (const ModelledStrand& strand : scene_.hair.modelled) {
-    drawing.strands.sizes.push_back(strand.spec.elements + 1);
-    particles += strand.spec.elements + 1;
-  }
+  drawing.strands.sizes = strands_;
+  Eigen::Index particles = std::accumulate(strands_.begin(), strands_.end(), Eigen::Index{0});
   const Eigen::Index of_strands = particles;
   for (const Toy& toy : scene_.toys) particles += toy.particles.count();
   particles::require(state.x.size() == 3 * particles, "the number of the state's coordinates",

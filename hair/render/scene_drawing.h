@@ -15,12 +15,14 @@ namespace hair {
 // A scene without a look gets the default one.
 class SceneDrawing {
  public:
-  explicit SceneDrawing(const Scene& scene);  // keeps a reference to the scene, which must outlive it
+  // strands: the number of points of each strand's centre line (Playback::strands). Keeps a reference to the scene, which must
+  // outlive it.
+  SceneDrawing(const Scene& scene, std::vector<int> strands);
 
   RenderSettings settings() const;
   const Camera& camera() const { return camera_; }  // placed by scene_bounds.h
 
-  // Draws from the positions of all particles (strand after strand, then toy after toy) and the obstacles at
+  // Draws from the positions of all points (strand after strand, then toy after toy) and the obstacles at
   // that time. Throws std::invalid_argument for a state of another size.
   //
   // In a toy, springs and rods are tubes, particles are balls and wires are rings; cloth is a sheet.
@@ -30,6 +32,7 @@ class SceneDrawing {
   void add_toy(const Toy& toy, int toy_index, particles::Input x, Drawing& drawing) const;
 
   const Scene& scene_;
+  std::vector<int> strands_;
   Look look_;
   Camera camera_;
   double unit_;  // m: the height of the visible region

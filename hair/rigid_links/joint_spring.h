@@ -22,10 +22,9 @@
 #include <Eigen/Geometry>
 #include <limits>
 
-namespace hair {
+#include "hair/strand/turns.h"
 
-using Eigen::Matrix3d;
-using Eigen::Vector3d;
+namespace hair {
 
 struct JointSpring {
   Matrix3d stiffness =
@@ -44,9 +43,5 @@ struct JointSpring {
   double energy(double place) const;
   double energy(const Vector3d& theta) const;
 };
-
-// theta of a unit quaternion, and A.
-Vector3d turn_of(const Eigen::Quaterniond& q);
-Matrix3d rate_of_turn(const Vector3d& theta);
 
 }  // namespace hair

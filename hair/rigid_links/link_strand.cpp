@@ -67,12 +67,6 @@ void hold(const Held& held, LinkStrand& strand) {
 
 }  // namespace
 
-Quaterniond root_axes(const Vector3d& tangent, const Vector3d& normal) {
-  Matrix3d axes;
-  axes << normal, tangent.cross(normal), tangent;
-  return Quaterniond(axes).normalized();
-}
-
 std::string why_not_of_links(const StrandSpec& spec) {
   if (spec.fibre.stretch_factor < 1)
     return "rigid links don't stretch; the stretch_factor must be at least 1";
@@ -81,6 +75,11 @@ std::string why_not_of_links(const StrandSpec& spec) {
   if (spec.start.differently && spec.start.stretch != 1)
     return "rigid links don't stretch; the start's stretch must be 1";
   if (is_wave_or_curl(spec.form) && !spec.clamped) return "wavy and curly hair must be clamped";
+  try {
+    rest_shape(spec);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
   return {};
 }
 

@@ -36,7 +36,4 @@ std::string why_not_of_links(const StrandSpec& spec);
 // Throws std::invalid_argument for such a strand, and as rest_shape does.
 LinkStrand link_strand(const StrandSpec& spec);
 
-// The axes with this z and this x, of length 1 and perpendicular.
-Eigen::Quaterniond root_axes(const Vector3d& tangent, const Vector3d& normal);
-
 }  // namespace hair

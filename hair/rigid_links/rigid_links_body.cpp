@@ -10,8 +10,6 @@ using Eigen::Quaterniond;
 
 namespace {
 
-constexpr int kMostAgain = 10;  // times that a step is made with fewer contacts
-
 // How a link lies, and how it turns, from a body's coordinates.
 struct Turned {
   Quaterniond axes;
@@ -29,7 +27,9 @@ RigidLinksBody::RigidLinksBody(LinkStrand strand, const Vector3d& root_velocity,
       steps_(strand_.tree, strand_.forces),
       method_(method),
       rod_points_(2 * strand_.length.size()),
-      contacts_(2 * static_cast<int>(strand_.length.size())) {
+      arms_(rod_points_.size()),
+      after_(rod_points_.size()),
+      contacts_(rod_points_.size()) {
   root_.velocity = root_velocity;
   Quaterniond axes = strand_.base.orientation;
   for (int i = 0; i <= links(); ++i) {
@@ -113,9 +113,14 @@ void RigidLinksBody::step_among(const BodyStep& step) {
   rates_before_ = strand_.rates;
   for (int again = 0;; ++again) {
     more_.erase(more_.begin() + static_cast<std::ptrdiff_t>(others), more_.end());
-    contacts_.add(rod_points_, more_);
+    for (const ContactForce& one : contacts_.forces(rod_points_)) {
+      const int link = static_cast<int>(one.point / 2) + 1;
+      const double along = one.point % 2 == 0 ? 0 : strand_.length[link - 1] / 2;
+      more_.push_back({link, Vector3d(0, 0, along), one.force, one.stiffness, one.damping});
+    }
     (steps_.*method_)(strand_.base, step.h, more_, strand_.q, strand_.rates);
-    if (!contacts_.let_go(rod_points_, steps_.system().motion().passes) || again == kMostAgain) return;
+    find_velocities_after(step.h);
+    if (!contacts_.let_go(after_) || again == kMostContactSteps) return;
     strand_.q = q_before_;
     strand_.rates = rates_before_;
   }
@@ -132,8 +137,18 @@ void RigidLinksBody::find_points() {
     for (int end = 0; end < 2; ++end) {
       x += rod;
       v += omega.cross(rod);
-      rod_points_[2 * i - 2 + end] = {i, end * half, shape(i).mass, x, v, end * rod};
+      rod_points_[2 * i - 2 + end] = {shape(i).mass, x, v};
+      arms_[2 * i - 2 + end] = end * rod;
     }
+  }
+}
+
+// As the step has them: with the points where they were.
+void RigidLinksBody::find_velocities_after(double h) {
+  const std::vector<LinkPass>& passes = steps_.system().motion().passes;
+  for (std::size_t i = 0; i < rod_points_.size(); ++i) {
+    const SpatialMotion& a = passes[i / 2 + 1].a;
+    after_[i] = rod_points_[i].v + h * (a.linear + a.angular.cross(arms_[i]));
   }
 }
 

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "hair/rigid_links/link_strand.h"
-#include "hair/rigid_links/rod_contacts.h"
 #include "hair/rigid_links/tree_steps.h"
 #include "hair/strand/body.h"
+#include "hair/strand/implicit_contacts.h"
 
 namespace hair {
 
@@ -42,6 +42,7 @@ class RigidLinksBody final : public Body {
   const LinkShape& shape(int i) const { return strand_.tree.shapes()[i]; }
   void step_among(const BodyStep& step);
   void find_points();
+  void find_velocities_after(double h);
   bool is_sound() const;
 
   std::vector<Eigen::Quaterniond>
@@ -52,8 +53,11 @@ class RigidLinksBody final : public Body {
   Root root_;          // where the base goes
   bool told_ = false;  // by set_root, for the next step
   std::vector<LinkForce> more_;
-  std::vector<RodPoint> rod_points_;  // in steps with obstacles: the middle and the outer end of each rod
-  RodContacts contacts_;
+  // In steps with obstacles: the middle and the outer end of each rod, as they are and from its middle, and their velocities
+  // after the step.
+  std::vector<ContactPoint> rod_points_;
+  std::vector<Vector3d> arms_, after_;
+  ImplicitContacts contacts_;
   Eigen::VectorXd q_before_, rates_before_;
 };
 

@@ -14,15 +14,6 @@ Quaterniond quaternion(Input q, int first) {
 
 }  // namespace
 
-Quaterniond turn_by(const Vector3d& angle) {
-  const double size = angle.norm();
-  const double part = size > 1e-8 ? std::sin(size / 2) / size : 0.5;
-  Quaterniond turn;
-  turn.w() = std::cos(size / 2);
-  turn.vec() = part * angle;
-  return turn;
-}
-
 TreeMotion::TreeMotion(const LinkTree& tree)
     : links(tree.made_links()), passes(links.size()), tree_(tree), frames_(links.size()) {}
 

@@ -3,6 +3,7 @@
 
 #include "hair/rigid_links.h"
 #include "hair/rigid_links/link_tree.h"
+#include "hair/strand/turns.h"
 
 namespace hair {
 
@@ -13,9 +14,6 @@ struct TreeBase {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
   SpatialMotion velocity, acceleration;
 };
-
-// The turn by a vector, rad.
-Eigen::Quaterniond turn_by(const Vector3d& angle);
 
 // Where a link is.
 struct LinkFrame {

@@ -1,7 +1,8 @@
 #include "hair/rigid_links/tree_steps.h"
 
-#include <cmath>
 #include <utility>
+
+#include "hair/strand/drop_traces.h"
 
 namespace hair {
 
@@ -14,17 +15,6 @@ TreeBase moved(const TreeBase& base, double t) {
   after.velocity += t * a;
   return after;
 }
-
-namespace {
-
-// What comes to rest halves with each step or so, and ends in numbers so small (subnormal ones, below 2^-1022) that
-// processors take ten times as long for them.
-void drop_traces(Output values) {
-  for (double& value : values)
-    if (std::abs(value) < 1e-150) value = 0;
-}
-
-}  // namespace
 
 TreeSteps::TreeSteps(const LinkTree& tree, TreeForces forces)
     : system_(tree, std::move(forces)),

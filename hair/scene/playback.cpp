@@ -89,6 +89,11 @@ class Playback::Parts {
     return all;
   }
 
+  std::vector<int> sizes() const {
+    std::vector<int> all;
+    for (std::size_t i = 0; i < strands_.size(); ++i) all.push_back(body(static_cast<int>(i)).size() / 3);
+    return all;
+  }
   std::vector<Coordinates> coordinates() const {
     std::vector<Coordinates> all;
     for (int i = 0; i < bodies(); ++i) all.push_back(body(i).coordinates());
@@ -224,6 +229,9 @@ particles::State Playback::centre_lines(const particles::State& state) const {
 }
 const std::vector<int>& Playback::strands() const {
   return parts_->strands();
+}
+std::vector<int> Playback::sizes() const {
+  return parts_->sizes();
 }
 const std::vector<Obstacle>& Playback::obstacles() const {
   return parts_->obstacles();

@@ -50,6 +50,7 @@ class Playback {
   particles::State centre_lines(
       const particles::State& state) const;        // the points that such coordinates mean
   const std::vector<int>& strands() const;         // the number of points of each strand
+  std::vector<int> sizes() const;                  // of the coordinates of each strand, in threes
   const std::vector<Obstacle>& obstacles() const;  // where they are now
   const Watch& watch() const;                      // of the hair
   Work work() const;                               // of the hair; for toys the solver's steps

@@ -52,7 +52,7 @@ Vector3d place_of(const Obstacle& obstacle) {
 Riding::LedRoot Riding::root_of(const Description& hair, int strand) {
   const auto index = static_cast<std::size_t>(strand);
   if (index >= hair.strands.size()) {
-    const RestShape shape = rest_shape(hair.modelled[index - hair.strands.size()].spec);
+    const RestShape shape = root_of_curve(hair.modelled[index - hair.strands.size()].spec);
     return {strand, shape.x.head<3>(), shape.tangent, shape.normal};
   }
   const StrandStart& start = hair.strands[index];

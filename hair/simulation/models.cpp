@@ -1,10 +1,12 @@
 #include "hair/simulation/models.h"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
 
 #include "hair/simulation/mass_spring_strand.h"
 #include "hair/simulation/rigid_links_strand.h"
+#include "hair/simulation/super_helix_strand.h"
 #include "solver/course.h"
 
 namespace hair {
@@ -30,19 +32,40 @@ std::unique_ptr<Body> make_mass_spring(const StrandSpec& spec, const Description
   return mass_spring_strand("a strand", discretise(spec), description);
 }
 
-constexpr ModelRow kMassSpring = {"mass_spring", mass_spring_exercises, true, mass_spring_why_not,
-                                  make_mass_spring};
-
-// With what the course has; a row that is not used is not linked.
-template <bool has_links>
-constexpr auto rows() {
-  if constexpr (has_links)
-    return std::array{kMassSpring, ModelRow{"rigid_links", rigid_links_exercises, false, rigid_links_why_not,
-                                            make_rigid_links}};
-  else
-    return std::array{kMassSpring};
+long points_of_elements(const StrandSpec& spec) {
+  return spec.elements + 1L;
 }
-constexpr auto kModels = rows<in_course("H7")>();
+
+// What the course lacks is not linked.
+template <bool is_there>
+constexpr auto links() {
+  if constexpr (is_there)
+    return std::array{ModelRow{"rigid_links", rigid_links_exercises, false, rigid_links_why_not,
+                               points_of_elements, make_rigid_links}};
+  else
+    return std::array<ModelRow, 0>{};
+}
+
+template <bool is_there>
+constexpr auto helices() {
+  if constexpr (is_there)
+    return std::array{ModelRow{"super_helix", super_helix_exercises, false, super_helix_why_not,
+                               super_helix_points, make_super_helix}};
+  else
+    return std::array<ModelRow, 0>{};
+}
+
+constexpr ModelRow kMassSpring = {"mass_spring",       mass_spring_exercises, true,
+                                  mass_spring_why_not, points_of_elements,    make_mass_spring};
+
+template <std::size_t m, std::size_t n>
+constexpr auto rows(const std::array<ModelRow, m>& some, const std::array<ModelRow, n>& others) {
+  std::array<ModelRow, 1 + m + n> all = {kMassSpring};
+  std::copy(some.begin(), some.end(), all.begin() + 1);
+  std::copy(others.begin(), others.end(), all.begin() + 1 + m);
+  return all;
+}
+constexpr auto kModels = rows(links<in_course("H7")>(), helices<in_course("H8")>());
 
 }  // namespace
 

@@ -24,6 +24,9 @@ struct ModelRow {
   // The reason why the model can't express such a strand; empty if it can.
   std::string (*why_not)(const StrandSpec& spec);
 
+  // How many points a simulation keeps of it, about: what its memory grows with.
+  long (*points)(const StrandSpec& spec);
+
   // Makes a body with the description's gravity, drag and method. Throws std::invalid_argument for a strand
   // that the model can't express, and for an exercise that the course leaves out.
   std::unique_ptr<Body> (*make)(const StrandSpec& spec, const Description& description);

@@ -57,8 +57,9 @@ struct BodyMeasures {
 
 // The meaning of the numbers in q, also in files and replies: a reader rejects a kind that it does not know.
 // positions: of the centre line's points, m. turns: the root's position, m, and for each link the rotation vector, rad,
-// from where the rest shape has it.
-enum class Coordinates : std::uint32_t { positions = 0, turns = 1 };
+// from where the rest shape has it. curvatures: the root's position, m, the turn of its frame, rad, and for each element two curvatures
+// and the torsion, 1/m.
+enum class Coordinates : std::uint32_t { positions = 0, turns = 1, curvatures = 2 };
 
 class Body {
  public:
@@ -68,7 +69,7 @@ class Body {
   Body& operator=(const Body&) = delete;
 
   virtual Coordinates coordinates() const = 0;
-  virtual int size() const = 0;    // of q, and of its rate
+  virtual int size() const = 0;    // of q, and of its rate: a multiple of 3
   virtual int points() const = 0;  // of the centre line
 
   // The arc lengths of these points at rest, from the root, m: by them lines with different numbers of points are compared

@@ -1,5 +1,6 @@
 #include "hair/strand/strand_spec.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
@@ -44,11 +45,17 @@ Bend bend_of(const Wavy& wave, double s) {
 
 Bend bend_of(const Curly& curl, double) {
   const double c = curl.pitch / kFullTurn, squared = curl.radius * curl.radius + c * c;
-  return {curl.radius / squared, c / squared};
+  return {-curl.radius / squared, c / squared};
 }
 
 Bend bend_of(const Drawn&, double) {
   throw std::invalid_argument("a drawn strand has no curvature between its points");
+}
+
+// m: along a turn of the curl; 0: it has none.
+double turn_of_curl(const RestForm& form) {
+  const auto* curl = std::get_if<Curly>(&form);
+  return curl ? std::hypot(kFullTurn * curl->radius, curl->pitch) : 0;
 }
 
 }  // namespace
@@ -59,6 +66,22 @@ bool is_wave_or_curl(const RestForm& form) {
 
 RestShape rest_shape(const StrandSpec& spec) {
   return std::visit([&](const auto& form) { return shape_of(form, spec); }, spec.form);
+}
+
+RestShape root_of_curve(const StrandSpec& spec) {
+  StrandSpec piece = spec;
+  if (const double turn = turn_of_curl(spec.form); turn > 0) {
+    piece.length = std::min(spec.length, turn / 8);
+    piece.elements = 1;
+  }
+  return rest_shape(piece);
+}
+
+StrandSpec finely_divided(const StrandSpec& spec) {
+  StrandSpec divided = spec;
+  if (const double turn = turn_of_curl(spec.form); turn > 0)
+    divided.elements = std::max(spec.elements, static_cast<int>(std::ceil(5 * spec.length / turn)));
+  return divided;
 }
 
 Bend bend_at(const RestForm& form, double s) {

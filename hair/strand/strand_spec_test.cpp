@@ -34,7 +34,7 @@ TEST(StrandSpec, AHelixHasItsCurvatureAndTorsionEverywhere) {
     const Bend bend = bend_at(curl, s);
     // A turn is 2 pi sqrt(r^2 + c^2) long, and curvature^2 + torsion^2 = 1 / (r^2 + c^2).
     EXPECT_NEAR(std::hypot(bend.curvature, bend.torsion), 1 / std::hypot(curl.radius, c), 1e-9);
-    EXPECT_NEAR(bend.torsion / bend.curvature, c / curl.radius, 1e-12);
+    EXPECT_NEAR(bend.torsion / bend.curvature, -c / curl.radius, 1e-12);
   }
 }
 

@@ -5,7 +5,7 @@ namespace hair::model_study {
 namespace {
 
 ComparedHair level(std::string id, std::string title, const RestForm& form) {
-  ComparedHair hair{std::move(id), std::move(title), {}, {}, 0};
+  ComparedHair hair{std::move(id), std::move(title), {}, {}, {}, 0};
   hair.spec.form = form;
   hair.spec.length = 0.2;
   hair.spec.root.axis = Vector3d(1, 0, 0);
@@ -23,6 +23,9 @@ std::vector<ComparedHair> compared_hairs(bool quick) {
     hairs[0].elements = {5, 10};
     hairs[1].elements = {20};
     hairs[2].elements = {16};
+    hairs[0].helices = {2, 4};
+    hairs[2].helices = {10};
+    hairs[1].helices = {20};
     hairs[0].fine = 20;
     hairs[1].fine = 20;
     hairs[2].fine = 16;
@@ -30,6 +33,9 @@ std::vector<ComparedHair> compared_hairs(bool quick) {
     hairs[0].elements = {5, 10, 20, 40};
     hairs[1].elements = {20, 40, 80};
     hairs[2].elements = {16, 32, 64};
+    hairs[0].helices = {1, 2, 3, 5, 10, 20};
+    hairs[2].helices = {5, 10, 20, 40};
+    hairs[1].helices = {20, 40};
     hairs[0].fine = 60;
     hairs[1].fine = 80;
     hairs[2].fine = 64;

@@ -13,10 +13,12 @@ inline constexpr double kComparedTime = 0.2;  // s
 inline constexpr int kMoments = 4;            // at which lines are compared, the last one at the end
 
 struct ComparedHair {
-  std::string id, title;      // "curly", "Curly hair"
-  StrandSpec spec;            // but for its elements
-  std::vector<int> elements;  // to compare with: multiples of the first one, whose points all of them have
-  int fine;                   // elements of the reference's coarser chain, a multiple, too
+  std::string id, title;  // "curly", "Curly hair"
+  StrandSpec spec;        // but for its elements
+  std::vector<int>
+      elements;  // of springs and links: multiples of the first one, whose points all of them have
+  std::vector<int> helices;  // elements of super-helices: any numbers
+  int fine;                  // elements of the reference's coarser chain, a multiple, too
 };
 
 // `quick`: fewer and coarser.

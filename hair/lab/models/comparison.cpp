@@ -15,8 +15,8 @@ namespace {
 constexpr double kFrame = 1.0 / 60;  // s
 constexpr int kFinest = 6;           // halvings of it
 constexpr double kMostSeconds = 20;  // of CPU time for a second of motion: no finer run then
-constexpr double kNoBetter = 0.95;        // times the error before
-constexpr int kStalls = 3;                // so often in a row
+constexpr double kNoBetter = 0.95;   // times the error before
+constexpr int kStalls = 3;           // so often in a row
 constexpr int kMostTimes = 5;        // that a short run is repeated
 constexpr double kEnough = 0.02;     // s of CPU time, of all its repeats
 constexpr double kMoment = kComparedTime / kMoments;
@@ -89,7 +89,8 @@ class Runner {
 // Steps from a frame's down to where finer ones are no better, or take too long.
 bool sweep(Runner& runner, const ComparedHair& hair, bool quick, FamilyRuns& family) {
   const bool is_explicit = row_of(family.family.method).is_explicit;
-  for (const int elements : hair.elements) {
+  const bool helices = std::string_view(family.family.model) == "super_helix";
+  for (const int elements : helices ? hair.helices : hair.elements) {
     double step = is_explicit ? explicit_step(family.family, hair.spec, elements) : kFrame;
     int stalls = 0;
     for (int halved = 0; halved <= (is_explicit ? 0 : quick ? 2 : kFinest); ++halved, step /= 2) {

@@ -1,11 +1,11 @@
 #include "hair/lab/models/fine_motion.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "hair/lab/models/family.h"
 #include "hair/simulation/simulation.h"
-#include "hair/strand/centre_line.h"
 #include "solver/timing.h"
 
 namespace hair::model_study {
@@ -39,7 +39,23 @@ std::optional<std::vector<Eigen::VectorXd>> chain(const ComparedHair& hair, int 
 Eigen::VectorXd compared_points(const ComparedHair& hair, const Eigen::VectorXd& x,
                                 const Eigen::VectorXd& at) {
   const int count = hair.elements.front();
-  return points_at(x, at, Eigen::VectorXd::LinSpaced(count + 1, 0, at[at.size() - 1]));
+  const Eigen::Index last = at.size() - 1;
+  Eigen::VectorXd points(3 * count + 3);
+  Eigen::Index after = 1;
+  for (int k = 0; k <= count; ++k) {
+    const double s = at[last] * k / count;
+    while (after < last && at[after] < s) ++after;
+    const Eigen::Index first = std::clamp<Eigen::Index>(after - 2, 0, std::max<Eigen::Index>(last - 3, 0));
+    Vector3d point = Vector3d::Zero();
+    for (Eigen::Index i = first; i <= std::min(first + 3, last); ++i) {  // Lagrange's polynomials
+      double weight = 1;
+      for (Eigen::Index j = first; j <= std::min(first + 3, last); ++j)
+        if (j != i) weight *= (s - at[j]) / (at[i] - at[j]);
+      point += weight * x.segment<3>(3 * i);
+    }
+    points.segment<3>(3 * k) = point;
+  }
+  return points;
 }
 
 double rms_distance(const std::vector<Eigen::VectorXd>& lines, const std::vector<Eigen::VectorXd>& others) {

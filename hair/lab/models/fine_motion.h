@@ -22,7 +22,8 @@ struct FineMotion {
 // Empty if `interrupted`. Calls H7.
 std::optional<FineMotion> fine_motion(const ComparedHair& hair, const std::atomic<bool>& interrupted);
 
-// The points of such a line out of a body's centre line x, whose points lie at the arc lengths `at`.
+// The points of such a line out of a body's centre line x, whose points lie at the arc lengths `at`: those that it has there,
+// or else the cubic through the four around.
 Eigen::VectorXd compared_points(const ComparedHair& hair, const Eigen::VectorXd& x,
                                 const Eigen::VectorXd& at);
 

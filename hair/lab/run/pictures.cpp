@@ -2,7 +2,8 @@
 
 namespace hair {
 
-Pictures::Pictures(const Scene& scene) : drawing_(scene), renderer_(drawing_.settings()) {
+Pictures::Pictures(const Scene& scene, const std::vector<int>& strands)
+    : drawing_(scene, strands), renderer_(drawing_.settings()) {
   renderer_.measure(true);
 }
 

@@ -11,8 +11,8 @@ namespace hair {
 
 class Pictures {
  public:
-  // The scene must have a look and outlive this object. Throws NoOpenGl.
-  explicit Pictures(const Scene& scene);
+  // strands: as SceneDrawing has them. The scene must have a look and outlive this object. Throws NoOpenGl.
+  Pictures(const Scene& scene, const std::vector<int>& strands);
 
   Image draw(const particles::State& state, const std::vector<Obstacle>& obstacles);
 

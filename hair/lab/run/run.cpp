@@ -34,7 +34,7 @@ std::unique_ptr<Pictures> prepare_pictures(const Scene& scene, const RunSettings
     record.no_pictures = "--no-render";
   } else {
     try {
-      auto pictures = std::make_unique<Pictures>(scene);
+      auto pictures = std::make_unique<Pictures>(scene, record.strands);
       record.opengl = pictures->about();
       return pictures;
     } catch (const NoOpenGl& error) {
@@ -54,8 +54,8 @@ class FrameWriter {
         playback_(playback),
         pictures_(pictures),
         record_(record),
-        binary_(folder.now("states.bin"), folder.then("states.bin"), record.strands, record.particles,
-                playback.coordinates().front()),
+        binary_(folder.now("states.bin"), folder.then("states.bin"), playback.sizes(),
+                static_cast<int>(playback.state().x.size() / 3), playback.coordinates().front()),
         csv_(folder.now("states.csv"), folder.then("states.csv"), record.strands) {}
 
   // Where the playback is now.
@@ -126,7 +126,7 @@ RunResult run_scene(const Scene& scene, const RunSettings& settings, const std::
 
   const auto playback = assemble(scene);
   record.strands = playback->strands();
-  record.particles = static_cast<int>(playback->state().x.size() / 3);
+  record.particles = static_cast<int>(playback->centre_lines(playback->state()).x.size() / 3);
   const auto pictures = prepare_pictures(scene, settings, record, notes);
   FrameWriter frames(folder, *playback, pictures.get(), record);
   play(*playback, frames, record, interrupted, progress);

@@ -78,9 +78,9 @@ StatesFile read_states(const std::filesystem::path& file) {
   read(magic.data(), magic.size());
   read(numbers.data(), sizeof numbers);
   if (std::string_view(magic.data(), magic.size()) != kMagic) fail("is no file of states");
-  if (numbers[3] != static_cast<std::uint32_t>(Coordinates::positions))
+  if (numbers[3] > static_cast<std::uint32_t>(Coordinates::curvatures))
     fail("has coordinates of the kind " + std::to_string(numbers[3]) +
-         ", which this program does not know; it knows 0, positions");
+         ", which this program does not know; it knows 0 to 2: positions, turns, curvatures");
   const std::uint64_t strands = numbers[0], particles = numbers[1], frames = numbers[2];
   // None of these overflows, for each number is below 2^32; and all is compared with the size before anything
   // of that size is made.
@@ -91,6 +91,7 @@ StatesFile read_states(const std::filesystem::path& file) {
          " frames of " + std::to_string(particles) + " particles in " + std::to_string(strands) + " strands");
 
   StatesFile states;
+  states.coordinates = static_cast<Coordinates>(numbers[3]);
   states.particles = static_cast<int>(particles);
   std::uint64_t sum = 0;
   for (std::uint64_t i = 0; i < strands; ++i) {

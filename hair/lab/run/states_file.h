@@ -2,12 +2,12 @@
 //
 //   8 bytes     "HAIRRUN1"
 //   u32 s       strands
-//   u32 n       particles: first those of strands, then those of toys
+//   u32 n       threes of coordinates: first those of strands, then those of toys. A particle has three
 //   u32 f       frames
-//   u32 c       the kind of coordinates (hair/strand/body.h): 0, positions
-//   u32 x s     particles of each strand; their sum is at most n
+//   u32 c       the kind of coordinates of strands (hair/strand/body.h): 0 positions, 1 turns, 2 curvatures
+//   u32 x s     threes of each strand; their sum is at most n
 //   zeros       up to a multiple of 8 bytes from the start
-//   f times     f64 time (s), f64 x 3n coordinates (m), f64 x 3n of their rates (m/s)
+//   f times     f64 time (s), f64 x 3n coordinates, f64 x 3n of their rates (1/s)
 #pragma once
 
 #include <filesystem>
@@ -25,7 +25,7 @@ struct StateFrame {
 };
 
 struct StatesFile {
-  std::vector<int> strands;  // the number of particles of each strand
+  std::vector<int> strands;  // the threes of coordinates of each strand
   int particles = 0;         // of strands and toys together
   Coordinates coordinates = Coordinates::positions;
   std::vector<StateFrame> frames;

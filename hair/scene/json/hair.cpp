@@ -107,7 +107,6 @@ void add_strand(const ModelRow& model, const StrandSpec& spec, Description& hair
     hair.strands.push_back(discretise(spec));
     return;
   }
-  rest_shape(spec);  // throws what is wrong with it
   hair.modelled.push_back({&model, spec});
 }
 
@@ -120,7 +119,7 @@ void read_hair(const JsonValue& list, Reading& reading) {
     }
     const Group group = read_group(object);
     const auto expect = [&](const JsonValue& where, long count) {
-      reading.expect(where, count, group.spec.elements + 1L);
+      reading.expect(where, count, group.model->points(group.spec));
     };
     Description& hair = reading.scene.hair;
     Rider* const rider = reading.rider(object);

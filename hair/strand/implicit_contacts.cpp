@@ -1,18 +1,18 @@
-#include "hair/rigid_links/rod_contacts.h"
+#include "hair/strand/implicit_contacts.h"
 
 #include <algorithm>
 #include <utility>
 
 namespace hair {
 
-void RodContacts::find(std::span<const RodPoint> points, const std::vector<Obstacle>& obstacles,
-                       const Vector3d& gravity, double h) {
+void ImplicitContacts::find(std::span<const ContactPoint> points, const std::vector<Obstacle>& obstacles,
+                            const Vector3d& gravity, double h) {
   std::swap(pressed_, before_);
   h_ = h;
   contacts_ = 0;
   deepest_ = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const RodPoint& point = points[i];
+    const ContactPoint& point = points[i];
     pressed_[i] = {};
     for (const Obstacle& obstacle : obstacles) {
       // Obstacles have moved already: the point is where it would be if it had moved with this one.
@@ -37,28 +37,26 @@ void RodContacts::find(std::span<const RodPoint> points, const std::vector<Obsta
   }
 }
 
-void RodContacts::add(std::span<const RodPoint> points, std::vector<LinkForce>& forces) const {
+std::span<const ContactForce> ImplicitContacts::forces(std::span<const ContactPoint> points) {
+  forces_.clear();
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Pressed& one = pressed_[i];
     if (!one.by) continue;
     const Eigen::Matrix3d across = one.normal * one.normal.transpose();
     const Eigen::Matrix3d damping = one.friction * (Eigen::Matrix3d::Identity() - across);
     const Vector3d still = one.k * (h_ * one.normal.dot(one.velocity) - one.gap) * one.normal;
-    forces.push_back({points[i].link, Vector3d(0, 0, points[i].along),
-                      still - damping * (points[i].v - one.velocity), one.k * across, damping});
+    forces_.push_back({i, still - damping * (points[i].v - one.velocity), one.k * across, damping});
   }
+  return forces_;
 }
 
 // Points that have not arrived yet come first: without them, others may be pressed again.
-bool RodContacts::let_go(std::span<const RodPoint> points, const std::vector<LinkPass>& links) {
+bool ImplicitContacts::let_go(std::span<const Vector3d> velocities) {
   bool outside = false;
-  for (std::size_t i = 0; i < points.size(); ++i) {
+  for (std::size_t i = 0; i < velocities.size(); ++i) {
     Pressed& one = pressed_[i];
     if (!one.by) continue;
-    // As the step has it: with the point where it was.
-    const SpatialMotion& a = links[points[i].link].a;
-    const Vector3d v = points[i].v + h_ * (a.linear + a.angular.cross(points[i].arm));
-    one.pressure = -one.k * (one.gap + h_ * one.normal.dot(v - one.velocity));
+    one.pressure = -one.k * (one.gap + h_ * one.normal.dot(velocities[i] - one.velocity));
     outside |= one.pressure < 0 && one.gap > 0;
   }
   bool any = false;

@@ -1,0 +1,21 @@
+// Super-helices, as the table of models sees them. All that is declared here is there if the course has H8.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hair/strand/body.h"
+#include "hair/strand/strand_spec.h"
+
+namespace hair {
+
+struct Description;
+
+// As ModelRow has them.
+std::vector<std::string> super_helix_exercises(const StrandSpec& spec);
+std::string super_helix_why_not(const StrandSpec& spec);
+long super_helix_points(const StrandSpec& spec);
+std::unique_ptr<Body> make_super_helix(const StrandSpec& spec, const Description& description);
+
+}  // namespace hair

@@ -1,0 +1,24 @@
+// Turns in space as vectors: along the axis, as long as the angle in rad.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace hair {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+Eigen::Quaterniond turn_by(const Vector3d& angle);
+
+// theta of a unit quaternion, at most pi long.
+Vector3d turn_of(const Eigen::Quaterniond& q);
+
+// A: as what theta has turned goes on turning with the angular velocity w, along the axes of the world, theta' = A w. The
+// formula is in hair/rigid_links/joint_spring.h.
+Matrix3d rate_of_turn(const Vector3d& theta);
+
+// The axes with this z and this x, of length 1 and perpendicular.
+Eigen::Quaterniond root_axes(const Vector3d& tangent, const Vector3d& normal);
+
+}  // namespace hair

@@ -1,0 +1,75 @@
+// A strand that is a super-helix as a body. Its coordinates are the root's position, m, the turn of the root's frame, as a vector,
+// rad, from where it was at the start, and for each element the curvatures kappa1, kappa2 and the torsion tau, 1/m. It moves by
+// H8's semi-implicit step; what pulls and holds it at the points of its centre line (drag, contacts, forces of others) is taken at
+// the end of the step.
+#pragma once
+
+#include <vector>
+
+#include "hair/strand/body.h"
+#include "hair/strand/implicit_contacts.h"
+#include "hair/super_helix/helix_start.h"
+
+namespace hair {
+
+// What acts on a strand beside its own stiffness.
+struct HelixSurroundings {
+  Vector3d gravity = Vector3d::Zero();  // m/s^2
+  double drag = 0;                      // N s/m^2: for each metre
+  Vector3d wind = Vector3d::Zero();     // m/s, of the air
+  double relaxation_time = 0;           // s: bends and twists also resist their rates, with this times K
+};
+
+class SuperHelixBody final : public Body {
+ public:
+  // The root is at rest at the start, and moves with root_velocity from then on.
+  SuperHelixBody(HelixStart start, const HelixSurroundings& surroundings, const Vector3d& root_velocity);
+
+  Coordinates coordinates() const override { return Coordinates::curvatures; }
+  int size() const override { return 6 + static_cast<int>(q_.size()); }
+  int points() const override { return static_cast<int>(places_.size()); }
+  Eigen::VectorXd arc_lengths() const override;
+  int scratch_rows() const override { return static_cast<int>(q_.size()); }
+  int scratch_columns() const override { return static_cast<int>(q_.size()) + 10; }
+  void read(particles::Output q, particles::Output rate) const override;
+  void write(particles::Input q, particles::Input rate) override;
+  void set_root(const Root& root) override;
+  Vector3d root_position() const override { return root_.frame.position; }
+  std::optional<Stage> step(const BodyStep& step, const particles::Scratch& scratch, Work& work) override;
+  void centre_line(particles::Input q, particles::Input rate, particles::Output x,
+                   particles::Output v) const override;
+  BodyMeasures measure(particles::Input q, particles::Input rate) const override;
+  Sizes sizes() const override;
+
+ private:
+  struct Push {
+    Vector3d force;
+    Matrix3d resists;
+  };
+
+  HelixRoot root_at(particles::Input q, particles::Input rate) const;
+  HelixMotion motion_at(particles::Input q, particles::Input rate) const;
+  void add_forces(const BodyStep& step);
+  void add_point_force(const PointForce& one, double h);
+  const HelixStrand& strand_of_step(double h);
+  void step_among(const BodyStep& step, const HelixStrand& strand, particles::Scratch scratch);
+  void find_points(double h);
+  void find_velocities_after();
+  bool is_sound() const;
+
+  Matrix3d axes_at_start_;
+  HelixRoot root_;     // as it is now
+  Root goal_;          // where it goes
+  bool told_ = false;  // by set_root, for the next step
+  Eigen::VectorXd q_, rates_, change_;
+  std::vector<double> places_;
+  HelixMotion motion_;
+  HelixSurroundings surroundings_;
+  HelixStrand damped_;  // as the step sees it, if it resists the rates of bends
+  std::vector<ContactPoint> contact_points_;
+  std::vector<Push> without_contacts_;  // on the contact points
+  std::vector<Vector3d> after_;
+  ImplicitContacts contacts_;
+};
+
+}  // namespace hair
