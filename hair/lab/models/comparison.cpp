@@ -121,11 +121,12 @@ bool add_family(const Family& family, std::vector<FamilyRuns>& families, Runs ma
 
 }  // namespace
 
-std::optional<Comparison> compare_models(bool quick, const std::atomic<bool>& interrupted,
+std::optional<Comparison> compare_models(const std::vector<ComparedHair>& hairs, bool quick,
+                                         const std::atomic<bool>& interrupted,
                                          const std::function<void(const std::string&)>& say) {
   Comparison comparison;
   comparison.quick = quick;
-  for (const ComparedHair& hair : compared_hairs(quick)) {
+  for (const ComparedHair& hair : hairs) {
     say(hair.title + ": the fine motion");
     const auto truth = fine_motion(hair, interrupted);
     if (!truth) return {};
@@ -155,18 +156,6 @@ std::optional<Comparison> compare_models(bool quick, const std::atomic<bool>& in
     }
   }
   return comparison;
-}
-
-std::vector<const ModelRun*> best_of(const FamilyRuns& family) {
-  std::vector<const ModelRun*> finished;
-  for (const ModelRun& run : family.runs)
-    if (run.trouble.empty()) finished.push_back(&run);
-  std::sort(finished.begin(), finished.end(),
-            [](const ModelRun* a, const ModelRun* b) { return a->seconds < b->seconds; });
-  std::vector<const ModelRun*> best;
-  for (const ModelRun* run : finished)
-    if (best.empty() || run->error < best.back()->error) best.push_back(run);
-  return best;
 }
 
 }  // namespace hair::model_study

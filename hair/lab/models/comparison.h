@@ -43,12 +43,10 @@ struct Comparison {
   std::vector<HairComparison> hairs;
 };
 
-// Empty if `interrupted`. `say` is told what is being done. Throws NotImplemented if H7, which makes the fine motion, is not
+// Of these hairs (compared_hairs). Empty if `interrupted`. `say` is told what is being done. Throws NotImplemented if H7, which makes the fine motion, is not
 // written; families whose exercise is not written are left out.
-std::optional<Comparison> compare_models(bool quick, const std::atomic<bool>& interrupted,
+std::optional<Comparison> compare_models(const std::vector<ComparedHair>& hairs, bool quick,
+                                         const std::atomic<bool>& interrupted,
                                          const std::function<void(const std::string&)>& say);
-
-// The runs that no other run of the family beats in both error and time, in the order of time.
-std::vector<const ModelRun*> best_of(const FamilyRuns& family);
 
 }  // namespace hair::model_study

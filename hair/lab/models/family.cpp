@@ -1,10 +1,5 @@
 #include "hair/lab/models/family.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "hair/simulation/models.h"
-
 namespace hair::model_study {
 
 namespace {
@@ -39,43 +34,6 @@ std::span<const Family> families() {
 
 std::span<const Family> stiff_families() {
   return kStiff;
-}
-
-std::string left_out(const Family& family) {
-  if (!find_model(family.model)) return std::string("the course has no model ") + family.model;
-  const MethodRow& method = row_of(family.method);
-  if (find_model(family.model)->calls_method && !method.mass_spring)
-    return std::string("the course has no ") + method.name;
-  return {};
-}
-
-Description description_of(const Family& family, const StrandSpec& spec, int elements, double step) {
-  Description description;
-  ModelledStrand strand{find_model(family.model), spec};
-  strand.spec.elements = elements;
-  strand.spec.fibre.stretch_factor = family.stretch_factor;
-  strand.spec.fibre.twist_factor = family.twist_factor;
-  description.modelled = {strand};
-  description.method = family.method;
-  description.geometric_term = family.geometric_term;
-  description.step = step;
-  description.watched = false;  // times are the methods' own
-  return description;
-}
-
-// The fastest oscillation is that of neighbours against each other: springs along the strand, and links that twist, both
-// 2 c / l with the speed of sound or of torsion; links that bend to and fro, sqrt(48 EI / (rho A)) / l^2.
-double explicit_step(const Family& family, const StrandSpec& spec, int elements) {
-  const Material& material = spec.fibre.material;
-  const double l = spec.length / elements, line = material.line_density();
-  double fastest = 0;
-  if (std::string_view(family.model) == "mass_spring") {
-    fastest = 2 * std::sqrt(family.stretch_factor * material.stretch_rigidity() / line) / l;
-  } else {
-    const double twist = 2 * std::sqrt(material.shear_modulus / material.density) / l;
-    fastest = std::max(twist, std::sqrt(48 * material.bend_rigidity() / line) / (l * l));
-  }
-  return 1 / fastest;
 }
 
 }  // namespace hair::model_study

@@ -184,6 +184,18 @@ Section stiff_section(const HairComparison& one) {
 
 }  // namespace
 
+std::vector<const ModelRun*> best_of(const FamilyRuns& family) {
+  std::vector<const ModelRun*> finished;
+  for (const ModelRun& run : family.runs)
+    if (run.trouble.empty()) finished.push_back(&run);
+  std::sort(finished.begin(), finished.end(),
+            [](const ModelRun* a, const ModelRun* b) { return a->seconds < b->seconds; });
+  std::vector<const ModelRun*> best;
+  for (const ModelRun* run : finished)
+    if (best.empty() || run->error < best.back()->error) best.push_back(run);
+  return best;
+}
+
 Table table_of_runs(const Comparison& comparison) {
   Table table{"", {"hair", "family", "elements", "step_s", "error_m", "cpu_s_per_s", "trouble"}, {}};
   for (const HairComparison& one : comparison.hairs)

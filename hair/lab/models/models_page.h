@@ -9,6 +9,9 @@
 
 namespace hair::model_study {
 
+// The runs that no other run of the family beats in both error and time, in the order of time.
+std::vector<const ModelRun*> best_of(const FamilyRuns& family);
+
 // All runs, of all families: for models.csv.
 Table table_of_runs(const Comparison& comparison);
 
