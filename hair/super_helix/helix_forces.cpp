@@ -17,8 +17,7 @@ void add_weight(const Vector3d& gravity, HelixMotion& motion) {
 void add_drag(double drag, const Vector3d& wind, double h, HelixMotion& motion) {
   for (std::size_t j = 0; j < motion.points.size(); ++j) {
     const double resists = drag * motion.weights[j];
-    const Vector3d velocity = motion.velocities[j] + h * motion.accelerations[j];
-    motion.points[j].force -= resists * (velocity - wind);
+    motion.points[j].force -= resists * (motion.velocities[j] - wind);
     motion.points[j].inertia.diagonal().array() += h * resists;
   }
 }

@@ -5,7 +5,8 @@
 
 namespace hair {
 
-// A: - mass * acceleration at q" = 0, on all points.
+// A: - mass * acceleration at q" = 0, on all points. It is explicit: for short steps, and where q" itself is wanted. Long steps
+// take momenta in its place (helix_momentum.h).
 void add_motion(HelixMotion& motion);
 
 // gravity: m/s^2.

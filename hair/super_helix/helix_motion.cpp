@@ -18,8 +18,11 @@ constexpr GaussNode kGauss[kNodes / 2] = {{0.1834346424956498, 0.362683783378362
                                           {0.7966664774136267, 0.2223810344533745},
                                           {0.9602898564975363, 0.1012285362903763}};
 
+constexpr double kMostPanels =
+    500;  // 160 turns: what winds more often has blown up, and must not take all memory
+
 int panels(double angle) {
-  return std::max(1, static_cast<int>(std::ceil(angle / kWidestPanel)));
+  return static_cast<int>(std::ceil(std::clamp(angle >= 0 ? angle / kWidestPanel : 1, 1.0, kMostPanels)));
 }
 
 // How a point of an element moves beside the element's start, which is held: along the start's axes.

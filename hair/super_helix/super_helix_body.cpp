@@ -28,6 +28,12 @@ SuperHelixBody::SuperHelixBody(HelixStart start, const HelixSurroundings& surrou
       contacts_(contact_points_.size()) {
   goal_.velocity = root_velocity;
   goal_.angular_velocity.setZero();
+  keep_momenta();
+}
+
+void SuperHelixBody::keep_momenta() {
+  motion_.place(root_.frame, q_);
+  momentum_.keep(motion_, root_, rates_);
 }
 
 Eigen::VectorXd SuperHelixBody::arc_lengths() const {
@@ -54,6 +60,7 @@ void SuperHelixBody::write(particles::Input q, particles::Input rate) {
   goal_.velocity = root_.velocity;
   q_ = q.tail(q_.size());
   rates_ = rate.tail(q_.size());
+  keep_momenta();
 }
 
 void SuperHelixBody::set_root(const Root& root) {
@@ -65,8 +72,8 @@ std::optional<Stage> SuperHelixBody::step(const BodyStep& step, const particles:
                                           Work& work) {
   const double h = step.h;
   const Vector3d spin = told_ ? goal_.angular_velocity : Vector3d::Zero();
-  root_.acceleration = (goal_.velocity - root_.velocity) / h;
-  root_.spin_acceleration = (spin - root_.spin) / h;
+  root_.velocity = goal_.velocity;
+  root_.spin = spin;
   motion_.place(root_.frame, q_);
   motion_.move(root_, rates_);
   add_forces(step);
@@ -78,6 +85,7 @@ std::optional<Stage> SuperHelixBody::step(const BodyStep& step, const particles:
   work.contacts += contacts_.contacts();
   work.penetration = std::max(work.penetration, contacts_.deepest());
   rates_ += change_;
+  momentum_.keep(motion_, root_, rates_);
   q_ += h * rates_;
   drop_traces(rates_);
   drop_traces(q_);
@@ -85,8 +93,6 @@ std::optional<Stage> SuperHelixBody::step(const BodyStep& step, const particles:
   MaterialFrame& frame = root_.frame;
   frame.position = told_ ? goal_.position : Vector3d(frame.position + h * goal_.velocity);
   if (told_) frame.axes = root_axes(goal_.tangent, goal_.normal).toRotationMatrix();
-  root_.velocity = goal_.velocity;
-  root_.spin = spin;
   told_ = false;
   ++work.strand_steps;
   if (!is_sound()) return Stage::integration;
@@ -94,17 +100,16 @@ std::optional<Stage> SuperHelixBody::step(const BodyStep& step, const particles:
 }
 
 void SuperHelixBody::add_forces(const BodyStep& step) {
-  add_motion(motion_);
+  momentum_.add_to(motion_, step.h);
   if (surroundings_.gravity != Vector3d::Zero()) add_weight(surroundings_.gravity, motion_);
   if (surroundings_.drag > 0) add_drag(surroundings_.drag, surroundings_.wind, step.h, motion_);
   for (const PointForce& one : step.forces) add_point_force(one, step.h);
 }
 
-// f - S h v, with v at the end of the step: what the points' accelerations at q" = 0 make of it is known, the rest resists.
+// f - S h v, with v at the end of the step: what `change_` adds to it resists.
 void SuperHelixBody::add_point_force(const PointForce& one, double h) {
   const std::size_t j = motion_.placed[one.point];
-  const Vector3d v = motion_.velocities[j] + h * motion_.accelerations[j];
-  motion_.points[j].force += one.force - h * (one.stiffness * v);
+  motion_.points[j].force += one.force - h * (one.stiffness * motion_.velocities[j]);
   motion_.points[j].inertia += h * h * one.stiffness;
 }
 
@@ -122,7 +127,7 @@ const HelixStrand& SuperHelixBody::strand_of_step(double h) {
 
 void SuperHelixBody::step_among(const BodyStep& step, const HelixStrand& strand, particles::Scratch scratch) {
   const double h = step.h;
-  find_points(h);
+  find_points();
   contacts_.find(contact_points_, step.obstacles, surroundings_.gravity, h);
   for (int again = 0;; ++again) {
     for (std::size_t i = 0; i < contact_points_.size(); ++i) {
@@ -142,13 +147,12 @@ void SuperHelixBody::step_among(const BodyStep& step, const HelixStrand& strand,
 }
 
 // Velocities are those at the end of the step, but for what `change_` adds.
-void SuperHelixBody::find_points(double h) {
+void SuperHelixBody::find_points() {
   for (std::size_t i = 0; i < contact_points_.size(); ++i) {
     const std::size_t j = motion_.placed[i + 1];
     const HelixPoint& point = motion_.points[j];
     const double length = (i + 2 < places_.size() ? places_[i + 2] : places_[i + 1]) - places_[i];
-    contact_points_[i] = {motion_.strand().line_density * length / 2, point.position,
-                          motion_.velocities[j] + h * motion_.accelerations[j]};
+    contact_points_[i] = {motion_.strand().line_density * length / 2, point.position, motion_.velocities[j]};
     without_contacts_[i] = {point.force, point.inertia};
   }
 }

@@ -8,6 +8,7 @@
 
 #include "hair/strand/body.h"
 #include "hair/strand/implicit_contacts.h"
+#include "hair/super_helix/helix_momentum.h"
 #include "hair/super_helix/helix_start.h"
 
 namespace hair {
@@ -49,11 +50,12 @@ class SuperHelixBody final : public Body {
 
   HelixRoot root_at(particles::Input q, particles::Input rate) const;
   HelixMotion motion_at(particles::Input q, particles::Input rate) const;
+  void keep_momenta();
   void add_forces(const BodyStep& step);
   void add_point_force(const PointForce& one, double h);
   const HelixStrand& strand_of_step(double h);
   void step_among(const BodyStep& step, const HelixStrand& strand, particles::Scratch scratch);
-  void find_points(double h);
+  void find_points();
   void find_velocities_after();
   bool is_sound() const;
 
@@ -64,6 +66,7 @@ class SuperHelixBody final : public Body {
   Eigen::VectorXd q_, rates_, change_;
   std::vector<double> places_;
   HelixMotion motion_;
+  HelixMomentum momentum_;
   HelixSurroundings surroundings_;
   HelixStrand damped_;  // as the step sees it, if it resists the rates of bends
   std::vector<ContactPoint> contact_points_;
