@@ -28,12 +28,6 @@ SuperHelixBody::SuperHelixBody(HelixStart start, const HelixSurroundings& surrou
       contacts_(contact_points_.size()) {
   goal_.velocity = root_velocity;
   goal_.angular_velocity.setZero();
-  keep_momenta();
-}
-
-void SuperHelixBody::keep_momenta() {
-  motion_.place(root_.frame, q_);
-  momentum_.keep(motion_, root_, rates_);
 }
 
 Eigen::VectorXd SuperHelixBody::arc_lengths() const {
@@ -60,7 +54,7 @@ void SuperHelixBody::write(particles::Input q, particles::Input rate) {
   goal_.velocity = root_.velocity;
   q_ = q.tail(q_.size());
   rates_ = rate.tail(q_.size());
-  keep_momenta();
+  has_momentum_ = false;
 }
 
 void SuperHelixBody::set_root(const Root& root) {
@@ -72,10 +66,15 @@ std::optional<Stage> SuperHelixBody::step(const BodyStep& step, const particles:
                                           Work& work) {
   const double h = step.h;
   const Vector3d spin = told_ ? goal_.angular_velocity : Vector3d::Zero();
-  root_.velocity = goal_.velocity;
-  root_.spin = spin;
   motion_.place(root_.frame, q_);
-  motion_.move(root_, rates_);
+  if (has_momentum_) {
+    root_.velocity = goal_.velocity;
+    root_.spin = spin;
+    motion_.move(root_, rates_);
+    momentum_.add_to(motion_, h);
+  } else {
+    start_moving(spin, h);
+  }
   add_forces(step);
   const HelixStrand& strand = strand_of_step(h);
   if (step.obstacles.empty())
@@ -86,6 +85,7 @@ std::optional<Stage> SuperHelixBody::step(const BodyStep& step, const particles:
   work.penetration = std::max(work.penetration, contacts_.deepest());
   rates_ += change_;
   momentum_.keep(motion_, root_, rates_);
+  has_momentum_ = true;
   q_ += h * rates_;
   drop_traces(rates_);
   drop_traces(q_);
@@ -99,8 +99,21 @@ std::optional<Stage> SuperHelixBody::step(const BodyStep& step, const particles:
   return {};
 }
 
+// A step that has no momenta of a step before takes accelerations, those of the root among them.
+void SuperHelixBody::start_moving(const Vector3d& spin, double h) {
+  root_.acceleration = (goal_.velocity - root_.velocity) / h;
+  root_.spin_acceleration = (spin - root_.spin) / h;
+  motion_.move(root_, rates_);
+  add_motion(motion_);
+  for (std::size_t j = 0; j < motion_.points.size(); ++j)
+    motion_.velocities[j] += h * motion_.accelerations[j];
+  root_.velocity = goal_.velocity;
+  root_.spin = spin;
+  root_.acceleration.setZero();
+  root_.spin_acceleration.setZero();
+}
+
 void SuperHelixBody::add_forces(const BodyStep& step) {
-  momentum_.add_to(motion_, step.h);
   if (surroundings_.gravity != Vector3d::Zero()) add_weight(surroundings_.gravity, motion_);
   if (surroundings_.drag > 0) add_drag(surroundings_.drag, surroundings_.wind, step.h, motion_);
   for (const PointForce& one : step.forces) add_point_force(one, step.h);

@@ -1,7 +1,8 @@
 // A strand that is a super-helix as a body. Its coordinates are the root's position, m, the turn of the root's frame, as a vector,
 // rad, from where it was at the start, and for each element the curvatures kappa1, kappa2 and the torsion tau, 1/m. It moves by
 // H8's semi-implicit step; what pulls and holds it at the points of its centre line (drag, contacts, forces of others) is taken at
-// the end of the step.
+// the end of the step. What the motion itself asks for are the momenta of the step before (helix_momentum.h); they are no part of
+// the coordinates, so that what is written moves on as before to the order of h^2.
 #pragma once
 
 #include <vector>
@@ -50,7 +51,7 @@ class SuperHelixBody final : public Body {
 
   HelixRoot root_at(particles::Input q, particles::Input rate) const;
   HelixMotion motion_at(particles::Input q, particles::Input rate) const;
-  void keep_momenta();
+  void start_moving(const Vector3d& spin, double h);
   void add_forces(const BodyStep& step);
   void add_point_force(const PointForce& one, double h);
   const HelixStrand& strand_of_step(double h);
@@ -67,6 +68,7 @@ class SuperHelixBody final : public Body {
   std::vector<double> places_;
   HelixMotion motion_;
   HelixMomentum momentum_;
+  bool has_momentum_ = false;  // of the step before
   HelixSurroundings surroundings_;
   HelixStrand damped_;  // as the step sees it, if it resists the rates of bends
   std::vector<ContactPoint> contact_points_;
