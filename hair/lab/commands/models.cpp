@@ -77,7 +77,7 @@ Command add_models_command(CLI::App& program) {
   const auto options = std::make_shared<ModelsOptions>();
   CLI::App* app = program.add_subcommand(kModelsStudy.name, kModelsStudy.what);
   app->add_option("--out", options->out, "The folder for page, JSON and CSV")->required();
-  app->add_option("--hair", options->hairs, "Which: straight, wavy, curly (default: all)");
+  app->add_option("--hair", options->hairs, "Which: straight, wavy, curly, uncoiling (default: all)");
   app->add_flag("--quick", options->quick, "Fewer elements and steps, and a coarser fine motion");
   return {app, [options] { return run(*options); }};
 }

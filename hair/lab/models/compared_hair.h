@@ -1,5 +1,5 @@
 // The hairs on which strand models are compared: straight, wavy and curly, 20 cm of human hair, clamped. Each starts in its
-// rest shape, level, and falls for kComparedTime.
+// rest shape, level or hanging, and falls for kComparedTime.
 #pragma once
 
 #include <string>
