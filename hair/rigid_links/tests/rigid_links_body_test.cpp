@@ -9,25 +9,13 @@
 
 #include "hair/lab/validate/elastica.h"
 #include "hair/strand/centre_line.h"
+#include "hair/strand/tests/bodies.h"
 #include "solver/tests/allocations.h"
 
 namespace hair {
 namespace {
 
 using Eigen::VectorXd;
-
-StrandSpec hair(int elements, double length = 0.1) {
-  StrandSpec spec;
-  spec.elements = elements;
-  spec.length = length;
-  return spec;
-}
-
-StrandSpec curl(int elements) {
-  StrandSpec spec = hair(elements, 0.12);
-  spec.form = Curly{0.005, 0.02};
-  return spec;
-}
 
 // Strand and weight.
 struct Setting {
@@ -43,33 +31,8 @@ std::unique_ptr<RigidLinksBody> body(const StrandSpec& spec, const Setting& sett
   return std::make_unique<RigidLinksBody>(std::move(strand), spec.root_velocity, setting.method);
 }
 
-struct State {
-  VectorXd q, rate;
-  explicit State(const Body& body) : q(body.size()), rate(body.size()) { body.read(q, rate); }
-};
-
-struct Line {
-  VectorXd x, v;
-  explicit Line(const Body& body) : x(3 * body.points()), v(3 * body.points()) {
-    const State state(body);
-    body.centre_line(state.q, state.rate, x, v);
-  }
-};
-
-double energy(const Body& body) {
-  const State state(body);
-  return body.measure(state.q, state.rate).energy();
-}
-
-void advance(Body& body, double h, int steps, std::span<const PointForce> forces = {}) {
-  Eigen::MatrixXd scratch(0, 0);
-  Work work;
-  for (int k = 0; k < steps; ++k)
-    ASSERT_FALSE(body.step({h, 1e-10, {}, forces}, scratch, work)) << "step " << k;
-}
-
 TEST(RigidLinksBody, StartsOnItsRestShape) {
-  for (const StrandSpec& spec : {hair(7), curl(48)}) {
+  for (const StrandSpec& spec : {straight_hair(7), curl(48)}) {
     const auto strand = body(spec);
     EXPECT_LE((Line(*strand).x - rest_shape(spec).x).norm(), 1e-14 * spec.elements);
     EXPECT_EQ(Line(*strand).v.norm(), 0);
@@ -103,15 +66,15 @@ TEST(RigidLinksBody, IsHeldAsItsSpecificationSays) {
 TEST(RigidLinksBody, WhatIsWrittenIsReadAndMovesOnAsBefore) {
   const auto one = body(curl(24)), other = body(curl(24));
   advance(*one, 1e-3, 50);
-  const State state(*one);
+  const BodyState state(*one);
   other->write(state.q, state.rate);
-  const State again(*other);
+  const BodyState again(*other);
   EXPECT_LE((again.q - state.q).norm(), 1e-13);
   EXPECT_LE((again.rate - state.rate).norm(), 1e-12 * state.rate.norm());
   advance(*one, 1e-3, 20);
   advance(*other, 1e-3, 20);
   EXPECT_LE((Line(*one).x - Line(*other).x).norm(), 1e-9);
-  const BodyMeasures measures = one->measure(State(*one).q, State(*one).rate);
+  const BodyMeasures measures = one->measure(BodyState(*one).q, BodyState(*one).rate);
   EXPECT_LE((*measures.tip - Vector3d(Line(*one).x.tail<3>())).norm(), 1e-15);
 }
 
@@ -128,7 +91,7 @@ TEST(RigidLinksBody, VelocitiesAreThoseOfTheLine) {
 
 // Explicit and implicit steps end at the same place as steps get small, and keep energy to their order.
 TEST(RigidLinksBody, StepsAgreeWhenTheyAreSmall) {
-  StrandSpec spec = hair(4, 0.05);
+  StrandSpec spec = straight_hair(4, 0.05);
   spec.start = {true, Vector3d(1, 0, 0)};
   spec.fibre.bend_factor = spec.fibre.twist_factor = 1e-3;
   const double time = 0.02, h = 1e-6;
@@ -151,7 +114,7 @@ TEST(RigidLinksBody, StepsAgreeWhenTheyAreSmall) {
 // A root that accelerates: seen from it, the strand has another weight. It comes to rest under the sum of the two.
 TEST(RigidLinksBody, ARootThatAcceleratesAddsToTheWeight) {
   const double a = 9.81, h = 1e-3;
-  StrandSpec spec = hair(8);
+  StrandSpec spec = straight_hair(8);
   spec.root.axis = Vector3d(0, 0, -1);
   const auto still = body(spec, {Vector3d(-a, 0, -9.81), 1e-3}), pulled = body(spec, {.drag = 0});
   LinkStrand strand = link_strand(spec);
@@ -174,7 +137,7 @@ TEST(RigidLinksBody, ARootThatAcceleratesAddsToTheWeight) {
 
 // A clamped root that turns takes the strand with it.
 TEST(RigidLinksBody, AClampThatTurnsTurnsTheStrand) {
-  const auto strand = body(hair(10, 0.03), {Vector3d::Zero(), 1e-4});
+  const auto strand = body(straight_hair(10, 0.03), {Vector3d::Zero(), 1e-4});
   const double h = 1e-3, rate = 2;
   Eigen::MatrixXd scratch(0, 0);
   Work work;
@@ -217,7 +180,7 @@ TEST(RigidLinksBody, HoldsTheTensionThatItsBoundSays) {
   const double bound = 4 * std::sqrt(material.bend_rigidity() / material.line_density()) / (h * 9.81);
   EXPECT_NEAR(bound, 0.93, 0.005);
   for (const double part : {1.0, 2.0}) {
-    StrandSpec spec = hair(200, part * bound);
+    StrandSpec spec = straight_hair(200, part * bound);
     spec.start = {true, Vector3d(1e-3, 0, -1).normalized()};
     const auto strand = body(spec);
     Eigen::MatrixXd scratch(0, 0);
@@ -236,7 +199,7 @@ TEST(RigidLinksBody, HoldsTheTensionThatItsBoundSays) {
 
 // Hair that has come to rest has no traces of motion left, which would slow each step tenfold.
 TEST(RigidLinksBody, ComesToRestForGood) {
-  StrandSpec spec = hair(10);
+  StrandSpec spec = straight_hair(10);
   spec.start = {true, Vector3d(1, 0, 0)};
   const auto strand = body(spec, {.drag = 2e-4});
   advance(*strand, 1.0 / 60, 20000);
@@ -252,7 +215,7 @@ TEST(RigidLinksBody, ItsTipIsTheElasticasToTheSecondOrder) {
   };
   for (const auto& [gamma, coarse] :
        {Load{1, 10}, Load{10, 10}, Load{100, 20}, Load{1000, 50}, Load{3800, 80}}) {
-    StrandSpec spec = hair(coarse);
+    StrandSpec spec = straight_hair(coarse);
     spec.root.axis = Vector3d(1, 0, 0);
     spec.root.side = Vector3d(0, 0, 1);
     const Material& material = spec.fibre.material;
@@ -270,7 +233,7 @@ TEST(RigidLinksBody, ItsTipIsTheElasticasToTheSecondOrder) {
         before = tip;
         for (int k = 0; k < 20; ++k, ++steps) {
           advance(*strand, h, 1);
-          const State state(*strand);
+          const BodyState state(*strand);
           strand->write(state.q, VectorXd::Zero(state.q.size()));
         }
         tip = Line(*strand).x.tail<3>();
@@ -285,14 +248,14 @@ TEST(RigidLinksBody, ItsTipIsTheElasticasToTheSecondOrder) {
 
 // GJ phi'^2 / 2 and EI kappa^2 / 2 for each metre, but for the last half of a rod, which nothing bends.
 TEST(RigidLinksBody, ATwistAndAnArcHaveTheContinuumsEnergy) {
-  StrandSpec spec = hair(20);
+  StrandSpec spec = straight_hair(20);
   spec.fibre.twist_factor = 0.7;
   const Material& material = spec.fibre.material;
   const auto strand = body(spec, {Vector3d::Zero()});
   const double l = spec.length / spec.elements, bent = spec.length - l / 2, rate = 15;  // rad/m
   for (const auto& [axis, rigidity] : {std::pair{Vector3d(0, 0, -1), 0.7 * material.twist_rigidity()},
                                        std::pair{Vector3d(0, 1, 0), material.bend_rigidity()}}) {
-    State state(*strand);
+    BodyState state(*strand);
     for (int i = 1; i <= spec.elements; ++i) state.q.segment<3>(3 * i) = rate * (i - 0.5) * l * axis;
     EXPECT_NEAR(strand->measure(state.q, state.rate).potential, rigidity * rate * rate * bent / 2,
                 1e-12 * rigidity * rate * rate);
@@ -301,14 +264,14 @@ TEST(RigidLinksBody, ATwistAndAnArcHaveTheContinuumsEnergy) {
 
 // One rod on the spring of its root, twisted: J phi'' = -2 GJ/l (phi + tau phi').
 TEST(RigidLinksBody, RelaxationDampsATwistAsItsClosedFormSays) {
-  StrandSpec spec = hair(1, 0.01);
+  StrandSpec spec = straight_hair(1, 0.01);
   const Material& material = spec.fibre.material;
   const double k = 2 * material.twist_rigidity() / spec.length;
   const double J = material.line_density() * spec.length * material.radius * material.radius / 2;
   const double omega = std::sqrt(k / J), share = 0.2, start = 0.5;
   spec.fibre.relaxation_time = 2 * share / omega;
   const auto strand = body(spec, {Vector3d::Zero(), 0, &TreeSteps::runge_kutta_4});
-  State state(*strand);
+  BodyState state(*strand);
   state.q[5] = start;
   strand->write(state.q, state.rate);
   const int steps = 400;
@@ -316,12 +279,12 @@ TEST(RigidLinksBody, RelaxationDampsATwistAsItsClosedFormSays) {
   advance(*strand, time / steps, steps);
   const double expected = start * std::exp(-share * omega * time) *
                           (std::cos(damped * time) + share * omega / damped * std::sin(damped * time));
-  EXPECT_NEAR(State(*strand).q[5], expected, 1e-9 * start);  // (omega h)^4 / 120 a step
+  EXPECT_NEAR(BodyState(*strand).q[5], expected, 1e-9 * start);  // (omega h)^4 / 120 a step
 }
 
 // A hair that would fold at its root, under a weight that would bend it by far more.
 TEST(RigidLinksBody, NoJointTurnsBeyondItsLimit) {
-  StrandSpec spec = hair(20, 0.2);
+  StrandSpec spec = straight_hair(20, 0.2);
   spec.root.axis = Vector3d(1, 0, 0);
   spec.root.side = Vector3d(0, 0, 1);
   spec.fibre.bend_factor = spec.fibre.twist_factor = 0.01;
@@ -345,7 +308,7 @@ TEST(RigidLinksBody, NoJointTurnsBeyondItsLimit) {
 }
 
 TEST(RigidLinksBody, ImplicitStepsFeelPointForces) {
-  const auto strand = body(hair(10), {Vector3d::Zero(), 1e-4});
+  const auto strand = body(straight_hair(10), {Vector3d::Zero(), 1e-4});
   const PointForce pull{10, Vector3d(0, 0, -1e-5), Eigen::Matrix3d::Zero()};
   const PointForce spring{5, Vector3d(1e-6, 0, 0), 1e6 * Eigen::Matrix3d::Identity()};
   const PointForce forces[] = {pull, spring};
@@ -368,7 +331,7 @@ void advance_among(const std::vector<Obstacle>& obstacles, Body& body, double h,
 TEST(RigidLinksBody, StaysOutOfABall) {
   for (const double friction : {0.0, 0.5}) {
     const std::vector<Obstacle> ball = {{Sphere{Vector3d(0.05, 0, -0.05), 0.03}, friction}};
-    StrandSpec spec = hair(30, 0.15);
+    StrandSpec spec = straight_hair(30, 0.15);
     spec.clamped = false;
     spec.start = {true, Vector3d(1, 0, 0)};
     const auto strand = body(spec, {.drag = 2e-4});
@@ -388,12 +351,12 @@ TEST(RigidLinksBody, StaysOutOfABall) {
 TEST(RigidLinksBody, FrictionSlowsARodOnATable) {
   const double l = 0.02, mu = 0.3, speed = 20, h = 1e-4;
   const std::vector<Obstacle> table = {{Plane{Vector3d(0, 0, 0), Vector3d(0, 0, 1)}, mu}};
-  StrandSpec spec = hair(1, l);
+  StrandSpec spec = straight_hair(1, l);
   spec.clamped = false;
   spec.root.axis = Vector3d(1, 0, 0);
   spec.root.side = Vector3d(0, 0, 1);
   spec.start = {true, Vector3d(1, 0, 0), 1, false, Vector3d(0, 0, speed)};
-  const auto rate = [](const Body& one) { return State(one).rate[5]; };
+  const auto rate = [](const Body& one) { return BodyState(one).rate[5]; };
   const double slowing = 1.5 * mu * 9.81 / l;
   const auto strand = body(spec);
   const int steps = static_cast<int>(0.5 * speed / slowing / h);
@@ -418,7 +381,7 @@ TEST(RigidLinksBody, FrictionSlowsARodOnATable) {
 // An obstacle that moves takes along what lies on it.
 TEST(RigidLinksBody, AMovingTableDragsItsHair) {
   std::vector<Obstacle> table = {{Plane{Vector3d(0, 0, 0), Vector3d(0, 0, 1)}, 0.5, Vector3d(0, 0.02, 0)}};
-  StrandSpec spec = hair(1, 0.02);
+  StrandSpec spec = straight_hair(1, 0.02);
   spec.clamped = false;
   spec.root.axis = Vector3d(1, 0, 0);
   spec.root.side = Vector3d(0, 0, 1);
@@ -439,12 +402,12 @@ TEST(RigidLinksBody, AllocatesNothing) {
 }
 
 TEST(RigidLinksBody, SaysWhatItCannotExpress) {
-  StrandSpec spec = hair(3);
+  StrandSpec spec = straight_hair(3);
   EXPECT_EQ(why_not_of_links(spec), "");
   spec.fibre.skip_factor = 0.1;
   EXPECT_EQ(why_not_of_links(spec),
             "rigid links have no springs that skip a particle; the skip_factor must be 0");
-  spec = hair(3);
+  spec = straight_hair(3);
   spec.start = {true, Vector3d(1, 0, 0), 1.5};
   EXPECT_EQ(why_not_of_links(spec), "rigid links don't stretch; the start's stretch must be 1");
   EXPECT_THROW(link_strand(spec), std::invalid_argument);

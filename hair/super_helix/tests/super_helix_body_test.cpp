@@ -10,6 +10,7 @@
 #include "hair/lab/validate/elastica.h"
 #include "hair/simulation/models.h"
 #include "hair/strand/centre_line.h"
+#include "hair/strand/tests/bodies.h"
 #include "hair/strand/turns.h"
 #include "solver/tests/allocations.h"
 
@@ -18,53 +19,10 @@ namespace {
 
 using Eigen::VectorXd;
 
-StrandSpec hair(int elements, double length = 0.1) {
-  StrandSpec spec;
-  spec.elements = elements;
-  spec.length = length;
-  return spec;
-}
-
-StrandSpec curl(int elements) {
-  StrandSpec spec = hair(elements, 0.12);
-  spec.form = Curly{0.005, 0.02};
-  return spec;
-}
-
 std::unique_ptr<SuperHelixBody> body(const StrandSpec& spec,
                                      HelixSurroundings surroundings = {Vector3d(0, 0, -9.81)}) {
   surroundings.relaxation_time = spec.fibre.relaxation_time;
   return std::make_unique<SuperHelixBody>(helix_start(spec), surroundings, spec.root_velocity);
-}
-
-struct State {
-  VectorXd q, rate;
-  explicit State(const Body& body) : q(body.size()), rate(body.size()) { body.read(q, rate); }
-};
-
-struct Line {
-  VectorXd x, v;
-  explicit Line(const Body& body) : x(3 * body.points()), v(3 * body.points()) {
-    const State state(body);
-    body.centre_line(state.q, state.rate, x, v);
-  }
-};
-
-double energy(const Body& body) {
-  const State state(body);
-  return body.measure(state.q, state.rate).energy();
-}
-
-Vector3d tip(const Body& body) {
-  return Line(body).x.tail<3>();
-}
-
-void advance(Body& body, double h, int steps, const std::vector<Obstacle>& obstacles = {},
-             std::span<const PointForce> forces = {}) {
-  Eigen::MatrixXd scratch(body.scratch_rows(), body.scratch_columns());
-  Work work;
-  for (int k = 0; k < steps; ++k)
-    ASSERT_FALSE(body.step({h, 1e-10, obstacles, forces}, scratch, work)) << "step " << k;
 }
 
 // A helix is exact with any number of elements, also with turns that segments could not follow.
@@ -84,7 +42,7 @@ TEST(SuperHelixBody, StartsOnItsRestShape) {
 
 // Of a wave each element has the mean curvature: it turns as the wave does, and ends near it, to the second order.
 TEST(SuperHelixBody, FollowsAWaveToTheSecondOrder) {
-  StrandSpec spec = hair(20, 0.12);
+  StrandSpec spec = straight_hair(20, 0.12);
   spec.form = Wavy{0.003, 0.04};
   double off[2];
   for (const int fine : {0, 1}) {
@@ -108,16 +66,16 @@ TEST(SuperHelixBody, WhatIsWrittenIsReadAndMovesOnAsBefore) {
                   Vector3d(0, 6, 0)};
   one->set_root(root);
   advance(*one, 1e-3, 50);
-  const State state(*one);
+  const BodyState state(*one);
   other->write(state.q, state.rate);
-  const State again(*other);
+  const BodyState again(*other);
   EXPECT_LE((again.q - state.q).norm(), 1e-12 * state.q.norm());
   EXPECT_LE((again.rate - state.rate).norm(), 1e-12 * state.rate.norm());
   advance(*one, 1e-3, 20);
   advance(*other, 1e-3, 20);
   // A state has no momenta of the step before; what starts from it takes accelerations, which are as good to the order of h^2.
   EXPECT_LE((Line(*one).x - Line(*other).x).norm(), 1e-4);
-  const BodyMeasures measures = one->measure(State(*one).q, State(*one).rate);
+  const BodyMeasures measures = one->measure(BodyState(*one).q, BodyState(*one).rate);
   EXPECT_LE((*measures.tip - tip(*one)).norm(), 1e-15);
 }
 
@@ -155,20 +113,20 @@ TEST(SuperHelixBody, FollowsItsRoot) {
 
 // Overdamped, what is bent returns like exp(-t / tau).
 TEST(SuperHelixBody, RelaxationSlowsTheReturn) {
-  StrandSpec spec = hair(1, 0.05);
+  StrandSpec spec = straight_hair(1, 0.05);
   spec.fibre.relaxation_time = 2;
   const auto strand = body(spec, {});
-  State state(*strand);
+  BodyState state(*strand);
   state.q[6] = 5;
   strand->write(state.q, state.rate);
   advance(*strand, 1e-3, 2000);
-  EXPECT_NEAR(State(*strand).q[6], 5 / std::numbers::e, 0.01 * 5);
+  EXPECT_NEAR(BodyState(*strand).q[6], 5 / std::numbers::e, 0.01 * 5);
 }
 
 // The heavy elastica from a horizontal clamp; more elements are nearer, to the second order.
 TEST(SuperHelixBody, HangsAsTheElastica) {
   for (const double gamma : {1.0, 10.0, 100.0}) {
-    StrandSpec spec = hair(4);
+    StrandSpec spec = straight_hair(4);
     spec.root.axis = Vector3d(1, 0, 0);
     spec.root.side = Vector3d(0, 0, 1);
     const Material& material = spec.fibre.material;
@@ -186,7 +144,7 @@ TEST(SuperHelixBody, HangsAsTheElastica) {
       do {
         before = tip(*strand);
         advance(*strand, h, 1);
-        const State state(*strand);
+        const BodyState state(*strand);
         strand->write(state.q, VectorXd::Zero(state.q.size()));
       } while ((tip(*strand) - before).norm() > 1e-12 * L && ++steps < 20000);
       errors[fine] = (Eigen::Vector2d(tip(*strand).x(), -tip(*strand).z()) - exact).norm();
@@ -209,15 +167,15 @@ TEST(SuperHelixBody, DragTakesEnergy) {
 }
 
 TEST(SuperHelixBody, ImplicitStepsFeelPointForces) {
-  const auto strand = body(hair(5), {});
+  const auto strand = body(straight_hair(5), {});
   const int last = strand->points() - 1;
   const PointForce spring{last, Vector3d(1e-6, 0, 0), 1e6 * Eigen::Matrix3d::Identity()};
   const double before = tip(*strand).x();
-  advance(*strand, 1.0 / 60, 1, {}, {&spring, 1});
+  advance(*strand, 1.0 / 60, 1, {&spring, 1});
   // Such a stiffness holds the point: a step moves it by what the force is over the stiffness.
   EXPECT_LE(std::abs(tip(*strand).x() - before), 1e-11);
   const PointForce pull{last, Vector3d(1e-6, 0, 0), Eigen::Matrix3d::Zero()};
-  advance(*strand, 1.0 / 60, 5, {}, {&pull, 1});
+  advance(*strand, 1.0 / 60, 5, {&pull, 1});
   EXPECT_GT(tip(*strand).x() - before, 1e-3);
 }
 
@@ -225,11 +183,11 @@ TEST(SuperHelixBody, ImplicitStepsFeelPointForces) {
 TEST(SuperHelixBody, StaysOutOfABall) {
   for (const double friction : {0.0, 0.5}) {
     const std::vector<Obstacle> ball = {{Sphere{Vector3d(0.06, 0, -0.04), 0.03}, friction}};
-    StrandSpec spec = hair(10, 0.15);
+    StrandSpec spec = straight_hair(10, 0.15);
     spec.root.axis = Vector3d(1, 0, 0);
     spec.root.side = Vector3d(0, 0, 1);
     const auto strand = body(spec, {Vector3d(0, 0, -9.81), 2e-4});
-    advance(*strand, 1.0 / 60, 600, ball);
+    advance(*strand, 1.0 / 60, 600, {}, ball);
     const VectorXd x = Line(*strand).x;
     double nearest = 1;
     for (int i = 0; i < strand->points(); ++i)

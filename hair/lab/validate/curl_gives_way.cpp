@@ -1,0 +1,177 @@
+// A curl that hangs from its upper end. Under a heavy weight it is a planar curve: its natural curvature shows at its lower end
+// alone. Under a lighter one it could gain by leaving the plane, and does: the planar shape gives way to one in space. See J. T.
+// Miller, A. Lazarus, B. Audoly and P. M. Reis, "Shapes of a Suspended Curly Hair" (Physical Review Letters 112, 2014).
+//
+// In units of the length and of EI there are the weight Gamma = rho g S L^3 / EI, the total natural curvature phi, and GJ / EI =
+// 1 / (1 + nu). The planar branch is followed from heavy weights down, in steps of Gamma^(1/3) / phi, which is the ratio
+// of two lengths. It is stable as long as the energy's second derivatives out of the plane, by kappa1 and tau, are positive definite.
+#include <Eigen/LU>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "hair/lab/validate/validations.h"
+#include "hair/super_helix/helix_forces.h"
+#include "solver/symmetric_eigen.h"
+
+namespace hair {
+
+namespace {
+
+using Eigen::MatrixXd, Eigen::VectorXd;
+
+constexpr double kPoisson = 0.45;
+constexpr double kDown = 0.005;  // a step along the branch
+constexpr double kPart = 1e-5;   // of phi: a difference quotient's step
+
+class HangingCurl {
+ public:
+  HangingCurl(int elements, double phi) : phi_(phi), n_(elements), motion_(strand(elements, phi)) {
+    q_ = VectorXd::Zero(3 * n_);
+    // n1 to the side, t down.
+    root_.axes << 1, 0, 0, 0, -1, 0, 0, 0, -1;
+  }
+
+  // Newton's method for kappa2, from where it was; the residual is halved until it falls.
+  void settle(double part, const ValidationSettings& settings) {
+    weight_ = std::pow(part * phi_, 3);
+    VectorXd r = bends(residual(q_));
+    for (int k = 0; k < 200 && r.norm() > 1e-11 * phi_; ++k) {
+      settings.go_on();
+      const VectorXd change = derivative({1}).fullPivLu().solve(-r);
+      double length = 1;
+      for (;; length /= 2) {
+        VectorXd there = q_;
+        for (int i = 0; i < n_; ++i) there[3 * i + 1] += length * change[i];
+        const VectorXd next = bends(residual(there));
+        if (next.norm() < r.norm() || length < 1e-6) {
+          q_ = there;
+          r = next;
+          break;
+        }
+      }
+      if (length < 1e-6) return;
+    }
+  }
+
+  // The smallest eigenvalue of the energy's second derivatives by kappa1 and tau.
+  double softest() {
+    const MatrixXd H = -derivative({0, 2});
+    return solver::symmetric_eigenvalues((H + H.transpose()) / 2)[0];
+  }
+
+ private:
+  static HelixStrand strand(int n, double phi) {
+    HelixStrand strand;
+    strand.lengths = VectorXd::Constant(n, 1.0 / n);
+    strand.line_density = strand.bend_rigidity = 1;
+    strand.twist_rigidity = 1 / (1 + kPoisson);
+    strand.natural = VectorXd::Zero(3 * n);
+    for (int i = 0; i < n; ++i) strand.natural[3 * i + 1] = phi;
+    return strand;
+  }
+
+  VectorXd residual(const VectorXd& q) {
+    motion_.place(root_, q);
+    add_weight(Vector3d(0, 0, -weight_), motion_);
+    VectorXd force(3 * n_), elastic(3 * n_);
+    generalised_force(motion_.elements, motion_.points, force);
+    elastic_force(motion_.strand(), q, elastic);
+    return force + elastic;
+  }
+  VectorXd bends(const VectorXd& all) const { return all(Eigen::seqN(1, n_, 3)); }
+
+  // Of the residual's entries of these kinds (0 kappa1, 1 kappa2, 2 tau of each element), by the coordinates of the same kinds.
+  MatrixXd derivative(const std::vector<int>& kinds) {
+    std::vector<int> which;
+    for (int i = 0; i < n_; ++i)
+      for (const int kind : kinds) which.push_back(3 * i + kind);
+    MatrixXd by(which.size(), which.size());
+    const double step = kPart * phi_;
+    for (std::size_t j = 0; j < which.size(); ++j) {
+      VectorXd there = q_, back = q_;
+      there[which[j]] += step;
+      back[which[j]] -= step;
+      by.col(static_cast<Eigen::Index>(j)) = (residual(there) - residual(back))(which) / (2 * step);
+    }
+    return by;
+  }
+
+  double phi_;
+  int n_;
+  HelixMotion motion_;
+  MaterialFrame root_;
+  VectorXd q_;
+  double weight_ = 0;
+};
+
+// Where the branch loses its stability on the way down, and where it has it again, if it has.
+struct Limits {
+  std::optional<double> gives_way, holds_again;
+};
+
+Limits follow(double phi, int elements, double last, const ValidationSettings& settings) {
+  HangingCurl curl(elements, phi);
+  Limits limits;
+  double part = 0.8, before = 1;
+  for (; part > last; part -= kDown) {
+    curl.settle(part, settings);
+    const double now = curl.softest();
+    if ((now < 0) != (before < 0)) {
+      // Between this step and the one before the eigenvalue is nearly linear.
+      const double at = part + kDown * now / (now - before);
+      (now < 0 ? limits.gives_way : limits.holds_again) = at;
+    }
+    before = now;
+  }
+  return limits;
+}
+
+struct Published {
+  const char* name;
+  double phi, gives_way;
+  std::optional<double> holds_again;
+};
+
+ValidationResult run_curl(const ValidationSettings& settings) {
+  constexpr double kPi = std::numbers::pi;
+  const std::vector<Published> all = {{"2-pi", 2 * kPi, 0.5651, 0.3698},
+                                      {"8", 8, 0.6060, 0.3387},
+                                      {"4-pi", 4 * kPi, 0.6109, {}},
+                                      {"8-pi", 8 * kPi, 0.6109, {}}};
+  const std::string source = "the boundary value problem of Kirchhoff's rod, nu = 0.45",
+                    from = "half a percent, 20 elements";
+  ValidationResult result;
+  Table table{"Gamma^(1/3) / phi where the planar shape of a hanging curl gives way, 20 elements",
+              {"phi", "gives way", "measured", "holds again", "measured"},
+              {}};
+  for (const Published& one : all) {
+    if (settings.quick && &one != &all.front()) continue;
+    const Limits limits = follow(one.phi, 20, one.holds_again ? 0.32 : 0.58, settings);
+    const double nothing = std::numeric_limits<double>::quiet_NaN();
+    const std::string title =
+        "phi = " + printed("%.4g", one.phi) + ": Gamma^(1/3) / phi where the planar shape ";
+    result.checks.push_back({std::string("phi-") + one.name + "-gives-way", title + "gives way", source,
+                             one.gives_way, limits.gives_way.value_or(nothing), 5e-3 * one.gives_way, from});
+    if (one.holds_again)
+      result.checks.push_back({std::string("phi-") + one.name + "-holds-again", title + "holds again", source,
+                               *one.holds_again, limits.holds_again.value_or(nothing),
+                               5e-3 * *one.holds_again, from});
+    table.rows.push_back({printed("%.4g", one.phi), printed("%.4f", one.gives_way),
+                          limits.gives_way ? printed("%.4f", *limits.gives_way) : "-",
+                          one.holds_again ? printed("%.4f", *one.holds_again) : "-",
+                          limits.holds_again ? printed("%.4f", *limits.holds_again) : "-"});
+  }
+  result.tables = {table};
+  return result;
+}
+
+}  // namespace
+
+Validation curl_gives_way() {
+  return {"curl-gives-way", "A hanging curl leaves its plane: super-helices", {"H8"}, run_curl};
+}
+
+}  // namespace hair
