@@ -32,14 +32,18 @@ Matrix3d from_axis(const Vector3d& p, double b, double c) {
   return result;
 }
 
-// The sum of c_k's series: terms fall from the second on for x < 4 and k >= 6.
+// 1 / (m (m - 1)): what a term of a series is of the one before it, over -x.
+constexpr std::array<double, 28> kRatio = [] {
+  std::array<double, 28> ratio{};
+  for (int m = 2; m < 28; ++m) ratio[m] = 1.0 / (m * (m - 1));
+  return ratio;
+}();
+
+// c_k by its series: for k = 6 or 7 and x < 4, the terms after ten are below rounding.
 double series(int k, double x) {
-  double term = kInverseFactorial[k], sum = 0;
-  for (int m = k; sum + term != sum; m += 2) {
-    sum += term;
-    term *= -x / ((m + 1) * (m + 2));
-  }
-  return sum;
+  double sum = 1;
+  for (int m = k + 20; m > k; m -= 2) sum = 1 - x * kRatio[m] * sum;
+  return kInverseFactorial[k] * sum;
 }
 
 // Of a point or of the child's start: a quadratic form of (w, v) at the element's start and of u.

@@ -119,33 +119,40 @@ void HelixMotion::add_point(int element, double s, double weight) {
   weights.push_back(weight);
 }
 
-// Beside what the start's motion gives it, as to a rigid body, a point has a velocity of its own, and Coriolis' term twice.
+// An element's start moves a point as a rigid body would; to that it adds a velocity of its own.
 void HelixMotion::move(const HelixRoot& root, Input rates) {
   Vector3d velocity = root.velocity, spin = root.spin;
-  Vector3d acceleration = root.acceleration, spin_acceleration = root.spin_acceleration;
+  std::size_t j = 0;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const HelixElement& helix = elements[i];
+    const Vector3d &start = helix.start.position, rate = rates.segment<3>(3 * i);
+    for (; j < points.size() && points[j].element == static_cast<int>(i); ++j)
+      velocities[j] = velocity + spin.cross(points[j].position - start) + points[j].moves * rate;
+    velocity += spin.cross(helix.end.position - start) + helix.at_end.moves * rate;
+    spin += helix.at_end.turns * rate;
+  }
+}
+
+// The same, differentiated: with Coriolis' term twice.
+void HelixMotion::accelerate(const HelixRoot& root, Input rates) {
+  Vector3d spin = root.spin, acceleration = root.acceleration, spin_acceleration = root.spin_acceleration;
   std::size_t j = 0;
   for (std::size_t i = 0; i < elements.size(); ++i) {
     const HelixElement& helix = elements[i];
     const Matrix3d& axes = helix.start.axes;
     const Vector3d rate = rates.segment<3>(3 * i);
-    const auto velocity_at = [&](const Vector3d& arm, const Vector3d& own) -> Vector3d {
-      return velocity + spin.cross(arm) + own;
-    };
-    const auto acceleration_at = [&](const Vector3d& arm, const Vector3d& own,
+    const auto acceleration_at = [&](const Vector3d& position, const Vector3d& own,
                                      const Relative& relative) -> Vector3d {
+      const Vector3d arm = position - helix.start.position;
       return acceleration + spin_acceleration.cross(arm) + spin.cross(spin.cross(arm) + 2 * own) +
              axes * relative.acceleration;
     };
-    for (; j < points.size() && points[j].element == static_cast<int>(i); ++j) {
-      const Vector3d arm = points[j].position - helix.start.position, own = points[j].moves * rate;
-      velocities[j] = velocity_at(arm, own);
-      accelerations[j] = acceleration_at(arm, own, relative_acceleration(helix.curvature, rate, points[j].s));
-    }
-    const Vector3d arm = helix.end.position - helix.start.position, own = helix.at_end.moves * rate;
-    const Vector3d turn = helix.at_end.turns * rate;
+    for (; j < points.size() && points[j].element == static_cast<int>(i); ++j)
+      accelerations[j] = acceleration_at(points[j].position, points[j].moves * rate,
+                                         relative_acceleration(helix.curvature, rate, points[j].s));
     const Relative relative = relative_acceleration(helix.curvature, rate, helix.length);
-    acceleration = acceleration_at(arm, own, relative);
-    velocity = velocity_at(arm, own);
+    const Vector3d turn = helix.at_end.turns * rate;
+    acceleration = acceleration_at(helix.end.position, helix.at_end.moves * rate, relative);
     spin_acceleration += spin.cross(turn) + axes * relative.spin_acceleration;
     spin += turn;
   }

@@ -41,8 +41,9 @@ class HelixMotion {
   // than ever before.
   void place(const MaterialFrame& root, Input q);
 
-  // Sets velocities and accelerations of the strand as it is placed.
+  // Of the strand as it is placed: sets velocities; sets accelerations, which those who take momenta don't need.
   void move(const HelixRoot& root, Input rates);
+  void accelerate(const HelixRoot& root, Input rates);
 
  private:
   void add_nodes(int element);

@@ -151,6 +151,7 @@ TEST(SuperHelixMotion, MomentaAreAForShortSteps) {
     momentum.keep(motion, earlier, rates);
     motion.place(root.frame, q);
     motion.move(root, rates);
+    motion.accelerate(root, rates);
     momentum.add_to(motion, h);
     double difference = 0, size = 0;
     for (std::size_t j = 0; j < motion.points.size(); ++j) {

@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 #include <numbers>
 
+#include "hair/super_helix/helix_momentum.h"
 #include "reference/tests/super_helices.h"
 #include "solver/tests/allocations.h"
 
@@ -272,6 +273,25 @@ TEST(HelixForces, AreSlopesOfTheWeightsEnergy) {
   }
 }
 
+// Of a strand that is moved as a whole, in a wind: - drag * length * (velocity - wind), and what an implicit step adds.
+TEST(HelixForces, DragIsTowardsTheWindsVelocity) {
+  HelixMotion motion(hair_strand(3, 0.1));
+  HelixRoot root;
+  root.velocity = Vector3d(1, 2, 3);
+  motion.place(root.frame, VectorXd::Constant(9, 30));
+  motion.move(root, VectorXd::Zero(9));
+  hair::add_drag(1e-4, Vector3d(0, 0, 5), 0.01, motion);
+  Vector3d force = Vector3d::Zero();
+  Matrix3d inertia = Matrix3d::Zero();
+  for (const hair::HelixPoint& point : motion.points) {
+    force += point.force;
+    inertia += point.inertia;
+  }
+  EXPECT_LE((force + 1e-5 * Vector3d(1, 2, -2)).norm(), 1e-19);
+  const double mass = 0.1 * motion.strand().line_density + 0.01 * 1e-5;
+  EXPECT_LE((inertia - mass * Matrix3d::Identity()).norm(), 1e-14 * mass);
+}
+
 // ---- Motion
 
 // The places of all points while the root moves with constant accelerations and q with constant rates.
@@ -294,6 +314,7 @@ TEST(HelixMotions, VelocitiesAndAccelerationsAreDerivativesByTime) {
                    rates = random_curl(motion.strand(), 20, numbers);
     motion.place(root.frame, q);
     motion.move(root, rates);
+    motion.accelerate(root, rates);
     HelixMotion before(motion.strand()), after(motion.strand());
     const double d = 1e-5;
     place_later(root, q, rates, -d, before);
@@ -385,7 +406,7 @@ TEST(HelixSteps, LeaveAHelixAtRest) {
     HelixMotion motion(hair_strand(10, 0.1, natural));
     const VectorXd q = motion.strand().natural, rates = VectorXd::Zero(30);
     motion.place(some_start(), q);
-    motion.move({}, rates);
+    motion.accelerate({}, rates);
     hair::add_motion(motion);
     VectorXd force(30);
     hair::elastic_force(motion.strand(), q, force);
@@ -399,16 +420,21 @@ TEST(HelixSteps, AllocateNothing) {
   VectorXd q = motion.strand().natural, rates = VectorXd::Ones(60), change(60);
   MatrixXd scratch(60, 70);
   const HelixRoot root;
-  const long before = allocations();
+  hair::HelixMomentum momentum;
+  long before = 0;
   for (int k = 0; k < 5; ++k) {
     motion.place(root.frame, q);
     motion.move(root, rates);
+    motion.accelerate(root, rates);
     hair::add_motion(motion);
+    momentum.add_to(motion, 1e-3);
     hair::add_weight(Vector3d(0, 0, -9.81), motion);
     hair::add_drag(1e-5, Vector3d::Zero(), 1e-3, motion);
     hair::helix_step(motion.strand(), motion.elements, motion.points, q, rates, 1e-3, scratch, change);
     rates += change;
+    momentum.keep(motion, root, rates);
     q += 1e-3 * rates;
+    if (k == 0) before = allocations();  // keep() has taken its memory
   }
   EXPECT_EQ(allocations(), before);
 }
