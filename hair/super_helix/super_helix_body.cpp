@@ -104,6 +104,7 @@ void SuperHelixBody::start_moving(const Vector3d& spin, double h) {
   root_.acceleration = (goal_.velocity - root_.velocity) / h;
   root_.spin_acceleration = (spin - root_.spin) / h;
   motion_.move(root_, rates_);
+  motion_.accelerate(root_, rates_);
   add_motion(motion_);
   for (std::size_t j = 0; j < motion_.points.size(); ++j)
     motion_.velocities[j] += h * motion_.accelerations[j];
