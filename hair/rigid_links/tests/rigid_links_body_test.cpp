@@ -158,7 +158,7 @@ TEST(RigidLinksBody, AClampThatTurnsTurnsTheStrand) {
 // A hair at a sixtieth of a second, where explicit methods need 1e-6 s: from horizontal to hanging.
 TEST(RigidLinksBody, ASixtiethOfASecondHolds) {
   for (const int elements : {10, 100, 1000}) {
-    StrandSpec spec = hair(elements);
+    StrandSpec spec = straight_hair(elements);
     spec.start = {true, Vector3d(1, 0, 0)};
     const auto strand = body(spec, {.drag = 2e-4});
     const double start = energy(*strand);
