@@ -110,6 +110,7 @@ class HangingCurl {
 // Where the branch loses its stability on the way down, and where it has it again, if it has.
 struct Limits {
   std::optional<double> gives_way, holds_again;
+  std::vector<Point> softest;  // along the branch: the eigenvalue over that of a straight element's bend
 };
 
 struct At {
@@ -134,6 +135,7 @@ Limits follow(double phi, int elements, double last, const ValidationSettings& s
   for (; part > last; part -= kDown) {
     curl.settle(part, settings);
     const double now = curl.softest();
+    limits.softest.push_back({part, now * elements});
     if ((now < 0) != (before < 0)) {
       (now < 0 ? limits.gives_way : limits.holds_again) =
           zero_between(curl, {part, now}, {part + kDown, before}, settings);
@@ -163,6 +165,13 @@ ValidationResult run_curl(const ValidationSettings& settings) {
   Table table{"Gamma^(1/3) / phi where the planar shape of a hanging curl gives way",
               {"phi", "elements", "gives way", "measured", "holds again", "measured"},
               {}};
+  Figure figure;
+  figure.id = "curl-gives-way";
+  figure.title = "A hanging curl: stability of its planar shape against weight";
+  figure.description =
+      "The softest way out of the plane. Below 0 the planar shape is unstable: the curl hangs in space.";
+  figure.x = {"Gamma^(1/3) / phi", false};
+  figure.y = {"smallest eigenvalue, over EI l", false};
   for (const Published& one : all) {
     if (settings.quick && &one != &all.front()) continue;
     const Limits limits = follow(one.phi, one.elements, one.holds_again ? 0.32 : 0.58, settings);
@@ -175,6 +184,7 @@ ValidationResult run_curl(const ValidationSettings& settings) {
       result.checks.push_back({std::string("phi-") + one.name + "-holds-again", title + "holds again", source,
                                *one.holds_again, limits.holds_again.value_or(nothing),
                                5e-3 * *one.holds_again, from});
+    figure.series.push_back({"phi = " + printed("%.4g", one.phi), limits.softest, true, false});
     table.rows.push_back({printed("%.4g", one.phi), std::to_string(one.elements),
                           printed("%.4f", one.gives_way),
                           limits.gives_way ? printed("%.4f", *limits.gives_way) : "-",
@@ -182,6 +192,7 @@ ValidationResult run_curl(const ValidationSettings& settings) {
                           limits.holds_again ? printed("%.4f", *limits.holds_again) : "-"});
   }
   result.tables = {table};
+  result.figures = {figure};
   return result;
 }
 
