@@ -30,15 +30,19 @@ std::unique_ptr<Body> make_mass_spring(const StrandSpec& spec, const Description
   return mass_spring_strand("a strand", discretise(spec), description);
 }
 
-constexpr ModelRow kMassSpring = {"mass_spring", mass_spring_exercises, true, mass_spring_why_not,
-                                  make_mass_spring};
+bool mass_spring_moves_by(const MethodRow& method) {
+  return method.mass_spring != nullptr;
+}
+
+constexpr ModelRow kMassSpring = {"mass_spring",       mass_spring_exercises, true,
+                                  mass_spring_why_not, make_mass_spring,      mass_spring_moves_by};
 
 // With what the course has; a row that is not used is not linked.
 template <bool has_links>
 constexpr auto rows() {
   if constexpr (has_links)
     return std::array{kMassSpring, ModelRow{"rigid_links", rigid_links_exercises, false, rigid_links_why_not,
-                                            make_rigid_links}};
+                                            make_rigid_links, rigid_links_moves_by}};
   else
     return std::array{kMassSpring};
 }

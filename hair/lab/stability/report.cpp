@@ -8,6 +8,7 @@
 #include "hair/io/machine.h"
 #include "hair/lab/stability/theory.h"
 #include "hair/lab/validate/hanging_chain.h"
+#include "hair/simulation/models.h"
 #include "hair/truth/content.h"
 #include "solver/timing.h"
 
@@ -18,6 +19,9 @@ namespace {
 Problem problem_of(const Scene& scene, const StabilitySettings& settings) {
   if (scene.hair.strands.empty() && scene.hair.modelled.empty())
     throw BadInput(scene.name + ": it has no hair; stability maps are of a strand that hangs");
+  if (!scene.hair.modelled.empty())
+    throw BadInput(scene.name + ": stability maps know no " + scene.hair.modelled.front().model->id +
+                   "; give a scene whose hair is of masses and springs");
   Scene bare = scene;  // what it hangs among does not matter
   bare.hair.obstacles.clear();
   bare.riders.clear();

@@ -118,6 +118,9 @@ TEST_F(StabilityCommand, BadInputIsRefusedInOneLineAndNothingIsWritten) {
  "roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}]})");
   expect_refused(run_hairlab({"stability", floating, "--out", (folder_ / "out").string()}), 2,
                  "nothing brings its strand back when it swings");
+  expect_refused(
+      run_hairlab({"stability", "rigid-links", "--out", (folder_ / "out").string()}), 2,
+      "rigid-links: stability maps know no rigid_links; give a scene whose hair is of masses and springs");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
 }
 
