@@ -48,7 +48,8 @@ Truth by_many_steps(const StudiedPart& part) {
 // Of one strand or one toy that meets nothing, unless CVODE can't.
 std::optional<Truth> by_cvode(const StudiedPart& part) {
   const hair::Scene& scene = part.scene;
-  if (!hair::have_accurate_motion() || !scene.hair.obstacles.empty() || scene.hair.strands.size() > 1)
+  if (!hair::have_accurate_motion() || !scene.hair.obstacles.empty() || scene.hair.strands.size() > 1 ||
+      !scene.hair.modelled.empty())
     return {};
   try {
     hair::ProblemSettings settings;

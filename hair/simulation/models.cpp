@@ -36,12 +36,16 @@ long points_of_elements(const StrandSpec& spec) {
   return spec.elements + 1L;
 }
 
+bool mass_spring_moves_by(const MethodRow& method) {
+  return method.mass_spring != nullptr;
+}
+
 // What the course lacks is not linked.
 template <bool is_there>
 constexpr auto links() {
   if constexpr (is_there)
     return std::array{ModelRow{"rigid_links", rigid_links_exercises, false, rigid_links_why_not,
-                               points_of_elements, make_rigid_links}};
+                               points_of_elements, make_rigid_links, rigid_links_moves_by}};
   else
     return std::array<ModelRow, 0>{};
 }
@@ -50,13 +54,14 @@ template <bool is_there>
 constexpr auto helices() {
   if constexpr (is_there)
     return std::array{ModelRow{"super_helix", super_helix_exercises, false, super_helix_why_not,
-                               super_helix_points, make_super_helix}};
+                               super_helix_points, make_super_helix, super_helix_moves_by}};
   else
     return std::array<ModelRow, 0>{};
 }
 
 constexpr ModelRow kMassSpring = {"mass_spring",       mass_spring_exercises, true,
-                                  mass_spring_why_not, points_of_elements,    make_mass_spring};
+                                  mass_spring_why_not, points_of_elements,    make_mass_spring,
+                                  mass_spring_moves_by};
 
 template <std::size_t m, std::size_t n>
 constexpr auto rows(const std::array<ModelRow, m>& some, const std::array<ModelRow, n>& others) {

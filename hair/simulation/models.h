@@ -30,6 +30,9 @@ struct ModelRow {
   // Makes a body with the description's gravity, drag and method. Throws std::invalid_argument for a strand
   // that the model can't express, and for an exercise that the course leaves out.
   std::unique_ptr<Body> (*make)(const StrandSpec& spec, const Description& description);
+
+  // Whether such strands have a step for the method, in this course.
+  bool (*moves_by)(const MethodRow& method);
 };
 
 std::span<const ModelRow> models();

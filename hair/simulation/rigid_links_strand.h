@@ -12,6 +12,8 @@
 namespace hair {
 
 struct Description;
+struct LinkStrand;
+struct MethodRow;
 
 // The step that a method is for such strands: a member of TreeSteps (hair/rigid_links/tree_steps.h).
 struct LinkMethod;
@@ -21,5 +23,7 @@ extern const LinkMethod kLinkSymplecticEuler, kLinkRungeKutta4, kLinkImplicitEul
 std::vector<std::string> rigid_links_exercises(const StrandSpec& spec);
 std::string rigid_links_why_not(const StrandSpec& spec);
 std::unique_ptr<Body> make_rigid_links(const StrandSpec& spec, const Description& description);
+LinkStrand links_of(const StrandSpec& spec, const Description& description);  // with weight and drag
+bool rigid_links_moves_by(const MethodRow& method);
 
 }  // namespace hair

@@ -19,10 +19,15 @@ long super_helix_points(const StrandSpec& spec) {
   return helix_points(spec);
 }
 
+bool super_helix_moves_by(const MethodRow& method) {
+  return method.method == Method::implicit_euler;
+}
+
 std::unique_ptr<Body> make_super_helix(const StrandSpec& spec, const Description& description) {
-  if (description.method != Method::implicit_euler)
-    throw std::invalid_argument(std::string("super-helices don't move by ") + row_of(description.method).id +
-                                "; they do by " + row_of(Method::implicit_euler).id);
+  const MethodRow& method = row_of(description.method);
+  if (!super_helix_moves_by(method))
+    throw std::invalid_argument(std::string("super-helices don't move by ") + method.id + "; they do by " +
+                                row_of(Method::implicit_euler).id);
   const HelixSurroundings surroundings{description.gravity, description.drag, description.wind,
                                        spec.fibre.relaxation_time};
   return std::make_unique<SuperHelixBody>(helix_start(spec), surroundings, spec.root_velocity);

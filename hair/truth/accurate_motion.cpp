@@ -9,6 +9,7 @@
 #include "hair/io/files/bad_input.h"
 #include "hair/io/plot/page.h"
 #include "hair/truth/cvode.h"
+#include "hair/truth/model_ode.h"
 #include "hair/truth/motion_cache.h"
 #include "hair/truth/rigid_strand_ode.h"
 #include "hair/truth/strand_ode.h"
@@ -20,15 +21,16 @@ namespace hair {
 
 namespace {
 
-// A full matrix that is larger costs more than all the rest.
+// A full matrix that is larger costs more than all the rest. So does that of links, whose oscillations allow no long
+// steps: BDF takes ten times as long.
 constexpr double kLargestMatrix = 2e5;  // entries
 
 using Ways = std::array<CvodeWay, 2>;
 
 // As different as CVODE has them; and where Newton's method would be too dear, two tolerances.
-Ways ways_for(const Ode& ode, double tolerance) {
+Ways ways_for(const Problem& problem, const Ode& ode, double tolerance) {
   const double entries = static_cast<double>(ode.size()) * (ode.above() + 1 + ode.below());
-  if (entries > kLargestMatrix)
+  if (entries > kLargestMatrix || problem.modelled())
     return {{{CvodeMethod::adams, tolerance}, {CvodeMethod::adams, 10 * tolerance}}};
   return {{{CvodeMethod::adams, tolerance}, {CvodeMethod::bdf, tolerance}}};
 }
@@ -41,15 +43,24 @@ std::string name_of(const CvodeWay& way) {
 }
 
 bool moves_as_rigid(const Problem& problem) {
-  if (problem.is_toy()) return false;
+  if (problem.is_toy() || problem.modelled()) return false;
   const Strand& strand = problem.scene.hair.strands[0].strand;
   return strand.segments() > 0 && times_the_ea_of_hair(strand) > kHardToStretch && starts_rigid(problem);
 }
 
 std::unique_ptr<Ode> ode_of(const Problem& problem) {
   if (problem.is_toy()) return std::make_unique<ToyOde>(problem);
+  if (problem.modelled()) return model_ode(problem);
   if (moves_as_rigid(problem)) return std::make_unique<RigidStrandOde>(problem);
   return std::make_unique<StrandOde>(problem);
+}
+
+// The largest distance of a point between two solutions, at any moment, m.
+double disagreement(const Ode& ode, const Trajectory& a, const Trajectory& b) {
+  double largest = 0;
+  for (std::size_t k = 0; k < a.size(); ++k)
+    largest = std::max(largest, largest_distance(ode.points(a[k]), ode.points(b[k])));
+  return largest;
 }
 
 // How far a strand that stretches is from the limit, in units of what its tensions stretch it by at most: 1.0 to 1.6
@@ -70,7 +81,7 @@ std::optional<AccurateMotion> accurate_motion(const Problem& problem, const Accu
                                               const std::atomic<bool>& interrupted) {
   particles::require_positive("the tolerance of an accurate motion", settings.tolerance);
   const std::unique_ptr<Ode> ode = ode_of(problem);
-  const Ways ways = ways_for(*ode, std::max(settings.tolerance, kTightest));
+  const Ways ways = ways_for(problem, *ode, std::max(settings.tolerance, kTightest));
   const auto* rigid = dynamic_cast<const RigidStrandOde*>(ode.get());
 
   AccurateMotion motion;
@@ -95,7 +106,7 @@ std::optional<AccurateMotion> accurate_motion(const Problem& problem, const Accu
     found[k] = std::move(run->states);
   }
   motion.cpu_seconds = timing::cpu_seconds() - start;
-  motion.agreement = largest_distance(found[0], found[1]);
+  motion.agreement = disagreement(*ode, found[0], found[1]);
   if (rigid) motion.agreement = std::max(motion.agreement, kOfStretch * rigid->stretch());
   motion.states = std::move(found[0]);
   if (settings.cache) {

@@ -1,6 +1,9 @@
 #include "hair/truth/content.h"
 
+#include <string_view>
+
 #include "hair/io/digest.h"
+#include "hair/simulation/models.h"
 
 namespace hair {
 
@@ -12,6 +15,27 @@ void add(Digest& digest, const StrandStart& start) {
   digest.add(strand.stretch_rigidity).add(strand.bend_rigidity).add(strand.skip_rigidity);
   digest.add(strand.clamped).add(strand.root_tangent);
   digest.add(start.state.x).add(start.state.v).add(start.rest_curvature).add(start.root_normal);
+}
+
+// Every member is named, so that one that joins is not forgotten.
+void add(Digest& digest, const Fibre& fibre) {
+  const auto& [material, stretch, bend, twist, skip, relaxation_time, joint_limit] = fibre;
+  const auto& [radius, density, young_modulus, shear_modulus] = material;
+  digest.add(radius).add(density).add(young_modulus).add(shear_modulus);
+  digest.add(stretch).add(bend).add(twist).add(skip).add(relaxation_time);
+  digest.add(joint_limit.has_value()).add(joint_limit.value_or(0));
+}
+
+void add(Digest& digest, const ModelledStrand& strand) {
+  const auto& [fibre, form, length, elements, root, clamped, start, root_velocity] = strand.spec;
+  digest.add(std::string_view(strand.model->id));
+  add(digest, fibre);
+  const RestShape shape = rest_shape(strand.spec);  // of form, length, elements and root
+  digest.add(shape.x).add(shape.tangent).add(shape.normal);
+  digest.add(static_cast<int>(form.index())).add(length).add(elements).add(root.position).add(clamped);
+  const auto& [differently, direction, stretch, folded, spin] = start;
+  digest.add(differently).add(direction).add(stretch).add(folded).add(spin);
+  digest.add(root_velocity);
 }
 
 void add(Digest& digest, const Motion& motion) {
@@ -44,6 +68,8 @@ std::string content_of(const Problem& problem) {
   digest.add(scene.hair.gravity).add(scene.hair.drag).add(scene.hair.wind);
   digest.add(static_cast<int>(scene.hair.strands.size()));
   for (const StrandStart& start : scene.hair.strands) add(digest, start);
+  digest.add(static_cast<int>(scene.hair.modelled.size()));
+  for (const ModelledStrand& strand : scene.hair.modelled) add(digest, strand);
   digest.add(static_cast<int>(scene.riders.size()));
   for (const Rider& rider : scene.riders) add(digest, rider.motion);
   digest.add(static_cast<int>(scene.toys.size()));

@@ -42,8 +42,11 @@ class Ode {
   virtual int below() const { return size() - 1; }
   virtual bool jacobian(double /*t*/, particles::Input /*y*/, BandMatrix& /*df*/) { return false; }
 
-  // Converts y to the state of all particles.
+  // Converts y to the problem's state: the coordinates and rates of its body (hair/strand/body.h).
   virtual particles::State state(double t, particles::Input y) = 0;
+
+  // The points that a state means, 3n numbers, m. Positions mean themselves.
+  virtual Eigen::VectorXd points(const particles::State& state) const { return state.x; }
 };
 
 }  // namespace hair

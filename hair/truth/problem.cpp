@@ -4,9 +4,12 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <tuple>
+#include <variant>
 
 #include "hair/io/files/bad_input.h"
 #include "hair/simulation/models.h"
+#include "hair/truth/model_ode.h"
 #include "particles/require.h"
 
 namespace hair {
@@ -26,6 +29,62 @@ void require_part(const Scene& scene, const char* what, int part, std::size_t co
   if (part < 0 || static_cast<std::size_t>(part) >= count)
     throw BadInput(scene.name + ": there is no " + what + " " + std::to_string(part) + "; it has " +
                    (count == 0 ? "none" : what + ("s 0 to " + std::to_string(count - 1))));
+}
+
+bool is_straight(const StrandStart& strand) {
+  return strand.rest_curvature.size() == 0;
+}
+bool is_straight(const ModelledStrand& strand) {
+  return std::holds_alternative<Straight>(strand.spec.form);
+}
+
+int segments_of(const StrandStart& strand) {
+  return strand.strand.segments();
+}
+int segments_of(const ModelledStrand& strand) {
+  return strand.spec.elements;
+}
+
+void divide(StrandStart& strand, int segments) {
+  strand = divide_anew(strand, segments);
+}
+void divide(ModelledStrand& strand, int segments) {
+  strand.spec.elements = segments;
+}
+
+// With as many segments as were asked for.
+template <typename Any>
+Any chosen(const Scene& scene, Any strand, const ProblemSettings& settings) {
+  if (!settings.segments) return strand;
+  if (!is_straight(strand))
+    throw BadInput(scene.name + ": strand " + std::to_string(settings.strand) +
+                   " rests curved and can't be divided anew; study it with the segments that it has");
+  if (*settings.segments != segments_of(strand)) divide(strand, *settings.segments);
+  return strand;
+}
+
+// The strand that is studied, as the only one of `hair`.
+void add_strand(const Scene& scene, const ProblemSettings& settings, Description& hair) {
+  const std::vector<StrandStart>& strands = scene.hair.strands;
+  const std::vector<ModelledStrand>& modelled = scene.hair.modelled;
+  require_part(scene, "strand", settings.strand, strands.size() + modelled.size());
+  if (!scene.hair.obstacles.empty())
+    throw BadInput(
+        scene.name +
+        ": hair that falls on obstacles can't be studied: a collision is no smooth motion, and no method "
+        "has an order there; study a scene without \"obstacles\"");
+  const auto index = static_cast<std::size_t>(settings.strand);
+  if (index < strands.size()) {
+    hair.strands = {chosen(scene, strands[index], settings)};
+    return;
+  }
+  hair.modelled = {chosen(scene, modelled[index - strands.size()], settings)};
+  const ModelRow& model = *hair.modelled[0].model;
+  if (!has_ode(model))
+    throw BadInput(scene.name + ": studies know no " + model.id +
+                   "; study a scene whose hair is of another model");
+  for (const MethodRow& row : methods())
+    if (model.moves_by(row)) hair.method = row.method;
 }
 
 }  // namespace
@@ -53,33 +112,35 @@ StrandStart divide_anew(const StrandStart& start, int segments) {
   return result;
 }
 
+std::optional<int> segments_to_divide(const Scene& scene, int strand) {
+  const auto& [strands, modelled] = std::tie(scene.hair.strands, scene.hair.modelled);
+  if (strand < 0) return {};
+  const auto find = [](const auto& one) {
+    return is_straight(one) ? std::optional(segments_of(one)) : std::nullopt;
+  };
+  const auto index = static_cast<std::size_t>(strand);
+  if (index < strands.size()) return find(strands[index]);
+  if (index - strands.size() < modelled.size()) return find(modelled[index - strands.size()]);
+  return {};
+}
+
+std::unique_ptr<Body> modelled_body(const Problem& problem) {
+  const ModelledStrand& strand = *problem.modelled();
+  return strand.model->make(strand.spec, problem.scene.hair);
+}
+
 Problem make_problem(const Scene& scene, const ProblemSettings& settings) {
-  if (!scene.hair.modelled.empty())
-    throw BadInput(scene.name + ": studies know no " + scene.hair.modelled.front().model->id +
-                   "; study a scene whose hair is of masses and springs");
   Problem problem;
   Scene& one = problem.scene;
   one = scene;
   one.look.reset();
   one.hair.obstacles.clear();
   one.hair.strands.clear();
+  one.hair.modelled.clear();
   one.riders.clear();
   one.toys.clear();
-  if (!scene.hair.strands.empty()) {
-    require_part(scene, "strand", settings.strand, scene.hair.strands.size());
-    if (!scene.hair.obstacles.empty())
-      throw BadInput(
-          scene.name +
-          ": hair that falls on obstacles can't be studied: a collision is no smooth motion, and no method "
-          "has an order there; study a scene without \"obstacles\"");
-    StrandStart strand = scene.hair.strands[settings.strand];
-    if (settings.segments) {
-      if (strand.rest_curvature.size() > 0)
-        throw BadInput(scene.name + ": strand " + std::to_string(settings.strand) +
-                       " rests curved and can't be divided anew; study it with the segments that it has");
-      if (*settings.segments != strand.strand.segments()) strand = divide_anew(strand, *settings.segments);
-    }
-    one.hair.strands = {std::move(strand)};
+  if (has_strands(scene)) {
+    add_strand(scene, settings, one.hair);
     for (const Rider& rider : scene.riders)
       if (std::find(rider.strands.begin(), rider.strands.end(), settings.strand) != rider.strands.end())
         one.riders.push_back({rider.motion, {0}, {}});

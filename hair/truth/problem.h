@@ -5,9 +5,11 @@
 //                    └──▶ a run with each method   (study_methods.h), for each of several step sizes
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "hair/scene/scene.h"
+#include "hair/strand/body.h"
 
 namespace hair {
 
@@ -29,11 +31,23 @@ struct Problem {
   Scene scene;
   double duration = 0;  // s
 
-  bool is_toy() const { return scene.hair.strands.empty(); }
+  bool is_toy() const { return !has_strands(scene); }
+
+  // The strand, if its model divides it into elements. Null: one of masses and springs, or a toy.
+  const ModelledStrand* modelled() const {
+    return scene.hair.modelled.empty() ? nullptr : &scene.hair.modelled.front();
+  }
 };
 
-// Throws BadInput for a strand that the scene does not have, and for a problem that can't be studied.
+// The body of a modelled strand, at the start.
+std::unique_ptr<Body> modelled_body(const Problem& problem);
+
+// Throws BadInput for a strand that the scene does not have, and for a problem that can't be studied. A modelled strand's
+// method is one that moves its model.
 Problem make_problem(const Scene& scene, const ProblemSettings& settings);
+
+// The segments of a scene's strand, if it is one and can be divided anew. None: a strand that rests curved, or no strand.
+std::optional<int> segments_to_divide(const Scene& scene, int strand);
 
 // The same strand in `segments` >= 1 equal segments: the mass per metre, the length, the rigidities, the root
 // and the start curve stay the same. Throws std::invalid_argument for a strand that is curved at rest,

@@ -26,6 +26,8 @@ constexpr double kAsHardAsHair = 0.3;  // times hair's EA, from which on stretch
 
 std::string why_not(const Problem& problem) {
   if (problem.is_toy()) return "a toy is no continuum";
+  if (problem.modelled())
+    return "the shorter the links, the faster they twist, so that finer chains take minutes";
   const StrandStart& start = problem.scene.hair.strands[0];
   if (start.strand.segments() < 1) return "a strand of one particle is no continuum";
   if (start.rest_curvature.size() > 0) return "a strand that rests curved can't be divided anew";

@@ -2,11 +2,36 @@
 
 namespace hair {
 
-StrandRoot::StrandRoot(const Scene& scene) : start_(scene.hair.strands.at(0)) {
+namespace {
+
+RootMotion steady(const Vector3d& position, const Vector3d& velocity, const Vector3d& tangent,
+                  const Vector3d& normal) {
+  const Vector3d none = Vector3d::Zero();
+  return RootMotion{position, velocity, none, tangent, normal, none, none};
+}
+
+RootMotion start_of(const Description& hair) {
+  if (!hair.strands.empty()) {
+    const StrandStart& start = hair.strands[0];
+    return steady(start.state.x.head<3>(), start.state.v.head<3>(), start.strand.root_tangent,
+                  start.root_normal);
+  }
+  const StrandSpec& spec = hair.modelled.at(0).spec;
+  const RestShape shape = rest_shape(spec);
+  return steady(spec.root.position, spec.root_velocity, shape.tangent, shape.normal);
+}
+
+bool is_clamped(const Description& hair) {
+  return hair.strands.empty() ? hair.modelled.at(0).spec.clamped : hair.strands[0].strand.clamped;
+}
+
+}  // namespace
+
+StrandRoot::StrandRoot(const Scene& scene) : start_(start_of(scene.hair)) {
   // As in a simulation, the last one leads.
   for (const Rider& rider : scene.riders)
     if (!rider.strands.empty()) motion_ = &rider.motion;
-  if (motion_) turns_ = start_.strand.clamped && hair::turns(*motion_);
+  if (motion_) turns_ = is_clamped(scene.hair) && hair::turns(*motion_);
   start_span(0);
 }
 
@@ -24,15 +49,14 @@ void StrandRoot::start_span(double time) {
 }
 
 RootMotion StrandRoot::at(double time) const {
-  const Vector3d start = start_.state.x.head<3>();
-  RootMotion root{start, Vector3d::Zero(), Vector3d::Zero(), start_.strand.root_tangent, start_.root_normal};
+  RootMotion root = start_;
   if (!motion_) {
-    root.velocity = start_.state.v.head<3>();
     root.position += time * root.velocity;
     return root;
   }
   const Way way = way_at(*motion_, time);
-  root.position = way(start);
+  root.position = way(start_.position);
+  root.velocity.setZero();
   if (turns_) {
     root.tangent = (way.rotation * root.tangent).normalized();
     root.normal = (way.rotation * root.normal).normalized();
@@ -50,6 +74,10 @@ RootMotion StrandRoot::at(double time) const {
   const Vector3d along = spin.cross(arm) + to.pose.position - from.pose.position;
   root.velocity = dw * along;
   root.acceleration = ddw * along + dw * dw * spin.cross(spin.cross(arm));
+  if (turns_) {
+    root.angular_velocity = dw * spin;
+    root.angular_acceleration = ddw * spin;
+  }
   return root;
 }
 

@@ -8,13 +8,14 @@
 namespace hair {
 
 struct RootMotion {
-  Vector3d position, velocity, acceleration;  // m, m/s, m/s^2
-  Vector3d tangent, normal;                   // of length 1
+  Vector3d position, velocity, acceleration;        // m, m/s, m/s^2
+  Vector3d tangent, normal;                         // of length 1
+  Vector3d angular_velocity, angular_acceleration;  // rad/s, rad/s^2: of a strand that turns with its root
 };
 
 class StrandRoot {
  public:
-  // Keeps a reference to the scene, which has one strand.
+  // Keeps a reference to the scene, which has one strand, of any model.
   explicit StrandRoot(const Scene& scene);
 
   // Whether tangent and normal change with time.
@@ -28,7 +29,7 @@ class StrandRoot {
   RootMotion at(double time) const;
 
  private:
-  const StrandStart& start_;
+  RootMotion start_;                // before it moves
   const Motion* motion_ = nullptr;  // null: the root rides on nothing
   bool turns_ = false;
   std::size_t next_key_ = 0;  // at the end of the span; motion_->keys.size() in the last span

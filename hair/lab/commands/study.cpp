@@ -75,13 +75,9 @@ std::optional<std::filesystem::path> cache_folder(const StudyOptions& options) {
 
 ProblemSettings problem_settings(const Scene& scene, const StudyOptions& options) {
   ProblemSettings settings{options.strand, options.duration, {}};
-  const std::vector<StrandStart>& strands = scene.hair.strands;
-  if (!options.quick || options.strand < 0 || options.strand >= static_cast<int>(strands.size()))
-    return settings;
-  const StrandStart& start = strands[options.strand];
-  // One that rests curved can't be divided anew.
-  if (start.rest_curvature.size() == 0 && start.strand.segments() > kQuickSegments)
-    settings.segments = kQuickSegments;
+  if (!options.quick) return settings;
+  const std::optional<int> segments = segments_to_divide(scene, options.strand);
+  if (segments && *segments > kQuickSegments) settings.segments = kQuickSegments;
   return settings;
 }
 

@@ -72,6 +72,20 @@ bool Judge::look(const Eigen::VectorXd& energies, double kinetic, double true_me
   return false;
 }
 
+Outcome observed(Simulation& simulation, long steps, const std::function<bool(Judge& judge)>& look) {
+  Judge judge;
+  for (int k = 1; k <= kLooks; ++k) {
+    if (simulation.advance(steps * k / kLooks - simulation.steps())) {
+      judge.broke();
+      break;
+    }
+    if (look(judge)) break;
+  }
+  Outcome outcome = judge.outcome();
+  outcome.steps = simulation.steps();
+  return outcome;
+}
+
 Outcome run_disturbed(const Description& hair, const Hanging& hanging, const Disturbance& disturbance,
                       double drag, double h, long steps) {
   Description description = hair;
@@ -89,14 +103,8 @@ Outcome run_disturbed(const Description& hair, const Hanging& hanging, const Dis
       std::max(2 * strand.mass.sum() * hair.gravity.norm() * strand.rest_length.sum(), 1e6 * disturbed);
   const double gamma = hanging.drag_per_mass * drag;
   const Eigen::Index n = hanging.mass.size();
-  Judge judge;
   Eigen::VectorXd energies(disturbance.modes);
-  for (int look = 1; look <= kLooks; ++look) {
-    const long until = steps * look / kLooks;
-    if (simulation.advance(until - simulation.steps())) {
-      judge.broke();
-      break;
-    }
+  return observed(simulation, steps, [&](Judge& judge) {
     const particles::State& state = simulation.state(0);
     double kinetic = 0, true_mean = 0;
     for (Eigen::Index i = 0; i < n; ++i)
@@ -107,11 +115,8 @@ Outcome run_disturbed(const Description& hair, const Hanging& hanging, const Dis
     };
     add(hanging.across_modes, hanging.across, 0);
     if (!hanging.keeps_lengths) add(hanging.along_modes, hanging.down, n);
-    if (judge.look(energies, kinetic / most_kinetic, true_mean / disturbance.modes)) break;
-  }
-  Outcome outcome = judge.outcome();
-  outcome.steps = simulation.steps();
-  return outcome;
+    return judge.look(energies, kinetic / most_kinetic, true_mean / disturbance.modes);
+  });
 }
 
 }  // namespace hair

@@ -18,6 +18,7 @@
 // limit.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -65,5 +66,8 @@ class Judge {
  private:
   Outcome outcome_;
 };
+
+// Makes the steps, and looks at equally spaced moments until a look says that the hair has blown up.
+Outcome observed(Simulation& simulation, long steps, const std::function<bool(Judge& judge)>& look);
 
 }  // namespace hair

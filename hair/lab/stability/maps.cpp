@@ -5,7 +5,7 @@
 #include <limits>
 #include <optional>
 
-#include "hair/lab/stability/theory.h"
+#include "hair/lab/stability/station.h"
 #include "solver/timing.h"
 
 namespace hair {
@@ -25,72 +25,19 @@ long steps_of(const StudyMethod& method, const MapSettings& settings) {
                               : settings.implicit_steps;
 }
 
-bool keeps_lengths(const StudyMethod& method) {
-  return row_of(method.method).keeps_lengths;
-}
-
-// The frequency that a map's axes count from: of explicit methods the fastest of all, of implicit ones the fastest that
-// tension alone would have.
-double reference_frequency(const Description& hair, const StudyMethod& method) {
-  const Hanging hanging = hang(hair, 1, false);
-  if (method.is_explicit()) return hanging.fastest();
-  const ProductParts products = products_of(hair, hanging, GeometricTerm::dropped, Products::exact);
-  const double mu = implicit_limit(hanging.mass, hanging.across_modes.stiffness - products.across,
-                                   Eigen::MatrixXd::Zero(hanging.mass.size(), hanging.mass.size()), 0);
-  return std::isfinite(mu) ? 2 / mu : hanging.across_modes.omega.maxCoeff();
-}
-
 std::string limit_name(const StudyMethod& method) {
   const std::string limit = row_of(method.method).limit;
   return limit.empty() ? "theory" : "theory: " + limit;
 }
 
-// One column's hair.
-struct Station {
-  Hanging hanging;
-  Disturbance disturbance;
-  double drag = 0;
-};
-
-Station make_station(const Description& hair, const StudyMethod& method, Swept sweep, double x) {
-  Station station;
-  station.hanging = hang(hair, sweep == Swept::stiffness ? x : 1, keeps_lengths(method));
-  station.disturbance = disturb(station.hanging);
-  station.drag = sweep == Swept::drag ? x : hair.drag;
-  return station;
-}
-
-// The largest step with which nothing grows by more than `growth` in a step.
-double theory_of(const Description& hair, const StudyMethod& method, const Station& station,
-                 const std::vector<double>& hs, double growth) {
-  const Hanging& hanging = station.hanging;
-  const Modes &along = hanging.along_modes, &across = hanging.across_modes;
-  const double gamma = hanging.drag_per_mass * station.drag;
-  if (method.is_explicit()) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const Modes* modes : {&along, &across})
-      for (const double omega : modes->omega)
-        least = std::min(least, explicit_limit(method.method, {omega, gamma}, growth));
-    return least;
-  }
-  const ProductParts products = products_of(hair, hanging, method.geometric_term, method.bend_product);
-  if (keeps_lengths(method))
-    return predictor_corrector_limit(hanging.mass, across.stiffness, products.across, gamma, hs.back() * 4,
-                                     growth);
-  return std::min(implicit_limit(hanging.mass, along.stiffness, products.along, gamma, growth),
-                  implicit_limit(hanging.mass, across.stiffness, products.across, gamma, growth));
-}
-
-std::vector<Limit> limits_of(const Description& hair, const StudyMethod& method,
-                             const std::vector<Station>& stations, const std::vector<double>& hs,
-                             long steps) {
+std::vector<Limit> limits_of(const StudyMethod& method, const std::vector<Station>& stations,
+                             const std::vector<double>& hs, long steps) {
   Limit limit{limit_name(method), {}, false};
   Limit shown{"theory: what " + std::to_string(steps) + " steps show", {}, true};
   const double growth = std::pow(kWrongGrowth, 0.5 / static_cast<double>(steps));
   bool differs = false;
   for (const Station& station : stations) {
-    const double h = theory_of(hair, method, station, hs, 1),
-                 later = theory_of(hair, method, station, hs, growth);
+    const double most = 4 * hs.back(), h = station.limit(1, most), later = station.limit(growth, most);
     limit.h.push_back(h);
     shown.h.push_back(later);
     // By half a cell, somewhere on the map.
@@ -167,34 +114,31 @@ StabilityMap make_map(const Description& hair, const StudyMethod& method, Swept 
                       const Progress& progress) {
   const double start = timing::cpu_seconds();
   const Description description = with_options(hair, method);
-  const double omega = reference_frequency(description, method);
+  const auto [omega, critical_drag] = map_scales(description, method);
   StabilityMap map;
   map.method = method;
   map.sweep = sweep;
   map.steps = steps_of(method, settings);
   map.hs = method.is_explicit() ? logarithmic(3e-3 / omega, 60 / omega, settings.rows)
                                 : logarithmic(0.04 / omega, 40 / omega, settings.rows);
-  if (sweep == Swept::stiffness) {
-    map.xs = logarithmic(kSofter, kStiffer, settings.columns);
-  } else {
-    const double critical = 2 * omega / hang(description, 1, false).drag_per_mass;  // zeta = 1
-    map.xs = logarithmic(1e-2 * critical, 10 * critical, settings.columns);
-  }
+  const bool in_stiffness = sweep == Swept::stiffness;
+  map.xs = in_stiffness ? logarithmic(kSofter, kStiffer, settings.columns)
+                        : logarithmic(1e-2 * critical_drag, 10 * critical_drag, settings.columns);
   std::vector<Station> stations;
-  for (const double x : map.xs) stations.push_back(make_station(description, method, sweep, x));
+  for (const double x : map.xs)
+    stations.push_back(
+        make_station(description, method, in_stiffness ? x : 1, in_stiffness ? description.drag : x));
   long runs = 0;
   map.grid = refine(
       settings.columns, settings.rows,
       [&](int column, int row) {
-        const Station& station = stations[column];
-        const Outcome outcome = run_disturbed(description, station.hanging, station.disturbance, station.drag,
-                                              map.hs[row], map.steps);
+        const Outcome outcome = stations[column].run(map.hs[row], map.steps);
         if (progress) progress(++runs);
         return static_cast<int>(outcome.fate);
       },
       interrupted);
   map.boundary = boundary_of(map.grid, map.hs);
-  map.limits = limits_of(description, method, stations, map.hs, map.steps);
+  map.limits = limits_of(method, stations, map.hs, map.steps);
   for (const Limit& limit : map.limits) map.distances.push_back(distance_of(map.boundary, limit.h, map.hs));
   map.cpu_seconds = timing::cpu_seconds() - start;
   return map;

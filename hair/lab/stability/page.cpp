@@ -120,25 +120,33 @@ Section section_of_hair(const StabilityReport& report) {
   Section section{"The hair and its frequencies"};
   section.paragraphs.push_back(
       "A strand of " + std::to_string(report.segments) + " segments, " + to_text(report.length) +
-      " m long, EA = " + to_text(report.EA) + " N, EI = " + to_text(report.EI) + " N m^2, " +
-      to_text(report.mass) + " kg" +
+      " m long, " + (report.EA > 0 ? "EA = " + to_text(report.EA) + " N, " : "") +
+      "EI = " + to_text(report.EI) + " N m^2, " +
+      (report.GJ > 0 ? "GJ = " + to_text(report.GJ) + " N m^2, " : "") + to_text(report.mass) + " kg" +
       (report.segments == report.scene_segments
            ? std::string(".")
            : ", which the scene has in " + std::to_string(report.scene_segments) + " segments.") +
-      " The fastest motion along it goes with n / length, so that limits of explicit methods do, too, "
+      " The fastest motion along it, or about it, goes with n / length, so that limits of explicit methods "
+      "do, too, "
       "inversely.");
   if (report.was_curved)
     section.paragraphs.emplace_back(
         "The scene's hair is curved at rest; here it is straight, and its bending springs are, too.");
-  section.tables.push_back({"The fastest oscillations of the strand as it hangs, 1/s",
-                            {"motion", "omega", "2/omega, s"},
-                            {{"along the hair", to_text(f.along), to_text(2 / f.along)},
-                             {"across it", to_text(f.across), to_text(2 / f.across)},
-                             {"across it, by tension alone (omega_t), half mass at the tip",
-                              to_text(f.tension), to_text(2 / f.tension)},
-                             {"the same with full mass at the tip, sqrt(g/l x_N), x_N the largest zero of "
-                              "the Laguerre polynomial L_N",
-                              to_text(f.chain), to_text(2 / f.chain)}}});
+  Table table{
+      "The fastest oscillations of the strand as it hangs, 1/s", {"motion", "omega", "2/omega, s"}, {}};
+  const auto add = [&](const char* motion, double omega) {
+    if (omega > 0) table.rows.push_back({motion, to_text(omega), to_text(2 / omega)});
+  };
+  add("along the hair", f.along);
+  add("about itself: twist", f.twist);
+  add("across it", f.across);
+  add(report.GJ > 0 ? "across it, by weight alone (omega_t)"
+                    : "across it, by tension alone (omega_t), half mass at the tip",
+      f.tension);
+  add("the same with full mass at the tip, sqrt(g/l x_N), x_N the largest zero of the Laguerre polynomial "
+      "L_N",
+      f.chain);
+  section.tables.push_back(std::move(table));
   return section;
 }
 
@@ -235,12 +243,11 @@ Table table_of_extremes(const StabilityReport& report) {
 Page page_of(const StabilityReport& report) {
   Page page{report.scene + ": where each method breaks"};
   page.paragraphs = {
-      "The scene's first strand hangs straight down at rest, and every oscillation that it can make, along "
-      "and across, is "
-      "given the same little energy: so little that no segment comes out of tension. Each cell of a map is a "
-      "run from there, with its step "
-      "size and its stiffness (Young's modulus: EA and EI together) or drag. The start is the study's own: "
-      "what else is "
+      "The scene's first strand hangs straight down at rest, and every oscillation that it can make, along, "
+      "across and about itself, is given the same little energy: so little that no segment comes out of "
+      "tension. Each cell of a map is a run from there, with its step size and its stiffness (the moduli: "
+      "EA, "
+      "EI and GJ together, as far as the model has them) or drag. The start is the study's own: what else is "
       "in the scene does not matter.",
       "Blown up: the simulation says so, or the hair moves with more energy than it would take to throw it "
       "over its root "

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "hair/io/digest.h"
 #include "hair/io/files/bad_input.h"
 #include "hair/io/machine.h"
+#include "hair/lab/stability/hanging_body.h"
 #include "hair/lab/stability/theory.h"
 #include "hair/lab/validate/hanging_chain.h"
 #include "hair/truth/content.h"
@@ -22,16 +24,24 @@ Problem problem_of(const Scene& scene, const StabilitySettings& settings) {
   bare.hair.obstacles.clear();
   bare.riders.clear();
   for (StrandStart& start : bare.hair.strands) start.rest_curvature.resize(0);
+  for (ModelledStrand& strand : bare.hair.modelled) strand.spec.form = Straight{};
   ProblemSettings one;
   one.strand = settings.strand;
   one.segments = settings.segments;
-  if (!one.segments && settings.strand >= 0 &&
-      static_cast<std::size_t>(settings.strand) < scene.hair.strands.size())
-    one.segments = std::min(std::max(scene.hair.strands[settings.strand].strand.segments(), 1), kMapSegments);
+  const std::optional<int> own = segments_to_divide(bare, settings.strand);
+  if (!one.segments && own) one.segments = std::min(std::max(*own, 1), kMapSegments);
   return make_problem(bare, one);
 }
 
 Frequencies frequencies_of(const Description& hair) {
+  if (!hair.modelled.empty()) {
+    const HangingBody hanging = hang_body(hair, 1);
+    Frequencies frequencies;
+    frequencies.across = hanging.fastest_with_drag(true);
+    frequencies.twist = hanging.fastest_with_drag(false);
+    frequencies.tension = fastest_by_weight(hanging);
+    return frequencies;
+  }
   const Hanging hanging = hang(hair, 1, false);
   const ProductParts products = products_of(hair, hanging, GeometricTerm::dropped, Products::exact);
   const Eigen::Index n = hanging.mass.size();
@@ -39,8 +49,31 @@ Frequencies frequencies_of(const Description& hair) {
                                       Eigen::MatrixXd::Zero(n, n), 0);
   const Strand& strand = hanging.start.strand;
   const double l = strand.rest_length.sum() / strand.segments();
-  return {hanging.along_modes.omega.maxCoeff(), hanging.across_modes.omega.maxCoeff(), 2 / limit,
+  return {hanging.along_modes.omega.maxCoeff(), hanging.across_modes.omega.maxCoeff(), 0, 2 / limit,
           std::sqrt(hair.gravity.norm() / l * laguerre_zeros(strand.segments()).maxCoeff())};
+}
+
+void describe(const StrandStart& studied, const StrandStart& original, StabilityReport& report) {
+  const Strand& strand = studied.strand;
+  report.segments = strand.segments();
+  report.scene_segments = original.strand.segments();
+  report.length = strand.rest_length.sum();
+  report.EA = strand.stretch_rigidity;
+  report.EI = strand.bend_rigidity;
+  report.mass = strand.mass.sum();
+  report.was_curved = original.rest_curvature.size() > 0;
+}
+
+void describe(const ModelledStrand& studied, const ModelledStrand& original, StabilityReport& report) {
+  const StrandSpec& spec = studied.spec;
+  const Fibre& fibre = spec.fibre;
+  report.segments = spec.elements;
+  report.scene_segments = original.spec.elements;
+  report.length = spec.length;
+  report.EI = fibre.bend_factor * fibre.material.bend_rigidity();
+  report.GJ = fibre.twist_factor * fibre.material.twist_rigidity();
+  report.mass = spec.length * fibre.material.line_density();
+  report.was_curved = !std::holds_alternative<Straight>(original.spec.form);
 }
 
 }  // namespace
@@ -63,20 +96,16 @@ StabilityReport study_stability(const Scene& scene, const StabilitySettings& set
   const double start = timing::cpu_seconds();
   const Problem problem = problem_of(scene, settings);
   const Description& hair = problem.scene.hair;
-  const StrandStart& original = scene.hair.strands[settings.strand];
-  const Strand& strand = hair.strands[0].strand;
   StabilityReport report;
   report.scene = scene.name;
   report.quick = settings.quick;
   report.identity = identity_of(scene, settings);
-  report.segments = strand.segments();
-  report.scene_segments = original.strand.segments();
-  report.length = strand.rest_length.sum();
-  report.EA = strand.stretch_rigidity;
-  report.EI = strand.bend_rigidity;
-  report.mass = strand.mass.sum();
   report.drag = hair.drag;
-  report.was_curved = original.rest_curvature.size() > 0;
+  const auto number = static_cast<std::size_t>(settings.strand);
+  if (problem.modelled())
+    describe(*problem.modelled(), scene.hair.modelled[number - scene.hair.strands.size()], report);
+  else
+    describe(hair.strands[0], scene.hair.strands[number], report);
 
   // Methods that make the same matrix of this hair share a map.
   std::vector<StudyMethod> methods;
@@ -119,11 +148,11 @@ StabilityReport study_stability(const Scene& scene, const StabilitySettings& set
   if (!methods.empty())
     guarded(methods[0], [&] { report.frequencies = frequencies_of(with_options(hair, methods[0])); });
 
-  int number = 0;
+  int maps = 0;
   for (std::size_t i = 0; i < methods.size() && !interrupted; ++i)
     for (const Swept sweep : {Swept::stiffness, Swept::drag}) {
-      const std::string what = "map " + std::to_string(++number) + " of " +
-                               std::to_string(report.maps_asked) + ": " + methods[i].name +
+      const std::string what = "map " + std::to_string(++maps) + " of " + std::to_string(report.maps_asked) +
+                               ": " + methods[i].name +
                                (sweep == Swept::stiffness ? ", stiffness" : ", drag");
       const bool went = guarded(methods[i], [&] {
         const auto before = std::find_if(
@@ -141,7 +170,7 @@ StabilityReport study_stability(const Scene& scene, const StabilitySettings& set
       if (!went || interrupted) break;
     }
   for (const StudyMethod& method : all) {
-    if (interrupted) break;
+    if (interrupted || problem.modelled()) break;  // the extreme cases are of masses and springs
     tell("extreme cases: " + method.name);
     guarded(method, [&] {
       for (ExtremeRun& run : run_extremes(hair, method, interrupted))

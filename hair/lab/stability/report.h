@@ -31,10 +31,11 @@ MapSettings quick_maps();
 
 // The frequencies that determine the maps, 1/s.
 struct Frequencies {
-  double along = 0, across = 0;  // the fastest of this hair
+  double along = 0, across = 0;  // the fastest of this hair; along: 0 if it does not stretch
+  double twist = 0;              // 0 if it does not twist
   double tension = 0;            // the fastest across it from tension alone, with half a mass at the tip
   double chain =
-      0;  // the same with full mass at the tip: sqrt(g/l x), x the Laguerre polynomial's largest zero
+      0;  // the same with full mass at the tip, of masses and springs: sqrt(g/l x), x the Laguerre polynomial's largest zero
 };
 
 struct LeftOut {
@@ -46,7 +47,8 @@ struct LeftOut {
 struct StabilityReport {
   std::string scene;
   int segments = 0, scene_segments = 0;
-  double length = 0, EA = 0, EI = 0, mass = 0, drag = 0;  // m, N, N m^2, kg, N s/m^2
+  double length = 0, EA = 0, EI = 0, GJ = 0;  // m, N, N m^2; EA and GJ: 0 if it does not stretch, or twist
+  double mass = 0, drag = 0;                  // kg, N s/m^2
   bool was_curved = false;
   bool quick = false;
   Frequencies frequencies;

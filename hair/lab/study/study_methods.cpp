@@ -2,11 +2,13 @@
 
 #include <algorithm>
 
+#include "hair/simulation/models.h"
+
 namespace hair {
 
 namespace {
 
-const std::vector<StudyMethod>& all_methods() {
+const std::vector<StudyMethod>& methods_of_springs() {
   using enum GeometricTerm;
   using enum Products;
   static const std::vector<StudyMethod> methods = {
@@ -32,6 +34,16 @@ const std::vector<StudyMethod>& all_methods() {
   return methods;
 }
 
+// Of strands that their models divide into elements: without springs there is no choice of their products.
+const std::vector<StudyMethod>& methods_of_models() {
+  static const std::vector<StudyMethod> methods = {
+      {"symplectic-euler", "symplectic Euler", Method::symplectic_euler},
+      {"runge-kutta-4", "RK4", Method::runge_kutta_4},
+      {"implicit-euler", "linearly implicit Euler", Method::implicit_euler},
+  };
+  return methods;
+}
+
 bool fits(const StudyMethod& method, const Problem& problem) {
   if (problem.is_toy()) {
     const Toy& toy = problem.scene.toys[0];
@@ -48,7 +60,12 @@ bool fits(const StudyMethod& method, const Problem& problem) {
 
 std::vector<StudyMethod> methods_for(const Problem& problem) {
   std::vector<StudyMethod> methods;
-  for (const StudyMethod& method : all_methods())
+  if (problem.modelled()) {
+    for (const StudyMethod& method : methods_of_models())
+      if (problem.modelled()->model->moves_by(row_of(method.method))) methods.push_back(method);
+    return methods;
+  }
+  for (const StudyMethod& method : methods_of_springs())
     if (row_of(method.method).mass_spring && fits(method, problem)) methods.push_back(method);
   return methods;
 }

@@ -21,8 +21,8 @@ struct StudyMethod {
   bool is_explicit() const { return row_of(method).is_explicit; }
 };
 
-// The methods that fit the problem: all of them for a strand, or those that a toy's parts allow, except
-// methods whose exercise the course leaves out. H4 appears with each option of its Jacobian that makes a
+// The methods that fit the problem: all of them for a strand of masses and springs, those that move the model of another
+// strand, or those that a toy's parts allow, except methods whose exercise the course leaves out. H4 appears with each option of its Jacobian that makes a
 // difference here, and with Newton's method to convergence. Implicit methods of strands appear once more
 // without the preconditioner ("-plain"), but for those with exact bending.
 std::vector<StudyMethod> methods_for(const Problem& problem);

@@ -104,8 +104,8 @@ Table run_table(const Study& study) {
 std::string what(const Study& study) {
   std::string shows = study.shows;
   if (!shows.empty()) shows[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(shows[0])));
-  return shows + ". " + to_text(study.duration) + " s of it, " + std::to_string(study.particles) +
-         " particles" + (study.quick ? "; fewer segments and shorter sweeps (--quick)" : "") + ".";
+  return shows + ". " + to_text(study.duration) + " s of it, " + std::to_string(study.particles) + " points" +
+         (study.quick ? "; fewer segments and shorter sweeps (--quick)" : "") + ".";
 }
 
 std::string reference_text(const Study& study) {

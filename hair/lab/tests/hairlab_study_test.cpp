@@ -19,6 +19,14 @@ const char* const kSoftHair = R"({"shows": "soft hair", "frames": 3, "hair": [{"
  "clamped": false, "material": {"stretch_factor": 1e-4},
  "roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}]})";
 
+// Rigid links, soft as well.
+constexpr int kLinks = 4;
+constexpr double kLinksLength = 0.08;
+const char* const kSoftLinks = R"({"shows": "soft links", "frames": 3, "method": "implicit_euler",
+ "hair": [{"model": "rigid_links", "segments": 4, "length": 0.08,
+ "material": {"bend_factor": 1e-3, "twist_factor": 1e-6},
+ "roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}]})";
+
 class HairlabStudy : public testing::Test {
  protected:
   // Short sweeps of few methods.
@@ -142,13 +150,32 @@ TEST_F(HairlabStudy, BadInputIsRefusedInOneLine) {
   for (const std::string duration : {"nan", "inf", "-1", "1e-7", "1001"})
     expect_refused(run_hairlab({"study", "strand-swing", "--out", out_.string(), "--duration", duration}), 2,
                    "--duration: " + duration + " is not right; give 1e-6 to 1000");
-  expect_refused(
-      run_hairlab({"study", "rigid-links", "--out", out_.string()}), 2,
-      "rigid-links: studies know no rigid_links; study a scene whose hair is of masses and springs");
+  expect_refused(run_hairlab({"study", "rigid-links", "--strand", "2", "--out", out_.string()}), 2,
+                 "rigid-links: there is no strand 2; it has strands 0 to 1");
+  expect_refused(run_hairlab({"study", "rigid-links", "--methods", "h6", "--out", out_.string()}), 2,
+                 "there are symplectic-euler, runge-kutta-4, implicit-euler");
   const std::string mine = folder_.write("mine.txt", "");
   expect_refused(run_hairlab({"study", "strand-swing", "--out", folder_.path().string()}), 2,
                  "is not empty, and not from hairlab study; ");
   EXPECT_FALSE(fs::exists(out_));
+}
+
+TEST_F(HairlabStudy, ALinkStrandIsStudiedByItsOwnMethodsAndWithoutASpaceError) {
+  const std::string scene = folder_.write("links.json", kSoftLinks);
+  const ProgramRun run = run_hairlab({"study", scene, "--out", out_.string(), "--quick", "--no-cache"});
+  ASSERT_EQ(run.code, 0) << run.errors;
+  EXPECT_EQ(run.errors, "");
+  const Json json = record();
+  EXPECT_EQ(json["finished"], true);
+  EXPECT_EQ(json["particles"], kLinks + 1);
+  EXPECT_NEAR(json["size"].get<double>(), kLinksLength, 1e-15);
+  EXPECT_TRUE(json["space_error"].contains("left_out"));
+  std::vector<std::string> methods;
+  for (const Json& method : json["methods"]) {
+    methods.push_back(method["id"]);
+    EXPECT_EQ(method["runs"].back()["ending"], "finished") << method["id"];
+  }
+  EXPECT_EQ(methods, (std::vector<std::string>{"symplectic-euler", "runge-kutta-4", "implicit-euler"}));
 }
 
 TEST_F(HairlabStudy, ACacheThatIsNamedIsAFolderThatCanBeWritten) {
@@ -198,6 +225,9 @@ TEST_F(HairlabStudy, WhatCanNotBeResumedIsRefusedAtOnce) {
 TEST_F(HairlabStudy, NamesTheExerciseThatAStubIsOf) {
   expect_refused(study(kFew, {.program = STUDENT_HAIRLAB}), 3,
                  "hairlab: this needs H1: student/stretch_springs.cpp, ");
+  expect_refused(run_hairlab({"study", folder_.write("links.json", kSoftLinks), "--out", out_.string()},
+                             {.program = STUDENT_HAIRLAB}),
+                 3, "hairlab: this needs H7: student/rigid_links.cpp, ");
   EXPECT_FALSE(fs::exists(out_));
 }
 

@@ -118,7 +118,34 @@ TEST_F(StabilityCommand, BadInputIsRefusedInOneLineAndNothingIsWritten) {
  "roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}]})");
   expect_refused(run_hairlab({"stability", floating, "--out", (folder_ / "out").string()}), 2,
                  "nothing brings its strand back when it swings");
+  const std::string hinged = folder_.write("hinged.json", R"({"shows": "links at a hinge", "frames": 3,
+ "method": "implicit_euler", "hair": [{"model": "rigid_links", "segments": 3, "length": 0.1, "clamped": false,
+ "roots": {"list": [{"position": [0, 0, 0], "direction": [1, 0, 0]}]}}]})");
+  expect_refused(run_hairlab({"stability", hinged, "--out", (folder_ / "out").string()}), 2,
+                 "nothing brings its strand back when it turns about itself; clamp it");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
+}
+
+TEST_F(StabilityCommand, RigidLinksHaveMapsOfTheirOwnMethodsAndNoExtremeCases) {
+  const std::vector<std::string> links = {
+      "stability", "rigid-links", "--quick", "--segments", "2", "--out", (folder_ / "out").string()};
+  const ProgramRun run = run_hairlab(links);
+  ASSERT_EQ(run.code, 0) << run.errors;
+  EXPECT_TRUE(has(run.output, "index.html: 6 maps, 0 extreme cases\n")) << run.output;
+  const OrderedJson json = record();
+  EXPECT_GT(json["hair"]["GJ"], 0);
+  EXPECT_GT(json["frequencies"]["twist"], json["frequencies"]["across"]);
+  std::vector<std::string> methods;
+  for (const OrderedJson& map : json["maps"]) methods.push_back(map["method"]);
+  EXPECT_EQ(methods, (std::vector<std::string>{"symplectic-euler", "symplectic-euler", "runge-kutta-4",
+                                               "runge-kutta-4", "implicit-euler", "implicit-euler"}));
+  std::vector<std::string> again = links;
+  again.push_back("--resume");
+  EXPECT_EQ(run_hairlab(again).code, 0);
+
+  const ProgramRun stub = run_hairlab(links, {.program = STUDENT_HAIRLAB});
+  EXPECT_EQ(stub.code, 3) << stub.errors;
+  EXPECT_TRUE(has(stub.errors, "RK4 is left out: it needs H7: student/rigid_links.cpp")) << stub.errors;
 }
 
 TEST_F(StabilityCommand, NamesTheExercisesThatStubsAreOf) {
