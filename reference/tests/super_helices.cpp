@@ -1,9 +1,8 @@
 // STAFF ONLY.
 #include "reference/tests/super_helices.h"
 
-#include <Eigen/Eigenvalues>
-
 #include "hair/strand/material.h"
+#include "solver/symmetric_eigen.h"
 
 namespace reference_tests {
 
@@ -33,6 +32,11 @@ HelixRoot random_root(RandomNumbers& numbers) {
   root.acceleration = numbers.vector(10);
   root.spin_acceleration = numbers.vector(100);
   return root;
+}
+
+hair::MaterialFrame some_start() {
+  RandomNumbers numbers(1);
+  return {numbers.vector(1), numbers.turn().toRotationMatrix()};
 }
 
 MatrixXd dense_jacobian(const HelixMotion& motion) {
@@ -89,8 +93,8 @@ VectorXd unbalanced(HelixMotion& motion, const hair::MaterialFrame& root, const 
 
 }  // namespace
 
-// Newton's method with a matrix by central differences. An energy's matrix is symmetric; if it is not definite, the step goes
-// down the energy with what makes it so. No element turns by more than half a radian at once.
+// Newton's method with a matrix by central differences. An energy's matrix is symmetric; if it is not definite, the
+// step goes down the energy with what makes it so. No element turns by more than half a radian at once.
 VectorXd balanced(HelixMotion& motion, const hair::MaterialFrame& root, const Vector3d& gravity, VectorXd q) {
   const double length = motion.strand().lengths.sum(), small = 1e-5 / length;
   const long n = q.size();
@@ -107,10 +111,9 @@ VectorXd balanced(HelixMotion& motion, const hair::MaterialFrame& root, const Ve
                       (2 * small);
     }
     matrix = (matrix + matrix.transpose()).eval() / 2;
-    const Eigen::SelfAdjointEigenSolver<MatrixXd> modes(matrix);
-    const VectorXd sizes = modes.eigenvalues().cwiseAbs().cwiseMax(1e-6 * K.maxCoeff());
-    VectorXd step =
-        modes.eigenvectors() * sizes.cwiseInverse().asDiagonal() * modes.eigenvectors().transpose() * force;
+    const solver::SymmetricEigen modes = solver::symmetric_eigen(matrix);
+    const VectorXd sizes = modes.values.cwiseAbs().cwiseMax(1e-6 * K.maxCoeff());
+    VectorXd step = modes.vectors * sizes.cwiseInverse().asDiagonal() * modes.vectors.transpose() * force;
     double widest = 0;
     for (int i = 0; i < motion.strand().elements(); ++i)
       widest = std::max(widest, step.segment<3>(3 * i).norm() * motion.strand().lengths[i]);

@@ -17,6 +17,9 @@ VectorXd random_curl(const HelixStrand& strand, double angle, RandomNumbers& num
 
 HelixRoot random_root(RandomNumbers& numbers);
 
+// At no special place, in no special direction.
+hair::MaterialFrame some_start();
+
 // J of each point, 3 rows each, as hair/super_helix.h says.
 MatrixXd dense_jacobian(const HelixMotion& motion);
 

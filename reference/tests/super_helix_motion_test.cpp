@@ -2,19 +2,18 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <numbers>
 
 #include "hair/lab/validate/elastica.h"
 #include "hair/super_helix/helix_momentum.h"
 #include "reference/tests/super_helices.h"
+#include "solver/symmetric_eigen.h"
 
 namespace reference_tests {
 namespace {
 
-using hair::MaterialFrame, hair::Matrix3d;
+using hair::MaterialFrame;
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kLength = 0.1;  // m
 
 // Level, along x; kappa1 > 0 bends it down.
@@ -47,9 +46,9 @@ Hanging hang(double gamma, int elements) {
           energy * kLength / motion.strand().bend_rigidity};
 }
 
-// Curvatures that are constant in pieces are some of those that the elastica chooses from, so its energy is the least; each
-// strand with twice the elements has all shapes of the one before. The tip is off by order 2 in the elements' length where
-// elements are short beside the bend at the clamp, L / sqrt(Gamma).
+// Curvatures that are constant in pieces are some of those that the elastica chooses from, so its energy is the
+// least; each strand with twice the elements has all shapes of the one before. The tip is off by order 2 in the
+// elements' length where elements are short beside the bend at the clamp, L / sqrt(Gamma).
 TEST(SuperHelixAtRest, IsTheElasticaToTheSecondOrder) {
   for (const double gamma : {0.1, 1.0, 10.0, 100.0, 1e3, 1e4, 1e5}) {
     double before = 0, error_before = 0;
@@ -70,8 +69,8 @@ TEST(SuperHelixAtRest, IsTheElasticaToTheSecondOrder) {
   }
 }
 
-// ---- Small oscillations of a straight beam: K v = omega^2 M v for kappa1. Rayleigh and Ritz: every frequency is too high, and
-// comes down by order 2 of the elements' length (in omega^2).
+// ---- Small oscillations of a straight beam: K v = omega^2 M v for kappa1. Rayleigh and Ritz: every frequency is
+// too high, and comes down by order 2 of the elements' length (in omega^2).
 TEST(SuperHelixOscillations, HaveABeamsFrequencies) {
   const double beam[] = {1.8751040687119611, 4.6940911329741745, 7.8547574382376126, 10.995540734875466};
   std::vector<double> before(4, 0);
@@ -84,10 +83,9 @@ TEST(SuperHelixOscillations, HaveABeamsFrequencies) {
     MatrixXd bending(elements, elements);
     for (int i = 0; i < elements; ++i)
       for (int k = 0; k < elements; ++k) bending(i, k) = M(3 * i, 3 * k);
-    const MatrixXd K = (strand.bend_rigidity * strand.lengths).asDiagonal();
-    // 1 / omega^2 of M v = 1/omega^2 K v, the largest first.
+    // K is a number here, EI l, so that M's eigenvalues are K / omega^2: the largest first.
     const VectorXd inverse =
-        Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(bending, K).eigenvalues().reverse();
+        solver::symmetric_eigenvalues(bending).reverse() / (strand.bend_rigidity * strand.lengths[0]);
     for (int mode = 0; mode < (elements == 5 ? 3 : 4); ++mode) {
       const double square = std::pow(beam[mode] / kLength, 4) * strand.bend_rigidity / strand.line_density;
       const double error = 1 / (inverse[mode] * square) - 1;
@@ -167,8 +165,9 @@ TEST(SuperHelixMotion, MomentaAreAForShortSteps) {
   }
 }
 
-// Without weight and drag, the sum of elastic energy and of kinetic energy (where the step began) never grows, for any h: the
-// projection takes no more than the kept velocities have, and springs at the end of a step give no more than they lose.
+// Without weight and drag, the sum of elastic energy and of kinetic energy (where the step began) never grows, for
+// any h: the projection takes no more than the kept velocities have, and springs at the end of a step give no more
+// than they lose.
 TEST(SuperHelixMotion, NeverGainsEnergyWithoutForces) {
   for (const double h : {1e-4, 1e-3, 1.0 / 30}) {
     RandomNumbers numbers(13);
@@ -189,7 +188,8 @@ TEST(SuperHelixMotion, NeverGainsEnergyWithoutForces) {
   }
 }
 
-// A curl that is let go level. The step takes what is elastic at its end, and projects: it loses energy, by order 1 of h.
+// A curl that is let go level. The step takes what is elastic at its end, and projects: it loses energy, by order 1
+// of h.
 TEST(SuperHelixMotion, LosesEnergyToTheFirstOrder) {
   double losses[3];
   int k = 0;
@@ -210,9 +210,9 @@ TEST(SuperHelixMotion, LosesEnergyToTheFirstOrder) {
   EXPECT_LT(losses[2], 0.02);
 }
 
-// All that may be extreme at once, for 4 s in steps of 1/30 s, without drag and with the air's. Weight is explicit, so that
-// the tension of long hair may pump energy into it where nothing takes it out; it stays bounded, and with the air's drag there
-// is none.
+// All that may be extreme at once, for 4 s in steps of 1/30 s, without drag and with the air's. Weight is explicit,
+// so that the tension of long hair may pump energy into it where nothing takes it out; it stays bounded, and with
+// the air's drag there is none.
 TEST(SuperHelixMotion, HoldsInExtremes) {
   struct Extreme {
     const char* name;
@@ -224,8 +224,9 @@ TEST(SuperHelixMotion, HoldsInExtremes) {
         Extreme{"20 turns in each of 20 elements", 20, 0.5, 20}, Extreme{"straight, Gamma 7e3", 20, 1, 0},
         Extreme{"straight, Gamma 1e7", 20, 11.4, 0}, Extreme{"a short stiff hair", 40, 0.01, 0}})
     for (const double drag : {0.0, 1e-4}) {
-      Moving hair(hair_strand(e.elements, e.length,
-                              2 * kPi * e.turns * e.elements / e.length * Vector3d(0.6, 0, 0.8)));
+      Moving hair(
+          hair_strand(e.elements, e.length,
+                      2 * std::numbers::pi * e.turns * e.elements / e.length * Vector3d(0.6, 0, 0.8)));
       hair.root.frame = level();
       hair.gravity = Vector3d(0, 0, -9.81);
       hair.drag = drag;

@@ -1,8 +1,9 @@
 // STAFF ONLY. H8's stiffness, forces, masses and steps.
 //
-// Bounds: a coordinate's stiffness is a product of two numbers, and its elastic force one more: 1e-13. Generalised forces and
-// masses are sums over at most 400 points of products of at most 5 factors, whose sizes are those of Sizes, whatever point of
-// the world arms refer to: 500 u, say 1e-12. A forgotten part is a hundredth of the size and more. Steps: the contract's.
+// Bounds: a coordinate's stiffness is a product of two numbers, and its elastic force one more: 1e-13. Generalised
+// forces and masses are sums over at most 400 points of products of at most 5 factors, whose sizes are those of
+// Sizes, whatever point of the world arms refer to: 500 u, say 1e-12. A forgotten part is a hundredth of the size
+// and more. Steps: the contract's.
 #include <cmath>
 
 #include "grader/suite/H8/answers.h"
@@ -20,14 +21,14 @@ double worst(const VectorXd& a, const VectorXd& b, const VectorXd& size) {
   return errors.hasNaN() ? std::nan("") : errors.maxCoeff();
 }
 
-// Whether the student's own part may stand for ours: with a matrix of 0 every step would be right. A part of a strand of 40
-// elements that lacks what arms do is 1e-7 of what it should be.
+// Whether the student's own part may stand for ours: with a matrix of 0 every step would be right. A part of a
+// strand of 40 elements that lacks what arms do is 1e-7 of what it should be.
 bool comparable(double own, double ours) {
   return own >= 1e-9 * ours && own <= 1e9 * ours;
 }
 
-// The residual with the reference's parts; if it is too large, with the student's own, so that a bug in one of those costs
-// its own category only.
+// The residual with the reference's parts; if it is too large, with the student's own, so that a bug in one of
+// those costs its own category only.
 void expect_step(Trial& trial, const Hair& hair, double h) {
   const VectorXd change = ask_step(trial, hair, h);
   const Parts ours = reference_parts(hair, h);

@@ -1,7 +1,8 @@
 // STAFF ONLY. H8's geometry: Stumpff's functions, frames and Jacobians.
 //
-// Bounds: the contract's. A right formula in double precision stays far below them: closed forms lose u / x^3 of c_6 at
-// most where they are used, with x above 0.1 1e-13; frames and Jacobians are sums of few terms of their size.
+// Bounds: the contract's. A right formula in double precision stays far below them: closed forms lose u / x^3 of
+// c_6 at most where they are used, with x above 0.1 1e-13; frames and Jacobians are sums of few terms of their
+// size.
 #include <cmath>
 
 #include "grader/suite/H8/answers.h"
@@ -68,8 +69,8 @@ double difference(const std::vector<hair::HelixElement>& a, const std::vector<ha
   return largest / (static_cast<double>(a.size()) * kFrames);
 }
 
-// The same, from ends that the student's own frame_at has: so a bug in it costs its own category only. They must lie about
-// as far away as ends do: what returns the start alone carries nothing. NaN where it does not answer.
+// The same, from ends that the student's own frame_at has: so a bug in it costs its own category only. They must
+// lie about as far away as ends do: what returns the start alone carries nothing. NaN where it does not answer.
 double by_own_frames(Trial& trial, const MaterialFrame& root, const std::vector<hair::HelixElement>& answered,
                      std::vector<hair::HelixElement> elements) {
   MaterialFrame frame = root;
