@@ -1,5 +1,5 @@
-// STAFF ONLY. The program's operator new, which counts. In a file of its own, so that no compiler inlines one
-// half of it.
+// STAFF ONLY. The program's operator new and its malloc, which count: Eigen's matrices take their memory from malloc. In a file
+// of its own, so that no compiler inlines one half of it.
 
 #include "solver/tests/allocations.h"
 
@@ -14,9 +14,16 @@ long reference_tests::allocations() {
   return count;
 }
 
+// The linker gives calls of malloc in the program's own code to __wrap_malloc, and calls of __real_malloc to malloc.
+extern "C" void* __real_malloc(std::size_t size);   // NOLINT(bugprone-reserved-identifier)
+extern "C" void* __wrap_malloc(std::size_t size) {  // NOLINT(bugprone-reserved-identifier)
+  ++count;
+  return __real_malloc(size);
+}
+
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   ++count;
-  return std::malloc(size > 0 ? size : 1);
+  return __real_malloc(size > 0 ? size : 1);
 }
 void* operator new(std::size_t size) {
   if (void* memory = operator new(size, std::nothrow)) return memory;

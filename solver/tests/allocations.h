@@ -1,4 +1,4 @@
-// STAFF ONLY. The number of allocations with new that this program has made.
+// STAFF ONLY. The number of allocations with new and malloc that this program's own code has made.
 #pragma once
 
 namespace reference_tests {
