@@ -80,7 +80,7 @@ TEST(StatesFileTest, RefusesWhatIsNotWhole) {
       std::memcpy(bad.data() + at, &value, sizeof value);
       EXPECT_TRUE(refuses(bad)) << "byte " << at << ", " << value;
     }
-  for (const std::uint32_t unknown : {1U, 7U, 0xffffffffU}) {
+  for (const std::uint32_t unknown : {3U, 7U, 0xffffffffU}) {
     std::string bad = good;
     std::memcpy(bad.data() + 20, &unknown, sizeof unknown);
     EXPECT_TRUE(refuses(bad)) << "coordinates of the kind " << unknown;
