@@ -67,7 +67,8 @@ class HairlabModels : public testing::Test {
 TEST_F(HairlabModels, RefusesWhatIsNotThereInOneLine) {
   const ProgramRun run = models({"--hair", "grey"});
   EXPECT_EQ(run.code, 2);
-  EXPECT_EQ(run.errors, "hairlab: --hair: there is no \"grey\"; there are straight, wavy, curly, uncoiling\n");
+  EXPECT_EQ(run.errors,
+            "hairlab: --hair: there is no \"grey\"; there are straight, wavy, curly, uncoiling\n");
   EXPECT_FALSE(std::filesystem::exists(out_));
 }
 
