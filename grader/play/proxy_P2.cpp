@@ -9,7 +9,7 @@
 namespace particles {
 namespace {
 
-constexpr int kValues = 0, kRates = 1, kForces = 2, kMatrix = 3, kSolve = 4;
+constexpr int kValues = 0, kRates = 1, kForces = 2, kMatrix = 3, kSolveRods = 4;
 
 // Functions that take less than the whole state get zeros for the rest.
 grader::MessageWriter request_of(int function, const Constraints& constraints, const Particles& particles,
@@ -86,7 +86,7 @@ std::unique_ptr<implicitMatrix> constraint_matrix(const Constraints& constraints
 
 ConstraintReport solve_constraints(const Constraints& constraints, const Particles& particles,
                                    const State& state, Input f, Output lambda) {
-  grader::MessageWriter request = request_of(kSolve, constraints, particles, state.x, state.v);
+  grader::MessageWriter request = request_of(kSolveRods, constraints, particles, state.x, state.v);
   grader::put(request, Eigen::VectorXd(f));
   grader::put(request, lambda);
   grader::MessageReader reply = grader::ask_student(request);

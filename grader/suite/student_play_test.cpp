@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kKit = HAIR_KIT_DIR, kPlayers = HAIR_PLAYERS, kScenes = HAIR_HIDDEN_SCENES;
+const fs::path kKit = HAIR_KIT_DIR, kPlayers = HAIR_PLAYERS, kHiddenScenes = HAIR_HIDDEN_SCENES;
 
 std::vector<Exercise> exercises() {
   return read_course(fs::path(HAIR_PROJECT) / "handout/exercises.json").exercises;
@@ -30,12 +30,12 @@ std::vector<Exercise> exercises() {
 std::vector<std::string> played_exercises() {
   std::vector<std::string> ids;
   for (const Exercise& one : exercises())
-    if (fs::exists(kScenes / (one.id + ".json"))) ids.push_back(one.id);
+    if (fs::exists(kHiddenScenes / (one.id + ".json"))) ids.push_back(one.id);
   return ids;
 }
 
-HiddenScene scene_of(const std::string& exercise, const std::string& seed = "a seed") {
-  return read_hidden_scene(kScenes / (exercise + ".json"), seed);
+HiddenScene hidden_scene(const std::string& exercise, const std::string& seed = "a seed") {
+  return read_hidden_scene(kHiddenScenes / (exercise + ".json"), seed);
 }
 
 // The reference as a student's object, outside of the kit.
@@ -68,7 +68,7 @@ class StudentPlay : public testing::TestWithParam<std::string> {
     int calls = 0;
     PlayResult result;
     load_player(player())(
-        scene_of(id()).scene,
+        hidden_scene(id()).scene,
         [&](const MessageWriter& request, const Products& products) {
           return reply(calls++, trial.ask(request, products));
         },
@@ -100,7 +100,7 @@ TEST_P(StudentPlay, IsTheMotionOfAllObjectsInOneProcessToTheLastBit) {
   together.objects.clear();
   for (const Exercise& one : exercises()) together.objects.push_back(kKit / "lib" / (one.id + ".so"));
   for (const char* seed : {"a seed", "another seed"}) {
-    const HiddenScene hidden = scene_of(id(), seed);
+    const HiddenScene hidden = hidden_scene(id(), seed);
     Student all(together), student(setup_);
     Trial in_one_process(all, Random("", "")), asked(student, Random("", ""));
     const Played expected = play_elsewhere(in_one_process, hidden.text, hidden.scene);

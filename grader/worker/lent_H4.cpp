@@ -6,8 +6,6 @@
 #include "grader/wire/strand_message.h"
 #include "grader/worker/lent_objects.h"
 
-grader::LentSession lent_session = nullptr;
-
 namespace particles {
 namespace {
 

@@ -5,8 +5,6 @@
 #include "grader/wire/strand_message.h"
 #include "grader/worker/lent_objects.h"
 
-grader::LentSession lent_session = nullptr;
-
 namespace hair {
 namespace {
 

@@ -2,8 +2,6 @@
 #include "grader/worker/lent_objects.h"
 #include "solver/linearSolver.h"
 
-grader::LentSession lent_session = nullptr;
-
 double ConjGrad(int n, implicitMatrix* A, double x[], double b[], double epsilon, int* steps) {
   if (n < 0) throw std::invalid_argument("ConjGrad of " + std::to_string(n) + " unknowns");
   const std::size_t size = static_cast<std::size_t>(n);

@@ -14,7 +14,7 @@ namespace {
 
 using hair::MaterialFrame;
 
-constexpr double kLength = 0.1;  // m
+constexpr double kHairLength = 0.1;  // m
 
 // Level, along x; kappa1 > 0 bends it down.
 MaterialFrame level() {
@@ -36,14 +36,14 @@ struct Hanging {
 };
 
 Hanging hang(double gamma, int elements) {
-  HelixMotion motion(hair_strand(elements, kLength));
+  HelixMotion motion(hair_strand(elements, kHairLength));
   const Vector3d gravity = gravity_for(gamma, motion.strand());
   const VectorXd q = balanced(motion, level(), gravity, VectorXd::Zero(3 * elements));
   motion.place(level(), q);
-  const Vector3d tip = motion.elements.back().end.position / kLength;
+  const Vector3d tip = motion.elements.back().end.position / kHairLength;
   const double energy = hair::elastic_energy(motion.strand(), q) + hair::weight_energy(gravity, motion);
   return {(Eigen::Vector2d(tip.x(), -tip.z()) - hair::elastica(gamma).tip()).norm(),
-          energy * kLength / motion.strand().bend_rigidity};
+          energy * kHairLength / motion.strand().bend_rigidity};
 }
 
 // Curvatures that are constant in pieces are some of those that the elastica chooses from, so its energy is the
@@ -75,7 +75,7 @@ TEST(SuperHelixOscillations, HaveABeamsFrequencies) {
   const double beam[] = {1.8751040687119611, 4.6940911329741745, 7.8547574382376126, 10.995540734875466};
   std::vector<double> before(4, 0);
   for (const int elements : {5, 10, 20, 40}) {
-    HelixMotion motion(hair_strand(elements, kLength));
+    HelixMotion motion(hair_strand(elements, kHairLength));
     const HelixStrand& strand = motion.strand();
     motion.place({}, VectorXd::Zero(3 * elements));
     MatrixXd M(3 * elements, 3 * elements);
@@ -87,7 +87,8 @@ TEST(SuperHelixOscillations, HaveABeamsFrequencies) {
     const VectorXd inverse =
         solver::symmetric_eigenvalues(bending).reverse() / (strand.bend_rigidity * strand.lengths[0]);
     for (int mode = 0; mode < (elements == 5 ? 3 : 4); ++mode) {
-      const double square = std::pow(beam[mode] / kLength, 4) * strand.bend_rigidity / strand.line_density;
+      const double square =
+          std::pow(beam[mode] / kHairLength, 4) * strand.bend_rigidity / strand.line_density;
       const double error = 1 / (inverse[mode] * square) - 1;
       EXPECT_GT(error, 0) << "mode " << mode << ", " << elements << " elements";
       if (before[mode] > 0) {
@@ -135,7 +136,7 @@ TEST(SuperHelixMotion, MomentaAreAForShortSteps) {
   double before = 0;
   for (const double h : {4e-6, 2e-6, 1e-6}) {
     RandomNumbers numbers(12);
-    HelixMotion motion(hair_strand(4, kLength));
+    HelixMotion motion(hair_strand(4, kHairLength));
     const HelixRoot root = random_root(numbers);
     const VectorXd q = random_curl(motion.strand(), 3, numbers),
                    rates = random_curl(motion.strand(), 20, numbers);
@@ -171,7 +172,7 @@ TEST(SuperHelixMotion, MomentaAreAForShortSteps) {
 TEST(SuperHelixMotion, NeverGainsEnergyWithoutForces) {
   for (const double h : {1e-4, 1e-3, 1.0 / 30}) {
     RandomNumbers numbers(13);
-    const HelixStrand strand = hair_strand(6, kLength, Vector3d(50, 0, 80));
+    const HelixStrand strand = hair_strand(6, kHairLength, Vector3d(50, 0, 80));
     Moving whirling(strand);
     whirling.q = random_curl(strand, 6, numbers);
     whirling.rates = random_curl(strand, 300, numbers);
@@ -194,7 +195,7 @@ TEST(SuperHelixMotion, LosesEnergyToTheFirstOrder) {
   double losses[3];
   int k = 0;
   for (const double h : {4e-5, 2e-5, 1e-5}) {
-    Moving curl(hair_strand(4, kLength, Vector3d(60, 0, 30)));
+    Moving curl(hair_strand(4, kHairLength, Vector3d(60, 0, 30)));
     curl.root.frame = level();
     curl.gravity = Vector3d(0, 0, -9.81);
     const double start = curl.energy();

@@ -78,16 +78,16 @@ TEST(TreeSteps, AHangingChainHasLaguerresFrequencies) {
 using Step = void (TreeSteps::*)(const TreeBase&, double, std::span<const hair::LinkForce>, hair::Output,
                                  hair::Output);
 
-struct Moving {
+struct MovingTree {
   VectorXd q, rates;
 };
 
-Moving after(TreeSteps& steps, Step step, Moving moving, double time, int count) {
+MovingTree after(TreeSteps& steps, Step step, MovingTree moving, double time, int count) {
   for (int k = 0; k < count; ++k) (steps.*step)({}, time / count, {}, moving.q, moving.rates);
   return moving;
 }
 
-double energy(TreeSteps& steps, const Moving& moving) {
+double energy(TreeSteps& steps, const MovingTree& moving) {
   VectorXd a(moving.rates.size());
   steps.system().accelerations({}, moving.q, moving.rates, 0, {}, a);
   return steps.system().kinetic_energy() + steps.system().potential_energy(moving.q);
@@ -116,10 +116,10 @@ TEST(TreeSteps, ADoublePendulumSwingsAsItsEquationsSay) {
   }
   TreeSteps steps(point_chain(2, l, 0.1), weight());
   // The axis (0, 1, 0) turns (0, 0, -1) to negative x: the sign of the angles does not matter.
-  const Moving start{Eigen::Vector2d(2, 0.5), Eigen::Vector2d(0, 0)};
+  const MovingTree start{Eigen::Vector2d(2, 0.5), Eigen::Vector2d(0, 0)};
   double before = 0;
   for (const int n : {1000, 2000, 4000}) {
-    const Moving end = after(steps, &TreeSteps::runge_kutta_4, start, time, n);
+    const MovingTree end = after(steps, &TreeSteps::runge_kutta_4, start, time, n);
     const double error = std::hypot(end.q[0] - exact[0], end.q[0] + end.q[1] - exact[1]);
     if (before > 0) {
       EXPECT_NEAR(std::log2(before / error), 4, 0.3) << n;
@@ -134,7 +134,7 @@ TEST(TreeSteps, TheEnergyOfAFreeTreeDriftsAtTheMethodsOrder) {
   RandomNumbers numbers(4);
   const LinkTree tree =
       random_tree(12, {JointType::revolute, JointType::spherical, JointType::prismatic}, false, numbers);
-  Moving start{random_coordinates(tree, numbers), VectorXd(tree.rates())};
+  MovingTree start{random_coordinates(tree, numbers), VectorXd(tree.rates())};
   for (double& rate : start.rates) rate = numbers.between(-1, 1);
   TreeForces forces = weight();
   forces.springs.resize(tree.links());
@@ -154,10 +154,10 @@ TEST(TreeSteps, TheEnergyOfAFreeTreeDriftsAtTheMethodsOrder) {
 // A rod that nothing forces turns about its own axis, many times: the quaternion is the turn's.
 TEST(TreeSteps, ASphericalJointGoesThroughFullTurns) {
   TreeSteps steps(rod_chain(1, 0.01, 1e-7, 5e-5), {});
-  Moving moving{steps.system().tree().rest(), Vector3d(0, 0, 40)};
+  MovingTree moving{steps.system().tree().rest(), Vector3d(0, 0, 40)};
   const double time = 1.7;
   for (const Step step : {&TreeSteps::symplectic_euler, &TreeSteps::linearly_implicit_euler}) {
-    const Moving end = after(steps, step, moving, time, 100);
+    const MovingTree end = after(steps, step, moving, time, 100);
     const Quaterniond exact(Eigen::AngleAxisd(40 * time, Vector3d::UnitZ()));
     EXPECT_NEAR(std::abs(exact.coeffs().dot(end.q)), 1, 1e-12);
     EXPECT_NEAR(end.q.norm(), 1, 1e-15);
@@ -169,11 +169,11 @@ TEST(TreeSteps, ASphericalJointGoesThroughFullTurns) {
 TEST(TreeSteps, AChainGoesOverTheTopAndKeepsItsEnergy) {
   const LinkTree tree = rod_chain(3, 0.3, 0.1, 0.05);
   TreeSteps steps(tree, weight());
-  Moving start{tree.rest(), VectorXd::Zero(9)};
+  MovingTree start{tree.rest(), VectorXd::Zero(9)};
   start.rates.head<3>() = Vector3d(14, 3, 1);
   const double first = energy(steps, start), scale = steps.system().kinetic_energy();
   const auto drift = [&](int count) {
-    Moving moving = start;
+    MovingTree moving = start;
     double most = 0;
     for (int part = 0; part < 50; ++part) {
       moving = after(steps, &TreeSteps::runge_kutta_4, moving, 0.02, count / 50);
@@ -221,13 +221,13 @@ TEST(TreeSteps, ATorsionalOscillatorKeepsItsTime) {
   forces.springs.resize(2);
   forces.springs[1].stiffness = k * Matrix3d::Identity();
   TreeSteps steps(tree, forces);
-  Moving moving{hair::turn_by(Vector3d(0, 0, start)).coeffs(), Vector3d::Zero()};
+  MovingTree moving{hair::turn_by(Vector3d(0, 0, start)).coeffs(), Vector3d::Zero()};
   for (const auto& [step, order, coarse] : {std::tuple{&TreeSteps::symplectic_euler, 1.0, 500},
                                             std::tuple{&TreeSteps::linearly_implicit_euler, 1.0, 500},
                                             std::tuple{&TreeSteps::runge_kutta_4, 4.0, 20}}) {
     double errors[2];
     for (const int fine : {0, 1}) {
-      const Moving end = after(steps, step, moving, time, coarse << fine);
+      const MovingTree end = after(steps, step, moving, time, coarse << fine);
       errors[fine] =
           std::abs(hair::turn_of(Quaterniond(Eigen::Vector4d(end.q))).z() - start * std::cos(omega * time));
     }

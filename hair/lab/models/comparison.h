@@ -11,6 +11,7 @@
 #include "hair/lab/models/compared_hair.h"
 #include "hair/lab/models/family.h"
 #include "hair/lab/models/fine_motion.h"
+#include "hair/lab/models/helix_cost.h"
 
 namespace hair::model_study {
 
@@ -41,6 +42,7 @@ struct HairComparison {
 struct Comparison {
   bool quick = false;
   std::vector<HairComparison> hairs;
+  std::vector<HelixCost> helix_costs;  // none if the course has no H8, or it is not written
 };
 
 // Of these hairs (compared_hairs). Empty if `interrupted`. `say` is told what is being done. Throws NotImplemented if H7, which makes the fine motion, is not

@@ -165,6 +165,33 @@ Section section_of(const HairComparison& one) {
   return section;
 }
 
+Section cost_section(const std::vector<HelixCost>& costs) {
+  Figure figure;
+  figure.id = "helix-cost";
+  figure.title = "Super-helices: what a step costs against the number of elements";
+  figure.description =
+      "CPU time of helix_step, and of mass_matrix, which makes a table that grows with the square.";
+  figure.x.title = "elements";
+  figure.y.title = "CPU time, s";
+  figure.series = {{"helix_step", {}}, {"mass_matrix", {}}};
+  figure.guides = {{1, "slope 1"}, {2, "slope 2"}, {3, "slope 3"}};
+  Table table{"Microseconds", {"elements", "helix_step", "mass_matrix"}, {}};
+  for (const HelixCost& one : costs) {
+    figure.series[0].points.push_back({static_cast<double>(one.elements), one.step, {}});
+    figure.series[1].points.push_back({static_cast<double>(one.elements), one.mass_matrix, {}});
+    table.rows.push_back(
+        {std::to_string(one.elements), to_text(1e6 * one.step), to_text(1e6 * one.mass_matrix)});
+  }
+  return {"What a helix costs",
+          {"A curl with a turn in each element. A step that goes through the elements from the tip to the "
+           "root and back grows "
+           "with their number, slope 1. One that makes the matrix grows with its square at least, and one "
+           "that factors it with the "
+           "third power, once there are many."},
+          {to_svg(figure)},
+          {table}};
+}
+
 Section stiff_section(const HairComparison& one) {
   Section section;
   section.heading = "K = infinity: stiff springs, or links?";
@@ -234,6 +261,7 @@ Page models_page(const Comparison& comparison, const std::string& machine) {
   for (const HairComparison& one : comparison.hairs) page.sections.push_back(section_of(one));
   for (const HairComparison& one : comparison.hairs)
     if (!one.stiff.empty()) page.sections.push_back(stiff_section(one));
+  if (!comparison.helix_costs.empty()) page.sections.push_back(cost_section(comparison.helix_costs));
   return page;
 }
 

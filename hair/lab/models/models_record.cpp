@@ -45,6 +45,9 @@ std::string models_json(const Comparison& comparison, const std::string& machine
                              {"uncertainty", one.uncertainty},
                              {"families", json_of(one.families)},
                              {"at_a_sixtieth", json_of(one.stiff)}});
+  for (const HelixCost& one : comparison.helix_costs)
+    json["helix_cost"].push_back(
+        {{"elements", one.elements}, {"step", one.step}, {"mass_matrix", one.mass_matrix}});
   return json.dump(2) + "\n";
 }
 

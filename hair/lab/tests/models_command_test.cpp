@@ -32,7 +32,7 @@ Comparison made_comparison() {
   runs.runs.back().trouble = "blows up after 7 steps";
   one.families = {runs, {families()[1], {}, "needs a better <example>"}};
   one.stiff = {runs};
-  return {true, {one}};
+  return {true, {one}, {{1, 1e-6, 1e-6}, {2, 2e-6, 4e-6}}};
 }
 
 TEST(ModelStudy, TheBestRunsAreBeatenByNoOther) {
