@@ -15,13 +15,13 @@ long reference_tests::allocations() {
 }
 
 // The linker gives calls of malloc in the program's own code to __wrap_malloc, and calls of __real_malloc to malloc.
-extern "C" void* __real_malloc(
-    std::size_t size);  // NOLINT(bugprone-reserved-identifier,readability-identifier-naming)
-extern "C" void* __wrap_malloc(
-    std::size_t size) {  // NOLINT(bugprone-reserved-identifier,readability-identifier-naming)
+// NOLINTBEGIN(bugprone-reserved-identifier,readability-identifier-naming)
+extern "C" void* __real_malloc(std::size_t size);
+extern "C" void* __wrap_malloc(std::size_t size) {
   ++count;
   return __real_malloc(size);
 }
+// NOLINTEND(bugprone-reserved-identifier,readability-identifier-naming)
 
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   ++count;
