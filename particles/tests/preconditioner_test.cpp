@@ -34,7 +34,7 @@ class Banded : public Force {
   }
   double energy(Input x) const override { return x.dot(K_ * x) / 2; }
   void add_force(Input x, Input, Output f) const override { f -= K_ * x; }
-  void add_dfdx(Input, Input, Input dx, Output df) const override { df -= K_ * dx; }
+  void add_dfdx(Input, Input, Input dx, Output df) const override { df.noalias() -= K_ * dx; }
   void add_dfdv(Input, Input, Input, Output) const override {}
   bool add_band(Input x, Input v, double by_dfdx, double, solver::BlockBand& band,
                 Scratch work) const override {
