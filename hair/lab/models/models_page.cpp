@@ -196,11 +196,11 @@ Section stiff_section(const HairComparison& one) {
   Section section;
   section.heading = "K = infinity: stiff springs, or links?";
   section.paragraphs = {
-      "Straight hair with one step each sixtieth of a second. Hair's own springs, one Newton step each time, "
-      "let it stretch. "
-      "Stiffer springs stretch less. With the filtered geometric term a hair that wants to turn is held back "
-      "by its springs, and the "
-      "stiffer, the more; without the term it turns freely. Links keep their lengths with any step."};
+      "Straight hair with one step each sixtieth of a second. With the filtered geometric term springs hold "
+      "back a hair that wants "
+      "to turn, and the stiffer they are, the more. Without the term it turns freely, and stretches, "
+      "whatever their stiffness. "
+      "Links keep their lengths with any step."};
   if (const std::string text = left_out_of(one.stiff); !text.empty())
     section.paragraphs.push_back(text + ".");
   section.figures = {to_svg(stiff_figure(one)), to_svg(length_figure(one))};
@@ -251,11 +251,12 @@ Page models_page(const Comparison& comparison, const std::string& machine) {
   Page page;
   page.title = "Which strand model, when?";
   page.paragraphs = {
-      "The same hair by springs and by rigid links, with several numbers of elements and several steps: how "
+      "The same hair by springs, rigid links and super-helices, with several numbers of elements and several "
+      "steps: how "
       "far it is from the "
       "motion of an inextensible rod, and what it costs. " +
           machine,
-      "20 cm of human hair, clamped, level at the start, fall for " + to_text(kComparedTime) +
+      "20 cm of human hair, clamped, fall from their rest shape for " + to_text(kComparedTime) +
           " s. The error is the root mean square distance of points at " + std::to_string(kMoments) +
           " moments."};
   for (const HairComparison& one : comparison.hairs) page.sections.push_back(section_of(one));

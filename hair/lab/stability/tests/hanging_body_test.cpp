@@ -118,8 +118,8 @@ TEST(HangingBody, MethodsBreakWhereTheoryHasIt) {
     expect_limit(Method::symplectic_euler, stiffness, 0, 4000);
     expect_limit(Method::runge_kutta_4, stiffness, 0, 4000);
   }
-  expect_limit(Method::symplectic_euler, 1, 3,
-               4000);  // drag above that which damps twists' frequency critically
+  // Drag above twists' frequency: it is drag that sets the limit.
+  expect_limit(Method::symplectic_euler, 1, 3, 4000);
   expect_limit(Method::runge_kutta_4, 1, 3, 4000);
   for (const double stiffness : {1e-3, 1e-2}) expect_limit(Method::implicit_euler, stiffness, 0, 2000);
 }
