@@ -7,8 +7,9 @@
 
 #include "hair/super_helix.h"
 
-#include <Eigen/Cholesky>
 #include <cmath>
+
+#include "solver/block_cholesky.h"
 
 namespace hair {
 namespace {
@@ -44,6 +45,11 @@ double series(int k, double x) {
   double sum = 1;
   for (int m = k + 20; m > k; m -= 2) sum = 1 - x * kRatio[m] * sum;
   return kInverseFactorial[k] * sum;
+}
+
+// Of L L' x = b, with the factor L of a block.
+Vector3d solve(const Matrix3d& L, const Vector3d& b) {
+  return solver::block_cholesky::divide_transposed(L, solver::block_cholesky::divide(L, b));
 }
 
 // Of a point or of the child's start: a quadratic form of (w, v) at the element's start and of u.
@@ -210,11 +216,12 @@ void helix_step(const HelixStrand& strand, const std::vector<HelixElement>& elem
     form.of_start.bottomLeftCorner<3, 3>() = form.of_start.topRightCorner<3, 3>().transpose();
     form.of_rates.diagonal() += h * h * K.segment<3>(3 * i);
     form.push_rates += h * elastic.segment<3>(3 * i);
-    const Eigen::LLT<Matrix3d> resists(form.of_rates);
+    Matrix3d& L = form.of_rates;
+    solver::block_cholesky::factor(L);
     auto by_start = scratch.block<3, 6>(3 * i, 0);
     auto free = scratch.block<3, 1>(3 * i, 6);
-    by_start = resists.solve(form.mixed.transpose());
-    free = resists.solve(form.push_rates);
+    for (int k = 0; k < 6; ++k) by_start.col(k) = solve(L, form.mixed.row(k).transpose());
+    free = solve(L, form.push_rates);
     I = form.of_start - form.mixed * by_start;
     z = form.push_start - form.mixed * free;
   }

@@ -60,6 +60,15 @@ TEST(SampleClass, HasAReportForEverySampleAndNobodyElse) {
   EXPECT_EQ(reports, expected);
 }
 
+TEST(SampleClass, TakesLessThanAMegabyteForEach) {
+  for (const Sample& sample : samples()) {
+    std::uintmax_t bytes = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(graded() / submission_name(sample.name)))
+      if (entry.is_regular_file()) bytes += entry.file_size();
+    EXPECT_LT(bytes, 1'000'000u) << sample.name;
+  }
+}
+
 TEST(SampleClass, EverybodyGetsTheirStatusesAndPoints) {
   for (const Sample& sample : samples()) {
     SCOPED_TRACE(sample.name + ": " + sample.shows);

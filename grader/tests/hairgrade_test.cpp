@@ -26,13 +26,19 @@ namespace {
 namespace fs = std::filesystem;
 using std::string;
 
-constexpr const char* kTwoExercises = R"({"exercises": {
-  "P1": {"role": "given"}, "P2": {"role": "given"}, "H1": {"role": "given"}, "H2": {"role": "given"},
-  "H3": {"role": "given"}, "H4": {"role": "given"}, "H5": {"role": "given"}, "H6": {"role": "given"}}})";
-
 fs::path new_folder() {
   string pattern = (fs::temp_directory_path() / "hairgrade-test-XXXXXX").string();
   return mkdtemp(pattern.data());
+}
+
+fs::path exercises_json() { return fs::path(HAIR_PROJECT) / "handout" / "exercises.json"; }
+
+// A course where all but S1 and S2 is given.
+nlohmann::json two_exercises() {
+  nlohmann::json roles;
+  for (const Exercise& exercise : read_course(exercises_json()).exercises)
+    if (exercise.id != "S1" && exercise.id != "S2") roles[exercise.id] = {{"role", "given"}};
+  return {{"exercises", roles}};
 }
 
 // A course of S1 and S2, where nothing else is asked for. Its secret and its cache are the same for all tests: none but
@@ -42,7 +48,7 @@ class Hairgrade : public testing::Test {
   static void SetUpTestSuite() {
     course_ = new_folder();
     std::ofstream(course_ / "secret") << "a secret for this test";
-    std::ofstream(course_ / "course.json") << kTwoExercises;
+    std::ofstream(course_ / "course.json") << two_exercises();
   }
   static void TearDownTestSuite() { fs::remove_all(course_); }
   Hairgrade() : folder_(new_folder()) {}
@@ -93,7 +99,7 @@ class Hairgrade : public testing::Test {
 
   // What a submission of the sample class has for an exercise.
   string code_of(const string& name, const string& file) const {
-    const Course course = read_course(fs::path(HAIR_PROJECT) / "handout" / "exercises.json");
+    const Course course = read_course(exercises_json());
     for (const char* ending : {"", ".zip", ".tar.gz"})
       if (const fs::path path = sample(name) + ending; fs::exists(path))
         return read_submissions({path}, course, open_here).submissions.at(0).files.at(file).text;
@@ -372,7 +378,7 @@ TEST_F(Hairgrade, KeepsNoObjectThatWasCompiledWithoutASandbox) {
 }
 
 TEST_F(Hairgrade, TakesPointsAndRolesFromTheCourse) {
-  nlohmann::json points = nlohmann::json::parse(kTwoExercises);
+  nlohmann::json points = two_exercises();
   points.merge_patch(nlohmann::json::parse(
       R"({"exercises": {"S1": {"points": 60}, "S2": {"role": "optional", "points": 5}}})"));
   const string course = write("course.json", points.dump());
