@@ -31,7 +31,9 @@ fs::path new_folder() {
   return mkdtemp(pattern.data());
 }
 
-fs::path exercises_json() { return fs::path(HAIR_PROJECT) / "handout" / "exercises.json"; }
+fs::path exercises_json() {
+  return fs::path(HAIR_PROJECT) / "handout" / "exercises.json";
+}
 
 // A course where all but S1 and S2 is given.
 nlohmann::json two_exercises() {
