@@ -42,11 +42,8 @@ void read_vertices(PlyRows& rows, const PlyElement& element, Numbers numbers, Pa
       parts.points.push_back(value);
     }
     if (coloured)
-      for (const int k : colour) {
-        const double value = row[static_cast<std::size_t>(k)];
-        if (!(value >= 0 && value <= 255)) rows.fail_here("a colour is not from 0 to 255");
-        parts.colours.push_back(static_cast<float>(value / 255));
-      }
+      for (const int k : colour)
+        parts.colours.push_back(static_cast<float>(row[static_cast<std::size_t>(k)] / 255));
   }
 }
 
@@ -59,8 +56,7 @@ void read_strands(PlyRows& rows, const PlyElement& element, Parts& parts) {
   for (std::size_t i = 0; i < element.count; ++i) {
     rows.read(element, row);
     const double segments = row[static_cast<std::size_t>(at)];
-    const bool counts = segments >= 1 && segments < kMostGroomPoints && segments == std::floor(segments);
-    if (!counts)
+    if (!(segments >= 1 && segments < kMostGroomPoints && segments == std::floor(segments)))
       rows.fail_here("strand " + std::to_string(i) +
                      " has a number of segments that is not 1, 2, ...; a strand has two points at least");
     points += static_cast<std::uint64_t>(segments) + 1;

@@ -122,6 +122,10 @@ TEST(PlyFile, WhatIsNoGroomIsRefused) {
   made.body = "0 0 0\n1 0 0 0\n0 1 0\n0 1 1\n0 1 2.5\n1\n2\n";
   EXPECT_EQ(ply_complaint(made.text()),
             "a.ply: line 12: has more numbers than the 3 properties of \"vertex\"");
+  made.body = "0 0 0\n1 0 0\n0 1 0\n0 1 1\n0 1 2.5\n1.5\n2\n";
+  EXPECT_EQ(ply_complaint(made.text()), "a.ply: line 16: \"1.5\" is no number that \"nsegs\" can be");
+  made.body = "0 0 0\n1 0 0\n0 1 0\n0 1 1\n0 1 2.5\n65536\n2\n";
+  EXPECT_EQ(ply_complaint(made.text()), "a.ply: line 16: \"65536\" is no number that \"nsegs\" can be");
   made = {.format = "ascii 2.0"};
   EXPECT_EQ(
       ply_complaint(made.text()),

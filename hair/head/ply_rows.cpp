@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -46,6 +47,15 @@ std::size_t size_of(PlyType type) {
 
 bool is_whole(PlyType type) {
   return type != PlyType::f32 && type != PlyType::f64;
+}
+
+// Whether a number that a text has is one of the type's.
+bool can_be(double value, PlyType type) {
+  if (!is_whole(type)) return true;
+  const bool has_sign = type == PlyType::i8 || type == PlyType::i16 || type == PlyType::i32;
+  const double values = std::ldexp(1.0, static_cast<int>(8 * size_of(type)));
+  const double low = has_sign ? -values / 2 : 0;
+  return value == std::floor(value) && value >= low && value < low + values;
 }
 
 double value_of(std::uint64_t bits, PlyType type) {
@@ -211,14 +221,14 @@ double PlyRows::binary_value(PlyType type) {
   return value_of(bits, type);
 }
 
-double PlyRows::ascii_value(std::string_view& line, const PlyProperty& property) const {
+double PlyRows::ascii_value(std::string_view& line, const std::string& name, PlyType type) const {
   const std::string_view word = next_word(line);
-  if (word.empty()) fail_here("ends before " + in_quotes(property.name));
+  if (word.empty()) fail_here("ends before " + in_quotes(name));
   double value = 0;
   const auto [end, error] = std::from_chars(word.begin(), word.end(), value);
-  if (error != std::errc() || end != word.end())
-    fail_here(in_quotes(word) + " is no number that " + in_quotes(property.name) + " can be");
-  return property.type == PlyType::f32 ? static_cast<double>(static_cast<float>(value)) : value;
+  if (error != std::errc() || end != word.end() || !can_be(value, type))
+    fail_here(in_quotes(word) + " is no number that " + in_quotes(name) + " can be");
+  return type == PlyType::f32 ? static_cast<double>(static_cast<float>(value)) : value;
 }
 
 void PlyRows::read(const PlyElement& element, std::vector<double>& row) {
@@ -232,14 +242,15 @@ void PlyRows::read(const PlyElement& element, std::vector<double>& row) {
   }
   for (std::size_t i = 0; i < row.size(); ++i) {
     const PlyProperty& property = element.properties[i];
-    const auto value = [&](PlyType type) { return ascii ? ascii_value(line, property) : binary_value(type); };
+    const auto value = [&](PlyType type) {
+      return ascii ? ascii_value(line, property.name, type) : binary_value(type);
+    };
     if (!property.list) {
       row[i] = value(property.type);
       continue;
     }
     const double count = value(property.count_type);
-    if (!(count >= 0) || count != static_cast<double>(static_cast<std::uint32_t>(std::min(count, 4e9))))
-      fail_here("a list has no length that is a whole number");
+    if (count < 0) fail_here("a list has a length below 0");
     for (double k = 0; k < count; ++k) value(property.type);
   }
   if (ascii && !next_word(line).empty())

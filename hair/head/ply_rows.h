@@ -55,7 +55,7 @@ class PlyRows {
   void add_property(std::string_view line);
   void check_size() const;
   double binary_value(PlyType type);
-  double ascii_value(std::string_view& line, const PlyProperty& property) const;
+  double ascii_value(std::string_view& line, const std::string& name, PlyType type) const;
 
   std::string_view bytes_;
   std::string name_;

@@ -10,7 +10,7 @@
 #include "hair/scene/json/parts.h"
 #include "hair/scene/json/roots.h"
 #include "hair/scene/json/values.h"
-#include "hair/scene/variation.h"
+#include "hair/strand/variation.h"
 #include "hair/simulation/models.h"
 
 namespace hair::json {

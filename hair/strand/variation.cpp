@@ -1,4 +1,4 @@
-#include "hair/scene/variation.h"
+#include "hair/strand/variation.h"
 
 #include <cmath>
 #include <numbers>
