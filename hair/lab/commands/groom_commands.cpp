@@ -1,9 +1,12 @@
 #include "hair/lab/commands/groom_commands.h"
 
 #include <iostream>
+#include <stdexcept>
 
+#include "hair/head/ellipsoid_head.h"
 #include "hair/head/groom_edit.h"
 #include "hair/head/groom_file.h"
+#include "hair/head/grow.h"
 #include "hair/head/resample.h"
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/printable.h"
@@ -54,6 +57,25 @@ int show_groom(const InfoOptions& options) {
   const GroomMeasures measures = measure_groom(groom);
   const std::string name = options.file.string();
   std::cout << (options.json ? groom_info_json(name, groom, measures) : groom_info(name, groom, measures));
+  return 0;
+}
+
+int write_grown_groom(const GrowOptions& options) {
+  const HairStyle* const style = find_hair_style(options.style);
+  if (!style) {
+    std::string known;
+    for (const HairStyle& one : hair_styles()) known += (known.empty() ? "" : ", ") + std::string(one.name);
+    throw BadInput("there is no style \"" + printable(options.style) + "\"; there are " + known);
+  }
+  can_write_bald_roots(options.out);  // refuses the name before there is work
+  Groom groom;
+  try {
+    groom = grow_groom(EllipsoidHead(), *style, {options.strands, options.points, options.seed});
+  } catch (const std::invalid_argument& error) {
+    throw BadInput(error.what());
+  }
+  write_groom(groom, options.out);
+  std::cout << printable(options.out.string(), 4096) << ": " << counts_of(groom) << ", in metres\n";
   return 0;
 }
 

@@ -22,8 +22,17 @@ struct InfoOptions {
   bool json = false;
 };
 
-// Both return the program's exit code.
+struct GrowOptions {
+  std::string style;
+  std::filesystem::path out;
+  int strands = 10'000;
+  int points = 0;  // of each; 0: the style's
+  std::uint64_t seed = 1;
+};
+
+// All return the program's exit code.
 int convert_groom(const ConvertOptions& options);
 int show_groom(const InfoOptions& options);
+int write_grown_groom(const GrowOptions& options);
 
 }  // namespace hair

@@ -33,4 +33,17 @@ Command add_info_command(CLI::App& program) {
   return {app, [options] { return show_groom(*options); }};
 }
 
+Command add_groom_command(CLI::App& program) {
+  const auto options = std::make_shared<GrowOptions>();
+  CLI::App* app = program.add_subcommand("groom", "Let hair grow on a head, in a style");
+  app->add_option("STYLE", options->style, "long-smooth, short-curly, wavy or ponytail")->required();
+  app->add_option("--out", options->out, "The file to write: .hair, .data, .ply or .usda")->required();
+  app->add_option("--strands", options->strands, "How many (default: 10000)")
+      ->check(CLI::Range(1, 1'000'000));
+  app->add_option("--points", options->points, "So many points for each strand (default: the style's)")
+      ->check(CLI::Range(2, 1'000'000));
+  app->add_option("--seed", options->seed, "Another seed gives other strands of the same style (default: 1)");
+  return {app, [options] { return write_grown_groom(*options); }};
+}
+
 }  // namespace hair

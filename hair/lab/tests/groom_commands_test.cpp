@@ -1,4 +1,4 @@
-// hairlab info and hairlab convert, from outside.
+// hairlab info, convert and groom, from outside.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -94,6 +94,27 @@ TEST_F(GroomCommands, ConvertScalesThinsAndTakesPoints) {
   EXPECT_EQ(run_hairlab({"convert", groom_, usda, "--cubic", "--unit", "0.01", "--y-up"}).code, 0);
   for (const char* const part : {"\"cubic\"", "metersPerUnit = 0.01\n", "upAxis = \"Y\"\n"})
     EXPECT_TRUE(has(read_bytes(usda), part)) << part;
+}
+
+TEST_F(GroomCommands, AGroomGrowsInAStyleTheSameEachTime) {
+  const std::vector<std::string> arguments = {"groom",    "wavy", "--strands", "200",
+                                              "--points", "60",   "--seed",    "7"};
+  const auto grown = [&](const std::string& name) {
+    std::vector<std::string> all = arguments;
+    all.insert(all.end(), {"--out", folder_ / name});
+    const ProgramRun run = run_hairlab(all);
+    EXPECT_EQ(run.output, (folder_ / name).string() + ": 200 strands, 12,000 points, in metres\n")
+        << run.errors;
+    return read_bytes(folder_ / name);
+  };
+  const std::string bytes = grown("b.hair");
+  EXPECT_EQ(grown("c.hair"), bytes);
+  EXPECT_TRUE(has(run_hairlab({"info", folder_ / "b.hair"}).output, "\"hairlab groom wavy --seed 7\"\n"));
+  expect_refused({"groom", "bob", "--out", out_},
+                 "there is no style \"bob\"; there are long-smooth, short-curly, wavy, ponytail");
+  expect_refused({"groom", "wavy", "--points", "10", "--out", out_}, "strands of 10 points; wavy has ");
+  expect_refused({"groom", "wavy", "--out", folder_ / "a.obj"}, "a.obj: has the ending of no format");
+  EXPECT_EQ(read_bytes(out_), "");
 }
 
 TEST_F(GroomCommands, BadInputIsOneLineAndWritesNothing) {
