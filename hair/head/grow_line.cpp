@@ -44,6 +44,28 @@ Vector3d drawn_to(const Line& clump, std::size_t k, double gathered, const Vecto
   return way * std::min(1.0, 0.5 * step / std::max(way.norm(), 1e-12));
 }
 
+// The piece between the point at x[k] and the next. Returns whether it was moved.
+bool move_piece_out_of(const Head& head, Eigen::VectorXd& x, Eigen::Index k) {
+  constexpr int parts = 4;
+  constexpr double smallest_radius = 0.04;  // m, of a head's curvature
+  const double part = (x.segment<3>(k + 3) - x.segment<3>(k)).norm() / parts;
+  // So high a line between two looks does not enter what is round like this, nor one that begins on it.
+  const double kept = part * part / (2 * smallest_radius);
+  bool moved = false;
+  for (int i = 1; i <= parts; ++i) {
+    const double t = static_cast<double>(i) / parts;
+    const Vector3d point = (1 - t) * x.segment<3>(k) + t * x.segment<3>(k + 3);
+    const Surface there = head.surface_at(point);
+    if (there.distance >= kept) continue;
+    const Vector3d out = (1.01 * (kept - there.distance) + 1e-7) * there.normal;
+    // The root stays.
+    if (k > 0) x.segment<3>(k) += out;
+    x.segment<3>(k + 3) += k > 0 ? out : Vector3d(out / t);
+    moved = true;
+  }
+  return moved;
+}
+
 }  // namespace
 
 Line middle_line(const Head& head, const HairStyle& style, const RootFrame& root, const StrandTraits& traits,
@@ -122,27 +144,11 @@ Line cut(Line line, double length) {
 }
 
 void move_out_of(const Head& head, Eigen::VectorXd& x) {
-  constexpr int most_rounds = 50, parts = 4;
-  constexpr double smallest_radius = 0.04;  // m, of a head's curvature
+  constexpr int most_rounds = 50;
   bool moved = true;
   for (int round = 0; round < most_rounds && moved; ++round) {
     moved = false;
-    for (Eigen::Index k = 0; k + 3 < x.size(); k += 3) {
-      const double part = (x.segment<3>(k + 3) - x.segment<3>(k)).norm() / parts;
-      // So high a line between two looks does not enter what is round like this, nor one that begins on it.
-      const double kept = part * part / (2 * smallest_radius);
-      for (int i = 1; i <= parts; ++i) {
-        const double t = static_cast<double>(i) / parts;
-        const Vector3d point = (1 - t) * x.segment<3>(k) + t * x.segment<3>(k + 3);
-        const Surface there = head.surface_at(point);
-        if (there.distance >= kept) continue;
-        const Vector3d out = (1.01 * (kept - there.distance) + 1e-7) * there.normal;
-        // The root stays.
-        if (k > 0) x.segment<3>(k) += out;
-        x.segment<3>(k + 3) += k > 0 ? out : Vector3d(out / t);
-        moved = true;
-      }
-    }
+    for (Eigen::Index k = 0; k + 3 < x.size(); k += 3) moved = move_piece_out_of(head, x, k) || moved;
   }
 }
 

@@ -67,17 +67,15 @@ TEST_P(Roots, AreEvenlyApart) {
   EXPECT_LT(spread.max, 1.5);
 }
 
-// A slice of the head at right angles to x, of the thickness t, where the head is a circle of the radius R about: its area is
-// known only for spheres, so a sphere is stretched here, and slices are counted by their area's integral.
+// Columns of boxes as seen from above; their areas from another grid than the roots'.
 TEST_P(Roots, EqualAreasHaveEqualNumbers) {
-  // Of a grid of directions that the roots know nothing of, each direction's area goes to its box.
   constexpr int boxes = 6, steps = 600;
   std::vector<double> area(boxes * boxes), count(boxes * boxes);
   const auto box_of = [](const Vector3d& p) {
     const auto along = [](double c, double r) {
-      return std::min(boxes - 1, static_cast<int>((c / r + 1) / 2 * boxes));
+      return std::min<std::size_t>(boxes - 1, static_cast<std::size_t>((c / r + 1) / 2 * boxes));
     };
-    return static_cast<std::size_t>(boxes * along(p.x(), 0.0761) + along(p.y(), 0.0961));
+    return boxes * along(p.x(), 0.0761) + along(p.y(), 0.0961);
   };
   double all = 0;
   for (int i = 0; i < steps; ++i)
