@@ -44,12 +44,13 @@ TEST(UsdaFile, ALookOfEachPointIsThatOfAVertex) {
   Groom groom = two_strands();
   groom.look.thicknesses = {1, 2, 3, 4, 5};
   groom.look.transparencies = {0, 0.25, 0.5, 0.75, 1};
-  groom.look.colours.assign(15, 0.5F);
+  for (int k = 0; k < 15; ++k) groom.look.colours.push_back(static_cast<float>(k) / 16);
   const std::string text = usda_file_of(groom, {.cubic = true});
   EXPECT_EQ(list(text, "float[] widths"), "1,2,3,4,5");
   EXPECT_EQ(list(text, "float[] primvars:displayOpacity"), "1,0.75,0.5,0.25,0");
-  EXPECT_EQ(list(text, "color3f[] primvars:displayColor").size(),
-            5 * std::string("(0.5,0.5,0.5)").size() + 4);
+  EXPECT_EQ(
+      list(text, "color3f[] primvars:displayColor"),
+      "(0,0.0625,0.125),(0.1875,0.25,0.3125),(0.375,0.4375,0.5),(0.5625,0.625,0.6875),(0.75,0.8125,0.875)");
   EXPECT_FALSE(says(text, "constant")) << text;
   EXPECT_TRUE(says(text, "type = \"cubic\"\n")) << text;
   EXPECT_TRUE(says(text, "wrap = \"pinned\"\n")) << text;
