@@ -6,10 +6,12 @@
 //   then, for each bit of the third number:
 //   1           u16 for each strand, its number of segments; without it, all have the header's number
 //   2           f32 x 3 for each point, strand after strand, from the root; this array is required
-//   4, 8, 16    f32 thickness, f32 transparency, f32 x 3 colour of each point; ignored
+//   4, 8, 16    f32 thickness, f32 transparency, f32 x 3 colour of each point
+//
+// Nothing is lost: a file that is read and written is the same, byte for byte. A groom from elsewhere loses
+// its bald roots, for which this format has no word, and what 32 bits can't hold of its points.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -17,14 +19,13 @@
 
 namespace hair {
 
-// The limit for all points together, and the size of a file with that many points and all arrays.
-inline constexpr long kMostGroomPoints = 10'000'000;
-inline constexpr std::size_t kMostGroomBytes = 128 + 34 * static_cast<std::size_t>(kMostGroomPoints);
-
 // Throws BadInput with a message that begins with `name`, if the file has another format, a length that its
-// header contradicts, a strand of fewer than two points, two neighbours at the same place, or a number that
-// is not finite.
-Groom parse_hair_file(std::string_view bytes, const std::string& name);
-Groom read_hair_file(const std::filesystem::path& file);
+// header contradicts, a strand of fewer than two points, or a number that is not finite. No memory is taken
+// for what the header says before the file's length agrees.
+Groom parse_hair_file(std::string_view bytes, const std::string& name, Numbers numbers = Numbers::finite);
+
+// Throws BadInput for a groom that can't be written (groom_bytes.h); a strand has two points at least, and
+// 65,535 segments at most, unless all have the same number of them.
+std::string hair_file_of(const Groom& groom);
 
 }  // namespace hair

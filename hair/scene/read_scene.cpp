@@ -1,4 +1,4 @@
-#include "hair/head/hair_file.h"
+#include "hair/head/groom_file.h"
 #include "hair/io/files/bad_input.h"
 #include "hair/scene/json/parts.h"
 
@@ -8,7 +8,7 @@ Scene read_scene(const std::filesystem::path& file) {
   json::Reading reading;
   reading.groom = [&](const JsonValue& name) {
     try {
-      return read_hair_file(file.parent_path() / name.text()).strands;
+      return read_groom(file.parent_path() / name.text()).strands;
     } catch (const BadInput& error) {
       name.fail(error.what());
     }

@@ -42,6 +42,7 @@ struct Scene {
   double frames_per_second = 30;
   int steps_per_frame = 8;  // 1 / (frames_per_second * hair.step), which is a whole number
   Description hair;         // without strands there is no hair simulation
+  int bald_roots = 0;       // of grooms: no hair grows there, and they are left out
   std::vector<Rider> riders;
   std::vector<Toy> toys;     // particles with springs, rods, wires: for P1 and P2, and for cloth
   std::optional<Look> look;  // none: no pictures

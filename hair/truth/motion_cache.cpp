@@ -9,7 +9,7 @@
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/write_file.h"
-#include "hair/scene/variation.h"
+#include "hair/strand/variation.h"
 #include "hair/truth/content.h"
 
 namespace hair {

@@ -17,6 +17,9 @@ struct Command {
   std::function<int()> run;
 };
 
+Command add_convert_command(CLI::App& program);
+Command add_groom_command(CLI::App& program);
+Command add_info_command(CLI::App& program);
 Command add_models_command(CLI::App& program);
 Command add_run_command(CLI::App& program);
 Command add_scenes_command(CLI::App& program);

@@ -60,10 +60,13 @@ void explain_hair(const Scene& scene, Parts& parts) {
   for (const StrandStart& start : hair.strands) particles += static_cast<std::size_t>(start.strand.count());
   for (const ModelledStrand& strand : hair.modelled)
     particles += static_cast<std::size_t>(strand.spec.elements + 1);
-  parts.add(
-      "hair", any,
-      counted(hair.strands.size() + hair.modelled.size(), "strand") + ", " + counted(particles, "particle"),
-      none);
+  parts.add("hair", any,
+            counted(hair.strands.size() + hair.modelled.size(), "strand") + ", " +
+                counted(particles, "particle") +
+                (scene.bald_roots > 0
+                     ? ", without " + counted(static_cast<std::size_t>(scene.bald_roots), "bald root")
+                     : ""),
+            none);
   parts.add("method", any, std::string(row_of(hair.method).id) + ", a step of " + shown(hair.step) + " s",
             none);
 

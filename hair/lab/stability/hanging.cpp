@@ -8,7 +8,7 @@
 
 #include "hair/io/files/bad_input.h"
 #include "hair/scene/roots.h"
-#include "hair/scene/variation.h"
+#include "hair/strand/variation.h"
 #include "particles/force.h"
 #include "solver/symmetric_eigen.h"
 

@@ -8,9 +8,9 @@
 
 #include "hair/io/files/bad_input.h"
 #include "hair/lab/stability/theory.h"
-#include "hair/scene/variation.h"
 #include "hair/simulation/models.h"
 #include "hair/strand/rest_shape.h"
+#include "hair/strand/variation.h"
 #include "solver/symmetric_eigen.h"
 
 namespace hair {

@@ -12,6 +12,13 @@ namespace hair::json {
 
 namespace {
 
+// Its first point that is where the point before it is; 0: none.
+Eigen::Index first_without_length(const Eigen::VectorXd& x) {
+  for (Eigen::Index k = 3; k < x.size(); k += 3)
+    if (x.segment<3>(k) == x.segment<3>(k - 3)) return k / 3;
+  return 0;
+}
+
 // Joints bend by less than kMostRest, or they would forget it.
 bool can_rest(const Eigen::VectorXd& x) {
   for (Eigen::Index k = 0; k + 6 < x.size(); k += 3) {
@@ -51,9 +58,17 @@ void read_groom(const JsonValue& group, Reading& reading) {
   if (!reading.groom) groom["file"].fail("this scene can't have files of its own; leave the groom out");
   const std::vector<Eigen::VectorXd> points = reading.groom(groom["file"]);
   Description& hair = reading.scene.hair;
+  const std::size_t before = hair.strands.size() + hair.modelled.size();
   for (std::size_t i = 0; i < points.size(); i += static_cast<std::size_t>(every)) {
     const std::string which = "strand " + std::to_string(i) + " of the groom: ";
+    if (points[i].size() == 3) {
+      ++reading.scene.bald_roots;
+      continue;
+    }
     reading.expect(groom, 1, points[i].size() / 3);
+    if (const Eigen::Index point = first_without_length(points[i]))
+      groom["file"].fail(which + "its point " + std::to_string(point) +
+                         " is where the point before it is; a segment has a length");
     if (!(scale * points[i].cwiseAbs().maxCoeff() <= kFar))
       groom["scale"].fail(which + "is farther than 1e+06 m; give a smaller one");
     if (rider) rider->strands.push_back(static_cast<int>(hair.strands.size() + hair.modelled.size()));
@@ -67,6 +82,8 @@ void read_groom(const JsonValue& group, Reading& reading) {
       groom.fail(which + error.what());
     }
   }
+  if (hair.strands.size() + hair.modelled.size() == before)
+    groom["file"].fail("all strands that are taken are bald roots, of a single point");
 }
 
 }  // namespace hair::json

@@ -10,8 +10,8 @@
 #include "hair/scene/json/parts.h"
 #include "hair/scene/json/roots.h"
 #include "hair/scene/json/values.h"
-#include "hair/scene/variation.h"
 #include "hair/simulation/models.h"
+#include "hair/strand/variation.h"
 
 namespace hair::json {
 

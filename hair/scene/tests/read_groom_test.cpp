@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <fstream>
 
+#include "hair/head/groom_file.h"
+#include "hair/head/hair_file.h"
 #include "hair/head/made_hair_file.h"
 #include "hair/io/files/bad_input.h"
 #include "hair/scene/playback.h"
@@ -102,16 +104,48 @@ TEST(GroomScene, BadGroomsAreNamedWithTheJsonPath) {
 
   folder.write("nan.hair", hair_file({0, 0, 0, 1, NAN, 1}));
   said = folder.complaint(folder.scene(R"("file": "nan.hair", "scale": 1)"));
-  EXPECT_NE(said.find("nan.hair: strand 0, point 1: has a number that is not finite"), std::string::npos)
+  EXPECT_NE(said.find("nan.hair: byte 144: strand 0, point 1: has a number that is not finite"),
+            std::string::npos)
       << said;
 
   folder.write("folded.hair", hair_file({0, 0, 0, 0, 0, 1, 0, 0, 0.5}));
   EXPECT_EQ(folder.complaint(folder.scene(R"("file": "folded.hair", "scale": 1)")),
             "hair[0].groom: strand 0 of the groom: bends by more than 154 degrees; no hair rests so");
 
+  folder.write("short.hair", hair_file({0, 0, 0, 0, 0, 1, 0, 0, 1}));
+  EXPECT_EQ(
+      folder.complaint(folder.scene(R"("file": "short.hair", "scale": 1)")),
+      "hair[0].groom.file: strand 0 of the groom: its point 2 is where the point before it is; a segment "
+      "has a length");
+
   folder.write("far.hair", hair_file({0, 0, 0, 0, 0, 1e38F}));
   EXPECT_EQ(folder.complaint(folder.scene(R"("file": "far.hair", "scale": 1)")),
             "hair[0].groom.scale: strand 0 of the groom: is farther than 1e+06 m; give a smaller one");
+}
+
+TEST(GroomScene, OfAllFormatsThatAreReadIsTheSame) {
+  const Folder folder;
+  const hair::Groom groom = hair::parse_hair_file(hair_file({0, 0, 0, 0, 0, 2, 0, 2, 2}), "a");
+  for (const std::string name : {"a.hair", "a.data", "a.ply"}) {
+    const std::filesystem::path file = folder.write(name, "");
+    hair::write_groom(groom, file);
+    const hair::Scene scene = hair::read_scene(folder.scene("\"file\": \"" + name + R"(", "scale": 0.5)"));
+    ASSERT_EQ(scene.hair.strands.size(), 1U) << name;
+    EXPECT_EQ(scene.hair.strands[0].state.x, 0.5 * groom.strands[0]) << name;
+  }
+}
+
+TEST(GroomScene, BaldRootsAreLeftOutAndCounted) {
+  const Folder folder;
+  const hair::Groom groom{
+      {Eigen::VectorXd::Zero(3), Eigen::VectorXd::LinSpaced(6, 0, 1), Eigen::VectorXd::Ones(3)}};
+  const std::filesystem::path file = folder.write("a.data", "");
+  hair::write_groom(groom, file);
+  const hair::Scene scene = hair::read_scene(folder.scene(R"("file": "a.data", "scale": 1)"));
+  EXPECT_EQ(scene.hair.strands.size(), 1U);
+  EXPECT_EQ(scene.bald_roots, 2);
+  EXPECT_EQ(folder.complaint(folder.scene(R"("file": "a.data", "scale": 1, "every": 2)")),
+            "hair[0].groom.file: all strands that are taken are bald roots, of a single point");
 }
 
 TEST(GroomScene, ARealGroomMovesLikeHair) {

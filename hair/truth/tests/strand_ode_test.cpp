@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hair/scene/variation.h"
+#include "hair/strand/variation.h"
 #include "problems.h"
 
 namespace reference_tests {

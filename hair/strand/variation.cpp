@@ -1,16 +1,26 @@
-#include "hair/scene/variation.h"
+#include "hair/strand/variation.h"
 
 #include <cmath>
 #include <numbers>
 
 namespace hair {
 
-double Variation::uniform(double low, double high) {
-  state_ += 0x9e3779b97f4a7c15U;
-  std::uint64_t z = state_;
+namespace {
+
+std::uint64_t mixed(std::uint64_t z) {
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9U;
   z = (z ^ (z >> 27)) * 0x94d049bb133111ebU;
-  z ^= z >> 31;
+  return z ^ (z >> 31);
+}
+
+}  // namespace
+
+Variation::Variation(std::uint64_t seed, std::uint64_t sequence)
+    : state_(mixed(seed ^ mixed(sequence + 0x9e3779b97f4a7c15U))) {}
+
+double Variation::uniform(double low, double high) {
+  state_ += 0x9e3779b97f4a7c15U;
+  const std::uint64_t z = mixed(state_);
   return low + (high - low) * (static_cast<double>(z >> 11) * 0x1p-53);
 }
 

@@ -1,0 +1,51 @@
+// The bytes of a groom's file, little-endian: where they are read, and how they are written. A complaint names
+// the file and the byte.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "hair/head/groom.h"
+
+namespace hair {
+
+// The limit for a file.
+inline constexpr std::size_t kMostGroomBytes = std::size_t{1} << 30;
+
+// Whether a number is kept as it is, or nearly so, by 32 bits.
+bool fits_float(double number);
+
+class GroomBytes {
+ public:
+  GroomBytes(std::string_view bytes, const std::string& name, Numbers numbers);
+
+  // Both throw BadInput: "NAME: what", "NAME: byte 17: what".
+  [[noreturn]] void fail(const std::string& what) const;
+  [[noreturn]] void fail_at(std::size_t byte, const std::string& what) const;
+
+  std::size_t size() const { return bytes_.size(); }
+  bool begins_with(std::string_view start) const { return bytes_.substr(0, start.size()) == start; }
+  std::string_view part(std::size_t at, std::size_t size) const { return bytes_.substr(at, size); }
+
+  // Of `size` bytes, or of 4. The caller knows that they are there.
+  std::uint32_t number(std::size_t at, int size = 4) const;
+  // Throws BadInput for a number that is not finite, unless such numbers are kept; `what` has it.
+  float real(std::size_t at, const std::string& what) const;
+
+  // The points of a strand, f32 x 3 each. `strand` is its number, for complaints.
+  Eigen::VectorXd points(std::size_t at, std::size_t count, std::size_t strand) const;
+
+ private:
+  std::string_view bytes_;
+  std::string name_;
+  Numbers numbers_;
+};
+
+void put_number(std::string& bytes, std::uint32_t number, int size = 4);
+void put_real(std::string& bytes, float number);
+
+// What every writer asks for before it writes: throws BadInput for a groom without strands, for one with too
+// many points, for a strand of fewer than `fewest` points, and for a number that 32 bits can't hold.
+void check_writable(const Groom& groom, Eigen::Index fewest);
+
+}  // namespace hair

@@ -1,0 +1,46 @@
+// What a groom is like: how many strands, how long, how curved, where, and what is odd about them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hair/head/groom.h"
+
+namespace hair {
+
+// Of a set of numbers; all 0 if it is empty. The median and `most` are numbers of the set.
+struct Spread {
+  double min = 0, median = 0, mean = 0;
+  double most = 0;  // nine of ten are not above it
+  double max = 0;
+};
+
+Spread spread_of(std::vector<double> numbers);
+
+// Something that many a program does not expect.
+struct Oddity {
+  std::string what;  // "bald roots"
+  long count;
+  std::size_t strand;  // the first one
+};
+
+struct GroomBox {
+  Eigen::Vector3d low = Eigen::Vector3d::Zero(), high = Eigen::Vector3d::Zero();
+};
+
+// Of the strands with two points or more, all of them finite; lengths in the groom's unit.
+struct GroomMeasures {
+  long strands = 0, points = 0;  // of all
+  Spread points_of_strand, length, segment;
+  // At each point between two segments without length 0: the inverse radius of the circle through the three points
+  // (Menger's curvature), and the angle in degrees by which the line turns.
+  Spread curvature, bend;
+  GroomBox box, roots;  // of all points, and of all roots, that are finite
+  // Metres that a unit has if the roots' box is as long as a scalp, 0.2 m; 0: there are too few to say.
+  double unit_guess = 0;
+  std::vector<Oddity> odd;
+};
+
+GroomMeasures measure_groom(const Groom& groom);
+
+}  // namespace hair

@@ -1,0 +1,180 @@
+#include "hair/head/grow.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "hair/head/ellipsoid_head.h"
+#include "hair/head/groom_measures.h"
+#include "hair/head/grow_line.h"
+#include "hair/head/nearest_points.h"
+#include "hair/head/scalp_roots.h"
+
+namespace hair {
+namespace {
+
+class Styles : public testing::TestWithParam<const char*> {
+ protected:
+  const HairStyle& style_ = *find_hair_style(GetParam());
+  const EllipsoidHead head_;
+};
+
+double deepest(const Head& head, const Groom& groom) {
+  double least = 1;
+  for (const Eigen::VectorXd& x : groom.strands)
+    for (Eigen::Index k = 0; k + 3 < x.size(); k += 3)
+      for (int i = 1; i <= 16; ++i)
+        least = std::min(
+            least,
+            head.surface_at(x.segment<3>(k) + i / 16.0 * (x.segment<3>(k + 3) - x.segment<3>(k))).distance);
+  return least;
+}
+
+TEST_P(Styles, NoStrandIsInsideTheHead) {
+  for (const int points : {0, fewest_points(style_)}) {
+    const Groom groom = grow_groom(head_, style_, {.strands = 2000, .points = points});
+    EXPECT_GE(deepest(head_, groom), 0) << points;
+  }
+}
+
+TEST_P(Styles, StrandsStartOnTheScalpAndHaveEqualPiecesAndTheirLength) {
+  const Groom groom = grow_groom(head_, style_, {.strands = 500, .seed = 3});
+  ASSERT_EQ(groom.strands.size(), 500U);
+  for (const Eigen::VectorXd& x : groom.strands) {
+    ASSERT_EQ(x.size(), 3 * style_.points);
+    EXPECT_NEAR(head_.surface_at(x.head<3>()).distance, 0, 1e-15);
+    EXPECT_TRUE(head_.has_hair(x.head<3>()));
+    EXPECT_TRUE(x.allFinite());
+  }
+  const GroomMeasures measures = measure_groom(groom);
+  for (const Oddity& one : measures.odd) ADD_FAILURE() << one.count << " " << one.what;
+  // Chords of curls with eight or more of them to a turn are shorter than their arcs by up to (pi / 4)^2 / 24, 2.6 %.
+  const double shortest = style_.length * (1 - style_.varies), longest = style_.length * (1 + style_.varies);
+  EXPECT_GE(measures.length.min, 0.97 * shortest);
+  // Tied hair has its way to the tie before that: at most the half of the head's largest circle, and the layer of hair.
+  EXPECT_LE(measures.length.max, 1.01 * longest + (style_.tie ? 0.36 : 0));
+  if (!style_.tie) {
+    EXPECT_NEAR(measures.length.mean, style_.length, 0.03 * style_.length);
+  }
+}
+
+TEST_P(Styles, ASeedGivesTheSameAndAnotherOthers) {
+  const GrowSettings settings{.strands = 100};
+  const Groom groom = grow_groom(head_, style_, settings);
+  EXPECT_EQ(grow_groom(head_, style_, settings).strands, groom.strands);
+  EXPECT_NE(grow_groom(head_, style_, {.strands = 100, .seed = 2}).strands, groom.strands);
+}
+
+TEST_P(Styles, AHeadElsewhereHasTheSameHair) {
+  const Vector3d there(1, -2, 3);
+  const EllipsoidHead head({0.076, 0.096, 0.112}, there);
+  const Groom here = grow_groom(head_, style_, {.strands = 50}),
+              moved = grow_groom(head, style_, {.strands = 50});
+  for (std::size_t i = 0; i < 50; ++i)
+    // Rounding of 4e-16, some hundred steps that may double it a few times.
+    for (Eigen::Index k = 0; k < here.strands[i].size(); k += 3)
+      ASSERT_NEAR((moved.strands[i].segment<3>(k) - there - here.strands[i].segment<3>(k)).norm(), 0, 1e-10);
+}
+
+double distance_from(const Line& line, const Vector3d& point) {
+  double least = (line[0] - point).norm();
+  for (std::size_t k = 1; k < line.size(); ++k) {
+    const Vector3d piece = line[k] - line[k - 1];
+    const double t = std::clamp((point - line[k - 1]).dot(piece) / piece.squaredNorm(), 0.0, 1.0);
+    least = std::min(least, (line[k - 1] + t * piece - point).norm());
+  }
+  return least;
+}
+
+TEST_P(Styles, TipsGatherAtTheirClumpsLine) {
+  const LineSettings settings{0.001, 0.004};
+  const std::vector<RootFrame> roots = scalp_roots(head_, 300, 1);
+  std::vector<Vector3d> places;
+  for (const RootFrame& root : roots) places.push_back(root.position);
+  const NearestPoints tree(places);
+  std::vector<double> left, longer;
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    const RootFrame& other =
+        roots[static_cast<std::size_t>(tree.nearest(places[i], static_cast<long>(i)).index)];
+    const auto line = [&](const RootFrame& root, double length, double gathered, const Line* clump) {
+      return middle_line(head_, style_, root,
+                         {.length = length, .direction = root.axis, .gathered = gathered}, settings, clump);
+    };
+    const Line clump = line(roots[i], 0.3, 0, nullptr);
+    const Line alone = line(other, 0.27, 0, &clump), drawn = line(other, 0.27, 0.8, &clump);
+    const double loose = distance_from(clump, alone.back());
+    if (loose > 0.002) left.push_back(distance_from(clump, drawn.back()) / loose);
+    // Drawn across, and not along: a gap of 2 cm makes 27 cm longer by 0.7 mm, less than a step.
+    longer.push_back(std::abs(static_cast<double>(drawn.size()) - static_cast<double>(alone.size())));
+  }
+  // At nine tenths of the clump's length 0.972 of the 0.8 is done, and 0.22 of the gap is left; behind a tie, where much
+  // is done before hair falls, more of it.
+  EXPECT_GT(left.size(), 20U);
+  EXPECT_LE(spread_of(longer).median, 1);
+  EXPECT_LT(spread_of(left).median, style_.tie ? 0.5 : 0.3);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Styles, testing::Values("long-smooth", "short-curly", "wavy", "ponytail"),
+                         [](const auto& style) {
+                           std::string name = style.param;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+TEST(Grow, CurlsHaveTheCurvatureOfTheirHelix) {
+  const HairStyle& style = *find_hair_style("short-curly");
+  const Spread curvature =
+      measure_groom(grow_groom(EllipsoidHead(), style, {.strands = 500, .points = 128})).curvature;
+  const auto of_helix = [&](double radius) {
+    const double c = style.pitch / (2 * M_PI);
+    return radius / (radius * radius + c * c);
+  };
+  // Radii are 0.8 to 1.2 of the style's.
+  EXPECT_GT(curvature.median, of_helix(1.2 * style.radius));
+  EXPECT_LT(curvature.median, of_helix(0.8 * style.radius));
+  EXPECT_LT(measure_groom(grow_groom(EllipsoidHead(), *find_hair_style("long-smooth"), {.strands = 500}))
+                .curvature.median,
+            1);
+}
+
+TEST(Grow, TiedHairPassesTheTie) {
+  const HairStyle& style = *find_hair_style("ponytail");
+  const EllipsoidHead head;
+  const Vector3d at = head.surface_towards(style.tie->normalized());
+  const Vector3d tie = at + 0.025 * head.surface_at(at).normal;
+  const Groom groom = grow_groom(head, style, {.strands = 1000});
+  long passing = 0;
+  for (const Eigen::VectorXd& x : groom.strands) {
+    double least = 1;
+    for (Eigen::Index k = 0; k < x.size(); k += 3) least = std::min(least, (x.segment<3>(k) - tie).norm());
+    // The tie's radius, two steps, and half of a piece of the strand.
+    if (least < 0.011 + 0.008 + 0.006) ++passing;
+  }
+  EXPECT_GE(passing, 990);
+}
+
+TEST(Grow, WhatCanNotGrowIsRefused) {
+  const EllipsoidHead head;
+  const HairStyle& curly = *find_hair_style("short-curly");
+  const auto reason = [&](const GrowSettings& settings) -> std::string {
+    try {
+      grow_groom(head, curly, settings);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(reason({.strands = 0}), "a groom of 0 strands; 1 or more are right");
+  EXPECT_EQ(reason({.strands = 10, .points = 16}), "strands of 16 points; short-curly has " +
+                                                       std::to_string(fewest_points(curly)) +
+                                                       " at least, to follow its shape");
+  EXPECT_EQ(reason({.strands = 1'000'000}),
+            "1000000 strands of 64 points; a groom has at most 20000000 points in all");
+  EXPECT_EQ(grow_groom(head, curly, {.strands = 1}).strands.size(), 1U);
+  for (const HairStyle& style : hair_styles()) EXPECT_GE(style.points, fewest_points(style)) << style.name;
+  EXPECT_EQ(find_hair_style("bob"), nullptr);
+}
+
+}  // namespace
+}  // namespace hair

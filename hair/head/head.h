@@ -1,0 +1,30 @@
+// A head that hair grows on: its surface, its scalp, and how its hair is combed. z is up, and the face looks
+// along -y. Metres.
+#pragma once
+
+#include "hair/strand/obstacles.h"
+
+namespace hair {
+
+class Head {
+ public:
+  virtual ~Head() = default;
+
+  // A point inside. A ray from it leaves the head once, at least where the scalp is.
+  virtual Vector3d centre() const = 0;
+
+  // Where the ray in `direction` (of length 1) from the centre leaves the head.
+  virtual Vector3d surface_towards(const Vector3d& direction) const = 0;
+
+  // Of any point but the centre: its distance from the surface, negative inside, and the way out, of length 1. The
+  // distance has the right sign everywhere, and is right to first order near the surface.
+  virtual Surface surface_at(const Vector3d& point) const = 0;
+
+  // Whether hair grows at a point of the surface.
+  virtual bool has_hair(const Vector3d& point) const = 0;
+
+  // The direction in which the hair of a point near the scalp is combed: a smooth field along the surface, of length 1.
+  virtual Vector3d combed(const Vector3d& point) const = 0;
+};
+
+}  // namespace hair

@@ -1,0 +1,146 @@
+#include "hair/head/ply_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "hair/head/refusal.h"
+
+namespace hair {
+namespace {
+
+// Two strands, as text.
+struct MadePly {
+  std::string format = "ascii 1.0";
+  std::string vertices = "element vertex 5\nproperty float x\nproperty float y\nproperty float z\n";
+  std::string strands = "element strand 2\nproperty ushort nsegs\n";
+  std::string body = "0 0 0\n1 0 0\n0 1 0\n0 1 1\n0 1 2.5\n1\n2\n";
+
+  std::string text() const {
+    return "ply\nformat " + format + "\ncomment by hand\n" + vertices + strands + "end_header\n" + body;
+  }
+};
+
+std::string ply_complaint(const std::string& bytes) {
+  return refusal([&] { parse_ply_file(bytes, "a.ply"); });
+}
+
+TEST(PlyFile, StrandsTakeTheirVerticesInTurn) {
+  const Groom groom = parse_ply_file(MadePly().text(), "a.ply");
+  ASSERT_EQ(groom.strands.size(), 2U);
+  EXPECT_EQ(groom.strands[0], (Eigen::VectorXd(6) << 0, 0, 0, 1, 0, 0).finished());
+  EXPECT_EQ(groom.strands[1], (Eigen::VectorXd(9) << 0, 1, 0, 0, 1, 1, 0, 1, 2.5).finished());
+}
+
+TEST(PlyFile, OtherElementsAndPropertiesArePassedOver) {
+  MadePly made;
+  made.vertices =
+      "element thing 2\nproperty list uchar int of\nproperty char c\n"
+      "element vertex 2\nproperty double quality\nproperty float32 z\nproperty float y\nproperty float x\n";
+  made.strands = "element strand 1\nproperty uint8 nsegs\nproperty float length\n";
+  made.body = "3 7 8 9 -5\r\n0 6\r\n0.5 3 2 1\r\n0.5 6 5 4\r\n1 2.5";
+  const Groom groom = parse_ply_file(made.text(), "a.ply");
+  ASSERT_EQ(groom.strands.size(), 1U);
+  EXPECT_EQ(groom.strands[0], (Eigen::VectorXd(6) << 1, 2, 3, 4, 5, 6).finished());
+}
+
+TEST(PlyFile, TextAndBinaryInBothOrdersAreTheSame) {
+  Groom groom = parse_ply_file(MadePly().text(), "a.ply");
+  groom.strands[1][8] = static_cast<double>(0.1F);
+  for (int k = 0; k < 15; ++k) groom.look.colours.push_back(static_cast<float>(17 * k) / 255);
+  for (const bool ascii : {false, true}) {
+    const std::string bytes = ply_file_of(groom, ascii);
+    const Groom again = parse_ply_file(bytes, "a.ply");
+    EXPECT_EQ(again.strands, groom.strands) << ascii;
+    EXPECT_EQ(again.look.colours, groom.look.colours) << ascii;
+    EXPECT_EQ(ply_file_of(again, ascii), bytes);
+  }
+  MadePly made{.format = "binary_big_endian 1.0"};
+  made.vertices = "element vertex 2\nproperty float x\nproperty short y\nproperty char z\n";
+  made.strands = "element strand 1\nproperty uint nsegs\n";
+  made.body = std::string("\x3f\x80\0\0\xff\xfe\xfd", 7) + std::string("\x40\0\0\0\1\0\7", 7) +
+              std::string("\0\0\0\1", 4);
+  EXPECT_EQ(parse_ply_file(made.text(), "a.ply").strands[0],
+            (Eigen::VectorXd(6) << 1, -2, -3, 2, 256, 7).finished());
+}
+
+TEST(PlyFile, WhatIsCutOffOrHasMoreIsRefused) {
+  Groom groom = parse_ply_file(MadePly().text(), "a.ply");
+  for (const bool ascii : {false, true}) {
+    const std::string whole = ply_file_of(groom, ascii);
+    // As text, the last number may be shorter, and the last line may end without a line's end.
+    for (std::size_t size = 0; size + (ascii ? 2 : 0) < whole.size(); ++size)
+      EXPECT_NE(ply_complaint(whole.substr(0, size)), "") << size;
+    EXPECT_NE(ply_complaint(whole + "1"), "");
+  }
+  const std::string text = MadePly().text();
+  EXPECT_EQ(ply_complaint(text.substr(0, text.size() - 2)),
+            "a.ply: line 17: the file ends here; it is cut off");
+  EXPECT_EQ(ply_complaint(text + "\n 3"),
+            "a.ply: line 18: there is more after the last element; a PLY file ends there");
+  EXPECT_EQ(ply_complaint(text + " \r\n"), "");
+}
+
+TEST(PlyFile, CountsThatLieAreRefusedBeforeThereIsMemoryForThem) {
+  MadePly made;
+  made.strands = "element strand 4000000000\nproperty ushort nsegs\n";
+  EXPECT_EQ(
+      ply_complaint(made.text()),
+      "a.ply: its header says that there are 4000000000 of \"strand\"; the 36 bytes after it are too few, "
+      "and the file is cut off or damaged");
+  made.strands = "element strand 99999999999999999999\nproperty ushort nsegs\n";
+  EXPECT_EQ(ply_complaint(made.text()),
+            "a.ply: line 8: the element \"strand\" has the count \"99999999999999999999\"; a whole number is "
+            "right");
+  made = {};
+  made.vertices += "element nothing 18446744073709551615\n";
+  EXPECT_EQ(ply_complaint(made.text()), "a.ply: the element \"nothing\" has no properties; leave it out");
+  made = {};
+  made.body = "0 0 0\n1 0 0\n0 1 0\n0 1 1\n0 1 2.5\n1\n3\n";
+  EXPECT_EQ(ply_complaint(made.text()), "a.ply: has 5 vertices, and its strands have 6; it is damaged");
+  made.body = "0 0 0\n1 0 0\n0 1 0\n0 1 1\n0 1 2.5\n1\n4e9\n";
+  EXPECT_NE(ply_complaint(made.text()), "");
+}
+
+TEST(PlyFile, WhatIsNoGroomIsRefused) {
+  EXPECT_EQ(ply_complaint("HAIR"), "a.ply: is not a PLY file, which begins with a line \"ply\"");
+  MadePly made;
+  made.strands = "element face 1\nproperty list uchar int vertex_indices\n";
+  made.body = "0 0 0\n1 0 0\n0 1 0\n0 1 1\n0 1 2.5\n3 0 1 2\n";
+  EXPECT_EQ(ply_complaint(made.text()),
+            "a.ply: does not have one element \"vertex\" and one \"strand\": it is no groom, but a mesh");
+  made = {};
+  made.body = "0 0 0\n1 0 0\n0 1 0\n0 1 1\n0 1 2.5\n3\n0\n";
+  EXPECT_EQ(
+      ply_complaint(made.text()),
+      "a.ply: line 17: strand 1 has a number of segments that is not 1, 2, ...; a strand has two points at "
+      "least");
+  made.body = "0 0 0\n1 0 zero\n0 1 0\n0 1 1\n0 1 2.5\n1\n2\n";
+  EXPECT_EQ(ply_complaint(made.text()), "a.ply: line 12: \"zero\" is no number that \"z\" can be");
+  made.body = "0 0 0\n1 0\n0 1 0\n0 1 1\n0 1 2.5\n1\n2\n  ";
+  EXPECT_EQ(ply_complaint(made.text()), "a.ply: line 12: ends before \"z\"");
+  made.body = "0 0 0\n1 0 0 0\n0 1 0\n0 1 1\n0 1 2.5\n1\n2\n";
+  EXPECT_EQ(ply_complaint(made.text()),
+            "a.ply: line 12: has more numbers than the 3 properties of \"vertex\"");
+  made.body = "0 0 0\n1 0 0\n0 1 0\n0 1 1\n0 1 2.5\n1.5\n2\n";
+  EXPECT_EQ(ply_complaint(made.text()), "a.ply: line 16: \"1.5\" is no number that \"nsegs\" can be");
+  made.body = "0 0 0\n1 0 0\n0 1 0\n0 1 1\n0 1 2.5\n65536\n2\n";
+  EXPECT_EQ(ply_complaint(made.text()), "a.ply: line 16: \"65536\" is no number that \"nsegs\" can be");
+  made = {.format = "ascii 2.0"};
+  EXPECT_EQ(
+      ply_complaint(made.text()),
+      "a.ply: line 2: has the format \"ascii\" \"2.0\"; ascii, binary_little_endian and binary_big_endian "
+      "1.0 are read");
+}
+
+TEST(PlyFile, NumbersThatAreNotFiniteAreRefusedUnlessTheyAreAskedFor) {
+  MadePly made;
+  for (const char* const bad : {"nan", "-inf", "1e39"}) {
+    made.body = std::string("0 0 0\n1 0 ") + bad + "\n0 1 0\n0 1 1\n0 1 2.5\n1\n2\n";
+    EXPECT_EQ(ply_complaint(made.text()), "a.ply: line 12: vertex 1 has a number that is not finite") << bad;
+    EXPECT_FALSE(std::isfinite(parse_ply_file(made.text(), "a.ply", Numbers::any).strands[0][5]));
+  }
+}
+
+}  // namespace
+}  // namespace hair

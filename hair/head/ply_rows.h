@@ -1,0 +1,70 @@
+// The elements of a PLY file, row by row: of any kind, in text or binary. Source: G. Turk, "The PLY Polygon
+// File Format" (Stanford, 1994).
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hair {
+
+enum class PlyType { i8, u8, i16, u16, i32, u32, f32, f64 };
+
+struct PlyProperty {
+  std::string name;
+  PlyType type;
+  bool list = false;  // a number of values, and then these
+  PlyType count_type = PlyType::u8;
+};
+
+struct PlyElement {
+  std::string name;
+  std::size_t count;
+  std::vector<PlyProperty> properties;
+
+  int find(std::string_view property) const;  // its place; -1: there is none, or it is a list
+};
+
+enum class PlyFormat { ascii, little_endian, big_endian };
+
+// Reads the header when it is made, then the rows of all elements in the file's order. All complaints are
+// BadInput, with the file's name and the line, or in a binary file's body the byte.
+class PlyRows {
+ public:
+  // Throws also for an element without properties, and for elements that are longer than the file: there is
+  // no memory to take for rows that are not there.
+  PlyRows(std::string_view bytes, const std::string& name);
+
+  const std::vector<PlyElement>& elements() const { return elements_; }
+
+  // The next row, of this element: a value for each property, 0 for a list.
+  void read(const PlyElement& element, std::vector<double>& row);
+
+  // After the last row: the file ends here but for white space.
+  void expect_end() const;
+
+  [[noreturn]] void fail(const std::string& what) const;       // of the whole file
+  [[noreturn]] void fail_here(const std::string& what) const;  // of the row that was read last
+
+ private:
+  std::string_view next_line();
+  std::string_view next_word(std::string_view& line) const;
+  void read_header();
+  void add_element(std::string_view line);
+  void add_property(std::string_view line);
+  void check_size() const;
+  double binary_value(PlyType type);
+  double ascii_value(std::string_view& line, const std::string& name, PlyType type) const;
+
+  std::string_view bytes_;
+  std::string name_;
+  PlyFormat format_ = PlyFormat::ascii;
+  std::vector<PlyElement> elements_;
+  bool in_header_ = true;
+  std::size_t at_ = 0;      // the next byte
+  std::size_t row_at_ = 0;  // where the last row, or line, begins
+  long line_ = 0;           // the last line that was read, from 1
+};
+
+}  // namespace hair

@@ -1,0 +1,25 @@
+// Roots that are evenly distributed over a scalp, for any number of them.
+//
+// The points of a Fibonacci lattice (R. Swinbank and R. J. Purser, "Fibonacci grids: A novel approach to global
+// modelling", Quarterly Journal of the Royal Meteorological Society 132 (2006)) lie in a square; the inverses of the
+// surface's cumulative areas bring them to a head's surface, so that equal areas have equal numbers of them. What
+// lies outside the scalp is left out, and the seed moves each of the others by up to a fifth of the
+// usual distance.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hair/head/head.h"
+#include "hair/strand/rest_shape.h"
+
+namespace hair {
+
+// `count` frames: axis is the surface's normal, side the combed direction. The same for the same head, count and
+// seed. Throws std::invalid_argument for a count below 0, and for a head without a scalp.
+std::vector<RootFrame> scalp_roots(const Head& head, int count, std::uint64_t seed);
+
+// The scalp's area in m^2, to a percent.
+double scalp_area(const Head& head);
+
+}  // namespace hair

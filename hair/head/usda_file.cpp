@@ -1,0 +1,97 @@
+#include "hair/head/usda_file.h"
+
+#include <charconv>
+
+#include "hair/head/groom_bytes.h"
+
+namespace hair {
+
+namespace {
+
+void put(std::string& text, auto number) {
+  char digits[32];
+  text.append(digits, std::to_chars(digits, digits + sizeof digits, number).ptr);
+}
+
+// "(x, y, z)", of 32-bit numbers.
+void put_triple(std::string& text, const auto& numbers, auto at) {
+  text += '(';
+  for (int k = 0; k < 3; ++k) {
+    if (k > 0) text += ", ";
+    put(text, static_cast<float>(numbers[at + k]));
+  }
+  text += ')';
+}
+
+// A list with a line for each of `count` items.
+void put_list(std::string& text, const std::string& name, std::size_t count, auto put_item) {
+  text += "    " + name + " = [\n";
+  for (std::size_t i = 0; i < count; ++i) {
+    text += "        ";
+    put_item(i);
+    text += i + 1 < count ? ",\n" : "\n";
+  }
+  text += "    ]";
+}
+
+const char* const kOfEachPoint = " (\n        interpolation = \"vertex\"\n    )\n";
+const char* const kOfAll = " (\n        interpolation = \"constant\"\n    )\n";
+
+void put_look(std::string& text, const GroomLook& look) {
+  const auto put_reals = [&](const std::string& name, const std::vector<float>& of_each, float of_all) {
+    put_list(text, name, of_each.empty() ? 1 : of_each.size(),
+             [&](std::size_t i) { put(text, of_each.empty() ? of_all : of_each[i]); });
+    text += of_each.empty() ? kOfAll : kOfEachPoint;
+  };
+  put_reals("float[] widths", look.thicknesses, look.thickness);
+  put_list(text, "color3f[] primvars:displayColor", look.colours.empty() ? 1 : look.colours.size() / 3,
+           [&](std::size_t i) {
+             look.colours.empty() ? put_triple(text, look.colour, std::size_t{0})
+                                  : put_triple(text, look.colours, 3 * i);
+           });
+  text += look.colours.empty() ? kOfAll : kOfEachPoint;
+  std::vector<float> opacities;
+  opacities.reserve(look.transparencies.size());
+  for (const float transparency : look.transparencies) opacities.push_back(1 - transparency);
+  put_reals("float[] primvars:displayOpacity", opacities, 1 - look.transparency);
+}
+
+}  // namespace
+
+std::string usda_file_of(const Groom& groom, const UsdaSettings& settings) {
+  check_writable(groom, 2);
+  std::string text = "#usda 1.0\n(\n    defaultPrim = \"Hair\"\n    metersPerUnit = ";
+  put(text, settings.unit);
+  text += std::string("\n    upAxis = \"") + (settings.z_is_up ? "Z" : "Y") + "\"\n)\n\n";
+  text += "def BasisCurves \"Hair\"\n{\n";
+  text += settings.cubic ? "    uniform token type = \"cubic\"\n    uniform token basis = \"catmullRom\"\n"
+                           "    uniform token wrap = \"pinned\"\n"
+                         : "    uniform token type = \"linear\"\n    uniform token wrap = \"nonperiodic\"\n";
+  put_list(text, "int[] curveVertexCounts", groom.strands.size(),
+           [&](std::size_t i) { put(text, points_of(groom.strands[i])); });
+  Eigen::Vector3d low = groom.strands[0].head<3>(), high = low;
+  std::size_t strand = 0;
+  Eigen::Index k = 0;
+  text += '\n';
+  put_list(text, "point3f[] points", static_cast<std::size_t>(points_of(groom)), [&](std::size_t) {
+    const Eigen::VectorXd& x = groom.strands[strand];
+    low = low.cwiseMin(x.segment<3>(k));
+    high = high.cwiseMax(x.segment<3>(k));
+    put_triple(text, x, k);
+    k += 3;
+    if (k == x.size()) ++strand, k = 0;
+  });
+  text += '\n';
+  put_look(text, groom.look);
+  // Points and half of the widest hair around them.
+  float width = groom.look.thicknesses.empty() ? groom.look.thickness : 0;
+  for (const float one : groom.look.thicknesses) width = std::max(width, one);
+  const Eigen::Vector3d half = Eigen::Vector3d::Constant(static_cast<double>(width) / 2);
+  const Eigen::Matrix<double, 6, 1> box =
+      (Eigen::Matrix<double, 6, 1>() << low - half, high + half).finished();
+  put_list(text, "float3[] extent", 2,
+           [&](std::size_t i) { put_triple(text, box, static_cast<int>(3 * i)); });
+  return text + "\n}\n";
+}
+
+}  // namespace hair

@@ -1,0 +1,38 @@
+// What `hairlab convert`, `hairlab info` and `hairlab groom` do, without their command lines.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace hair {
+
+struct ConvertOptions {
+  std::filesystem::path in, out;
+  double scale = 1;
+  long every = 1;
+  int points = 0;  // of each strand; 0: those that it has
+  bool ascii = false;
+  bool cubic = false, y_is_up = false;  // of .usda, as is the unit, in metres
+  double unit = 1;
+};
+
+struct InfoOptions {
+  std::filesystem::path file;
+  bool json = false;
+};
+
+struct GrowOptions {
+  std::string style;
+  std::filesystem::path out;
+  int strands = 10'000;
+  int points = 0;  // of each; 0: the style's
+  std::uint64_t seed = 1;
+};
+
+// All return the program's exit code.
+int convert_groom(const ConvertOptions& options);
+int show_groom(const InfoOptions& options);
+int write_grown_groom(const GrowOptions& options);
+
+}  // namespace hair

@@ -1,0 +1,169 @@
+#include "hair/lab/commands/groom_info.h"
+
+#include <array>
+#include <cstdio>
+
+#include "hair/io/files/json_text.h"
+#include "hair/io/files/printable.h"
+
+namespace hair {
+
+namespace {
+
+std::string four_digits(double number) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.4g", number);
+  return text;
+}
+
+std::string right(const std::string& text, std::size_t width) {
+  return std::string(text.size() < width ? width - text.size() : 1, ' ') + text;
+}
+
+std::string left(std::string text, std::size_t width) {
+  text.resize(std::max(width, text.size()), ' ');
+  return text;
+}
+
+constexpr std::size_t kName = 20, kColumn = 12;
+
+std::string row(const std::string& name, const Spread& spread) {
+  std::string line = "  " + left(name, kName);
+  for (const double number : {spread.min, spread.median, spread.mean, spread.most, spread.max})
+    line += right(four_digits(number), kColumn);
+  return line + "\n";
+}
+
+std::string line_of(const std::string& name, const std::string& what) {
+  return "  " + left(name, kName) + what + "\n";
+}
+
+std::string of_box(const GroomBox& box) {
+  std::string text;
+  for (int k = 0; k < 3; ++k)
+    text += std::string(k > 0 ? ", " : "") + "xyz"[k] + " " + four_digits(box.low[k]) + " to " +
+            four_digits(box.high[k]);
+  return text;
+}
+
+// The text that a .hair file has, up to its first zero.
+std::string info_of(const GroomLook& look) {
+  const std::string all(look.info.begin(), look.info.end());
+  return printable(all.substr(0, all.find('\0')));
+}
+
+std::string of_look(const GroomLook& look) {
+  const std::string each = "of each point";
+  const auto& [red, green, blue] = look.colour;
+  const auto shown = [](float number) { return four_digits(static_cast<double>(number)); };
+  return "thickness " + (look.thicknesses.empty() ? shown(look.thickness) : each) + ", transparency " +
+         (look.transparencies.empty() ? shown(look.transparency) : each) + ", colour " +
+         (look.colours.empty() ? "(" + shown(red) + ", " + shown(green) + ", " + shown(blue) + ")" : each);
+}
+
+std::string of_unit(const GroomMeasures& measures) {
+  const double unit = measures.unit_guess;
+  if (unit == 0) return "can't be guessed: too few roots";
+  const std::string length = unit >= 0.5     ? four_digits(unit) + " m"
+                             : unit >= 0.005 ? four_digits(100 * unit) + " cm"
+                                             : four_digits(1000 * unit) + " mm";
+  return "about " + length + ", if the roots span a scalp of 20 cm";
+}
+
+std::string spread_json(const Spread& spread) {
+  return json_object({{"min", json_text(spread.min)},
+                      {"median", json_text(spread.median)},
+                      {"mean", json_text(spread.mean)},
+                      {"nine_tenths", json_text(spread.most)},
+                      {"max", json_text(spread.max)}});
+}
+
+std::string vector_json(const auto& numbers) {
+  return json_list({json_text(static_cast<double>(numbers[0])), json_text(static_cast<double>(numbers[1])),
+                    json_text(static_cast<double>(numbers[2]))});
+}
+
+std::string box_json(const GroomBox& box) {
+  return json_object({{"low", vector_json(box.low)}, {"high", vector_json(box.high)}});
+}
+
+std::string odd_json(const std::vector<Oddity>& odd) {
+  std::string list;
+  for (const Oddity& one : odd)
+    list +=
+        (list.empty() ? "" : ",") + json_object({{"what", json_text(one.what)},
+                                                 {"count", json_text(one.count)},
+                                                 {"first_strand", json_text(static_cast<long>(one.strand))}});
+  return "[" + list + "]";
+}
+
+std::string look_json(const GroomLook& look) {
+  const auto or_null = [](bool of_each, const std::string& of_all) { return of_each ? "null" : of_all; };
+  return json_object(
+      {{"thickness", or_null(!look.thicknesses.empty(), json_text(static_cast<double>(look.thickness)))},
+       {"transparency",
+        or_null(!look.transparencies.empty(), json_text(static_cast<double>(look.transparency)))},
+       {"colour", or_null(!look.colours.empty(), vector_json(look.colour))},
+       {"info", json_text(info_of(look))}});
+}
+
+}  // namespace
+
+std::string in_groups(long number) {
+  std::string text = std::to_string(number);
+  for (std::size_t at = text.size(); at > 3; at -= 3) text.insert(at - 3, ",");
+  return text;
+}
+
+std::string counted_with_groups(long count, const std::string& singular) {
+  return in_groups(count) + " " + singular + (count == 1 ? "" : "s");
+}
+
+std::string counts_of(const Groom& groom) {
+  return counted_with_groups(static_cast<long>(groom.strands.size()), "strand") + ", " +
+         counted_with_groups(points_of(groom), "point");
+}
+
+std::string groom_info(const std::string& name, const Groom& groom, const GroomMeasures& measures) {
+  std::string text = printable(name, 4096) + ": " + counts_of(groom) + "\n\n  " + left("", kName);
+  for (const char* const column : {"min", "median", "mean", "90 % below", "max"})
+    text += right(column, kColumn);
+  text += "\n";
+  text += row("points of a strand", measures.points_of_strand);
+  text += row("length", measures.length);
+  text += row("segment", measures.segment);
+  text += row("curvature, 1/length", measures.curvature);
+  text += row("bend, degrees", measures.bend) + "\n";
+  text += line_of("box", of_box(measures.box));
+  text += line_of("box of the roots", of_box(measures.roots));
+  text += line_of("unit", of_unit(measures));
+  text += line_of("look", of_look(groom.look));
+  if (const std::string info = info_of(groom.look); !info.empty())
+    text += line_of("text", "\"" + info + "\"");
+  text += "\n";
+  if (measures.odd.empty()) text += line_of("odd", "nothing");
+  for (const Oddity& one : measures.odd)
+    text += line_of(&one == measures.odd.data() ? "odd" : "", in_groups(one.count) + " " + one.what +
+                                                                  " (strand " + std::to_string(one.strand) +
+                                                                  (one.count > 1 ? " first)" : ")"));
+  return text;
+}
+
+std::string groom_info_json(const std::string& name, const Groom& groom, const GroomMeasures& measures) {
+  return json_object({{"file", json_text(printable(name, 4096))},
+                      {"strands", json_text(measures.strands)},
+                      {"points", json_text(measures.points)},
+                      {"points_of_strand", spread_json(measures.points_of_strand)},
+                      {"length", spread_json(measures.length)},
+                      {"segment", spread_json(measures.segment)},
+                      {"curvature", spread_json(measures.curvature)},
+                      {"bend", spread_json(measures.bend)},
+                      {"box", box_json(measures.box)},
+                      {"roots", box_json(measures.roots)},
+                      {"unit_guess", measures.unit_guess > 0 ? json_text(measures.unit_guess) : "null"},
+                      {"look", look_json(groom.look)},
+                      {"odd", odd_json(measures.odd)}}) +
+         "\n";
+}
+
+}  // namespace hair

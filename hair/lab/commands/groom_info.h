@@ -1,0 +1,20 @@
+// A groom's measures as text for people, and as JSON for programs.
+#pragma once
+
+#include <string>
+
+#include "hair/head/groom_measures.h"
+
+namespace hair {
+
+std::string in_groups(long number);                                        // "10,000"
+std::string counted_with_groups(long count, const std::string& singular);  // "10,000 strands"
+std::string counts_of(const Groom& groom);                                 // "2 strands, 5 points"
+
+// Some lines, the last of them of what is odd.
+std::string groom_info(const std::string& name, const Groom& groom, const GroomMeasures& measures);
+
+// One object, whose keys are in hair/lab/README.md, and a line's end.
+std::string groom_info_json(const std::string& name, const Groom& groom, const GroomMeasures& measures);
+
+}  // namespace hair

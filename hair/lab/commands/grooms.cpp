@@ -1,0 +1,49 @@
+// The command lines of what hairlab does with grooms.
+#include <memory>
+
+#include "hair/lab/commands/command.h"
+#include "hair/lab/commands/groom_commands.h"
+
+namespace hair {
+
+Command add_convert_command(CLI::App& program) {
+  const auto options = std::make_shared<ConvertOptions>();
+  CLI::App* app = program.add_subcommand("convert", "Write a groom in another format");
+  app->add_option("IN", options->in, "A groom: .hair, .data or .ply")->required();
+  app->add_option("OUT", options->out, "The file to write: .hair, .data, .ply or .usda")->required();
+  app->add_option("--scale", options->scale, "Makes all points and thicknesses so many times as large")
+      ->check(CLI::Range(1e-9, 1e9));
+  app->add_option("--every", options->every, "Keeps the first of every so many strands")
+      ->check(CLI::Range(1L, 1'000'000'000L));
+  app->add_option("--points", options->points, "So many points for each strand, at equal distances along it")
+      ->check(CLI::Range(2, 1'000'000));
+  app->add_flag("--ascii", options->ascii, ".ply: text; without it, binary");
+  app->add_flag("--cubic", options->cubic, ".usda: smooth curves; without it, straight pieces");
+  app->add_option("--unit", options->unit, ".usda: what OUT's unit is, in metres (default: 1)")
+      ->check(CLI::Range(1e-9, 1e9));
+  app->add_flag("--y-up", options->y_is_up, ".usda: y is up; without it, z");
+  return {app, [options] { return convert_groom(*options); }};
+}
+
+Command add_info_command(CLI::App& program) {
+  const auto options = std::make_shared<InfoOptions>();
+  CLI::App* app = program.add_subcommand("info", "Say what a groom is like, and what is odd about it");
+  app->add_option("FILE", options->file, "A groom: .hair, .data or .ply")->required();
+  app->add_flag("--json", options->json, "As JSON");
+  return {app, [options] { return show_groom(*options); }};
+}
+
+Command add_groom_command(CLI::App& program) {
+  const auto options = std::make_shared<GrowOptions>();
+  CLI::App* app = program.add_subcommand("groom", "Let hair grow on a head, in a style");
+  app->add_option("STYLE", options->style, "long-smooth, short-curly, wavy or ponytail")->required();
+  app->add_option("--out", options->out, "The file to write: .hair, .data, .ply or .usda")->required();
+  app->add_option("--strands", options->strands, "How many (default: 10000)")
+      ->check(CLI::Range(1, 1'000'000));
+  app->add_option("--points", options->points, "So many points for each strand (default: the style's)")
+      ->check(CLI::Range(2, 1'000'000));
+  app->add_option("--seed", options->seed, "Another seed gives other strands of the same style (default: 1)");
+  return {app, [options] { return write_grown_groom(*options); }};
+}
+
+}  // namespace hair

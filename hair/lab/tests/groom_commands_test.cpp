@@ -1,0 +1,144 @@
+// hairlab info, convert and groom, from outside.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "hair/head/groom_file.h"
+#include "hair/lab/tests/run_hairlab.h"
+
+namespace hair {
+namespace {
+
+class GroomCommands : public testing::Test {
+ protected:
+  // A bald root and three strands, in .data.
+  GroomCommands() {
+    const auto line = [](int points, double x) {
+      Eigen::VectorXd strand = Eigen::VectorXd::Zero(3 * points);
+      for (int i = 0; i < points; ++i) strand.segment<3>(3 * i) = Eigen::Vector3d(x, 0, -i);
+      return strand;
+    };
+    write_groom({{line(1, 0), line(2, 1), line(3, 2), line(5, 3)}}, groom_);
+  }
+
+  void expect_refused(const std::vector<std::string>& arguments, const std::string& part) const {
+    const ProgramRun run = run_hairlab(arguments);
+    EXPECT_EQ(run.code, 2);
+    EXPECT_EQ(run.output, "");
+    EXPECT_EQ(lines_of(run.errors), 1) << run.errors;
+    EXPECT_TRUE(has(run.errors, part)) << run.errors;
+  }
+
+  TestFolder folder_;
+  const std::string groom_ = folder_ / "a.data", out_ = folder_ / "out.hair";
+};
+
+TEST_F(GroomCommands, InfoSaysWhatAGroomIsLike) {
+  const ProgramRun run = run_hairlab({"info", groom_});
+  EXPECT_EQ(run.code, 0) << run.errors;
+  EXPECT_TRUE(run.output.starts_with(groom_ + ": 4 strands, 11 points\n")) << run.output;
+  EXPECT_TRUE(has(run.output,
+                  "\n  length                         1           2       2.333           2           4\n"))
+      << run.output;
+  EXPECT_TRUE(has(run.output, "\n  box of the roots    x 0 to 3, y 0 to 0, z 0 to 0\n")) << run.output;
+  EXPECT_TRUE(has(run.output, "\n  unit                about 6.667 cm, if the roots span a scalp of 20 cm\n"))
+      << run.output;
+  EXPECT_TRUE(
+      run.output.ends_with("\n  odd                 1 bald roots: strands of a single point (strand 0)\n"))
+      << run.output;
+}
+
+TEST_F(GroomCommands, InfoAsJsonHasTheSame) {
+  const ProgramRun run = run_hairlab({"info", groom_, "--json"});
+  EXPECT_EQ(run.code, 0) << run.errors;
+  const auto json = nlohmann::json::parse(run.output);
+  EXPECT_EQ(json.at("strands"), 4);
+  EXPECT_EQ(json.at("points"), 11);
+  EXPECT_EQ(json.at("length").at("max"), 4);
+  EXPECT_EQ(json.at("points_of_strand").at("median"), 3);
+  EXPECT_EQ(json.at("roots").at("high"), (std::vector<double>{3, 0, 0}));
+  EXPECT_EQ(json.at("look").at("thickness"), 1);
+  EXPECT_EQ(json.at("odd").at(0).at("first_strand"), 0);
+  EXPECT_EQ(json.at("curvature").at("max"), 0);
+  const std::vector<std::string> keys = {
+      "file", "strands", "points",     "points_of_strand", "length", "segment", "bend",
+      "box",  "roots",   "unit_guess", "curvature",        "look",   "odd"};
+  EXPECT_EQ(json.size(), keys.size());
+  const std::string documented = read_bytes(std::string(HAIR_PROJECT) + "/hair/lab/README.md");
+  for (const std::string& key : keys) {
+    EXPECT_TRUE(json.contains(key)) << key;
+    EXPECT_TRUE(has(documented, "`" + key + "`")) << key;
+  }
+}
+
+TEST_F(GroomCommands, ConvertKeepsThePointsAndSaysWhatItLeavesOut) {
+  const ProgramRun run = run_hairlab({"convert", groom_, out_});
+  EXPECT_EQ(run.code, 0) << run.errors;
+  EXPECT_EQ(run.output, out_ + ": 3 strands, 10 points\nleft out: 1 bald root; only .data files have them\n");
+  const Groom before = read_groom(groom_), after = read_groom(out_);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(after.strands[i], before.strands[i + 1]);
+  EXPECT_EQ(run_hairlab({"convert", groom_, folder_ / "b.data"}).code, 0);
+  EXPECT_EQ(read_bytes(folder_ / "b.data"), read_bytes(groom_));
+}
+
+TEST_F(GroomCommands, ConvertScalesThinsAndTakesPoints) {
+  const std::string ply = folder_ / "a.ply";
+  const ProgramRun run =
+      run_hairlab({"convert", groom_, ply, "--scale", "0.5", "--every", "2", "--points", "5", "--ascii"});
+  EXPECT_EQ(run.code, 0) << run.errors;
+  EXPECT_TRUE(read_bytes(ply).starts_with("ply\nformat ascii 1.0\nelement vertex 5\n"));
+  Eigen::VectorXd x(15);
+  x << 1, 0, 0, 1, 0, -0.25, 1, 0, -0.5, 1, 0, -0.75, 1, 0, -1;
+  EXPECT_EQ(read_groom(ply).strands, std::vector<Eigen::VectorXd>{x});
+  const std::string usda = folder_ / "a.usda";
+  EXPECT_EQ(run_hairlab({"convert", groom_, usda, "--cubic", "--unit", "0.01", "--y-up"}).code, 0);
+  for (const char* const part : {"\"cubic\"", "metersPerUnit = 0.01\n", "upAxis = \"Y\"\n"})
+    EXPECT_TRUE(has(read_bytes(usda), part)) << part;
+}
+
+TEST_F(GroomCommands, AGroomGrowsInAStyleTheSameEachTime) {
+  const std::vector<std::string> arguments = {"groom",    "wavy", "--strands", "200",
+                                              "--points", "60",   "--seed",    "7"};
+  const auto grown = [&](const std::string& name) {
+    std::vector<std::string> all = arguments;
+    all.insert(all.end(), {"--out", folder_ / name});
+    const ProgramRun run = run_hairlab(all);
+    EXPECT_EQ(run.output, (folder_ / name).string() + ": 200 strands, 12,000 points, in metres\n")
+        << run.errors;
+    return read_bytes(folder_ / name);
+  };
+  const std::string bytes = grown("b.hair");
+  EXPECT_EQ(grown("c.hair"), bytes);
+  EXPECT_TRUE(has(run_hairlab({"info", folder_ / "b.hair"}).output, "\"hairlab groom wavy --seed 7\"\n"));
+  expect_refused({"groom", "bob", "--out", out_},
+                 "there is no style \"bob\"; there are long-smooth, short-curly, wavy, ponytail");
+  expect_refused({"groom", "wavy", "--points", "10", "--out", out_}, "strands of 10 points; wavy has ");
+  expect_refused({"groom", "wavy", "--out", folder_ / "a.obj"}, "a.obj: has the ending of no format");
+  EXPECT_EQ(read_bytes(out_), "");
+}
+
+TEST_F(GroomCommands, BadInputIsOneLineAndWritesNothing) {
+  const std::string cut = folder_.write("cut.data", read_bytes(groom_).substr(0, 140));
+  expect_refused({"info", cut},
+                 "cut.data: byte 88: strand 3 says that it has 5 points; the bytes after it hold 4, and");
+  expect_refused({"convert", cut, out_}, "cut.data: byte 88: ");
+  expect_refused({"info", folder_ / "none.hair"}, "none.hair: can't be read (No such file or directory)");
+  expect_refused({"info", folder_ / "a.obj"}, "a.obj: has the ending of no format that is read");
+  expect_refused({"convert", groom_, folder_ / "a.abc"},
+                 "a.abc: has the ending of no format that is written");
+  expect_refused({"convert", groom_, out_, "--scale", "nan"}, "--scale");
+  expect_refused({"convert", groom_, out_, "--unit", "nan"}, "--unit");
+  expect_refused({"convert", groom_, out_, "--points", "1"}, "--points");
+  expect_refused({"convert", groom_, out_, "--every", "4"}, "has bald roots only");
+  expect_refused({"convert", groom_, folder_ / "a.data/b.hair"}, "b.hair: can't be written");
+  const std::string nan = folder_.write("nan.data", read_bytes(groom_).replace(8, 4, "\xff\xff\xff\x7f"));
+  expect_refused({"convert", nan, out_},
+                 "nan.data: byte 8: strand 0, point 0: has a number that is not finite");
+  const ProgramRun run = run_hairlab({"info", nan});
+  EXPECT_EQ(run.code, 0) << run.errors;
+  EXPECT_TRUE(has(run.output, "1 strands with a number that is not finite")) << run.output;
+  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a.data", "cut.data", "nan.data"}));
+}
+
+}  // namespace
+}  // namespace hair
