@@ -23,7 +23,8 @@ std::string stub_of(hair::Scene scene) {
     playback.advance();
     playback.measure(playback.state());
   } catch (const NotImplemented& stub) {
-    return std::string(stub.what()).substr(0, 2);
+    const std::string said = stub.what();
+    return said.substr(0, said.find(' '));
   }
   return "";
 }
