@@ -37,12 +37,12 @@ struct GuideFrames {
 
 // (1) The weights of the point that is nearest to `root` of all points of a triangle:
 //
-//   nearest = w_0 corner_0 + w_1 corner_1 + w_2 corner_2,    w_k >= 0,    w_0 + w_1 + w_2 = 1 to 1e-12
+//   nearest = w_0 corner_0 + w_1 corner_1 + w_2 corner_2,    w_k >= 0,    w_0 + w_1 + w_2 = 1
 //
 // Above or below the triangle that is the root's projection into its plane; outside it lies on an edge or at a
-// corner. Error: at most 1e-10 of the longest edge if the triangle's height on that edge is a hundredth of it or
-// more. Thinner ones, down to a line and a single point, have no unique weights: any are right that leave the point
-// at most 1e-6 of the longest edge farther from `root` than it could be.
+// corner. Errors, if the triangle's height on its longest edge is a hundredth of that edge or more: 1e-12 of the sum, 1e-10
+// of the edge. Thinner ones, down to a line and a single point, have no unique weights: any are right whose sum is 1
+// to 1e-6, and that leave the point at most 1e-6 of the longest edge farther from `root` than it could be.
 std::array<double, 3> root_weights(const std::array<Vector3d, 3>& corners, const Vector3d& root);
 
 // (2) Interpolation, point by point, each guide as its root's frame sees it. Where A has the columns axis, side and
@@ -54,27 +54,27 @@ std::array<double, 3> root_weights(const std::array<Vector3d, 3>& corners, const
 void interpolate(const std::array<GuideHair, 3>& guides, const std::array<double, 3>& weights,
                  const RootFrame& root, Output child);
 
-// (3) What (4) and (5) need of a guide, once for all its children. `frames` comes with n numbers and n matrices.
+// (3) What (4) and (5) need of a guide, once for all its children. guide: 3n numbers; `frames` comes with n numbers and n
+// matrices.
 //
 //   arc_i   = the length from the root to point i, over the guide's length; 0 if that is 0
-//   turns_0 = 1,    turns_i = R_i turns_(i-1)
+//   turns_0 = turns_1 = 1,    turns_i = R_i turns_(i-1)
 //
-// R_i turns the direction of the guide before point i - 1 into the direction u_i = from point i - 1 to point i, about the
-// axis that is perpendicular to both: no rotation does it with less. Before point 0 the direction is root.axis. So a
-// frame goes along without twist. Points that coincide have no direction: R_i = 1, and the direction stays what it was.
-// Where the guide turns right round, u_i = -u_(i-1), R_i is a half turn about any axis across it.
+// R_i turns the direction u_(i-1), from point i - 2 to point i - 1, into u_i, from point i - 1 to point i, about the axis
+// that is perpendicular to both: no rotation does it with less. So a frame goes along without twist. Points that
+// coincide have no direction: R_i = 1, and u_i = u_(i-1); before the first direction all turns are 1. Where the guide
+// turns right round, u_i = -u_(i-1), R_i is a half turn about any axis across it.
 //
 // Errors: 1e-12 of arc; 1e-10 of turns, if no R_i turns by more than 175 degrees.
-void carry_along(const GuideHair& guide, GuideFrames& frames);
+void carry_along(Input guide, GuideFrames& frames);
 
 // (4) Extrapolation: a strand of the guide's wisp, which grows at `root` (m). What is between their roots goes along
 // with the guide, and grows to `spread` >= 0 times its length at the tip:
 //
-//   child_i = points_i + (1 + (spread - 1) arc_i) turns_i (root - position)
+//   child_i = guide_i + (1 + (spread - 1) arc_i) turns_i (root - guide_0)
 //
 // frames: (3) of this guide.
-void extrapolate(const GuideHair& guide, const GuideFrames& frames, const Vector3d& root, double spread,
-                 Output child);
+void extrapolate(Input guide, const GuideFrames& frames, const Vector3d& root, double spread, Output child);
 
 // (5) Neighbours agree near their roots, and wisps part at their tips:
 //

@@ -73,19 +73,19 @@ void interpolate(const std::array<GuideHair, 3>& guides, const std::array<double
   }
 }
 
-void carry_along(const GuideHair& guide, GuideFrames& frames) {
-  Vector3d direction = guide.root.axis;
+void carry_along(Input guide, GuideFrames& frames) {
+  Vector3d direction = Vector3d::Zero();  // none yet
   double length = 0;
   frames.arc[0] = 0;
   frames.turns[0].setIdentity();
   for (std::size_t i = 1; i < frames.turns.size(); ++i) {
     const auto at = static_cast<Eigen::Index>(3 * i);
-    const Vector3d segment = guide.points.segment<3>(at) - guide.points.segment<3>(at - 3);
+    const Vector3d segment = guide.segment<3>(at) - guide.segment<3>(at - 3);
     const double size = segment.norm();
     frames.turns[i] = frames.turns[i - 1];
     if (size > 0) {
       const Vector3d next = segment / size;
-      frames.turns[i] = least_rotation(direction, next) * frames.turns[i - 1];
+      if (length > 0) frames.turns[i] = least_rotation(direction, next) * frames.turns[i - 1];
       direction = next;
     }
     length += size;
@@ -94,13 +94,12 @@ void carry_along(const GuideHair& guide, GuideFrames& frames) {
   if (length > 0) frames.arc /= length;
 }
 
-void extrapolate(const GuideHair& guide, const GuideFrames& frames, const Vector3d& root, double spread,
-                 Output child) {
-  const Vector3d between = root - guide.root.position;
+void extrapolate(Input guide, const GuideFrames& frames, const Vector3d& root, double spread, Output child) {
+  const Vector3d between = root - guide.head<3>();
   for (std::size_t i = 0; i < frames.turns.size(); ++i) {
     const auto index = static_cast<Eigen::Index>(i);
     const Vector3d grown = (1 + (spread - 1) * frames.arc[index]) * between;
-    child.segment<3>(3 * index) = guide.points.segment<3>(3 * index) + frames.turns[i] * grown;
+    child.segment<3>(3 * index) = guide.segment<3>(3 * index) + frames.turns[i] * grown;
   }
 }
 

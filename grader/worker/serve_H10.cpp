@@ -1,8 +1,8 @@
 // STAFF ONLY. Serves H10. Each request: function, then by function:
 //   0 root_weights   3 corners, root                     -> 3 numbers
 //   1 interpolate    3 guides, 3 weights, root frame     -> 3n numbers
-//   2 carry_along    guide                               -> frames
-//   3 extrapolate    guide, frames, root, spread         -> 3n numbers
+//   2 carry_along    3n numbers                          -> frames
+//   3 extrapolate    3n numbers, frames, root, spread    -> 3n numbers
 //   4 blend          arc, 3n and 3n numbers, and where the child goes: 0 elsewhere, 1 at_root, 2 at_tip
 //                                                        -> 3n numbers
 #include "grader/wire/helix_message.h"
@@ -22,6 +22,12 @@ struct GuardedGuide {
   hair::RootFrame root;
   GuardedVector points;
 };
+
+std::vector<double> get_points(Session& session) {
+  std::vector<double> numbers = session.request.get_doubles();
+  if (numbers.size() < 6 || numbers.size() % 3 != 0) throw MalformedMessage("no line of points");
+  return numbers;
+}
 
 void reply_points(Session& session, GuardedScratch& child) {
   session.reply.put(std::span<const double>(child.view().data(), child.view().size()));
@@ -49,8 +55,8 @@ void of_interpolation(Session& session) {
 }
 
 void of_frames(Session& session) {
-  GuardedGuide guide(get_guide(session.request));
-  const Eigen::Index points = guide.points.view().size() / 3;
+  GuardedVector guide(get_points(session));
+  const Eigen::Index points = guide.view().size() / 3;
   hair::GuideFrames frames{
       Eigen::VectorXd::Constant(points, std::nan("")),
       std::vector<hair::Matrix3d>(static_cast<std::size_t>(points), hair::Matrix3d::Constant(std::nan("")))};
@@ -61,8 +67,8 @@ void of_frames(Session& session) {
 }
 
 void of_extrapolation(Session& session) {
-  GuardedGuide guide(get_guide(session.request));
-  const Eigen::Index size = guide.points.view().size();
+  GuardedVector guide(get_points(session));
+  const Eigen::Index size = guide.view().size();
   const hair::GuideFrames frames = get_guide_frames(session.request, static_cast<std::size_t>(size / 3));
   const hair::Vector3d root = get_vector3(session.request);
   const double spread = session.request.get<double>();

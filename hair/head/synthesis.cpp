@@ -18,12 +18,12 @@ namespace {
 
 constexpr int kChildrenOfATask = 64;
 
-struct Ball {
+struct BoundingBall {
   Vector3d centre;
   double radius;
 };
 
-bool outside(const Ball& ball, std::span<const Plane> view) {
+bool is_outside_of(const BoundingBall& ball, std::span<const Plane> view) {
   return std::any_of(view.begin(), view.end(), [&](const Plane& plane) {
     return plane.normal.dot(ball.centre - plane.point) < -ball.radius;
   });
@@ -231,10 +231,10 @@ class Synthesis::Parts {
   }
 
   // A child's points are means of points that its guides' balls hold, moved as the guides are.
-  Ball ball_of(int child) const {
+  BoundingBall ball_of(int child) const {
     const RootFrame root = child_root(child);
     const Parents& parents = parents_[child];
-    Ball shape{root.position, 0}, wisp{root.position, 0};
+    BoundingBall shape{root.position, 0}, wisp{root.position, 0};
     for (int k = 0; k < 3 && shapes(); ++k) {
       const int i = parents.guides[k];
       shape.centre += parents.weights[k] * axes_of_root(root) * axes_of_root(roots_[i]).transpose() *
@@ -246,7 +246,7 @@ class Synthesis::Parts {
       wisp = balls_[i];
       wisp.radius += std::max(1.0, spreads_[child]) * (root.position - roots_[i].position).norm();
     }
-    Ball ball = shapes() ? shape : wisp;
+    BoundingBall ball = shapes() ? shape : wisp;
     if (shapes() && wisps())
       ball.radius = std::max(shape.radius, (wisp.centre - shape.centre).norm() + wisp.radius);
     ball.centre = root.position + sizes_[child] * (ball.centre - root.position);
@@ -256,7 +256,8 @@ class Synthesis::Parts {
 
   void choose(std::span<const Plane> view) {
     if (!view.empty())
-      run(children(), [this, view](int, int child) { outside_[child] = outside(ball_of(child), view); });
+      run(children(),
+          [this, view](int, int child) { outside_[child] = is_outside_of(ball_of(child), view); });
     in_view_.clear();
     std::fill(in_use_.begin(), in_use_.end(), char{0});
     for (int child = 0; child < children(); ++child) {
@@ -270,7 +271,7 @@ class Synthesis::Parts {
   }
 
   void carry(int i) {
-    if constexpr (in_course("H10")) carry_along(guide(i), frames_[i]);
+    if constexpr (in_course("H10")) carry_along(guide(i).points, frames_[i]);
   }
 
   template <typename Number>
@@ -284,7 +285,7 @@ class Synthesis::Parts {
         interpolate({guide(nearest), guide(parents.guides[1]), guide(parents.guides[2])}, parents.weights,
                     root, made);
       if (wisps())
-        extrapolate(guide(nearest), frames_[nearest], root.position, spreads_[child], shapes() ? wisp : made);
+        extrapolate(guide(nearest).points, frames_[nearest], root.position, spreads_[child], shapes() ? wisp : made);
       if (shapes() && wisps()) blend(frames_[nearest].arc, made, wisp, made);
     }
     const double size = sizes_[child];
@@ -303,7 +304,7 @@ class Synthesis::Parts {
   const double* points_ = nullptr;
   ScalpTurn turn_;
   std::vector<RootFrame> roots_;  // of guides, now
-  std::vector<Ball> balls_;
+  std::vector<BoundingBall> balls_;
   std::vector<char> in_use_, outside_;
   std::vector<int> in_view_;
   std::vector<GuideFrames> frames_;

@@ -10,7 +10,7 @@ namespace {
 
 using Triangle = Triangulation::Triangle;
 
-constexpr double kMoved = 1e-6, kFar = 1000;  // of the width of all points
+constexpr double kMoved = 1e-6, kFarCorner = 1000;  // of the width of all points
 
 double twice_area(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
   return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
@@ -25,14 +25,14 @@ bool circle_holds(const Vector2d& a, const Vector2d& b, const Vector2d& c, const
 }
 
 // Adds points within a triangle that is far larger than all of them.
-class Builder {
+class DelaunayBuilder {
  public:
-  explicit Builder(const std::vector<Vector2d>& points, const Vector2d& middle, double width) {
+  explicit DelaunayBuilder(const std::vector<Vector2d>& points, const Vector2d& middle, double width) {
     all_.points = points;
     const int first = static_cast<int>(points.size());
-    all_.points.emplace_back(middle + kFar * width * Vector2d(-1, -1));
-    all_.points.emplace_back(middle + kFar * width * Vector2d(1, -1));
-    all_.points.emplace_back(middle + kFar * width * Vector2d(0, 1));
+    all_.points.emplace_back(middle + kFarCorner * width * Vector2d(-1, -1));
+    all_.points.emplace_back(middle + kFarCorner * width * Vector2d(1, -1));
+    all_.points.emplace_back(middle + kFarCorner * width * Vector2d(0, 1));
     all_.triangles.push_back({{first, first + 1, first + 2}, {-1, -1, -1}});
   }
 
@@ -152,7 +152,7 @@ Triangulation triangulate(const std::vector<Vector2d>& points) {
     moved[i] += kMoved * width *
                 Vector2d(counter_uniform(0, 2 * static_cast<std::uint64_t>(i)) - 0.5,
                          counter_uniform(0, 2 * static_cast<std::uint64_t>(i) + 1) - 0.5);
-  Builder builder(moved, (low + high) / 2, width);
+  DelaunayBuilder builder(moved, (low + high) / 2, width);
   for (int i = 0; i < count; ++i) builder.add(i);
   Triangulation found = builder.take(count);
   found.points = points;

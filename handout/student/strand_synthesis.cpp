@@ -15,12 +15,12 @@ void interpolate(const std::array<GuideHair, 3>& /*guides*/, const std::array<do
   throw NotImplemented("H10 interpolate");
 }
 
-void carry_along(const GuideHair& /*guide*/, GuideFrames& /*frames*/) {
+void carry_along(Input /*guide*/, GuideFrames& /*frames*/) {
   throw NotImplemented("H10 carry_along");
 }
 
-void extrapolate(const GuideHair& /*guide*/, const GuideFrames& /*frames*/, const Vector3d& /*root*/,
-                 double /*spread*/, Output /*child*/) {
+void extrapolate(Input /*guide*/, const GuideFrames& /*frames*/, const Vector3d& /*root*/, double /*spread*/,
+                 Output /*child*/) {
   throw NotImplemented("H10 extrapolate");
 }
 

@@ -20,8 +20,8 @@ std::span<const double> as_numbers(const VectorXd& vector) {
   return {vector.data(), static_cast<std::size_t>(vector.size())};
 }
 
-std::string points_of(const OwnGuide& guide) {
-  return std::to_string(guide.points.size() / 3) + " points";
+std::string points_of(const VectorXd& guide) {
+  return std::to_string(guide.size() / 3) + " points";
 }
 
 }  // namespace
@@ -42,32 +42,32 @@ VectorXd ask_interpolated(Trial& trial, const std::array<OwnGuide, 3>& guides, c
   for (const OwnGuide& guide : guides) put(message, guide);
   message.put(std::span<const double>(weights));
   put(message, root);
-  trial.describe("guides of " + points_of(guides[0]) + ", weights " + std::to_string(weights[0]) + ", " +
-                 std::to_string(weights[1]) + ", " + std::to_string(weights[2]));
+  trial.describe("guides of " + points_of(guides[0].points) + ", weights " + std::to_string(weights[0]) +
+                 ", " + std::to_string(weights[1]) + ", " + std::to_string(weights[2]));
   return only_numbers(ask(trial, message), guides[0].points.size());
 }
 
-GuideFrames ask_frames(Trial& trial, const OwnGuide& guide) {
+GuideFrames ask_frames(Trial& trial, const VectorXd& guide) {
   MessageWriter message;
   message.put(2);
-  put(message, guide);
+  message.put(as_numbers(guide));
   trial.describe("a guide of " + points_of(guide));
   MessageReader reply = ask(trial, message);
-  GuideFrames frames = get_guide_frames(reply, static_cast<std::size_t>(guide.points.size() / 3));
+  GuideFrames frames = get_guide_frames(reply, static_cast<std::size_t>(guide.size() / 3));
   reply.expect_end();
   return frames;
 }
 
-VectorXd ask_extrapolated(Trial& trial, const OwnGuide& guide, const GuideFrames& frames,
+VectorXd ask_extrapolated(Trial& trial, const VectorXd& guide, const GuideFrames& frames,
                           const Vector3d& root, double spread) {
   MessageWriter message;
   message.put(3);
-  put(message, guide);
+  message.put(as_numbers(guide));
   put(message, frames);
   put_vector3(message, root);
   message.put(spread);
   trial.describe("a guide of " + points_of(guide) + ", spread " + std::to_string(spread));
-  return only_numbers(ask(trial, message), guide.points.size());
+  return only_numbers(ask(trial, message), guide.size());
 }
 
 VectorXd ask_blended(Trial& trial, const VectorXd& arc, const VectorXd& at_root, const VectorXd& at_tip,

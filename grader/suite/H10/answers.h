@@ -14,8 +14,8 @@ enum class Place { own, at_root, at_tip };
 Weights ask_weights(Trial& trial, const Corners& corners, const Vector3d& root);
 VectorXd ask_interpolated(Trial& trial, const std::array<OwnGuide, 3>& guides, const Weights& weights,
                           const RootFrame& root);
-GuideFrames ask_frames(Trial& trial, const OwnGuide& guide);
-VectorXd ask_extrapolated(Trial& trial, const OwnGuide& guide, const GuideFrames& frames,
+GuideFrames ask_frames(Trial& trial, const VectorXd& guide);
+VectorXd ask_extrapolated(Trial& trial, const VectorXd& guide, const GuideFrames& frames,
                           const Vector3d& root, double spread);
 VectorXd ask_blended(Trial& trial, const VectorXd& arc, const VectorXd& at_root, const VectorXd& at_tip,
                      Place place);

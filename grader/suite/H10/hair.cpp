@@ -66,10 +66,10 @@ OwnGuide straight_guide(Random& random, int n) {
   return along(random, n, 0);
 }
 
-GuideFrames reference_frames(const OwnGuide& guide) {
-  const auto n = static_cast<std::size_t>(guide.points.size() / 3);
-  GuideFrames frames{VectorXd(guide.points.size() / 3), std::vector<Matrix3d>(n)};
-  hair::carry_along(guide.view(), frames);
+GuideFrames reference_frames(const VectorXd& guide) {
+  const auto n = static_cast<std::size_t>(guide.size() / 3);
+  GuideFrames frames{VectorXd(guide.size() / 3), std::vector<Matrix3d>(n)};
+  hair::carry_along(guide, frames);
   return frames;
 }
 

@@ -19,10 +19,10 @@ RootFrame moved_root(Random& random, const RootFrame& root,
 Corners some_triangle(Random& random, double height);
 double longest_edge(const Corners& corners);
 
-// A guide of n points at distances of 1 to 9 mm, which turns by up to `turn` at each point, the root among them.
+// A guide of n points at distances of 1 to 9 mm, which turns by up to `turn` at each point.
 OwnGuide some_guide(Random& random, int n, double turn);
 OwnGuide straight_guide(Random& random, int n);  // along its root's axis
 
-GuideFrames reference_frames(const OwnGuide& guide);
+GuideFrames reference_frames(const VectorXd& guide);
 
 }  // namespace grader::h10

@@ -65,17 +65,18 @@ void expect_interpolation(Trial& trial, double turn) {
 }
 
 void expect_wisp(Trial& trial, const OwnGuide& guide, double spread) {
-  const GuideFrames frames = reference_frames(guide);
+  const GuideFrames frames = reference_frames(guide.points);
   const RootFrame root = moved_root(trial.random, guide.root, 0);
   VectorXd expected(guide.points.size());
-  hair::extrapolate(guide.view(), frames, root.position, spread, expected);
-  expect_points(trial, ask_extrapolated(trial, guide, frames, root.position, spread), expected,
+  hair::extrapolate(guide.points, frames, root.position, spread, expected);
+  expect_points(trial, ask_extrapolated(trial, guide.points, frames, root.position, spread), expected,
                 guide.points.cwiseAbs().maxCoeff() + root.position.norm() * (1 + spread));
 }
 
 void expect_frames(Trial& trial, const OwnGuide& guide) {
-  trial.expect_at_most(difference(ask_frames(trial, guide).turns, reference_frames(guide).turns), kTurns,
-                       "the error of a turn");
+  trial.expect_at_most(
+      difference(ask_frames(trial, guide.points).turns, reference_frames(guide.points).turns), kTurns,
+      "the error of a turn");
 }
 
 void copy_point(OwnGuide& guide, int from, int to) {
@@ -84,15 +85,16 @@ void copy_point(OwnGuide& guide, int from, int to) {
 
 // Where it turns right round any rotation is right that takes the direction along.
 void expect_any_turns(Trial& trial, const OwnGuide& guide) {
-  const std::vector<Matrix3d> turns = ask_frames(trial, guide).turns;
-  Vector3d direction = guide.root.axis;
-  for (std::size_t i = 0; i < turns.size(); ++i) {
+  const std::vector<Matrix3d> turns = ask_frames(trial, guide.points).turns;
+  const auto direction = [&](std::size_t i) -> Vector3d {
     const auto at = static_cast<Eigen::Index>(3 * i);
-    if (i > 0) direction = (guide.points.segment<3>(at) - guide.points.segment<3>(at - 3)).normalized();
+    return (guide.points.segment<3>(at) - guide.points.segment<3>(at - 3)).normalized();
+  };
+  for (std::size_t i = 0; i < turns.size(); ++i) {
     trial.expect_at_most((turns[i].transpose() * turns[i] - Matrix3d::Identity()).norm(), kRotation,
                          "by how much a turn is no rotation");
     trial.expect(turns[i].determinant() > 0, "a turn is a reflection");
-    trial.expect_at_most((turns[i] * guide.root.axis - direction).norm(), kFolded,
+    trial.expect_at_most((turns[i] * direction(1) - direction(std::max<std::size_t>(i, 1))).norm(), kFolded,
                          "the error of the direction that a turn takes along");
   }
 }
@@ -111,8 +113,8 @@ void curved_scalp(Trial& trial) {
 void arcs(Trial& trial) {
   for (const int n : {2, 3, 16, 60}) {
     const OwnGuide guide = some_guide(trial.random, n, 1);
-    trial.expect_at_most(largest_of(ask_frames(trial, guide).arc - reference_frames(guide).arc), kArcs,
-                         "the error of an arc parameter");
+    trial.expect_at_most(largest_of(ask_frames(trial, guide.points).arc - reference_frames(guide.points).arc),
+                         kArcs, "the error of an arc parameter");
   }
 }
 
@@ -135,15 +137,10 @@ void folds(Trial& trial) {
     copy_point(guide, at - 2, at);
     expect_any_turns(trial, guide);
   }
-  OwnGuide into_the_scalp = straight_guide(random, 4);
-  for (int i = 1; i < 4; ++i)
-    into_the_scalp.points.segment<3>(3 * i) =
-        into_the_scalp.root.position - 0.01 * i * into_the_scalp.root.axis;
-  expect_any_turns(trial, into_the_scalp);
   OwnGuide point = some_guide(random, 3, 1);
   for (int i = 1; i < 3; ++i) copy_point(point, 0, i);
   expect_frames(trial, point);
-  trial.expect_at_most(largest_of(ask_frames(trial, point).arc), 0,
+  trial.expect_at_most(largest_of(ask_frames(trial, point.points).arc), 0,
                        "an arc parameter of a guide of length 0");
 }
 
@@ -162,7 +159,7 @@ void blends(Trial& trial) {
   for (const int n : {2, 5, 16, 40})
     for (const Place place : {Place::own, Place::at_root, Place::at_tip}) {
       const OwnGuide one = some_guide(random, n, 1), other = some_guide(random, n, 1);
-      const VectorXd arc = reference_frames(one).arc;
+      const VectorXd arc = reference_frames(one.points).arc;
       VectorXd expected(3 * n);
       hair::blend(arc, one.points, other.points, expected);
       expect_points(trial, ask_blended(trial, arc, one.points, other.points, place), expected,

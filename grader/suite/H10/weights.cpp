@@ -14,9 +14,9 @@ Vector3d point_of(const Corners& corners, const Weights& weights) {
   return weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
 }
 
-Weights checked_weights(Trial& trial, const Corners& corners, const Vector3d& root) {
+Weights checked_weights(Trial& trial, const Corners& corners, const Vector3d& root, double bound) {
   const Weights weights = ask_weights(trial, corners, root);
-  trial.expect_at_most(std::abs(weights[0] + weights[1] + weights[2] - 1), kSum,
+  trial.expect_at_most(std::abs(weights[0] + weights[1] + weights[2] - 1), bound,
                        "the sum of the weights, less 1,");
   trial.expect(
       *std::min_element(weights.begin(), weights.end()) >= 0, "a weight is negative",
@@ -26,7 +26,7 @@ Weights checked_weights(Trial& trial, const Corners& corners, const Vector3d& ro
 
 void expect_nearest(Trial& trial, const Corners& corners, const Vector3d& root) {
   const Vector3d expected = point_of(corners, hair::root_weights(corners, root)),
-                 answered = point_of(corners, checked_weights(trial, corners, root));
+                 answered = point_of(corners, checked_weights(trial, corners, root, kSum));
   trial.expect_at_most((answered - expected).norm(), kPoint * longest_edge(corners),
                        "the distance from the triangle's nearest point");
 }
@@ -87,11 +87,12 @@ void thin_triangles(Trial& trial) {
     Weights at{random.uniform(), random.uniform(), random.uniform()};
     const double sum = at[0] + at[1] + at[2];
     for (double& weight : at) weight /= sum;
-    Vector3d root = point_of(corners, at);
-    if (repeat % 2 == 0) root += random.uniform(0, 1) * size * some_direction(random);
+    // Over the inside of one that has a width, wherever of one that has none.
+    const Vector3d way = kind < 2 ? normal_of(corners) : some_direction(random);
+    const Vector3d root = point_of(corners, at) + (repeat % 2) * random.uniform(0, 1) * size * way;
     trial.describe("three roots on a line, or nearly, or in one place");
     const double least = (point_of(corners, hair::root_weights(corners, root)) - root).norm(),
-                 distance = (point_of(corners, checked_weights(trial, corners, root)) - root).norm();
+                 distance = (point_of(corners, checked_weights(trial, corners, root, kThin)) - root).norm();
     trial.expect_at_most(distance - least, kThin * size, "how much farther than the nearest point it is");
   }
 }

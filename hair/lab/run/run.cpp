@@ -73,7 +73,7 @@ class FrameWriter {
       csv_.add(playback_.time(), lines);
     }
     if (!pictures_) return;
-    const Image image = pictures_->draw(lines, playback_.obstacles());
+    const Image image = pictures_->draw(lines, playback_.obstacles(), playback_.time());
     const timing::AddsTime watch(seconds.png);
     write_whole(folder_, frame_name(frame), encode_png(image));
   }

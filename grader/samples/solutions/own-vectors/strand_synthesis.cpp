@@ -133,20 +133,20 @@ void interpolate(const std::array<GuideHair, 3>& guides, const std::array<double
   }
 }
 
-void carry_along(const GuideHair& guide, GuideFrames& frames) {
+void carry_along(Input guide, GuideFrames& frames) {
   const auto n = static_cast<Eigen::Index>(frames.turns.size());
   double gone = 0;
-  for (Eigen::Index i = 1; i < n; ++i) gone += length(point(guide.points, i) - point(guide.points, i - 1));
+  for (Eigen::Index i = 1; i < n; ++i) gone += length(point(guide, i) - point(guide, i - 1));
   const double whole = gone;
   Quaternion turn;
-  Vec direction = vec(guide.root.axis);
+  Vec direction;
   gone = 0;
   for (Eigen::Index i = 0; i < n; ++i) {
-    const Vec segment = i == 0 ? Vec{} : point(guide.points, i) - point(guide.points, i - 1);
+    const Vec segment = i == 0 ? Vec{} : point(guide, i) - point(guide, i - 1);
     const double size = length(segment);
     if (size > 0) {
+      if (gone > 0) turn = scaled_to_1(between(direction, 1 / size * segment) * turn);
       gone += size;
-      turn = scaled_to_1(between(direction, 1 / size * segment) * turn);
       direction = 1 / size * segment;
     }
     frames.arc[i] = gone > 0 ? gone / whole : 0;
@@ -159,16 +159,15 @@ void carry_along(const GuideHair& guide, GuideFrames& frames) {
   }
 }
 
-void extrapolate(const GuideHair& guide, const GuideFrames& frames, const Vector3d& root, double spread,
-                 Output child) {
+void extrapolate(Input guide, const GuideFrames& frames, const Vector3d& root, double spread, Output child) {
   for (Eigen::Index i = frames.arc.size() - 1; i >= 0; --i) {
     const double arc = frames.arc[i];
-    const Vec offset = (1 - arc + spread * arc) * (vec(root) - vec(guide.root.position));
+    const Vec offset = (1 - arc + spread * arc) * (vec(root) - point(guide, 0));
     const Matrix3d& turn = frames.turns[i];
     const Vec rotated{turn(0, 0) * offset.x + turn(0, 1) * offset.y + turn(0, 2) * offset.z,
                       turn(1, 0) * offset.x + turn(1, 1) * offset.y + turn(1, 2) * offset.z,
                       turn(2, 0) * offset.x + turn(2, 1) * offset.y + turn(2, 2) * offset.z};
-    set(child, i, point(guide.points, i) + rotated);
+    set(child, i, point(guide, i) + rotated);
   }
 }
 

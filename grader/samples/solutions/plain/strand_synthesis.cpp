@@ -78,14 +78,14 @@ void interpolate(const std::array<GuideHair, 3>& guides, const std::array<double
   }
 }
 
-void carry_along(const GuideHair& guide, GuideFrames& frames) {
+void carry_along(Input guide, GuideFrames& frames) {
   const int n = static_cast<int>(frames.turns.size());
   double length = 0;
-  Vector3d before = guide.root.axis;
+  Vector3d before = Vector3d::Zero();
   frames.arc[0] = 0;
   frames.turns[0] = Matrix3d::Identity();
   for (int i = 1; i < n; ++i) {
-    const Vector3d segment = guide.points.segment<3>(3 * i) - guide.points.segment<3>(3 * i - 3);
+    const Vector3d segment = guide.segment<3>(3 * i) - guide.segment<3>(3 * i - 3);
     length += segment.norm();
     frames.arc[i] = length;
     if (segment.norm() == 0) {
@@ -93,6 +93,7 @@ void carry_along(const GuideHair& guide, GuideFrames& frames) {
       continue;
     }
     const Vector3d now = segment.normalized();
+    if (before.norm() == 0) before = now;  // the first
     frames.turns[i] = from_to(before, now) * frames.turns[i - 1];
     before = now;
   }
@@ -100,13 +101,12 @@ void carry_along(const GuideHair& guide, GuideFrames& frames) {
     for (int i = 0; i < n; ++i) frames.arc[i] /= length;
 }
 
-void extrapolate(const GuideHair& guide, const GuideFrames& frames, const Vector3d& root, double spread,
-                 Output child) {
-  const Vector3d between = root - guide.root.position;
+void extrapolate(Input guide, const GuideFrames& frames, const Vector3d& root, double spread, Output child) {
+  const Vector3d between = root - guide.head<3>();
   const int n = static_cast<int>(frames.turns.size());
   for (int i = 0; i < n; ++i) {
     const double growth = 1 + (spread - 1) * frames.arc[i];
-    child.segment<3>(3 * i) = guide.points.segment<3>(3 * i) + growth * frames.turns[i] * between;
+    child.segment<3>(3 * i) = guide.segment<3>(3 * i) + growth * frames.turns[i] * between;
   }
 }
 
