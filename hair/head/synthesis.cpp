@@ -18,16 +18,15 @@ namespace {
 
 constexpr int kChildrenOfATask = 64;
 
-struct BoundingBall {
-  Vector3d centre;
-  double radius;
-};
+// As a root's frame sees it, with the root at 0.
+struct Box {
+  Vector3d middle, half;
 
-bool is_outside_of(const BoundingBall& ball, std::span<const Plane> view) {
-  return std::any_of(view.begin(), view.end(), [&](const Plane& plane) {
-    return plane.normal.dot(ball.centre - plane.point) < -ball.radius;
-  });
-}
+  // How far it goes along `direction`.
+  double reach(const Vector3d& direction) const {
+    return direction.dot(middle) + direction.cwiseAbs().dot(half);
+  }
+};
 
 Eigen::Matrix3d axes_of_root(const RootFrame& frame) {
   Eigen::Matrix3d axes;
@@ -86,7 +85,7 @@ class Synthesis::Parts {
       sizes_[i] = 1 + given_.length * (2 * counter_uniform(given_.seed, 2 * i + 1) - 1);
     }
     roots_.resize(guides.size());
-    balls_.resize(guides.size());
+    boxes_.resize(guides.size());
     in_use_.resize(guides.size());
     outside_.resize(parents_.size());
     in_view_.reserve(parents_.size());
@@ -204,21 +203,21 @@ class Synthesis::Parts {
     return {roots_[i], {points_ + static_cast<std::size_t>(3 * n_) * static_cast<std::size_t>(i), 3 * n_}};
   }
 
-  // Where guides' roots are now, and, for the view, the ball around each guide as its root sees it.
-  void place_guides(bool with_balls) {
+  // Where guides' roots are now, and, for the view, the boxes that hold the guides.
+  void place_guides(bool with_boxes) {
     for (std::size_t i = 0; i < roots_.size(); ++i) {
       const RootFrame& start = given_.guides[i];
       const GuideHair now = guide(static_cast<int>(i));
       roots_[i] = {Vector3d(now.points.head<3>()), turn_ * start.axis, turn_ * start.side};
-      if (!with_balls) continue;
-      Vector3d low = now.points.head<3>(), high = low;
+      if (!with_boxes) continue;
+      const Eigen::Matrix3d seen = axes_of_root(roots_[i]).transpose();
+      Vector3d low = Vector3d::Zero(), high = low;
       for (int at = 3; at < 3 * n_; at += 3) {
-        low = low.cwiseMin(now.points.segment<3>(at));
-        high = high.cwiseMax(now.points.segment<3>(at));
+        const Vector3d point = seen * (now.points.segment<3>(at) - roots_[i].position);
+        low = low.cwiseMin(point);
+        high = high.cwiseMax(point);
       }
-      balls_[i] = {(low + high) / 2, 0};
-      for (int at = 0; at < 3 * n_; at += 3)
-        balls_[i].radius = std::max(balls_[i].radius, (now.points.segment<3>(at) - balls_[i].centre).norm());
+      boxes_[i] = {(low + high) / 2, (high - low) / 2};
     }
   }
 
@@ -230,34 +229,35 @@ class Synthesis::Parts {
             turn_ * start.axis, turn_ * start.side};
   }
 
-  // A child's points are means of points that its guides' balls hold, moved as the guides are.
-  BoundingBall ball_of(int child) const {
-    const RootFrame root = child_root(child);
+  // How far a child goes from its root along `direction`, at most. What is a mean of guides, as roots see them, goes as far
+  // as the mean of their boxes does; a wisp's strand is beside its guide.
+  double reach_of(int child, const RootFrame& root, const Vector3d& direction) const {
     const Parents& parents = parents_[child];
-    BoundingBall shape{root.position, 0}, wisp{root.position, 0};
-    for (int k = 0; k < 3 && shapes(); ++k) {
-      const int i = parents.guides[k];
-      shape.centre += parents.weights[k] * axes_of_root(root) * axes_of_root(roots_[i]).transpose() *
-                      (balls_[i].centre - roots_[i].position);
-      shape.radius += parents.weights[k] * balls_[i].radius;
+    double reach = -std::numeric_limits<double>::infinity();
+    if (shapes()) {
+      const Vector3d seen = axes_of_root(root).transpose() * direction;
+      reach = 0;
+      for (int k = 0; k < 3; ++k) reach += parents.weights[k] * boxes_[parents.guides[k]].reach(seen);
     }
     if (wisps()) {
-      const int i = parents.guides[0];
-      wisp = balls_[i];
-      wisp.radius += std::max(1.0, spreads_[child]) * (root.position - roots_[i].position).norm();
+      const int nearest = parents.guides[0];
+      const Vector3d between = root.position - roots_[nearest].position;
+      reach = std::max(reach, boxes_[nearest].reach(axes_of_root(roots_[nearest]).transpose() * direction) -
+                                  direction.dot(between) + std::max(1.0, spreads_[child]) * between.norm());
     }
-    BoundingBall ball = shapes() ? shape : wisp;
-    if (shapes() && wisps())
-      ball.radius = std::max(shape.radius, (wisp.centre - shape.centre).norm() + wisp.radius);
-    ball.centre = root.position + sizes_[child] * (ball.centre - root.position);
-    ball.radius *= sizes_[child];
-    return ball;
+    return sizes_[child] * reach;
+  }
+
+  bool is_out_of(std::span<const Plane> view, int child) const {
+    const RootFrame root = child_root(child);
+    return std::any_of(view.begin(), view.end(), [&](const Plane& plane) {
+      return plane.normal.dot(root.position - plane.point) + reach_of(child, root, plane.normal) < 0;
+    });
   }
 
   void choose(std::span<const Plane> view) {
     if (!view.empty())
-      run(children(),
-          [this, view](int, int child) { outside_[child] = is_outside_of(ball_of(child), view); });
+      run(children(), [this, view](int, int child) { outside_[child] = is_out_of(view, child); });
     in_view_.clear();
     std::fill(in_use_.begin(), in_use_.end(), char{0});
     for (int child = 0; child < children(); ++child) {
@@ -285,7 +285,8 @@ class Synthesis::Parts {
         interpolate({guide(nearest), guide(parents.guides[1]), guide(parents.guides[2])}, parents.weights,
                     root, made);
       if (wisps())
-        extrapolate(guide(nearest).points, frames_[nearest], root.position, spreads_[child], shapes() ? wisp : made);
+        extrapolate(guide(nearest).points, frames_[nearest], root.position, spreads_[child],
+                    shapes() ? wisp : made);
       if (shapes() && wisps()) blend(frames_[nearest].arc, made, wisp, made);
     }
     const double size = sizes_[child];
@@ -304,7 +305,7 @@ class Synthesis::Parts {
   const double* points_ = nullptr;
   ScalpTurn turn_;
   std::vector<RootFrame> roots_;  // of guides, now
-  std::vector<BoundingBall> balls_;
+  std::vector<Box> boxes_;
   std::vector<char> in_use_, outside_;
   std::vector<int> in_view_;
   std::vector<GuideFrames> frames_;

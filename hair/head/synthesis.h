@@ -62,7 +62,8 @@ class Synthesis {
 
   // The children that are in the view, one after the other, n points each: their coordinates go to `strands`, which has
   // room for all children, and their numbers to in_view(). guides: guide after guide, n points each. view: the half-spaces
-  // whose common part is seen; none: everything is. A child is left out if the ball around it lies outside of one.
+  // whose common part is seen; none: everything is. A child is left out if a box that holds it lies outside of
+  // one.
   SynthesisCounts make(std::span<const double> guides, const ScalpTurn& turn, std::span<const Plane> view,
                        std::span<double> strands);
   SynthesisCounts make(std::span<const double> guides, const ScalpTurn& turn, std::span<const Plane> view,
