@@ -22,8 +22,8 @@ Matrix3d axes_of(const RootFrame& frame) {
 // the second -a to b. Each reverses what is along its normal.
 Matrix3d least_rotation(const Vector3d& a, const Vector3d& b) {
   Vector3d normal = a + b;
-  // What is left of a + b where they are opposite is rounding: then any normal across them does.
-  if (normal.squaredNorm() < 1e-20) normal = a.unitOrthogonal();
+  // Where they are nearly opposite, a + b is rounding in the end: then any normal across them is as good, to 1e-8.
+  if (normal.squaredNorm() < 1e-16) normal = a.unitOrthogonal();
   normal.normalize();
   Matrix3d rotation = Matrix3d::Identity() - 2 * a * a.transpose();
   rotation -= 2 * normal * (normal.transpose() * rotation).eval();
