@@ -153,7 +153,8 @@ TEST(Synthesis, LeavesOutWhatIsOutOfView) {
     for (int child = 0; child < 2000; ++child) {
       bool seen = false;
       for (int i = 0; i < kPoints; ++i) {
-        const Vector3d x = point_of(all, static_cast<std::size_t>(child * kPoints + i));
+        const Vector3d x =
+            point_of(all, static_cast<std::size_t>(child) * kPoints + static_cast<std::size_t>(i));
         seen = seen || std::all_of(view.begin(), view.end(), [&](const Plane& plane) {
                  return plane.normal.dot(x - plane.point) >= 0;
                });
