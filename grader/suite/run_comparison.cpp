@@ -103,9 +103,10 @@ RunComparison compare_runs(const hair::Scene& scene, const std::vector<int>& pic
 
   for (const Taken& one : taken) {
     if (!(one.moment.apart <= kFarthestDrawn * result.size)) break;
-    result.shots.push_back(
-        {name_at(one.moment.time), drawing.at(one.ours, one.obstacles), drawing.at(one.theirs, one.obstacles),
-         one.moment.apart <= kSameParticles * result.size, one.moment.apart > kNear * result.size});
+    result.shots.push_back({name_at(one.moment.time), drawing.at(one.ours, one.obstacles, one.moment.time),
+                            drawing.at(one.theirs, one.obstacles, one.moment.time),
+                            one.moment.apart <= kSameParticles * result.size,
+                            one.moment.apart > kNear * result.size});
   }
   return result;
 }

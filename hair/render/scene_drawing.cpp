@@ -5,7 +5,9 @@
 #include <numeric>
 #include <utility>
 
+#include "hair/render/light.h"
 #include "hair/render/scene_bounds.h"
+#include "hair/render/view.h"
 #include "particles/require.h"
 
 namespace hair {
@@ -20,6 +22,19 @@ const Colour kPinned(0.06F, 0.06F, 0.07F), kRod(0.20F, 0.22F, 0.25F), kWire(0.45
 // Parts of the picture's height.
 constexpr double kBall = 0.018, kTube = 0.005, kRing = 0.0035;
 
+// The four sides of what the camera sees. With shadows those through which light falls into the picture are no limits:
+// what is beyond them may throw a shadow on what is seen.
+std::vector<Plane> seen_planes(const Camera& camera, double aspect, bool shadows) {
+  const Eigen::Matrix3d axes = view_axes((camera.eye - camera.target).normalized(), camera.up);
+  const double y = std::tan(camera.field_of_view / 2), x = aspect * y;
+  std::vector<Plane> planes;
+  for (const Vector3d& inward :
+       {Vector3d(1, 0, -x), Vector3d(-1, 0, -x), Vector3d(0, 1, -y), Vector3d(0, -1, -y)})
+    if (!shadows || inward.dot(kKeyLight.cast<double>()) >= 0)
+      planes.push_back({camera.eye, axes.transpose() * inward.normalized()});
+  return planes;
+}
+
 }  // namespace
 
 SceneDrawing::SceneDrawing(const Scene& scene, std::vector<int> strands)
@@ -30,19 +45,22 @@ SceneDrawing::SceneDrawing(const Scene& scene, std::vector<int> strands)
   camera_.eye = target + (camera_.eye - camera_.target) / look_.zoom;
   camera_.target = target;
   unit_ = 2 * std::tan(camera_.field_of_view / 2) * (camera_.eye - camera_.target).norm();
+  view_ = seen_planes(camera_, static_cast<double>(look_.image_width) / look_.image_height, look_.shadows);
+  for (const DenseHair& dense : scene.dense)
+    dense_.push_back(std::make_unique<Synthesis>(dense.description, scene.hair.jobs));
 }
 
 RenderSettings SceneDrawing::settings() const {
   return {.width = look_.image_width, .height = look_.image_height, .shadows = look_.shadows};
 }
 
-Drawing SceneDrawing::at(const particles::State& state, const std::vector<Obstacle>& obstacles) const {
+Drawing SceneDrawing::at(const particles::State& state, const std::vector<Obstacle>& obstacles,
+                         double time) const {
   Drawing drawing;
   drawing.obstacles = obstacles;
   drawing.strands.width = look_.width;
   drawing.strands.root = look_.root_colour.cast<float>();
   drawing.strands.tip = look_.tip_colour.cast<float>();
-  drawing.strands.sizes = strands_;
   Eigen::Index particles = std::accumulate(strands_.begin(), strands_.end(), Eigen::Index{0});
   const Eigen::Index of_strands = particles;
   for (const Toy& toy : scene_.toys) particles += toy.particles.count();
@@ -50,9 +68,7 @@ Drawing SceneDrawing::at(const particles::State& state, const std::vector<Obstac
                      static_cast<double>(state.x.size()),
                      std::to_string(3 * particles) + ", 3 for each particle");
 
-  drawing.strands.points.reserve(static_cast<std::size_t>(of_strands));
-  for (Eigen::Index i = 0; i < of_strands; ++i)
-    drawing.strands.points.emplace_back(state.x.segment<3>(3 * i));
+  add_strands(state.x.head(3 * of_strands), time, drawing.strands);
   Eigen::Index first = of_strands;
   int toy_index = 0;
   for (const Toy& toy : scene_.toys) {
@@ -60,6 +76,47 @@ Drawing SceneDrawing::at(const particles::State& state, const std::vector<Obstac
     first += toy.particles.count();
   }
   return drawing;
+}
+
+void SceneDrawing::add_strands(particles::Input x, double time, StrandsDrawing& drawing) const {
+  synthesised_ = {};
+  drawing.points.reserve(static_cast<std::size_t>(x.size() / 3));
+  Eigen::Index at = 0;
+  std::size_t group = 0;
+  for (std::size_t strand = 0; strand < strands_.size();) {
+    if (group < dense_.size() && scene_.dense[group].first == static_cast<int>(strand)) {
+      const SynthesisDescription& made = scene_.dense[group].description;
+      const Eigen::Index size = 3 * static_cast<Eigen::Index>(made.guides.size()) * made.points;
+      particles::require(at + size <= x.size(), "the numbers of a group's guides", static_cast<double>(size),
+                         "within the state's");
+      add_dense(group++, x.segment(at, size), time, drawing);
+      strand += made.guides.size();
+      at += size;
+      continue;
+    }
+    drawing.sizes.push_back(strands_[strand]);
+    for (int i = 0; i < strands_[strand]; ++i, at += 3) drawing.points.emplace_back(x.segment<3>(at));
+    ++strand;
+  }
+}
+
+void SceneDrawing::add_dense(std::size_t group, particles::Input guides, double time,
+                             StrandsDrawing& drawing) const {
+  const std::optional<Motion>& motion = scene_.dense[group].motion;
+  const Eigen::Matrix3d turn = motion ? way_at(*motion, time).rotation.toRotationMatrix()
+                                      : Eigen::Matrix3d(Eigen::Matrix3d::Identity());
+  Synthesis& synthesis = *dense_[group];
+  std::vector<double> made(3 * static_cast<std::size_t>(synthesis.points()) * synthesis.children());
+  const SynthesisCounts counts = synthesis.make({guides.data(), static_cast<std::size_t>(guides.size())},
+                                                turn, view_, std::span<double>(made));
+  const auto points = static_cast<std::size_t>(counts.children) * synthesis.points();
+  drawing.sizes.insert(drawing.sizes.end(), static_cast<std::size_t>(counts.children), synthesis.points());
+  for (std::size_t i = 0; i < points; ++i)
+    drawing.points.emplace_back(Eigen::Map<const Vector3d>(made.data() + 3 * i));
+  synthesised_.children += counts.children;
+  synthesised_.children_out_of_view += counts.children_out_of_view;
+  synthesised_.guides_used += counts.guides_used;
+  synthesised_.guides_idle += counts.guides_idle;
 }
 
 void SceneDrawing::add_toy(const Toy& toy, int toy_index, particles::Input x, Drawing& drawing) const {

@@ -2,6 +2,7 @@
 // frames.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "hair/render/camera.h"
@@ -12,7 +13,7 @@
 
 namespace hair {
 
-// A scene without a look gets the default one.
+// A scene without a look gets the default one. Calls H10 if the scene has dense hair.
 class SceneDrawing {
  public:
   // strands: the number of points of each strand's centre line (Playback::strands). Keeps a reference to the scene, which must
@@ -22,20 +23,28 @@ class SceneDrawing {
   RenderSettings settings() const;
   const Camera& camera() const { return camera_; }  // placed by scene_bounds.h
 
-  // Draws from the positions of all points (strand after strand, then toy after toy) and the obstacles at
-  // that time. Throws std::invalid_argument for a state of another size.
+  // Draws from the positions of all points (strand after strand, then toy after toy) and the obstacles at `time`, s.
+  // Throws std::invalid_argument for a state of another size. Not for two threads at a time.
   //
   // In a toy, springs and rods are tubes, particles are balls and wires are rings; cloth is a sheet.
-  Drawing at(const particles::State& state, const std::vector<Obstacle>& obstacles) const;
+  Drawing at(const particles::State& state, const std::vector<Obstacle>& obstacles, double time) const;
+
+  // Of the last drawing's dense hair.
+  const SynthesisCounts& synthesised() const { return synthesised_; }
 
  private:
+  void add_strands(particles::Input x, double time, StrandsDrawing& drawing) const;
+  void add_dense(std::size_t group, particles::Input guides, double time, StrandsDrawing& drawing) const;
   void add_toy(const Toy& toy, int toy_index, particles::Input x, Drawing& drawing) const;
 
   const Scene& scene_;
   std::vector<int> strands_;
   Look look_;
   Camera camera_;
-  double unit_;  // m: the height of the visible region
+  double unit_;                                    // m: the height of the visible region
+  std::vector<std::unique_ptr<Synthesis>> dense_;  // of each of the scene's groups of dense hair
+  std::vector<Plane> view_;
+  mutable SynthesisCounts synthesised_;
 };
 
 }  // namespace hair

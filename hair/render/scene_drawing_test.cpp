@@ -119,7 +119,7 @@ TEST(SceneDrawing, EachParticleIsDrawnWhereTheStateHasIt) {
   Scene scene = moving_head();
   scene.toys.push_back(pendulum());
   particles::State state{Eigen::VectorXd::LinSpaced(18, 0, 17), Eigen::VectorXd::Zero(18)};
-  const Drawing drawing = SceneDrawing(scene, {4}).at(state, scene.hair.obstacles);
+  const Drawing drawing = SceneDrawing(scene, {4}).at(state, scene.hair.obstacles, 0);
   EXPECT_EQ(drawing.strands.sizes, std::vector<int>{4});
   EXPECT_EQ(drawing.strands.points[3], Vector3d(9, 10, 11));
   ASSERT_EQ(drawing.balls.size(), 2U);
@@ -138,7 +138,7 @@ TEST(SceneDrawing, ClothIsASheetAndNotItsSprings) {
   cloth.rows = 2;
   cloth.columns = 3;
   scene.toys = {cloth};
-  const Drawing drawing = SceneDrawing(scene, {}).at(cloth.start, {});
+  const Drawing drawing = SceneDrawing(scene, {}).at(cloth.start, {}, 0);
   ASSERT_EQ(drawing.sheets.size(), 1U);
   EXPECT_EQ(drawing.sheets[0].points.size(), 6U);
   EXPECT_EQ(drawing.tubes.size(), 1U) << "the spring that leads away from it";
@@ -148,7 +148,7 @@ TEST(SceneDrawing, ClothIsASheetAndNotItsSprings) {
 TEST(SceneDrawing, RefusesAStateOfAnotherSize) {
   const Scene scene = moving_head();
   const particles::State state{Eigen::VectorXd::Zero(15), Eigen::VectorXd::Zero(15)};
-  EXPECT_THROW(SceneDrawing(scene, {4}).at(state, {}), std::invalid_argument);
+  EXPECT_THROW(SceneDrawing(scene, {4}).at(state, {}, 0), std::invalid_argument);
 }
 
 TEST(SceneDrawing, ASceneWithALookIsDrawnInItsSize) {

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <string_view>
 
 #include "hair/mass_spring/force_parts.h"
@@ -46,6 +47,7 @@ std::vector<std::string> exercises_of(const Scene& scene) {
       if (row.toy == toy.method) called.add(row.exercises);
     called.add(particles::exercises_of_constraints(toy));
   }
+  if (!scene.dense.empty()) called.add(std::array{"H10"});
   return called.take();
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hair/head/synthesis.h"
 #include "hair/scene/motion.h"
 #include "hair/simulation/description.h"
 #include "particles/toys/toy.h"
@@ -35,6 +36,13 @@ struct Rider {
   std::vector<int> strands, obstacles;
 };
 
+// Strands that are drawn in the place of a group's strands, which are their guides (H10). It has no effect on the motion.
+struct DenseHair {
+  int first = 0;                     // the scene's strand that is the first guide; the others follow it
+  SynthesisDescription description;  // `points` are those of the guides' centre lines
+  std::optional<Motion> motion;      // of the scalp
+};
+
 struct Scene {
   std::string name;   // "strand-swing"
   std::string shows;  // one line
@@ -46,6 +54,7 @@ struct Scene {
   std::vector<Rider> riders;
   std::vector<Toy> toys;     // particles with springs, rods, wires: for P1 and P2, and for cloth
   std::optional<Look> look;  // none: no pictures
+  std::vector<DenseHair> dense;
 };
 
 // Whether there is a hair simulation.

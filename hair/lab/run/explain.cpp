@@ -119,6 +119,18 @@ void explain_surroundings(const Scene& scene, Parts& parts) {
             hair.wind == none ? "the air is at rest" : "without drag it moves nothing");
 }
 
+void explain_dense_hair(const Scene& scene, bool render, Parts& parts) {
+  std::size_t strands = 0, guides = 0;
+  for (const DenseHair& dense : scene.dense) {
+    strands += dense.description.children.size();
+    guides += dense.description.guides.size();
+  }
+  parts.add(
+      "dense hair", strands > 0 && render,
+      "H10, " + counted(strands, "strand") + " of " + counted(guides, "guide") + ", less those out of view",
+      strands > 0 ? "--no-render" : "strands are drawn as they are");
+}
+
 void explain_exercises(const Scene& scene, Parts& parts) {
   const std::vector<std::string> used = exercises_of(scene);
   std::istringstream files(HAIR_EXERCISE_FILES);
@@ -148,6 +160,7 @@ std::vector<Part> explain(const Scene& scene, bool render) {
   explain_hair(scene, parts);
   explain_toys(scene, parts);
   explain_surroundings(scene, parts);
+  explain_dense_hair(scene, render, parts);
   explain_exercises(scene, parts);
   explain_pictures(scene, render, parts);
   return parts.take();

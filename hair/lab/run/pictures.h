@@ -14,8 +14,9 @@ class Pictures {
   // strands: as SceneDrawing has them. The scene must have a look and outlive this object. Throws NoOpenGl.
   Pictures(const Scene& scene, const std::vector<int>& strands);
 
-  Image draw(const particles::State& state, const std::vector<Obstacle>& obstacles);
+  Image draw(const particles::State& state, const std::vector<Obstacle>& obstacles, double time);
 
+  const SynthesisCounts& synthesised() const { return drawing_.synthesised(); }  // in the last picture
   const RenderTimes& times() const { return renderer_.times(); }
   std::string about() const { return renderer_.about(); }
 

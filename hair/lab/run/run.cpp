@@ -49,11 +49,13 @@ std::unique_ptr<Pictures> prepare_pictures(const Scene& scene, const RunSettings
 // Where frames go.
 class FrameWriter {
  public:
-  FrameWriter(const OutputFolder& folder, const Playback& playback, Pictures* pictures, RunRecord& record)
+  FrameWriter(const Scene& scene, const OutputFolder& folder, const Playback& playback, Pictures* pictures,
+              RunRecord& record)
       : folder_(folder),
         playback_(playback),
         pictures_(pictures),
         record_(record),
+        dense_(!scene.dense.empty()),
         binary_(folder.now("states.bin"), folder.then("states.bin"), playback.sizes(),
                 static_cast<int>(playback.state().x.size() / 3), playback.coordinates().front()),
         csv_(folder.now("states.csv"), folder.then("states.csv"), record.strands) {}
@@ -73,7 +75,8 @@ class FrameWriter {
       csv_.add(playback_.time(), lines);
     }
     if (!pictures_) return;
-    const Image image = pictures_->draw(lines, playback_.obstacles());
+    const Image image = pictures_->draw(lines, playback_.obstacles(), playback_.time());
+    if (dense_) record_.dense = pictures_->synthesised();
     const timing::AddsTime watch(seconds.png);
     write_whole(folder_, frame_name(frame), encode_png(image));
   }
@@ -89,6 +92,7 @@ class FrameWriter {
   const Playback& playback_;
   Pictures* pictures_;
   RunRecord& record_;
+  bool dense_;
   StatesWriter binary_;
   CsvWriter csv_;
 };
@@ -128,7 +132,7 @@ RunResult run_scene(const Scene& scene, const RunSettings& settings, const std::
   record.strands = playback->strands();
   record.particles = static_cast<int>(playback->centre_lines(playback->state()).x.size() / 3);
   const auto pictures = prepare_pictures(scene, settings, record, notes);
-  FrameWriter frames(folder, *playback, pictures.get(), record);
+  FrameWriter frames(scene, folder, *playback, pictures.get(), record);
   play(*playback, frames, record, interrupted, progress);
   frames.close();
   record.warnings = playback->watch().warnings();

@@ -37,7 +37,8 @@ struct RunRecord {
 
   // The reason why there are none, or nothing.
   std::optional<std::string> no_pictures, no_film;
-  std::string opengl;  // the renderer's name
+  std::string opengl;                    // the renderer's name
+  std::optional<SynthesisCounts> dense;  // of the last picture's dense hair; none without any
 
   Seconds seconds;
 };

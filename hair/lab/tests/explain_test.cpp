@@ -21,6 +21,9 @@ std::map<std::string, Part> parts_of(const std::string& json, bool render = true
   EXPECT_EQ(parts["bending"].used, parts["exercise H2"].used);
   EXPECT_EQ(parts["springs that skip"].used, parts["exercise H3"].used);
   EXPECT_EQ(parts["constraints"].used, parts["exercise P2"].used);
+  if (render) {
+    EXPECT_EQ(parts["dense hair"].used, parts["exercise H10"].used);
+  }
   return parts;
 }
 
@@ -48,8 +51,8 @@ TEST(Explain, UsesAllPartsOfASceneThatHasThem) {
     "wind": [1, 0, 0], "hair": [
       {"segments": 3, "length": 0.1, "material": {"skip_factor": 0.1}, "moves_with": "head", )" +
                               kRoots + R"(},
-      {"segments": 9, "length": 0.1, "shape": {"curly": {"radius": 0.01, "pitch": 0.02}}, )" +
-                              kRoots + R"(}],
+      {"segments": 9, "length": 0.1, "shape": {"curly": {"radius": 0.01, "pitch": 0.02}},
+       "roots": {"line": {"from": [0, 0, 0], "to": [0, 0, 0], "count": 1}}, "synthesis": {"strands": 7}}],
     "obstacles": [{"sphere": {"centre": [0, 0, 0], "radius": 0.1}}],
     "motions": [{"name": "head", "keys": [{"time": 0}]}],
     "toys": [{"particles": [{"position": [0, 0, 0], "mass": 1, "pinned": true},
@@ -59,6 +62,7 @@ TEST(Explain, UsesAllPartsOfASceneThatHasThem) {
   EXPECT_EQ(names(parts, false), "");
   EXPECT_EQ(parts.at("bending").why, "H2, angular springs at the joints of 1 strand");
   EXPECT_EQ(parts.at("rest curvature").why, "given, at the joints of 1 strand");
+  EXPECT_EQ(parts.at("dense hair").why, "H10, 7 strands of 1 guide, less those out of view");
 }
 
 TEST(Explain, SaysWhyPartsThatAreAskedForAreLeftOut) {

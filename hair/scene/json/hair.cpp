@@ -64,8 +64,9 @@ struct Group {
 };
 
 Group read_group(const JsonValue& object) {
-  object.check_keys({"segments", "length", "roots"}, {"model", "material", "shape", "clamped", "start",
-                                                      "variation", "root_velocity", "moves_with"});
+  object.check_keys({"segments", "length", "roots"},
+                    {"model", "material", "shape", "clamped", "start", "variation", "root_velocity",
+                     "moves_with", "synthesis"});
   Group group;
   group.model = read_model(object);
   StrandSpec& spec = group.spec;
@@ -124,6 +125,7 @@ void read_hair(const JsonValue& list, Reading& reading) {
     Description& hair = reading.scene.hair;
     Rider* const rider = reading.rider(object);
     Variation variation(group.spread.seed);
+    const auto first = static_cast<int>(hair.strands.size() + hair.modelled.size());
     for (const RootFrame& frame : read_roots(object["roots"], expect)) {
       if (rider) rider->strands.push_back(static_cast<int>(hair.strands.size() + hair.modelled.size()));
       try {
@@ -133,6 +135,10 @@ void read_hair(const JsonValue& list, Reading& reading) {
       }
     }
     check_one_model(object, hair);
+    if (object.has("synthesis")) {
+      const auto count = static_cast<int>(hair.strands.size() + hair.modelled.size()) - first;
+      read_synthesis(object, first, count, static_cast<int>(group.model->points(group.spec)), reading);
+    }
   }
 }
 

@@ -26,6 +26,7 @@ struct Reading {
   std::map<std::string, std::size_t> motions;  // name -> index of the scene's riders
   long particles = 0;
   long most_particles = kMostParticles;
+  long dense_points = 0;  // of strands that are drawn
 
   // Counts particles before memory is allocated for them: at most `most_particles` in a scene.
   void expect(const JsonValue& where, long strands, long of_each);
@@ -41,6 +42,8 @@ const ModelRow* read_model(const JsonValue& group);  // "model"; if there is non
 // One more strand. Throws std::invalid_argument for one that the model can't express.
 void add_strand(const ModelRow& model, const StrandSpec& spec, Description& hair);
 void read_groom(const JsonValue& group, Reading& reading);  // a group of "hair" that has "groom"
+// "synthesis" of a group whose strands begin with `first`, at `count` roots.
+void read_synthesis(const JsonValue& group, int first, int count, int points, Reading& reading);
 void read_toys(const JsonValue& list, Reading& reading);
 Toy read_cloth(const JsonValue& object, Reading& reading);  // particles, springs, rows and columns
 Look read_look(const JsonValue& object);

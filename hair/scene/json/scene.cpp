@@ -66,6 +66,8 @@ void check_use(const JsonValue& object, const Reading& reading) {
   if (!reading.scene.hair.modelled.empty() && !reading.scene.toys.empty())
     object["toys"].fail(
         "toys stand beside hair of masses and springs only; leave them out, or the \"model\"");
+  if (!reading.scene.dense.empty() && !reading.scene.look)
+    object["hair"].fail("\"synthesis\" is how hair is drawn; give \"render\", too");
   for (const auto& [name, rider] : reading.motions)
     if (reading.scene.riders[rider].strands.empty() && reading.scene.riders[rider].obstacles.empty())
       object["motions"].fail("nothing moves with \"" + name +

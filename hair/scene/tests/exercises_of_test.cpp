@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "hair/render/scene_drawing.h"
 #include "hair/scene/playback.h"
 #include "solver/not_implemented.h"
 
@@ -12,18 +13,21 @@ extern const char* const kStub;
 namespace reference_tests {
 namespace {
 
-// What the first step and measuring stop at, or nothing. One hair calls what a thousand do.
+// What the first step, measuring and drawing stop at, or nothing. One hair calls what a thousand do.
 std::string stub_of(hair::Scene scene) {
   scene.steps_per_frame = 1;
   scene.riders.clear();
-  if (scene.hair.strands.size() > 1)
+  if (scene.hair.strands.size() > 1 && scene.dense.empty())
     scene.hair.strands.erase(scene.hair.strands.begin() + 1, scene.hair.strands.end());
   try {
     hair::Playback playback(scene);
     playback.advance();
     playback.measure(playback.state());
+    hair::SceneDrawing(scene, playback.strands())
+        .at(playback.centre_lines(playback.state()), playback.obstacles(), playback.time());
   } catch (const NotImplemented& stub) {
-    return std::string(stub.what()).substr(0, 2);
+    const std::string said = stub.what();
+    return said.substr(0, said.find(' '));
   }
   return "";
 }

@@ -42,7 +42,8 @@ std::string small_scene(const std::string& what, const std::string& by) {
     {"segments": 1, "length": 0.1, "clamped": false,
      "roots": {"line": {"from": [0, 0, 0], "to": [1, 0, 0], "count": 3, "direction": [0, 1, 0]}}},
     {"segments": 1, "length": 0.1,
-     "roots": {"disc": {"centre": [0, 0, 0], "normal": [0, 0, 1], "radius": 0.1, "count": 2, "direction": [0, 1, 0]}}}
+     "roots": {"disc": {"centre": [0, 0, 0], "normal": [0, 0, 1], "radius": 0.1, "count": 2, "direction": [0, 1, 0]}},
+     "synthesis": {"strands": 5, "mode": "blend", "spread": 1, "jitter": 0.1, "length": 0.1, "seed": 1}}
   ],
   "obstacles": [
     {"plane": {"point": [0, 0, -1], "normal": [0, 0, 1]}, "friction": 0.5},

@@ -1,0 +1,26 @@
+// STAFF ONLY. H10's categories.
+#pragma once
+
+#include "grader/suite/trial.h"
+#include "grader/suite/whole_run_points.h"
+
+namespace grader::h10 {
+
+std::vector<Category> categories();
+
+inline constexpr WholeRunPoints kWholeRun{};  // it moves nothing: only drawings call it
+
+// Each sends its cases to the student's functions and throws CaseFailed at the first failure.
+void weights_inside(Trial& trial);
+void weights_outside(Trial& trial);
+void thin_triangles(Trial& trial);
+void flat_scalp(Trial& trial);
+void curved_scalp(Trial& trial);
+void arcs(Trial& trial);
+void carried_turns(Trial& trial);
+void folds(Trial& trial);
+void wisps(Trial& trial);
+void spreading(Trial& trial);
+void blends(Trial& trial);
+
+}  // namespace grader::h10

@@ -1,0 +1,350 @@
+#include "hair/head/synthesis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "hair/head/counter_random.h"
+#include "hair/head/scalp_map.h"
+#include "hair/head/triangulation.h"
+#include "hair/simulation/strand_threads.h"
+#include "hair/strand_synthesis.h"
+#include "particles/require.h"
+#include "solver/course.h"
+
+namespace hair {
+namespace {
+
+constexpr int kChildrenOfATask = 64;
+
+// As a root's frame sees it, with the root at 0.
+struct Box {
+  Vector3d middle, half;
+
+  // How far it goes along `direction`.
+  double reach(const Vector3d& direction) const {
+    return direction.dot(middle) + direction.cwiseAbs().dot(half);
+  }
+};
+
+Eigen::Matrix3d axes_of_root(const RootFrame& frame) {
+  Eigen::Matrix3d axes;
+  axes << frame.axis, frame.side, frame.axis.cross(frame.side);
+  return axes;
+}
+
+void require_roots(const std::vector<RootFrame>& roots, const std::string& what) {
+  for (const RootFrame& root : roots)
+    particles::require(root.position.allFinite() && std::abs(root.axis.norm() - 1) < 1e-9, what,
+                       root.axis.norm(), "finite, with an axis of length 1");
+}
+
+void require_numbers(bool holds, const char* what, std::size_t numbers, std::size_t needed) {
+  if (!holds)
+    particles::require(false, what, static_cast<double>(numbers), std::to_string(needed) + " numbers");
+}
+
+// Guides whose roots lie on a line, as the map has them: each next to the one before it.
+std::vector<int> sorted_along(const std::vector<Vector2d>& points) {
+  Vector2d middle = Vector2d::Zero();
+  for (const Vector2d& point : points) middle += point / static_cast<double>(points.size());
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  for (const Vector2d& point : points) spread += (point - middle) * (point - middle).transpose();
+  // The longer axis of a symmetric matrix of 2 x 2.
+  const double angle = std::atan2(2 * spread(0, 1), spread(0, 0) - spread(1, 1)) / 2;
+  const Vector2d along(std::cos(angle), std::sin(angle));
+  std::vector<int> order(points.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return along.dot(points[a]) < along.dot(points[b]); });
+  return order;
+}
+
+}  // namespace
+
+Vector3d side_along_scalp(const Vector3d& pole, const Vector3d& normal) {
+  return Eigen::Quaterniond::FromTwoVectors(pole, normal) * side_of(pole);
+}
+
+class Synthesis::Parts {
+ public:
+  Parts(SynthesisDescription description, int threads) : given_(std::move(description)), threads_(threads) {
+    n_ = given_.points;
+    const std::vector<RootFrame>& guides = given_.guides;
+    std::vector<RootFrame> all = guides;
+    all.insert(all.end(), given_.children.begin(), given_.children.end());
+    const ScalpMap map(all);
+    for (std::vector<RootFrame>* roots : {&given_.guides, &given_.children})
+      for (RootFrame& root : *roots) root.side = side_along_scalp(map.pole(), root.axis);
+    find_parents(map);
+    spreads_.resize(parents_.size());
+    sizes_.resize(parents_.size());
+    for (std::size_t i = 0; i < parents_.size(); ++i) {
+      spreads_[i] = given_.spread * (1 + given_.jitter * (2 * counter_uniform(given_.seed, 2 * i) - 1));
+      sizes_[i] = 1 + given_.length * (2 * counter_uniform(given_.seed, 2 * i + 1) - 1);
+    }
+    roots_.resize(guides.size());
+    boxes_.resize(guides.size());
+    in_use_.resize(guides.size());
+    outside_.resize(parents_.size());
+    in_view_.reserve(parents_.size());
+    if (wisps())
+      frames_.assign(guides.size(),
+                     {Eigen::VectorXd(n_), std::vector<Matrix3d>(static_cast<std::size_t>(n_))});
+    scratch_.setZero(3 * n_, 2 * threads);
+  }
+
+  int children() const { return static_cast<int>(parents_.size()); }
+  int points() const { return n_; }
+  const Parents& parents(int child) const { return parents_[static_cast<std::size_t>(child)]; }
+  std::span<const int> in_view() const { return in_view_; }
+  const std::vector<char>& in_use() const { return in_use_; }
+
+  template <typename Number>
+  SynthesisCounts make(std::span<const double> guides, const ScalpTurn& turn, std::span<const Plane> view,
+                       std::span<Number> strands) {
+    const std::size_t each = 3 * static_cast<std::size_t>(n_);
+    require_numbers(guides.size() == each * given_.guides.size(), "the guides' numbers", guides.size(),
+                    each * given_.guides.size());
+    require_numbers(strands.size() >= each * parents_.size(), "the room for strands", strands.size(),
+                    each * parents_.size());
+    points_ = guides.data();
+    turn_ = turn;
+    place_guides(!view.empty());
+    choose(view);
+    if (wisps())
+      run(static_cast<int>(given_.guides.size()), [this](int, int guide) {
+        if (in_use_[guide] & kWisp) carry(guide);
+      });
+    run(static_cast<int>(in_view_.size()), [this, strands, each](int thread, int i) {
+      make_child(thread, in_view_[i], strands.data() + each * static_cast<std::size_t>(i));
+    });
+    SynthesisCounts counts;
+    counts.children = static_cast<int>(in_view_.size());
+    counts.children_out_of_view = children() - counts.children;
+    counts.guides_idle = static_cast<int>(std::count(in_use_.begin(), in_use_.end(), 0));
+    counts.guides_used = static_cast<int>(in_use_.size()) - counts.guides_idle;
+    return counts;
+  }
+
+ private:
+  static constexpr char kShape = 1, kWisp = 2;  // bits: what a guide is used for
+
+  bool shapes() const { return given_.mode != SynthesisMode::extrapolate; }
+  bool wisps() const { return given_.mode != SynthesisMode::interpolate; }
+
+  // Calls task(thread, i) for each i. A function that holds no more than a pointer allocates nothing.
+  template <class Task>
+  void run(int count, const Task& task) {
+    struct Batches {
+      const Task& one;
+      int count;
+    } const batches{task, count};
+    const StrandThreads::Task batch = [&batches](int thread, int b) {
+      const int end = std::min(batches.count, (b + 1) * kChildrenOfATask);
+      for (int i = b * kChildrenOfATask; i < end; ++i) batches.one(thread, i);
+    };
+    threads_.run((count + kChildrenOfATask - 1) / kChildrenOfATask, batch);
+  }
+
+  // ---- Once
+
+  void find_parents(const ScalpMap& map) {
+    std::vector<Vector2d> roots;
+    for (const RootFrame& guide : given_.guides) roots.push_back(map.at(guide.position));
+    const Triangulation triangulation = triangulate(roots);
+    const std::vector<int> line = triangulation.triangles.empty() ? sorted_along(roots) : std::vector<int>();
+    int triangle = 0;
+    for (const RootFrame& child : given_.children) {
+      if (line.empty()) {
+        triangle = triangulation.triangle_at(map.at(child.position), triangle);
+        parents_.push_back(weighted(triangulation.triangles[triangle].corners, child));
+      } else {
+        parents_.push_back(on_line(line, child));
+      }
+    }
+  }
+
+  // Weights along the scalp, and the nearest guide first.
+  Parents weighted(const std::array<int, 3>& guides, const RootFrame& child) const {
+    Parents parents{guides, {1, 0, 0}};
+    const auto distance = [&](int guide) {
+      return (given_.guides[guide].position - child.position).squaredNorm();
+    };
+    std::sort(parents.guides.begin(), parents.guides.end(), [&](int a, int b) {
+      return distance(a) < distance(b) || (distance(a) == distance(b) && a < b);
+    });
+    std::array<Vector3d, 3> corners;
+    for (int k = 0; k < 3; ++k) corners[k] = given_.guides[parents.guides[k]].position;
+    if constexpr (in_course("H10")) parents.weights = root_weights(corners, child.position);
+    return parents;
+  }
+
+  // Of all neighbours on the line, the two whose middle is nearest.
+  Parents on_line(const std::vector<int>& line, const RootFrame& child) const {
+    if (line.size() == 1) return weighted({line[0], line[0], line[0]}, child);
+    std::size_t best = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+      const Vector3d middle = (given_.guides[line[i]].position + given_.guides[line[i + 1]].position) / 2;
+      const double distance = (child.position - middle).norm();
+      if (distance < least) {
+        least = distance;
+        best = i;
+      }
+    }
+    return weighted({line[best], line[best + 1], line[best + 1]}, child);
+  }
+
+  // ---- Each frame
+
+  GuideHair guide(int i) const {
+    return {roots_[i], {points_ + static_cast<std::size_t>(3 * n_) * static_cast<std::size_t>(i), 3 * n_}};
+  }
+
+  // Where guides' roots are now, and, for the view, the boxes that hold the guides.
+  void place_guides(bool with_boxes) {
+    for (std::size_t i = 0; i < roots_.size(); ++i) {
+      const RootFrame& start = given_.guides[i];
+      const GuideHair now = guide(static_cast<int>(i));
+      roots_[i] = {Vector3d(now.points.head<3>()), turn_ * start.axis, turn_ * start.side};
+      if (!with_boxes) continue;
+      const Eigen::Matrix3d seen = axes_of_root(roots_[i]).transpose();
+      Vector3d low = Vector3d::Zero(), high = low;
+      for (int at = 3; at < 3 * n_; at += 3) {
+        const Vector3d point = seen * (now.points.segment<3>(at) - roots_[i].position);
+        low = low.cwiseMin(point);
+        high = high.cwiseMax(point);
+      }
+      boxes_[i] = {(low + high) / 2, (high - low) / 2};
+    }
+  }
+
+  // Goes with the nearest guide's root.
+  RootFrame child_root(int child) const {
+    const RootFrame& start = given_.children[static_cast<std::size_t>(child)];
+    const int nearest = parents_[child].guides[0];
+    return {roots_[nearest].position + turn_ * (start.position - given_.guides[nearest].position),
+            turn_ * start.axis, turn_ * start.side};
+  }
+
+  // How far a child goes from its root along `direction`, at most. What is a mean of guides, as roots see them, goes as far
+  // as the mean of their boxes does; a wisp's strand is beside its guide.
+  double reach_of(int child, const RootFrame& root, const Vector3d& direction) const {
+    const Parents& parents = parents_[child];
+    double reach = -std::numeric_limits<double>::infinity();
+    if (shapes()) {
+      const Vector3d seen = axes_of_root(root).transpose() * direction;
+      reach = 0;
+      for (int k = 0; k < 3; ++k) reach += parents.weights[k] * boxes_[parents.guides[k]].reach(seen);
+    }
+    if (wisps()) {
+      const int nearest = parents.guides[0];
+      const Vector3d between = root.position - roots_[nearest].position;
+      reach = std::max(reach, boxes_[nearest].reach(axes_of_root(roots_[nearest]).transpose() * direction) -
+                                  direction.dot(between) + std::max(1.0, spreads_[child]) * between.norm());
+    }
+    return sizes_[child] * reach;
+  }
+
+  bool is_out_of(std::span<const Plane> view, int child) const {
+    const RootFrame root = child_root(child);
+    return std::any_of(view.begin(), view.end(), [&](const Plane& plane) {
+      return plane.normal.dot(root.position - plane.point) + reach_of(child, root, plane.normal) < 0;
+    });
+  }
+
+  void choose(std::span<const Plane> view) {
+    if (!view.empty())
+      run(children(), [this, view](int, int child) { outside_[child] = is_out_of(view, child); });
+    in_view_.clear();
+    std::fill(in_use_.begin(), in_use_.end(), char{0});
+    for (int child = 0; child < children(); ++child) {
+      if (!view.empty() && outside_[child]) continue;
+      in_view_.push_back(child);
+      const Parents& parents = parents_[child];
+      for (int k = 0; k < 3; ++k)
+        if (shapes() && parents.weights[k] > 0) in_use_[parents.guides[k]] |= kShape;
+      if (wisps()) in_use_[parents.guides[0]] |= kWisp;
+    }
+  }
+
+  void carry(int i) {
+    if constexpr (in_course("H10")) carry_along(guide(i).points, frames_[i]);
+  }
+
+  template <typename Number>
+  void make_child(int thread, int child, Number* strand) {
+    const RootFrame root = child_root(child);
+    const Parents& parents = parents_[child];
+    auto made = scratch_.col(2 * thread), wisp = scratch_.col(2 * thread + 1);
+    if constexpr (in_course("H10")) {
+      const int nearest = parents.guides[0];
+      if (shapes())
+        interpolate({guide(nearest), guide(parents.guides[1]), guide(parents.guides[2])}, parents.weights,
+                    root, made);
+      if (wisps())
+        extrapolate(guide(nearest).points, frames_[nearest], root.position, spreads_[child],
+                    shapes() ? wisp : made);
+      if (shapes() && wisps()) blend(frames_[nearest].arc, made, wisp, made);
+    }
+    const double size = sizes_[child];
+    for (int at = 0; at < 3 * n_; at += 3)
+      for (int axis = 0; axis < 3; ++axis)
+        strand[at + axis] =
+            static_cast<Number>(root.position[axis] + size * (made[at + axis] - root.position[axis]));
+  }
+
+  SynthesisDescription given_;
+  StrandThreads threads_;
+  int n_ = 0;
+  std::vector<Parents> parents_;
+  std::vector<double> spreads_, sizes_;  // of children
+
+  const double* points_ = nullptr;
+  ScalpTurn turn_;
+  std::vector<RootFrame> roots_;  // of guides, now
+  std::vector<Box> boxes_;
+  std::vector<char> in_use_, outside_;
+  std::vector<int> in_view_;
+  std::vector<GuideFrames> frames_;
+  Eigen::MatrixXd scratch_;  // two strands a thread
+};
+
+Synthesis::Synthesis(SynthesisDescription description, int threads) {
+  require_exercise("dense hair", "H10");
+  particles::require_at_least("the guides", static_cast<int>(description.guides.size()), 1);
+  particles::require_at_least("the points of a strand", description.points, 2);
+  particles::require_at_least("the threads", threads, 1);
+  require_roots(description.guides, "a guide's root");
+  require_roots(description.children, "a child's root");
+  parts_ = std::make_unique<Parts>(std::move(description), threads);
+}
+Synthesis::~Synthesis() = default;
+
+int Synthesis::children() const {
+  return parts_->children();
+}
+int Synthesis::points() const {
+  return parts_->points();
+}
+const Synthesis::Parents& Synthesis::parents(int child) const {
+  return parts_->parents(child);
+}
+SynthesisCounts Synthesis::make(std::span<const double> guides, const ScalpTurn& turn,
+                                std::span<const Plane> view, std::span<double> strands) {
+  return parts_->make(guides, turn, view, strands);
+}
+SynthesisCounts Synthesis::make(std::span<const double> guides, const ScalpTurn& turn,
+                                std::span<const Plane> view, std::span<float> strands) {
+  return parts_->make(guides, turn, view, strands);
+}
+std::span<const int> Synthesis::in_view() const {
+  return parts_->in_view();
+}
+const std::vector<char>& Synthesis::guide_in_use() const {
+  return parts_->in_use();
+}
+
+}  // namespace hair

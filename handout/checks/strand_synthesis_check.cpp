@@ -1,0 +1,406 @@
+// The public checks of H10, function by function; each is checked with inputs that are made here, so that an error in one
+// does not show in the others. Every failure prints the input, what was expected, what came, the error and its
+// bound. The contract is in hair/strand_synthesis.h.
+
+#include "hair/strand_synthesis.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "check.h"
+#include "derivative.h"
+
+using namespace checks;
+using Eigen::VectorXd;
+using hair::GuideFrames, hair::GuideHair, hair::Matrix3d, hair::RootFrame, hair::Vector3d;
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+using Corners = std::array<Vector3d, 3>;
+using Weights = std::array<double, 3>;
+
+const char* const kRounding = "rounding";
+
+void expect_point(const Vector3d& actual, const Vector3d& expected, const std::string& what) {
+  expect_entries(actual, expected, 1e-12, what, kRounding);
+}
+
+void expect_all(const VectorXd& actual, const VectorXd& expected, const std::string& what) {
+  for (Eigen::Index i = 0; i < expected.size() / 3; ++i)
+    expect_point(actual.segment<3>(3 * i), expected.segment<3>(3 * i), what + ", point " + std::to_string(i));
+}
+
+// ---- Guides
+
+struct Lock {
+  RootFrame root;
+  VectorXd points;
+  GuideHair view() const { return {root, {points.data(), points.size()}}; }
+};
+
+Matrix3d some_turn(double angle = 2) {
+  return Eigen::AngleAxisd(angle, Vector3d(2, -1, 2).normalized()).toRotationMatrix();
+}
+
+// The frame whose axis, side and axis x side are the columns.
+RootFrame root_of(const Vector3d& position, const Matrix3d& axes) {
+  return {position, axes.col(0), axes.col(1)};
+}
+
+// n points whose distances from the root, as a root with the axis z, the side x and the position 0 sees them, are
+// the given ones.
+Lock lock(const RootFrame& root, const VectorXd& seen) {
+  Lock made{root, seen};
+  Matrix3d axes;
+  axes << root.side, root.axis.cross(root.side), root.axis;
+  for (Eigen::Index at = 0; at < seen.size(); at += 3)
+    made.points.segment<3>(at) = root.position + axes * seen.segment<3>(at);
+  return made;
+}
+
+VectorXd line(int n, const Vector3d& to) {
+  VectorXd points(3 * n);
+  for (int i = 0; i < n; ++i) points.segment<3>(3 * i) = to * i / (n - 1);
+  return points;
+}
+
+// A helix about z that starts at 0: `phase` says where on its circle.
+VectorXd curl(int n, double radius, double pitch, double turns, double phase) {
+  VectorXd points(3 * n);
+  const Vector3d start(std::cos(phase), std::sin(phase), 0);
+  for (int i = 0; i < n; ++i) {
+    const double angle = 2 * kPi * turns * i / (n - 1);
+    points.segment<3>(3 * i) =
+        radius * (Vector3d(std::cos(angle + phase), std::sin(angle + phase), 0) - start) +
+        Vector3d(0, 0, pitch * angle / (2 * kPi));
+  }
+  return points;
+}
+
+// ---- Calls, with junk where results go
+
+VectorXd interpolated(const std::array<Lock, 3>& locks, const Weights& weights, const RootFrame& root) {
+  VectorXd child = VectorXd::Constant(locks[0].points.size(), 1e3);
+  hair::interpolate({locks[0].view(), locks[1].view(), locks[2].view()}, weights, root, child);
+  return child;
+}
+
+GuideFrames carried(const Lock& guide) {
+  const Eigen::Index n = guide.points.size() / 3;
+  GuideFrames frames{VectorXd::Constant(n, 1e3),
+                     std::vector<Matrix3d>(static_cast<std::size_t>(n), Matrix3d::Constant(1e3))};
+  carry_along(guide.points, frames);
+  return frames;
+}
+
+VectorXd extrapolated(const Lock& guide, const GuideFrames& frames, const Vector3d& root, double spread) {
+  VectorXd child = VectorXd::Constant(guide.points.size(), 1e3);
+  extrapolate(guide.points, frames, root, spread, child);
+  return child;
+}
+
+GuideFrames no_turns(int n) {
+  return {VectorXd::LinSpaced(n, 0, 1),
+          std::vector<Matrix3d>(static_cast<std::size_t>(n), Matrix3d::Identity())};
+}
+
+}  // namespace
+
+// ---- (1)
+
+namespace {
+
+const Corners kTriangle = {Vector3d(0, 0, 1), Vector3d(4, 0, 1), Vector3d(0, 3, 1)};
+
+void expect_weights(const Vector3d& root, const Weights& expected, const std::string& where) {
+  const Weights weights = hair::root_weights(kTriangle, root);
+  for (int k = 0; k < 3; ++k)
+    EXPECT_NEAR(weights[k], expected[k], 1e-11)
+        << "weight " << k << " of a root " << where << " the triangle (0, 0, 1), (4, 0, 1), (0, 3, 1)";
+}
+
+}  // namespace
+
+TEST(RootWeights, OfCornersAndOfTheMiddle) {
+  expect_weights(Vector3d(0, 0, 1), {1, 0, 0}, "at a corner of");
+  expect_weights(Vector3d(4, 0, 1), {0, 1, 0}, "at a corner of");
+  expect_weights(Vector3d(0, 3, 1), {0, 0, 1}, "at a corner of");
+  expect_weights(Vector3d(4.0 / 3, 1, 1), {1.0 / 3, 1.0 / 3, 1.0 / 3}, "in the middle of");
+  expect_weights(Vector3d(1, 1.5, 1), {0.25, 0.25, 0.5}, "inside of");
+}
+
+TEST(RootWeights, OfARootAboveTheTriangle) {
+  expect_weights(Vector3d(1, 1.5, 7), {0.25, 0.25, 0.5}, "6 above the inside of");
+  expect_weights(Vector3d(1, 1.5, -2), {0.25, 0.25, 0.5}, "3 below the inside of");
+}
+
+TEST(RootWeights, OfARootBesideTheTriangleAreThoseOfTheNearestPoint) {
+  expect_weights(Vector3d(1, -2, 1), {0.75, 0.25, 0}, "beside the first edge of");
+  expect_weights(Vector3d(-1, -1, 1), {1, 0, 0}, "beyond the first corner of");
+  expect_weights(Vector3d(9, 1, 4), {0, 1, 0}, "beyond the second corner of");
+  // The foot on the edge from (4, 0) to (0, 3) is its middle; weights that are cut off at 0 and scaled say otherwise.
+  expect_weights(Vector3d(2 + 3, 1.5 + 4, 1), {0, 0.5, 0.5}, "beside the longest edge of");
+  // Here the weight of the first corner is negative, and that of the third, too; the foot on the longest edge counts.
+  expect_weights(Vector3d(4, -1, 1), {0, 1, 0}, "below the second corner of");
+}
+
+TEST(RootWeights, OfTrianglesWithoutAWidth) {
+  for (const Corners& corners : {Corners{Vector3d(0, 0, 0), Vector3d(1, 1, 1), Vector3d(2, 2, 2)},
+                                 Corners{Vector3d(0, 0, 0), Vector3d(0, 0, 0), Vector3d(2, 2, 2)},
+                                 Corners{Vector3d(2, 2, 2), Vector3d(2, 2, 2), Vector3d(2, 2, 2)}}) {
+    const Weights weights = hair::root_weights(corners, Vector3d(3, 3, 0));
+    EXPECT_NEAR(weights[0] + weights[1] + weights[2], 1, 1e-12)
+        << "the sum of the weights; is 0 divided by 0?";
+    EXPECT_GE(*std::min_element(weights.begin(), weights.end()), 0);
+    const Vector3d point = weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
+    expect_entries(
+        point, Vector3d(2, 2, 2), 1e-5,
+        "the point of three corners on the line x = y = z up to (2, 2, 2) that is nearest to (3, 3, 0)",
+        "the contract's");
+  }
+}
+
+// ---- (2)
+
+TEST(Interpolate, OfEqualFramesIsTheMeanOfTheShapes) {
+  const RootFrame root{Vector3d(1, 2, 3), Vector3d(0, 0, 1), Vector3d(1, 0, 0)};
+  std::array<Lock, 3> locks;
+  for (int k = 0; k < 3; ++k) {
+    RootFrame own = root;
+    own.position = Vector3d(k, -k, 5);
+    locks[k] = lock(own, line(4, Vector3d(k, 1, 3)));
+  }
+  expect_all(interpolated(locks, {0.5, 0.25, 0.25}, root), lock(root, line(4, Vector3d(0.75, 1, 3))).points,
+             "the mean of three straight guides");
+}
+
+TEST(Interpolate, OfOneGuideIsItsShapeAtAnotherRoot) {
+  std::array<Lock, 3> locks;
+  for (int k = 0; k < 3; ++k)
+    locks[k] = lock(root_of(Vector3d(k, 0, 0), some_turn(k)), curl(9, 0.5, 0.3, 1.5, k));
+  for (int k = 0; k < 3; ++k) {
+    Weights weights{};
+    weights[k] = 1;
+    expect_all(interpolated(locks, weights, locks[k].root), locks[k].points, "a guide where it grows itself");
+    const RootFrame other = root_of(Vector3d(7, 8, 9), some_turn(-1));
+    expect_all(interpolated(locks, weights, other), lock(other, curl(9, 0.5, 0.3, 1.5, k)).points,
+               "a guide's shape at a root that looks another way. Is it turned from the guide's frame into "
+               "the child's?");
+  }
+}
+
+// Who turns the whole head turns every hair of it.
+TEST(Interpolate, TurnsWithTheHead) {
+  const Matrix3d turn = some_turn(1.1);
+  const Vector3d way(0.3, -0.2, 0.5);
+  std::array<Lock, 3> locks, turned;
+  for (int k = 0; k < 3; ++k) {
+    locks[k] = lock(root_of(Vector3d(0.1 * k, 0.2, 0), some_turn(0.2 * k)), curl(7, 0.2, 0.3, 1, 2 * k));
+    turned[k] = locks[k];
+    turned[k].root = {turn * locks[k].root.position + way, turn * locks[k].root.axis,
+                      turn * locks[k].root.side};
+    for (Eigen::Index at = 0; at < locks[k].points.size(); at += 3)
+      turned[k].points.segment<3>(at) = turn * locks[k].points.segment<3>(at) + way;
+  }
+  const RootFrame root = root_of(Vector3d(0.1, 0.1, 0), some_turn(0.3));
+  const Weights weights{0.2, 0.3, 0.5};
+  VectorXd expected = interpolated(locks, weights, root);
+  for (Eigen::Index at = 0; at < expected.size(); at += 3)
+    expected.segment<3>(at) = turn * expected.segment<3>(at) + way;
+  expect_all(interpolated(turned, weights, {turn * root.position + way, turn * root.axis, turn * root.side}),
+             expected, "a strand between guides on a head that was turned and moved");
+}
+
+// What the pictures show: curls that are out of step cancel each other.
+TEST(Interpolate, OfCurlsOutOfStepHasNoCurl) {
+  const RootFrame root{Vector3d::Zero(), Vector3d(0, 0, 1), Vector3d(1, 0, 0)};
+  std::array<Lock, 3> locks;
+  for (int k = 0; k < 3; ++k) locks[k] = lock(root, curl(13, 0.5, 0.3, 3, 2 * kPi * k / 3));
+  expect_all(interpolated(locks, {1.0 / 3, 1.0 / 3, 1.0 / 3}, root), line(13, Vector3d(0, 0, 0.9)),
+             "the mean of three curls that are a third of a turn apart: a straight line");
+}
+
+// ---- (3)
+
+TEST(CarryAlong, MeasuresTheLength) {
+  Lock guide{{Vector3d(1, 1, 1), Vector3d(0, 0, 1), Vector3d(1, 0, 0)}, VectorXd(12)};
+  guide.points << 1, 1, 1, 1, 1, 2, 1, 4, 6, 1, 4, 0;
+  expect_entries(carried(guide).arc, Eigen::Vector4d(0, 1.0 / 12, 0.5, 1), 1e-12,
+                 "arc of a guide with segments of 1, 5 and 6 m", "rounding");
+}
+
+TEST(CarryAlong, TurnsNothingAlongAStraightGuide) {
+  const RootFrame root = root_of(Vector3d(1, 2, 3), some_turn());
+  const GuideFrames frames = carried(lock(root, line(6, Vector3d(0, 0, 2))));
+  for (const Matrix3d& turn : frames.turns)
+    expect_entries(turn.reshaped(), Matrix3d::Identity().reshaped(), 1e-12,
+                   "a turn along a guide that leaves the scalp straight along its normal", "rounding");
+}
+
+// What the guide does not turn by stays: it leaves the scalp sideways, and its frames are still the root's.
+TEST(CarryAlong, BeginsWithTheFirstSegment) {
+  const Lock guide{{Vector3d::Zero(), Vector3d(0, 0, 1), Vector3d(0, 1, 0)}, line(4, Vector3d(3, 0, 0))};
+  for (const Matrix3d& turn : carried(guide).turns)
+    expect_entries(turn.reshaped(), Matrix3d::Identity().reshaped(), 1e-12, "a turn along a straight guide",
+                   "rounding");
+}
+
+// Around three edges of a cube: no corner twists the frame, and yet it comes back turned.
+TEST(CarryAlong, AddsUpRotations) {
+  Lock guide{{Vector3d::Zero(), Vector3d(0, 0, 1), Vector3d(1, 0, 0)}, VectorXd(15)};
+  guide.points << 0, 0, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 1, 1, 2;
+  const GuideFrames frames = carried(guide);
+  const Matrix3d about_y = Eigen::AngleAxisd(kPi / 2, Vector3d::UnitY()).toRotationMatrix(),
+                 about_z = Eigen::AngleAxisd(kPi / 2, Vector3d::UnitZ()).toRotationMatrix(),
+                 about_x = Eigen::AngleAxisd(kPi / 2, Vector3d::UnitX()).toRotationMatrix();
+  const std::array<Matrix3d, 5> expected = {Matrix3d::Identity(), Matrix3d::Identity(), about_y,
+                                            about_z * about_y, about_x * about_z * about_y};
+  for (int i = 0; i < 5; ++i)
+    expect_entries(frames.turns[i].reshaped(), expected[i].reshaped(), 1e-12,
+                   "turns[" + std::to_string(i) +
+                       "] along three edges of a cube. In which order are rotations multiplied?",
+                   "rounding");
+}
+
+// R_i takes one direction to the next and has its axis across both.
+TEST(CarryAlong, DoesNotTwist) {
+  const Lock guide = lock(root_of(Vector3d(1, 0, 2), some_turn()), curl(30, 0.5, 0.4, 3, 1));
+  const GuideFrames frames = carried(guide);
+  Vector3d before = (guide.points.segment<3>(3) - guide.points.head<3>()).normalized();
+  for (int i = 2; i < 30; ++i) {
+    const Vector3d now = (guide.points.segment<3>(3 * i) - guide.points.segment<3>(3 * i - 3)).normalized();
+    const Matrix3d R = frames.turns[i] * frames.turns[i - 1].transpose();
+    expect_entries(R * before, now, 1e-10,
+                   "the direction that R_" + std::to_string(i) + " takes along a curl", "the contract's");
+    const Vector3d axis = before.cross(now);
+    expect_entries(R * axis, axis, 1e-10,
+                   "what is across both directions, which R_" + std::to_string(i) + " keeps",
+                   "the contract's");
+    before = now;
+  }
+}
+
+TEST(CarryAlong, SurvivesFoldsAndPointsThatCoincide) {
+  Lock guide{{Vector3d::Zero(), Vector3d(0, 0, 1), Vector3d(1, 0, 0)}, VectorXd(18)};
+  guide.points << 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 1, 0, 1, 0, 0, 1;
+  const GuideFrames frames = carried(guide);
+  expect_entries(frames.turns[3].reshaped(), Matrix3d::Identity().reshaped(), 1e-12,
+                 "turns[3] of a guide that goes up, two points of which coincide with the points before them",
+                 "rounding");
+  for (int i : {4, 5}) {
+    const Matrix3d& turn = frames.turns[i];
+    expect_entries(
+        (turn.transpose() * turn).reshaped(), Matrix3d::Identity().reshaped(), 1e-9,
+        "turns^T turns, point " + std::to_string(i) + " of 6; after point 4 the guide turns right round",
+        "the contract's");
+    EXPECT_GT(turn.determinant(), 0) << "a reflection is no rotation, point " << i << " of 6";
+    expect_entries(turn.col(2), Vector3d(i == 4 ? 1 : -1, 0, 0), 1e-6, "the direction that it takes along",
+                   "the contract's");
+  }
+  guide.points.setZero();
+  expect_entries(carried(guide).arc, VectorXd::Zero(6), 0, "arc of a guide of length 0", "0");
+}
+
+// ---- (4)
+
+TEST(Extrapolate, KeepsTheWidthOfAWisp) {
+  const Lock guide{{Vector3d(1, 0, 0), Vector3d(0, 0, 1), Vector3d(1, 0, 0)}, line(5, Vector3d(0, 0, 4))};
+  Lock moved = guide;
+  for (int i = 0; i < 5; ++i) moved.points[3 * i] += 1;
+  VectorXd expected = moved.points;
+  for (int i = 0; i < 5; ++i) expected[3 * i + 1] += 0.5;
+  expect_all(extrapolated(moved, no_turns(5), Vector3d(1, 0.5, 0), 1), expected,
+             "a strand half a metre beside a straight guide, spread 1");
+}
+
+TEST(Extrapolate, SpreadsFromTheRootToTheTip) {
+  const Lock guide{{Vector3d::Zero(), Vector3d(0, 0, 1), Vector3d(1, 0, 0)}, line(3, Vector3d(0, 0, 2))};
+  GuideFrames frames = no_turns(3);
+  frames.arc[1] = 0.25;
+  for (const double spread : {0.0, 1.0, 3.0}) {
+    const VectorXd child = extrapolated(guide, frames, Vector3d(0.1, 0, 0), spread);
+    const std::string of = ", spread " + std::to_string(spread);
+    expect_point(child.head<3>(), Vector3d(0.1, 0, 0), "the root of a strand of a wisp" + of);
+    expect_point(child.segment<3>(3), Vector3d(0.1 * (1 + 0.25 * (spread - 1)), 0, 1),
+                 "its point at a quarter of the length" + of);
+    expect_point(child.tail<3>(), Vector3d(0.1 * spread, 0, 2), "its tip" + of);
+  }
+}
+
+TEST(Extrapolate, GoesAlongWithTheFrames) {
+  const Lock guide{{Vector3d::Zero(), Vector3d(0, 0, 1), Vector3d(1, 0, 0)}, line(3, Vector3d(0, 0, 2))};
+  GuideFrames frames = no_turns(3);
+  frames.turns[1] = some_turn(0.5);
+  frames.turns[2] = some_turn(1);
+  const Vector3d between(0.1, 0.2, -0.1);
+  const VectorXd child = extrapolated(guide, frames, between, 1);
+  for (int i = 0; i < 3; ++i)
+    expect_point(
+        child.segment<3>(3 * i), Vector3d(0, 0, i) + frames.turns[i] * between,
+        "point " + std::to_string(i) + " of a wisp's strand: what is between the roots, turned by turns_i");
+}
+
+// The strand beside a curl is as far from it everywhere as at the root, and curls, too.
+TEST(Extrapolate, KeepsCurls) {
+  const Lock guide =
+      lock({Vector3d(1, 1, 1), Vector3d(0, 0, -1), Vector3d(1, 0, 0)}, curl(60, 0.5, 0.4, 4, 1));
+  const GuideFrames frames = carried(guide);
+  const Vector3d between(0.03, 0.04, 0);
+  const VectorXd child = extrapolated(guide, frames, guide.root.position + between, 1);
+  double least = 1e3, most = 0;
+  const Vector3d middle = guide.root.position + Vector3d(-0.5 * std::cos(1.0), 0.5 * std::sin(1.0), 0);
+  for (int i = 0; i < 60; ++i) {
+    EXPECT_NEAR((child.segment<3>(3 * i) - guide.points.segment<3>(3 * i)).norm(), 0.05, 1e-12)
+        << "the distance of point " << i << " from the guide's, with carry_along's turns";
+    const double radius = (child.segment<3>(3 * i) - middle).head<2>().norm();
+    least = std::min(least, radius);
+    most = std::max(most, radius);
+  }
+  EXPECT_GE(least, 0.45) << "the curl's radius, of a strand 0.05 m beside a guide with a radius of 0.5 m";
+  EXPECT_LE(most, 0.55) << "the curl's radius, of a strand 0.05 m beside a guide with a radius of 0.5 m";
+}
+
+// ---- (5)
+
+TEST(Blend, BeginsAsOneAndEndsAsTheOther) {
+  const VectorXd zero = VectorXd::Zero(15), one = VectorXd::Ones(15);
+  VectorXd arc(5), child = VectorXd::Constant(15, 1e3);
+  arc << 0, 0.1, 0.5, 0.8, 1;
+  hair::blend(arc, zero, one, child);
+  const double expected[] = {0, 0.028, 0.5, 0.896, 1};
+  for (int i = 0; i < 5; ++i)
+    expect_point(child.segment<3>(3 * i), Vector3d::Constant(expected[i]),
+                 "a blend of 0 at the root and 1 at the tip, arc parameter " + std::to_string(arc[i]));
+}
+
+TEST(Blend, MayGoWhereItComesFrom) {
+  const VectorXd arc = VectorXd::LinSpaced(6, 0, 1);
+  const VectorXd one = scattered_vector(18, 1), other = scattered_vector(18, 2);
+  VectorXd expected(18), child = one;
+  hair::blend(arc, one, other, expected);
+  hair::blend(arc, child, other, child);
+  expect_all(child, expected, "a blend over its first strand");
+  child = other;
+  hair::blend(arc, one, child, child);
+  expect_all(child, expected, "a blend over its second strand");
+}
+
+int main(int argc, char** argv) {
+  static const VectorXd points = VectorXd::LinSpaced(6, 0, 1), arc = VectorXd::LinSpaced(2, 0, 1);
+  static VectorXd child = points;
+  static GuideFrames frames{arc, std::vector<Matrix3d>(2, Matrix3d::Identity())};
+  static const GuideHair guide{{}, {points.data(), points.size()}};
+  return run(argc, argv,
+             {{"root_weights", "RootWeights", [] { hair::root_weights(kTriangle, Vector3d::Zero()); }},
+              {"interpolate", "Interpolate",
+               [] {
+                 hair::interpolate({guide, guide, guide}, {1, 0, 0}, {}, child);
+               }},
+              {"carry_along", "CarryAlong", [] { carry_along(points, frames); }},
+              {"extrapolate", "Extrapolate", [] { extrapolate(points, frames, Vector3d::Zero(), 1, child); }},
+              {"blend", "Blend", [] { hair::blend(arc, points, points, child); }}});
+}
