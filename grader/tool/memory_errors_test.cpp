@@ -261,7 +261,8 @@ TEST_F(MemoryErrorsTest, AreLookedForAtNoOthersCost) {
   source.replace(source.find(vectors), 0,
                  "  if (&__asan_init != nullptr)\n    for (volatile int i = 0;; i = 1 - i) {\n    }\n");
   source = "extern \"C\" __attribute__((weak)) void __asan_init();\n" + source;
-  settings_.course.budget.worker_cpu_seconds = 15;  // so that a worker may use up an exercise's share
+  // So that a worker may use up an exercise's share.
+  settings_.course.budget.worker_cpu_seconds = 2.0 * static_cast<double>(settings_.course.exercises.size());
   const auto [result, timing] = grade_timed(source, true, "slow");
   EXPECT_DOUBLE_EQ(result.points, s1_.points) << "slow code keeps the point";
   EXPECT_GT(timing.sanitised_cpu_seconds, 1);
