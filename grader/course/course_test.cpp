@@ -202,7 +202,7 @@ TEST_F(CourseFiles, ChangeTheBudgetOfASubmission) {
 
 TEST(Budget, IsSharedOutAndUsedUp) {
   const Budget share = share_of(Budget(), 10);
-  EXPECT_DOUBLE_EQ(share.idle_seconds, 3);
+  EXPECT_DOUBLE_EQ(share.idle_seconds, Budget().idle_seconds / 10);
   Budget spent = nothing_spent();
   EXPECT_EQ(used_up(spent, share), nullptr);
   for (const BudgetField& field : budget_fields()) {
