@@ -2,6 +2,7 @@
 // frames.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "hair/render/camera.h"
@@ -35,7 +36,8 @@ class SceneDrawing {
   std::vector<int> strands_;
   Look look_;
   Camera camera_;
-  double unit_;  // m: the height of the visible region
+  std::vector<std::shared_ptr<const SurfaceMesh>> meshes_;  // of the obstacles that are solids
+  double unit_;                                             // m: the height of the visible region
 };
 
 }  // namespace hair
