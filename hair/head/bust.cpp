@@ -40,6 +40,9 @@ Bust::Value Bust::value_at(const Vector3d& point) const {
 
 Surface Bust::surface_at(const Vector3d& point) const {
   constexpr double least_slope = 0.3;  // deep inside there are places without a slope
+  constexpr double far = 0.05;         // m: from the box, instead
+  const Vector3d out = point - point.cwiseMax(box().min()).cwiseMin(box().max());
+  if (const double distance = out.norm(); distance > far) return {distance, out / distance};
   const auto [value, gradient] = value_at(point);
   const double slope = gradient.norm();
   return {value / std::max(slope, least_slope),

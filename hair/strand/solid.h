@@ -16,8 +16,8 @@ class Solid {
  public:
   virtual ~Solid() = default;
 
-  // The distance has the right sign everywhere, and is right to first order near the surface. No point is farther from the
-  // surface than twice the distance.
+  // The distance has the right sign everywhere, and is right to first order near the surface. Outside, it is at most
+  // about twice the true one.
   virtual Surface surface_at(const Vector3d& point) const = 0;
 
   // Axis-aligned; all of it lies inside.
