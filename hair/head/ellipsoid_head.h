@@ -17,6 +17,7 @@ class EllipsoidHead : public Head {
   Vector3d centre() const override { return centre_; }
   Vector3d surface_towards(const Vector3d& direction) const override;
   Surface surface_at(const Vector3d& point) const override;
+  Eigen::AlignedBox3d box() const override { return {centre_ - radii_, centre_ + radii_}; }
   bool has_hair(const Vector3d& point) const override;
   Vector3d combed(const Vector3d& point) const override;
 

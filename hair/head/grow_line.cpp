@@ -96,7 +96,8 @@ Line middle_line(const Head& head, const HairStyle& style, const RootFrame& root
         std::min(settings.clearance, kRise * (s + settings.step)) + curl_radius(style, traits, s);
     if (const Surface there = head.surface_at(next); there.distance < kept)
       next += (kept - there.distance) * there.normal;
-    const double length = (next - x).norm();
+    // A line that is held between the head and where it wants to go ends, too.
+    const double length = std::max((next - x).norm(), 0.1 * settings.step);
     s += length;
     if (tied) falls += length;
     tied = tied || (tie - next).norm() < 2 * settings.step || s > kFarthestTie;

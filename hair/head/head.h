@@ -2,23 +2,18 @@
 // along -y. Metres.
 #pragma once
 
-#include "hair/strand/obstacles.h"
+#include "hair/strand/solid.h"
 
 namespace hair {
 
-class Head {
+// A head is a solid: of any point but the centre it says the distance from its surface, and the way out.
+class Head : public Solid {
  public:
-  virtual ~Head() = default;
-
   // A point inside. A ray from it leaves the head once, at least where the scalp is.
   virtual Vector3d centre() const = 0;
 
   // Where the ray in `direction` (of length 1) from the centre leaves the head.
   virtual Vector3d surface_towards(const Vector3d& direction) const = 0;
-
-  // Of any point but the centre: its distance from the surface, negative inside, and the way out, of length 1. The
-  // distance has the right sign everywhere, and is right to first order near the surface.
-  virtual Surface surface_at(const Vector3d& point) const = 0;
 
   // Whether hair grows at a point of the surface.
   virtual bool has_hair(const Vector3d& point) const = 0;

@@ -33,9 +33,10 @@ class Areas {
         const Vector3d way = direction_at(-1 + 2 * (static_cast<double>(band) + 0.5) / kBands,
                                           2 * std::numbers::pi * (static_cast<double>(cell) + 0.5) / kCells);
         const Vector3d point = head.surface_towards(way);
-        // The surface is farther than a unit sphere's, and not at a right angle to the ray.
-        const double area =
-            solid_angle * (point - head.centre()).squaredNorm() / head.surface_at(point).normal.dot(way);
+        // The surface is farther than a unit sphere's, and not at a right angle to the ray. Away from the scalp a ray may
+        // touch it, and there no area is needed.
+        const double area = solid_angle * (point - head.centre()).squaredNorm() /
+                            std::max(0.1, head.surface_at(point).normal.dot(way));
         along[cell + 1] = along[cell] + area;
         if (head.has_hair(point)) scalp_ += area;
       }

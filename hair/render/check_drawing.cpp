@@ -1,5 +1,6 @@
 #include "hair/render/check_drawing.h"
 
+#include <stdexcept>
 #include <string>
 
 #include "particles/require.h"
@@ -71,6 +72,19 @@ void check_drawing(const Drawing& drawing) {
             static_cast<double>(sheet.points.size()), "its rows times its columns");
     check_points(sheet.points, "a sheet");
     check_colour(sheet.colour, "a sheet");
+  }
+  for (const PlacedMesh& placed : drawing.meshes) {
+    if (!placed.mesh) throw std::invalid_argument("a placed mesh without a mesh; give one");
+    require(placed.mesh->points.size() == placed.mesh->normals.size(), "the number of a mesh's normals",
+            static_cast<double>(placed.mesh->normals.size()), "that of its points");
+    check_points(placed.mesh->points, "a mesh");
+    check_points({placed.at}, "a mesh's place");
+    const double norm = placed.rotation.norm();
+    require(norm >= 1 - 1e-9 && norm <= 1 + 1e-9, "the length of a mesh's rotation", norm, "1");
+    for (const auto& triangle : placed.mesh->triangles)
+      for (const std::uint32_t corner : triangle)
+        require(corner < placed.mesh->points.size(), "a corner of a mesh's triangle", corner,
+                "less than the number of its points");
   }
   for (const Obstacle& obstacle : drawing.obstacles) check_obstacle(obstacle);
 }

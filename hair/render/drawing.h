@@ -1,8 +1,10 @@
 // The content of a picture, as plain data: the renderer is independent of scenes, simulations and exercises.
 #pragma once
 
+#include <memory>
 #include <vector>
 
+#include "hair/head/surface_net.h"
 #include "hair/strand/obstacles.h"
 
 namespace hair {
@@ -43,13 +45,22 @@ struct Sheet {
   Colour colour;
 };
 
+// A solid's surface, turned about its origin and brought to `at`.
+struct PlacedMesh {
+  std::shared_ptr<const SurfaceMesh> mesh;
+  Vector3d at;  // m
+  Eigen::Quaterniond rotation;
+};
+
 struct Drawing {
   StrandsDrawing strands;
   std::vector<Tube> tubes;
   std::vector<Ball> balls;
   std::vector<Ring> rings;
   std::vector<Sheet> sheets;
-  std::vector<Obstacle> obstacles;  // head, ground, limbs, at their present positions
+  std::vector<Obstacle>
+      obstacles;  // ground, balls, limbs, at their present positions; solids are drawn as meshes
+  std::vector<PlacedMesh> meshes;
 };
 
 }  // namespace hair

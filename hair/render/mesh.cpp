@@ -78,6 +78,15 @@ class MeshBuilder {
     });
   }
 
+  void placed(const PlacedMesh& placed, const Colour& colour) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (std::size_t i = 0; i < placed.mesh->points.size(); ++i)
+      mesh.vertices.push_back({view_.at(placed.at + placed.rotation * placed.mesh->points[i]),
+                               view_.direction(placed.rotation * placed.mesh->normals[i]), colour});
+    for (const auto& triangle : placed.mesh->triangles)
+      for (const std::uint32_t corner : triangle) mesh.indices.push_back(first + corner);
+  }
+
   // Seen from above only, around where the camera looks.
   void ground(const Plane& plane) {
     const Eigen::Vector3f normal = view_.direction(plane.normal);
@@ -124,6 +133,7 @@ Mesh mesh_of(const Drawing& drawing, const View& view, int samples) {
       builder.capsule(capsule->a, capsule->b, capsule->radius, kSkin);
     }
   }
+  for (const PlacedMesh& placed : drawing.meshes) builder.placed(placed, kSkin);
   builder.mesh.casting = builder.mesh.indices.size();
   for (const Obstacle& obstacle : drawing.obstacles) {
     if (const auto* const plane = std::get_if<Plane>(&obstacle.shape)) builder.ground(*plane);

@@ -22,6 +22,8 @@ const Colour kPinned(0.06F, 0.06F, 0.07F), kRod(0.20F, 0.22F, 0.25F), kWire(0.45
 // Parts of the picture's height.
 constexpr double kBall = 0.018, kTube = 0.005, kRing = 0.0035;
 
+constexpr int kCells = 220;  // along a solid's longest side
+
 // The four sides of what the camera sees. With shadows those through which light falls into the picture are no limits:
 // what is beyond them may throw a shadow on what is seen.
 std::vector<Plane> seen_planes(const Camera& camera, double aspect, bool shadows) {
@@ -41,6 +43,9 @@ SceneDrawing::SceneDrawing(const Scene& scene, std::vector<int> strands)
     : scene_(scene), strands_(std::move(strands)), look_(scene.look.value_or(Look())) {
   camera_ = frame_camera(scene_bounds(scene), static_cast<double>(look_.image_width) / look_.image_height,
                          look_.view);
+  for (const Obstacle& obstacle : scene.hair.obstacles)
+    if (const auto* const placed = std::get_if<PlacedSolid>(&obstacle.shape))
+      meshes_.push_back(std::make_shared<SurfaceMesh>(surface_net(*placed->solid, kCells)));
   const Vector3d target = look_.look_at.value_or(camera_.target);
   camera_.eye = target + (camera_.eye - camera_.target) / look_.zoom;
   camera_.target = target;
@@ -58,6 +63,9 @@ Drawing SceneDrawing::at(const particles::State& state, const std::vector<Obstac
                          double time) const {
   Drawing drawing;
   drawing.obstacles = obstacles;
+  for (const Obstacle& obstacle : obstacles)
+    if (const auto* const placed = std::get_if<PlacedSolid>(&obstacle.shape))
+      drawing.meshes.push_back({meshes_.at(drawing.meshes.size()), placed->at, placed->rotation});
   drawing.strands.width = look_.width;
   drawing.strands.root = look_.root_colour.cast<float>();
   drawing.strands.tip = look_.tip_colour.cast<float>();

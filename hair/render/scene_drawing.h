@@ -41,8 +41,9 @@ class SceneDrawing {
   std::vector<int> strands_;
   Look look_;
   Camera camera_;
-  double unit_;                                    // m: the height of the visible region
-  std::vector<std::unique_ptr<Synthesis>> dense_;  // of each of the scene's groups of dense hair
+  std::vector<std::shared_ptr<const SurfaceMesh>> meshes_;  // of the obstacles that are solids
+  double unit_;                                             // m: the height of the visible region
+  std::vector<std::unique_ptr<Synthesis>> dense_;           // of each of the scene's groups of dense hair
   std::vector<Plane> view_;
   mutable SynthesisCounts synthesised_;
 };

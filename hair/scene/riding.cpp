@@ -29,6 +29,10 @@ Vector3d place(const Capsule& capsule) {
   return capsule.a;
 }
 
+Vector3d place(const PlacedSolid& placed) {
+  return placed.at;
+}
+
 void check(const Motion& motion) {
   if (motion.keys.empty()) throw std::invalid_argument("a motion without keys; give one at least");
   for (std::size_t k = 0; k < motion.keys.size(); ++k) {
@@ -76,10 +80,11 @@ Riding::Riding(const Rider& rider, const Description& hair) : motion_(rider.moti
   for (const int i : rider.obstacles) {
     check_index("a rider's obstacle", i, hair.obstacles.size());
     const Obstacle& obstacle = hair.obstacles[i];
-    if (turns_ && !std::holds_alternative<Sphere>(obstacle.shape))
+    const auto* const solid = std::get_if<PlacedSolid>(&obstacle.shape);
+    if (turns_ && !solid && !std::holds_alternative<Sphere>(obstacle.shape))
       throw std::invalid_argument("obstacle " + std::to_string(i) +
-                                  " rides on a motion that turns, which only a sphere can");
-    obstacles_.push_back({i, place_of(obstacle)});
+                                  " rides on a motion that turns, which only a sphere and a solid can");
+    obstacles_.push_back({i, place_of(obstacle), solid ? solid->rotation : Eigen::Quaterniond::Identity()});
   }
 }
 
@@ -97,9 +102,13 @@ void Riding::lead(Simulation& simulation, double time, double h) const {
     }
     simulation.set_root(root.strand, next);
   }
-  for (const LedObstacle& led : obstacles_)
-    simulation.set_obstacle_velocity(led.obstacle,
-                                     (way(led.place) - place_of(simulation.obstacles()[led.obstacle])) / h);
+  for (const LedObstacle& led : obstacles_) {
+    const Obstacle& obstacle = simulation.obstacles()[led.obstacle];
+    simulation.set_obstacle_velocity(led.obstacle, (way(led.place) - place_of(obstacle)) / h);
+    if (const auto* const solid = std::get_if<PlacedSolid>(&obstacle.shape); solid && turns_)
+      simulation.set_obstacle_spin(led.obstacle,
+                                   angular_velocity(solid->rotation, way.rotation * led.rotation, h));
+  }
 }
 
 }  // namespace hair

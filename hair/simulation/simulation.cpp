@@ -142,4 +142,11 @@ void Simulation::set_obstacle_velocity(int obstacle, const Vector3d& velocity) {
   obstacles_.at(obstacle).velocity = velocity;
 }
 
+void Simulation::set_obstacle_spin(int obstacle, const Vector3d& angular_velocity) {
+  require_finite("an obstacle's angular velocity", angular_velocity);
+  auto* const placed = std::get_if<PlacedSolid>(&obstacles_.at(obstacle).shape);
+  if (!placed) throw std::invalid_argument("an obstacle that is no placed solid is to turn; only those do");
+  placed->angular_velocity = angular_velocity;
+}
+
 }  // namespace hair

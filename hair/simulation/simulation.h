@@ -65,8 +65,9 @@ class Simulation {
   void set_root(int strand, const Root& root);
   void set_root_velocity(int strand, const Vector3d& velocity);  // m/s; for a strand of masses and springs
   void set_root_frame(int strand, const Vector3d& tangent,
-                      const Vector3d& normal);                         // for such a strand, clamped
-  void set_obstacle_velocity(int obstacle, const Vector3d& velocity);  // m/s
+                      const Vector3d& normal);                             // for such a strand, clamped
+  void set_obstacle_velocity(int obstacle, const Vector3d& velocity);      // m/s
+  void set_obstacle_spin(int obstacle, const Vector3d& angular_velocity);  // rad/s; for a placed solid
 
  private:
   std::vector<std::unique_ptr<Body>> bodies_;

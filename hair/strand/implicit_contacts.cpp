@@ -16,16 +16,14 @@ void ImplicitContacts::find(std::span<const ContactPoint> points, const std::vec
     pressed_[i] = {};
     for (const Obstacle& obstacle : obstacles) {
       // Obstacles have moved already: the point is where it would be if it had moved with this one.
-      const Vector3d u = point.v - obstacle.velocity, x = point.x + h * obstacle.velocity;
+      const Vector3d velocity = velocity_at(obstacle, point.x);
+      const Vector3d u = point.v - velocity, x = point.x + h * velocity;
       const auto [gap, n] = surface_at(obstacle, x);
       if (gap >= 0 && surface_at(obstacle, x + h * (u + h * gravity)).distance >= 0) continue;
       if (pressed_[i].by && pressed_[i].gap <= gap) continue;  // of several obstacles the nearest
-      pressed_[i] = {&obstacle,
-                     n,
-                     obstacle.velocity,
-                     point.mass * kContactRate * kContactRate,
-                     std::max(gap, -h * kPushOut),
-                     -gap};
+      pressed_[i] = {
+          &obstacle, n, velocity, point.mass * kContactRate * kContactRate, std::max(gap, -h * kPushOut),
+          -gap};
       const Pressed& last = before_[i];
       if (last.by != &obstacle) continue;
       deepest_ = std::max(deepest_, std::min(last.depth, -gap));

@@ -43,6 +43,28 @@ std::optional<double> share_of_way(const Capsule& capsule, const Vector3d& from,
   return first;
 }
 
+// Goes on by the half of the distance, which ends outside, and looks closer where that goes below the surface.
+std::optional<double> share_of_way(const PlacedSolid& placed, const Vector3d& from, const Vector3d& way) {
+  constexpr double shortest = 1e-3;  // m: what is thinner may be passed
+  const Eigen::Quaterniond back = placed.rotation.conjugate();
+  const Vector3d start = back * (from - placed.at), along = back * way;
+  const double length = along.norm();
+  double outside = 0, ahead = 0;
+  while (true) {
+    const double distance = placed.solid->surface_at(start + ahead * along).distance;
+    if (distance < 0 && ahead > 0) break;
+    if (ahead >= 1) return {};
+    outside = ahead;
+    ahead = std::min(1.0, ahead + std::max(shortest, 0.5 * distance) / length);
+  }
+  double inside = ahead;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (outside + inside);
+    (placed.solid->surface_at(start + middle * along).distance < 0 ? inside : outside) = middle;
+  }
+  return outside;
+}
+
 }  // namespace
 
 std::optional<Meeting> first_meeting(const Obstacle& obstacle, const Vector3d& from, const Vector3d& to) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "hair/strand/meeting.h"
 #include "particles/require.h"
@@ -35,6 +36,11 @@ Surface surface_of(const Capsule& capsule, const Vector3d& point) {
                        squared > 0 ? axis.unitOrthogonal() : Vector3d(Vector3d::UnitZ()));
 }
 
+Surface surface_of(const PlacedSolid& placed, const Vector3d& point) {
+  const auto [distance, normal] = placed.solid->surface_at(placed.rotation.conjugate() * (point - placed.at));
+  return {distance, placed.rotation * normal};
+}
+
 void check_point(const char* what, const Vector3d& point) {
   for (double value : point) require_finite(what, value);
 }
@@ -56,6 +62,14 @@ void check_shape(const Capsule& capsule) {
   require_positive("a capsule's radius", capsule.radius);
 }
 
+void check_shape(const PlacedSolid& placed) {
+  if (!placed.solid) throw std::invalid_argument("a placed solid without a solid; give one");
+  check_point("a solid's place", placed.at);
+  check_point("a solid's angular velocity", placed.angular_velocity);
+  const double length = placed.rotation.norm();
+  require(std::abs(length - 1) <= 1e-9, "the length of a solid's rotation", length, "1");
+}
+
 void move_shape(Plane& plane, const Vector3d& by) {
   plane.point += by;
 }
@@ -67,6 +81,10 @@ void move_shape(Sphere& sphere, const Vector3d& by) {
 void move_shape(Capsule& capsule, const Vector3d& by) {
   capsule.a += by;
   capsule.b += by;
+}
+
+void move_shape(PlacedSolid& placed, const Vector3d& by) {
+  placed.at += by;
 }
 
 // What friction takes from a vector: its part across n, at most `limit` of it.
@@ -95,13 +113,14 @@ bool is_inside(const Obstacle& obstacle, const Vector3d& point) {
 std::optional<Meeting> passes(const std::vector<Obstacle>& obstacles, const Obstacle& obstacle, double h,
                               const Vector3d& x, const Vector3d& way, const Surface& end) {
   if (!(end.normal.dot(way) > 0) || end.distance > way.norm()) return {};
-  const Vector3d from = x - way, at_rest = from - h * obstacle.velocity;
+  const Vector3d from = x - way, at_rest = from - h * velocity_at(obstacle, x);
   const auto meeting = first_meeting(obstacle, from, x);
   if (!meeting) return {};
   if (surface_at(obstacle, from).distance <= kTouching && meeting->normal.dot(end.normal) >= kCutOff)
     return {};
   for (const Obstacle& any : obstacles)
-    if (is_inside(any, at_rest + h * any.velocity) || (&any != &obstacle && is_inside(any, meeting->point)))
+    if (is_inside(any, at_rest + h * velocity_at(any, at_rest)) ||
+        (&any != &obstacle && is_inside(any, meeting->point)))
       return {};
   return meeting;
 }
@@ -112,6 +131,12 @@ Surface surface_at(const Obstacle& obstacle, const Vector3d& point) {
   return std::visit([&](const auto& shape) { return surface_of(shape, point); }, obstacle.shape);
 }
 
+Vector3d velocity_at(const Obstacle& obstacle, const Vector3d& point) {
+  const auto* const placed = std::get_if<PlacedSolid>(&obstacle.shape);
+  if (!placed) return obstacle.velocity;
+  return obstacle.velocity + placed->angular_velocity.cross(point - placed->at);
+}
+
 void check_obstacle(const Obstacle& obstacle) {
   std::visit([](const auto& shape) { check_shape(shape); }, obstacle.shape);
   require_at_least("an obstacle's friction", obstacle.friction, 0);
@@ -120,6 +145,12 @@ void check_obstacle(const Obstacle& obstacle) {
 
 void move_obstacle(Obstacle& obstacle, double h) {
   std::visit([&](auto& shape) { move_shape(shape, h * obstacle.velocity); }, obstacle.shape);
+  if (auto* const placed = std::get_if<PlacedSolid>(&obstacle.shape)) {
+    const double angle = h * placed->angular_velocity.norm();
+    if (angle > 0)
+      placed->rotation =
+          (Eigen::AngleAxisd(angle, placed->angular_velocity.normalized()) * placed->rotation).normalized();
+  }
 }
 
 CollisionReport collide(const std::vector<Obstacle>& obstacles, const particles::Particles& particles,
@@ -135,7 +166,8 @@ CollisionReport collide(const std::vector<Obstacle>& obstacles, const particles:
         const Surface surface = surface_at(obstacle, x);
         double depth = -surface.distance;
         Vector3d n = surface.normal;
-        const Vector3d way = x - x_before.segment<3>(3 * i) - h * obstacle.velocity;
+        const Vector3d velocity = velocity_at(obstacle, x);
+        const Vector3d way = x - x_before.segment<3>(3 * i) - h * velocity;
         if (pass == 0)
           if (const auto meeting = passes(obstacles, obstacle, h, x, way, surface)) {
             n = meeting->normal;
@@ -146,14 +178,14 @@ CollisionReport collide(const std::vector<Obstacle>& obstacles, const particles:
 
         x += depth * n - friction(way, n, obstacle.friction * depth);
 
-        const Vector3d u = v - obstacle.velocity;
+        const Vector3d u = v - velocity;
         const double speed = -n.dot(u);
         if (!(speed > 0)) continue;
         const Vector3d change = speed * n - friction(u, n, obstacle.friction * speed);
         v += change;
         const Vector3d impulse = particles.mass[i] * change;
         report.impulse += impulse;
-        report.work += impulse.dot(obstacle.velocity);
+        report.work += impulse.dot(velocity);
       }
       if (pass == 0 && deepest > 0) {
         ++report.contacts;

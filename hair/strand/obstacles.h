@@ -10,14 +10,14 @@
 // fast that it passes through.
 #pragma once
 
+#include <memory>
 #include <variant>
 #include <vector>
 
+#include "hair/strand/solid.h"
 #include "particles/state.h"
 
 namespace hair {
-
-using Eigen::Vector3d;
 
 // The half-space on the side of `point` opposite to the normal (of length 1).
 struct Plane {
@@ -35,21 +35,27 @@ struct Capsule {
   double radius;  // m, > 0
 };
 
-struct Obstacle {
-  std::variant<Plane, Sphere, Capsule> shape;
-  double friction = 0;                   // Coulomb's mu, >= 0: the friction is at most mu times the pressure
-  Vector3d velocity = Vector3d::Zero();  // m/s: the friction drags hair along
+// A solid that is turned about its origin, and whose origin then is at `at`.
+struct PlacedSolid {
+  std::shared_ptr<const Solid> solid;
+  Vector3d at = Vector3d::Zero();                                // m
+  Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  // of length 1
+  Vector3d angular_velocity = Vector3d::Zero();                  // rad/s, about `at`
 };
 
-struct Surface {
-  double distance;  // m, from a point to the obstacle's surface; negative inside
-  Vector3d normal;  // from the obstacle to the point, of length 1
+struct Obstacle {
+  std::variant<Plane, Sphere, Capsule, PlacedSolid> shape;
+  double friction = 0;                   // Coulomb's mu, >= 0: the friction is at most mu times the pressure
+  Vector3d velocity = Vector3d::Zero();  // m/s, of a placed solid's `at`: the friction drags hair along
 };
 
 // A point with equal distances to several sides, such as a sphere's centre, gets one of the normals.
 Surface surface_at(const Obstacle& obstacle, const Vector3d& point);
 
-// Throws std::invalid_argument for a radius or friction out of bounds, a normal that is not of length 1, and
+// How fast the obstacle moves at a point.
+Vector3d velocity_at(const Obstacle& obstacle, const Vector3d& point);
+
+// Throws std::invalid_argument for no solid, for a radius or friction out of bounds, a normal or rotation that is not of length 1, and
 // values that are not finite.
 void check_obstacle(const Obstacle& obstacle);
 

@@ -8,6 +8,8 @@
 #include <random>
 #include <stdexcept>
 
+#include "hair/strand/meeting.h"
+
 namespace hair {
 namespace {
 
@@ -266,6 +268,50 @@ TEST(Obstacles, BadOnesAreRefused) {
   EXPECT_THROW(check_obstacle({Capsule{Vector3d::Zero(), Vector3d::Zero(), -1}}), std::invalid_argument);
   EXPECT_THROW(check_obstacle({Sphere{Vector3d::Zero(), 1}, -0.1}), std::invalid_argument);
   EXPECT_THROW(check_obstacle({Sphere{Vector3d::Zero(), 1}, 0, Vector3d(0, nan, 0)}), std::invalid_argument);
+}
+
+// A ball that is not at its own origin, so that turning moves it.
+class BesideOrigin : public Solid {
+ public:
+  Surface surface_at(const Vector3d& point) const override {
+    const Vector3d out = point - middle_;
+    return {out.norm() - 0.1, out.normalized()};
+  }
+  Eigen::AlignedBox3d box() const override {
+    return {Vector3d(middle_.array() - 0.1), Vector3d(middle_.array() + 0.1)};
+  }
+
+ private:
+  Vector3d middle_ = {0.3, 0, 0};
+};
+
+TEST(PlacedSolid, TurnsAndMovesAndMeetsLikeTheBallThatItIs) {
+  Obstacle placed{PlacedSolid{std::make_shared<BesideOrigin>(), {1, 2, 3}}};
+  std::get<PlacedSolid>(placed.shape).angular_velocity = {0, 0, M_PI / 2};
+  placed.velocity = {0, 0, 1};
+  const Vector3d at(1.3, 2, 3);
+  // The speed of a rotation, beside that of the origin.
+  EXPECT_NEAR((velocity_at(placed, at) - Vector3d(0, 0.3 * M_PI / 2, 1)).norm(), 0, 1e-15);
+  move_obstacle(placed, 1);
+  const Obstacle ball{Sphere{{1, 2.3, 4}, 0.1}};
+  for (const Vector3d& point : {Vector3d(1, 2.5, 4), Vector3d(1.02, 2.31, 4.05), Vector3d(3, -2, 1)}) {
+    const Surface here = surface_at(placed, point), there = surface_at(ball, point);
+    EXPECT_NEAR(here.distance, there.distance, 1e-14);
+    EXPECT_NEAR((here.normal - there.normal).norm(), 0, 1e-13);
+  }
+  // A particle that would go through it meets it where it would meet the ball.
+  const Vector3d from(0.7, 2.33, 4.01), to(1.4, 2.31, 4);
+  const auto here = first_meeting(placed, from, to), there = first_meeting(ball, from, to);
+  ASSERT_TRUE(here && there);
+  EXPECT_NEAR((here->point - there->point).norm(), 0, 1e-11);
+  EXPECT_FALSE(first_meeting(placed, from, {0.7, 2.5, 5}));
+}
+
+TEST(PlacedSolid, WithoutASolidIsRefused) {
+  EXPECT_THROW(check_obstacle({PlacedSolid{}}), std::invalid_argument);
+  EXPECT_THROW(check_obstacle({PlacedSolid{
+                   std::make_shared<BesideOrigin>(), {0, 0, 0}, Eigen::Quaterniond(2, 0, 0, 0)}}),
+               std::invalid_argument);
 }
 
 }  // namespace

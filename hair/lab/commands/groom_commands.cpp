@@ -1,8 +1,10 @@
 #include "hair/lab/commands/groom_commands.h"
 
 #include <iostream>
+#include <memory>
 #include <stdexcept>
 
+#include "hair/head/bust.h"
 #include "hair/head/ellipsoid_head.h"
 #include "hair/head/groom_edit.h"
 #include "hair/head/groom_file.h"
@@ -70,7 +72,10 @@ int write_grown_groom(const GrowOptions& options) {
   can_write_bald_roots(options.out);  // refuses the name before there is work
   Groom groom;
   try {
-    groom = grow_groom(EllipsoidHead(), *style, {options.strands, options.points, options.seed});
+    const std::unique_ptr<Head> head = options.head == "ellipsoid"
+                                           ? std::unique_ptr<Head>(std::make_unique<EllipsoidHead>())
+                                           : std::make_unique<Bust>();
+    groom = grow_groom(*head, *style, {options.strands, options.points, options.seed});
   } catch (const std::invalid_argument& error) {
     throw BadInput(error.what());
   }

@@ -23,7 +23,7 @@ struct InfoOptions {
 };
 
 struct GrowOptions {
-  std::string style;
+  std::string style, head = "bust";  // or "ellipsoid"
   std::filesystem::path out;
   int strands = 10'000;
   int points = 0;  // of each; 0: the style's

@@ -38,6 +38,8 @@ Command add_groom_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("groom", "Let hair grow on a head, in a style");
   app->add_option("STYLE", options->style, "long-smooth, short-curly, wavy or ponytail")->required();
   app->add_option("--out", options->out, "The file to write: .hair, .data, .ply or .usda")->required();
+  app->add_option("--head", options->head, "What it grows on: bust (default) or ellipsoid")
+      ->check(CLI::IsMember({"bust", "ellipsoid"}));
   app->add_option("--strands", options->strands, "How many (default: 10000)")
       ->check(CLI::Range(1, 1'000'000));
   app->add_option("--points", options->points, "So many points for each strand (default: the style's)")

@@ -2,6 +2,8 @@
 
 #include <numbers>
 
+#include "hair/head/bust.h"
+#include "hair/head/scalp_roots.h"
 #include "hair/scene/json/parts.h"
 #include "hair/scene/json/values.h"
 #include "hair/scene/roots.h"
@@ -74,13 +76,25 @@ std::vector<RootFrame> read_cap(const JsonValue& cap, const Expect& expect) {
   return frames;
 }
 
+std::vector<RootFrame> read_bust(const JsonValue& bust, const Expect& expect) {
+  bust.check_keys({"count"}, {"at", "lift", "seed"});
+  const Vector3d at = vector_or(bust, "at", Vector3d::Zero(), kFar);
+  const double lift = number_or(bust, "lift", 0.3, 0, 1);
+  const long seed = bust.has("seed") ? bust["seed"].whole_number(0, 1L << 53) : 0;
+  std::vector<RootFrame> frames =
+      scalp_roots(Bust(), read_count(bust["count"], expect), static_cast<std::uint64_t>(seed));
+  for (RootFrame& frame : frames) frame = frame_at(at + frame.position, combed(frame.axis, frame.side, lift));
+  return frames;
+}
+
 }  // namespace
 
 std::vector<RootFrame> read_roots(const JsonValue& object, const Expect& expect) {
-  const std::string kind = object.only_key({"list", "line", "disc", "cap"});
+  const std::string kind = object.only_key({"list", "line", "disc", "cap", "bust"});
   if (kind == "list") return read_list(object[kind], expect);
   if (kind == "line") return read_line(object[kind], expect);
   if (kind == "disc") return read_disc(object[kind], expect);
+  if (kind == "bust") return read_bust(object[kind], expect);
   return read_cap(object[kind], expect);
 }
 

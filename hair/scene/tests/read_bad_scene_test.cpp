@@ -38,11 +38,11 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{R"("curly": {"radius": 0.005, "pitch": 0.1})", "",
              "hair[1].shape: has 0 keys; give one of: wavy, curly"},
         Slip{R"("line": {)", R"("groom": {)",
-             "hair[2].roots: unknown key \"groom\"; known here: list, line, disc, cap"},
+             "hair[2].roots: unknown key \"groom\"; known here: list, line, disc, cap, bust"},
         Slip{R"("frames": 2,)", R"("frames": 2, "frames": 3,)",
              "\"frames\" stands twice in the same object; keep one of them"},
         Slip{R"({"plane": {"point": [0, 0, -1], "normal": [0, 0, 1]}, "friction": 0.5})",
-             R"({"friction": 0.5})", "obstacles[0]: give one of: plane, sphere, capsule"}));
+             R"({"friction": 0.5})", "obstacles[0]: give one of: plane, sphere, capsule, bust"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Types, BadScene,
@@ -127,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{R"({"name": "head")", R"({"name": "head", "keys": [{"time": 0}]}, {"name": "head")",
              "motions[1].name: is the name of a motion before it; give another"},
         Slip{R"("friction": 0.5)", R"("friction": 0.5, "moves_with": "head")",
-             "obstacles[0].moves_with: this motion turns, and only a sphere can move with it"},
+             "obstacles[0].moves_with: this motion turns, and only a sphere or a bust can move with it"},
         Slip{R"("root_velocity": [0, 0, 1])", R"("root_velocity": [0, 0, 1], "moves_with": "head")",
              "hair[1].root_velocity: these roots move with a motion already; keep one of the two"},
         Slip{R"("clamped": true)", R"("clamped": false)",

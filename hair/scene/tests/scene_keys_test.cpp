@@ -116,6 +116,11 @@ std::map<std::string, Bounds> read() {
     "move": [0, 0, 0]}, "model": "mass_spring", "clamped": true, "root_velocity": [0, 0, 0]}]})");
   for (const char* section : {"hair[] with a groom", "hair[].groom"})
     sections[section] = groom.sections().at(section);
+  const Asked bust(R"({"shows": "a bust", "frames": 1, "hair": [{"segments": 1, "length": 0.1,
+    "roots": {"bust": {"count": 1, "at": [0, 0, 0], "lift": 0.3, "seed": 1}}}],
+    "obstacles": [{"bust": {"at": [0, 0, 0]}}]})");
+  for (const char* section : {"hair[].roots.bust", "obstacles[].bust"})
+    sections[section] = bust.sections().at(section);
   return sections;
 }
 

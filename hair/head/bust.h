@@ -1,0 +1,46 @@
+// A bust: head, face, neck and shoulders as one smooth surface, in which nothing is drawn after anybody. It is the zero
+// level of a function that joins ellipsoids and capsules, and carves eyes and ears out of them. Each joint is a polynomial smooth
+// minimum, with a width k of its own:
+//
+//   min(a, b) - k h^2 / 4,   h = max(k - |a - b|, 0) / k
+//
+// (I. Quilez, "smooth minimum", iquilezles.org/articles/smin, the quadratic one). It has a continuous gradient, and is the minimum
+// itself where the two differ by k or more, so that what is far away may be left out. Divided by its gradient's length, the function is
+// the distance near the surface.
+//
+// The sizes are about those of adults: 15 cm wide, 19 cm deep and 23 cm high with the chin, 45 cm across the shoulders.
+#pragma once
+
+#include "hair/head/head.h"
+
+namespace hair {
+
+class Bust : public Head {
+ public:
+  // The origin is in the middle of the skull. z up, the face along -y.
+  Bust() = default;
+
+  struct Value {
+    double value;       // m, below 0 inside
+    Vector3d gradient;  // of any length; near the surface above 0.4
+  };
+  Value value_at(const Vector3d& point) const;
+
+  Vector3d centre() const override { return {0, 0.015, 0.015}; }
+  Vector3d surface_towards(const Vector3d& direction) const override;
+  Surface surface_at(const Vector3d& point) const override;
+  Eigen::AlignedBox3d box() const override;
+
+  // From the hairline over the forehead, above the ears, and down to the nape.
+  bool has_hair(const Vector3d& point) const override;
+
+  // From a parting, which goes from the forehead to the crown, to both sides and down; behind it to the back and down.
+  // Across the parting it jumps; elsewhere it is smooth.
+  Vector3d combed(const Vector3d& point) const override;
+};
+
+// Where hair is parted, as seen from above: from the forehead to the crown.
+inline constexpr double kPartingSide = 0.018, kPartingFront = -0.11,
+                        kPartingBack = 0.045;  // m: x, and y from, to
+
+}  // namespace hair
