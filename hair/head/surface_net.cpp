@@ -10,7 +10,7 @@ namespace hair {
 
 namespace {
 
-using Place = Eigen::Vector3i;
+using Lattice = Eigen::Vector3i;
 
 // The distances at the corners of a grid that goes beyond a solid's box on all sides.
 class CornerGrid {
@@ -27,17 +27,17 @@ class CornerGrid {
   }
 
   double width() const { return width_; }
-  const Place& corners() const { return corners_; }
-  Vector3d point(const Place& at) const { return first_ + width_ * at.cast<double>(); }
-  std::size_t index(const Place& at) const {
+  const Lattice& corners() const { return corners_; }
+  Vector3d point(const Lattice& at) const { return first_ + width_ * at.cast<double>(); }
+  std::size_t index(const Lattice& at) const {
     return static_cast<std::size_t>((static_cast<long>(at.z()) * corners_.y() + at.y()) * corners_.x() +
                                     at.x());
   }
-  double distance(const Place& at) const { return distances_[index(at)]; }
+  double distance(const Lattice& at) const { return distances_[index(at)]; }
 
   template <class Visit>
-  void for_each(const Place& until, int step, const Visit& visit) const {
-    Place at;
+  void for_each(const Lattice& until, int step, const Visit& visit) const {
+    Lattice at;
     for (at.z() = 0; at.z() < until.z(); at.z() += step)
       for (at.y() = 0; at.y() < until.y(); at.y() += step)
         for (at.x() = 0; at.x() < until.x(); at.x() += step) visit(at);
@@ -47,13 +47,13 @@ class CornerGrid {
   // Blocks that are wholly inside or outside take one look at their middle.
   void fill() {
     constexpr int block = 4;
-    for_each(corners_, block, [&](const Place& low) {
-      const Place high = (low.array() + block).min(corners_.array());
-      const Vector3d middle = 0.5 * (point(low) + point(high - Place::Ones()));
+    for_each(corners_, block, [&](const Lattice& low) {
+      const Lattice high = (low.array() + block).min(corners_.array());
+      const Vector3d middle = 0.5 * (point(low) + point(high - Lattice::Ones()));
       const double whole = solid_.surface_at(middle).distance;
       const double reach = 0.5 * block * width_ * std::sqrt(3.0);
       const bool far = std::abs(whole) > 3 * reach;
-      for_each(high - low, 1, [&](const Place& in) {
+      for_each(high - low, 1, [&](const Lattice& in) {
         distances_[index(low + in)] = far ? whole : solid_.surface_at(point(low + in)).distance;
       });
     });
@@ -61,7 +61,7 @@ class CornerGrid {
 
   const Solid& solid_;
   double width_;
-  Place corners_;
+  Lattice corners_;
   Vector3d first_;
   std::vector<double> distances_;
 };
@@ -75,7 +75,7 @@ constexpr int edge_number(int axis, int u, int v) {
 // four, each pair around an inner corner is joined, which both cubes of a face see alike.
 class Sheets {
  public:
-  Sheets(const CornerGrid& grid, const Place& cube) : grid_(grid), cube_(cube) {
+  Sheets(const CornerGrid& grid, const Lattice& cube) : grid_(grid), cube_(cube) {
     bool any_inside = false, any_outside = false;
     for (int corner = 0; corner < 8; ++corner) (is_inside(corner) ? any_inside : any_outside) = true;
     crossed_ = any_inside && any_outside;
@@ -101,7 +101,7 @@ class Sheets {
 
  private:
   // Corners are numbered by the bits of their places along the axes.
-  Place place(int corner) const { return cube_ + Place(corner & 1, corner >> 1 & 1, corner >> 2 & 1); }
+  Lattice place(int corner) const { return cube_ + Lattice(corner & 1, corner >> 1 & 1, corner >> 2 & 1); }
   double distance(int corner) const { return grid_.distance(place(corner)); }
   bool is_inside(int corner) const { return distance(corner) < 0; }
 
@@ -136,7 +136,7 @@ class Sheets {
   }
 
   const CornerGrid& grid_;
-  Place cube_;
+  Lattice cube_;
   bool crossed_ = false;
   std::array<int, 12> sheet_{};
 };
@@ -161,7 +161,7 @@ SurfaceMesh surface_net(const Solid& solid, int cells) {
   constexpr std::uint32_t none = 0xffffffff;
   std::vector<std::uint32_t> number(static_cast<std::size_t>(grid.corners().cast<long>().prod()), none);
   std::vector<std::array<std::uint32_t, 12>> vertices;
-  grid.for_each(grid.corners() - Place::Ones(), 1, [&](const Place& cube) {
+  grid.for_each(grid.corners() - Lattice::Ones(), 1, [&](const Lattice& cube) {
     const Sheets sheets(grid, cube);
     if (!sheets.crossed()) return;
     number[grid.index(cube)] = static_cast<std::uint32_t>(vertices.size());
@@ -181,12 +181,12 @@ SurfaceMesh surface_net(const Solid& solid, int cells) {
       mesh.normals.push_back(solid.surface_at(mesh.points.back()).normal);
     }
   });
-  grid.for_each(grid.corners() - Place::Ones(), 1, [&](const Place& from) {
+  grid.for_each(grid.corners() - Lattice::Ones(), 1, [&](const Lattice& from) {
     for (int axis = 0; axis < 3; ++axis) {
       const bool enters = grid.distance(from) >= 0;
-      if (enters == (grid.distance(from + Place::Unit(axis)) >= 0)) continue;
-      const Place u = Place::Unit((axis + 1) % 3), v = Place::Unit((axis + 2) % 3);
-      const auto vertex = [&](const Place& cube, int at_u, int at_v) {
+      if (enters == (grid.distance(from + Lattice::Unit(axis)) >= 0)) continue;
+      const Lattice u = Lattice::Unit((axis + 1) % 3), v = Lattice::Unit((axis + 2) % 3);
+      const auto vertex = [&](const Lattice& cube, int at_u, int at_v) {
         return vertices[number[grid.index(cube)]][static_cast<std::size_t>(edge_number(axis, at_u, at_v))];
       };
       // Around the edge, anticlockwise for who looks against the axis.
