@@ -11,27 +11,18 @@
 #include <array>
 #include <span>
 
+#include "hair/mass_spring/control_mesh.h"
 #include "particles/vectors.h"
 
 namespace hair {
 
 using Eigen::Matrix3d;
-using Eigen::Vector3d;
 using particles::Input;
 using particles::Output;
 
 // ---- Links
 
-// Holds particle b where a's frame had it when the link was made.
-struct StaticLink {
-  int a = 0, b = 0;                    // a != b
-  Vector3d offset = Vector3d::Zero();  // m: from a to b at rest, in a's frame
-  double length = 0;                   // > 0, m: stretches are multiples of it
-  double stiffness = 0;                // k >= 0, N/m
-  double yields = 0, breaks = 0;       // stretches, 0 <= yields <= breaks
-};
-
-// With R the frame of particle a, a rotation, a link's displacement is
+// StaticLink is in hair/mass_spring/control_mesh.h. With R the frame of particle a, a rotation, a link's displacement is
 //
 //   d = x_b - (x_a + R offset)
 //
@@ -51,7 +42,8 @@ double link_energy(std::span<const StaticLink> links, std::span<const Matrix3d> 
                    Input x);
 
 // (4) f += -dE/dx: on b -k s d, on a the opposite. So links change no linear momentum. Of angular momentum they do: nothing
-// here takes the torque that R offset x f exerts on a's frame.
+// here takes the torque that the arm R offset exerts on the guide that it turns with. In simulations that part is given
+// (hair/mass_spring/frame_torque.h).
 void add_link_force(std::span<const StaticLink> links, std::span<const Matrix3d> frames, Input largest,
                     Input x, Output f);
 
@@ -61,13 +53,7 @@ void add_link_product(std::span<const StaticLink> links, Input largest, Input dx
 // ---- Strips
 //
 // Between two neighbouring guides lies a strip of triangles, whose corners are particles of both. A particle of a third
-// hair that comes near a triangle is pushed away from it, along its normal.
-
-struct StripLaw {
-  double thickness = 0;  // r > 0, m: nearer particles are pushed away
-  double stiffness = 0;  // k >= 0, N/m
-  double friction = 0;   // mu >= 0
-};
+// hair that comes near a triangle is pushed away from it, along its normal. StripLaw is beside StaticLink.
 
 // A particle near a triangle.
 struct StripContact {
