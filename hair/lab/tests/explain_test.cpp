@@ -21,6 +21,7 @@ std::map<std::string, Part> parts_of(const std::string& json, bool render = true
   EXPECT_EQ(parts["bending"].used, parts["exercise H2"].used);
   EXPECT_EQ(parts["springs that skip"].used, parts["exercise H3"].used);
   EXPECT_EQ(parts["constraints"].used, parts["exercise P2"].used);
+  EXPECT_EQ(parts["links"].used, parts["exercise H9"].used);
   return parts;
 }
 
@@ -50,6 +51,7 @@ TEST(Explain, UsesAllPartsOfASceneThatHasThem) {
                               kRoots + R"(},
       {"segments": 9, "length": 0.1, "shape": {"curly": {"radius": 0.01, "pitch": 0.02}}, )" +
                               kRoots + R"(}],
+    "links": {"stiffness": 1e-6, "neighbours": "both", "strips": {"thickness": 1e-3, "stiffness": 1e-6}},
     "obstacles": [{"sphere": {"centre": [0, 0, 0], "radius": 0.1}}],
     "motions": [{"name": "head", "keys": [{"time": 0}]}],
     "toys": [{"particles": [{"position": [0, 0, 0], "mass": 1, "pinned": true},

@@ -6,6 +6,7 @@
 #include "hair/head/control_mesh.h"
 #include "hair/mass_spring/frame_torque.h"
 #include "hair/mass_spring/guide_frames.h"
+#include "hair/mass_spring/strip_contacts.h"
 #include "hair/simulation/simulation.h"
 #include "handout/checks/derivative.h"
 
@@ -178,7 +179,30 @@ TEST(LinkedGuides, BreakTheSameWayEachTime) {
   EXPECT_GT((first - positions(unlinked)).norm(), 1e-4) << "links do something";
 }
 
-// A guide whose root moves on is pulled against the strip between two others that lie across its way: it stays outside, and without the strip it passes.
+// A particle belongs to the side where it first touched, wherever it is later, until it is far away.
+TEST(StripContacts, RememberTheSide) {
+  hair::ControlMesh mesh;
+  mesh.strips.push_back({{0, 1}, {{0, 1, 2}}});
+  mesh.law = {0.1, 1, 0};
+  hair::StripContacts contacts(mesh, {0, 1, 3, 5});  // the last guide's particle 4 touches
+  VectorXd x(15);
+  x << 0, 0, 0, 1, 0, 0, 0, 1, 0, 9, 9, 9, 0.2, 0.2, 0.05;
+  const VectorXd tangents = VectorXd::Zero(15);
+  const auto side_at = [&](double height) {
+    x[14] = height;
+    contacts.find(x, tangents);
+    return contacts.all().empty() ? 0 : contacts.all()[0].normal.z();
+  };
+  EXPECT_EQ(side_at(0.05), 1);
+  EXPECT_EQ(side_at(-0.05), 1) << "it went through: it is pushed back";
+  EXPECT_EQ(side_at(-0.15), 0) << "far away";
+  EXPECT_EQ(side_at(-0.05), -1) << "it comes from the other side now";
+  contacts.forget();
+  EXPECT_EQ(side_at(0.05), 1);
+}
+
+// A guide whose root moves on is pulled against the strip between two others that lie across its way: it stays outside,
+// and without the strip it passes.
 TEST(LinkedGuides, StripsKeepHairOut) {
   for (const bool strips : {true, false}) {
     hair::Description hair = guides(3);
