@@ -66,6 +66,18 @@ void StripContacts::touch(int strip, int point, Input x, Input tangents) {
   }
 }
 
+void StripContacts::touch_all(int strip, Input x, Input tangents) {
+  const auto [one, other] = mesh_.strips[strip].guides;
+  Box near = boxes_[one];
+  near.grow(boxes_[other]);
+  near.grow(mesh_.law.thickness);
+  for (int g = 0; g < static_cast<int>(boxes_.size()); ++g) {
+    if (g == one || g == other || !near.meets(boxes_[g])) continue;
+    for (int i = first_[g] + 1; i < first_[g + 1]; ++i)
+      if (near.meets(around(x, i))) touch(strip, i, x, tangents);
+  }
+}
+
 void StripContacts::find(Input x, Input tangents) {
   for (std::size_t g = 0; g < boxes_.size(); ++g) {
     boxes_[g] = around(x, first_[g]);
@@ -73,17 +85,7 @@ void StripContacts::find(Input x, Input tangents) {
   }
   std::swap(before_, sides_);
   forget();
-  for (int s = 0; s < static_cast<int>(mesh_.strips.size()); ++s) {
-    const auto [one, other] = mesh_.strips[s].guides;
-    Box strip = boxes_[one];
-    strip.grow(boxes_[other]);
-    strip.grow(mesh_.law.thickness);
-    for (int g = 0; g < static_cast<int>(boxes_.size()); ++g) {
-      if (g == one || g == other || !strip.meets(boxes_[g])) continue;
-      for (int i = first_[g] + 1; i < first_[g + 1]; ++i)
-        if (strip.meets(around(x, i))) touch(s, i, x, tangents);
-    }
-  }
+  for (int strip = 0; strip < static_cast<int>(mesh_.strips.size()); ++strip) touch_all(strip, x, tangents);
 }
 
 }  // namespace hair

@@ -37,6 +37,7 @@ class StripContacts {
   static Box around(Input x, int particle);
   double side_of(int strip, int point, const std::array<int, 3>& triangle, Input x) const;
   void touch(int strip, int point, Input x, Input tangents);
+  void touch_all(int strip, Input x, Input tangents);
 
   const ControlMesh& mesh_;
   std::vector<int> first_;
