@@ -16,7 +16,11 @@ constexpr int kMostMends = 20;
 
 MassSpringBody::MassSpringBody(const StrandStart& start, const StepMethod& method,
                                const ForceOptions& options, bool collides, bool watched)
-    : moving_(start.strand, start.state), method_(method), collides_(collides), watched_(watched) {
+    : moving_(start.strand, start.state),
+      method_(method),
+      root_normal_(start.root_normal),
+      collides_(collides),
+      watched_(watched) {
   add_forces(options, start, method.needs_definite_force, moving_);
   const bool keeps = method.keeps == KeptEnergy::all || (method.keeps == KeptEnergy::without_stretching &&
                                                          options.geometric_term == GeometricTerm::filtered);
@@ -33,6 +37,7 @@ void MassSpringBody::restart(const StrandStart& start) {
 
 void MassSpringBody::set_root_frame(const Vector3d& tangent, const Vector3d& normal) {
   moving_.strand.root_tangent = tangent;
+  root_normal_ = normal;
   for (RestCurvature* rest : moving_.rest_curvatures) rest->set_root_normal(normal);
   if (energy_) energy_->root_turned();
 }
@@ -66,6 +71,20 @@ std::optional<Stage> MassSpringBody::step(const BodyStep& step, const particles:
 
   const particles::Scratch for_method = memory.leftCols(method_.scratch);
   const StepOutcome outcome = method_.step(moving_, {step.h, step.tolerance}, for_method);
+  return finish(step, x_before, v_before, for_method, outcome, work);
+}
+
+std::optional<Stage> MassSpringBody::step_to(const BodyStep& step, particles::Output x, particles::Output v,
+                                             const StepOutcome& outcome, Work& work) {
+  moving_.state.x.swap(x);
+  moving_.state.v.swap(v);
+  Eigen::MatrixXd none;
+  return finish(step, x, v, none, outcome, work);
+}
+
+std::optional<Stage> MassSpringBody::finish(const BodyStep& step, particles::Input x_before,
+                                            particles::Input v_before, const particles::Scratch& scratch,
+                                            const StepOutcome& outcome, Work& work) {
   ++work.strand_steps;
   work.solver_steps += outcome.solver_steps;
   work.plain_solves += outcome.plain_solves;
@@ -75,8 +94,8 @@ std::optional<Stage> MassSpringBody::step(const BodyStep& step, const particles:
   if (!is_sound(moving_.state)) return outcome.suspect;
 
   Collisions collisions;
-  if (collides) {
-    collisions = collide(step, x_before, for_method);
+  if (collides_ && !step.obstacles.empty()) {
+    collisions = collide(step, x_before, scratch);
     work.contacts += collisions.contacts;
     work.unmended += !collisions.mended;
     work.penetration = std::max(work.penetration, collisions.penetration);

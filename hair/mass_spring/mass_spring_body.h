@@ -26,6 +26,11 @@ class MassSpringBody final : public Body {
   void restart(const StrandStart& start);
   void set_root_velocity(const Vector3d& velocity) { moving_.state.v.head<3>() = velocity; }
   void set_root_frame(const Vector3d& tangent, const Vector3d& normal);
+  const Vector3d& root_normal() const { return root_normal_; }
+
+  // A step that was made elsewhere, to x and v: its collisions, and what it did. On return x and v are what was before.
+  std::optional<Stage> step_to(const BodyStep& step, particles::Output x, particles::Output v,
+                               const StepOutcome& outcome, Work& work);
 
   Coordinates coordinates() const override { return Coordinates::positions; }
   int size() const override { return 3 * moving_.strand.count(); }
@@ -52,10 +57,13 @@ class MassSpringBody final : public Body {
     double penetration = 0;  // m
   };
   Collisions collide(const BodyStep& step, particles::Input x_before, const particles::Scratch& scratch);
+  std::optional<Stage> finish(const BodyStep& step, particles::Input x_before, particles::Input v_before,
+                              const particles::Scratch& scratch, const StepOutcome& outcome, Work& work);
   void watch(double h, particles::Input v_before, const StepOutcome& outcome, const Collisions& collisions);
 
   MovingStrand moving_;
   const StepMethod& method_;
+  Vector3d root_normal_;
   bool collides_, watched_;
   std::optional<EnergyWatch> energy_;  // of methods that keep some
   Sizes sizes_;

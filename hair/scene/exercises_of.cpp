@@ -41,6 +41,7 @@ std::vector<std::string> exercises_of(const Scene& scene) {
   if (!scene.hair.strands.empty() || std::any_of(modelled.begin(), modelled.end(), calls_method))
     called.add(row_of(scene.hair.method).exercises);
   for (const StrandStart& start : scene.hair.strands) called.add(exercises_of(start));
+  if (scene.hair.mesh) called.add(std::array{std::string_view("H9")});
   for (const ModelledStrand& strand : modelled) called.add(strand.model->exercises(strand.spec));
   for (const Toy& toy : scene.toys) {
     for (const MethodRow& row : methods())

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hair/geometric_term.h"
+#include "hair/mass_spring/control_mesh.h"
 #include "hair/mass_spring/strand_forces.h"
 #include "hair/mass_spring/strand_start.h"
 #include "hair/simulation/methods.h"
@@ -30,6 +31,8 @@ struct Description {
   double drag = 0;                           // N s/m^2: for each metre of hair
   Vector3d wind = Vector3d::Zero();          // m/s, of the air
   std::vector<Obstacle> obstacles;
+  // Links and strips between `strands`, which are one system then: implicit_euler only, and clamped strands.
+  std::optional<ControlMesh> mesh;
   bool point_forces = false;  // steps also apply forces at points of strands
   // Watches for numbers that are finite and wrong (hair/strand/watch.h). False where energies may not be written
   // yet: then nobody asks for them.

@@ -1,6 +1,20 @@
 #include "hair/simulation/mass_spring_strand.h"
 
+#include "hair/mass_spring/linked_guides.h"
+#include "solver/course.h"
+
 namespace hair {
+
+namespace {
+
+const StepMethod& step_of(const Description& description) {
+  const StepMethod& usual = mass_spring_step(description.method);
+  if constexpr (in_course("H4") && in_course("H9"))
+    if (description.mesh) return kLinkedImplicitEuler;
+  return usual;
+}
+
+}  // namespace
 
 std::unique_ptr<MassSpringBody> mass_spring_strand(const std::string& name, const StrandStart& start,
                                                    const Description& description) {
@@ -12,7 +26,7 @@ std::unique_ptr<MassSpringBody> mass_spring_strand(const std::string& name, cons
                              description.wind,
                              description.point_forces,
                              description.preconditioner};
-  return std::make_unique<MassSpringBody>(start, mass_spring_step(description.method), options,
+  return std::make_unique<MassSpringBody>(start, step_of(description), options,
                                           !description.obstacles.empty(), description.watched);
 }
 

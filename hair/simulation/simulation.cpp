@@ -7,9 +7,11 @@
 #include <string>
 #include <utility>
 
+#include "hair/mass_spring/linked_guides.h"
 #include "hair/simulation/mass_spring_strand.h"
 #include "hair/simulation/models.h"
 #include "particles/require.h"
+#include "solver/course.h"
 
 namespace hair {
 
@@ -26,6 +28,13 @@ void check(const Description& description) {
   require_finite("gravity", description.gravity);
   require_finite("the wind", description.wind);
   for (const Obstacle& obstacle : description.obstacles) check_obstacle(obstacle);
+  if (!description.mesh) return;
+  require_exercise("a control mesh", "H9");
+  if (!description.modelled.empty())
+    throw std::invalid_argument("a control mesh links strands of masses and springs, and no others");
+  if (description.method != Method::implicit_euler)
+    throw std::invalid_argument("a control mesh moves by implicit_euler, and not by " +
+                                std::string(row_of(description.method).id));
 }
 
 void check_frame(const Vector3d& tangent, const Vector3d& normal) {
@@ -47,6 +56,8 @@ Simulation::Simulation(Description description) : step_{description.step, descri
     springs_.push_back(body.get());
     bodies_.push_back(std::move(body));
   }
+  if constexpr (in_course("H4") && in_course("H9"))
+    if (description.mesh) joint_ = linked_guides(springs_, *description.mesh);
   for (const ModelledStrand& strand : description.modelled)
     bodies_.push_back(strand.model->make(strand.spec, description));
   int rows = 0, columns = 0;
@@ -73,7 +84,10 @@ std::optional<BlowUp> Simulation::step() {
     Thread& own = own_[thread];
     broke_[i] = body.step(step, own.scratch.topRows(body.scratch_rows()), own.work);
   };
-  threads_->run(strands(), std::ref(step_strand));
+  if (joint_)
+    joint_->step(step, broke_, own_.front().work);
+  else
+    threads_->run(strands(), std::ref(step_strand));
   work_ = {};
   for (const Thread& own : own_) work_ += own.work;
   for (int i = 0; i < strands(); ++i) {
@@ -103,6 +117,7 @@ void Simulation::restart(const Description& description) {
             static_cast<double>(start.state.x.size()), std::to_string(springs_[i]->size()));
     springs_[i]->restart(start);
   }
+  if (joint_) joint_->restart();
   for (std::size_t i = 0; i < description.modelled.size(); ++i) {
     const ModelledStrand& strand = description.modelled[i];
     bodies_[springs_.size() + i] = strand.model->make(strand.spec, description);

@@ -2,9 +2,9 @@
 //
 // A strand of masses and springs has a stretch part if EA > 0, a bending part if EI > 0, springs that skip a
 // particle if skip_rigidity > 0, and a rest curvature instead of angular springs if it has a rest shape;
-// gravity and drag if they are not 0. A simulation without obstacles has no collision stage. Nothing couples
-// strands, so each is stepped separately, by any of the threads that the description asks for. The result is the same bit
-// by bit for any number of them.
+// gravity and drag if they are not 0. A simulation without obstacles has no collision stage. Without a control mesh nothing
+// couples strands, so each is stepped separately, by any of the threads that the description asks for. The result is the
+// same bit by bit for any number of them. With a mesh one thread steps all strands as one system.
 #pragma once
 
 #include <memory>
@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "hair/mass_spring/joint_step.h"
 #include "hair/mass_spring/mass_spring_body.h"
 #include "hair/simulation/description.h"
 #include "hair/simulation/strand_threads.h"
@@ -72,6 +73,7 @@ class Simulation {
  private:
   std::vector<std::unique_ptr<Body>> bodies_;
   std::vector<MassSpringBody*> springs_;  // the bodies of `strands`, which come first
+  std::unique_ptr<JointStep> joint_;      // of strands that a mesh couples
   std::vector<Obstacle> obstacles_;
   struct {
     double h, tolerance;

@@ -83,6 +83,12 @@ void explain_hair(const Scene& scene, Parts& parts) {
     parts.add(part.name, count > 0, whose + ", " + part.how + " " + of(count),
               why_not(hair.modelled.empty() ? part.why_not(hair.strands) : other));
   }
+  const std::size_t links = hair.mesh ? hair.mesh->links.size() : 0;
+  parts.add("links", links > 0, "H9, " + counted(links, "link") + "; linked hair is one system",
+            why_not("nothing links the strands, so each is stepped by itself"));
+  parts.add("strips", hair.mesh && !hair.mesh->strips.empty(),
+            "H9, " + counted(hair.mesh ? hair.mesh->strips.size() : 0, "strip") + " of triangles",
+            why_not("no strips lie between hairs"));
   parts.add("collisions", any && !hair.obstacles.empty(), counted(hair.obstacles.size(), "obstacle"),
             why_not("the scene has no obstacles, and so no collision stage"));
   parts.add("key frames", !scene.riders.empty(), counted(scene.riders.size(), "motion"),

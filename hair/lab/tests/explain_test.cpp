@@ -24,6 +24,7 @@ std::map<std::string, Part> parts_of(const std::string& json, bool render = true
   if (render) {
     EXPECT_EQ(parts["dense hair"].used, parts["exercise H10"].used);
   }
+  EXPECT_EQ(parts["links"].used, parts["exercise H9"].used);
   return parts;
 }
 
@@ -53,6 +54,7 @@ TEST(Explain, UsesAllPartsOfASceneThatHasThem) {
                               kRoots + R"(},
       {"segments": 9, "length": 0.1, "shape": {"curly": {"radius": 0.01, "pitch": 0.02}},
        "roots": {"line": {"from": [0, 0, 0], "to": [0, 0, 0], "count": 1}}, "synthesis": {"strands": 7}}],
+    "links": {"stiffness": 1e-6, "neighbours": "both", "strips": {"thickness": 1e-3, "stiffness": 1e-6}},
     "obstacles": [{"sphere": {"centre": [0, 0, 0], "radius": 0.1}}],
     "motions": [{"name": "head", "keys": [{"time": 0}]}],
     "toys": [{"particles": [{"position": [0, 0, 0], "mass": 1, "pinned": true},

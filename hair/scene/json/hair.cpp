@@ -113,6 +113,7 @@ void add_strand(const ModelRow& model, const StrandSpec& spec, Description& hair
 
 void read_hair(const JsonValue& list, Reading& reading) {
   for (const JsonValue& object : list.items()) {
+    reading.rows.push_back(static_cast<int>(reading.scene.hair.strands.size()));
     if (object.has("groom")) {
       read_groom(object, reading);
       check_one_model(object, reading.scene.hair);

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "hair/io/files/strict_json.h"
 #include "hair/scene/scene.h"
@@ -24,6 +25,7 @@ struct Reading {
 
   Scene scene;
   std::map<std::string, std::size_t> motions;  // name -> index of the scene's riders
+  std::vector<int> rows;                       // the first strand of each group
   long particles = 0;
   long most_particles = kMostParticles;
   long dense_points = 0;  // of strands that are drawn
@@ -44,6 +46,7 @@ void add_strand(const ModelRow& model, const StrandSpec& spec, Description& hair
 void read_groom(const JsonValue& group, Reading& reading);  // a group of "hair" that has "groom"
 // "synthesis" of a group whose strands begin with `first`, at `count` roots.
 void read_synthesis(const JsonValue& group, int first, int count, int points, Reading& reading);
+void read_links(const JsonValue& object, Reading& reading);  // between the strands that are there
 void read_toys(const JsonValue& list, Reading& reading);
 Toy read_cloth(const JsonValue& object, Reading& reading);  // particles, springs, rows and columns
 Look read_look(const JsonValue& object);

@@ -60,7 +60,7 @@ void check_use(const JsonValue& object, const Reading& reading) {
   if (reading.particles == 0) object.fail("there is nothing that moves; give \"hair\" or \"toys\"");
   if (!has_strands(reading.scene)) {
     for (const char* key :
-         {"method", "drag", "geometric_term", "bend_product", "preconditioner", "obstacles"})
+         {"method", "drag", "geometric_term", "bend_product", "preconditioner", "links", "obstacles"})
       if (object.has(key)) object[key].fail("is for hair, and there is none; leave it out");
   }
   if (!reading.scene.hair.modelled.empty() && !reading.scene.toys.empty())
@@ -88,10 +88,10 @@ void Reading::expect(const JsonValue& where, long strands, long of_each) {
 
 Scene scene_of(const JsonDocument& document, const std::filesystem::path& file, Reading reading) {
   const JsonValue object(*document, file);
-  object.check_keys(
-      {"shows", "frames"},
-      {"frames_per_second", "steps_per_frame", "step", "gravity", "wind", "method", "drag", "geometric_term",
-       "bend_product", "tolerance", "preconditioner", "hair", "obstacles", "motions", "toys", "render"});
+  object.check_keys({"shows", "frames"},
+                    {"frames_per_second", "steps_per_frame", "step", "gravity", "wind", "method", "drag",
+                     "geometric_term", "bend_product", "tolerance", "preconditioner", "hair", "links",
+                     "obstacles", "motions", "toys", "render"});
   Scene& scene = reading.scene;
   scene.name = file.stem().string();
   scene.shows = object["shows"].text();
@@ -103,6 +103,7 @@ Scene scene_of(const JsonDocument& document, const std::filesystem::path& file, 
   if (object.has("motions")) read_motions(object["motions"], reading);
   if (object.has("obstacles")) read_obstacles(object["obstacles"], reading);
   if (object.has("hair")) read_hair(object["hair"], reading);
+  if (object.has("links")) read_links(object["links"], reading);
   if (object.has("toys")) read_toys(object["toys"], reading);
   if (object.has("render")) scene.look = read_look(object["render"]);
   check_use(object, reading);

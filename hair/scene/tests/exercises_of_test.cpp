@@ -17,7 +17,7 @@ namespace {
 std::string stub_of(hair::Scene scene) {
   scene.steps_per_frame = 1;
   scene.riders.clear();
-  if (scene.hair.strands.size() > 1 && scene.dense.empty())
+  if (scene.hair.strands.size() > 1 && scene.dense.empty() && !scene.hair.mesh)
     scene.hair.strands.erase(scene.hair.strands.begin() + 1, scene.hair.strands.end());
   try {
     hair::Playback playback(scene);

@@ -33,7 +33,7 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{R"("frames": 2,)", "",
              "\"frames\" is missing; an object here has: shows, frames, frames_per_second, "
              "steps_per_frame, step, gravity, wind, method, drag, geometric_term, "
-             "bend_product, tolerance, preconditioner, hair, obstacles, motions, toys, render"},
+             "bend_product, tolerance, preconditioner, hair, links, obstacles, motions, toys, render"},
         Slip{R"("curly":)", R"("curled":)", "hair[1].shape: unknown key \"curled\"; known here: wavy, curly"},
         Slip{R"("curly": {"radius": 0.005, "pitch": 0.1})", "",
              "hair[1].shape: has 0 keys; give one of: wavy, curly"},
@@ -158,6 +158,27 @@ INSTANTIATE_TEST_SUITE_P(
              "line 4, column 21: not JSON: syntax error while parsing object - unexpected string literal; "
              "expected "
              "'}'"}));
+
+TEST(BadScene, HairThatCantBeLinkedSaysWhy) {
+  EXPECT_EQ(complaint(linked_scene()), "");
+  EXPECT_EQ(
+      complaint(linked_scene("\"clamped\": true", "\"clamped\": false")),
+      "a.json: links: links are for clamped hair, whose roots have frames; leave out \"clamped\": false");
+  EXPECT_EQ(complaint(linked_scene("\"method\": \"implicit_euler\",", "")),
+            "a.json: links: linked hair moves by implicit Euler; write \"method\": \"implicit_euler\"");
+  std::string links = linked_scene("\"clamped\": true", "\"model\": \"super_helix\"");
+  links.replace(
+      links.find("{\"segments\": 3, \"length\": 0.1,\n     \"roots\": {\"line\": {\"from\": [0, 0.01"), 1,
+      "{\"model\": \"super_helix\", ");
+  EXPECT_EQ(complaint(links),
+            "a.json: links: links are for hair of masses and springs; leave them out, or the \"model\"");
+  EXPECT_EQ(complaint(linked_scene("\"breaks\": 2", "\"breaks\": 0.5")),
+            "a.json: links.breaks: a link can't break before it yields; give \"yields\" or more");
+  EXPECT_EQ(complaint(R"({"shows": "a hair", "frames": 1, "method": "implicit_euler",
+                          "hair": [{"segments": 2, "length": 0.1, "roots": {"list": [{"position": [0, 0, 0]}]}}],
+                          "links": {"stiffness": 1}})"),
+            "a.json: links: no hair has a neighbour; give a group with two roots or more");
+}
 
 TEST(BadScene, OneThatHasNothingToMoveSaysSo) {
   EXPECT_EQ(complaint(R"({"shows": "nothing", "frames": 1})"),

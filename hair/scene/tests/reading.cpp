@@ -7,8 +7,36 @@
 
 namespace reference_tests {
 
+namespace {
+
+std::string with(std::string text, const std::string& what, const std::string& by) {
+  if (what.empty()) return text;
+  const std::size_t at = text.find(what);
+  if (at == std::string::npos) throw std::invalid_argument("no \"" + what + "\" in the scene");
+  return text.replace(at, what.size(), by);
+}
+
+}  // namespace
+
+std::string linked_scene(const std::string& what, const std::string& by) {
+  return with(R"({
+  "shows": "a brush",
+  "frames": 2,
+  "method": "implicit_euler",
+  "hair": [
+    {"segments": 3, "length": 0.1, "clamped": true,
+     "roots": {"line": {"from": [0, 0, 0], "to": [0.02, 0, 0], "count": 3}}},
+    {"segments": 3, "length": 0.1,
+     "roots": {"line": {"from": [0, 0.01, 0], "to": [0.01, 0.01, 0], "count": 2}}}
+  ],
+  "links": {"stiffness": 0.001, "yields": 1, "breaks": 2, "neighbours": "both",
+            "strips": {"thickness": 0.001, "stiffness": 0.1, "friction": 0.3}}
+})",
+              what, by);
+}
+
 std::string small_scene(const std::string& what, const std::string& by) {
-  std::string text = R"({
+  const std::string text = R"({
   "shows": "all kinds of things",
   "frames": 2,
   "frames_per_second": 30,
@@ -77,10 +105,7 @@ std::string small_scene(const std::string& what, const std::string& by) {
   "render": {"width": 1e-3, "root_colour": [0, 0, 0], "tip_colour": [1, 1, 1], "view": [1, 0, 0],
              "image_width": 640, "image_height": 480, "shadows": false}
 })";
-  if (what.empty()) return text;
-  const std::size_t at = text.find(what);
-  if (at == std::string::npos) throw std::invalid_argument("no \"" + what + "\" in the scene");
-  return text.replace(at, what.size(), by);
+  return with(text, what, by);
 }
 
 std::string complaint(const std::string& text) {

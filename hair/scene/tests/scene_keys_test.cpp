@@ -111,6 +111,9 @@ std::map<std::string, Bounds> read() {
   std::map<std::string, Bounds> sections = Asked(small_scene()).sections();
   const Asked step(small_scene(R"("steps_per_frame": 8)", R"("step": 0.0041666666666666666)"));
   sections["The scene"]["step"] = step.sections().at("The scene").at("step");
+  const Asked linked(linked_scene());
+  sections["The scene"].merge(std::map(linked.sections().at("The scene")));
+  for (const char* section : {"links", "links.strips"}) sections[section] = linked.sections().at(section);
   const Asked groom(
       R"({"shows": "a groom", "frames": 1, "hair": [{"groom": {"file": "a", "scale": 1, "every": 1,
     "move": [0, 0, 0]}, "model": "mass_spring", "clamped": true, "root_velocity": [0, 0, 0]}]})");

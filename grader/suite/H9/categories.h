@@ -1,0 +1,27 @@
+// STAFF ONLY. H9's categories.
+#pragma once
+
+#include "grader/suite/trial.h"
+#include "grader/suite/whole_run_points.h"
+
+namespace grader::h9 {
+
+std::vector<Category> categories();
+
+inline constexpr WholeRunPoints kWholeRun{};  // each call is judged by itself
+
+// Each sends its cases to the student's functions and throws CaseFailed at the first failure.
+void strengths(Trial& trial);
+void histories(Trial& trial);
+void link_energies(Trial& trial);
+void link_forces(Trial& trial);
+void turned_frames(Trial& trial);
+void worn_links(Trial& trial);
+void link_products(Trial& trial);
+void touches(Trial& trial);
+void weights(Trial& trial);
+void strip_forces(Trial& trial);
+void strip_products(Trial& trial);
+void frictions(Trial& trial);
+
+}  // namespace grader::h9

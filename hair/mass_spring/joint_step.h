@@ -1,0 +1,25 @@
+// A step of strands that something couples: they are one system, and not stepped strand by strand.
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "hair/strand/body.h"
+
+namespace hair {
+
+class JointStep {
+ public:
+  JointStep() = default;
+  virtual ~JointStep() = default;
+  JointStep(const JointStep&) = delete;
+  JointStep& operator=(const JointStep&) = delete;
+
+  // One step of all strands, including collisions. broke[i]: nothing, or the stage in which strand i broke. Adds to `work`.
+  virtual void step(const BodyStep& step, std::span<std::optional<Stage>> broke, Work& work) = 0;
+
+  // The strands start anew: what was remembered is forgotten.
+  virtual void restart() = 0;
+};
+
+}  // namespace hair

@@ -1,0 +1,50 @@
+// All forces of guides that a control mesh makes one system: those of each strand, links, and strips.
+#pragma once
+
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "hair/mass_spring/frame_torque.h"
+#include "hair/static_links.h"
+#include "particles/force.h"
+
+namespace hair {
+
+// What a step sees of a control mesh. It is held during the step.
+struct MeshState {
+  std::vector<Matrix3d> frames;  // of each particle
+  Eigen::VectorXd largest;       // stretches, of each link
+  std::span<const StripContact> contacts;
+};
+
+class LinkedForce final : public particles::Force {
+ public:
+  // roots[l]: the root of the guide of link l's particle a. Keeps references to mesh and state.
+  LinkedForce(const ControlMesh& mesh, const MeshState& state, std::vector<int> roots)
+      : mesh_(mesh), state_(state), torque_(mesh.links, std::move(roots)) {}
+
+  // The next strand: `size` numbers. Keeps a reference to its force.
+  void add_strand(const particles::Force& force, Eigen::Index size);
+
+  double energy(Input x) const override;
+  void add_force(Input x, Input v, Output f) const override;
+  void add_dfdx(Input x, Input v, Input dx, Output df) const override;
+  void add_dfdv(Input x, Input v, Input dv, Output df) const override;
+
+  // The strands' own bands. What the mesh couples is left to the solver's iterations.
+  bool add_band(Input x, Input v, double by_dfdx, double by_dfdv, solver::BlockBand& band,
+                particles::Scratch work) const override;
+
+ private:
+  struct Part {
+    const particles::Force& force;
+    Eigen::Index first, size;
+  };
+  const ControlMesh& mesh_;
+  const MeshState& state_;
+  FrameTorque torque_;
+  std::vector<Part> parts_;
+};
+
+}  // namespace hair

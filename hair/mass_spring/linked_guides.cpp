@@ -1,0 +1,163 @@
+#include "hair/mass_spring/linked_guides.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "hair/mass_spring/guide_frames.h"
+#include "hair/mass_spring/linked_force.h"
+#include "hair/mass_spring/strip_contacts.h"
+#include "particles/implicit_euler.h"
+#include "particles/require.h"
+
+namespace hair {
+namespace {
+
+using particles::require, particles::require_at_least, particles::require_finite, particles::require_positive;
+
+void check_mesh(const ControlMesh& mesh, int guides, int particles) {
+  const auto check = [](const char* what, int index, int count) {
+    require(index >= 0 && index < count, what, index, "at least 0 and less than " + std::to_string(count));
+  };
+  for (const StaticLink& link : mesh.links) {
+    check("a link's particle", link.a, particles);
+    check("a link's particle", link.b, particles);
+    require(link.a != link.b, "both ends of a link", link.a, "two particles");
+    require_finite("a link's offset", link.offset);
+    require_positive("a link's length", link.length);
+    require_at_least("a link's stiffness", link.stiffness, 0);
+    require_at_least("the stretch at which a link yields", link.yields, 0);
+    require_at_least("the stretch at which a link breaks", link.breaks, link.yields);
+  }
+  for (const MeshStrip& strip : mesh.strips) {
+    for (const int guide : strip.guides) check("a strip's guide", guide, guides);
+    for (const auto& triangle : strip.triangles)
+      for (const int corner : triangle) check("a corner of a strip", corner, particles);
+  }
+  if (mesh.strips.empty()) return;
+  require_positive("the thickness of strips", mesh.law.thickness);
+  require_at_least("the stiffness of strips", mesh.law.stiffness, 0);
+  require_at_least("the friction of strips", mesh.law.friction, 0);
+}
+
+std::vector<int> first_particles(const std::vector<MassSpringBody*>& strands) {
+  std::vector<int> first{0};
+  for (const MassSpringBody* strand : strands) first.push_back(first.back() + strand->points());
+  return first;
+}
+
+// Of the guides of all links' particles a; 0 for a particle that check_mesh refuses.
+std::vector<int> roots_of(const ControlMesh& mesh, const std::vector<int>& first) {
+  std::vector<int> roots;
+  for (const StaticLink& link : mesh.links) {
+    const auto next = std::upper_bound(first.begin(), first.end(), link.a);
+    roots.push_back(next == first.begin() ? 0 : *(next - 1));
+  }
+  return roots;
+}
+
+class LinkedGuides final : public JointStep {
+ public:
+  LinkedGuides(std::vector<MassSpringBody*> strands, const ControlMesh& mesh)
+      : strands_(std::move(strands)),
+        first_(first_particles(strands_)),
+        mesh_(mesh),
+        force_(mesh_, held_, roots_of(mesh_, first_)),
+        contacts_(mesh_, first_) {
+    const Eigen::Index count = first_.back(), size = 3 * count;
+    check_mesh(mesh_, static_cast<int>(strands_.size()), first_.back());
+    particles_.mass.resize(count);
+    inverse_mass_.resize(count);
+    for (std::size_t i = 0; i < strands_.size(); ++i) {
+      const MovingStrand& moving = strands_[i]->moving();
+      require(moving.strand.clamped, "strand " + std::to_string(i) + " of a control mesh, clamped:", 0, "1");
+      particles_.mass.segment(first_[i], moving.strand.count()) = moving.particles.mass;
+      particles_.pinned.insert(particles_.pinned.end(), moving.particles.pinned.begin(),
+                               moving.particles.pinned.end());
+      force_.add_strand(moving.force, strands_[i]->size());
+    }
+    for (int i = 0; i < first_.back(); ++i)
+      inverse_mass_[i] = particles_.is_pinned(i) ? 0 : 1 / particles_.mass[i];
+    state_ = {Eigen::VectorXd(size), Eigen::VectorXd(size)};
+    held_.frames.resize(static_cast<std::size_t>(count));
+    tangents_.setZero(mesh_.strips.empty() ? 0 : size);
+    scratch_.setZero(size, particles::kImplicitScratch);
+    restart();
+  }
+
+  void restart() override {
+    held_.largest.setZero(static_cast<Eigen::Index>(mesh_.links.size()));
+    contacts_.forget();
+    held_.contacts = {};
+  }
+
+  void step(const BodyStep& step, std::span<std::optional<Stage>> broke, Work& work) override {
+    gather();
+    if (!mesh_.strips.empty()) touch(step.h);
+    const particles::SolveReport report =
+        particles::implicit_euler(force_, particles_, step.h, step.tolerance, state_, scratch_);
+    const StepOutcome outcome{.solver_steps = report.steps,
+                              .plain_solves = !report.preconditioned,
+                              .unconverged = !report.converged,
+                              .residual = left_by(report),
+                              .suspect = Stage::filter};
+    bool sound = true;
+    for (std::size_t i = 0; i < strands_.size(); ++i) {
+      // The solve is counted once.
+      const StepOutcome of_strand = i == 0 ? outcome : StepOutcome{.suspect = Stage::filter};
+      broke[i] = strands_[i]->step_to(step, part(state_.x, i), part(state_.v, i), of_strand, work);
+      sound = sound && !broke[i];
+    }
+    if (!sound) return;
+    gather();
+    remember_stretches(mesh_.links, held_.frames, state_.x, held_.largest);
+  }
+
+ private:
+  Eigen::VectorBlock<Eigen::VectorXd> part(Eigen::VectorXd& all, std::size_t strand) const {
+    return all.segment(3 * Eigen::Index{first_[strand]}, strands_[strand]->size());
+  }
+
+  // The strands' states, and the frames that go with them.
+  void gather() {
+    for (std::size_t i = 0; i < strands_.size(); ++i) {
+      const MassSpringBody& strand = *strands_[i];
+      strand.read(part(state_.x, i), part(state_.v, i));
+      const auto count = static_cast<std::size_t>(strand.points());
+      guide_frames(part(state_.x, i), strand.moving().strand.root_tangent, strand.root_normal(),
+                   std::span(held_.frames).subspan(static_cast<std::size_t>(first_[i]), count));
+    }
+  }
+
+  void touch(double h) {
+    for (std::size_t i = 0; i < strands_.size(); ++i) guide_tangents(part(state_.x, i), part(tangents_, i));
+    contacts_.find(state_.x, tangents_);
+    held_.contacts = contacts_.all();
+    apply_strip_friction(held_.contacts, mesh_.law, inverse_mass_, h, state_.x, state_.v);
+  }
+
+  std::vector<MassSpringBody*> strands_;
+  std::vector<int> first_;  // particle of each strand, and the number of all
+  ControlMesh mesh_;
+  MeshState held_;
+  LinkedForce force_;
+  StripContacts contacts_;
+  particles::Particles particles_;
+  Eigen::VectorXd inverse_mass_, tangents_;
+  particles::State state_;
+  Eigen::MatrixXd scratch_;
+};
+
+// One of them alone, which nothing asks for.
+StepOutcome step_alone(MovingStrand& moving, const StepOptions& options, const particles::Scratch& scratch) {
+  return kImplicitEuler.step(moving, options, scratch);
+}
+
+}  // namespace
+
+const StepMethod kLinkedImplicitEuler{step_alone, particles::kImplicitScratch, nullptr, KeptEnergy::nothing};
+
+std::unique_ptr<JointStep> linked_guides(std::vector<MassSpringBody*> strands, const ControlMesh& mesh) {
+  return std::make_unique<LinkedGuides>(std::move(strands), mesh);
+}
+
+}  // namespace hair

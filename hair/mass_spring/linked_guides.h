@@ -1,0 +1,26 @@
+// Guides of masses and springs that a control mesh makes one system, and its steps by implicit Euler (H4).
+//
+// In each step: frames of particles and contacts are those of its start (H9); friction changes velocities; then one
+// implicit solve for all particles, with links and strips in its matrix, preconditioned by the strands' own bands; then each
+// strand's collisions; then links remember how far they were stretched.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hair/mass_spring/control_mesh.h"
+#include "hair/mass_spring/joint_step.h"
+#include "hair/mass_spring/mass_spring_body.h"
+#include "hair/mass_spring/step_methods.h"
+
+namespace hair {
+
+// The method of each of these strands. It keeps no energy of its own, because links carry it from strand to strand.
+extern const StepMethod kLinkedImplicitEuler;
+
+// Throws std::invalid_argument for a mesh with indices or numbers out of bounds, and for guides that are not clamped: their
+// roots have no frame. Keeps references to the strands.
+std::unique_ptr<JointStep> linked_guides(std::vector<MassSpringBody*> strands, const ControlMesh& mesh);
+
+}  // namespace hair

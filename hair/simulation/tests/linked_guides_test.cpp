@@ -1,0 +1,259 @@
+// STAFF ONLY. Guides that a control mesh makes one system, with the reference's exercises.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "hair/head/control_mesh.h"
+#include "hair/mass_spring/frame_torque.h"
+#include "hair/mass_spring/guide_frames.h"
+#include "hair/mass_spring/strip_contacts.h"
+#include "hair/simulation/simulation.h"
+#include "handout/checks/derivative.h"
+
+namespace reference_tests {
+namespace {
+
+using checks::scattered_vector;
+using Eigen::VectorXd;
+using hair::Matrix3d, hair::StaticLink, hair::Vector3d;
+
+constexpr double kStep = 1.0 / 240;
+
+// Guides of 8 segments of a centimetre that hang in a row, a centimetre apart.
+hair::Description guides(int count, const Vector3d& direction = Vector3d(0, 0, -1)) {
+  hair::Description hair;
+  hair.method = hair::Method::implicit_euler;
+  hair.step = kStep;
+  for (int i = 0; i < count; ++i) {
+    hair::StrandSpec spec;
+    spec.elements = 8;
+    spec.length = 0.08;
+    spec.root.position = Vector3d(0.01 * i, 0, 0);
+    spec.root.axis = direction.normalized();
+    spec.root.side = hair::side_of(spec.root.axis);
+    hair.strands.push_back(discretise(spec));
+  }
+  return hair;
+}
+
+hair::Description linked(hair::Description hair, const hair::MeshSpec& spec) {
+  const int count = static_cast<int>(hair.strands.size());
+  hair.mesh = control_mesh(hair.strands, hair::neighbours({0}, count, hair::Neighbours::rows), spec);
+  return hair;
+}
+
+VectorXd positions(const hair::Simulation& simulation) {
+  VectorXd all(0);
+  for (int i = 0; i < simulation.strands(); ++i) {
+    const VectorXd& x = simulation.state(i).x;
+    all.conservativeResize(all.size() + x.size());
+    all.tail(x.size()) = x;
+  }
+  return all;
+}
+
+TEST(ControlMesh, LinksNeighboursInRowsAndAcrossThem) {
+  const auto rows = hair::neighbours({0, 3, 5}, 8, hair::Neighbours::rows);
+  EXPECT_EQ(rows, (std::vector<hair::Pair>{{0, 1}, {1, 2}, {3, 4}, {5, 6}, {6, 7}}));
+  const auto both = hair::neighbours({0, 3, 5}, 8, hair::Neighbours::both);
+  EXPECT_EQ(both, (std::vector<hair::Pair>{
+                      {0, 1}, {1, 2}, {0, 3}, {1, 4}, {3, 4}, {3, 5}, {4, 6}, {5, 6}, {6, 7}}));
+}
+
+TEST(ControlMesh, JoinsNearestParticlesAndLaysStripsOfOneOrientation) {
+  const hair::Description hair = linked(guides(3), {1, 1, 2, hair::StripLaw{0.001, 1, 0}});
+  ASSERT_EQ(hair.mesh->links.size(), 16U);
+  for (std::size_t l = 0; l < 16; ++l) {
+    const StaticLink& link = hair.mesh->links[l];
+    EXPECT_EQ(link.b, link.a + 9) << "the particle beside it";
+    EXPECT_NEAR(link.length, 0.01, 1e-12);
+  }
+  ASSERT_EQ(hair.mesh->strips.size(), 2U);
+  const VectorXd x = positions(hair::Simulation(hair));
+  for (const auto& strip : hair.mesh->strips)
+    for (const auto& [a, b, c] : strip.triangles) {
+      const Vector3d corner = x.segment<3>(3 * a);
+      const Vector3d area = (x.segment<3>(3 * b) - corner).cross(x.segment<3>(3 * c) - corner);
+      EXPECT_NEAR(area.y(), 1e-4, 1e-12);
+    }
+}
+
+TEST(GuideFrames, TurnWithTheGuide) {
+  VectorXd x = scattered_vector(24, 1);
+  const Vector3d tangent = Vector3d(1, 2, 2) / 3, normal = Vector3d(2, 1, -2) / 3;
+  std::vector<Matrix3d> frames(8), turned(8);
+  hair::guide_frames(x, tangent, normal, frames);
+  const Matrix3d R = Eigen::AngleAxisd(1.1, tangent.cross(Vector3d(1, 0, 0)).normalized()).matrix();
+  for (int i = 0; i < 8; ++i) x.segment<3>(3 * i) = (R * x.segment<3>(3 * i)).eval() + Vector3d(1, 2, 3);
+  hair::guide_frames(x, R * tangent, R * normal, turned);
+  for (int i = 0; i < 8; ++i) {
+    EXPECT_LE((turned[i] - R * frames[i]).norm(), 1e-12) << "particle " << i;
+    EXPECT_LE((frames[i].transpose() * frames[i] - Matrix3d::Identity()).norm(), 1e-12);
+    EXPECT_GT(frames[i].determinant(), 0);
+  }
+}
+
+// H9's part and this one together: force against the energy of frames that turn by the least rotation, product against
+// force where links are at rest, symmetric and definite elsewhere.
+TEST(FrameTorque, CompletesWhatHeldFramesLeaveOut) {
+  const std::vector<StaticLink> links = {{1, 2, Vector3d(0.3, 0.2, -0.5), 1, 2, 9, 9}};
+  const VectorXd largest = VectorXd::Zero(1), x = scattered_vector(9, 3);
+  const hair::FrameTorque torque(links, {0});
+  const Vector3d c0 = (x.segment<3>(3) - x.head<3>()).normalized();
+  const auto frames_at = [&](const VectorXd& y) {
+    const Vector3d c = (y.segment<3>(3) - y.head<3>()).normalized();
+    return std::vector<Matrix3d>(3, Eigen::Quaterniond::FromTwoVectors(c0, c).toRotationMatrix());
+  };
+  const auto force = [&](const VectorXd& y) {
+    VectorXd f = VectorXd::Zero(9);
+    add_link_force(links, frames_at(y), largest, y, f);
+    torque.add_force(frames_at(y), largest, y, f);
+    return f;
+  };
+  checks::expect_force(
+      force(x), [&](const VectorXd& y) { return link_energy(links, frames_at(y), largest, y); }, x, 1, 10);
+  const auto product = [&](const VectorXd& y, const VectorXd& dx) {
+    VectorXd df = VectorXd::Zero(9);
+    add_link_product(links, largest, dx, df);
+    torque.add_product(frames_at(y), largest, y, dx, df);
+    return df;
+  };
+  VectorXd rest = x;
+  rest.tail<3>() = x.segment<3>(3) + links[0].offset;
+  for (const int which : {4, 5}) {
+    const VectorXd dx = scattered_vector(9, which), other = scattered_vector(9, which + 10);
+    checks::expect_product(product(rest, dx), force, rest, dx, 1, 10);
+    EXPECT_NEAR(other.dot(product(x, dx)), dx.dot(product(x, other)), 1e-12);
+    EXPECT_LE(dx.dot(product(x, dx)), 1e-12);
+    EXPECT_LE(VectorXd(product(x, dx)).reshaped(3, 3).rowwise().sum().norm(), 1e-12) << "linear momentum";
+  }
+  EXPECT_LE(force(x).reshaped(3, 3).rowwise().sum().norm(), 1e-12) << "linear momentum";
+  Vector3d about = Vector3d::Zero();
+  for (int i = 0; i < 3; ++i)
+    about += Vector3d(x.segment<3>(3 * i)).cross(Vector3d(force(x).segment<3>(3 * i)));
+  EXPECT_LE(about.cross(c0).norm(), 1e-12) << "the torque that is left is a twist about the chord";
+}
+
+// A mesh without stiffness couples nothing: strands move as by themselves, to what solves leave (1e-10).
+TEST(LinkedGuides, WithoutStiffnessMoveAsByThemselves) {
+  const hair::Description alone = guides(3, Vector3d(1, 0, 1));
+  hair::Simulation one(alone), other(linked(alone, {0, 1, 2, hair::StripLaw{0.001, 0, 0}}));
+  ASSERT_FALSE(one.advance(100));
+  ASSERT_FALSE(other.advance(100));
+  EXPECT_LE((positions(one) - positions(other)).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+// h^2 k / m is 100 times the explicit limit; guides that swing together keep their distances and their lengths.
+TEST(LinkedGuides, AreStableFarBeyondTheExplicitLimit) {
+  const hair::Description hair = guides(4, Vector3d(1, 0.5, 1));
+  const double m = hair.strands[0].strand.mass[1], k = 400 * m / (kStep * kStep);
+  hair::Simulation simulation(linked(hair, {k, 100, 100}));
+  for (int step = 0; step < 480; ++step) {
+    ASSERT_FALSE(simulation.step()) << "step " << step;
+    for (int i = 0; i < 4; ++i)
+      ASSERT_LE(simulation.body(i).measure(simulation.state(i).x, simulation.state(i).v).stretch, 0.01)
+          << "step " << step;
+  }
+  EXPECT_EQ(simulation.work().unconverged, 0);
+  for (int i = 0; i + 1 < 4; ++i)
+    EXPECT_NEAR((simulation.state(i).x.tail<3>() - simulation.state(i + 1).x.tail<3>()).norm(), 0.01, 1e-3);
+}
+
+// The same bits again, after a restart too, with any number of threads.
+TEST(LinkedGuides, BreakTheSameWayEachTime) {
+  hair::Description hair = linked(guides(4), {0.001, 0.01, 0.3, hair::StripLaw{0.003, 0.05, 0.3}});
+  for (int i = 0; i < 4; ++i) hair.strands[i].state.v.tail<12>() = 0.5 * scattered_vector(12, i);
+  hair::Simulation one(hair);
+  hair.jobs = 3;
+  hair::Simulation other(hair);
+  ASSERT_FALSE(one.advance(60));
+  ASSERT_FALSE(other.advance(60));
+  const VectorXd first = positions(one);
+  EXPECT_EQ(first, positions(other));
+  one.restart(hair);
+  ASSERT_FALSE(one.advance(60));
+  EXPECT_EQ(first, positions(one)) << "what links remember is forgotten";
+  hair.mesh->links.clear();
+  hair::Simulation unlinked(hair);
+  ASSERT_FALSE(unlinked.advance(60));
+  EXPECT_GT((first - positions(unlinked)).norm(), 1e-4) << "links do something";
+}
+
+// A particle belongs to the side where it first touched, wherever it is later, until it is far away.
+TEST(StripContacts, RememberTheSide) {
+  hair::ControlMesh mesh;
+  mesh.strips.push_back({{0, 1}, {{0, 1, 2}}});
+  mesh.law = {0.1, 1, 0};
+  hair::StripContacts contacts(mesh, {0, 1, 3, 5});  // the last guide's particle 4 touches
+  VectorXd x(15);
+  x << 0, 0, 0, 1, 0, 0, 0, 1, 0, 9, 9, 9, 0.2, 0.2, 0.05;
+  const VectorXd tangents = VectorXd::Zero(15);
+  const auto side_at = [&](double height) {
+    x[14] = height;
+    contacts.find(x, tangents);
+    return contacts.all().empty() ? 0 : contacts.all()[0].normal.z();
+  };
+  EXPECT_EQ(side_at(0.05), 1);
+  EXPECT_EQ(side_at(-0.05), 1) << "it went through: it is pushed back";
+  EXPECT_EQ(side_at(-0.15), 0) << "far away";
+  EXPECT_EQ(side_at(-0.05), -1) << "it comes from the other side now";
+  contacts.forget();
+  EXPECT_EQ(side_at(0.05), 1);
+}
+
+// A guide whose root moves on is pulled against the strip between two others that lie across its way: it stays outside,
+// and without the strip it passes.
+TEST(LinkedGuides, StripsKeepHairOut) {
+  for (const bool strips : {true, false}) {
+    hair::Description hair = guides(3);
+    hair::StrandSpec spec;
+    spec.elements = 8;
+    spec.length = 0.08;
+    spec.root.position = Vector3d(0.015, 0.004, -0.04);
+    spec.root.axis = Vector3d(1, 0, 0);
+    spec.root.side = Vector3d(0, 0, 1);
+    spec.root.position.x() -= 0.04;
+    hair.strands[2] = discretise(spec);
+    hair.gravity.setZero();
+    hair.strands[2].state.v.reshaped(3, 9).row(1).setConstant(-0.1);
+    const std::vector<hair::Pair> pair = {{0, 1}};
+    hair.mesh = control_mesh(hair.strands, pair, {0, 1, 2});
+    if (strips) hair.mesh = control_mesh(hair.strands, pair, {0, 1, 2, hair::StripLaw{0.003, 50, 0.2}});
+    hair::Simulation simulation(hair);
+    double lowest = 1;
+    for (int step = 0; step < 40; ++step) {
+      ASSERT_FALSE(simulation.step());
+      const auto& third = simulation.state(2).x;
+      lowest = std::min(lowest, third[3 * 5 + 1] - simulation.state(0).x[3 * 4 + 1]);
+    }
+    if (strips)
+      EXPECT_GT(lowest, -0.002) << "beside the strip";
+    else
+      EXPECT_LT(lowest, -0.004) << "through where the strip would be";
+  }
+}
+
+TEST(LinkedGuides, RefuseWhatCantBeLinked) {
+  const auto said = [](hair::Description hair) {
+    try {
+      hair::Simulation simulation(std::move(hair));
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const hair::Description right = linked(guides(2), {1, 1, 2});
+  EXPECT_EQ(said(right), "");
+  hair::Description wrong = right;
+  wrong.method = hair::Method::predictor_corrector;
+  EXPECT_EQ(said(wrong), "a control mesh moves by implicit_euler, and not by predictor_corrector");
+  wrong = right;
+  wrong.mesh->links[0].a = 18;
+  EXPECT_NE(said(wrong), "");
+  wrong = right;
+  wrong.mesh->links[0].breaks = 0.5;
+  EXPECT_NE(said(wrong), "");
+}
+
+}  // namespace
+}  // namespace reference_tests
