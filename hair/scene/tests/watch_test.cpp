@@ -18,6 +18,7 @@ constexpr int kFewStrands = 4;
 
 // Strands of a scene, evenly taken from all.
 void thin_out(Scene& scene) {
+  if (scene.hair.mesh) return;  // its strands are one system
   std::vector<hair::StrandStart>& all = scene.hair.strands;
   const std::size_t every = (all.size() + kFewStrands - 1) / kFewStrands;
   if (every < 2) return;
