@@ -10,7 +10,7 @@
 namespace grader {
 namespace {
 
-// Twelve exercises must stand side by side in 100 columns.
+// Fourteen exercises stand side by side in 112 columns.
 constexpr std::size_t kLongestName = 20;
 using Cells = std::vector<std::string>;
 
