@@ -35,9 +35,9 @@ void ask_for(grader::MessageWriter& request, Output& result) {
   reply.expect_end();
 }
 
-class AskedMatrix : public implicitMatrix {
+class AskedProducts : public implicitMatrix {
  public:
-  AskedMatrix(const Constraints& constraints, const Particles& particles, const State& state)
+  AskedProducts(const Constraints& constraints, const Particles& particles, const State& state)
       : constraints_(constraints), particles_(particles), state_(state) {}
 
   void matVecMult(double x[], double b[]) override {
@@ -81,7 +81,7 @@ void add_constraint_forces(const Constraints& constraints, Input x, Input lambda
 
 std::unique_ptr<implicitMatrix> constraint_matrix(const Constraints& constraints, const Particles& particles,
                                                   const State& state) {
-  return std::make_unique<AskedMatrix>(constraints, particles, state);
+  return std::make_unique<AskedProducts>(constraints, particles, state);
 }
 
 ConstraintReport solve_constraints(const Constraints& constraints, const Particles& particles,

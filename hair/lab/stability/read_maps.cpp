@@ -11,13 +11,13 @@ namespace hair {
 
 namespace {
 
-constexpr double kMost = 1e300;
+constexpr double kMostInMaps = 1e300;
 constexpr long kMostRuns = 1L << 52;
 
 std::vector<double> read_numbers(const JsonValue& json) {
   std::vector<double> numbers;
   for (const JsonValue& one : json.items())
-    numbers.push_back(one.is_null() ? std::numeric_limits<double>::infinity() : one.number(0, kMost));
+    numbers.push_back(one.is_null() ? std::numeric_limits<double>::infinity() : one.number(0, kMostInMaps));
   return numbers;
 }
 
@@ -48,7 +48,7 @@ StabilityMap read_map(const JsonValue& json) {
     if (map.limits.back().h.size() != map.xs.size()) limit.fail("is not of as many columns as the map");
     map.distances.push_back(distance_of(map.boundary, map.limits.back().h, map.hs));
   }
-  map.cpu_seconds = json["cpu_seconds"].number(0, kMost);
+  map.cpu_seconds = json["cpu_seconds"].number(0, kMostInMaps);
   return map;
 }
 
