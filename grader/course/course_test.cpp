@@ -200,6 +200,12 @@ TEST_F(CourseFiles, ChangeTheBudgetOfASubmission) {
               "");
 }
 
+// With all exercises a share of the compiler's time is still what the largest honest file takes on a busy machine, twice.
+TEST(Budget, HasRoomForAllExercises) {
+  const int parts = static_cast<int>(read_course(HAIR_EXERCISES_JSON).exercises.size()) + 1;
+  EXPECT_GE(share_of(Budget(), parts).compiler_cpu_seconds, 10);
+}
+
 TEST(Budget, IsSharedOutAndUsedUp) {
   const Budget share = share_of(Budget(), 10);
   EXPECT_DOUBLE_EQ(share.idle_seconds, Budget().idle_seconds / 10);

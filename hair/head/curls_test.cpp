@@ -46,7 +46,7 @@ TEST(Curls, InterpolatedHaveTheRadiusOfTheMeanOfTheirPhases) {
   const Curls hair(SynthesisMode::interpolate);
   double squares = 0, weights = 0;
   for (int child = 0; child < kChildren; ++child) {
-    const Synthesis::Parents& parents = hair.synthesis.parents(child);
+    const hair::Parents& parents = hair.synthesis.parents(child);
     std::complex<double> mean = 0;
     for (int k = 0; k < 3; ++k) {
       mean += parents.weights[k] * std::polar(1.0, some_phase(parents.guides[k]));

@@ -5,10 +5,9 @@
 #include <limits>
 #include <string>
 
-#include "hair/head/counter_random.h"
 #include "hair/head/scalp_map.h"
-#include "hair/head/triangulation.h"
 #include "hair/simulation/strand_threads.h"
+#include "hair/strand/variation.h"
 #include "hair/strand_synthesis.h"
 #include "particles/require.h"
 #include "solver/course.h"
@@ -45,22 +44,6 @@ void require_numbers(bool holds, const char* what, std::size_t numbers, std::siz
     particles::require(false, what, static_cast<double>(numbers), std::to_string(needed) + " numbers");
 }
 
-// Guides whose roots lie on a line, as the map has them: each next to the one before it.
-std::vector<int> sorted_along(const std::vector<Vector2d>& points) {
-  Vector2d middle = Vector2d::Zero();
-  for (const Vector2d& point : points) middle += point / static_cast<double>(points.size());
-  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
-  for (const Vector2d& point : points) spread += (point - middle) * (point - middle).transpose();
-  // The longer axis of a symmetric matrix of 2 x 2.
-  const double angle = std::atan2(2 * spread(0, 1), spread(0, 0) - spread(1, 1)) / 2;
-  const Vector2d along(std::cos(angle), std::sin(angle));
-  std::vector<int> order(points.size());
-  for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](int a, int b) { return along.dot(points[a]) < along.dot(points[b]); });
-  return order;
-}
-
 }  // namespace
 
 Vector3d side_along_scalp(const Vector3d& pole, const Vector3d& normal) {
@@ -77,12 +60,13 @@ class Synthesis::Parts {
     const ScalpMap map(all);
     for (std::vector<RootFrame>* roots : {&given_.guides, &given_.children})
       for (RootFrame& root : *roots) root.side = side_along_scalp(map.pole(), root.axis);
-    find_parents(map);
+    parents_ = find_parents(map, given_.guides, given_.children);
     spreads_.resize(parents_.size());
     sizes_.resize(parents_.size());
+    Variation variation(given_.seed);
     for (std::size_t i = 0; i < parents_.size(); ++i) {
-      spreads_[i] = given_.spread * (1 + given_.jitter * (2 * counter_uniform(given_.seed, 2 * i) - 1));
-      sizes_[i] = 1 + given_.length * (2 * counter_uniform(given_.seed, 2 * i + 1) - 1);
+      spreads_[i] = given_.spread * (1 + given_.jitter * variation.uniform(-1, 1));
+      sizes_[i] = 1 + given_.length * variation.uniform(-1, 1);
     }
     roots_.resize(guides.size());
     boxes_.resize(guides.size());
@@ -146,55 +130,6 @@ class Synthesis::Parts {
       for (int i = b * kChildrenOfATask; i < end; ++i) batches.one(thread, i);
     };
     threads_.run((count + kChildrenOfATask - 1) / kChildrenOfATask, batch);
-  }
-
-  // ---- Once
-
-  void find_parents(const ScalpMap& map) {
-    std::vector<Vector2d> roots;
-    for (const RootFrame& guide : given_.guides) roots.push_back(map.at(guide.position));
-    const Triangulation triangulation = triangulate(roots);
-    const std::vector<int> line = triangulation.triangles.empty() ? sorted_along(roots) : std::vector<int>();
-    int triangle = 0;
-    for (const RootFrame& child : given_.children) {
-      if (line.empty()) {
-        triangle = triangulation.triangle_at(map.at(child.position), triangle);
-        parents_.push_back(weighted(triangulation.triangles[triangle].corners, child));
-      } else {
-        parents_.push_back(on_line(line, child));
-      }
-    }
-  }
-
-  // Weights along the scalp, and the nearest guide first.
-  Parents weighted(const std::array<int, 3>& guides, const RootFrame& child) const {
-    Parents parents{guides, {1, 0, 0}};
-    const auto distance = [&](int guide) {
-      return (given_.guides[guide].position - child.position).squaredNorm();
-    };
-    std::sort(parents.guides.begin(), parents.guides.end(), [&](int a, int b) {
-      return distance(a) < distance(b) || (distance(a) == distance(b) && a < b);
-    });
-    std::array<Vector3d, 3> corners;
-    for (int k = 0; k < 3; ++k) corners[k] = given_.guides[parents.guides[k]].position;
-    if constexpr (in_course("H10")) parents.weights = root_weights(corners, child.position);
-    return parents;
-  }
-
-  // Of all neighbours on the line, the two whose middle is nearest.
-  Parents on_line(const std::vector<int>& line, const RootFrame& child) const {
-    if (line.size() == 1) return weighted({line[0], line[0], line[0]}, child);
-    std::size_t best = 0;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-      const Vector3d middle = (given_.guides[line[i]].position + given_.guides[line[i + 1]].position) / 2;
-      const double distance = (child.position - middle).norm();
-      if (distance < least) {
-        least = distance;
-        best = i;
-      }
-    }
-    return weighted({line[best], line[best + 1], line[best + 1]}, child);
   }
 
   // ---- Each frame
@@ -329,7 +264,7 @@ int Synthesis::children() const {
 int Synthesis::points() const {
   return parts_->points();
 }
-const Synthesis::Parents& Synthesis::parents(int child) const {
+const Parents& Synthesis::parents(int child) const {
   return parts_->parents(child);
 }
 SynthesisCounts Synthesis::make(std::span<const double> guides, const ScalpTurn& turn,

@@ -6,12 +6,12 @@
 // A frame leaves out what nobody sees: children outside of the view, and guides that none of the others needs.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "hair/head/parents.h"
 #include "hair/strand/obstacles.h"
 #include "hair/strand/rest_shape.h"
 
@@ -52,12 +52,6 @@ class Synthesis {
 
   int children() const;
   int points() const;
-  // The three guides of a child, with their weights; where two are the same, or the weights 0, it has fewer. The one that
-  // is nearest comes first: the child is in its wisp.
-  struct Parents {
-    std::array<int, 3> guides;
-    std::array<double, 3> weights;
-  };
   const Parents& parents(int child) const;
 
   // The children that are in the view, one after the other, n points each: their coordinates go to `strands`, which has

@@ -38,7 +38,7 @@ TEST(Synthesis, WeightsAreThoseOfThePlaceBetweenGuides) {
   Synthesis synthesis({.guides = roots_on_disc(80, 0.1), .children = roots_on_disc(1000, 0.08)});
   const std::vector<RootFrame> guides = roots_on_disc(80, 0.1), children = roots_on_disc(1000, 0.08);
   for (int child = 0; child < 1000; ++child) {
-    const Synthesis::Parents& parents = synthesis.parents(child);
+    const Parents& parents = synthesis.parents(child);
     Vector3d mean = Vector3d::Zero();
     for (int k = 0; k < 3; ++k) mean += parents.weights[k] * guides[parents.guides[k]].position;
     EXPECT_LE((mean - children[child].position).norm(), 1e-14) << "child " << child;
@@ -166,7 +166,7 @@ TEST(Synthesis, LeavesOutWhatIsOutOfView) {
                              some.begin() + static_cast<long>(3 * kPoints * (next + 1)),
                              all.begin() + 3 * kPoints * child));
       ++next;
-      const Synthesis::Parents& parents = synthesis.parents(child);
+      const Parents& parents = synthesis.parents(child);
       for (int k = 0; k < (mode == SynthesisMode::extrapolate ? 1 : 3); ++k)
         if (k == 0 || parents.weights[k] > 0) needed[parents.guides[k]] = 1;
     }
@@ -210,7 +210,7 @@ TEST(Synthesis, OfGuidesOnALineAndOfOne) {
     children.push_back({Vector3d(0.001 * i, 0, 0), Vector3d(0, 0, 1), Vector3d(1, 0, 0)});
   const Synthesis synthesis({.guides = line, .children = children});
   for (int child = 0; child <= 40; ++child) {
-    const Synthesis::Parents& parents = synthesis.parents(child);
+    const Parents& parents = synthesis.parents(child);
     double mean = 0;
     for (int k = 0; k < 3; ++k) {
       mean += parents.weights[k] * line[parents.guides[k]].position.x();

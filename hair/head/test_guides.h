@@ -6,8 +6,8 @@
 #include <numbers>
 #include <vector>
 
-#include "hair/head/counter_random.h"
 #include "hair/head/synthesis.h"
+#include "hair/strand/variation.h"
 
 namespace reference_tests {
 
@@ -38,7 +38,7 @@ inline std::vector<RootFrame> roots_on_ball(int count, double radius, double rea
 }
 
 inline double some_phase(std::size_t guide) {
-  return 2 * std::numbers::pi * hair::counter_uniform(7, guide);
+  return hair::Variation(7, guide).uniform(0, 2 * std::numbers::pi);
 }
 
 // A curl along the normal, each with a phase of its own: radius `curl`, a turn takes six points and advances by `pitch`.

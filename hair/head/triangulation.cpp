@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "hair/head/counter_random.h"
+#include "hair/strand/variation.h"
 
 namespace hair {
 namespace {
@@ -148,10 +148,11 @@ Triangulation triangulate(const std::vector<Vector2d>& points) {
   const double width = (high - low).maxCoeff();
   if (!(width > 0)) return {points, {}};
   std::vector<Vector2d> moved = points;
-  for (int i = 0; i < count; ++i)
-    moved[i] += kMoved * width *
-                Vector2d(counter_uniform(0, 2 * static_cast<std::uint64_t>(i)) - 0.5,
-                         counter_uniform(0, 2 * static_cast<std::uint64_t>(i) + 1) - 0.5);
+  Variation variation(0);
+  for (Vector2d& point : moved) {
+    const double x = variation.uniform(-0.5, 0.5), y = variation.uniform(-0.5, 0.5);
+    point += kMoved * width * Vector2d(x, y);
+  }
   DelaunayBuilder builder(moved, (low + high) / 2, width);
   for (int i = 0; i < count; ++i) builder.add(i);
   Triangulation found = builder.take(count);

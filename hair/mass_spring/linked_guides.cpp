@@ -95,11 +95,7 @@ class LinkedGuides final : public JointStep {
     if (!mesh_.strips.empty()) touch(step.h);
     const particles::SolveReport report =
         particles::implicit_euler(force_, particles_, step.h, step.tolerance, state_, scratch_);
-    const StepOutcome outcome{.solver_steps = report.steps,
-                              .plain_solves = !report.preconditioned,
-                              .unconverged = !report.converged,
-                              .residual = left_by(report),
-                              .suspect = Stage::filter};
+    const StepOutcome outcome = outcome_of(report);
     bool sound = true;
     for (std::size_t i = 0; i < strands_.size(); ++i) {
       // The solve is counted once.
@@ -147,14 +143,10 @@ class LinkedGuides final : public JointStep {
   Eigen::MatrixXd scratch_;
 };
 
-// One of them alone, which nothing asks for.
-StepOutcome step_alone(MovingStrand& moving, const StepOptions& options, const particles::Scratch& scratch) {
-  return kImplicitEuler.step(moving, options, scratch);
-}
-
 }  // namespace
 
-const StepMethod kLinkedImplicitEuler{step_alone, particles::kImplicitScratch, nullptr, KeptEnergy::nothing};
+const StepMethod kLinkedImplicitEuler{kImplicitEuler.step, particles::kImplicitScratch, nullptr,
+                                      KeptEnergy::nothing};
 
 std::unique_ptr<JointStep> linked_guides(std::vector<MassSpringBody*> strands, const ControlMesh& mesh) {
   return std::make_unique<LinkedGuides>(std::move(strands), mesh);

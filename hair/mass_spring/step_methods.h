@@ -26,6 +26,15 @@ inline double left_by(const particles::SolveReport& report) {
   return report.converged ? 0 : report.residual / report.rhs;
 }
 
+// Of one implicit solve.
+inline StepOutcome outcome_of(const particles::SolveReport& report) {
+  return {.solver_steps = report.steps,
+          .plain_solves = !report.preconditioned,
+          .unconverged = !report.converged,
+          .residual = left_by(report),
+          .suspect = Stage::filter};
+}
+
 // H4 keeps the second one with the filtered geometric term only.
 enum class KeptEnergy { nothing, without_stretching, all };
 

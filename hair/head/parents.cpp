@@ -1,0 +1,81 @@
+#include "hair/head/parents.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "hair/head/triangulation.h"
+#include "hair/strand_synthesis.h"
+#include "solver/course.h"
+
+namespace hair {
+namespace {
+
+// Guides whose roots lie on a line, as the map has them: each next to the one before it.
+std::vector<int> sorted_along(const std::vector<Vector2d>& points) {
+  Vector2d middle = Vector2d::Zero();
+  for (const Vector2d& point : points) middle += point / static_cast<double>(points.size());
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  for (const Vector2d& point : points) spread += (point - middle) * (point - middle).transpose();
+  // The longer axis of a symmetric matrix of 2 x 2.
+  const double angle = std::atan2(2 * spread(0, 1), spread(0, 0) - spread(1, 1)) / 2;
+  const Vector2d along(std::cos(angle), std::sin(angle));
+  std::vector<int> order(points.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return along.dot(points[a]) < along.dot(points[b]); });
+  return order;
+}
+
+// Weights along the scalp, and the nearest guide first.
+Parents weighted(const std::array<int, 3>& corners, const std::vector<RootFrame>& guides,
+                 const RootFrame& child) {
+  Parents parents{corners, {1, 0, 0}};
+  const auto distance = [&](int guide) { return (guides[guide].position - child.position).squaredNorm(); };
+  std::sort(parents.guides.begin(), parents.guides.end(),
+            [&](int a, int b) { return distance(a) < distance(b) || (distance(a) == distance(b) && a < b); });
+  std::array<Vector3d, 3> roots;
+  for (int k = 0; k < 3; ++k) roots[k] = guides[parents.guides[k]].position;
+  if constexpr (in_course("H10")) parents.weights = root_weights(roots, child.position);
+  return parents;
+}
+
+// Of all neighbours on the line, the two whose middle is nearest.
+std::array<int, 3> nearest_on_line(const std::vector<int>& line, const std::vector<RootFrame>& guides,
+                                   const RootFrame& child) {
+  if (line.size() == 1) return {line[0], line[0], line[0]};
+  std::size_t best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+    const Vector3d middle = (guides[line[i]].position + guides[line[i + 1]].position) / 2;
+    const double distance = (child.position - middle).norm();
+    if (distance < least) {
+      least = distance;
+      best = i;
+    }
+  }
+  return {line[best], line[best + 1], line[best + 1]};
+}
+
+}  // namespace
+
+std::vector<Parents> find_parents(const ScalpMap& map, const std::vector<RootFrame>& guides,
+                                  const std::vector<RootFrame>& children) {
+  std::vector<Vector2d> roots;
+  for (const RootFrame& guide : guides) roots.push_back(map.at(guide.position));
+  const Triangulation triangulation = triangulate(roots);
+  const std::vector<int> line = triangulation.triangles.empty() ? sorted_along(roots) : std::vector<int>();
+  std::vector<Parents> parents;
+  parents.reserve(children.size());
+  int triangle = 0;
+  for (const RootFrame& child : children) {
+    if (line.empty()) triangle = triangulation.triangle_at(map.at(child.position), triangle);
+    parents.push_back(weighted(
+        line.empty() ? triangulation.triangles[triangle].corners : nearest_on_line(line, guides, child),
+        guides, child));
+  }
+  return parents;
+}
+
+}  // namespace hair
