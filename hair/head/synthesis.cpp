@@ -7,6 +7,7 @@
 
 #include "hair/head/scalp_map.h"
 #include "hair/simulation/strand_threads.h"
+#include "hair/strand/turns.h"
 #include "hair/strand/variation.h"
 #include "hair/strand_synthesis.h"
 #include "particles/require.h"
@@ -47,7 +48,7 @@ void require_numbers(bool holds, const char* what, std::size_t numbers, std::siz
 }  // namespace
 
 Vector3d side_along_scalp(const Vector3d& pole, const Vector3d& normal) {
-  return Eigen::Quaterniond::FromTwoVectors(pole, normal) * side_of(pole);
+  return turn_between(pole, normal) * side_of(pole);
 }
 
 class Synthesis::Parts {

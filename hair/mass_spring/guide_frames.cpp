@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "hair/strand/turns.h"
+
 namespace hair {
 
 void guide_frames(particles::Input x, const Eigen::Vector3d& tangent, const Eigen::Vector3d& normal,
@@ -15,7 +17,7 @@ void guide_frames(particles::Input x, const Eigen::Vector3d& tangent, const Eige
     frames[i] = frames[i - 1];
     if (!(length > 0)) continue;
     const Eigen::Vector3d next = chord / length;
-    frames[i] = Eigen::Quaterniond::FromTwoVectors(direction, next) * frames[i - 1];
+    frames[i] = turn_between(direction, next) * frames[i - 1];
     direction = next;
   }
 }

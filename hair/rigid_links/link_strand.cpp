@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "hair/strand/turns.h"
+
 namespace hair {
 
 using Eigen::Quaterniond;
@@ -17,7 +19,7 @@ std::vector<Quaterniond> axes_at_rest(const RestShape& shape, const Quaterniond&
   Vector3d before = shape.tangent;
   for (Eigen::Index i = 0; i + 3 < shape.x.size(); i += 3) {
     const Vector3d along = (shape.x.segment<3>(i + 3) - shape.x.segment<3>(i)).normalized();
-    axes.push_back(Quaterniond::FromTwoVectors(before, along) * axes.back());
+    axes.push_back(turn_between(before, along) * axes.back());
     axes.back().normalize();
     before = along;
   }
@@ -53,7 +55,7 @@ JointSpring spring(const Fibre& fibre, double length, const Vector3d& mean) {
 // Straight along `held.direction`, without twist: the rods' axes at rest have none, either.
 void hold(const Held& held, LinkStrand& strand) {
   const Vector3d tangent = strand.base.orientation * Vector3d::UnitZ();
-  const Quaterniond straight = Quaterniond::FromTwoVectors(tangent, held.direction) * strand.base.orientation;
+  const Quaterniond straight = turn_between(tangent, held.direction) * strand.base.orientation;
   const Quaterniond back = straight * Quaterniond(0, 1, 0, 0);  // half a turn about x
   Quaterniond before = strand.base.orientation;
   for (int i = 1; i < strand.tree.links(); ++i) {

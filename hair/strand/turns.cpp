@@ -1,5 +1,6 @@
 #include "hair/strand/turns.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hair {
@@ -28,6 +29,22 @@ Matrix3d rate_of_turn(const Vector3d& theta) {
   Matrix3d cross;
   cross << 0, -theta.z(), theta.y(), theta.z(), 0, -theta.x(), -theta.y(), theta.x(), 0;
   return (1 - g * squared) * Matrix3d::Identity() - cross / 2 + g * theta * theta.transpose();
+}
+
+Quaterniond turn_between(const Vector3d& from, const Vector3d& to) {
+  const Vector3d a = from.normalized(), b = to.normalized();
+  const double cosine = b.dot(a);
+  Quaterniond turn;
+  if (cosine < -1 + 1e-12) {  // the cross product is rounding
+    const double squared = std::max(0.0, (1 + cosine) / 2);
+    turn.w() = std::sqrt(squared);
+    turn.vec() = std::sqrt(1 - squared) * a.unitOrthogonal();
+  } else {
+    const double twice = std::sqrt((1 + cosine) * 2);  // 2 cos(angle / 2)
+    turn.w() = twice * 0.5;
+    turn.vec() = a.cross(b) * (1 / twice);
+  }
+  return turn;
 }
 
 Quaterniond root_axes(const Vector3d& tangent, const Vector3d& normal) {

@@ -35,7 +35,7 @@ Eigen::VectorXd natural_of(const Drawn& drawn, const Eigen::Quaterniond& root,
   };
   Eigen::Quaterniond axes = root;
   for (Eigen::Index i = 1; i < lengths.size(); ++i) {
-    const auto turn = Eigen::Quaterniond::FromTwoVectors(piece(i - 1), piece(i));
+    const auto turn = turn_between(piece(i - 1), piece(i));
     const Vector3d bend = axes.conjugate() * turn_of(turn);
     natural.segment<3>(3 * i - 3) += bend / (2 * lengths[i - 1]);
     natural.segment<3>(3 * i) += bend / (2 * lengths[i]);

@@ -8,6 +8,7 @@
 #include "hair/mass_spring/guide_frames.h"
 #include "hair/mass_spring/strip_contacts.h"
 #include "hair/simulation/simulation.h"
+#include "hair/strand/turns.h"
 #include "handout/checks/derivative.h"
 
 namespace reference_tests {
@@ -102,7 +103,7 @@ TEST(FrameTorque, CompletesWhatHeldFramesLeaveOut) {
   const Vector3d c0 = (x.segment<3>(3) - x.head<3>()).normalized();
   const auto frames_at = [&](const VectorXd& y) {
     const Vector3d c = (y.segment<3>(3) - y.head<3>()).normalized();
-    return std::vector<Matrix3d>(3, Eigen::Quaterniond::FromTwoVectors(c0, c).toRotationMatrix());
+    return std::vector<Matrix3d>(3, hair::turn_between(c0, c).toRotationMatrix());
   };
   const auto force = [&](const VectorXd& y) {
     VectorXd f = VectorXd::Zero(9);
