@@ -1,14 +1,13 @@
 // STAFF ONLY.
 #include "grader/package/handout.h"
 
-#include <algorithm>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "grader/archive/archive_writer.h"
 #include "grader/course/input.h"
 #include "grader/intake/archive.h"
+#include "grader/package/course_texts.h"
 #include "grader/package/manifest.h"
 
 namespace grader {
@@ -25,57 +24,6 @@ std::string read_file(const fs::path& path, const std::string& where) {
   if (!fs::is_regular_file(path) || !(bytes << in.rdbuf()))
     throw BadInput(where + ": " + path.string() + " can't be read; it must be a file that is not empty");
   return bytes.str();
-}
-
-std::string in_words(double points) {
-  std::ostringstream text;
-  text << points;
-  return text.str();
-}
-
-// exercises.json as the course has it.
-std::string course_json(const std::string& text, const Course& course) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::parse(text);
-  nlohmann::ordered_json present = nlohmann::ordered_json::array();
-  for (nlohmann::ordered_json& entry : json["exercises"]) {
-    const Exercise* exercise = course.find(entry["id"].get<std::string>());
-    if (!exercise || exercise->role == Role::absent) continue;
-    entry["points"] = nlohmann::ordered_json::parse(in_words(exercise->points));
-    entry["role"] = to_string(exercise->role);
-    present.push_back(entry);
-  }
-  json["exercises"] = present;
-  return json.dump(2) + "\n";
-}
-
-// Whether it is the row of a scene, "| `pendulum` | S1, P1 | ...", that calls an exercise that the course lacks.
-bool is_of_absent_scene(const std::string& line, const Course& course) {
-  if (!line.starts_with("| `")) return false;
-  std::istringstream cells(line);
-  std::string cell, id;
-  for (int k = 0; k < 3; ++k) std::getline(cells, cell, '|');
-  std::replace(cell.begin(), cell.end(), ',', ' ');
-  for (std::istringstream ids(cell); ids >> id;)
-    if (const Exercise* exercise = course.find(id); exercise && exercise->role == Role::absent) return true;
-  return false;
-}
-
-// The index with each exercise's row as the course has it, without the rows of absent ones and of scenes that
-// call them.
-std::string course_index(const std::string& text, const Course& course) {
-  std::istringstream in(text);
-  std::string result, line;
-  while (std::getline(in, line)) {
-    const Exercise* row_of = nullptr;
-    for (const Exercise& exercise : course.exercises)
-      if (line.starts_with("| " + exercise.id + " |")) row_of = &exercise;
-    if (!row_of && is_of_absent_scene(line, course)) continue;
-    if (!row_of)
-      result += line + "\n";
-    else if (row_of->role != Role::absent)
-      result += index_row(*row_of) + "\n";
-  }
-  return result;
 }
 
 Paths solved_files(const Course& course) {
@@ -144,27 +92,20 @@ struct TemporaryFile {
 
 }  // namespace
 
-std::string index_row(const Exercise& exercise) {
-  std::string needs;
-  for (const std::string& id : exercise.prerequisites) needs += (needs.empty() ? "" : ", ") + id;
-  const std::string points = exercise.role == Role::given      ? "given, solved"
-                             : exercise.role == Role::optional ? in_words(exercise.points) + ", extra credit"
-                                                               : in_words(exercise.points);
-  return "| " + exercise.id + " | [" + exercise.title + "](" + fs::path(exercise.text).filename().string() +
-         ") | `student/" + exercise.file + "` | " + (needs.empty() ? "-" : needs) + " | " + points + " |";
-}
-
 Files handout_files(const HandoutSources& sources, const Course& course) {
   const Paths solved = solved_files(course);
+  const std::vector<ManifestLine> lines = read_manifest(sources.root / "handout/manifest.txt", course);
+  Paths shipped;
+  for (const ManifestLine& line : lines) shipped.insert(line.destination);
   Files files;
-  for (const ManifestLine& line : read_manifest(sources.root / "handout/manifest.txt", course)) {
+  for (const ManifestLine& line : lines) {
     fs::path source = sources.root / line.source;
     if (line.source.starts_with("golden/"))
       source = sources.golden / line.source.substr(std::string("golden/").size());
     if (solved.contains(line.destination)) source = sources.root / "reference" / source.filename();
     std::string bytes = read_file(source, line.where);
     if (line.destination == "exercises.json") bytes = course_json(bytes, course);
-    if (line.destination == "assignment/README.md") bytes = course_index(bytes, course);
+    if (line.destination.ends_with(".md")) bytes = course_text(bytes, line.destination, course, shipped);
     files[line.destination] = bytes;
   }
   return files;

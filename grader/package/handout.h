@@ -22,7 +22,4 @@ void make_handout(const HandoutSources& sources, const Course& course, const std
 // The files of the handout, by their paths in it.
 Files handout_files(const HandoutSources& sources, const Course& course);
 
-// The exercise's row in the table of assignment/README.md.
-std::string index_row(const Exercise& exercise);
-
 }  // namespace grader

@@ -8,8 +8,11 @@
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <random>
+#include <regex>
 
 #include "grader/course/input.h"
+#include "grader/package/course_texts.h"
 #include "grader/package/manifest.h"
 #include "grader/tests/bytes_of.h"
 
@@ -27,6 +30,7 @@ class SmallProject : public testing::Test {
     fs::remove_all(root_);
     write("handout/manifest.txt",
           "handout/README.md\nhandout/exercises.json\nhandout/assignment/README.md\n"
+          "E1: handout/assignment/E1.md\nE2: handout/assignment/E2.md\n"
           "E1: handout/student/f.cpp\nE2: handout/student/g.cpp\nE2: golden/g.mtx -> checks/golden/g.mtx\n");
     write("handout/README.md", "Welcome\n");
     write("handout/exercises.json",
@@ -34,6 +38,8 @@ class SmallProject : public testing::Test {
                                                       {"id": "E2", "file": "g.cpp", "points": 1, "role": "assigned"}]})");
     write("handout/assignment/README.md",
           "# Exercises\n| E1 | old |\n| E2 | old |\n| `one` | E1 | x |\n| `two` | E1, E2 | x |\nGood luck\n");
+    write("handout/assignment/E1.md", "# E1\n");
+    write("handout/assignment/E2.md", "# E2\n");
     write("handout/student/f.cpp", "int f();\n");
     write("handout/student/g.cpp", "int g();\n");
     write("reference/f.cpp", kSolved);
@@ -148,7 +154,7 @@ TEST_F(SmallProject, NamesWhatCantBeReadOrWritten) {
     make_handout(sources_, course_, out_);
     FAIL() << "a golden file is missing";
   } catch (const BadInput& error) {
-    EXPECT_NE(std::string(error.what()).find("manifest.txt:6"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("manifest.txt:8"), std::string::npos) << error.what();
   }
 }
 
@@ -188,6 +194,115 @@ TEST_F(RealProject, MakesGoldenDataThatShipsAsAWhole) {
   for (const fs::directory_entry& entry : fs::directory_iterator(sources_.golden)) {
     const std::string source = "golden/" + entry.path().filename().string();
     EXPECT_TRUE(listed.contains(source)) << source << " is not in handout/manifest.txt";
+  }
+}
+
+// Where a link of a text leads, from the handout's top: "hair/README.md#grooms".
+std::vector<std::string> links_of(const std::string& path, const std::string& text) {
+  static const std::regex link("\\]\\(([^)\\s]+)\\)");
+  std::vector<std::string> found;
+  for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it) {
+    const std::string target = (*it)[1];
+    if (target.find(':') != std::string::npos) continue;
+    found.push_back(target.starts_with("#")
+                        ? path + target
+                        : (fs::path(path).parent_path() / target).lexically_normal().string());
+  }
+  return found;
+}
+
+// "## States, and more" is #states-and-more.
+bool has_place(const std::string& text, const std::string& place) {
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) {
+    if (!line.starts_with("#")) continue;
+    std::string name;
+    for (const char c : line.substr(line.find_first_not_of("# ")))
+      if (c == ' ' || c == '-' || c == '_' || std::isalnum(static_cast<unsigned char>(c)))
+        name += c == ' ' ? '-' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (name == place) return true;
+  }
+  return false;
+}
+
+void expect_links_resolve(const Files& files) {
+  for (const auto& [path, text] : files) {
+    if (!path.ends_with(".md")) continue;
+    for (const std::string& link : links_of(path, text)) {
+      const std::string file = link.substr(0, link.find('#'));
+      const auto below = files.lower_bound(file);  // itself, or a file of the folder
+      EXPECT_TRUE(below != files.end() && below->first.starts_with(file)) << path << " links to " << link;
+      if (link == file || !files.contains(file)) continue;
+      EXPECT_TRUE(has_place(files.at(file), link.substr(file.size() + 1))) << path << " links to " << link;
+    }
+  }
+}
+
+// A text that mentions it says at its end that the course lacks it.
+void expect_named_as_absent(const Exercise& exercise, const Files& files) {
+  for (const auto& [path, text] : files) {
+    if (!path.ends_with(".md") || text.find(" " + exercise.id + " ") == std::string::npos) continue;
+    const std::size_t end = text.find("*Not part of your course: ");
+    ASSERT_NE(end, std::string::npos) << path;
+    EXPECT_NE(text.find(exercise.id + " (" + exercise.title + ")", end), std::string::npos) << path;
+  }
+}
+
+// The points that an exercise's text names, and their sum over its categories; {-1, 0} if it names none.
+std::pair<double, double> points_in(const std::string& text) {
+  static const std::regex total("([0-9.]+) points, in these categories:"), row("\\| .+? \\| ([0-9.]+) \\|.*");
+  std::pair<double, double> points{-1, 0};
+  std::istringstream in(text);
+  std::smatch match;
+  for (std::string line; std::getline(in, line);) {
+    if (std::regex_match(line, match, total))
+      points.first = std::stod(match[1]);
+    else if (points.first >= 0 && line.starts_with("#"))
+      break;
+    else if (points.first >= 0 && std::regex_match(line, match, row))
+      points.second += std::stod(match[1]);
+  }
+  return points;
+}
+
+TEST_F(RealProject, FitsAnyCourse) {
+  const std::vector<ManifestLine> all = read_manifest(root_ / "handout/manifest.txt", course_);
+  std::mt19937 random(1);
+  for (int number = 0; number < 10; ++number) {
+    // The first is the course as it is.
+    for (Exercise& exercise : course_.exercises) {
+      if (number == 0) continue;
+      exercise.role = std::array{Role::assigned, Role::optional, Role::given, Role::absent}[random() % 4];
+      exercise.points = 1 + static_cast<double>(random() % 80) / 2;
+    }
+    const Files files = handout_files(sources_, course_);
+    expect_links_resolve(files);
+
+    const std::string& index = files.at("assignment/README.md");
+    for (const Exercise& exercise : course_.exercises) {
+      SCOPED_TRACE(exercise.id + ", " + to_string(exercise.role) + ", course " + std::to_string(number));
+      const bool there = exercise.role != Role::absent;
+      for (const std::string& file : {"student/" + exercise.file, exercise.text, exercise.checks})
+        EXPECT_EQ(files.contains(file), there) << file;
+      EXPECT_EQ(index.find(index_row(exercise) + "\n") != std::string::npos, there);
+      if (!there) {
+        expect_named_as_absent(exercise, files);
+        continue;
+      }
+      const std::string& text = files.at(exercise.text);
+      const auto [points, sum] = points_in(text);
+      const bool given = exercise.role == Role::given;
+      EXPECT_EQ(text.find("nothing of it is left to write") != std::string::npos, given);
+      EXPECT_EQ(points, given ? -1 : exercise.points);
+      // Each share is rounded to a hundredth.
+      EXPECT_NEAR(sum, given ? 0 : exercise.points, 0.005 * 32);
+    }
+    // The scenes that the index names are there, and no others.
+    for (const ManifestLine& line : all) {
+      if (!line.destination.starts_with("hair/scenes/") || !line.destination.ends_with(".json")) continue;
+      const std::string row = "| `" + fs::path(line.destination).stem().string() + "` |";
+      EXPECT_EQ(files.contains(line.destination), index.find(row) != std::string::npos) << line.destination;
+    }
   }
 }
 

@@ -50,6 +50,7 @@ TEST(Manifest, LeavesOutTheLinesOfAbsentExercises) {
   const std::string text = "handout/README.md\nS1: handout/student/f.cpp\n";
   for (Role role : {Role::assigned, Role::optional, Role::given}) EXPECT_EQ(read(text, role).size(), 2u);
   EXPECT_EQ(read(text, Role::absent).size(), 1u);
+  EXPECT_EQ(read("S1, S1: hair/scenes/a.json\n", Role::absent).size(), 0u);
 }
 
 TEST(Manifest, NamesFileAndLineOfWhatIsWrong) {

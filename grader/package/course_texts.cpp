@@ -1,0 +1,173 @@
+// STAFF ONLY.
+#include "grader/package/course_texts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <regex>
+#include <sstream>
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string in_words(double points) {
+  std::ostringstream text;
+  text << points;
+  return text.str();
+}
+
+// The exercises that a cell of a table lists, "S1, H4"; none if it says something else.
+std::vector<const Exercise*> exercises_in(std::string cell, const Course& course) {
+  std::replace(cell.begin(), cell.end(), ',', ' ');
+  std::vector<const Exercise*> found;
+  std::istringstream ids(cell);
+  for (std::string id; ids >> id;) {
+    found.push_back(course.find(id));
+    if (!found.back()) return {};
+  }
+  return found;
+}
+
+// Whether it is the row of a scene, "| `pendulum` | P1 | ..." or "| [pendulum](pendulum.json) | ...", that calls an exercise which
+// the course lacks.
+bool is_of_absent_scene(const std::string& line, const Course& course) {
+  if (!line.starts_with("| `") && !line.starts_with("| [")) return false;
+  std::istringstream cells(line);
+  for (std::string cell; std::getline(cells, cell, '|');)
+    for (const Exercise* exercise : exercises_in(cell, course))
+      if (exercise->role == Role::absent) return true;
+  return false;
+}
+
+const Exercise* exercise_of_row(const std::string& line, const Course& course) {
+  for (const Exercise& exercise : course.exercises)
+    if (line.starts_with("| " + exercise.id + " |")) return &exercise;
+  return nullptr;
+}
+
+// "30 points, in these categories:" and the second cells of the table below it. A course gives categories their shares.
+class Points {
+ public:
+  explicit Points(const Exercise& exercise)
+      : points_(exercise.points), given_(exercise.role == Role::given) {}
+
+  std::string line(const std::string& text) {
+    static const std::regex total("([0-9.]+) points, in these categories.*"),
+        row("(\\| .+? \\| )([0-9.]+)( \\|.*)");
+    std::smatch match;
+    if (std::regex_match(text, match, total)) {
+      share_ = std::max(points_ / std::stod(match[1]), 1e-9);  // a course may give 0 points
+      return given_ ? "Your course does not grade it. These are its categories:"
+                    : in_words(points_) + " points, in these categories:";
+    }
+    if (text.starts_with("#")) share_ = 0;
+    if (share_ > 0 && std::regex_match(text, match, row))
+      return match[1].str() +
+             (given_ ? "-" : in_words(std::round(std::stod(match[2]) * share_ * 100) / 100)) + match[3].str();
+    return text;
+  }
+
+ private:
+  double points_;
+  bool given_;
+  double share_ = 0;  // above 0 from the line of the points to the section's end
+};
+
+// [words](file#place) whose file does not ship: the words. Pictures, ![words](file), too.
+std::string without_dead_links(const std::string& text, const std::string& destination,
+                               const Paths& shipped) {
+  static const std::regex link("!?\\[([^\\]\\n]*)\\]\\(([^)\\s#]+)(#[^)\\s]*)?\\)");
+  std::string result;
+  auto rest = text.begin();
+  for (std::sregex_iterator found(text.begin(), text.end(), link), end; found != end; ++found) {
+    result.append(rest, text.begin() + found->position());
+    rest = text.begin() + found->position() + found->length();
+    const std::string target = (*found)[2];
+    const fs::path path = (fs::path(destination).parent_path() / target).lexically_normal();
+    const bool elsewhere = target.find(':') != std::string::npos;
+    // A folder's path ends with a stroke, or it is the start of a file's.
+    const auto below = shipped.lower_bound(path.string());
+    const bool there = below != shipped.end() && below->starts_with(path.string());
+    result += elsewhere || there ? found->str() : (*found)[1].str();
+  }
+  return result.append(rest, text.end());
+}
+
+// Whether the text says the id as a word of its own.
+bool names(const std::string& text, const std::string& id) {
+  const auto is_of_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; };
+  for (std::size_t at = text.find(id); at != std::string::npos; at = text.find(id, at + 1)) {
+    const std::size_t after = at + id.size();
+    if ((at == 0 || !is_of_word(text[at - 1])) && (after == text.size() || !is_of_word(text[after])))
+      return true;
+  }
+  return false;
+}
+
+std::string absent_exercises_in(const std::string& text, const Course& course) {
+  std::string list;
+  for (const Exercise& exercise : course.exercises)
+    if (exercise.role == Role::absent && names(text, exercise.id))
+      list += (list.empty() ? "" : ", ") + exercise.id + " (" + exercise.title + ")";
+  return list;
+}
+
+}  // namespace
+
+std::string course_json(const std::string& text, const Course& course) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::parse(text);
+  nlohmann::ordered_json present = nlohmann::ordered_json::array();
+  for (nlohmann::ordered_json& entry : json["exercises"]) {
+    const Exercise* exercise = course.find(entry["id"].get<std::string>());
+    if (!exercise || exercise->role == Role::absent) continue;
+    entry["points"] = nlohmann::ordered_json::parse(in_words(exercise->points));
+    entry["role"] = to_string(exercise->role);
+    present.push_back(entry);
+  }
+  json["exercises"] = present;
+  return json.dump(2) + "\n";
+}
+
+std::string course_text(const std::string& text, const std::string& destination, const Course& course,
+                        const Paths& shipped) {
+  const Exercise* own = nullptr;
+  for (const Exercise& exercise : course.exercises)
+    if (exercise.text == destination) own = &exercise;
+  std::optional<Points> points;
+  if (own) points.emplace(*own);
+  const bool index = destination == "assignment/README.md", scenes = destination == "hair/scenes/README.md";
+
+  std::istringstream in(text);
+  std::string result;
+  for (std::string line; std::getline(in, line);) {
+    if (const Exercise* exercise = index ? exercise_of_row(line, course) : nullptr) {
+      if (exercise->role != Role::absent) result += index_row(*exercise) + "\n";
+      continue;
+    }
+    if ((index || scenes) && is_of_absent_scene(line, course)) continue;
+    result += (points ? points->line(line) : line) + "\n";
+    if (own && own->role == Role::given && line.starts_with("# "))
+      result += "\n*In your course this exercise is given: `student/" + own->file +
+                "` is its solution. Read it beside this page; nothing of it is left to write.*\n";
+  }
+  result = without_dead_links(result, destination, shipped);
+  if (const std::string absent = absent_exercises_in(result, course); !absent.empty())
+    result += "\n*Not part of your course: " + absent + ".*\n";
+  return result;
+}
+
+std::string index_row(const Exercise& exercise) {
+  std::string needs;
+  for (const std::string& id : exercise.prerequisites) needs += (needs.empty() ? "" : ", ") + id;
+  const std::string points = exercise.role == Role::given      ? "given, solved"
+                             : exercise.role == Role::optional ? in_words(exercise.points) + ", extra credit"
+                                                               : in_words(exercise.points);
+  return "| " + exercise.id + " | [" + exercise.title + "](" + fs::path(exercise.text).filename().string() +
+         ") | `student/" + exercise.file + "` | " + (needs.empty() ? "-" : needs) + " | " + points + " |";
+}
+
+}  // namespace grader

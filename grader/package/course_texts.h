@@ -1,0 +1,26 @@
+// STAFF ONLY. The handout's texts as a course needs them: its exercises, their roles and points, and nothing that leads to what is
+// not there.
+#pragma once
+
+#include <string>
+
+#include "grader/course/course.h"
+#include "grader/package/gates.h"
+
+namespace grader {
+
+// exercises.json: without absent exercises, with the course's points and roles.
+std::string course_json(const std::string& text, const Course& course);
+
+// A text, Markdown, that ships as `destination`, beside all of `shipped`:
+// - tables of exercises have the course's rows (index_row), and tables of scenes only those whose exercises are there;
+// - the text of an exercise has the course's points, those of its categories in proportion, none if it is given solved;
+// - a link to a file that does not ship becomes its words, and exercises that the text names and the course lacks are named at
+//   its end.
+std::string course_text(const std::string& text, const std::string& destination, const Course& course,
+                        const Paths& shipped);
+
+// The exercise's row in the table of assignment/README.md.
+std::string index_row(const Exercise& exercise);
+
+}  // namespace grader
