@@ -226,6 +226,36 @@ TEST(Pages, TheClassIsSortedByItsWorstPictures) {
   EXPECT_EQ(count(rows, "<img"), 6u);
 }
 
+// One that stays where it starts and ends at once is as the reference's in its first picture.
+TEST(Pages, ARunThatBreaksOffIsTheWorst) {
+  std::vector<SubmissionResult> results = sample_class(3);
+  for (SubmissionResult& result : results)
+    for (ExerciseResult& exercise : result.exercises) exercise.pictures.clear();
+  CaseResult broken;
+  broken.name = kPicturesTitle;
+  broken.status = Status::crashed;
+  results[0].exercises[0].pictures = {sample_picture("1.00 s", 40, 0)};
+  results[1].exercises[1].pictures = {sample_picture("0.00 s", 0, 0)};
+  results[1].exercises[1].cases.push_back(broken);
+  results[2].exercises[2].cases.push_back(broken);
+  EXPECT_TRUE(run_breaks_off(results[1].exercises[1]));
+  const std::string page = class_page(results);
+  const std::string section = page.substr(page.find("<section id=\"pictures\">"));
+  const std::string rows = section.substr(0, section.find("</section>"));
+  EXPECT_EQ(count(rows, ">breaks off<"), 2u);
+  EXPECT_EQ(count(rows, "in all pictures: 0. Without pictures: 0."), 1u);
+  EXPECT_LT(rows.find("bob.html"), rows.find("alice.html"));
+  EXPECT_LT(rows.find("carol.html"), rows.find("alice.html"));
+  EXPECT_EQ(count(staff_page(results[1]), "until it breaks off: FLIP up to 0.0000"), 1u);
+
+  // Its pictures say what is wrong if one is too far from the reference's, and a stub has no run.
+  results[1].exercises[1].pictures[0].flip = 0.5;
+  results[1].exercises[1].pictures[0].flip_limit = 0.01;
+  EXPECT_FALSE(run_breaks_off(results[1].exercises[1]));
+  results[2].exercises[2].cases.back().status = Status::not_implemented;
+  EXPECT_FALSE(run_breaks_off(results[2].exercises[2]));
+}
+
 // A class page of a thousand would load 60 MB of them.
 TEST(Pages, TheClassShowsPicturesOfTheWorstTwentyAlone) {
   std::vector<SubmissionResult> results = sample_class(30);

@@ -46,46 +46,55 @@ Html moment(const PictureResult& picture, const std::string& whose, const Pictur
               html("Where they differ {}", {heat_scale()}))});
 }
 
-// The picture of a submission that is furthest from the reference's.
+// The run of a submission that is furthest from the reference's: one that breaks off, or else the one of its worst picture.
 struct Worst {
   const SubmissionResult* result = nullptr;
   const ExerciseResult* exercise = nullptr;
-  const PictureResult* picture = nullptr;
+  const PictureResult* picture = nullptr;  // null: there is none of a run that breaks off
+  bool breaks_off = false;
+
+  double flip() const { return picture ? picture->flip : 0; }
 };
 
 std::vector<Worst> worst_first(const std::vector<SubmissionResult>& results) {
+  const auto is_worse = [](const Worst& a, const Worst& b) {
+    return a.breaks_off != b.breaks_off ? a.breaks_off : a.flip() > b.flip();
+  };
   std::vector<Worst> all;
   for (const SubmissionResult& result : results) {
     Worst worst{&result};
-    for (const ExerciseResult& exercise : result.exercises)
-      for (const PictureResult& picture : exercise.pictures)
-        if (worst.picture == nullptr || picture.flip > worst.picture->flip)
-          worst = {&result, &exercise, &picture};
-    if (worst.picture != nullptr) all.push_back(worst);
+    const auto take = [&](const Worst& other) {
+      if (!worst.exercise || is_worse(other, worst)) worst = other;
+    };
+    for (const ExerciseResult& exercise : result.exercises) {
+      const bool breaks_off = run_breaks_off(exercise);
+      if (breaks_off && exercise.pictures.empty()) take({&result, &exercise, nullptr, true});
+      for (const PictureResult& picture : exercise.pictures) take({&result, &exercise, &picture, breaks_off});
+    }
+    if (worst.exercise) all.push_back(worst);
   }
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Worst& a, const Worst& b) { return a.picture->flip > b.picture->flip; });
+  std::stable_sort(all.begin(), all.end(), is_worse);
   return all;
 }
 
 Html row(const Worst& worst, bool with_pictures, const PicturePlace& place) {
-  const std::string at = worst.exercise->id + " at " + worst.picture->name;
+  const PictureResult* picture = worst.picture;
+  const std::string at = worst.exercise->id + (picture ? " at " + picture->name : "");
   const auto small = [&](const std::string& png, const std::string& alt) {
-    return image(png, alt, place, "small");
+    return png.empty() ? Html{} : image(png, alt, place, "small");
   };
-  Html pictures;
-  if (with_pictures)
-    pictures = html("<td>{}</td><td>{}</td><td>{}</td>",
-                    {small(worst.picture->student, worst.result->name + ", " + at),
-                     small(worst.picture->reference, "The reference, " + at),
-                     worst.picture->heat.empty() ? Html{} : small(worst.picture->heat, "Difference, " + at)});
-  else
-    pictures = html("<td></td><td></td><td></td>");
+  Html pictures = html("<td></td><td></td><td></td>");
+  if (with_pictures && picture)
+    pictures =
+        html("<td>{}</td><td>{}</td><td>{}</td>",
+             {small(picture->student, worst.result->name + ", " + at),
+              small(picture->reference, "The reference, " + at), small(picture->heat, "Difference, " + at)});
+  const std::string flip = worst.breaks_off ? "breaks off" : shown_distance(picture->flip);
+  const std::string blurred = worst.breaks_off ? "" : shown_distance(picture->blurred_rmse);
   return html(
       "<tr><th scope=\"row\"><a href=\"staff/{}.html#{}\">{}</a></th><td class=\"number\">{}</td><td "
       "class=\"number\">{}</td><td>{}</td>{}</tr>\n",
-      {worst.result->name, worst.exercise->id, worst.result->name, shown_distance(worst.picture->flip),
-       shown_distance(worst.picture->blurred_rmse), at, pictures});
+      {worst.result->name, worst.exercise->id, worst.result->name, flip, blurred, at, pictures});
 }
 
 }  // namespace
@@ -144,14 +153,14 @@ Html pictures_by_distance(const std::vector<SubmissionResult>& results, const Pi
   std::size_t same = 0;
   Html rows;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (all[i].picture->flip > 0)
+    if (all[i].breaks_off || all[i].flip() > 0)
       rows += row(all[i], i < kMostSmallPictures, place);
     else
       ++same;
   }
   Html section = html(R"(<section id="pictures">
 <h2>Pictures, furthest from the reference&#39;s first</h2>
-<p class="quiet">The worst picture of each submission&#39;s graded runs, by its FLIP. The same as the reference&#39;s in all pictures: {}. Without pictures: {}.</p>
+<p class="quiet">Of each submission the worst of its graded runs: one that breaks off, or else that of the picture with the largest FLIP. The same as the reference&#39;s in all pictures: {}. Without pictures: {}.</p>
 )",
                       {same, results.size() - all.size()});
   if (!rows.text.empty())

@@ -102,6 +102,14 @@ bool too_far(const PictureResult& picture) {
   return over(picture.blurred_rmse, picture.blurred_rmse_limit) || over(picture.flip, picture.flip_limit);
 }
 
+bool run_breaks_off(const ExerciseResult& exercise) {
+  if (std::any_of(exercise.pictures.begin(), exercise.pictures.end(), too_far)) return false;
+  return std::any_of(exercise.cases.begin(), exercise.cases.end(), [](const CaseResult& one) {
+    return one.name == kPicturesTitle && one.status != Status::passed &&
+           one.status != Status::not_implemented;
+  });
+}
+
 std::optional<double> picture_distance(const SubmissionResult& result) {
   std::optional<double> largest;
   for (const ExerciseResult& exercise : result.exercises)

@@ -22,6 +22,9 @@ enum class Status {
   unreadable,  // the whole submission, such as a .rar
 };
 
+// The name of the category that compares pictures of the whole run.
+inline constexpr const char* kPicturesTitle = "Pictures of it";
+
 std::string to_string(Status status);           // "does not compile"
 Status status_from_string(const std::string&);  // throws std::invalid_argument
 std::string sentence_for(Status status);        // helps the student without revealing hidden cases
@@ -87,6 +90,9 @@ struct SubmissionResult {
 };
 
 bool too_far(const PictureResult&);  // over a limit
+
+// Whether its whole run was played and ended before its last picture: then its pictures, if there are any, say too little.
+bool run_breaks_off(const ExerciseResult&);
 
 double points(const SubmissionResult&);
 double max_points(const SubmissionResult&);  // without extra credit

@@ -40,7 +40,7 @@ Html case_row(const std::string& number, const CaseResult& one, Reader reader) {
 
 Html cases_table(const ExerciseResult& exercise, Reader reader) {
   if (exercise.cases.empty()) return {};
-  Html table = html(R"(<div class="wide"><table>
+  Html table = html(R"(<div class="wide"><table class="cases">
 <thead><tr><th scope="col">No.</th><th scope="col" class="category">Category</th><th scope="col" class="status">Status</th><th scope="col" class="number">Points</th><th scope="col" class="saw">What we saw</th></tr></thead>
 <tbody>
 )");
@@ -62,7 +62,10 @@ Html exercise_section(const ExerciseResult& exercise, Reader reader) {
             exercise.file, exercise.feedback.empty() ? sentence_for(exercise.status) : exercise.feedback});
   section += block("What the compiler says", exercise.compiler_messages);
   section += cases_table(exercise, reader);
-  section += moments(exercise.pictures, "The whole run in pictures", whose(reader), place_of(reader));
+  section += moments(exercise.pictures,
+                     run_breaks_off(exercise) ? "The whole run in pictures, until it breaks off"
+                                              : "The whole run in pictures",
+                     whose(reader), place_of(reader));
   if (reader == Reader::staff)
     section += block("What compiler, linker and worker printed", exercise.staff_log);
   return section += html("</section>\n");

@@ -53,14 +53,22 @@ Played WholeRun::play(Trial& trial) {
   }
 }
 
-void WholeRun::judge_run(Trial& trial) {
-  trial.describe(hidden_.scene.name);
+Played WholeRun::play_unless_given_up(Trial& trial) {
   // What it took is charged, before another worker takes of the same allowance.
   cases_.finish();
-  // A code that never answers would cost its limits once more.
-  if (cases_.gave_up()) trial.reply_of(*cases_.gave_up());
+  try {
+    // A code that never answers would cost its limits once more.
+    if (cases_.gave_up()) trial.reply_of(*cases_.gave_up());
+    return play(trial);
+  } catch (const CaseFailed& failure) {
+    unplayed_ = failure;
+    throw;
+  }
+}
 
-  const Played theirs = play(trial);
+void WholeRun::judge_run(Trial& trial) {
+  trial.describe(hidden_.scene.name);
+  const Played theirs = play_unless_given_up(trial);
   run_ = compare_runs(hidden_.scene, hidden_.pictures, theirs);
   trial.expect(run_->finite, "numbers that are not finite");
   trial.expect(theirs.trouble.empty() && run_->moments.size() == hidden_.scene.frames + std::size_t{1},
@@ -78,7 +86,7 @@ void WholeRun::judge_run(Trial& trial) {
 
 void WholeRun::judge_pictures(Trial& trial) {
   trial.describe(hidden_.scene.name);
-  trial.expect(run_.has_value(), "there is no run to draw");
+  if (unplayed_) trial.fail(unplayed_->status, "there is no run to draw", unplayed_->feedback);
   const double start = timing::process_cpu_seconds();
   pictures_ = draw_shots(run_->shots, run_->camera, *kept_pictures_);
   picture_seconds_ = timing::process_cpu_seconds() - start;

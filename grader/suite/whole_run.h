@@ -37,7 +37,6 @@ inline constexpr double kLeastStretch = 1e-4;
 inline constexpr double kBlurredRmse = 0.0005, kFlip = 0.001;
 
 inline constexpr const char* kRunTitle = "The whole run";
-inline constexpr const char* kPicturesTitle = "Pictures of it";
 
 class WholeRun {
  public:
@@ -58,6 +57,7 @@ class WholeRun {
  private:
   void judge_run(Trial& trial);
   Played play(Trial& trial);
+  Played play_unless_given_up(Trial& trial);
   void judge_pictures(Trial& trial);
 
   Student student_;
@@ -65,7 +65,8 @@ class WholeRun {
   HiddenScene hidden_;
   std::optional<std::filesystem::path> kept_pictures_;
   Student& cases_;
-  std::optional<RunComparison> run_;  // set once it was played
+  std::optional<RunComparison> run_;    // set once it was played
+  std::optional<CaseFailed> unplayed_;  // why it could not be
   std::vector<PictureResult> pictures_;
   double picture_seconds_ = 0;
 };

@@ -78,6 +78,12 @@ svg { display: block; margin: 1rem 0 1.5rem; max-width: 100%; height: auto; back
 nav ul { margin: .4rem 0; padding-left: 1.25rem; } .text { text-align: left; }
 .scale { display: inline-block; width: 5rem; height: .6rem; margin: 0 .35rem; border-radius: .125rem; }
 .small { display: block; width: 10rem; height: auto; border-radius: .25rem; }
+@media (max-width: 40rem) {
+.wide .cases { min-width: 0; } .cases thead { display: none; } .cases, .cases tbody { display: block; }
+.cases tr { display: grid; grid-template: "no name points" "no badge badge" "no saw saw" / 3.25rem 1fr auto; gap: .2rem .5rem; padding: .5rem 0; }
+.cases tr > * { border: 0; padding: 0; } .cases td:nth-child(1) { grid-area: no; } .cases th { grid-area: name; } .cases td:nth-child(3) { grid-area: badge; }
+.cases td:nth-child(4) { grid-area: points; } .cases td:nth-child(5) { grid-area: saw; } .cases pre { white-space: pre-wrap; }
+}
 @media print { body { max-width: none; padding: 0; } figure, tr { break-inside: avoid; } h2 { break-after: avoid; } .badge, .note, .stamp { border: 1px solid; } }
 )css";
 
