@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
 #include <limits>
 
 #include "particles/drag.h"
@@ -11,6 +10,7 @@
 #include "particles/gravity.h"
 #include "particles/products_to_band.h"
 #include "particles/springs.h"
+#include "solver/dense_solve.h"
 #include "solver/tests/allocations.h"
 
 namespace particles {
@@ -77,7 +77,7 @@ MatrixXd factored(const Preconditioner& preconditioner, Eigen::Index size) {
     preconditioner.solve_lower(inverse.col(i));
     preconditioner.solve_lower_transposed(inverse.col(i));
   }
-  return inverse.inverse();
+  return solver::dense_solve(inverse, MatrixXd::Identity(size, size));
 }
 
 TEST(ProductsToBand, TakesThreeProductsForEachOfTheParticlesThatMeet) {

@@ -8,6 +8,7 @@
 
 #include "particles/system.h"
 #include "reference/tests/stepping.h"
+#include "solver/dense_solve.h"
 #include "solver/tests/allocations.h"
 
 namespace reference_tests {
@@ -92,7 +93,7 @@ double centripetal_energy(const Strand& strand, const particles::State& state) {
     inverse_mass.segment<3>(3 * s).setConstant(1 / strand.mass[s + 1]);
   }
   const Eigen::MatrixXd between = J * inverse_mass.asDiagonal() * J.transpose();
-  return 0.5 * turn.dot(between.llt().solve(turn));
+  return 0.5 * turn.dot(solver::dense_solve(between, turn).col(0));
 }
 
 TEST(PredictorCorrector, LosesTheEnergyOfTheTurn) {

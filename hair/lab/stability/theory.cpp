@@ -1,13 +1,13 @@
 #include "hair/lab/stability/theory.h"
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <cmath>
 #include <complex>
 #include <limits>
 #include <stdexcept>
 
 #include "particles/require.h"
+#include "solver/dense_solve.h"
 #include "solver/symmetric_eigen.h"
 
 namespace hair {
@@ -89,8 +89,9 @@ Eigen::MatrixXd predictor_corrector_step(const Eigen::VectorXd& mass, const Eige
                                          const Eigen::MatrixXd& in_matrix, double gamma, double h) {
   const Eigen::Index n = mass.size();
   const Eigen::MatrixXd masses = mass.asDiagonal();
-  const Eigen::PartialPivLU<Eigen::MatrixXd> s((1 + h * gamma / 2) * masses + h * h / 2 * in_matrix);
-  const Eigen::MatrixXd from_v = s.solve(masses), from_x = s.solve(-h / 2 * stiffness);
+  const Eigen::MatrixXd s = (1 + h * gamma / 2) * masses + h * h / 2 * in_matrix;
+  const Eigen::MatrixXd from_v = solver::dense_solve(s, masses),
+                        from_x = solver::dense_solve(s, -h / 2 * stiffness);
   // Rows: w, then x' = x + h w, then v' of w and x'.
   Eigen::MatrixXd w(n, 2 * n), step(2 * n, 2 * n);
   w << from_x, from_v;
@@ -107,13 +108,10 @@ double predictor_corrector_limit(const Eigen::VectorXd& mass, const Eigen::Matri
   // the determinant positive.
   const Eigen::MatrixXd masses = mass.asDiagonal(), one = Eigen::MatrixXd::Identity(mass.size(), mass.size());
   const auto positive = [&](double h) {
-    const Eigen::PartialPivLU<Eigen::MatrixXd> s((1 + h * gamma / 2) * masses + h * h / 2 * in_matrix);
-    const Eigen::MatrixXd t = s.solve(masses);
-    const Eigen::PartialPivLU<Eigen::MatrixXd> lu((1 + growth) * (growth * one + t * t) -
-                                                  growth * (t + one) * s.solve(h * h / 2 * stiffness));
-    double sign = lu.permutationP().determinant();
-    for (const double pivot : lu.matrixLU().diagonal()) sign *= pivot < 0 ? -1 : 1;
-    return sign > 0;
+    const Eigen::MatrixXd s = (1 + h * gamma / 2) * masses + h * h / 2 * in_matrix;
+    const Eigen::MatrixXd t = solver::dense_solve(s, masses);
+    return solver::determinant_sign((1 + growth) * (growth * one + t * t) -
+                                    growth * (t + one) * solver::dense_solve(s, h * h / 2 * stiffness)) >= 0;
   };
   constexpr double kStride = 1.05;  // two modes whose limits are nearer than this could hide each other
   const Eigen::VectorXd scale = mass.cwiseSqrt().cwiseInverse();

@@ -1,12 +1,12 @@
 #include "hair/lab/validate/planar_statics.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "solver/dense_solve.h"
 #include "solver/symmetric_eigen.h"
 
 namespace hair {
@@ -74,7 +74,7 @@ Eigen::VectorXd newton_step(const particles::Force& force, const Eigen::VectorXd
     K(2 * j, 2 * j + 1) -= F(2 * j, 0) / length;
     K(2 * j + 1, 2 * j) -= F(2 * j, 0) / length;
   }
-  return K.ldlt().solve(F.col(0));
+  return solver::dense_solve(K, F.col(0));
 }
 
 // The largest angle that the step turns a segment by, or part of its length that it adds.

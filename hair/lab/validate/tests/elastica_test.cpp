@@ -3,9 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/LU>
 #include <cmath>
 #include <numbers>
+
+#include "solver/dense_solve.h"
 
 namespace hair {
 namespace {
@@ -37,12 +38,12 @@ Eigen::Vector2d collocated_tip(double gamma, int n) {
     left[n] = psi[n] - kPi / 2;
     J.row(n).setZero();
     J(n, n) = 1;
-    const Eigen::VectorXd step = J.partialPivLu().solve(left);
+    const Eigen::VectorXd step = solver::dense_solve(J, left);
     psi -= std::min(1.0, 0.5 / step.cwiseAbs().maxCoeff()) * step;
   }
   // What grows from 0 at the tip with the slopes sin(psi) and cos(psi), up to the clamp.
   const auto integral = [&](const Eigen::VectorXd& slope) {
-    return D.bottomRightCorner(n, n).partialPivLu().solve(slope.tail(n)).eval()[n - 1];
+    return solver::dense_solve(D.bottomRightCorner(n, n), slope.tail(n))(n - 1, 0);
   };
   return {integral(psi.array().sin()), integral(psi.array().cos())};
 }
