@@ -14,7 +14,7 @@ namespace hair {
 namespace {
 
 constexpr double kJitter = 0.2;  // of the usual distance between roots
-constexpr int kBands = 128, kCells = 256;
+constexpr int kBands = 64, kCells = 128;
 
 Vector3d direction_at(double height, double turn) {
   const double across = std::sqrt(std::max(0.0, 1 - height * height));
@@ -23,9 +23,9 @@ Vector3d direction_at(double height, double turn) {
 
 // The areas of a head's surface, by the direction from its centre: bands of equal height of the sphere of directions,
 // which have cells of equal width. All cells have the same solid angle (Archimedes).
-class Areas {
+class SurfaceAreas {
  public:
-  explicit Areas(const Head& head) {
+  explicit SurfaceAreas(const Head& head) {
     constexpr double solid_angle = 4 * std::numbers::pi / (kBands * kCells);
     for (std::size_t band = 0; band < kBands; ++band) {
       std::array<double, kCells + 1>& along = along_[band];
@@ -76,8 +76,8 @@ class Areas {
 };
 
 // Those of `tried` points of the lattice that are on the scalp.
-std::vector<Vector3d> points_of_lattice(const Head& head, const Areas& areas, double tried, double spacing,
-                                        std::uint64_t seed) {
+std::vector<Vector3d> points_of_lattice(const Head& head, const SurfaceAreas& areas, double tried,
+                                        double spacing, std::uint64_t seed) {
   const double start = Variation(seed).uniform(0, 1);
   std::vector<Vector3d> points;
   for (double i = 0; i < tried; ++i) {
@@ -96,30 +96,36 @@ std::vector<Vector3d> points_of_lattice(const Head& head, const Areas& areas, do
 
 }  // namespace
 
-double scalp_area(const Head& head) {
-  return Areas(head).scalp();
+class Scalp::Areas : public SurfaceAreas {
+  using SurfaceAreas::SurfaceAreas;
+};
+
+Scalp::Scalp(const Head& head) : head_(head), areas_(std::make_shared<Areas>(head)) {}
+
+double Scalp::area() const {
+  return areas_->scalp();
 }
 
-std::vector<RootFrame> scalp_roots(const Head& head, int count, std::uint64_t seed) {
+std::vector<RootFrame> Scalp::roots(int count, std::uint64_t seed) const {
   if (count < 0)
     throw std::invalid_argument("a scalp has " + std::to_string(count) + " roots; 0 or more are right");
   if (count == 0) return {};
-  const Areas areas(head);
+  const SurfaceAreas& areas = *areas_;
   if (!(areas.scalp() > 0))
     throw std::invalid_argument("a head has no scalp; give it a place where hair grows");
   const double spacing = std::sqrt(areas.scalp() / count);
   // A few more than are expected; as often as it takes, for the table knows the scalp's edge roughly.
   double tried = std::ceil(1.01 * count * areas.whole() / areas.scalp()) + 5;
-  std::vector<Vector3d> points = points_of_lattice(head, areas, tried, spacing, seed);
+  std::vector<Vector3d> points = points_of_lattice(head_, areas, tried, spacing, seed);
   while (points.size() < static_cast<std::size_t>(count))
-    points = points_of_lattice(head, areas, tried = std::ceil(1.05 * tried), spacing, seed);
+    points = points_of_lattice(head_, areas, tried = std::ceil(1.05 * tried), spacing, seed);
   std::vector<RootFrame> roots;
   roots.reserve(static_cast<std::size_t>(count));
   // Those that are too many are spread over all.
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto kept = static_cast<std::size_t>(count);
     if ((i + 1) * kept / points.size() == i * kept / points.size()) continue;
-    roots.push_back({points[i], head.surface_at(points[i]).normal, head.combed(points[i])});
+    roots.push_back({points[i], head_.surface_at(points[i]).normal, head_.combed(points[i])});
   }
   return roots;
 }
