@@ -42,12 +42,13 @@ std::vector<ManifestLine> read_manifest(const std::filesystem::path& file, const
     text = trimmed(text);
     if (text.empty() || text[0] == '#') continue;
 
-    const Exercise* exercise = nullptr;
-    if (const auto colon = text.find(':'); colon != std::string::npos) {
+    bool absent = false;
+    for (auto colon = text.find(':'); colon != std::string::npos; colon = text.find(':')) {
       const std::string id = trimmed(text.substr(0, colon));
-      exercise = course.find(id);
+      const Exercise* const exercise = course.find(id);
       if (!exercise)
         throw BadInput(where + ": there is no exercise \"" + id + "\"; write one of exercises.json");
+      absent = absent || exercise->role == Role::absent;
       text = trimmed(text.substr(colon + 1));
     }
     const auto arrow = text.find("->");
@@ -60,7 +61,7 @@ std::vector<ManifestLine> read_manifest(const std::filesystem::path& file, const
     if (!is_new)
       throw BadInput(where + ": " + line.destination + " is already the destination of " + other->second +
                      "; each file needs its own");
-    if (!exercise || exercise->role != Role::absent) lines.push_back(line);
+    if (!absent) lines.push_back(line);
   }
   return lines;
 }

@@ -50,6 +50,10 @@ TEST(Manifest, LeavesOutTheLinesOfAbsentExercises) {
   const std::string text = "handout/README.md\nS1: handout/student/f.cpp\n";
   for (Role role : {Role::assigned, Role::optional, Role::given}) EXPECT_EQ(read(text, role).size(), 2u);
   EXPECT_EQ(read(text, Role::absent).size(), 1u);
+  // A file that needs several exercises is there with all of them only.
+  const std::string twice = "S1: S1: handout/student/f.cpp\n";
+  EXPECT_EQ(read(twice, Role::assigned).size(), 1u);
+  EXPECT_EQ(read(twice, Role::absent).size(), 0u);
 }
 
 TEST(Manifest, NamesFileAndLineOfWhatIsWrong) {
