@@ -38,11 +38,23 @@ class SurfaceAreas {
         const double area = solid_angle * (point - head.centre()).squaredNorm() /
                             std::max(0.1, head.surface_at(point).normal.dot(way));
         along[cell + 1] = along[cell] + area;
-        if (head.has_hair(point)) scalp_ += area;
+        if (!head.has_hair(point)) continue;
+        scalp_ += area;
+        add_near(band, cell);
       }
       until_[band + 1] = until_[band] + along.back();
       for (double& area : along) area /= along_[band].back() > 0 ? along.back() : 1;
     }
+  }
+
+  // Whether there is hair in the cell of a direction or beside it: quicker to know than where the head's surface is.
+  bool may_have_hair(const Vector3d& direction) const {
+    const double turn = std::atan2(direction.y(), direction.x()) / (2 * std::numbers::pi);
+    const auto band =
+        static_cast<std::size_t>(std::clamp((direction.z() + 1) / 2 * kBands, 0.0, kBands - 1.0));
+    const auto cell =
+        static_cast<std::size_t>(std::clamp((turn - std::floor(turn)) * kCells, 0.0, kCells - 1.0));
+    return near_scalp_[band][cell];
   }
 
   double whole() const { return until_.back(); }
@@ -61,6 +73,11 @@ class SurfaceAreas {
   }
 
  private:
+  void add_near(std::size_t band, std::size_t cell) {
+    for (std::size_t b = band == 0 ? 0 : band - 1; b <= std::min<std::size_t>(band + 1, kBands - 1); ++b)
+      for (const std::size_t c : {cell + kCells - 1, cell, cell + 1}) near_scalp_[b][c % kCells] = true;
+  }
+
   // Where rising numbers have this value, counted in their steps.
   template <std::size_t n>
   static double place(const std::array<double, n>& rising, double value) {
@@ -72,6 +89,7 @@ class SurfaceAreas {
 
   std::array<double, kBands + 1> until_{};
   std::array<std::array<double, kCells + 1>, kBands> along_{};
+  std::array<std::array<bool, kCells>, kBands> near_scalp_{};
   double scalp_ = 0;
 };
 
@@ -82,7 +100,9 @@ std::vector<Vector3d> points_of_lattice(const Head& head, const SurfaceAreas& ar
   std::vector<Vector3d> points;
   for (double i = 0; i < tried; ++i) {
     const double turns = start + i * (std::numbers::phi - 1);
-    const Vector3d even = head.surface_towards(areas.direction((i + 0.5) / tried, turns - std::floor(turns)));
+    const Vector3d way = areas.direction((i + 0.5) / tried, turns - std::floor(turns));
+    if (!areas.may_have_hair(way)) continue;
+    const Vector3d even = head.surface_towards(way);
     Variation own(seed, static_cast<std::uint64_t>(i));
     const double angle = own.uniform(0, 2 * std::numbers::pi);
     const double far = kJitter * spacing * std::sqrt(own.uniform(0, 1));
