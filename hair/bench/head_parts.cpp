@@ -14,7 +14,7 @@ namespace {
 
 using namespace hair;
 
-constexpr int kTurns = 9, kWarmUp = 3;  // frames
+constexpr int kTurns = 9, kWarmUp = 12;  // frames
 constexpr int kSteps = 8;               // of a frame
 
 struct Case {
