@@ -74,7 +74,7 @@ std::string scene_of(const std::string& hair, const std::string& more = "") {
 }
 
 std::string on_scalp(const std::string& shape = "") {
-  return R"({"segments": 15, "length": 0.11, "roots": {"bust": {"count": 200, "lift": 0.5}})" + shape + "}";
+  return R"({"segments": 15, "length": 0.16, "roots": {"bust": {"count": 200, "lift": 0.1}})" + shape + "}";
 }
 
 // Ten rows of twenty hairs that hang, and are let go from one side.

@@ -37,7 +37,7 @@ TEST(RootsBetween, AreEvenlySpread) {
   std::array<int, 4> quarters{};
   for (const RootFrame& root : roots_between(square, count, 5))
     ++quarters[(root.position.x() > 5 ? 1U : 0U) + (root.position.y() > 5 ? 2U : 0U)];
-  for (const int quarter : quarters) EXPECT_NEAR(quarter, count / 4, 10);
+  for (const int quarter : quarters) EXPECT_NEAR(quarter, 0.25 * count, 10);
 }
 
 TEST(RootsBetween, LeaveBaysOfTheHairlineFree) {
