@@ -63,12 +63,13 @@ Vector3d Bust::surface_towards(const Vector3d& direction) const {
     outside += std::max(shortest, -0.7 * value);
   }
   // Steps of Newton's method, which never leave what is known to hold the surface.
+  constexpr double rounding = 1e-15;  // of s; nearer the steps go to and fro
   double s = outside;
-  for (int i = 0; i < 60 && outside - inside > 1e-17; ++i) {
+  for (int i = 0; i < 60; ++i) {
     const Value here = value_at(centre() + s * direction);
     (here.value >= 0 ? outside : inside) = s;
     const double next = s - here.value / here.gradient.dot(direction);
-    if (next == s) break;
+    if (std::abs(next - s) <= rounding * s) break;
     s = next > inside && next < outside ? next : 0.5 * (inside + outside);
   }
   return centre() + s * direction;

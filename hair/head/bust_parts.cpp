@@ -13,11 +13,11 @@ constexpr double kNearBust = 0.02;               // m
 constexpr double kBottom = -0.35, kEdge = 0.03;  // m: where the chest is cut off, and how round its edge is
 
 Bust::Value of_ellipsoid(const Vector3d& p, const Vector3d& radii) {
-  const Vector3d q = p.cwiseQuotient(radii), u = q.cwiseQuotient(radii);
+  const Vector3d inverse = radii.cwiseInverse(), q = p.cwiseProduct(inverse), u = q.cwiseProduct(inverse);
   const double k = q.norm(), g = u.norm();
   if (!(g > 0)) return {-radii.minCoeff(), Vector3d::UnitZ()};
   // The value is k (k - 1) / g, where u is half of the gradient of k^2, and g = |u|.
-  const Vector3d slope_of_g = u.cwiseQuotient(radii).cwiseQuotient(radii) / g;
+  const Vector3d slope_of_g = u.cwiseProduct(inverse).cwiseProduct(inverse) / g;
   return {k * (k - 1) / g, (2 - 1 / k) / g * u - k * (k - 1) / (g * g) * slope_of_g};
 }
 

@@ -164,6 +164,7 @@ GroomMeasures measure_groom(const Groom& groom) {
   if (measures.segment.median > 0)
     long_segments.say("segments that are twenty times as long as usual", measures.odd);
   look_at_roots(roots, strands, measures);
+  measures.root_sphere = sphere_through(roots);
   return measures;
 }
 

@@ -1,10 +1,12 @@
 // What a groom is like: how many strands, how long, how curved, where, and what is odd about them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "hair/head/groom.h"
+#include "hair/head/root_sphere.h"
 
 namespace hair {
 
@@ -38,6 +40,7 @@ struct GroomMeasures {
   GroomBox box, roots;  // of all points, and of all roots, that are finite
   // Metres that a unit has if the roots' box is as long as a scalp, 0.2 m; 0: there are too few to say.
   double unit_guess = 0;
+  std::optional<RootSphere> root_sphere;  // that fits the roots best: about the head's
   std::vector<Oddity> odd;
 };
 

@@ -32,7 +32,12 @@ struct Clumps {
 class Grower {
  public:
   Grower(const Head& head, const HairStyle& style, int points, std::uint64_t seed)
-      : head_(head), style_(style), points_(points), seed_(seed), clumps_{{}, {}, NearestPoints({})} {
+      : head_(head),
+        scalp_(head),
+        style_(style),
+        points_(points),
+        seed_(seed),
+        clumps_{{}, {}, NearestPoints({})} {
     step_ = std::min(0.004, style.length / 48);
     if (style.radius > 0) step_ = std::min(step_, style.pitch / 16);
     // A chord of the layer that is this high stays outside a head of the radius 7 cm, wherever the hair begins.
@@ -44,7 +49,7 @@ class Grower {
     if (style_.clump == 0) return;
     const int count = std::max(1, strands / style_.clump);
     std::vector<Vector3d> places;
-    for (const RootFrame& root : scalp_roots(head_, count, seed_of(seed_, Use::clump_roots))) {
+    for (const RootFrame& root : scalp_.roots(count, seed_of(seed_, Use::clump_roots))) {
       Variation variation(seed_of(seed_, Use::clumps), places.size());
       const StrandTraits traits = traits_of(root, variation, false);
       clumps_.lines.push_back(middle(root, traits, clearance_, nullptr));
@@ -52,6 +57,10 @@ class Grower {
       places.push_back(root.position);
     }
     clumps_.roots = NearestPoints(std::move(places));
+  }
+
+  std::vector<RootFrame> roots(int strands) const {
+    return scalp_.roots(strands, seed_of(seed_, Use::roots));
   }
 
   Eigen::VectorXd strand(const RootFrame& root, std::size_t number) const {
@@ -107,6 +116,7 @@ class Grower {
   }
 
   const Head& head_;
+  Scalp scalp_;
   const HairStyle& style_;
   int points_;
   std::uint64_t seed_;
@@ -138,7 +148,7 @@ Groom grow_groom(const Head& head, const HairStyle& style, const GrowSettings& s
   grower.grow_clumps(settings.strands);
   Groom groom;
   groom.strands.reserve(static_cast<std::size_t>(settings.strands));
-  for (const RootFrame& root : scalp_roots(head, settings.strands, seed_of(settings.seed, Use::roots)))
+  for (const RootFrame& root : grower.roots(settings.strands))
     groom.strands.push_back(grower.strand(root, groom.strands.size()));
   describe(groom.look,
            "hairlab groom " + std::string(style.name) + " --seed " + std::to_string(settings.seed));

@@ -14,7 +14,7 @@ namespace hair {
 namespace {
 
 constexpr double kJitter = 0.2;  // of the usual distance between roots
-constexpr int kBands = 128, kCells = 256;
+constexpr int kBands = 64, kCells = 128;
 
 Vector3d direction_at(double height, double turn) {
   const double across = std::sqrt(std::max(0.0, 1 - height * height));
@@ -23,9 +23,9 @@ Vector3d direction_at(double height, double turn) {
 
 // The areas of a head's surface, by the direction from its centre: bands of equal height of the sphere of directions,
 // which have cells of equal width. All cells have the same solid angle (Archimedes).
-class Areas {
+class SurfaceAreas {
  public:
-  explicit Areas(const Head& head) {
+  explicit SurfaceAreas(const Head& head) {
     constexpr double solid_angle = 4 * std::numbers::pi / (kBands * kCells);
     for (std::size_t band = 0; band < kBands; ++band) {
       std::array<double, kCells + 1>& along = along_[band];
@@ -38,11 +38,23 @@ class Areas {
         const double area = solid_angle * (point - head.centre()).squaredNorm() /
                             std::max(0.1, head.surface_at(point).normal.dot(way));
         along[cell + 1] = along[cell] + area;
-        if (head.has_hair(point)) scalp_ += area;
+        if (!head.has_hair(point)) continue;
+        scalp_ += area;
+        add_near(band, cell);
       }
       until_[band + 1] = until_[band] + along.back();
       for (double& area : along) area /= along_[band].back() > 0 ? along.back() : 1;
     }
+  }
+
+  // Whether there is hair in the cell of a direction or beside it: quicker to know than where the head's surface is.
+  bool may_have_hair(const Vector3d& direction) const {
+    const double turn = std::atan2(direction.y(), direction.x()) / (2 * std::numbers::pi);
+    const auto band =
+        static_cast<std::size_t>(std::clamp((direction.z() + 1) / 2 * kBands, 0.0, kBands - 1.0));
+    const auto cell =
+        static_cast<std::size_t>(std::clamp((turn - std::floor(turn)) * kCells, 0.0, kCells - 1.0));
+    return near_scalp_[band][cell];
   }
 
   double whole() const { return until_.back(); }
@@ -61,6 +73,11 @@ class Areas {
   }
 
  private:
+  void add_near(std::size_t band, std::size_t cell) {
+    for (std::size_t b = band == 0 ? 0 : band - 1; b <= std::min<std::size_t>(band + 1, kBands - 1); ++b)
+      for (const std::size_t c : {cell + kCells - 1, cell, cell + 1}) near_scalp_[b][c % kCells] = true;
+  }
+
   // Where rising numbers have this value, counted in their steps.
   template <std::size_t n>
   static double place(const std::array<double, n>& rising, double value) {
@@ -72,17 +89,20 @@ class Areas {
 
   std::array<double, kBands + 1> until_{};
   std::array<std::array<double, kCells + 1>, kBands> along_{};
+  std::array<std::array<bool, kCells>, kBands> near_scalp_{};
   double scalp_ = 0;
 };
 
 // Those of `tried` points of the lattice that are on the scalp.
-std::vector<Vector3d> points_of_lattice(const Head& head, const Areas& areas, double tried, double spacing,
-                                        std::uint64_t seed) {
+std::vector<Vector3d> points_of_lattice(const Head& head, const SurfaceAreas& areas, double tried,
+                                        double spacing, std::uint64_t seed) {
   const double start = Variation(seed).uniform(0, 1);
   std::vector<Vector3d> points;
   for (double i = 0; i < tried; ++i) {
     const double turns = start + i * (std::numbers::phi - 1);
-    const Vector3d even = head.surface_towards(areas.direction((i + 0.5) / tried, turns - std::floor(turns)));
+    const Vector3d way = areas.direction((i + 0.5) / tried, turns - std::floor(turns));
+    if (!areas.may_have_hair(way)) continue;
+    const Vector3d even = head.surface_towards(way);
     Variation own(seed, static_cast<std::uint64_t>(i));
     const double angle = own.uniform(0, 2 * std::numbers::pi);
     const double far = kJitter * spacing * std::sqrt(own.uniform(0, 1));
@@ -96,30 +116,36 @@ std::vector<Vector3d> points_of_lattice(const Head& head, const Areas& areas, do
 
 }  // namespace
 
-double scalp_area(const Head& head) {
-  return Areas(head).scalp();
+class Scalp::Areas : public SurfaceAreas {
+  using SurfaceAreas::SurfaceAreas;
+};
+
+Scalp::Scalp(const Head& head) : head_(head), areas_(std::make_shared<Areas>(head)) {}
+
+double Scalp::area() const {
+  return areas_->scalp();
 }
 
-std::vector<RootFrame> scalp_roots(const Head& head, int count, std::uint64_t seed) {
+std::vector<RootFrame> Scalp::roots(int count, std::uint64_t seed) const {
   if (count < 0)
     throw std::invalid_argument("a scalp has " + std::to_string(count) + " roots; 0 or more are right");
   if (count == 0) return {};
-  const Areas areas(head);
+  const SurfaceAreas& areas = *areas_;
   if (!(areas.scalp() > 0))
     throw std::invalid_argument("a head has no scalp; give it a place where hair grows");
   const double spacing = std::sqrt(areas.scalp() / count);
   // A few more than are expected; as often as it takes, for the table knows the scalp's edge roughly.
   double tried = std::ceil(1.01 * count * areas.whole() / areas.scalp()) + 5;
-  std::vector<Vector3d> points = points_of_lattice(head, areas, tried, spacing, seed);
+  std::vector<Vector3d> points = points_of_lattice(head_, areas, tried, spacing, seed);
   while (points.size() < static_cast<std::size_t>(count))
-    points = points_of_lattice(head, areas, tried = std::ceil(1.05 * tried), spacing, seed);
+    points = points_of_lattice(head_, areas, tried = std::ceil(1.05 * tried), spacing, seed);
   std::vector<RootFrame> roots;
   roots.reserve(static_cast<std::size_t>(count));
   // Those that are too many are spread over all.
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto kept = static_cast<std::size_t>(count);
     if ((i + 1) * kept / points.size() == i * kept / points.size()) continue;
-    roots.push_back({points[i], head.surface_at(points[i]).normal, head.combed(points[i])});
+    roots.push_back({points[i], head_.surface_at(points[i]).normal, head_.combed(points[i])});
   }
   return roots;
 }

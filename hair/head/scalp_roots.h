@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "hair/head/head.h"
@@ -15,11 +16,26 @@
 
 namespace hair {
 
-// `count` frames: axis is the surface's normal, side the combed direction. The same for the same head, count and
-// seed. Throws std::invalid_argument for a count below 0, and for a head without a scalp.
-std::vector<RootFrame> scalp_roots(const Head& head, int count, std::uint64_t seed);
+class Scalp {
+ public:
+  // Keeps a reference to the head. It measures the surface once, which takes longer than some thousand roots do.
+  explicit Scalp(const Head& head);
 
-// The scalp's area in m^2, to a percent.
-double scalp_area(const Head& head);
+  // `count` frames: axis is the surface's normal, side the combed direction. The same for the same head, count and
+  // seed. Throws std::invalid_argument for a count below 0, and for a head without a scalp.
+  std::vector<RootFrame> roots(int count, std::uint64_t seed) const;
+
+  double area() const;  // m^2, to a percent
+
+ private:
+  class Areas;
+  const Head& head_;
+  std::shared_ptr<const Areas> areas_;
+};
+
+// Of a scalp that nothing else is asked of.
+inline std::vector<RootFrame> scalp_roots(const Head& head, int count, std::uint64_t seed) {
+  return Scalp(head).roots(count, seed);
+}
 
 }  // namespace hair

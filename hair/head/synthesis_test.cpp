@@ -9,7 +9,8 @@
 namespace reference_tests {
 namespace {
 
-using hair::Plane, hair::Synthesis, hair::SynthesisCounts, hair::SynthesisDescription, hair::SynthesisMode;
+using hair::Parents, hair::Plane, hair::Synthesis, hair::SynthesisCounts, hair::SynthesisDescription,
+    hair::SynthesisMode;
 
 constexpr int kPoints = 12;
 constexpr SynthesisMode kModes[] = {SynthesisMode::interpolate, SynthesisMode::extrapolate,

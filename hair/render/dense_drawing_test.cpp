@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <numbers>
 
+#include "hair/render/idle_guides.h"
 #include "hair/render/scene_drawing.h"
+#include "hair/scene/playback.h"
 
 namespace hair {
 namespace {
@@ -102,6 +104,64 @@ TEST(DenseDrawing, SaysInWhichSceneItIs) {
   scene.dense.clear();
   const std::vector<std::string> others = exercises_of(scene);
   EXPECT_EQ(std::count(others.begin(), others.end(), "H10"), 0);
+}
+
+// A row of tufts' guides on a disc of 40 cm that moves aside and turns a little; the camera sees a part of it.
+Scene wide_tuft(const std::string& hair = "", const std::string& more = "") {
+  return parse_scene(
+      R"({"shows": "a wide tuft", "frames": 8, "frames_per_second": 20, "method": "implicit_euler", "drag": 1e-4,
+    "motions": [{"name": "hand", "keys": [{"time": 0},
+      {"time": 0.3, "position": [0.05, 0, 0], "axis": [0, 1, 0], "degrees": 20}]}],
+    "hair": [{"segments": 4, "length": 0.04, "moves_with": "hand", "start": {"direction": [1, 0, -1]},
+      "roots": {"disc": {"centre": [0, 0, 0], "normal": [0, 0, -1], "radius": 0.4, "count": 200}},
+      "synthesis": {"strands": 2000, "spread": 1.5, "jitter": 0.2, "length": 0.1)" +
+          hair + R"(}}],
+    "render": {"view": [0, -0.1, 1], "look_at": [0.25, 0, 0], "zoom": 7, "shadows": false})" +
+          more + "}",
+      "wide.json");
+}
+
+// Nothing that is drawn changes when the idle guides stand still, in any frame.
+TEST(IdleGuides, NoPictureShowsThem) {
+  for (const char* const mode : {R"(, "mode": "interpolate")", R"(, "mode": "extrapolate")", ""}) {
+    const Scene scene = wide_tuft(mode);
+    Playback all(scene), some(scene);
+    const SceneDrawing drawing(scene, all.strands()), other(scene, some.strands());
+    const std::vector<int> idle = idle_guides(scene, drawing);
+    EXPECT_GT(idle.size(), 20U);
+    EXPECT_LT(idle.size(), 180U);
+    some.leave_out(idle);
+    for (int k = 0; k <= scene.frames; ++k) {
+      const auto drawn = [](const SceneDrawing& by, const Playback& playback) {
+        return by.at(playback.centre_lines(playback.state()), playback.obstacles(), playback.time()).strands;
+      };
+      const StrandsDrawing one = drawn(drawing, all), two = drawn(other, some);
+      ASSERT_EQ(one.sizes, two.sizes) << "frame " << k;
+      ASSERT_EQ(one.points, two.points) << "frame " << k;
+      ASSERT_FALSE(all.advance() || some.advance());
+    }
+    EXPECT_EQ(some.work().strand_steps,
+              all.work().strand_steps / 200 * (200 - static_cast<long>(idle.size())));
+  }
+}
+
+TEST(IdleGuides, AreNoneThatMoveOthersNorHairThatIsDrawnAsItIs) {
+  const Scene linked = wide_tuft("", R"(, "links": {"stiffness": 1e-4})");
+  EXPECT_TRUE(idle_guides(linked, SceneDrawing(linked, {})).empty());
+  Playback playback(linked);
+  playback.leave_out({});
+  EXPECT_THROW(playback.leave_out(std::vector<int>{0}), std::invalid_argument);
+  Scene plain = wide_tuft();
+  plain.dense.clear();
+  EXPECT_TRUE(idle_guides(plain, SceneDrawing(plain, {})).empty());
+}
+
+TEST(IdleGuides, AreThoseThatNoStrandIsMadeOf) {
+  Scene scene = wide_tuft();
+  scene.look->zoom = 0.5;
+  EXPECT_TRUE(idle_guides(scene, SceneDrawing(scene, {})).empty());
+  scene.dense[0].description.children.resize(1);
+  EXPECT_GE(idle_guides(scene, SceneDrawing(scene, {})).size(), 197U);
 }
 
 }  // namespace

@@ -22,6 +22,9 @@ class SceneDrawing {
 
   RenderSettings settings() const;
   const Camera& camera() const { return camera_; }  // placed by scene_bounds.h
+  // The sides of the view through which nothing that is seen can come, nor its shadow.
+  const std::vector<Plane>& view() const { return view_; }
+  const Synthesis& dense(std::size_t group) const { return *dense_.at(group); }  // of the scene's dense hair
 
   // Draws from the positions of all points (strand after strand, then toy after toy) and the obstacles at `time`, s.
   // Throws std::invalid_argument for a state of another size. Not for two threads at a time.

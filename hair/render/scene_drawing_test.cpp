@@ -6,6 +6,7 @@
 
 #include "hair/render/scene_bounds.h"
 #include "hair/strand/make_strand.h"
+#include "hair/strand/tests/placed_ball.h"
 
 namespace hair {
 namespace {
@@ -143,6 +144,26 @@ TEST(SceneDrawing, ClothIsASheetAndNotItsSprings) {
   EXPECT_EQ(drawing.sheets[0].points.size(), 6U);
   EXPECT_EQ(drawing.tubes.size(), 1U) << "the spring that leads away from it";
   EXPECT_EQ(drawing.balls.size(), 1U);
+}
+
+TEST(SceneDrawing, ASolidIsAMeshWhereItIsNowAndInsideTheBounds) {
+  Scene scene = moving_head();
+  scene.hair.obstacles.push_back(placed_ball({3, -2, 0.5}, 0.2));
+  scene.riders[0].obstacles.push_back(1);
+  const Bounds bounds = scene_bounds(scene);
+  for (const Vector3d& at : {Vector3d(3, -2, 0.5), Vector3d(3, -1, 0.5)})
+    for (const int side : {-1, 1}) expect_inside(bounds, at.array() + 0.99 * side * 0.2);
+  std::vector<Obstacle> now = scene.hair.obstacles;
+  auto& placed = std::get<PlacedSolid>(now[1].shape);
+  placed.at += Vector3d(0, 1, 0);
+  placed.rotation = Eigen::AngleAxisd(1, Vector3d::UnitX()) * placed.rotation;
+  const Drawing drawing =
+      SceneDrawing(scene, {4}).at({Eigen::VectorXd::Zero(12), Eigen::VectorXd::Zero(12)}, now, 1);
+  ASSERT_EQ(drawing.meshes.size(), 1U);
+  const PlacedMesh& mesh = drawing.meshes[0];
+  ASSERT_FALSE(mesh.mesh->points.empty());
+  for (const Vector3d& point : mesh.mesh->points)
+    EXPECT_NEAR(surface_at(now[1], mesh.rotation * point + mesh.at).distance, 0, 1e-6);
 }
 
 TEST(SceneDrawing, RefusesAStateOfAnotherSize) {

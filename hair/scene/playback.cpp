@@ -66,6 +66,10 @@ class Playback::Parts {
     trouble_.reset();
   }
 
+  void leave_out(std::span<const int> strands) {
+    if (simulation_) simulation_->leave_out(strands);
+  }
+
   std::optional<std::string> advance() {
     for (int k = 0; k < steps_per_frame_ && !trouble_; ++k) step();
     if (!trouble_) ++frame_;
@@ -205,6 +209,9 @@ Playback::~Playback() = default;
 
 void Playback::restart(const Scene& scene) {
   parts_->restart(scene);
+}
+void Playback::leave_out(std::span<const int> strands) {
+  parts_->leave_out(strands);
 }
 std::optional<std::string> Playback::advance() {
   return parts_->advance();

@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -34,6 +35,9 @@ class Playback {
   // states, root frames, obstacles and steps may differ from the original scene. Work is counted from 0.
   // Throws std::invalid_argument for other particles.
   void restart(const Scene& scene);
+
+  // As Simulation::leave_out: these strands stay where they are.
+  void leave_out(std::span<const int> strands);
 
   // Plays to the next frame. Returns nothing, or the place of a blow-up: "strand 0, step 17: filter". After a
   // blow-up it stays there and returns the same. Passes on exceptions of stubs.

@@ -70,6 +70,7 @@ Simulation::Simulation(Description description) : step_{description.step, descri
   own_.resize(description.jobs);
   for (Thread& own : own_) own.scratch.setZero(rows, columns);
   broke_.resize(bodies_.size());
+  left_out_.resize(bodies_.size());
   threads_ = std::make_unique<StrandThreads>(description.jobs);
   obstacles_ = std::move(description.obstacles);
 }
@@ -80,6 +81,7 @@ std::optional<BlowUp> Simulation::step() {
   for (Obstacle& obstacle : obstacles_) move_obstacle(obstacle, step_.h);
   const BodyStep step{step_.h, step_.tolerance, obstacles_};
   const auto step_strand = [&](int thread, int i) {
+    if (left_out_[i]) return;
     Body& body = *bodies_[i];
     Thread& own = own_[thread];
     broke_[i] = body.step(step, own.scratch.topRows(body.scratch_rows()), own.work);
@@ -92,9 +94,15 @@ std::optional<BlowUp> Simulation::step() {
   for (const Thread& own : own_) work_ += own.work;
   for (int i = 0; i < strands(); ++i) {
     if (broke_[i] && !blow_up_) blow_up_ = {i, steps_, *broke_[i]};
-    if (!broke_[i] && watched_) watch_.see(i, steps_, bodies_[i]->sizes());
+    if (!broke_[i] && watched_ && !left_out_[i]) watch_.see(i, steps_, bodies_[i]->sizes());
   }
   return blow_up_;
+}
+
+void Simulation::leave_out(std::span<const int> strands) {
+  if (joint_ && !strands.empty())
+    throw std::invalid_argument("strands of a control mesh are to be left out; each of them moves the others");
+  for (const int strand : strands) left_out_.at(static_cast<std::size_t>(strand)) = 1;
 }
 
 std::optional<BlowUp> Simulation::advance(long steps) {

@@ -33,6 +33,10 @@ class Simulation {
   // NaN. After a blow-up, later calls do nothing and return the same BlowUp.
   std::optional<BlowUp> step();
 
+  // From now on these strands are not stepped: they stay as they are, and break nothing. Whoever knows that nobody looks at them
+  // calls it. Throws std::invalid_argument if a control mesh couples strands, std::out_of_range for one that is not there.
+  void leave_out(std::span<const int> strands);
+
   // Makes `steps` steps, or fewer if a strand breaks.
   std::optional<BlowUp> advance(long steps);
 
@@ -79,6 +83,7 @@ class Simulation {
     double h, tolerance;
   } step_;
   bool watched_;
+  std::vector<char> left_out_;  // of each strand
   struct Thread {
     Eigen::MatrixXd scratch;  // shared by the strands that it steps, one after the other
     Work work;

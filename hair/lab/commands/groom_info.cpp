@@ -70,6 +70,13 @@ std::string of_unit(const GroomMeasures& measures) {
   return "about " + length + ", if the roots span a scalp of 20 cm";
 }
 
+std::string of_sphere(const std::optional<RootSphere>& sphere) {
+  if (!sphere) return "none: they are few, or on a plane";
+  const Vector3d& at = sphere->centre;
+  return "centre (" + four_digits(at.x()) + ", " + four_digits(at.y()) + ", " + four_digits(at.z()) +
+         "), radius " + four_digits(sphere->radius);
+}
+
 std::string spread_json(const Spread& spread) {
   return json_object({{"min", json_text(spread.min)},
                       {"median", json_text(spread.median)},
@@ -85,6 +92,11 @@ std::string vector_json(const auto& numbers) {
 
 std::string box_json(const GroomBox& box) {
   return json_object({{"low", vector_json(box.low)}, {"high", vector_json(box.high)}});
+}
+
+std::string sphere_json(const std::optional<RootSphere>& sphere) {
+  if (!sphere) return "null";
+  return json_object({{"centre", vector_json(sphere->centre)}, {"radius", json_text(sphere->radius)}});
 }
 
 std::string odd_json(const std::vector<Oddity>& odd) {
@@ -136,6 +148,7 @@ std::string groom_info(const std::string& name, const Groom& groom, const GroomM
   text += row("bend, degrees", measures.bend) + "\n";
   text += line_of("box", of_box(measures.box));
   text += line_of("box of the roots", of_box(measures.roots));
+  text += line_of("sphere of the roots", of_sphere(measures.root_sphere));
   text += line_of("unit", of_unit(measures));
   text += line_of("look", of_look(groom.look));
   if (const std::string info = info_of(groom.look); !info.empty())
@@ -160,6 +173,7 @@ std::string groom_info_json(const std::string& name, const Groom& groom, const G
                       {"bend", spread_json(measures.bend)},
                       {"box", box_json(measures.box)},
                       {"roots", box_json(measures.roots)},
+                      {"root_sphere", sphere_json(measures.root_sphere)},
                       {"unit_guess", measures.unit_guess > 0 ? json_text(measures.unit_guess) : "null"},
                       {"look", look_json(groom.look)},
                       {"odd", odd_json(measures.odd)}}) +

@@ -8,6 +8,8 @@
 #include "hair/lab/run/film.h"
 #include "hair/lab/run/run_record.h"
 #include "hair/mass_spring/force_parts.h"
+#include "hair/render/idle_guides.h"
+#include "solver/not_implemented.h"
 
 namespace hair {
 
@@ -125,6 +127,16 @@ void explain_surroundings(const Scene& scene, Parts& parts) {
             hair.wind == none ? "the air is at rest" : "without drag it moves nothing");
 }
 
+// How many guides are not simulated, if the exercise that finds it is written.
+std::string guides_left_out(const Scene& scene) {
+  try {
+    const std::size_t idle = idle_guides(scene, SceneDrawing(scene, {})).size();
+    return idle > 0 ? counted(idle, "guide") + " that no picture shows" : "";
+  } catch (const NotImplemented&) {
+    return "";
+  }
+}
+
 void explain_dense_hair(const Scene& scene, bool render, Parts& parts) {
   std::size_t strands = 0, guides = 0;
   for (const DenseHair& dense : scene.dense) {
@@ -135,6 +147,14 @@ void explain_dense_hair(const Scene& scene, bool render, Parts& parts) {
       "dense hair", strands > 0 && render,
       "H10, " + counted(strands, "strand") + " of " + counted(guides, "guide") + ", less those out of view",
       strands > 0 ? "--no-render" : "strands are drawn as they are");
+  const bool drawn = strands > 0 && render;
+  const std::string idle = drawn ? guides_left_out(scene) : "";
+  // Its part is the work that they would be.
+  parts.add("unseen guides", drawn && idle.empty(),
+            "none: all are simulated, for pictures may show each, or links couple them",
+            drawn                 ? idle + " are not simulated"
+            : scene.dense.empty() ? "no strand is a guide"
+                                  : "--no-render: states are asked for, and all guides are simulated");
 }
 
 void explain_exercises(const Scene& scene, Parts& parts) {

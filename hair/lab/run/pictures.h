@@ -16,6 +16,7 @@ class Pictures {
 
   Image draw(const particles::State& state, const std::vector<Obstacle>& obstacles, double time);
 
+  const SceneDrawing& drawing() const { return drawing_; }
   const SynthesisCounts& synthesised() const { return drawing_.synthesised(); }  // in the last picture
   const RenderTimes& times() const { return renderer_.times(); }
   std::string about() const { return renderer_.about(); }

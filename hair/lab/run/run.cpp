@@ -10,6 +10,7 @@
 #include "hair/lab/run/pictures.h"
 #include "hair/lab/run/states_csv.h"
 #include "hair/lab/run/states_file.h"
+#include "hair/render/idle_guides.h"
 #include "hair/scene/playback.h"
 #include "solver/timing.h"
 
@@ -132,6 +133,11 @@ RunResult run_scene(const Scene& scene, const RunSettings& settings, const std::
   record.strands = playback->strands();
   record.particles = static_cast<int>(playback->centre_lines(playback->state()).x.size() / 3);
   const auto pictures = prepare_pictures(scene, settings, record, notes);
+  if (pictures && !scene.dense.empty()) {
+    const std::vector<int> idle = idle_guides(scene, pictures->drawing());
+    record.guides_left_out = idle.size();
+    playback->leave_out(idle);
+  }
   FrameWriter frames(scene, folder, *playback, pictures.get(), record);
   play(*playback, frames, record, interrupted, progress);
   frames.close();

@@ -82,11 +82,12 @@ std::string text_or_null(const std::string& text) {
   return text.empty() ? "null" : json_text(text);
 }
 
-std::string text_of(const SynthesisCounts& counts) {
+std::string text_of(const SynthesisCounts& counts, std::size_t guides_left_out) {
   return "{\"strands\": " + json_text(counts.children) +
          ", \"out_of_view\": " + json_text(counts.children_out_of_view) +
          ", \"guides\": " + json_text(counts.guides_used) +
-         ", \"guides_idle\": " + json_text(counts.guides_idle) + "}";
+         ", \"guides_idle\": " + json_text(counts.guides_idle) +
+         ", \"guides_left_out\": " + json_text(static_cast<long>(guides_left_out)) + "}";
 }
 
 }  // namespace
@@ -126,7 +127,7 @@ std::string run_json(const Scene& scene, const RunRecord& record) {
       {"no_pictures", json_text(record.no_pictures)},
       {"no_film", json_text(record.no_film)},
       {"opengl", text_or_null(record.opengl)},
-      {"dense_hair", record.dense ? text_of(*record.dense) : "null"},
+      {"dense_hair", record.dense ? text_of(*record.dense, record.guides_left_out) : "null"},
       {"work", text_of(record.frames.empty() ? Work{} : record.frames.back().work)},
       {"warnings", text_of(record.warnings)},
   };

@@ -39,6 +39,7 @@ struct RunRecord {
   std::optional<std::string> no_pictures, no_film;
   std::string opengl;                    // the renderer's name
   std::optional<SynthesisCounts> dense;  // of the last picture's dense hair; none without any
+  std::size_t guides_left_out = 0;       // guides that were not simulated, since no picture shows them
 
   Seconds seconds;
 };

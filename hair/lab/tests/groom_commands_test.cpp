@@ -61,8 +61,8 @@ TEST_F(GroomCommands, InfoAsJsonHasTheSame) {
   EXPECT_EQ(json.at("odd").at(0).at("first_strand"), 0);
   EXPECT_EQ(json.at("curvature").at("max"), 0);
   const std::vector<std::string> keys = {
-      "file", "strands", "points",     "points_of_strand", "length", "segment", "bend",
-      "box",  "roots",   "unit_guess", "curvature",        "look",   "odd"};
+      "file",        "strands", "points", "points_of_strand", "length",    "segment", "bend",
+      "root_sphere", "box",     "roots",  "unit_guess",       "curvature", "look",    "odd"};
   EXPECT_EQ(json.size(), keys.size());
   const std::string documented = read_bytes(std::string(HAIR_PROJECT) + "/hair/lab/README.md");
   for (const std::string& key : keys) {

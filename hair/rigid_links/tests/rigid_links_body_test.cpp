@@ -10,6 +10,7 @@
 #include "hair/lab/validate/elastica.h"
 #include "hair/strand/centre_line.h"
 #include "hair/strand/tests/bodies.h"
+#include "hair/strand/tests/placed_ball.h"
 #include "solver/tests/allocations.h"
 
 namespace hair {
@@ -329,8 +330,11 @@ void advance_among(const std::vector<Obstacle>& obstacles, Body& body, double h,
 
 // A hair that falls on a ball and slides off, at a sixtieth of a second; then it hangs beside it.
 TEST(RigidLinksBody, StaysOutOfABall) {
-  for (const double friction : {0.0, 0.5}) {
-    const std::vector<Obstacle> ball = {{Sphere{Vector3d(0.05, 0, -0.05), 0.03}, friction}};
+  const Vector3d middle(0.05, 0, -0.05);
+  for (const Obstacle& one : {Obstacle{Sphere{middle, 0.03}}, Obstacle{Sphere{middle, 0.03}, 0.5},
+                              placed_ball(middle, 0.03, 0.5)}) {
+    const std::vector<Obstacle> ball = {one};
+    const double friction = one.friction;
     StrandSpec spec = straight_hair(30, 0.15);
     spec.clamped = false;
     spec.start = {true, Vector3d(1, 0, 0)};

@@ -93,6 +93,34 @@ void check_one_model(const JsonValue& object, const Description& hair) {
     object.fail("all hair of a scene has the same model; write the same \"model\" in each group");
 }
 
+// A group that has "roots".
+void read_rooted(const JsonValue& object, Reading& reading) {
+  const Group group = read_group(object);
+  const auto expect = [&](const JsonValue& where, long count) {
+    reading.expect(where, count, group.model->points(group.spec));
+  };
+  Description& hair = reading.scene.hair;
+  Rider* const rider = reading.rider(object);
+  Variation variation(group.spread.seed);
+  const std::vector<RootFrame> roots = read_roots(object["roots"], expect);
+  for (const RootFrame& frame : roots) {
+    if (rider) rider->strands.push_back(static_cast<int>(hair.strands.size() + hair.modelled.size()));
+    try {
+      add_strand(*group.model, group.make(frame, variation), hair);
+    } catch (const std::invalid_argument& error) {
+      object.fail(error.what());
+    }
+  }
+  GroupRoots& read = reading.groups.back();
+  read.points = static_cast<int>(group.model->points(group.spec));
+  read.rider = rider;
+  const bool listed = object["roots"].has("list");
+  if (listed) read.listed = roots;
+  if (object.has("synthesis"))
+    read_synthesis(object, listed ? GroupScalp() : scalp_of(object["roots"], static_cast<int>(roots.size())),
+                   reading);
+}
+
 }  // namespace
 
 const ModelRow* read_model(const JsonValue& group) {
@@ -112,34 +140,15 @@ void add_strand(const ModelRow& model, const StrandSpec& spec, Description& hair
 }
 
 void read_hair(const JsonValue& list, Reading& reading) {
+  Description& hair = reading.scene.hair;
   for (const JsonValue& object : list.items()) {
-    reading.rows.push_back(static_cast<int>(reading.scene.hair.strands.size()));
-    if (object.has("groom")) {
+    reading.rows.push_back(static_cast<int>(hair.strands.size()));
+    reading.groups.push_back({static_cast<int>(hair.strands.size() + hair.modelled.size()), 0, nullptr, {}});
+    if (object.has("groom"))
       read_groom(object, reading);
-      check_one_model(object, reading.scene.hair);
-      continue;
-    }
-    const Group group = read_group(object);
-    const auto expect = [&](const JsonValue& where, long count) {
-      reading.expect(where, count, group.model->points(group.spec));
-    };
-    Description& hair = reading.scene.hair;
-    Rider* const rider = reading.rider(object);
-    Variation variation(group.spread.seed);
-    const auto first = static_cast<int>(hair.strands.size() + hair.modelled.size());
-    for (const RootFrame& frame : read_roots(object["roots"], expect)) {
-      if (rider) rider->strands.push_back(static_cast<int>(hair.strands.size() + hair.modelled.size()));
-      try {
-        add_strand(*group.model, group.make(frame, variation), hair);
-      } catch (const std::invalid_argument& error) {
-        object.fail(error.what());
-      }
-    }
+    else
+      read_rooted(object, reading);
     check_one_model(object, hair);
-    if (object.has("synthesis")) {
-      const auto count = static_cast<int>(hair.strands.size() + hair.modelled.size()) - first;
-      read_synthesis(object, first, count, static_cast<int>(group.model->points(group.spec)), reading);
-    }
   }
 }
 

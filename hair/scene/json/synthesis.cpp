@@ -1,9 +1,8 @@
-#include <numbers>
-#include <string_view>
+#include <algorithm>
+#include <string>
 
 #include "hair/scene/json/parts.h"
 #include "hair/scene/json/values.h"
-#include "hair/scene/roots.h"
 
 namespace hair::json {
 
@@ -11,58 +10,64 @@ namespace {
 
 constexpr long kMostDense = 1'000'000, kMostDensePoints = 50'000'000;
 
-// `count` roots on the line, disc or cap that a group's "roots" say, with the scalp's normals for axes. read_roots has
-// checked what is read here.
-std::vector<RootFrame> roots_of_scalp(const JsonValue& roots, int count) {
-  std::vector<RootFrame> found;
-  const auto add = [&](const std::vector<Vector3d>& points, const Vector3d& normal) {
-    for (const Vector3d& point : points) found.push_back({point, normal, side_of(normal)});
-  };
-  if (roots.has("line")) {
-    const JsonValue line = roots["line"];
-    const Vector3d way = line.has("direction") ? direction(line["direction"]) : Vector3d(0, 0, -1);
-    add(points_on_line(vector(line["from"], kFar), vector(line["to"], kFar), count), way);
-  } else if (roots.has("disc")) {
-    const JsonValue disc = roots["disc"];
-    const Vector3d normal = direction(disc["normal"]);
-    add(points_on_disc(vector(disc["centre"], kFar), normal, length(disc["radius"]), count), normal);
-  } else if (roots.has("cap")) {
-    const JsonValue cap = roots["cap"];
-    const Vector3d centre = vector(cap["centre"], kFar),
-                   axis = cap.has("axis") ? direction(cap["axis"]) : Vector3d(0, 0, 1);
-    const double radius = length(cap["radius"]),
-                 angle = number_or(cap, "degrees", 90, 0.1, 180) * std::numbers::pi / 180;
-    for (const Vector3d& normal : directions_in_cap(axis, angle, count))
-      add({centre + radius * normal}, normal);
+// Of the last group, and of the rows before it that its guides stand in, too.
+std::size_t first_row(const JsonValue& object, const Reading& reading) {
+  const std::vector<GroupRoots>& groups = reading.groups;
+  if (!object.has("rows")) return groups.size() - 1;
+  const JsonValue rows = object["rows"];
+  const auto count = static_cast<std::size_t>(rows.whole_number(1, 1000));
+  if (count > groups.size())
+    rows.fail("is more than the groups that are there; there are " + std::to_string(groups.size()));
+  const GroupRoots& last = groups.back();
+  for (std::size_t i = groups.size() - count; i < groups.size(); ++i) {
+    const std::string which = "hair[" + std::to_string(i) + "] ";
+    if (groups[i].listed.empty()) rows.fail(which + "is no list of roots; all rows are lists");
+    if (groups[i].dense)
+      rows.fail(which + "has dense hair of its own; give one row the \"synthesis\" of all");
+    if (groups[i].points != last.points)
+      rows.fail(which + "has strands of " + std::to_string(groups[i].points) + " points, and this group of " +
+                std::to_string(last.points) + "; give them as many");
+    if (groups[i].rider != last.rider)
+      rows.fail(which + "does not move with what this group moves with; write the same \"moves_with\"");
   }
-  return found;
+  return groups.size() - count;
 }
 
 }  // namespace
 
-void read_synthesis(const JsonValue& group, int first, int count, int points, Reading& reading) {
+void read_synthesis(const JsonValue& group, GroupScalp scalp, Reading& reading) {
   const JsonValue object = group["synthesis"];
-  object.check_keys({"strands"}, {"mode", "spread", "jitter", "length", "seed"});
-  const JsonValue roots = group["roots"];
-  if (roots.has("list")) roots.fail("a list has no place for more roots; write a line, disc or cap");
+  object.check_keys({"strands"}, {"mode", "spread", "jitter", "length", "seed", "rows"});
+  const std::size_t row = first_row(object, reading);
+  std::vector<GroupRoots>& groups = reading.groups;
+  if (!groups.back().listed.empty()) {
+    std::vector<RootFrame> roots;
+    for (std::size_t i = row; i < groups.size(); ++i)
+      roots.insert(roots.end(), groups[i].listed.begin(), groups[i].listed.end());
+    scalp = scalp_of(roots);
+  }
   const auto strands = static_cast<int>(object["strands"].whole_number(1, kMostDense));
-  reading.dense_points += static_cast<long>(strands) * points;
+  reading.dense_points += static_cast<long>(strands) * groups.back().points;
   if (reading.dense_points > kMostDensePoints)
     object["strands"].fail("makes " + std::to_string(reading.dense_points) +
                            " points in all; a scene draws at most " + std::to_string(kMostDensePoints));
 
-  DenseHair dense{first, {}, {}};
+  DenseHair dense{groups[row].first, {}, {}};
   SynthesisDescription& made = dense.description;
-  made.guides = roots_of_scalp(roots, count);
-  made.children = roots_of_scalp(roots, strands);
-  made.points = points;
+  made.points = groups.back().points;
   if (object.has("mode"))
     made.mode = static_cast<SynthesisMode>(object["mode"].word({"interpolate", "extrapolate", "blend"}));
   made.spread = number_or(object, "spread", made.spread, 0, 100);
   made.jitter = number_or(object, "jitter", made.jitter, 0, 1);
   made.length = number_or(object, "length", made.length, 0, 0.9);
   if (object.has("seed")) made.seed = static_cast<std::uint64_t>(object["seed"].whole_number(0, 1L << 53));
-  if (const Rider* const rider = reading.rider(group)) dense.motion = rider->motion;
+  made.guides = std::move(scalp.guides);
+  made.children = scalp.more(strands, made.seed);
+  if (made.children.empty())
+    object.fail(
+        "the roots are on a line, and have no room for more between them; give three at least that are not");
+  if (groups.back().rider) dense.motion = groups.back().rider->motion;
+  for (std::size_t i = row; i < groups.size(); ++i) groups[i].dense = true;
   reading.scene.dense.push_back(std::move(dense));
 }
 

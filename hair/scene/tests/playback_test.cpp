@@ -203,6 +203,30 @@ TEST(Playback, RidersAreWhereTheirMotionSaysAfterEveryFrame) {
               1e-15);  // turned by 90 degrees
 }
 
+// A root that moves with a bust stays where it is on it, and the bust's pose is its motion's.
+TEST(Playback, ABustMovesAndTurnsWithTheRootsOnIt) {
+  const Scene scene = scene_of(R"("hair": [{"segments": 2, "length": 0.02, "moves_with": "head",
+      "roots": {"bust": {"count": 5, "at": [0.1, 0.2, 0.3]}}}],
+    "obstacles": [{"bust": {"at": [0.1, 0.2, 0.3]}, "friction": 0.3, "moves_with": "head"}],
+    "motions": [{"name": "head", "keys": [{"time": 0, "position": [0, 0, 0.3]},
+      {"time": 0.04, "position": [0.2, 0, 0.3], "axis": [1, 1, 0], "degrees": 60}]}])",
+                               R"("method": "implicit_euler", )");
+  Playback playback(scene);
+  for (int k = 1; k <= scene.frames; ++k) {
+    ASSERT_FALSE(playback.advance());
+    const hair::Obstacle& bust = playback.obstacles()[0];
+    const auto& placed = std::get<hair::PlacedSolid>(bust.shape);
+    const hair::Way way = way_at(scene.riders[0].motion, k / 60.0);
+    // Each step turns it by an exponential of its own: rounding of some steps.
+    EXPECT_LE((placed.at - way({0.1, 0.2, 0.3})).norm(), 1e-14);
+    EXPECT_LE(placed.rotation.angularDistance(way.rotation), 1e-12);
+    const particles::State state = playback.state();
+    // The distance is right to rounding where it is 0: what is on the bust stays on it.
+    for (int i = 0; i < 5; ++i)
+      EXPECT_NEAR(surface_at(bust, state.x.segment<3>(9 * i)).distance, 0, 1e-12) << i;
+  }
+}
+
 // Hair that turns with its roots, without anything else that moves it, stays as it is.
 TEST(Playback, ClampedRootsTurnWithTheirMotion) {
   const std::string motion = R"({"time": 0}, {"time": 0.1, "axis": [0, 1, 0], "degrees": 90})";

@@ -5,6 +5,7 @@
 
 #include "hair/io/files/bad_input.h"
 #include "reading.h"
+#include "solver/course.h"
 
 namespace reference_tests {
 namespace {
@@ -178,6 +179,32 @@ TEST(BadScene, HairThatCantBeLinkedSaysWhy) {
                           "hair": [{"segments": 2, "length": 0.1, "roots": {"list": [{"position": [0, 0, 0]}]}}],
                           "links": {"stiffness": 1}})"),
             "a.json: links: no hair has a neighbour; give a group with two roots or more");
+}
+
+TEST(BadScene, DenseHairNeedsRootsWithRoomBetweenThem) {
+  const auto said = [](const std::string& roots, const std::string& more = "") {
+    const std::string message = complaint(R"({"shows": "x", "frames": 1, "render": {}, "hair": [
+          {"segments": 2, "length": 0.1, "roots": {"list": [{"position": [0, 0, 0]}]}},
+          {"segments": 1, "length": 0.1, "roots": {"list": [)" +
+                                          roots + R"(]}, "synthesis": {"strands": 9)" + more + "}}]}");
+    return message.substr(message.find("hair"));
+  };
+  const std::string two = R"({"position": [0, 0, 0]}, {"position": [1, 0, 0]})";
+  EXPECT_EQ(said(two),
+            "hair[1].synthesis: the roots are on a line, and have no room for more between them; give three "
+            "at least that are not");
+  if (!hair::in_course("H10")) return;
+  const std::string three = two + R"(, {"position": [0, 1, 0]})";
+  EXPECT_EQ(
+      complaint(
+          R"({"shows": "x", "frames": 1, "render": {}, "hair": [{"segments": 1, "length": 0.1, "roots": {"list": [)" +
+          three + R"(]}, "synthesis": {"strands": 9}}]})"),
+      "");
+  EXPECT_EQ(
+      said(three, R"(, "rows": 2)"),
+      "hair[1].synthesis.rows: hair[0] has strands of 3 points, and this group of 2; give them as many");
+  EXPECT_EQ(said(three, R"(, "rows": 3)"),
+            "hair[1].synthesis.rows: is more than the groups that are there; there are 2");
 }
 
 TEST(BadScene, OneThatHasNothingToMoveSaysSo) {

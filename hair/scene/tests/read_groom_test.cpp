@@ -11,6 +11,7 @@
 #include "hair/io/files/bad_input.h"
 #include "hair/scene/playback.h"
 #include "hair/simulation/models.h"
+#include "solver/course.h"
 
 namespace reference_tests {
 namespace {
@@ -146,6 +147,96 @@ TEST(GroomScene, BaldRootsAreLeftOutAndCounted) {
   EXPECT_EQ(scene.bald_roots, 2);
   EXPECT_EQ(folder.complaint(folder.scene(R"("file": "a.data", "scale": 1, "every": 2)")),
             "hair[0].groom.file: all strands that are taken are bald roots, of a single point");
+}
+
+// A lattice of upright hairs of three points on a plane, 1 apart.
+hair::Groom lattice(int side) {
+  hair::Groom groom;
+  for (int i = 0; i < side; ++i)
+    for (int k = 0; k < side; ++k)
+      groom.strands.push_back((Eigen::VectorXd(9) << i, k, 0, i, k, 1, i, k, 2).finished());
+  return groom;
+}
+
+TEST(GroomScene, TakesStrandsThatAreWellSpreadWithThePointsThatItAsksFor) {
+  const Folder folder;
+  hair::write_groom(lattice(9), folder.write("a.hair", ""));
+  const hair::Scene scene =
+      hair::read_scene(folder.scene(R"("file": "a.hair", "scale": 0.01, "strands": 20, "points": 5)"));
+  ASSERT_EQ(scene.hair.strands.size(), 20U);
+  for (const hair::StrandStart& one : scene.hair.strands) {
+    EXPECT_EQ(one.strand.count(), 5);
+    EXPECT_NEAR(one.strand.rest_length.sum(), 0.02, 1e-15);
+    for (const hair::StrandStart& other : scene.hair.strands)
+      if (&one != &other) {
+        EXPECT_GE((one.state.x.head<3>() - other.state.x.head<3>()).norm(), 0.0099);
+      }
+  }
+}
+
+TEST(GroomScene, GuidesOfAGroomAreDrawnAsDenseHair) {
+  if (!hair::in_course("H10")) GTEST_SKIP() << "the course has no dense hair";
+  const Folder folder;
+  hair::write_groom(lattice(9), folder.write("a.hair", ""));
+  const hair::Scene scene = hair::read_scene(folder.write(
+      "b.json", R"({"shows": "dense", "frames": 1, "method": "implicit_euler", "render": {}, "hair": [
+    {"segments": 1, "length": 0.1, "roots": {"list": [{"position": [0, 0, 0]}]}},
+    {"groom": {"file": "a.hair", "scale": 0.01, "strands": 20, "points": 5},
+     "synthesis": {"strands": 500}}]})"));
+  ASSERT_EQ(scene.dense.size(), 1U);
+  const hair::DenseHair& dense = scene.dense[0];
+  EXPECT_EQ(dense.first, 1);
+  EXPECT_EQ(dense.description.points, 5);
+  ASSERT_EQ(dense.description.guides.size(), 20U);
+  for (std::size_t i = 0; i < 20; ++i) {
+    EXPECT_EQ(dense.description.guides[i].position, scene.hair.strands[i + 1].state.x.head<3>());
+    EXPECT_LE((dense.description.guides[i].axis - Eigen::Vector3d::UnitZ()).norm(), 1e-12);
+  }
+  // They grow on the groom's scalp, also beyond the guides.
+  ASSERT_EQ(dense.description.children.size(), 500U);
+  for (const hair::RootFrame& child : dense.description.children) {
+    EXPECT_NEAR(child.position.z(), 0, 1e-12);
+    EXPECT_TRUE((child.position.head<2>().array() >= 0).all() &&
+                (child.position.head<2>().array() <= 0.08).all());
+  }
+}
+
+TEST(GroomScene, GuidesWithOtherNumbersOfPointsAreRefused) {
+  const Folder folder;
+  hair::Groom groom = lattice(2);
+  groom.strands[2].conservativeResize(6);
+  hair::write_groom(groom, folder.write("a.hair", ""));
+  const auto said = [&](const std::string& more) {
+    return folder.complaint(
+        folder.scene(R"("file": "a.hair", "scale": 0.01)" + more, R"(, "synthesis": {"strands": 5})"));
+  };
+  EXPECT_EQ(
+      said(""),
+      "hair[0].groom: strand 2 of the groom: has 2 points, and the first strand 3; guides have as many, so "
+      "give \"points\"");
+}
+
+TEST(GroomScene, HairThatGrowsOnABustStaysWhereItIsButForItsWeight) {
+  const Folder folder;
+  const hair::Scene scene = hair::read_scene(folder.write("b.json", R"({"shows": "grown", "frames": 1,
+    "method": "implicit_euler", "gravity": [0, 0, 0],
+    "hair": [{"groom": {"style": "long-smooth", "strands": 30, "points": 16, "at": [1, 2, 3]}}],
+    "obstacles": [{"bust": {"at": [1, 2, 3]}}]})"));
+  ASSERT_EQ(scene.hair.strands.size(), 30U);
+  for (const hair::StrandStart& start : scene.hair.strands)
+    for (Eigen::Index k = 3; k < start.state.x.size(); k += 3)
+      EXPECT_GT(hair::surface_at(scene.hair.obstacles[0], start.state.x.segment<3>(k)).distance, 0);
+  hair::Playback playback(scene);
+  const particles::State before = playback.state();
+  EXPECT_FALSE(playback.advance());
+  // Rounding of a metre, over a step squared and a mass: far below a micrometre.
+  EXPECT_LT((playback.state().x - before.x).cwiseAbs().maxCoeff(), 1e-7);
+}
+
+TEST(GroomScene, AStyleThatNeedsMorePointsSaysSo) {
+  const Folder folder;
+  EXPECT_EQ(folder.complaint(folder.scene(R"("style": "long-smooth", "strands": 3, "points": 4)")),
+            "hair[0].groom: strands of 4 points; long-smooth has 8 at least, to follow its shape");
 }
 
 TEST(GroomScene, ARealGroomMovesLikeHair) {

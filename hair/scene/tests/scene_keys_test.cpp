@@ -90,6 +90,7 @@ class Asked {
     if (!value.is_object()) return;
     std::string section = path.empty() ? "The scene" : path;
     if (value.contains("groom")) section += " with a groom";
+    if (value.contains("style")) section += " that grows";
     if (value.contains("cloth")) section += " with a cloth";
     Bounds& known = sections_[section];
     for (const std::string& key : split(after(said_with(place / "?", 0), ": "), ", ")) known.emplace(key, "");
@@ -116,9 +117,13 @@ std::map<std::string, Bounds> read() {
   for (const char* section : {"links", "links.strips"}) sections[section] = linked.sections().at(section);
   const Asked groom(
       R"({"shows": "a groom", "frames": 1, "hair": [{"groom": {"file": "a", "scale": 1, "every": 1,
-    "move": [0, 0, 0]}, "model": "mass_spring", "clamped": true, "root_velocity": [0, 0, 0]}]})");
+    "strands": 1, "points": 2, "move": [0, 0, 0]}, "model": "mass_spring", "clamped": true, "root_velocity": [0, 0, 0]}]})");
   for (const char* section : {"hair[] with a groom", "hair[].groom"})
     sections[section] = groom.sections().at(section);
+  const Asked grown(
+      R"({"shows": "hair that grows", "frames": 1, "hair": [{"groom": {"style": "wavy", "strands": 1,
+    "points": 60, "length": 0.2, "head": "bust", "at": [0, 0, 0], "seed": 1}}]})");
+  sections["hair[].groom that grows"] = grown.sections().at("hair[].groom that grows");
   const Asked bust(R"({"shows": "a bust", "frames": 1, "hair": [{"segments": 1, "length": 0.1,
     "roots": {"bust": {"count": 1, "at": [0, 0, 0], "lift": 0.3, "seed": 1}}}],
     "obstacles": [{"bust": {"at": [0, 0, 0]}}]})");

@@ -11,6 +11,7 @@
 #include "hair/simulation/models.h"
 #include "hair/strand/centre_line.h"
 #include "hair/strand/tests/bodies.h"
+#include "hair/strand/tests/placed_ball.h"
 #include "hair/strand/turns.h"
 #include "solver/tests/allocations.h"
 
@@ -181,8 +182,11 @@ TEST(SuperHelixBody, ImplicitStepsFeelPointForces) {
 
 // A hair that falls on a ball rests on it or hangs beside it, at a sixtieth of a second.
 TEST(SuperHelixBody, StaysOutOfABall) {
-  for (const double friction : {0.0, 0.5}) {
-    const std::vector<Obstacle> ball = {{Sphere{Vector3d(0.06, 0, -0.04), 0.03}, friction}};
+  const Vector3d middle(0.06, 0, -0.04);
+  for (const Obstacle& one : {Obstacle{Sphere{middle, 0.03}}, Obstacle{Sphere{middle, 0.03}, 0.5},
+                              placed_ball(middle, 0.03, 0.5)}) {
+    const std::vector<Obstacle> ball = {one};
+    const double friction = one.friction;
     StrandSpec spec = straight_hair(10, 0.15);
     spec.root.axis = Vector3d(1, 0, 0);
     spec.root.side = Vector3d(0, 0, 1);
@@ -191,7 +195,7 @@ TEST(SuperHelixBody, StaysOutOfABall) {
     const VectorXd x = Line(*strand).x;
     double nearest = 1;
     for (int i = 0; i < strand->points(); ++i)
-      nearest = std::min(nearest, (x.segment<3>(3 * i) - Vector3d(0.06, 0, -0.04)).norm() - 0.03);
+      nearest = std::min(nearest, (x.segment<3>(3 * i) - middle).norm() - 0.03);
     EXPECT_GE(nearest, -kRestingDepth) << friction;
     EXPECT_LE(nearest, 1e-4) << "it does not touch";
   }

@@ -1,0 +1,25 @@
+// Where a group's strands grow, as dense hair needs it: the scalp at their roots, and more roots on it.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "hair/io/files/strict_json.h"
+#include "hair/strand/rest_shape.h"
+
+namespace hair::json {
+
+struct GroupScalp {
+  std::vector<RootFrame> guides;  // of each of the group's strands; axis: the scalp's normal
+  // Evenly over the scalp; none if it has no area.
+  std::function<std::vector<RootFrame>(int count, std::uint64_t seed)> more;
+};
+
+// The scalp that a group's "roots" say, which read_roots has checked: a line, a disc, a cap or a bust, with `count` guides.
+GroupScalp scalp_of(const JsonValue& roots, int count);
+
+// That of roots on a surface which nothing else tells. axis: how hair leaves its root.
+GroupScalp scalp_of(const std::vector<RootFrame>& roots);
+
+}  // namespace hair::json
