@@ -198,8 +198,11 @@ void outline_strand(Outline& outline, const Description& hair, const StrandStart
   const Vector3d root = carry(Vector3d(start.state.x.head<3>()));
   for (int i = 0; i < start.strand.count(); ++i)
     outline.push_back(above(hair.obstacles, carry(Vector3d(start.state.x.segment<3>(3 * i)))));
+  const double reach = reach_of(start);
+  if (hair.drag > 0 && hair.wind.norm() > 0)
+    outline.push_back(above(hair.obstacles, root + reach * hair.wind.stableNormalized()));
   if (hair.gravity.norm() > 0)
-    outline.push_back(above(hair.obstacles, root + reach_of(start) * hair.gravity.stableNormalized()));
+    outline.push_back(above(hair.obstacles, root + reach * hair.gravity.stableNormalized()));
 }
 
 template <class Carry>
