@@ -31,6 +31,10 @@ struct SynthesisDescription {
   double jitter = 0;  // a child's own spread is the spread times 1 - jitter to 1 + jitter
   double length = 0;  // a child's size is 1 - length to 1 + length times that of what its guides make
   std::uint64_t seed = 0;
+  // Locks beside the guides' own: about so many strands grow towards a common one of them. 0: none.
+  int clump = 0;
+  double gathered = 0;   // how much of the way to it a tip is
+  double fly_aways = 0;  // this part of the strands stands out from the others, and is in no clump
 };
 
 // Where the scalp is now: it has turned as a whole since the start. Where its roots are, the guides say.

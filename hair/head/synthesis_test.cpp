@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 #include "hair/head/test_guides.h"
 #include "solver/tests/allocations.h"
 
@@ -131,12 +135,59 @@ TEST(Synthesis, AFrameAllocatesNothing) {
   }
 }
 
+// Strands of a clump end nearer to each other than they begin; a tip goes the part `gathered` of the way to a common one, where
+// guides are straight and parallel.
+TEST(Synthesis, ClumpsGatherTips) {
+  SynthesisDescription description{
+      .guides = roots_on_disc(80, 0.1), .children = roots_on_disc(1000, 0.08), .points = kPoints};
+  VectorXd guides(3 * kPoints * 80);
+  for (int guide = 0; guide < 80; ++guide)
+    for (int i = 0; i < kPoints; ++i)
+      guides.segment<3>(3 * (kPoints * guide + i)) =
+          description.guides[guide].position + Vector3d(0, 0, 0.01 * i);
+  Synthesis loose(description);
+  const std::vector<double> before = make_all(loose, guides);
+  description.clump = 25;
+  description.gathered = 1;
+  Synthesis clumped(description);
+  const std::vector<double> after = make_all(clumped, guides);
+  std::vector<std::array<double, 2>> tips;
+  for (std::size_t child = 0; child < 1000; ++child) {
+    EXPECT_EQ(point_of(after, child * kPoints), point_of(before, child * kPoints)) << "roots stay";
+    const Vector3d tip = point_of(after, child * kPoints + kPoints - 1);
+    tips.push_back({std::round(1e9 * tip[0]), std::round(1e9 * tip[1])});
+  }
+  std::sort(tips.begin(), tips.end());
+  const auto places = std::unique(tips.begin(), tips.end()) - tips.begin();
+  // As many as chance makes: 40, and 6 times the square root of that beside it.
+  EXPECT_NEAR(static_cast<double>(places), 40, 38);
+}
+
+// About the part of the strands that is asked for goes its own way, and no others.
+TEST(Synthesis, FlyAwaysAreFew) {
+  SynthesisDescription description = head(SynthesisMode::blend);
+  const VectorXd guides = head_guides(description);
+  Synthesis none(description);
+  description.fly_aways = 0.1;
+  Synthesis some(description);
+  const std::vector<double> before = make_all(none, guides), after = make_all(some, guides);
+  int moved = 0;
+  for (std::size_t child = 0; child < 2000; ++child)
+    moved +=
+        point_of(after, child * kPoints + kPoints - 1) != point_of(before, child * kPoints + kPoints - 1);
+  // 200 of 2000, with a deviation of 13.4: six of them.
+  EXPECT_NEAR(moved, 200, 81);
+}
+
 // No child with a point in view is left out, and those that are in view are what they are without a view.
 TEST(Synthesis, LeavesOutWhatIsOutOfView) {
   const std::vector<Plane> view = {{Vector3d(0.05, 0, 0), Vector3d(1, 0, 0)},
                                    {Vector3d(0, 0, 0.02), Vector3d(0, 0.6, 0.8)}};
   for (const SynthesisMode mode : kModes) {
-    const SynthesisDescription description = head(mode);
+    SynthesisDescription description = head(mode);
+    description.clump = 30;
+    description.gathered = 0.5;
+    description.fly_aways = 0.1;
     Synthesis synthesis(description);
     const VectorXd guides = head_guides(description);
     const std::vector<double> all = make_all(synthesis, guides);

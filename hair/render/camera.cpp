@@ -16,18 +16,29 @@ constexpr double kNoSize = 1e-9, kSmallest = 1e-3;  // m
 
 }  // namespace
 
-Camera frame_camera(const Bounds& bounds, double aspect, const Vector3d& direction) {
+std::array<Vector3d, 8> corners_of(const Bounds& bounds) {
+  std::array<Vector3d, 8> corners;
+  for (std::size_t corner = 0; corner < 8; ++corner)
+    corners[corner] = Vector3d((corner & 1) != 0 ? bounds.high[0] : bounds.low[0],
+                               (corner & 2) != 0 ? bounds.high[1] : bounds.low[1],
+                               (corner & 4) != 0 ? bounds.high[2] : bounds.low[2]);
+  return corners;
+}
+
+Camera frame_points(std::span<const Vector3d> points, double aspect, const Vector3d& direction) {
   particles::require_positive("aspect", aspect);
   particles::require(direction.allFinite() && direction.norm() > 0, "the view's direction", direction.norm(),
                      "finite and not 0");
-  Bounds box = bounds;
-  if (box.empty()) box.add(Vector3d::Zero());
-  const double size = (box.high - box.low).maxCoeff();
+  Bounds box;
+  for (const Vector3d& point : points) box.add(point);
+  const double size = box.empty() ? 0 : (box.high - box.low).maxCoeff();
   particles::require(std::isfinite(size) && size < 1e100, "the size of what is to be seen", size,
                      "at most 1e100 m");
   if (size < kNoSize) {
-    box.low.array() -= kSmallest;
-    box.high.array() += kSmallest;
+    if (box.empty()) box.add(Vector3d::Zero());
+    return frame_points(
+        std::array{Vector3d(box.low.array() - kSmallest), Vector3d(box.high.array() + kSmallest)}, aspect,
+        direction);
   }
 
   Camera camera;
@@ -36,14 +47,11 @@ Camera frame_camera(const Bounds& bounds, double aspect, const Vector3d& directi
   if (back.head<2>().norm() < 1e-3) camera.up = Vector3d(0, 1, 0);
   const Eigen::Matrix3d axes = view_axes(back, camera.up);
 
-  // In the camera's axes a corner (x, y, z) is left of the picture's right side if
-  // x - eye_x <= (eye_z - z) tangent_x, and so on: each side asks for the most that a corner asks for.
+  // In the camera's axes a point (x, y, z) is left of the picture's right side if
+  // x - eye_x <= (eye_z - z) tangent_x, and so on: each side asks for the most that a point asks for.
   const Vector3d middle = (box.low + box.high) / 2;
   double right = -1e300, left = -1e300, top = -1e300, bottom = -1e300;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vector3d at((corner & 1) != 0 ? box.high[0] : box.low[0],
-                      (corner & 2) != 0 ? box.high[1] : box.low[1],
-                      (corner & 4) != 0 ? box.high[2] : box.low[2]);
+  for (const Vector3d& at : points) {
     const Vector3d p = axes * (at - middle);
     right = std::max(right, p[0] + p[2] * tangent_x);
     left = std::max(left, -p[0] + p[2] * tangent_x);
@@ -55,6 +63,16 @@ Camera frame_camera(const Bounds& bounds, double aspect, const Vector3d& directi
   camera.target = middle + axes.transpose() * across;
   camera.eye = camera.target + depth * back;
   return camera;
+}
+
+Camera frame_camera(const Bounds& bounds, double aspect, const Vector3d& direction) {
+  Bounds box = bounds;
+  if (box.empty()) box.add(Vector3d::Zero());
+  if ((box.high - box.low).maxCoeff() < kNoSize) {
+    box.low.array() -= kSmallest;
+    box.high.array() += kSmallest;
+  }
+  return frame_points(corners_of(box), aspect, direction);
 }
 
 }  // namespace hair

@@ -1,6 +1,9 @@
 // The camera of a picture.
 #pragma once
 
+#include <array>
+#include <span>
+
 #include "particles/vectors.h"
 
 namespace hair {
@@ -23,6 +26,8 @@ struct Bounds {
   bool empty() const { return !(low.array() <= high.array()).all(); }
 };
 
+std::array<Vector3d, 8> corners_of(const Bounds& bounds);
+
 // The largest part of the picture's height and width for the box.
 inline constexpr double kFramed = 0.9;
 
@@ -30,5 +35,9 @@ inline constexpr double kFramed = 0.9;
 // (width / height) allows. A box that is empty or a point is seen from a few millimetres. Throws
 // std::invalid_argument for values that are not finite, and for an aspect that is not positive.
 Camera frame_camera(const Bounds& bounds, double aspect, const Vector3d& direction = Vector3d(0.35, -1, 0.2));
+
+// The same for points: nearer than for a box around them, whose corners are empty.
+Camera frame_points(std::span<const Vector3d> points, double aspect,
+                    const Vector3d& direction = Vector3d(0.35, -1, 0.2));
 
 }  // namespace hair

@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 #include <stdexcept>
+#include <vector>
 
 namespace hair {
 namespace {
@@ -43,6 +44,29 @@ TEST(Camera, HasTheWholeBoxInThePictureAndNoNearerEyeWould) {
     // as the box carry rounding of 1e-16 of it.
     EXPECT_NEAR(extent(camera, box, aspect).maxCoeff(), kFramed, 1e-9)
         << "case " << i << ", aspect " << aspect;
+  }
+}
+
+// Points on a ball: none is outside of the frame, and the camera is nearer than for the box around it.
+TEST(Camera, HasAllPointsInThePicture) {
+  std::mt19937 random(2);
+  std::normal_distribution<double> normal;
+  std::vector<Vector3d> points;
+  Bounds box;
+  for (int i = 0; i < 500; ++i) {
+    points.push_back(Vector3d(normal(random), normal(random), normal(random)).normalized());
+    box.add(points.back());
+  }
+  for (const double aspect : {0.5, 1.0, 1.8}) {
+    const Camera camera = frame_points(points, aspect), far = frame_camera(box, aspect);
+    Eigen::Vector2d most(0, 0);
+    for (const Vector3d& point : points) {
+      Bounds one;
+      one.add(point);
+      most = most.cwiseMax(extent(camera, one, aspect));
+    }
+    EXPECT_NEAR(most.maxCoeff(), kFramed, 1e-9) << aspect;
+    EXPECT_LT((camera.eye - camera.target).norm(), 0.9 * (far.eye - far.target).norm());
   }
 }
 

@@ -18,6 +18,7 @@ inline constexpr Enum kBlend = 0x0BE2, kDepthTest = 0x0B71, kPrimitiveRestart = 
 inline constexpr Enum kUnsignedByte = 0x1401, kUnsignedInt = 0x1405, kFloat = 0x1406;
 inline constexpr Enum kRgba = 0x1908, kDepthComponent = 0x1902;
 inline constexpr Enum kRgba8 = 0x8058, kRgba16F = 0x881A, kDepthComponent24 = 0x81A6;
+inline constexpr Enum kRed = 0x1903, kR32F = 0x822E, kRgba32F = 0x8814;
 inline constexpr Enum kTexture2D = 0x0DE1, kTexture0 = 0x84C0;
 inline constexpr Enum kMinFilter = 0x2801, kMagFilter = 0x2800, kWrapS = 0x2802, kWrapT = 0x2803;
 inline constexpr Enum kNearest = 0x2600, kClampToEdge = 0x812F;

@@ -41,6 +41,12 @@ Name Program::compile(Enum kind, const std::string& text) const {
 
 namespace {
 
+void take_nearest(const Functions& gl) {
+  for (const Enum filter : {kMinFilter, kMagFilter})
+    gl.TexParameteri(kTexture2D, filter, static_cast<int>(kNearest));
+  for (const Enum wrap : {kWrapS, kWrapT}) gl.TexParameteri(kTexture2D, wrap, static_cast<int>(kClampToEdge));
+}
+
 Name make_texture(const Functions& gl, int width, int height, Enum format) {
   Name texture = 0;
   gl.GenTextures(1, &texture);
@@ -48,9 +54,7 @@ Name make_texture(const Functions& gl, int width, int height, Enum format) {
   const bool depth = format == kDepthComponent24;
   gl.TexImage2D(kTexture2D, 0, static_cast<int>(format), width, height, 0, depth ? kDepthComponent : kRgba,
                 kFloat, nullptr);
-  for (const Enum filter : {kMinFilter, kMagFilter})
-    gl.TexParameteri(kTexture2D, filter, static_cast<int>(kNearest));
-  for (const Enum wrap : {kWrapS, kWrapT}) gl.TexParameteri(kTexture2D, wrap, static_cast<int>(kClampToEdge));
+  take_nearest(gl);
   return texture;
 }
 
@@ -84,6 +88,18 @@ Target make_target(const Functions& gl, int width, int height, Enum colour_forma
 void draw_into(const Functions& gl, const Target& target) {
   gl.BindFramebuffer(kFramebuffer, target.framebuffer);
   gl.Viewport(0, 0, target.width, target.height);
+}
+
+FloatTexture::FloatTexture(const Functions& functions) : gl_(functions) {
+  gl_.GenTextures(1, &name_);
+  gl_.BindTexture(kTexture2D, name_);
+  take_nearest(gl_);
+}
+
+void FloatTexture::send(int width, int height, int channels, const float* values) {
+  gl_.BindTexture(kTexture2D, name_);
+  gl_.TexImage2D(kTexture2D, 0, static_cast<int>(channels == 1 ? kR32F : kRgba32F), width, height, 0,
+                 channels == 1 ? kRed : kRgba, kFloat, values);
 }
 
 Triangles::Triangles(const Functions& functions, const std::vector<int>& attributes) : gl_(functions) {

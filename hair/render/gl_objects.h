@@ -39,6 +39,20 @@ Target make_target(const Functions& gl, int width, int height, Enum colour_forma
                    Name depth = 0);
 void draw_into(const Functions& gl, const Target& target);
 
+// Numbers that a program makes, one or four for each texel.
+class FloatTexture {
+ public:
+  explicit FloatTexture(const Functions& functions);
+
+  // values: row after row from the bottom up.
+  void send(int width, int height, int channels, const float* values);
+  Name name() const { return name_; }
+
+ private:
+  const Functions& gl_;
+  Name name_ = 0;
+};
+
 // Triangles: vertices of floats, and indices. Sends the indices again only if they changed.
 class Triangles {
  public:

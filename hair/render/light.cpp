@@ -11,7 +11,8 @@ constexpr float kLargest = 2;  // of the distance to the target: shadows of what
 
 }  // namespace
 
-LightMap light_map(const std::vector<RibbonVertex>& ribbons, const Mesh& mesh) {
+LightMap light_map(const std::vector<RibbonVertex>& ribbons, const Mesh& mesh,
+                   std::span<const Eigen::Vector3f> points) {
   const Eigen::Vector3f across = Eigen::Vector3f(0, 1, 0).cross(kKeyLight).normalized();
   const Eigen::Vector3f up = kKeyLight.cross(across);
   float radius = 0;
@@ -20,6 +21,7 @@ LightMap light_map(const std::vector<RibbonVertex>& ribbons, const Mesh& mesh) {
     if (distance < kLargest) radius = std::max(radius, distance);
   };
   for (const RibbonVertex& vertex : ribbons) add(vertex.at);
+  for (const Eigen::Vector3f& point : points) add(point);
   for (const MeshVertex& vertex : mesh.vertices) {
     if (vertex.ground == 0) add(vertex.at);
   }

@@ -1,6 +1,7 @@
 // The key light, far away over the viewer's left shoulder, and its shadow map.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "hair/render/mesh.h"
@@ -21,6 +22,8 @@ struct LightMap {
 
 // The smallest of a few map sizes that contains all nearby shadow casters. The sizes are discrete so that a
 // small motion of the hair, or one strand less, changes no other shadow.
-LightMap light_map(const std::vector<RibbonVertex>& ribbons, const Mesh& mesh);
+// `points`: of fine strands, in the view's axes.
+LightMap light_map(const std::vector<RibbonVertex>& ribbons, const Mesh& mesh,
+                   std::span<const Eigen::Vector3f> points = {});
 
 }  // namespace hair

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "hair/render/check_drawing.h"
+#include "hair/render/fine_hair.h"
 #include "hair/render/gl_context.h"
 #include "hair/render/gl_objects.h"
 #include "hair/render/light.h"
@@ -32,9 +33,6 @@ RenderSettings checked(const RenderSettings& settings) {
 int map_size(const RenderSettings& settings) {
   return std::clamp(settings.height * 3 / 2 / 64 * 64, 256, 2048);
 }
-
-// Where layers of hair end, as parts of the map's width.
-const Eigen::Vector4f kLayers(0.015F, 0.05F, 0.15F, 0.5F);
 
 class Laps {
  public:
@@ -71,7 +69,8 @@ class Renderer::Parts {
     if (content.shadows()) draw_maps(content);
     watch.lap(gl_, times.shadow);
     draw_samples(drawing, view, content);
-    resolve();
+    if (content.fine) draw_layer(drawing, view, content);
+    resolve(content);
     watch.lap(gl_, times.draw);
     Image image = read_back();
     watch.lap(gl_, times.read_back);
@@ -88,6 +87,7 @@ class Renderer::Parts {
   // What a drawing has, for what it needs.
   struct Content {
     bool hair = false, solids = false;                 // to see
+    bool fine = false;                                 // hair as a layer; then none of it is OpenGL's
     bool hair_shadows = false, solid_shadows = false;  // to throw shadows
     std::size_t casting = 0;
     float half_width = 0;
@@ -98,15 +98,24 @@ class Renderer::Parts {
 
   Content send(const Drawing& drawing, const View& view) {
     Content content;
-    const std::vector<RibbonVertex> ribbons = ribbon_vertices(drawing.strands, view);
+    if (!drawing.strands.fine) {
+      fine_.reset();
+    } else if (!fine_) {
+      fine_.emplace();
+    }
+    if (fine_) fine_->send(drawing.strands, view, settings_.height);
+    const std::vector<RibbonVertex> ribbons =
+        fine_ ? std::vector<RibbonVertex>() : ribbon_vertices(drawing.strands, view);
     const Mesh mesh = mesh_of(drawing, view, kSamples * settings_.height);
     content.hair = !ribbons.empty();
+    content.fine = fine_ && !fine_->empty();
     content.solids = !mesh.indices.empty();
     content.casting = mesh.casting;
-    content.hair_shadows = settings_.shadows && content.hair;
+    content.hair_shadows = settings_.shadows && (content.hair || content.fine);
     content.solid_shadows = settings_.shadows && mesh.casting > 0;
     content.half_width = view.length(drawing.strands.width / 2);
-    if (content.shadows()) content.light = light_map(ribbons, mesh);
+    if (content.shadows())
+      content.light = light_map(ribbons, mesh, fine_ ? fine_->points() : std::span<const Eigen::Vector3f>());
     if (content.hair) {
       if (!ribbons_) ribbons_.emplace(gl_, std::vector{3, 3, 2});
       ribbons_->send(ribbons.data(), ribbons.size() * sizeof(RibbonVertex),
@@ -129,7 +138,10 @@ class Renderer::Parts {
       aim(program, content.light.to, *solid_map_);
       mesh_->draw(gl::kTriangles, content.casting);
     }
-    if (content.hair_shadows) {
+    if (content.hair_shadows && content.fine) {
+      fine_->make_opacity(content.light, size);
+      if (content.solids) send_opacity(size);
+    } else if (content.hair_shadows) {
       if (!hair_map_) {
         hair_map_ = make_target(gl_, size, size, 0, true);
         count_map_ = make_target(gl_, size, size, gl::kRgba16F, false);
@@ -150,6 +162,41 @@ class Renderer::Parts {
       draw_ribbons();
       gl_.Disable(gl::kBlend);
     }
+  }
+
+  void send_opacity(int size) {
+    if (!first_texture_) {
+      first_texture_.emplace(gl_);
+      opacity_texture_.emplace(gl_);
+    }
+    first_texture_->send(size, size, 1, fine_->opacity().first().data());
+    opacity_texture_->send(size, size, OpacityMap::kLayers, fine_->opacity().opacity().data());
+  }
+
+  // Behind solids, and in their shadows.
+  void draw_layer(const Drawing& drawing, const View& view, const Content& content) {
+    FineHair::Solids solids;
+    if (content.solids) {
+      solids.samples = kSamples;
+      solids.distances = depths_of(*samples_);
+      for (float& depth : solids.distances) depth = view.distance(depth);
+    }
+    if (content.solid_shadows) {
+      solids.light_depths = depths_of(*solid_map_);
+      solids.light = content.light;
+      solids.bias = bias(content);
+    }
+    const HairLayer layer = fine_->draw(drawing.strands, view, settings_.width, settings_.height, solids);
+    if (!layer_texture_) layer_texture_.emplace(gl_);
+    layer_texture_->send(layer.width, layer.height, 4, layer.pixels.data());
+  }
+
+  std::vector<float> depths_of(const gl::Target& target) {
+    std::vector<float> depths(static_cast<std::size_t>(target.width) *
+                              static_cast<std::size_t>(target.height));
+    draw_into(gl_, target);
+    gl_.ReadPixels(0, 0, target.width, target.height, gl::kDepthComponent, gl::kFloat, depths.data());
+    return depths;
   }
 
   void draw_samples(const Drawing& drawing, const View& view, const Content& content) {
@@ -177,15 +224,17 @@ class Renderer::Parts {
     }
   }
 
-  void resolve() {
+  void resolve(const Content& content) {
     if (!picture_) {
       picture_ = make_target(gl_, settings_.width, settings_.height, gl::kRgba8, false);
       gl_.GenVertexArrays(1, &no_vertices_);
     }
     draw_into(gl_, *picture_);
     gl_.Disable(gl::kDepthTest);
-    const gl::Program& program = this->program("resolve", resolve_shader);
+    const gl::Program& program =
+        this->program("resolve", resolve_shader, content.fine ? "#define FINE_HAIR\n" : "");
     set(program, "samples", 0, samples_->colour);
+    if (content.fine) set(program, "hair", 1, layer_texture_->name());
     gl_.BindVertexArray(no_vertices_);
     gl_.DrawArrays(gl::kTriangles, 0, 3);
   }
@@ -222,9 +271,9 @@ class Renderer::Parts {
     return content.light.radius / static_cast<float>(map_size(settings_));
   }
 
-  static Eigen::Vector4f layers(const Content& content) {
-    return kLayers * content.light.radius / LightMap::kDepth;
-  }
+  float bias(const Content& content) const { return 3 * half_texel(content) / LightMap::kDepth; }
+
+  static Eigen::Vector4f layers(const Content& content) { return OpacityMap::ends(content.light); }
 
   void aim(const gl::Program& program, const Eigen::Matrix4f& to_clip, const gl::Target& target) {
     set(program, "to_clip", to_clip);
@@ -245,7 +294,13 @@ class Renderer::Parts {
     set(program, "up", view.direction(Vector3d(0, 0, 1)));
     if (!content.shadows()) return;
     set(program, "to_light", content.light.to);
-    if (content.hair_shadows) {
+    if (content.hair_shadows && content.fine) {
+      set(program, "opacity", 1);
+      set(program, "skip", fine_->opacity().skip());
+      set(program, "layers", layers(content));
+      set(program, "hair_depth", 0, first_texture_->name());
+      set(program, "hair_count", 1, opacity_texture_->name());
+    } else if (content.hair_shadows) {
       const float half = half_texel(content);
       set(program, "opacity", content.half_width / std::max(content.half_width, half));
       set(program, "skip", 4 * std::max(content.half_width, half) / LightMap::kDepth);
@@ -254,7 +309,7 @@ class Renderer::Parts {
       set(program, "hair_count", 1, count_map_->colour);
     }
     if (content.solid_shadows) {
-      set(program, "bias", 3 * half_texel(content) / LightMap::kDepth);
+      set(program, "bias", bias(content));
       set(program, "away", 4 * half_texel(content));
       set(program, "solid_depth", 2, solid_map_->depth);
     }
@@ -293,6 +348,8 @@ class Renderer::Parts {
   std::map<std::string, gl::Program> programs_;
   std::optional<gl::Triangles> ribbons_, mesh_;
   std::optional<gl::Target> solid_map_, hair_map_, count_map_, samples_, picture_;
+  std::optional<FineHair> fine_;
+  std::optional<gl::FloatTexture> first_texture_, opacity_texture_, layer_texture_;
   gl::Name no_vertices_ = 0;
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "hair/render/catmull_rom.h"
+
 namespace hair {
 namespace {
 
@@ -46,15 +48,11 @@ std::vector<RibbonVertex> ribbon_vertices(const StrandsDrawing& strands, const V
     for (int k = 0; k <= end; ++k) {
       const int i = std::min(k / pieces, std::max(size - 2, 0));
       const float u = static_cast<float>(k - i * pieces) / static_cast<float>(pieces);
-      const Eigen::Vector3f a = at[i], b = at[std::min(i + 1, size - 1)];
-      const Eigen::Vector3f before = i > 0 ? at[i - 1] : Eigen::Vector3f(2 * a - b);
-      const Eigen::Vector3f after = i + 2 < size ? at[i + 2] : Eigen::Vector3f(2 * b - a);
-      const Eigen::Vector3f c1 = (b - before) / 2, c2 = before - 2.5F * a + 2 * b - after / 2,
-                            c3 = 1.5F * (a - b) + (after - before) / 2;
-      const Eigen::Vector3f slope = c1 + u * (2 * c2 + u * 3 * c3);
+      const CurveSegment segment = curve_segment(at, i);
+      const Eigen::Vector3f slope = segment.slope(u);
       const float steepness = slope.norm();
       if (steepness > 1e-12F) last = slope / steepness;
-      const RibbonVertex vertex{a + u * (c1 + u * (c2 + u * c3)), last,
+      const RibbonVertex vertex{segment.at(u), last,
                                 static_cast<float>(k) / static_cast<float>(std::max(end, 1)), tone};
       vertices.push_back(vertex);
       vertices.push_back(vertex);

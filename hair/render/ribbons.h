@@ -1,6 +1,5 @@
 // Strands as ribbons that face the eye: each point becomes two vertices, which the vertex shader moves apart.
-// If a strand has few points, a Catmull-Rom curve goes through them. Source: E. Catmull and R. Rom, "A Class
-// of Local Interpolating Splines", Computer Aided Geometric Design, 1974.
+// If a strand has few points, a curve goes through them (catmull_rom.h).
 #pragma once
 
 #include <cstdint>

@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "hair/head/surface_net.h"
+
 namespace hair {
 namespace {
 
@@ -186,7 +188,71 @@ void add_toy(Bounds& bounds, const Toy& toy, double seconds) {
   add_fall(bounds, toy, free, seconds);
 }
 
+// Where an outline's points go.
+using Outline = std::vector<Vector3d>;
+
+constexpr int kOutlineCells = 60;  // along a solid's longest side
+
+template <class Carry>
+void outline_strand(Outline& outline, const Description& hair, const StrandStart& start, const Carry& carry) {
+  const Vector3d root = carry(Vector3d(start.state.x.head<3>()));
+  for (int i = 0; i < start.strand.count(); ++i)
+    outline.push_back(above(hair.obstacles, carry(Vector3d(start.state.x.segment<3>(3 * i)))));
+  const double reach = reach_of(start);
+  if (hair.drag > 0 && hair.wind.norm() > 0)
+    outline.push_back(above(hair.obstacles, root + reach * hair.wind.stableNormalized()));
+  if (hair.gravity.norm() > 0)
+    outline.push_back(above(hair.obstacles, root + reach * hair.gravity.stableNormalized()));
+}
+
+template <class Carry>
+void outline_strand(Outline& outline, const Description& hair, std::size_t index, const Carry& carry) {
+  if (index < hair.strands.size())
+    outline_strand(outline, hair, hair.strands[index], carry);
+  else
+    outline_strand(outline, hair, discretise(finely_divided(hair.modelled[index - hair.strands.size()].spec)),
+                   carry);
+}
+
+template <class Carry>
+void outline_obstacle(Outline& outline, const Obstacle& obstacle, const Carry& carry) {
+  if (const auto* const placed = std::get_if<PlacedSolid>(&obstacle.shape)) {
+    for (const Vector3d& point : surface_net(*placed->solid, kOutlineCells).points)
+      outline.push_back(carry(placed->at + placed->rotation * point));
+    return;
+  }
+  Bounds bounds;
+  add_obstacle(bounds, obstacle, carry);
+  if (bounds.empty()) return;
+  for (const Vector3d& corner : corners_of(bounds)) outline.push_back(corner);
+}
+
 }  // namespace
+
+Outline scene_outline(const Scene& scene) {
+  Outline outline;
+  const auto stay = [](const Vector3d& x) { return x; };
+  for (std::size_t i = 0; i < scene.hair.strands.size() + scene.hair.modelled.size(); ++i)
+    outline_strand(outline, scene.hair, i, stay);
+  for (const Obstacle& obstacle : scene.hair.obstacles) outline_obstacle(outline, obstacle, stay);
+  for (const Rider& rider : scene.riders) {
+    const Pose first = rider.motion.keys.front().pose;
+    for (const Key& key : rider.motion.keys) {
+      const auto carry = [&](const Vector3d& x) -> Vector3d {
+        return key.pose.rotation * (first.rotation.conjugate() * (x - first.position)) + key.pose.position;
+      };
+      for (const int strand : rider.strands)
+        outline_strand(outline, scene.hair, static_cast<std::size_t>(strand), carry);
+      for (const int obstacle : rider.obstacles)
+        outline_obstacle(outline, scene.hair.obstacles[obstacle], carry);
+    }
+  }
+  Bounds toys;
+  for (const Toy& toy : scene.toys) add_toy(toys, toy, scene.frames / scene.frames_per_second);
+  if (!toys.empty())
+    for (const Vector3d& corner : corners_of(toys)) outline.push_back(corner);
+  return outline;
+}
 
 Bounds scene_bounds(const Scene& scene) {
   Bounds bounds;

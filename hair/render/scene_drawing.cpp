@@ -41,8 +41,9 @@ std::vector<Plane> seen_planes(const Camera& camera, double aspect, bool shadows
 
 SceneDrawing::SceneDrawing(const Scene& scene, std::vector<int> strands)
     : scene_(scene), strands_(std::move(strands)), look_(scene.look.value_or(Look())) {
-  camera_ = frame_camera(scene_bounds(scene), static_cast<double>(look_.image_width) / look_.image_height,
-                         look_.view);
+  const double aspect = static_cast<double>(look_.image_width) / look_.image_height;
+  camera_ = look_.frame ? frame_points(scene_outline(scene), aspect, look_.view)
+                        : frame_camera(scene_bounds(scene), aspect, look_.view);
   for (const Obstacle& obstacle : scene.hair.obstacles)
     if (const auto* const placed = std::get_if<PlacedSolid>(&obstacle.shape))
       meshes_.push_back(std::make_shared<SurfaceMesh>(surface_net(*placed->solid, kCells)));
@@ -50,7 +51,7 @@ SceneDrawing::SceneDrawing(const Scene& scene, std::vector<int> strands)
   camera_.eye = target + (camera_.eye - camera_.target) / look_.zoom;
   camera_.target = target;
   unit_ = 2 * std::tan(camera_.field_of_view / 2) * (camera_.eye - camera_.target).norm();
-  view_ = seen_planes(camera_, static_cast<double>(look_.image_width) / look_.image_height, look_.shadows);
+  view_ = seen_planes(camera_, aspect, look_.shadows);
   for (const DenseHair& dense : scene.dense)
     dense_.push_back(std::make_unique<Synthesis>(dense.description, scene.hair.jobs));
 }
@@ -67,6 +68,7 @@ Drawing SceneDrawing::at(const particles::State& state, const std::vector<Obstac
     if (const auto* const placed = std::get_if<PlacedSolid>(&obstacle.shape))
       drawing.meshes.push_back({meshes_.at(drawing.meshes.size()), placed->at, placed->rotation});
   drawing.strands.width = look_.width;
+  drawing.strands.fine = look_.fine_hair;
   drawing.strands.root = look_.root_colour.cast<float>();
   drawing.strands.tip = look_.tip_colour.cast<float>();
   Eigen::Index particles = std::accumulate(strands_.begin(), strands_.end(), Eigen::Index{0});
@@ -102,6 +104,7 @@ void SceneDrawing::add_strands(particles::Input x, double time, StrandsDrawing& 
       at += size;
       continue;
     }
+    if (drawing.fine) drawing.ids.push_back(static_cast<std::uint32_t>(strand));
     drawing.sizes.push_back(strands_[strand]);
     for (int i = 0; i < strands_[strand]; ++i, at += 3) drawing.points.emplace_back(x.segment<3>(at));
     ++strand;
@@ -119,6 +122,9 @@ void SceneDrawing::add_dense(std::size_t group, particles::Input guides, double 
                                                 turn, view_, std::span<double>(made));
   const auto points = static_cast<std::size_t>(counts.children) * synthesis.points();
   drawing.sizes.insert(drawing.sizes.end(), static_cast<std::size_t>(counts.children), synthesis.points());
+  if (drawing.fine)
+    for (const int child : synthesis.in_view())
+      drawing.ids.push_back(static_cast<std::uint32_t>(scene_.dense[group].first + child));
   for (std::size_t i = 0; i < points; ++i)
     drawing.points.emplace_back(Eigen::Map<const Vector3d>(made.data() + 3 * i));
   synthesised_.children += counts.children;

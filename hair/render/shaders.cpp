@@ -191,6 +191,9 @@ void main() {
 // and before a background that gets lighter from the top down; then sRGB (IEC 61966-2-1).
 const std::string kResolve = R"(
 uniform sampler2D samples;
+#ifdef FINE_HAIR
+uniform sampler2D hair;
+#endif
 out vec4 pixel;
 void main() {
   ivec2 first = 2 * ivec2(gl_FragCoord.xy) - 1, last = textureSize(samples, 0) - 1;
@@ -203,6 +206,10 @@ void main() {
   }
   float height = 2.0 * gl_FragCoord.y / float(last.y + 1);
   vec3 linear = sum.rgb + (1.0 - sum.a) * mix(vec3(0.72, 0.74, 0.77), vec3(0.36, 0.42, 0.50), height);
+#ifdef FINE_HAIR
+  vec4 layer = texelFetch(hair, ivec2(gl_FragCoord.xy), 0);
+  linear = layer.rgb + layer.a * linear;
+#endif
   vec3 encoded = mix(1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055, 12.92 * linear,
                      vec3(lessThan(linear, vec3(0.0031308))));
   pixel = vec4(encoded, 1);

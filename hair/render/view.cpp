@@ -47,6 +47,11 @@ float View::length(double metres) const {
   return static_cast<float>(std::min(metres / unit_, kFarthestDrawn));
 }
 
+float View::distance(float depth) const {
+  return static_cast<float>(2 * kFar * kNear /
+                            (kFar + kNear - (2 * static_cast<double>(depth) - 1) * (kFar - kNear)));
+}
+
 Eigen::Matrix4f View::projection() const {
   Eigen::Matrix4f matrix = Eigen::Matrix4f::Zero();
   matrix(0, 0) = static_cast<float>(1 / tangent_x_);

@@ -23,6 +23,9 @@ class View {
   float tangent_x() const { return static_cast<float>(tangent_x_); }  // of half the angle of view
   float tangent_y() const { return static_cast<float>(tangent_y_); }
 
+  // The distance along the view, in its unit, of what has this depth (0 to 1) in a picture.
+  float distance(float depth) const;
+
   // From the view's axes to clip space, column by column.
   Eigen::Matrix4f projection() const;
 

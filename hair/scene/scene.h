@@ -23,9 +23,11 @@ struct Look {
   Vector3d tip_colour = {0.22, 0.12, 0.05};
   Vector3d view = Vector3d(0.35, -1, 0.2);  // from the scene to the camera
   std::optional<Vector3d> look_at = {};     // m; none: the middle of the box of all objects
+  bool frame = false;                       // the camera is as near as all that is there allows
   double zoom = 1;                          // magnification; above 1 objects may be outside the picture
   int image_width = 1280, image_height = 720;
   bool shadows = true;
+  bool fine_hair = false;  // thin strands with tapered tips; else ribbons
 };
 
 // Objects that follow a motion: the roots of strands (positions, and frames of clamped strands), and

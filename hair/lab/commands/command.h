@@ -18,6 +18,7 @@ struct Command {
 };
 
 Command add_convert_command(CLI::App& program);
+Command add_draw_command(CLI::App& program);
 Command add_groom_command(CLI::App& program);
 Command add_info_command(CLI::App& program);
 Command add_models_command(CLI::App& program);

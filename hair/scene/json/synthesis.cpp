@@ -8,6 +8,7 @@ namespace hair::json {
 
 namespace {
 
+constexpr double kGathered = 0.6;
 constexpr long kMostDense = 1'000'000, kMostDensePoints = 50'000'000;
 
 // Of the last group, and of the rows before it that its guides stand in, too.
@@ -37,7 +38,8 @@ std::size_t first_row(const JsonValue& object, const Reading& reading) {
 
 void read_synthesis(const JsonValue& group, GroupScalp scalp, Reading& reading) {
   const JsonValue object = group["synthesis"];
-  object.check_keys({"strands"}, {"mode", "spread", "jitter", "length", "seed", "rows"});
+  object.check_keys({"strands"},
+                    {"mode", "spread", "jitter", "length", "seed", "rows", "clump", "gathered", "fly_aways"});
   const std::size_t row = first_row(object, reading);
   std::vector<GroupRoots>& groups = reading.groups;
   if (!groups.back().listed.empty()) {
@@ -60,6 +62,9 @@ void read_synthesis(const JsonValue& group, GroupScalp scalp, Reading& reading) 
   made.spread = number_or(object, "spread", made.spread, 0, 100);
   made.jitter = number_or(object, "jitter", made.jitter, 0, 1);
   made.length = number_or(object, "length", made.length, 0, 0.9);
+  if (object.has("clump")) made.clump = static_cast<int>(object["clump"].whole_number(0, kMostDense));
+  made.gathered = number_or(object, "gathered", made.clump > 0 ? kGathered : 0, 0, 1);
+  made.fly_aways = number_or(object, "fly_aways", made.fly_aways, 0, 1);
   if (object.has("seed")) made.seed = static_cast<std::uint64_t>(object["seed"].whole_number(0, 1L << 53));
   made.guides = std::move(scalp.guides);
   made.children = scalp.more(strands, made.seed);

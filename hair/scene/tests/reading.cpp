@@ -71,7 +71,8 @@ std::string small_scene(const std::string& what, const std::string& by) {
      "roots": {"line": {"from": [0, 0, 0], "to": [1, 0, 0], "count": 3, "direction": [0, 1, 0]}}},
     {"segments": 1, "length": 0.1,
      "roots": {"disc": {"centre": [0, 0, 0], "normal": [0, 0, 1], "radius": 0.1, "count": 2, "direction": [0, 1, 0]}},
-     "synthesis": {"strands": 5, "mode": "blend", "spread": 1, "jitter": 0.1, "length": 0.1, "seed": 1}}
+     "synthesis": {"strands": 5, "mode": "blend", "spread": 1, "jitter": 0.1, "length": 0.1, "seed": 1,
+                   "clump": 2, "gathered": 0.5, "fly_aways": 0.1}}
   ],
   "obstacles": [
     {"plane": {"point": [0, 0, -1], "normal": [0, 0, 1]}, "friction": 0.5},
@@ -103,7 +104,7 @@ std::string small_scene(const std::string& what, const std::string& by) {
     }
   ],
   "render": {"width": 1e-3, "root_colour": [0, 0, 0], "tip_colour": [1, 1, 1], "view": [1, 0, 0],
-             "image_width": 640, "image_height": 480, "shadows": false}
+             "image_width": 640, "image_height": 480, "shadows": false, "hair": "fine", "colour": "red", "camera": "frame"}
 })";
   return with(text, what, by);
 }
