@@ -16,6 +16,7 @@
 #include "solver/block_band.h"
 #include "solver/timing.h"
 
+namespace linked_bench {
 namespace {
 
 using hair::Description, hair::Simulation, hair::Vector3d;
@@ -33,7 +34,8 @@ Description swinging_guides(int count) {
     hair::StrandSpec spec;
     spec.elements = kSegments;
     spec.length = 0.01 * kSegments;
-    spec.root.position = 0.01 * Vector3d(i % kRow, i / kRow, 0);
+    const int row = i / kRow;
+    spec.root.position = 0.01 * Vector3d(i % kRow, row, 0);
     spec.root.axis = Vector3d(0.5, 0.2 + 0.02 * (i % 3), -1).normalized();
     spec.root.side = hair::side_of(spec.root.axis);
     description.strands.push_back(discretise(spec));
@@ -132,6 +134,7 @@ void measure(int guides) {
 }
 
 }  // namespace
+}  // namespace linked_bench
 
 int main() {
   std::printf(
@@ -140,6 +143,6 @@ int main() {
       "with links: the strands' products, their bands | two threads for both would save: with links, with "
       "strips |\n"
       "|--:|--:|--:|--:|--:|--:|--:|\n");
-  for (const int guides : {10, 50, 500}) measure(guides);
+  for (const int guides : {10, 50, 500}) linked_bench::measure(guides);
   return 0;
 }
