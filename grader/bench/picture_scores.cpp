@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "grader/course/course.h"
+#include "grader/play/play_scene.h"
 #include "grader/suite/student_play.h"
 #include "grader/suite/whole_run.h"
-#include "hair/scene/playback.h"
 #include "solver/timing.h"
 
 namespace {
@@ -23,12 +23,8 @@ namespace fs = std::filesystem;
 using namespace grader;
 
 Played play(const hair::Scene& scene) {
-  hair::Playback playback(scene);
-  Played played{{playback.state()}, ""};
-  for (int frame = 0; frame < scene.frames && played.trouble.empty(); ++frame) {
-    played.trouble = playback.advance().value_or("");
-    if (played.trouble.empty()) played.frames.push_back(playback.state());
-  }
+  Played played;
+  play_scene(scene, played);
   return played;
 }
 
@@ -80,7 +76,7 @@ void print_row(const char* exercise, const std::string& difference, const RunCom
   for (const Moment& moment : run.moments) {
     energy = std::max(energy, std::abs(moment.theirs.energy() - moment.ours.energy()) / run.kinetic);
     stretch = std::max(stretch, moment.theirs.stretch / std::max(moment.ours.stretch, kLeastStretch));
-    apart = std::max(apart, moment.apart / run.size);
+    apart = std::max({apart, moment.apart / run.size, moment.dense_apart / run.size});
   }
   for (const PictureResult& picture : pictures) {
     blurred = std::max(blurred, picture.blurred_rmse);

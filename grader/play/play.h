@@ -28,6 +28,8 @@ using Ask = std::function<MessageReader(const MessageWriter& request, const Prod
 struct Played {
   std::vector<particles::State> frames;  // the first is the start; at most as many as the scene has
   std::string trouble;                   // empty, or the place of a blow-up
+  std::vector<Eigen::VectorXd>
+      dense;  // m, of each frame: see dense_strands.h; none for a scene without dense hair
 
   // Counts, as the student's code reports them.
   std::int64_t solver_steps = 0;      // of ConjGrad

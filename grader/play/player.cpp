@@ -3,7 +3,7 @@
 
 #include "grader/play/asking.h"
 #include "grader/play/play.h"
-#include "hair/scene/playback.h"
+#include "grader/play/play_scene.h"
 
 namespace grader {
 namespace {
@@ -27,21 +27,6 @@ class Asked {
   ~Asked() { asked = nullptr; }
 };
 
-// Until it ends or breaks.
-void play_frames(const hair::Scene& scene, Played& played) {
-  hair::Scene unwatched = scene;  // nobody has to have written energies
-  unwatched.hair.watched = false;
-  hair::Playback playback(unwatched);
-  played.frames.push_back(playback.state());
-  for (int k = 0; k < scene.frames && played.trouble.empty(); ++k) {
-    played.trouble = playback.advance().value_or("");
-    if (played.trouble.empty()) played.frames.push_back(playback.state());
-  }
-  const hair::Work work = playback.work();
-  played.solver_steps = work.solver_steps;
-  played.correction_steps = work.correction_steps;
-}
-
 }  // namespace
 
 MessageReader ask_student(const MessageWriter& request, const Products& products) {
@@ -62,7 +47,7 @@ extern "C" __attribute__((visibility("default"))) void play(const hair::Scene& s
                                                             grader::PlayResult& result) {
   const grader::Asked asked(ask);
   try {
-    grader::play_frames(scene, result.played);
+    grader::play_scene(scene, result.played);
   } catch (const grader::MalformedMessage& error) {
     result.end = grader::PlayEnd::malformed;
     result.note = error.what();

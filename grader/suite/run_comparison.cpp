@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <sstream>
 #include <stdexcept>
+#include <utility>
 
+#include "grader/play/dense_strands.h"
 #include "hair/render/scene_drawing.h"
 
 namespace grader {
@@ -53,17 +55,27 @@ bool is_finite(const particles::State& state) {
   return state.x.allFinite() && state.v.allFinite();
 }
 
-double distance(const particles::State& a, const particles::State& b, std::size_t i) {
+double distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b, std::size_t i) {
   const auto at = static_cast<Eigen::Index>(3 * i);
-  return (a.x.segment<3>(at) - b.x.segment<3>(at)).norm();
+  return (a.segment<3>(at) - b.segment<3>(at)).norm();
 }
 
 // What a picture is drawn of.
 struct Taken {
   Moment moment;
   particles::State ours, theirs;
+  Eigen::VectorXd our_dense, their_dense;
   std::vector<hair::Obstacle> obstacles;
 };
+
+// Dense hair takes the place of all strands.
+hair::Drawing with_dense(hair::Drawing drawing, const std::vector<int>& sizes, const Eigen::VectorXd& dense) {
+  drawing.strands.sizes = sizes;
+  drawing.strands.points.clear();
+  for (Eigen::Index at = 0; at < dense.size(); at += 3)
+    drawing.strands.points.emplace_back(dense.segment<3>(at));
+  return drawing;
+}
 
 }  // namespace
 
@@ -72,6 +84,8 @@ RunComparison compare_runs(const hair::Scene& scene, const std::vector<int>& pic
   const std::vector<bool> held = held_particles(scene);
   hair::Playback ours(scene);
   const hair::SceneDrawing drawing(scene, ours.strands());
+  const bool with_dense_hair = !theirs.dense.empty();
+  DenseStrands strands(scene, ours.strands());
   hair::Bounds bounds;
   std::vector<Taken> taken;
   for (int frame = 0; frame <= scene.frames; ++frame) {
@@ -86,27 +100,38 @@ RunComparison compare_runs(const hair::Scene& scene, const std::vector<int>& pic
 
     if (static_cast<std::size_t>(frame) >= theirs.frames.size()) continue;
     const particles::State& their = theirs.frames[frame];
-    result.finite = result.finite && is_finite(their);
+    Eigen::VectorXd our_dense, their_dense;
+    if (with_dense_hair) {
+      our_dense = strands.at(ours.centre_lines(state).x, ours.time());
+      their_dense = theirs.dense.at(frame);
+    }
+    result.finite = result.finite && is_finite(their) && their_dense.allFinite();
     if (!result.finite) continue;
-    Moment moment{ours.time(), measures, ours.measure(their), 0, 0};
+    Moment moment{ours.time(), measures, ours.measure(their), 0, 0, 0};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(our_dense.size() / 3); ++i)
+      moment.dense_apart = std::max(moment.dense_apart, distance(our_dense, their_dense, i));
     for (std::size_t i = 0; i < held.size(); ++i) {
-      const double apart = distance(state, their, i);
+      const double apart = distance(state.x, their.x, i);
       moment.apart = std::max(moment.apart, apart);
       if (held[i]) moment.held_apart = std::max(moment.held_apart, apart);
     }
     if (std::find(pictures.begin(), pictures.end(), frame) != pictures.end())
-      taken.push_back({moment, state, their, ours.obstacles()});
+      taken.push_back({moment, state, their, our_dense, their_dense, ours.obstacles()});
     result.moments.push_back(moment);
   }
   result.size = (bounds.high - bounds.low).norm();
   result.camera = camera_of(scene, drawing, bounds);
 
   for (const Taken& one : taken) {
-    if (!(one.moment.apart <= kFarthestDrawn * result.size)) break;
-    result.shots.push_back({name_at(one.moment.time), drawing.at(one.ours, one.obstacles, one.moment.time),
-                            drawing.at(one.theirs, one.obstacles, one.moment.time),
-                            one.moment.apart <= kSameParticles * result.size,
-                            one.moment.apart > kNear * result.size});
+    const double apart = std::max(one.moment.apart, one.moment.dense_apart);
+    if (!(apart <= kFarthestDrawn * result.size)) break;
+    const auto drawn = [&](const particles::State& state, const Eigen::VectorXd& dense) {
+      hair::Drawing plain = drawing.at(state, one.obstacles, one.moment.time);
+      return with_dense_hair ? with_dense(std::move(plain), strands.sizes(), dense) : plain;
+    };
+    result.shots.push_back({name_at(one.moment.time), drawn(one.ours, one.our_dense),
+                            drawn(one.theirs, one.their_dense), apart <= kSameParticles * result.size,
+                            apart > kNear * result.size});
   }
   return result;
 }

@@ -15,7 +15,8 @@ std::string at(const Moment& moment) {
   std::ostringstream text;
   text << "at " << moment.time << " s: energy " << moment.theirs.energy() << " J, ours "
        << moment.ours.energy() << " J; stretch " << moment.theirs.stretch << ", ours " << moment.ours.stretch
-       << "; particles apart by " << moment.apart << " m, held ones by " << moment.held_apart << " m";
+       << "; particles apart by " << moment.apart << " m, held ones by " << moment.held_apart
+       << " m, dense hair by " << moment.dense_apart << " m";
   return text.str();
 }
 
@@ -81,6 +82,8 @@ void WholeRun::judge_run(Trial& trial) {
                          "the difference of the energy from ours", at(moment));
     trial.expect_at_most(moment.theirs.stretch, std::max(kStretch * moment.ours.stretch, kLeastStretch),
                          "the stretch", at(moment));
+    trial.expect_at_most(moment.dense_apart, kDense * run_->size, "the distance of dense hair from ours",
+                         at(moment));
   }
 }
 

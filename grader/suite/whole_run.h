@@ -6,7 +6,9 @@
 // The run. It must end with finite numbers. It must start as the scene says, and held particles must stay
 // where the reference has them. Energy and stretch, by our own forces, must agree with the reference's run
 // within kEnergy and kStretch. Positions are not compared: correct solutions may differ by rounding, which a
-// scene can amplify. How much, and what these bounds detect, was measured (grader/README.md, "Whole runs").
+// scene can amplify. How much, and what these bounds detect, was measured (grader/README.md, "Whole runs"). Dense hair
+// (H10) is made anew in each frame, from guides that are the reference's: nothing amplifies its rounding, and its points
+// are compared.
 //
 // Its pictures. We draw a few frames of the submission and of the reference. The RMSE of the blurred pictures
 // and the mean FLIP must each be below a threshold.
@@ -33,6 +35,10 @@ inline constexpr double kEnergy = 0.01;
 // The limit of the stretch: the larger of kStretch times the reference's and kLeastStretch.
 inline constexpr double kStretch = 1.5;
 inline constexpr double kLeastStretch = 1e-4;
+// The largest distance of a point of dense hair from ours, relative to the scene's size. Of what H10's contract allows,
+// weights count most: roots that are off by 1e-10 of a triangle's longest edge change each of three weights by 1e-9 where
+// its height is a tenth of that, as in the hidden scene; guides differ by less than the scene's size.
+inline constexpr double kDense = 1e-8;
 // The limits for pictures.
 inline constexpr double kBlurredRmse = 0.0005, kFlip = 0.001;
 

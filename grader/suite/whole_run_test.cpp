@@ -5,13 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <limits>
 
 #include "grader/course/course.h"
 #include "grader/course/input.h"
-#include "hair/scene/playback.h"
+#include "grader/play/play_scene.h"
+#include "hair/head/synthesis.h"
 
 namespace grader {
 namespace {
@@ -25,12 +27,8 @@ HiddenScene hidden_scene_of(const std::string& exercise, const std::string& seed
 }
 
 Played play(const hair::Scene& scene) {
-  hair::Playback playback(scene);
-  Played played{{playback.state()}, ""};
-  for (int frame = 0; frame < scene.frames; ++frame) {
-    played.trouble = playback.advance().value_or("");
-    played.frames.push_back(playback.state());
-  }
+  Played played;
+  play_scene(scene, played);
   return played;
 }
 
@@ -65,6 +63,61 @@ TEST(HiddenScene, RefusesToVaryWhatIsNotThere) {
         << error.what();
   }
   fs::remove(file);
+}
+
+// Links wear in steps that each look at what the one before left, and contacts come and go: roundings grow, but what right
+// solutions differ by stays far below what a picture or an energy shows.
+TEST(HiddenScene, OfH9AmplifiesRoundingsByLittle) {
+  for (const char* seed : {"a", "b", "c", "d", "e"}) {
+    SCOPED_TRACE(seed);
+    const HiddenScene hidden = hidden_scene_of("H9", seed);
+    hair::Scene moved = hidden.scene;
+    Random random(seed, "roundings");
+    for (hair::StrandStart& start : moved.hair.strands) {
+      const double size = start.state.x.cwiseAbs().maxCoeff();
+      for (double& entry : start.state.x) entry += 1e-13 * size * random.uniform(-1, 1);
+    }
+    const RunComparison run = compare_runs(hidden.scene, hidden.pictures, play(moved));
+    ASSERT_EQ(run.moments.size(), hidden.scene.frames + std::size_t{1});
+    for (const Moment& moment : run.moments) EXPECT_LE(moment.apart, 1e-8 * run.size) << "at " << moment.time;
+  }
+}
+
+// Of thinner triangles the contract leaves weights open, and kDense would not follow from it.
+TEST(HiddenScene, OfH10HasNoThinTriangles) {
+  for (const hair::DenseHair& dense : hidden_scene_of("H10").scene.dense) {
+    const std::vector<hair::RootFrame>& guides = dense.description.guides;
+    const hair::Synthesis synthesis(dense.description);
+    for (int child = 0; child < synthesis.children(); ++child) {
+      std::array<Eigen::Vector3d, 3> corners;
+      for (int k = 0; k < 3; ++k) corners[k] = guides[synthesis.parents(child).guides[k]].position;
+      double longest = 0;
+      for (int k = 0; k < 3; ++k) longest = std::max(longest, (corners[k] - corners[(k + 1) % 3]).norm());
+      const double area = (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm();
+      EXPECT_GE(area / longest, 0.1 * longest) << "child " << child;
+    }
+  }
+}
+
+TEST(RunComparison, SeesDenseHair) {
+  const HiddenScene hidden = hidden_scene_of("H10");
+  Played played = play(hidden.scene);
+  const RunComparison same = compare_runs(hidden.scene, hidden.pictures, played);
+  ASSERT_EQ(same.shots.size(), 3U);
+  for (const Shot& shot : same.shots) EXPECT_TRUE(shot.same);
+  EXPECT_EQ(same.shots[0].student.strands.sizes.size(), 120U);
+
+  played.dense[static_cast<std::size_t>(hidden.pictures[1])][7] += 2 * kDense * same.size;
+  played.dense[static_cast<std::size_t>(hidden.pictures[2])][7] += 0.02 * same.size;
+  const RunComparison moved = compare_runs(hidden.scene, hidden.pictures, played);
+  EXPECT_EQ(moved.moments[1].dense_apart, 0);
+  EXPECT_GT(moved.moments[static_cast<std::size_t>(hidden.pictures[1])].dense_apart, kDense * moved.size);
+  EXPECT_TRUE(moved.shots[1].same) << "nobody can see it";
+  EXPECT_FALSE(moved.shots[2].same);
+  EXPECT_TRUE(moved.shots[2].far_off);
+
+  played.dense[3][0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(compare_runs(hidden.scene, hidden.pictures, played).finite);
 }
 
 TEST(RunComparison, OfTheReferenceItselfNeedsNoPicturesOfItsOwn) {

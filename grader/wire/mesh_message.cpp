@@ -15,7 +15,7 @@ void put(MessageWriter& message, const hair::Matrix3d& frame) {
 }
 
 template <class Item>
-void put_list(MessageWriter& message, const std::vector<Item>& items) {
+void put_list(MessageWriter& message, std::span<const Item> items) {
   message.put(static_cast<int>(items.size()));
   for (const Item& item : items) put(message, item);
 }
@@ -41,11 +41,11 @@ void put(MessageWriter& message, const hair::StaticLink& link) {
   message.put(link.length).put(link.stiffness).put(link.yields).put(link.breaks);
 }
 
-void put(MessageWriter& message, const std::vector<hair::StaticLink>& links) {
+void put(MessageWriter& message, std::span<const hair::StaticLink> links) {
   put_list(message, links);
 }
 
-void put(MessageWriter& message, const std::vector<hair::Matrix3d>& frames) {
+void put(MessageWriter& message, std::span<const hair::Matrix3d> frames) {
   put_list(message, frames);
 }
 
@@ -61,7 +61,7 @@ void put(MessageWriter& message, const hair::StripContact& contact) {
   message.put(contact.weight);
 }
 
-void put(MessageWriter& message, const std::vector<hair::StripContact>& contacts) {
+void put(MessageWriter& message, std::span<const hair::StripContact> contacts) {
   put_list(message, contacts);
 }
 

@@ -1,6 +1,7 @@
 // STAFF ONLY. Links and strips in a message, for H9.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "grader/wire/message.h"
@@ -9,11 +10,11 @@
 namespace grader {
 
 void put(MessageWriter& message, const hair::StaticLink& link);
-void put(MessageWriter& message, const std::vector<hair::StaticLink>& links);
-void put(MessageWriter& message, const std::vector<hair::Matrix3d>& frames);
+void put(MessageWriter& message, std::span<const hair::StaticLink> links);
+void put(MessageWriter& message, std::span<const hair::Matrix3d> frames);
 void put(MessageWriter& message, const hair::StripLaw& law);
 void put(MessageWriter& message, const hair::StripContact& contact);
-void put(MessageWriter& message, const std::vector<hair::StripContact>& contacts);
+void put(MessageWriter& message, std::span<const hair::StripContact> contacts);
 
 // Each throws MalformedMessage for a message that is too short, or for more than a message can hold. Numbers may be anything.
 hair::StaticLink get_static_link(MessageReader& message);

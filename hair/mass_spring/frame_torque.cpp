@@ -25,25 +25,31 @@ struct Turning {
 }  // namespace
 
 FrameTorque::FrameTorque(const std::vector<StaticLink>& links, std::vector<int> roots)
-    : links_(links), roots_(std::move(roots)) {}
+    : links_(links), roots_(std::move(roots)), stiffness_(static_cast<Eigen::Index>(links.size())) {}
 
-void FrameTorque::add_force(std::span<const Matrix3d> frames, Input largest, Input x, Output f) const {
+void FrameTorque::hold(Input largest) {
   for (std::size_t l = 0; l < links_.size(); ++l) {
-    const auto& [a, b, offset, length, stiffness, yields, breaks] = links_[l];
-    const double k = stiffness * link_strength(links_[l], largest[static_cast<Eigen::Index>(l)]);
-    const Turning turning(x, a, roots_[l], frames[a] * offset);
+    const auto at = static_cast<Eigen::Index>(l);
+    stiffness_[at] = links_[l].stiffness * link_strength(links_[l], largest[at]);
+  }
+}
+
+void FrameTorque::add_force(std::span<const Matrix3d> frames, Input x, Output f) const {
+  for (std::size_t l = 0; l < links_.size(); ++l) {
+    const int a = links_[l].a, b = links_[l].b;
+    const double k = stiffness_[static_cast<Eigen::Index>(l)];
+    const Turning turning(x, a, roots_[l], frames[a] * links_[l].offset);
     const Vector3d d = numbers_of(x, b) - numbers_of(x, a) - turning.arm, force = k * turning.transposed(d);
     f.segment<3>(3 * Eigen::Index{a}) += force;
     f.segment<3>(3 * Eigen::Index{roots_[l]}) -= force;
   }
 }
 
-void FrameTorque::add_product(std::span<const Matrix3d> frames, Input largest, Input x, Input dx,
-                              Output df) const {
+void FrameTorque::add_product(std::span<const Matrix3d> frames, Input x, Input dx, Output df) const {
   for (std::size_t l = 0; l < links_.size(); ++l) {
-    const auto& [a, b, offset, length, stiffness, yields, breaks] = links_[l];
-    const double k = stiffness * link_strength(links_[l], largest[static_cast<Eigen::Index>(l)]);
-    const Turning turning(x, a, roots_[l], frames[a] * offset);
+    const int a = links_[l].a, b = links_[l].b;
+    const double k = stiffness_[static_cast<Eigen::Index>(l)];
+    const Turning turning(x, a, roots_[l], frames[a] * links_[l].offset);
     const Vector3d da = numbers_of(dx, a), e = turning.moves(da - numbers_of(dx, roots_[l])),
                    at_a = k * turning.transposed(numbers_of(dx, b) - da - e);
     df.segment<3>(3 * Eigen::Index{b}) += k * e;

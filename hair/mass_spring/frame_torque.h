@@ -23,12 +23,16 @@ class FrameTorque {
   // roots[l]: the root of the guide of link l's particle a. Keeps references.
   FrameTorque(const std::vector<StaticLink>& links, std::vector<int> roots);
 
-  void add_force(std::span<const Matrix3d> frames, Input largest, Input x, Output f) const;
-  void add_product(std::span<const Matrix3d> frames, Input largest, Input x, Input dx, Output df) const;
+  // Before each step: what links can still exert. Their strengths stay as they are during the step.
+  void hold(Input largest);
+
+  void add_force(std::span<const Matrix3d> frames, Input x, Output f) const;
+  void add_product(std::span<const Matrix3d> frames, Input x, Input dx, Output df) const;
 
  private:
   const std::vector<StaticLink>& links_;
   std::vector<int> roots_;
+  Eigen::VectorXd stiffness_;  // k s, of each link
 };
 
 }  // namespace hair

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 
+#include "hair/mass_spring/mesh_record.h"
 #include "hair/strand/body.h"
 
 namespace hair {
@@ -20,6 +21,14 @@ class JointStep {
 
   // The strands start anew: what was remembered is forgotten.
   virtual void restart() = 0;
+
+  // J, of what couples the strands, at positions x of all of them; what is remembered is that of now.
+  virtual double energy(particles::Input x) const = 0;
+
+  // How often a particle of this strand went through what couples others, so far.
+  virtual int passes(int strand) const = 0;
+
+  virtual const MeshRecord& record() const = 0;
 };
 
 }  // namespace hair

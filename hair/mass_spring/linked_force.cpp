@@ -20,7 +20,7 @@ void LinkedForce::add_force(Input x, Input v, Output f) const {
   for (const auto& [force, first, size] : parts_)
     force.add_force(x.segment(first, size), v.segment(first, size), f.segment(first, size));
   add_link_force(mesh_.links, state_.frames, state_.largest, x, f);
-  torque_.add_force(state_.frames, state_.largest, x, f);
+  torque_.add_force(state_.frames, x, f);
   add_strip_force(state_.contacts, mesh_.law, x, f);
 }
 
@@ -29,7 +29,7 @@ void LinkedForce::add_dfdx(Input x, Input v, Input dx, Output df) const {
     force.add_dfdx(x.segment(first, size), v.segment(first, size), dx.segment(first, size),
                    df.segment(first, size));
   add_link_product(mesh_.links, state_.largest, dx, df);
-  torque_.add_product(state_.frames, state_.largest, x, dx, df);
+  torque_.add_product(state_.frames, x, dx, df);
   add_strip_product(state_.contacts, mesh_.law, x, dx, df);
 }
 

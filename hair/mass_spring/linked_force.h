@@ -27,6 +27,9 @@ class LinkedForce final : public particles::Force {
   // The next strand: `size` numbers. Keeps a reference to its force.
   void add_strand(const particles::Force& force, Eigen::Index size);
 
+  // Before each step, with the state as it is held then.
+  void hold() { torque_.hold(state_.largest); }
+
   double energy(Input x) const override;
   void add_force(Input x, Input v, Output f) const override;
   void add_dfdx(Input x, Input v, Input dx, Output df) const override;

@@ -57,10 +57,11 @@ std::vector<int> roots_of(const ControlMesh& mesh, const std::vector<int>& first
 
 class LinkedGuides final : public JointStep {
  public:
-  LinkedGuides(std::vector<MassSpringBody*> strands, const ControlMesh& mesh)
+  LinkedGuides(std::vector<MassSpringBody*> strands, const ControlMesh& mesh, bool watched)
       : strands_(std::move(strands)),
         first_(first_particles(strands_)),
         mesh_(mesh),
+        watched_(watched),
         force_(mesh_, held_, roots_of(mesh_, first_)),
         contacts_(mesh_, first_) {
     const Eigen::Index count = first_.back(), size = 3 * count;
@@ -81,6 +82,8 @@ class LinkedGuides final : public JointStep {
     held_.frames.resize(static_cast<std::size_t>(count));
     tangents_.setZero(mesh_.strips.empty() ? 0 : size);
     scratch_.setZero(size, particles::kImplicitScratch);
+    before_.setZero(static_cast<Eigen::Index>(mesh_.links.size()));
+    record_.broken.reserve(mesh_.links.size());
     restart();
   }
 
@@ -88,11 +91,25 @@ class LinkedGuides final : public JointStep {
     held_.largest.setZero(static_cast<Eigen::Index>(mesh_.links.size()));
     contacts_.forget();
     held_.contacts = {};
+    record_.broken.clear();
+    record_.worn_off = 0;
+    steps_ = 0;
   }
 
+  double energy(particles::Input x) const override {
+    std::vector<Matrix3d> frames(held_.frames.size());
+    for (std::size_t i = 0; i < strands_.size(); ++i) add_frames(i, x, frames);
+    return link_energy(mesh_.links, frames, held_.largest, x) + strip_energy(held_.contacts, mesh_.law, x);
+  }
+
+  int passes(int strand) const override { return contacts_.passes(strand); }
+  const MeshRecord& record() const override { return record_; }
+
   void step(const BodyStep& step, std::span<std::optional<Stage>> broke, Work& work) override {
+    ++steps_;
     gather();
     if (!mesh_.strips.empty()) touch(step.h);
+    force_.hold();
     const particles::SolveReport report =
         particles::implicit_euler(force_, particles_, step.h, step.tolerance, state_, scratch_);
     const StepOutcome outcome = outcome_of(report);
@@ -105,7 +122,7 @@ class LinkedGuides final : public JointStep {
     }
     if (!sound) return;
     gather();
-    remember_stretches(mesh_.links, held_.frames, state_.x, held_.largest);
+    remember();
   }
 
  private:
@@ -116,11 +133,35 @@ class LinkedGuides final : public JointStep {
   // The strands' states, and the frames that go with them.
   void gather() {
     for (std::size_t i = 0; i < strands_.size(); ++i) {
-      const MassSpringBody& strand = *strands_[i];
-      strand.read(part(state_.x, i), part(state_.v, i));
-      const auto count = static_cast<std::size_t>(strand.points());
-      guide_frames(part(state_.x, i), strand.moving().strand.root_tangent, strand.root_normal(),
-                   std::span(held_.frames).subspan(static_cast<std::size_t>(first_[i]), count));
+      strands_[i]->read(part(state_.x, i), part(state_.v, i));
+      add_frames(i, state_.x, held_.frames);
+    }
+  }
+
+  void add_frames(std::size_t i, particles::Input x, std::span<Matrix3d> frames) const {
+    const MassSpringBody& strand = *strands_[i];
+    guide_frames(
+        x.segment(3 * Eigen::Index{first_[i]}, strand.size()), strand.moving().strand.root_tangent,
+        strand.root_normal(),
+        frames.subspan(static_cast<std::size_t>(first_[i]), static_cast<std::size_t>(strand.points())));
+  }
+
+  // A link is asked for its energy only if it has just become weaker.
+  void remember() {
+    before_ = held_.largest;
+    remember_stretches(mesh_.links, held_.frames, state_.x, held_.largest);
+    const std::span<const StaticLink> links = mesh_.links;
+    for (std::size_t l = 0; l < links.size(); ++l) {
+      const auto at = static_cast<Eigen::Index>(l);
+      const double stretch = held_.largest[at], before = before_[at];
+      if (!(stretch > before) || stretch <= links[l].yields) continue;
+      if (stretch >= links[l].breaks && before < links[l].breaks)
+        record_.broken.push_back({steps_, static_cast<int>(l)});
+      if (!watched_ || before >= links[l].breaks) continue;
+      const auto energy_at = [&](const Eigen::VectorXd& largest) {
+        return link_energy(links.subspan(l, 1), held_.frames, largest.segment(at, 1), state_.x);
+      };
+      record_.worn_off += energy_at(before_) - energy_at(held_.largest);
     }
   }
 
@@ -134,6 +175,7 @@ class LinkedGuides final : public JointStep {
   std::vector<MassSpringBody*> strands_;
   std::vector<int> first_;  // particle of each strand, and the number of all
   ControlMesh mesh_;
+  bool watched_;
   MeshState held_;
   LinkedForce force_;
   StripContacts contacts_;
@@ -141,6 +183,9 @@ class LinkedGuides final : public JointStep {
   Eigen::VectorXd inverse_mass_, tangents_;
   particles::State state_;
   Eigen::MatrixXd scratch_;
+  Eigen::VectorXd before_;  // the largest stretches before the present step
+  MeshRecord record_;
+  long steps_ = 0;
 };
 
 }  // namespace
@@ -148,8 +193,9 @@ class LinkedGuides final : public JointStep {
 const StepMethod kLinkedImplicitEuler{kImplicitEuler.step, particles::kImplicitScratch, nullptr,
                                       KeptEnergy::nothing};
 
-std::unique_ptr<JointStep> linked_guides(std::vector<MassSpringBody*> strands, const ControlMesh& mesh) {
-  return std::make_unique<LinkedGuides>(std::move(strands), mesh);
+std::unique_ptr<JointStep> linked_guides(std::vector<MassSpringBody*> strands, const ControlMesh& mesh,
+                                         bool watched) {
+  return std::make_unique<LinkedGuides>(std::move(strands), mesh, watched);
 }
 
 }  // namespace hair

@@ -42,6 +42,7 @@ class Playback::Parts {
       ride(scene);
       for (int i = 0; i < simulation_->strands(); ++i) strands_.push_back(simulation_->body(i).points());
     }
+    for (const int points : strands_) mesh_size_ += 3 * points;
     add_toys(scene.toys);
     for (int i = 0; i < bodies(); ++i) size_ += body(i).size();
   }
@@ -120,6 +121,7 @@ class Playback::Parts {
     return lines;
   }
 
+  const MeshRecord* mesh_record() const { return simulation_ ? simulation_->mesh_record() : nullptr; }
   const Watch& watch() const { return simulation_ ? simulation_->watch() : nothing_; }
 
   Work work() const {
@@ -138,6 +140,8 @@ class Playback::Parts {
       add(sum, body(i).measure(all.x.segment(at, size), all.v.segment(at, size)));
       at += size;
     }
+    // Strands come first, and those of a mesh have positions.
+    if (mesh_record()) sum.potential += simulation_->mesh_energy(all.x.head(mesh_size_));
     return sum;
   }
 
@@ -199,6 +203,7 @@ class Playback::Parts {
   std::vector<Obstacle> still_;  // without strands nothing moves them
   std::vector<int> strands_;     // the points of each
   int size_ = 0;
+  Eigen::Index mesh_size_ = 0;  // the numbers of strands that a mesh couples
   int frame_ = 0;
   long steps_ = 0;
   std::optional<std::string> trouble_;
@@ -248,6 +253,9 @@ const Watch& Playback::watch() const {
 }
 Work Playback::work() const {
   return parts_->work();
+}
+const MeshRecord* Playback::mesh_record() const {
+  return parts_->mesh_record();
 }
 FrameMeasures Playback::measure(const particles::State& state) const {
   return parts_->measure(state);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hair/mass_spring/mesh_record.h"
 #include "hair/scene/scene.h"
 #include "hair/strand/body.h"
 #include "particles/state.h"
@@ -58,9 +59,10 @@ class Playback {
   const std::vector<Obstacle>& obstacles() const;  // where they are now
   const Watch& watch() const;                      // of the hair
   Work work() const;                               // of the hair; for toys the solver's steps
+  const MeshRecord* mesh_record() const;           // null without a control mesh
 
   // Measures any state of the scene's particles at the present frame. A state from elsewhere is measured with
-  // our own forces.
+  // our own forces. The potential energy is also that of a control mesh (Simulation::mesh_energy).
   FrameMeasures measure(const particles::State& state) const;
 
  private:

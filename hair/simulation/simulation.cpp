@@ -57,7 +57,7 @@ Simulation::Simulation(Description description) : step_{description.step, descri
     bodies_.push_back(std::move(body));
   }
   if constexpr (in_course("H4") && in_course("H9"))
-    if (description.mesh) joint_ = linked_guides(springs_, *description.mesh);
+    if (description.mesh) joint_ = linked_guides(springs_, *description.mesh, watched_);
   for (const ModelledStrand& strand : description.modelled)
     bodies_.push_back(strand.model->make(strand.spec, description));
   int rows = 0, columns = 0;
@@ -94,7 +94,10 @@ std::optional<BlowUp> Simulation::step() {
   for (const Thread& own : own_) work_ += own.work;
   for (int i = 0; i < strands(); ++i) {
     if (broke_[i] && !blow_up_) blow_up_ = {i, steps_, *broke_[i]};
-    if (!broke_[i] && watched_ && !left_out_[i]) watch_.see(i, steps_, bodies_[i]->sizes());
+    if (broke_[i] || !watched_ || left_out_[i]) continue;
+    Sizes sizes = bodies_[i]->sizes();
+    if (joint_) sizes[Concern::passes] = joint_->passes(i);
+    watch_.see(i, steps_, sizes);
   }
   return blow_up_;
 }

@@ -51,6 +51,11 @@ class Simulation {
   const Work& work() const { return work_; }
   const Watch& watch() const { return watch_; }
 
+  // With a control mesh: J, of its links and strips, at positions of all strands, one after the other. Of links with what
+  // they remember now; of strips with the contacts of the last step.
+  double mesh_energy(particles::Input x) const { return joint_ ? joint_->energy(x) : 0; }
+  const MeshRecord* mesh_record() const { return joint_ ? &joint_->record() : nullptr; }  // null without
+
   int strands() const { return static_cast<int>(bodies_.size()); }
   Body& body(int i) { return *bodies_.at(i); }
   const Body& body(int i) const { return *bodies_.at(i); }

@@ -20,6 +20,8 @@ constexpr ConcernRow kRows[] = {
     {Concern::mends, "mends", "is pushed out of obstacles and corrected without end", "of all steps", 0.15},
     {Concern::unconverged, "unconverged", "has solves that end far above their tolerance",
      "residual, of the right-hand side", 0.1},
+    {Concern::passes, "passes", "goes through strips in single steps: these are too long",
+     "particles, so far", 0.5},
 };
 static_assert(std::size(kRows) == kConcerns);
 

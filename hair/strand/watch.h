@@ -16,7 +16,8 @@ enum class Concern {
   stretch_rate,
   penetration,
   mends,
-  unconverged
+  unconverged,
+  passes
 };
 
 struct ConcernRow {
@@ -30,7 +31,7 @@ struct ConcernRow {
 std::span<const ConcernRow> concerns();  // in the order of the enumeration
 
 // The sizes of all concerns, of a body after a step. 0: it does not apply.
-inline constexpr int kConcerns = 8;
+inline constexpr int kConcerns = 9;
 struct Sizes {
   std::array<double, kConcerns> of = {};
 

@@ -36,6 +36,29 @@ Vector3d torque_of(const VectorXd& x, const VectorXd& f) {
   return torque;
 }
 
+// Of energy(x), force(x) and product(dx) of 7 particles at x.
+template <class System>
+void expect_central_differences(const System& s) {
+  ASSERT_GT(s.energy(s.x), 0);
+  checks::expect_force(
+      s.force(s.x), [&](const VectorXd& x) { return s.energy(x); }, s.x, 1, 10);
+  for (int which = 0; which < 4; ++which) {
+    const VectorXd dx = scattered_vector(21, 30 + which);
+    checks::expect_product(
+        s.product(dx), [&](const VectorXd& x) { return s.force(x); }, s.x, dx, 1, 10);
+  }
+}
+
+// -df/dx is symmetric and has no negative eigenvalue.
+template <class System>
+void expect_definite_product(const System& s) {
+  MatrixXd K(21, 21);
+  for (int i = 0; i < 21; ++i) K.col(i) = -s.product(VectorXd::Unit(21, i));
+  EXPECT_GT(K.norm(), 1);
+  EXPECT_LE((K - K.transpose()).norm(), kRounding);
+  EXPECT_GE(solver::symmetric_eigenvalues(K).minCoeff(), -20 * kRounding);
+}
+
 // Seven particles, five links between them: new, worn, broken; some share particles.
 struct Linked {
   Linked() {
@@ -98,14 +121,7 @@ TEST(StaticLinks, NeverHeal) {
 }
 
 TEST(StaticLinks, AgreeWithCentralDifferences) {
-  const Linked s;
-  checks::expect_force(
-      s.force(s.x), [&](const VectorXd& x) { return s.energy(x); }, s.x, 1, 10);
-  for (int which = 0; which < 4; ++which) {
-    const VectorXd dx = scattered_vector(21, 30 + which);
-    checks::expect_product(
-        s.product(dx), [&](const VectorXd& x) { return s.force(x); }, s.x, dx, 1, 10);
-  }
+  expect_central_differences(Linked());
 }
 
 TEST(StaticLinks, PushAsMuchAsTheyPull) {
@@ -130,11 +146,7 @@ TEST(StaticLinks, TurnWithTheHair) {
 }
 
 TEST(StaticLinks, HaveADefiniteProduct) {
-  const Linked s;
-  MatrixXd K(21, 21);
-  for (int i = 0; i < 21; ++i) K.col(i) = -s.product(VectorXd::Unit(21, i));
-  EXPECT_LE((K - K.transpose()).norm(), kRounding);
-  EXPECT_GE(solver::symmetric_eigenvalues(K).minCoeff(), -20 * kRounding);
+  expect_definite_product(Linked());
 }
 
 // One particle, linked to one that is held. Symplectic Euler keeps it if h^2 k / m < 4 and no longer;
@@ -260,24 +272,11 @@ struct Pressed {
 };
 
 TEST(TriangleStrips, AgreeWithCentralDifferences) {
-  const Pressed s;
-  ASSERT_GT(s.energy(s.x), 0);
-  checks::expect_force(
-      s.force(s.x), [&](const VectorXd& x) { return s.energy(x); }, s.x, 1, 10);
-  for (int which = 0; which < 4; ++which) {
-    const VectorXd dx = scattered_vector(21, 30 + which);
-    checks::expect_product(
-        s.product(dx), [&](const VectorXd& x) { return s.force(x); }, s.x, dx, 1, 10);
-  }
+  expect_central_differences(Pressed());
 }
 
 TEST(TriangleStrips, HaveADefiniteProduct) {
-  const Pressed s;
-  MatrixXd K(21, 21);
-  for (int i = 0; i < 21; ++i) K.col(i) = -s.product(VectorXd::Unit(21, i));
-  EXPECT_GT(K.norm(), 1);
-  EXPECT_LE((K - K.transpose()).norm(), kRounding);
-  EXPECT_GE(solver::symmetric_eigenvalues(K).minCoeff(), -20 * kRounding);
+  expect_definite_product(Pressed());
 }
 
 TEST(TriangleStrips, PushAsMuchAsTheyArePushed) {

@@ -1,24 +1,11 @@
 // STAFF ONLY.
 #include "grader/suite/H10/answers.h"
 
+#include "grader/suite/numbers.h"
 #include "grader/wire/helix_message.h"
 
 namespace grader::h10 {
 namespace {
-
-MessageReader ask(Trial& trial, const MessageWriter& message) {
-  return trial.ask(message, [](int, const auto&, auto&) -> bool { throw MalformedMessage("no operator"); });
-}
-
-VectorXd only_numbers(MessageReader reply, Eigen::Index size) {
-  const std::vector<double> numbers = reply.get_doubles(static_cast<std::size_t>(size));
-  reply.expect_end();
-  return Eigen::Map<const VectorXd>(numbers.data(), size);
-}
-
-std::span<const double> as_numbers(const VectorXd& vector) {
-  return {vector.data(), static_cast<std::size_t>(vector.size())};
-}
 
 std::string points_of(const VectorXd& guide) {
   return std::to_string(guide.size() / 3) + " points";
@@ -31,7 +18,7 @@ Weights ask_weights(Trial& trial, const Corners& corners, const Vector3d& root) 
   message.put(0);
   for (const Vector3d& corner : corners) put_vector3(message, corner);
   put_vector3(message, root);
-  const VectorXd weights = only_numbers(ask(trial, message), 3);
+  const VectorXd weights = only_numbers(ask_alone(trial, message), 3);
   return {weights[0], weights[1], weights[2]};
 }
 
@@ -44,7 +31,7 @@ VectorXd ask_interpolated(Trial& trial, const std::array<OwnGuide, 3>& guides, c
   put(message, root);
   trial.describe("guides of " + points_of(guides[0].points) + ", weights " + std::to_string(weights[0]) +
                  ", " + std::to_string(weights[1]) + ", " + std::to_string(weights[2]));
-  return only_numbers(ask(trial, message), guides[0].points.size());
+  return only_numbers(ask_alone(trial, message), guides[0].points.size());
 }
 
 GuideFrames ask_frames(Trial& trial, const VectorXd& guide) {
@@ -52,7 +39,7 @@ GuideFrames ask_frames(Trial& trial, const VectorXd& guide) {
   message.put(2);
   message.put(as_numbers(guide));
   trial.describe("a guide of " + points_of(guide));
-  MessageReader reply = ask(trial, message);
+  MessageReader reply = ask_alone(trial, message);
   GuideFrames frames = get_guide_frames(reply, static_cast<std::size_t>(guide.size() / 3));
   reply.expect_end();
   return frames;
@@ -67,7 +54,7 @@ VectorXd ask_extrapolated(Trial& trial, const VectorXd& guide, const GuideFrames
   put_vector3(message, root);
   message.put(spread);
   trial.describe("a guide of " + points_of(guide) + ", spread " + std::to_string(spread));
-  return only_numbers(ask(trial, message), guide.size());
+  return only_numbers(ask_alone(trial, message), guide.size());
 }
 
 VectorXd ask_blended(Trial& trial, const VectorXd& arc, const VectorXd& at_root, const VectorXd& at_tip,
@@ -79,7 +66,7 @@ VectorXd ask_blended(Trial& trial, const VectorXd& arc, const VectorXd& at_root,
                  (place == Place::own       ? "memory of its own"
                   : place == Place::at_root ? "at_root"
                                             : "at_tip"));
-  return only_numbers(ask(trial, message), at_root.size());
+  return only_numbers(ask_alone(trial, message), at_root.size());
 }
 
 }  // namespace grader::h10

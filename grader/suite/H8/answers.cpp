@@ -1,15 +1,12 @@
 // STAFF ONLY.
 #include "grader/suite/H8/answers.h"
 
+#include "grader/suite/numbers.h"
 #include "grader/wire/helix_message.h"
 #include "grader/wire/strand_message.h"
 
 namespace grader::h8 {
 namespace {
-
-MessageReader ask(Trial& trial, const MessageWriter& message) {
-  return trial.ask(message, [](int, const auto&, auto&) -> bool { throw MalformedMessage("no operator"); });
-}
 
 template <typename Get>
 auto only(MessageReader reply, Get get) {
@@ -54,7 +51,7 @@ std::array<double, 8> ask_stumpff(Trial& trial, double x) {
   MessageWriter message;
   message.put(0).put(x);
   trial.describe("x = " + std::to_string(x));
-  const VectorXd numbers = only_vector(ask(trial, message), 8);
+  const VectorXd numbers = only_vector(ask_alone(trial, message), 8);
   std::array<double, 8> c{};
   std::copy(numbers.begin(), numbers.end(), c.begin());
   return c;
@@ -62,13 +59,13 @@ std::array<double, 8> ask_stumpff(Trial& trial, double x) {
 
 MaterialFrame ask_frame(Trial& trial, const MaterialFrame& start, const Vector3d& curvature, double s) {
   trial.describe("an element that winds by " + std::to_string(s * curvature.norm()));
-  return only(ask(trial, place(1, start, curvature, s)), get_frame);
+  return only(ask_alone(trial, place(1, start, curvature, s)), get_frame);
 }
 
 hair::HelixJacobian ask_jacobian(Trial& trial, const MaterialFrame& start, const Vector3d& curvature,
                                  double s) {
   trial.describe("an element that winds by " + std::to_string(s * curvature.norm()));
-  return only(ask(trial, place(5, start, curvature, s)), get_jacobian);
+  return only(ask_alone(trial, place(5, start, curvature, s)), get_jacobian);
 }
 
 std::vector<hair::HelixElement> ask_carried(Trial& trial, const MaterialFrame& root,
@@ -78,7 +75,7 @@ std::vector<hair::HelixElement> ask_carried(Trial& trial, const MaterialFrame& r
   put(message, root);
   put(message, elements);
   trial.describe(std::to_string(elements.size()) + " elements");
-  std::vector<hair::HelixElement> carried = only(ask(trial, message), get_elements);
+  std::vector<hair::HelixElement> carried = only(ask_alone(trial, message), get_elements);
   if (carried.size() != elements.size()) throw MalformedMessage("another number of elements");
   return carried;
 }
@@ -87,7 +84,7 @@ VectorXd ask_stiffness(Trial& trial, const HelixStrand& strand) {
   MessageWriter message;
   message.put(3);
   put(message, strand);
-  return only_vector(ask(trial, message), strand.natural.size());
+  return only_vector(ask_alone(trial, message), strand.natural.size());
 }
 
 VectorXd ask_elastic(Trial& trial, const HelixStrand& strand, const VectorXd& q) {
@@ -95,18 +92,18 @@ VectorXd ask_elastic(Trial& trial, const HelixStrand& strand, const VectorXd& q)
   message.put(4);
   put(message, strand);
   put(message, q);
-  return only_vector(ask(trial, message), q.size());
+  return only_vector(ask_alone(trial, message), q.size());
 }
 
 VectorXd ask_force(Trial& trial, const Hair& hair) {
   trial.describe(in_words(hair));
-  return only_vector(ask(trial, placed(6, hair)), hair.q.size());
+  return only_vector(ask_alone(trial, placed(6, hair)), hair.q.size());
 }
 
 MatrixXd ask_mass(Trial& trial, const Hair& hair) {
   trial.describe(in_words(hair));
   const Eigen::Index size = hair.q.size();
-  return only_vector(ask(trial, placed(7, hair)), size * size).reshaped(size, size);
+  return only_vector(ask_alone(trial, placed(7, hair)), size * size).reshaped(size, size);
 }
 
 VectorXd ask_step(Trial& trial, const Hair& hair, double h) {
@@ -115,7 +112,7 @@ VectorXd ask_step(Trial& trial, const Hair& hair, double h) {
   put(message, hair.rates);
   message.put(h);
   trial.describe(in_words(hair) + ", h = " + std::to_string(h) + " s");
-  return only_vector(ask(trial, message), hair.q.size());
+  return only_vector(ask_alone(trial, message), hair.q.size());
 }
 
 }  // namespace grader::h8

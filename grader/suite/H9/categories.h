@@ -8,7 +8,7 @@ namespace grader::h9 {
 
 std::vector<Category> categories();
 
-inline constexpr WholeRunPoints kWholeRun{};  // each call is judged by itself
+inline constexpr WholeRunPoints kWholeRun{2, 2};
 
 // Each sends its cases to the student's functions and throws CaseFailed at the first failure.
 void strengths(Trial& trial);

@@ -84,6 +84,7 @@ class FrameWriter {
 
   void close() {
     const timing::AddsTime watch(record_.seconds.write);
+    if (record_.links) binary_.add(*record_.links);
     binary_.close();
     csv_.close();
   }
@@ -140,6 +141,11 @@ RunResult run_scene(const Scene& scene, const RunSettings& settings, const std::
   }
   FrameWriter frames(scene, folder, *playback, pictures.get(), record);
   play(*playback, frames, record, interrupted, progress);
+  if (const MeshRecord* mesh = playback->mesh_record()) {
+    record.links = LinksFile{{}, mesh->broken};
+    for (const StaticLink& link : scene.hair.mesh->links) record.links->particles.push_back({link.a, link.b});
+    record.worn_off = mesh->worn_off;
+  }
   frames.close();
   record.warnings = playback->watch().warnings();
   if (pictures) {

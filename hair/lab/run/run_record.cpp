@@ -90,6 +90,16 @@ std::string text_of(const SynthesisCounts& counts, std::size_t guides_left_out) 
          ", \"guides_left_out\": " + json_text(static_cast<long>(guides_left_out)) + "}";
 }
 
+// Which links broke at which step is in states.bin.
+std::string links_text(const RunRecord& record) {
+  if (!record.links) return "null";
+  const LinksFile& links = *record.links;
+  return json_object({{"links", json_text(std::ssize(links.particles))},
+                      {"broken", json_text(std::ssize(links.broken))},
+                      {"first_broken", links.broken.empty() ? "null" : json_text(links.broken.front().step)},
+                      {"worn_off", json_text(record.worn_off)}});
+}
+
 }  // namespace
 
 std::string warning_text(const std::vector<Warning>& warnings) {
@@ -129,6 +139,7 @@ std::string run_json(const Scene& scene, const RunRecord& record) {
       {"opengl", text_or_null(record.opengl)},
       {"dense_hair", record.dense ? text_of(*record.dense, record.guides_left_out) : "null"},
       {"work", text_of(record.frames.empty() ? Work{} : record.frames.back().work)},
+      {"links", links_text(record)},
       {"warnings", text_of(record.warnings)},
   };
   std::string text = "{\n";

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hair/lab/run/states_file.h"
 #include "hair/scene/playback.h"
 #include "hair/scene/scene.h"
 
@@ -34,6 +35,8 @@ struct RunRecord {
   int particles = 0;
   std::vector<FrameRecord> frames;
   std::vector<Warning> warnings;
+  std::optional<LinksFile> links;  // none without a control mesh
+  double worn_off = 0;             // J: see MeshRecord
 
   // The reason why there are none, or nothing.
   std::optional<std::string> no_pictures, no_film;

@@ -17,15 +17,54 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "files are written as memory is");
 
-constexpr std::string_view kMagic = "HAIRRUN1";
-constexpr std::uint64_t kHeader = 24, kFramesAt = 16;  // bytes
+constexpr std::string_view kMagic = "HAIRRUN1", kLinksMagic = "BROKEN 1";
+constexpr std::uint64_t kHeader = 24, kFramesAt = 16, kLinksHeader = 16;  // bytes
+constexpr std::uint64_t kSteps = std::uint64_t{1} << 53;
 
 std::string_view bytes_of(const std::uint32_t& value) {
   return {reinterpret_cast<const char*>(&value), sizeof value};
 }
 
+std::string_view bytes_of(const std::uint64_t& value) {
+  return {reinterpret_cast<const char*>(&value), sizeof value};
+}
+
 std::string_view bytes_of(const double* values, Eigen::Index count) {
   return {reinterpret_cast<const char*>(values), sizeof(double) * static_cast<std::size_t>(count)};
+}
+
+// What comes after the frames, `size` bytes. read(to, count) and fail(what): of the file.
+template <class Read, class Fail>
+LinksFile read_links(std::uint64_t size, std::uint64_t particles, const Read& read, const Fail& fail) {
+  std::array<char, kLinksMagic.size()> magic{};
+  std::array<std::uint32_t, 2> counts{};
+  read(magic.data(), magic.size());
+  read(counts.data(), sizeof counts);
+  const std::uint64_t links = counts[0], broken = counts[1];
+  if (std::string_view(magic.data(), magic.size()) != kLinksMagic || broken > links ||
+      size != kLinksHeader + 8 * links + 16 * broken)
+    fail("has " + std::to_string(size) + " bytes after its frames, which are no list of links");
+  LinksFile file;
+  for (std::uint64_t i = 0; i < links; ++i) {
+    std::array<std::uint32_t, 2> ends{};
+    read(ends.data(), sizeof ends);
+    if (ends[0] >= particles || ends[1] >= particles)
+      fail("link " + std::to_string(i) + " joins particles " + std::to_string(ends[0]) + " and " +
+           std::to_string(ends[1]) + ", of " + std::to_string(particles) + " in all");
+    file.particles.push_back({static_cast<int>(ends[0]), static_cast<int>(ends[1])});
+  }
+  for (std::uint64_t i = 0; i < broken; ++i) {
+    std::array<std::uint64_t, 2> numbers{};  // step and link
+    read(numbers.data(), sizeof numbers);
+    std::array<std::uint64_t, 2> last{0, 0};
+    if (i > 0)
+      last = {static_cast<std::uint64_t>(file.broken.back().step),
+              static_cast<std::uint64_t>(file.broken.back().link)};
+    if (numbers[0] < 1 || numbers[0] >= kSteps || numbers[1] >= links || (i > 0 && numbers <= last))
+      fail("the broken link number " + std::to_string(i) + " is out of order, or of bounds");
+    file.broken.push_back({static_cast<long>(numbers[0]), static_cast<int>(numbers[1])});
+  }
+  return file;
 }
 
 std::uint64_t padding(std::uint64_t strands) {
@@ -51,6 +90,18 @@ void StatesWriter::add(double time, const particles::State& state) {
   file_.write(bytes_of(state.x.data(), state.x.size()));
   file_.write(bytes_of(state.v.data(), state.v.size()));
   ++frames_;
+}
+
+void StatesWriter::add(const LinksFile& links) {
+  file_.write(kLinksMagic);
+  for (const std::size_t count : {links.particles.size(), links.broken.size()})
+    file_.write(bytes_of(static_cast<std::uint32_t>(count)));
+  for (const auto& ends : links.particles)
+    for (const int particle : ends) file_.write(bytes_of(static_cast<std::uint32_t>(particle)));
+  for (const BrokenLink& one : links.broken) {
+    file_.write(bytes_of(static_cast<std::uint64_t>(one.step)));
+    file_.write(bytes_of(static_cast<std::uint64_t>(one.link)));
+  }
 }
 
 void StatesWriter::close() {
@@ -85,8 +136,10 @@ StatesFile read_states(const std::filesystem::path& file) {
   // None of these overflows, for each number is below 2^32; and all is compared with the size before anything
   // of that size is made.
   const std::uint64_t before = kHeader + 4 * strands + padding(strands), frame = 8 * (1 + 6 * particles);
-  if (particles > (1U << 28) || size < before || (size - before) / frame != frames ||
-      (size - before) % frame != 0)
+  // frames < 2^32, and frame < 2^35 if the first holds.
+  const bool room = particles <= (1U << 28) && size >= before && (size - before) / frame >= frames;
+  const std::uint64_t after = room ? size - before - frames * frame : 0;
+  if (!room || (after > 0 && after < kLinksHeader))
     fail("has " + std::to_string(size) + " bytes, which are not those of " + std::to_string(frames) +
          " frames of " + std::to_string(particles) + " particles in " + std::to_string(strands) + " strands");
 
@@ -114,6 +167,7 @@ StatesFile read_states(const std::filesystem::path& file) {
     read(next.state.x.data(), sizeof(double) * static_cast<std::size_t>(numbers_each));
     read(next.state.v.data(), sizeof(double) * static_cast<std::size_t>(numbers_each));
   }
+  if (after > 0) states.links = read_links(after, particles, read, fail);
   return states;
 }
 

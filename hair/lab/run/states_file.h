@@ -8,12 +8,22 @@
 //   u32 x s     threes of each strand; their sum is at most n
 //   zeros       up to a multiple of 8 bytes from the start
 //   f times     f64 time (s), f64 x 3n coordinates, f64 x 3n of their rates (1/s)
+//
+// Only if a control mesh links the strands, then comes which of its links broke when:
+//
+//   8 bytes     "BROKEN 1"
+//   u32 l, b    links, and how many of them broke; b <= l
+//   u32 x 2l    the particles of each link, counted through all strands
+//   b times     u64 step (from 1), u64 link (from 0): it broke at this step's end; in this order, each link once
 #pragma once
 
+#include <array>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "hair/lab/run/output_file.h"
+#include "hair/mass_spring/mesh_record.h"
 #include "hair/strand/body.h"
 #include "particles/state.h"
 
@@ -24,11 +34,17 @@ struct StateFrame {
   particles::State state;
 };
 
+struct LinksFile {
+  std::vector<std::array<int, 2>> particles;  // of each link
+  std::vector<BrokenLink> broken;
+};
+
 struct StatesFile {
   std::vector<int> strands;  // the threes of coordinates of each strand
   int particles = 0;         // of strands and toys together
   Coordinates coordinates = Coordinates::positions;
   std::vector<StateFrame> frames;
+  std::optional<LinksFile> links;  // none without a control mesh
 };
 
 class StatesWriter {
@@ -38,6 +54,7 @@ class StatesWriter {
                const std::vector<int>& strands, int particles,
                Coordinates coordinates = Coordinates::positions);
   void add(double time, const particles::State& state);  // 3n each
+  void add(const LinksFile& links);                      // once, after the last frame
   void close();
 
  private:

@@ -93,6 +93,60 @@ TEST(StatesFileTest, RefusesWhatIsNotWhole) {
     }
 }
 
+LinksFile three_links() {
+  return {{{0, 2}, {1, 2}, {3, 0}}, {{4, 1}, {4, 2}, {9, 0}}};
+}
+
+TEST(StatesFileTest, KeepsWhichLinksBrokeWhen) {
+  const TestFolder folder;
+  for (const bool broken : {true, false}) {
+    LinksFile links = three_links();
+    if (!broken) links.broken.clear();
+    StatesWriter writer(folder / "states.bin", "states.bin", {3, 1}, 4);
+    writer.add(0, state_of(4, 0));
+    writer.add(links);
+    writer.close();
+    const StatesFile read = read_states(folder / "states.bin");
+    EXPECT_EQ(read.frames.size(), 1U);
+    ASSERT_TRUE(read.links);
+    EXPECT_EQ(read.links->particles, links.particles);
+    EXPECT_EQ(read.links->broken, links.broken);
+  }
+}
+
+TEST(StatesFileTest, RefusesLinksThatCantBe) {
+  const TestFolder folder;
+  StatesWriter writer(folder / "states.bin", "states.bin", {3, 1}, 4);
+  writer.add(three_links());
+  writer.close();
+  const std::string good = read_bytes(folder / "states.bin");
+  const std::size_t links = 24 + 8, ends = links + 16, broken = ends + 8 * 3;
+  ASSERT_EQ(good.size(), broken + 16 * 3);
+  const auto refuses = [&](std::size_t at, std::uint32_t value) {
+    std::string bad = good;
+    std::memcpy(bad.data() + at, &value, sizeof value);
+    try {
+      read_states(folder.write("bad.bin", bad));
+      return false;
+    } catch (const BadInput& error) {
+      return true;
+    }
+  };
+  EXPECT_TRUE(refuses(links, 0)) << "other letters";
+  for (const std::uint32_t count : {0U, 2U, 4U, 0xffffffffU}) {
+    EXPECT_TRUE(refuses(links + 8, count)) << count << " links";
+    EXPECT_TRUE(refuses(links + 12, count)) << count << " that broke";
+  }
+  for (const std::uint32_t particle : {4U, 0xffffffffU}) EXPECT_TRUE(refuses(ends + 4, particle)) << particle;
+  EXPECT_TRUE(refuses(broken, 0)) << "steps count from 1";
+  EXPECT_TRUE(refuses(broken + 16, 3)) << "a step before the last";
+  EXPECT_TRUE(refuses(broken + 16 + 8, 1)) << "a link twice in a step";
+  EXPECT_TRUE(refuses(broken + 32 + 8, 3)) << "a link that is not there";
+  EXPECT_TRUE(refuses(broken + 4, 1U << 31)) << "a step beyond all";
+  for (const std::size_t size : {links + 1, links + 15, broken - 1, good.size() - 1})
+    EXPECT_THROW(read_states(folder.write("bad.bin", good.substr(0, size))), BadInput) << size;
+}
+
 TEST(StatesCsvTest, HoldsTheSameNumbersWithAStrandForHairAndNoneForToys) {
   const TestFolder folder;
   const particles::State state = state_of(4, 0.5);

@@ -304,6 +304,25 @@ TEST(Playback, AStepAllocatesWhatConjGradDoes) {
   EXPECT_EQ(counted(scene), 0);
 }
 
+// The second strand's tip a centimetre off where the link has it: k d^2 / 2, and the same bends and weights with any k. A
+// ball beside them comes after all strands.
+TEST(Playback, MeasuresTheEnergyOfLinks) {
+  const auto potential = [](const std::string& stiffness) {
+    const Scene scene = scene_of(R"("method": "implicit_euler", "hair": [{"segments": 4, "length": 0.08,
+      "roots": {"list": [{"position": [0, 0, 0]}, {"position": [0.02, 0, 0]}]}}],
+      "links": {"stiffness": )" + stiffness +
+                                 "}, " + kBall);
+    const Playback playback(scene);
+    EXPECT_NE(playback.mesh_record(), nullptr);
+    particles::State state = playback.state();
+    state.x[3 * 9 + 1] += 0.01;
+    return playback.measure(state).potential;
+  };
+  const double without = potential("0");
+  EXPECT_NEAR(potential("2") - without, 2 * 0.01 * 0.01 / 2, 1e-12);
+  EXPECT_EQ(Playback(scene_of(kHair)).mesh_record(), nullptr);
+}
+
 TEST(Playback, WhatIsOutOfBoundsThrows) {
   Scene scene = scene_of(kBall);
   scene.toys[0].particles.mass[0] = -1;

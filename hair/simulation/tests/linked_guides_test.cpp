@@ -1,7 +1,9 @@
 // STAFF ONLY. Guides that a control mesh makes one system, with the reference's exercises.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "hair/head/control_mesh.h"
 #include "hair/mass_spring/frame_torque.h"
@@ -99,7 +101,8 @@ TEST(GuideFrames, TurnWithTheGuide) {
 TEST(FrameTorque, CompletesWhatHeldFramesLeaveOut) {
   const std::vector<StaticLink> links = {{1, 2, Vector3d(0.3, 0.2, -0.5), 1, 2, 9, 9}};
   const VectorXd largest = VectorXd::Zero(1), x = scattered_vector(9, 3);
-  const hair::FrameTorque torque(links, {0});
+  hair::FrameTorque torque(links, {0});
+  torque.hold(largest);
   const Vector3d c0 = (x.segment<3>(3) - x.head<3>()).normalized();
   const auto frames_at = [&](const VectorXd& y) {
     const Vector3d c = (y.segment<3>(3) - y.head<3>()).normalized();
@@ -108,7 +111,7 @@ TEST(FrameTorque, CompletesWhatHeldFramesLeaveOut) {
   const auto force = [&](const VectorXd& y) {
     VectorXd f = VectorXd::Zero(9);
     add_link_force(links, frames_at(y), largest, y, f);
-    torque.add_force(frames_at(y), largest, y, f);
+    torque.add_force(frames_at(y), y, f);
     return f;
   };
   checks::expect_force(
@@ -116,7 +119,7 @@ TEST(FrameTorque, CompletesWhatHeldFramesLeaveOut) {
   const auto product = [&](const VectorXd& y, const VectorXd& dx) {
     VectorXd df = VectorXd::Zero(9);
     add_link_product(links, largest, dx, df);
-    torque.add_product(frames_at(y), largest, y, dx, df);
+    torque.add_product(frames_at(y), y, dx, df);
     return df;
   };
   VectorXd rest = x;
@@ -162,7 +165,7 @@ TEST(LinkedGuides, AreStableFarBeyondTheExplicitLimit) {
 
 // The same bits again, after a restart too, with any number of threads.
 TEST(LinkedGuides, BreakTheSameWayEachTime) {
-  hair::Description hair = linked(guides(4), {0.001, 0.01, 0.3, hair::StripLaw{0.003, 0.05, 0.3}});
+  hair::Description hair = linked(guides(4), {0.001, 0.01, 0.1, hair::StripLaw{0.003, 0.05, 0.3}});
   for (int i = 0; i < 4; ++i) hair.strands[i].state.v.tail<12>() = 0.5 * scattered_vector(12, i);
   hair::Simulation one(hair);
   hair.jobs = 3;
@@ -171,13 +174,46 @@ TEST(LinkedGuides, BreakTheSameWayEachTime) {
   ASSERT_FALSE(other.advance(60));
   const VectorXd first = positions(one);
   EXPECT_EQ(first, positions(other));
+  const std::vector<hair::BrokenLink> broken = one.mesh_record()->broken;
+  EXPECT_GT(broken.size(), 1U);
+  EXPECT_LT(broken.size(), hair.mesh->links.size());
+  EXPECT_EQ(broken, other.mesh_record()->broken);
   one.restart(hair);
+  EXPECT_TRUE(one.mesh_record()->broken.empty());
   ASSERT_FALSE(one.advance(60));
   EXPECT_EQ(first, positions(one)) << "what links remember is forgotten";
+  EXPECT_EQ(broken, one.mesh_record()->broken);
   hair.mesh->links.clear();
   hair::Simulation unlinked(hair);
   ASSERT_FALSE(unlinked.advance(60));
   EXPECT_GT((first - positions(unlinked)).norm(), 1e-4) << "links do something";
+}
+
+// In the first step links were new: what they would hold where it ended, and don't, is what has worn off.
+TEST(LinkedGuides, RecordTheEnergyThatLinksLose) {
+  hair::Description hair = linked(guides(2), {0.001, 0.01, 0.3});
+  hair.strands[1].state.v.tail<24>() = scattered_vector(24, 1);
+  hair::Simulation simulation(hair);
+  EXPECT_EQ(simulation.mesh_energy(positions(simulation)), 0) << "at rest";
+  ASSERT_FALSE(simulation.step());
+  const VectorXd x = positions(simulation);
+  std::vector<Matrix3d> frames(18);
+  for (int i = 0; i < 2; ++i)
+    hair::guide_frames(x.segment(27 * i, 27), Vector3d(0, 0, -1), hair::side_of(Vector3d(0, 0, -1)),
+                       std::span(frames).subspan(9 * static_cast<std::size_t>(i), 9));
+  const std::vector<StaticLink>& links = hair.mesh->links;
+  const double whole = link_energy(links, frames, VectorXd::Zero(links.size()), x);
+  const hair::MeshRecord& record = *simulation.mesh_record();
+  EXPECT_GT(record.worn_off, 0.1 * whole);
+  EXPECT_GT(simulation.mesh_energy(x), 0) << "some links are worn and not broken";
+  EXPECT_NEAR(record.worn_off, whole - simulation.mesh_energy(x), 1e-12 * whole);
+  VectorXd stretches = VectorXd::Zero(links.size());
+  remember_stretches(links, frames, x, stretches);
+  EXPECT_EQ(static_cast<long>(record.broken.size()), (stretches.array() >= 0.3).count());
+  for (const hair::BrokenLink& one : record.broken) {
+    EXPECT_EQ(one.step, 1);
+    EXPECT_GE(stretches[one.link], 0.3);
+  }
 }
 
 // A particle belongs to the side where it first touched, wherever it is later, until it is far away.
@@ -202,36 +238,89 @@ TEST(StripContacts, RememberTheSide) {
   EXPECT_EQ(side_at(0.05), 1);
 }
 
+// A step that takes a particle farther than the strip's thickness: if it is still near the strip, it belongs to where it
+// came from; if not, it went through, and is counted. What moves past the strip's edge is not.
+TEST(StripContacts, CountWhatGoesThroughInOneStep) {
+  hair::ControlMesh mesh;
+  mesh.strips.push_back({{0, 1}, {{0, 1, 2}}});
+  mesh.law = {0.1, 1, 0};
+  hair::StripContacts contacts(mesh, {0, 1, 3, 5});
+  VectorXd x(15);
+  x << 0, 0, 0, 1, 0, 0, 0, 1, 0, 9, 9, 9, 0.2, 0.2, 0;
+  const VectorXd tangents = VectorXd::Zero(15);
+  const auto side_at = [&](double along, double height) {
+    x.tail<3>() << along, 0.2, height;
+    contacts.find(x, tangents);
+    return contacts.all().empty() ? 0 : contacts.all()[0].normal.z();
+  };
+  EXPECT_EQ(side_at(0.2, 0.15), 0);
+  EXPECT_EQ(side_at(0.2, -0.05), 1) << "it came from above, by twice the thickness";
+  EXPECT_EQ(side_at(0.2, 0.15), 0);
+  EXPECT_EQ(contacts.passes(2), 0);
+  EXPECT_EQ(side_at(0.2, -0.15), 0);
+  EXPECT_EQ(contacts.passes(2), 1) << "by three times the thickness";
+  EXPECT_EQ(side_at(0.2, -5), 0);
+  EXPECT_EQ(side_at(2, -0.15), 0);
+  EXPECT_EQ(side_at(2, 0.15), 0) << "beside the strip";
+  EXPECT_EQ(side_at(-0.9, 0.15), 0);
+  EXPECT_EQ(side_at(0.5, -0.35), 0) << "it meets the plane where there is no strip";
+  EXPECT_EQ(contacts.passes(2), 1);
+  EXPECT_EQ(side_at(0.2, -0.05), -1);
+  EXPECT_EQ(side_at(0.2, 0.05), -1);
+  EXPECT_EQ(side_at(0.2, 0.12), 0);
+  EXPECT_EQ(contacts.passes(2), 2) << "it leaves at the wrong side";
+  EXPECT_EQ(contacts.passes(0) + contacts.passes(1), 0);
+}
+
+// Two guides with a strip between them, and a third across their way, 4 mm beside it, that moves towards it, m/s.
+hair::Description hair_before_a_strip(double speed, const std::optional<hair::StripLaw>& law) {
+  hair::Description hair = guides(3);
+  hair::StrandSpec spec;
+  spec.elements = 8;
+  spec.length = 0.08;
+  spec.root.position = Vector3d(-0.025, 0.004, -0.04);
+  spec.root.axis = Vector3d(1, 0, 0);
+  spec.root.side = Vector3d(0, 0, 1);
+  hair.strands[2] = discretise(spec);
+  hair.gravity.setZero();
+  hair.strands[2].state.v.reshaped(3, 9).row(1).setConstant(-speed);
+  hair.mesh = control_mesh(hair.strands, std::vector<hair::Pair>{{0, 1}}, {0, 1, 2, law});
+  return hair;
+}
+
 // A guide whose root moves on is pulled against the strip between two others that lie across its way: it stays outside,
 // and without the strip it passes.
 TEST(LinkedGuides, StripsKeepHairOut) {
   for (const bool strips : {true, false}) {
-    hair::Description hair = guides(3);
-    hair::StrandSpec spec;
-    spec.elements = 8;
-    spec.length = 0.08;
-    spec.root.position = Vector3d(0.015, 0.004, -0.04);
-    spec.root.axis = Vector3d(1, 0, 0);
-    spec.root.side = Vector3d(0, 0, 1);
-    spec.root.position.x() -= 0.04;
-    hair.strands[2] = discretise(spec);
-    hair.gravity.setZero();
-    hair.strands[2].state.v.reshaped(3, 9).row(1).setConstant(-0.1);
-    const std::vector<hair::Pair> pair = {{0, 1}};
-    hair.mesh = control_mesh(hair.strands, pair, {0, 1, 2});
-    if (strips) hair.mesh = control_mesh(hair.strands, pair, {0, 1, 2, hair::StripLaw{0.003, 50, 0.2}});
-    hair::Simulation simulation(hair);
+    hair::Simulation simulation(
+        hair_before_a_strip(0.1, strips ? std::optional(hair::StripLaw{0.003, 50, 0.2}) : std::nullopt));
     double lowest = 1;
     for (int step = 0; step < 40; ++step) {
       ASSERT_FALSE(simulation.step());
       const auto& third = simulation.state(2).x;
       lowest = std::min(lowest, third[3 * 5 + 1] - simulation.state(0).x[3 * 4 + 1]);
     }
+    EXPECT_EQ(simulation.watch().worst(hair::Concern::passes), 0);
     if (strips)
       EXPECT_GT(lowest, -0.002) << "beside the strip";
     else
       EXPECT_LT(lowest, -0.004) << "through where the strip would be";
   }
+}
+
+// In a step it moves by 13 mm, four times the strip's thickness: the strip sees nothing of it, and a warning says so.
+TEST(LinkedGuides, WarnOfStepsThatAreTooLongForStrips) {
+  hair::Simulation simulation(hair_before_a_strip(3, hair::StripLaw{0.003, 50, 0.2}));
+  ASSERT_FALSE(simulation.advance(3));
+  const std::vector<hair::Warning> warnings = simulation.watch().warnings();
+  const auto passes = std::find_if(warnings.begin(), warnings.end(), [](const hair::Warning& one) {
+    return one.concern->concern == hair::Concern::passes;
+  });
+  ASSERT_NE(passes, warnings.end());
+  EXPECT_EQ(passes->strand, 2);
+  EXPECT_EQ(passes->strands, 1);
+  EXPECT_EQ(passes->step, 2) << "contacts are looked for at the beginning of the next step";
+  EXPECT_GE(passes->size, 1);
 }
 
 TEST(LinkedGuides, RefuseWhatCantBeLinked) {
