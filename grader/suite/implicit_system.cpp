@@ -51,6 +51,27 @@ void CoupledForce::add_dfdv(particles::Input, particles::Input, particles::Input
   df -= D_ * dv;
 }
 
+// Of random_cloud's states, |2 q x v| is 0.1 `stiffness` where x and v are three times their usual size.
+MixedForce::MixedForce(Random& random, int n, double stiffness, double damping)
+    : CoupledForce(random, n, stiffness, damping), q_(0.01 * stiffness), p_(0.1 * damping) {}
+
+void MixedForce::add_force(particles::Input x, particles::Input v, particles::Output f) const {
+  CoupledForce::add_force(x, v, f);
+  f -= (q_ * x.array().square() * v.array() + p_ * v.array().cube()).matrix();
+}
+
+void MixedForce::add_dfdx(particles::Input x, particles::Input v, particles::Input dx,
+                          particles::Output df) const {
+  CoupledForce::add_dfdx(x, v, dx, df);
+  df -= (2 * q_ * x.array() * v.array() * dx.array()).matrix();
+}
+
+void MixedForce::add_dfdv(particles::Input x, particles::Input v, particles::Input dv,
+                          particles::Output df) const {
+  CoupledForce::add_dfdv(x, v, dv, df);
+  df -= ((q_ * x.array().square() + 3 * p_ * v.array().square()) * dv.array()).matrix();
+}
+
 Cloud random_cloud(Random& random, std::string name, int n, double lightest, double heaviest,
                    double stiffness, double damping) {
   Cloud cloud;

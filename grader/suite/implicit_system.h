@@ -50,6 +50,25 @@ class CoupledForce : public particles::Force {
   Eigen::MatrixXd K_, D_;
 };
 
+// The same, and a damping that depends on where a coordinate is and on how fast it moves:
+//
+//   -q x^2 v - p v^3,   d/dx: -2 q x v,   d/dv: -q x^2 - 3 p v^2,
+//
+// so that df/dx depends on v, and df/dv on x and v. q is so small that K outweighs what 2 q x v may take from it.
+class MixedForce final : public CoupledForce {
+ public:
+  MixedForce(Random& random, int n, double stiffness, double damping);
+
+  void add_force(particles::Input x, particles::Input v, particles::Output f) const override;
+  void add_dfdx(particles::Input x, particles::Input v, particles::Input dx,
+                particles::Output df) const override;
+  void add_dfdv(particles::Input x, particles::Input v, particles::Input dv,
+                particles::Output df) const override;
+
+ private:
+  double q_, p_;
+};
+
 // n particles at random positions, with masses between `lightest` and `heaviest`.
 Cloud random_cloud(Random& random, std::string name, int n, double lightest, double heaviest,
                    double stiffness, double damping);

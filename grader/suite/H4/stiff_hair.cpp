@@ -2,6 +2,7 @@
 #include "grader/suite/H4/stiff_hair.h"
 
 #include "particles/force_sum.h"
+#include "particles/gravity.h"
 #include "particles/products_to_band.h"
 #include "particles/springs.h"
 
@@ -34,10 +35,11 @@ class FarSpring final : public particles::DampedSprings {
 
 }  // namespace
 
-Cloud stiff_hair(Random& random, int n, double h, bool far) {
+Cloud stiff_hair(Random& random, int n, double h, int far) {
   constexpr double kMass = 1e-7, kLength = 0.01;
   Cloud hair;
-  hair.name = "a stiff hair of " + std::to_string(n) + " particles" + (far ? " with one spring more" : "");
+  hair.name = "a stiff hair of " + std::to_string(n) + " particles" + " with " + std::to_string(far) +
+              " springs more";
   hair.particles = {VectorXd::Zero(n), std::vector<char>(n, 0)};
   hair.particles.pinned[0] = 1;
   hair.state = {VectorXd::Zero(3 * n), random_vector(random, 3 * n, 0.01)};
@@ -55,7 +57,34 @@ Cloud stiff_hair(Random& random, int n, double h, bool far) {
   for (int i = 0; i + 2 < n; ++i) springs.push_back(spring(i, i + 2, 0.01 * stiff));
   auto forces = std::make_shared<particles::ForceSum>();
   forces->emplace<NearSprings>(springs);
-  if (far) forces->emplace<FarSpring>(spring(1, n - 1, 10));
+  for (int i = 0; i < far; ++i) forces->emplace<FarSpring>(spring(1 + i, n - 1 - i, 10));
+  hair.force = forces;
+  return hair;
+}
+
+Cloud hair_without_band(Random& random, double h) {
+  Cloud hair = chain(random, 6, 1e-7, 1e4, h);
+  hair.name = "a hair whose band knows of no spring";
+  for (double& mass : hair.particles.mass) mass *= random.log_uniform(1, 1e6);
+  auto forces = std::make_shared<particles::ForceSum>();
+  for (int i = 1; i < hair.count(); ++i)
+    forces->emplace<FarSpring>(Spring{i - 1, i, 1e4 * 1e-7 / (h * h), 0.01 * random.uniform(0.9, 1)});
+  hair.force = forces;
+  return hair;
+}
+
+Cloud hanging_hair(Random& random, int n, double stiff, double h) {
+  Cloud hair = chain(random, n, 1e-7, stiff, h);
+  hair.name = "a hair under gravity";
+  hair.state.v.setZero();
+  std::vector<Spring> springs;
+  for (int i = 1; i < n; ++i) {
+    const double length = (hair.state.x.segment<3>(3 * i) - hair.state.x.segment<3>(3 * i - 3)).norm();
+    springs.push_back({i - 1, i, stiff * 1e-7 / (h * h), length});
+  }
+  auto forces = std::make_shared<particles::ForceSum>();
+  forces->emplace<particles::DampedSprings>(springs, particles::Products::definite);
+  forces->emplace<particles::Gravity>(hair.particles.mass, Eigen::Vector3d(0, 0, -9.81));
   hair.force = forces;
   return hair;
 }

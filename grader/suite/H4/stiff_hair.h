@@ -6,8 +6,16 @@
 namespace grader::h4 {
 
 // n particles, the root pinned, along a chain of about 1 cm that bends a little. Springs along it, h^2 k/m from 1e4 to 1e6,
-// and weaker ones that skip a particle. With `far`, another spring holds the tip to the particle below the root, and the
-// band does not know of it.
-Cloud stiff_hair(Random& random, int n, double h, bool far);
+// and weaker ones that skip a particle. `far` more
+// springs hold the tip, and those above it, to particles below the root, and the band does not know of them.
+Cloud stiff_hair(Random& random, int n, double h, int far);
+
+// Such a hair of six particles whose band knows of no spring, with masses of 1:1e6 and h^2 k/m of 1e4: a preconditioner
+// that is far from the matrix.
+Cloud hair_without_band(Random& random, double h);
+
+// A hair under gravity, h^2 k/m = `stiff`, no spring stretched; its force does not know the band. Rounding leaves a
+// residual of about u `stiff` times the right-hand side.
+Cloud hanging_hair(Random& random, int n, double stiff, double h);
 
 }  // namespace grader::h4

@@ -33,6 +33,10 @@ void first_guess(Trial& trial) {
   const Solution zero = solve(trial, homogeneous, 1e-10, 0);
   trial.expect(zero.steps == 0 && zero.x == homogeneous.b, "b = 0 does not give x = 0 after 0 steps");
 
+  homogeneous.name = "b = 0, epsilon = 0";
+  const Solution exactly = solve(trial, homogeneous, 0, 0);
+  trial.expect(exactly.steps == 0 && exactly.value == 0, "b = 0 takes steps if epsilon is 0");
+
   const LinearSystem identity =
       sparse_system("identity", solver::diagonal(std::vector<double>(n, 1.0)), random.normals(n), 1);
   const Solution same = solve(trial, identity, 1e-10, 0);
@@ -66,6 +70,27 @@ void step_limit(Trial& trial) {
     const Solution guess = solve(trial, system, epsilon, none);
     expect_steps(trial, guess, 0);
     trial.expect(guess.x == system.b, "without a step x is not b");
+  }
+
+  // Each 64th step takes the true residual, and moves x as any other does: along a direction to where the residual is
+  // orthogonal to it. By then rounding has turned the directions, and steps differ several times in length; but each
+  // ends there, within (10 + 2e) u ||A|| X for the last step's own rounding and 65 times that for the residual's.
+  const LinearSystem long_way =
+      spectral_system("a 64th step", log_spaced(random.integer(150, 200), 1, 1000), random);
+  for (int last : {63, 64, 65, 128}) {
+    std::vector<double> x = solve(trial, long_way, 0, last).x, Ax(x.size());
+    const std::vector<double> before = solve(trial, long_way, 0, last - 1).x;
+    long_way.A->matVecMult(x.data(), Ax.data());
+    double along = 0;
+    for (std::size_t i = 0; i < x.size(); ++i) along += (x[i] - before[i]) * (long_way.b[i] - Ax[i]);
+    const double moved = distance(x, before),
+                 expected = distance(reference_solution(long_way, 0, last).x,
+                                     reference_solution(long_way, 0, last - 1).x);
+    const std::string step = "step " + std::to_string(last);
+    trial.expect(moved > expected / 100, "a step does not move x",
+                 step + ": " + std::to_string(moved) + " instead of " + std::to_string(expected));
+    trial.expect_at_most(std::abs(along), moved * 2 * drift(long_way, x, 0),
+                         "the part of b - Ax that a step leaves along its direction", step);
   }
 
   // 0 stands for max(100, 2n), and epsilon = 0 uses all of it.
@@ -130,6 +155,9 @@ void scaling(Trial& trial) {
     // Multiplying by a power of two commutes with every rounding.
     for (int i = 0; i < system.n(); ++i)
       trial.expect(solution.x[i] == std::ldexp(plain.x[i], power), "scaling b does not scale x, bit by bit");
+    // An epsilon of 0 is 0 at any scale.
+    trial.expect(solve(trial, scaled, 0, system.n() - 2).steps == system.n() - 2,
+                 "scaling b changes the number of steps");
   }
 }
 

@@ -43,6 +43,31 @@ void expect_breakdown(Trial& trial, const LinearSystem& system, const Solution& 
                        "the error of the x that it ends with");
 }
 
+// What is finite on paper and what is not, where numbers end. The first direction is r = b - Ax = b (1 - a) of A = a I,
+// alpha is 1 / a, and the next x is b / a.
+void where_numbers_end(Trial& trial) {
+  Random& random = trial.random;
+  const auto diagonal = [](std::string name, std::vector<double> d, std::vector<double> b) {
+    return with_right_side(std::move(name), solver::diagonal(d), std::move(b));
+  };
+  const double size = random.uniform(1, 3);
+  for (const LinearSystem& system : {diagonal("x overflows", {1e-200, 1e-200}, {size * 1e150, 1e150}),
+                                     diagonal("one entry of x overflows", {2, 1e-200}, {size, 1e150}),
+                                     diagonal("the other entry of x overflows", {1e-200, 2}, {1e150, size}),
+                                     diagonal("d'Ad overflows", {1e10, 2e10}, {size * 1e140, 1e140}),
+                                     diagonal("alpha overflows", {4e-309, 4e-309}, {size, 1})}) {
+    const Solution solution = solve(trial, system, 1e-12, 0);
+    expect_breakdown(trial, system, solution, 1e-12, 1, system.b);
+  }
+  // A solution near the end of the numbers, 1.8e308, is one.
+  const double b = random.uniform(1, 2) * 1e150;
+  const LinearSystem large = diagonal("x is 1e308", {1.25e-158, 1.25e-158}, {b, 1e150});
+  const Solution solution = solve(trial, large, 1e280, 0);
+  expect_steps(trial, solution, 1);
+  trial.expect_at_most(std::abs(solution.x[0] / (8e157 * b) - 1) + std::abs(solution.x[1] / 8e307 - 1), 1e-14,
+                       "the relative error of an x near the end of the numbers");
+}
+
 }  // namespace
 
 void not_positive_definite(Trial& trial) {
@@ -125,6 +150,7 @@ void not_finite(Trial& trial) {
                            "the error of the last finite x");
     }
   }
+  where_numbers_end(trial);
 }
 
 void products(Trial& trial) {
@@ -160,6 +186,10 @@ void call_after_call(Trial& trial) {
   for (const LinearSystem* other : {&larger, &smaller}) {
     const double other_epsilon = tolerance_after(*other, 3).epsilon;
     expect_solved(trial, *other, solve(trial, *other, other_epsilon, 0), other_epsilon);
+    // Forty steps, and forty more: none is a 64th.
+    const Solution many = solve(trial, larger, 0, 40);
+    expect_steps(trial, many, 40);
+    expect_counted_products(trial, larger, many);
     const Solution after = solve(trial, first, epsilon, 0);
     trial.expect(after.x == before.x && after.steps == before.steps && after.value == before.value,
                  "the same call gives another result the second time");

@@ -20,6 +20,17 @@ std::vector<double> uniform_values(Random& random, int n, double low, double hig
   return values;
 }
 
+// A tolerance that takes hundreds of steps: what forgets the directions so far, at each 64th step or otherwise, takes
+// many times as many. Directions that rounding has turned cost each program some steps, and none a third more.
+void expect_long_solve(Trial& trial, const LinearSystem& system) {
+  const double epsilon = std::pow(1e-8 * norm(system.b), 2);
+  const int most = 100 * system.n(), steps = reference_solution(system, epsilon, most).steps;
+  const Solution solution = solve(trial, system, epsilon, most);
+  expect_solved(trial, system, solution, epsilon);
+  trial.expect_at_most(solution.steps, 4 * steps / 3.0, "the number of steps of a solve that takes hundreds",
+                       std::to_string(steps) + " would do");
+}
+
 // At a tolerance that CG meets after a certain number of steps, and at one that is close to the rounding
 // errors. Cost is graded by counts: at most two and a half times the reference's products.
 void expect_solves(Trial& trial, const LinearSystem& system, int least_steps) {
@@ -62,9 +73,11 @@ void examples(Trial& trial) {
 
 void sizes(Trial& trial) {
   LinearSystem nothing = sparse_system("nothing", solver::diagonal({}), {}, 1);
-  const Solution empty = solve(trial, nothing, 0, 0);
-  trial.expect(empty.value == 0 && empty.steps == 0, "n = 0 does not return 0 after 0 steps",
-               std::to_string(empty.value));
+  for (double epsilon : {0.0, -1.0}) {
+    const Solution empty = solve(trial, nothing, epsilon, 0);
+    trial.expect(empty.value == 0 && empty.steps == 0, "n = 0 does not return 0 after 0 steps",
+                 std::to_string(empty.value));
+  }
 
   for (int n : {1, 2, 3, 10, 100, 1000, 10000}) {
     const std::vector<double> d = uniform_values(trial.random, n, 1, 20);
@@ -95,6 +108,16 @@ void known_matrices(Trial& trial) {
                   spectral_system("random, condition " + std::to_string(condition),
                                   log_spaced(random.integer(40, 80), 1, condition), random),
                   random.integer(16, 20));
+
+  const int links = random.integer(300, 400);
+  expect_long_solve(trial,
+                    sparse_system("a long string", solver::tridiagonal(links, 2, -1), random.normals(links),
+                                  4 * std::pow(std::sin(std::numbers::pi / (2 * (links + 1))), 2)));
+  expect_long_solve(trial, spectral_system("random, condition 5000",
+                                           log_spaced(random.integer(250, 300), 1, 5000), random));
+  // Far more steps than unknowns: directions that rounding has turned are what costs them.
+  expect_long_solve(
+      trial, spectral_system("random, condition 1e6", log_spaced(random.integer(30, 40), 1, 1e6), random));
 
   // Smallest eigenvalues, from below: 1 / ||H^-1||_F.
   const double hilbert_smallest[] = {9.6e-5, 3.2e-6, 1.0e-7, 3.4e-9};
