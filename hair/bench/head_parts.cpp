@@ -15,7 +15,7 @@ namespace {
 using namespace hair;
 
 constexpr int kTurns = 9, kWarmUp = 12;  // frames
-constexpr int kSteps = 8;               // of a frame
+constexpr int kSteps = 8;                // of a frame
 
 struct Case {
   std::string name, scene;

@@ -104,7 +104,8 @@ std::optional<BlowUp> Simulation::step() {
 
 void Simulation::leave_out(std::span<const int> strands) {
   if (joint_ && !strands.empty())
-    throw std::invalid_argument("strands of a control mesh are to be left out; each of them moves the others");
+    throw std::invalid_argument(
+        "strands of a control mesh are to be left out; each of them moves the others");
   for (const int strand : strands) left_out_.at(static_cast<std::size_t>(strand)) = 1;
 }
 
