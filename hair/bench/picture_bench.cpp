@@ -1,13 +1,17 @@
 // What a picture of fine hair costs, by the number of its strands: 1280 x 720, 16 points a strand, a bust under hair that
 // `head/grow.h` grows.
 //
+// `picture_bench 5000` measures this number alone.
+//
 // CPU time of all threads and the time that passes, the least of a few pictures; beside it, in the same run, how many times as long
 // as a copy of the strands' points a picture takes, and the most memory that the process had.
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
+#include <vector>
 
 #include "hair/head/bust.h"
 #include "hair/head/grow.h"
@@ -53,14 +57,16 @@ Drawing hair_on_bust(int count, const std::shared_ptr<SurfaceMesh>& bust) {
 
 }  // namespace
 
-int main() {
+int main(int arguments, char** values) {
+  std::vector<int> counts = {1'000, 10'000, 50'000, 150'000};
+  if (arguments > 1) counts = {std::max(1, std::atoi(values[1]))};
   const auto bust = std::make_shared<SurfaceMesh>(surface_net(Bust(), 220));
   const Camera camera = frame_points(bust->points, 1280.0 / 720, Vector3d(0.6, -1, 0.15));
   std::puts(
       "| strands | s | CPU s | frames/s | without shadows: CPU s | strands a CPU s | of memcpy | memory, MB "
       "|");
   std::puts("|--:|--:|--:|--:|--:|--:|--:|--:|");
-  for (const int count : {1'000, 10'000, 50'000, 150'000}) {
+  for (const int count : counts) {
     const Drawing drawing = hair_on_bust(count, bust);
     Renderer renderer({}), bright({.shadows = false});
     const Cost all = least([&] { renderer.draw(drawing, camera); });

@@ -20,7 +20,7 @@ struct CurveSegment {
 // Segment i of a strand's points; with a single point, that point. Beyond both ends the curve goes straight on.
 inline CurveSegment curve_segment(std::span<const Eigen::Vector3f> at, int i) {
   const int size = static_cast<int>(at.size());
-  const Eigen::Vector3f a = at[i], b = at[std::min(i + 1, size - 1)];
+  const Eigen::Vector3f &a = at[i], &b = at[std::min(i + 1, size - 1)];
   const Eigen::Vector3f before = i > 0 ? at[i - 1] : Eigen::Vector3f(2 * a - b);
   const Eigen::Vector3f after = i + 2 < size ? at[i + 2] : Eigen::Vector3f(2 * b - a);
   return {a, (b - before) / 2, before - 2.5F * a + 2 * b - after / 2, 1.5F * (a - b) + (after - before) / 2};

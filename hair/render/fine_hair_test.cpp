@@ -241,6 +241,20 @@ TEST(FineHair, IsDrawnWithTheSameBytesAgain) {
   EXPECT_TRUE(Renderer({.width = 160, .height = 120}).draw(drawing, kAhead) == first);
 }
 
+// A red ball before a wall of black hair: at its edge pixels are between red and black, and never as bright as the background.
+TEST(FineHair, LeavesNoFringeAtASolidsEdge) {
+  Drawing drawing;
+  drawing.balls.push_back({Vector3d(0, 0, 0), 0.1, Colour(0.3F, 0, 0)});
+  std::vector<std::vector<Vector3d>> wall;
+  for (int i = -200; i <= 200; ++i)
+    wall.push_back({Vector3d(1e-3 * i, 0.15, 0.4), Vector3d(1e-3 * i, 0.15, -4)});
+  drawing.strands = fine(wall, 4e-3);
+  drawing.strands.root = drawing.strands.tip = Colour::Zero();
+  const Image image = Renderer({.width = 160, .height = 120, .shadows = false}).draw(drawing, kAhead);
+  // A ball's side has at most its own highlight in blue; the background has more than 180.
+  for (int x = 45; x < 115; ++x) EXPECT_LT(image.at(x, 60)[2], 110) << x;
+}
+
 // Hair behind a ball is not seen, hair before it is.
 TEST(FineHair, IsHiddenBySolids) {
   Drawing drawing;

@@ -11,8 +11,16 @@ namespace {
 constexpr int kTile = 64;  // pixels along a side
 constexpr int kBatches = 64;
 constexpr float kNearestHair = 0.01F;   // in the view's unit
+constexpr float kNoSolid = 99;          // the view's far end is at 100: no solid is there
 constexpr float kHidden = 1.0F / 1024;  // less than this of what is behind is not seen
+constexpr float kOnSolids = 3;          // half widths: hair that lies on a solid is not in it
 constexpr float kThinnest = 1e-4F;      // pixels; thinner hair is not seen
+
+// A pixel while it is drawn: as HairLayer has them.
+struct Pixel {
+  Colour colour = Colour::Zero();
+  float of_solid = 1, of_empty = 1;
+};
 
 // A piece of a strand on the picture.
 struct Piece {
@@ -40,7 +48,8 @@ class HairPainter {
 
   HairLayer draw(StrandThreads& threads) {
     sort_into_tiles(threads);
-    HairLayer layer{width_, height_, std::vector<float>(4 * static_cast<std::size_t>(width_) * height_)};
+    const std::size_t size = static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_);
+    HairLayer layer{width_, height_, std::vector<float>(4 * size), std::vector<float>(size)};
     const StrandThreads::Task task = [&](int, int tile) { draw_tile(tile, layer); };
     threads.run(static_cast<int>(tiles_), task);
     return layer;
@@ -132,18 +141,26 @@ class HairPainter {
     threads.run(kBatches, fill);
   }
 
-  // The part of a pixel at which no solid is nearer.
-  float seen_part(int x, int y, float distance) const {
-    if (around_.distances.empty()) return 1;
+  // Parts of a pixel: without a solid, with one, and with one that is behind the hair.
+  struct Parts {
+    float empty = 1, solid = 0, before = 0;
+  };
+  Parts parts_of(int x, int y, float distance) const {
+    if (around_.distances.empty()) return {};
     const int n = around_.samples;
-    int seen = 0;
+    int solid = 0, before = 0;
     for (int row = n * y; row < n * (y + 1); ++row)
-      for (int column = n * x; column < n * (x + 1); ++column)
-        seen += around_.distances[static_cast<std::size_t>(row) * static_cast<std::size_t>(n * width_) +
-                                  static_cast<std::size_t>(column)] > distance
-                    ? 1
-                    : 0;
-    return static_cast<float>(seen) / static_cast<float>(n * n);
+      for (int column = n * x; column < n * (x + 1); ++column) {
+        const float there =
+            around_.distances[static_cast<std::size_t>(row) * static_cast<std::size_t>(n * width_) +
+                              static_cast<std::size_t>(column)];
+        if (there >= kNoSolid) continue;
+        ++solid;
+        before += there > distance ? 1 : 0;
+      }
+    const auto all = static_cast<float>(n * n);
+    return {1 - static_cast<float>(solid) / all, static_cast<float>(solid) / all,
+            static_cast<float>(before) / all};
   }
 
   void draw_tile(int tile, HairLayer& layer) {
@@ -155,16 +172,20 @@ class HairPainter {
     const Eigen::AlignedBox2i box(
         Eigen::Vector2i(left, below),
         Eigen::Vector2i(std::min(left + kTile, width_), std::min(below + kTile, height_)));
-    std::vector<Eigen::Array4f> pixels(kTile * kTile, Eigen::Array4f(0, 0, 0, 1));
+    std::vector<Pixel> pixels(kTile * kTile);
     for (auto key = first; key != last; ++key) draw_piece(static_cast<std::uint32_t>(*key), box, pixels);
     for (int y = below; y < box.max()[1]; ++y)
-      for (int x = left; x < box.max()[0]; ++x)
-        Eigen::Map<Eigen::Array4f>(layer.pixels.data() + 4 * (static_cast<std::size_t>(y) * width_ + x)) =
-            pixels[static_cast<std::size_t>(kTile * (y - below) + x - left)];
+      for (int x = left; x < box.max()[0]; ++x) {
+        const std::size_t place =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+        const Pixel& pixel = pixels[static_cast<std::size_t>(kTile * (y - below) + x - left)];
+        std::copy_n(pixel.colour.data(), 3, layer.pixels.begin() + static_cast<std::ptrdiff_t>(4 * place));
+        layer.pixels[4 * place + 3] = pixel.of_solid;
+        layer.empty[place] = pixel.of_empty;
+      }
   }
 
-  void draw_piece(std::uint32_t name, const Eigen::AlignedBox2i& box,
-                  std::vector<Eigen::Array4f>& pixels) const {
+  void draw_piece(std::uint32_t name, const Eigen::AlignedBox2i& box, std::vector<Pixel>& pixels) const {
     const std::uint32_t point = name / FineStrands::kMostPieces;
     PieceOf of{strands_.strand_of(point), 0, static_cast<int>(name % FineStrands::kMostPieces), 0};
     of.segment = static_cast<int>(point - strands_.first(of.strand));
@@ -201,18 +222,19 @@ class HairPainter {
                 high = bound(std::ceil(middle + half + 0.5F) + 1);
       for (int j = low; j < high; ++j) {
         const int x = major == 0 ? i : j, y = major == 0 ? j : i;
-        Eigen::Array4f& pixel =
-            pixels[static_cast<std::size_t>(kTile * (y - box.min()[1]) + x - box.min()[0])];
-        if (pixel[3] < kHidden) continue;
+        Pixel& pixel = pixels[static_cast<std::size_t>(kTile * (y - box.min()[1]) + x - box.min()[0])];
+        if (std::max(pixel.of_solid, pixel.of_empty) < kHidden) continue;
         const float off = middle - (static_cast<float>(j) + 0.5F);
-        float covered = tent_integral(off + half) - tent_integral(off - half);
+        const float covered = tent_integral(off + half) - tent_integral(off - half);
         if (covered <= 0) continue;
-        covered *= seen_part(x, y, piece.distance);
-        if (covered <= 0) continue;
+        const Parts parts = parts_of(x, y, piece.distance - kOnSolids * strands_.half_width(0));
+        const float seen = covered * (parts.empty * pixel.of_empty + parts.before * pixel.of_solid);
+        pixel.of_empty *= 1 - covered;
+        pixel.of_solid *= parts.solid > 0 ? 1 - covered * parts.before / parts.solid : 1 - covered;
+        if (seen <= 0) continue;
         if (!shaded) colours = {colour(segment, of, 0), colour(segment, of, 1)};
         shaded = true;
-        pixel.head<3>() += pixel[3] * covered * (colours[0] + part * (colours[1] - colours[0])).array();
-        pixel[3] *= 1 - covered;
+        pixel.colour += seen * (colours[0] + part * (colours[1] - colours[0]));
       }
     }
   }

@@ -18,11 +18,13 @@
 
 namespace hair {
 
-// A picture of floats, row after row from the bottom up: red, green and blue, times how much hair covers, and the part that it
-// leaves of what is behind.
+// Pictures of floats, row after row from the bottom up. A pixel has two parts, with a solid in it and without: at a solid's edge hair behind it
+// covers the one and not the other.
 struct HairLayer {
   int width, height;
-  std::vector<float> pixels;
+  std::vector<float>
+      pixels;  // red, green and blue, times how much hair covers; and the part that it leaves of a solid
+  std::vector<float> empty;  // the part that it leaves of the background
 };
 
 // What hair meets in a picture.

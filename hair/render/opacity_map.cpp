@@ -99,7 +99,7 @@ OpacityMap::OpacityMap(const LightMap& light, int size, const FineStrands& stran
     const float behind = depth - std::bit_cast<float>(first[at]);
     const int layer = behind <= ends_[0] ? 0 : behind <= ends_[1] ? 1 : behind <= ends_[2] ? 2 : 3;
     std::atomic_ref<std::uint32_t>(areas[kLayers * at + static_cast<std::size_t>(layer)])
-        .fetch_add(static_cast<std::uint32_t>(area * kUnit + 0.5F), std::memory_order_relaxed);
+        .fetch_add(static_cast<std::uint32_t>(std::lrint(area * kUnit)), std::memory_order_relaxed);
   });
 
   first_.resize(texels);

@@ -188,7 +188,9 @@ class Renderer::Parts {
     }
     const HairLayer layer = fine_->draw(drawing.strands, view, settings_.width, settings_.height, solids);
     if (!layer_texture_) layer_texture_.emplace(gl_);
+    if (!empty_texture_) empty_texture_.emplace(gl_);
     layer_texture_->send(layer.width, layer.height, 4, layer.pixels.data());
+    empty_texture_->send(layer.width, layer.height, 1, layer.empty.data());
   }
 
   std::vector<float> depths_of(const gl::Target& target) {
@@ -234,7 +236,10 @@ class Renderer::Parts {
     const gl::Program& program =
         this->program("resolve", resolve_shader, content.fine ? "#define FINE_HAIR\n" : "");
     set(program, "samples", 0, samples_->colour);
-    if (content.fine) set(program, "hair", 1, layer_texture_->name());
+    if (content.fine) {
+      set(program, "hair", 1, layer_texture_->name());
+      set(program, "hair_empty", 2, empty_texture_->name());
+    }
     gl_.BindVertexArray(no_vertices_);
     gl_.DrawArrays(gl::kTriangles, 0, 3);
   }
@@ -349,7 +354,7 @@ class Renderer::Parts {
   std::optional<gl::Triangles> ribbons_, mesh_;
   std::optional<gl::Target> solid_map_, hair_map_, count_map_, samples_, picture_;
   std::optional<FineHair> fine_;
-  std::optional<gl::FloatTexture> first_texture_, opacity_texture_, layer_texture_;
+  std::optional<gl::FloatTexture> first_texture_, opacity_texture_, layer_texture_, empty_texture_;
   gl::Name no_vertices_ = 0;
 };
 

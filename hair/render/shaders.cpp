@@ -192,7 +192,7 @@ void main() {
 const std::string kResolve = R"(
 uniform sampler2D samples;
 #ifdef FINE_HAIR
-uniform sampler2D hair;
+uniform sampler2D hair, hair_empty;
 #endif
 out vec4 pixel;
 void main() {
@@ -208,7 +208,8 @@ void main() {
   vec3 linear = sum.rgb + (1.0 - sum.a) * mix(vec3(0.72, 0.74, 0.77), vec3(0.36, 0.42, 0.50), height);
 #ifdef FINE_HAIR
   vec4 layer = texelFetch(hair, ivec2(gl_FragCoord.xy), 0);
-  linear = layer.rgb + layer.a * linear;
+  vec3 background = linear - sum.rgb;
+  linear = layer.rgb + layer.a * sum.rgb + texelFetch(hair_empty, ivec2(gl_FragCoord.xy), 0).r * background;
 #endif
   vec3 encoded = mix(1.055 * pow(linear, vec3(1.0 / 2.4)) - 0.055, 12.92 * linear,
                      vec3(lessThan(linear, vec3(0.0031308))));

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <memory>
 #include <numbers>
+#include <utility>
 
 #include "hair/head/bust.h"
 #include "hair/head/ellipsoid_head.h"
@@ -95,6 +96,10 @@ GroomFit fit_to_head(const std::vector<Vector3d>& roots, const Head& head, std::
 }
 
 int draw_groom(const DrawOptions& options) {
+  // The command line refuses all else that is out of bounds.
+  for (const auto& [option, number] : {std::pair("--unit", options.unit), std::pair("--width", options.width),
+                                       std::pair("--turn", options.turn), std::pair("--zoom", options.zoom)})
+    if (!std::isfinite(number)) throw BadInput(std::string(option) + ": is not a number; give one");
   const HairColour& colour = colour_named(options.colour);
   Groom groom = read_groom(options.file);
   const Eigen::Matrix3d turn =

@@ -117,6 +117,31 @@ TEST_F(GroomCommands, AGroomGrowsInAStyleTheSameEachTime) {
   EXPECT_EQ(read_bytes(out_), "");
 }
 
+TEST_F(GroomCommands, DrawsAGroomTwiceWithTheSameBytes) {
+  const std::string hair = folder_ / "head.data", picture = folder_ / "a.png", again = folder_ / "b.png";
+  ASSERT_EQ(run_hairlab({"groom", "wavy", "--strands", "300", "--out", hair}).code, 0);
+  for (const std::string& file : {picture, again}) {
+    const ProgramRun run =
+        run_hairlab({"draw", hair, "--picture", file, "--size", "160", "120", "--colour", "red"});
+    EXPECT_EQ(run.code, 0) << run.errors;
+    EXPECT_TRUE(has(run.output, "png: 300 strands, a unit of ")) << run.output;
+  }
+  EXPECT_TRUE(read_bytes(picture).starts_with("\x89PNG"));
+  EXPECT_EQ(read_bytes(picture), read_bytes(again));
+}
+
+TEST_F(GroomCommands, DrawRefusesWhatCantBeDrawn) {
+  const std::string picture = folder_ / "a.png";
+  expect_refused({"draw", groom_, "--picture", picture, "--colour", "green"},
+                 "--colour: there is no colour \"green\"");
+  expect_refused({"draw", groom_, "--picture", picture},
+                 "a.data: a head needs at least 4 roots that are not in one place; --on none draws it alone");
+  expect_refused({"draw", groom_, "--picture", picture, "--on", "none", "--view", "0", "0", "0"},
+                 "the view's direction");
+  expect_refused({"draw", folder_ / "none.hair", "--picture", picture}, "none.hair: can't be read");
+  EXPECT_EQ(read_bytes(picture), "");
+}
+
 TEST_F(GroomCommands, BadInputIsOneLineAndWritesNothing) {
   const std::string cut = folder_.write("cut.data", read_bytes(groom_).substr(0, 140));
   expect_refused({"info", cut},
