@@ -1,5 +1,6 @@
 // STAFF ONLY. H5: hidden cases on what stays as it is, and on what is reported.
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -70,6 +71,25 @@ void expect_numbers(Trial& trial) {
   v[entry] = nan;
   trial.expect(!correct_velocities(trial, strand, right, v, 1e-6, 50).report.converged,
                "correct_velocities reports that it has converged where a velocity is not a number");
+}
+
+// A root that was flung away: what is reported is so. Where rounding alone leaves a thousandth and more, nothing is
+// converged.
+void expect_honest_when_flung(Trial& trial, int function) {
+  Random& random = trial.random;
+  for (double far : {1.0, 1e4, 1e16}) {
+    const Strand strand = random_strand(random, 8, 1);
+    VectorXd x = placed(random, strand, 0.3);
+    x.head<3>() += far * Vector3d(random_vector(random, 3)).normalized();
+    trial.describe(name_of(function) + ", the root flung away");
+    const Corrected corrected = correct(trial, function, strand, x, 1e-10, 1000);
+    trial.expect(corrected.result.allFinite(), name_of(function) + " gives coordinates that are not finite");
+    const double error = largest_error(strand, corrected.result),
+                 round = rounding(corrected.result, strand.rest_length.minCoeff());
+    trial.expect(!corrected.report.converged || error <= 1e-10 + std::min(round, 2e-3),
+                 name_of(function) + " reports that it has converged, and lengths are wrong",
+                 std::to_string(error));
+  }
 }
 
 void expect_velocity_report(Trial& trial) {
@@ -175,6 +195,7 @@ void report(Trial& trial) {
   expect_numbers(trial);
   expect_velocity_report(trial);
   expect_few_or_sweeps(trial);
+  for (int function : {kRelax, kCorrect}) expect_honest_when_flung(trial, function);
 }
 
 }  // namespace grader::h5

@@ -18,25 +18,6 @@ void expect_on_line(Trial& trial, const Strand& strand, const Vector3d& u, const
                        "how far particles of a strand on a line are moved away from it");
 }
 
-// A root that was flung away: what is reported is so. Where rounding alone leaves a thousandth and more, nothing is
-// converged.
-void expect_honest_when_flung(Trial& trial, int function) {
-  Random& random = trial.random;
-  for (double far : {1.0, 1e4, 1e16}) {
-    const Strand strand = random_strand(random, 8, 1);
-    VectorXd x = placed(random, strand, 0.3);
-    x.head<3>() += far * Vector3d(random_vector(random, 3)).normalized();
-    trial.describe(name_of(function) + ", the root flung away");
-    const Corrected corrected = correct(trial, function, strand, x, 1e-10, 1000);
-    trial.expect(corrected.result.allFinite(), name_of(function) + " gives coordinates that are not finite");
-    const double error = largest_error(strand, corrected.result),
-                 round = rounding(corrected.result, strand.rest_length.minCoeff());
-    trial.expect(!corrected.report.converged || error <= 1e-10 + std::min(round, 2e-3),
-                 name_of(function) + " reports that it has converged, and lengths are wrong",
-                 std::to_string(error));
-  }
-}
-
 }  // namespace
 
 // Folds, particles in the same place, a strand of one particle, one far too long or too short.
@@ -77,7 +58,6 @@ void degenerate(Trial& trial) {
       expect_lengths(trial, function, strand, 1e-9, correct(trial, function, strand, x, 1e-9, kMostSweeps));
     }
   }
-  for (int function : {kRelax, kCorrect}) expect_honest_when_flung(trial, function);
   trial.describe("correct_velocities, a strand of one particle");
   expect_velocities(trial, random_strand(random, 1, 1), random_vector(random, 3), random_vector(random, 3),
                     1e-9, false);
