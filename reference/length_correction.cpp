@@ -108,9 +108,11 @@ void place(const Strand& strand, Output x) {
   }
 }
 
-// The smallest error that can be asked for: what rounding the coordinates to doubles leaves.
+// The smallest error that can be asked for: what rounding the coordinates to doubles leaves. Hair of other lengths is not
+// right, whatever the reason.
 double rounding_error(const Strand& strand, Input x) {
-  return strand.segments() == 0 ? 0 : 0x1p-51 * x.cwiseAbs().maxCoeff() / strand.rest_length.minCoeff();
+  if (strand.segments() == 0) return 0;
+  return std::min(0x1p-51 * x.cwiseAbs().maxCoeff() / strand.rest_length.minCoeff(), 1e-3);
 }
 
 // Newton's method is done in a few steps or far from where it works: with a root that was flung away, or masses that
@@ -183,7 +185,9 @@ CorrectionReport correct_velocities(const Strand& strand, Input x, double tolera
     report.error = 0;
     for (int i = 0; i < strand.segments(); ++i) {
       rates[i] = -multipliers.along(i).dot(segment(v, i));
-      if (!(std::abs(rates[i]) <= report.error)) report.error = std::abs(rates[i]);
+      // A NaN stays.
+      if (!(std::abs(rates[i]) <= report.error) && !std::isnan(report.error))
+        report.error = std::abs(rates[i]);
     }
     if (!(report.error > tolerance) || report.iterations == most_sweeps) break;
     ++report.iterations;

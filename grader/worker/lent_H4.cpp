@@ -52,20 +52,22 @@ std::unique_ptr<implicitMatrix> implicit_matrix(const Force& force, const Partic
 }
 
 SolveReport solve_implicit(const Force& force, const Particles& particles, const State& state, double a,
-                           double b, double tolerance, Output dv, Scratch) {
+                           double b, double tolerance, Output dv, Scratch scratch) {
   grader::MessageWriter call = arguments(grader::kLentSolveImplicit, force, particles, state);
   call.put(a).put(b).put(tolerance);
   grader::MessageReader result = lent_session->call(call, grader::callback_of(force));
   dv = grader::get_vector(result, state.x.size());
+  grader::spoil(scratch, kImplicitScratch);
   return grader::get_solve_report(result);
 }
 
 SolveReport implicit_euler(const Force& force, const Particles& particles, double h, double tolerance,
-                           State& state, Scratch) {
+                           State& state, Scratch scratch) {
   grader::MessageWriter call = arguments(grader::kLentImplicitEuler, force, particles, state);
   call.put(h).put(tolerance);
   grader::MessageReader result = lent_session->call(call, grader::callback_of(force));
   state = grader::get_state(result, particles.count());
+  grader::spoil(scratch, kImplicitScratch);
   return grader::get_solve_report(result);
 }
 

@@ -29,12 +29,14 @@ CorrectionReport relax_lengths(const Strand& strand, double tolerance, int most_
 }
 
 CorrectionReport correct_lengths(const Strand& strand, double tolerance, int most_iterations, Output x,
-                                 Scratch) {
+                                 Scratch scratch) {
+  grader::spoil(scratch, kCorrectionScratch);
   return correct(grader::kLentCorrectLengths, strand, tolerance, most_iterations, x, x);
 }
 
 CorrectionReport correct_velocities(const Strand& strand, Input x, double tolerance, int most_sweeps,
-                                    Output v, Scratch) {
+                                    Output v, Scratch scratch) {
+  grader::spoil(scratch, kCorrectionScratch);
   return correct(grader::kLentCorrectVelocities, strand, tolerance, most_sweeps, x, v);
 }
 

@@ -2,9 +2,11 @@
 //   0 constraint_values      junk                 -> C
 //   1 constraint_rates       junk                 -> rates
 //   2 add_constraint_forces  lambda, f            -> f
-//   3 constraint_matrix      multiplier, junk     -> product, multiplier; product again
+//   3 constraint_matrix      multiplier, junk, changes -> product, multiplier; product again
 //   4 solve_constraints      f, junk              -> steps, residual, lambda
 // `junk` is what the output's buffer holds before the call.
+#include <algorithm>
+
 #include "grader/wire/constraints_message.h"
 #include "grader/wire/particles_message.h"
 #include "grader/worker/session.h"
@@ -51,7 +53,19 @@ extern "C" __attribute__((visibility("default"))) void serve(Session& session) {
     Vector multiplier(session, rows);
     const std::vector<double> junk = session.request.get_doubles(static_cast<std::size_t>(rows));
     GuardedBuffer first(junk), second(junk);
-    const std::unique_ptr<implicitMatrix> matrix = constraint_matrix(constraints, particles, state);
+    // What the matrix refers to; with `changes` it gets its values when the matrix is there.
+    Constraints held = constraints;
+    Particles weights = particles;
+    State now = state;
+    if (session.request.get<std::uint8_t>() != 0) {
+      std::reverse(held.rods.begin(), held.rods.end());
+      weights.mass *= 2;
+      now.x *= 1.5;
+    }
+    const std::unique_ptr<implicitMatrix> matrix = constraint_matrix(held, weights, now);
+    held = constraints;
+    weights = particles;
+    now = state;
     matrix->matVecMult(multiplier.view.data(), first.data());
     matrix->matVecMult(multiplier.view.data(), second.data());
     session.reply.put(first.values()).put(multiplier.buffer.values()).put(second.values());

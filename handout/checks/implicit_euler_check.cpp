@@ -10,6 +10,7 @@
 
 #include "check.h"
 #include "derivative.h"
+#include "particles/springs.h"
 #include "stepping.h"
 
 using namespace checks;
@@ -54,6 +55,26 @@ VectorXd six(double a, double b, double c, double d, double e, double f) {
   values << a, b, c, d, e, f;
   return values;
 }
+
+// 60 particles of 1e-7 kg, 1 cm apart along x, the first one pinned; springs of 1e-3 N/m between them, the first one
+// stretched by 1 mm. With h = 1/60 s, h^2 k/m is 2.8.
+struct Chain {
+  static constexpr int kCount = 60;
+  Particles particles{VectorXd::Constant(kCount, 1e-7), std::vector<char>(kCount, 0)};
+  State state{VectorXd::Zero(3 * kCount), VectorXd::Zero(3 * kCount)};
+  std::vector<particles::Spring> springs;
+
+  Chain() {
+    particles.pinned[0] = 1;
+    for (int i = 1; i < kCount; ++i) {
+      state.x[3 * i] = 0.01 * i + 0.001;
+      springs.push_back({i - 1, i, 1e-3, 0.01});
+    }
+  }
+};
+
+const char* const kChainText =
+    "60 particles of 1e-7 kg in a row, 1 cm apart, springs of 1e-3 N/m, the first one stretched by 1 mm";
 
 // The matrix as a table, by products with unit vectors.
 MatrixXd table(const particles::Force& force, const Particles& particles, const State& state, double a,
@@ -147,6 +168,62 @@ TEST(SolveImplicit, SolvesItsSystem) {
     EXPECT_NEAR(report.rhs, rhs.norm(), 1e-12) << "the report's ||right-hand side||, " << what;
     EXPECT_LE(report.residual, 1e-10 * rhs.norm()) << "the report's residual, " << what;
   }
+}
+
+TEST(SolveImplicit, KeepsItsToleranceForLightParticles) {
+  const Chain chain;
+  const particles::DampedSprings springs(chain.springs, particles::Products::definite);
+  const double h = 1.0 / 60;
+  const MatrixXd A = table(springs, chain.particles, chain.state, h, h);
+  VectorXd rhs = VectorXd::Zero(A.rows());  // v = 0: h f
+  springs.add_force(chain.state.x, chain.state.v, rhs);
+  rhs *= h;
+  rhs.head<3>().setZero();
+  int steps_before = 0;
+  for (double tolerance : {1e-2, 1e-6, 1e-10}) {
+    VectorXd dv = VectorXd::Constant(A.rows(), 1e3);
+    MatrixXd scratch = MatrixXd::Constant(A.rows(), particles::kImplicitScratch, 1e3);
+    const SolveReport report =
+        solve_implicit(springs, chain.particles, chain.state, h, h, tolerance, dv, scratch);
+    SCOPED_TRACE(std::string(kChainText) + ", a = b = 1/60 s, tolerance " +
+                 ::testing::PrintToString(tolerance));
+    const double left = (rhs - A * dv).norm(), rounding = 4096 * kU * A.norm() * dv.norm();
+    EXPECT_LE(left, tolerance * rhs.norm() + rounding)
+        << "||rhs - matrix dv||, where ||rhs|| is " << rhs.norm()
+        << ": ConjGrad's epsilon is the square of what may be left";
+    EXPECT_NEAR(report.residual, left, rounding + 1e-6 * left) << "the report's residual";
+    EXPECT_TRUE(report.converged);
+    EXPECT_GT(report.steps, steps_before) << "iterations: a smaller tolerance takes more";
+    steps_before = report.steps;
+  }
+}
+
+TEST(SolveImplicit, SaysWhatItCannotSolve) {
+  // A number that is not finite can't be solved for; nothing to solve is solved.
+  Chain chain;
+  const particles::DampedSprings springs(chain.springs, particles::Products::definite);
+  VectorXd dv = VectorXd::Zero(chain.state.x.size());
+  MatrixXd scratch = MatrixXd::Zero(dv.size(), particles::kImplicitScratch);
+  chain.state.x[7] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(solve_implicit(springs, chain.particles, chain.state, 0.1, 0.1, 1e-10, dv, scratch).converged)
+      << "a position is not a number, and yet the report says that the solve converged";
+
+  // 1 m of spring pressed to 0.5 m: across it, the matrix of a = b = 1 s is 2 - 100 (2 - 1) < 0 for the free particle.
+  const Spring pressed(100, 1, GeometricTerm::full);
+  State state{VectorXd::Zero(6), VectorXd::Zero(6)};
+  state.x[3] = 0.5;
+  state.v << 0, 0, 0, 0.5, 1, 0;
+  const MatrixXd A = table(pressed, kPinned, state, 1, 1);
+  VectorXd six_dv = VectorXd::Zero(6), rhs = VectorXd::Zero(6);
+  pressed.add_force(state.x, state.v, rhs);
+  pressed.add_dfdx(state.x, state.v, state.v, rhs);
+  rhs.head<3>().setZero();
+  MatrixXd small = MatrixXd::Zero(6, particles::kImplicitScratch);
+  const SolveReport report = solve_implicit(pressed, kPinned, state, 1, 1, 1e-10, six_dv, small);
+  ASSERT_TRUE(six_dv.allFinite()) << "dv, where the matrix is not positive definite";
+  EXPECT_TRUE(!report.converged || (A * six_dv - rhs).norm() <= 1e-9 * rhs.norm())
+      << "the matrix is not positive definite, ||rhs - matrix dv|| is " << (A * six_dv - rhs).norm() << " of "
+      << rhs.norm() << ", and yet the report says that the solve converged";
 }
 
 TEST(ImplicitEuler, MovesWithTheNewVelocity) {

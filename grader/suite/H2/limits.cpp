@@ -147,7 +147,9 @@ void straight_products(Trial& trial) {
 void lost_directions(Trial& trial) {
   Random& random = trial.random;
   for (int count : {1, 2}) {
-    const Posed posed{toy_strand(random, count), random_vector(random, 3 * count), "without a joint"};
+    Posed posed{toy_strand(random, count), random_vector(random, 3 * count), "without a joint"};
+    // Without a segment there is nothing to clamp.
+    posed.strand.clamped = count == 1;
     const VectorXd dx = random_vector(random, 3 * count);
     trial.expect(ask_energy(trial, posed) == 0, "a strand without a joint has an energy");
     trial.expect(ask_force(trial, posed).isZero(0), "a strand without a joint has a force");
@@ -170,6 +172,15 @@ void lost_directions(Trial& trial) {
                  "segments of length 0 have a product, or others none");
     trial.expect(ask_spd(trial, posed, dx).isZero(0) == nothing,
                  "segments of length 0 have a product, or others none");
+  }
+
+  // Beside a segment of length 0, of which some formulas make a cosine of 0, or of a rounding.
+  for (int zero : {0, 1}) {
+    Posed posed{toy_strand(random, 3), VectorXd::Zero(9), "two segments, one of length 0"};
+    posed.x.segment<3>(6) = Vector3d(-1, -2, -2);
+    if (zero == 1) posed.x.segment<3>(3) = posed.x.segment<3>(6);
+    trial.expect(ask_energy(trial, posed) == 0, "a joint beside a segment of length 0 has an energy");
+    trial.expect(ask_force(trial, posed).isZero(0), "a joint beside a segment of length 0 has a force");
   }
 
   // Folded, along an axis, so that nothing rounds: four times the energy of a right angle.

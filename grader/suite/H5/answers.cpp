@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cmath>
+#include <cstring>
 
 #include "grader/wire/strand_message.h"
 #include "solver/symmetric_eigen.h"
@@ -26,6 +27,12 @@ CorrectionReport get_report(MessageReader& reply) {
   report.converged = reply.get<std::uint8_t>() != 0;
   reply.expect_end();
   return report;
+}
+
+// A NaN equals itself.
+bool same_bits(const VectorXd& a, const VectorXd& b) {
+  return a.size() == b.size() &&
+         std::memcmp(a.data(), b.data(), sizeof(double) * static_cast<std::size_t>(a.size())) == 0;
 }
 
 // J W J^T, J = d(length)/dx with the root fixed.
@@ -64,11 +71,11 @@ Corrected correct(Trial& trial, int function, const Strand& strand, const Vector
 }
 
 Corrected correct_velocities(Trial& trial, const Strand& strand, const VectorXd& x, const VectorXd& v,
-                             double tolerance) {
+                             double tolerance, int most) {
   MessageWriter message;
   message.put(kVelocities);
   put(message, strand);
-  message.put(tolerance).put(kMostSweeps);
+  message.put(tolerance).put(most);
   put(message, x);
   put(message, v);
   MessageReader reply = trial.ask(message, no_products());
@@ -76,7 +83,10 @@ Corrected correct_velocities(Trial& trial, const Strand& strand, const VectorXd&
   corrected.result = get_vector(reply, v.size());
   const VectorXd x_after = get_vector(reply, x.size());
   corrected.report = get_report(reply);
-  trial.expect(x_after == x, "correct_velocities changes x");
+  trial.expect(same_bits(x_after, x), "correct_velocities changes x");
+  trial.expect(corrected.report.iterations >= 0 && corrected.report.iterations <= most,
+               "correct_velocities reports more iterations than it may take",
+               std::to_string(corrected.report.iterations));
   return corrected;
 }
 

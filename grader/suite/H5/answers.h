@@ -31,7 +31,7 @@ std::string name_of(int function);
 Corrected correct(Trial& trial, int function, const Strand& strand, const VectorXd& x, double tolerance,
                   int most);
 Corrected correct_velocities(Trial& trial, const Strand& strand, const VectorXd& x, const VectorXd& v,
-                             double tolerance);
+                             double tolerance, int most = kMostSweeps);
 
 VectorXd reference_lengths(const Strand& strand, VectorXd x);
 

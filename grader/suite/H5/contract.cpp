@@ -1,5 +1,8 @@
 // STAFF ONLY. H5: hidden cases on what stays as it is, and on what is reported.
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "grader/suite/H5/answers.h"
 #include "grader/suite/H5/categories.h"
@@ -26,6 +29,126 @@ void root(Trial& trial) {
     trial.expect(after != v, "correct_velocities does nothing");
   }
 }
+
+namespace {
+
+// What is within the tolerance is left alone, and what is not is not, however little it is.
+void expect_tolerance_kept(Trial& trial, int function) {
+  Random& random = trial.random;
+  const std::string name = name_of(function);
+  const Strand strand = random_strand(random, 8, 1);
+  const VectorXd right = placed(random, strand, 0.3);
+  const VectorXd nearly = disturbed(random, right, 1e-4);
+  const Corrected left = correct(trial, function, strand, nearly, 2 * largest_error(strand, nearly), 100);
+  trial.expect(left.result == nearly && left.report.iterations == 0 && left.report.converged,
+               name + " works on a strand that is within its tolerance");
+  for (double size : {4e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7}) {
+    const VectorXd x = disturbed(random, right, size);
+    const double error = largest_error(strand, x), tolerance = 1e-12,
+                 round = rounding(x, strand.rest_length.minCoeff());
+    if (error < 2 * (tolerance + round)) continue;
+    const Corrected none = correct(trial, function, strand, x, tolerance, 0);
+    trial.expect(!none.report.converged, name + " takes a larger error than its tolerance for converged");
+    const Corrected all = correct(trial, function, strand, x, tolerance, kMostSweeps);
+    trial.expect_at_most(largest_error(strand, all.result), tolerance + round,
+                         "the largest error of a length after " + name);
+  }
+}
+
+// Numbers that are none are not converged; it ends.
+void expect_numbers(Trial& trial) {
+  Random& random = trial.random;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const Strand strand = random_strand(random, 7, 1);
+  const VectorXd right = placed(random, strand, 0.3);
+  const Eigen::Index entry = 3 + random.integer(0, 17);
+  VectorXd broken = right, v = VectorXd::Zero(right.size());
+  broken[entry] = nan;
+  trial.describe("a coordinate is not a number");
+  for (int function : {kRelax, kCorrect})
+    trial.expect(!correct(trial, function, strand, broken, 1e-6, 50).report.converged,
+                 name_of(function) + " reports that it has converged where a coordinate is not a number");
+  v[entry] = nan;
+  trial.expect(!correct_velocities(trial, strand, right, v, 1e-6, 50).report.converged,
+               "correct_velocities reports that it has converged where a velocity is not a number");
+}
+
+// A root that was flung away: what is reported is so. Where rounding alone leaves a thousandth and more, nothing is
+// converged.
+void expect_honest_when_flung(Trial& trial, int function) {
+  Random& random = trial.random;
+  for (double far : {1.0, 1e4, 1e16}) {
+    const Strand strand = random_strand(random, 8, 1);
+    VectorXd x = placed(random, strand, 0.3);
+    x.head<3>() += far * Vector3d(random_vector(random, 3)).normalized();
+    trial.describe(name_of(function) + ", the root flung away");
+    const Corrected corrected = correct(trial, function, strand, x, 1e-10, 1000);
+    trial.expect(corrected.result.allFinite(), name_of(function) + " gives coordinates that are not finite");
+    const double error = largest_error(strand, corrected.result),
+                 round = rounding(corrected.result, strand.rest_length.minCoeff());
+    trial.expect(!corrected.report.converged || error <= 1e-10 + std::min(round, 2e-3),
+                 name_of(function) + " reports that it has converged, and lengths are wrong",
+                 std::to_string(error));
+  }
+}
+
+void expect_velocity_report(Trial& trial) {
+  Random& random = trial.random;
+  trial.describe("correct_velocities, reports");
+  const Strand strand = random_strand(random, 12, 1);
+  const VectorXd x = placed(random, strand, 0.5);
+  VectorXd still = VectorXd::Zero(x.size());
+  const Vector3d turn = 100 * Vector3d(random_vector(random, 3)).normalized();
+  for (int i = 1; i < strand.count(); ++i)
+    still.segment<3>(3 * i) = turn.cross(Vector3d(x.segment<3>(3 * i) - x.head<3>()));
+  const double round = 64 * kUnit * strand.count() * still.cwiseAbs().maxCoeff();
+  const Corrected nothing = correct_velocities(trial, strand, x, still, 1e-9);
+  trial.expect(nothing.result == still && nothing.report.iterations == 0 && nothing.report.converged,
+               "correct_velocities works on velocities that stretch nothing");
+
+  // A tolerance in m/s, whatever the velocities are.
+  const VectorXd slow = still + random_vector(random, x.size(), 1e-8);
+  const Corrected little = correct_velocities(trial, strand, x, slow, 1e-9);
+  trial.expect_at_most(largest_rate(strand, x, little.result), 1e-9 + round,
+                       "the velocity at which a segment is still stretched");
+
+  const VectorXd v = random_vector(random, x.size());
+  const Corrected none = correct_velocities(trial, strand, x, v, 1e-9, 0);
+  trial.expect(none.result == v && none.report.iterations == 0 && !none.report.converged,
+               "correct_velocities does something when it may take no iterations");
+  const Corrected all = correct_velocities(trial, strand, x, v, 1e-9);
+  const int most = all.report.iterations;
+  trial.expect(all.report.converged && most > 0,
+               "correct_velocities takes no iterations, or does not converge");
+  const Corrected same = correct_velocities(trial, strand, x, v, 1e-9, most);
+  trial.expect(same.result == all.result && same.report.iterations == most && same.report.converged,
+               "correct_velocities does something else when it may take just the iterations that it needs");
+  const Corrected fewer = correct_velocities(trial, strand, x, v, 1e-9, most - 1);
+  trial.expect(!fewer.report.converged && fewer.report.iterations == most - 1,
+               "correct_velocities needs fewer iterations than it reports", std::to_string(most));
+}
+
+// Newton's method halves the digits that are wrong, and all impulses at once are right at once; sweeps along 200 segments
+// are hundreds. What is between them solves for other impulses.
+void expect_few_or_sweeps(Trial& trial) {
+  Random& random = trial.random;
+  const Strand strand = random_strand(random, 201, 3);
+  const VectorXd right = placed(random, strand, 0.05), x = disturbed(random, right, 0.005);
+  trial.describe("correct_lengths, a hair of 200 segments");
+  const int lengths = correct(trial, kCorrect, strand, x, 1e-10, kMostSweeps).report.iterations;
+  trial.expect(lengths <= 8 || lengths >= 100,
+               "correct_lengths takes more iterations than Newton's method, and fewer than sweeps",
+               std::to_string(lengths));
+  trial.describe("correct_velocities, a hair of 200 segments");
+  const int velocities =
+      correct_velocities(trial, strand, right, random_vector(random, right.size()), 1e-9).report.iterations;
+  trial.expect(
+      velocities <= 4 || velocities >= 100,
+      "correct_velocities takes more iterations than for all impulses at once, and fewer than sweeps",
+      std::to_string(velocities));
+}
+
+}  // namespace
 
 // The report is true: of the x that came back, of whether it is good enough, of how many iterations it took.
 void report(Trial& trial) {
@@ -60,7 +183,19 @@ void report(Trial& trial) {
     for (const Corrected& corrected : {all, fewer})
       trial.expect_at_most(std::abs(corrected.report.error - largest_error(strand, corrected.result)), round,
                            "the error of the error that " + name + " reports");
+    expect_tolerance_kept(trial, function);
   }
+  trial.describe("relax_lengths, one segment");
+  const Strand pair = random_strand(random, 2, 3);
+  const int sweeps =
+      correct(trial, kRelax, pair, disturbed(random, placed(random, pair, 0), 0.05), 1e-9, kMostSweeps)
+          .report.iterations;
+  trial.expect(sweeps == 1, "relax_lengths takes more than one sweep to restore one segment's length",
+               std::to_string(sweeps));
+  expect_numbers(trial);
+  expect_velocity_report(trial);
+  expect_few_or_sweeps(trial);
+  for (int function : {kRelax, kCorrect}) expect_honest_when_flung(trial, function);
 }
 
 }  // namespace grader::h5

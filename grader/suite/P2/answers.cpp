@@ -17,7 +17,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 MessageReader ask(Trial& trial, int function, const ConstrainedSystem& system,
-                  std::initializer_list<VectorXd> vectors) {
+                  std::initializer_list<VectorXd> vectors, bool changes = false) {
   trial.describe(system.name + ", " + std::to_string(system.constraints.rods.size()) + " rods and " +
                  std::to_string(system.constraints.wires.size()) + " wires");
   MessageWriter request;
@@ -27,6 +27,7 @@ MessageReader ask(Trial& trial, int function, const ConstrainedSystem& system,
   put(request, system.state.x);
   put(request, system.state.v);
   for (const VectorXd& vector : vectors) put(request, vector);
+  if (function == kMatrix) request.put(changes);
   return trial.ask(request,
                    [](int, const auto&, auto&) -> bool { throw MalformedMessage("no operator is served"); });
 }
@@ -41,8 +42,10 @@ VectorXd answer(Trial& trial, int function, const ConstrainedSystem& system,
   return result;
 }
 
-VectorXd product(Trial& trial, const ConstrainedSystem& system, const VectorXd& multiplier, double junk) {
-  MessageReader reply = ask(trial, kMatrix, system, {multiplier, VectorXd::Constant(system.rows(), junk)});
+VectorXd product(Trial& trial, const ConstrainedSystem& system, const VectorXd& multiplier, double junk,
+                 bool changes) {
+  MessageReader reply =
+      ask(trial, kMatrix, system, {multiplier, VectorXd::Constant(system.rows(), junk)}, changes);
   const VectorXd first = get_vector(reply, system.rows());
   trial.expect(get_vector(reply, system.rows()) == multiplier, "the matrix's product changes its input");
   trial.expect(get_vector(reply, system.rows()) == first || !first.allFinite(),

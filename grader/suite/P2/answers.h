@@ -24,9 +24,10 @@ inline constexpr int kValues = 0, kRates = 1, kForces = 2, kMatrix = 3, kSolve =
 Eigen::VectorXd answer(Trial& trial, int function, const ConstrainedSystem& system,
                        std::initializer_list<Eigen::VectorXd> vectors, Eigen::Index size);
 
-// A product with the matrix, computed twice into buffers with junk.
+// A product with the matrix, computed twice into buffers with junk. With `changes`, the matrix was made when rods, masses
+// and positions had other values.
 Eigen::VectorXd product(Trial& trial, const ConstrainedSystem& system, const Eigen::VectorXd& multiplier,
-                        double junk);
+                        double junk, bool changes = false);
 
 struct Solved {
   int steps;

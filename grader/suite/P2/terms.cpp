@@ -64,6 +64,9 @@ void matrix(Trial& trial) {
   const double rounding = 4 * (16 + system.rows()) * kUnit * system.matrix_size() * a.norm() * b.norm();
   trial.expect_at_most(std::abs(a.dot(Ab) - b.dot(product(trial, system, a, 0))), rounding,
                        "the asymmetry of J W J'");
+  trial.expect_at_most((product(trial, system, a, 0, true) - system.matrix() * a).norm(),
+                       2 * (16 + system.rows()) * kUnit * system.matrix_size() * a.norm(),
+                       "the error of a product with J W J', made before rods, masses and positions changed");
 }
 
 }  // namespace grader::p2

@@ -246,6 +246,15 @@ void least_squares(Trial& trial) {
     // Rounding leaves A'Q[0; z] at u ||A|| ||z||, within the drift's allowance.
     expect_solves(trial, "least squares", A, b, x, 0.99);
   }
+  // Fewer rows than columns: A'A is singular, and any x that solves will do. The first guess, A'b, is in its range.
+  for (auto [rows, cols] : {std::pair{2, 5}, {3, 40}}) {
+    const Table A = random_table(random, rows, cols);
+    const std::vector<double> b = random.normals(rows), Atb = A.transposed().times(b);
+    const double epsilon = std::pow(1e-6 * norm(Atb), 2);
+    const NormalSolution solution = solve(trial, "fewer rows than columns", A, b, epsilon, 0);
+    trial.expect_at_most(normal_residual(A, solution.x, b), std::sqrt(epsilon) + drift(A, solution.x, Atb),
+                         "the norm of A'(b - Ax)");
+  }
 }
 
 void steps_and_products(Trial& trial) {

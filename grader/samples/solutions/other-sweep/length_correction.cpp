@@ -6,6 +6,11 @@
 namespace hair {
 namespace {
 
+// The larger one; a NaN, if there is one.
+double larger(double value, double other) {
+  return other > value || std::isnan(other) ? other : value;
+}
+
 using Eigen::Vector3d;
 
 // Moves the ends of segment i against each other by `change` along u, by their masses; the root stays.
@@ -35,7 +40,7 @@ double length(Input x, int i) {
 double largest(const Strand& strand, Input x) {
   double value = 0;
   for (int i = strand.segments() - 1; i >= 0; --i)
-    value = std::fmax(value, std::fabs(length(x, i) / strand.rest_length[i] - 1));
+    value = larger(value, std::fabs(length(x, i) / strand.rest_length[i] - 1));
   return value;
 }
 
@@ -73,7 +78,7 @@ CorrectionReport correct_velocities(const Strand& strand, Input x, double tolera
   };
   for (;;) {
     report.error = 0;
-    for (int i = 0; i < strand.segments(); ++i) report.error = std::fmax(report.error, std::fabs(rate(i)));
+    for (int i = 0; i < strand.segments(); ++i) report.error = larger(report.error, std::fabs(rate(i)));
     report.converged = report.error <= tolerance;
     if (report.converged || report.iterations == most_sweeps) return report;
     for (int i = strand.segments() - 1; i >= 0; --i) share(strand, i, rate(i) * direction(strand, x, i), v);

@@ -30,6 +30,11 @@ static vector<Vector3d> directions(const Strand& strand, Input x) {
   return u;
 }
 
+// A NaN, if there is one.
+static double larger(double a, double b) {
+  return b > a || std::isnan(b) ? b : a;
+}
+
 static double worst_length(const Strand& strand, Input x) {
   double worst = 0;
   for (int i = 0; i < strand.segments(); ++i) {
@@ -110,7 +115,7 @@ CorrectionReport correct_velocities(const Strand& strand, Input x, double tolera
   while (true) {
     report.error = 0;
     for (int i = 0; i < strand.segments(); ++i)
-      report.error = std::max(report.error, std::abs(u[i].dot(between(v, i))));
+      report.error = larger(report.error, std::abs(u[i].dot(between(v, i))));
     report.converged = report.error <= tolerance;
     if (report.converged || report.iterations >= most_sweeps) return report;
 
