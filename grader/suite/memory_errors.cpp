@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "grader/suite/whole_run.h"
 #include "grader/wire/memory_error.h"
 
 namespace grader {
@@ -70,8 +71,13 @@ void MemoryErrors::tell(Trial& trial, const std::string& sentence, const std::st
 void MemoryErrors::look(Trial& trial) {
   for (Student* student : earlier_) student->finish();
   // A code that never answers would cost its limits once more. One that merely crashes too often is told where.
-  for (Student* student : earlier_)
-    if (student->gave_up() && !only_restarts_are_used_up(*paying_)) trial.reply_of(*student->gave_up());
+  for (Student* student : earlier_) {
+    if (!student->gave_up() || only_restarts_are_used_up(*paying_)) continue;
+    if (student->gave_up()->outcome == Outcome::timed_out && student->spent().messages > kManyMessages)
+      trial.fail(Status::wrong, "nothing was looked for: the run took all that there is",
+                 student->gave_up()->note);
+    trial.reply_of(*student->gave_up());
+  }
   if (object_.empty()) return;
   setup_.allowance->limit = rest_of(*paying_);
   ask_all(trial);

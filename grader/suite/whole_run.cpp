@@ -40,10 +40,7 @@ std::vector<Category> WholeRun::categories(const std::string& exercise) {
   return all;
 }
 
-// A solver that does not converge asks for products without end: that is a wrong answer, not a slow one, whichever limit
-// it meets first. Right ones send 50,000 messages at most.
 Played WholeRun::play(Trial& trial) {
-  constexpr double kManyMessages = 100'000;
   const double before = student_.spent().messages;
   try {
     return play_with_student(trial, player_, hidden_.scene);

@@ -42,6 +42,10 @@ inline constexpr double kDense = 1e-8;
 // The limits for pictures.
 inline constexpr double kBlurredRmse = 0.0005, kFlip = 0.001;
 
+// Right ones send 50,000 messages at most. A solver that does not converge asks for products without end: that is a wrong answer, not
+// a slow one, whichever limit it meets first.
+inline constexpr double kManyMessages = 100'000;
+
 inline constexpr const char* kRunTitle = "The whole run";
 
 class WholeRun {
