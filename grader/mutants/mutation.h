@@ -1,0 +1,31 @@
+// STAFF ONLY. Mutants: wrong programs that are made of a right one by one small change (DeMillo, Lipton, Sayward 1978). A suite that
+// gives one of them all points does not ask for what the change broke.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace grader {
+
+struct Mutation {
+  std::size_t at, length;  // the bytes of the source that go
+  std::string instead;     // what stands in their place
+  std::string
+      kind;  // "operator", "comparison", "constant", "index", "sign", "condition", "function", "statement"
+};
+
+// All changes of a C++ source, in its order. It looks at words and signs alone, so some do not compile, and some change nothing.
+std::vector<Mutation> mutations_of(const std::string& source);
+
+// `count` of them, or all if there are fewer: each kind in its turn, drawn by the seed.
+std::vector<Mutation> some_of(std::vector<Mutation> all, std::size_t count, std::uint64_t seed);
+
+std::string mutated(const std::string& source, const Mutation& mutation);
+
+// The line where it begins, without the white space at its ends; and what is changed, "`<` to `<=`".
+std::string line_of(const std::string& source, const Mutation& mutation);
+std::string change_of(const std::string& source, const Mutation& mutation);
+int line_number(const std::string& source, const Mutation& mutation);  // from 1
+
+}  // namespace grader

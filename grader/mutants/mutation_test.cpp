@@ -1,0 +1,68 @@
+// STAFF ONLY.
+#include "grader/mutants/mutation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+namespace grader {
+namespace {
+
+std::set<std::string> results(const std::string& source) {
+  std::set<std::string> all;
+  for (const Mutation& mutation : mutations_of(source)) all.insert(mutated(source, mutation));
+  return all;
+}
+
+TEST(Mutations, ChangeOperatorsComparisonsConstantsIndicesSignsAndFunctions) {
+  const auto all = results("double f() { x = -a[i] * 2; }");
+  for (const char* expected :
+       {"double f() { x = a[i] * 2; }", "double f() { x = -a[i] / 2; }", "double f() { x = -a[i] * 3; }",
+        "double f() { x = -a[i + 1] * 2; }", "double f() { ; }"})
+    EXPECT_TRUE(all.contains(expected)) << expected;
+  EXPECT_TRUE(results("if (a < b) c();").contains("if (a <= b) c();"));
+  EXPECT_TRUE(results("if (a < b) c();").contains("if ((!(a < b))) c();") ||
+              results("if (a < b) c();").contains("if (!(a < b)) c();"));
+  EXPECT_TRUE(results("x += std::abs(y);").contains("x += (y);"));
+  EXPECT_TRUE(results("x += 1e-12;").contains("x += (1e6 * 1e-12);"));
+  EXPECT_TRUE(results("x += 0.5;").contains("x -= 0.5;"));
+}
+
+TEST(Mutations, LeaveCommentsQuotesAndDeclarationsAlone) {
+  EXPECT_TRUE(
+      mutations_of("// a + b\n/* 1 < 2 */\n#include <a+b>\nusing A = B<3>;\nreturn \"1 + 1\";")
+          .empty());
+}
+
+TEST(Mutations, AreDrawnByTheSeedAndFromEachKind) {
+  std::string source = "int f() { ";
+  for (int i = 0; i < 50; ++i) source += "a += b[" + std::to_string(i) + "] * c; if (d < 3) e = -g; ";
+  source += "}";
+  const std::vector<Mutation> all = mutations_of(source);
+  std::set<std::string> kinds, some_kinds;
+  for (const Mutation& mutation : all) kinds.insert(mutation.kind);
+  const auto some = some_of(all, 20, 7), again = some_of(all, 20, 7), other = some_of(all, 20, 8);
+  ASSERT_EQ(some.size(), 20u);
+  for (const Mutation& mutation : some) some_kinds.insert(mutation.kind);
+  EXPECT_EQ(some_kinds, kinds);
+  const auto places = [](const std::vector<Mutation>& of) {
+    std::vector<std::size_t> at;
+    for (const Mutation& mutation : of) at.push_back(mutation.at);
+    return at;
+  };
+  EXPECT_EQ(places(some), places(again));
+  EXPECT_NE(places(some), places(other));
+}
+
+TEST(Mutations, SayWhereAndWhat) {
+  const std::string source = "int f() {\n  return a + b;\n}\n";
+  const std::vector<Mutation> all = mutations_of(source);
+  ASSERT_EQ(all.size(), 1u);
+  EXPECT_EQ(line_of(source, all[0]), "return a + b;");
+  EXPECT_EQ(line_number(source, all[0]), 2);
+  EXPECT_EQ(change_of(source, all[0]), "`+` to `-`");
+}
+
+}  // namespace
+}  // namespace grader
