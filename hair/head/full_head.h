@@ -51,7 +51,7 @@ struct FullHeadSettings {
   int threads = 1;
 };
 
-inline constexpr double kContactDepth = 1e-9;  // m
+inline constexpr double kContactDepth = 1e-6;  // m, a fiftieth of a hair's radius
 
 class FullHead {
  public:

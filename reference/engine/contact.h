@@ -32,6 +32,9 @@ HWY_INLINE HeadSurface head_surface(const GridView& grid, const Vec3& point) {
   const Vec3 low{hn::Floor(inside.x), hn::Floor(inside.y), hn::Floor(inside.z)}, t = inside - low;
   const auto index = hn::DemoteTo(
       integers, hn::MulAdd(hn::MulAdd(low.z, all(grid.count[1]), low.y), all(grid.count[0]), low.x));
+  const auto word = hn::GatherIndex(integers, grid.reaches_inside, hn::ShiftRight<5>(index));
+  const auto bit = hn::And(word >> hn::And(index, hn::Set(integers, 31)), hn::Set(integers, 1));
+  if (hn::AllFalse(integers, bit != hn::Zero(integers))) return surface;
   const auto corner = [&](int di, int dj, int dk) {
     const float* const from = grid.distance + (dk * grid.count[1] + dj) * grid.count[0] + di;
     return hn::PromoteTo(Tag(), hn::GatherIndex(floats, from, index));
@@ -46,16 +49,14 @@ HWY_INLINE HeadSurface head_surface(const GridView& grid, const Vec3& point) {
   if (hn::AllFalse(Tag(), surface.depth > all(0))) return surface;
   const Vec3 gradient{mix(mix(c100 - c000, c110 - c010, t.y), mix(c101 - c001, c111 - c011, t.y), t.z),
                       mix(c10 - c00, c11 - c01, t.z), c1 - c0};
-  const Lanes slope = hn::Sqrt(dot(gradient, gradient));
-  surface.normal = (all(1) / hn::Max(all(1e-150), slope)) * gradient;
+  surface.normal = length_of(gradient).reciprocal * gradient;
   return surface;
 }
 
 // What friction takes from a vector: its part across n, at most `limit` of it.
 HWY_INLINE Vec3 friction(const Vec3& vector, const Vec3& n, Lanes limit) {
   const Vec3 across = minus(vector, dot(n, vector), n);
-  const Lanes length = hn::Sqrt(dot(across, across));
-  return hn::Min(all(1), limit / hn::Max(all(1e-150), length)) * across;
+  return hn::Min(all(1), limit * length_of(across).reciprocal) * across;
 }
 
 // Pushes points out that are inside; `old`: where they were before the step.

@@ -21,10 +21,25 @@ DistanceGrid::DistanceGrid(const Solid& solid, double spacing) : box_(solid.box(
       for (int i = 0; i < count_[0]; ++i)
         distances_.push_back(
             static_cast<float>(solid.surface_at(low_ + spacing * Vector3d(i, j, k)).distance));
+
+  reaches_inside_.assign(distances_.size() / 32 + 1, 0);
+  for (int k = 0; k + 1 < count_[2]; ++k)
+    for (int j = 0; j + 1 < count_[1]; ++j)
+      for (int i = 0; i + 1 < count_[0]; ++i) {
+        const std::size_t cell = index(i, j, k);
+        bool inside = false;
+        for (int corner = 0; corner < 8; ++corner)
+          inside |= distances_[index(i + (corner & 1), j + (corner >> 1 & 1), k + (corner >> 2))] < 0;
+        if (inside) reaches_inside_[cell / 32] |= static_cast<std::int32_t>(1U << (cell % 32));
+      }
 }
 
 GridView DistanceGrid::view() const {
-  return {distances_.data(), {low_.x(), low_.y(), low_.z()}, 1 / spacing_, {count_[0], count_[1], count_[2]}};
+  return {distances_.data(),
+          reaches_inside_.data(),
+          {low_.x(), low_.y(), low_.z()},
+          1 / spacing_,
+          {count_[0], count_[1], count_[2]}};
 }
 
 Surface DistanceGrid::surface_at(const Vector3d& point) const {
@@ -36,12 +51,12 @@ Surface DistanceGrid::surface_at(const Vector3d& point) const {
       return {std::max(distance, spacing_), distance > 0 ? Vector3d(out / distance) : Vector3d::UnitZ()};
     }
   const Vector3d low = cell.array().floor(), t = cell - low;
-  const auto first = static_cast<std::size_t>((low.z() * count_[1] + low.y()) * count_[0] + low.x());
+  const Eigen::Vector3i at = low.cast<int>();
   double distance = 0;
   Vector3d gradient = Vector3d::Zero();
   for (int corner = 0; corner < 8; ++corner) {
-    const std::size_t d[3] = {corner & 1U, (corner >> 1) & 1U, (corner >> 2) & 1U};
-    const double value = distances_[first + (d[2] * count_[1] + d[1]) * count_[0] + d[0]];
+    const int d[3] = {corner & 1, corner >> 1 & 1, corner >> 2};
+    const double value = distances_[index(at.x() + d[0], at.y() + d[1], at.z() + d[2])];
     Vector3d weight, slope;
     for (int axis = 0; axis < 3; ++axis) {
       weight[axis] = d[axis] ? t[axis] : 1 - t[axis];

@@ -23,14 +23,19 @@ class DistanceGrid : public Solid {
   Eigen::AlignedBox3d box() const override { return box_; }
 
   GridView view() const;
-  std::size_t bytes() const { return distances_.size() * sizeof(float); }
+  std::size_t bytes() const { return distances_.size() * sizeof(float) + distances_.size() / 8; }
 
  private:
+  std::size_t index(int i, int j, int k) const {
+    return (static_cast<std::size_t>(k) * count_[1] + j) * count_[0] + i;
+  }
+
   Eigen::AlignedBox3d box_;
   double spacing_;
   Vector3d low_;
   std::array<int, 3> count_;
   std::vector<float> distances_;
+  std::vector<std::int32_t> reaches_inside_;
 };
 
 }  // namespace hair::engine

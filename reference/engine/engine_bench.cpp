@@ -32,11 +32,26 @@ constexpr int kPoints = 25;
 constexpr double kStep = 1.0 / 24;
 constexpr int kWarmUp = 4, kSteps = 6;
 
+// Along a curve that fills space: Morton's order of cells of 2 mm.
+std::int64_t place_on_curve(const Vector3d& root) {
+  std::int64_t place = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto cell = static_cast<std::int64_t>((root[axis] + 1) / 2e-3);
+    for (int bit = 0; bit < 12; ++bit) place |= ((cell >> bit) & 1) << (3 * bit + axis);
+  }
+  return place;
+}
+
 // Hair on the bust, combed.
 hair::Groom groom(int strands) {
   const hair::HairStyle* const style = hair::find_hair_style("long-smooth");
   if (!style) throw std::runtime_error("no style long-smooth");
-  return grow_groom(hair::Bust(), *style, {strands, kPoints, 1});
+  hair::Groom groom = grow_groom(hair::Bust(), *style, {strands, kPoints, 1});
+  // Neighbours follow each other.
+  std::sort(groom.strands.begin(), groom.strands.end(), [](const VectorXd& a, const VectorXd& b) {
+    return place_on_curve(a.head<3>()) < place_on_curve(b.head<3>());
+  });
+  return groom;
 }
 
 void set(FullHead& head, const hair::Groom& groom) {

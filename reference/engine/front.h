@@ -17,18 +17,17 @@ namespace hair::engine::HWY_NAMESPACE {
 // A column's own block: its factor, the reciprocals of D, and the right-hand side after it.
 struct Pivot {
   Lanes yx, zx, zy;  // below the diagonal of L
-  Vec3 reciprocal, rhs;
+  Vec3 per_d, rhs;
 
   HWY_INLINE Pivot(const Sym3& a, const Vec3& b, Which& definite) {
-    const Lanes one = all(1), dx = a.xx;
-    const Lanes rx = one / dx;
+    const Lanes dx = a.xx, rx = reciprocal(dx);
     yx = a.yx * rx;
     zx = a.zx * rx;
     const Lanes dy = hn::NegMulAdd(yx, a.yx, a.yy), c = hn::NegMulAdd(zx, a.yx, a.zy);
-    const Lanes ry = one / dy;
+    const Lanes ry = reciprocal(dy);
     zy = c * ry;
     const Lanes dz = hn::NegMulAdd(zy, c, hn::NegMulAdd(zx, a.zx, a.zz));
-    reciprocal = {rx, ry, one / dz};
+    per_d = {rx, ry, reciprocal(dz)};
     definite = hn::And(definite, hn::Min(dx, hn::Min(dy, dz)) > all(0));
     rhs.x = b.x;
     rhs.y = hn::NegMulAdd(yx, b.x, b.y);
@@ -44,7 +43,7 @@ struct Below {
     scaled.x = a.x;
     scaled.y = minus(a.y, p.yx, a.x);
     scaled.z = minus(minus(a.z, p.zx, a.x), p.zy, scaled.y);
-    factor = {p.reciprocal.x * scaled.x, p.reciprocal.y * scaled.y, p.reciprocal.z * scaled.z};
+    factor = {p.per_d.x * scaled.x, p.per_d.y * scaled.y, p.per_d.z * scaled.z};
   }
 };
 
@@ -82,8 +81,7 @@ HWY_INLINE void store33(const Mat3& a, double* to) {
 }
 HWY_INLINE void store_pivot(const Pivot& p, double* row) {
   store3<kWidth>({p.yx, p.zx, p.zy}, row + 18 * kWidth);
-  store3<kWidth>({p.rhs.x * p.reciprocal.x, p.rhs.y * p.reciprocal.y, p.rhs.z * p.reciprocal.z},
-                 row + 21 * kWidth);
+  store3<kWidth>({p.rhs.x * p.per_d.x, p.rhs.y * p.per_d.y, p.rhs.z * p.per_d.z}, row + 21 * kWidth);
 }
 
 // b -= L^T y, for a block.

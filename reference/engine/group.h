@@ -23,7 +23,10 @@ struct Group {
 
 // Distances on a grid, and what lies between them by trilinear interpolation.
 struct GridView {
-  const float* distance;  // at ((k count[1] + j) count[0] + i)
+  const float* distance;  // of point (i, j, k) at ((k count[1] + j) count[0] + i)
+  // A bit for each cell, with the index of its lowest point: whether one of its corners is inside. It is a small table: most
+  // hair needs no more.
+  const std::int32_t* reaches_inside;
   double low[3];
   double per_cell;  // 1 / spacing
   int count[3];     // >= 2 each

@@ -29,71 +29,68 @@ struct LengthErrors {
   }
 };
 
-// Per segment six numbers: direction, the factor below the diagonal, the diagonal's reciprocal (then lambda), the length.
-inline constexpr std::size_t kSegmentRow = 6;
+// Per segment nine numbers: its direction and length, as measured last; of the Newton step the factor below the diagonal,
+// lambda, and lambda times the direction.
+inline constexpr std::size_t kSegmentRow = 9;
 
 class LengthCorrection {
  public:
   HWY_INLINE LengthCorrection(int points, Lanes rest_length, const Vec3& tangent, double* rows)
-      : n_(points), rest_(rest_length), per_rest_(all(1) / rest_length), tangent_(tangent), rows_(rows) {}
+      : n_(points), rest_(rest_length), per_rest_(reciprocal(rest_length)), tangent_(tangent), rows_(rows) {}
 
   HWY_INLINE LengthErrors measure(const double* x) {
     LengthErrors errors{all(0), all(0)};
     Vec3 here = load3<kWidth>(x);
     for (int i = 0; i < n_ - 1; ++i) {
-      const Vec3 next = load3<kWidth>(x + 3 * (i + 1) * kWidth), e = next - here;
-      const Lanes length = hn::Sqrt(dot(e, e));
-      store(length, row(i) + 5 * kWidth);
-      errors.add(length, rest_, per_rest_);
+      const Vec3 next = load3<kWidth>(x + 3 * (i + 1) * kWidth);
+      measure_segment(i, next - here, errors);
       here = next;
     }
     return errors;
   }
 
-  // The multipliers of the Newton step at x, whose lengths were measured last. Weights are 1/mass: 0 of the root, 2 of the tip.
-  HWY_INLINE void factor(const double* x) {
-    Vec3 here = load3<kWidth>(x), before = tangent_;
-    Lanes q = all(0), reciprocal = all(0), lambda = all(0);
+  // The Newton step of the state that was measured last. Weights are 1/mass: 0 of the root, 2 of the tip.
+  HWY_INLINE void factor() {
+    Vec3 before = tangent_;
+    Lanes q = all(0), per_d = all(0), lambda = all(0);
     for (int i = 0; i < n_ - 1; ++i) {
-      const Vec3 next = load3<kWidth>(x + 3 * (i + 1) * kWidth);
-      const Lanes length = load(row(i) + 5 * kWidth);
-      const Vec3 u = choose(length > all(0), (all(1) / length) * (next - here), before);
+      const Lanes length = load(row(i) + 3 * kWidth);
+      const Vec3 u = choose(length > all(0), load3<kWidth>(row(i)), before);
       Lanes below = all(0);
       if (i > 0) {
         const Vec3 c = cross(before, u);
-        below = all(0) - dot(before, u) * reciprocal;
-        q = (q + dot(c, c)) * reciprocal;
+        below = all(0) - dot(before, u) * per_d;
+        q = (q + dot(c, c)) * per_d;
       }
-      reciprocal = all(1) / (all(i == n_ - 2 ? 2 : 1) + q);
+      per_d = reciprocal(all(i == n_ - 2 ? 2 : 1) + q);
       lambda = hn::NegMulAdd(below, lambda, rest_ - length);
       store3<kWidth>(u, row(i));
-      store(below, row(i) + 3 * kWidth);
-      store(lambda * reciprocal, row(i) + 4 * kWidth);
-      here = next;
+      store(below, row(i) + 4 * kWidth);
+      store(lambda * per_d, row(i) + 5 * kWidth);
       before = u;
     }
-    for (int i = n_ - 3; i >= 0; --i) {
-      lambda = load(row(i + 1) + 4 * kWidth);
-      store(hn::NegMulAdd(load(row(i + 1) + 3 * kWidth), lambda, load(row(i) + 4 * kWidth)),
-            row(i) + 4 * kWidth);
+    lambda = all(0);
+    Lanes below = all(0);
+    for (int i = n_ - 2; i >= 0; --i) {
+      lambda = hn::NegMulAdd(below, lambda, load(row(i) + 5 * kWidth));
+      below = load(row(i) + 4 * kWidth);
+      store3<kWidth>(lambda * load3<kWidth>(row(i)), row(i) + 6 * kWidth);
     }
   }
 
   // tried = x + part W J^T lambda where `active`, x elsewhere; measures it.
   HWY_INLINE LengthErrors attempt(const double* x, Lanes part, Which active, double* tried) {
     LengthErrors errors{all(0), all(0)};
-    Vec3 here = load3<kWidth>(x), inner = load(row(0) + 4 * kWidth) * load3<kWidth>(row(0));
+    Vec3 here = load3<kWidth>(x), inner = load3<kWidth>(row(0) + 6 * kWidth);
     store3<kWidth>(here, tried);
     for (int i = 0; i < n_ - 1; ++i) {
       const bool tip = i == n_ - 2;
-      const Vec3 outer = tip ? zero3() : load(row(i + 1) + 4 * kWidth) * load3<kWidth>(row(i + 1));
+      const Vec3 outer = tip ? zero3() : load3<kWidth>(row(i + 1) + 6 * kWidth);
       const Vec3 old = load3<kWidth>(x + 3 * (i + 1) * kWidth);
-      const Lanes weighted = tip ? part + part : part;
-      const Vec3 next = choose(active, plus(old, weighted, inner - outer), old), e = next - here;
-      const Lanes length = hn::Sqrt(dot(e, e));
+      const Lanes weight = tip ? part + part : part;
+      const Vec3 next = choose(active, plus(old, weight, inner - outer), old);
       store3<kWidth>(next, tried + 3 * (i + 1) * kWidth);
-      store(length, row(i) + 5 * kWidth);
-      errors.add(length, rest_, per_rest_);
+      measure_segment(i, next - here, errors);
       here = next;
       inner = outer;
     }
@@ -106,14 +103,20 @@ class LengthCorrection {
     for (int i = 0; i < n_ - 1; ++i) {
       double* const at = to + 3 * (i + 1) * kWidth;
       const Vec3 old = load3<kWidth>(x + 3 * (i + 1) * kWidth), e = old - here;
-      const Lanes length = hn::Sqrt(dot(e, e));
-      u = choose(length > all(0), (all(1) / length) * e, u);
+      const Length length = length_of(e);
+      u = choose(length.value > all(0), length.reciprocal * e, u);
       here = plus(here, rest_, u);
       store3<kWidth>(choose(which, here, load3<kWidth>(at)), at);
     }
   }
 
  private:
+  HWY_INLINE void measure_segment(int i, const Vec3& e, LengthErrors& errors) {
+    const Length length = length_of(e);
+    store3<kWidth>(length.reciprocal * e, row(i));
+    store(length.value, row(i) + 3 * kWidth);
+    errors.add(length.value, rest_, per_rest_);
+  }
   HWY_INLINE double* row(int i) { return rows_ + i * kSegmentRow * kWidth; }
 
   int n_;
@@ -139,7 +142,7 @@ HWY_NOINLINE double* correct_lengths(const StepConstants& step, const Group& gro
   for (int steps = 1; steps <= kMostLengthSteps; ++steps) {
     Which active = hn::And(errors.largest > goal, errors.squared < infinite);
     if (hn::AllFalse(Tag(), active)) return x;
-    strands.factor(x);
+    strands.factor();
     Lanes part = all(1);
     const Lanes before = errors.squared;
     Which failed = hn::Not(active);

@@ -41,7 +41,7 @@ HWY_NOINLINE void solve(const StepConstants& step, const Group& group, std::size
   Vec3 here = load3<kGroup>(x);
   const Vec3 root = placed(step.after, load3<kGroup>(group.root + lane));
   const Vec3 v0 = all(step.per_h) * (root - here);
-  const Lanes rest_length = load(group.rest_length + lane), per_rest = all(1) / rest_length;
+  const Lanes rest_length = load(group.rest_length + lane), per_rest = reciprocal(rest_length);
   const Lanes stretch = all(step.stretch) * per_rest * per_rest, per_h = all(step.per_h);
   const Lanes bend = all(step.bend) * per_rest * per_rest;
   const Vec3 push = all3(step.push) - all(1 + step.drag) * v0;

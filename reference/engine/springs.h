@@ -41,12 +41,11 @@ HWY_INLINE Segment endless(const Vec3& u) {
   return {u, all(0), all(0), square(u)};
 }
 
-// A segment of length 0 has no direction; max's order lets NaN through.
+// A segment of length 0 has no direction.
 HWY_INLINE Segment segment_along(const Vec3& e) {
-  const Lanes length = hn::Sqrt(dot(e, e));
-  const Lanes per_length = all(1) / hn::Max(all(1e-150), length);
-  const Vec3 u = per_length * e;
-  return {u, length, per_length, square(u)};
+  const Length length = length_of(e);
+  const Vec3 u = length.reciprocal * e;
+  return {u, length.value, length.reciprocal, square(u)};
 }
 
 // s S / k.
@@ -77,7 +76,7 @@ struct Angle {
 };
 
 HWY_INLINE Angle angle_of(Lanes cosine, Lanes sine_squared) {
-  const Lanes one = all(1), larger = one + hn::Abs(cosine), r = one / larger;
+  const Lanes one = all(1), larger = one + hn::Abs(cosine), r = reciprocal(larger);
   const Lanes z = sine_squared * r * r, P = polynomial(z);
   Angle angle{(r + r) * hn::MulAdd(z, P, one), r * r * hn::NegMulAdd(P, one - z, one), r};
   const Which obtuse = cosine < all(0);
