@@ -49,7 +49,10 @@ HWY_INLINE HeadSurface head_surface(const GridView& grid, const Vec3& point) {
   if (hn::AllFalse(Tag(), surface.depth > all(0))) return surface;
   const Vec3 gradient{mix(mix(c100 - c000, c110 - c010, t.y), mix(c101 - c001, c111 - c011, t.y), t.z),
                       mix(c10 - c00, c11 - c01, t.z), c1 - c0};
-  surface.normal = length_of(gradient).reciprocal * gradient;
+  const Lanes per_slope = length_of(gradient).reciprocal;
+  surface.normal = per_slope * gradient;
+  // The gradient is one of differences between grid points: times `per_cell` it is one of metres.
+  surface.depth = surface.depth * hn::Min(per_slope * all(1 / grid.per_cell), all(1 / kLeastSlope));
   return surface;
 }
 

@@ -66,8 +66,9 @@ Surface DistanceGrid::surface_at(const Vector3d& point) const {
     gradient += value * Vector3d(slope.x() * weight.y() * weight.z(), weight.x() * slope.y() * weight.z(),
                                  weight.x() * weight.y() * slope.z());
   }
-  const double slope = gradient.norm();
-  return {distance, slope > 0 ? Vector3d(gradient / slope) : Vector3d::UnitZ()};
+  const double length = gradient.norm(), slope = length / spacing_;
+  return {distance / std::max(slope, kLeastSlope),
+          length > 0 ? Vector3d(gradient / length) : Vector3d::UnitZ()};
 }
 
 }  // namespace hair::engine

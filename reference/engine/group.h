@@ -21,7 +21,10 @@ struct Group {
   std::int64_t* broke_at = nullptr;  // kGroup
 };
 
-// Distances on a grid, and what lies between them by trilinear interpolation.
+// Distances on a grid, and what lies between them: by trilinear interpolation, divided by the slope of what is interpolated,
+// which makes them right to first order. Deep inside there are places without a slope.
+inline constexpr double kLeastSlope = 0.3;
+
 struct GridView {
   const float* distance;  // of point (i, j, k) at ((k count[1] + j) count[0] + i)
   // A bit for each cell, with the index of its lowest point: whether one of its corners is inside. It is a small table: most
