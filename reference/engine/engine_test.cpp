@@ -89,7 +89,8 @@ void set(FullHead& head, const std::vector<Start>& all) {
 }
 
 particles::State state(const FullHead& head, int k) {
-  particles::State s{VectorXd(3 * kPoints[k]), VectorXd(3 * kPoints[k])};
+  const int size = 3 * kPoints[k % kPoints.size()];
+  particles::State s{VectorXd(size), VectorXd(size)};
   head.get_strand(k, s.x, s.v);
   return s;
 }
@@ -285,15 +286,22 @@ bool same_bits(const VectorXd& a, const VectorXd& b) {
   return true;
 }
 
+// Enough strands for both threads to be at work at once.
 TEST(Engine, GivesTheSameBitsWithOneThreadAndTwo) {
+  std::vector<int> points;
+  std::vector<Start> all;
+  for (int k = 0; k < 400; ++k) {
+    points.push_back(kPoints[k % kPoints.size()]);
+    all.push_back(some_start(points.back(), k));
+  }
   FullHeadSettings settings = everything();
-  FullHead one(kPoints, settings);
+  FullHead one(points, settings);
   settings.threads = 2;
-  FullHead two(kPoints, settings);
-  set(one, starts());
-  set(two, starts());
-  run(one, 30);
-  run(two, 30);
+  FullHead two(points, settings);
+  set(one, all);
+  set(two, all);
+  run(one, 20);
+  run(two, 20);
   for (int k = 0; k < one.strands(); ++k) {
     EXPECT_TRUE(same_bits(state(one, k).x, state(two, k).x)) << "strand " << k;
     EXPECT_TRUE(same_bits(state(one, k).v, state(two, k).v)) << "strand " << k;
