@@ -290,7 +290,7 @@ bool same_bits(const VectorXd& a, const VectorXd& b) {
 TEST(Engine, GivesTheSameBitsWithOneThreadAndTwo) {
   std::vector<int> points;
   std::vector<Start> all;
-  for (int k = 0; k < 400; ++k) {
+  for (int k = 0; k < 2000; ++k) {
     points.push_back(kPoints[k % kPoints.size()]);
     all.push_back(some_start(points.back(), k));
   }
@@ -300,8 +300,8 @@ TEST(Engine, GivesTheSameBitsWithOneThreadAndTwo) {
   FullHead two(points, settings);
   set(one, all);
   set(two, all);
-  run(one, 20);
-  run(two, 20);
+  run(one, 10);
+  run(two, 10);
   for (int k = 0; k < one.strands(); ++k) {
     EXPECT_TRUE(same_bits(state(one, k).x, state(two, k).x)) << "strand " << k;
     EXPECT_TRUE(same_bits(state(one, k).v, state(two, k).v)) << "strand " << k;
