@@ -1,6 +1,7 @@
 // STAFF ONLY. The engine against given code with the reference's exercises, and its own promises.
 
 #include <gtest/gtest.h>
+#include <hwy/targets.h>
 
 #include <bit>
 #include <limits>
@@ -23,6 +24,30 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr double kUnit = 0x1p-53;
+
+struct InstructionSet {
+  const char* name;
+  long long disabled;  // of Highway's targets
+};
+
+// Each test runs with each of the kernels that this processor can run.
+class Engine : public testing::TestWithParam<InstructionSet> {
+ public:
+  void SetUp() override { use(GetParam().disabled); }
+  void TearDown() override { use(0); }
+
+ private:
+  static void use(long long disabled) {
+    hwy::DisableTargets(disabled);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(, Engine,
+                         testing::Values(InstructionSet{"best", 0},
+                                         InstructionSet{"avx2", HWY_AVX3_DL | HWY_AVX3},
+                                         InstructionSet{"scalar", ~0LL}),
+                         [](const testing::TestParamInfo<InstructionSet>& set) { return set.param.name; });
 
 class Ball : public Solid {
  public:
@@ -148,11 +173,11 @@ void expect_solved(const FullHeadSettings& settings, const std::vector<Start>& a
   }
 }
 
-TEST(Engine, SolvesGivenCodesEquationOfStretching) {
+TEST_P(Engine, SolvesGivenCodesEquationOfStretching) {
   expect_solved(bare(), starts(), 1.0 / 240);
 }
 
-TEST(Engine, SolvesGivenCodesEquationWithBending) {
+TEST_P(Engine, SolvesGivenCodesEquationWithBending) {
   FullHeadSettings settings = bare();
   settings.bending = true;
   expect_solved(settings, starts(), 1.0 / 240);
@@ -163,7 +188,7 @@ TEST(Engine, SolvesGivenCodesEquationWithBending) {
   expect_solved(settings, starts(), 1.0 / 240);
 }
 
-TEST(Engine, SolvesStiffHairInShortAndLongSteps) {
+TEST_P(Engine, SolvesStiffHairInShortAndLongSteps) {
   FullHeadSettings settings = bare();
   settings.bending = true;
   for (const double times : {1.0, 1e4})
@@ -176,7 +201,7 @@ TEST(Engine, SolvesStiffHairInShortAndLongSteps) {
 }
 
 // A joint that is folded, and a segment of length 0: neither has a direction to turn to.
-TEST(Engine, TakesFoldsAndVanishedSegmentsAsGivenCodeDoes) {
+TEST_P(Engine, TakesFoldsAndVanishedSegmentsAsGivenCodeDoes) {
   FullHeadSettings settings = bare();
   settings.bending = true;
   auto all = starts(0, 0);
@@ -193,7 +218,7 @@ TEST(Engine, TakesFoldsAndVanishedSegmentsAsGivenCodeDoes) {
 // From the same positions, both corrections end with lengths that are right to 1e-12. What they may differ by is an error C of
 // lengths, which moves points by W J^T (J W J^T)^-1 C, and the smallest singular value of a hanging strand's J is about
 // pi / 2n.
-TEST(Engine, CorrectsLengthsAndVelocitiesAsGivenCodeDoes) {
+TEST_P(Engine, CorrectsLengthsAndVelocitiesAsGivenCodeDoes) {
   constexpr double h = 1.0 / 240;
   FullHeadSettings settings = bare();
   const auto all = starts();
@@ -217,7 +242,7 @@ TEST(Engine, CorrectsLengthsAndVelocitiesAsGivenCodeDoes) {
 }
 
 // Newton's method gives way to `place` where hair is torn or flung: lengths are right all the same.
-TEST(Engine, CorrectsTheLengthsOfFlungHair) {
+TEST_P(Engine, CorrectsTheLengthsOfFlungHair) {
   FullHeadSettings settings;
   for (const double h : {1.0 / 960, 1.0 / 60, 1.0 / 24}) {
     Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
@@ -231,7 +256,7 @@ TEST(Engine, CorrectsTheLengthsOfFlungHair) {
   }
 }
 
-TEST(Engine, PushesHairOutOfTheHeadAsGivenCodeDoes) {
+TEST_P(Engine, PushesHairOutOfTheHeadAsGivenCodeDoes) {
   constexpr double h = 1.0 / 240;
   FullHeadSettings settings = bare();
   settings.correct_lengths = true;
@@ -287,7 +312,7 @@ bool same_bits(const VectorXd& a, const VectorXd& b) {
 }
 
 // Enough strands for both threads to be at work at once.
-TEST(Engine, GivesTheSameBitsWithOneThreadAndTwo) {
+TEST_P(Engine, GivesTheSameBitsWithOneThreadAndTwo) {
   std::vector<int> points;
   std::vector<Start> all;
   for (int k = 0; k < 2000; ++k) {
@@ -309,7 +334,7 @@ TEST(Engine, GivesTheSameBitsWithOneThreadAndTwo) {
 }
 
 // A strand alone, and among others, one of which has no numbers.
-TEST(Engine, KeepsNansInTheirStrandAndSaysWhich) {
+TEST_P(Engine, KeepsNansInTheirStrandAndSaysWhich) {
   constexpr int kLost = 4;
   FullHead head(kPoints, everything());
   auto all = starts();
@@ -331,7 +356,7 @@ TEST(Engine, KeepsNansInTheirStrandAndSaysWhich) {
   }
 }
 
-TEST(Engine, HoldsStiffHairOnAHeadThatShakes) {
+TEST_P(Engine, HoldsStiffHairOnAHeadThatShakes) {
   FullHeadSettings settings = everything();
   for (const double times : {1.0, 1e4})
     for (const double h : {1.0 / 960, 1.0 / 24}) {
@@ -345,7 +370,7 @@ TEST(Engine, HoldsStiffHairOnAHeadThatShakes) {
     }
 }
 
-TEST(Engine, AllocatesNothingInAStep) {
+TEST_P(Engine, AllocatesNothingInAStep) {
   FullHeadSettings settings = everything();
   settings.threads = 2;
   FullHead head(kPoints, settings);
@@ -355,7 +380,7 @@ TEST(Engine, AllocatesNothingInAStep) {
   EXPECT_EQ(reference_tests::allocations(), before);
 }
 
-TEST(Engine, RefusesWhatItCannotDo) {
+TEST_P(Engine, RefusesWhatItCannotDo) {
   FullHead head(kPoints, {});
   EXPECT_THROW(head.step(0.01), std::invalid_argument);
   EXPECT_THROW(FullHead(std::vector<int>{1}, {}), std::invalid_argument);
