@@ -19,6 +19,8 @@
 #include "hair/strand/measures.h"
 #include "hair/strand/obstacles.h"
 #include "particles/implicit_euler.h"
+#include "particles/preconditioner.h"
+#include "reference/engine/block_solves.h"
 #include "reference/engine/head_of_strands.h"
 #include "reference/engine/plain_xpbd.h"
 #include "solver/timing.h"
@@ -243,6 +245,45 @@ void beside_others() {
   }
 }
 
+// How far off a solve is, relative to its solution, of a strand that hangs bent; by h^2 k / m of its segments. Real hair of segments of
+// 1 cm has 6e6 at h = 1/60 s.
+void by_precision() {
+  std::printf(
+      "\n| h^2 k / m | single, L D L^T | single, cofactors | double, L D L^T | double, cofactors "
+      "|\n|--:|--:|--:|--:|--:|\n");
+  FullHeadSettings settings = with(true, false, false);
+  constexpr double h = 1.0 / 60, l0 = 0.01;
+  const double hair =
+      h * h * settings.material.stretch_rigidity() / settings.material.line_density() / (l0 * l0);
+  for (const double ratio : {1e3, 1e4, 1e5, 1e6, 6.5e6, 4e7, 1e9, 1e11, 1e13}) {
+    const auto moving = hair::engine::given_strand(settings, kPoints, l0, Vector3d::UnitX());
+    moving->strand.stretch_rigidity *= ratio / hair;
+    VectorXd& x = moving->state.x;
+    for (int i = 1; i < kPoints; ++i)
+      x.segment<3>(3 * i) =
+          x.segment<3>(3 * i - 3) + l0 * Vector3d(std::cos(0.1 * i), std::sin(0.1 * i) * std::cos(0.3 * i),
+                                                  std::sin(0.1 * i) * std::sin(0.3 * i));
+    Eigen::MatrixXd memory(3 * kPoints, solver::BlockBand::kColumns), work(3 * kPoints, 2);
+    solver::BlockBand band(memory);
+    if (!particles::preconditioner::assemble(moving->force, moving->particles, moving->state, h, h, work,
+                                             band))
+      throw std::runtime_error("no band");
+    VectorXd rhs = VectorXd::Zero(3 * kPoints);
+    moving->force.add_force(x, moving->state.v, rhs);
+    rhs.head<3>().setZero();
+    const VectorXd exact = hair_bench::solve_blocks<long double>(band, rhs, hair_bench::Inverse::ldlt);
+    std::printf("| %.1e |", ratio);
+    const auto error = [&](const VectorXd& solution) {
+      std::printf(" %.1e |", (solution - exact).norm() / exact.norm());
+    };
+    for (const auto inverse : {hair_bench::Inverse::ldlt, hair_bench::Inverse::cofactors})
+      error(hair_bench::solve_blocks<float>(band, rhs, inverse));
+    for (const auto inverse : {hair_bench::Inverse::ldlt, hair_bench::Inverse::cofactors})
+      error(hair_bench::solve_blocks<double>(band, rhs, inverse));
+    std::printf("\n");
+  }
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -257,4 +298,5 @@ int main(int count, char** arguments) {
   by_strands(grown);
   by_set(strands, grown);
   beside_others();
+  by_precision();
 }
