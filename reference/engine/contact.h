@@ -70,7 +70,7 @@ HWY_INLINE void push_out(const StepConstants& step, const Vec3& old, Vec3& x, Ve
   if (hn::AllFalse(Tag(), inside)) return;
   const Vec3 p_old = turned_back(step.before.turn, old - all3(step.before.at));
   const Lanes mu = all(step.friction);
-  // The velocity beside the head's, in the head's axes: where a point goes through, it is that of its way.
+  // The velocity beside the head's, in the head's axes.
   Vec3 u = all(step.per_h) * (p - p_old);
   const Vec3 u_before = u;
   const Which any = inside;
@@ -80,10 +80,12 @@ HWY_INLINE void push_out(const StepConstants& step, const Vec3& old, Vec3& x, Ve
     p = choose(inside, moved, p);
     const Lanes speed = hn::Max(all(0) - dot(n, u), all(0));
     u = choose(inside, plus(u, speed, n) - friction(u, n, mu * speed), u);
-    // From here, Newton's next error is less than the depth asked for: a grid's cells differ in slope by less than a tenth.
-    if (hn::AllFalse(Tag(), hn::And(inside, surface.depth > all(10 * step.contact_depth)))) break;
+    // After a short push, Newton's next error is less than the depth asked for: a grid's cells differ in slope by less than a
+    // tenth. Whether a strand is done depends on no other.
+    inside = hn::And(inside, surface.depth > all(10 * step.contact_depth));
+    if (hn::AllFalse(Tag(), inside)) break;
     surface = head_surface(step.grid, p);
-    inside = surface.depth > all(step.contact_depth);
+    inside = hn::And(inside, surface.depth > all(step.contact_depth));
     if (hn::AllFalse(Tag(), inside)) break;
   }
   x = choose(any, turned(step.after.turn, p) + all3(step.after.at), x);
