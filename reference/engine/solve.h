@@ -53,17 +53,17 @@ HWY_NOINLINE void solve(const StepConstants& step, const Group& group, std::size
     const Vec3 next = load3<kGroup>(x + 3 * (s + 1) * kGroup);
     const Lanes weight = all(s == n - 2 ? 0.5 : 1);
     const Segment segment = segment_along(next - here);
-    const Sym3 S = stretch_block(segment, rest_length, stretch);
-    const Vec3 pull = per_h * stretch * (segment.length - rest_length) * segment.u;
+    const Stretch S(segment, rest_length, stretch);
+    const Lanes pull = per_h * stretch * (segment.length - rest_length);
 
     // The rows of the segment's far end, c.
     Sym3 cc = diagonal(weight * all(step.mass));
-    Vec3 c = weight * (load3<kGroup>(v + 3 * (s + 1) * kGroup) + push) - pull;
-    f.b = f.b + pull;
+    Vec3 c = minus(weight * (load3<kGroup>(v + 3 * (s + 1) * kGroup) + push), pull, segment.u);
+    f.b = plus(f.b, pull, segment.u);
     if constexpr (kBend) {
       const Lanes k = s == 0 ? all(step.clamp) * per_rest * per_rest : bend;
-      const Joint joint(before, segment, k, per_h);
-      const Sym3 outer = joint.block22 + S;
+      const Joint joint(before, segment, k, per_h, S);
+      const Sym3& outer = joint.block22;
       const Mat3 &ca = joint.block21, minus_ca = zero33() - ca;
       f.aa = f.aa + joint.block11;
       f.ba = f.ba + (ca - full(joint.block11));
@@ -72,9 +72,9 @@ HWY_NOINLINE void solve(const StepConstants& step, const Group& group, std::size
                                                  minus_ca.y.z + minus_ca.z.y, minus_ca.z.z + minus_ca.z.z};
       Mat3 cb = ca - full(outer);
       cc = cc + outer;
-      f.a = f.a + joint.pull1;
-      f.b = f.b + (joint.pull2 - joint.pull1);
-      c = c - joint.pull2;
+      f.a = plus(f.a, joint.pull1, joint.turn1);
+      f.b = minus(plus(f.b, joint.pull2, joint.turn2), joint.pull1, joint.turn1);
+      c = minus(c, joint.pull2, joint.turn2);
       if (s >= 2) {  // point a, s - 1, is complete; the root is not solved for
         const Pivot pivot(f.aa, f.a, definite);
         const Below near(f.ba, pivot), far(minus_ca, pivot);
@@ -87,11 +87,12 @@ HWY_NOINLINE void solve(const StepConstants& step, const Group& group, std::size
       }
       f = {f.bb, cc, cb, f.b, c};
     } else {
-      f.bb = f.bb + S;
-      cc = cc + S;
+      const Sym3 block = diagonal(S.across) + S.along * segment.uu;
+      f.bb = f.bb + block;
+      cc = cc + block;
       if (s >= 1) {  // point b, s, is complete
         const Pivot pivot(f.bb, f.b, definite);
-        const Below near(zero33() - full(S), pivot);
+        const Below near(zero33() - full(block), pivot);
         store33(near.factor, row(s));
         store_pivot(pivot, row(s));
         take(near, pivot, cc, c);

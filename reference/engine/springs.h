@@ -48,11 +48,14 @@ HWY_INLINE Segment segment_along(const Vec3& e) {
   return {u, length.value, length.reciprocal, square(u)};
 }
 
-// s S / k.
-HWY_INLINE Sym3 stretch_block(const Segment& segment, Lanes rest_length, Lanes s) {
-  const Lanes g = s * hn::Max(hn::NegMulAdd(rest_length, segment.per_length, all(1)), all(0));
-  return diagonal(g) + (s - g) * segment.uu;
-}
+// s S / k = across 1 + along u u^T.
+struct Stretch {
+  Lanes across, along;
+
+  HWY_INLINE Stretch(const Segment& segment, Lanes rest_length, Lanes s)
+      : across(s * hn::Max(hn::NegMulAdd(rest_length, segment.per_length, all(1)), all(0))),
+        along(s - across) {}
+};
 
 HWY_INLINE Lanes polynomial(Lanes z) {
   static constexpr double kP[] = {
@@ -91,12 +94,13 @@ HWY_INLINE Angle angle_of(Lanes cosine, Lanes sine_squared) {
 }
 
 struct Joint {
-  Vec3 pull1, pull2;  // dE/de1, dE/de2, times `force`
-  Sym3 block11, block22;
+  Vec3 turn1, turn2;  // dE/de1 = pull1 turn1, dE/de2 = pull2 turn2, times `force`
+  Lanes pull1, pull2;
+  Sym3 block11, block22;  // block22 with the stretch of the second segment
   Mat3 block21;
 
   // k scales the blocks, and k `force` the forces.
-  HWY_INLINE Joint(const Segment& one, const Segment& two, Lanes k, Lanes force) {
+  HWY_INLINE Joint(const Segment& one, const Segment& two, Lanes k, Lanes force, const Stretch& stretch) {
     const Vec3 c = cross(one.u, two.u);
     const Lanes cosine = dot(one.u, two.u), sine_squared = dot(c, c);
     // Folded, or without a direction: neither force nor product.
@@ -105,14 +109,18 @@ struct Joint {
     const Angle angle = angle_of(cosine, sine_squared);
 
     const Lanes pull = k * force * angle.q;
-    pull1 = pull * one.per_length * (cosine * one.u - two.u);
-    pull2 = pull * two.per_length * (cosine * two.u - one.u);
+    pull1 = pull * one.per_length;
+    pull2 = pull * two.per_length;
+    turn1 = {hn::MulSub(cosine, one.u.x, two.u.x), hn::MulSub(cosine, one.u.y, two.u.y),
+             hn::MulSub(cosine, one.u.z, two.u.z)};
+    turn2 = {hn::MulSub(cosine, two.u.x, one.u.x), hn::MulSub(cosine, two.u.y, one.u.y),
+             hn::MulSub(cosine, two.u.z, one.u.z)};
 
     const Sym3 cc = square(c);
     const Lanes k1 = k * one.per_length, k11 = k1 * one.per_length, k21 = k1 * two.per_length,
                 k22 = k * two.per_length * two.per_length;
     block11 = minus(minus(diagonal(k11), k11, one.uu), k11 * angle.s, cc);
-    block22 = minus(minus(diagonal(k22), k22, two.uu), k22 * angle.s, cc);
+    block22 = minus(minus(diagonal(k22 + stretch.across), k22 - stretch.along, two.uu), k22 * angle.s, cc);
 
     const Lanes t = k21 * (angle.s - angle.r), straight = k21 * cosine;
     const Vec3 kc = k21 * c, ku = k21 * two.u;
