@@ -1,5 +1,5 @@
-// STAFF ONLY. Every strand of a head, simulated: the interface of the fast engine. It does the physics of H1, H2, H4 and H5, many strands at
-// a time, with a direct solve instead of ConjGrad. Staff only: reference/engine implements it.
+// STAFF ONLY. Every strand of a head, simulated: the interface of the fast engine, which reference/engine implements. It does the
+// physics of H1, H2, H4 and H5, many strands at a time, with a direct solve instead of ConjGrad.
 //
 // A strand has n >= 2 points with equal distances l0 at rest, is straight at rest, and has the masses of a uniform
 // strand: lambda l0 of each point (lambda the line density), half of that at the tip. Its root is held by the head.
@@ -22,7 +22,8 @@
 //
 // Without bending, correction or a head, what belongs to it is left out of the compiled loops.
 //
-// Strands do not touch each other. The result of a strand depends neither on the other strands nor on the number of
+// Strands do not touch each other. Those that are neighbours on the head should follow each other: they are then stepped side by
+// side, and meet the head together. The result of a strand depends neither on the other strands nor on the number of
 // threads, to the last bit; it differs in rounding between instruction sets.
 #pragma once
 
@@ -51,7 +52,9 @@ struct FullHeadSettings {
   int threads = 1;
 };
 
-inline constexpr double kContactDepth = 1e-6;  // m, a fiftieth of a hair's radius
+// m, a fiftieth of a hair's radius. A last push shorter than ten times this is not checked: where a grid's cells differ in slope by
+// more than a tenth, a point may stay a little deeper for a step.
+inline constexpr double kContactDepth = 1e-6;
 
 class FullHead {
  public:
