@@ -18,6 +18,8 @@ struct HeadSurface {
   Vec3 normal;  // of length 1 where depth > 0
 };
 
+// Of a point that is known to be near, the table of bits is not asked.
+template <bool kNear>
 HWY_INLINE HeadSurface head_surface(const GridView& grid, const Vec3& point) {
   const hn::Rebind<std::int32_t, Tag> integers;
   const hn::Rebind<float, Tag> floats;
@@ -32,9 +34,11 @@ HWY_INLINE HeadSurface head_surface(const GridView& grid, const Vec3& point) {
   const Vec3 low{hn::Floor(inside.x), hn::Floor(inside.y), hn::Floor(inside.z)}, t = inside - low;
   const auto index = hn::DemoteTo(
       integers, hn::MulAdd(hn::MulAdd(low.z, all(grid.count[1]), low.y), all(grid.count[0]), low.x));
-  const auto word = hn::GatherIndex(integers, grid.reaches_inside, hn::ShiftRight<5>(index));
-  const auto bit = hn::And(word >> hn::And(index, hn::Set(integers, 31)), hn::Set(integers, 1));
-  if (hn::AllFalse(integers, bit != hn::Zero(integers))) return surface;
+  if constexpr (!kNear) {
+    const auto word = hn::GatherIndex(integers, grid.reaches_inside, hn::ShiftRight<5>(index));
+    const auto bit = hn::And(word >> hn::And(index, hn::Set(integers, 31)), hn::Set(integers, 1));
+    if (hn::AllFalse(integers, bit != hn::Zero(integers))) return surface;
+  }
   const auto corner = [&](int di, int dj, int dk) {
     const float* const from = grid.distance + (dk * grid.count[1] + dj) * grid.count[0] + di;
     return hn::PromoteTo(Tag(), hn::GatherIndex(floats, from, index));
@@ -65,7 +69,7 @@ HWY_INLINE Vec3 friction(const Vec3& vector, const Vec3& n, Lanes limit) {
 // Pushes points out that are inside; `old`: where they were before the step.
 HWY_INLINE void push_out(const StepConstants& step, const Vec3& old, Vec3& x, Vec3& v) {
   Vec3 p = turned_back(step.after.turn, x - all3(step.after.at));
-  HeadSurface surface = head_surface(step.grid, p);
+  HeadSurface surface = head_surface<false>(step.grid, p);
   Which inside = surface.depth > all(0);
   if (hn::AllFalse(Tag(), inside)) return;
   const Vec3 p_old = turned_back(step.before.turn, old - all3(step.before.at));
@@ -84,7 +88,7 @@ HWY_INLINE void push_out(const StepConstants& step, const Vec3& old, Vec3& x, Ve
     // tenth. Whether a strand is done depends on no other.
     inside = hn::And(inside, surface.depth > all(10 * step.contact_depth));
     if (hn::AllFalse(Tag(), inside)) break;
-    surface = head_surface(step.grid, p);
+    surface = head_surface<true>(step.grid, p);
     inside = hn::And(inside, surface.depth > all(step.contact_depth));
     if (hn::AllFalse(Tag(), inside)) break;
   }
