@@ -1,0 +1,41 @@
+// STAFF ONLY. A solid's distances on a grid, in single precision: a solid itself, whose distance between the grid's
+// points is interpolated (trilinear) and whose normal is the interpolated distance's gradient.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "hair/strand/solid.h"
+#include "reference/engine/group.h"
+
+namespace hair::engine {
+
+class DistanceGrid : public Solid {
+ public:
+  // Points `spacing` metres apart, which reach two of it beyond the solid's box. Throws std::invalid_argument for more than
+  // kMostPoints.
+  DistanceGrid(const Solid& solid, double spacing);
+
+  static constexpr double kMostPoints = 2e8;
+
+  // Beyond the grid: the distance from the solid's box, at least one spacing, and the way from it.
+  Surface surface_at(const Vector3d& point) const override;
+  Eigen::AlignedBox3d box() const override { return box_; }
+
+  GridView view() const;
+  std::size_t bytes() const { return distances_.size() * sizeof(float) + distances_.size() / 8; }
+
+ private:
+  std::size_t index(int i, int j, int k) const {
+    return (static_cast<std::size_t>(k) * count_[1] + j) * count_[0] + i;
+  }
+
+  Eigen::AlignedBox3d box_;
+  double spacing_;
+  Vector3d low_;
+  std::array<int, 3> count_;
+  std::vector<float> distances_;
+  std::vector<std::int32_t> reaches_inside_;
+};
+
+}  // namespace hair::engine

@@ -1,0 +1,125 @@
+// STAFF ONLY. For the engine's tests: strands in all kinds of states, and a test for each instruction set.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+
+#include <vector>
+
+#include "hair/strand/variation.h"
+#include "reference/engine/head_of_strands.h"
+
+namespace hair::engine {
+
+using Eigen::VectorXd;
+
+struct InstructionSet {
+  const char* name;
+  long long disabled;  // of Highway's targets
+};
+
+// Each test runs with each of the kernels that this processor can run.
+class Engine : public testing::TestWithParam<InstructionSet> {
+ public:
+  void SetUp() override { use(GetParam().disabled); }
+  void TearDown() override { use(0); }
+
+ private:
+  static void use(long long disabled) {
+    hwy::DisableTargets(disabled);
+    hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  }
+};
+
+class Ball : public Solid {
+ public:
+  explicit Ball(double radius) : radius_(radius) {}
+  Surface surface_at(const Vector3d& point) const override {
+    const double distance = point.norm();
+    return {distance - radius_, distance > 0 ? Vector3d(point / distance) : Vector3d::UnitZ()};
+  }
+  Eigen::AlignedBox3d box() const override {
+    return {Vector3d::Constant(-radius_), Vector3d::Constant(radius_)};
+  }
+
+ private:
+  double radius_;
+};
+
+inline Vector3d some_direction(Variation& random) {
+  for (;;) {
+    const Vector3d d(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    if (d.norm() > 0.1 && d.norm() < 1) return d.normalized();
+  }
+}
+
+// A strand on a ball, bent at random and moving.
+struct Start {
+  double rest_length;
+  Vector3d tangent;
+  VectorXd x, v;
+};
+
+inline constexpr double kBall = 0.1;
+
+inline Start some_start(int points, std::uint64_t seed, double bend = 0.4, double speed = 1) {
+  Variation random(seed, points);
+  Start start;
+  start.rest_length = random.uniform(0.006, 0.012);
+  start.tangent = some_direction(random);
+  start.x.resize(3 * points);
+  start.v.resize(3 * points);
+  start.x.head<3>() = kBall * start.tangent;
+  start.v.head<3>().setZero();
+  Vector3d along = start.tangent;
+  for (int i = 1; i < points; ++i) {
+    along = (along + bend * some_direction(random)).normalized();
+    start.x.segment<3>(3 * i) =
+        start.x.segment<3>(3 * i - 3) + start.rest_length * (1 + random.uniform(-1e-4, 1e-4)) * along;
+    start.v.segment<3>(3 * i) = speed * some_direction(random);
+  }
+  return start;
+}
+
+// Lengths that fill groups, and that do not; the shortest and a long one.
+inline const std::vector<int> kPoints = {25, 2, 25, 3, 25, 4, 25, 25, 200, 25, 25, 25, 25, 5, 25, 3, 25};
+
+inline std::vector<Start> starts(double bend = 0.4, double speed = 1) {
+  std::vector<Start> all;
+  for (std::size_t k = 0; k < kPoints.size(); ++k) all.push_back(some_start(kPoints[k], k, bend, speed));
+  return all;
+}
+
+inline void set(FullHead& head, const std::vector<Start>& all) {
+  for (std::size_t k = 0; k < all.size(); ++k)
+    head.set_strand(static_cast<int>(k), all[k].rest_length, all[k].tangent, all[k].x, all[k].v);
+}
+
+inline particles::State state(const FullHead& head, int k) {
+  const int size = 3 * kPoints[k % kPoints.size()];
+  particles::State s{VectorXd(size), VectorXd(size)};
+  head.get_strand(k, s.x, s.v);
+  return s;
+}
+
+inline std::vector<particles::State> after(const FullHeadSettings& settings, const std::vector<Start>& all,
+                                           double h,
+                                           const Eigen::Isometry3d& pose = Eigen::Isometry3d::Identity()) {
+  FullHead head(kPoints, settings);
+  set(head, all);
+  head.step(h, pose);
+  std::vector<particles::State> states;
+  for (int k = 0; k < head.strands(); ++k) states.push_back(state(head, k));
+  EXPECT_EQ(head.broken(), 0);
+  return states;
+}
+
+inline FullHeadSettings bare() {
+  FullHeadSettings settings;
+  settings.drag = 2;
+  settings.wind = {3, -1, 0.5};
+  settings.bending = settings.correct_lengths = false;
+  return settings;
+}
+
+}  // namespace hair::engine

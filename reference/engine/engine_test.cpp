@@ -1,0 +1,169 @@
+// STAFF ONLY. The engine against given code with the reference's exercises.
+
+#include "hair/length_correction.h"
+#include "hair/predictor_corrector.h"
+#include "hair/strand/measures.h"
+#include "hair/strand/obstacles.h"
+#include "particles/implicit_euler.h"
+#include "reference/engine/distance_grid.h"
+#include "reference/engine/engine_states.h"
+
+namespace hair::engine {
+namespace {
+
+constexpr double kUnit = 0x1p-53;
+
+INSTANTIATE_TEST_SUITE_P(, Engine,
+                         testing::Values(InstructionSet{"best", 0},
+                                         InstructionSet{"avx2", HWY_AVX3_DL | HWY_AVX3},
+                                         InstructionSet{"scalar", ~0LL}),
+                         [](const testing::TestParamInfo<InstructionSet>& set) { return set.param.name; });
+
+// What the engine's dv leaves of H4's equation in given code. A residual of rounding: with the matrix' norm N, each of its
+// numbers is a sum of at most 15 products of some ten roundings each, and is multiplied by velocities: those of the solution, those before, and
+// what rounding of positions makes of velocities, u |x| / h. The forces' own rounding, h k u |x|, is less than N u |x| / h.
+void expect_solved(const FullHeadSettings& settings, const std::vector<Start>& all, double h,
+                   const Vector3d& root_velocity = Vector3d::Zero()) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.translation() = h * root_velocity;
+  const auto states = after(settings, all, h, pose);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const auto moving = given_strand(settings, kPoints[k], all[k].rest_length, all[k].tangent);
+    particles::State before{all[k].x, all[k].v};
+    before.v.head<3>() = root_velocity;
+    const auto& after = states[k];
+    const Eigen::Index size = before.x.size();
+
+    VectorXd rhs = VectorXd::Zero(size), dv = after.v - before.v, product(size), moved = h * before.v;
+    moving->force.add_force(before.x, before.v, rhs);
+    moving->force.add_dfdx(before.x, before.v, moved, rhs);
+    rhs *= h;
+    const auto matrix = particles::implicit_matrix(moving->force, moving->particles, before, h, h);
+    matrix->matVecMult(dv.data(), product.data());
+    Eigen::MatrixXd scratch(size, particles::kPreconditionerScratch);
+    const particles::Preconditioner band(moving->force, moving->particles, before, h, h, scratch);
+    ASSERT_TRUE(band.exists());
+
+    const double residual = (rhs - product).tail(size - 3).norm();
+    const double speeds = dv.norm() + before.v.norm() + after.x.cwiseAbs().maxCoeff() / h * std::sqrt(size);
+    const double bound = 150 * kUnit * (band.norm() * speeds + rhs.norm());
+    EXPECT_LE(residual, bound) << "strand " << k << " of " << kPoints[k] << " points, |rhs| " << rhs.norm();
+    EXPECT_LE((after.x - before.x - h * after.v).cwiseAbs().maxCoeff(),
+              4 * kUnit * (after.x.cwiseAbs().maxCoeff() + h * after.v.cwiseAbs().maxCoeff()));
+  }
+}
+
+TEST_P(Engine, SolvesGivenCodesEquationOfStretching) {
+  expect_solved(bare(), starts(), 1.0 / 240);
+}
+
+TEST_P(Engine, SolvesGivenCodesEquationWithBending) {
+  FullHeadSettings settings = bare();
+  settings.bending = true;
+  expect_solved(settings, starts(), 1.0 / 240);
+  expect_solved(settings, starts(0), 1.0 / 240);  // straight: angles of rounding
+  expect_solved(settings, starts(5), 1.0 / 240);  // angles up to pi
+  expect_solved(settings, starts(1e-5), 1.0 / 240);
+  settings.clamped = false;
+  expect_solved(settings, starts(), 1.0 / 240);
+}
+
+TEST_P(Engine, SolvesStiffHairInShortAndLongSteps) {
+  FullHeadSettings settings = bare();
+  settings.bending = true;
+  for (const double times : {1.0, 1e4})
+    for (const double h : {1.0 / 960, 1.0 / 60, 1.0 / 24}) {
+      settings.material.young_modulus = 3e9 * times;
+      SCOPED_TRACE(testing::Message() << times << " times hair's EA, h " << h);
+      expect_solved(settings, starts(), h);
+      expect_solved(settings, starts(), h, {100, 0, 0});  // flung away
+    }
+}
+
+// A joint that is folded, and a segment of length 0: neither has a direction to turn to.
+TEST_P(Engine, TakesFoldsAndVanishedSegmentsAsGivenCodeDoes) {
+  FullHeadSettings settings = bare();
+  settings.bending = true;
+  auto all = starts(0, 0);
+  for (auto& start : all)
+    for (Eigen::Index i = 0; i < start.x.size(); i += 3)
+      start.x.segment<3>(i) = Vector3d(0.01 * double(i % 2), 0, 0);
+  expect_solved(settings, all, 1.0 / 240);
+  for (auto& start : all)
+    for (Eigen::Index i = 0; i < start.x.size(); i += 3)
+      start.x.segment<3>(i) = Vector3d(0.01 * double(i > 6), 0, 0);
+  expect_solved(settings, all, 1.0 / 240);
+}
+
+// From the same positions, both corrections end with lengths that are right to 1e-12. What they may differ by is an error C of
+// lengths, which moves points by W J^T (J W J^T)^-1 C, and the smallest singular value of a hanging strand's J is about
+// pi / 2n.
+TEST_P(Engine, CorrectsLengthsAndVelocitiesAsGivenCodeDoes) {
+  constexpr double h = 1.0 / 240;
+  FullHeadSettings settings = bare();
+  const auto all = starts();
+  const auto uncorrected = after(settings, all, h);
+  settings.correct_lengths = true;
+  const auto corrected = after(settings, all, h);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const auto moving = given_strand(settings, kPoints[k], all[k].rest_length, all[k].tangent);
+    particles::State expected = uncorrected[k];
+    Eigen::MatrixXd scratch(expected.x.size(), kCorrectionScratch);
+    const auto report =
+        correct_lengths(moving->strand, kLengthTolerance, kMostCorrections, expected.x, scratch);
+    ASSERT_TRUE(report.converged);
+    EXPECT_GE(report.iterations, kPoints[k] > 3 ? 2 : 1);
+    expected.v += (expected.x - uncorrected[k].x) / h;
+    const double n = kPoints[k], bound = 4 * n * std::sqrt(n) * kLengthTolerance * all[k].rest_length;
+    EXPECT_LE(largest_stretch(moving->strand, corrected[k].x), 1.01 * kLengthTolerance) << "strand " << k;
+    EXPECT_LE((corrected[k].x - expected.x).norm(), bound) << "strand " << k << ", " << n << " points";
+    EXPECT_LE((corrected[k].v - expected.v).norm(), bound / h) << "strand " << k;
+  }
+}
+
+// Newton's method gives way to `place` where hair is torn or flung: lengths are right all the same.
+TEST_P(Engine, CorrectsTheLengthsOfFlungHair) {
+  FullHeadSettings settings;
+  for (const double h : {1.0 / 960, 1.0 / 60, 1.0 / 24}) {
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    pose.translation() = Vector3d(100 * h, 0, 0);
+    const auto all = starts(0.4, 10);
+    const auto states = after(settings, all, h, pose);
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const auto moving = given_strand(settings, kPoints[k], all[k].rest_length, all[k].tangent);
+      EXPECT_LE(largest_stretch(moving->strand, states[k].x), 1e-11) << "strand " << k << ", h " << h;
+    }
+  }
+}
+
+TEST_P(Engine, PushesHairOutOfTheHeadAsGivenCodeDoes) {
+  constexpr double h = 1.0 / 240;
+  FullHeadSettings settings = bare();
+  settings.correct_lengths = true;
+  settings.friction = 0.3;
+  const auto all = starts(0.8, 2);
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  const Vector3d velocity(0.5, 0.2, -0.1);
+  pose.translation() = h * velocity;
+  const auto free = after(settings, all, h, pose);
+  settings.head = std::make_shared<Ball>(kBall);
+  const auto states = after(settings, all, h, pose);
+  const std::vector<Obstacle> obstacles = {
+      {PlacedSolid{std::make_shared<DistanceGrid>(*settings.head, settings.grid_spacing), h * velocity},
+       settings.friction, velocity}};
+  int contacts = 0;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const auto moving = given_strand(settings, kPoints[k], all[k].rest_length, all[k].tangent);
+    particles::State expected = free[k];
+    contacts += collide(obstacles, moving->particles, h, all[k].x, expected).contacts;
+    // Given code goes on until a point is within rounding; normals differ by less than 1 in what is left.
+    EXPECT_LE((states[k].x - expected.x).cwiseAbs().maxCoeff(), 3 * kContactDepth) << "strand " << k;
+    EXPECT_LE((states[k].v - expected.v).cwiseAbs().maxCoeff(), 1e-3) << "strand " << k;
+    for (int i = 1; i < kPoints[k]; ++i)
+      EXPECT_GE(surface_at(obstacles[0], states[k].x.segment<3>(3 * i)).distance, -1.01 * kContactDepth);
+  }
+  EXPECT_GT(contacts, 10);
+}
+
+}  // namespace
+}  // namespace hair::engine

@@ -1,0 +1,168 @@
+// STAFF ONLY. Vectors and matrices of three, in each lane those of another strand. This header is compiled once for each
+// instruction set (Highway's foreach_target.h).
+#if defined(HAIR_REFERENCE_ENGINE_LANES_H_) == defined(HWY_TARGET_TOGGLE)
+#ifdef HAIR_REFERENCE_ENGINE_LANES_H_
+#undef HAIR_REFERENCE_ENGINE_LANES_H_
+#else
+#define HAIR_REFERENCE_ENGINE_LANES_H_
+#endif
+
+#include <hwy/highway.h>
+
+#include "reference/engine/group.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace hair::engine::HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Tag = hn::CappedTag<double, kGroup>;
+using Lanes = hn::Vec<Tag>;
+using Which = hn::Mask<Tag>;
+
+inline constexpr std::size_t kWidth = hn::MaxLanes(Tag());
+
+HWY_INLINE Lanes all(double value) {
+  return hn::Set(Tag(), value);
+}
+HWY_INLINE Lanes load(const double* from) {
+  return hn::Load(Tag(), from);
+}
+HWY_INLINE void store(Lanes value, double* to) {
+  hn::Store(value, Tag(), to);
+}
+
+// 1 / a and 1 / sqrt(a) of normal numbers a > 0. AVX-512 has 14 bits of them at once, and each of Newton's steps doubles
+// these: that takes a quarter of the time that its divisions and roots keep the processor's unit for them busy.
+HWY_INLINE Lanes reciprocal(Lanes a) {
+#if HWY_TARGET == HWY_AVX3
+  Lanes r{_mm512_rcp14_pd(a.raw)};
+  r = hn::MulAdd(r, hn::NegMulAdd(a, r, all(1)), r);
+  return hn::MulAdd(r, hn::NegMulAdd(a, r, all(1)), r);
+#else
+  return all(1) / a;
+#endif
+}
+HWY_INLINE Lanes reciprocal_root(Lanes a) {
+#if HWY_TARGET == HWY_AVX3
+  Lanes r{_mm512_rsqrt14_pd(a.raw)};
+  const Lanes half = all(0.5);
+  r = hn::MulAdd(half * r, hn::NegMulAdd(a * r, r, all(1)), r);
+  return hn::MulAdd(half * r, hn::NegMulAdd(a * r, r, all(1)), r);
+#else
+  return all(1) / hn::Sqrt(a);
+#endif
+}
+
+struct Vec3 {
+  Lanes x, y, z;
+};
+
+// Numbers `stride` doubles apart: kGroup of a group's, kWidth of scratch memory.
+template <std::size_t kStride>
+HWY_INLINE Vec3 load3(const double* from) {
+  return {load(from), load(from + kStride), load(from + 2 * kStride)};
+}
+template <std::size_t kStride>
+HWY_INLINE void store3(const Vec3& a, double* to) {
+  store(a.x, to);
+  store(a.y, to + kStride);
+  store(a.z, to + 2 * kStride);
+}
+
+HWY_INLINE Vec3 all3(const double* value) {
+  return {all(value[0]), all(value[1]), all(value[2])};
+}
+HWY_INLINE Vec3 zero3() {
+  return {all(0), all(0), all(0)};
+}
+HWY_INLINE Vec3 operator+(const Vec3& a, const Vec3& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+HWY_INLINE Vec3 operator-(const Vec3& a, const Vec3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+HWY_INLINE Vec3 operator*(Lanes s, const Vec3& a) {
+  return {s * a.x, s * a.y, s * a.z};
+}
+// a + s b and a - s b.
+HWY_INLINE Vec3 plus(const Vec3& a, Lanes s, const Vec3& b) {
+  return {hn::MulAdd(s, b.x, a.x), hn::MulAdd(s, b.y, a.y), hn::MulAdd(s, b.z, a.z)};
+}
+HWY_INLINE Vec3 minus(const Vec3& a, Lanes s, const Vec3& b) {
+  return {hn::NegMulAdd(s, b.x, a.x), hn::NegMulAdd(s, b.y, a.y), hn::NegMulAdd(s, b.z, a.z)};
+}
+HWY_INLINE Lanes dot(const Vec3& a, const Vec3& b) {
+  return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, a.z * b.z));
+}
+// The length of e and its reciprocal; of a length of 0 a large one. Max's order lets NaN through.
+struct Length {
+  Lanes value, reciprocal;
+};
+HWY_INLINE Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {hn::MulSub(a.y, b.z, a.z * b.y), hn::MulSub(a.z, b.x, a.x * b.z), hn::MulSub(a.x, b.y, a.y * b.x)};
+}
+HWY_INLINE Length length_of(const Vec3& e) {
+  const Lanes squared = dot(e, e), per_length = reciprocal_root(hn::Max(all(1e-300), squared));
+  return {squared * per_length, per_length};
+}
+HWY_INLINE Vec3 choose(Which which, const Vec3& yes, const Vec3& no) {
+  return {hn::IfThenElse(which, yes.x, no.x), hn::IfThenElse(which, yes.y, no.y),
+          hn::IfThenElse(which, yes.z, no.z)};
+}
+
+// Of a symmetric matrix the lower half.
+struct Sym3 {
+  Lanes xx, yx, yy, zx, zy, zz;
+};
+
+HWY_INLINE Sym3 diagonal(Lanes d) {
+  const Lanes zero = all(0);
+  return {d, zero, d, zero, zero, d};
+}
+HWY_INLINE Sym3 square(const Vec3& a) {  // a a^T
+  return {a.x * a.x, a.y * a.x, a.y * a.y, a.z * a.x, a.z * a.y, a.z * a.z};
+}
+HWY_INLINE Sym3 operator+(const Sym3& a, const Sym3& b) {
+  return {a.xx + b.xx, a.yx + b.yx, a.yy + b.yy, a.zx + b.zx, a.zy + b.zy, a.zz + b.zz};
+}
+HWY_INLINE Sym3 operator*(Lanes s, const Sym3& a) {
+  return {s * a.xx, s * a.yx, s * a.yy, s * a.zx, s * a.zy, s * a.zz};
+}
+HWY_INLINE Sym3 minus(const Sym3& a, Lanes s, const Sym3& b) {
+  return {hn::NegMulAdd(s, b.xx, a.xx), hn::NegMulAdd(s, b.yx, a.yx), hn::NegMulAdd(s, b.yy, a.yy),
+          hn::NegMulAdd(s, b.zx, a.zx), hn::NegMulAdd(s, b.zy, a.zy), hn::NegMulAdd(s, b.zz, a.zz)};
+}
+
+struct Mat3 {
+  Vec3 x, y, z;  // columns
+};
+
+HWY_INLINE Mat3 operator+(const Mat3& a, const Mat3& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+HWY_INLINE Mat3 operator-(const Mat3& a, const Mat3& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+HWY_INLINE Mat3 zero33() {
+  return {zero3(), zero3(), zero3()};
+}
+HWY_INLINE Mat3 full(const Sym3& a) {
+  return {{a.xx, a.yx, a.zx}, {a.yx, a.yy, a.zy}, {a.zx, a.zy, a.zz}};
+}
+
+HWY_INLINE Vec3 turned(const double (&turn)[3][3], const Vec3& a) {
+  return {dot(all3(turn[0]), a), dot(all3(turn[1]), a), dot(all3(turn[2]), a)};
+}
+HWY_INLINE Vec3 turned_back(const double (&turn)[3][3], const Vec3& a) {
+  return plus(plus(a.x * all3(turn[0]), a.y, all3(turn[1])), a.z, all3(turn[2]));
+}
+
+// Where the head brings a root.
+HWY_INLINE Vec3 placed(const Pose& pose, const Vec3& a) {
+  return turned(pose.turn, a) + all3(pose.at);
+}
+
+}  // namespace hair::engine::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+#endif
