@@ -31,8 +31,7 @@ TEST(Mutations, ChangeOperatorsComparisonsConstantsIndicesSignsAndFunctions) {
 
 TEST(Mutations, LeaveCommentsQuotesAndDeclarationsAlone) {
   EXPECT_TRUE(
-      mutations_of("// a + b\n/* 1 < 2 */\n#include <a+b>\nusing A = B<3>;\nreturn \"1 + 1\";")
-          .empty());
+      mutations_of("// a + b\n/* 1 < 2 */\n#include <a+b>\nusing A = B<3>;\nreturn \"1 + 1\";").empty());
 }
 
 TEST(Mutations, AreDrawnByTheSeedAndFromEachKind) {

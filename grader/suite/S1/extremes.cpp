@@ -47,7 +47,7 @@ void expect_breakdown(Trial& trial, const LinearSystem& system, const Solution& 
 // alpha is 1 / a, and the next x is b / a.
 void where_numbers_end(Trial& trial) {
   Random& random = trial.random;
-  const auto diagonal = [](std::string name, std::vector<double> d, std::vector<double> b) {
+  const auto diagonal = [](std::string name, const std::vector<double>& d, std::vector<double> b) {
     return with_right_side(std::move(name), solver::diagonal(d), std::move(b));
   };
   const double size = random.uniform(1, 3);

@@ -25,7 +25,8 @@ std::vector<double> uniform_values(Random& random, int n, double low, double hig
 void expect_long_solve(Trial& trial, const LinearSystem& system) {
   const double epsilon = std::pow(1e-8 * norm(system.b), 2);
   const int steps = reference_solution(system, epsilon, 100 * system.n()).steps;
-  const Solution solution = solve(trial, system, epsilon, 2 * steps);  // no more: one that never ends costs our products
+  const Solution solution =
+      solve(trial, system, epsilon, 2 * steps);  // no more: one that never ends costs our products
   expect_solved(trial, system, solution, epsilon);
   trial.expect_at_most(solution.steps, 4 * steps / 3.0, "the number of steps of a solve that takes hundreds",
                        std::to_string(steps) + " would do");
