@@ -31,7 +31,8 @@ struct Equivalent {
 std::vector<Equivalent> equivalents_of(const std::string& exercise) {
   std::vector<Equivalent> all;
   std::ifstream in(fs::path(HAIR_PROJECT) / "grader/mutants/equivalents.json");
-  for (const nlohmann::json& entry : nlohmann::json::parse(in).at(exercise))
+  const nlohmann::json lists = nlohmann::json::parse(in);
+  for (const nlohmann::json& entry : lists.at(exercise))
     all.push_back({entry.at("line"), entry.at("change"), entry.at("why")});
   return all;
 }

@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "hair/head/nearest_points.h"
+#include "hair/head/disorder.h"
 #include "hair/head/scalp_map.h"
 #include "hair/simulation/strand_threads.h"
 #include "hair/strand/turns.h"
@@ -18,11 +18,6 @@ namespace hair {
 namespace {
 
 constexpr int kChildrenOfATask = 64;
-constexpr double kFlies =
-    0.25;  // how far a fly-away's tip goes aside at most, over its distance from the root
-
-enum class Chance : std::uint64_t { clumps = 1, fly_aways };
-
 // As a root's frame sees it, with the root at 0.
 struct Box {
   Vector3d middle, half;
@@ -77,8 +72,7 @@ class Synthesis::Parts {
       spreads_[i] = given_.spread * (1 + given_.jitter * variation.uniform(-1, 1));
       sizes_[i] = 1 + given_.length * variation.uniform(-1, 1);
     }
-    choose_clumps();
-    choose_fly_aways();
+    disorder_ = Disorder(given_);
     roots_.resize(guides.size());
     boxes_.resize(guides.size());
     in_use_.resize(guides.size());
@@ -143,35 +137,6 @@ class Synthesis::Parts {
     threads_.run((count + kChildrenOfATask - 1) / kChildrenOfATask, batch);
   }
 
-  // A chance decides which strands others gather to.
-  void choose_clumps() {
-    if (given_.clump == 0 || given_.gathered == 0) return;
-    Variation variation(given_.seed, static_cast<std::uint64_t>(Chance::clumps));
-    std::vector<Vector3d> middles;
-    for (const RootFrame& root : given_.children)
-      if (variation.uniform(0, 1) * given_.clump < 1) middles.push_back(root.position);
-    const NearestPoints nearest(middles);
-    gathers_.reserve(given_.children.size());
-    for (const RootFrame& root : given_.children) {
-      const long middle = nearest.nearest(root.position).index;
-      gathers_.emplace_back(
-          middle < 0
-              ? Vector3d::Zero()
-              : Vector3d(given_.gathered * (middles[static_cast<std::size_t>(middle)] - root.position)));
-    }
-  }
-
-  void choose_fly_aways() {
-    if (given_.fly_aways == 0) return;
-    Variation variation(given_.seed, static_cast<std::uint64_t>(Chance::fly_aways));
-    sways_.assign(given_.children.size(), Vector3d::Zero());
-    for (std::size_t i = 0; i < sways_.size(); ++i) {
-      if (variation.uniform(0, 1) >= given_.fly_aways) continue;
-      for (double& part : sways_[i]) part = kFlies / std::sqrt(3.0) * variation.uniform(-1, 1);
-      if (!gathers_.empty()) gathers_[i].setZero();
-    }
-  }
-
   // ---- Each frame
 
   GuideHair guide(int i) const {
@@ -220,9 +185,7 @@ class Synthesis::Parts {
       reach = std::max(reach, boxes_[nearest].reach(axes_of_root(roots_[nearest]).transpose() * direction) -
                                   direction.dot(between) + std::max(1.0, spreads_[child]) * between.norm());
     }
-    if (!gathers_.empty()) reach += gathers_[child].norm();
-    if (!sways_.empty()) reach += sways_[child].norm() * farthest(parents, root);
-    return sizes_[child] * reach;
+    return sizes_[child] * (reach + disorder_.reach(child, farthest(parents, root)));
   }
 
   // A bound for a child's points, of their distance from its root.
@@ -274,8 +237,8 @@ class Synthesis::Parts {
                     shapes() ? wisp : made);
       if (shapes() && wisps()) blend(frames_[nearest].arc, made, wisp, made);
     }
-    if (!gathers_.empty()) gather(child, made);
-    if (!sways_.empty()) sway(child, root, made);
+    const std::span<const Matrix3d> none;
+    disorder_.apply(child, root, turn_, wisps() ? frames_[parents.guides[0]].turns : none, made);
     const double size = sizes_[child];
     for (int at = 0; at < 3 * n_; at += 3)
       for (int axis = 0; axis < 3; ++axis)
@@ -283,36 +246,12 @@ class Synthesis::Parts {
             static_cast<Number>(root.position[axis] + size * (made[at + axis] - root.position[axis]));
   }
 
-  // Towards the strand that others gather to; what is between their roots goes along with the nearest guide, as wisps do.
-  void gather(int child, Eigen::Ref<Eigen::VectorXd> made) const {
-    const Vector3d way = turn_ * gathers_[child];
-    const GuideFrames* const frames = wisps() ? &frames_[parents_[child].guides[0]] : nullptr;
-    for (int i = 1; i < n_; ++i) {
-      const double along = static_cast<double>(i) / (n_ - 1), part = along * (2 - along);
-      if (frames)
-        made.segment<3>(3 * i) += part * (frames->turns[static_cast<std::size_t>(i)] * way);
-      else
-        made.segment<3>(3 * i) += part * way;
-    }
-  }
-
-  void sway(int child, const RootFrame& root, Eigen::Ref<Eigen::VectorXd> made) const {
-    if (sways_[child].isZero(0)) return;
-    const double far = (made.segment<3>(3 * n_ - 3) - root.position).norm();
-    const Vector3d aside = far * (axes_of_root(root) * sways_[child]);
-    for (int i = 1; i < n_; ++i) {
-      const double along = static_cast<double>(i) / (n_ - 1);
-      made.segment<3>(3 * i) += along * along * aside;
-    }
-  }
-
   SynthesisDescription given_;
   StrandThreads threads_;
   int n_ = 0;
   std::vector<Parents> parents_;
   std::vector<double> spreads_, sizes_;  // of children
-  std::vector<Vector3d> gathers_;        // of children, at the start: to where its tip goes; empty: no clumps
-  std::vector<Vector3d> sways_;          // of children, as its root sees it; empty: no fly-aways
+  Disorder disorder_{{}};
 
   const double* points_ = nullptr;
   ScalpTurn turn_;

@@ -1,5 +1,6 @@
 #include "hair/render/gl_objects.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -19,6 +20,27 @@ Program::Program(const Functions& functions, const ShaderPair& shaders, const st
     throw std::runtime_error("OpenGL can't link a shader: " +
                              words.substr(0, static_cast<std::size_t>(length)));
   }
+}
+
+void Program::set(const char* name, float value) const {
+  gl_.Uniform1f(uniform(name), value);
+}
+void Program::set(const char* name, float x, float y) const {
+  gl_.Uniform2f(uniform(name), x, y);
+}
+void Program::set(const char* name, const Eigen::Vector3f& value) const {
+  gl_.Uniform3f(uniform(name), value[0], value[1], value[2]);
+}
+void Program::set(const char* name, const Eigen::Vector4f& value) const {
+  gl_.Uniform4f(uniform(name), value[0], value[1], value[2], value[3]);
+}
+void Program::set(const char* name, const Eigen::Matrix4f& value) const {
+  gl_.UniformMatrix4fv(uniform(name), 1, 0, value.data());
+}
+void Program::set(const char* name, int unit, Name texture) const {
+  gl_.ActiveTexture(kTexture0 + static_cast<unsigned>(unit));
+  gl_.BindTexture(kTexture2D, texture);
+  gl_.Uniform1i(uniform(name), unit);
 }
 
 Name Program::compile(Enum kind, const std::string& text) const {
@@ -88,6 +110,28 @@ Target make_target(const Functions& gl, int width, int height, Enum colour_forma
 void draw_into(const Functions& gl, const Target& target) {
   gl.BindFramebuffer(kFramebuffer, target.framebuffer);
   gl.Viewport(0, 0, target.width, target.height);
+}
+
+std::vector<float> depths_of(const Functions& gl, const Target& target) {
+  std::vector<float> depths(static_cast<std::size_t>(target.width) * static_cast<std::size_t>(target.height));
+  draw_into(gl, target);
+  gl.ReadPixels(0, 0, target.width, target.height, kDepthComponent, kFloat, depths.data());
+  return depths;
+}
+
+// OpenGL's rows go from the bottom up.
+Image image_of(const Functions& gl, const Target& target) {
+  const auto width = static_cast<std::size_t>(target.width), height = static_cast<std::size_t>(target.height);
+  std::vector<std::uint8_t> rgba(4 * width * height);
+  draw_into(gl, target);
+  gl.ReadPixels(0, 0, target.width, target.height, kRgba, kUnsignedByte, rgba.data());
+  Image image{target.width, target.height, std::vector<std::uint8_t>(3 * width * height)};
+  for (std::size_t y = 0; y < height; ++y) {
+    const std::uint8_t* from = rgba.data() + 4 * width * (height - 1 - y);
+    std::uint8_t* to = image.pixels.data() + 3 * width * y;
+    for (std::size_t x = 0; x < width; ++x) std::copy_n(from + 4 * x, 3, to + 3 * x);
+  }
+  return image;
 }
 
 FloatTexture::FloatTexture(const Functions& functions) : gl_(functions) {

@@ -2,11 +2,13 @@
 // ends, so there are no destructors here.
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include "hair/io/image/image.h"
 #include "hair/render/gl.h"
 #include "hair/render/shaders.h"
 
@@ -18,9 +20,17 @@ class Program {
   Program(const Functions& functions, const ShaderPair& shaders, const std::string& header = "");
 
   void use() const { gl_.UseProgram(name_); }
-  int uniform(const char* name) const { return gl_.GetUniformLocation(name_, name); }
+
+  // Uniforms of the program that is in use; a name that its shaders do without is left out.
+  void set(const char* name, float value) const;
+  void set(const char* name, float x, float y) const;
+  void set(const char* name, const Eigen::Vector3f& value) const;
+  void set(const char* name, const Eigen::Vector4f& value) const;
+  void set(const char* name, const Eigen::Matrix4f& value) const;
+  void set(const char* name, int unit, Name texture) const;
 
  private:
+  int uniform(const char* name) const { return gl_.GetUniformLocation(name_, name); }
   Name compile(Enum kind, const std::string& text) const;
 
   const Functions& gl_;
@@ -38,6 +48,8 @@ struct Target {
 Target make_target(const Functions& gl, int width, int height, Enum colour_format, bool with_depth,
                    Name depth = 0);
 void draw_into(const Functions& gl, const Target& target);
+std::vector<float> depths_of(const Functions& gl, const Target& target);  // the lowest row first
+Image image_of(const Functions& gl, const Target& target);
 
 // Numbers that a program makes, one or four for each texel.
 class FloatTexture {

@@ -72,7 +72,7 @@ class Renderer::Parts {
     if (content.fine) draw_layer(drawing, view, content);
     resolve(content);
     watch.lap(gl_, times.draw);
-    Image image = read_back();
+    Image image = image_of(gl_, *picture_);
     watch.lap(gl_, times.read_back);
     if (gl_.GetError() != gl::kNoError) throw std::runtime_error("OpenGL failed: is there enough memory?");
     return image;
@@ -157,8 +157,8 @@ class Renderer::Parts {
       gl_.BlendFunc(gl::kOne, gl::kOne);
       const gl::Program& count = program("ribbon count", ribbon_count_shader);
       aim_at_light(count, content);
-      set(count, "layers", layers(content));
-      set(count, "hair_depth", 0, hair_map_->depth);
+      count.set("layers", layers(content));
+      count.set("hair_depth", 0, hair_map_->depth);
       draw_ribbons();
       gl_.Disable(gl::kBlend);
     }
@@ -178,11 +178,11 @@ class Renderer::Parts {
     FineHair::Solids solids;
     if (content.solids) {
       solids.samples = kSamples;
-      solids.distances = depths_of(*samples_);
+      solids.distances = depths_of(gl_, *samples_);
       for (float& depth : solids.distances) depth = view.distance(depth);
     }
     if (content.solid_shadows) {
-      solids.light_depths = depths_of(*solid_map_);
+      solids.light_depths = depths_of(gl_, *solid_map_);
       solids.light = content.light;
       solids.bias = bias(content);
     }
@@ -191,14 +191,6 @@ class Renderer::Parts {
     if (!empty_texture_) empty_texture_.emplace(gl_);
     layer_texture_->send(layer.width, layer.height, 4, layer.pixels.data());
     empty_texture_->send(layer.width, layer.height, 1, layer.empty.data());
-  }
-
-  std::vector<float> depths_of(const gl::Target& target) {
-    std::vector<float> depths(static_cast<std::size_t>(target.width) *
-                              static_cast<std::size_t>(target.height));
-    draw_into(gl_, target);
-    gl_.ReadPixels(0, 0, target.width, target.height, gl::kDepthComponent, gl::kFloat, depths.data());
-    return depths;
   }
 
   void draw_samples(const Drawing& drawing, const View& view, const Content& content) {
@@ -217,11 +209,11 @@ class Renderer::Parts {
     if (content.hair) {
       const gl::Program& program = this->program("ribbon", ribbon_shader, header);
       light(program, view, content);
-      set(program, "half_width", content.half_width);
-      set(program, "half_sample", view.tangent_y() / static_cast<float>(kSamples * settings_.height));
-      set(program, "seen_from", Eigen::Vector4f(0, 0, 0, 1));
-      set(program, "root_colour", drawing.strands.root);
-      set(program, "tip_colour", drawing.strands.tip);
+      program.set("half_width", content.half_width);
+      program.set("half_sample", view.tangent_y() / static_cast<float>(kSamples * settings_.height));
+      program.set("seen_from", Eigen::Vector4f(0, 0, 0, 1));
+      program.set("root_colour", drawing.strands.root);
+      program.set("tip_colour", drawing.strands.tip);
       draw_ribbons();
     }
   }
@@ -235,28 +227,13 @@ class Renderer::Parts {
     gl_.Disable(gl::kDepthTest);
     const gl::Program& program =
         this->program("resolve", resolve_shader, content.fine ? "#define FINE_HAIR\n" : "");
-    set(program, "samples", 0, samples_->colour);
+    program.set("samples", 0, samples_->colour);
     if (content.fine) {
-      set(program, "hair", 1, layer_texture_->name());
-      set(program, "hair_empty", 2, empty_texture_->name());
+      program.set("hair", 1, layer_texture_->name());
+      program.set("hair_empty", 2, empty_texture_->name());
     }
     gl_.BindVertexArray(no_vertices_);
     gl_.DrawArrays(gl::kTriangles, 0, 3);
-  }
-
-  // OpenGL's rows go from the bottom up.
-  Image read_back() {
-    const auto width = static_cast<std::size_t>(settings_.width),
-               height = static_cast<std::size_t>(settings_.height);
-    std::vector<std::uint8_t> rgba(4 * width * height);
-    gl_.ReadPixels(0, 0, settings_.width, settings_.height, gl::kRgba, gl::kUnsignedByte, rgba.data());
-    Image image{settings_.width, settings_.height, std::vector<std::uint8_t>(3 * width * height)};
-    for (std::size_t y = 0; y < height; ++y) {
-      const std::uint8_t* from = rgba.data() + 4 * width * (height - 1 - y);
-      std::uint8_t* to = image.pixels.data() + 3 * width * y;
-      for (std::size_t x = 0; x < width; ++x) std::copy_n(from + 4 * x, 3, to + 3 * x);
-    }
-    return image;
   }
 
   void clear(const gl::Target& target) {
@@ -281,42 +258,42 @@ class Renderer::Parts {
   static Eigen::Vector4f layers(const Content& content) { return OpacityMap::ends(content.light); }
 
   void aim(const gl::Program& program, const Eigen::Matrix4f& to_clip, const gl::Target& target) {
-    set(program, "to_clip", to_clip);
-    gl_.Uniform2f(program.uniform("grid"), 128.0F * static_cast<float>(target.width),
-                  128.0F * static_cast<float>(target.height));
+    program.set("to_clip", to_clip);
+    program.set("grid", 128.0F * static_cast<float>(target.width),
+                128.0F * static_cast<float>(target.height));
   }
 
   void aim_at_light(const gl::Program& program, const Content& content) {
     aim(program, content.light.to, *hair_map_);
-    set(program, "seen_from", Eigen::Vector4f(kKeyLight[0], kKeyLight[1], kKeyLight[2], 0));
-    set(program, "half_width", content.half_width);
-    set(program, "half_sample", half_texel(content));
+    program.set("seen_from", Eigen::Vector4f(kKeyLight[0], kKeyLight[1], kKeyLight[2], 0));
+    program.set("half_width", content.half_width);
+    program.set("half_sample", half_texel(content));
   }
 
   void light(const gl::Program& program, const View& view, const Content& content) {
     aim(program, view.projection(), *samples_);
-    set(program, "key_light", kKeyLight);
-    set(program, "up", view.direction(Vector3d(0, 0, 1)));
+    program.set("key_light", kKeyLight);
+    program.set("up", view.direction(Vector3d(0, 0, 1)));
     if (!content.shadows()) return;
-    set(program, "to_light", content.light.to);
+    program.set("to_light", content.light.to);
     if (content.hair_shadows && content.fine) {
-      set(program, "opacity", 1);
-      set(program, "skip", fine_->opacity().skip());
-      set(program, "layers", layers(content));
-      set(program, "hair_depth", 0, first_texture_->name());
-      set(program, "hair_count", 1, opacity_texture_->name());
+      program.set("opacity", 1.0F);
+      program.set("skip", fine_->opacity().skip());
+      program.set("layers", layers(content));
+      program.set("hair_depth", 0, first_texture_->name());
+      program.set("hair_count", 1, opacity_texture_->name());
     } else if (content.hair_shadows) {
       const float half = half_texel(content);
-      set(program, "opacity", content.half_width / std::max(content.half_width, half));
-      set(program, "skip", 4 * std::max(content.half_width, half) / LightMap::kDepth);
-      set(program, "layers", layers(content));
-      set(program, "hair_depth", 0, hair_map_->depth);
-      set(program, "hair_count", 1, count_map_->colour);
+      program.set("opacity", content.half_width / std::max(content.half_width, half));
+      program.set("skip", 4 * std::max(content.half_width, half) / LightMap::kDepth);
+      program.set("layers", layers(content));
+      program.set("hair_depth", 0, hair_map_->depth);
+      program.set("hair_count", 1, count_map_->colour);
     }
     if (content.solid_shadows) {
-      set(program, "bias", bias(content));
-      set(program, "away", 4 * half_texel(content));
-      set(program, "solid_depth", 2, solid_map_->depth);
+      program.set("bias", bias(content));
+      program.set("away", 4 * half_texel(content));
+      program.set("solid_depth", 2, solid_map_->depth);
     }
   }
 
@@ -327,24 +304,6 @@ class Renderer::Parts {
     if (place == programs_.end()) place = programs_.try_emplace(name + header, gl_, shaders(), header).first;
     place->second.use();
     return place->second;
-  }
-
-  void set(const gl::Program& program, const char* name, float value) {
-    gl_.Uniform1f(program.uniform(name), value);
-  }
-  void set(const gl::Program& program, const char* name, const Eigen::Vector3f& value) {
-    gl_.Uniform3f(program.uniform(name), value[0], value[1], value[2]);
-  }
-  void set(const gl::Program& program, const char* name, const Eigen::Vector4f& value) {
-    gl_.Uniform4f(program.uniform(name), value[0], value[1], value[2], value[3]);
-  }
-  void set(const gl::Program& program, const char* name, const Eigen::Matrix4f& value) {
-    gl_.UniformMatrix4fv(program.uniform(name), 1, 0, value.data());
-  }
-  void set(const gl::Program& program, const char* name, int unit, gl::Name texture) {
-    gl_.ActiveTexture(gl::kTexture0 + static_cast<unsigned>(unit));
-    gl_.BindTexture(gl::kTexture2D, texture);
-    gl_.Uniform1i(program.uniform(name), unit);
   }
 
   RenderSettings settings_;
