@@ -12,7 +12,7 @@ struct Budget {
   double idle_seconds = 40;           // workers that neither compute nor wait for a processor
   double worker_cpu_seconds = 55;     // the submission's code at run time
   double compiler_cpu_seconds = 150;  // compiler and linker, each file twice
-  double suite_cpu_seconds = 55;      // what the suite spends to converse with workers
+  double suite_cpu_seconds = 90;      // what the suite spends to converse with workers
   double restarts = 75;               // of workers that crashed or broke the rules
   double messages = 3e7;              // from workers
   double megabytes = 11000;           // in these messages
