@@ -87,6 +87,7 @@ class Synthesis::Parts {
   int children() const { return static_cast<int>(parents_.size()); }
   int points() const { return n_; }
   const Parents& parents(int child) const { return parents_[static_cast<std::size_t>(child)]; }
+  double disorder(int child, double far) const { return disorder_.reach(child, far); }
   std::span<const int> in_view() const { return in_view_; }
   const std::vector<char>& in_use() const { return in_use_; }
 
@@ -285,6 +286,9 @@ int Synthesis::points() const {
 }
 const Parents& Synthesis::parents(int child) const {
   return parts_->parents(child);
+}
+double Synthesis::disorder(int child, double far) const {
+  return parts_->disorder(child, far);
 }
 SynthesisCounts Synthesis::make(std::span<const double> guides, const ScalpTurn& turn,
                                 std::span<const Plane> view, std::span<double> strands) {

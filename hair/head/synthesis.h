@@ -57,6 +57,8 @@ class Synthesis {
   int children() const;
   int points() const;
   const Parents& parents(int child) const;
+  // How far clumps and fly-aways move a child's points at most, whose guides end at most `far` from its root.
+  double disorder(int child, double far) const;
 
   // The children that are in the view, one after the other, n points each: their coordinates go to `strands`, which has
   // room for all children, and their numbers to in_view(). guides: guide after guide, n points each. view: the half-spaces

@@ -68,7 +68,9 @@ std::vector<char> guides_in_use(const Scene& scene, const DenseHair& dense, cons
       beside = std::max(beside, (made.guides[static_cast<std::size_t>(guide)].position - root).norm());
     }
     const double wisp = std::max(1.0, made.spread * (1 + made.jitter)) * beside;
-    if (!seen.comes_into_view(root, (1 + made.length) * (kStretch * longest + wisp) + beside)) continue;
+    const double far = kStretch * longest + wisp;
+    if (!seen.comes_into_view(root, (1 + made.length) * (far + synthesis.disorder(child, far)) + beside))
+      continue;
     // The nearest carries its root.
     for (int k = 0; k < 3; ++k)
       if (k == 0 || parents.weights[k] > 0) in_use[parents.guides[k]] = 1;

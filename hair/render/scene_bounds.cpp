@@ -75,14 +75,18 @@ void add_strand(Bounds& bounds, const Description& hair, const StrandStart& star
   bounds.add(above(hair.obstacles, swing.high));
 }
 
-// Any model's strand starts where one of masses and springs does.
+// Calls f(start). Any model's strand starts where one of masses and springs does.
+template <class F>
+void with_start(const Description& hair, std::size_t index, const F& f) {
+  if (index < hair.strands.size())
+    f(hair.strands[index]);
+  else
+    f(discretise(finely_divided(hair.modelled[index - hair.strands.size()].spec)));
+}
+
 template <class Carry>
 void add_strand(Bounds& bounds, const Description& hair, std::size_t index, const Carry& carry) {
-  if (index < hair.strands.size())
-    add_strand(bounds, hair, hair.strands[index], carry);
-  else
-    add_strand(bounds, hair, discretise(finely_divided(hair.modelled[index - hair.strands.size()].spec)),
-               carry);
+  with_start(hair, index, [&](const StrandStart& start) { add_strand(bounds, hair, start, carry); });
 }
 
 template <class Carry>
@@ -102,14 +106,10 @@ void add_obstacle(Bounds& bounds, const Obstacle& obstacle, const Carry& carry) 
 
 void add_rider(Bounds& bounds, const Description& hair, const Rider& rider) {
   const std::vector<Key>& keys = rider.motion.keys;
-  const Pose first = keys.front().pose;
   for (std::size_t k = 0; k + 1 < keys.size(); ++k) {
     for (int i = 0; i <= kBetweenKeys; ++i) {
       const double part = static_cast<double>(i) / kBetweenKeys;
-      const Pose pose = rider.motion.at((1 - part) * keys[k].time + part * keys[k + 1].time);
-      const auto carry = [&](const Vector3d& x) -> Vector3d {
-        return pose.rotation * (first.rotation.conjugate() * (x - first.position)) + pose.position;
-      };
+      const Way carry = way_at(rider.motion, (1 - part) * keys[k].time + part * keys[k + 1].time);
       for (const int strand : rider.strands)
         add_strand(bounds, hair, static_cast<std::size_t>(strand), carry);
       for (const int obstacle : rider.obstacles) add_obstacle(bounds, hair.obstacles[obstacle], carry);
@@ -207,24 +207,22 @@ void outline_strand(Outline& outline, const Description& hair, const StrandStart
 
 template <class Carry>
 void outline_strand(Outline& outline, const Description& hair, std::size_t index, const Carry& carry) {
-  if (index < hair.strands.size())
-    outline_strand(outline, hair, hair.strands[index], carry);
-  else
-    outline_strand(outline, hair, discretise(finely_divided(hair.modelled[index - hair.strands.size()].spec)),
-                   carry);
+  with_start(hair, index, [&](const StrandStart& start) { outline_strand(outline, hair, start, carry); });
 }
 
-template <class Carry>
-void outline_obstacle(Outline& outline, const Obstacle& obstacle, const Carry& carry) {
+// Points of its surface, or the corners of its box; where it starts.
+Outline outline_of(const Obstacle& obstacle) {
+  Outline outline;
   if (const auto* const placed = std::get_if<PlacedSolid>(&obstacle.shape)) {
     for (const Vector3d& point : surface_net(*placed->solid, kOutlineCells).points)
-      outline.push_back(carry(placed->at + placed->rotation * point));
-    return;
+      outline.push_back(placed->at + placed->rotation * point);
+    return outline;
   }
   Bounds bounds;
-  add_obstacle(bounds, obstacle, carry);
-  if (bounds.empty()) return;
+  add_obstacle(bounds, obstacle, [](const Vector3d& x) { return x; });
+  if (bounds.empty()) return outline;
   for (const Vector3d& corner : corners_of(bounds)) outline.push_back(corner);
+  return outline;
 }
 
 }  // namespace
@@ -234,17 +232,18 @@ Outline scene_outline(const Scene& scene) {
   const auto stay = [](const Vector3d& x) { return x; };
   for (std::size_t i = 0; i < scene.hair.strands.size() + scene.hair.modelled.size(); ++i)
     outline_strand(outline, scene.hair, i, stay);
-  for (const Obstacle& obstacle : scene.hair.obstacles) outline_obstacle(outline, obstacle, stay);
+  std::vector<Outline> obstacles;  // a surface is looked for once, not for each key
+  for (const Obstacle& obstacle : scene.hair.obstacles) {
+    obstacles.push_back(outline_of(obstacle));
+    outline.insert(outline.end(), obstacles.back().begin(), obstacles.back().end());
+  }
   for (const Rider& rider : scene.riders) {
-    const Pose first = rider.motion.keys.front().pose;
     for (const Key& key : rider.motion.keys) {
-      const auto carry = [&](const Vector3d& x) -> Vector3d {
-        return key.pose.rotation * (first.rotation.conjugate() * (x - first.position)) + key.pose.position;
-      };
+      const Way carry = way_at(rider.motion, key.time);
       for (const int strand : rider.strands)
         outline_strand(outline, scene.hair, static_cast<std::size_t>(strand), carry);
       for (const int obstacle : rider.obstacles)
-        outline_obstacle(outline, scene.hair.obstacles[obstacle], carry);
+        for (const Vector3d& point : obstacles[obstacle]) outline.push_back(carry(point));
     }
   }
   Bounds toys;

@@ -12,8 +12,8 @@ namespace hair {
 // and the fall of unsupported objects over the scene's duration.
 Bounds scene_bounds(const Scene& scene);
 
-// Points of what there is: hair where it starts, where it hangs and where the wind blows it, and the surfaces of obstacles; all of it also where each key frame takes
-// it. The ground has none. Hair that swings may leave them.
+// Points of what there is: hair where it starts, where it hangs and where the wind blows it, and the surfaces of obstacles; all of it also
+// where each key frame takes it. The ground has none. Hair that swings may leave them.
 std::vector<Vector3d> scene_outline(const Scene& scene);
 
 }  // namespace hair
