@@ -120,9 +120,10 @@ void change_exercises(Course& course, const JsonValue& changes) {
 }
 
 void apply_course_file(Course& course, const JsonValue& json) {
-  json.check_keys({"exercises"}, {"budget"});
+  json.check_keys({"exercises"}, {"budget", "partial"});
   change_exercises(course, json["exercises"]);
   if (json.has("budget")) read_budget(course.budget, json["budget"]);
+  if (json.has("partial")) course.partial = json["partial"].boolean();
 }
 
 // Without the functions that it calls an exercise can't be linked, whoever writes it.

@@ -2,10 +2,11 @@
 // file.
 //
 // A course file changes the role or the points of exercises, and what a submission may take of the machine
-// (budget.h). What it leaves out keeps its value, and "budget" may be missing:
+// (budget.h), and whether a category gives points for the share of its cases that hold ("partial": all or nothing without it). What
+// it leaves out keeps its value; "budget" and "partial" may be missing:
 //
 //   {"exercises": {"S1": {"role": "given"}, "S2": {"role": "optional", "points": 5}},
-//    "budget": {"idle_seconds": 10}}
+//    "budget": {"idle_seconds": 10}, "partial": true}
 #pragma once
 
 #include <filesystem>
@@ -38,6 +39,7 @@ struct Exercise {
 struct Course {
   std::vector<Exercise> exercises;  // in the order of exercises.json, absent ones included
   Budget budget = {};               // of a submission
+  bool partial = false;             // a category gives a share of its points, in whole ones
 
   const Exercise* find(const std::string& id) const;  // null if there is none
 };

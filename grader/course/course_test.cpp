@@ -195,6 +195,9 @@ TEST_F(CourseFiles, ChangeTheBudgetOfASubmission) {
   EXPECT_TRUE(says(course_complaint(R"({"exercises": {}, "budget": {"idle": 4}})"), "idle"));
   EXPECT_TRUE(
       says(course_complaint(R"({"exercises": {}, "budget": {"idle_seconds": 0}})"), "budget.idle_seconds"));
+  EXPECT_FALSE(course.partial);
+  EXPECT_TRUE(read_course(file, write("course.json", R"({"exercises": {}, "partial": true})")).partial);
+  EXPECT_TRUE(says(course_complaint(R"({"exercises": {}, "partial": 1})"), "partial"));
   for (const BudgetField& field : budget_fields())
     EXPECT_EQ(course_complaint("{\"exercises\": {}, \"budget\": {\"" + std::string(field.key) + "\": 7}}"),
               "");

@@ -8,6 +8,7 @@
 #include <optional>
 #include <regex>
 #include <sstream>
+#include <string_view>
 
 namespace grader {
 namespace {
@@ -77,6 +78,15 @@ class Points {
   double share_ = 0;  // above 0 from the line of the points to the section's end
 };
 
+constexpr std::string_view kAllOrNothing = "gives them if all of its checks hold.",
+                           kPartial = "gives the share of them whose checks hold, in whole points.";
+
+std::string with_partial_points(std::string text) {
+  if (const auto at = text.find(kAllOrNothing); at != std::string::npos)
+    text.replace(at, kAllOrNothing.size(), kPartial);
+  return text;
+}
+
 // [words](file#place) whose file does not ship: the words. Pictures, ![words](file), too.
 std::string without_dead_links(const std::string& text, const std::string& destination,
                                const Paths& shipped) {
@@ -141,7 +151,7 @@ std::string course_text(const std::string& text, const std::string& destination,
   if (own) points.emplace(*own);
   const bool index = destination == "assignment/README.md", scenes = destination == "hair/scenes/README.md";
 
-  std::istringstream in(text);
+  std::istringstream in(course.partial ? with_partial_points(text) : text);
   std::string result;
   for (std::string line; std::getline(in, line);) {
     if (const Exercise* exercise = index ? exercise_of_row(line, course) : nullptr) {

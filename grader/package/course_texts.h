@@ -15,6 +15,7 @@ std::string course_json(const std::string& text, const Course& course);
 // A text, Markdown, that ships as `destination`, beside all of `shipped`:
 // - tables of exercises have the course's rows (index_row), and tables of scenes only those whose exercises are there;
 // - the text of an exercise has the course's points, those of its categories in proportion, none if it is given solved;
+// - how a category gives points is the course's;
 // - a link to a file that does not ship becomes its words, and exercises that the text names and the course lacks are named at
 //   its end.
 std::string course_text(const std::string& text, const std::string& destination, const Course& course,

@@ -275,6 +275,7 @@ TEST_F(RealProject, FitsAnyCourse) {
       exercise.role = std::array{Role::assigned, Role::optional, Role::given, Role::absent}[random() % 4];
       exercise.points = 1 + static_cast<double>(random() % 80) / 2;
     }
+    course_.partial = number % 2 == 1;
     const Files files = handout_files(sources_, course_);
     expect_links_resolve(files);
     // With all exercises none of a text's links was left out.
@@ -286,6 +287,8 @@ TEST_F(RealProject, FitsAnyCourse) {
     }
 
     const std::string& index = files.at("assignment/README.md");
+    EXPECT_EQ(index.find("gives them if all of its checks hold") != std::string::npos, !course_.partial);
+    EXPECT_EQ(index.find("in whole points") != std::string::npos, course_.partial);
     for (const Exercise& exercise : course_.exercises) {
       SCOPED_TRACE(exercise.id + ", " + to_string(exercise.role) + ", course " + std::to_string(number));
       const bool there = exercise.role != Role::absent;

@@ -43,14 +43,18 @@ Json case_json(const CaseResult& one) {
           {"max_points", one.max_points},
           {"feedback", hair::valid_utf8(one.feedback)},
           {"detail", hair::valid_utf8(one.detail)},
-          {"memory_error", hair::valid_utf8(one.memory_error)}};
+          {"memory_error", hair::valid_utf8(one.memory_error)},
+          {"cases", one.cases},
+          {"held", one.held},
+          {"ended", one.ended}};
 }
 
 CaseResult case_from(const Json& json) {
-  return {json.at("name"),        status_from_string(json.at("status")),
-          json.at("points"),      json.at("max_points"),
-          json.at("feedback"),    json.at("detail"),
-          json.at("memory_error")};
+  return {json.at("name"),         status_from_string(json.at("status")),
+          json.at("points"),       json.at("max_points"),
+          json.at("feedback"),     json.at("detail"),
+          json.at("memory_error"), json.at("cases"),
+          json.at("held"),         json.at("ended")};
 }
 
 Json pictures_json(const std::vector<PictureResult>& pictures) {

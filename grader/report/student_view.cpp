@@ -22,14 +22,26 @@ bool is_stub(const ExerciseResult& exercise) {
                      [](const CaseResult& one) { return one.status == Status::not_implemented; });
 }
 
-const char* sentence_of_a_case(Status status) {
-  switch (status) {
+// In three bands. Of a few cases, and of those before an end, it would tell which.
+std::string how_many_hold(const CaseResult& one) {
+  constexpr int kFew = 5;
+  constexpr double kNearlyAll = 0.8, kHardlyAny = 0.2;
+  if (one.cases < kFew || one.ended) return "Not right.";
+  const double share = static_cast<double>(one.held) / one.cases;
+  return share >= kNearlyAll   ? "Not right, but nearly all of its cases are."
+         : share >= kHardlyAny ? "Not right, but some of its cases are."
+                               : "Not right: hardly any of its cases is.";
+}
+
+std::string sentence_of(const CaseResult& one) {
+  switch (one.status) {
     case Status::passed:
       return "";
     case Status::not_implemented:
       return "Not implemented yet.";
     case Status::wrong:
-      return "Not right. The public checks show what a right one does, with inputs that you can see.";
+      return how_many_hold(one) +
+             " The public checks show what a right one does, with inputs that you can see.";
     default:
       return "It broke off: no answer, or none of the kind that was asked for.";
   }
@@ -53,8 +65,10 @@ SubmissionResult for_student(const SubmissionResult& result) {
     const bool stub = is_stub(exercise);
     for (CaseResult& one : exercise.cases) {
       if (!stub) one.status = right_wrong_or_broke_off(one.status);
-      one.feedback = one.memory_error.empty() ? sentence_of_a_case(one.status) : one.memory_error;
+      one.feedback = one.memory_error.empty() ? sentence_of(one) : one.memory_error;
       one.detail.clear();
+      one.cases = one.held = 0;
+      one.ended = false;
     }
     for (PictureResult& picture : exercise.pictures) {
       if (!picture.far_off) continue;

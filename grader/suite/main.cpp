@@ -5,7 +5,7 @@
 //
 //   {"exercise": "S2", "seed": "...", "kit": DIR, "lent": ["S1"], "objects": [FILE...], "log": FILE,
 //    "isolated": true, "cpu_seconds": 10, "allowance": {"idle_seconds": 3, ...}, "pictures": DIR, "sanitised": FILE}
-//   {"cases": [{"name", "status", "weight", "points", "feedback", "detail"}...],
+//   {"cases": [{"name", "status", "weight", "points", "feedback", "detail", "cases", "held", "ended"}...],
 //    "cpu_seconds": 0.1, "starts": 1, "spent": {"idle_seconds": 0.01, ...}}
 //
 // "lent" are the exercises whose functions the suite lends (lending.h). "allowance" and "spent" are as in grader/course/budget.h.
@@ -119,7 +119,7 @@ Job read_job(std::istream& in) {
 class CategoryTest : public testing::Test {
  public:
   CategoryTest(const Category& category, grader::Student& student, const std::string& seed,
-               grader::Recording& recording, json& cases)
+               grader::Recording* recording, json& cases)
       : category_(category), student_(student), seed_(seed), recording_(recording), cases_(cases) {}
 
   void TestBody() override {
@@ -129,25 +129,26 @@ class CategoryTest : public testing::Test {
                    {"status", "passed"},
                    {"feedback", ""},
                    {"detail", ""}};
-    recording_.begin_category(category_.title);
+    student_.record(recording_);
+    if (recording_) recording_->begin_category(category_.title);
+    grader::Verdict verdict;
     try {
-      grader::Trial trial(student_, grader::Random(seed_, category_.name));
-      category_.run(trial);
-      result["points"] = category_.weight;
-    } catch (const grader::CaseFailed& failure) {
-      result["status"] = grader::to_string(failure.status);
-      result["feedback"] = failure.feedback;
-      result["detail"] = failure.detail;
-      ADD_FAILURE() << failure.feedback << "\n" << failure.detail;
-    } catch (const grader::MalformedMessage& error) {
-      result["status"] = grader::to_string(grader::Status::broke_rules);
-      result["feedback"] = "the code answered in a form that it has no business with";
-      result["detail"] = error.what();
-      ADD_FAILURE() << error.what();
+      verdict = grader::judge(category_, student_, grader::Random(seed_, category_.name));
     } catch (const std::exception& error) {  // ours: there is no result without this category
       std::cerr << "hairsuite: " << category_.name << ": " << error.what() << "\n";
       return;
     }
+    if (verdict.failure) {
+      result["status"] = grader::to_string(verdict.failure->status);
+      result["feedback"] = verdict.failure->feedback;
+      result["detail"] = verdict.failure->detail;
+      ADD_FAILURE() << verdict.failure->feedback << "\n" << verdict.failure->detail;
+    } else {
+      result["points"] = category_.weight;
+    }
+    result["cases"] = verdict.cases;
+    result["held"] = verdict.held;
+    result["ended"] = verdict.ended;
     cases_.push_back(result);
   }
 
@@ -155,7 +156,7 @@ class CategoryTest : public testing::Test {
   const Category& category_;
   grader::Student& student_;
   const std::string& seed_;
-  grader::Recording& recording_;
+  grader::Recording* recording_;  // null: what it asks is not written down
   json& cases_;
 };
 
@@ -187,7 +188,6 @@ json run_categories(const Job& job, grader::Student& student) {
   }
   std::optional<grader::MemoryErrors> memory;
   if (job.sanitised) {
-    student.record(&recording);
     std::vector<grader::Student*> earlier = {&student};
     if (run) earlier.push_back(&run->student());
     memory.emplace(job.worker, *job.sanitised, std::move(earlier), recording, [&cases] {
@@ -198,14 +198,14 @@ json run_categories(const Job& job, grader::Student& student) {
     grader::pay_for_memory_errors(categories, of_the_run);
   }
 
-  auto add = [&](const Category& category, grader::Student& who) {
+  auto add = [&](const Category& category, grader::Student& who, grader::Recording* written) {
     testing::RegisterTest(
         job.exercise.c_str(), category.name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
-        [&]() -> testing::Test* { return new CategoryTest(category, who, job.seed, recording, cases); });
+        [&]() -> testing::Test* { return new CategoryTest(category, who, job.seed, written, cases); });
   };
-  for (const Category& category : categories) add(category, student);
-  for (const Category& category : of_the_run) add(category, run->student());
-  for (const Category& category : of_memory) add(category, memory->student());
+  for (const Category& category : categories) add(category, student, memory ? &recording : nullptr);
+  for (const Category& category : of_the_run) add(category, run->student(), nullptr);
+  for (const Category& category : of_memory) add(category, memory->student(), nullptr);
 
   // Standard output carries the result, and nothing else.
   testing::TestEventListeners& listeners = testing::UnitTest::GetInstance()->listeners();

@@ -1,12 +1,16 @@
 // STAFF ONLY.
 #include "grader/suite/trial.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace grader {
 
 MessageReader Trial::ask(const MessageWriter& request, const Products& products, const std::string& stopped) {
+  ++cases_;
+  case_failed_ = false;
   return reply_of(student_.ask(request, products), stopped);
 }
 
@@ -41,22 +45,76 @@ MessageReader Trial::reply_of(Answer answer, const std::string& stopped) const {
   fail(Status::wrong, "no answer", "unknown outcome");
 }
 
-void Trial::expect(bool holds, const std::string& feedback, const std::string& detail) const {
+void Trial::expect(bool holds, const std::string& feedback, const std::string& detail) {
+  if (!holds) wrong(feedback, detail);
+}
+
+void Trial::require(bool holds, const std::string& feedback, const std::string& detail) {
   if (!holds) fail(Status::wrong, feedback, detail);
 }
 
-void Trial::expect_at_most(double error, double bound, const std::string& what,
-                           const std::string& detail) const {
+void Trial::expect_at_most(double error, double bound, const std::string& what, const std::string& detail) {
   // A bound that is not finite would accept anything.
   if (error <= bound && std::isfinite(bound)) return;
   std::ostringstream numbers;
   numbers.precision(17);
   numbers << what << ": " << error << ", bound " << bound << (detail.empty() ? "" : "; ") << detail;
-  fail(Status::wrong, what + " is " + band(error, bound), numbers.str());
+  wrong(what + " is " + band(error, bound), numbers.str());
+}
+
+void Trial::wrong(const std::string& feedback, const std::string& detail) {
+  if (when_wrong_ == WhenWrong::stop) fail(Status::wrong, feedback, detail);
+  note({Status::wrong, feedback, described(detail)});
 }
 
 void Trial::fail(Status status, const std::string& feedback, const std::string& detail) const {
-  throw CaseFailed{status, feedback, description_ + (detail.empty() ? "" : ": ") + detail};
+  throw CaseFailed{status, feedback, described(detail)};
+}
+
+std::string Trial::described(const std::string& detail) const {
+  return description_ + (detail.empty() ? "" : ": ") + detail;
+}
+
+void Trial::note(const CaseFailed& failure) {
+  if (!case_failed_) ++failed_;
+  case_failed_ = true;
+  if (first_failure_) return;
+  first_failure_ = failure;
+  // Memory errors are looked for in what was asked until here: what is only counted costs no second worker.
+  student_.record(nullptr);
+}
+
+void Trial::ask_aside(const std::function<void()>& questions) {
+  const WhenWrong when_wrong = std::exchange(when_wrong_, WhenWrong::stop);
+  const int cases = cases_;
+  const bool case_failed = case_failed_;
+  try {
+    questions();
+  } catch (const CaseFailed&) {
+    // What is not answered excuses nothing.
+  }
+  when_wrong_ = when_wrong;
+  cases_ = cases;
+  case_failed_ = case_failed;
+}
+
+Verdict judge(const Category& category, Student& student, const Random& source) {
+  Trial trial(student, source, WhenWrong::go_on);
+  Verdict verdict;
+  try {
+    category.run(trial);
+  } catch (const CaseFailed& failure) {
+    verdict.ended = true;
+    trial.note(failure);
+  } catch (const MalformedMessage& error) {
+    verdict.ended = true;
+    trial.note(
+        {Status::broke_rules, "the code answered in a form that it has no business with", error.what()});
+  }
+  verdict.failure = trial.first_failure();
+  verdict.cases = std::max({trial.cases(), trial.failed(), 1});
+  verdict.held = verdict.cases - trial.failed();
+  return verdict;
 }
 
 std::string band(double error, double bound) {

@@ -1,11 +1,13 @@
-// STAFF ONLY. A category of an exercise's hidden cases, and the tools for its code. The first failing case
-// ends its category.
+// STAFF ONLY. A category of an exercise's hidden cases, and the tools for its code. A case is a call of the student's
+// function, with what is expected of it until the next call. The first failing case decides what is said of its category;
+// the others are counted.
 //
 // A failure has two readers. The student sees the missing property and the size of an error in bands; staff
 // see inputs, expected and actual values.
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,9 +22,14 @@ struct CaseFailed {
   std::string feedback, detail;
 };
 
+// What a wrong answer does: it ends the category by CaseFailed, or it is noted, so that the other cases are counted, too. No
+// answer ends it in either way.
+enum class WhenWrong { stop, go_on };
+
 class Trial {
  public:
-  Trial(Student& student, const Random& source) : random(source), student_(student) {}
+  Trial(Student& student, const Random& source, WhenWrong when_wrong = WhenWrong::stop)
+      : random(source), student_(student), when_wrong_(when_wrong) {}
 
   // The return value of the student's function. Throws CaseFailed if it did not return; with the feedback
   // `stopped` if `products` stopped it.
@@ -36,19 +43,37 @@ class Trial {
   // Describes the following cases for staff: "tridiagonal, n = 10".
   void describe(const std::string& text) { description_ = text; }
 
-  void expect(bool holds, const std::string& feedback, const std::string& detail = {}) const;
+  void expect(bool holds, const std::string& feedback, const std::string& detail = {});
+  // For what the rest of a category can't do without: if it does not hold, the category ends.
+  void require(bool holds, const std::string& feedback, const std::string& detail = {});
 
   // error <= bound; otherwise the student reads "<what> is 10 to 1000 times as large as allowed". NaN fails.
-  void expect_at_most(double error, double bound, const std::string& what,
-                      const std::string& detail = {}) const;
+  void expect_at_most(double error, double bound, const std::string& what, const std::string& detail = {});
 
   [[noreturn]] void fail(Status status, const std::string& feedback, const std::string& detail) const;
+
+  // Runs `questions` for what their answers may excuse: none of them is a case, and the first that fails ends them.
+  void ask_aside(const std::function<void()>& questions);
+
+  // The present case failed.
+  void note(const CaseFailed& failure);
+
+  const std::optional<CaseFailed>& first_failure() const { return first_failure_; }
+  int cases() const { return cases_; }
+  int failed() const { return failed_; }
 
   Random random;
 
  private:
+  void wrong(const std::string& feedback, const std::string& detail);
+  std::string described(const std::string& detail) const;
+
   Student& student_;
+  WhenWrong when_wrong_;
   std::string description_;
+  std::optional<CaseFailed> first_failure_;
+  int cases_ = 0, failed_ = 0;
+  bool case_failed_ = false;
 };
 
 struct Category {
@@ -57,6 +82,15 @@ struct Category {
   double weight;      // relative: an exercise's points are distributed by these weights
   std::function<void(Trial&)> run;
 };
+
+struct Verdict {
+  std::optional<CaseFailed> failure;  // the first
+  int cases = 1, held = 0;            // as far as the category came
+  bool ended = false;                 // before all of its cases were asked
+};
+
+// All cases of a category.
+Verdict judge(const Category& category, Student& student, const Random& source);
 
 // The ratio of error and bound, in bands: an exact number could reveal a hidden case's value.
 std::string band(double error, double bound);

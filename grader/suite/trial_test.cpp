@@ -52,6 +52,64 @@ TEST(Feedback, TellsStudentsABandAndStaffTheNumbers) {
   EXPECT_EQ(failure.detail, "a hidden case: the error of x: 0.0625, bound 0.03125; more for staff");
 }
 
+// A student without a program answers nothing, so `ask` is counted by what it throws.
+Verdict verdict_of(const std::function<void(Trial&)>& run) {
+  Student nobody{WorkerSetup{}};
+  return judge({"Name", "Title", 1, run}, nobody, Random("seed", "verdict"));
+}
+
+TEST(Verdict, KeepsTheFirstFailureAndGoesOn) {
+  bool last = false;
+  const Verdict verdict = verdict_of([&](Trial& trial) {
+    trial.describe("one");
+    trial.expect(false, "the first", "numbers");
+    trial.expect_at_most(2, 1, "the second");
+    last = true;
+  });
+  EXPECT_TRUE(last);
+  ASSERT_TRUE(verdict.failure);
+  EXPECT_EQ(verdict.failure->feedback, "the first");
+  EXPECT_EQ(verdict.failure->detail, "one: numbers");
+  EXPECT_FALSE(verdict.ended);
+  EXPECT_EQ(verdict.cases, 1);
+  EXPECT_EQ(verdict.held, 0) << "a case fails once";
+}
+
+TEST(Verdict, EndsWhereTheRestCantDoWithout) {
+  for (const bool malformed : {false, true}) {
+    bool last = false;
+    const Verdict verdict = verdict_of([&](Trial& trial) {
+      if (malformed) throw MalformedMessage("too short");
+      trial.require(false, "nothing is there");
+      last = true;
+    });
+    EXPECT_FALSE(last);
+    EXPECT_TRUE(verdict.ended);
+    ASSERT_TRUE(verdict.failure);
+    EXPECT_EQ(verdict.failure->status, malformed ? Status::broke_rules : Status::wrong);
+  }
+}
+
+TEST(Verdict, HoldsWhereNothingFails) {
+  const Verdict verdict = verdict_of([](Trial& trial) { trial.expect(true, "nothing"); });
+  EXPECT_FALSE(verdict.failure || verdict.ended);
+  EXPECT_EQ(verdict.held, verdict.cases);
+}
+
+TEST(Verdict, CountsNothingThatIsAskedAside) {
+  int questions = 0;
+  const Verdict verdict = verdict_of([&](Trial& trial) {
+    trial.ask_aside([&] {
+      ++questions;
+      trial.expect(false, "what excuses nothing");
+      ++questions;
+    });
+    trial.expect(true, "nothing");
+  });
+  EXPECT_EQ(questions, 1) << "the first that fails ends them";
+  EXPECT_FALSE(verdict.failure);
+}
+
 TEST(Random, IsTheSameOnEveryMachine) {
   // The standard fixes std::seed_seq and std::mt19937_64 to the bit.
   Random random("seed", "purpose");

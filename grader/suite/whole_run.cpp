@@ -68,9 +68,9 @@ void WholeRun::judge_run(Trial& trial) {
   trial.describe(hidden_.scene.name);
   const Played theirs = play_unless_given_up(trial);
   run_ = compare_runs(hidden_.scene, hidden_.pictures, theirs);
-  trial.expect(run_->finite, "numbers that are not finite");
-  trial.expect(theirs.trouble.empty() && run_->moments.size() == hidden_.scene.frames + std::size_t{1},
-               "the run breaks off", theirs.trouble);
+  trial.require(run_->finite, "numbers that are not finite");
+  trial.require(theirs.trouble.empty() && run_->moments.size() == hidden_.scene.frames + std::size_t{1},
+                "the run breaks off", theirs.trouble);
   trial.expect(run_->moments.front().apart == 0, "the run does not start where the scene does");
   for (const Moment& moment : run_->moments) {
     trial.expect_at_most(moment.held_apart, kHeld * run_->size,

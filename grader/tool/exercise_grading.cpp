@@ -2,6 +2,7 @@
 #include "grader/tool/exercise_grading.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 
 #include "grader/compile/lines.h"
@@ -22,6 +23,12 @@ std::string beginning_of(const fs::path& file, std::size_t most) {
   in.read(text.data(), static_cast<std::streamsize>(most));
   text.resize(static_cast<std::size_t>(in.gcount()));
   return text;
+}
+
+// In whole points, and nothing where it ended early: what it was not asked it does not have.
+double points_for_share(const CaseResult& one) {
+  if (one.status == Status::passed || one.ended || one.cases == 0) return one.points;
+  return std::floor(one.max_points * one.held / one.cases);
 }
 
 // The place of a memory error, as a phrase: ", in line 12 of conj_grad.cpp".
@@ -52,7 +59,9 @@ Status overall_status(const std::vector<CaseResult>& cases) {
                         Status::does_not_compile})
     if (any(status)) return status;
   if (!any(Status::wrong) && !any(Status::not_implemented)) return Status::passed;
-  if (any(Status::passed)) return Status::partly;
+  const bool gives_points =
+      std::any_of(cases.begin(), cases.end(), [](const CaseResult& c) { return c.points > 0; });
+  if (any(Status::passed) || gives_points) return Status::partly;
   return any(Status::not_implemented) ? Status::not_implemented : Status::wrong;
 }
 
@@ -122,6 +131,7 @@ void run_cases(const SuiteJobs& jobs, const Exercise& exercise, const std::strin
   for (CaseResult& one : found.cases) {
     one.points *= exercise.points / weights;
     one.max_points *= exercise.points / weights;
+    if (jobs.settings().course.partial) one.points = points_for_share(one);
     result.points += one.points;
   }
   if (sanitised && !found.memory_error.told.empty()) {

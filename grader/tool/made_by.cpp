@@ -63,6 +63,8 @@ std::string course_difference(const MadeBy& there, const MadeBy& here) {
     const auto found = one.budget.find(name);
     return found == one.budget.end() ? "not set" : found->second;
   };
+  if (there.partial != here.partial)
+    add(there_and_here("\"partial\"", there.partial ? "true" : "false", here.partial ? "true" : "false"));
   for (const std::string& name : limits)
     if (limit(there, name) != limit(here, name))
       add(there_and_here("the budget's " + name, limit(there, name), limit(here, name)));
@@ -81,6 +83,7 @@ MadeBy made_by(const GradingSettings& settings) {
   made.secret = hmac_sha256(settings.secret, "which secret made a folder of grades").substr(0, 16);
   made.isolated = settings.isolated;
   made.images = settings.images;
+  made.partial = settings.course.partial;
   return made;
 }
 
@@ -92,7 +95,8 @@ std::string to_json(const MadeBy& made_by) {
   }
   const OrderedJson all = {{"exercises", exercises},       {"budget", OrderedJson(made_by.budget)},
                            {"suite", made_by.suite},       {"secret", made_by.secret},
-                           {"isolated", made_by.isolated}, {"images", made_by.images}};
+                           {"isolated", made_by.isolated}, {"images", made_by.images},
+                           {"partial", made_by.partial}};
   return all.dump(1) + "\n";
 }
 
@@ -110,6 +114,7 @@ std::optional<MadeBy> made_by_from_json(const std::string& text) {
     made.secret = all.at("secret");
     made.isolated = all.at("isolated");
     made.images = all.at("images");
+    made.partial = all.at("partial");
     return made;
   } catch (const OrderedJson::exception&) {
     return {};

@@ -23,6 +23,7 @@ struct MadeBy {
   std::string suite;                          // a hash of all that asks and judges
   std::string secret;  // an HMAC whose key is the secret: it tells two secrets apart, and nothing else
   bool isolated = true, images = true;
+  bool partial = false;  // the course's
 
   bool operator==(const MadeBy&) const = default;
 };

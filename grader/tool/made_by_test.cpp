@@ -40,6 +40,7 @@ TEST(MadeBy, ComesBackWhole) {
   made.isolated = false;
   EXPECT_EQ(made_by_from_json(to_json(made)), made);
   made.images = false;
+  made.partial = true;
   EXPECT_EQ(made_by_from_json(to_json(made)), made);
 }
 
@@ -86,6 +87,13 @@ TEST(MadeBy, TellsWhichLimitsOfTheBudgetDiffer) {
       "not set here. ");
 }
 
+TEST(MadeBy, TellsWhetherPartOfACategoryGivesPoints) {
+  MadeBy there = three_exercises(), here = there;
+  there.partial = true;
+  EXPECT_EQ(told(there, here), Told("another course file: \"partial\" is true there and false here. ",
+                                    "use the course file that made it. "));
+}
+
 TEST(MadeBy, TellsSuiteSecretSandboxAndPictures) {
   const MadeBy there = three_exercises();
   MadeBy here = there;
@@ -129,6 +137,7 @@ TEST(MadeBy, SeesEverySettingThatChangesPoints) {
   EXPECT_EQ(differs([](auto& s) { s.course.exercises[0].role = Role::optional; }), 1U);
   EXPECT_EQ(differs([](auto& s) { s.course.exercises[1].role = Role::absent; }), 1U);
   EXPECT_EQ(differs([](auto& s) { s.course.exercises[1].points = 33; }), 0U) << "nobody is asked for it";
+  EXPECT_EQ(differs([](auto& s) { s.course.partial = true; }), 1U);
   EXPECT_EQ(differs([](auto& s) { s.isolated = false; }), 1U);
   EXPECT_EQ(differs([](auto& s) { s.images = false; }), 1U);
   EXPECT_EQ(differs([](auto& s) { s.secret += "."; }), 1U);

@@ -57,7 +57,8 @@ SuiteJobs::SuiteJobs(const GradingSettings& settings, const StagedKit& kit)
 std::string SuiteJobs::fingerprint() const {
   std::string all = kit_.hash() + suite_hash_ + sha256_of(settings_.scenes) + sha256(settings_.secret) +
                     (settings_.isolated ? "" : "unsafe") + (settings_.images ? drawn_ : "no images") +
-                    (settings_.memory_errors ? "" : "no sanitizers");
+                    (settings_.memory_errors ? "" : "no sanitizers") +
+                    (settings_.course.partial ? "partial" : "");
   for (const BudgetField& field : budget_fields())
     all += std::string(field.key) + std::to_string(settings_.course.budget.*field.value);
   for (const Exercise& exercise : settings_.course.exercises)

@@ -118,8 +118,8 @@ void expect_velocity_report(Trial& trial) {
                "correct_velocities does something when it may take no iterations");
   const Corrected all = correct_velocities(trial, strand, x, v, 1e-9);
   const int most = all.report.iterations;
-  trial.expect(all.report.converged && most > 0,
-               "correct_velocities takes no iterations, or does not converge");
+  trial.require(all.report.converged && most > 0,
+                "correct_velocities takes no iterations, or does not converge");
   const Corrected same = correct_velocities(trial, strand, x, v, 1e-9, most);
   trial.expect(same.result == all.result && same.report.iterations == most && same.report.converged,
                "correct_velocities does something else when it may take just the iterations that it needs");
@@ -170,8 +170,8 @@ void report(Trial& trial) {
                          "the error of the error that " + name + " reports");
 
     const Corrected all = correct(trial, function, strand, x, 1e-9, kMostSweeps);
-    trial.expect(all.report.converged && all.report.iterations > 0,
-                 name + " takes no iterations, or does not converge", std::to_string(all.report.iterations));
+    trial.require(all.report.converged && all.report.iterations > 0,
+                  name + " takes no iterations, or does not converge", std::to_string(all.report.iterations));
     expect_near(trial, function, strand, x, all.result);
     const int most = all.report.iterations;
     const Corrected same = correct(trial, function, strand, x, 1e-9, most);

@@ -74,18 +74,18 @@ double difference(const std::vector<hair::HelixElement>& a, const std::vector<ha
 double by_own_frames(Trial& trial, const MaterialFrame& root, const std::vector<hair::HelixElement>& answered,
                      std::vector<hair::HelixElement> elements) {
   MaterialFrame frame = root;
-  try {
+  double error = std::nan("");
+  trial.ask_aside([&] {
     for (hair::HelixElement& element : elements) {
       element.start = frame;
       element.end = ask_frame(trial, frame, element.curvature, element.length);
       frame = element.end;
       const double gone = (element.end.position - element.start.position).norm() / element.length;
-      if (!(gone >= 0.1 && gone <= 2)) return std::nan("");
+      if (!(gone >= 0.1 && gone <= 2)) return;
     }
-  } catch (const CaseFailed&) {
-    return std::nan("");
-  }
-  return difference(answered, elements);
+    error = difference(answered, elements);
+  });
+  return error;
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ Vector3d outside(Random& random, int j) {
 
 StripContact expect_touch(Trial& trial, const NearTriangle& near, double side) {
   const std::optional<StripContact> touched = ask_touch(trial, near, side);
-  trial.expect(touched.has_value(), "a point near a triangle is not seen");
+  trial.require(touched.has_value(), "a point near a triangle is not seen");
   return *touched;
 }
 
