@@ -60,7 +60,9 @@ TEST(StudentView, TellsInBandsHowManyCasesHold) {
     for (int held = 0; held < std::max(cases, 1); ++held) {
       seen.insert(said(cases, held));
       EXPECT_EQ(said(cases, held, true), said(0, 0));
-      if (cases < 5) EXPECT_EQ(said(cases, held), said(0, 0));
+      if (cases < 5) {
+        EXPECT_EQ(said(cases, held), said(0, 0));
+      }
     }
   EXPECT_EQ(seen.size(), 4u);
   EXPECT_NE(said(20, 19).find("nearly all"), std::string::npos);

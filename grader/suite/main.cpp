@@ -199,9 +199,10 @@ json run_categories(const Job& job, grader::Student& student) {
   }
 
   auto add = [&](const Category& category, grader::Student& who, grader::Recording* written) {
-    testing::RegisterTest(
-        job.exercise.c_str(), category.name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
-        [&]() -> testing::Test* { return new CategoryTest(category, who, job.seed, written, cases); });
+    testing::RegisterTest(job.exercise.c_str(), category.name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
+                          [&, written]() -> testing::Test* {
+                            return new CategoryTest(category, who, job.seed, written, cases);
+                          });
   };
   for (const Category& category : categories) add(category, student, memory ? &recording : nullptr);
   for (const Category& category : of_the_run) add(category, run->student(), nullptr);

@@ -55,6 +55,9 @@ class Trial {
   // Runs `questions` for what their answers may excuse: none of them is a case, and the first that fails ends them.
   void ask_aside(const std::function<void()>& questions);
 
+  // What was asked so far is one case.
+  void count_as_one() { cases_ = 1; }
+
   // The present case failed.
   void note(const CaseFailed& failure);
 
