@@ -62,9 +62,10 @@ class Synthesis::Parts {
     std::vector<RootFrame> all = guides;
     all.insert(all.end(), given_.children.begin(), given_.children.end());
     const ScalpMap map(all);
+    parents_ = find_parents(map, given_.guides, given_.children);
+    if (given_.combed) keep_to_side_of_parting(given_.guides, given_.children, parents_);
     for (std::vector<RootFrame>* roots : {&given_.guides, &given_.children})
       for (RootFrame& root : *roots) root.side = side_along_scalp(map.pole(), root.axis);
-    parents_ = find_parents(map, given_.guides, given_.children);
     spreads_.resize(parents_.size());
     sizes_.resize(parents_.size());
     Variation variation(given_.seed);

@@ -54,6 +54,8 @@ SceneDrawing::SceneDrawing(const Scene& scene, std::vector<int> strands)
   view_ = seen_planes(camera_, aspect, look_.shadows);
   for (const DenseHair& dense : scene.dense)
     dense_.push_back(std::make_unique<Synthesis>(dense.description, scene.hair.jobs));
+  if (look_.fine_hair && !dense_.empty() && !scene.hair.obstacles.empty())
+    clearance_ = std::make_unique<StrandClearance>(scene.hair.obstacles, scene.hair.jobs);
 }
 
 RenderSettings SceneDrawing::settings() const {
@@ -78,7 +80,7 @@ Drawing SceneDrawing::at(const particles::State& state, const std::vector<Obstac
                      static_cast<double>(state.x.size()),
                      std::to_string(3 * particles) + ", 3 for each particle");
 
-  add_strands(state.x.head(3 * of_strands), time, drawing.strands);
+  add_strands(state.x.head(3 * of_strands), obstacles, time, drawing.strands);
   Eigen::Index first = of_strands;
   int toy_index = 0;
   for (const Toy& toy : scene_.toys) {
@@ -88,7 +90,8 @@ Drawing SceneDrawing::at(const particles::State& state, const std::vector<Obstac
   return drawing;
 }
 
-void SceneDrawing::add_strands(particles::Input x, double time, StrandsDrawing& drawing) const {
+void SceneDrawing::add_strands(particles::Input x, const std::vector<Obstacle>& obstacles, double time,
+                               StrandsDrawing& drawing) const {
   synthesised_ = {};
   drawing.points.reserve(static_cast<std::size_t>(x.size() / 3));
   Eigen::Index at = 0;
@@ -99,7 +102,9 @@ void SceneDrawing::add_strands(particles::Input x, double time, StrandsDrawing& 
       const Eigen::Index size = 3 * static_cast<Eigen::Index>(made.guides.size()) * made.points;
       particles::require(at + size <= x.size(), "the numbers of a group's guides", static_cast<double>(size),
                          "within the state's");
+      const std::size_t first = drawing.sizes.size(), first_point = drawing.points.size();
       add_dense(group++, x.segment(at, size), time, drawing);
+      if (clearance_ && !obstacles.empty()) clearance_->move_out(obstacles, drawing, first, first_point);
       strand += made.guides.size();
       at += size;
       continue;

@@ -151,10 +151,12 @@ Strands grown(const JsonValue& groom, bool dense, Reading& reading) {
     found.names.push_back("strand " + std::to_string(found.names.size()) + ": ");
     RootFrame root = root_of(x);
     root.axis = head->surface_at(root.position).normal;
+    root.side = head->combed(root.position);
     root.position += at;
     found.scalp.guides.push_back(root);
     for (Eigen::Index k = 0; k < x.size(); k += 3) x.segment<3>(k) += at;
   }
+  found.scalp.combed = true;
   found.scalp.more = [head, at](int count, std::uint64_t seed) {
     std::vector<RootFrame> roots = scalp_roots(*head, count, seed);
     for (RootFrame& root : roots) root.position += at;
