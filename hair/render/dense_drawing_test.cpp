@@ -130,6 +130,27 @@ TEST(DenseDrawing, KeepsFineHairOutOfObstaclesAndLeavesRibbonsAsH10MakesThem) {
   EXPECT_GT(deepest_in_ball("ribbons"), 0.05);
 }
 
+// Hair that only is drawn goes with its head, and each strand keeps its number, whatever else the camera sees.
+TEST(DenseDrawing, StillHairGoesWithItsHead) {
+  const Scene scene = parse_scene(R"({"shows": "a tail", "frames": 1,
+    "motions": [{"name": "walk", "keys": [{"time": 0}, {"time": 1, "position": [0, 1, 0], "axis": [0, 0, 1], "degrees": 90}]}],
+    "hair": [{"segments": 2, "length": 0.1, "moves_with": "walk", "roots": {"list": [{"position": [0, 0.1, 0]}]}}],
+    "still_hair": [{"groom": {"style": "ponytail", "strands": 20, "points": 9, "head": "ellipsoid"}, "moves_with": "walk"}],
+    "render": {"hair": "fine"}})",
+                                  "tail.json");
+  const Playback playback(scene);
+  const SceneDrawing drawing(scene, playback.strands());
+  const particles::State state = playback.centre_lines(playback.state());
+  const StrandsDrawing before = drawing.at(state, {}, 0).strands, after = drawing.at(state, {}, 1).strands;
+  ASSERT_EQ(before.sizes.size(), 21U);
+  EXPECT_EQ(before.ids, after.ids);
+  EXPECT_NE(before.ids[0], before.ids[1]);
+  for (std::size_t i = 3; i < before.points.size(); ++i) {
+    const Vector3d& from = before.points[i];
+    EXPECT_LE((after.points[i] - Vector3d(-from.y(), from.x() + 1, from.z())).norm(), 1e-14);
+  }
+}
+
 // A row of tufts' guides on a disc of 40 cm that moves aside and turns a little; the camera sees a part of it.
 Scene wide_tuft(const std::string& hair = "", const std::string& more = "", int guides = 200,
                 double length = 0.04) {

@@ -41,6 +41,8 @@ class SceneDrawing {
   void add_strands(particles::Input x, const std::vector<Obstacle>& obstacles, double time,
                    StrandsDrawing& drawing) const;
   void add_dense(std::size_t group, particles::Input guides, double time, StrandsDrawing& drawing) const;
+  void add_still(const StillHair& hair, const Groom& grown, double time, std::uint32_t& id,
+                 StrandsDrawing& drawing) const;
   void add_toy(const Toy& toy, int toy_index, particles::Input x, Drawing& drawing) const;
 
   const Scene& scene_;
@@ -51,6 +53,7 @@ class SceneDrawing {
   double unit_;                                             // m: the height of the visible region
   std::vector<std::unique_ptr<Synthesis>> dense_;           // of each of the scene's groups of dense hair
   std::unique_ptr<StrandClearance> clearance_;              // of dense fine hair; null: nothing is in its way
+  std::vector<Groom> still_;                                // of each of the scene's still hair, as it grows
   std::vector<Plane> view_;
   mutable SynthesisCounts synthesised_;
 };

@@ -9,7 +9,7 @@ namespace hair::json {
 namespace {
 
 constexpr double kGathered = 0.6;
-constexpr long kMostDense = 1'000'000, kMostDensePoints = 50'000'000;
+constexpr long kMostDense = 1'000'000;
 
 // Of the last group, and of the rows before it that its guides stand in, too.
 std::size_t first_row(const JsonValue& object, const Reading& reading) {
