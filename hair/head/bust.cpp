@@ -32,6 +32,17 @@ double hairline(double y) {
   return line.back().z;
 }
 
+// What looks to the front, down to below the chin.
+double face_of(const Vector3d& point, const Vector3d& normal) {
+  constexpr double chin = -0.13;  // m
+  const auto smooth_step = [](double t) {
+    t = std::clamp(t, 0.0, 1.0);
+    return t * t * (3 - 2 * t);
+  };
+  return smooth_step((-normal.y() - 0.2) / 0.4) * smooth_step((point.z() - chin) / 0.03) *
+         smooth_step((-0.02 - point.y()) / 0.03);
+}
+
 }  // namespace
 
 Bust::Value Bust::value_at(const Vector3d& point) const {
@@ -75,6 +86,10 @@ Vector3d Bust::surface_towards(const Vector3d& direction) const {
   return centre() + s * direction;
 }
 
+double Bust::on_face(const Vector3d& point) const {
+  return face_of(point, surface_at(point).normal);
+}
+
 bool Bust::has_hair(const Vector3d& point) const {
   return point.z() >= hairline(point.y());
 }
@@ -86,8 +101,11 @@ Vector3d Bust::combed(const Vector3d& point) const {
   const double distance = away.norm();
   away = distance > 0 ? Vector3d(away / distance) : Vector3d(Vector3d::UnitX());
   const double begun = 1 / (1 + std::pow(distance / far, 4));
-  const Vector3d way = begun * (away + 0.35 * Vector3d::UnitY()) - 0.8 * Vector3d::UnitZ();
-  const Vector3d normal = surface_at(point).normal, along = way - normal.dot(way) * normal;
+  const Vector3d normal = surface_at(point).normal;
+  const Vector3d aside(std::copysign(1.0, point.x() - kPartingSide), 0.5, 0);
+  const Vector3d way = begun * (away + 0.35 * Vector3d::UnitY()) - 0.8 * Vector3d::UnitZ() +
+                       2 * face_of(point, normal) * aside;
+  const Vector3d along = way - normal.dot(way) * normal;
   // Hair is nowhere combed straight out.
   return along.norm() > 1e-6 ? along.normalized() : normal.unitOrthogonal();
 }

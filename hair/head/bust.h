@@ -36,7 +36,10 @@ class Bust : public Head {
 
   // From a parting, which goes from the forehead to the crown, to both sides and down; behind it to the back and down.
   // Across the parting it jumps; elsewhere it is smooth.
+  // From the face it goes aside.
   Vector3d combed(const Vector3d& point) const override;
+
+  double on_face(const Vector3d& point) const override;
 };
 
 // Where hair is parted, as seen from above: from the forehead to the crown.

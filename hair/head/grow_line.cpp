@@ -22,12 +22,13 @@ double curl_radius(const HairStyle& style, const StrandTraits& traits, double s)
   return style.radius > 0 ? style.radius * traits.size * smooth_step(s / style.pitch) : 0;
 }
 
-// Where a strand turns to. On a part of the head that looks up it goes on as it is combed, for it rests there;
-// elsewhere it falls.
+// Where a strand turns to. On a part of the head that looks up it goes on as it is combed, for it rests there, and so on the
+// face, which hair is kept off; elsewhere it falls.
 Vector3d way_down(const Head& head, const HairStyle& style, const Vector3d& x, const Surface& here, double s,
                   double clearance) {
   const double begun = std::exp(-(s / style.comb) * (s / style.comb));
-  const double rests = std::clamp(2 - here.distance / clearance, 0.0, 1.0) * std::max(0.0, here.normal.z());
+  const double near = std::clamp(2 - here.distance / clearance, 0.0, 1.0);
+  const double rests = near * std::max(here.normal.z(), near > 0 ? head.on_face(x) : 0.0);
   const double combed = std::max(begun, smooth_step(2 * rests));
   return combed * head.combed(x) - (1 - combed) * Vector3d::UnitZ();
 }

@@ -20,6 +20,9 @@ class Head : public Solid {
 
   // The direction in which the hair of a point near the scalp is combed: a smooth field along the surface, of length 1.
   virtual Vector3d combed(const Vector3d& point) const = 0;
+
+  // How much a point near the surface is on the face, 0 to 1: from there hair is combed away, and does not fall over it.
+  virtual double on_face(const Vector3d&) const { return 0; }
 };
 
 }  // namespace hair

@@ -58,6 +58,20 @@ std::array<int, 3> nearest_on_line(const std::vector<int>& line, const std::vect
   return {line[best], line[best + 1], line[best + 1]};
 }
 
+// The guide that is nearest to `place` of those that are `wanted`; -1: there is none.
+template <class Wanted>
+int nearest_where(const std::vector<RootFrame>& guides, const Vector3d& place, const Wanted& wanted) {
+  int nearest = -1;
+  double least = std::numeric_limits<double>::infinity();
+  for (int guide = 0; guide < static_cast<int>(guides.size()); ++guide) {
+    const double distance = (guides[guide].position - place).squaredNorm();
+    if (distance >= least || !wanted(guide)) continue;
+    least = distance;
+    nearest = guide;
+  }
+  return nearest;
+}
+
 }  // namespace
 
 std::vector<Parents> find_parents(const ScalpMap& map, const std::vector<RootFrame>& guides,
@@ -76,6 +90,33 @@ std::vector<Parents> find_parents(const ScalpMap& map, const std::vector<RootFra
         guides, child));
   }
   return parents;
+}
+
+void keep_to_side_of_parting(const std::vector<RootFrame>& guides, const std::vector<RootFrame>& children,
+                             std::vector<Parents>& parents) {
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    const RootFrame& child = children[i];
+    const auto is_across = [&](int guide) { return guides[guide].side.dot(child.side) < 0; };
+    Parents& own = parents[i];
+    if (std::none_of(own.guides.begin(), own.guides.end(), is_across)) continue;
+    Parents kept{own.guides, {}};
+    int count = 0;
+    for (int k = 0; k < 3; ++k)
+      if (!is_across(own.guides[k])) {
+        kept.guides[count] = own.guides[k];
+        kept.weights[count++] = own.weights[k];
+      }
+    if (count == 0) {
+      const int nearest = nearest_where(guides, child.position, [&](int guide) { return !is_across(guide); });
+      if (nearest < 0) continue;
+      kept.guides[count++] = nearest;
+    }
+    const double sum = kept.weights[0] + kept.weights[1] + kept.weights[2];
+    for (double& weight : kept.weights) weight = sum > 0 ? weight / sum : 0;
+    if (!(sum > 0)) kept.weights[0] = 1;
+    for (int k = count; k < 3; ++k) kept.guides[k] = kept.guides[0];
+    own = kept;
+  }
 }
 
 }  // namespace hair

@@ -20,4 +20,10 @@ struct Parents {
 std::vector<Parents> find_parents(const ScalpMap& map, const std::vector<RootFrame>& guides,
                                   const std::vector<RootFrame>& children);
 
+// Hair is combed to both sides of a parting, and none grows between the two. The weights of guides that are combed against the
+// child's own direction go to the others; if there are none, all goes to the nearest guide that is not. Of all roots, side: how hair is
+// combed there.
+void keep_to_side_of_parting(const std::vector<RootFrame>& guides, const std::vector<RootFrame>& children,
+                             std::vector<Parents>& parents);
+
 }  // namespace hair

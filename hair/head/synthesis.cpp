@@ -6,6 +6,7 @@
 #include <string>
 
 #include "hair/head/disorder.h"
+#include "hair/head/root_box.h"
 #include "hair/head/scalp_map.h"
 #include "hair/simulation/strand_threads.h"
 #include "hair/strand/turns.h"
@@ -18,24 +19,6 @@ namespace hair {
 namespace {
 
 constexpr int kChildrenOfATask = 64;
-// As a root's frame sees it, with the root at 0.
-struct Box {
-  Vector3d middle, half;
-
-  // From the root.
-  double farthest() const { return middle.norm() + half.norm(); }
-
-  // How far it goes along `direction`.
-  double reach(const Vector3d& direction) const {
-    return direction.dot(middle) + direction.cwiseAbs().dot(half);
-  }
-};
-
-Eigen::Matrix3d axes_of_root(const RootFrame& frame) {
-  Eigen::Matrix3d axes;
-  axes << frame.axis, frame.side, frame.axis.cross(frame.side);
-  return axes;
-}
 
 void require_roots(const std::vector<RootFrame>& roots, const std::string& what) {
   for (const RootFrame& root : roots)
@@ -62,9 +45,10 @@ class Synthesis::Parts {
     std::vector<RootFrame> all = guides;
     all.insert(all.end(), given_.children.begin(), given_.children.end());
     const ScalpMap map(all);
+    parents_ = find_parents(map, given_.guides, given_.children);
+    if (given_.combed) keep_to_side_of_parting(given_.guides, given_.children, parents_);
     for (std::vector<RootFrame>* roots : {&given_.guides, &given_.children})
       for (RootFrame& root : *roots) root.side = side_along_scalp(map.pole(), root.axis);
-    parents_ = find_parents(map, given_.guides, given_.children);
     spreads_.resize(parents_.size());
     sizes_.resize(parents_.size());
     Variation variation(given_.seed);
@@ -151,14 +135,7 @@ class Synthesis::Parts {
       const GuideHair now = guide(static_cast<int>(i));
       roots_[i] = {Vector3d(now.points.head<3>()), turn_ * start.axis, turn_ * start.side};
       if (!with_boxes) continue;
-      const Eigen::Matrix3d seen = axes_of_root(roots_[i]).transpose();
-      Vector3d low = Vector3d::Zero(), high = low;
-      for (int at = 3; at < 3 * n_; at += 3) {
-        const Vector3d point = seen * (now.points.segment<3>(at) - roots_[i].position);
-        low = low.cwiseMin(point);
-        high = high.cwiseMax(point);
-      }
-      boxes_[i] = {(low + high) / 2, (high - low) / 2};
+      boxes_[i] = box_of_strand(roots_[i], now.points);
     }
   }
 
@@ -257,7 +234,7 @@ class Synthesis::Parts {
   const double* points_ = nullptr;
   ScalpTurn turn_;
   std::vector<RootFrame> roots_;  // of guides, now
-  std::vector<Box> boxes_;
+  std::vector<RootBox> boxes_;
   std::vector<char> in_use_, outside_;
   std::vector<int> in_view_;
   std::vector<GuideFrames> frames_;

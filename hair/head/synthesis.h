@@ -31,6 +31,8 @@ struct SynthesisDescription {
   double jitter = 0;  // a child's own spread is the spread times 1 - jitter to 1 + jitter
   double length = 0;  // a child's size is 1 - length to 1 + length times that of what its guides make
   std::uint64_t seed = 0;
+  // The sides of all roots are how hair is combed there: no strand is made of guides on the other side of a parting.
+  bool combed = false;
   // Locks beside the guides' own: about so many strands grow towards a common one of them. 0: none.
   int clump = 0;
   double gathered = 0;   // how much of the way to it a tip is

@@ -2,12 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
 namespace hair {
 namespace {
-
-constexpr int kMostPainters = 16;
 
 // The part of the light that comes past solids, as the mesh's shader has it: the mean over the square of two texels around a
 // point.
@@ -32,11 +29,7 @@ float past_solids(const FineHair::Solids& solids, int size, const Eigen::Vector3
 
 }  // namespace
 
-FineHair::FineHair(int threads)
-    : threads_(std::make_unique<StrandThreads>(
-          threads > 0
-              ? threads
-              : std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, kMostPainters))) {}
+FineHair::FineHair(int threads) : threads_(std::make_unique<StrandThreads>(threads_for(threads))) {}
 
 void FineHair::send(const StrandsDrawing& strands, const View& view, int pixels) {
   opacity_.reset();

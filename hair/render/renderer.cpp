@@ -1,20 +1,20 @@
 #include "hair/render/renderer.h"
 
 #include <algorithm>
-#include <chrono>
-#include <map>
 #include <optional>
 
 #include "hair/render/check_drawing.h"
 #include "hair/render/fine_hair.h"
+#include "hair/render/fine_hair_textures.h"
 #include "hair/render/gl_context.h"
 #include "hair/render/gl_objects.h"
+#include "hair/render/laps.h"
 #include "hair/render/light.h"
 #include "hair/render/mesh.h"
+#include "hair/render/programs.h"
 #include "hair/render/ribbons.h"
 #include "hair/render/view.h"
 #include "particles/require.h"
-#include "solver/timing.h"
 
 namespace hair {
 namespace {
@@ -34,30 +34,16 @@ int map_size(const RenderSettings& settings) {
   return std::clamp(settings.height * 3 / 2 / 64 * 64, 256, 2048);
 }
 
-class Laps {
- public:
-  explicit Laps(bool on) : on_(on) {}
-
-  // Adds the time since the last lap, when OpenGL is done with what it was told.
-  void lap(const gl::Functions& gl, double& sum) {
-    if (!on_) return;
-    gl.Finish();
-    const double time = timing::wall_seconds();
-    sum += time - last_;
-    last_ = time;
-  }
-
- private:
-  bool on_;
-  double last_ = timing::wall_seconds();
-};
-
 }  // namespace
 
 class Renderer::Parts {
  public:
   explicit Parts(const RenderSettings& settings)
-      : settings_(checked(settings)), context_(settings.library), gl_(context_.functions()) {}
+      : settings_(checked(settings)),
+        context_(settings.library),
+        gl_(context_.functions()),
+        programs_(gl_),
+        fine_textures_(gl_) {}
 
   Image draw(const Drawing& drawing, const Camera& camera) {
     check_drawing(drawing);
@@ -134,20 +120,20 @@ class Renderer::Parts {
     if (content.solid_shadows) {
       if (!solid_map_) solid_map_ = make_target(gl_, size, size, 0, true);
       clear(*solid_map_);
-      const gl::Program& program = this->program("mesh depth", mesh_depth_shader);
+      const gl::Program& program = programs_.use("mesh depth", mesh_depth_shader);
       aim(program, content.light.to, *solid_map_);
       mesh_->draw(gl::kTriangles, content.casting);
     }
     if (content.hair_shadows && content.fine) {
       fine_->make_opacity(content.light, size);
-      if (content.solids) send_opacity(size);
+      if (content.solids) fine_textures_.send(fine_->opacity(), size);
     } else if (content.hair_shadows) {
       if (!hair_map_) {
         hair_map_ = make_target(gl_, size, size, 0, true);
         count_map_ = make_target(gl_, size, size, gl::kRgba16F, false);
       }
       clear(*hair_map_);
-      const gl::Program& depth = program("ribbon depth", ribbon_depth_shader);
+      const gl::Program& depth = programs_.use("ribbon depth", ribbon_depth_shader);
       aim_at_light(depth, content);
       draw_ribbons();
 
@@ -155,22 +141,13 @@ class Renderer::Parts {
       gl_.Disable(gl::kDepthTest);
       gl_.Enable(gl::kBlend);
       gl_.BlendFunc(gl::kOne, gl::kOne);
-      const gl::Program& count = program("ribbon count", ribbon_count_shader);
+      const gl::Program& count = programs_.use("ribbon count", ribbon_count_shader);
       aim_at_light(count, content);
       count.set("layers", layers(content));
       count.set("hair_depth", 0, hair_map_->depth);
       draw_ribbons();
       gl_.Disable(gl::kBlend);
     }
-  }
-
-  void send_opacity(int size) {
-    if (!first_texture_) {
-      first_texture_.emplace(gl_);
-      opacity_texture_.emplace(gl_);
-    }
-    first_texture_->send(size, size, 1, fine_->opacity().first().data());
-    opacity_texture_->send(size, size, OpacityMap::kLayers, fine_->opacity().opacity().data());
   }
 
   // Behind solids, and in their shadows.
@@ -186,11 +163,7 @@ class Renderer::Parts {
       solids.light = content.light;
       solids.bias = bias(content);
     }
-    const HairLayer layer = fine_->draw(drawing.strands, view, settings_.width, settings_.height, solids);
-    if (!layer_texture_) layer_texture_.emplace(gl_);
-    if (!empty_texture_) empty_texture_.emplace(gl_);
-    layer_texture_->send(layer.width, layer.height, 4, layer.pixels.data());
-    empty_texture_->send(layer.width, layer.height, 1, layer.empty.data());
+    fine_textures_.send(fine_->draw(drawing.strands, view, settings_.width, settings_.height, solids));
   }
 
   void draw_samples(const Drawing& drawing, const View& view, const Content& content) {
@@ -202,12 +175,12 @@ class Renderer::Parts {
     const std::string header = std::string(content.hair_shadows ? "#define HAIR_SHADOWS\n" : "") +
                                (content.solid_shadows ? "#define SOLID_SHADOWS\n" : "");
     if (content.solids) {
-      const gl::Program& program = this->program("mesh", mesh_shader, header);
+      const gl::Program& program = programs_.use("mesh", mesh_shader, header);
       light(program, view, content);
       mesh_->draw(gl::kTriangles, mesh_->size());
     }
     if (content.hair) {
-      const gl::Program& program = this->program("ribbon", ribbon_shader, header);
+      const gl::Program& program = programs_.use("ribbon", ribbon_shader, header);
       light(program, view, content);
       program.set("half_width", content.half_width);
       program.set("half_sample", view.tangent_y() / static_cast<float>(kSamples * settings_.height));
@@ -226,12 +199,9 @@ class Renderer::Parts {
     draw_into(gl_, *picture_);
     gl_.Disable(gl::kDepthTest);
     const gl::Program& program =
-        this->program("resolve", resolve_shader, content.fine ? "#define FINE_HAIR\n" : "");
+        programs_.use("resolve", resolve_shader, content.fine ? "#define FINE_HAIR\n" : "");
     program.set("samples", 0, samples_->colour);
-    if (content.fine) {
-      program.set("hair", 1, layer_texture_->name());
-      program.set("hair_empty", 2, empty_texture_->name());
-    }
+    if (content.fine) fine_textures_.set_layer(program);
     gl_.BindVertexArray(no_vertices_);
     gl_.DrawArrays(gl::kTriangles, 0, 3);
   }
@@ -280,8 +250,7 @@ class Renderer::Parts {
       program.set("opacity", 1.0F);
       program.set("skip", fine_->opacity().skip());
       program.set("layers", layers(content));
-      program.set("hair_depth", 0, first_texture_->name());
-      program.set("hair_count", 1, opacity_texture_->name());
+      fine_textures_.set_opacity(program);
     } else if (content.hair_shadows) {
       const float half = half_texel(content);
       program.set("opacity", content.half_width / std::max(content.half_width, half));
@@ -297,23 +266,14 @@ class Renderer::Parts {
     }
   }
 
-  // Made when it is first needed.
-  const gl::Program& program(const std::string& name, ShaderPair (*shaders)(),
-                             const std::string& header = "") {
-    auto place = programs_.find(name + header);
-    if (place == programs_.end()) place = programs_.try_emplace(name + header, gl_, shaders(), header).first;
-    place->second.use();
-    return place->second;
-  }
-
   RenderSettings settings_;
   GlContext context_;
   const gl::Functions& gl_;
-  std::map<std::string, gl::Program> programs_;
+  Programs programs_;
+  FineHairTextures fine_textures_;
   std::optional<gl::Triangles> ribbons_, mesh_;
   std::optional<gl::Target> solid_map_, hair_map_, count_map_, samples_, picture_;
   std::optional<FineHair> fine_;
-  std::optional<gl::FloatTexture> first_texture_, opacity_texture_, layer_texture_, empty_texture_;
   gl::Name no_vertices_ = 0;
 };
 

@@ -22,6 +22,8 @@ const Colour kPinned(0.06F, 0.06F, 0.07F), kRod(0.20F, 0.22F, 0.25F), kWire(0.45
 // Parts of the picture's height.
 constexpr double kBall = 0.018, kTube = 0.005, kRing = 0.0035;
 
+constexpr std::uint32_t kFirstStillId = 1U << 30;  // beyond the numbers of what moves
+
 constexpr int kCells = 220;  // along a solid's longest side
 
 // The four sides of what the camera sees. With shadows those through which light falls into the picture are no limits:
@@ -54,6 +56,10 @@ SceneDrawing::SceneDrawing(const Scene& scene, std::vector<int> strands)
   view_ = seen_planes(camera_, aspect, look_.shadows);
   for (const DenseHair& dense : scene.dense)
     dense_.push_back(std::make_unique<Synthesis>(dense.description, scene.hair.jobs));
+  for (const StillHair& hair : scene.still)
+    still_.push_back(grow_groom(*hair.head, hair.style, hair.settings));
+  if (look_.fine_hair && !dense_.empty() && !scene.hair.obstacles.empty())
+    clearance_ = std::make_unique<StrandClearance>(scene.hair.obstacles, scene.hair.jobs);
 }
 
 RenderSettings SceneDrawing::settings() const {
@@ -78,7 +84,10 @@ Drawing SceneDrawing::at(const particles::State& state, const std::vector<Obstac
                      static_cast<double>(state.x.size()),
                      std::to_string(3 * particles) + ", 3 for each particle");
 
-  add_strands(state.x.head(3 * of_strands), time, drawing.strands);
+  add_strands(state.x.head(3 * of_strands), obstacles, time, drawing.strands);
+  std::uint32_t still_id = kFirstStillId;
+  for (std::size_t i = 0; i < still_.size(); ++i)
+    add_still(scene_.still[i], still_[i], time, still_id, drawing.strands);
   Eigen::Index first = of_strands;
   int toy_index = 0;
   for (const Toy& toy : scene_.toys) {
@@ -88,7 +97,8 @@ Drawing SceneDrawing::at(const particles::State& state, const std::vector<Obstac
   return drawing;
 }
 
-void SceneDrawing::add_strands(particles::Input x, double time, StrandsDrawing& drawing) const {
+void SceneDrawing::add_strands(particles::Input x, const std::vector<Obstacle>& obstacles, double time,
+                               StrandsDrawing& drawing) const {
   synthesised_ = {};
   drawing.points.reserve(static_cast<std::size_t>(x.size() / 3));
   Eigen::Index at = 0;
@@ -99,7 +109,9 @@ void SceneDrawing::add_strands(particles::Input x, double time, StrandsDrawing& 
       const Eigen::Index size = 3 * static_cast<Eigen::Index>(made.guides.size()) * made.points;
       particles::require(at + size <= x.size(), "the numbers of a group's guides", static_cast<double>(size),
                          "within the state's");
+      const std::size_t first = drawing.sizes.size(), first_point = drawing.points.size();
       add_dense(group++, x.segment(at, size), time, drawing);
+      if (clearance_ && !obstacles.empty()) clearance_->move_out(obstacles, drawing, first, first_point);
       strand += made.guides.size();
       at += size;
       continue;
@@ -131,6 +143,17 @@ void SceneDrawing::add_dense(std::size_t group, particles::Input guides, double 
   synthesised_.children_out_of_view += counts.children_out_of_view;
   synthesised_.guides_used += counts.guides_used;
   synthesised_.guides_idle += counts.guides_idle;
+}
+
+void SceneDrawing::add_still(const StillHair& hair, const Groom& grown, double time, std::uint32_t& id,
+                             StrandsDrawing& drawing) const {
+  const Way way = hair.motion ? way_at(*hair.motion, time)
+                              : Way{Eigen::Quaterniond::Identity(), Vector3d::Zero(), Vector3d::Zero()};
+  for (const Eigen::VectorXd& x : grown.strands) {
+    drawing.sizes.push_back(static_cast<int>(x.size() / 3));
+    if (drawing.fine) drawing.ids.push_back(id++);
+    for (Eigen::Index i = 0; i < x.size(); i += 3) drawing.points.push_back(way(x.segment<3>(i) + hair.at));
+  }
 }
 
 void SceneDrawing::add_toy(const Toy& toy, int toy_index, particles::Input x, Drawing& drawing) const {

@@ -8,6 +8,7 @@
 #include "hair/render/camera.h"
 #include "hair/render/drawing.h"
 #include "hair/render/renderer.h"
+#include "hair/render/strand_clearance.h"
 #include "hair/scene/scene.h"
 #include "particles/state.h"
 
@@ -29,6 +30,7 @@ class SceneDrawing {
   // Draws from the positions of all points (strand after strand, then toy after toy) and the obstacles at `time`, s.
   // Throws std::invalid_argument for a state of another size. Not for two threads at a time.
   //
+  // Dense hair that is drawn as fine hair is kept out of obstacles (strand_clearance.h); ribbons are as H10 makes them.
   // In a toy, springs and rods are tubes, particles are balls and wires are rings; cloth is a sheet.
   Drawing at(const particles::State& state, const std::vector<Obstacle>& obstacles, double time) const;
 
@@ -36,8 +38,11 @@ class SceneDrawing {
   const SynthesisCounts& synthesised() const { return synthesised_; }
 
  private:
-  void add_strands(particles::Input x, double time, StrandsDrawing& drawing) const;
+  void add_strands(particles::Input x, const std::vector<Obstacle>& obstacles, double time,
+                   StrandsDrawing& drawing) const;
   void add_dense(std::size_t group, particles::Input guides, double time, StrandsDrawing& drawing) const;
+  void add_still(const StillHair& hair, const Groom& grown, double time, std::uint32_t& id,
+                 StrandsDrawing& drawing) const;
   void add_toy(const Toy& toy, int toy_index, particles::Input x, Drawing& drawing) const;
 
   const Scene& scene_;
@@ -47,6 +52,8 @@ class SceneDrawing {
   std::vector<std::shared_ptr<const SurfaceMesh>> meshes_;  // of the obstacles that are solids
   double unit_;                                             // m: the height of the visible region
   std::vector<std::unique_ptr<Synthesis>> dense_;           // of each of the scene's groups of dense hair
+  std::unique_ptr<StrandClearance> clearance_;              // of dense fine hair; null: nothing is in its way
+  std::vector<Groom> still_;                                // of each of the scene's still hair, as it grows
   std::vector<Plane> view_;
   mutable SynthesisCounts synthesised_;
 };

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "hair/head/grow.h"
 #include "hair/head/synthesis.h"
 #include "hair/scene/motion.h"
 #include "hair/simulation/description.h"
@@ -45,6 +47,15 @@ struct DenseHair {
   std::optional<Motion> motion;      // of the scalp
 };
 
+// Hair that is drawn and does not move on its own: it keeps the shape in which it grows, and goes with the head.
+struct StillHair {
+  std::shared_ptr<const Head> head;
+  Vector3d at = Vector3d::Zero();  // m, of the head's origin at the start
+  HairStyle style;
+  GrowSettings settings;
+  std::optional<Motion> motion;
+};
+
 struct Scene {
   std::string name;   // "strand-swing"
   std::string shows;  // one line
@@ -57,6 +68,7 @@ struct Scene {
   std::vector<Toy> toys;     // particles with springs, rods, wires: for P1 and P2, and for cloth
   std::optional<Look> look;  // none: no pictures
   std::vector<DenseHair> dense;
+  std::vector<StillHair> still;
 };
 
 // Whether there is a hair simulation.

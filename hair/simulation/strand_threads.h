@@ -1,6 +1,7 @@
 // Threads over strands: nothing couples strands within a step, so that each may be stepped by any thread.
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <barrier>
 #include <exception>
@@ -9,6 +10,11 @@
 #include <vector>
 
 namespace hair {
+
+// How many threads to take: what is asked for, or, for 0, one for each processor, up to 16.
+inline int threads_for(int asked) {
+  return asked > 0 ? asked : std::clamp(static_cast<int>(std::thread::hardware_concurrency()), 1, 16);
+}
 
 class StrandThreads {
  public:

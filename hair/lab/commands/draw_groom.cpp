@@ -19,6 +19,7 @@
 #include "hair/io/image/png.h"
 #include "hair/lab/commands/groom_info.h"
 #include "hair/render/renderer.h"
+#include "hair/render/strand_clearance.h"
 
 namespace hair {
 namespace {
@@ -37,9 +38,9 @@ Eigen::AlignedBox3d box_of(const std::vector<Vector3d>& points) {
   return box;
 }
 
-std::unique_ptr<Head> head_named(const std::string& name) {
-  if (name == "bust") return std::make_unique<Bust>();
-  if (name == "ellipsoid") return std::make_unique<EllipsoidHead>();
+std::shared_ptr<const Head> head_named(const std::string& name) {
+  if (name == "bust") return std::make_shared<Bust>();
+  if (name == "ellipsoid") return std::make_shared<EllipsoidHead>();
   return nullptr;
 }
 
@@ -113,7 +114,7 @@ int draw_groom(const DrawOptions& options) {
   if (roots.empty())
     throw BadInput(printable(options.file.string(), 4096) + ": has no strand of two points or more to draw");
 
-  const std::unique_ptr<Head> head = head_named(options.on);
+  const std::shared_ptr<const Head> head = head_named(options.on);
   const std::optional<double> unit = options.unit > 0 ? std::optional(options.unit) : std::nullopt;
   GroomFit fit;
   try {
@@ -138,6 +139,10 @@ int draw_groom(const DrawOptions& options) {
       strands.points.emplace_back(fit.scale * strand.segment<3>(3 * i) + fit.move);
   }
   groom = {};
+  if (head) {
+    const std::vector<Obstacle> obstacles = {{PlacedSolid{head}}};
+    StrandClearance(obstacles, threads_for(0)).move_out(obstacles, strands, 0, 0);
+  }
   std::vector<Vector3d> seen = strands.points;
   if (head) {
     auto mesh = std::make_shared<SurfaceMesh>(surface_net(*head, kHeadCells));

@@ -157,6 +157,14 @@ void explain_dense_hair(const Scene& scene, bool render, Parts& parts) {
                                   : "--no-render: states are asked for, and all guides are simulated");
 }
 
+void explain_still_hair(const Scene& scene, bool render, Parts& parts) {
+  std::size_t strands = 0;
+  for (const StillHair& hair : scene.still) strands += static_cast<std::size_t>(hair.settings.strands);
+  parts.add("still hair", strands > 0 && render,
+            counted(strands, "strand") + " that go with a head, and only are drawn",
+            strands > 0 ? "--no-render" : "all hair moves");
+}
+
 void explain_exercises(const Scene& scene, Parts& parts) {
   const std::vector<std::string> used = exercises_of(scene);
   std::istringstream files(HAIR_EXERCISE_FILES);
@@ -187,6 +195,7 @@ std::vector<Part> explain(const Scene& scene, bool render) {
   explain_toys(scene, parts);
   explain_surroundings(scene, parts);
   explain_dense_hair(scene, render, parts);
+  explain_still_hair(scene, render, parts);
   explain_exercises(scene, parts);
   explain_pictures(scene, render, parts);
   return parts.take();

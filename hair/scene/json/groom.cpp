@@ -121,25 +121,31 @@ Strands of_file(const JsonValue& groom, bool dense, Reading& reading) {
   return found;
 }
 
-// Strands that grow on a head.
-Strands grown(const JsonValue& groom, bool dense, Reading& reading) {
+// Hair that grows on a head, in a style.
+StillHair read_grown(const JsonValue& groom) {
   groom.check_keys({"style", "strands"}, {"points", "length", "head", "at", "seed"});
   std::vector<std::string_view> names;
   for (const HairStyle& style : hair_styles()) names.emplace_back(style.name);
-  HairStyle style = hair_styles()[groom["style"].word(names)];
-  if (groom.has("length")) style.length = length(groom["length"]);
-  // Guides are in no clump: what is drawn of them gathers as wisps.
-  if (dense) style.clump = 0, style.fly_aways = 0;
-  GrowSettings settings;
+  StillHair hair;
+  hair.style = hair_styles()[groom["style"].word(names)];
+  if (groom.has("length")) hair.style.length = length(groom["length"]);
+  GrowSettings& settings = hair.settings;
   settings.strands = static_cast<int>(groom["strands"].whole_number(1, 100'000));
   settings.points = groom.has("points") ? static_cast<int>(groom["points"].whole_number(2, kMostPoints)) : 0;
   if (groom.has("seed")) settings.seed = static_cast<std::uint64_t>(groom["seed"].whole_number(0, 1L << 53));
-  const Vector3d at = vector_or(groom, "at", Vector3d::Zero(), kFar);
-  std::shared_ptr<const Head> head;
+  hair.at = vector_or(groom, "at", Vector3d::Zero(), kFar);
   if (groom.has("head") && groom["head"].word({"bust", "ellipsoid"}) == 1)
-    head = std::make_shared<EllipsoidHead>();
+    hair.head = std::make_shared<EllipsoidHead>();
   else
-    head = std::make_shared<Bust>();
+    hair.head = std::make_shared<Bust>();
+  return hair;
+}
+
+// Its strands.
+Strands grown(const JsonValue& groom, bool dense, Reading& reading) {
+  auto [head, at, style, settings, motion] = read_grown(groom);
+  // Guides are in no clump: what is drawn of them gathers as wisps.
+  if (dense) style.clump = 0, style.fly_aways = 0;
   reading.expect(groom["strands"], settings.strands, settings.points ? settings.points : style.points);
   Strands found;
   try {
@@ -151,11 +157,13 @@ Strands grown(const JsonValue& groom, bool dense, Reading& reading) {
     found.names.push_back("strand " + std::to_string(found.names.size()) + ": ");
     RootFrame root = root_of(x);
     root.axis = head->surface_at(root.position).normal;
+    root.side = head->combed(root.position);
     root.position += at;
     found.scalp.guides.push_back(root);
     for (Eigen::Index k = 0; k < x.size(); k += 3) x.segment<3>(k) += at;
   }
-  found.scalp.more = [head, at](int count, std::uint64_t seed) {
+  found.scalp.combed = true;
+  found.scalp.more = [head = head, at = at](int count, std::uint64_t seed) {
     std::vector<RootFrame> roots = scalp_roots(*head, count, seed);
     for (RootFrame& root : roots) root.position += at;
     return roots;
@@ -164,6 +172,24 @@ Strands grown(const JsonValue& groom, bool dense, Reading& reading) {
 }
 
 }  // namespace
+
+void read_still_hair(const JsonValue& list, Reading& reading) {
+  for (const JsonValue& object : list.items()) {
+    object.check_keys({"groom"}, {"moves_with"});
+    const JsonValue groom = object["groom"];
+    StillHair hair = read_grown(groom);
+    const int points = hair.settings.points > 0 ? hair.settings.points : hair.style.points;
+    if (points < fewest_points(hair.style))
+      groom["points"].fail("is too few to follow the style; give " +
+                           std::to_string(fewest_points(hair.style)) + " at least");
+    reading.dense_points += static_cast<long>(hair.settings.strands) * points;
+    if (reading.dense_points > kMostDensePoints)
+      groom["strands"].fail("makes " + std::to_string(reading.dense_points) +
+                            " points in all; a scene draws at most " + std::to_string(kMostDensePoints));
+    if (const Rider* rider = reading.rider(object)) hair.motion = rider->motion;
+    reading.scene.still.push_back(std::move(hair));
+  }
+}
 
 void read_groom(const JsonValue& group, Reading& reading) {
   group.check_keys({"groom"},

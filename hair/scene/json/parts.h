@@ -16,6 +16,7 @@
 namespace hair::json {
 
 inline constexpr long kMostParticles = 10'000'000;
+inline constexpr long kMostDensePoints = 50'000'000;  // of strands that are only drawn
 inline constexpr long kMostFrames = 100'000;
 inline constexpr long kMostStates = 1'000'000'000;  // particles times frames
 
@@ -55,6 +56,7 @@ const ModelRow* read_model(const JsonValue& group);  // "model"; if there is non
 // One more strand. Throws std::invalid_argument for one that the model can't express.
 void add_strand(const ModelRow& model, const StrandSpec& spec, Description& hair);
 void read_groom(const JsonValue& group, Reading& reading);  // a group of "hair" that has "groom"
+void read_still_hair(const JsonValue& list, Reading& reading);
 // "synthesis" of the last group. scalp: unless its roots are a list.
 void read_synthesis(const JsonValue& group, GroupScalp scalp, Reading& reading);
 void read_links(const JsonValue& object, Reading& reading);  // between the strands that are there

@@ -54,19 +54,19 @@ GroupScalp scalp_of(const JsonValue& roots, int count) {
   if (roots.has("bust")) {
     const JsonValue bust = roots["bust"];
     const long seed = bust.has("seed") ? bust["seed"].whole_number(0, 1L << 53) : 0;
-    return {on_bust(bust, count, static_cast<std::uint64_t>(seed)),
+    return {on_bust(bust, count, static_cast<std::uint64_t>(seed)), true,
             [bust](int more, std::uint64_t own) { return on_bust(bust, more, own); }};
   }
   const auto any = [roots](int number, std::uint64_t) {
     if (roots.has("line")) return on_line(roots["line"], number);
     return roots.has("disc") ? on_disc(roots["disc"], number) : on_cap(roots["cap"], number);
   };
-  return {any(count, 0), any};
+  return {any(count, 0), false, any};
 }
 
 GroupScalp scalp_of(const std::vector<RootFrame>& roots) {
   const std::vector<RootFrame> scalp = scalp_of_roots(roots);
-  return {scalp, [scalp](int count, std::uint64_t seed) { return roots_between(scalp, count, seed); }};
+  return {scalp, false, [scalp](int count, std::uint64_t seed) { return roots_between(scalp, count, seed); }};
 }
 
 }  // namespace hair::json

@@ -12,6 +12,7 @@ namespace hair::json {
 
 struct GroupScalp {
   std::vector<RootFrame> guides;  // of each of the group's strands; axis: the scalp's normal
+  bool combed = false;            // the sides of all roots are how hair is combed there
   // Evenly over the scalp; none if it has no area.
   std::function<std::vector<RootFrame>(int count, std::uint64_t seed)> more;
 };

@@ -68,6 +68,8 @@ void check_use(const JsonValue& object, const Reading& reading) {
         "toys stand beside hair of masses and springs only; leave them out, or the \"model\"");
   if (!reading.scene.dense.empty() && !reading.scene.look)
     object["hair"].fail("\"synthesis\" is how hair is drawn; give \"render\", too");
+  if (!reading.scene.still.empty() && !reading.scene.look)
+    object["still_hair"].fail("is drawn and nothing else; give \"render\", too");
   for (const auto& [name, rider] : reading.motions)
     if (reading.scene.riders[rider].strands.empty() && reading.scene.riders[rider].obstacles.empty())
       object["motions"].fail("nothing moves with \"" + name +
@@ -91,7 +93,7 @@ Scene scene_of(const JsonDocument& document, const std::filesystem::path& file, 
   object.check_keys({"shows", "frames"},
                     {"frames_per_second", "steps_per_frame", "step", "gravity", "wind", "method", "drag",
                      "geometric_term", "bend_product", "tolerance", "preconditioner", "hair", "links",
-                     "obstacles", "motions", "toys", "render"});
+                     "obstacles", "motions", "toys", "still_hair", "render"});
   Scene& scene = reading.scene;
   scene.name = file.stem().string();
   scene.shows = object["shows"].text();
@@ -105,6 +107,7 @@ Scene scene_of(const JsonDocument& document, const std::filesystem::path& file, 
   if (object.has("hair")) read_hair(object["hair"], reading);
   if (object.has("links")) read_links(object["links"], reading);
   if (object.has("toys")) read_toys(object["toys"], reading);
+  if (object.has("still_hair")) read_still_hair(object["still_hair"], reading);
   if (object.has("render")) scene.look = read_look(object["render"]);
   check_use(object, reading);
   for (const std::string& id : exercises_of(scene))

@@ -9,7 +9,7 @@ namespace hair::json {
 namespace {
 
 constexpr double kGathered = 0.6;
-constexpr long kMostDense = 1'000'000, kMostDensePoints = 50'000'000;
+constexpr long kMostDense = 1'000'000;
 
 // Of the last group, and of the rows before it that its guides stand in, too.
 std::size_t first_row(const JsonValue& object, const Reading& reading) {
@@ -66,6 +66,7 @@ void read_synthesis(const JsonValue& group, GroupScalp scalp, Reading& reading) 
   made.gathered = number_or(object, "gathered", made.clump > 0 ? kGathered : 0, 0, 1);
   made.fly_aways = number_or(object, "fly_aways", made.fly_aways, 0, 1);
   if (object.has("seed")) made.seed = static_cast<std::uint64_t>(object["seed"].whole_number(0, 1L << 53));
+  made.combed = scalp.combed;
   made.guides = std::move(scalp.guides);
   made.children = scalp.more(strands, made.seed);
   if (made.children.empty())

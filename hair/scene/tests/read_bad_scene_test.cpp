@@ -34,7 +34,7 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{R"("frames": 2,)", "",
              "\"frames\" is missing; an object here has: shows, frames, frames_per_second, "
              "steps_per_frame, step, gravity, wind, method, drag, geometric_term, "
-             "bend_product, tolerance, preconditioner, hair, links, obstacles, motions, toys, render"},
+             "bend_product, tolerance, preconditioner, hair, links, obstacles, motions, toys, still_hair, render"},
         Slip{R"("curly":)", R"("curled":)", "hair[1].shape: unknown key \"curled\"; known here: wavy, curly"},
         Slip{R"("curly": {"radius": 0.005, "pitch": 0.1})", "",
              "hair[1].shape: has 0 keys; give one of: wavy, curly"},
@@ -125,6 +125,9 @@ INSTANTIATE_TEST_SUITE_P(
              "hair[0].moves_with: no motion has this name; look at \"motions\""},
         Slip{R"({"name": "head")", R"({"name": "hat", "keys": [{"time": 0}]}, {"name": "head")",
              "motions: nothing moves with \"hat\"; write it as \"moves_with\", or leave it out"},
+        Slip{R"("hair": [)",
+             R"("still_hair": [{"groom": {"style": "wavy", "strands": 9, "points": 8}}], "hair": [)",
+             "still_hair[0].groom.points: is too few to follow the style; give 53 at least"},
         Slip{R"({"name": "head")", R"({"name": "head", "keys": [{"time": 0}]}, {"name": "head")",
              "motions[1].name: is the name of a motion before it; give another"},
         Slip{R"("friction": 0.5)", R"("friction": 0.5, "moves_with": "head")",

@@ -129,6 +129,10 @@ std::map<std::string, Bounds> read() {
     "obstacles": [{"bust": {"at": [0, 0, 0]}}]})");
   for (const char* section : {"hair[].roots.bust", "obstacles[].bust"})
     sections[section] = bust.sections().at(section);
+  const Asked still(R"({"shows": "still hair", "frames": 1, "render": {},
+    "hair": [{"segments": 1, "length": 0.1, "roots": {"list": [{"position": [0, 0, 0]}]}}],
+    "still_hair": [{"groom": {"style": "ponytail", "strands": 1}}]})");
+  sections["still_hair[]"] = still.sections().at("still_hair[] with a groom");
   return sections;
 }
 
