@@ -53,7 +53,7 @@ class GuidedHead {
       const double begin = timing::process_cpu_seconds();
       synthesis_[m]->make(guides, turn, {}, std::span<double>(made_));
       if (counts) run_.modes[m].synthesis += timing::process_cpu_seconds() - begin;
-      tallies_[m].add(made_, simulated);
+      tallies_[m].add(made_, simulated, turn);
       run_.modes[m].errors = tallies_[m].errors();
       if (see && kModes[m].mode == SynthesisMode::interpolate) see(run_.guides, made_);
     }

@@ -50,11 +50,24 @@ struct HeadCase {
   std::vector<GuideRun> runs;
 };
 
+// A picture of hair that was interpolated, or of all strands simulated.
+struct HeadPicture {
+  std::string hair, file;  // the hair's id; "straight-few.png"
+  int guides = 0;          // as many as strands: each is simulated
+};
+
+struct HeadStudy {
+  bool quick = false;
+  int threads = 1;
+  std::vector<HeadCase> cases;
+  std::vector<HeadPicture> pictures;
+  std::string no_pictures;  // why there are none; empty: there are
+};
+
 struct HeadStudySettings {
   bool collides = true;
   int threads = 1;
-  std::vector<int> guides = {50,    100,   300,
-                             1'000, 3'000, 10'000};  // those that are more than strands are left out
+  std::vector<int> guides;  // those that are more than strands are left out
 };
 
 // In the middle of the way back.
