@@ -25,7 +25,7 @@ namespace {
 using namespace head_study;
 
 // Of strands that the engine moves, and of those that the exercises move.
-constexpr int kFast = 20'000, kGiven = 1'000, kQuickFast = 2'000, kQuickGiven = 150;
+constexpr int kFast = 20'000, kGiven = 1'000, kQuickFast = 2'000, kQuickGiven = 80;
 constexpr int kMostStrands = 200'000;
 constexpr int kGuides[] = {50, 100, 300, 1'000, 3'000, 10'000};
 

@@ -21,16 +21,12 @@ std::string ms(double seconds) {
   return to_text(1e3 * seconds);
 }
 
-std::string percent(double part) {
-  return to_text(100 * part) + " %";
-}
-
 std::string place_of(const HeadCase& one) {
   return one.collides ? "on a head" : "without a head";
 }
 
 std::string who_of(const HeadCase& one) {
-  return one.fast ? "the engine" : "the exercises";
+  return one.fast ? "engine" : "exercises";
 }
 
 Point point_of(const GuideRun& run, std::size_t mode, double error) {
@@ -69,48 +65,68 @@ Figure figure_of(const HeadCase& one) {
   return figure;
 }
 
-Table table_of(const HeadCase& one, std::size_t mode) {
-  Table table{one.hair->title + " " + place_of(one) + ", " + kModes[mode].id + ": " +
-                  std::to_string(one.strands) + " strands, " + mm(one.length) +
-                  " mm long in the mean; times in ms of CPU time for a second of motion, errors in mm",
-              {"guides", "simulation", "synthesis", "together", "start", "end", "end, 95 %", "all",
-               "all, 95 %", "all, of the length", "motion alone"},
-              {}};
+std::string caption_of(const HeadCase& one, std::size_t mode) {
+  return one.hair->title + " " + place_of(one) + ", " + kModes[mode].id + ": " + std::to_string(one.strands) +
+         " strands, " + mm(one.length) + " mm long in the mean";
+}
+
+// What a head costs, and how far off it is.
+Table table_of(const HeadCase& one) {
+  Table table{
+      caption_of(one, kInterpolate) + "; ms of CPU time for a second of motion, RMS distances of all moments",
+      {"guides", "simulation", "synthesis", "together", "error, mm", "% of the length", "motion alone, mm"},
+      {}};
   for (const GuideRun& run : one.runs) {
-    const HeadErrors& e = run.modes[mode].errors;
-    table.rows.push_back({std::to_string(run.guides), ms(run.simulation), ms(run.modes[mode].synthesis),
-                          ms(run.seconds(mode)), mm(e.start.rms), mm(e.end.rms), mm(e.end.most),
-                          mm(e.all.rms), mm(e.all.most), percent(e.all.rms / one.length), mm(e.motion.rms)});
+    const HeadErrors& e = run.modes[kInterpolate].errors;
+    table.rows.push_back({std::to_string(run.guides), ms(run.simulation),
+                          ms(run.modes[kInterpolate].synthesis), ms(run.seconds(kInterpolate)), mm(e.all.rms),
+                          to_text(100 * e.all.rms / one.length), mm(e.motion.rms)});
   }
-  table.rows.push_back({std::to_string(one.strands) + ": every strand", ms(one.seconds), "", ms(one.seconds),
-                        "0", "0", "0", "0", "0", "0 %", "0"});
+  table.rows.push_back({std::to_string(one.strands), ms(one.seconds), "0", ms(one.seconds), "0", "0", "0"});
   return table;
 }
 
-// The run with the most guides of at most so many; null: none.
+// All errors, in mm, and the time together.
+Table errors_of(const HeadCase& one, std::size_t mode) {
+  Table table{caption_of(one, mode) + "; errors in mm",
+              {"guides", "ms", "start", "start, 95 %", "end", "end, 95 %", "all", "all, 95 %", "motion",
+               "motion, 95 %"},
+              {}};
+  for (const GuideRun& run : one.runs) {
+    std::vector<std::string> row = {std::to_string(run.guides), ms(run.seconds(mode))};
+    const HeadErrors& e = run.modes[mode].errors;
+    for (const HeadError& error : {e.start, e.end, e.all, e.motion})
+      row.insert(row.end(), {mm(error.rms), mm(error.most)});
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+// Null: there is none.
 const GuideRun* run_with(const HeadCase& one, int guides) {
-  const GuideRun* found = nullptr;
   for (const GuideRun& run : one.runs)
-    if (run.guides <= guides) found = &run;
-  return found;
+    if (run.guides == guides) return &run;
+  return nullptr;
 }
 
 Table answer(const HeadStudy& study) {
   Table table{
       "Interpolated, of all moments: RMS distance in mm (of the motion alone), and CPU time for a second "
       "of motion, s",
-      {"hair", "", "by", "strands", "100 guides", "s", "1,000 guides", "s", "every strand, s"},
+      {"hair", "", "by", "strands", "100 guides", "s", "1,000 guides", "s", "every strand, s",
+       "a strand: simulated / interpolated"},
       {}};
   for (const HeadCase& one : study.cases) {
     std::vector<std::string> row = {one.hair->title, place_of(one), who_of(one), std::to_string(one.strands)};
     for (const int guides : {100, 1'000}) {
       const GuideRun* const run = run_with(one, guides);
-      const bool there = run && run->guides == guides;
-      const HeadErrors* const e = there ? &run->modes[kInterpolate].errors : nullptr;
+      const HeadErrors* const e = run ? &run->modes[kInterpolate].errors : nullptr;
       row.push_back(e ? mm(e->all.rms) + " (" + mm(e->motion.rms) + ")" : "");
-      row.push_back(there ? to_text(run->seconds(kInterpolate)) : "");
+      row.push_back(run ? to_text(run->seconds(kInterpolate)) : "");
     }
     row.push_back(to_text(one.seconds));
+    row.push_back(one.runs.empty() ? ""
+                                   : to_text(one.seconds / one.runs.front().modes[kInterpolate].synthesis));
     table.rows.push_back(std::move(row));
   }
   return table;
@@ -118,7 +134,10 @@ Table answer(const HeadStudy& study) {
 
 std::string figure_of(const HeadStudy& study, const std::string& hair) {
   Html all = html("<div class=\"pictures\">\n");
-  for (const HeadPicture& picture : study.pictures) {
+  std::vector<HeadPicture> pictures = study.pictures;
+  std::sort(pictures.begin(), pictures.end(),
+            [](const HeadPicture& a, const HeadPicture& b) { return a.guides < b.guides; });
+  for (const HeadPicture& picture : pictures) {
     if (picture.hair != hair) continue;
     const auto& one = *std::find_if(study.cases.begin(), study.cases.end(),
                                     [&](const HeadCase& each) { return each.hair->id == hair; });
@@ -137,9 +156,9 @@ Section section_of(const HeadStudy& study, const std::string& id) {
   for (const HeadCase& one : study.cases) {
     if (one.hair->id != id) continue;
     section.heading = one.hair->title;
-    section.first.push_back(table_of(one, kInterpolate));
+    section.first.push_back(table_of(one));
     section.figures.push_back(to_svg(figure_of(one)));
-    for (std::size_t m = 1; m < kModes.size(); ++m) section.tables.push_back(table_of(one, m));
+    for (std::size_t m = 0; m < kModes.size(); ++m) section.tables.push_back(errors_of(one, m));
   }
   if (std::any_of(study.pictures.begin(), study.pictures.end(),
                   [&](const HeadPicture& picture) { return picture.hair == id; }))
@@ -153,11 +172,10 @@ Section left_out() {
       {"Strands do not touch each other, in either way to simulate them. On a head hair lies in layers, and "
        "contact is what gives it volume, holds neighbours together and stops strands that cross. "
        "Without it hair sinks onto the head, and neighbours part more easily than they should.",
-       "So this is an answer for the forces within strands and the head alone. There every strand costs a "
-       "few times what guides and synthesis cost. With contacts the answer is another: Daviet's times "
-       "below hold them, and there the solve along strands, which is nearly all that is done here, is a "
-       "hundredth of the time. Finding and resolving contacts does not become faster with a better solve "
-       "of strands.",
+       "So this is an answer for the forces within strands and the head alone. With contacts it is another: "
+       "Daviet's times below hold them, and there the solve along strands, which is nearly all that is done "
+       "here, is a hundredth of the time. Finding and resolving contacts does not become faster with a "
+       "better solve of strands.",
        "An error here is a distance from the same strand, simulated. An eye does not follow one strand: "
        "it sees whether a head as a whole has the right shape, motion and disorder. The motion alone is "
        "the smaller error, and the shape can be given to each strand once."}};
@@ -175,13 +193,15 @@ Page head_page(const HeadStudy& study, const std::string& machine) {
           "strands are made of "
           "these by synthesis (H10). The error is how far these are from the same strands simulated.",
       "Straight hair is straight at rest and lies as weight and head let it; 'all alike' has no clumps, and "
-      "no "
-      "differences of length and direction. Wavy and curly hair rests as it grew. 'By the engine': " +
-          std::string(has_fast_head() ? "a program for many strands at a time, for straight hair. "
-                                      : "there is none in this program. ") +
-          "'By the exercises': H1, H2 and H4, a strand at a time, and so fewer strands; two such times are "
-          "not to be compared with "
-          "each other.",
+      "no differences of length and direction. Wavy and curly hair rests as it grew.",
+      std::string(
+          has_fast_head()
+              ? "The engine steps many strands at a time, of straight hair. The exercises (H1, H2, H4) step "
+                "one at "
+                "a time, and so fewer strands; do not compare times of the one with times of the other."
+              : "The exercises (H1, H2, H4) step one strand at a time, and so there are fewer strands than "
+                "on a "
+                "real head."),
       machine + " Times are CPU times" +
           (study.threads > 1 ? " of " + std::to_string(study.threads) + " threads together" : "") + ", of " +
           std::to_string(kMoving) + " frames with " + std::to_string(kStepsPerFrame) +

@@ -8,7 +8,8 @@ namespace hair::head_study {
 namespace {
 
 constexpr int kWidth = 640, kHeight = 720, kCells = 220;
-const Vector3d kView(0.8, -1, 0.2);
+const Vector3d kView(0.85, 0.6, 0.2);
+constexpr double kChin = -0.13;  // m: what is lower is in the picture if hair is
 
 // A head has a hundred thousand hairs of 80 micrometres. Fewer are drawn wider, so that they cover it as well, but not wider than this.
 constexpr double kHairWidth = 8e-5, kFullHead = 1e5, kWidest = 8e-4;
@@ -30,7 +31,7 @@ HeadPictures::HeadPictures(const Bust& bust)
 Image HeadPictures::draw(std::span<const double> points, int points_of_strand) {
   const Way way = way_at(turn_of_head(), kPictured / kFramesPerSecond);
   const std::size_t strands = points.size() / (3 * static_cast<std::size_t>(points_of_strand));
-  const HairColour& colour = kHairColours[2];
+  const HairColour& colour = kHairColours[2];  // chestnut
   Drawing drawing;
   StrandsDrawing& hair = drawing.strands;
   hair.fine = true;
@@ -43,7 +44,8 @@ Image HeadPictures::draw(std::span<const double> points, int points_of_strand) {
   drawing.meshes.push_back({mesh_, way(Vector3d::Zero()), way.rotation});
   if (!camera_) {
     std::vector<Vector3d> seen = hair.points;
-    for (const Vector3d& point : mesh_->points) seen.push_back(way(point));
+    for (const Vector3d& point : mesh_->points)
+      if (point.z() > kChin) seen.push_back(way(point));
     camera_ = frame_points(seen, static_cast<double>(kWidth) / kHeight, kView);
   }
   return renderer_.draw(drawing, *camera_);

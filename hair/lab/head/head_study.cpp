@@ -45,17 +45,17 @@ class GuidedHead {
     if (counts) run_.simulation += took;
   }
 
-  // Compares what synthesis makes of the guides with what is simulated.
-  void compare(const ScalpTurn& turn, std::span<const double> simulated, bool counts, const SeeHead& see) {
-    made_.resize(simulated.size());
+  // Compares what synthesis makes of the guides, which goes to `made`, with what is simulated.
+  void compare(const ScalpTurn& turn, std::span<const double> simulated, bool counts, const SeeHead& see,
+               std::span<double> made) {
     const std::span<const double> guides = guides_.points();
     for (std::size_t m = 0; m < kModes.size(); ++m) {
       const double begin = timing::process_cpu_seconds();
-      synthesis_[m]->make(guides, turn, {}, std::span<double>(made_));
+      synthesis_[m]->make(guides, turn, {}, made);
       if (counts) run_.modes[m].synthesis += timing::process_cpu_seconds() - begin;
-      tallies_[m].add(made_, simulated, turn);
+      tallies_[m].add(made, simulated, turn);
       run_.modes[m].errors = tallies_[m].errors();
-      if (see && kModes[m].mode == SynthesisMode::interpolate) see(run_.guides, made_);
+      if (see && kModes[m].mode == SynthesisMode::interpolate) see(run_.guides, made);
     }
   }
 
@@ -78,7 +78,6 @@ class GuidedHead {
   Moved guides_;
   std::vector<std::unique_ptr<Synthesis>> synthesis_;  // of each mode, as are the tallies
   std::vector<HeadErrorTally> tallies_;
-  std::vector<double> made_;
 };
 
 }  // namespace
@@ -103,6 +102,7 @@ std::optional<HeadCase> study_head(const std::shared_ptr<const Bust>& bust, cons
   for (const int guides : settings.guides)
     if (guides <= result.strands) guided.push_back(std::make_unique<GuidedHead>(head, guides, moving));
 
+  std::vector<double> made(3 * all.size() * head.hair->points);
   const Motion motion = turn_of_head();
   for (int frame = 0; frame <= kSettle + kMoving; ++frame) {
     const bool counts = frame > kSettle;
@@ -118,7 +118,7 @@ std::optional<HeadCase> study_head(const std::shared_ptr<const Bust>& bust, cons
     const SeeHead& seen = frame == kPictured ? see : nullptr;
     if (seen) seen(result.strands, simulated);
     const ScalpTurn turn = way_at(motion, frame / kFramesPerSecond).rotation.toRotationMatrix();
-    for (const auto& one : guided) one->compare(turn, simulated, counts, seen);
+    for (const auto& one : guided) one->compare(turn, simulated, counts, seen, made);
   }
   for (const auto& one : guided) result.runs.push_back(one->run());
   return result;
