@@ -140,7 +140,7 @@ int run(const HeadOptions& options) {
     }
   }
   say("");
-  const std::string machine = measured_on(this_machine());
+  const std::string machine = measured_on(this_machine(), options.threads);
   write_whole(folder, "head.json", head_json(study, machine));
   write_whole(folder, "head.csv", to_csv(table_of_runs(study)));
   write_whole(folder, "index.html", to_html(head_page(study, machine)));

@@ -111,13 +111,14 @@ const GuideRun* run_with(const HeadCase& one, int guides) {
 
 Table answer(const HeadStudy& study) {
   Table table{
-      "Interpolated, of all moments: RMS distance in mm (of the motion alone), and CPU time for a second "
-      "of motion, s",
-      {"hair", "", "by", "strands", "100 guides", "s", "1,000 guides", "s", "every strand, s",
-       "a strand: simulated / interpolated"},
+      "Interpolated, of all moments: RMS distance in mm, in brackets of the motion alone; CPU time for a "
+      "second "
+      "of motion, s; and how many times as long a strand takes to simulate as to interpolate",
+      {"hair", "by", "strands", "100 guides", "s", "1,000 guides", "s", "every strand, s", "times"},
       {}};
   for (const HeadCase& one : study.cases) {
-    std::vector<std::string> row = {one.hair->title, place_of(one), who_of(one), std::to_string(one.strands)};
+    std::vector<std::string> row = {one.hair->title + " " + place_of(one), who_of(one),
+                                    std::to_string(one.strands)};
     for (const int guides : {100, 1'000}) {
       const GuideRun* const run = run_with(one, guides);
       const HeadErrors* const e = run ? &run->modes[kInterpolate].errors : nullptr;
