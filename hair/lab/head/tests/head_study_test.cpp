@@ -46,10 +46,10 @@ INSTANTIATE_TEST_SUITE_P(HeadStudy, Hairs, testing::Values("straight", "wavy", "
 // A child that grows where a guide does has its weight 1 to 1e-8: root_weights finds its place to 1e-10 of a triangle's edge, which is
 // at most a hundred times the triangle's height. The rest is of guides that lie at most two lengths away.
 TEST_P(Hairs, HaveNoErrorIfEachIsAGuide) {
-  const GrownHead head = grow_head(Bust(), hair_named(GetParam()), 7);
-  const HeadCase one = studied(head, {true, 1, {7}});
+  const GrownHead head = grow_head(Bust(), hair_named(GetParam()), 4);
+  const HeadCase one = studied(head, {true, 1, {4}});
   ASSERT_EQ(one.runs.size(), 1u);
-  EXPECT_EQ(one.runs[0].guides, 7);
+  EXPECT_EQ(one.runs[0].guides, 4);
   for (const ModeRun& mode : one.runs[0].modes)
     for (const HeadError& error : {mode.errors.start, mode.errors.end, mode.errors.all, mode.errors.motion}) {
       EXPECT_LE(error.rms, 2e-8 * head.length);
@@ -57,21 +57,17 @@ TEST_P(Hairs, HaveNoErrorIfEachIsAGuide) {
     }
 }
 
-TEST_P(Hairs, HaveTheSameErrorsAgainAndOnTwoThreads) {
-  const GrownHead head = grow_head(Bust(), hair_named(GetParam()), 9);
-  const HeadCase first = studied(head, {true, 1, {3, 5}});
-  for (const int threads : {1, 2}) {
-    const HeadCase again = studied(head, {true, threads, {3, 5}});
-    ASSERT_EQ(again.runs.size(), 2u);
-    for (std::size_t i = 0; i < 2; ++i)
-      for (std::size_t m = 0; m < kModes.size(); ++m) {
-        const HeadErrors &a = first.runs[i].modes[m].errors, &b = again.runs[i].modes[m].errors;
-        EXPECT_GT(a.end.rms, 0);
-        EXPECT_EQ(a.start.rms, b.start.rms) << threads;
-        EXPECT_EQ(a.end.rms, b.end.rms) << threads;
-        EXPECT_EQ(a.all.most, b.all.most) << threads;
-        EXPECT_EQ(a.motion.rms, b.motion.rms) << threads;
-      }
+TEST_P(Hairs, HaveTheSameErrorsAgainOnTwoThreads) {
+  const GrownHead head = grow_head(Bust(), hair_named(GetParam()), 4);
+  const HeadCase first = studied(head, {true, 1, {3}}), again = studied(head, {true, 2, {3}});
+  ASSERT_EQ(again.runs.size(), 1u);
+  for (std::size_t m = 0; m < kModes.size(); ++m) {
+    const HeadErrors &a = first.runs[0].modes[m].errors, &b = again.runs[0].modes[m].errors;
+    EXPECT_GT(a.end.rms, 0);
+    EXPECT_EQ(a.start.rms, b.start.rms);
+    EXPECT_EQ(a.end.rms, b.end.rms);
+    EXPECT_EQ(a.all.most, b.all.most);
+    EXPECT_EQ(a.motion.rms, b.motion.rms);
   }
 }
 
