@@ -18,7 +18,7 @@ struct Machine {
 Machine this_machine();
 
 // A text for a page: "Measured on ..., 2 cores, one of them used; GCC ...".
-std::string measured_on(const Machine& machine);
+std::string measured_on(const Machine& machine, int cores_used = 1);
 
 // A digest of the running program's bytes, including all statically linked code; "unknown" if the system
 // can't read them.

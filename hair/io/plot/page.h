@@ -1,5 +1,5 @@
 // A self-contained page of headings, text, figures and tables: one HTML file, readable without scripts and by
-// a screen reader. Also tables as CSV.
+// a screen reader; where it shows pictures, with their files beside it. Also tables as CSV.
 #pragma once
 
 #include <string>
@@ -25,6 +25,7 @@ struct Page {
   std::string title;
   std::vector<std::string> paragraphs = {};  // the topic, the machine, the versions
   std::vector<Section> sections = {};
+  bool picture_files = false;  // figures show picture files that lie beside the page
 };
 
 // Text is escaped; figures are inserted unchanged.

@@ -203,8 +203,16 @@ int run(const StudyOptions& options) {
 Command add_study_command(CLI::App& program) {
   const auto options = std::make_shared<StudyOptions>();
   CLI::App* app = program.add_subcommand(kErrorStudy.name, kErrorStudy.what);
-  app->add_option("SCENE", options->scene, "A scene's file, or the name of one that comes along")->required();
-  app->add_option("--out", options->out, "The folder for index.html, study.csv and study.json")->required();
+  CLI::Option* scene =
+      app->add_option("SCENE", options->scene, "A scene's file, or the name of one that comes along");
+  CLI::Option* out =
+      app->add_option("--out", options->out, "The folder for index.html, study.csv and study.json");
+  // Both are required, but not of a command of its own (`study head`).
+  app->parse_complete_callback([app, scene, out] {
+    if (!app->get_subcommands().empty()) return;
+    for (const CLI::Option* one : {scene, out})
+      if (one->count() == 0) throw CLI::RequiredError(one->get_name());
+  });
   app->add_flag("--quick", options->quick, "10 segments, and shorter sweeps: seconds instead of a minute");
   app->add_flag("--resume", options->resume, "Go on with the study in the folder, which was interrupted");
   app->add_flag("--space", options->space,

@@ -1,0 +1,227 @@
+#include "hair/lab/head/head_page.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hair/io/plot/figure.h"
+#include "hair/io/plot/html.h"
+#include "hair/lab/head/published_heads.h"
+
+namespace hair::head_study {
+namespace {
+
+constexpr std::size_t kInterpolate = 0;  // of kModes
+constexpr double kLeast = 1e-6;          // of a figure: mm, and s
+
+std::string mm(double metres) {
+  return to_text(1e3 * metres);
+}
+
+std::string ms(double seconds) {
+  return to_text(1e3 * seconds);
+}
+
+std::string place_of(const HeadCase& one) {
+  return one.collides ? "on a head" : "without a head";
+}
+
+std::string who_of(const HeadCase& one) {
+  return one.fast ? "engine" : "exercises";
+}
+
+Point point_of(const GuideRun& run, std::size_t mode, double error) {
+  return {std::max(run.seconds(mode), kLeast), std::max(1e3 * error, kLeast),
+          std::to_string(run.guides) + " guides"};
+}
+
+Figure figure_of(const HeadCase& one) {
+  Figure figure;
+  figure.id = "error-against-time-" + one.hair->id + (one.collides ? "-head" : "-free");
+  figure.title = one.hair->title + " " + place_of(one) + ": error against run time";
+  figure.description =
+      "The distance of hair that is made of guides from the same hair simulated, over the second in which "
+      "the head moves, against the CPU time of that second. A point for each number of guides. The dashed "
+      "line is the time of every strand simulated, which has no such error. Both axes are logarithmic.";
+  figure.x.title = "CPU time for a second of motion, s";
+  figure.y.title = "RMS distance, mm";
+  for (std::size_t m = 0; m < kModes.size(); ++m) {
+    Series series;
+    series.name = kModes[m].id;
+    for (const GuideRun& run : one.runs)
+      series.points.push_back(point_of(run, m, run.modes[m].errors.all.rms));
+    figure.series.push_back(std::move(series));
+  }
+  Series motion;
+  motion.name = "interpolate, motion alone";
+  for (const GuideRun& run : one.runs)
+    motion.points.push_back(point_of(run, kInterpolate, run.modes[kInterpolate].errors.motion.rms));
+  figure.series.push_back(std::move(motion));
+  double low = 1 / kLeast, high = kLeast;
+  for (const Series& series : figure.series)
+    for (const Point& point : series.points) low = std::min(low, point.y), high = std::max(high, point.y);
+  if (one.runs.empty()) return figure;
+  const double x = std::max(one.seconds, kLeast);
+  figure.series.push_back({"every strand simulated", {{x, low, {}}, {x, high, {}}}, true, false, true, {}});
+  return figure;
+}
+
+std::string caption_of(const HeadCase& one, std::size_t mode) {
+  return one.hair->title + " " + place_of(one) + ", " + kModes[mode].id + ": " + std::to_string(one.strands) +
+         " strands, " + mm(one.length) + " mm long in the mean";
+}
+
+// What a head costs, and how far off it is.
+Table table_of(const HeadCase& one) {
+  Table table{
+      caption_of(one, kInterpolate) + "; ms of CPU time for a second of motion, RMS distances of all moments",
+      {"guides", "simulation", "synthesis", "together", "error, mm", "% of the length", "motion alone, mm"},
+      {}};
+  for (const GuideRun& run : one.runs) {
+    const HeadErrors& e = run.modes[kInterpolate].errors;
+    table.rows.push_back({std::to_string(run.guides), ms(run.simulation),
+                          ms(run.modes[kInterpolate].synthesis), ms(run.seconds(kInterpolate)), mm(e.all.rms),
+                          to_text(100 * e.all.rms / one.length), mm(e.motion.rms)});
+  }
+  table.rows.push_back({std::to_string(one.strands), ms(one.seconds), "0", ms(one.seconds), "0", "0", "0"});
+  return table;
+}
+
+// All errors, in mm, and the time together.
+Table errors_of(const HeadCase& one, std::size_t mode) {
+  Table table{caption_of(one, mode) + "; errors in mm",
+              {"guides", "ms", "start", "start, 95 %", "end", "end, 95 %", "all", "all, 95 %", "motion",
+               "motion, 95 %"},
+              {}};
+  for (const GuideRun& run : one.runs) {
+    std::vector<std::string> row = {std::to_string(run.guides), ms(run.seconds(mode))};
+    const HeadErrors& e = run.modes[mode].errors;
+    for (const HeadError& error : {e.start, e.end, e.all, e.motion})
+      row.insert(row.end(), {mm(error.rms), mm(error.most)});
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+// Null: there is none.
+const GuideRun* run_with(const HeadCase& one, int guides) {
+  for (const GuideRun& run : one.runs)
+    if (run.guides == guides) return &run;
+  return nullptr;
+}
+
+Table answer(const HeadStudy& study) {
+  Table table{
+      "Interpolated, of all moments: RMS distance in mm, in brackets of the motion alone; CPU time for a "
+      "second "
+      "of motion, s; and how many times as long a strand takes to simulate as to interpolate",
+      {"hair", "by", "strands", "100 guides", "s", "1,000 guides", "s", "every strand, s", "times"},
+      {}};
+  for (const HeadCase& one : study.cases) {
+    std::vector<std::string> row = {one.hair->title + " " + place_of(one), who_of(one),
+                                    std::to_string(one.strands)};
+    for (const int guides : {100, 1'000}) {
+      const GuideRun* const run = run_with(one, guides);
+      const HeadErrors* const e = run ? &run->modes[kInterpolate].errors : nullptr;
+      row.push_back(e ? mm(e->all.rms) + " (" + mm(e->motion.rms) + ")" : "");
+      row.push_back(run ? to_text(run->seconds(kInterpolate)) : "");
+    }
+    row.push_back(to_text(one.seconds));
+    row.push_back(one.runs.empty() ? ""
+                                   : to_text(one.seconds / one.runs.front().modes[kInterpolate].synthesis));
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+std::string figure_of(const HeadStudy& study, const std::string& hair) {
+  Html all = html("<div class=\"pictures\">\n");
+  std::vector<HeadPicture> pictures = study.pictures;
+  std::sort(pictures.begin(), pictures.end(),
+            [](const HeadPicture& a, const HeadPicture& b) { return a.guides < b.guides; });
+  for (const HeadPicture& picture : pictures) {
+    if (picture.hair != hair) continue;
+    const auto& one = *std::find_if(study.cases.begin(), study.cases.end(),
+                                    [&](const HeadCase& each) { return each.hair->id == hair; });
+    const std::string says = picture.guides >= one.strands
+                                 ? "every strand simulated, " + std::to_string(one.strands)
+                                 : "interpolated from " + std::to_string(picture.guides) + " guides";
+    all += html("<figure><img src=\"{}\" alt=\"{}\"/><figcaption>{}</figcaption></figure>\n",
+                {picture.file, "The head while it turns: " + says, says});
+  }
+  return (all += html("</div>\n")).text;
+}
+
+// A section for each hair, its cases one after the other.
+Section section_of(const HeadStudy& study, const std::string& id) {
+  Section section;
+  for (const HeadCase& one : study.cases) {
+    if (one.hair->id != id) continue;
+    section.heading = one.hair->title;
+    section.first.push_back(table_of(one));
+    section.figures.push_back(to_svg(figure_of(one)));
+    for (std::size_t m = 0; m < kModes.size(); ++m) section.tables.push_back(errors_of(one, m));
+  }
+  if (std::any_of(study.pictures.begin(), study.pictures.end(),
+                  [&](const HeadPicture& picture) { return picture.hair == id; }))
+    section.figures.push_back(figure_of(study, id));
+  return section;
+}
+
+Section left_out() {
+  return {
+      "What is left out",
+      {"Strands do not touch each other, in either way to simulate them. On a head hair lies in layers, and "
+       "contact is what gives it volume, holds neighbours together and stops strands that cross. "
+       "Without it hair sinks onto the head, and neighbours part more easily than they should.",
+       "So this is an answer for the forces within strands and the head alone. With contacts it is another: "
+       "Daviet's times below hold them, and there the solve along strands, which is nearly all that is done "
+       "here, is a hundredth of the time. Finding and resolving contacts does not become faster with a "
+       "better solve of strands.",
+       "An error here is a distance from the same strand, simulated. An eye does not follow one strand: "
+       "it sees whether a head as a whole has the right shape, motion and disorder. The motion alone is "
+       "the smaller error, and the shape can be given to each strand once."}};
+}
+
+}  // namespace
+
+Page head_page(const HeadStudy& study, const std::string& machine) {
+  Page page;
+  page.title = "Why not simulate every single strand?";
+  page.paragraphs = {
+      "A head of hair turns by " + to_text(kTurn) +
+          " degrees to one side and back, within a second. Once every "
+          "strand is simulated; and beside that, with the same steps, only some of them, the guides, and all "
+          "strands are made of "
+          "these by synthesis (H10). The error is how far these are from the same strands simulated.",
+      "Straight hair is straight at rest and lies as weight and head let it; 'all alike' has no clumps, and "
+      "no differences of length and direction. Wavy and curly hair rests as it grew.",
+      std::string(
+          has_fast_head()
+              ? "The engine steps many strands at a time, of straight hair. The exercises (H1, H2, H4) step "
+                "one at "
+                "a time, and so fewer strands; do not compare times of the one with times of the other."
+              : "The exercises (H1, H2, H4) step one strand at a time, and so there are fewer strands than "
+                "on a "
+                "real head."),
+      machine + " Times are CPU times" +
+          (study.threads > 1 ? " of " + std::to_string(study.threads) + " threads together" : "") + ", of " +
+          std::to_string(kMoving) + " frames with " + std::to_string(kStepsPerFrame) +
+          " steps each, and of a synthesis for each frame. 'Start': as the head begins to move. 'All': of "
+          "all frames after that. "
+          "'Motion alone': as if each strand were given its own shape once, at the start. '95 %': of the "
+          "strands are not farther off, "
+          "at the worst moment."};
+  page.picture_files = !study.pictures.empty();
+  if (!study.no_pictures.empty())
+    page.paragraphs.push_back("There are no pictures: " + study.no_pictures + ".");
+  page.sections.push_back({"The answer in numbers", {}, {}, {}, {answer(study)}});
+  std::vector<std::string> ids;
+  for (const HeadCase& one : study.cases)
+    if (ids.empty() || ids.back() != one.hair->id) ids.push_back(one.hair->id);
+  for (const std::string& id : ids) page.sections.push_back(section_of(study, id));
+  page.sections.push_back(left_out());
+  page.sections.push_back({"Beside it, others", {}, {}, {}, {published_heads()}});
+  return page;
+}
+
+}  // namespace hair::head_study

@@ -1,0 +1,142 @@
+// The record, the table and the page of a study that is made up.
+#include "hair/lab/head/head_page.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "hair/lab/head/head_pictures.h"
+#include "hair/lab/head/head_record.h"
+#include "hair/lab/head/published_heads.h"
+
+namespace hair::head_study {
+namespace {
+
+using Json = nlohmann::json;
+
+// All numbers differ.
+HeadStudy made_study() {
+  double next = 1e-3;
+  const auto number = [&] { return next += 0.37e-3; };
+  HeadStudy study{true, 2, {}, {}, ""};
+  for (const std::size_t hair : {0, 3})
+    for (const bool collides : {true, false}) {
+      HeadCase one{&head_hairs()[hair], collides, hair == 0, 2000, number(), number(), {}};
+      for (const int guides : {100, 1'000}) {
+        GuideRun run{guides, number(), {}};
+        for (ModeRun& mode : run.modes) {
+          mode.synthesis = number();
+          for (HeadError* error :
+               {&mode.errors.start, &mode.errors.end, &mode.errors.all, &mode.errors.motion})
+            *error = {number(), number()};
+        }
+        one.runs.push_back(run);
+      }
+      study.cases.push_back(one);
+    }
+  study.pictures = {{"straight", "straight-every.png", 2000}, {"straight", "straight-few.png", 100}};
+  return study;
+}
+
+void expect_error(const Json& json, const HeadError& error) {
+  EXPECT_EQ(json["rms"].get<double>(), error.rms);
+  EXPECT_EQ(json["most"].get<double>(), error.most);
+}
+
+TEST(HeadRecord, ReadsBackAllNumbers) {
+  const HeadStudy study = made_study();
+  const std::string text = head_json(study, "a <machine>");
+  EXPECT_TRUE(text.starts_with(kHeadRecordBegin));
+  const Json json = Json::parse(text);
+  EXPECT_EQ(json["machine"], "a <machine>");
+  EXPECT_EQ(json["threads"], 2);
+  EXPECT_TRUE(json["no_pictures"].is_null());
+  EXPECT_EQ(json["pictures"][1]["file"], "straight-few.png");
+  ASSERT_EQ(json["cases"].size(), study.cases.size());
+  for (std::size_t i = 0; i < study.cases.size(); ++i) {
+    const HeadCase& one = study.cases[i];
+    const Json& read = json["cases"][i];
+    EXPECT_EQ(read["hair"], one.hair->id);
+    EXPECT_EQ(read["head"], one.collides);
+    EXPECT_EQ(read["simulated_by"], one.fast ? "engine" : "exercises");
+    EXPECT_EQ(read["strands"], one.strands);
+    EXPECT_EQ(read["length"].get<double>(), one.length);
+    EXPECT_EQ(read["seconds"].get<double>(), one.seconds);
+    ASSERT_EQ(read["runs"].size(), one.runs.size());
+    for (std::size_t k = 0; k < one.runs.size(); ++k) {
+      EXPECT_EQ(read["runs"][k]["guides"], one.runs[k].guides);
+      EXPECT_EQ(read["runs"][k]["simulation"].get<double>(), one.runs[k].simulation);
+      for (std::size_t m = 0; m < kModes.size(); ++m) {
+        const Json& mode = read["runs"][k]["modes"][kModes[m].id];
+        const ModeRun& run = one.runs[k].modes[m];
+        EXPECT_EQ(mode["synthesis"].get<double>(), run.synthesis);
+        expect_error(mode["start"], run.errors.start);
+        expect_error(mode["end"], run.errors.end);
+        expect_error(mode["all"], run.errors.all);
+        expect_error(mode["motion"], run.errors.motion);
+      }
+    }
+  }
+}
+
+TEST(HeadRecord, TableHasARowForEachWayOfSynthesisAndOneForEveryStrand) {
+  const Table table = table_of_runs(made_study());
+  EXPECT_EQ(table.rows.size(), 4u * (2 * kModes.size() + 1));
+  for (const auto& row : table.rows) EXPECT_EQ(row.size(), table.header.size());
+}
+
+class HeadPage : public testing::Test {
+ protected:
+  void expect_parts(const std::string& page, const std::vector<std::string>& parts) {
+    for (const std::string& part : parts) EXPECT_NE(page.find(part), std::string::npos) << part;
+  }
+};
+
+TEST_F(HeadPage, HoldsEachTableFigureAndPicture) {
+  const std::string page = to_html(head_page(made_study(), "a <machine>"));
+  expect_parts(
+      page, {"a &lt;machine&gt;", "The answer in numbers", "straight-few.png", "interpolated from 100 guides",
+             "every strand simulated, 2000", "What is left out", "img-src &#39;self&#39; file:"});
+  for (const char* id : {"straight-head", "straight-free", "curly-head", "curly-free"})
+    expect_parts(page, {"id=\"error-against-time-" + std::string(id) + "\""});
+  for (const char* hair : {"Straight hair", "Curly hair"})
+    for (const char* place : {" on a head, ", " without a head, "})
+      for (const ModeName& mode : kModes)
+        expect_parts(page, {hair + std::string(place) + mode.id + ": 2000 strands, "});
+  EXPECT_LT(page.find("straight-few.png"), page.find("straight-every.png"));
+}
+
+TEST_F(HeadPage, NamesTheSourceOfEachNumberThatIsNotOurs) {
+  const std::string page = to_html(head_page(made_study(), ""));
+  for (const auto& row : published_heads().rows) {
+    EXPECT_NE(row[0].find("SIGGRAPH 20"), std::string::npos) << row[0];
+    expect_parts(page, {row[1], row[3]});
+  }
+  expect_parts(page, {"Theirs, as they report it"});
+}
+
+TEST_F(HeadPage, SaysWhyThereAreNoPictures) {
+  HeadStudy study = made_study();
+  study.pictures.clear();
+  study.no_pictures = "no <OpenGL>";
+  const std::string page = to_html(head_page(study, ""));
+  expect_parts(page, {"There are no pictures: no &lt;OpenGL&gt;.", "img-src data:"});
+  EXPECT_EQ(page.find("<img"), std::string::npos);
+}
+
+// Fewer strands than any number of guides: what there is, is every strand.
+TEST_F(HeadPage, IsMadeWithoutRuns) {
+  HeadStudy study = made_study();
+  for (HeadCase& one : study.cases) one.runs.clear();
+  EXPECT_NO_THROW(to_html(head_page(study, "")));
+}
+
+TEST(HeadPictures, ShowAHundredGuidesAndAThousandOrWhatIsNearest) {
+  EXPECT_EQ(pictured_guides({50, 100, 300, 1000, 3000}).few, 100);
+  EXPECT_EQ(pictured_guides({50, 100, 300, 1000, 3000}).many, 1000);
+  EXPECT_EQ(pictured_guides({50, 100, 300}).many, 300);
+  EXPECT_EQ(pictured_guides({50}).few, 50);
+}
+
+}  // namespace
+}  // namespace hair::head_study
