@@ -1,0 +1,180 @@
+// STAFF ONLY. The suite as a classifier: right programs lose no point. Each program of the list right.json, under several
+// seeds, as several compilers make it: bounds must hold for every order of roundings. The environment's HAIR_SEEDS says how
+// many seeds (as graded: 100; else 5), HAIR_FIRST_SEED which is the first (0). What was compiled and what passed is kept, by
+// its content: a test that was interrupted goes on where it was.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <sstream>
+
+#include "grader/compile/hash.h"
+#include "grader/compile/kit.h"
+#include "grader/compile/toolchain.h"
+#include "grader/course/course.h"
+#include "grader/samples/sample.h"
+#include "grader/samples/solution_files.h"
+#include "grader/tests/run_program.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kProject = HAIR_PROJECT, kKept = fs::path(HAIR_GRADED) / "right";
+
+struct Setting {
+  std::string name, compiler;
+  std::vector<std::string> options;  // after those of grading
+  int seeds;
+};
+
+std::string from_environment(const char* name, const std::string& otherwise) {
+  const char* value = std::getenv(name);
+  return value ? value : otherwise;
+}
+
+// What is not here is left out, and says so.
+std::vector<Setting> settings() {
+  const auto seeds = [](const char* otherwise) {
+    return std::stoi(from_environment("HAIR_SEEDS", otherwise));
+  };
+  std::vector<Setting> all = {{"as graded", "", {}, seeds("100")},
+                              {"-O0", "", {"-O0"}, seeds("5")},
+                              {"-O3", "", {"-O3"}, seeds("5")}};
+  if (fs::exists("/usr/bin/clang++"))
+    all.push_back({"clang++", "/usr/bin/clang++", {}, seeds("5")});
+  else
+    std::puts("clang++ is not installed, and left out (grader/setup.sh --with lint)");
+#ifdef __x86_64__
+  // The worker allocates for 16 bytes, and Eigen would expect 32 of a machine with AVX.
+  if (__builtin_cpu_supports("fma"))
+    all.push_back({"FMA", "", {"-ffp-contract=fast", "-mfma", "-DEIGEN_MAX_ALIGN_BYTES=16"}, seeds("5")});
+  else
+#endif
+    std::puts("this machine has no fused multiply-adds, and they are left out");
+  return all;
+}
+
+struct Program {
+  std::string name, source;
+};
+
+// The right programs of an exercise, each once. Those that are patched, or have other ends of lines, are the same in another
+// dress.
+std::vector<Program> right_programs(const Exercise& exercise) {
+  std::vector<Program> programs;
+  for (const Sample& sample : read_samples(kProject)) {
+    if (sample.list != "right" || sample.expected.at(exercise.id).status != "passed") continue;
+    if (!sample.patch.empty() || sample.windows) continue;
+    for (const auto& [path, source] : solution_files(sample, kProject, kKept / exercise.id / "scratch"))
+      if (fs::path(path).filename() == exercise.file &&
+          std::ranges::find(programs, source, &Program::source) == programs.end())
+        programs.push_back({sample.name, source});
+  }
+  return programs;
+}
+
+// Runs it without a cage: these are our own programs.
+ProgramRun run(const std::vector<std::string>& words, const fs::path& log) {
+  std::string command;
+  for (const std::string& word : words) command += "'" + word + "' ";
+  const int status = std::system((command + "> '" + log.string() + "' 2>&1").c_str());
+  return {status, read_file(log), {}};
+}
+
+class RightPrograms : public testing::TestWithParam<std::string> {
+ protected:
+  const Course course_ = read_course(kProject / "handout/exercises.json");
+  const Exercise& exercise_ = *course_.find(GetParam());
+  const StagedKit kit_{HAIR_KIT_DIR, course_};
+  const Toolchain toolchain_{kit_, false};
+  const std::string suite_ = sha256_of(HAIRSEEDS), given_ = sha256_of(kit_.folder() / "include");
+  const fs::path folder_ = kKept / GetParam();
+
+  std::vector<std::string> compiling(const Setting& setting) const {
+    std::vector<std::string> words;
+    for (std::string word : toolchain_.compile_command(exercise_.libraries)) {
+      // What clang++ does not know: the looks of messages.
+      if (word.find("diagnostics") != std::string::npos || word.starts_with("-fmax-errors")) continue;
+      if (word.starts_with("-I/given")) word.replace(2, 6, (kit_.folder() / "include").string());
+      words.push_back(word);
+    }
+    if (!setting.compiler.empty()) words[0] = setting.compiler;
+    words.insert(words.end(), setting.options.begin(), setting.options.end());
+    return words;
+  }
+
+  // What fails of this program, or nothing.
+  std::string failures(const Program& program, const Setting& setting) const {
+    const std::string first = from_environment("HAIR_FIRST_SEED", "0"), seeds = std::to_string(setting.seeds);
+    std::string made_of = given_ + toolchain_.version() + setting.compiler + program.source;
+    for (const std::string& option : setting.options) made_of += " " + option;
+    const std::string name = sha256(made_of);
+    const fs::path object = folder_ / name / (exercise_.id + ".so"), log = folder_ / "log",
+                   passed =
+                       folder_ / (sha256(made_of + suite_ + kit_.hash() + first + " " + seeds) + ".passed");
+    if (fs::exists(passed)) return {};
+
+    std::vector<std::string> ask = {HAIRSEEDS, exercise_.id, first, seeds, kit_.folder().string()};
+    for (const std::string& id : exercise_.prerequisites) ask.push_back(lent(id));
+    ask.push_back(object.string());
+    if (!fs::exists(object)) {
+      fs::create_directories(object.parent_path());
+      const std::string source = object.parent_path() / exercise_.file,
+                        compiled = object.parent_path() / "object.o",
+                        linked = object.parent_path() / "linked.so";
+      std::ofstream(source) << program.source;
+      std::vector<std::string> compile = compiling(setting), link = toolchain_.link_command();
+      compile.insert(compile.end(), {"-c", source, "-o", compiled});
+      link.insert(link.end(),
+                  {"-Wl,-soname," + exercise_.id + ".so",
+                   "-Wl,--version-script=" + (kit_.folder() / "export" / (exercise_.id + ".map")).string(),
+                   "-o", linked, compiled});
+      for (const std::string& id : exercise_.prerequisites) link.push_back(lent(id));
+      for (const auto& words : {compile, link})
+        if (const ProgramRun found = run(words, log); found.code != 0) return found.output;
+      fs::rename(linked, object);
+    }
+    if (const ProgramRun found = run(ask, log); found.code != 0) return found.output;
+    std::ofstream{passed};
+    return {};
+  }
+
+  std::string lent(const std::string& id) const { return kit_.folder() / "lent" / (id + ".so"); }
+};
+
+TEST_P(RightPrograms, LoseNoPointWhateverCompilesThem) {
+  const std::vector<Program> programs = right_programs(exercise_);
+  EXPECT_GE(programs.size(), 4u) << "the reference and three others";
+  const std::vector<Setting> all = settings();
+  std::printf("%-4s %-32s", exercise_.id.c_str(), "");
+  for (const Setting& setting : all) std::printf(" %10s", setting.name.c_str());
+  std::printf("\n");
+  for (const Program& program : programs) {
+    std::printf("%-4s %-32s", exercise_.id.c_str(), program.name.c_str());
+    for (const Setting& setting : all) {
+      const std::string lost = failures(program, setting);
+      std::printf(" %4d seeds%s", setting.seeds, lost.empty() ? "" : " LOST");
+      std::fflush(stdout);
+      EXPECT_EQ(lost, "") << program.name << ", " << setting.name;
+    }
+    std::printf("\n");
+  }
+}
+
+std::vector<std::string> ids() {
+  std::vector<std::string> all;
+  for (const Exercise& exercise : read_course(kProject / "handout/exercises.json").exercises)
+    all.push_back(exercise.id);
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, RightPrograms, testing::ValuesIn(ids()),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace grader
