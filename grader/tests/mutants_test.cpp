@@ -1,5 +1,5 @@
 // STAFF ONLY. The suite as a classifier: wrong programs, made of the reference by one small change each, lose points. The
-// environment's HAIR_EXERCISE names the exercise, HAIR_MUTANTS how many wrong ones are tried (50), HAIR_MUTANTS_SEED which (1).
+// environment's HAIR_EXERCISE names the exercise, HAIR_MUTANTS how many wrong ones are tried (40), HAIR_MUTANTS_SEED which (1).
 // Objects are kept: a test that was interrupted compiles nothing twice.
 #include <gtest/gtest.h>
 
@@ -86,7 +86,7 @@ TEST(Suite, TakesPointsOfEachWrongProgram) {
   const std::string source = text_of(kProject / "reference" / exercise->file);
   const std::vector<Mutation> order =
       drawn(mutations_of(source), std::stoull(from_environment("HAIR_MUTANTS_SEED", "1")));
-  const auto count = static_cast<std::size_t>(std::stoi(from_environment("HAIR_MUTANTS", "50")));
+  const auto count = static_cast<std::size_t>(std::stoi(from_environment("HAIR_MUTANTS", "40")));
   const std::vector<Equivalent> equivalents = equivalents_of(id);
   const Judging judging(settings);
 
