@@ -63,7 +63,7 @@ void interpolate(const std::array<GuideHair, 3>& guides, const std::array<double
 // R_i turns the direction u_(i-1), from point i - 2 to point i - 1, into u_i, from point i - 1 to point i, about the axis
 // that is perpendicular to both: no rotation does it with less. So a frame goes along without twist. Points that
 // coincide have no direction: R_i = 1, and u_i = u_(i-1); before the first direction all turns are 1. Where the guide
-// turns right round, u_i = -u_(i-1), R_i is a half turn about any axis across it.
+// turns right round, u_i = -u_(i-1) but for rounding, R_i is a half turn about any axis across it.
 //
 // Errors: 1e-12 of arc; 1e-10 of turns, if no R_i turns by more than 175 degrees.
 void carry_along(Input guide, GuideFrames& frames);

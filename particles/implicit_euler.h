@@ -39,7 +39,7 @@ struct SolveReport {
   double residual = 0;  // ||right-hand side - matrix dv||, the square root of what ConjGrad returned
   double rhs = 0;       // ||right-hand side||
   bool converged = false;
-  bool preconditioned = false;
+  bool preconditioned = false;  // ConjGrad was called with a preconditioner
 };
 
 // The matrix above. matVecMult takes one product with df/dx and one with df/dv, and allocates nothing. (An

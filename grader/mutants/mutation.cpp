@@ -35,6 +35,20 @@ const std::map<std::string, std::string> kNames = {{"true", "false"},
                                                    {"break", "continue"},
                                                    {"continue", "break"}};
 
+// Names that are easily taken for each other.
+const std::map<std::string, std::string> kAlike = {{"x", "v"},
+                                                   {"v", "x"},
+                                                   {"i", "j"},
+                                                   {"j", "i"},
+                                                   {"b", "x"},
+                                                   {"h", "1"},
+                                                   {"rows", "cols"},
+                                                   {"cols", "rows"},
+                                                   {"A", "A_transposed"},
+                                                   {"A_transposed", "A"},
+                                                   {"rows_", "cols_"},
+                                                   {"cols_", "rows_"}};
+
 bool is_comparison(const std::string& sign) {
   return sign == "<" || sign == ">" || sign == "<=" || sign == ">=" || sign == "==" || sign == "!=";
 }
@@ -44,8 +58,15 @@ class Mutations {
   explicit Mutations(const std::string& source) : source_(source), words_(words_of(source)) {}
 
   std::vector<Mutation> take() {
+    int types = 0;  // how many < of templates are open
     for (i_ = 0; i_ < words_.size(); ++i_) {
       if (skip_declaration()) continue;
+      if (text(i_) == "<" && !is_spaced(i_)) ++types;
+      if (types > 0) {
+        if (text(i_) == ">") --types;
+        if (text(i_) == ">>") types -= 2;
+        continue;
+      }
       if (words_[i_].kind == Kind::sign) sign();
       if (words_[i_].kind == Kind::number) number();
       if (words_[i_].kind == Kind::name) name();
@@ -66,6 +87,22 @@ class Mutations {
            before.text == ")" || before.text == "]";
   }
 
+  bool is_spaced(std::size_t i) const {
+    const auto is_space = [&](std::size_t at) {
+      return at < source_.size() && (source_[at] == ' ' || source_[at] == '\n');
+    };
+    return words_[i].at > 0 && is_space(words_[i].at - 1) && is_space(words_[i].at + words_[i].text.size());
+  }
+
+  // It is declared there: int a, Matrix* b, Vector<3>& c.
+  bool follows_type(std::size_t i) const {
+    if (i == 0) return true;
+    const Word& before = words_[i - 1];
+    if (before.kind == Kind::name) return before.text != "return";
+    return (before.text == "*" || before.text == "&" || before.text == ">" || before.text == ">>") &&
+           !is_spaced(i - 1);
+  }
+
   void replace(std::size_t i, const std::string& instead, const char* kind) {
     found_.push_back({words_[i].at, words_[i].text.size(), instead, kind});
   }
@@ -82,41 +119,63 @@ class Mutations {
   void sign() {
     const std::string& sign = words_[i_].text;
     if (is_value_before(i_)) {
-      if (const auto others = kBetween.find(sign); others != kBetween.end())
+      // The * and & of types have a space at one side alone, as clang-format writes them.
+      if (const auto others = kBetween.find(sign); others != kBetween.end() && is_spaced(i_))
         for (const std::string& other : others->second)
           replace(i_, other, is_comparison(sign) ? "comparison" : "operator");
     } else if (sign == "-" || sign == "!") {
       replace(i_, "", "sign");
     }
     // An index: [i] to [i + 1], and an argument that follows: segment<3>(i) is the matter of constants.
-    if (sign == "[" && is_value_before(i_)) {
+    if (sign == "[" && is_value_before(i_) && text(i_ - 1) != "auto") {
       const std::size_t close = closing(i_, "[", "]");
-      if (close < words_.size() && close > i_ + 1) found_.push_back({words_[close].at, 0, " + 1", "index"});
+      const bool declares = text(close + 1) == "=" && text(close + 2) == "{";
+      if (close < words_.size() && close > i_ + 1 && !declares)
+        found_.push_back({words_[close].at, 0, " + 1", "index"});
     }
+    if (sign == ",") arguments();
+  }
+
+  // (a, b) to (b, a), where both are names.
+  void arguments() {
+    const auto alone = [&](std::size_t i) {
+      const auto beside = [](const std::string& sign) { return sign == "(" || sign == "," || sign == ")"; };
+      return i > 0 && i + 1 < words_.size() && words_[i].kind == Kind::name && beside(text(i - 1)) &&
+             beside(text(i + 1));
+    };
+    if (i_ < 2 || !alone(i_ - 1) || !alone(i_ + 1) || text(i_ - 1) == text(i_ + 1)) return;
+    const std::size_t at = words_[i_ - 1].at;
+    found_.push_back(
+        {at, words_[i_ + 1].at + text(i_ + 1).size() - at, text(i_ + 1) + ", " + text(i_ - 1), "argument"});
   }
 
   void number() {
     const std::string& number = words_[i_].text;
     const bool whole = number.find_first_not_of("0123456789") == std::string::npos;
-    if (whole && text(i_ - 1) == "<" && text(i_ + 1) == ">") return;  // of a type
-    if (whole)
-      replace(i_, number == "1" ? "2" : std::to_string(std::stoll(number) + 1), "constant");
-    else if (number.find('e') != std::string::npos)
-      replace(i_, "(1e6 * " + number + ")", "constant");
-    else
-      replace(i_, "(2 * " + number + ")", "constant");
+    if (text(i_ - 1) == "[" && text(i_ + 1) == "]" && text(i_ + 2) == "=" && text(i_ + 3) == "{") return;
+    if (whole) {
+      replace(i_, std::to_string(std::stoll(number) + 1), "constant");
+      if (number != "0") replace(i_, std::to_string(std::stoll(number) - 1), "constant");
+    } else {
+      replace(i_, (number.find('e') != std::string::npos ? "(1e6 * " : "(2 * ") + number + ")", "constant");
+    }
   }
 
   void name() {
     const std::string& name = words_[i_].text;
     if (name == "if" && text(i_ + 1) == "(") {
       const std::size_t open = i_ + 1, close = closing(open, "(", ")");
-      if (close < words_.size())
+      const bool declares =
+          source_.substr(words_[open].at, words_[close].at - words_[open].at).find(';') != std::string::npos;
+      if (close < words_.size() && !declares)
         found_.push_back(
             {words_[open].at, words_[close].at + 1 - words_[open].at,
              "(!" + source_.substr(words_[open].at, words_[close].at + 1 - words_[open].at) + ")",
              "condition"});
     }
+    if (const auto alike = kAlike.find(name);
+        alike != kAlike.end() && !follows_type(i_) && text(i_ + 1) != "(")
+      replace(i_, alike->second, "name");
     const auto other = kNames.find(name);
     if (other == kNames.end()) return;
     const bool loop = name == "break" || name == "continue";
@@ -142,6 +201,9 @@ class Mutations {
     if (kept.contains(words_[i_].text) || !second.contains(text(i_ + 1))) return;
     std::size_t end = i_;
     for (int depth = 0; end < words_.size(); ++end) {
+      // A constructor, which has a body.
+      if (depth == 0 && text(end) == "{" && words_[end - 1].text == ")") return;
+      if (depth == 0 && text(end) == ":" && words_[end - 1].text == ")") return;
       if (text(end) == "(" || text(end) == "[" || text(end) == "{") ++depth;
       if (text(end) == ")" || text(end) == "]" || text(end) == "}") --depth;
       if (depth < 0 || (depth == 0 && text(end) == ";")) break;
@@ -170,25 +232,21 @@ std::vector<Mutation> mutations_of(const std::string& source) {
   return Mutations(source).take();
 }
 
-std::vector<Mutation> some_of(std::vector<Mutation> all, std::size_t count, std::uint64_t seed) {
+std::vector<Mutation> drawn(std::vector<Mutation> all, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::map<std::string, std::vector<Mutation>> kinds;
   for (Mutation& mutation : all) kinds[mutation.kind].push_back(std::move(mutation));
   // Not std::shuffle, whose order is each library's own.
   for (auto& [kind, of_kind] : kinds)
     for (std::size_t i = of_kind.size(); i > 1; --i) std::swap(of_kind[i - 1], of_kind[random() % i]);
-  std::vector<Mutation> some;
-  for (bool more = true; more && some.size() < count;) {
-    more = false;
+  std::vector<Mutation> order;
+  while (order.size() < all.size())
     for (auto& [kind, of_kind] : kinds) {
-      if (of_kind.empty() || some.size() == count) continue;
-      some.push_back(std::move(of_kind.back()));
+      if (of_kind.empty()) continue;
+      order.push_back(std::move(of_kind.back()));
       of_kind.pop_back();
-      more = true;
     }
-  }
-  std::ranges::sort(some, {}, [](const Mutation& mutation) { return mutation.at; });
-  return some;
+  return order;
 }
 
 std::string mutated(const std::string& source, const Mutation& mutation) {

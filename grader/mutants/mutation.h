@@ -11,15 +11,16 @@ namespace grader {
 struct Mutation {
   std::size_t at, length;  // the bytes of the source that go
   std::string instead;     // what stands in their place
-  std::string
-      kind;  // "operator", "comparison", "constant", "index", "sign", "condition", "function", "statement"
+  // "operator", "comparison", "constant", "index", "argument", "name", "sign", "condition", "function", "statement"
+  std::string kind;
 };
 
-// All changes of a C++ source, in its order. It looks at words and signs alone, so some do not compile, and some change nothing.
+// All changes of a C++ source as clang-format writes it, in its order. It looks at words and signs alone, so some do not compile, and
+// some change nothing.
 std::vector<Mutation> mutations_of(const std::string& source);
 
-// `count` of them, or all if there are fewer: each kind in its turn, drawn by the seed.
-std::vector<Mutation> some_of(std::vector<Mutation> all, std::size_t count, std::uint64_t seed);
+// All of them in the order in which they are tried: one of each kind in turn, drawn by the seed.
+std::vector<Mutation> drawn(std::vector<Mutation> all, std::uint64_t seed);
 
 std::string mutated(const std::string& source, const Mutation& mutation);
 

@@ -31,8 +31,10 @@ std::size_t end_of_number(const std::string& source, std::size_t at) {
   std::size_t end = at;
   while (end < source.size()) {
     const char c = source[end];
-    const bool of_exponent = (c == '+' || c == '-') && (source[end - 1] == 'e' || source[end - 1] == 'E');
-    if (!is_of_name(c) && c != '.' && c != '\'' && !(of_exponent && end > at)) break;
+    // 1e-5, 0x1p-5
+    const char mark = source.compare(at, 2, "0x") == 0 ? 'p' : 'e';
+    const bool of_exponent = (c == '+' || c == '-') && end > at && source[end - 1] == mark;
+    if (!is_of_name(c) && c != '.' && c != '\'' && !of_exponent) break;
     ++end;
   }
   return end;

@@ -1,26 +1,37 @@
 // STAFF ONLY. The suite as a classifier: wrong programs, made of the reference by one small change each, lose points. The
-// environment's HAIR_EXERCISE names the exercise, HAIR_MUTANTS how many are made (60), HAIR_MUTANTS_SEED which (1). What was graded is
-// kept: a test that was interrupted goes on where it was.
+// environment's HAIR_EXERCISE names the exercise, HAIR_MUTANTS how many wrong ones are tried (40), HAIR_MUTANTS_SEED which (1).
+// Objects are kept: a test that was interrupted compiles nothing twice.
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
+#include <thread>
 
-#include "grader/course/course.h"
+#include "grader/mutants/judging.h"
 #include "grader/mutants/mutation.h"
-#include "grader/report/report.h"
-#include "grader/tests/run_program.h"
+#include "grader/tool/secret.h"
 
 namespace grader {
 namespace {
 
 namespace fs = std::filesystem;
 
+const fs::path kProject = HAIR_PROJECT;
+constexpr std::size_t kLeastWrong = 40;
+
 std::string from_environment(const char* name, const std::string& otherwise) {
   const char* value = std::getenv(name);
   return value ? value : otherwise;
+}
+
+std::string text_of(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
 }
 
 // A program that is right although it was changed.
@@ -30,79 +41,89 @@ struct Equivalent {
 
 std::vector<Equivalent> equivalents_of(const std::string& exercise) {
   std::vector<Equivalent> all;
-  std::ifstream in(fs::path(HAIR_PROJECT) / "grader/mutants/equivalents.json");
-  const nlohmann::json lists = nlohmann::json::parse(in);
+  const nlohmann::json lists = nlohmann::json::parse(text_of(kProject / "grader/mutants/equivalents.json"));
   for (const nlohmann::json& entry : lists.at(exercise))
     all.push_back({entry.at("line"), entry.at("change"), entry.at("why")});
   return all;
 }
 
+GradingSettings settings_for(const std::string& exercise) {
+  GradingSettings settings;
+  settings.course = read_course(kProject / "handout/exercises.json");
+  settings.exercise = exercise;
+  settings.kit = HAIR_KIT_DIR;
+  settings.suite = HAIR_SUITE;
+  settings.players = HAIR_PLAYERS;
+  settings.scenes = HAIR_HIDDEN_SCENES;
+  settings.cache = fs::path(HAIR_GRADED) / "mutants" / exercise;
+  settings.secret = read_secret(HAIR_TEST_SECRET);
+  fs::create_directories(settings.cache);
+  return settings;
+}
+
 struct Mutant {
   std::string name;  // of the submission
-  std::string line, change;
-  int line_number;
+  Mutation mutation;
+  bool known = false;  // to be right
+  Judgement judgement = Judgement::does_not_compile;
 };
 
-class Suite : public testing::Test {
- protected:
-  const std::string id_ = from_environment("HAIR_EXERCISE", "");
-  const std::string seed_ = from_environment("HAIR_MUTANTS_SEED", "1");
-  const fs::path folder_ = fs::path(HAIR_GRADED) / "mutants" / (id_ + "-" + seed_);
+void judge_all(const Judging& judging, const std::string& source, std::vector<Mutant>& mutants) {
+  std::atomic<std::size_t> next = 0;
+  const auto work = [&] {
+    for (std::size_t i = next++; i < mutants.size(); i = next++)
+      mutants[i].judgement = judging.judge(mutants[i].name, mutated(source, mutants[i].mutation));
+  };
+  std::vector<std::jthread> threads;
+  for (unsigned t = 0; t < std::max(1u, std::thread::hardware_concurrency()); ++t) threads.emplace_back(work);
+}
 
-  std::vector<Mutant> make_mutants(const Exercise& exercise) const {
-    const std::string source = read_file(fs::path(HAIR_PROJECT) / "reference" / exercise.file);
-    const auto count = static_cast<std::size_t>(std::stoi(from_environment("HAIR_MUTANTS", "60")));
+TEST(Suite, TakesPointsOfEachWrongProgram) {
+  const std::string id = from_environment("HAIR_EXERCISE", "");
+  const GradingSettings settings = settings_for(id);
+  const Exercise* exercise = settings.course.find(id);
+  ASSERT_NE(exercise, nullptr) << "HAIR_EXERCISE must name an exercise; it is \"" << id << "\"";
+  const std::string source = text_of(kProject / "reference" / exercise->file);
+  const std::vector<Mutation> order =
+      drawn(mutations_of(source), std::stoull(from_environment("HAIR_MUTANTS_SEED", "1")));
+  const auto count = static_cast<std::size_t>(std::stoi(from_environment("HAIR_MUTANTS", "40")));
+  const std::vector<Equivalent> equivalents = equivalents_of(id);
+  const Judging judging(settings);
+
+  std::size_t tried = 0, wrong = 0, found = 0, equivalent = 0, broken = 0;
+  // As many as are missing at once: others take the place of those that do not compile or are known.
+  while (wrong < count && tried < order.size()) {
     std::vector<Mutant> mutants;
-    for (const Mutation& mutation : some_of(mutations_of(source), count, std::stoull(seed_))) {
-      const std::string number = std::to_string(mutants.size());
-      mutants.push_back({"m" + std::string(3 - number.size(), '0') + number, line_of(source, mutation),
-                         change_of(source, mutation), line_number(source, mutation)});
-      fs::create_directories(folder_ / "submissions" / mutants.back().name);
-      std::ofstream(folder_ / "submissions" / mutants.back().name / exercise.file)
-          << mutated(source, mutation);
+    for (; mutants.size() < count - wrong && tried < order.size(); ++tried) {
+      Mutant mutant{"m" + std::to_string(tried), order[tried]};
+      mutant.known = std::ranges::any_of(equivalents, [&](const Equivalent& one) {
+        return one.line == line_of(source, order[tried]) && one.change == change_of(source, order[tried]);
+      });
+      mutants.push_back(std::move(mutant));
     }
-    return mutants;
-  }
-};
-
-TEST_F(Suite, TakesPointsOfEachWrongProgram) {
-  const Course course = read_course(fs::path(HAIR_PROJECT) / "handout/exercises.json");
-  const Exercise* exercise = course.find(id_);
-  ASSERT_NE(exercise, nullptr) << "HAIR_EXERCISE must name an exercise; it is \"" << id_ << "\"";
-  fs::remove_all(folder_ / "submissions");
-  const std::vector<Mutant> mutants = make_mutants(*exercise);
-  const ProgramRun run = run_hairgrade(
-      {"grade", (folder_ / "submissions").string(), "--exercise", id_, "--out", (folder_ / "grades").string(),
-       "--cache", (folder_ / "cache").string(), "--secret", HAIR_TEST_SECRET, "--resume"});
-  ASSERT_EQ(run.code, 0) << run.errors;
-
-  const std::vector<Equivalent> equivalents = equivalents_of(id_);
-  int wrong = 0, found = 0, equivalent = 0, broken = 0;
-  for (const Mutant& mutant : mutants) {
-    const std::optional<SubmissionResult> result = read_results(folder_ / "grades", mutant.name);
-    ASSERT_TRUE(result && result->exercises.size() == 1) << mutant.name;
-    const ExerciseResult& graded = result->exercises[0];
-    const bool known = std::ranges::any_of(equivalents, [&](const Equivalent& one) {
-      return one.line == mutant.line && one.change == mutant.change;
-    });
-    const bool loses = graded.points < graded.max_points;
-    if (graded.status == Status::does_not_compile) {
-      ++broken;
-    } else if (known) {
-      ++equivalent;
-      EXPECT_FALSE(loses) << "listed as equivalent, but it loses points: line " << mutant.line_number << ", "
-                          << mutant.change << ": " << mutant.line;
-    } else {
-      ++wrong;
-      found += loses;
-      EXPECT_TRUE(loses)
-          << exercise->file << ":" << mutant.line_number << ": " << mutant.change << " in\n  " << mutant.line
-          << "\ngets all points. Write a case that finds it, or its reason into equivalents.json";
+    judge_all(judging, source, mutants);
+    for (const Mutant& mutant : mutants) {
+      const bool loses = mutant.judgement == Judgement::loses_points;
+      std::ostringstream what;
+      what << exercise->file << ":" << line_number(source, mutant.mutation) << ": "
+           << change_of(source, mutant.mutation) << " in\n  " << line_of(source, mutant.mutation) << "\n";
+      if (mutant.judgement == Judgement::does_not_compile) {
+        ++broken;
+      } else if (mutant.known) {
+        ++equivalent;
+        EXPECT_FALSE(loses) << what.str() << "is listed as equivalent, but it loses points";
+      } else {
+        ++wrong;
+        found += loses;
+        EXPECT_TRUE(loses)
+            << what.str() << mutant.name
+            << " gets all points. Write a case that finds it, or its reason into equivalents.json";
+      }
     }
   }
-  EXPECT_GE(wrong, 40 * static_cast<int>(mutants.size()) / 60) << "too few that compile";
-  std::printf("%s: %d of %d wrong programs lose points (%.1f %%); %d are equivalent, %d do not compile\n",
-              id_.c_str(), found, wrong, wrong ? 100.0 * found / wrong : 100.0, equivalent, broken);
+  EXPECT_GE(wrong, std::min(kLeastWrong, count)) << "too few that compile";
+  std::printf("%s: %zu of %zu wrong programs lose points (%.1f %%); %zu are equivalent, %zu do not compile\n",
+              id.c_str(), found, wrong, wrong ? 100.0 * found / wrong : 100.0, equivalent, broken);
 }
 
 }  // namespace

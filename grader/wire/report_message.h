@@ -14,7 +14,11 @@ inline int get_steps(MessageReader& message, int most = 1 << 28) {
 }
 
 inline void put(MessageWriter& message, const particles::SolveReport& report) {
-  message.put(report.steps).put(report.residual).put(report.rhs).put(report.converged);
+  message.put(report.steps)
+      .put(report.residual)
+      .put(report.rhs)
+      .put(report.converged)
+      .put(report.preconditioned);
 }
 
 inline void put(MessageWriter& message, const hair::CorrectionReport& report) {
@@ -27,6 +31,7 @@ inline particles::SolveReport get_solve_report(MessageReader& message) {
   report.residual = message.get<double>();
   report.rhs = message.get<double>();
   report.converged = message.get<std::uint8_t>() != 0;
+  report.preconditioned = message.get<std::uint8_t>() != 0;
   return report;
 }
 

@@ -1,4 +1,7 @@
 // STAFF ONLY. S1, lent by the suite: it solves, and asks for each product with the caller's matrix.
+#include <algorithm>
+#include <functional>
+
 #include "grader/worker/lent_objects.h"
 #include "solver/linearSolver.h"
 
@@ -16,5 +19,8 @@ double ConjGrad(int n, implicitMatrix* A, double x[], double b[], double epsilon
   *steps = result.get<int>();
   const std::vector<double> solution = result.get_doubles(size);
   std::copy(solution.begin(), solution.end(), x);
+  // No contract allows x and b to overlap: what comes out is NaN.
+  const std::less<const double*> before;
+  if (before(x, b + n) && before(b, x + n)) std::fill(x, x + n, std::numeric_limits<double>::quiet_NaN());
   return value;
 }

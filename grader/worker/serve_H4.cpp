@@ -3,8 +3,9 @@
 //   1 solve_implicit   a, b, tolerance, junk  -> dv, report
 //   2 implicit_euler   h, tolerance           -> x, v, report
 // and at the end of each reply the products that were to be added to their own input. `junk` is what the result's
-// buffer holds before; a report is steps, residual, rhs, converged.
+// buffer holds before; a report is as in report_message.h.
 #include "grader/wire/particles_message.h"
+#include "grader/wire/report_message.h"
 #include "grader/wire/strand_message.h"
 #include "grader/worker/guarded_vectors.h"
 #include "grader/worker/served_force.h"
@@ -14,10 +15,6 @@ namespace {
 
 using grader::GuardedVector;
 using grader::Session;
-
-void put_report(Session& session, const particles::SolveReport& report) {
-  session.reply.put(report.steps).put(report.residual).put(report.rhs).put(report.converged);
-}
 
 }  // namespace
 
@@ -45,13 +42,13 @@ extern "C" __attribute__((visibility("default"))) void serve(Session& session) {
     const particles::SolveReport report =
         particles::solve_implicit(force, particles, state, a, b, tolerance, dv.view(), scratch.view());
     session.reply.put(dv.values());
-    put_report(session, report);
+    grader::put(session.reply, report);
   } else {
     const double h = session.request.get<double>(), tolerance = session.request.get<double>();
     const particles::SolveReport report =
         particles::implicit_euler(force, particles, h, tolerance, state, scratch.view());
     grader::put(session.reply, state.x);
     grader::put(session.reply, state.v);
-    put_report(session, report);
+    grader::put(session.reply, report);
   }
 }

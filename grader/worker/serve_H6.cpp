@@ -1,6 +1,7 @@
 // STAFF ONLY. Serves H6, its forces held by the suite. Request: strand, particles, state, h, tolerance. Reply: x, v,
 // the report of step 1, of step 3, of step 5, products that were to be added to their own input.
 #include "grader/wire/particles_message.h"
+#include "grader/wire/report_message.h"
 #include "grader/wire/strand_message.h"
 #include "grader/worker/guarded_vectors.h"
 #include "grader/worker/served_force.h"
@@ -20,10 +21,7 @@ extern "C" __attribute__((visibility("default"))) void serve(grader::Session& se
 
   grader::put(session.reply, state.x);
   grader::put(session.reply, state.v);
-  const particles::SolveReport &first = report.filter, &second = report.second_filter;
-  session.reply.put(first.steps).put(first.residual).put(first.rhs).put(first.converged);
-  session.reply.put(report.correction.iterations)
-      .put(report.correction.error)
-      .put(report.correction.converged);
-  session.reply.put(second.steps).put(second.residual).put(second.rhs).put(second.converged);
+  grader::put(session.reply, report.filter);
+  grader::put(session.reply, report.correction);
+  grader::put(session.reply, report.second_filter);
 }

@@ -137,6 +137,13 @@ void folds(Trial& trial) {
     copy_point(guide, at - 2, at);
     expect_any_turns(trial, guide);
   }
+  // Back by a part of the way: rounding alone is left of the sum of both directions.
+  for (int repeat = 0; repeat < 8; ++repeat) {
+    OwnGuide guide = some_guide(random, 3, 1);
+    const Vector3d end = guide.points.segment<3>(3), way = end - guide.points.head<3>();
+    guide.points.tail<3>() = end - random.uniform(0.3, 0.9) * way;
+    expect_any_turns(trial, guide);
+  }
   OwnGuide point = some_guide(random, 3, 1);
   for (int i = 1; i < 3; ++i) copy_point(point, 0, i);
   expect_frames(trial, point);

@@ -74,6 +74,24 @@ void weights_outside(Trial& trial) {
   }
 }
 
+namespace {
+
+// On a line, two of the corners a millionth of its length apart. What there is of an area is rounding.
+void needles(Trial& trial) {
+  Random& random = trial.random;
+  for (int repeat = 0; repeat < 60; ++repeat) {
+    Corners corners = some_triangle(random, 0);
+    const Vector3d first = corners[repeat % 3], last = corners[(repeat + 2) % 3];
+    corners[(repeat + 1) % 3] = first + 1e-6 * (last - first);
+    const Vector3d root = first + random.uniform() * (last - first);
+    trial.describe("three roots on a line, two of them side by side");
+    trial.expect_at_most((point_of(corners, checked_weights(trial, corners, root, kThin)) - root).norm(),
+                         kThin * longest_edge(corners), "how much farther than the nearest point it is");
+  }
+}
+
+}  // namespace
+
 // Far thinner than they are long, on a line, and in one place.
 void thin_triangles(Trial& trial) {
   Random& random = trial.random;
@@ -95,6 +113,7 @@ void thin_triangles(Trial& trial) {
                  distance = (point_of(corners, checked_weights(trial, corners, root, kThin)) - root).norm();
     trial.expect_at_most(distance - least, kThin * size, "how much farther than the nearest point it is");
   }
+  needles(trial);
 }
 
 }  // namespace grader::h10

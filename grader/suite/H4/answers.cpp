@@ -7,6 +7,7 @@
 
 #include "grader/play/force_server.h"
 #include "grader/wire/particles_message.h"
+#include "grader/wire/report_message.h"
 #include "grader/wire/strand_message.h"
 
 namespace grader::h4 {
@@ -33,15 +34,6 @@ MessageWriter request(int function, const Cloud& cloud) {
   return message;
 }
 
-Report get_report(MessageReader& reply) {
-  Report report;
-  report.steps = reply.get<int>();
-  report.residual = reply.get<double>();
-  report.rhs = reply.get<double>();
-  report.converged = reply.get<std::uint8_t>() != 0;
-  return report;
-}
-
 }  // namespace
 
 Solution solve(Trial& trial, const Cloud& cloud, double a, double b, double tolerance) {
@@ -55,7 +47,7 @@ Solution solve(Trial& trial, const Cloud& cloud, double a, double b, double tole
   MessageReader reply = trial.ask(message, std::ref(server));
   Solution solution;
   solution.dv = get_vector(reply, 3 * cloud.count());
-  solution.report = get_report(reply);
+  solution.report = get_solve_report(reply);
   reply.expect_end();
   solution.forces = server.forces;
   solution.dfdx = server.dfdx;
@@ -74,7 +66,7 @@ Solution step(Trial& trial, const Cloud& cloud, double h, double tolerance) {
   solution.x = get_vector(reply, 3 * cloud.count());
   solution.v = get_vector(reply, 3 * cloud.count());
   solution.dv = solution.v - cloud.state.v;
-  solution.report = get_report(reply);
+  solution.report = get_solve_report(reply);
   reply.expect_end();
   solution.forces = server.forces;
   solution.dfdx = server.dfdx;

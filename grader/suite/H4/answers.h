@@ -10,16 +10,10 @@ namespace grader::h4 {
 
 inline constexpr double kTolerance = particles::kSolveTolerance;
 
-struct Report {
-  int steps;
-  double residual, rhs;
-  bool converged;
-};
-
 struct Solution {
   Eigen::VectorXd dv;
   Eigen::VectorXd x, v;  // after a step of implicit_euler
-  Report report;
+  particles::SolveReport report;
   int forces, dfdx, dfdv, bands;  // the suite's own counts
 };
 

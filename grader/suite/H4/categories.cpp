@@ -164,6 +164,16 @@ void expect_end_of_rounding(Trial& trial) {
   trial.expect(steps >= most && steps <= 3 * most,
                "a solve that does not meet its tolerance takes other iterations than it may",
                std::to_string(steps) + ", " + std::to_string(most) + " each time");
+  // No tolerance may be tried above 1e-6, so ConjGrad is called once. It may break down, but not each time.
+  int longest = 0;
+  for (int repeat = 0; repeat < 3; ++repeat) {
+    const Solution once =
+        solve(trial, hanging_hair(random, 10, random.log_uniform(1e14, 1e15), h), h, h, 1e-6);
+    longest = std::max(longest, once.report.converged ? 0 : once.report.steps);
+  }
+  trial.expect(longest == 0 || longest == most,
+               "a solve that does not meet its tolerance takes other iterations than it may",
+               std::to_string(longest) + " of " + std::to_string(most));
   const int products = solution.dfdv;
   // Where 1e-6 can be met, but not 1e-10, that is not what was asked for.
   const Solution loose = solve(trial, hanging_hair(random, 10, random.log_uniform(1e8, 1e9), h), h, h);
@@ -197,83 +207,6 @@ void cost(Trial& trial) {
     // "Iterative Methods", 1997, section 3.1), to 1e-10 in 45; a third more for rounding.
     trial.expect_at_most(solution.report.steps, 60, "the number of steps for a chain that is not stiff");
   }
-}
-
-// A preconditioner that is far from the matrix: it takes more than one solve, and `converged` is what the header says.
-void expect_more_solves(Trial& trial) {
-  Random& random = trial.random;
-  for (int repeat = 0; repeat < 4; ++repeat)
-    for (double tolerance : {1e-6, 1e-10, 0.0}) {
-      const double h = 1.0 / random.integer(60, 240);
-      const Cloud hair = hair_without_band(random, h);
-      const int size = 3 * hair.count();
-      const ImplicitSystem system = implicit_system(hair, h, h);
-      const Solution solution = solve(trial, hair, h, h, tolerance);
-      const double length = solution.dv.norm(), residual = system.residual(solution.dv),
-                   reported = solution.report.residual;
-      trial.expect_at_most(std::abs(reported - residual),
-                           8 * (size + 8) * kUnit * (system.norm * length + system.rhs.norm()),
-                           "the error of the report's residual");
-      Eigen::MatrixXd scratch(size, particles::kPreconditionerScratch);
-      const particles::Preconditioner known(*hair.force, hair.particles, hair.state, h, h, scratch);
-      const auto met = [&](double r) {
-        return r <= tolerance * system.rhs.norm() || known.rounding_allows(r, length, system.rhs.norm());
-      };
-      if (met(1.01 * reported) || tolerance > 0)
-        trial.expect(solution.report.converged,
-                     "a solve that meets its tolerance is reported as not converged, or could meet it");
-      if (!met(0.99 * reported))
-        trial.expect(!solution.report.converged,
-                     "a solve that does not meet its tolerance is reported as converged");
-      const int outside = solution.dfdv - solution.report.steps - solution.report.steps / 64;
-      trial.expect(
-          outside <= 2 * particles::kMostSolves || solution.dfdv <= size + 4,
-          "it takes more solves than it may, or the report's steps are not all that ConjGrad took",
-          std::to_string(solution.report.steps) + ", " + std::to_string(solution.dfdv) + " products");
-    }
-}
-
-// Beside the products for the right-hand side, each solve takes one more than its iterations, and one for its residual.
-// The first residual of a preconditioned solve is what rounding leaves, 1e-8 or so for such hair, and an iteration
-// multiplies it by as much: two of them reach 1e-10. What the band does not know of, a spring, adds three eigenvalues,
-// and an iteration for each of them. Who writes the matrix out takes 3n products.
-void preconditioned(Trial& trial) {
-  Random& random = trial.random;
-  for (int n : {12, 40})
-    for (int far : {0, 1, 4}) {
-      const double h = 1.0 / random.integer(60, 240), a = random.uniform(0.4, 1) * h;
-      const Cloud hair = stiff_hair(random, n, h, far);
-      const ImplicitSystem system = implicit_system(hair, a, h);
-      const Solution solution = solve(trial, hair, a, h);
-      const double size = system.norm * solution.dv.norm() + system.rhs.norm();
-      const double residual = system.residual(solution.dv);
-      trial.expect_at_most(residual, kTolerance * system.rhs.norm() + 0x1p-48 * size,
-                           "the residual of the implicit step's system");
-      // It is computed anew, by one product: 3n terms in each of two products, and what puts them together.
-      trial.expect_at_most(std::abs(solution.report.residual - residual), 8 * (3 * n + 8) * kUnit * size,
-                           "the error of the report's residual");
-      trial.expect(solution.report.converged,
-                   "a solve that meets its tolerance is reported as not converged");
-      trial.expect(solution.bands >= 1, "the forces' band is not asked for: there is no preconditioner");
-      const int steps = particles::kMostSolves * (2 + 3 * far);
-      trial.expect_at_most(solution.report.steps, steps, "the number of steps with a preconditioner");
-      trial.expect_at_most(solution.dfdx, std::max(1 + steps + 2 * particles::kMostSolves, 3 * n + 4),
-                           "the number of products with df/dx");
-      const int outside = solution.dfdv - solution.report.steps - solution.report.steps / 64;
-      trial.expect(
-          outside <= 2 * particles::kMostSolves || solution.dfdv <= 3 * n + 4,
-          "the report's steps are not all that ConjGrad took",
-          std::to_string(solution.report.steps) + ", " + std::to_string(solution.dfdv) + " products");
-
-      const Solution moved = step(trial, hair, h);
-      const ImplicitSystem whole = implicit_system(hair, h, h);
-      const double allowed = 0x1p-48 * (whole.norm * moved.dv.norm() + whole.rhs.norm());
-      // dv is the difference of two velocities.
-      trial.expect_at_most(whole.residual(moved.dv),
-                           kTolerance * whole.rhs.norm() + allowed + 4 * kUnit * whole.norm * moved.v.norm(),
-                           "the residual of a step's system");
-    }
-  expect_more_solves(trial);
 }
 
 // A particle of mass m on a spring, turning around its pinned end.

@@ -8,6 +8,8 @@ namespace grader::h4 {
 
 std::vector<Category> categories();
 
+void preconditioned(Trial& trial);
+
 inline constexpr WholeRunPoints kWholeRun{2, 3};
 
 }  // namespace grader::h4

@@ -33,6 +33,37 @@ class FarSpring final : public particles::DampedSprings {
   }
 };
 
+// Another force where units are `mass` and `length` times as small.
+class InOtherUnits final : public particles::Force {
+ public:
+  InOtherUnits(std::shared_ptr<const particles::Force> force, double mass, double length)
+      : force_(std::move(force)), mass_(mass), length_(length) {}
+  double energy(Input x) const override { return mass_ * length_ * length_ * force_->energy(x / length_); }
+  void add_force(Input x, Input v, Output f) const override {
+    VectorXd sum = VectorXd::Zero(f.size());
+    force_->add_force(x / length_, v / length_, sum);
+    f += mass_ * length_ * sum;
+  }
+  void add_dfdx(Input x, Input v, Input dx, Output df) const override {
+    VectorXd sum = VectorXd::Zero(df.size());
+    force_->add_dfdx(x / length_, v / length_, dx, sum);
+    df += mass_ * sum;
+  }
+  void add_dfdv(Input x, Input v, Input dv, Output df) const override {
+    VectorXd sum = VectorXd::Zero(df.size());
+    force_->add_dfdv(x / length_, v / length_, dv, sum);
+    df += mass_ * sum;
+  }
+  bool add_band(Input x, Input v, double by_dfdx, double by_dfdv, solver::BlockBand& band,
+                particles::Scratch work) const override {
+    return force_->add_band(x / length_, v / length_, mass_ * by_dfdx, mass_ * by_dfdv, band, work);
+  }
+
+ private:
+  std::shared_ptr<const particles::Force> force_;
+  double mass_, length_;
+};
+
 }  // namespace
 
 Cloud stiff_hair(Random& random, int n, double h, int far) {
@@ -71,6 +102,31 @@ Cloud hair_without_band(Random& random, double h) {
     forces->emplace<FarSpring>(Spring{i - 1, i, 1e4 * 1e-7 / (h * h), 0.01 * random.uniform(0.9, 1)});
   hair.force = forces;
   return hair;
+}
+
+Cloud tangle_without_band(Random& random, int n, double h) {
+  constexpr double kMass = 1e-7;
+  Cloud hair = chain(random, n, kMass, 1, h);
+  hair.name = "a tangle whose band knows of no spring";
+  auto forces = std::make_shared<particles::ForceSum>();
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < i; ++j) {
+      const double length = (hair.state.x.segment<3>(3 * i) - hair.state.x.segment<3>(3 * j)).norm();
+      forces->emplace<FarSpring>(
+          Spring{j, i, random.log_uniform(1, 1e6) * kMass / (h * h), length * random.uniform(0.9, 1)});
+    }
+  hair.force = forces;
+  return hair;
+}
+
+Cloud in_other_units(const Cloud& hair, double mass, double length) {
+  Cloud other = hair;
+  other.name += ", in other units";
+  other.particles.mass *= mass;
+  other.state.x *= length;
+  other.state.v *= length;
+  other.force = std::make_shared<InOtherUnits>(hair.force, mass, length);
+  return other;
 }
 
 Cloud hanging_hair(Random& random, int n, double stiff, double h) {

@@ -14,6 +14,12 @@ Cloud stiff_hair(Random& random, int n, double h, int far);
 // that is far from the matrix.
 Cloud hair_without_band(Random& random, double h);
 
+// n particles with a spring between any two, h^2 k/m from 1 to 1e6, and a band that knows of none.
+Cloud tangle_without_band(Random& random, int n, double h);
+
+// The same hair with masses times `mass`, lengths and velocities times `length`; times are the same.
+Cloud in_other_units(const Cloud& hair, double mass, double length);
+
 // A hair under gravity, h^2 k/m = `stiff`, no spring stretched; its force does not know the band. Rounding leaves a
 // residual of about u `stiff` times the right-hand side.
 Cloud hanging_hair(Random& random, int n, double stiff, double h);

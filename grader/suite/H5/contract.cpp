@@ -55,6 +55,26 @@ void expect_tolerance_kept(Trial& trial, int function) {
   }
 }
 
+// An error that is the tolerance is not above it. A segment of 1.25 m in place of 1 m has the error 0.25, and one at 0.25 m/s is
+// stretched at that velocity: without any rounding.
+void expect_tolerance_inclusive(Trial& trial) {
+  Strand strand = random_strand(trial.random, 2, 1);
+  strand.rest_length[0] = 1;
+  strand.root_tangent = Vector3d::UnitX();
+  VectorXd x = VectorXd::Zero(6), v = VectorXd::Zero(6);
+  x[3] = 1.25;
+  v[3] = 0.25;
+  trial.describe("an error that is the tolerance");
+  for (int function : {kRelax, kCorrect}) {
+    const Corrected left = correct(trial, function, strand, x, 0.25, 100);
+    trial.expect(left.result == x && left.report.iterations == 0 && left.report.converged,
+                 name_of(function) + " works on a strand that is within its tolerance");
+  }
+  const Corrected left = correct_velocities(trial, strand, x, v, 0.25);
+  trial.expect(left.result == v && left.report.iterations == 0 && left.report.converged,
+               "correct_velocities works on velocities that are within its tolerance");
+}
+
 // Numbers that are none are not converged; it ends.
 void expect_numbers(Trial& trial) {
   Random& random = trial.random;
@@ -192,6 +212,7 @@ void report(Trial& trial) {
           .report.iterations;
   trial.expect(sweeps == 1, "relax_lengths takes more than one sweep to restore one segment's length",
                std::to_string(sweeps));
+  expect_tolerance_inclusive(trial);
   expect_numbers(trial);
   expect_velocity_report(trial);
   expect_few_or_sweeps(trial);

@@ -13,6 +13,7 @@
 #include "grader/play/force_server.h"
 #include "grader/suite/implicit_system.h"
 #include "grader/wire/particles_message.h"
+#include "grader/wire/report_message.h"
 #include "grader/wire/strand_message.h"
 #include "hair/predictor_corrector.h"
 #include "particles/force_sum.h"
@@ -40,13 +41,6 @@ struct Step {
   ForceServer asked;
 };
 
-void get_report(MessageReader& reply, particles::SolveReport& report) {
-  report.steps = reply.get<int>();
-  report.residual = reply.get<double>();
-  report.rhs = reply.get<double>();
-  report.converged = reply.get<std::uint8_t>() != 0;
-}
-
 Step step(Trial& trial, const Hair& hair) {
   const int n = hair.cloud.count(), most = std::max(100, 60 * n);
   trial.describe(hair.cloud.name);
@@ -59,11 +53,9 @@ Step step(Trial& trial, const Hair& hair) {
   MessageReader reply = trial.ask(message, std::ref(step.asked));
   step.x = get_vector(reply, 3 * n);
   step.v = get_vector(reply, 3 * n);
-  get_report(reply, step.report.filter);
-  step.report.correction.iterations = reply.get<int>();
-  step.report.correction.error = reply.get<double>();
-  step.report.correction.converged = reply.get<std::uint8_t>() != 0;
-  get_report(reply, step.report.second_filter);
+  step.report.filter = get_solve_report(reply);
+  step.report.correction = get_correction_report(reply);
+  step.report.second_filter = get_solve_report(reply);
   reply.expect_end();
   trial.expect(step.x.allFinite() && step.v.allFinite(), "a step is not finite");
   return step;

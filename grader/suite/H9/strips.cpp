@@ -65,6 +65,13 @@ void touches(Trial& trial) {
         !ask_touch(trial, near_triangle(random, inside(random), above * random.uniform(1.05, 3)), side),
         "a point touches a triangle that is farther away than the thickness");
   }
+  trial.describe("over an edge or a corner, without any rounding");
+  for (const auto& [along, across] : {std::pair{0.0625, 0.0}, {0.0, 0.0625}, {0.0, 0.0}}) {
+    NearTriangle edge = near_triangle(random, inside(random), 0.5);
+    edge.thickness = 0.25;
+    edge.x << 0, 0, 0, 0.25, 0, 0, 0, 0.25, 0, along, across, 0.125;
+    expect_touch(trial, edge, 1);  // a share of 0 is not negative
+  }
   trial.describe("a triangle without an area");
   NearTriangle flat = near_triangle(random, inside(random), 0.5);
   flat.x.segment<3>(3) = Vector3d(flat.x.head<3>());
@@ -137,6 +144,14 @@ void frictions(Trial& trial) {
                            "the error of a velocity");
       v.setZero();
       trial.expect_at_most(worst(ask_friction(trial, contacts, h, v)), 0, "a velocity where nothing moves");
+      contacts.inverse_mass.setZero();
+      // Points of 1 kg above pinned corners: W = 1.
+      for (const StripContact& contact : contacts.contacts) contacts.inverse_mass[contact.point] = 1;
+      v = expected = random_vector(random, contacts.x.size(), 0.3);
+      hair::apply_strip_friction(contacts.contacts, contacts.law, contacts.inverse_mass, h, contacts.x,
+                                 expected);
+      trial.expect_at_most(worst(ask_friction(trial, contacts, h, v) - expected), 1e-10,
+                           "the error of a velocity where corners are pinned");
       contacts.inverse_mass.setZero();
       v.setOnes();
       trial.expect_at_most(worst((ask_friction(trial, contacts, h, v).array() - 1).matrix()), 0,

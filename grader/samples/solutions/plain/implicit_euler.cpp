@@ -67,7 +67,7 @@ static SolveReport solve_with(const Preconditioner& L, Matrix& A, const VectorXd
   dv.setZero();
   for (int k = 0; k < kMostSolves && !report.converged; ++k) {
     L.solve_lower(r);
-    int steps = 100 + static_cast<int>(rhs.size());
+    int steps = std::max(100, static_cast<int>(rhs.size()));
     ConjGrad(static_cast<int>(rhs.size()), &better, y.data(), r.data(),
              std::max(tolerance * tolerance, 1e-28) * r.squaredNorm(), &steps);
     report.steps += steps;

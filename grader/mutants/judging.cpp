@@ -1,0 +1,57 @@
+// STAFF ONLY.
+#include "grader/mutants/judging.h"
+
+#include <algorithm>
+
+#include "grader/tool/exercise_grading.h"
+#include "grader/tool/reference_grading.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+const Exercise& exercise_of(const GradingSettings& settings) {
+  const Exercise* exercise = settings.exercise ? settings.course.find(*settings.exercise) : nullptr;
+  if (exercise == nullptr) throw std::invalid_argument("the settings must name an exercise");
+  return *exercise;
+}
+
+}  // namespace
+
+Judging::Judging(GradingSettings settings)
+    : settings_(std::move(settings)),
+      exercise_(exercise_of(settings_)),
+      kit_(settings_.kit, settings_.course),
+      compiler_(kit_, settings_.cache, settings_.isolated),
+      jobs_(settings_, kit_) {
+  jobs_.limit_by(grade_reference(jobs_).timing);
+}
+
+Judgement Judging::judge(const std::string& name, const std::string& source) const {
+  const fs::path job = kit_.new_job(name);
+  const double seconds = settings_.course.budget.compiler_cpu_seconds;
+  const Compiled compiled = compiler_.compile(exercise_, source, job, seconds);
+  if (compiled.object.empty()) return Judgement::does_not_compile;
+  if (!passes_cases(name, compiled.object, job)) return Judgement::loses_points;
+
+  Submission submission;
+  submission.name = name;
+  submission.files[exercise_.file].text = source;
+  ExerciseResult result = describe(exercise_);
+  ExerciseTiming timing;
+  grade_exercise(jobs_, compiler_, exercise_, submission, kit_.new_job(name + "-all"), seconds, result,
+                 timing);
+  return result.status == Status::passed ? Judgement::gets_all : Judgement::loses_points;
+}
+
+bool Judging::passes_cases(const std::string& name, const fs::path& object, const fs::path& job) const {
+  SuiteJob cases = jobs_.cases(exercise_, name, object, job);
+  cases.whole_run.reset();
+  cases.pictures.reset();
+  ExerciseTiming timing;
+  const SuiteResult found = jobs_.run(cases, timing);
+  return std::ranges::all_of(found.cases, [](const CaseResult& one) { return one.status == Status::passed; });
+}
+
+}  // namespace grader

@@ -1,0 +1,34 @@
+// STAFF ONLY. What the suite takes of wrong programs, as hairgrade would, but only until the first point is lost: cases first, and the
+// whole run, its pictures and the look for memory errors for those alone that pass all cases.
+#pragma once
+
+#include <string>
+
+#include "grader/compile/compiler.h"
+#include "grader/compile/kit.h"
+#include "grader/tool/suite_jobs.h"
+
+namespace grader {
+
+enum class Judgement { does_not_compile, loses_points, gets_all };
+
+class Judging {
+ public:
+  // `settings.exercise` names the exercise. Throws as Grading does, in grader/tool/grading.h.
+  explicit Judging(GradingSettings settings);
+
+  // Of the file `source` of the submission `name`. Threads may call it side by side, with different names.
+  Judgement judge(const std::string& name, const std::string& source) const;
+
+ private:
+  bool passes_cases(const std::string& name, const std::filesystem::path& object,
+                    const std::filesystem::path& job) const;
+
+  GradingSettings settings_;
+  const Exercise& exercise_;
+  StagedKit kit_;
+  Compiler compiler_;
+  SuiteJobs jobs_;
+};
+
+}  // namespace grader
