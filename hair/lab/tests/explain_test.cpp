@@ -60,8 +60,10 @@ TEST(Explain, UsesAllPartsOfASceneThatHasThem) {
     "toys": [{"particles": [{"position": [0, 0, 0], "mass": 1, "pinned": true},
                             {"position": [1, 0, 0], "mass": 1}],
               "springs": [{"between": [0, 1], "stiffness": 1}], "rods": [{"between": [0, 1]}]}],
+    "still_hair": [{"groom": {"style": "ponytail", "strands": 5}, "moves_with": "head"}],
     "render": {}})");
   EXPECT_EQ(names(parts, false), "");
+  EXPECT_EQ(parts.at("still hair").why, "5 strands that go with a head, and only are drawn");
   EXPECT_EQ(parts.at("bending").why, "H2, angular springs at the joints of 1 strand");
   EXPECT_EQ(parts.at("rest curvature").why, "given, at the joints of 1 strand");
   EXPECT_EQ(parts.at("dense hair").why, "H10, 7 strands of 1 guide, less those out of view");

@@ -34,7 +34,8 @@ INSTANTIATE_TEST_SUITE_P(
         Slip{R"("frames": 2,)", "",
              "\"frames\" is missing; an object here has: shows, frames, frames_per_second, "
              "steps_per_frame, step, gravity, wind, method, drag, geometric_term, "
-             "bend_product, tolerance, preconditioner, hair, links, obstacles, motions, toys, still_hair, render"},
+             "bend_product, tolerance, preconditioner, hair, links, obstacles, motions, toys, still_hair, "
+             "render"},
         Slip{R"("curly":)", R"("curled":)", "hair[1].shape: unknown key \"curled\"; known here: wavy, curly"},
         Slip{R"("curly": {"radius": 0.005, "pitch": 0.1})", "",
              "hair[1].shape: has 0 keys; give one of: wavy, curly"},
