@@ -46,7 +46,7 @@ struct FullHeadSettings {
   bool bending = true;
   bool clamped = true;  // with bending: hair leaves the head along root_tangent
   bool correct_lengths = true;
-  std::shared_ptr<const Solid> head = nullptr;  // null: nothing is in the way
+  std::shared_ptr<const Solid> head = nullptr;  // at most 1 m wide; null: nothing is in the way
   double friction = 0;                          // of the head, Coulomb's mu, >= 0
   double grid_spacing = 5e-3;                   // m, of the head's distances
   int threads = 1;

@@ -1,4 +1,6 @@
-// STAFF ONLY. Steps 5 and 6 of hair/head/full_head.h: velocities, the head, and the way back to memory.
+// STAFF ONLY. Steps 5 and 6 of hair/head/full_head.h: velocities, the way back to memory, and the head. The points of a group that are near
+// the head are listed first and pushed out then, as many at a time as a vector of single precision has lanes: which
+// strands they belong to does not matter.
 #if defined(HAIR_REFERENCE_ENGINE_CONTACT_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAIR_REFERENCE_ENGINE_CONTACT_H_
 #undef HAIR_REFERENCE_ENGINE_CONTACT_H_
@@ -6,113 +8,154 @@
 #define HAIR_REFERENCE_ENGINE_CONTACT_H_
 #endif
 
-#include "reference/engine/lanes.h"
+#include <bit>
+
+#include "reference/engine/head_surface.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hair::engine::HWY_NAMESPACE {
 
 inline constexpr int kMostPushes = 20;
 
-struct HeadSurface {
-  Lanes depth;  // m, > 0 inside; 0 beyond the grid
-  Vec3 normal;  // of length 1 where depth > 0
-};
+// What friction takes from a vector: its part across n, at most `limit` of it.
+HWY_INLINE Floats3 friction(const Floats3& vector, const Floats3& n, Floats limit) {
+  const Floats3 across = minus(vector, dot(n, vector), n);
+  return hn::Min(floats(1), limit * per_length(across)) * across;
+}
 
-// Of a point that is known to be near, the table of bits is not asked.
-template <bool kNear>
-HWY_INLINE HeadSurface head_surface(const GridView& grid, const Vec3& point) {
-  const hn::Rebind<std::int32_t, Tag> integers;
-  const hn::Rebind<float, Tag> floats;
-  const Vec3 cell = all(grid.per_cell) * (point - all3(grid.low));
-  const auto last = [&](int axis) { return all(grid.count[axis] - 1); };
-  const Which on_grid = hn::And(
-      hn::And(hn::And(cell.x >= all(0), cell.x < last(0)), hn::And(cell.y >= all(0), cell.y < last(1))),
-      hn::And(cell.z >= all(0), cell.z < last(2)));
-  HeadSurface surface{all(0), zero3()};
-  if (hn::AllFalse(Tag(), on_grid)) return surface;
-  const Vec3 inside = choose(on_grid, cell, zero3());
-  const Vec3 low{hn::Floor(inside.x), hn::Floor(inside.y), hn::Floor(inside.z)}, t = inside - low;
-  const auto index = hn::DemoteTo(
-      integers, hn::MulAdd(hn::MulAdd(low.z, all(grid.count[1]), low.y), all(grid.count[0]), low.x));
-  if constexpr (!kNear) {
+// The points of a group that are near the head, in the grid's units and the head's axes.
+class NearHead {
+ public:
+  HWY_INLINE NearHead(const StepConstants& step, const Scratch& scratch)
+      : step_(step), rows_(scratch.near), index_in_group_(scratch.near_index), row_(scratch.near_row) {}
+
+  // Points that were at `old` and are at `now`; `at`: where the first lane's x is in the group.
+  HWY_INLINE void add(const Vec3& old, const Vec3& now, std::int32_t at) {
+    const HalfTag tag;
+    const hn::Rebind<std::int32_t, Tag> integers;
+    const GridView& grid = step_.grid;
+    const Vec3 p = placed(step_.cells_after, now);
+    const Three<Half> place = half(p);
+    const auto index = Cells<HalfTag>(grid, place).index;
     const auto word = hn::GatherIndex(integers, grid.reaches_inside, hn::ShiftRight<5>(index));
     const auto bit = hn::And(word >> hn::And(index, hn::Set(integers, 31)), hn::Set(integers, 1));
-    if (hn::AllFalse(integers, bit != hn::Zero(integers))) return surface;
+    const auto near = bit != hn::Zero(integers);
+    if (hn::AllFalse(integers, near)) return;
+    const Three<Half> way = half(p - placed(step_.cells_before, old));
+    const auto which = hn::RebindMask(tag, near);
+    keep(tag, which, place, kPlace, count_);
+    keep(tag, which, way, kWay, count_);
+    count_ += hn::CompressStore(hn::Iota(integers, at), near, integers, index_in_group_ + count_);
   }
-  const auto corner = [&](int di, int dj, int dk) {
-    const float* const from = grid.distance + (dk * grid.count[1] + dj) * grid.count[0] + di;
-    return hn::PromoteTo(Tag(), hn::GatherIndex(floats, from, index));
-  };
-  const Lanes c000 = corner(0, 0, 0), c100 = corner(1, 0, 0), c010 = corner(0, 1, 0), c110 = corner(1, 1, 0),
-              c001 = corner(0, 0, 1), c101 = corner(1, 0, 1), c011 = corner(0, 1, 1), c111 = corner(1, 1, 1);
-  const auto mix = [](Lanes a, Lanes b, Lanes s) { return hn::MulAdd(s, b - a, a); };
-  const Lanes c00 = mix(c000, c100, t.x), c10 = mix(c010, c110, t.x), c01 = mix(c001, c101, t.x),
-              c11 = mix(c011, c111, t.x), c0 = mix(c00, c10, t.y), c1 = mix(c01, c11, t.y);
-  const Lanes distance = mix(c0, c1, t.z);
-  surface.depth = hn::IfThenElseZero(on_grid, hn::Max(all(0) - distance, all(0)));
-  if (hn::AllFalse(Tag(), surface.depth > all(0))) return surface;
-  const Vec3 gradient{mix(mix(c100 - c000, c110 - c010, t.y), mix(c101 - c001, c111 - c011, t.y), t.z),
-                      mix(c10 - c00, c11 - c01, t.z), c1 - c0};
-  const Lanes per_slope = length_of(gradient).reciprocal;
-  surface.normal = per_slope * gradient;
-  // The gradient is one of differences between grid points: times `per_cell` it is one of metres.
-  surface.depth = surface.depth * hn::Min(per_slope * all(1 / grid.per_cell), all(1 / kLeastSlope));
-  return surface;
-}
 
-// What friction takes from a vector: its part across n, at most `limit` of it.
-HWY_INLINE Vec3 friction(const Vec3& vector, const Vec3& n, Lanes limit) {
-  const Vec3 across = minus(vector, dot(n, vector), n);
-  return hn::Min(all(1), limit * length_of(across).reciprocal) * across;
-}
-
-// Pushes points out that are inside; `old`: where they were before the step.
-HWY_INLINE void push_out(const StepConstants& step, const Vec3& old, Vec3& x, Vec3& v) {
-  Vec3 p = turned_back(step.after.turn, x - all3(step.after.at));
-  HeadSurface surface = head_surface<false>(step.grid, p);
-  Which inside = surface.depth > all(0);
-  if (hn::AllFalse(Tag(), inside)) return;
-  const Vec3 p_old = turned_back(step.before.turn, old - all3(step.before.at));
-  const Lanes mu = all(step.friction);
-  // The velocity beside the head's, in the head's axes.
-  Vec3 u = all(step.per_h) * (p - p_old);
-  const Vec3 u_before = u;
-  const Which any = inside;
-  for (int push = 0; push < kMostPushes; ++push) {
-    const Vec3& n = surface.normal;
-    const Vec3 moved = plus(p, surface.depth, n) - friction(p - p_old, n, mu * surface.depth);
-    p = choose(inside, moved, p);
-    const Lanes speed = hn::Max(all(0) - dot(n, u), all(0));
-    u = choose(inside, plus(u, speed, n) - friction(u, n, mu * speed), u);
-    // After a short push, Newton's next error is less than the depth asked for: a grid's cells differ in slope by less than a
-    // tenth. Whether a strand is done depends on no other.
-    inside = hn::And(inside, surface.depth > all(10 * step.contact_depth));
-    if (hn::AllFalse(Tag(), inside)) break;
-    surface = head_surface<true>(step.grid, p);
-    inside = hn::And(inside, surface.depth > all(step.contact_depth));
-    if (hn::AllFalse(Tag(), inside)) break;
+  // Changes x and v. Points that need another push move up, so that vectors stay full.
+  HWY_INLINE void push_out(const Group& group) {
+    const FloatTag tag;
+    const Floats zero = hn::Zero(tag), mu = floats(step_.friction), per_h = floats(step_.per_h);
+    const Floats rest = floats(step_.contact_depth * step_.grid.per_cell);
+    for (int push = 0; push < kMostPushes && count_ > 0; ++push) {
+      std::size_t left = 0;
+      for (std::size_t k = 0; k < count_; k += kFloats) {
+        const Floats3 place = read(kPlace, k);
+        const HeadSurface surface(step_.grid, place);
+        const auto inside = hn::And(surface.depth > (push == 0 ? zero : rest), hn::FirstN(tag, count_ - k));
+        if (hn::AllFalse(tag, inside)) continue;
+        const Floats3 &n = surface.normal, way = read(kWay, k);
+        const Floats3 u = push == 0 ? per_h * way : read(kSpeed, k);
+        const Floats3 shift = surface.depth * n - friction(way, n, mu * surface.depth);
+        const Floats speed = hn::Max(zero - dot(n, u), zero);
+        const Floats3 change = speed * n - friction(u, n, mu * speed);
+        add_to(group, k, inside, shift, change);
+        // After a short push, Newton's next error is less than the depth asked for: a grid's cells differ in slope by less than a
+        // tenth. Whether a point is done depends on no other.
+        const auto again = hn::And(inside, surface.depth > floats(10) * rest);
+        keep(tag, again, place + shift, kPlace, left);
+        keep(tag, again, way + shift, kWay, left);
+        keep(tag, again, u + change, kSpeed, left);
+        const hn::Rebind<std::int32_t, FloatTag> integers;
+        left += hn::CompressStore(hn::LoadU(integers, index_in_group_ + k), hn::RebindMask(integers, again),
+                                  integers, index_in_group_ + left);
+      }
+      count_ = left;
+    }
   }
-  x = choose(any, turned(step.after.turn, p) + all3(step.after.at), x);
-  v = choose(any, v + turned(step.after.turn, u - u_before), v);
-}
+
+ private:
+  using HalfTag = hn::Rebind<float, Tag>;
+  using Half = hn::Vec<HalfTag>;
+  // Places, ways and velocities beside the head.
+  enum Row : std::size_t { kPlace = 0, kWay = 3, kSpeed = 6 };
+
+  HWY_INLINE float* number(std::size_t row, std::size_t k) { return rows_ + row * row_ + k; }
+  HWY_INLINE Floats3 read(Row first, std::size_t k) {
+    const FloatTag tag;
+    return {hn::LoadU(tag, number(first, k)), hn::LoadU(tag, number(first + 1, k)),
+            hn::LoadU(tag, number(first + 2, k))};
+  }
+  template <class D, class M>
+  HWY_INLINE void keep(D tag, M which, const Three<hn::Vec<D>>& a, Row first, std::size_t k) {
+    hn::CompressStore(a.x, which, tag, number(first, k));
+    hn::CompressStore(a.y, which, tag, number(first + 1, k));
+    hn::CompressStore(a.z, which, tag, number(first + 2, k));
+  }
+  static HWY_INLINE Three<Half> half(const Vec3& a) {
+    const HalfTag tag;
+    return {hn::DemoteTo(tag, a.x), hn::DemoteTo(tag, a.y), hn::DemoteTo(tag, a.z)};
+  }
+
+  // x and v of the points from k on, where `which`.
+  template <class M>
+  HWY_INLINE void add_to(const Group& group, std::size_t k, M which, const Floats3& shift,
+                         const Floats3& change) {
+    const FloatTag tag;
+    HWY_ALIGN float numbers[6][kFloats];
+    const auto turned = [&](const Floats3& a, float(*to)[kFloats]) {
+      for (int row = 0; row < 3; ++row) {
+        const double* const turn = step_.after.turn[row];
+        const double size = 1 / step_.grid.per_cell;
+        hn::Store(dot(Floats3{floats(size * turn[0]), floats(size * turn[1]), floats(size * turn[2])}, a),
+                  tag, to[row]);
+      }
+    };
+    turned(shift, numbers);
+    turned(change, numbers + 3);
+    std::uint8_t bytes[8] = {};
+    hn::StoreMaskBits(tag, which, bytes);
+    for (unsigned bits = bytes[0] | bytes[1] << 8; bits != 0; bits &= bits - 1) {
+      const int lane = std::countr_zero(bits);
+      double* const x = group.x + index_in_group_[k + lane];
+      double* const v = group.v + index_in_group_[k + lane];
+      for (int axis = 0; axis < 3; ++axis) {
+        x[axis * kGroup] += numbers[axis][lane];
+        v[axis * kGroup] += numbers[3 + axis][lane];
+      }
+    }
+  }
+
+  const StepConstants& step_;
+  float* rows_;
+  std::int32_t* index_in_group_;
+  std::size_t row_, count_ = 0;
+};
 
 template <bool kContact>
-HWY_NOINLINE void finish(const StepConstants& step, const Group& group, std::size_t lane,
-                         const double* moved) {
+HWY_NOINLINE void finish(const StepConstants& step, const Group& group, std::size_t lane, const double* moved,
+                         const Scratch& scratch) {
   Which finite = all(0) == all(0);
   const Lanes infinite = hn::Inf(Tag());
+  NearHead near(step, scratch);
   for (int i = 0; i < group.points; ++i) {
-    double* const x = group.x + lane + 3 * i * kGroup;
-    const Vec3 old = load3<kGroup>(x);
-    Vec3 now = load3<kWidth>(moved + 3 * i * kWidth);
-    Vec3 v = all(step.per_h) * (now - old);
+    const std::size_t at = 3 * i * kGroup + lane;
+    const Vec3 old = load3<kGroup>(group.x + at), now = load3<kWidth>(moved + 3 * i * kWidth);
+    const Vec3 v = all(step.per_h) * (now - old);
+    store3<kGroup>(now, group.x + at);
+    store3<kGroup>(v, group.v + at);
     if constexpr (kContact)
-      if (i > 0) push_out(step, old, now, v);
-    store3<kGroup>(now, x);
-    store3<kGroup>(v, group.v + lane + 3 * i * kGroup);
+      if (i > 0) near.add(old, now, static_cast<std::int32_t>(at));
     // A sum of squares is finite if its parts are, and not too large for a step to come back from.
     finite = hn::And(finite, dot(now, now) + dot(v, v) < infinite);
   }
+  if constexpr (kContact) near.push_out(group);
   if (HWY_LIKELY(hn::AllTrue(Tag(), finite))) return;
   const Lanes broken = hn::IfThenElse(finite, all(0), all(1));
   HWY_ALIGN double flags[kWidth];

@@ -35,11 +35,13 @@ DistanceGrid::DistanceGrid(const Solid& solid, double spacing) : box_(solid.box(
 }
 
 GridView DistanceGrid::view() const {
+  const auto last = [&](int axis) { return std::nextafter(static_cast<float>(count_[axis] - 1), 0.0F); };
   return {distances_.data(),
           reaches_inside_.data(),
           {low_.x(), low_.y(), low_.z()},
           1 / spacing_,
-          {count_[0], count_[1], count_[2]}};
+          {count_[0], count_[1], count_[2]},
+          {last(0), last(1), last(2)}};
 }
 
 Surface DistanceGrid::surface_at(const Vector3d& point) const {

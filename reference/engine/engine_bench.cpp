@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <numbers>
 #include <string>
 
 #include "hair/bench/bullet_rope.h"
@@ -22,6 +23,7 @@
 #include "particles/preconditioner.h"
 #include "reference/engine/block_solves.h"
 #include "reference/engine/head_of_strands.h"
+#include "reference/engine/peaks.h"
 #include "reference/engine/plain_xpbd.h"
 #include "solver/timing.h"
 
@@ -251,6 +253,55 @@ void beside_others() {
   }
 }
 
+void by_peaks() {
+  std::printf("\n| one core, of CPU time | at most |\n|---|--:|\n");
+  std::printf("| 1e9 operations per second | %.0f |\n| GB/s | %.1f |\n", 1e-9 * hair_bench::arithmetic_peak(),
+              1e-9 * hair_bench::bandwidth());
+  std::fflush(stdout);
+}
+
+// Points after a second in which the head turns to a side and back, beside those of steps of 1/3840 s.
+void by_step(const hair::Groom& grown) {
+  constexpr int kStrands = 400;
+  const FullHeadSettings settings = with(true, true, true);
+  const auto points = [&](int steps) {
+    FullHead head(std::vector<int>(kStrands, kPoints), settings);
+    hair::Groom some;
+    for (int k = 0; k < kStrands; ++k)
+      some.strands.push_back(grown.strands[k * (grown.strands.size() - 1) / (kStrands - 1)]);
+    set(head, some);
+    for (int i = 1; i <= steps; ++i) {
+      Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+      const double s = std::sin(std::numbers::pi * i / steps);
+      pose.linear() = Eigen::AngleAxisd(s * s, Vector3d::UnitZ()).toRotationMatrix();
+      head.step(1.0 / steps, pose);
+    }
+    if (head.broken()) std::printf("%d strands broke\n", head.broken());
+    std::vector<VectorXd> all(kStrands, VectorXd(3 * kPoints));
+    VectorXd v(3 * kPoints);
+    for (int k = 0; k < kStrands; ++k) head.get_strand(k, all[k], v);
+    return all;
+  };
+  const auto exact = points(3840);
+  std::printf(
+      "\n| h, s | mean error, mm | of the tips | 95 %% of all points are better than |\n|--:|--:|--:|--:|\n");
+  for (const int steps : {24, 60, 240, 960}) {
+    const auto all = points(steps);
+    std::vector<double> errors;
+    double sum = 0, tips = 0;
+    for (int k = 0; k < kStrands; ++k)
+      for (int i = 1; i < kPoints; ++i) {
+        errors.push_back(1e3 * (all[k] - exact[k]).segment<3>(3 * i).norm());
+        sum += errors.back();
+        if (i == kPoints - 1) tips += errors.back();
+      }
+    std::sort(errors.begin(), errors.end());
+    std::printf("| 1/%d | %.1f | %.1f | %.1f |\n", steps, sum / static_cast<double>(errors.size()),
+                tips / kStrands, errors[errors.size() * 95 / 100]);
+  }
+  std::fflush(stdout);
+}
+
 // How far off a solve is, relative to its solution, of a strand that hangs bent; by h^2 k / m of its segments. Real hair of segments of
 // 1 cm has 6e6 at h = 1/60 s.
 void by_precision() {
@@ -303,6 +354,8 @@ int main(int count, char** arguments) {
   by_parts(strands, grown);
   by_strands(grown);
   by_set(strands, grown);
+  by_peaks();
+  by_step(grown);
   beside_others();
   by_precision();
 }

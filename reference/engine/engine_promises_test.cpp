@@ -4,6 +4,7 @@
 #include <bit>
 #include <limits>
 
+#include "hair/strand/measures.h"
 #include "reference/engine/engine_states.h"
 #include "solver/tests/allocations.h"
 
@@ -92,6 +93,37 @@ TEST_P(Engine, HoldsStiffHairOnAHeadThatShakes) {
       EXPECT_EQ(head.broken(), 0);
       for (int k = 0; k < head.strands(); ++k)
         EXPECT_LE(state(head, k).v.cwiseAbs().maxCoeff(), 30) << times << ", h " << h << ", strand " << k;
+    }
+}
+
+// Roots that are flung to and fro at 100 m/s. Once lengths are right, each point is within L of its root, so it moves relative to that by at
+// most 2 L in a step.
+TEST_P(Engine, HoldsStiffHairThatIsFlung) {
+  constexpr double kFlung = 100;
+  FullHeadSettings settings = bare();
+  settings.bending = settings.correct_lengths = true;
+  for (const double times : {1.0, 1e2, 1e4})
+    for (const double h : {1.0 / 960, 1.0 / 240, 1.0 / 60, 1.0 / 24}) {
+      settings.material.young_modulus = 3e9 * times;
+      FullHead head(kPoints, settings);
+      const auto all = starts();
+      set(head, all);
+      Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+      for (int i = 0; i < 12; ++i) {
+        pose.translation().x() += kFlung * h * (i % 4 < 2 ? 1 : -1);
+        head.step(h, pose);
+      }
+      EXPECT_EQ(head.broken(), 0) << times << ", h " << h;
+      for (int k = 0; k < head.strands(); ++k) {
+        const particles::State after = state(head, k);
+        const double length = all[k].rest_length * (kPoints[k] - 1);
+        const auto moving = given_strand(settings, kPoints[k], all[k].rest_length, all[k].tangent);
+        EXPECT_LE(largest_stretch(moving->strand, after.x), 1e-11)
+            << times << ", h " << h << ", strand " << k;
+        for (int i = 0; i < kPoints[k]; ++i)
+          EXPECT_LE(after.v.segment<3>(3 * i).norm(), 1.001 * (kFlung + 2 * length / h))
+              << times << ", h " << h << ", strand " << k << ", point " << i;
+      }
     }
 }
 

@@ -121,6 +121,33 @@ TEST_P(Engine, CorrectsLengthsAndVelocitiesAsGivenCodeDoes) {
   }
 }
 
+// Of so many right angles, the product of all pivots is 2^3000: more than a double holds. Given code knows no such product.
+TEST_P(Engine, CorrectsTheLengthsOfManyRightAngles) {
+  constexpr int kMany = 3000;
+  constexpr double h = 1e-3, l0 = 0.01;
+  FullHeadSettings settings = bare();
+  settings.gravity = settings.wind = Vector3d::Zero();
+  settings.material.young_modulus = 1e-6;  // lengths stay wrong until they are corrected
+  const auto moving = given_strand(settings, kMany, l0, Vector3d::UnitX());
+  VectorXd x = VectorXd::Zero(3 * kMany), v = x;
+  for (int i = 1; i < kMany; ++i)
+    x.segment<3>(3 * i) = x.segment<3>(3 * i - 3) + 1.001 * l0 * Vector3d::Unit(i % 2);
+  FullHead head(std::vector<int>{kMany}, [&] {
+    settings.correct_lengths = true;
+    return settings;
+  }());
+  head.set_strand(0, l0, Vector3d::UnitX(), x, v);
+  head.step(h);
+  particles::State after{x, v};
+  head.get_strand(0, after.x, after.v);
+  Eigen::MatrixXd scratch(3 * kMany, kCorrectionScratch);
+  ASSERT_TRUE(correct_lengths(moving->strand, kLengthTolerance, kMostCorrections, x, scratch).converged);
+  // H5's bound for what rounding allows is above its tolerance here.
+  const double tolerance = std::max(kLengthTolerance, 0x1p-51 * (x.cwiseAbs().maxCoeff() / l0 + kMany));
+  EXPECT_LE((after.x - x).norm(), 4 * kMany * std::sqrt(kMany) * tolerance * l0);
+  EXPECT_LE(largest_stretch(moving->strand, after.x), 1.01 * tolerance);
+}
+
 // Newton's method gives way to `place` where hair is torn or flung: lengths are right all the same.
 TEST_P(Engine, CorrectsTheLengthsOfFlungHair) {
   FullHeadSettings settings;

@@ -47,30 +47,31 @@ struct Below {
   }
 };
 
-// What an elimination takes away from the blocks beyond, and from their right-hand sides.
-HWY_INLINE void take(const Below& b, const Pivot& p, Sym3& a, Vec3& rhs) {
-  const auto column = [&](const Vec3& l, const Vec3& c, Lanes r) {
+// What an elimination takes away from the blocks beyond.
+HWY_INLINE void take(const Below& b, Sym3& a) {
+  const auto column = [&](const Vec3& l, const Vec3& c) {
     a.xx = hn::NegMulAdd(l.x, c.x, a.xx);
     a.yx = hn::NegMulAdd(l.y, c.x, a.yx);
     a.yy = hn::NegMulAdd(l.y, c.y, a.yy);
     a.zx = hn::NegMulAdd(l.z, c.x, a.zx);
     a.zy = hn::NegMulAdd(l.z, c.y, a.zy);
     a.zz = hn::NegMulAdd(l.z, c.z, a.zz);
-    rhs = minus(rhs, r, l);
   };
-  column(b.factor.x, b.scaled.x, p.rhs.x);
-  column(b.factor.y, b.scaled.y, p.rhs.y);
-  column(b.factor.z, b.scaled.z, p.rhs.z);
+  column(b.factor.x, b.scaled.x);
+  column(b.factor.y, b.scaled.y);
+  column(b.factor.z, b.scaled.z);
 }
-HWY_INLINE void take(const Below& far, const Below& near, Mat3& a) {
-  const auto column = [&](const Vec3& l, const Vec3& c) {
-    a.x = minus(a.x, c.x, l);
-    a.y = minus(a.y, c.y, l);
-    a.z = minus(a.z, c.z, l);
+// far near^T.
+HWY_INLINE Mat3 product(const Below& far, const Below& near) {
+  const auto column = [&](Lanes x, Lanes y, Lanes z) {
+    return plus(plus(x * far.factor.x, y, far.factor.y), z, far.factor.z);
   };
-  column(far.factor.x, near.scaled.x);
-  column(far.factor.y, near.scaled.y);
-  column(far.factor.z, near.scaled.z);
+  return {column(near.scaled.x.x, near.scaled.y.x, near.scaled.z.x),
+          column(near.scaled.x.y, near.scaled.y.y, near.scaled.z.y),
+          column(near.scaled.x.z, near.scaled.y.z, near.scaled.z.z)};
+}
+HWY_INLINE Vec3 product(const Below& b, const Pivot& p) {
+  return plus(plus(p.rhs.x * b.factor.x, p.rhs.y, b.factor.y), p.rhs.z, b.factor.z);
 }
 
 // Rows of kFactorRow vectors: L's blocks of a column (the nearer one, the farther one), then the pivot.
@@ -84,11 +85,10 @@ HWY_INLINE void store_pivot(const Pivot& p, double* row) {
   store3<kWidth>({p.rhs.x * p.per_d.x, p.rhs.y * p.per_d.y, p.rhs.z * p.per_d.z}, row + 21 * kWidth);
 }
 
-// b -= L^T y, for a block.
-HWY_INLINE void substitute(const double* block, const Vec3& y, Vec3& b) {
-  b.x = b.x - dot(load3<kWidth>(block), y);
-  b.y = b.y - dot(load3<kWidth>(block + 3 * kWidth), y);
-  b.z = b.z - dot(load3<kWidth>(block + 6 * kWidth), y);
+// L^T y, for a block.
+HWY_INLINE Vec3 transposed_product(const double* block, const Vec3& y) {
+  return {dot(load3<kWidth>(block), y), dot(load3<kWidth>(block + 3 * kWidth), y),
+          dot(load3<kWidth>(block + 6 * kWidth), y)};
 }
 // L^-T b, for a pivot.
 HWY_INLINE Vec3 back(const double* row, const Vec3& b) {

@@ -4,6 +4,10 @@
 
 #include <hwy/aligned_allocator.h>
 
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
+
 #include <algorithm>
 #include <numeric>
 #include <optional>
@@ -36,14 +40,57 @@ void check_settings(const FullHeadSettings& settings) {
   require_finite("wind", settings.wind);
 }
 
-engine::Pose pose_of(const Eigen::Isometry3d& isometry) {
+// From the world to a grid's cells.
+Eigen::Affine3d cells_of(const engine::GridView& grid, const Eigen::Isometry3d& pose) {
+  return Eigen::Scaling(grid.per_cell) *
+         Eigen::Translation3d(-Vector3d(grid.low[0], grid.low[1], grid.low[2])) * pose.inverse();
+}
+
+template <typename Transform>
+engine::Pose pose_of(const Transform& transform) {
   engine::Pose pose{};
   for (int row = 0; row < 3; ++row) {
-    for (int column = 0; column < 3; ++column) pose.turn[row][column] = isometry.linear()(row, column);
-    pose.at[row] = isometry.translation()[row];
+    for (int column = 0; column < 3; ++column) pose.turn[row][column] = transform.linear()(row, column);
+    pose.at[row] = transform.translation()[row];
   }
   return pose;
 }
+
+// Asks for pages of 2 MB, where the system has them on request: a step walks through all of this memory.
+void ask_for_large_pages([[maybe_unused]] double* memory, [[maybe_unused]] std::size_t numbers) {
+#ifdef __linux__
+  constexpr std::uintptr_t kPage = 1 << 21;
+  const auto first = reinterpret_cast<std::uintptr_t>(memory), end = first + numbers * sizeof(double);
+  const std::uintptr_t begin = (first + kPage - 1) / kPage * kPage;
+  // Refused, it costs time and nothing else.
+  if (begin < end) static_cast<void>(madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE));
+#endif
+}
+
+// A thread's own.
+struct ThreadMemory {
+  explicit ThreadMemory(std::size_t points)
+      : near_row(kGroup * (points + 2)),
+        numbers(kGroup * ((points + 1) * engine::kFactorRow + 6 * points)),
+        doubles(hwy::AllocateAligned<double>(numbers)),
+        floats(hwy::AllocateAligned<float>(engine::kNearRows * near_row)),
+        integers(hwy::AllocateAligned<std::int32_t>(near_row)),
+        view{doubles.get(),
+             doubles.get() + engine::kFactorRow * (points + 1) * kGroup,
+             doubles.get() + (engine::kFactorRow * (points + 1) + 3 * points) * kGroup,
+             floats.get(),
+             integers.get(),
+             near_row} {}
+  std::size_t bytes() const {
+    return numbers * sizeof(double) + (engine::kNearRows * sizeof(float) + sizeof(std::int32_t)) * near_row;
+  }
+
+  std::size_t near_row, numbers;
+  hwy::AlignedFreeUniquePtr<double[]> doubles;
+  hwy::AlignedFreeUniquePtr<float[]> floats;
+  hwy::AlignedFreeUniquePtr<std::int32_t[]> integers;
+  engine::Scratch view;
+};
 
 }  // namespace
 
@@ -63,8 +110,9 @@ struct FullHead::Engine {
   std::vector<Place> places;  // of each strand
   std::vector<Group> groups;
   std::vector<std::int64_t> broke_at;
-  hwy::AlignedFreeUniquePtr<double[]> memory, scratch;
-  std::size_t memory_size = 0, scratch_size = 0;  // of one thread
+  hwy::AlignedFreeUniquePtr<double[]> memory;
+  std::size_t memory_size = 0;
+  std::vector<ThreadMemory> scratch;
   std::int64_t particles = 0, steps = 0;
   int unset = 0;
   std::vector<char> is_set;
@@ -78,7 +126,12 @@ FullHead::Engine::Engine(std::span<const int> points, const FullHeadSettings& th
       unset(static_cast<int>(points.size())),
       is_set(points.size(), 0),
       threads(settings.threads) {
-  if (settings.head) grid.emplace(*settings.head, settings.grid_spacing);
+  if (settings.head) {
+    grid.emplace(*settings.head, settings.grid_spacing);
+    const double rounding = engine::place_rounding(grid->view());
+    require(rounding <= kContactDepth / 2, "the rounding of places on a head's grid", rounding,
+            "at most 5e-7 m: the head is at most 1 m wide");
+  }
   step_group = engine::step_group_for({settings.bending, settings.correct_lengths, settings.head != nullptr});
 
   for (const int n : points) {
@@ -100,6 +153,7 @@ FullHead::Engine::Engine(std::span<const int> points, const FullHeadSettings& th
 
   for (const Group& group : groups) memory_size += (6 * group.points + 7) * kGroup;
   memory = hwy::AllocateAligned<double>(memory_size);
+  ask_for_large_pages(memory.get(), memory_size);
   broke_at.assign(groups.size() * kGroup, 0);
   std::fill_n(memory.get(), memory_size, 0.0);
   double* next = memory.get();
@@ -114,8 +168,7 @@ FullHead::Engine::Engine(std::span<const int> points, const FullHeadSettings& th
     group.broke_at = broke_at.data() + g * kGroup;
   }
   const int most = groups.empty() ? 0 : groups.back().points;
-  scratch_size = engine::scratch_size(most);
-  scratch = hwy::AllocateAligned<double>(scratch_size * settings.threads);
+  for (int thread = 0; thread < settings.threads; ++thread) scratch.emplace_back(most);
 }
 
 // Fills the lanes that no strand has.
@@ -186,9 +239,12 @@ void FullHead::step(double h, const Eigen::Isometry3d& pose) {
   step.clamp = s.clamped ? 2 * step.bend : 0;
   step.length_tolerance = kLengthTolerance;
   step.friction = s.friction;
-  step.contact_depth = kContactDepth;
-  if (engine.grid) step.grid = engine.grid->view();
-  step.before = pose_of(engine.pose);
+  if (engine.grid) {
+    step.grid = engine.grid->view();
+    step.cells_before = pose_of(cells_of(step.grid, engine.pose));
+    step.cells_after = pose_of(cells_of(step.grid, pose));
+    step.contact_depth = kContactDepth - engine::place_rounding(step.grid);
+  }
   step.after = pose_of(pose);
   step.step = ++engine.steps;
   struct Work {
@@ -198,7 +254,7 @@ void FullHead::step(double h, const Eigen::Isometry3d& pose) {
   // One reference fits into a std::function.
   const StrandThreads::Task task = [&work](int thread, int g) {
     const Engine& all = work.engine;
-    all.step_group(work.step, all.groups[g], all.scratch.get() + all.scratch_size * thread);
+    all.step_group(work.step, all.groups[g], all.scratch[thread].view);
   };
   engine.threads.run(static_cast<int>(engine.groups.size()), task);
   engine.pose = pose;
@@ -226,9 +282,11 @@ int FullHead::broken() const {
 
 std::size_t FullHead::bytes() const {
   const Engine& e = *engine_;
-  return (e.memory_size + e.scratch_size * e.settings.threads) * sizeof(double) +
-         e.broke_at.size() * sizeof(std::int64_t) + e.groups.size() * sizeof(Group) +
-         e.places.size() * (sizeof(Engine::Place) + 1) + (e.grid ? e.grid->bytes() : 0);
+  std::size_t scratch = 0;
+  for (const ThreadMemory& memory : e.scratch) scratch += memory.bytes();
+  return scratch + e.memory_size * sizeof(double) + e.broke_at.size() * sizeof(std::int64_t) +
+         e.groups.size() * sizeof(Group) + e.places.size() * (sizeof(Engine::Place) + 1) +
+         (e.grid ? e.grid->bytes() : 0);
 }
 
 }  // namespace hair

@@ -5,6 +5,7 @@
 // A group that is not full repeats its last strand.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -33,10 +34,18 @@ struct GridView {
   double low[3];
   double per_cell;  // 1 / spacing
   int count[3];     // >= 2 each
+  float last[3];    // the largest number that is less than count - 1
 };
 
+// m. Places on the grid are in single precision: rounded at first and with each push, of which a point seldom takes more than three,
+// in each of three axes.
+inline double place_rounding(const GridView& grid) {
+  const int most = std::max({grid.count[0], grid.count[1], grid.count[2]});
+  return 8 * 0x1p-24 * most / grid.per_cell;  // 4 sqrt(3) < 8
+}
+
 struct Pose {
-  double turn[3][3];  // world = turn * head + at
+  double turn[3][3];  // of the head: world = turn * head + at
   double at[3];
 };
 
@@ -52,18 +61,24 @@ struct StepConstants {
   double length_tolerance;
   double friction, contact_depth;
   GridView grid;
-  Pose before, after;
+  Pose after;
+  // Places on the grid, in cells: of where the head was, and is.
+  Pose cells_before, cells_after;
   std::int64_t step;
 };
 
-// Doubles of scratch memory for strands of so many points: rows of the factor, and two sets of positions.
-inline constexpr std::size_t kFactorRow = 24;
-constexpr std::size_t scratch_size(std::size_t points) {
-  return points * (kFactorRow + 6) * kGroup;
-}
+// A thread's memory for strands of so many points.
+inline constexpr std::size_t kFactorRow = 24, kNearRows = 9;
+struct Scratch {
+  double* factor;            // kFactorRow kGroup numbers a point
+  double *moved, *other;     // positions, 3 kGroup numbers a point
+  float* near;               // of points near the head: kNearRows rows of near_row numbers
+  std::int32_t* near_index;  // near_row
+  std::size_t near_row;      // kGroup (points + 2)
+};
 
-// Advances a group by a step. `scratch` is aligned to 64 bytes.
-using StepGroup = void (*)(const StepConstants&, const Group&, double* scratch);
+// Advances a group by a step. All of `scratch` is aligned to 64 bytes.
+using StepGroup = void (*)(const StepConstants&, const Group&, const Scratch& scratch);
 
 struct Parts {
   bool bending, correction, contact;

@@ -12,20 +12,20 @@
 #include "reference/engine/contact.h"
 #include "reference/engine/lanes.h"
 #include "reference/engine/lengths.h"
-#include "reference/engine/solve.h"
+#include "reference/engine/solve_bending.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace hair::engine::HWY_NAMESPACE {
 
 template <bool kBend, bool kCorrect, bool kContact>
-void step_group(const StepConstants& step, const Group& group, double* scratch) {
-  const std::size_t numbers = 3 * static_cast<std::size_t>(group.points) * kWidth;
-  double *const factor = scratch, *moved = factor + numbers / 3 * kFactorRow, *const other = moved + numbers;
+void step_group(const StepConstants& step, const Group& group, const Scratch& scratch) {
   for (std::size_t lane = 0; lane < kGroup; lane += kWidth) {
-    solve<kBend>(step, group, lane, factor, moved);
-    const double* corrected = moved;
-    if constexpr (kCorrect) corrected = correct_lengths(step, group, lane, factor, moved, other);
-    finish<kContact>(step, group, lane, corrected);
+    constexpr auto solve = kBend ? solve_bending : solve_stretch;
+    solve(step, group, lane, scratch.factor, scratch.moved);
+    const double* corrected = scratch.moved;
+    if constexpr (kCorrect)
+      corrected = correct_lengths(step, group, lane, scratch.factor, scratch.moved, scratch.other);
+    finish<kContact>(step, group, lane, corrected, scratch);
   }
 }
 

@@ -32,31 +32,34 @@ HWY_INLINE void store(Lanes value, double* to) {
   hn::Store(value, Tag(), to);
 }
 
-// 1 / a and 1 / sqrt(a) of normal numbers a > 0. AVX-512 has 14 bits of them at once, and each of Newton's steps doubles
-// these: that takes a quarter of the time that its divisions and roots keep the processor's unit for them busy.
+// 1 / a and 1 / sqrt(a) of normal numbers a > 0. AVX-512 has r = 14 bits of them at once. With e = 1 - a r, or 1 - a r^2, which is
+// less than 2^-13, the rest is a series whose terms from e^4 on are below rounding,
+//
+//   1 / a = r (1 + e) (1 + e^2),   1 / sqrt(a) = r (1 + e / 2 + 3 e^2 / 8 + 5 e^3 / 16),
+//
+// and takes a quarter of the time that divisions and roots keep the processor's unit for them busy.
 HWY_INLINE Lanes reciprocal(Lanes a) {
 #if HWY_TARGET == HWY_AVX3
-  Lanes r{_mm512_rcp14_pd(a.raw)};
-  r = hn::MulAdd(r, hn::NegMulAdd(a, r, all(1)), r);
-  return hn::MulAdd(r, hn::NegMulAdd(a, r, all(1)), r);
+  const Lanes r{_mm512_rcp14_pd(a.raw)}, e = hn::NegMulAdd(a, r, all(1)), closer = hn::MulAdd(r, e, r);
+  return hn::MulAdd(closer, e * e, closer);
 #else
   return all(1) / a;
 #endif
 }
 HWY_INLINE Lanes reciprocal_root(Lanes a) {
 #if HWY_TARGET == HWY_AVX3
-  Lanes r{_mm512_rsqrt14_pd(a.raw)};
-  const Lanes half = all(0.5);
-  r = hn::MulAdd(half * r, hn::NegMulAdd(a * r, r, all(1)), r);
-  return hn::MulAdd(half * r, hn::NegMulAdd(a * r, r, all(1)), r);
+  const Lanes r{_mm512_rsqrt14_pd(a.raw)}, e = hn::NegMulAdd(a * r, r, all(1));
+  return hn::MulAdd(r * e, hn::MulAdd(e, hn::MulAdd(e, all(0.3125), all(0.375)), all(0.5)), r);
 #else
   return all(1) / hn::Sqrt(a);
 #endif
 }
 
-struct Vec3 {
-  Lanes x, y, z;
+template <class V>
+struct Three {
+  V x, y, z;
 };
+using Vec3 = Three<Lanes>;
 
 // Numbers `stride` doubles apart: kGroup of a group's, kWidth of scratch memory.
 template <std::size_t kStride>
@@ -76,37 +79,44 @@ HWY_INLINE Vec3 all3(const double* value) {
 HWY_INLINE Vec3 zero3() {
   return {all(0), all(0), all(0)};
 }
-HWY_INLINE Vec3 operator+(const Vec3& a, const Vec3& b) {
+template <class V>
+HWY_INLINE Three<V> operator+(const Three<V>& a, const Three<V>& b) {
   return {a.x + b.x, a.y + b.y, a.z + b.z};
 }
-HWY_INLINE Vec3 operator-(const Vec3& a, const Vec3& b) {
+template <class V>
+HWY_INLINE Three<V> operator-(const Three<V>& a, const Three<V>& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
-HWY_INLINE Vec3 operator*(Lanes s, const Vec3& a) {
+template <class V>
+HWY_INLINE Three<V> operator*(V s, const Three<V>& a) {
   return {s * a.x, s * a.y, s * a.z};
 }
 // a + s b and a - s b.
-HWY_INLINE Vec3 plus(const Vec3& a, Lanes s, const Vec3& b) {
+template <class V>
+HWY_INLINE Three<V> plus(const Three<V>& a, V s, const Three<V>& b) {
   return {hn::MulAdd(s, b.x, a.x), hn::MulAdd(s, b.y, a.y), hn::MulAdd(s, b.z, a.z)};
 }
-HWY_INLINE Vec3 minus(const Vec3& a, Lanes s, const Vec3& b) {
+template <class V>
+HWY_INLINE Three<V> minus(const Three<V>& a, V s, const Three<V>& b) {
   return {hn::NegMulAdd(s, b.x, a.x), hn::NegMulAdd(s, b.y, a.y), hn::NegMulAdd(s, b.z, a.z)};
 }
-HWY_INLINE Lanes dot(const Vec3& a, const Vec3& b) {
+template <class V>
+HWY_INLINE V dot(const Three<V>& a, const Three<V>& b) {
   return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, a.z * b.z));
+}
+HWY_INLINE Vec3 cross(const Vec3& a, const Vec3& b) {
+  return {hn::MulSub(a.y, b.z, a.z * b.y), hn::MulSub(a.z, b.x, a.x * b.z), hn::MulSub(a.x, b.y, a.y * b.x)};
 }
 // The length of e and its reciprocal; of a length of 0 a large one. Max's order lets NaN through.
 struct Length {
   Lanes value, reciprocal;
 };
-HWY_INLINE Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {hn::MulSub(a.y, b.z, a.z * b.y), hn::MulSub(a.z, b.x, a.x * b.z), hn::MulSub(a.x, b.y, a.y * b.x)};
-}
 HWY_INLINE Length length_of(const Vec3& e) {
   const Lanes squared = dot(e, e), per_length = reciprocal_root(hn::Max(all(1e-300), squared));
   return {squared * per_length, per_length};
 }
-HWY_INLINE Vec3 choose(Which which, const Vec3& yes, const Vec3& no) {
+template <class M, class V>
+HWY_INLINE Three<V> choose(M which, const Three<V>& yes, const Three<V>& no) {
   return {hn::IfThenElse(which, yes.x, no.x), hn::IfThenElse(which, yes.y, no.y),
           hn::IfThenElse(which, yes.z, no.z)};
 }
@@ -134,6 +144,12 @@ HWY_INLINE Sym3 minus(const Sym3& a, Lanes s, const Sym3& b) {
           hn::NegMulAdd(s, b.zx, a.zx), hn::NegMulAdd(s, b.zy, a.zy), hn::NegMulAdd(s, b.zz, a.zz)};
 }
 
+// a + b c^T, where it is symmetric.
+HWY_INLINE Sym3 plus(const Sym3& a, const Vec3& b, const Vec3& c) {
+  return {hn::MulAdd(b.x, c.x, a.xx), hn::MulAdd(b.y, c.x, a.yx), hn::MulAdd(b.y, c.y, a.yy),
+          hn::MulAdd(b.z, c.x, a.zx), hn::MulAdd(b.z, c.y, a.zy), hn::MulAdd(b.z, c.z, a.zz)};
+}
+
 struct Mat3 {
   Vec3 x, y, z;  // columns
 };
@@ -154,13 +170,14 @@ HWY_INLINE Mat3 full(const Sym3& a) {
 HWY_INLINE Vec3 turned(const double (&turn)[3][3], const Vec3& a) {
   return {dot(all3(turn[0]), a), dot(all3(turn[1]), a), dot(all3(turn[2]), a)};
 }
-HWY_INLINE Vec3 turned_back(const double (&turn)[3][3], const Vec3& a) {
-  return plus(plus(a.x * all3(turn[0]), a.y, all3(turn[1])), a.z, all3(turn[2]));
-}
-
-// Where the head brings a root.
+// Where the head brings a root; or any other change of axes.
 HWY_INLINE Vec3 placed(const Pose& pose, const Vec3& a) {
-  return turned(pose.turn, a) + all3(pose.at);
+  const auto along = [&](int row) {
+    const double* const turn = pose.turn[row];
+    return hn::MulAdd(all(turn[0]), a.x,
+                      hn::MulAdd(all(turn[1]), a.y, hn::MulAdd(all(turn[2]), a.z, all(pose.at[row]))));
+  };
+  return {along(0), along(1), along(2)};
 }
 
 }  // namespace hair::engine::HWY_NAMESPACE

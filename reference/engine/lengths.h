@@ -1,6 +1,20 @@
 // STAFF ONLY. Step 4 of hair/head/full_head.h: H5's correct_lengths for several strands, as the reference has it: Newton's
 // method with a tridiagonal matrix, halved steps, and `place` where that fails. A strand's steps depend on no other strand:
 // those that are done wait unchanged for the rest.
+//
+// A Newton step is one sweep along the strand. At each segment it solves for the multiplier, moves a point, measures the
+// segment, and eliminates it from the next step's matrix. An elimination ends where the solve with it has to begin, so
+// sweeps go to the tip and to the root in turn.
+//
+// With the weights w = 1/mass (0 of the root, 2 of the tip) and c, s the cosine and sine of the angle of two neighbours, the
+// matrix has w_i + w_{i+1} on its diagonal and -c beside it. Elimination leaves the pivots d = w' + q, where w' is the
+// weight of a segment's far end:
+//
+//   q_0 = w of the first end,   q_k = 1 - c_k^2 / (1 + q_{k-1}) = (q_{k-1} + s_k^2) / d_{k-1}.
+//
+// That is a chain of divisions. With the products P_k = d_0 ... d_k, and G_k = q_k P_{k-1}, it is one of sums,
+//
+//   G_k = G_{k-1} + s_k^2 P_{k-2},   P_k = w' P_{k-1} + G_k,   1 / d_k = P_{k-1} / P_k.
 #if defined(HAIR_REFERENCE_ENGINE_LENGTHS_H_) == defined(HWY_TARGET_TOGGLE)
 #ifdef HAIR_REFERENCE_ENGINE_LENGTHS_H_
 #undef HAIR_REFERENCE_ENGINE_LENGTHS_H_
@@ -21,86 +35,41 @@ inline constexpr double kSmallestPart = 0x1p-10;
 // Errors of the segments' lengths, relative to rest. NaN stays.
 struct LengthErrors {
   Lanes largest, squared;
-
-  HWY_INLINE void add(Lanes length, Lanes rest_length, Lanes per_rest) {
-    const Lanes error = (length - rest_length) * per_rest;
-    largest = hn::Max(largest, hn::Abs(error));
-    squared = hn::MulAdd(error, error, squared);
-  }
 };
 
-// Per segment nine numbers: its direction and length, as measured last; of the Newton step the factor below the diagonal,
-// lambda, and lambda times the direction.
-inline constexpr std::size_t kSegmentRow = 9;
+// Positions, and per segment five numbers: its direction along the sweep that measured it, and what the solve needs: y / d and, of
+// the segment measured before, c / d.
+inline constexpr std::size_t kSegmentRow = 5;
+struct MeasuredStrands {
+  double *x, *rows;
+};
 
 class LengthCorrection {
  public:
-  HWY_INLINE LengthCorrection(int points, Lanes rest_length, const Vec3& tangent, double* rows)
-      : n_(points), rest_(rest_length), per_rest_(reciprocal(rest_length)), tangent_(tangent), rows_(rows) {}
+  HWY_INLINE LengthCorrection(int points, Lanes rest_length, const Vec3& tangent)
+      : last_(points - 1), rest_(rest_length), per_rest_(reciprocal(rest_length)), tangent_(tangent) {}
 
-  HWY_INLINE LengthErrors measure(const double* x) {
-    LengthErrors errors{all(0), all(0)};
-    Vec3 here = load3<kWidth>(x);
-    for (int i = 0; i < n_ - 1; ++i) {
-      const Vec3 next = load3<kWidth>(x + 3 * (i + 1) * kWidth);
-      measure_segment(i, next - here, errors);
-      here = next;
-    }
-    return errors;
+  // Measures x.
+  HWY_INLINE LengthErrors measure(bool to_tip, const MeasuredStrands& strands) const {
+    return to_tip ? sweep<true, false>(strands, strands, all(0), all(0) == all(0))
+                  : sweep<false, false>(strands, strands, all(0), all(0) == all(0));
   }
 
-  // The Newton step of the state that was measured last. Weights are 1/mass: 0 of the root, 2 of the tip.
-  HWY_INLINE void factor() {
-    Vec3 before = tangent_;
-    Lanes q = all(0), per_d = all(0), lambda = all(0);
-    for (int i = 0; i < n_ - 1; ++i) {
-      const Lanes length = load(row(i) + 3 * kWidth);
-      const Vec3 u = choose(length > all(0), load3<kWidth>(row(i)), before);
-      Lanes below = all(0);
-      if (i > 0) {
-        const Vec3 c = cross(before, u);
-        below = all(0) - dot(before, u) * per_d;
-        q = (q + dot(c, c)) * per_d;
-      }
-      per_d = reciprocal(all(i == n_ - 2 ? 2 : 1) + q);
-      lambda = hn::NegMulAdd(below, lambda, rest_ - length);
-      store3<kWidth>(u, row(i));
-      store(below, row(i) + 4 * kWidth);
-      store(lambda * per_d, row(i) + 5 * kWidth);
-      before = u;
-    }
-    lambda = all(0);
-    Lanes below = all(0);
-    for (int i = n_ - 2; i >= 0; --i) {
-      lambda = hn::NegMulAdd(below, lambda, load(row(i) + 5 * kWidth));
-      below = load(row(i) + 4 * kWidth);
-      store3<kWidth>(lambda * load3<kWidth>(row(i)), row(i) + 6 * kWidth);
-    }
+  // What was measured is made ready for an attempt.
+  HWY_INLINE void eliminate(bool to_tip, const MeasuredStrands& strands) const {
+    return to_tip ? eliminate_along<true>(strands.rows) : eliminate_along<false>(strands.rows);
   }
 
-  // tried = x + part W J^T lambda where `active`, x elsewhere; measures it.
-  HWY_INLINE LengthErrors attempt(const double* x, Lanes part, Which active, double* tried) {
-    LengthErrors errors{all(0), all(0)};
-    Vec3 here = load3<kWidth>(x), inner = load3<kWidth>(row(0) + 6 * kWidth);
-    store3<kWidth>(here, tried);
-    for (int i = 0; i < n_ - 1; ++i) {
-      const bool tip = i == n_ - 2;
-      const Vec3 outer = tip ? zero3() : load3<kWidth>(row(i + 1) + 6 * kWidth);
-      const Vec3 old = load3<kWidth>(x + 3 * (i + 1) * kWidth);
-      const Lanes weight = tip ? part + part : part;
-      const Vec3 next = choose(active, plus(old, weight, inner - outer), old);
-      store3<kWidth>(next, tried + 3 * (i + 1) * kWidth);
-      measure_segment(i, next - here, errors);
-      here = next;
-      inner = outer;
-    }
-    return errors;
+  // x of `to` = x + part W J^T lambda where `active`, x elsewhere; measures it. `from` was measured the other way.
+  HWY_INLINE LengthErrors attempt(bool to_tip, const MeasuredStrands& from, Lanes part, Which active,
+                                  const MeasuredStrands& to) const {
+    return to_tip ? sweep<true, true>(from, to, part, active) : sweep<false, true>(from, to, part, active);
   }
 
   // Each point at its distance from the one before, towards where it was; where `which`.
-  HWY_INLINE void place(const double* x, Which which, double* to) {
+  HWY_INLINE void place(const double* x, Which which, double* to) const {
     Vec3 here = load3<kWidth>(x), u = tangent_;
-    for (int i = 0; i < n_ - 1; ++i) {
+    for (int i = 0; i < last_; ++i) {
       double* const at = to + 3 * (i + 1) * kWidth;
       const Vec3 old = load3<kWidth>(x + 3 * (i + 1) * kWidth), e = old - here;
       const Length length = length_of(e);
@@ -111,43 +80,121 @@ class LengthCorrection {
   }
 
  private:
-  HWY_INLINE void measure_segment(int i, const Vec3& e, LengthErrors& errors) {
-    const Length length = length_of(e);
-    store3<kWidth>(length.reciprocal * e, row(i));
-    store(length.value, row(i) + 3 * kWidth);
-    errors.add(length.value, rest_, per_rest_);
-  }
-  HWY_INLINE double* row(int i) { return rows_ + i * kSegmentRow * kWidth; }
+  // Points and segments count along the sweep.
+  template <bool kToTip, bool kMove>
+  HWY_NOINLINE LengthErrors sweep(const MeasuredStrands& from, const MeasuredStrands& to, Lanes part,
+                                  Which active) const {
+    const auto point = [&](double* x, int k) { return x + 3 * (kToTip ? k : last_ - k) * kWidth; };
+    const auto segment = [&](double* rows, int k) {
+      return rows + (kToTip ? k : last_ - 1 - k) * kSegmentRow * kWidth;
+    };
+    constexpr double kFirstWeight = kToTip ? 0 : 2, kLastWeight = kToTip ? 2 : 0;
+    LengthErrors errors{all(0), all(0)};
 
-  int n_;
+    Vec3 here = load3<kWidth>(point(from.x, 0)), pull = zero3();
+    Lanes lambda = all(0);
+    if constexpr (kMove) {
+      lambda = load(segment(from.rows, 0) + 3 * kWidth);
+      pull = part * lambda * load3<kWidth>(segment(from.rows, 0));
+      if constexpr (!kToTip) here = choose(active, plus(here, all(kFirstWeight), pull), here);
+      store3<kWidth>(here, point(to.x, 0));
+    }
+    Vec3 before = kToTip ? tangent_ : zero3() - tangent_;
+    for (int k = 0; k < last_; ++k) {
+      const bool is_last = k == last_ - 1;
+      Vec3 next = load3<kWidth>(point(from.x, k + 1));
+      if constexpr (kMove) {
+        // Directions point against the sweep.
+        Vec3 pull_next = zero3();
+        if (!is_last) {
+          const double* const row = segment(from.rows, k + 1);
+          lambda = hn::MulAdd(load(segment(from.rows, k) + 4 * kWidth), lambda, load(row + 3 * kWidth));
+          pull_next = part * lambda * load3<kWidth>(row);
+        }
+        Vec3 move = pull_next - pull;
+        if (is_last) move = all(kLastWeight) * move;
+        next = choose(active, next + move, next);
+        pull = pull_next;
+        store3<kWidth>(next, point(to.x, k + 1));
+      }
+      const Vec3 e = next - here;
+      const Length length = length_of(e);
+      const Vec3 u = choose(length.value > all(0), length.reciprocal * e, before);
+      const Lanes wrong = rest_ - length.value, error = wrong * per_rest_;
+      errors.largest = hn::Max(errors.largest, hn::Abs(error));
+      errors.squared = hn::MulAdd(error, error, errors.squared);
+
+      double* const row = segment(to.rows, k);
+      store3<kWidth>(u, row);
+      store(wrong, row + 3 * kWidth);
+      here = next;
+      before = u;
+    }
+    return errors;
+  }
+
+  template <bool kToTip>
+  HWY_NOINLINE void eliminate_along(double* rows) const {
+    const auto segment = [&](int k) { return rows + (kToTip ? k : last_ - 1 - k) * kSegmentRow * kWidth; };
+    constexpr double kFirstWeight = kToTip ? 0 : 2, kLastWeight = kToTip ? 2 : 0;
+    Vec3 before = zero3();
+    Lanes P = all(1), P_before = all(0), G = all(kFirstWeight), y = all(0), per_d = all(0);
+    for (int k = 0; k < last_; ++k) {
+      double* const row = segment(k);
+      const Vec3 u = load3<kWidth>(row);
+      const Lanes c = dot(before, u), c_per_d = c * per_d;
+      G = hn::MulAdd(hn::NegMulAdd(c, c, all(1)), P_before, G);
+      const Lanes P_now = k == last_ - 1 ? hn::MulAdd(all(kLastWeight), P, G) : P + G;
+      const Lanes per_P = reciprocal(P_now);
+      per_d = P * per_P;
+      P_before = P;
+      P = P_now;
+      if (k % kLongestProduct == kLongestProduct - 1) {
+        G = G * per_P;
+        P_before = P_before * per_P;
+        P = P * per_P;
+      }
+      y = hn::MulAdd(c_per_d, y, load(row + 3 * kWidth));
+      store(y * per_d, row + 3 * kWidth);
+      store(c_per_d, row + 4 * kWidth);
+      before = u;
+    }
+  }
+
+  // A pivot is at most 3, so that a product of so many is a number.
+  static constexpr int kLongestProduct = 64;
+
+  int last_;
   Lanes rest_, per_rest_;
   Vec3 tangent_;
-  double* rows_;
 };
 
-// Corrects x; `other`: as many numbers. Returns the one of the two that holds the result.
+// Corrects x, with `other` as memory. Returns the one of the two that holds the result.
 HWY_NOINLINE double* correct_lengths(const StepConstants& step, const Group& group, std::size_t lane,
                                      double* rows, double* x, double* other) {
   const Lanes rest = load(group.rest_length + lane);
   const Vec3 root = load3<kWidth>(x);
   const Vec3 tangent = turned(step.after.turn, load3<kGroup>(group.tangent + lane));
-  LengthCorrection strands(group.points, rest, tangent, rows);
+  const LengthCorrection correction(group.points, rest, tangent);
 
   // H5's bound for what rounding allows, with |x_i| at most |root| + L once the lengths are right.
   const Lanes reach = hn::Max(hn::Abs(root.x), hn::Max(hn::Abs(root.y), hn::Abs(root.z)));
   const Lanes rounding = all(0x1p-51) * (reach / rest + all(group.points - 1));
   const Lanes goal = hn::Max(all(step.length_tolerance), rounding), infinite = hn::Inf(Tag());
 
-  LengthErrors errors = strands.measure(x);
+  MeasuredStrands now{x, rows}, tried{other, rows + group.points * kSegmentRow * kWidth};
+  bool to_tip = true;
+  LengthErrors errors = correction.measure(to_tip, now);
   for (int steps = 1; steps <= kMostLengthSteps; ++steps) {
-    Which active = hn::And(errors.largest > goal, errors.squared < infinite);
-    if (hn::AllFalse(Tag(), active)) return x;
-    strands.factor();
+    const Which active = hn::And(errors.largest > goal, errors.squared < infinite);
+    if (hn::AllFalse(Tag(), active)) return now.x;
+    correction.eliminate(to_tip, now);
+    to_tip = !to_tip;
     Lanes part = all(1);
     const Lanes before = errors.squared;
     Which failed = hn::Not(active);
     for (;;) {
-      errors = strands.attempt(x, part, active, other);
+      errors = correction.attempt(to_tip, now, part, active, tried);
       failed = hn::AndNot(errors.squared < before, active);
       const Which halve = hn::And(failed, part > all(kSmallestPart));
       if (HWY_LIKELY(hn::AllFalse(Tag(), halve))) break;
@@ -155,13 +202,13 @@ HWY_NOINLINE double* correct_lengths(const StepConstants& step, const Group& gro
     }
     if (HWY_UNLIKELY(steps > kMostNewtonSteps)) failed = active;
     if (HWY_UNLIKELY(!hn::AllFalse(Tag(), failed))) {
-      strands.place(x, failed, other);
-      errors = strands.measure(other);
+      correction.place(now.x, failed, tried.x);
+      errors = correction.measure(to_tip, tried);
       errors.largest = hn::IfThenZeroElse(failed, errors.largest);  // done
     }
-    std::swap(x, other);
+    std::swap(now, tried);
   }
-  return x;
+  return now.x;
 }
 
 }  // namespace hair::engine::HWY_NAMESPACE

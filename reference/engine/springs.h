@@ -33,28 +33,33 @@ namespace hair::engine::HWY_NAMESPACE {
 struct Segment {
   Vec3 u;
   Lanes length, per_length;
-  Sym3 uu;
 };
-
-// The clamp's direction: a segment without an end.
-HWY_INLINE Segment endless(const Vec3& u) {
-  return {u, all(0), all(0), square(u)};
-}
 
 // A segment of length 0 has no direction.
 HWY_INLINE Segment segment_along(const Vec3& e) {
   const Length length = length_of(e);
-  const Vec3 u = length.reciprocal * e;
-  return {u, length.value, length.reciprocal, square(u)};
+  return {length.reciprocal * e, length.value, length.reciprocal};
 }
 
-// s S / k = across 1 + along u u^T.
-struct Stretch {
-  Lanes across, along;
+// What s S / k is across the segment, S / k = g 1 + (1 - g) u u^T. Along it is s.
+HWY_INLINE Lanes stretch_across(const Segment& segment, Lanes rest_length, Lanes s) {
+  return s * hn::Max(hn::NegMulAdd(rest_length, segment.per_length, all(1)), all(0));
+}
 
-  HWY_INLINE Stretch(const Segment& segment, Lanes rest_length, Lanes s)
-      : across(s * hn::Max(hn::NegMulAdd(rest_length, segment.per_length, all(1)), all(0))),
-        along(s - across) {}
+// Per segment, from its row on: its direction and 1 / l, and the stretch's h f / m and h^2 / m times what S is across the
+// segment. Then of the joint with the segment before, without the lengths: c, and k, k s, k (s - r), k cos, h k q.
+enum SegmentRow : std::size_t {
+  kU = 0,
+  kPerLength = 3,
+  kTension,
+  kAcross,
+  kC,
+  kK = kC + 3,
+  kS,
+  kSR,
+  kCos,
+  kQ,
+  kSegmentNumbers
 };
 
 HWY_INLINE Lanes polynomial(Lanes z) {
@@ -93,44 +98,21 @@ HWY_INLINE Angle angle_of(Lanes cosine, Lanes sine_squared) {
   return angle;
 }
 
-struct Joint {
-  Vec3 turn1, turn2;  // dE/de1 = pull1 turn1, dE/de2 = pull2 turn2, times `force`
-  Lanes pull1, pull2;
-  Sym3 block11, block22;  // block22 with the stretch of the second segment
-  Mat3 block21;
-
-  // k scales the blocks, and k `force` the forces.
-  HWY_INLINE Joint(const Segment& one, const Segment& two, Lanes k, Lanes force, const Stretch& stretch) {
-    const Vec3 c = cross(one.u, two.u);
-    const Lanes cosine = dot(one.u, two.u), sine_squared = dot(c, c);
-    // Folded, or without a direction: neither force nor product.
-    const Which rigid = hn::And(sine_squared == all(0), cosine <= all(0));
-    k = hn::IfThenZeroElse(rigid, k);
-    const Angle angle = angle_of(cosine, sine_squared);
-
-    const Lanes pull = k * force * angle.q;
-    pull1 = pull * one.per_length;
-    pull2 = pull * two.per_length;
-    turn1 = {hn::MulSub(cosine, one.u.x, two.u.x), hn::MulSub(cosine, one.u.y, two.u.y),
-             hn::MulSub(cosine, one.u.z, two.u.z)};
-    turn2 = {hn::MulSub(cosine, two.u.x, one.u.x), hn::MulSub(cosine, two.u.y, one.u.y),
-             hn::MulSub(cosine, two.u.z, one.u.z)};
-
-    const Sym3 cc = square(c);
-    const Lanes k1 = k * one.per_length, k11 = k1 * one.per_length, k21 = k1 * two.per_length,
-                k22 = k * two.per_length * two.per_length;
-    block11 = minus(minus(diagonal(k11), k11, one.uu), k11 * angle.s, cc);
-    block22 = minus(minus(diagonal(k22 + stretch.across), k22 - stretch.along, two.uu), k22 * angle.s, cc);
-
-    const Lanes t = k21 * (angle.s - angle.r), straight = k21 * cosine;
-    const Vec3 kc = k21 * c, ku = k21 * two.u;
-    const Sym3 tcc = t * cc;
-    // Columns of -(cos 1 + [c]x) k21 + t c c^T + k21 u2 u1^T.
-    block21.x = plus({tcc.xx - straight, tcc.yx - kc.z, tcc.zx + kc.y}, one.u.x, ku);
-    block21.y = plus({tcc.yx + kc.z, tcc.yy - straight, tcc.zy - kc.x}, one.u.y, ku);
-    block21.z = plus({tcc.zx - kc.y, tcc.zy + kc.x, tcc.zz - straight}, one.u.z, ku);
-  }
-};
+// The joint of one and two: c to the row's end.
+HWY_INLINE void store_joint(const Vec3& one, const Vec3& two, Lanes k, Lanes h, double* row) {
+  const Vec3 c = cross(one, two);
+  const Lanes cosine = dot(one, two), sine_squared = dot(c, c);
+  // Folded, or without a direction: neither force nor product.
+  const Which rigid = hn::And(sine_squared == all(0), cosine <= all(0));
+  k = hn::IfThenZeroElse(rigid, k);
+  const Angle angle = angle_of(cosine, sine_squared);
+  store3<kWidth>(c, row + kC * kWidth);
+  store(k, row + kK * kWidth);
+  store(k * angle.s, row + kS * kWidth);
+  store(k * (angle.s - angle.r), row + kSR * kWidth);
+  store(k * cosine, row + kCos * kWidth);
+  store(h * k * angle.q, row + kQ * kWidth);
+}
 
 }  // namespace hair::engine::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
