@@ -2,6 +2,8 @@
 #include "grader/mutants/judging.h"
 
 #include <algorithm>
+#include <stdexcept>
+#include <utility>
 
 #include "grader/tool/exercise_grading.h"
 #include "grader/tool/reference_grading.h"

@@ -3,6 +3,7 @@
 // Objects are kept: a test that was interrupted compiles nothing twice.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <filesystem>

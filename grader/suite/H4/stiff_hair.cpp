@@ -1,6 +1,11 @@
 // STAFF ONLY.
 #include "grader/suite/H4/stiff_hair.h"
 
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+
 #include "particles/force_sum.h"
 #include "particles/gravity.h"
 #include "particles/products_to_band.h"
