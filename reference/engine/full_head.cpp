@@ -9,6 +9,7 @@
 #endif
 
 #include <algorithm>
+#include <memory>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -59,11 +60,11 @@ engine::Pose pose_of(const Transform& transform) {
 // Asks for pages of 2 MB, where the system has them on request: a step walks through all of this memory.
 void ask_for_large_pages([[maybe_unused]] double* memory, [[maybe_unused]] std::size_t numbers) {
 #ifdef __linux__
-  constexpr std::uintptr_t kPage = 1 << 21;
-  const auto first = reinterpret_cast<std::uintptr_t>(memory), end = first + numbers * sizeof(double);
-  const std::uintptr_t begin = (first + kPage - 1) / kPage * kPage;
+  constexpr std::size_t kPage = 1 << 21;
+  void* begin = memory;
+  std::size_t bytes = numbers * sizeof(double);
   // Refused, it costs time and nothing else.
-  if (begin < end) static_cast<void>(madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE));
+  if (std::align(kPage, kPage, begin, bytes)) static_cast<void>(madvise(begin, bytes, MADV_HUGEPAGE));
 #endif
 }
 
