@@ -4,12 +4,11 @@
 // its content: a test that was interrupted goes on where it was.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <optional>
-#include <sstream>
 
 #include "grader/compile/hash.h"
 #include "grader/compile/kit.h"
@@ -156,13 +155,15 @@ TEST_P(RightPrograms, LoseNoPointWhateverCompilesThem) {
   std::printf("\n");
   for (const Program& program : programs) {
     std::printf("%-4s %-32s", exercise_.id.c_str(), program.name.c_str());
+    std::string refused;
     for (const Setting& setting : all) {
       const std::string lost = failures(program, setting);
-      std::printf(" %4d seeds%s", setting.seeds, lost.empty() ? "" : " LOST");
+      std::printf(" %4d seeds", setting.seeds);
       std::fflush(stdout);
-      EXPECT_EQ(lost, "") << program.name << ", " << setting.name;
+      if (!lost.empty()) refused += setting.name + ": " + lost;
     }
     std::printf("\n");
+    EXPECT_EQ(refused, "") << "refused, though it is right: " << program.name;
   }
 }
 
