@@ -38,9 +38,8 @@ struct CaseResult {
   std::string detail;    // for staff: inputs, expected and actual values
   // For students, too: a memory error, as a sentence of ours with a line of their file. Empty: none was found.
   std::string memory_error = {};
-  // How many of its cases hold. Of a category that ended early: of those that were asked until then.
+  // Of a wrong category, how many of its cases hold; 0 of 0 where they could not be counted.
   int cases = 0, held = 0;
-  bool ended = false;
 };
 
 // A moment of a run. We draw it from the states of the submission's code and of the reference. It contains no

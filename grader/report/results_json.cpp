@@ -45,8 +45,7 @@ Json case_json(const CaseResult& one) {
           {"detail", hair::valid_utf8(one.detail)},
           {"memory_error", hair::valid_utf8(one.memory_error)},
           {"cases", one.cases},
-          {"held", one.held},
-          {"ended", one.ended}};
+          {"held", one.held}};
 }
 
 CaseResult case_from(const Json& json) {
@@ -54,7 +53,7 @@ CaseResult case_from(const Json& json) {
           json.at("points"),       json.at("max_points"),
           json.at("feedback"),     json.at("detail"),
           json.at("memory_error"), json.at("cases"),
-          json.at("held"),         json.at("ended")};
+          json.at("held")};
 }
 
 Json pictures_json(const std::vector<PictureResult>& pictures) {

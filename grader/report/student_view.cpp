@@ -22,11 +22,11 @@ bool is_stub(const ExerciseResult& exercise) {
                      [](const CaseResult& one) { return one.status == Status::not_implemented; });
 }
 
-// In three bands. Of a few cases, and of those before an end, it would tell which.
+// In three bands. Of a few cases it would tell which.
 std::string how_many_hold(const CaseResult& one) {
   constexpr int kFew = 5;
   constexpr double kNearlyAll = 0.8, kHardlyAny = 0.2;
-  if (one.cases < kFew || one.ended) return "Not right.";
+  if (one.cases < kFew) return "Not right.";
   const double share = static_cast<double>(one.held) / one.cases;
   return share >= kNearlyAll   ? "Not right, but nearly all of its cases are."
          : share >= kHardlyAny ? "Not right, but some of its cases are."
@@ -68,7 +68,6 @@ SubmissionResult for_student(const SubmissionResult& result) {
       one.feedback = one.memory_error.empty() ? sentence_of(one) : one.memory_error;
       one.detail.clear();
       one.cases = one.held = 0;
-      one.ended = false;
     }
     for (PictureResult& picture : exercise.pictures) {
       if (!picture.far_off) continue;

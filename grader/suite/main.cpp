@@ -5,7 +5,7 @@
 //
 //   {"exercise": "S2", "seed": "...", "kit": DIR, "lent": ["S1"], "objects": [FILE...], "log": FILE,
 //    "isolated": true, "cpu_seconds": 10, "allowance": {"idle_seconds": 3, ...}, "pictures": DIR, "sanitised": FILE}
-//   {"cases": [{"name", "status", "weight", "points", "feedback", "detail", "cases", "held", "ended"}...],
+//   {"cases": [{"name", "status", "weight", "points", "feedback", "detail", "cases", "held"}...],
 //    "cpu_seconds": 0.1, "starts": 1, "spent": {"idle_seconds": 0.01, ...}}
 //
 // "lent" are the exercises whose functions the suite lends (lending.h). "allowance" and "spent" are as in grader/course/budget.h.
@@ -119,7 +119,7 @@ Job read_job(std::istream& in) {
 class CategoryTest : public testing::Test {
  public:
   CategoryTest(const Category& category, grader::Student& student, const std::string& seed,
-               grader::Recording* recording, json& cases)
+               grader::Recording& recording, json& cases)
       : category_(category), student_(student), seed_(seed), recording_(recording), cases_(cases) {}
 
   void TestBody() override {
@@ -128,27 +128,28 @@ class CategoryTest : public testing::Test {
                    {"points", 0},
                    {"status", "passed"},
                    {"feedback", ""},
-                   {"detail", ""}};
-    student_.record(recording_);
-    if (recording_) recording_->begin_category(category_.title);
-    grader::Verdict verdict;
+                   {"detail", ""},
+                   {"cases", 0},
+                   {"held", 0}};
+    recording_.begin_category(category_.title);
     try {
-      verdict = grader::judge(category_, student_, grader::Random(seed_, category_.name));
+      grader::Trial trial(student_, grader::Random(seed_, category_.name));
+      category_.run(trial);
+      result["points"] = category_.weight;
+    } catch (const grader::CaseFailed& failure) {
+      result["status"] = grader::to_string(failure.status);
+      result["feedback"] = failure.feedback;
+      result["detail"] = failure.detail;
+      ADD_FAILURE() << failure.feedback << "\n" << failure.detail;
+    } catch (const grader::MalformedMessage& error) {
+      result["status"] = grader::to_string(grader::Status::broke_rules);
+      result["feedback"] = "the code answered in a form that it has no business with";
+      result["detail"] = error.what();
+      ADD_FAILURE() << error.what();
     } catch (const std::exception& error) {  // ours: there is no result without this category
       std::cerr << "hairsuite: " << category_.name << ": " << error.what() << "\n";
       return;
     }
-    if (verdict.failure) {
-      result["status"] = grader::to_string(verdict.failure->status);
-      result["feedback"] = verdict.failure->feedback;
-      result["detail"] = verdict.failure->detail;
-      ADD_FAILURE() << verdict.failure->feedback << "\n" << verdict.failure->detail;
-    } else {
-      result["points"] = category_.weight;
-    }
-    result["cases"] = verdict.cases;
-    result["held"] = verdict.held;
-    result["ended"] = verdict.ended;
     cases_.push_back(result);
   }
 
@@ -156,7 +157,7 @@ class CategoryTest : public testing::Test {
   const Category& category_;
   grader::Student& student_;
   const std::string& seed_;
-  grader::Recording* recording_;  // null: what it asks is not written down
+  grader::Recording& recording_;
   json& cases_;
 };
 
@@ -171,6 +172,20 @@ json to_json(const std::vector<grader::PictureResult>& pictures) {
                    {"reference", grader::base64(picture.reference)},
                    {"heat", grader::base64(picture.heat)}});
   return all;
+}
+
+// Of each wrong category, how many of its cases hold. It comes last: what it takes of the budget nothing else lacks.
+void count_cases(const std::vector<Category>& categories, grader::Student& student, const std::string& seed,
+                 json& cases) {
+  student.record(nullptr);
+  for (std::size_t i = 0; i < categories.size() && !student.gave_up(); ++i) {
+    if (cases[i].at("status") != grader::to_string(grader::Status::wrong)) continue;
+    const std::optional<grader::CaseCount> count =
+        count_of(categories[i], student, grader::Random(seed, categories[i].name));
+    if (!count) continue;
+    cases[i]["cases"] = count->cases;
+    cases[i]["held"] = count->held;
+  }
 }
 
 // Null if a category has no result, which is our fault.
@@ -188,6 +203,7 @@ json run_categories(const Job& job, grader::Student& student) {
   }
   std::optional<grader::MemoryErrors> memory;
   if (job.sanitised) {
+    student.record(&recording);
     std::vector<grader::Student*> earlier = {&student};
     if (run) earlier.push_back(&run->student());
     memory.emplace(job.worker, *job.sanitised, std::move(earlier), recording, [&cases] {
@@ -198,21 +214,21 @@ json run_categories(const Job& job, grader::Student& student) {
     grader::pay_for_memory_errors(categories, of_the_run);
   }
 
-  auto add = [&](const Category& category, grader::Student& who, grader::Recording* written) {
-    testing::RegisterTest(job.exercise.c_str(), category.name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
-                          [&, written]() -> testing::Test* {
-                            return new CategoryTest(category, who, job.seed, written, cases);
-                          });
+  auto add = [&](const Category& category, grader::Student& who) {
+    testing::RegisterTest(
+        job.exercise.c_str(), category.name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
+        [&]() -> testing::Test* { return new CategoryTest(category, who, job.seed, recording, cases); });
   };
-  for (const Category& category : categories) add(category, student, memory ? &recording : nullptr);
-  for (const Category& category : of_the_run) add(category, run->student(), nullptr);
-  for (const Category& category : of_memory) add(category, memory->student(), nullptr);
+  for (const Category& category : categories) add(category, student);
+  for (const Category& category : of_the_run) add(category, run->student());
+  for (const Category& category : of_memory) add(category, memory->student());
 
   // Standard output carries the result, and nothing else.
   testing::TestEventListeners& listeners = testing::UnitTest::GetInstance()->listeners();
   delete listeners.Release(listeners.default_result_printer());
   const bool ran = RUN_ALL_TESTS() >= 0;  // a category that fails is a result, not an error
   if (!ran || cases.size() != categories.size() + of_the_run.size() + of_memory.size()) return {};
+  count_cases(categories, student, job.seed, cases);
   json result = {{"cases", cases}};
   if (run) {
     run->student().finish();

@@ -64,24 +64,12 @@ void Trial::expect_at_most(double error, double bound, const std::string& what, 
 
 void Trial::wrong(const std::string& feedback, const std::string& detail) {
   if (when_wrong_ == WhenWrong::stop) fail(Status::wrong, feedback, detail);
-  note({Status::wrong, feedback, described(detail)});
+  if (!case_failed_) ++failed_;
+  case_failed_ = true;
 }
 
 void Trial::fail(Status status, const std::string& feedback, const std::string& detail) const {
-  throw CaseFailed{status, feedback, described(detail)};
-}
-
-std::string Trial::described(const std::string& detail) const {
-  return description_ + (detail.empty() ? "" : ": ") + detail;
-}
-
-void Trial::note(const CaseFailed& failure) {
-  if (!case_failed_) ++failed_;
-  case_failed_ = true;
-  if (first_failure_) return;
-  first_failure_ = failure;
-  // Memory errors are looked for in what was asked until here: what is only counted costs no second worker.
-  student_.record(nullptr);
+  throw CaseFailed{status, feedback, description_ + (detail.empty() ? "" : ": ") + detail};
 }
 
 void Trial::ask_aside(const std::function<void()>& questions) {
@@ -98,23 +86,18 @@ void Trial::ask_aside(const std::function<void()>& questions) {
   case_failed_ = case_failed;
 }
 
-Verdict judge(const Category& category, Student& student, const Random& source) {
-  Trial trial(student, source, WhenWrong::go_on);
-  Verdict verdict;
+std::optional<CaseCount> count_of(const Category& category, Student& student, const Random& source) {
+  Trial trial(student, source, WhenWrong::count);
   try {
     category.run(trial);
-  } catch (const CaseFailed& failure) {
-    verdict.ended = true;
-    trial.note(failure);
-  } catch (const MalformedMessage& error) {
-    verdict.ended = true;
-    trial.note(
-        {Status::broke_rules, "the code answered in a form that it has no business with", error.what()});
+  } catch (const CaseFailed&) {
+    return {};
+  } catch (const std::exception&) {  // a message of another form, or what we can't compute with wrong answers
+    return {};
   }
-  verdict.failure = trial.first_failure();
-  verdict.cases = std::max({trial.cases(), trial.failed(), 1});
-  verdict.held = verdict.cases - trial.failed();
-  return verdict;
+  if (trial.failed() == 0) return {};
+  const int cases = std::max(trial.cases(), trial.failed());
+  return CaseCount{cases, cases - trial.failed()};
 }
 
 std::string band(double error, double bound) {

@@ -1,6 +1,6 @@
 // STAFF ONLY. A category of an exercise's hidden cases, and the tools for its code. A case is a call of the student's
-// function, with what is expected of it until the next call. The first failing case decides what is said of its category;
-// the others are counted.
+// function, with what is expected of its answer until the next call. The first failing case ends its category; how many there are is
+// counted later.
 //
 // A failure has two readers. The student sees the missing property and the size of an error in bands; staff
 // see inputs, expected and actual values.
@@ -22,9 +22,8 @@ struct CaseFailed {
   std::string feedback, detail;
 };
 
-// What a wrong answer does: it ends the category by CaseFailed, or it is noted, so that the other cases are counted, too. No
-// answer ends it in either way.
-enum class WhenWrong { stop, go_on };
+// What a wrong answer does: it ends the category by CaseFailed, or it is counted. No answer ends it in either way.
+enum class WhenWrong { stop, count };
 
 class Trial {
  public:
@@ -55,13 +54,6 @@ class Trial {
   // Runs `questions` for what their answers may excuse: none of them is a case, and the first that fails ends them.
   void ask_aside(const std::function<void()>& questions);
 
-  // What was asked so far is one case.
-  void count_as_one() { cases_ = 1; }
-
-  // The present case failed.
-  void note(const CaseFailed& failure);
-
-  const std::optional<CaseFailed>& first_failure() const { return first_failure_; }
   int cases() const { return cases_; }
   int failed() const { return failed_; }
 
@@ -69,12 +61,10 @@ class Trial {
 
  private:
   void wrong(const std::string& feedback, const std::string& detail);
-  std::string described(const std::string& detail) const;
 
   Student& student_;
   WhenWrong when_wrong_;
   std::string description_;
-  std::optional<CaseFailed> first_failure_;
   int cases_ = 0, failed_ = 0;
   bool case_failed_ = false;
 };
@@ -86,14 +76,13 @@ struct Category {
   std::function<void(Trial&)> run;
 };
 
-struct Verdict {
-  std::optional<CaseFailed> failure;  // the first
-  int cases = 1, held = 0;            // as far as the category came
-  bool ended = false;                 // before all of its cases were asked
+struct CaseCount {
+  int cases = 0, held = 0;  // held < cases
 };
 
-// All cases of a category.
-Verdict judge(const Category& category, Student& student, const Random& source);
+// Of a category that failed, how many of its cases hold. Nothing if there is no answer on the way, or none that the rest can go on
+// with; or if nothing fails, this time.
+std::optional<CaseCount> count_of(const Category& category, Student& student, const Random& source);
 
 // The ratio of error and bound, in bands: an exact number could reveal a hidden case's value.
 std::string band(double error, double bound);

@@ -52,62 +52,53 @@ TEST(Feedback, TellsStudentsABandAndStaffTheNumbers) {
   EXPECT_EQ(failure.detail, "a hidden case: the error of x: 0.0625, bound 0.03125; more for staff");
 }
 
-// A student without a program answers nothing, so `ask` is counted by what it throws.
-Verdict verdict_of(const std::function<void(Trial&)>& run) {
+std::optional<CaseCount> counted(const std::function<void(Trial&)>& run) {
   Student nobody{WorkerSetup{}};
-  return judge({"Name", "Title", 1, run}, nobody, Random("seed", "verdict"));
+  return count_of({"Name", "Title", 1, run}, nobody, Random("seed", "count"));
 }
 
-TEST(Verdict, KeepsTheFirstFailureAndGoesOn) {
+TEST(Count, GoesOnAfterAFailure) {
   bool last = false;
-  const Verdict verdict = verdict_of([&](Trial& trial) {
-    trial.describe("one");
-    trial.expect(false, "the first", "numbers");
+  const std::optional<CaseCount> count = counted([&](Trial& trial) {
+    trial.expect(false, "the first");
     trial.expect_at_most(2, 1, "the second");
     last = true;
   });
   EXPECT_TRUE(last);
-  ASSERT_TRUE(verdict.failure);
-  EXPECT_EQ(verdict.failure->feedback, "the first");
-  EXPECT_EQ(verdict.failure->detail, "one: numbers");
-  EXPECT_FALSE(verdict.ended);
-  EXPECT_EQ(verdict.cases, 1);
-  EXPECT_EQ(verdict.held, 0) << "a case fails once";
+  ASSERT_TRUE(count);
+  EXPECT_EQ(count->cases, 1);
+  EXPECT_EQ(count->held, 0) << "a case fails once";
 }
 
-TEST(Verdict, EndsWhereTheRestCantDoWithout) {
-  for (const bool malformed : {false, true}) {
-    bool last = false;
-    const Verdict verdict = verdict_of([&](Trial& trial) {
-      if (malformed) throw MalformedMessage("too short");
-      trial.require(false, "nothing is there");
-      last = true;
-    });
-    EXPECT_FALSE(last);
-    EXPECT_TRUE(verdict.ended);
-    ASSERT_TRUE(verdict.failure);
-    EXPECT_EQ(verdict.failure->status, malformed ? Status::broke_rules : Status::wrong);
-  }
+TEST(Count, IsNothingWhereTheCategoryEndsEarly) {
+  bool last = false;
+  EXPECT_FALSE(counted([&](Trial& trial) {
+    trial.expect(false, "the first");
+    trial.require(false, "nothing is there");
+    last = true;
+  }));
+  EXPECT_FALSE(counted([](Trial& trial) {
+    trial.expect(false, "the first");
+    throw MalformedMessage("too short");
+  }));
+  EXPECT_FALSE(last);
 }
 
-TEST(Verdict, HoldsWhereNothingFails) {
-  const Verdict verdict = verdict_of([](Trial& trial) { trial.expect(true, "nothing"); });
-  EXPECT_FALSE(verdict.failure || verdict.ended);
-  EXPECT_EQ(verdict.held, verdict.cases);
+TEST(Count, IsNothingWhereNothingFails) {
+  EXPECT_FALSE(counted([](Trial& trial) { trial.expect(true, "nothing"); }));
 }
 
-TEST(Verdict, CountsNothingThatIsAskedAside) {
+TEST(Count, LeavesOutWhatIsAskedAside) {
   int questions = 0;
-  const Verdict verdict = verdict_of([&](Trial& trial) {
+  EXPECT_FALSE(counted([&](Trial& trial) {
     trial.ask_aside([&] {
       ++questions;
       trial.expect(false, "what excuses nothing");
       ++questions;
     });
     trial.expect(true, "nothing");
-  });
+  }));
   EXPECT_EQ(questions, 1) << "the first that fails ends them";
-  EXPECT_FALSE(verdict.failure);
 }
 
 TEST(Random, IsTheSameOnEveryMachine) {

@@ -67,7 +67,6 @@ Played WholeRun::play_unless_given_up(Trial& trial) {
 void WholeRun::judge_run(Trial& trial) {
   trial.describe(hidden_.scene.name);
   const Played theirs = play_unless_given_up(trial);
-  trial.count_as_one();
   run_ = compare_runs(hidden_.scene, hidden_.pictures, theirs);
   trial.require(run_->finite, "numbers that are not finite");
   trial.require(theirs.trouble.empty() && run_->moments.size() == hidden_.scene.frames + std::size_t{1},

@@ -25,9 +25,9 @@ std::string beginning_of(const fs::path& file, std::size_t most) {
   return text;
 }
 
-// In whole points, and nothing where it ended early: what it was not asked it does not have.
+// In whole points, and nothing where no cases could be counted.
 double points_for_share(const CaseResult& one) {
-  if (one.status == Status::passed || one.ended || one.cases == 0) return one.points;
+  if (one.cases == 0) return one.points;
   return std::floor(one.max_points * one.held / one.cases);
 }
 

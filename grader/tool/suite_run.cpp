@@ -121,7 +121,7 @@ SuiteResult run_suite(const std::filesystem::path& suite, const SuiteJob& job) {
   for (const json& one : found.value("cases", json::array()))
     result.cases.push_back({one.at("name"), status_from_string(one.at("status")), one.at("points"),
                             one.at("weight"), one.at("feedback"), one.at("detail"), "", one.at("cases"),
-                            one.at("held"), one.at("ended")});
+                            one.at("held")});
   for (const json& one : found.value("runs", json::array()))
     result.runs.push_back({one.at("name"), one.at("shows"), run_outcome_from_string(one.at("outcome")),
                            one.at("feedback"), one.at("detail"), pictures_from(one.at("pictures"))});

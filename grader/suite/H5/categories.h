@@ -10,7 +10,7 @@ std::vector<Category> categories();
 
 inline constexpr WholeRunPoints kWholeRun{2, 3};
 
-// Each sends its cases to the student's functions; a case that fails is noted in the trial, or thrown.
+// Each sends its cases to the student's functions and throws CaseFailed at the first failure.
 void relaxation(Trial& trial);
 void relaxation_masses(Trial& trial);
 void lengths(Trial& trial);

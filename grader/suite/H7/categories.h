@@ -10,7 +10,7 @@ std::vector<Category> categories();
 
 inline constexpr WholeRunPoints kWholeRun{};  // no scene calls it
 
-// Each sends its cases to the student's functions; a case that fails is noted in the trial, or thrown.
+// Each sends its cases to the student's functions and throws CaseFailed at the first failure.
 void velocities(Trial& trial);
 void moving_joints(Trial& trial);
 void link_forces(Trial& trial);

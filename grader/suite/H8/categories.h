@@ -10,7 +10,7 @@ std::vector<Category> categories();
 
 inline constexpr WholeRunPoints kWholeRun{};  // no scene calls it
 
-// Each sends its cases to the student's functions; a case that fails is noted in the trial, or thrown.
+// Each sends its cases to the student's functions and throws CaseFailed at the first failure.
 void functions(Trial& trial);
 void nearly_straight(Trial& trial);
 void centre_line(Trial& trial);

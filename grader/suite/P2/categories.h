@@ -10,7 +10,7 @@ std::vector<Category> categories();
 
 inline constexpr WholeRunPoints kWholeRun{1, 2};
 
-// Each sends its cases to the student's functions; a case that fails is noted in the trial, or thrown.
+// Each sends its cases to the student's functions and throws CaseFailed at the first failure.
 void rod_values(Trial& trial);
 void wire_values(Trial& trial);
 void rod_forces(Trial& trial);

@@ -10,7 +10,7 @@ std::vector<Category> categories();
 
 inline constexpr WholeRunPoints kWholeRun{1, 1};
 
-// Each sends its cases to the student's ConjGrad; a case that fails is noted in the trial, or thrown.
+// Each sends its cases to the student's ConjGrad and throws CaseFailed at the first failure.
 void examples(Trial& trial);
 void sizes(Trial& trial);
 void known_matrices(Trial& trial);
