@@ -5,15 +5,14 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
 
 #include "grader/mutants/judging.h"
 #include "grader/mutants/mutation.h"
+#include "grader/tests/run_program.h"
 #include "grader/tool/secret.h"
 
 namespace grader {
@@ -24,17 +23,6 @@ namespace fs = std::filesystem;
 const fs::path kProject = HAIR_PROJECT;
 constexpr std::size_t kLeastWrong = 40;
 
-std::string from_environment(const char* name, const std::string& otherwise) {
-  const char* value = std::getenv(name);
-  return value ? value : otherwise;
-}
-
-std::string text_of(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
-
 // A program that is right although it was changed.
 struct Equivalent {
   std::string line, change, reason;
@@ -42,7 +30,7 @@ struct Equivalent {
 
 std::vector<Equivalent> equivalents_of(const std::string& exercise) {
   std::vector<Equivalent> all;
-  const nlohmann::json lists = nlohmann::json::parse(text_of(kProject / "grader/mutants/equivalents.json"));
+  const nlohmann::json lists = nlohmann::json::parse(read_file(kProject / "grader/mutants/equivalents.json"));
   for (const nlohmann::json& entry : lists.at(exercise))
     all.push_back({entry.at("line"), entry.at("change"), entry.at("why")});
   return all;
@@ -80,14 +68,14 @@ void judge_all(const Judging& judging, const std::string& source, std::vector<Mu
 }
 
 TEST(Suite, TakesPointsOfEachWrongProgram) {
-  const std::string id = from_environment("HAIR_EXERCISE", "");
+  const std::string id = environment("HAIR_EXERCISE", "");
   const GradingSettings settings = settings_for(id);
   const Exercise* exercise = settings.course.find(id);
   ASSERT_NE(exercise, nullptr) << "HAIR_EXERCISE must name an exercise; it is \"" << id << "\"";
-  const std::string source = text_of(kProject / "reference" / exercise->file);
+  const std::string source = read_file(kProject / "reference" / exercise->file);
   const std::vector<Mutation> order =
-      drawn(mutations_of(source), std::stoull(from_environment("HAIR_MUTANTS_SEED", "1")));
-  const auto count = static_cast<std::size_t>(std::stoi(from_environment("HAIR_MUTANTS", "40")));
+      drawn(mutations_of(source), std::stoull(environment("HAIR_MUTANTS_SEED", "1")));
+  const auto count = static_cast<std::size_t>(std::stoi(environment("HAIR_MUTANTS", "40")));
   const std::vector<Equivalent> equivalents = equivalents_of(id);
   const Judging judging(settings);
 

@@ -31,11 +31,6 @@ struct Setting {
   int seeds;
 };
 
-std::string environment(const char* name, const std::string& otherwise) {
-  const char* value = std::getenv(name);
-  return value ? value : otherwise;
-}
-
 // What is not here is left out, and says so.
 std::vector<Setting> settings() {
   const auto seeds = [](const char* otherwise) { return std::stoi(environment("HAIR_SEEDS", otherwise)); };

@@ -4,6 +4,7 @@
 #include <spawn.h>
 #include <sys/wait.h>
 
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <system_error>
@@ -47,6 +48,11 @@ ProgramRun run_hairgrade(const std::vector<std::string>& arguments,
   waitpid(process, &status, 0);
   run.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   return run;
+}
+
+std::string environment(const char* name, const std::string& otherwise) {
+  const char* value = std::getenv(name);
+  return value ? value : otherwise;
 }
 
 std::string read_file(const std::filesystem::path& path) {

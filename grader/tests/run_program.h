@@ -18,6 +18,9 @@ struct ProgramRun {
 ProgramRun run_hairgrade(const std::vector<std::string>& arguments,
                          const std::function<void(int)>& meanwhile = {});
 
+// A variable of the environment, or what stands for it.
+std::string environment(const char* name, const std::string& otherwise);
+
 // A file's bytes; empty if it can't be read.
 std::string read_file(const std::filesystem::path& path);
 

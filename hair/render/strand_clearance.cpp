@@ -70,7 +70,8 @@ bool StrandClearance::NearCells::may_touch(const Vector3d& point) const {
 StrandClearance::StrandClearance(const std::vector<Obstacle>& obstacles, int threads) : threads_(threads) {
   for (const Obstacle& obstacle : obstacles) {
     const auto* const placed = std::get_if<PlacedSolid>(&obstacle.shape);
-    cells_.push_back(placed ? std::make_shared<NearCells>(*placed->solid, kCell) : nullptr);
+    cells_.emplace_back();
+    if (placed) cells_.back().emplace(*placed->solid, kCell);
   }
 }
 

@@ -7,7 +7,7 @@
 #pragma once
 
 #include <array>
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "hair/render/drawing.h"
@@ -48,7 +48,7 @@ class StrandClearance {
   void move_strand_out(const std::vector<Obstacle>& now, Vector3d* points, int count, std::uint32_t id,
                        Scratch& scratch) const;
 
-  std::vector<std::shared_ptr<const NearCells>> cells_;  // of each obstacle; null: its distance costs nothing
+  std::vector<std::optional<NearCells>> cells_;  // of each obstacle; none: its distance costs nothing
   StrandThreads threads_;
 };
 
