@@ -2,7 +2,8 @@
 // physics of H1, H2, H4 and H5, many strands at a time, with a direct solve instead of ConjGrad.
 //
 // A strand has n >= 2 points with equal distances l0 at rest, is straight at rest, and has the masses of a uniform
-// strand: lambda l0 of each point (lambda the line density), half of that at the tip. Its root is held by the head.
+// strand: lambda l0 of each point (lambda the line density), half of that at the tip. Its root is held by the head. A strand of a
+// groom whose segments differ in length is resampled first (hair/head/resample.h).
 //
 // A step of h seconds, with x, v the state before it, and v0 = (root's new place - x_0) / h:
 //
@@ -17,7 +18,8 @@
 //   4. x~ = x1 with its lengths corrected: H5's Newton method, to kLengthTolerance
 //   5. impulse: v~ = v1 + (x~ - x1) / h, which is (x~ - x) / h
 //   6. points inside of the head are pushed out, as by obstacles.h, in the head's axes; of the head's surface one knows
-//      its distances on a grid, and a point rests within kContactDepth. A point that went through the head in one step
+//      its distances on a grid, as integers of 16 bits (the largest is the largest distance), and a point rests within
+//      kContactDepth. A point that went through the head in one step
 //      is not found.
 //
 // Without bending, correction or a head, what belongs to it is left out of the compiled loops.

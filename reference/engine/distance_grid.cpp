@@ -3,10 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "particles/require.h"
 
 namespace hair::engine {
+
+namespace {
+
+constexpr double kLargest = std::numeric_limits<std::int16_t>::max();
+
+}  // namespace
 
 DistanceGrid::DistanceGrid(const Solid& solid, double spacing) : box_(solid.box()), spacing_(spacing) {
   particles::require_positive("a grid's spacing", spacing);
@@ -15,12 +22,20 @@ DistanceGrid::DistanceGrid(const Solid& solid, double spacing) : box_(solid.box(
   particles::require(counts.prod() <= kMostPoints, "the number of a grid's points", counts.prod(),
                      "at most 2e8: make the spacing larger");
   for (int axis = 0; axis < 3; ++axis) count_[axis] = static_cast<int>(counts[axis]);
-  distances_.reserve(static_cast<std::size_t>(counts.prod()));
+  std::vector<float> distances;
+  distances.reserve(static_cast<std::size_t>(counts.prod()));
   for (int k = 0; k < count_[2]; ++k)
     for (int j = 0; j < count_[1]; ++j)
       for (int i = 0; i < count_[0]; ++i)
-        distances_.push_back(
+        distances.push_back(
             static_cast<float>(solid.surface_at(low_ + spacing * Vector3d(i, j, k)).distance));
+
+  double largest = 0;
+  for (const float distance : distances) largest = std::max(largest, std::abs(double{distance}));
+  unit_ = std::max(largest, spacing) / kLargest;
+  distances_.reserve(distances.size());
+  for (const float distance : distances)
+    distances_.push_back(static_cast<std::int16_t>(std::lround(distance / unit_)));
 
   reaches_inside_.assign(distances_.size() / 32 + 1, 0);
   for (int k = 0; k + 1 < count_[2]; ++k)
@@ -37,6 +52,7 @@ DistanceGrid::DistanceGrid(const Solid& solid, double spacing) : box_(solid.box(
 GridView DistanceGrid::view() const {
   const auto last = [&](int axis) { return std::nextafter(static_cast<float>(count_[axis] - 1), 0.0F); };
   return {distances_.data(),
+          unit_,
           reaches_inside_.data(),
           {low_.x(), low_.y(), low_.z()},
           1 / spacing_,
@@ -58,7 +74,7 @@ Surface DistanceGrid::surface_at(const Vector3d& point) const {
   Vector3d gradient = Vector3d::Zero();
   for (int corner = 0; corner < 8; ++corner) {
     const int d[3] = {corner & 1, corner >> 1 & 1, corner >> 2};
-    const double value = distances_[index(at.x() + d[0], at.y() + d[1], at.z() + d[2])];
+    const double value = unit_ * distances_[index(at.x() + d[0], at.y() + d[1], at.z() + d[2])];
     Vector3d weight, slope;
     for (int axis = 0; axis < 3; ++axis) {
       weight[axis] = d[axis] ? t[axis] : 1 - t[axis];

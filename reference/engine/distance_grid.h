@@ -1,5 +1,6 @@
-// STAFF ONLY. A solid's distances on a grid, in single precision: a solid itself, whose distance between the grid's
-// points is interpolated (trilinear) and whose normal is the interpolated distance's gradient.
+// STAFF ONLY. A solid's distances on a grid, in integers of 16 bits, the largest of which is the largest distance: a solid itself, whose
+// distance between the grid's points is interpolated (trilinear) and whose normal is the interpolated distance's gradient. Of a bust
+// distances are right to 5e-6 m, a tenth of a hair's radius.
 #pragma once
 
 #include <array>
@@ -23,7 +24,7 @@ class DistanceGrid : public Solid {
   Eigen::AlignedBox3d box() const override { return box_; }
 
   GridView view() const;
-  std::size_t bytes() const { return distances_.size() * sizeof(float) + distances_.size() / 8; }
+  std::size_t bytes() const { return distances_.size() * sizeof(std::int16_t) + distances_.size() / 8; }
 
  private:
   std::size_t index(int i, int j, int k) const {
@@ -34,7 +35,8 @@ class DistanceGrid : public Solid {
   double spacing_;
   Vector3d low_;
   std::array<int, 3> count_;
-  std::vector<float> distances_;
+  double unit_;  // m
+  std::vector<std::int16_t> distances_;
   std::vector<std::int32_t> reaches_inside_;
 };
 

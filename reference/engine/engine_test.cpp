@@ -1,5 +1,7 @@
 // STAFF ONLY. The engine against given code with the reference's exercises.
 
+#include <cmath>
+
 #include "hair/length_correction.h"
 #include "hair/predictor_corrector.h"
 #include "hair/strand/measures.h"
@@ -161,6 +163,24 @@ TEST_P(Engine, CorrectsTheLengthsOfFlungHair) {
       EXPECT_LE(largest_stretch(moving->strand, states[k].x), 1e-11) << "strand " << k << ", h " << h;
     }
   }
+}
+
+// Integers of a unit are right to half of it; single precision before adds little. The largest distance is at a corner.
+TEST(DistanceGrid, KeepsDistancesToHalfAUnit) {
+  constexpr double kSpacing = 0.01;
+  const Ball ball(kBall);
+  const DistanceGrid grid(ball, kSpacing);
+  const GridView view = grid.view();
+  const double largest = std::sqrt(3) * (kBall + 4 * kSpacing);
+  EXPECT_LE(view.unit, largest / 32767);
+  for (int k = 0; k < view.count[2]; ++k)
+    for (int j = 0; j < view.count[1]; ++j)
+      for (int i = 0; i < view.count[0]; ++i) {
+        const Vector3d point = Vector3d(view.low[0], view.low[1], view.low[2]) + kSpacing * Vector3d(i, j, k);
+        const double kept = view.unit * view.distance[(k * view.count[1] + j) * view.count[0] + i];
+        ASSERT_NEAR(kept, ball.surface_at(point).distance, 0.5 * view.unit + 0x1p-24 * largest)
+            << i << " " << j << " " << k;
+      }
 }
 
 TEST_P(Engine, PushesHairOutOfTheHeadAsGivenCodeDoes) {

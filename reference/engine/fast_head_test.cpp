@@ -68,6 +68,16 @@ TEST(FastHead, ComesToRestWhereGivenCodeDoes) {
   }
 }
 
+TEST(FastHead, IsForSegmentsOfAboutOneLength) {
+  const auto bust = std::make_shared<const Bust>();
+  GrownHead head = grow_head(*bust, head_hairs()[0], 1);
+  const std::size_t first = 0;
+  EXPECT_NE(fast_head(head, {&first, 1}, {bust, true, 1}), nullptr);
+  Eigen::VectorXd& x = head.strands[0];
+  x.segment<3>(3) = (x.head<3>() + x.segment<3>(3)) / 2;
+  EXPECT_THROW(fast_head(head, {&first, 1}, {bust, true, 1}), std::invalid_argument);
+}
+
 TEST(FastHead, IsForStraightHair) {
   const auto bust = std::make_shared<const Bust>();
   const GrownHead curls = grow_head(*bust, head_hairs()[3], 1);

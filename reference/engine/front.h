@@ -20,15 +20,16 @@ struct Pivot {
   Vec3 per_d, rhs;
 
   HWY_INLINE Pivot(const Sym3& a, const Vec3& b, Which& definite) {
-    const Lanes dx = a.xx, rx = reciprocal(dx);
+    // 1 / dy from the minor xx yy - yx^2, so that it does not wait for 1 / dx.
+    const Lanes dx = a.xx, minor = hn::MulSub(a.xx, a.yy, a.yx * a.yx);
+    const Lanes rx = reciprocal(dx), ry = dx * reciprocal(minor);
     yx = a.yx * rx;
     zx = a.zx * rx;
-    const Lanes dy = hn::NegMulAdd(yx, a.yx, a.yy), c = hn::NegMulAdd(zx, a.yx, a.zy);
-    const Lanes ry = reciprocal(dy);
+    const Lanes c = hn::NegMulAdd(zx, a.yx, a.zy);
     zy = c * ry;
     const Lanes dz = hn::NegMulAdd(zy, c, hn::NegMulAdd(zx, a.zx, a.zz));
     per_d = {rx, ry, reciprocal(dz)};
-    definite = hn::And(definite, hn::Min(dx, hn::Min(dy, dz)) > all(0));
+    definite = hn::And(definite, hn::Min(dx, hn::Min(minor, dz)) > all(0));
     rhs.x = b.x;
     rhs.y = hn::NegMulAdd(yx, b.x, b.y);
     rhs.z = hn::NegMulAdd(zy, rhs.y, hn::NegMulAdd(zx, b.x, b.z));

@@ -27,7 +27,8 @@ struct Group {
 inline constexpr double kLeastSlope = 0.3;
 
 struct GridView {
-  const float* distance;  // of point (i, j, k) at ((k count[1] + j) count[0] + i)
+  const std::int16_t* distance;  // in units; of point (i, j, k) at ((k count[1] + j) count[0] + i)
+  double unit;                   // m
   // A bit for each cell, with the index of its lowest point: whether one of its corners is inside. It is a small table: most
   // hair needs no more.
   const std::int32_t* reaches_inside;

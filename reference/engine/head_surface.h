@@ -8,6 +8,8 @@
 #define HAIR_REFERENCE_ENGINE_HEAD_SURFACE_H_
 #endif
 
+#include <cstring>
+
 #include "reference/engine/lanes.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -59,6 +61,26 @@ struct Cells {
   Three<V> along;  // 0 to 1, from there
 };
 
+// The distances at two neighbours along x, which one gather fetches: the first, and what the second has more.
+struct Edge {
+  using Integers = hn::Vec<hn::Rebind<std::int32_t, FloatTag>>;
+
+  HWY_INLINE Edge(const std::int16_t* from, Integers index) {
+#if HWY_TARGET == HWY_SCALAR
+    Integers both;
+    std::memcpy(&both.raw, from + index.raw, sizeof(both.raw));
+#else
+    const hn::Rebind<std::int32_t, FloatTag> integers;
+    const Integers both =
+        hn::GatherOffset(integers, reinterpret_cast<const std::int32_t*>(from), hn::ShiftLeft<1>(index));
+#endif
+    low = hn::ConvertTo(FloatTag(), hn::ShiftRight<16>(hn::ShiftLeft<16>(both)));
+    slope = hn::ConvertTo(FloatTag(), hn::ShiftRight<16>(both)) - low;
+  }
+
+  Floats low, slope;
+};
+
 struct HeadSurface {
   Floats depth;    // in cells, > 0 inside; else 0
   Floats3 normal;  // of length 1 where depth > 0
@@ -66,24 +88,21 @@ struct HeadSurface {
   HWY_INLINE HeadSurface(const GridView& grid, const Floats3& point) {
     const Cells<FloatTag> cells(grid, point);
     const Floats3& t = cells.along;
-    const auto corner = [&](int di, int dj, int dk) {
-      const float* const from = grid.distance + (dk * grid.count[1] + dj) * grid.count[0] + di;
-      return hn::GatherIndex(FloatTag(), from, cells.index);
+    const auto edge = [&](int dj, int dk) {
+      return Edge(grid.distance + (dk * grid.count[1] + dj) * grid.count[0], cells.index);
     };
     const auto mix = [](Floats a, Floats slope, Floats s) { return hn::MulAdd(s, slope, a); };
-    const Floats c000 = corner(0, 0, 0), c010 = corner(0, 1, 0), c001 = corner(0, 0, 1),
-                 c011 = corner(0, 1, 1);
-    const Floats s00 = corner(1, 0, 0) - c000, s10 = corner(1, 1, 0) - c010, s01 = corner(1, 0, 1) - c001,
-                 s11 = corner(1, 1, 1) - c011;
-    const Floats c00 = mix(c000, s00, t.x), c01 = mix(c001, s01, t.x);
-    const Floats y0 = mix(c010, s10, t.x) - c00, y1 = mix(c011, s11, t.x) - c01;
-    const Floats x0 = mix(s00, s10 - s00, t.y), x1 = mix(s01, s11 - s01, t.y);
+    const Edge e00 = edge(0, 0), e10 = edge(1, 0), e01 = edge(0, 1), e11 = edge(1, 1);
+    const Floats c00 = mix(e00.low, e00.slope, t.x), c01 = mix(e01.low, e01.slope, t.x);
+    const Floats y0 = mix(e10.low, e10.slope, t.x) - c00, y1 = mix(e11.low, e11.slope, t.x) - c01;
+    const Floats x0 = mix(e00.slope, e10.slope - e00.slope, t.y),
+                 x1 = mix(e01.slope, e11.slope - e01.slope, t.y);
     const Floats c0 = mix(c00, y0, t.y), z = mix(c01, y1, t.y) - c0;
     const Floats3 gradient{mix(x0, x1 - x0, t.z), mix(y0, y1 - y0, t.z), z};
     const Floats per_slope = per_length(gradient);
-    // The gradient is one of differences between the grid's points, which are metres.
+    // The gradient is one of differences between the grid's points.
     depth = hn::Max(hn::Zero(FloatTag()) - mix(c0, z, t.z), hn::Zero(FloatTag())) *
-            hn::Min(per_slope, floats(grid.per_cell / kLeastSlope));
+            hn::Min(per_slope, floats(grid.per_cell * grid.unit / kLeastSlope));
     normal = per_slope * gradient;
   }
 };

@@ -13,6 +13,8 @@
 #define HAIR_REFERENCE_ENGINE_SOLVE_BENDING_H_
 #endif
 
+#include <algorithm>
+
 #include "reference/engine/solve.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -94,17 +96,16 @@ HWY_NOINLINE void solve_bending(const StepConstants& step, const Group& group, s
   measure_segments(step, sweep);
   measure_joints(step, sweep, tangent);
 
-  // Of the segment before a point; what eliminations made of the rows of the point (own block, right-hand side) and of the next one
-  // (also its block with the point).
-  Vec3 u_before = load3<kWidth>(sweep.row(1) + kU * kWidth);
-  SegmentBlocks before(tangent, sweep.row(1), sweep.stretch);
+  // The segments on both sides of a point.
+  const auto direction = [&](int s) { return load3<kWidth>(sweep.row(s + 1) + kU * kWidth); };
+  SegmentBlocks before(tangent, sweep.row(1), sweep.stretch), segment = before;
+  if (n > 2) segment = SegmentBlocks(direction(0), sweep.row(2), sweep.stretch);
+  // What eliminations made of the rows of the point (own block, right-hand side) and of the next one (also its block with the point).
   Sym3 own = diagonal(all(0)), next_own = diagonal(all(0));
   Mat3 next_with = zero33();
   Vec3 b = zero3(), next_b = zero3();
   for (int i = 1; i < n - 1; ++i) {
     sweep.fetch_next(i);
-    const Vec3 u = load3<kWidth>(sweep.row(i + 1) + kU * kWidth);
-    const SegmentBlocks segment(u_before, sweep.row(i + 1), sweep.stretch);
     const Mat3 inner = full(segment.own) - before.next;
     const Mat3& x = before.next;
     // What the eliminations before have to be waited for comes last.
@@ -113,7 +114,11 @@ HWY_NOINLINE void solve_bending(const StepConstants& step, const Group& group, s
                  before.own.yy + mass + (inner.y.y - x.y.y), before.own.zx + (inner.x.z - x.z.x),
                  before.own.zy + (inner.y.z - x.z.y),        before.own.zz + mass + (inner.z.z - x.z.z)};
     const Pivot pivot(own + a, b + (sweep.momentum(i) + (segment.force - before.force)), definite);
-    const Below near(next_with + (segment.next - inner), pivot), minus_far(segment.next, pivot);
+    before = segment;
+    // The next segment's blocks do not wait for the pivot, whose chain of operations is long. After the last segment they are its own
+    // once more, and not used.
+    segment = SegmentBlocks(direction(std::min(i, n - 3)), sweep.row(std::min(i + 2, n - 1)), sweep.stretch);
+    const Below near(next_with + (before.next - inner), pivot), minus_far(before.next, pivot);
     store33(near.factor, sweep.row(i));
     store33(minus_far.factor, sweep.row(i) + 9 * kWidth);
     store_pivot(pivot, sweep.row(i));
@@ -124,8 +129,6 @@ HWY_NOINLINE void solve_bending(const StepConstants& step, const Group& group, s
     next_with = product(minus_far, near);
     b = next_b - product(near, pivot);
     next_b = product(minus_far, pivot);
-    before = segment;
-    u_before = u;
   }
   store_none(sweep.row(n - 1), 0, 18);
   store_pivot(Pivot(own + before.own + diagonal(sweep.mass(step, n - 1)),

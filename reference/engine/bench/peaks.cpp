@@ -2,7 +2,7 @@
 #define HWY_BROKEN_EMU128 1
 #define HWY_DISABLED_TARGETS (HWY_AVX3_DL | HWY_SSE4 | HWY_SSSE3)
 
-#include "reference/engine/peaks.h"
+#include "reference/engine/bench/peaks.h"
 
 #include <algorithm>
 #include <vector>
@@ -10,7 +10,7 @@
 #include "solver/timing.h"
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "reference/engine/peaks.cpp"
+#define HWY_TARGET_INCLUDE "reference/engine/bench/peaks.cpp"
 #include <hwy/foreach_target.h>  // must come before highway.h
 #include <hwy/highway.h>
 
