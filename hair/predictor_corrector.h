@@ -31,7 +31,7 @@ struct StepReport {
 };
 
 // One step of h seconds, h > 0. The masses of `particles` are strand.mass, and its root is pinned. Evaluates
-// the force twice and allocates nothing, apart from ConjGrad's own memory.
+// the force twice and allocates nothing; ConjGrad's own memory does not count.
 StepReport predictor_corrector(const particles::Force& force, const particles::Particles& particles,
                                const Strand& strand, double h, double tolerance, particles::State& state,
                                Scratch scratch);

@@ -5,7 +5,7 @@
 // R. L. Bishop, "There is More than One Way to Frame a Curve" (1975).
 //
 // All guides of a call and the strand that is made of them, `child`, have n >= 2 points, 3n numbers, m. Nothing
-// but results is changed, and nothing is allocated. Errors of points are at most 1e-12 of the coordinates that they
+// but results is changed. The functions allocate nothing. Errors of points are at most 1e-12 of the coordinates that they
 // are made of.
 #pragma once
 

@@ -12,7 +12,7 @@
 // (2006), equation (I.1.9).
 //
 // The number of evaluations is part of the contract: it is the cost of a step. h may have either sign; h = 0
-// changes nothing. x and v have 3n entries, n >= 0, and don't overlap; no step allocates memory. Values that
+// changes nothing. x and v have 3n entries, n >= 0, and don't overlap; a step allocates nothing. Values that
 // overflow become infinities or NaNs in x and v, and every step still returns: the caller checks for them,
 // not the integrator.
 #pragma once

@@ -68,7 +68,7 @@ SolveReport solve_implicit(const Force& force, const Particles& particles, const
                            double b, double tolerance, Output dv, Scratch scratch);
 
 // One step of h seconds, h > 0: dv as above with a = b = h, then v += dv and x += h v. Evaluates the force
-// once and allocates nothing, apart from ConjGrad's own memory.
+// once and allocates nothing; ConjGrad's own memory does not count.
 SolveReport implicit_euler(const Force& force, const Particles& particles, double h, double tolerance,
                            State& state, Scratch scratch);
 

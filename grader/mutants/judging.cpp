@@ -51,6 +51,7 @@ bool Judging::passes_cases(const std::string& name, const fs::path& object, cons
   SuiteJob cases = jobs_.cases(exercise_, name, object, job);
   cases.whole_run.reset();
   cases.pictures.reset();
+  cases.count_cases = false;
   ExerciseTiming timing;
   const SuiteResult found = jobs_.run(cases, timing);
   return std::ranges::all_of(found.cases, [](const CaseResult& one) { return one.status == Status::passed; });

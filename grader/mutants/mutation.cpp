@@ -270,6 +270,15 @@ std::string change_of(const std::string& source, const Mutation& mutation) {
                                   : "`" + gone + "` to `" + mutation.instead + "`";
 }
 
+int occurrence_of(const std::string& source, const Mutation& mutation) {
+  const std::string change = change_of(source, mutation);
+  const std::size_t begin = source.rfind('\n', mutation.at) + 1;  // npos + 1 is 0
+  const std::vector<Mutation> all = mutations_of(source);
+  return 1 + static_cast<int>(std::ranges::count_if(all, [&](const Mutation& other) {
+           return other.at >= begin && other.at < mutation.at && change_of(source, other) == change;
+         }));
+}
+
 int line_number(const std::string& source, const Mutation& mutation) {
   return 1 + static_cast<int>(
                  std::count(source.begin(), source.begin() + static_cast<std::ptrdiff_t>(mutation.at), '\n'));

@@ -27,6 +27,8 @@ std::string mutated(const std::string& source, const Mutation& mutation);
 // The line where it begins, without the white space at its ends; and what is changed, "`<` to `<=`".
 std::string line_of(const std::string& source, const Mutation& mutation);
 std::string change_of(const std::string& source, const Mutation& mutation);
+// Which of the line's words like this one, or places for what is added, is changed: from 1.
+int occurrence_of(const std::string& source, const Mutation& mutation);
 int line_number(const std::string& source, const Mutation& mutation);  // from 1
 
 }  // namespace grader

@@ -77,5 +77,14 @@ TEST(Mutations, SayWhereAndWhat) {
   EXPECT_EQ(change_of(source, all[0]), "`+` to `-`");
 }
 
+TEST(Mutations, OfOneLineThatChangeTheSameAreTold) {
+  const std::string source = "int f() {\n  g(0);\n  return a > 0 ? b + 0 : 0;\n}\n";
+  std::vector<int> zeros;
+  for (const Mutation& mutation : mutations_of(source))
+    if (line_number(source, mutation) == 3 && change_of(source, mutation) == "`0` to `1`")
+      zeros.push_back(occurrence_of(source, mutation));
+  EXPECT_EQ(zeros, (std::vector<int>{1, 2, 3}));
+}
+
 }  // namespace
 }  // namespace grader

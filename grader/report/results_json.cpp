@@ -95,7 +95,8 @@ Json exercise_json(const ExerciseResult& exercise) {
           {"compiler_messages", hair::valid_utf8(exercise.compiler_messages)},
           {"cases", cases},
           {"pictures", pictures_json(exercise.pictures)},
-          {"staff_log", hair::valid_utf8(exercise.staff_log)}};
+          {"staff_log", hair::valid_utf8(exercise.staff_log)},
+          {"allocations", exercise.allocations}};
 }
 
 ExerciseResult exercise_from(const Json& json, const std::filesystem::path& pictures) {
@@ -112,6 +113,7 @@ ExerciseResult exercise_from(const Json& json, const std::filesystem::path& pict
   for (const Json& one : json.at("cases")) exercise.cases.push_back(case_from(one));
   exercise.pictures = pictures_from(json.at("pictures"), pictures);
   exercise.staff_log = json.at("staff_log");
+  exercise.allocations = json.at("allocations");
   return exercise;
 }
 

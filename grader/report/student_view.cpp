@@ -47,6 +47,10 @@ std::string sentence_of(const CaseResult& one) {
   }
 }
 
+constexpr const char* kAllocates =
+    " A hint, which takes no points: a function allocates memory that is to allocate nothing (the exercises' "
+    "README.md says why).";
+
 std::string coarse(const std::string& png) {
   if (png.empty()) return png;
   return hair::encode_png(shrunk(hair::decode_png(png, "a picture"), kCoarseWidth));
@@ -62,6 +66,8 @@ SubmissionResult for_student(const SubmissionResult& result) {
   SubmissionResult view = result;
   for (ExerciseResult& exercise : view.exercises) {
     exercise.staff_log.clear();
+    if (exercise.allocations > 0) exercise.feedback += kAllocates;
+    exercise.allocations = 0;
     const bool stub = is_stub(exercise);
     for (CaseResult& one : exercise.cases) {
       if (!stub) one.status = right_wrong_or_broke_off(one.status);

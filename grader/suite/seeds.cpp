@@ -4,10 +4,11 @@
 //   hairseeds EXERCISE FIRST COUNT KIT OBJECT...
 //
 // The objects are loaded in their order, the exercise's last, in a process without a cage: this is for staff's own
-// programs. Prints a line for each category that fails: under how many seeds, and what staff read of the first. The exit
-// code is 0 if no category fails, 1 if one does.
+// programs. Prints a line for each category that fails: under how many seeds, and what staff read of the first; and a hint if
+// what promises to allocate nothing does. The exit code is 0 if no category fails, 1 if one does.
 #include <sodium.h>
 
+#include <algorithm>
 #include <iostream>
 #include <limits>
 #include <map>
@@ -51,6 +52,7 @@ int main(int argc, char* argv[]) {
   const std::string exercise = argv[1];
   const int first = std::stoi(argv[2]), count = std::stoi(argv[3]);
   std::map<std::string, Failures> failures;
+  int allocations = 0;
   for (int seed = first; seed < first + count; ++seed) {
     // A worker has a limit of wall time, and sweeps along a hair take seconds for each seed if nothing is optimised.
     grader::Student student = uncaged(exercise, argv[4], {argv + 5, argv + argc});
@@ -65,9 +67,13 @@ int main(int argc, char* argv[]) {
       }
     }
     student.finish();
+    allocations = std::max(allocations, student.allocations());
   }
   std::cout << exercise << ": " << count << " seeds, " << failures.size() << " categories fail\n";
   for (const auto& [category, of] : failures)
     std::cout << "  " << category << ": " << of.count << "; first: " << of.first << "\n";
+  if (allocations > 0)
+    std::cout << "  a hint: a call allocates up to " << allocations
+              << " times, and its contract asks for none\n";
   return failures.empty() ? 0 : 1;
 }

@@ -22,6 +22,9 @@ constexpr std::size_t kLargestMessage = std::size_t{8} << 20;
 // More calls within callbacks than honest code makes.
 constexpr int kMostCalls = 4;
 
+// More than honest code makes in a call.
+constexpr int kMostAllocations = 1'000'000;
+
 // The worker's object threw when it was asked: its exception has left the call already.
 struct CallbackThrew {};
 
@@ -245,6 +248,9 @@ MessageReader Student::listen(Conversation& conversation, Kind until) {
         break;
       case Kind::call:
         serve_call(conversation, std::move(body));
+        break;
+      case Kind::allocated:
+        allocations_ = std::clamp(body.get<int>(), allocations_, kMostAllocations);
         break;
       case Kind::callback_threw:
         if (conversation.depth > 0) throw CallbackThrew();

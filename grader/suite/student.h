@@ -72,6 +72,10 @@ class Student {
   // worker can't change. Nothing if there is no worker.
   std::optional<double> worker_cpu_seconds() const;
   int starts() const { return starts_; }
+
+  // How often a function that promises to allocate nothing did so in one call, as the workers say of themselves: a hint, and
+  // nothing to give or take points for.
+  int allocations() const { return allocations_; }
   const Budget& spent() const { return setup_.allowance->spent; }
   const std::optional<Answer>& gave_up() const { return gave_up_; }  // the final answer, if the suite gave up
   void finish();
@@ -100,7 +104,7 @@ class Student {
   std::optional<Answer> gave_up_;
   Outcome last_failure_ = Outcome::timed_out;
   double cpu_seconds_ = 0;
-  int starts_ = 0, timeouts_ = 0;
+  int starts_ = 0, timeouts_ = 0, allocations_ = 0;
 };
 
 }  // namespace grader

@@ -117,6 +117,12 @@ TEST_F(StudentTest, IsEndedTwiceWhenItSleeps) {
   EXPECT_LT(spent_.idle_seconds, 1.8);
 }
 
+TEST_F(StudentTest, BelievesNoWorkerThatItAllocatesWithoutEnd) {
+  Student student = this->student("boasts");
+  EXPECT_EQ(ask(student).outcome, Outcome::done);
+  EXPECT_EQ(student.allocations(), 1'000'000);
+}
+
 TEST_F(StudentTest, KeepsToTheProtocol) {
   for (const char* way : {"huge", "another-nonce", "speaks-first"}) {
     Student student = this->student(way);

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <thread>
 
+#include "grader/mutants/equivalents.h"
 #include "grader/mutants/judging.h"
 #include "grader/mutants/mutation.h"
 #include "grader/tests/run_program.h"
@@ -22,19 +22,6 @@ namespace fs = std::filesystem;
 
 const fs::path kProject = HAIR_PROJECT;
 constexpr std::size_t kLeastWrong = 40;
-
-// A program that is right although it was changed.
-struct Equivalent {
-  std::string line, change, reason;
-};
-
-std::vector<Equivalent> equivalents_of(const std::string& exercise) {
-  std::vector<Equivalent> all;
-  const nlohmann::json lists = nlohmann::json::parse(read_file(kProject / "grader/mutants/equivalents.json"));
-  for (const nlohmann::json& entry : lists.at(exercise))
-    all.push_back({entry.at("line"), entry.at("change"), entry.at("why")});
-  return all;
-}
 
 GradingSettings settings_for(const std::string& exercise) {
   GradingSettings settings;
@@ -76,7 +63,7 @@ TEST(Suite, TakesPointsOfEachWrongProgram) {
   const std::vector<Mutation> order =
       drawn(mutations_of(source), std::stoull(environment("HAIR_MUTANTS_SEED", "1")));
   const auto count = static_cast<std::size_t>(std::stoi(environment("HAIR_MUTANTS", "40")));
-  const std::vector<Equivalent> equivalents = equivalents_of(id);
+  const std::vector<Equivalent> equivalents = equivalents_of(id, kProject);
   const Judging judging(settings);
 
   std::size_t tried = 0, wrong = 0, found = 0, equivalent = 0, broken = 0;
@@ -85,9 +72,8 @@ TEST(Suite, TakesPointsOfEachWrongProgram) {
     std::vector<Mutant> mutants;
     for (; mutants.size() < count - wrong && tried < order.size(); ++tried) {
       Mutant mutant{"m" + std::to_string(tried), order[tried]};
-      mutant.known = std::ranges::any_of(equivalents, [&](const Equivalent& one) {
-        return one.line == line_of(source, order[tried]) && one.change == change_of(source, order[tried]);
-      });
+      mutant.known = std::ranges::any_of(equivalents,
+                                         [&](const Equivalent& one) { return one.is(source, order[tried]); });
       mutants.push_back(std::move(mutant));
     }
     judge_all(judging, source, mutants);
@@ -95,7 +81,8 @@ TEST(Suite, TakesPointsOfEachWrongProgram) {
       const bool loses = mutant.judgement == Judgement::loses_points;
       std::ostringstream what;
       what << exercise->file << ":" << line_number(source, mutant.mutation) << ": "
-           << change_of(source, mutant.mutation) << " in\n  " << line_of(source, mutant.mutation) << "\n";
+           << change_of(source, mutant.mutation) << ", occurrence " << occurrence_of(source, mutant.mutation)
+           << ", in\n  " << line_of(source, mutant.mutation) << "\n";
       if (mutant.judgement == Judgement::does_not_compile) {
         ++broken;
       } else if (mutant.known) {

@@ -140,6 +140,7 @@ void run_cases(const SuiteJobs& jobs, const Exercise& exercise, const std::strin
     for (CaseResult& one : found.cases)
       if (one.name == kMemoryTitle) one.memory_error = one.feedback = told;
   }
+  result.allocations = found.allocations;
   result.cases = std::move(found.cases);
   result.pictures = std::move(found.pictures);
   result.status = overall_status(result.cases);

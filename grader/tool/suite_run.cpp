@@ -33,15 +33,12 @@ json texts(const std::vector<std::filesystem::path>& paths) {
 }
 
 json to_json(const SuiteJob& job) {
-  json all = {{"exercise", job.exercise},
-              {"seed", job.seed},
-              {"kit", job.kit.string()},
-              {"lent", job.lent},
-              {"objects", texts(job.objects)},
-              {"log", job.log.string()},
-              {"isolated", job.isolated},
-              {"cpu_seconds", job.cpu_seconds},
-              {"pictures", job.pictures ? json(job.pictures->string()) : json()}};
+  json all = {
+      {"exercise", job.exercise},       {"seed", job.seed},
+      {"kit", job.kit.string()},        {"lent", job.lent},
+      {"objects", texts(job.objects)},  {"log", job.log.string()},
+      {"isolated", job.isolated},       {"cpu_seconds", job.cpu_seconds},
+      {"count_cases", job.count_cases}, {"pictures", job.pictures ? json(job.pictures->string()) : json()}};
   for (const BudgetField& field : budget_fields()) all["allowance"][field.key] = job.allowance.*field.value;
   if (job.sanitised) all["sanitised"] = job.sanitised->string();
   if (job.whole_run)
@@ -108,6 +105,7 @@ SuiteResult run_suite(const std::filesystem::path& suite, const SuiteJob& job) {
   SuiteResult result;
   result.cpu_seconds = found.at("cpu_seconds");
   result.starts = found.at("starts");
+  result.allocations = found.value("allocations", 0);
   for (const BudgetField& field : budget_fields())
     result.spent.*field.value = found.at("spent").at(field.key);
   result.run_cpu_seconds = found.value("run_cpu_seconds", 0.0);

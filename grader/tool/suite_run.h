@@ -24,6 +24,7 @@ struct SuiteJob {
   bool isolated = true;
   int cpu_seconds = 10;
   Budget allowance = {};
+  bool count_cases = true;  // of wrong categories, how many of their cases hold
   std::optional<std::filesystem::path> pictures =
       {};  // the folder of the reference's pictures; nothing: none are drawn
 
@@ -59,6 +60,7 @@ struct SuiteResult {
     std::string told;
     std::vector<std::uint64_t> offsets;
   } memory_error;
+  int allocations = 0;               // see Student::allocations
   double cpu_seconds = 0;            // of the worker
   double sanitised_cpu_seconds = 0;  // of the worker with sanitizers
   double run_cpu_seconds = 0;        // of the worker that played the whole run

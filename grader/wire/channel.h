@@ -6,6 +6,7 @@
 //   request(function, ...)
 //   product_result(...)       product(operator, x), during the request
 //   stop, for the request     denied(system call), during the request
+//                             allocated(how often), during the request
 //                             done(...) | stopped | not_implemented | threw | out_of_memory
 //                             | memory_error, of a worker with sanitizers
 //
@@ -40,6 +41,7 @@ enum class Kind : std::uint32_t {
   threw,            // text
   out_of_memory,
   denied,           // int system call; the request goes on
+  allocated,        // int, how often a function did that promises not to; if it is more than was told before
   call,             // int function, then its arguments
   call_result,      // the function's results
   callback,         // int operator, doubles x

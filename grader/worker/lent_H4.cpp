@@ -29,6 +29,7 @@ class LentMatrix : public implicitMatrix {
       : force_(force), particles_(particles), state_(state), a_(a), b_(b) {}
 
   void matVecMult(double x[], double b[]) override {
+    const grader::Session::Uncounted ours(*lent_session);
     const std::size_t size = static_cast<std::size_t>(state_.x.size());
     grader::MessageWriter call = arguments(grader::kLentImplicitProduct, force_, particles_, state_);
     call.put(a_).put(b_).put(std::span<const double>(x, size));
@@ -48,11 +49,13 @@ class LentMatrix : public implicitMatrix {
 
 std::unique_ptr<implicitMatrix> implicit_matrix(const Force& force, const Particles& particles,
                                                 const State& state, double a, double b) {
+  const grader::Session::Uncounted ours(*lent_session);
   return std::make_unique<LentMatrix>(force, particles, state, a, b);
 }
 
 SolveReport solve_implicit(const Force& force, const Particles& particles, const State& state, double a,
                            double b, double tolerance, Output dv, Scratch scratch) {
+  const grader::Session::Uncounted ours(*lent_session);
   grader::MessageWriter call = arguments(grader::kLentSolveImplicit, force, particles, state);
   call.put(a).put(b).put(tolerance);
   grader::MessageReader result = lent_session->call(call, grader::callback_of(force));
@@ -63,6 +66,7 @@ SolveReport solve_implicit(const Force& force, const Particles& particles, const
 
 SolveReport implicit_euler(const Force& force, const Particles& particles, double h, double tolerance,
                            State& state, Scratch scratch) {
+  const grader::Session::Uncounted ours(*lent_session);
   grader::MessageWriter call = arguments(grader::kLentImplicitEuler, force, particles, state);
   call.put(h).put(tolerance);
   grader::MessageReader result = lent_session->call(call, grader::callback_of(force));

@@ -6,6 +6,7 @@
 #include "solver/linearSolver.h"
 
 double ConjGrad(int n, implicitMatrix* A, double x[], double b[], double epsilon, int* steps) {
+  const grader::Session::Uncounted ours(*lent_session);
   if (n < 0) throw std::invalid_argument("ConjGrad of " + std::to_string(n) + " unknowns");
   const std::size_t size = static_cast<std::size_t>(n);
   grader::MessageWriter call;

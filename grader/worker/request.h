@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "grader/worker/session.h"
+
 namespace grader {
 
 inline constexpr int kIn = 3, kOut = 4;
@@ -17,5 +19,8 @@ inline Current current;
 // Runs it on a stack whose ends AddressSanitizer knows: where an exception unwinds it, the runtime must forget what it had
 // marked there. The main thread's ends stand in /proc, which no cage has. Only in the worker with sanitizers.
 __attribute__((weak)) void run_on_known_stack(void (*run)());
+
+// What this worker's malloc counts. Not in the worker with sanitizers, whose runtime has the malloc.
+__attribute__((weak)) Allocations& allocations();
 
 }  // namespace grader

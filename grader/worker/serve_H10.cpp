@@ -36,7 +36,8 @@ void reply_points(Session& session, GuardedScratch& child) {
 void of_weights(Session& session) {
   std::array<hair::Vector3d, 3> corners;
   for (hair::Vector3d& corner : corners) corner = get_vector3(session.request);
-  const std::array<double, 3> weights = hair::root_weights(corners, get_vector3(session.request));
+  const hair::Vector3d root = get_vector3(session.request);
+  const std::array<double, 3> weights = session.counted([&] { return hair::root_weights(corners, root); });
   session.reply.put(std::span<const double>(weights));
 }
 
@@ -49,8 +50,10 @@ void of_interpolation(Session& session) {
   const std::vector<double> weights = session.request.get_doubles(3);
   const hair::RootFrame root = get_root_frame(session.request);
   GuardedScratch child(static_cast<int>(size), 1);
-  hair::interpolate({first.view(), second.view(), third.view()}, {weights[0], weights[1], weights[2]}, root,
-                    child.view().col(0));
+  session.counted([&] {
+    hair::interpolate({first.view(), second.view(), third.view()}, {weights[0], weights[1], weights[2]}, root,
+                      child.view().col(0));
+  });
   reply_points(session, child);
 }
 
@@ -60,7 +63,7 @@ void of_frames(Session& session) {
   hair::GuideFrames frames{
       Eigen::VectorXd::Constant(points, std::nan("")),
       std::vector<hair::Matrix3d>(static_cast<std::size_t>(points), hair::Matrix3d::Constant(std::nan("")))};
-  hair::carry_along(guide.view(), frames);
+  session.counted([&] { hair::carry_along(guide.view(), frames); });
   frames.arc.conservativeResize(points);
   frames.turns.resize(static_cast<std::size_t>(points));
   put(session.reply, frames);
@@ -73,7 +76,7 @@ void of_extrapolation(Session& session) {
   const hair::Vector3d root = get_vector3(session.request);
   const double spread = session.request.get<double>();
   GuardedScratch child(static_cast<int>(size), 1);
-  hair::extrapolate(guide.view(), frames, root, spread, child.view().col(0));
+  session.counted([&] { hair::extrapolate(guide.view(), frames, root, spread, child.view().col(0)); });
   reply_points(session, child);
 }
 
@@ -86,7 +89,7 @@ void of_blend(Session& session) {
   particles::Output child = where == 1   ? particles::Output(at_root.view())
                             : where == 2 ? particles::Output(at_tip.view())
                                          : particles::Output(elsewhere.view().col(0));
-  hair::blend(arc.view(), at_root.view(), at_tip.view(), child);
+  session.counted([&] { hair::blend(arc.view(), at_root.view(), at_tip.view(), child); });
   session.reply.put(std::span<const double>(child.data(), child.size()));
 }
 

@@ -32,21 +32,22 @@ extern "C" __attribute__((visibility("default"))) void serve(Session& session) {
     const std::vector<double> junk = session.request.get_doubles(state.x.size());
     GuardedVector first(junk), second(junk);
     const std::unique_ptr<implicitMatrix> matrix = particles::implicit_matrix(force, particles, state, a, b);
-    matrix->matVecMult(x.view().data(), first.view().data());
-    matrix->matVecMult(x.view().data(), second.view().data());
+    for (GuardedVector* product : {&first, &second})
+      session.counted([&] { matrix->matVecMult(x.view().data(), product->view().data()); });
     session.reply.put(first.values()).put(second.values());
   } else if (function == 1) {
     const double a = session.request.get<double>(), b = session.request.get<double>();
     const double tolerance = session.request.get<double>();
     GuardedVector dv(session.request.get_doubles(state.x.size()));
-    const particles::SolveReport report =
-        particles::solve_implicit(force, particles, state, a, b, tolerance, dv.view(), scratch.view());
+    const particles::SolveReport report = session.counted([&] {
+      return particles::solve_implicit(force, particles, state, a, b, tolerance, dv.view(), scratch.view());
+    });
     session.reply.put(dv.values());
     grader::put(session.reply, report);
   } else {
     const double h = session.request.get<double>(), tolerance = session.request.get<double>();
-    const particles::SolveReport report =
-        particles::implicit_euler(force, particles, h, tolerance, state, scratch.view());
+    const particles::SolveReport report = session.counted(
+        [&] { return particles::implicit_euler(force, particles, h, tolerance, state, scratch.view()); });
     grader::put(session.reply, state.x);
     grader::put(session.reply, state.v);
     grader::put(session.reply, report);

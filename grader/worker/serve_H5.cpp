@@ -19,11 +19,14 @@ extern "C" __attribute__((visibility("default"))) void serve(grader::Session& se
     report = hair::relax_lengths(strand, tolerance, most, x.view());
     session.reply.put(x.values());
   } else if (function == 1) {
-    report = hair::correct_lengths(strand, tolerance, most, x.view(), scratch.view());
+    report = session.counted(
+        [&] { return hair::correct_lengths(strand, tolerance, most, x.view(), scratch.view()); });
     session.reply.put(x.values());
   } else {
     grader::GuardedVector v(session.request.get_doubles(size));
-    report = hair::correct_velocities(strand, x.view(), tolerance, most, v.view(), scratch.view());
+    report = session.counted([&] {
+      return hair::correct_velocities(strand, x.view(), tolerance, most, v.view(), scratch.view());
+    });
     session.reply.put(v.values()).put(x.values());
   }
   session.reply.put(report.iterations).put(report.error).put(report.converged);

@@ -16,8 +16,9 @@ extern "C" __attribute__((visibility("default"))) void serve(grader::Session& se
 
   const grader::ServedForce force(session, n);
   grader::GuardedScratch scratch(3 * n, hair::kPredictorCorrectorScratch);
-  const hair::StepReport report =
-      hair::predictor_corrector(force, particles, strand, h, tolerance, state, scratch.view());
+  const hair::StepReport report = session.counted([&] {
+    return hair::predictor_corrector(force, particles, strand, h, tolerance, state, scratch.view());
+  });
 
   grader::put(session.reply, state.x);
   grader::put(session.reply, state.v);

@@ -15,12 +15,14 @@ extern "C" __attribute__((visibility("default"))) void serve(grader::Session& se
   const std::size_t count = passes.size();
 
   grader::GuardedScratch accelerations(rates, 1);
-  if (function == 0)
-    hair::outward_velocities(links, input.view(), passes);
-  else if (function == 1)
-    hair::inward_inertias(links, input.view(), passes);
-  else
-    hair::outward_accelerations(links, input.view(), passes, accelerations.view().col(0));
+  session.counted([&] {
+    if (function == 0)
+      hair::outward_velocities(links, input.view(), passes);
+    else if (function == 1)
+      hair::inward_inertias(links, input.view(), passes);
+    else
+      hair::outward_accelerations(links, input.view(), passes, accelerations.view().col(0));
+  });
   passes.resize(count);
   put(session.reply, passes);
   if (function == 2) session.reply.put(std::span<const double>(accelerations.view().data(), rates));

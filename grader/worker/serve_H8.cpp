@@ -70,7 +70,10 @@ void of_a_step(Session& session) {
   GuardedVector q(session.request.get_doubles(size)), rates(session.request.get_doubles(size));
   const double h = session.request.get<double>();
   GuardedScratch scratch(size, size + 10), change(size, 1);
-  hair::helix_step(strand, elements, points, q.view(), rates.view(), h, scratch.view(), change.view().col(0));
+  session.counted([&] {
+    hair::helix_step(strand, elements, points, q.view(), rates.view(), h, scratch.view(),
+                     change.view().col(0));
+  });
   session.reply.put(std::span<const double>(change.view().data(), size));
 }
 

@@ -24,7 +24,8 @@ void serve_links(int function, Session& session) {
   MessageReader& request = session.request;
   if (function == 0) {
     const hair::StaticLink link = get_static_link(request);
-    session.reply.put(hair::link_strength(link, request.get<double>()));
+    const double largest = request.get<double>();
+    session.reply.put(session.counted([&] { return hair::link_strength(link, largest); }));
     return;
   }
   const std::vector<hair::StaticLink> links = get_static_links(request);
@@ -32,16 +33,19 @@ void serve_links(int function, Session& session) {
       function == 4 ? std::vector<hair::Matrix3d>() : get_particle_frames(request);
   GuardedVector first = get_vector(session), second = get_vector(session);
   if (function == 1) {
-    hair::remember_stretches(links, frames, first.view(), second.view());
+    session.counted([&] { hair::remember_stretches(links, frames, first.view(), second.view()); });
     session.reply.put(second.values());
   } else if (function == 2) {
-    session.reply.put(hair::link_energy(links, frames, first.view(), second.view()));
+    session.reply.put(
+        session.counted([&] { return hair::link_energy(links, frames, first.view(), second.view()); }));
   } else {
     GuardedVector result = get_vector(session);
-    if (function == 3)
-      hair::add_link_force(links, frames, first.view(), second.view(), result.view());
-    else
-      hair::add_link_product(links, first.view(), second.view(), result.view());
+    session.counted([&] {
+      if (function == 3)
+        hair::add_link_force(links, frames, first.view(), second.view(), result.view());
+      else
+        hair::add_link_product(links, first.view(), second.view(), result.view());
+    });
     session.reply.put(result.values());
   }
 }
@@ -54,7 +58,8 @@ void serve_touch(Session& session) {
   const double side = request.get<double>(), thickness = request.get<double>();
   GuardedVector x = get_vector(session), tangents = get_vector(session);
   hair::StripContact contact;
-  const bool touches = hair::touch_strip(point, corners, side, thickness, x.view(), tangents.view(), contact);
+  const bool touches = session.counted(
+      [&] { return hair::touch_strip(point, corners, side, thickness, x.view(), tangents.view(), contact); });
   session.reply.put(touches ? 1 : 0);
   if (touches) put(session.reply, contact);
 }
@@ -65,21 +70,23 @@ void serve_strips(int function, Session& session) {
   const hair::StripLaw law = get_strip_law(request);
   GuardedVector first = get_vector(session);
   if (function == 6) {
-    session.reply.put(hair::strip_energy(contacts, law, first.view()));
+    session.reply.put(session.counted([&] { return hair::strip_energy(contacts, law, first.view()); }));
     return;
   }
   const double h = function == 9 ? request.get<double>() : 0;
   GuardedVector second = get_vector(session);
   if (function == 7) {
-    hair::add_strip_force(contacts, law, first.view(), second.view());
+    session.counted([&] { hair::add_strip_force(contacts, law, first.view(), second.view()); });
     session.reply.put(second.values());
     return;
   }
   GuardedVector third = get_vector(session);
-  if (function == 8)
-    hair::add_strip_product(contacts, law, first.view(), second.view(), third.view());
-  else
-    hair::apply_strip_friction(contacts, law, first.view(), h, second.view(), third.view());
+  session.counted([&] {
+    if (function == 8)
+      hair::add_strip_product(contacts, law, first.view(), second.view(), third.view());
+    else
+      hair::apply_strip_friction(contacts, law, first.view(), h, second.view(), third.view());
+  });
   session.reply.put(third.values());
 }
 

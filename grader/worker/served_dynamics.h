@@ -19,6 +19,7 @@ class ServedDynamics : public particles::Dynamics {
   ServedDynamics(Session& session, int n) : session_(session), size_(3 * n) {}
 
   void acceleration(particles::Input x, particles::Input v, particles::Output a) override {
+    const Session::Uncounted ours(session_);
     if (x.size() != size_ || v.size() != size_ || a.size() != size_)
       throw std::invalid_argument("acceleration of " + std::to_string(size_) + " numbers asked for with " +
                                   std::to_string(x.size()) + ", " + std::to_string(v.size()) + " and " +

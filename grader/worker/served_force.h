@@ -22,6 +22,7 @@ class ServedForce : public particles::Force {
   ServedForce& operator=(const ServedForce&) = delete;
 
   double energy(particles::Input x) const override {
+    const Session::Uncounted ours(session_);
     double energy = 0;
     session_.product(kForceEnergy, joined({&x}), {&energy, 1});
     return energy;
@@ -41,6 +42,7 @@ class ServedForce : public particles::Force {
   }
   bool add_band(particles::Input x, particles::Input v, double by_dfdx, double by_dfdv,
                 solver::BlockBand& band, particles::Scratch /*work*/) const override {
+    const Session::Uncounted ours(session_);
     std::vector<double> question = joined({&x, &v}), answer(size_of_band(static_cast<int>(size_)));
     question.push_back(by_dfdx);
     question.push_back(by_dfdv);
@@ -62,6 +64,7 @@ class ServedForce : public particles::Force {
   }
 
   void add(int which, std::initializer_list<const View*> inputs, particles::Output& sum) const {
+    const Session::Uncounted ours(session_);
     expect_size(sum.size());
     std::vector<double> question = joined(inputs), answer(size_);
     question.insert(question.end(), sum.data(), sum.data() + size_);

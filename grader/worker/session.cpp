@@ -93,6 +93,7 @@ Message Session::receive(std::size_t limit) {
 }
 
 void ServedMatrix::matVecMult(double x[], double b[]) {
+  const Session::Uncounted ours(session_);
   const std::less<const double*> before;
   const bool overlap = before(x, b + rows_) && before(b, x + cols_);
   session_.product(which_, {x, static_cast<std::size_t>(cols_)}, {b, static_cast<std::size_t>(rows_)});

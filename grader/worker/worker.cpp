@@ -97,12 +97,23 @@ Loaded load(Channel& channel, int count, char* files[]) {
   return loaded;
 }
 
-void answer(Channel& channel, const Loaded& loaded, Message& request) {
+// How often a function allocates that promises not to. Told if it is more than `told` already.
+void tell_allocations(Channel& channel, std::uint64_t nonce, int most, int& told) {
+  if (most <= told) return;
+  told = most;
+  MessageWriter message;
+  message.put(most);
+  channel.send(Kind::allocated, nonce, message.bytes());
+}
+
+void answer(Channel& channel, const Loaded& loaded, Message& request, int& allocations_told) {
   const std::uint64_t nonce = request.nonce;
   try {
-    Session session(channel, nonce, MessageReader(std::move(request.body)));
+    Session session(channel, nonce, MessageReader(std::move(request.body)),
+                    allocations != nullptr ? &allocations() : nullptr);
     for (LentSession* lent : loaded.lent) *lent = &session;
     loaded.serve(session);
+    tell_allocations(channel, nonce, session.allocations(), allocations_told);
     channel.send(Kind::done, nonce, session.reply.bytes());
   } catch (const Stopped&) {
     channel.send(Kind::stopped, nonce);
@@ -127,9 +138,10 @@ void serve_requests() {
   Channel channel(kIn, kOut);
   const Loaded loaded = load(channel, arguments.count, arguments.files);
   channel.send(Kind::hello, 0);
+  int allocations_told = 0;
   while (std::optional<Message> request = channel.receive(kLargestRequest)) {
     current.nonce = request->nonce;
-    answer(channel, loaded, *request);
+    answer(channel, loaded, *request, allocations_told);
   }
   _exit(0);  // not through the student's destructors
 }

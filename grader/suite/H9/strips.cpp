@@ -142,6 +142,15 @@ void frictions(Trial& trial) {
       // A mass is at most 100 times another, so that what one impulse rounds by moves another by 100 times as much.
       trial.expect_at_most(worst(ask_friction(trial, contacts, h, v) - expected), 1e-10,
                            "the error of a velocity");
+      Contacts first_pinned = contacts;
+      const StripContact& first = first_pinned.contacts.front();
+      first_pinned.inverse_mass[first.point] = 0;
+      for (const int corner : first.corners) first_pinned.inverse_mass[corner] = 0;
+      v = expected = random_vector(random, contacts.x.size(), 0.3);
+      hair::apply_strip_friction(first_pinned.contacts, contacts.law, first_pinned.inverse_mass, h,
+                                 contacts.x, expected);
+      trial.expect_at_most(worst(ask_friction(trial, first_pinned, h, v) - expected), 1e-10,
+                           "the error of a velocity where the first contact is pinned");
       v.setZero();
       trial.expect_at_most(worst(ask_friction(trial, contacts, h, v)), 0, "a velocity where nothing moves");
       contacts.inverse_mass.setZero();

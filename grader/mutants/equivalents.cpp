@@ -1,0 +1,23 @@
+// STAFF ONLY.
+#include "grader/mutants/equivalents.h"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace grader {
+
+bool Equivalent::is(const std::string& source, const Mutation& mutation) const {
+  return change == change_of(source, mutation) && line == line_of(source, mutation) &&
+         occurrence == occurrence_of(source, mutation);
+}
+
+std::vector<Equivalent> equivalents_of(const std::string& exercise, const std::filesystem::path& project) {
+  std::ifstream file(project / "grader/mutants/equivalents.json");
+  const nlohmann::json lists = nlohmann::json::parse(file);
+  std::vector<Equivalent> all;
+  for (const nlohmann::json& entry : lists.at(exercise))
+    all.push_back({entry.at("line"), entry.at("change"), entry.at("why"), entry.value("occurrence", 1)});
+  return all;
+}
+
+}  // namespace grader

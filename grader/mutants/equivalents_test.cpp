@@ -1,0 +1,36 @@
+// STAFF ONLY.
+#include "grader/mutants/equivalents.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "grader/course/course.h"
+
+namespace grader {
+namespace {
+
+const std::filesystem::path kProject = HAIR_PROJECT;
+
+// An entry that nothing matches was left behind by a change of the solution.
+TEST(Equivalents, AreMutantsOfTheSolutions) {
+  std::size_t count = 0;
+  for (const Exercise& exercise : read_course(kProject / "handout/exercises.json").exercises) {
+    std::ostringstream text;
+    text << std::ifstream(kProject / "reference" / exercise.file).rdbuf();
+    const std::string source = text.str();
+    const std::vector<Mutation> all = mutations_of(source);
+    const std::vector<Equivalent> equivalents = equivalents_of(exercise.id, kProject);
+    count += equivalents.size();
+    for (const Equivalent& one : equivalents)
+      EXPECT_TRUE(
+          std::ranges::any_of(all, [&](const Mutation& mutation) { return one.is(source, mutation); }))
+          << exercise.id << ": " << one.change << ", occurrence " << one.occurrence << ", in " << one.line;
+  }
+  EXPECT_GT(count, 20U);
+}
+
+}  // namespace
+}  // namespace grader

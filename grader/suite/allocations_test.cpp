@@ -1,0 +1,56 @@
+// STAFF ONLY. What functions allocate that promise to allocate nothing: all of it is counted, what the suite's own objects
+// allocate is not, and the reference keeps the promise.
+#include <gtest/gtest.h>
+
+#include "grader/course/course.h"
+#include "grader/suite/suite_table.h"
+
+namespace grader {
+namespace {
+
+const std::filesystem::path kKit = HAIR_KIT_DIR;
+
+class Allocations : public testing::TestWithParam<std::string> {
+ protected:
+  // How often a call of this object allocates, when all categories ask.
+  int of(const std::filesystem::path& object) {
+    WorkerSetup setup;
+    setup.kit = kKit;
+    setup.exercise = GetParam();
+    setup.lent = read_course(HAIR_EXERCISES_JSON).find(GetParam())->prerequisites;
+    setup.objects = {object};
+    setup.log = "/dev/null";
+    setup.isolated = false;
+    setup.cpu_seconds = 60;
+    setup.allowance->limit = share_of(Budget(), 30);
+    Student student(setup);
+    for (const Category& category : categories(GetParam())) {
+      try {
+        Trial trial(student, Random("a seed", category.name));
+        category.run(trial);
+      } catch (const CaseFailed&) {
+        ++failed_;
+      }
+    }
+    student.finish();
+    return student.allocations();
+  }
+
+  int failed_ = 0;  // categories
+};
+
+INSTANTIATE_TEST_SUITE_P(InTurn, Allocations,
+                         testing::Values("S2", "P1", "H4", "H5", "H6", "H7", "H8", "H9", "H10"),
+                         [](const auto& named) { return named.param; });
+
+TEST_P(Allocations, AreCountedWhereTheStudentsCodeMakesThem) {
+  EXPECT_EQ(of(HAIR_ALLOCATING_EXERCISES), 1);
+}
+
+TEST_P(Allocations, OfTheReferenceAreNone) {
+  EXPECT_EQ(of(kKit / "lib" / (GetParam() + ".so")), 0);
+  EXPECT_EQ(failed_, 0);
+}
+
+}  // namespace
+}  // namespace grader

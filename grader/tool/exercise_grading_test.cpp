@@ -1,0 +1,92 @@
+// STAFF ONLY. Points of an exercise that is right in a part of its cases, with "partial" in the course file and without.
+#include "grader/tool/exercise_grading.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kProject = HAIR_PROJECT;
+
+// The reference's S1, and wrong for an even number of unknowns.
+std::string right_for_odd_n() {
+  std::ostringstream text;
+  text << "#define ConjGrad right\n"
+       << std::ifstream(kProject / "reference/conj_grad.cpp").rdbuf()
+       << "#undef ConjGrad\n"
+          "double ConjGrad(int n, implicitMatrix* A, double x[], double b[], double epsilon, int* steps) {\n"
+          "  const double value = right(n, A, x, b, epsilon, steps);\n"
+          "  if (n > 0 && n % 2 == 0) x[0] += 1;\n"
+          "  return value;\n"
+          "}\n";
+  return text.str();
+}
+
+class PartialPoints : public testing::Test {
+ protected:
+  ExerciseResult grade(bool partial) const {
+    GradingSettings settings;
+    settings.course = read_course(kProject / "handout/exercises.json");
+    settings.course.partial = partial;
+    settings.kit = HAIR_KIT_DIR;
+    settings.suite = HAIR_SUITE;
+    settings.players = HAIR_PLAYERS;
+    settings.scenes = HAIR_HIDDEN_SCENES;
+    settings.cache = HAIR_TEST_CACHE;
+    settings.secret = "a secret for tests alone";
+    settings.images = settings.memory_errors = settings.isolated = false;
+    const Exercise& s1 = *settings.course.find("S1");
+    const StagedKit kit(settings.kit, settings.course);
+    const Compiler compiler(kit, settings.cache, false);
+    const SuiteJobs jobs(settings, kit);
+    Submission submission;
+    submission.name = "somebody";
+    submission.files[s1.file].text = right_for_odd_n();
+    ExerciseResult result = describe(s1);
+    ExerciseTiming timing;
+    grade_exercise(jobs, compiler, s1, submission, kit.new_job("job"), 30, result, timing);
+    return result;
+  }
+};
+
+TEST_F(PartialPoints, AreAllOrNothingWithoutTheKey) {
+  const ExerciseResult result = grade(false);
+  int wrong = 0;
+  for (const CaseResult& one : result.cases) {
+    EXPECT_EQ(one.points, one.status == Status::passed ? one.max_points : 0) << one.name;
+    wrong += one.cases > 0;
+  }
+  EXPECT_GT(wrong, 0) << "cases are counted";
+}
+
+TEST_F(PartialPoints, AreTheShareOfCasesThatHoldInWholePoints) {
+  const ExerciseResult result = grade(true);
+  int parts = 0;
+  double sum = 0;
+  for (const CaseResult& one : result.cases) {
+    SCOPED_TRACE(one.name + ": " + std::to_string(one.held) + " of " + std::to_string(one.cases));
+    if (one.status == Status::passed) {
+      EXPECT_EQ(one.points, one.max_points);
+    } else if (one.cases > 0) {
+      const double share = one.max_points * one.held / one.cases;
+      EXPECT_EQ(one.points, std::trunc(one.points));
+      EXPECT_LE(one.points, share);
+      EXPECT_GT(one.points, share - 1);
+      parts += one.points > 0 && one.points < one.max_points;
+    } else {
+      EXPECT_EQ(one.points, 0);
+    }
+    sum += one.points;
+  }
+  EXPECT_GT(parts, 0) << "a category gives a part of its points";
+  EXPECT_EQ(result.points, sum);
+}
+
+}  // namespace
+}  // namespace grader
