@@ -188,6 +188,27 @@ TEST(AddBendForce, IsAddedToWhatFHolds) {
                  "f, which held " + particles_in_words(before), "16 u of the largest force: rounding");
 }
 
+// EI = 4 N m^2 is a steel wire's. A hair's is 2^-30 of it, and all that joints do is 2^-30 of what it was.
+TEST(AddBendForce, OfAHairAsOfAWire) {
+  for (const Case& c : {uneven(7, 1), clamped(uneven(5, 3))}) {
+    Strand hair = c.strand;
+    hair.bend_rigidity = std::ldexp(c.strand.bend_rigidity, -30);
+    const double energy = bend_energy(c.strand, c.x);
+    EXPECT_NEAR(std::ldexp(bend_energy(hair, c.x), 30), energy, 256 * kU * energy)
+        << "EI = 3.7e-9 N m^2: 2^30 times the energy, beside that of EI = 4 N m^2; bound: rounding";
+    expect_entries(force(hair, c.x) * 0x1p30, force(c.strand, c.x), 256 * kU * 16 * pi,
+                   "2^30 times the force for EI = 3.7e-9 N m^2, beside that for EI = 4 N m^2",
+                   "256 u of k pi / |e|: rounding");
+  }
+}
+
+TEST(AddBendForce, IsTheSameHoweverOftenItIsAsked) {
+  const Case c = clamped(uneven(5, 1));
+  const VectorXd first = force(c.strand, c.x);
+  for (int i = 1; i <= kManyCalls; ++i)
+    ASSERT_EQ(force(c.strand, c.x), first) << "asked again for the same strand, " << i << " times so far";
+}
+
 TEST(AddBendForce, WhereDirectionsAreLostIsZero) {
   const Strand strand = strand_of(vector({1, 1}));
   for (const VectorXd& x : {kFold, vector({0, 0, 0, 0, 0, -1, 0, 0, -2}), vector({0, 0, 0, 0, 0, 0, 0, 1, 0}),
@@ -286,6 +307,20 @@ TEST(AddProductsSpd, IsExactForAStraightStrand) {
                    "the semi-definite product of a strand along " + particles_in_words(direction) +
                        ", against your exact one; dx = " + particles_in_words(dx),
                    "1e-4 of k / |e|^2. A bend that is nothing but rounding has no axis: choose one");
+  }
+}
+
+TEST(AddProductsSpd, OfAHairAsOfAWire) {
+  for (const Case& c : {uneven(7, 1), clamped(uneven(5, 3))}) {
+    Strand hair = c.strand;
+    hair.bend_rigidity = std::ldexp(c.strand.bend_rigidity, -30);
+    const VectorXd dx = scattered_vector(static_cast<int>(c.x.size()), 6);
+    const std::string what = " for EI = 3.7e-9 N m^2, beside that for EI = 4 N m^2",
+                      source = "1024 u of k pi / |e|^2: rounding";
+    expect_entries(product(hair, c.x, dx) * 0x1p30, product(c.strand, c.x, dx), 1024 * kU * 200,
+                   "2^30 times the product" + what, source);
+    expect_entries(product_spd(hair, c.x, dx) * 0x1p30, product_spd(c.strand, c.x, dx), 1024 * kU * 200,
+                   "2^30 times the semi-definite product" + what, source);
   }
 }
 

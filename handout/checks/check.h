@@ -1,5 +1,6 @@
 // What the public checks share: a matrix that counts its products, vectors in words, an error beside its
-// bound, the data in golden/, and a main program that names the functions that are not written yet.
+// bound, the data in golden/, a main program that names the functions that are not written yet, and how often a
+// function is asked that must always answer the same.
 #pragma once
 
 #include <functional>
@@ -12,6 +13,9 @@
 namespace checks {
 
 using Vector = std::vector<double>;
+
+// A run of a few seconds calls each function hundreds of times. None may keep anything from call to call.
+inline constexpr int kManyCalls = 1000;
 
 // Passes products on to another matrix and counts them.
 class Counted : public implicitMatrix {

@@ -247,10 +247,24 @@ TEST(ConjGrad, GivesTheSameAnswerWhenItIsAskedAgain) {
   solver::SparseMatrix A = solver::tridiagonal(10, 3, -1), other = solver::poisson_2d(6);
   const Outcome first = solve(A, scattered(10), 1e-20, 0);
   solve(other, scattered(36), 1e-20, 0);
-  SCOPED_TRACE(call("the tridiagonal (-1, 3, -1), n = 10, again after another system", 1e-20, 0));
-  const Outcome again = solve(A, scattered(10), 1e-20, 0);
-  EXPECT_EQ(again.x, first.x);
-  EXPECT_EQ(again.steps, first.steps);
+  for (int i = 1; i <= kManyCalls; ++i) {
+    SCOPED_TRACE(call("the tridiagonal (-1, 3, -1), n = 10, asked again after another system, " +
+                          std::to_string(i) + " times so far",
+                      1e-20, 0));
+    const Outcome again = solve(A, scattered(10), 1e-20, 0);
+    ASSERT_EQ(again.x, first.x);
+    ASSERT_EQ(again.steps, first.steps);
+  }
+}
+
+TEST(ConjGrad, SolvesTenThousandEquations) {
+  const int n = 10000;
+  const System s =
+      system_with("the tridiagonal (-1, 3, -1), n = 10000", solver::tridiagonal(n, 3, -1), scattered(n), 1);
+  const double epsilon = relative_epsilon(s.b);
+  SCOPED_TRACE(call(s.name, epsilon, 0));
+  solver::SparseMatrix A = s.A;
+  expect_solved(s, solve(A, s.b, epsilon, 0), epsilon);
 }
 
 TEST(ConjGrad, EndsAtADirectionThatIsNotUphill) {

@@ -46,6 +46,10 @@ void PrintTo(const Method& method, std::ostream* out) {
   *out << method.name;
 }
 
+bool overlap(Input in, Input out) {
+  return in.data() < out.data() + out.size() && out.data() < in.data() + in.size();
+}
+
 // a = -k x - c v, and a count of its evaluations.
 class Spring1 : public Dynamics {
  public:
@@ -53,6 +57,8 @@ class Spring1 : public Dynamics {
 
   void acceleration(Input x, Input v, Output a) override {
     ++evaluations;
+    EXPECT_FALSE(overlap(x, a) || overlap(v, a)) << "acceleration() is given memory for a that holds x or v, "
+                                                    "too: it may write a before it has read them";
     a = -k_ * x - c_ * v;
   }
 

@@ -10,6 +10,7 @@
 
 #include "check.h"
 #include "derivative.h"
+#include "particles/preconditioner.h"
 #include "particles/springs.h"
 #include "stepping.h"
 
@@ -56,25 +57,49 @@ VectorXd six(double a, double b, double c, double d, double e, double f) {
   return values;
 }
 
-// 60 particles of 1e-7 kg, 1 cm apart along x, the first one pinned; springs of 1e-3 N/m between them, the first one
-// stretched by 1 mm. With h = 1/60 s, h^2 k/m is 2.8.
+// 60 particles of 1e-7 kg, 1 cm apart along x, the first one pinned; springs between them, of 1e-3 N/m if nothing else is said,
+// the first one stretched by 1 mm. With h = 1/60 s, h^2 k/m is 2.8.
 struct Chain {
   static constexpr int kCount = 60;
   Particles particles{VectorXd::Constant(kCount, 1e-7), std::vector<char>(kCount, 0)};
   State state{VectorXd::Zero(3 * kCount), VectorXd::Zero(3 * kCount)};
   std::vector<particles::Spring> springs;
 
-  Chain() {
+  explicit Chain(double stiffness = 1e-3) {
     particles.pinned[0] = 1;
     for (int i = 1; i < kCount; ++i) {
       state.x[3 * i] = 0.01 * i + 0.001;
-      springs.push_back({i - 1, i, 1e-3, 0.01});
+      springs.push_back({i - 1, i, stiffness, 0.01});
     }
   }
 };
 
 const char* const kChainText =
     "60 particles of 1e-7 kg in a row, 1 cm apart, springs of 1e-3 N/m, the first one stretched by 1 mm";
+
+// The chain's springs, which know their band: that of their products, of straight hair.
+class BandedSprings : public particles::DampedSprings {
+ public:
+  explicit BandedSprings(const std::vector<particles::Spring>& springs)
+      : DampedSprings(springs, particles::Products::definite), springs_(springs) {}
+
+  bool add_band(particles::Input x, particles::Input, double by_dfdx, double, solver::BlockBand& band,
+                particles::Scratch) const override {
+    for (const particles::Spring& spring : springs_) {
+      const Eigen::Vector3d e = x.segment<3>(3 * spring.j) - x.segment<3>(3 * spring.i);
+      const Eigen::Matrix3d along = e * e.transpose() / e.squaredNorm();
+      const double turn = std::max(1 - spring.rest_length / e.norm(), 0.0);
+      const Eigen::Matrix3d K = spring.stiffness * (along + turn * (Eigen::Matrix3d::Identity() - along));
+      band.block(spring.i, 0) -= by_dfdx * K;
+      band.block(spring.j, 0) -= by_dfdx * K;
+      band.block(spring.j, 1) += by_dfdx * K;
+    }
+    return true;
+  }
+
+ private:
+  std::vector<particles::Spring> springs_;
+};
 
 // The matrix as a table, by products with unit vectors.
 MatrixXd table(const particles::Force& force, const Particles& particles, const State& state, double a,
@@ -198,6 +223,30 @@ TEST(SolveImplicit, KeepsItsToleranceForLightParticles) {
   }
 }
 
+TEST(SolveImplicit, TakesFewStepsWithAPreconditioner) {
+  // h^2 k/m is 2.8e6: conjugate gradients alone take hundreds of steps.
+  const Chain chain(1e3);
+  const BandedSprings springs(chain.springs);
+  const double h = 1.0 / 60, tolerance = particles::kSolveTolerance;
+  const MatrixXd A = table(springs, chain.particles, chain.state, h, h);
+  VectorXd rhs = VectorXd::Zero(A.rows());  // v = 0: h f
+  springs.add_force(chain.state.x, chain.state.v, rhs);
+  rhs *= h;
+  rhs.head<3>().setZero();
+  VectorXd dv = VectorXd::Constant(A.rows(), 1e3);
+  MatrixXd scratch = MatrixXd::Constant(A.rows(), particles::kImplicitScratch, 1e3);
+  const SolveReport report =
+      solve_implicit(springs, chain.particles, chain.state, h, h, tolerance, dv, scratch);
+  SCOPED_TRACE("60 particles of 1e-7 kg in a row, springs of 1e3 N/m that know their band, a = b = 1/60 s");
+  EXPECT_TRUE(report.preconditioned) << "the report says that there was no preconditioner: "
+                                        "particles::Preconditioner exists for these forces";
+  EXPECT_LE(report.steps, 2 * particles::kMostSolves) << "iterations: the preconditioner is the matrix, but "
+                                                         "for rounding, so that each solve takes two at most";
+  EXPECT_LE((rhs - A * dv).norm(), tolerance * rhs.norm() + 0x1p-48 * (A.norm() * dv.norm() + rhs.norm()))
+      << "||rhs - matrix dv||; bound: the tolerance, and 2^-48 (||matrix|| ||dv|| + ||rhs||), rounding";
+  EXPECT_TRUE(report.converged);
+}
+
 TEST(SolveImplicit, SaysWhatItCannotSolve) {
   // A number that is not finite can't be solved for; nothing to solve is solved.
   Chain chain;
@@ -234,6 +283,22 @@ TEST(ImplicitEuler, MovesWithTheNewVelocity) {
   EXPECT_GT((state.v - before.v).norm(), 0.1) << "the velocity does not change: is the result in `state`?";
   expect_entries(state.x, before.x + 0.5 * state.v, 64 * kU,
                  std::string("x + h times the new v, h = 0.5, ") + kText, "64 u: rounding");
+}
+
+TEST(ImplicitEuler, TakesTheSameStepHoweverOftenItIsAsked) {
+  const Spring spring(4, 1, GeometricTerm::full, 0.5);
+  const auto step = [&] {
+    State state = apart();
+    MatrixXd scratch(6, particles::kImplicitScratch);
+    implicit_euler(spring, kPinned, 0.5, 1e-10, state, scratch);
+    return state;
+  };
+  const State first = step();
+  for (int i = 1; i <= kManyCalls; ++i) {
+    const State again = step();
+    ASSERT_EQ(again.x, first.x) << "x after the same step, asked again, " << i << " times so far";
+    ASSERT_EQ(again.v, first.v) << "v after the same step, asked again, " << i << " times so far";
+  }
 }
 
 TEST(ImplicitEuler, LeavesPinnedParticlesTheirVelocity) {

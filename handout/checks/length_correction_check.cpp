@@ -150,8 +150,27 @@ TEST(CorrectLengths, MovesByMasses) {
 
 TEST(CorrectLengths, TakesFewIterations) {
   std::printf("The same by correct_lengths: your iterations\n");
-  for (int segments : {10, 20, 30, 60})
-    std::printf("  %3d segments  %6d\n", segments, iterations_for(correct, segments));
+  for (int segments : {10, 20, 30, 60}) {
+    const int iterations = iterations_for(correct, segments);
+    std::printf("  %3d segments  %6d\n", segments, iterations);
+    EXPECT_TRUE(iterations <= 8 || iterations >= 100)
+        << iterations << " iterations for " << segments
+        << " segments: Newton's method takes 8 at most, and sweeps take hundreds";
+  }
+  EXPECT_LE(iterations_for(correct, 1), 2) << "for one segment: the first step is exact. Has the root's mass "
+                                              "a part in your matrix? 1/mass of it is 0";
+}
+
+TEST(CorrectLengths, GivesTheSameHoweverOftenItIsAsked) {
+  const Strand strand = strand_of(5, 3);
+  const VectorXd before = bent(strand, 0.05);
+  VectorXd first = before;
+  correct(strand, 1e-9, 1000, first);
+  for (int i = 1; i <= kManyCalls; ++i) {
+    VectorXd x = before;
+    correct(strand, 1e-9, 1000, x);
+    ASSERT_EQ(x, first) << "asked again for the same strand, " << i << " times so far";
+  }
 }
 
 TEST(CorrectLengths, GivesASegmentOfNoLengthADirection) {
@@ -185,6 +204,14 @@ TEST(CorrectVelocities, StopStretching) {
           << "the rate at which segment " << i << " is stretched, m/s";
     }
   }
+}
+
+TEST(CorrectVelocities, OfOneSegmentAtOnce) {
+  const Strand strand = strand_of(2, 3);
+  VectorXd v = scattered_vector(6, 7);
+  MatrixXd scratch(6, hair::kCorrectionScratch);
+  EXPECT_LE(correct_velocities(strand, bent(strand, 0), 1e-9, 1000, v, scratch).iterations, 2)
+      << "iterations for one segment: the first impulse is exact. 1/mass of the root is 0";
 }
 
 TEST(CorrectVelocities, ByEqualAndOppositeImpulses) {

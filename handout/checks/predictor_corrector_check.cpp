@@ -98,6 +98,18 @@ TEST(PredictorCorrector, EvaluatesTheForceTwice) {
   EXPECT_GT(report.correction.iterations, 0) << "iterations of the correction";
 }
 
+TEST(PredictorCorrector, TakesTheSameStepHoweverOftenItIsAsked) {
+  const Spring spring(8, 1, GeometricTerm::dropped);
+  State first = moving();
+  step(spring, 0.5, first);
+  for (int i = 1; i <= kManyCalls; ++i) {
+    State again = moving();
+    step(spring, 0.5, again);
+    ASSERT_EQ(again.x, first.x) << "x after the same step, asked again, " << i << " times so far";
+    ASSERT_EQ(again.v, first.v) << "v after the same step, asked again, " << i << " times so far";
+  }
+}
+
 TEST(PredictorCorrector, LeavesTheRootItsVelocity) {
   const Spring spring(8, 1, GeometricTerm::dropped);
   State state = moving();

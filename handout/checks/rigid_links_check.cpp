@@ -65,6 +65,13 @@ Links pendulum(double m, double l, double angle, double g = 0) {
   return links;
 }
 
+// Of 1 kg, 0.5 m and 0.3 rad and of 2 kg, 0.4 m and -1.2 rad. Both hang from the base: neither feels the other.
+Links two_pendulums() {
+  Links links = chain_of({pendulum(1, 0.5, 0.3, 9.81)[1], pendulum(2, 0.4, -1.2, 9.81)[1]});
+  links[2].parent = 0;
+  return links;
+}
+
 // ---- A chain that can be moved: joints on any axes, three kinds of them.
 
 struct Shape {
@@ -193,6 +200,13 @@ TEST(OutwardVelocities, BeginAtTheBase) {
                 "its v, on a base that moves along x at 1 m/s", "1e-14");
 }
 
+TEST(OutwardVelocities, GoFromParentToChild) {
+  const Passes passes = pass_1(two_pendulums(), (VectorXd(2) << 3, 5).finished());
+  expect_vector(passes[2].v.angular, Vector3d(0, 5, 0), 1e-14,
+                "omega of a pendulum that hangs from the base, beside another one that turns at 3 rad/s",
+                "1e-14");
+}
+
 // (4.23) with q" = 0: c^_i is how v^_i changes beside what the parent's change makes of it.
 TEST(OutwardVelocities, AccelerateWhatMovesOnACurve) {
   const auto at = [](double t) { return pass_1(placed(kQ + t * kRates).links, kRates); };
@@ -284,6 +298,18 @@ TEST(InwardInertias, CarryForcesThroughJoints) {
                 "Z^A of the base, a pendulum of 2 kg that circles at 2 rad/s", "1e-13");
 }
 
+TEST(InwardInertias, GoFromChildToParent) {
+  const VectorXd none = VectorXd::Zero(2);
+  const Passes both = pass_2(two_pendulums(), none, pass_1(two_pendulums(), none));
+  Matrix3d expected = Matrix3d::Zero();
+  for (const Links& alone : {pendulum(1, 0.5, 0.3, 9.81), pendulum(2, 0.4, -1.2, 9.81)})
+    expected += pass_2(alone, one(0), pass_1(alone, one(0)))[0].inertia.M;
+  EXPECT_LE((both[0].inertia.M - expected).norm(), 1e-13)
+      << "M of I^A of a base from which two pendulums hang, beside the sum of those of either alone; it is\n"
+      << both[0].inertia.M << "\nand not\n"
+      << expected;
+}
+
 TEST(InwardInertias, AddWhatStiffensAJoint) {
   Links links = pendulum(2, 0.5, 0);
   links[1].stiffening(0, 0) = 1.5;
@@ -305,6 +331,15 @@ TEST(OutwardAccelerations, OfAPendulum) {
     expect_vector(passes[1].a.linear, Vector3d(0, found[0], 0).cross(d) - 16 * d, 1e-12,
                   "a of its mass, which circles at 4 rad/s", "1e-12");
   }
+}
+
+TEST(OutwardAccelerations, OfTwoPendulumsOnOneBase) {
+  const Links links = two_pendulums();
+  Passes passes(3);
+  const VectorXd found = all_passes(links, (VectorXd(2) << 4, -3).finished(), VectorXd::Zero(2), passes);
+  expect_entries(
+      found, (VectorXd(2) << -9.81 / 0.5 * std::sin(0.3), 9.81 / 0.4 * std::sin(1.2)).finished(), 1e-12,
+      "q\" of two pendulums that hang from the same base, at 0.3 and -1.2 rad: -g/l sin of each", "1e-12");
 }
 
 TEST(OutwardAccelerations, OfABaseThatFalls) {

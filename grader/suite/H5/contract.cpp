@@ -168,6 +168,24 @@ void expect_few_or_sweeps(Trial& trial) {
       std::to_string(velocities));
 }
 
+// Where one step is exact. With a mass of the root's in W the error of each would be w_0 / (w_0 + w_1) of the one before: lengths come out
+// right, in hundreds of iterations if the strand is long, as by sweeps.
+void expect_one_segment_at_once(Trial& trial) {
+  Random& random = trial.random;
+  const Strand pair = random_strand(random, 2, 3);
+  const VectorXd right = placed(random, pair, 0);
+  trial.describe("correct_lengths, one segment");
+  const int lengths =
+      correct(trial, kCorrect, pair, disturbed(random, right, 0.05), 1e-9, kMostSweeps).report.iterations;
+  trial.expect(lengths <= 2, "correct_lengths takes more than two iterations for one segment",
+               std::to_string(lengths));
+  trial.describe("correct_velocities, one segment");
+  const int velocities =
+      correct_velocities(trial, pair, right, random_vector(random, right.size()), 1e-9).report.iterations;
+  trial.expect(velocities <= 2, "correct_velocities takes more than two iterations for one segment",
+               std::to_string(velocities));
+}
+
 }  // namespace
 
 // The report is true: of the x that came back, of whether it is good enough, of how many iterations it took.
@@ -216,6 +234,7 @@ void report(Trial& trial) {
   expect_numbers(trial);
   expect_velocity_report(trial);
   expect_few_or_sweeps(trial);
+  expect_one_segment_at_once(trial);
   for (int function : {kRelax, kCorrect}) expect_honest_when_flung(trial, function);
 }
 

@@ -1,0 +1,180 @@
+// STAFF ONLY. What the hidden checks ask, the public ones ask: a sample that loses points in an exercise fails that exercise's
+// public checks (handout/checks/), and one that gets all of them passes them. The environment's HAIR_EXERCISE names the exercise,
+// and HAIR_SAMPLE one sample alone.
+//
+// A sample's file is compiled and linked as for grading, in a cage, and the public checks run with it in another. Wrong ones that
+// they do not catch are compiled once more with sanitizers, as students' checks are: these take longer, and tell more of memory
+// errors alone. What was compiled is kept.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <filesystem>
+#include <set>
+#include <string_view>
+#include <thread>
+
+#include "grader/compile/compiler.h"
+#include "grader/samples/sample.h"
+#include "grader/samples/solution_files.h"
+#include "grader/tests/run_program.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kProject = HAIR_PROJECT;
+
+// A sample that loses points in an exercise and passes its public checks.
+struct Exception {
+  std::string_view exercise, sample, why;
+};
+
+// None. What has a place here is a bug that a whole run or its pictures alone show, or one that takes longer than checks may.
+constexpr std::array<Exception, 0> kExceptions{};
+
+// What a submission can be that was compiled and ran. The others have no place here: what is not there, is the stub, or does not
+// compile has nothing to check, and what the sandbox forbids costs nothing outside of it.
+const std::set<std::string> kLosesPoints = {"partly", "wrong", "crashed", "timed out", "out of memory"};
+
+struct Program {
+  std::string name, source;  // of the sample that has it first
+  bool right;
+};
+
+// The exercise's files of the class, each once. Attacks are aimed at the grader, not at the contract.
+std::vector<Program> programs_of(const Exercise& exercise, const fs::path& scratch) {
+  std::vector<Program> programs;
+  const std::string only = environment("HAIR_SAMPLE", "");
+  std::vector<Sample> samples = read_samples(kProject);
+  std::ranges::stable_partition(samples, [](const Sample& sample) { return sample.list == "right"; });
+  for (const Sample& sample : samples) {
+    const std::string& status = sample.expected.at(exercise.id).status;
+    const bool right = status == "passed";
+    if (sample.attack || sample.list.starts_with("attacks-") || (!right && !kLosesPoints.contains(status)))
+      continue;
+    if (!only.empty() && sample.name != only) continue;
+    for (const auto& [path, source] : solution_files(sample, kProject, scratch))
+      if (fs::path(path).filename() == exercise.file &&
+          std::ranges::find(programs, source, &Program::source) == programs.end())
+        programs.push_back({sample.name, source, right});
+  }
+  return programs;
+}
+
+struct Checked {
+  bool ran = false, passed = false;
+  std::string output;  // if it did not pass
+};
+
+class PublicChecks : public testing::Test {
+ protected:
+  const Course course_ = read_course(kProject / "handout/exercises.json");
+  const std::string id_ = environment("HAIR_EXERCISE", "");
+  const StagedKit kit_{HAIR_KIT_DIR, course_};
+  const Compiler compiler_{kit_, fs::path(HAIR_GRADED) / "public" / id_, true};
+  // Copied, for the sandbox's user may not read where the project lies.
+  const fs::path checks_ = kit_.new_job("checks");
+
+  void SetUp() override {
+    ASSERT_NE(course_.find(id_), nullptr) << "HAIR_EXERCISE must name an exercise; it is \"" << id_ << "\"";
+    for (const std::string build : {"ordinary", "sanitised"})
+      fs::copy_file(fs::path(HAIR_PUBLIC_CHECKS) / build / id_, checks_ / build);
+    fs::copy(HAIR_GOLDEN_DIR, checks_ / "golden");
+  }
+
+  Checked check(const Program& program, Build build) const {
+    const fs::path job =
+        kit_.new_job(program.name + (build == Build::sanitised ? "-sanitised" : "-ordinary"));
+    const Exercise& exercise = *course_.find(id_);
+    const Compiled compiled = compiler_.compile(exercise, program.source, job, 60, build);
+    if (compiled.object.empty()) return {false, false, compiled.log};
+    Cage cage;
+    cage.mounts = library_mounts();
+    cage.mounts.push_back({"/usr/bin/prlimit", "/usr/bin/prlimit"});
+    cage.mounts.push_back({checks_ / (build == Build::sanitised ? "sanitised" : "ordinary"), "/check"});
+    cage.mounts.push_back({checks_ / "golden", HAIR_GOLDEN_DIR});
+    cage.mounts.push_back({compiled.object, "/objects/" + id_ + ".so"});
+    for (const std::string& prerequisite : exercise.prerequisites)
+      cage.mounts.push_back(
+          {kit_.folder() / "lib" / (prerequisite + ".so"), "/objects/" + prerequisite + ".so"});
+    cage.syscalls = Syscalls::toolchain;  // prlimit starts it
+    cage.limits.cpu_seconds = 20;         // right programs take one or two
+    Limits inner = cage.limits;
+    if (build == Build::sanitised) {
+      for (const auto& library : fs::directory_iterator(kit_.folder() / "sanitised/lib"))
+        cage.mounts.push_back({library.path(), "/sanitised/" + library.path().filename().string()});
+      cage.fixed_addresses = true;
+      cage.limits.memory_of_group = true;
+      cage.limits.memory_bytes *= 2;
+      inner.memory_bytes = std::size_t{1} << 46;  // of addresses
+    }
+    const fs::path log = job / "log";
+    const Descriptor output(open(log.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600));
+    CagedProcess process(cage, with_inner_limits(inner, {"/check", "--gtest_brief=1"}), -1, -1, output.get());
+    const Ending ending = process.wait(cage.limits.wall_seconds);
+    return {true, ending.well(), ending.well() ? "" : read_file(log).substr(0, 4000)};
+  }
+};
+
+TEST_F(PublicChecks, FailWhereTheHiddenOnesTakePointsAndNowhereElse) {
+  const std::vector<Program> programs = programs_of(*course_.find(id_), kit_.new_job("scratch"));
+  std::vector<Checked> found(programs.size());
+  std::atomic<std::size_t> next = 0;
+  std::atomic<int> by_sanitizers = 0;
+  {
+    std::vector<std::jthread> threads;
+    for (unsigned t = 0; t < std::max(1u, std::thread::hardware_concurrency()); ++t)
+      threads.emplace_back([&] {
+        for (std::size_t i = next++; i < programs.size(); i = next++) {
+          found[i] = check(programs[i], Build::ordinary);
+          if (!found[i].passed || programs[i].right) continue;
+          found[i] = check(programs[i], Build::sanitised);
+          by_sanitizers += !found[i].passed;
+        }
+      });
+  }
+
+  std::vector<Exception> exceptions;
+  std::ranges::copy_if(kExceptions, std::back_inserter(exceptions),
+                       [&](const Exception& one) { return one.exercise == id_; });
+  int right = 0, wrong = 0, caught = 0, excused = 0;
+  for (std::size_t i = 0; i < programs.size(); ++i) {
+    const Program& program = programs[i];
+    ASSERT_TRUE(found[i].ran) << program.name << " does not compile:\n" << found[i].output;
+    if (program.right) {
+      ++right;
+      EXPECT_TRUE(found[i].passed) << program.name << " is right, and fails the public checks:\n"
+                                   << found[i].output;
+      continue;
+    }
+    ++wrong;
+    caught += !found[i].passed;
+    const auto exception =
+        std::ranges::find_if(exceptions, [&](const Exception& one) { return one.sample == program.name; });
+    if (exception == exceptions.end()) {
+      EXPECT_FALSE(found[i].passed) << program.name
+                                    << " loses points, and passes the public checks. Let them ask for it";
+    } else {
+      ++excused;
+      EXPECT_TRUE(found[i].passed) << program.name << " is an exception (" << exception->why
+                                   << "), but the public checks catch it: strike it off";
+      exceptions.erase(exception);
+    }
+  }
+  if (environment("HAIR_SAMPLE", "").empty()) {
+    for (const Exception& exception : exceptions)
+      ADD_FAILURE() << exception.sample << " is an exception, and no sample that loses points: strike it off";
+    EXPECT_GE(right, 2) << "the reference, and another";
+    EXPECT_GE(wrong, 5);
+  }
+  std::printf(
+      "%s: public checks catch %d of %d wrong samples (%d by sanitizers), %d are exceptions; %d are right\n",
+      id_.c_str(), caught, wrong, by_sanitizers.load(), excused, right);
+}
+
+}  // namespace
+}  // namespace grader
