@@ -111,6 +111,23 @@ TEST(StrandClearance, KeepsLengthsAndMakesNoKink) {
   EXPECT_GT(bend, 0);
 }
 
+// Hair that would go into the ground at 45 degrees lies on it. Where it only moved up, a piece would have cos 45 degrees of its length.
+// Moves are smoothed over nine points either way, so from the tenth on after the corner, and up to the tenth before the tip,
+// nothing bends: lengths are exact but for the rounding of coordinates below 1 m.
+TEST(StrandClearance, RestoresTheLengthsOfWhatLiesOnTheGround) {
+  constexpr double piece = 0.01;
+  constexpr int count = 61, corner = 10, smoothed = 10;
+  const std::vector<Obstacle> ground = {{Plane{{0, 0, 0}, {0, 0, 1}}}};
+  StrandClearance clearance(ground);
+  StrandsDrawing strands;
+  strands.sizes = {count};
+  for (int i = 0; i < count; ++i)
+    strands.points.emplace_back(piece * std::sqrt(0.5) * Vector3d(i, 0, corner - i));
+  clearance.move_out(ground, strands, 0, 0);
+  for (int i = corner + smoothed + 1; i < count - smoothed; ++i)
+    EXPECT_NEAR((strands.points[i] - strands.points[i - 1]).norm(), piece, 1e-15) << "piece " << i;
+}
+
 TEST(StrandClearance, IsTheSameWithAnyNumberOfThreadsAndWhateverElseIsThere) {
   const std::vector<Obstacle> now = {{PlacedSolid{std::make_shared<Bust>()}}};
   StrandClearance one(now), three(now, 3);
