@@ -53,10 +53,14 @@ TEST(StrandClearance, LeavesNoPointInsideOfABust) {
   StrandsDrawing strands = carried(through_the_bust(2000), bust);
   const std::vector<Vector3d> before = strands.points;
   EXPECT_GT(deepest(now, strands), 0.02);
-  clearance.move_out(now, strands, 0, 0);
+  const long moved = clearance.move_out(now, strands, 0, 0);
   EXPECT_LE(deepest(now, strands), StrandClearance::kTolerance);
-  for (std::size_t i = 0; i < before.size(); i += kPoints)
+  long others = 0;
+  for (std::size_t i = 0; i < before.size(); i += kPoints) {
     EXPECT_EQ(strands.points[i], before[i]) << "a root stays";
+    others += !std::equal(&before[i], &before[i] + kPoints, &strands.points[i]);
+  }
+  EXPECT_EQ(moved, others);
 }
 
 TEST(StrandClearance, LeavesNoPointInsideOfRoundThingsOrTheGround) {
@@ -80,7 +84,7 @@ TEST(StrandClearance, LeavesAloneWhatIsClear) {
     for (int i = 0; i < kPoints; ++i) strands.points.push_back(root.position + 0.01 * i * root.axis);
   }
   const std::vector<Vector3d> before = strands.points;
-  clearance.move_out(now, strands, 0, 0);
+  EXPECT_EQ(clearance.move_out(now, strands, 0, 0), 0);
   EXPECT_EQ(strands.points, before);
 }
 
@@ -133,8 +137,7 @@ TEST(StrandClearance, IsTheSameWithAnyNumberOfThreadsAndWhateverElseIsThere) {
   StrandClearance one(now), three(now, 3);
   const StrandsDrawing all = through_the_bust(500);
   StrandsDrawing first = all, second = all, last = all;
-  one.move_out(now, first, 0, 0);
-  three.move_out(now, second, 0, 0);
+  EXPECT_EQ(one.move_out(now, first, 0, 0), three.move_out(now, second, 0, 0));
   EXPECT_EQ(first.points, second.points);
   one.move_out(now, last, 300, 300 * kPoints);
   EXPECT_TRUE(std::equal(all.points.begin(), all.points.begin() + 300 * kPoints, last.points.begin()));
