@@ -50,7 +50,7 @@ void EnergyWatch::begin() {
   scale_ = now_.kinetic + now_.bending + now_.stretching +
            strand.mass.sum() * (gravity_.norm() * strand.rest_length.sum() + kUnseen * kUnseen / 2);
   // What is stretched at the start may move the strand.
-  free_ = with_stretching_ ? 0 : -now_.stretching;
+  free_ = last_ = with_stretching_ ? 0 : -now_.stretching;
   in_contact_ = gain_ = contact_gain_ = stretching_ = 0;
   steps_ = 0;
 }
@@ -65,6 +65,7 @@ void EnergyWatch::came_in(double work) {
 
 void EnergyWatch::before_step() {
   if (!begun_) return begin();
+  last_ = 0;
   if (const Vector3d velocity = moving_.state.v.head<3>(); velocity != root_velocity_) {
     root_velocity_ = velocity;
     const double before = now_.kinetic;
@@ -86,7 +87,9 @@ void EnergyWatch::after_step(double h, particles::Input v_before, const ContactW
   if (moving_.drag) work += moving_.drag->work(h, v_before, moving_.state.v, root_velocity_);
   if (contacts) work += contacts->work - contacts->impulse.dot(root_velocity_);
   came_in(work);
-  (contacts ? in_contact_ : free_) += kept(now_) - kept(before) - work;
+  const double gained = kept(now_) - kept(before) - work;
+  last_ += gained;
+  (contacts ? in_contact_ : free_) += gained;
   stretching_ += now_.stretching / scale_;
   ++steps_;
   gain_ = std::max(gain_, free_ / scale_);

@@ -46,6 +46,9 @@ class EnergyWatch {
   // what moves the strand by 1 mm/s.
   double gain() const { return gain_; }
   double contact_gain() const { return contact_gain_; }
+  // J: what the last step added to either row, and what gains are relative to. Linked guides have common books: linked_energy.h.
+  double last() const { return last_; }
+  double scale() const { return scale_; }
   // The mean of the stretching energy over all steps, relative to the same; over kFewSteps, if there are fewer.
   double stretching() const { return stretching_ / std::max(steps_, kFewSteps); }
 
@@ -66,7 +69,7 @@ class EnergyWatch {
   bool with_stretching_, begun_ = false, turned_ = false;
   Vector3d root_velocity_ = Vector3d::Zero();
   Parts now_;
-  double scale_ = 0, free_ = 0, in_contact_ = 0, gain_ = 0, contact_gain_ = 0, stretching_ = 0;
+  double scale_ = 0, last_ = 0, free_ = 0, in_contact_ = 0, gain_ = 0, contact_gain_ = 0, stretching_ = 0;
   long steps_ = 0;
 };
 

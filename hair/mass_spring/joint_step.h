@@ -28,6 +28,10 @@ class JointStep {
   // How often a particle of this strand went through what couples others, so far.
   virtual int passes(int strand) const = 0;
 
+  // What nothing gave all strands together, as EnergyWatch has it of one strand; 0 if nobody watches.
+  virtual double gain() const = 0;
+  virtual double contact_gain() const = 0;
+
   virtual const MeshRecord& record() const = 0;
 };
 

@@ -16,12 +16,16 @@ double LinkedForce::energy(Input x) const {
   return energy;
 }
 
-void LinkedForce::add_force(Input x, Input v, Output f) const {
-  for (const auto& [force, first, size] : parts_)
-    force.add_force(x.segment(first, size), v.segment(first, size), f.segment(first, size));
+void LinkedForce::add_mesh_force(Input x, Output f) const {
   add_link_force(mesh_.links, state_.frames, state_.largest, x, f);
   torque_.add_force(state_.frames, x, f);
   add_strip_force(state_.contacts, mesh_.law, x, f);
+}
+
+void LinkedForce::add_force(Input x, Input v, Output f) const {
+  for (const auto& [force, first, size] : parts_)
+    force.add_force(x.segment(first, size), v.segment(first, size), f.segment(first, size));
+  add_mesh_force(x, f);
 }
 
 void LinkedForce::add_dfdx(Input x, Input v, Input dx, Output df) const {

@@ -30,6 +30,9 @@ class LinkedForce final : public particles::Force {
   // Before each step, with the state as it is held then.
   void hold() { torque_.hold(state_.largest); }
 
+  // Of links and strips alone: what LinkedGuides' books need.
+  void add_mesh_force(Input x, Output f) const;
+
   double energy(Input x) const override;
   void add_force(Input x, Input v, Output f) const override;
   void add_dfdx(Input x, Input v, Input dx, Output df) const override;

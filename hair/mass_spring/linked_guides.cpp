@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "hair/mass_spring/guide_frames.h"
+#include "hair/mass_spring/linked_energy.h"
 #include "hair/mass_spring/linked_force.h"
 #include "hair/mass_spring/strip_contacts.h"
 #include "particles/implicit_euler.h"
@@ -39,6 +40,15 @@ void check_mesh(const ControlMesh& mesh, int guides, int particles) {
   require_at_least("the friction of strips", mesh.law.friction, 0);
 }
 
+// Of all guides, or none: all are made alike.
+std::optional<LinkedEnergy> books_of(const std::vector<MassSpringBody*>& strands) {
+  std::vector<const EnergyWatch*> watches;
+  for (const MassSpringBody* strand : strands)
+    if (strand->energy_watch()) watches.push_back(strand->energy_watch());
+  if (watches.empty()) return {};
+  return LinkedEnergy(std::move(watches));
+}
+
 std::vector<int> first_particles(const std::vector<MassSpringBody*>& strands) {
   std::vector<int> first{0};
   for (const MassSpringBody* strand : strands) first.push_back(first.back() + strand->points());
@@ -62,6 +72,7 @@ class LinkedGuides final : public JointStep {
         first_(first_particles(strands_)),
         mesh_(mesh),
         watched_(watched),
+        books_(books_of(strands_)),
         force_(mesh_, held_, roots_of(mesh_, first_)),
         contacts_(mesh_, first_) {
     const Eigen::Index count = first_.back(), size = 3 * count;
@@ -83,6 +94,7 @@ class LinkedGuides final : public JointStep {
     tangents_.setZero(mesh_.strips.empty() ? 0 : size);
     scratch_.setZero(size, particles::kImplicitScratch);
     before_.setZero(static_cast<Eigen::Index>(mesh_.links.size()));
+    mesh_force_.setZero(books_ ? size : 0);
     record_.broken.reserve(mesh_.links.size());
     restart();
   }
@@ -93,6 +105,7 @@ class LinkedGuides final : public JointStep {
     held_.contacts = {};
     record_.broken.clear();
     record_.worn_off = 0;
+    if (books_) books_->restart();
     steps_ = 0;
   }
 
@@ -103,6 +116,8 @@ class LinkedGuides final : public JointStep {
   }
 
   int passes(int strand) const override { return contacts_.passes(strand); }
+  double gain() const override { return books_ ? books_->gain() : 0; }
+  double contact_gain() const override { return books_ ? books_->contact_gain() : 0; }
   const MeshRecord& record() const override { return record_; }
 
   void step(const BodyStep& step, std::span<std::optional<Stage>> broke, Work& work) override {
@@ -110,9 +125,13 @@ class LinkedGuides final : public JointStep {
     gather();
     if (!mesh_.strips.empty()) touch(step.h);
     force_.hold();
+    MeshEnergies energies;
+    if (books_) energies = {.links_before = links_hold(), .strips_before = strips_hold()};
     const particles::SolveReport report =
         particles::implicit_euler(force_, particles_, step.h, step.tolerance, state_, scratch_);
     const StepOutcome outcome = outcome_of(report);
+    if (books_) energies.root_work = root_work(step.h);
+    const long contacts = work.contacts;
     bool sound = true;
     for (std::size_t i = 0; i < strands_.size(); ++i) {
       // The solve is counted once.
@@ -122,6 +141,12 @@ class LinkedGuides final : public JointStep {
     }
     if (!sound) return;
     gather();
+    if (books_) {
+      energies.links_after = links_hold();
+      energies.strips_after = strips_hold();
+      energies.contacts = !held_.contacts.empty() || work.contacts > contacts;
+      books_->after_step(energies);
+    }
     remember();
   }
 
@@ -144,6 +169,21 @@ class LinkedGuides final : public JointStep {
         x.segment(3 * Eigen::Index{first_[i]}, strand.size()), strand.moving().strand.root_tangent,
         strand.root_normal(),
         frames.subspan(static_cast<std::size_t>(first_[i]), static_cast<std::size_t>(strand.points())));
+  }
+
+  double links_hold() const { return link_energy(mesh_.links, held_.frames, held_.largest, state_.x); }
+  double strips_hold() const { return strip_energy(held_.contacts, mesh_.law, state_.x); }
+
+  // See linked_energy.h. At the end of a solve.
+  double root_work(double h) {
+    mesh_force_.setZero();
+    force_.add_mesh_force(state_.x, mesh_force_);
+    double work = 0;
+    for (std::size_t i = 0; i < strands_.size(); ++i) {
+      const Vector3d force = part(mesh_force_, i).reshaped(3, strands_[i]->points()).rowwise().sum();
+      work -= h * force.dot(part(state_.v, i).head<3>());
+    }
+    return work;
   }
 
   // A link is asked for its energy only if it has just become weaker.
@@ -176,6 +216,7 @@ class LinkedGuides final : public JointStep {
   std::vector<int> first_;  // particle of each strand, and the number of all
   ControlMesh mesh_;
   bool watched_;
+  std::optional<LinkedEnergy> books_;
   MeshState held_;
   LinkedForce force_;
   StripContacts contacts_;
@@ -183,7 +224,8 @@ class LinkedGuides final : public JointStep {
   Eigen::VectorXd inverse_mass_, tangents_;
   particles::State state_;
   Eigen::MatrixXd scratch_;
-  Eigen::VectorXd before_;  // the largest stretches before the present step
+  Eigen::VectorXd mesh_force_;  // at a step's end
+  Eigen::VectorXd before_;      // the largest stretches before the present step
   MeshRecord record_;
   long steps_ = 0;
 };
@@ -191,7 +233,7 @@ class LinkedGuides final : public JointStep {
 }  // namespace
 
 const StepMethod kLinkedImplicitEuler{kImplicitEuler.step, particles::kImplicitScratch, nullptr,
-                                      KeptEnergy::nothing};
+                                      KeptEnergy::without_stretching};
 
 std::unique_ptr<JointStep> linked_guides(std::vector<MassSpringBody*> strands, const ControlMesh& mesh,
                                          bool watched) {

@@ -16,7 +16,7 @@
 
 namespace hair {
 
-// The method of each of these strands. It keeps no energy of its own, because links carry it from strand to strand.
+// The method of each of these strands. Links carry energy from strand to strand, so they have common books (linked_energy.h).
 extern const StepMethod kLinkedImplicitEuler;
 
 // Throws std::invalid_argument for a mesh with indices or numbers out of bounds, and for guides that are not clamped: their

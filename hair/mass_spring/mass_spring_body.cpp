@@ -76,6 +76,7 @@ std::optional<Stage> MassSpringBody::step(const BodyStep& step, const particles:
 
 std::optional<Stage> MassSpringBody::step_to(const BodyStep& step, particles::Output x, particles::Output v,
                                              const StepOutcome& outcome, Work& work) {
+  if (energy_) energy_->before_step();
   moving_.state.x.swap(x);
   moving_.state.v.swap(v);
   Eigen::MatrixXd none;

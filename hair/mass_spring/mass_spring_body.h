@@ -21,6 +21,7 @@ class MassSpringBody final : public Body {
                  bool collides, bool watched);
 
   const MovingStrand& moving() const { return moving_; }
+  const EnergyWatch* energy_watch() const { return energy_ ? &*energy_ : nullptr; }  // null: it keeps none
 
   // Restarts from a start of the same size. Masses, lengths and forces stay the same.
   void restart(const StrandStart& start);

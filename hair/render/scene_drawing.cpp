@@ -100,6 +100,7 @@ Drawing SceneDrawing::at(const particles::State& state, const std::vector<Obstac
 void SceneDrawing::add_strands(particles::Input x, const std::vector<Obstacle>& obstacles, double time,
                                StrandsDrawing& drawing) const {
   synthesised_ = {};
+  moved_out_ = 0;
   drawing.points.reserve(static_cast<std::size_t>(x.size() / 3));
   Eigen::Index at = 0;
   std::size_t group = 0;
@@ -111,7 +112,8 @@ void SceneDrawing::add_strands(particles::Input x, const std::vector<Obstacle>& 
                          "within the state's");
       const std::size_t first = drawing.sizes.size(), first_point = drawing.points.size();
       add_dense(group++, x.segment(at, size), time, drawing);
-      if (clearance_ && !obstacles.empty()) clearance_->move_out(obstacles, drawing, first, first_point);
+      if (clearance_ && !obstacles.empty())
+        moved_out_ += clearance_->move_out(obstacles, drawing, first, first_point);
       strand += made.guides.size();
       at += size;
       continue;

@@ -36,6 +36,7 @@ class SceneDrawing {
 
   // Of the last drawing's dense hair.
   const SynthesisCounts& synthesised() const { return synthesised_; }
+  long moved_out() const { return moved_out_; }  // its strands that would touch an obstacle
 
  private:
   void add_strands(particles::Input x, const std::vector<Obstacle>& obstacles, double time,
@@ -56,6 +57,7 @@ class SceneDrawing {
   std::vector<Groom> still_;                                // of each of the scene's still hair, as it grows
   std::vector<Plane> view_;
   mutable SynthesisCounts synthesised_;
+  mutable long moved_out_ = 0;
 };
 
 }  // namespace hair

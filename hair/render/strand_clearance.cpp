@@ -1,6 +1,7 @@
 #include "hair/render/strand_clearance.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace hair {
@@ -100,7 +101,8 @@ Vector3d StrandClearance::way_out(const std::vector<Obstacle>& now, const Vector
   return way;
 }
 
-void StrandClearance::move_strand_out(const std::vector<Obstacle>& now, Vector3d* points, int count,
+// Whether it moved.
+bool StrandClearance::move_strand_out(const std::vector<Obstacle>& now, Vector3d* points, int count,
                                       std::uint32_t id, Scratch& scratch) const {
   scratch.resize(count);
   std::vector<double>&lengths = scratch.lengths, &clearances = scratch.clearances;
@@ -114,7 +116,7 @@ void StrandClearance::move_strand_out(const std::vector<Obstacle>& now, Vector3d
     clearances[i] = std::min(layer, kRiseOfHair * along);
     any = any || touches(now, points[i], 0.5 * clearances[i]);
   }
-  if (!any) return;
+  if (!any) return false;
   std::copy_n(points, count, start.begin());
   std::fill(moves.begin(), moves.end(), Vector3d::Zero());
   for (int round = 0; round < kRounds; ++round) {
@@ -133,11 +135,12 @@ void StrandClearance::move_strand_out(const std::vector<Obstacle>& now, Vector3d
       if (way.isZero(0)) break;
       points[i] += way;
     }
+  return true;
 }
 
-void StrandClearance::move_out(const std::vector<Obstacle>& now, StrandsDrawing& strands, std::size_t first,
+long StrandClearance::move_out(const std::vector<Obstacle>& now, StrandsDrawing& strands, std::size_t first,
                                std::size_t first_point) {
-  if (cells_.empty()) return;
+  if (cells_.empty()) return 0;
   // Where each task's points begin.
   const auto strand_count = static_cast<int>(strands.sizes.size() - first);
   std::vector<std::size_t> begins;
@@ -147,16 +150,21 @@ void StrandClearance::move_out(const std::vector<Obstacle>& now, StrandsDrawing&
     next += static_cast<std::size_t>(strands.sizes[first + static_cast<std::size_t>(i)]);
   }
   std::vector<Scratch> scratch(static_cast<std::size_t>(threads_.count()));
+  std::atomic<long> moved = 0;
   threads_.run(static_cast<int>(begins.size()), [&](int thread, int task) {
     Vector3d* points = strands.points.data() + begins[static_cast<std::size_t>(task)];
     const int end = std::min(strand_count, (task + 1) * kStrandsOfAMove);
+    long of_task = 0;
     for (int i = task * kStrandsOfAMove; i < end; ++i) {
       const std::size_t strand = first + static_cast<std::size_t>(i);
       const std::uint32_t id = strands.ids.empty() ? static_cast<std::uint32_t>(strand) : strands.ids[strand];
-      move_strand_out(now, points, strands.sizes[strand], id, scratch[static_cast<std::size_t>(thread)]);
+      of_task +=
+          move_strand_out(now, points, strands.sizes[strand], id, scratch[static_cast<std::size_t>(thread)]);
       points += strands.sizes[strand];
     }
+    moved += of_task;
   });
+  return moved;
 }
 
 }  // namespace hair

@@ -25,8 +25,8 @@ class StrandClearance {
   explicit StrandClearance(const std::vector<Obstacle>& obstacles, int threads = 1);
 
   // Of the drawing's strands from `first` on, whose points begin at `first_point`. Afterwards no point but a root is inside of an
-  // obstacle by more than kTolerance, if obstacles leave room between them.
-  void move_out(const std::vector<Obstacle>& now, StrandsDrawing& strands, std::size_t first,
+  // obstacle by more than kTolerance, if obstacles leave room between them. Returns how many strands moved.
+  long move_out(const std::vector<Obstacle>& now, StrandsDrawing& strands, std::size_t first,
                 std::size_t first_point);
   static constexpr double kTolerance = 1e-5;  // m
 
@@ -45,7 +45,7 @@ class StrandClearance {
 
   bool touches(const std::vector<Obstacle>& now, const Vector3d& point, double clearance) const;
   Vector3d way_out(const std::vector<Obstacle>& now, const Vector3d& point, double clearance) const;
-  void move_strand_out(const std::vector<Obstacle>& now, Vector3d* points, int count, std::uint32_t id,
+  bool move_strand_out(const std::vector<Obstacle>& now, Vector3d* points, int count, std::uint32_t id,
                        Scratch& scratch) const;
 
   std::vector<std::optional<NearCells>> cells_;  // of each obstacle; none: its distance costs nothing

@@ -96,7 +96,11 @@ std::optional<BlowUp> Simulation::step() {
     if (broke_[i] && !blow_up_) blow_up_ = {i, steps_, *broke_[i]};
     if (broke_[i] || !watched_ || left_out_[i]) continue;
     Sizes sizes = bodies_[i]->sizes();
-    if (joint_) sizes[Concern::passes] = joint_->passes(i);
+    if (joint_) {
+      sizes[Concern::passes] = joint_->passes(i);
+      sizes[Concern::energy] = joint_->gain();
+      sizes[Concern::contact_energy] = joint_->contact_gain();
+    }
     watch_.see(i, steps_, sizes);
   }
   return blow_up_;

@@ -127,6 +127,18 @@ void explain_surroundings(const Scene& scene, Parts& parts) {
             hair.wind == none ? "the air is at rest" : "without drag it moves nothing");
 }
 
+// Only dense hair that is drawn as fine hair is kept out of obstacles.
+void explain_clearance(const Scene& scene, bool render, std::size_t strands, Parts& parts) {
+  const std::size_t obstacles = scene.hair.obstacles.size();
+  parts.add("strand clearance", strands > 0 && render && scene.look && scene.look->fine_hair && obstacles > 0,
+            "up to " + counted(strands, "strand") + " out of " + counted(obstacles, "obstacle") +
+                "; of each picture's strands only those that touch one are moved",
+            strands == 0     ? "no dense hair is drawn"
+            : !render        ? "--no-render"
+            : obstacles == 0 ? "the scene has no obstacles, so nothing is looked at"
+                             : "ribbons are drawn as they are made");
+}
+
 // How many guides are not simulated, if the exercise that finds it is written.
 std::string guides_left_out(const Scene& scene) {
   try {
@@ -147,6 +159,7 @@ void explain_dense_hair(const Scene& scene, bool render, Parts& parts) {
       "dense hair", strands > 0 && render,
       "H10, " + counted(strands, "strand") + " of " + counted(guides, "guide") + ", less those out of view",
       strands > 0 ? "--no-render" : "strands are drawn as they are");
+  explain_clearance(scene, render, strands, parts);
   const bool drawn = strands > 0 && render;
   const std::string idle = drawn ? guides_left_out(scene) : "";
   // Its part is the work that they would be.

@@ -18,6 +18,7 @@ class Pictures {
 
   const SceneDrawing& drawing() const { return drawing_; }
   const SynthesisCounts& synthesised() const { return drawing_.synthesised(); }  // in the last picture
+  long moved_out() const { return drawing_.moved_out(); }
   const RenderTimes& times() const { return renderer_.times(); }
   std::string about() const { return renderer_.about(); }
 

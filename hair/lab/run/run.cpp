@@ -78,6 +78,7 @@ class FrameWriter {
     if (!pictures_) return;
     const Image image = pictures_->draw(lines, playback_.obstacles(), playback_.time());
     if (dense_) record_.dense = pictures_->synthesised();
+    record_.moved_out = pictures_->moved_out();
     const timing::AddsTime watch(seconds.png);
     write_whole(folder_, frame_name(frame), encode_png(image));
   }

@@ -82,12 +82,15 @@ std::string text_or_null(const std::string& text) {
   return text.empty() ? "null" : json_text(text);
 }
 
-std::string text_of(const SynthesisCounts& counts, std::size_t guides_left_out) {
+std::string dense_text(const RunRecord& record) {
+  if (!record.dense) return "null";
+  const SynthesisCounts& counts = *record.dense;
   return "{\"strands\": " + json_text(counts.children) +
          ", \"out_of_view\": " + json_text(counts.children_out_of_view) +
+         ", \"moved_out\": " + json_text(record.moved_out) +
          ", \"guides\": " + json_text(counts.guides_used) +
          ", \"guides_idle\": " + json_text(counts.guides_idle) +
-         ", \"guides_left_out\": " + json_text(static_cast<long>(guides_left_out)) + "}";
+         ", \"guides_left_out\": " + json_text(static_cast<long>(record.guides_left_out)) + "}";
 }
 
 // Which links broke at which step is in states.bin.
@@ -137,7 +140,7 @@ std::string run_json(const Scene& scene, const RunRecord& record) {
       {"no_pictures", json_text(record.no_pictures)},
       {"no_film", json_text(record.no_film)},
       {"opengl", text_or_null(record.opengl)},
-      {"dense_hair", record.dense ? text_of(*record.dense, record.guides_left_out) : "null"},
+      {"dense_hair", dense_text(record)},
       {"work", text_of(record.frames.empty() ? Work{} : record.frames.back().work)},
       {"links", links_text(record)},
       {"warnings", text_of(record.warnings)},

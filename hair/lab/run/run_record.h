@@ -42,6 +42,7 @@ struct RunRecord {
   std::optional<std::string> no_pictures, no_film;
   std::string opengl;                    // the renderer's name
   std::optional<SynthesisCounts> dense;  // of the last picture's dense hair; none without any
+  long moved_out = 0;                    // of these strands, out of obstacles
   std::size_t guides_left_out = 0;       // guides that were not simulated, since no picture shows them
 
   Seconds seconds;

@@ -61,12 +61,15 @@ TEST(Explain, UsesAllPartsOfASceneThatHasThem) {
                             {"position": [1, 0, 0], "mass": 1}],
               "springs": [{"between": [0, 1], "stiffness": 1}], "rods": [{"between": [0, 1]}]}],
     "still_hair": [{"groom": {"style": "ponytail", "strands": 5}, "moves_with": "head"}],
-    "render": {}})");
+    "render": {"hair": "fine"}})");
   EXPECT_EQ(names(parts, false), "");
   EXPECT_EQ(parts.at("still hair").why, "5 strands that go with a head, and only are drawn");
   EXPECT_EQ(parts.at("bending").why, "H2, angular springs at the joints of 1 strand");
   EXPECT_EQ(parts.at("rest curvature").why, "given, at the joints of 1 strand");
   EXPECT_EQ(parts.at("dense hair").why, "H10, 7 strands of 1 guide, less those out of view");
+  EXPECT_EQ(
+      parts.at("strand clearance").why,
+      "up to 7 strands out of 1 obstacle; of each picture's strands only those that touch one are moved");
 }
 
 TEST(Explain, SaysWhyPartsThatAreAskedForAreLeftOut) {
@@ -81,6 +84,25 @@ TEST(Explain, SaysWhyPartsThatAreAskedForAreLeftOut) {
   parts = parts_of(scene, false);
   for (const char* name : {"pictures", "shadows", "film"}) EXPECT_EQ(parts[name].why, "--no-render") << name;
   EXPECT_FALSE(parts["OpenGL"].used);
+}
+
+TEST(Explain, SaysWhyNoStrandIsKeptOutOfObstacles) {
+  const std::string dense =
+      R"("roots": {"line": {"from": [0, 0, 0], "to": [1, 0, 0], "count": 3}}, "synthesis": {"strands": 7})";
+  const std::string ball = R"(, "obstacles": [{"sphere": {"centre": [0, 0, 0], "radius": 0.1}}])";
+  const std::string fine = R"(, "render": {"hair": "fine"})";
+  const auto why = [](const std::string& hair, const std::string& more, bool render = true) {
+    const Part part = parts_of(R"({"shows": "x", "frames": 1, "hair": [{"segments": 3, "length": 0.1, )" +
+                                   hair + "}]" + more + "}",
+                               render)
+                          .at("strand clearance");
+    EXPECT_FALSE(part.used) << part.why;
+    return part.why;
+  };
+  EXPECT_EQ(why(kRoots, ball + fine), "no dense hair is drawn");
+  EXPECT_EQ(why(dense, fine), "the scene has no obstacles, so nothing is looked at");
+  EXPECT_EQ(why(dense, ball + R"(, "render": {})"), "ribbons are drawn as they are made");
+  EXPECT_EQ(why(dense, ball + fine, false), "--no-render");
 }
 
 TEST(Explain, SaysOfAToyThatThereIsNoHair) {

@@ -226,6 +226,22 @@ TEST_F(Hairlab, WritesWhichLinksBrokeWhen) {
   EXPECT_TRUE(read_run(out_)["links"].is_null());
 }
 
+// Strands that start through a ball are moved out of it; without one nothing is.
+TEST_F(Hairlab, WritesHowManyStrandsItKeptOutOfObstacles) {
+  const std::string scene = R"({"shows": "a disc of hair on a ball", "frames": 1, "method": "implicit_euler",
+    "hair": [{"segments": 4, "length": 0.04, "roots": {"disc": {"centre": [0, 0, 0.1], "normal": [0, 0, 1],
+      "radius": 0.02, "count": 5, "direction": [1, 0, 0]}}, "synthesis": {"strands": 50}}],
+    "render": {"hair": "fine", "image_width": 32, "image_height": 32})";
+  ASSERT_EQ(
+      play((scene + R"(, "obstacles": [{"sphere": {"centre": [0, 0, 0.03], "radius": 0.1}}]})").c_str()).code,
+      0);
+  const Json dense = read_run(out_)["dense_hair"];
+  EXPECT_GT(dense["moved_out"], 0);
+  EXPECT_LE(dense["moved_out"], dense["strands"]);
+  ASSERT_EQ(play((scene + "}").c_str()).code, 0);
+  EXPECT_EQ(read_run(out_)["dense_hair"]["moved_out"], 0);
+}
+
 TEST_F(Hairlab, KeepsWhatCameBeforeABlowUp) {
   const ProgramRun run = play(kBlowUp);
   EXPECT_EQ(run.code, 1);

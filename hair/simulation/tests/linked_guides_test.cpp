@@ -8,6 +8,7 @@
 #include "hair/head/control_mesh.h"
 #include "hair/mass_spring/frame_torque.h"
 #include "hair/mass_spring/guide_frames.h"
+#include "hair/mass_spring/linked_energy.h"
 #include "hair/mass_spring/strip_contacts.h"
 #include "hair/simulation/simulation.h"
 #include "hair/strand/turns.h"
@@ -214,6 +215,62 @@ TEST(LinkedGuides, RecordTheEnergyThatLinksLose) {
     EXPECT_EQ(one.step, 1);
     EXPECT_GE(stretches[one.link], 0.3);
   }
+}
+
+// Guides whose links are stretched to twice their length at the start, and give them what they hold. Implicit Euler damps, and frames
+// are right to first order: what is off in a second of motion goes with h.
+TEST(LinkedGuides, WhatLinksGiveIsNoGain) {
+  hair::Description hair = linked(guides(4), {0.005, 100, 100});
+  hair.step = 1e-3;
+  for (int i = 0; i < 4; ++i) hair.strands[i].state.x.reshaped(3, 9).row(0).array() += 0.01 * i;
+  hair::Simulation simulation(hair);
+  const double held = simulation.mesh_energy(positions(simulation));
+  ASSERT_FALSE(simulation.advance(400));
+  EXPECT_LT(simulation.mesh_energy(positions(simulation)), 0.5 * held);
+  EXPECT_LE(simulation.watch().worst(hair::Concern::energy), 0.02);
+}
+
+// Guides of a bar that turns to and fro: roots move and turn, each with another velocity, and links take it along.
+TEST(LinkedGuides, WhatRootsGiveThroughLinksIsNoGain) {
+  hair::Description hair = linked(guides(4), {0.02, 100, 100});
+  hair.step = 1e-3;
+  hair::Simulation simulation(hair);
+  const Vector3d axis = Vector3d::UnitY(), down(0, 0, -1);
+  double most = 0, weights = 0;
+  for (int i = 0; i < 4; ++i) weights += simulation.strand(i).mass.sum() * hair.gravity.norm() * 0.08;
+  for (int k = 0; k < 400; ++k) {
+    const Eigen::AngleAxisd turn(2 * std::sin(0.02 * k), axis);
+    for (int i = 0; i < 4; ++i) {
+      simulation.set_root_velocity(i, 40 * std::cos(0.02 * k) * axis.cross(turn * Vector3d(0.01 * i, 0, 0)));
+      simulation.set_root_frame(i, turn * down, turn * hair::side_of(down));
+    }
+    ASSERT_FALSE(simulation.step());
+    most = std::max(most, simulation.mesh_energy(positions(simulation)));
+  }
+  EXPECT_GT(most, weights) << "links hold as much as would lift all guides by their length";
+  EXPECT_LE(simulation.watch().worst(hair::Concern::energy), 0.02);
+}
+
+// What a link no longer holds since it wore is neither a gain nor a loss, and touching has a row of its own.
+TEST(LinkedEnergy, AddsUpWhatNothingGave) {
+  hair::LinkedEnergy books({});
+  books.after_step({.links_before = 1, .links_after = 0.5});
+  books.after_step({.links_before = 0.25, .links_after = 0.75});
+  EXPECT_EQ(books.gain(), 0) << "as much as was lost";
+  books.after_step({.links_before = 0.75, .links_after = 1, .root_work = -0.25});
+  EXPECT_EQ(books.gain(), 0.5) << "and taken by roots, of the 1 J at the start";
+  books.after_step({.links_before = 2, .links_after = 2});
+  EXPECT_EQ(books.gain(), 0.5) << "frames turned";
+  EXPECT_EQ(books.contact_gain(), 0);
+  books.after_step(
+      {.links_before = 2, .links_after = 2, .strips_before = 1, .strips_after = 1, .contacts = true});
+  EXPECT_EQ(books.gain(), 0.5);
+  EXPECT_EQ(books.contact_gain(), 0.5) << "of 1 J, and 1 J that came in by frames";
+  books.after_step({.links_before = 2, .links_after = 2});
+  EXPECT_EQ(books.gain(), 0.5) << "the strip is left: its energy goes from the row that it came into";
+  books.restart();
+  books.after_step({.links_before = 3, .links_after = 2.5});
+  EXPECT_EQ(books.gain() + books.contact_gain(), 0);
 }
 
 // A particle belongs to the side where it first touched, wherever it is later, until it is far away.
