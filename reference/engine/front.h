@@ -75,15 +75,15 @@ HWY_INLINE Vec3 product(const Below& b, const Pivot& p) {
   return plus(plus(p.rhs.x * b.factor.x, p.rhs.y, b.factor.y), p.rhs.z, b.factor.z);
 }
 
-// Rows of kFactorRow vectors: L's blocks of a column (the nearer one, the farther one), then the pivot.
+// Rows of kFactorRow vectors: L's blocks of a column (the nearer one, the farther one), then the pivot. Right-hand sides are kept elsewhere.
 HWY_INLINE void store33(const Mat3& a, double* to) {
   store3<kWidth>(a.x, to);
   store3<kWidth>(a.y, to + 3 * kWidth);
   store3<kWidth>(a.z, to + 6 * kWidth);
 }
-HWY_INLINE void store_pivot(const Pivot& p, double* row) {
+HWY_INLINE void store_pivot(const Pivot& p, double* row, double* rhs) {
   store3<kWidth>({p.yx, p.zx, p.zy}, row + 18 * kWidth);
-  store3<kWidth>({p.rhs.x * p.per_d.x, p.rhs.y * p.per_d.y, p.rhs.z * p.per_d.z}, row + 21 * kWidth);
+  store3<kWidth>({p.rhs.x * p.per_d.x, p.rhs.y * p.per_d.y, p.rhs.z * p.per_d.z}, rhs);
 }
 
 // L^T y, for a block.

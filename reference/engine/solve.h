@@ -62,7 +62,7 @@ struct Sweep {
   }
 };
 
-// The way back: y, and from it x1.
+// The way back: y, and from it x1, which takes the place of the right-hand sides.
 template <bool kBend>
 HWY_INLINE void solve_back(const StepConstants& step, const Sweep& sweep, Which definite, double* moved) {
   // A strand whose matrix is not definite gets no numbers.
@@ -70,7 +70,7 @@ HWY_INLINE void solve_back(const StepConstants& step, const Sweep& sweep, Which 
   Vec3 near = zero3(), far = zero3();
   for (int i = sweep.n - 1; i > 0; --i) {
     const double* const row = sweep.row(i);
-    Vec3 y = load3<kWidth>(row + 21 * kWidth);
+    Vec3 y = load3<kWidth>(moved + 3 * i * kWidth);
     if constexpr (kBend) y = y + transposed_product(row + 9 * kWidth, far);
     y = back(row, y - transposed_product(row, near));
     store3<kWidth>(plus(sweep.place(i), all(step.h), v0 + y), moved + 3 * i * kWidth);
@@ -99,7 +99,7 @@ HWY_NOINLINE void solve_stretch(const StepConstants& step, const Group& group, s
       const Pivot pivot(bb + block, plus(b, tension, segment.u), definite);
       const Below near(zero33() - full(block), pivot);
       store33(near.factor, sweep.row(s));
-      store_pivot(pivot, sweep.row(s));
+      store_pivot(pivot, sweep.row(s), moved + 3 * s * kWidth);
       bb = block;
       take(near, bb);
       b = zero3() - product(near, pivot);
@@ -111,7 +111,7 @@ HWY_NOINLINE void solve_stretch(const StepConstants& step, const Group& group, s
     here = next;
   }
   store_none(sweep.row(n - 1), 0, 18);
-  store_pivot(Pivot(bb, b, definite), sweep.row(n - 1));
+  store_pivot(Pivot(bb, b, definite), sweep.row(n - 1), moved + 3 * (n - 1) * kWidth);
   solve_back<false>(step, sweep, definite, moved);
 }
 

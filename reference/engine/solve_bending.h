@@ -121,7 +121,7 @@ HWY_NOINLINE void solve_bending(const StepConstants& step, const Group& group, s
     const Below near(next_with + (before.next - inner), pivot), minus_far(before.next, pivot);
     store33(near.factor, sweep.row(i));
     store33(minus_far.factor, sweep.row(i) + 9 * kWidth);
-    store_pivot(pivot, sweep.row(i));
+    store_pivot(pivot, sweep.row(i), moved + 3 * i * kWidth);
     own = next_own;
     take(near, own);
     next_own = diagonal(all(0));
@@ -133,7 +133,7 @@ HWY_NOINLINE void solve_bending(const StepConstants& step, const Group& group, s
   store_none(sweep.row(n - 1), 0, 18);
   store_pivot(Pivot(own + before.own + diagonal(sweep.mass(step, n - 1)),
                     b + sweep.momentum(n - 1) - before.force, definite),
-              sweep.row(n - 1));
+              sweep.row(n - 1), moved + 3 * (n - 1) * kWidth);
   solve_back<true>(step, sweep, definite, moved);
 }
 
