@@ -43,6 +43,22 @@ void expect_more_solves(Trial& trial) {
     }
 }
 
+// A solve breaks down where the matrix is not positive definite, and may lead farther away: what does is not added to dv. The
+// residual is that of the dv that is returned, up to rounding, which is 1e-12 of these numbers.
+void expect_no_farther(Trial& trial) {
+  Random& random = trial.random;
+  for (int repeat = 0; repeat < 4; ++repeat) {
+    const double h = 1.0 / random.integer(60, 240);
+    const Cloud hair = compressed_without_band(random, h);
+    const ImplicitSystem system = implicit_system(hair, h, h);
+    const Solution solution = solve(trial, hair, h, h);
+    trial.expect(solution.dv.allFinite(), "dv is not finite, where the matrix is not positive definite");
+    trial.expect_at_most(std::abs(solution.report.residual - system.residual(solution.dv)),
+                         1e-9 * (system.norm * solution.dv.norm() + system.rhs.norm()),
+                         "the error of the report's residual where the matrix is not positive definite");
+  }
+}
+
 // Springs of which the band knows nothing, from h^2 k/m = 1 to 1e6 between any two particles: ConjGrad uses all its
 // iterations, each solve makes the residual smaller, and none reaches a tolerance of 0.
 void expect_all_iterations(Trial& trial) {
@@ -134,6 +150,7 @@ void preconditioned(Trial& trial) {
     }
   expect_more_solves(trial);
   expect_all_iterations(trial);
+  expect_no_farther(trial);
   expect_same_in_other_units(trial);
   trial.expect(!solve(trial, random_cloud(random, "particles without a band", 3, 1, 1, 3, 0), 0.5, 0.5)
                     .report.preconditioned,

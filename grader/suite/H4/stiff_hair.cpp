@@ -32,7 +32,8 @@ class NearSprings final : public particles::DampedSprings {
 // A spring whose part of the band is left out.
 class FarSpring final : public particles::DampedSprings {
  public:
-  explicit FarSpring(const Spring& spring) : DampedSprings({spring}, particles::Products::definite) {}
+  explicit FarSpring(const Spring& spring, particles::Products products = particles::Products::definite)
+      : DampedSprings({spring}, products) {}
   bool add_band(Input, Input, double, double, solver::BlockBand&, particles::Scratch) const override {
     return true;
   }
@@ -105,6 +106,17 @@ Cloud hair_without_band(Random& random, double h) {
   auto forces = std::make_shared<particles::ForceSum>();
   for (int i = 1; i < hair.count(); ++i)
     forces->emplace<FarSpring>(Spring{i - 1, i, 1e4 * 1e-7 / (h * h), 0.01 * random.uniform(0.9, 1)});
+  hair.force = forces;
+  return hair;
+}
+
+Cloud compressed_without_band(Random& random, double h) {
+  Cloud hair = chain(random, 6, 1e-7, 1e4, h);
+  hair.name = "a compressed hair whose band knows of no spring";
+  auto forces = std::make_shared<particles::ForceSum>();
+  for (int i = 1; i < hair.count(); ++i)
+    forces->emplace<FarSpring>(Spring{i - 1, i, 1e4 * 1e-7 / (h * h), 0.01 * random.uniform(2, 3)},
+                               particles::Products::exact);
   hair.force = forces;
   return hair;
 }

@@ -14,6 +14,10 @@ Cloud stiff_hair(Random& random, int n, double h, int far);
 // that is far from the matrix.
 Cloud hair_without_band(Random& random, double h);
 
+// Six particles with springs two to three times as long as they are let be, h^2 k/m = 1e4, and a band that knows of none: the
+// matrix has negative eigenvalues, and the preconditioner is positive definite.
+Cloud compressed_without_band(Random& random, double h);
+
 // n particles with a spring between any two, h^2 k/m from 1 to 1e6, and a band that knows of none.
 Cloud tangle_without_band(Random& random, int n, double h);
 
