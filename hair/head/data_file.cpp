@@ -9,10 +9,11 @@ Groom parse_data_file(std::string_view bytes, const std::string& name, Numbers n
   if (file.size() < 4) file.fail("is not a .data file, which begins with the number of its strands, 4 bytes");
   const std::uint32_t strands = file.number(0);
   // A bald root has 16 bytes.
-  if (strands == 0 || strands > (file.size() - 4) / 16)
+  const std::size_t most = (file.size() - 4) / 16;
+  if (strands == 0 || strands > most)
     file.fail_at(0, "says that there are " + std::to_string(static_cast<std::int32_t>(strands)) +
-                        " strands; a file of " + std::to_string(file.size()) + " bytes has 1 to " +
-                        std::to_string((file.size() - 4) / 16));
+                        " strands; a file of " + std::to_string(file.size()) + " bytes has " +
+                        (most == 0 ? "none" : "1 to " + std::to_string(most)));
   Groom groom;
   groom.strands.reserve(strands);
   std::size_t at = 4, points = 0;

@@ -61,6 +61,8 @@ TEST(DataFile, CountsThatLieAreRefusedBeforeThereIsMemoryForThem) {
             "a.data: byte 0: says that there are 2000000000 strands; a file of 48 bytes has 1 to 2");
   EXPECT_EQ(data_complaint(with_number(0, 0)),
             "a.data: byte 0: says that there are 0 strands; a file of 48 bytes has 1 to 2");
+  EXPECT_EQ(data_complaint(with_number(0, 2).substr(0, 19)),
+            "a.data: byte 0: says that there are 2 strands; a file of 19 bytes has none");
   EXPECT_EQ(data_complaint(with_number(4, 0x7fffffff)),
             "a.data: byte 4: strand 0 says that it has 2147483647 points; the bytes after it hold 3, and a "
             "strand has one at least");

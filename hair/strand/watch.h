@@ -1,5 +1,5 @@
 // What a simulation watches beside blow-ups: numbers that are finite and wrong. Each concern has a size, of one strand
-// after one step, and a bound; above it there is a warning. No shipped scene comes within a third of a bound.
+// after one step, and a bound; above it there is a warning. No shipped scene comes above two fifths of a bound.
 #pragma once
 
 #include <array>

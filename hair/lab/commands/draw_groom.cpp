@@ -159,8 +159,9 @@ int draw_groom(const DrawOptions& options) {
   } catch (const std::invalid_argument& error) {
     throw BadInput(error.what());
   }
-  std::cout << printable(options.picture.string(), 4096) << ": " << in_groups(static_cast<long>(roots.size()))
-            << " strands, a unit of " << fit.scale << " m, " << 1e3 * strands.width << " mm wide\n";
+  std::cout << printable(options.picture.string(), 4096) << ": "
+            << counted_with_groups(static_cast<long>(roots.size()), "strand") << ", a unit of " << fit.scale
+            << " m, " << 1e3 * strands.width << " mm wide\n";
   return 0;
 }
 

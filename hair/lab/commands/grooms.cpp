@@ -59,6 +59,9 @@ Command add_info_command(CLI::App& program) {
   return {app, [options] { return show_groom(*options); }};
 }
 
+// As in scenes: doubles hold all whole numbers up to here.
+constexpr std::int64_t kMostSeed = std::int64_t{1} << 53;
+
 Command add_groom_command(CLI::App& program) {
   const auto options = std::make_shared<GrowOptions>();
   CLI::App* app = program.add_subcommand("groom", "Let hair grow on a head, in a style");
@@ -70,7 +73,8 @@ Command add_groom_command(CLI::App& program) {
       ->check(CLI::Range(1, 1'000'000));
   app->add_option("--points", options->points, "So many points for each strand (default: the style's)")
       ->check(CLI::Range(2, 1'000'000));
-  app->add_option("--seed", options->seed, "Another seed gives other strands of the same style (default: 1)");
+  app->add_option("--seed", options->seed, "Another seed gives other strands of the same style (default: 1)")
+      ->check(CLI::Range(std::int64_t{0}, kMostSeed));
   return {app, [options] { return write_grown_groom(*options); }};
 }
 

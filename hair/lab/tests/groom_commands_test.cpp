@@ -114,6 +114,8 @@ TEST_F(GroomCommands, AGroomGrowsInAStyleTheSameEachTime) {
                  "there is no style \"bob\"; there are long-smooth, short-curly, wavy, ponytail");
   expect_refused({"groom", "wavy", "--points", "10", "--out", out_}, "strands of 10 points; wavy has ");
   expect_refused({"groom", "wavy", "--out", folder_ / "a.obj"}, "a.obj: has the ending of no format");
+  for (const char* const seed : {"-1", "nan", "1.5", "9007199254740993"})
+    expect_refused({"groom", "wavy", "--seed", seed, "--out", out_}, "--seed");
   EXPECT_EQ(read_bytes(out_), "");
 }
 
