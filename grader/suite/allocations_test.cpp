@@ -12,8 +12,7 @@ const std::filesystem::path kKit = HAIR_KIT_DIR;
 
 class Allocations : public testing::TestWithParam<std::string> {
  protected:
-  // How often a call of this object allocates, when all categories ask.
-  int of(const std::filesystem::path& object) {
+  Student student_of(const std::filesystem::path& object) const {
     WorkerSetup setup;
     setup.kit = kKit;
     setup.exercise = GetParam();
@@ -23,7 +22,12 @@ class Allocations : public testing::TestWithParam<std::string> {
     setup.isolated = false;
     setup.cpu_seconds = 60;
     setup.allowance->limit = share_of(Budget(), 30);
-    Student student(setup);
+    return Student(setup);
+  }
+
+  // How often a call of this object allocates, when all categories ask.
+  int of(const std::filesystem::path& object) {
+    Student student = student_of(object);
     for (const Category& category : categories(GetParam())) {
       try {
         Trial trial(student, Random("a seed", category.name));
@@ -50,6 +54,19 @@ TEST_P(Allocations, AreCountedWhereTheStudentsCodeMakesThem) {
 TEST_P(Allocations, OfTheReferenceAreNone) {
   EXPECT_EQ(of(kKit / "lib" / (GetParam() + ".so")), 0);
   EXPECT_EQ(failed_, 0);
+}
+
+// A category whose cases are counted goes on after a wrong answer: it must not look for what the answer lacks.
+TEST_P(Allocations, NoWrongAnswersEndTheCountOfCases) {
+  Student student = student_of(HAIR_ALLOCATING_EXERCISES);
+  int counted = 0;
+  for (const Category& category : categories(GetParam()))
+    if (const auto count = count_of(category, student, Random("a seed", category.name))) {
+      ++counted;
+      EXPECT_LT(count->held, count->cases) << category.name;
+    }
+  student.finish();
+  EXPECT_GT(counted, 0);
 }
 
 }  // namespace

@@ -182,8 +182,8 @@ void evaluated_at(Trial& trial) {
     const Hair hair =
         moving_hair(random, n, 1e-6, random.log_uniform(0.3, 30), 1.0 / random.integer(60, 240));
     const Step after = step(trial, hair);
-    trial.expect(after.asked.forces == 2, "a step does not take two evaluations of the force",
-                 std::to_string(after.asked.forces));
+    trial.require(after.asked.forces == 2, "a step does not take two evaluations of the force",
+                  std::to_string(after.asked.forces));
     trial.expect(to_vector(after.asked.forces_at[0]) == hair.cloud.state.x,
                  "the first solve's force is not evaluated at the old positions");
     trial.expect(to_vector(after.asked.forces_at[1]) == after.x,
