@@ -34,7 +34,8 @@ class Preconditioner {
   // definite. Then ConjGrad solves A x = b as it is, and the functions below must not be called.
   bool exists() const { return exists_; }
 
-  // An upper bound of M's norm, the largest sum of |m_ij| in a row.
+  // An upper bound of the norm of M's rows of free particles, the largest sum of |m_ij| in one of them. A pinned
+  // particle's 1 does not count: very light hair has rows of 1e-12.
   double norm() const { return norm_; }
 
   // Whether a residual is as small as rounding lets it be: at most 32 u (norm ||x|| + ||b||), u = 2^-53. Each number of
@@ -69,21 +70,20 @@ class PreconditionedMatrix : public implicitMatrix {
 
 namespace preconditioner {
 
-// Pinned particles have rows and columns of the identity.
-inline void pin(int i, solver::BlockBand& band) {
+inline void clear_row_and_column(int i, solver::BlockBand& band) {
   for (int back = 0; back <= std::min(solver::BlockBand::kReach, i); ++back) band.block(i, back).setZero();
   for (int below = 1; below <= std::min(solver::BlockBand::kReach, band.rows() - 1 - i); ++below)
     band.block(i + below, below).setZero();
-  band.block(i, 0).setIdentity();
 }
 
+// M with rows and columns of 0 for pinned particles.
 inline bool assemble(const Force& force, const Particles& particles, const State& state, double a, double b,
                      Scratch work, solver::BlockBand& band) {
   band.set_zero();
   if (!force.add_band(state.x, state.v, -a * b, -a, band, work)) return false;
   for (int i = 0; i < particles.count(); ++i)
     if (particles.is_pinned(i))
-      pin(i, band);
+      clear_row_and_column(i, band);
     else
       band.block(i, 0).diagonal().array() += particles.mass[i];
   return true;
@@ -99,6 +99,9 @@ inline Preconditioner::Preconditioner(const Force& force, const Particles& parti
                                        band_)) {
   if (!exists_) return;
   norm_ = band_.norm();
+  // Pinned particles have rows and columns of the identity.
+  for (int i = 0; i < particles.count(); ++i)
+    if (particles.is_pinned(i)) band_.block(i, 0).setIdentity();
   exists_ = std::isfinite(norm_) && solver::cholesky(band_);
 }
 

@@ -14,6 +14,7 @@
 #include "grader/mutants/mutation.h"
 #include "grader/tests/run_program.h"
 #include "grader/tool/secret.h"
+#include "grader/tool/settings_for_tests.h"
 
 namespace grader {
 namespace {
@@ -24,13 +25,8 @@ const fs::path kProject = HAIR_PROJECT;
 constexpr std::size_t kLeastWrong = 40;
 
 GradingSettings settings_for(const std::string& exercise) {
-  GradingSettings settings;
-  settings.course = read_course(kProject / "handout/exercises.json");
+  GradingSettings settings = settings_for_tests();
   settings.exercise = exercise;
-  settings.kit = HAIR_KIT_DIR;
-  settings.suite = HAIR_SUITE;
-  settings.players = HAIR_PLAYERS;
-  settings.scenes = HAIR_HIDDEN_SCENES;
   settings.cache = fs::path(HAIR_GRADED) / "mutants" / exercise;
   settings.secret = read_secret(HAIR_TEST_SECRET);
   fs::create_directories(settings.cache);

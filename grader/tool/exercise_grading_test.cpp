@@ -7,6 +7,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "grader/tool/settings_for_tests.h"
+
 namespace grader {
 namespace {
 
@@ -31,13 +33,8 @@ std::string right_for_odd_n() {
 class PartialPoints : public testing::Test {
  protected:
   ExerciseResult grade(bool partial) const {
-    GradingSettings settings;
-    settings.course = read_course(kProject / "handout/exercises.json");
+    GradingSettings settings = settings_for_tests();
     settings.course.partial = partial;
-    settings.kit = HAIR_KIT_DIR;
-    settings.suite = HAIR_SUITE;
-    settings.players = HAIR_PLAYERS;
-    settings.scenes = HAIR_HIDDEN_SCENES;
     settings.cache = HAIR_TEST_CACHE;
     settings.secret = "a secret for tests alone";
     settings.images = settings.memory_errors = settings.isolated = false;

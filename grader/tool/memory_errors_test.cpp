@@ -15,6 +15,7 @@
 #include "grader/suite/memory_points.h"
 #include "grader/suite/student.h"
 #include "grader/tool/exercise_grading.h"
+#include "grader/tool/settings_for_tests.h"
 #include "grader/tool/suite_jobs.h"
 #include "grader/wire/memory_error.h"
 
@@ -31,13 +32,8 @@ std::string text_of(const fs::path& file) {
 
 const fs::path kProject = HAIR_PROJECT;
 
-GradingSettings settings_for_tests() {
-  GradingSettings settings;
-  settings.course = read_course(kProject / "handout/exercises.json");
-  settings.kit = HAIR_KIT_DIR;
-  settings.suite = HAIR_SUITE;
-  settings.players = HAIR_PLAYERS;
-  settings.scenes = HAIR_HIDDEN_SCENES;
+GradingSettings settings_without_images() {
+  GradingSettings settings = settings_for_tests();
   settings.cache = HAIR_TEST_CACHE;
   settings.secret = "a secret for tests alone";
   settings.images = false;
@@ -125,7 +121,7 @@ class MemoryErrorsTest : public testing::Test {
     return nullptr;
   }
 
-  GradingSettings settings_ = settings_for_tests();
+  GradingSettings settings_ = settings_without_images();
   const Exercise& s1_ = *settings_.course.find("S1");
   const StagedKit kit_{settings_.kit, settings_.course};
   const Compiler compiler_{kit_, settings_.cache, true};

@@ -1,0 +1,22 @@
+// STAFF ONLY. How tests grade: with the parts of this build, and the course as the handout has it. The program's target says where
+// they are (HAIR_PROJECT, HAIR_KIT_DIR, HAIR_SUITE, HAIR_PLAYERS, HAIR_HIDDEN_SCENES).
+#pragma once
+
+#include <filesystem>
+
+#include "grader/tool/suite_jobs.h"
+
+namespace grader {
+
+// The cache and the secret are the caller's to set.
+inline GradingSettings settings_for_tests() {
+  GradingSettings settings;
+  settings.course = read_course(std::filesystem::path(HAIR_PROJECT) / "handout/exercises.json");
+  settings.kit = HAIR_KIT_DIR;
+  settings.suite = HAIR_SUITE;
+  settings.players = HAIR_PLAYERS;
+  settings.scenes = HAIR_HIDDEN_SCENES;
+  return settings;
+}
+
+}  // namespace grader
