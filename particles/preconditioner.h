@@ -76,7 +76,7 @@ inline void clear_row_and_column(int i, solver::BlockBand& band) {
     band.block(i + below, below).setZero();
 }
 
-// M with rows and columns of 0 for pinned particles.
+// M; pinned particles have rows and columns of 0.
 inline bool assemble(const Force& force, const Particles& particles, const State& state, double a, double b,
                      Scratch work, solver::BlockBand& band) {
   band.set_zero();
@@ -89,6 +89,12 @@ inline bool assemble(const Force& force, const Particles& particles, const State
   return true;
 }
 
+// Those of the identity instead.
+inline void add_identity_of_pinned(const Particles& particles, solver::BlockBand& band) {
+  for (int i = 0; i < particles.count(); ++i)
+    if (particles.is_pinned(i)) band.block(i, 0).setIdentity();
+}
+
 }  // namespace preconditioner
 
 inline Preconditioner::Preconditioner(const Force& force, const Particles& particles, const State& state,
@@ -99,9 +105,7 @@ inline Preconditioner::Preconditioner(const Force& force, const Particles& parti
                                        band_)) {
   if (!exists_) return;
   norm_ = band_.norm();
-  // Pinned particles have rows and columns of the identity.
-  for (int i = 0; i < particles.count(); ++i)
-    if (particles.is_pinned(i)) band_.block(i, 0).setIdentity();
+  preconditioner::add_identity_of_pinned(particles, band_);
   exists_ = std::isfinite(norm_) && solver::cholesky(band_);
 }
 

@@ -81,6 +81,7 @@ void by_precision() {
     if (!particles::preconditioner::assemble(moving->force, moving->particles, moving->state, h, h, work,
                                              band))
       throw std::runtime_error("no band");
+    particles::preconditioner::add_identity_of_pinned(moving->particles, band);
     VectorXd rhs = VectorXd::Zero(3 * kPoints);
     moving->force.add_force(x, moving->state.v, rhs);
     rhs.head<3>().setZero();
