@@ -28,6 +28,7 @@
 
 namespace grader {
 
+// New ones come last: attacks of the sample class write these numbers down.
 enum class Kind : std::uint32_t {
   hello = 0x68616972,
   cannot_load,     // text
@@ -41,13 +42,13 @@ enum class Kind : std::uint32_t {
   threw,            // text
   out_of_memory,
   denied,           // int system call; the request goes on
-  allocated,        // int, how often a function did that promises not to; if it is more than was told before
   call,             // int function, then its arguments
   call_result,      // the function's results
   callback,         // int operator, doubles x
   callback_result,  // doubles
   callback_threw,   // an exception leaves the call; the request goes on
   memory_error,     // see grader/wire/memory_error.h; the worker ends
+  allocated,        // int, how often a function did that promises not to; if it is more than was told before
 };
 
 struct Message {
