@@ -137,6 +137,12 @@ TEST_F(StudentsWay, HasStudies) {
   ASSERT_EQ(ran.code, 0) << ran.output;
   ran = run("build/hairlab validate published-numbers");
   EXPECT_EQ(ran.code, 0) << ran.output;
+
+  // Where all strands are moved by the exercises: the fast head is the staff's.
+  ran = run("build/hairlab study head --hair straight --quick --out head");
+  EXPECT_EQ(ran.code, 0) << ran.output;
+  for (const char* name : {"index.html", "head.json", "head.csv", "straight-every.png"})
+    EXPECT_TRUE(fs::exists(folder_ / "hair-assignment/head" / name)) << name << "\n" << ran.output;
 }
 
 // The second compiler: an exercise with its prerequisite, and the given code that its checks need.
