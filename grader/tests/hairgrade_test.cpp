@@ -407,7 +407,7 @@ TEST_F(Hairgrade, KeepsWhatIsFinishedWhenInterrupted) {
       << code_of("perfect", "conj_grad.cpp");
   const fs::path first = fs::path(out()) / "other-order" / "results.json";
   const ProgramRun run = grade({everybody, "--out", out(), "-j", "1"}, [&](int process) {
-    for (int i = 0; i < 400 && !fs::exists(first); ++i) usleep(50000);
+    for (int i = 0; i < 2400 && !fs::exists(first); ++i) usleep(50000);
     usleep(2000000);         // `sleeps` is at it by then, and takes ten seconds
     kill(-process, SIGINT);  // as Ctrl-C does, to all that runs
   });
