@@ -89,7 +89,7 @@ inline bool assemble(const Force& force, const Particles& particles, const State
   return true;
 }
 
-// Those of the identity instead.
+// Then pinned particles have rows and columns of the identity.
 inline void add_identity_of_pinned(const Particles& particles, solver::BlockBand& band) {
   for (int i = 0; i < particles.count(); ++i)
     if (particles.is_pinned(i)) band.block(i, 0).setIdentity();
