@@ -164,8 +164,11 @@ Html categories_table(const Results& results) {
 }
 
 Html class_row(const SubmissionResult& result, const std::vector<Column>& columns) {
-  Html row = html("<tr><th scope=\"row\" data-value=\"{}\">{}</th>",
-                  {result.name, staff_link(result, "", result.name)});
+  Html row = html(
+      "<tr><th scope=\"row\" data-value=\"{}\">{}</th><td class=\"number\" "
+      "data-value=\"{}\"><strong>{}</strong></td>",
+      {result.name, staff_link(result, "", result.name), shown_points(points(result)),
+       shown_points(points(result))});
   for (const Column& column : columns) {
     const ExerciseResult* exercise = find_exercise(result, column.id);
     if (!exercise) {
@@ -178,26 +181,22 @@ Html class_row(const SubmissionResult& result, const std::vector<Column>& column
         {shown_points(exercise->points), look_of(exercise->status), result.name, column.id, column.id,
          to_string(exercise->status), in_short(*exercise)});
   }
-  return row += html(
-             "<td class=\"number\" data-value=\"{}\"><strong>{}</strong></td><td><a "
-             "href=\"{}/report.html\">report</a>{}</td></tr>\n",
-             {shown_points(points(result)), shown_points(points(result)), result.name,
-              result.studied ? html(" <a href=\"{}/study.html\">study</a>", {result.name}) : Html()});
+  return row += html("<td><a href=\"{}/report.html\">report</a>{}</td></tr>\n",
+                     {result.name,
+                      result.studied ? html(" <a href=\"{}/study.html\">study</a>", {result.name}) : Html()});
 }
 
 Html class_table(const Results& results, const std::vector<Column>& columns) {
   Html table = html(R"(<section id="submissions">
 <h2>Submissions</h2>
 <div class="wide"><table class="class">
-<thead><tr><th scope="col" data-sort="text">Submission</th>)");
+<thead><tr><th scope="col" data-sort="text">Submission</th><th scope="col" class="number" data-sort="number">Total</th>)");
   for (const Column& column : columns) {
     table += html("<th scope=\"col\" class=\"number\" data-sort=\"number\" title=\"{}{}\">{}<br/>{}{}</th>",
                   {column.title, column.extra_credit ? ", extra credit" : "", column.id,
                    column.extra_credit ? "+" : "of ", shown_points(column.max_points)});
   }
-  table += html(
-      "<th scope=\"col\" class=\"number\" data-sort=\"number\">Total</th><th "
-      "scope=\"col\">Student&#39;s</th></tr></thead>\n<tbody>\n");
+  table += html("<th scope=\"col\">Student&#39;s</th></tr></thead>\n<tbody>\n");
   for (const SubmissionResult& result : results) table += class_row(result, columns);
   return table += html("</tbody>\n</table></div>\n</section>\n");
 }

@@ -6,6 +6,7 @@
 
 #include <cstdlib>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 #include <system_error>
 #include <thread>
@@ -47,6 +48,9 @@ ProgramRun run_hairgrade(const std::vector<std::string>& arguments,
   int status = 0;
   waitpid(process, &status, 0);
   run.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  // Not bad input, but something that went wrong: a test that fails of it says what.
+  if (run.code == 1 || run.code == -1)
+    std::cout << HAIRGRADE << " ended with " << run.code << ": " << run.errors << "\n";
   return run;
 }
 

@@ -61,10 +61,10 @@ tfoot th, tfoot td { border-bottom: 0; color: var(--quiet); }
   background: var(--none-soft); margin-top: .45rem; }
 .share span { background: var(--link); opacity: .75; }
 details { margin: .35rem 0; } summary { cursor: pointer; } details ul { margin: .4rem 0; padding-left: 1.25rem; }
-.overview { width: auto; } .overview th, .overview td { padding: .3rem 1.5rem .3rem 0; }
 .category { width: 27%; } .status { width: 9rem; } .saw { width: 40%; }
 nav { margin-top: .75rem; font-size: .9375rem; } nav a { margin-right: 1rem; }
 .wide { overflow-x: auto; } .wide table { min-width: 40rem; } body:has(.class) { max-width: 84rem; }
+.wide .overview { width: auto; min-width: 0; } .overview th, .overview td { padding: .3rem 1.5rem .3rem 0; }
 .class th, .class td { padding: .35rem .6rem; } .who { columns: 12rem; } .class tbody td { white-space: nowrap; } .class a.badge { text-decoration: none; min-width: 3.75rem; text-align: right; } .class a.badge:hover { text-decoration: underline; }
 th button { all: unset; cursor: pointer; } th button:hover { text-decoration: underline; }
 th button:focus-visible { outline: 2px solid var(--link); outline-offset: 2px; }
@@ -79,6 +79,7 @@ nav ul { margin: .4rem 0; padding-left: 1.25rem; } .text { text-align: left; }
 .scale { display: inline-block; width: 5rem; height: .6rem; margin: 0 .35rem; border-radius: .125rem; }
 .small { display: block; width: 10rem; height: auto; border-radius: .25rem; }
 @media (max-width: 40rem) {
+.overview th, .overview td { padding-right: .5rem; }
 .wide .cases { min-width: 0; } .cases thead { display: none; } .cases, .cases tbody { display: block; }
 .cases tr { display: grid; grid-template: "no name points" "no badge badge" "no saw saw" / 3.25rem 1fr auto; gap: .2rem .5rem; padding: .5rem 0; }
 .cases tr > * { border: 0; padding: 0; } .cases td:nth-child(1) { grid-area: no; } .cases th { grid-area: name; } .cases td:nth-child(3) { grid-area: badge; }
