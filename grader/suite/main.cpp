@@ -275,6 +275,12 @@ json run(const Job& job, grader::Student& student) {
 
 }  // namespace
 
+// In a build with sanitisers: looking for leaks when the process ends fails now and then beside OSMesa's threads, and a
+// submission would have no result. The suite's own tests look for leaks in the same code.
+extern "C" int __lsan_is_turned_off() {
+  return 1;
+}
+
 int main(int argc, char* argv[]) {
   // Ends with hairgrade, whatever ends that, and its worker with it.
   prctl(PR_SET_PDEATHSIG, SIGTERM);
