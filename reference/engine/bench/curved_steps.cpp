@@ -13,6 +13,7 @@
 #include "hair/mass_spring/rest_bend.h"
 #include "hair/mass_spring/strand_start.h"
 #include "reference/engine/bench/tables.h"
+#include "solver/block_band.h"
 
 namespace hair_bench {
 
