@@ -8,7 +8,7 @@ namespace {
 
 using grader::MessageReader, grader::MessageWriter;
 
-std::span<const double> line_of(const Input& points) {
+std::span<const double> line_of(Input points) {
   return {points.data(), static_cast<std::size_t>(points.size())};
 }
 

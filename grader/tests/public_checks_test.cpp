@@ -50,7 +50,8 @@ std::vector<Program> programs_of(const Exercise& exercise, const fs::path& scrat
   std::vector<Program> programs;
   const std::string only = environment("HAIR_SAMPLE", "");
   std::vector<Sample> samples = read_samples(kProject);
-  std::ranges::stable_partition(samples, [](const Sample& sample) { return sample.list == "right"; });
+  std::stable_partition(samples.begin(), samples.end(),
+                        [](const Sample& sample) { return sample.list == "right"; });
   for (const Sample& sample : samples) {
     const std::string& status = sample.expected.at(exercise.id).status;
     const bool right = status == "passed";
