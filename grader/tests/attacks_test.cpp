@@ -256,10 +256,12 @@ TEST_F(AttackCorpus, TakesNoMoreTimeThanItMay) {
           seconds += value.get<double>();
       idle += times.at("spent_idle_seconds").get<double>();
     }
-    // A worker is looked at four times a second.
-    EXPECT_LE(idle, course.budget.idle_seconds + 0.25 * static_cast<double>(exercises.size())) << sample.name;
-    EXPECT_LE(seconds, sample.attack->most_cpu_seconds) << sample.name << ": " << sample.shows << "\n"
-                                                        << exercises;
+    // A worker is looked at four times a second. A compiler that is stopped at its share then frees what it held.
+    const double stops = static_cast<double>(exercises.size());
+    EXPECT_LE(idle, course.budget.idle_seconds + 0.25 * stops) << sample.name;
+    EXPECT_LE(seconds, sample.attack->most_cpu_seconds + 0.1 * stops)
+        << sample.name << ": " << sample.shows << "\n"
+        << exercises;
   }
   // With all that no file tells of: hairgrade and its suite, and the reference's files, which are compiled twice at most. The
   // reference and those who are right take less than a minute.
