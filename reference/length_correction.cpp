@@ -102,7 +102,7 @@ class Multipliers {
 // as a rope follows the hand that pulls it. Right at once, whatever the state; but it knows no masses.
 void place(const Strand& strand, Output x) {
   Vector3d u = strand.root_tangent;
-  for (int i = 0; i < strand.segments(); ++i) {
+  for (int i = 0; i < strand.segments(); ++i) {  // from the root on
     u = direction(segment(x, i), u);
     x.segment<3>(3 * i + 3) = x.segment<3>(3 * i) + strand.rest_length[i] * u;
   }

@@ -156,6 +156,8 @@ class Mutations {
     if (whole) {
       replace(i_, std::to_string(std::stoll(number) + 1), "constant");
       if (number != "0") replace(i_, std::to_string(std::stoll(number) - 1), "constant");
+    } else if (std::stod(number) == 0) {
+      replace(i_, "1.0", "constant");
     } else {
       replace(i_, (number.find('e') != std::string::npos ? "(1e6 * " : "(2 * ") + number + ")", "constant");
     }
@@ -208,6 +210,7 @@ class Mutations {
       if (text(end) == ")" || text(end) == "]" || text(end) == "}") --depth;
       if (depth < 0 || (depth == 0 && text(end) == ";")) break;
     }
+    if (text(end - 1) == "delete" || text(end - 1) == "default") return;  // declares, and does nothing
     if (text(end) == ";") found_.push_back({words_[i_].at, words_[end].at - words_[i_].at, "", "statement"});
   }
 

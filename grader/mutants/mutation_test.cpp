@@ -28,6 +28,7 @@ TEST(Mutations, ChangeOperatorsComparisonsConstantsIndicesSignsNamesAndFunctions
   EXPECT_TRUE(results("x += std::abs(y);").contains("x += (y);"));
   EXPECT_TRUE(results("x += 1e-12;").contains("x += (1e6 * 1e-12);"));
   EXPECT_TRUE(results("x += 0.5;").contains("x -= 0.5;"));
+  EXPECT_TRUE(results("x = std::max(y, 0.0);").contains("x = std::max(y, 1.0);"));
 }
 
 TEST(Mutations, LeaveCommentsQuotesAndDeclarationsAlone) {
@@ -43,6 +44,7 @@ TEST(Mutations, LeaveTypesAndDeclarationsAlone) {
         "{ Arm(const Vector& v) : a(w) {} int b; }"})
     for (const Mutation& mutation : mutations_of(source))
       EXPECT_EQ(mutation.kind, "statement") << source << ": " << mutated(source, mutation);
+  EXPECT_TRUE(mutations_of("struct A { A(const A&) = delete; }").empty());
   EXPECT_TRUE(results("x = v.head<3>() + a<b>(c, d);").contains("x = v.head<3>() - a<b>(c, d);"));
   EXPECT_TRUE(results("x = a<b>(c, d);").contains("x = a<b>(d, c);"));
   EXPECT_TRUE(results("x = 0x1p-51 * y;").contains("x = (2 * 0x1p-51) * y;"));

@@ -85,7 +85,7 @@ class AskedForce : public particles::Force {
   const Products& products_;
 };
 
-MessageWriter conj_grad(MessageReader& call, const Products& callback) {
+MessageWriter conj_grad(MessageReader& call, const Products& callback, std::vector<LentSolve>& solves) {
   const int n = call.get<int>();
   const double epsilon = call.get<double>();
   int steps = call.get<int>();
@@ -93,7 +93,9 @@ MessageWriter conj_grad(MessageReader& call, const Products& callback) {
   std::vector<double> b = call.get_doubles(static_cast<std::size_t>(n)), x(b.size());
   call.expect_end();
   AskedMatrix A(callback, b.size());
+  const int most = steps;
   const double value = ConjGrad(n, &A, x.data(), b.data(), epsilon, &steps);
+  solves.push_back({most, epsilon, value});
   MessageWriter result;
   return result.put(value).put(steps).put(std::span<const double>(x));
 }
@@ -154,7 +156,7 @@ MessageWriter lengths(int function, MessageReader& call) {
 }  // namespace
 
 MessageWriter lend(const std::vector<std::string>& lent, MessageReader call, const Products& held,
-                   const Products& callback) {
+                   const Products& callback, std::vector<LentSolve>& solves) {
   const int function = call.get<int>();
   const auto may_call = [&](const char* exercise) {
     if (std::find(lent.begin(), lent.end(), exercise) == lent.end())
@@ -163,7 +165,7 @@ MessageWriter lend(const std::vector<std::string>& lent, MessageReader call, con
   switch (function) {
     case kLentConjGrad:
       may_call("S1");
-      return conj_grad(call, callback);
+      return conj_grad(call, callback, solves);
     case kLentImplicitProduct:
     case kLentSolveImplicit:
     case kLentImplicitEuler:

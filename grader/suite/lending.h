@@ -11,11 +11,17 @@
 
 namespace grader {
 
+// What ConjGrad was called with, and what it returned: the suite's own numbers, whatever a report says.
+struct LentSolve {
+  int most;  // steps
+  double epsilon, value;
+};
+
 // Answers one call with the reference's function. `lent` are the exercises whose functions the worker may call.
 // `held` answers for the force that the suite serves in this request, `callback` asks the worker about its own
-// objects. Throws MalformedMessage for a call that makes no sense, and StoppedLoan if `held` says stop.
+// objects. Calls of ConjGrad are added to `solves`. Throws MalformedMessage for a call that makes no sense, and StoppedLoan if `held` says stop.
 MessageWriter lend(const std::vector<std::string>& lent, MessageReader call, const Products& held,
-                   const Products& callback);
+                   const Products& callback, std::vector<LentSolve>& solves);
 
 struct StoppedLoan {};
 

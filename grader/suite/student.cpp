@@ -175,6 +175,7 @@ struct Student::Conversation {
 };
 
 Answer Student::ask(const MessageWriter& request, const Products& products) {
+  lent_solves_.clear();
   if (recording_ == nullptr || gave_up_) return ask_worker(request, products);
   recording_->begin(request);
   Answer answer = ask_worker(request, [&](int which, const std::vector<double>& x, std::vector<double>& y) {
@@ -307,7 +308,8 @@ void Student::serve_call(Conversation& conversation, MessageReader call) {
   };
   ++conversation.depth;
   try {
-    const MessageWriter result = lend(setup_.lent, std::move(call), conversation.products, callback);
+    const MessageWriter result =
+        lend(setup_.lent, std::move(call), conversation.products, callback, lent_solves_);
     --conversation.depth;
     send(Kind::call_result, result);
   } catch (const CallbackThrew&) {

@@ -13,6 +13,7 @@
 #include "grader/sandbox/cage.h"
 #include "grader/sandbox/watchdog.h"
 #include "grader/suite/allowance.h"
+#include "grader/suite/lending.h"
 #include "grader/wire/channel.h"
 #include "grader/wire/message.h"
 #include "grader/wire/products.h"
@@ -76,6 +77,9 @@ class Student {
   // How often a function that promises to allocate nothing did so in one call, as the workers say of themselves: a hint, and
   // nothing to give or take points for.
   int allocations() const { return allocations_; }
+
+  // ConjGrad's, as the last request had the suite solve with it, in their order. None if the student's code solves by itself.
+  const std::vector<LentSolve>& lent_solves() const { return lent_solves_; }
   const Budget& spent() const { return setup_.allowance->spent; }
   const std::optional<Answer>& gave_up() const { return gave_up_; }  // the final answer, if the suite gave up
   void finish();
@@ -104,6 +108,7 @@ class Student {
   std::optional<Answer> gave_up_;
   Outcome last_failure_ = Outcome::timed_out;
   double cpu_seconds_ = 0;
+  std::vector<LentSolve> lent_solves_;
   int starts_ = 0, timeouts_ = 0, allocations_ = 0;
 };
 

@@ -1,4 +1,5 @@
-# STAFF ONLY. Grades CLASS, a folder of samples, from scratch into OUT, then the sample AGAIN once more into OUT-again.
+# STAFF ONLY. Grades CLASS, a folder of samples, from scratch into OUT, then the sample AGAIN once more into OUT-again. What was compiled
+# stays in OUT-cache: public_checks_test looks there.
 file(REMOVE_RECURSE "${OUT}" "${OUT}-again" "${OUT}-cache")
 foreach(arguments "--out;${OUT}" "--out;${OUT}-again;--only;${AGAIN}")
   execute_process(COMMAND "${HAIRGRADE}" grade "${CLASS}" --cache "${OUT}-cache" --secret "${SECRET}" ${arguments}
@@ -7,4 +8,3 @@ foreach(arguments "--out;${OUT}" "--out;${OUT}-again;--only;${AGAIN}")
     message(FATAL_ERROR "hairgrade ended with ${result}:\n${output}")
   endif()
 endforeach()
-file(REMOVE_RECURSE "${OUT}-cache")

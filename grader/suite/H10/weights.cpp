@@ -40,13 +40,17 @@ Vector3d normal_of(const Corners& corners) {
 void weights_inside(Trial& trial) {
   Random& random = trial.random;
   for (int repeat = 0; repeat < 12; ++repeat) {
-    const Corners corners = some_triangle(random, random.log_uniform(0.012, 0.9));
+    Corners corners = some_triangle(random, random.log_uniform(0.012, 0.9));
     Weights inside{random.uniform(0.05), random.uniform(0.05), random.uniform(0.05)};
     const double sum = inside[0] + inside[1] + inside[2];
     for (double& weight : inside) weight /= sum;
     const double above = repeat % 3 == 0 ? 0 : random.uniform(-0.5, 0.5) * longest_edge(corners);
+    Vector3d root = point_of(corners, inside) + above * normal_of(corners);
+    // In other units all numbers are those of before times a power of two.
+    const double unit = repeat % 4 == 1 ? 0x1p40 : repeat % 4 == 3 ? 0x1p-40 : 1;
+    for (Vector3d* point : {&corners[0], &corners[1], &corners[2], &root}) *point *= unit;
     trial.describe("a root over the inside of a triangle");
-    expect_nearest(trial, corners, point_of(corners, inside) + above * normal_of(corners));
+    expect_nearest(trial, corners, root);
   }
 }
 

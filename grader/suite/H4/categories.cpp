@@ -161,6 +161,10 @@ void expect_end_of_rounding(Trial& trial) {
   trial.expect(solution.dv.allFinite(), "dv is not finite, where rounding allows no solution");
   // At 1e-10, 1e-8 and 1e-6.
   const int most = std::max(100, 60 * hair.count()), steps = solution.report.steps;
+  // No rounding is between what ConjGrad returned last and what is reported.
+  if (!trial.lent_solves().empty())
+    trial.expect_at_most(std::abs(solution.report.residual - std::sqrt(trial.lent_solves().back().value)),
+                         1e-12 * solution.report.residual, "the error of the report's residual");
   trial.expect(steps >= most && steps <= 3 * most,
                "a solve that does not meet its tolerance takes other iterations than it may",
                std::to_string(steps) + ", " + std::to_string(most) + " each time");

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "particles/drag.h"
 #include "particles/force_sum.h"
 #include "particles/gravity.h"
 #include "particles/products_to_band.h"
@@ -20,8 +21,9 @@ using particles::Input, particles::Output, particles::Spring;
 // Springs between neighbours and theirs.
 class NearSprings final : public particles::DampedSprings {
  public:
-  explicit NearSprings(const std::vector<Spring>& springs)
-      : DampedSprings(springs, particles::Products::definite) {}
+  explicit NearSprings(const std::vector<Spring>& springs,
+                       particles::Products products = particles::Products::definite)
+      : DampedSprings(springs, products) {}
   bool add_band(Input x, Input v, double by_dfdx, double, solver::BlockBand& band,
                 particles::Scratch work) const override {
     return particles::add_products(
@@ -70,9 +72,27 @@ class InOtherUnits final : public particles::Force {
   double mass_, length_;
 };
 
+// A chain under gravity, h^2 k/m = `stiff`, no spring stretched.
+template <class Springs>
+Cloud under_gravity(Random& random, int n, double stiff, double h) {
+  Cloud hair = chain(random, n, 1e-7, stiff, h);
+  hair.name = "a hair under gravity";
+  hair.state.v.setZero();
+  std::vector<Spring> springs;
+  for (int i = 1; i < n; ++i) {
+    const double length = (hair.state.x.segment<3>(3 * i) - hair.state.x.segment<3>(3 * i - 3)).norm();
+    springs.push_back({i - 1, i, stiff * 1e-7 / (h * h), length});
+  }
+  auto forces = std::make_shared<particles::ForceSum>();
+  forces->emplace<Springs>(springs, particles::Products::definite);
+  forces->emplace<particles::Gravity>(hair.particles.mass, Eigen::Vector3d(0, 0, -9.81));
+  hair.force = forces;
+  return hair;
+}
+
 }  // namespace
 
-Cloud stiff_hair(Random& random, int n, double h, int far) {
+Cloud stiff_hair(Random& random, int n, double h, int far, double drag) {
   constexpr double kMass = 1e-7, kLength = 0.01;
   Cloud hair;
   hair.name = "a stiff hair of " + std::to_string(n) + " particles" + " with " + std::to_string(far) +
@@ -95,6 +115,7 @@ Cloud stiff_hair(Random& random, int n, double h, int far) {
   auto forces = std::make_shared<particles::ForceSum>();
   forces->emplace<NearSprings>(springs);
   for (int i = 0; i < far; ++i) forces->emplace<FarSpring>(spring(1 + i, n - 1 - i, 10));
+  if (drag > 0) forces->emplace<particles::Drag>(VectorXd::Constant(n, drag * kMass / h));
   hair.force = forces;
   return hair;
 }
@@ -147,19 +168,11 @@ Cloud in_other_units(const Cloud& hair, double mass, double length) {
 }
 
 Cloud hanging_hair(Random& random, int n, double stiff, double h) {
-  Cloud hair = chain(random, n, 1e-7, stiff, h);
-  hair.name = "a hair under gravity";
-  hair.state.v.setZero();
-  std::vector<Spring> springs;
-  for (int i = 1; i < n; ++i) {
-    const double length = (hair.state.x.segment<3>(3 * i) - hair.state.x.segment<3>(3 * i - 3)).norm();
-    springs.push_back({i - 1, i, stiff * 1e-7 / (h * h), length});
-  }
-  auto forces = std::make_shared<particles::ForceSum>();
-  forces->emplace<particles::DampedSprings>(springs, particles::Products::definite);
-  forces->emplace<particles::Gravity>(hair.particles.mass, Eigen::Vector3d(0, 0, -9.81));
-  hair.force = forces;
-  return hair;
+  return under_gravity<particles::DampedSprings>(random, n, stiff, h);
+}
+
+Cloud hanging_hair_with_band(Random& random, int n, double stiff, double h) {
+  return under_gravity<NearSprings>(random, n, stiff, h);
 }
 
 }  // namespace grader::h4

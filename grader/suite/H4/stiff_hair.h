@@ -7,8 +7,9 @@ namespace grader::h4 {
 
 // n particles, the root pinned, along a chain of about 1 cm that bends a little. Springs along it, h^2 k/m from 1e4 to 1e6,
 // and weaker ones that skip a particle. `far` more
-// springs hold the tip, and those above it, to particles below the root, and the band does not know of them.
-Cloud stiff_hair(Random& random, int n, double h, int far);
+// springs hold the tip, and those above it, to particles below the root, and the band does not know of them. The drag takes `drag` times
+// a particle's momentum within h.
+Cloud stiff_hair(Random& random, int n, double h, int far, double drag = 0);
 
 // Such a hair of six particles whose band knows of no spring, with masses of 1:1e6 and h^2 k/m of 1e4: a preconditioner
 // that is far from the matrix.
@@ -27,5 +28,7 @@ Cloud in_other_units(const Cloud& hair, double mass, double length);
 // A hair under gravity, h^2 k/m = `stiff`, no spring stretched; its force does not know the band. Rounding leaves a
 // residual of about u `stiff` times the right-hand side.
 Cloud hanging_hair(Random& random, int n, double stiff, double h);
+// The same, and the force knows it.
+Cloud hanging_hair_with_band(Random& random, int n, double stiff, double h);
 
 }  // namespace grader::h4

@@ -71,6 +71,9 @@ void touches(Trial& trial) {
     edge.thickness = 0.25;
     edge.x << 0, 0, 0, 0.25, 0, 0, 0, 0.25, 0, along, across, 0.125;
     expect_touch(trial, edge, 1);  // a share of 0 is not negative
+    edge.x[11] = edge.thickness;
+    trial.expect(!ask_touch(trial, edge, 1),
+                 "a point touches a triangle that is as far away as the thickness");
   }
   trial.describe("a triangle without an area");
   NearTriangle flat = near_triangle(random, inside(random), 0.5);
@@ -84,8 +87,11 @@ void weights(Trial& trial) {
   Random& random = trial.random;
   const auto expect_weight = [&](const NearTriangle& near, const std::string& what) {
     trial.describe(what);
-    trial.expect_at_most(std::abs(expect_touch(trial, near, 1).weight - reference_touch(near, 1)->weight),
-                         kOfContacts, "the error of a weight");
+    const double weight = expect_touch(trial, near, 1).weight;
+    trial.expect_at_most(std::abs(weight - reference_touch(near, 1)->weight), kOfContacts,
+                         "the error of a weight");
+    trial.expect(weight >= 0, "a weight is negative",
+                 std::to_string(weight));  // by rounding alone, where hairs are parallel
   };
   for (int repeat = 0; repeat < 12; ++repeat) {
     NearTriangle near = near_triangle(random, inside(random), 0.5);

@@ -46,6 +46,16 @@ void expect_steps_for_all_rods(Trial& trial) {
                std::to_string(solved.steps) + " for " + std::to_string(rods) + " rods in a row");
 }
 
+// Of the solve before.
+void expect_limit(Trial& trial, const ConstrainedSystem& system) {
+  if (trial.lent_solves().size() != 1) return;
+  const int most = trial.lent_solves()[0].most, limit = std::max(100, 20 * system.rows());
+  const bool default_is_the_same = limit == std::max(100, 2 * system.rows());
+  trial.expect(most == limit || (most == 0 && default_is_the_same),
+               "ConjGrad gets other iterations than the header says",
+               std::to_string(most) + " instead of " + std::to_string(limit));
+}
+
 }  // namespace
 
 void tolerance_and_report(Trial& trial) {
@@ -55,6 +65,7 @@ void tolerance_and_report(Trial& trial) {
     ConstrainedSystem system = at_rest(held(random_chain(random, n)));
     system.f *= scale;
     const Solved solved = solve(trial, system);
+    expect_limit(trial, system);
     const double rounding = system.residual_rounding(solved.lambda);
     expect_solved(trial, system, solved.lambda, 1e-10);
     trial.expect_at_most(std::abs(solved.residual - true_residual(system, solved.lambda)), rounding,

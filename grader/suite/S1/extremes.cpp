@@ -73,6 +73,17 @@ void where_numbers_end(Trial& trial) {
   expect_steps(trial, solution, 1);
   trial.expect_at_most(std::abs(solution.x[0] / (8e157 * b) - 1) + std::abs(solution.x[1] / 8e307 - 1), 1e-14,
                        "the relative error of an x near the end of the numbers");
+  // Of diag(s, 2 s) with equal entries b, x is two thirds of b / s after one step, and (1, 1/2) of it after two: here that is where numbers
+  // have ended, so x stays what it was. The way back, (1/3, 5/6) of it, has numbers.
+  const double end = 1.05e308, s = b / end / 2;
+  const LinearSystem last = diagonal("x overflows in the second step", {s, 2 * s}, {b, b});
+  const Solution stays = solve(trial, last, 1e-12, 0);
+  expect_steps(trial, stays, 2);
+  trial.expect(!(stays.value <= 1e-12), "the return value is at most epsilon although nothing is solved",
+               std::to_string(stays.value));
+  trial.expect_at_most(
+      std::abs(stays.x[0] / (4 * (end / 3)) - 1) + std::abs(stays.x[1] / (4 * (end / 3)) - 1), 1e-14,
+      "the relative error of the last x that is a number");
 }
 
 }  // namespace
