@@ -45,7 +45,8 @@ class NearHead {
     const auto which = hn::RebindMask(tag, near);
     keep(tag, which, place, kPlace, count_);
     keep(tag, which, way, kWay, count_);
-    count_ += hn::CompressStore(hn::Iota(integers, at), near, integers, index_in_group_ + count_);
+    hn::StoreU(hn::Compress(hn::Iota(integers, at), near), integers, index_in_group_ + count_);
+    count_ += hn::CountTrue(integers, near);
   }
 
   // Changes x and v. Points that need another push move up, so that vectors stay full.
@@ -73,8 +74,9 @@ class NearHead {
         keep(tag, again, way + shift, kWay, left);
         keep(tag, again, u + change, kSpeed, left);
         const hn::Rebind<std::int32_t, FloatTag> integers;
-        left += hn::CompressStore(hn::LoadU(integers, index_in_group_ + k), hn::RebindMask(integers, again),
-                                  integers, index_in_group_ + left);
+        const auto indices = hn::LoadU(integers, index_in_group_ + k);
+        hn::StoreU(hn::Compress(indices, hn::RebindMask(integers, again)), integers, index_in_group_ + left);
+        left += hn::CountTrue(tag, again);
       }
       count_ = left;
     }
@@ -92,11 +94,13 @@ class NearHead {
     return {hn::LoadU(tag, number(first, k)), hn::LoadU(tag, number(first + 1, k)),
             hn::LoadU(tag, number(first + 2, k))};
   }
+  // Whole vectors, of which the next ones overwrite what is too much: some processors take hundreds of cycles to store the parts that
+  // a mask picks.
   template <class D, class M>
   HWY_INLINE void keep(D tag, M which, const Three<hn::Vec<D>>& a, Row first, std::size_t k) {
-    hn::CompressStore(a.x, which, tag, number(first, k));
-    hn::CompressStore(a.y, which, tag, number(first + 1, k));
-    hn::CompressStore(a.z, which, tag, number(first + 2, k));
+    hn::StoreU(hn::Compress(a.x, which), tag, number(first, k));
+    hn::StoreU(hn::Compress(a.y, which), tag, number(first + 1, k));
+    hn::StoreU(hn::Compress(a.z, which), tag, number(first + 2, k));
   }
   static HWY_INLINE Three<Half> half(const Vec3& a) {
     const HalfTag tag;
