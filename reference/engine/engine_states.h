@@ -13,6 +13,9 @@ namespace hair::engine {
 
 using Eigen::VectorXd;
 
+// AVX-512, and all that Highway has beyond it: better targets have smaller numbers.
+inline constexpr long long kAvx512 = 2 * HWY_AVX3 - 1;
+
 struct InstructionSet {
   const char* name;
   long long disabled;  // of Highway's targets

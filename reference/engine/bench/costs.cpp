@@ -96,15 +96,15 @@ void by_strands(const hair::Groom& grown) {
 
 void by_set(int strands, const hair::Groom& grown) {
   std::printf("\n| everything, %d strands | ns |\n|---|--:|\n", strands);
+  // With all that Highway has beyond it: better targets have smaller numbers.
+  constexpr long long kAvx512 = 2 * HWY_AVX3 - 1;
   const struct {
     const char* name;
     long long disabled;
-  } sets[] = {{"AVX-512", 0},
-              {"AVX2", HWY_AVX3 | HWY_AVX3_DL},
-              {"scalars", HWY_AVX3 | HWY_AVX3_DL | HWY_AVX2 | HWY_SSE4 | HWY_SSSE3}};
+  } sets[] = {{"AVX-512", 0}, {"AVX2", kAvx512}, {"scalars", ~0LL}};
   const auto here = hwy::SupportedTargets();
   for (const auto& [name, disabled] : sets) {
-    if (disabled == 0 && !(here & HWY_AVX3)) continue;
+    if (disabled == 0 && !(here & kAvx512)) continue;
     use_sets_without(disabled);
     std::printf("| %s | %.1f |\n", name, engine_ns(with(true, true, true), strands, grown));
     std::fflush(stdout);
