@@ -1,6 +1,8 @@
 // STAFF ONLY. The engine's head against given code's obstacles.h, alone and after all else that a step does.
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "hair/length_correction.h"
 #include "hair/predictor_corrector.h"
