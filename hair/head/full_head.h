@@ -26,7 +26,8 @@
 //
 // Strands do not touch each other. Those that are neighbours on the head should follow each other: they are then stepped side by
 // side, and meet the head together. The result of a strand depends neither on the other strands nor on the number of
-// threads, to the last bit; it differs in rounding between instruction sets.
+// threads, to the last bit. It differs in rounding between instruction sets; and of one set between makers of processors, as their
+// approximate reciprocals do (AVX-512 takes these everywhere, AVX2 in contact with the head, scalars nowhere).
 #pragma once
 
 #include <Eigen/Geometry>

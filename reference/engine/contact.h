@@ -45,7 +45,8 @@ class NearHead {
     const auto which = hn::RebindMask(tag, near);
     keep(tag, which, place, kPlace, count_);
     keep(tag, which, way, kWay, count_);
-    count_ += hn::CompressStore(hn::Iota(integers, at), near, integers, index_in_group_ + count_);
+    hn::StoreU(hn::Compress(hn::Iota(integers, at), near), integers, index_in_group_ + count_);
+    count_ += hn::CountTrue(integers, near);
   }
 
   // Changes x and v. Points that need another push move up, so that vectors stay full.
@@ -55,9 +56,17 @@ class NearHead {
     const Floats rest = floats(step_.contact_depth * step_.grid.per_cell);
     for (int push = 0; push < kMostPushes && count_ > 0; ++push) {
       std::size_t left = 0;
+      Floats3 next_place = read(kPlace, 0);
+      CellCorners next_corners(step_.grid, next_place);
       for (std::size_t k = 0; k < count_; k += kFloats) {
-        const Floats3 place = read(kPlace, k);
-        const HeadSurface surface(step_.grid, place);
+        const Floats3 place = next_place;
+        const CellCorners corners = next_corners;
+        // The next points' distances, which the nearest cache does not hold, are on their way while these points are pushed.
+        if (k + kFloats < count_) {
+          next_place = read(kPlace, k + kFloats);
+          next_corners = CellCorners(step_.grid, next_place);
+        }
+        const HeadSurface surface(step_.grid, corners);
         const auto inside = hn::And(surface.depth > (push == 0 ? zero : rest), hn::FirstN(tag, count_ - k));
         if (hn::AllFalse(tag, inside)) continue;
         const Floats3 &n = surface.normal, way = read(kWay, k);
@@ -73,8 +82,9 @@ class NearHead {
         keep(tag, again, way + shift, kWay, left);
         keep(tag, again, u + change, kSpeed, left);
         const hn::Rebind<std::int32_t, FloatTag> integers;
-        left += hn::CompressStore(hn::LoadU(integers, index_in_group_ + k), hn::RebindMask(integers, again),
-                                  integers, index_in_group_ + left);
+        const auto indices = hn::LoadU(integers, index_in_group_ + k);
+        hn::StoreU(hn::Compress(indices, hn::RebindMask(integers, again)), integers, index_in_group_ + left);
+        left += hn::CountTrue(tag, again);
       }
       count_ = left;
     }
@@ -92,15 +102,28 @@ class NearHead {
     return {hn::LoadU(tag, number(first, k)), hn::LoadU(tag, number(first + 1, k)),
             hn::LoadU(tag, number(first + 2, k))};
   }
+  // Whole vectors, of which the next ones overwrite what is too much: some processors take hundreds of cycles to store the parts that
+  // a mask picks.
   template <class D, class M>
   HWY_INLINE void keep(D tag, M which, const Three<hn::Vec<D>>& a, Row first, std::size_t k) {
-    hn::CompressStore(a.x, which, tag, number(first, k));
-    hn::CompressStore(a.y, which, tag, number(first + 1, k));
-    hn::CompressStore(a.z, which, tag, number(first + 2, k));
+    hn::StoreU(hn::Compress(a.x, which), tag, number(first, k));
+    hn::StoreU(hn::Compress(a.y, which), tag, number(first + 1, k));
+    hn::StoreU(hn::Compress(a.z, which), tag, number(first + 2, k));
   }
   static HWY_INLINE Three<Half> half(const Vec3& a) {
     const HalfTag tag;
     return {hn::DemoteTo(tag, a.x), hn::DemoteTo(tag, a.y), hn::DemoteTo(tag, a.z)};
+  }
+
+  // All at once: one by one, each number has to wait for its own change of precision.
+  static HWY_INLINE void store_doubles(Floats a, double* to) {
+#if HWY_TARGET == HWY_SCALAR
+    *to = a.raw;
+#else
+    const hn::CappedTag<double, kFloats / 2> tag;
+    hn::Store(hn::PromoteTo(tag, hn::LowerHalf(a)), tag, to);
+    hn::Store(hn::PromoteTo(tag, hn::UpperHalf(hn::Half<FloatTag>(), a)), tag, to + kFloats / 2);
+#endif
   }
 
   // x and v of the points from k on, where `which`.
@@ -108,13 +131,13 @@ class NearHead {
   HWY_INLINE void add_to(const Group& group, std::size_t k, M which, const Floats3& shift,
                          const Floats3& change) {
     const FloatTag tag;
-    HWY_ALIGN float numbers[6][kFloats];
-    const auto turned = [&](const Floats3& a, float(*to)[kFloats]) {
+    HWY_ALIGN double numbers[6][kFloats];
+    const auto turned = [&](const Floats3& a, double(*to)[kFloats]) {
       for (int row = 0; row < 3; ++row) {
         const double* const turn = step_.after.turn[row];
         const double size = 1 / step_.grid.per_cell;
-        hn::Store(dot(Floats3{floats(size * turn[0]), floats(size * turn[1]), floats(size * turn[2])}, a),
-                  tag, to[row]);
+        store_doubles(dot(Floats3{floats(size * turn[0]), floats(size * turn[1]), floats(size * turn[2])}, a),
+                      to[row]);
       }
     };
     turned(shift, numbers);

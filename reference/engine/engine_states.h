@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <hwy/targets.h>
 
+#include <cmath>
 #include <vector>
 
 #include "hair/strand/variation.h"
@@ -12,6 +13,9 @@
 namespace hair::engine {
 
 using Eigen::VectorXd;
+
+// AVX-512, and all that Highway has beyond it: better targets have smaller numbers.
+inline constexpr long long kAvx512 = 2 * HWY_AVX3 - 1;
 
 struct InstructionSet {
   const char* name;
@@ -33,18 +37,29 @@ class Engine : public testing::TestWithParam<InstructionSet> {
 
 class Ball : public Solid {
  public:
-  explicit Ball(double radius) : radius_(radius) {}
+  explicit Ball(double radius, const Vector3d& centre = Vector3d::Zero())
+      : radius_(radius), centre_(centre) {}
   Surface surface_at(const Vector3d& point) const override {
-    const double distance = point.norm();
-    return {distance - radius_, distance > 0 ? Vector3d(point / distance) : Vector3d::UnitZ()};
+    const Vector3d from = point - centre_;
+    const double distance = from.norm();
+    return {distance - radius_, distance > 0 ? Vector3d(from / distance) : Vector3d::UnitZ()};
   }
   Eigen::AlignedBox3d box() const override {
-    return {Vector3d::Constant(-radius_), Vector3d::Constant(radius_)};
+    return {centre_ - Vector3d::Constant(radius_), centre_ + Vector3d::Constant(radius_)};
   }
 
  private:
   double radius_;
+  Vector3d centre_;
 };
+
+// Turned about an axis that no matrix of turns treats specially.
+inline Eigen::Isometry3d turned_head(double angle, const Vector3d& at = Vector3d::Zero()) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  pose.linear() = Eigen::AngleAxisd(angle, Vector3d(1, 2, 3).normalized()).toRotationMatrix();
+  pose.translation() = at;
+  return pose;
+}
 
 inline Vector3d some_direction(Variation& random) {
   for (;;) {
@@ -112,6 +127,14 @@ inline std::vector<particles::State> after(const FullHeadSettings& settings, con
   for (int k = 0; k < head.strands(); ++k) states.push_back(state(head, k));
   EXPECT_EQ(head.broken(), 0);
   return states;
+}
+
+// What rounding may leave of H4's equation, N s: see expect_solved.
+inline double residual_bound(double matrix_norm, double rhs_norm, const particles::State& before,
+                             const particles::State& after, double h) {
+  const double speeds = (after.v - before.v).norm() + before.v.norm() +
+                        after.x.cwiseAbs().maxCoeff() / h * std::sqrt(static_cast<double>(after.x.size()));
+  return 150 * 0x1p-53 * (matrix_norm * speeds + rhs_norm);
 }
 
 inline FullHeadSettings bare() {

@@ -68,6 +68,9 @@ void ask_for_large_pages([[maybe_unused]] double* memory, [[maybe_unused]] std::
 #endif
 }
 
+// Groups of a task, at most.
+constexpr int kLongestRun = 32;
+
 // A thread's own.
 struct ThreadMemory {
   explicit ThreadMemory(std::size_t points)
@@ -248,16 +251,21 @@ void FullHead::step(double h, const Eigen::Isometry3d& pose) {
   }
   step.after = pose_of(pose);
   step.step = ++engine.steps;
+  // A task is a run of neighbouring groups, so that the state fetched ahead (Sweep::fetch_next) is wanted by the same core. Runs stay
+  // short enough for threads to end together.
+  const int groups = static_cast<int>(engine.groups.size());
   struct Work {
     const Engine& engine;
     const engine::StepConstants& step;
-  } const work{engine, step};
+    int run;
+  } const work{engine, step, std::clamp(groups / (16 * s.threads), 1, kLongestRun)};
   // One reference fits into a std::function.
-  const StrandThreads::Task task = [&work](int thread, int g) {
+  const StrandThreads::Task task = [&work](int thread, int t) {
     const Engine& all = work.engine;
-    all.step_group(work.step, all.groups[g], all.scratch[thread].view);
+    const int begin = t * work.run, end = std::min(begin + work.run, static_cast<int>(all.groups.size()));
+    for (int g = begin; g < end; ++g) all.step_group(work.step, all.groups[g], all.scratch[thread].view);
   };
-  engine.threads.run(static_cast<int>(engine.groups.size()), task);
+  engine.threads.run((groups + work.run - 1) / work.run, task);
   engine.pose = pose;
 }
 

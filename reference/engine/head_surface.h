@@ -61,38 +61,58 @@ struct Cells {
   Three<V> along;  // 0 to 1, from there
 };
 
-// The distances at two neighbours along x, which one gather fetches: the first, and what the second has more.
-struct Edge {
+// The distances at the corners of some points' cells: four gathers, each of two neighbours along x.
+class CellCorners {
+ public:
+  HWY_INLINE CellCorners(const GridView& grid, const Floats3& point)
+      : CellCorners(grid, Cells<FloatTag>(grid, point)) {}
+
+  // Of the first of two neighbours, and what the second has more.
+  struct Edge {
+    Floats low, slope;
+  };
+  // In y and z.
+  HWY_INLINE Edge edge(int dj, int dk) const {
+    const Integers both = pairs_[2 * dk + dj];
+    const Floats low = hn::ConvertTo(FloatTag(), hn::ShiftRight<16>(hn::ShiftLeft<16>(both)));
+    return {low, hn::ConvertTo(FloatTag(), hn::ShiftRight<16>(both)) - low};
+  }
+  // 0 to 1, from a cell's lowest corner.
+  HWY_INLINE const Floats3& along() const { return along_; }
+
+ private:
   using Integers = hn::Vec<hn::Rebind<std::int32_t, FloatTag>>;
 
-  HWY_INLINE Edge(const std::int16_t* from, Integers index) {
+  HWY_INLINE CellCorners(const GridView& grid, const Cells<FloatTag>& cells)
+      : along_(cells.along),
+        pairs_{pair(grid, cells.index, 0, 0), pair(grid, cells.index, 1, 0), pair(grid, cells.index, 0, 1),
+               pair(grid, cells.index, 1, 1)} {}
+
+  static HWY_INLINE Integers pair(const GridView& grid, Integers index, int dj, int dk) {
+    const std::int16_t* const from = grid.distance + (dk * grid.count[1] + dj) * grid.count[0];
 #if HWY_TARGET == HWY_SCALAR
     Integers both;
     std::memcpy(&both.raw, from + index.raw, sizeof(both.raw));
+    return both;
 #else
     const hn::Rebind<std::int32_t, FloatTag> integers;
-    const Integers both =
-        hn::GatherOffset(integers, reinterpret_cast<const std::int32_t*>(from), hn::ShiftLeft<1>(index));
+    return hn::GatherOffset(integers, reinterpret_cast<const std::int32_t*>(from), hn::ShiftLeft<1>(index));
 #endif
-    low = hn::ConvertTo(FloatTag(), hn::ShiftRight<16>(hn::ShiftLeft<16>(both)));
-    slope = hn::ConvertTo(FloatTag(), hn::ShiftRight<16>(both)) - low;
   }
 
-  Floats low, slope;
+  Floats3 along_;
+  Integers pairs_[4];
 };
 
 struct HeadSurface {
   Floats depth;    // in cells, > 0 inside; else 0
   Floats3 normal;  // of length 1 where depth > 0
 
-  HWY_INLINE HeadSurface(const GridView& grid, const Floats3& point) {
-    const Cells<FloatTag> cells(grid, point);
-    const Floats3& t = cells.along;
-    const auto edge = [&](int dj, int dk) {
-      return Edge(grid.distance + (dk * grid.count[1] + dj) * grid.count[0], cells.index);
-    };
+  HWY_INLINE HeadSurface(const GridView& grid, const CellCorners& corners) {
+    const Floats3& t = corners.along();
     const auto mix = [](Floats a, Floats slope, Floats s) { return hn::MulAdd(s, slope, a); };
-    const Edge e00 = edge(0, 0), e10 = edge(1, 0), e01 = edge(0, 1), e11 = edge(1, 1);
+    const CellCorners::Edge e00 = corners.edge(0, 0), e10 = corners.edge(1, 0), e01 = corners.edge(0, 1),
+                            e11 = corners.edge(1, 1);
     const Floats c00 = mix(e00.low, e00.slope, t.x), c01 = mix(e01.low, e01.slope, t.x);
     const Floats y0 = mix(e10.low, e10.slope, t.x) - c00, y1 = mix(e11.low, e11.slope, t.x) - c01;
     const Floats x0 = mix(e00.slope, e10.slope - e00.slope, t.y),

@@ -37,9 +37,10 @@ HWY_INLINE void store(Lanes value, double* to) {
 //
 //   1 / a = r (1 + e) (1 + e^2),   1 / sqrt(a) = r (1 + e / 2 + 3 e^2 / 8 + 5 e^3 / 16),
 //
-// and takes a quarter of the time that divisions and roots keep the processor's unit for them busy.
+// and takes a quarter of the time that divisions and roots keep the processor's unit for them busy. Which bits of r are right beyond
+// these 14 is up to the processor's maker. Targets better than AVX3 have smaller numbers.
 HWY_INLINE Lanes reciprocal(Lanes a) {
-#if HWY_TARGET == HWY_AVX3
+#if HWY_TARGET <= HWY_AVX3
   const Lanes r{_mm512_rcp14_pd(a.raw)}, e = hn::NegMulAdd(a, r, all(1)), closer = hn::MulAdd(r, e, r);
   return hn::MulAdd(closer, e * e, closer);
 #else
@@ -47,7 +48,7 @@ HWY_INLINE Lanes reciprocal(Lanes a) {
 #endif
 }
 HWY_INLINE Lanes reciprocal_root(Lanes a) {
-#if HWY_TARGET == HWY_AVX3
+#if HWY_TARGET <= HWY_AVX3
   const Lanes r{_mm512_rsqrt14_pd(a.raw)}, e = hn::NegMulAdd(a * r, r, all(1));
   return hn::MulAdd(r * e, hn::MulAdd(e, hn::MulAdd(e, all(0.3125), all(0.375)), all(0.5)), r);
 #else
