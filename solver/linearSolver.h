@@ -29,7 +29,7 @@ class implicitMatrix {
 //
 // The first residual takes one product, and each iteration takes one. Rounding makes the recurrence's
 // residual drift away from the true one. So every 64th iteration replaces it by b - Ax of the new x, before
-// it is compared with epsilon; this takes one more product:
+// it is compared with epsilon. All else goes on as ever, beta, too. This takes one more product:
 //
 //   products = 1 + steps + floor(steps / 64).
 //

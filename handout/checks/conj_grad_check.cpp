@@ -148,10 +148,12 @@ TEST(ConjGrad, SolvesForZeroInNoSteps) {
 
 TEST(ConjGrad, SolvesTheEmptySystem) {
   solver::SparseMatrix A = diagonal({});
-  SCOPED_TRACE(call("n = 0", 1e-5, 7));
-  const Outcome out = solve(A, {}, 1e-5, 7);
-  EXPECT_EQ(out.steps, 0);
-  EXPECT_EQ(out.returned, 0);
+  for (double epsilon : {1e-5, 0.0, -1e-5}) {
+    SCOPED_TRACE(call("n = 0", epsilon, 7));
+    const Outcome out = solve(A, {}, epsilon, 7);
+    EXPECT_EQ(out.steps, 0) << "where there is nothing to solve, no step is taken, whatever epsilon is";
+    EXPECT_EQ(out.returned, 0);
+  }
 }
 
 TEST(ConjGrad, OnlyWritesX) {
@@ -225,6 +227,50 @@ TEST(ConjGrad, TakesOneProductAStepAndOneMoreEvery64) {
     EXPECT_EQ(solve(A, scattered(40), 0, steps).products, 1 + steps + steps / 64)
         << "products = 1 + steps + floor(steps / 64)";
   }
+}
+
+TEST(ConjGrad, MovesXAtEachStepToWhereTheResidualIsOrthogonalToIt) {
+  // The residual falls from r to r - A s by the step s = alpha d, and what is left is orthogonal to r. So A s is
+  // at least as long as r, and s as ||r|| / ||A||. Half of that leaves room for rounding.
+  System s = system_with("the tridiagonal (-1, 2, -1), n = 220", solver::tridiagonal(220, 2, -1),
+                         scattered(220), 2e-4);
+  for (int last : {1, 63, 64, 65, 128, 192}) {
+    SCOPED_TRACE("step " + std::to_string(last) + " of " + call(s.name, 0, last));
+    const Vector before = solve(s.A, s.b, 0, last > 1 ? last - 1 : -1).x, x = solve(s.A, s.b, 0, last).x;
+    const Vector step = difference(x, before), residual = difference(s.b, product(s.A, x));
+    const double r = norm(difference(s.b, product(s.A, before)));
+    EXPECT_GE(norm(step), r / s.A.norm_bound() / 2)
+        << "how far x moved; bound: ||b - Ax|| / (2 ||A||), x before";
+    double along = 0;
+    for (std::size_t i = 0; i < step.size(); ++i) along += step[i] * residual[i];
+    EXPECT_LE(std::abs(along), norm(step) * 2 * gap(s))
+        << "step . (b - Ax), x after; bound: ||step|| times twice the rounding error of b - Ax, see "
+           "solver/linearSolver.h";
+  }
+}
+
+TEST(ConjGrad, TakesNoMoreStepsOnALongWayThanItsDirectionsNeed) {
+  // On paper n different eigenvalues take n steps. The new residual of each 64th step is no new start: a beta of
+  // 0 there forgets all directions so far. Rounding turns them a little; that costs no program a third more.
+  const int n = 250;
+  System s = system_with("the tridiagonal (-1, 2, -1), n = 250", solver::tridiagonal(n, 2, -1), scattered(n),
+                         4 * std::pow(std::sin(std::acos(-1) / (2 * (n + 1))), 2));
+  const double epsilon = std::pow(1e-8 * norm(s.b), 2);
+  {
+    SCOPED_TRACE(call(s.name, epsilon, 20 * n));
+    const Outcome out = solve(s.A, s.b, epsilon, 20 * n);
+    expect_solved(s, out, epsilon);
+    EXPECT_LE(out.steps, 4 * n / 3) << "it has 250 different eigenvalues, so 250 steps would do";
+  }
+  // Far more steps than unknowns, for here rounding turns directions a lot: our programs take 224 to 249.
+  solver::SpectralMatrix A(solver::log_spaced(40, 1, 1e6), {Vector(40, 1.0), scattered(40)});
+  Vector solution = scattered(40), b(40);
+  A.matVecMult(solution.data(), b.data());
+  const double tolerance = std::pow(1e-8 * norm(b), 2);
+  SCOPED_TRACE(call("eigenvalues from 1 to 1e6, n = 40", tolerance, 4000));
+  const Outcome out = solve(A, b, tolerance, 4000);
+  EXPECT_LE(out.returned, tolerance);
+  EXPECT_LE(out.steps, 4 * 240 / 3) << "some 240 steps would do";
 }
 
 TEST(ConjGrad, ScalesWithTheRightHandSide) {
@@ -322,6 +368,52 @@ TEST(ConjGrad, EndsAtAValueThatIsNotFinite) {
     EXPECT_EQ(out.x, two_steps.x) << "x is the last one that was finite";
     EXPECT_FALSE(out.returned <= 1e-20) << "returned " << out.returned;
   }
+}
+
+TEST(ConjGrad, EndsBeforeXOverflows) {
+  // The next x is b + alpha (b - Ab), with an entry of 7e308 in the last case and more in the others: no double.
+  for (auto [name, d, b] : {std::tuple{"A = [1e-190 0; 0 1e-190], b = (1e140, 2e140)", Vector{1e-190, 1e-190},
+                                       Vector{1e140, 2e140}},
+                            {"A = [1e-190 0; 0 3], b = (1e140, 2)", {1e-190, 3}, {1e140, 2}},
+                            {"A = [2 0; 0 1e-189], b = (5, 1e140)", {2, 1e-189}, {5, 1e140}},
+                            {"A = [3e-309 0; 0 3e-309], b = (2, 1)", {3e-309, 3e-309}, {2, 1}}}) {
+    SCOPED_TRACE(call(name, 1e-9, 0));
+    solver::SparseMatrix A = diagonal(d);
+    const Outcome out = solve(A, b, 1e-9, 0);
+    EXPECT_EQ(out.steps, 1) << "the iteration that fails counts";
+    EXPECT_EQ(out.x, b) << "x is the last one that was finite: the first guess, b";
+    EXPECT_FALSE(out.returned <= 1e-9) << "returned " << out.returned;
+  }
+}
+
+TEST(ConjGrad, SolvesForAnXNearTheEndOfTheNumbers) {
+  // The residual is b to 1 part in 1e156, so one step is all, with some twenty roundings.
+  solver::SparseMatrix A = diagonal({2e-156, 2e-156});
+  SCOPED_TRACE(call("A = [2e-156 0; 0 2e-156], b = (2e151, 1e151)", 1e282, 0));
+  const Outcome out = solve(A, {2e151, 1e151}, 1e282, 0);
+  EXPECT_EQ(out.steps, 1);
+  for (int i : {0, 1})
+    EXPECT_LE(std::abs(out.x[i] / Vector{1e307, 5e306}[i] - 1), 64 * 0x1p-53)
+        << "x[" << i << "] = " << out.x[i] << "; bound on the relative error: 64 u";
+}
+
+TEST(ConjGrad, EndsIfTheCurvatureOverflows) {
+  // r = b - Ab = -(9e150, 6e150): r'r = 1.2e302, but r'Ar = 4.6e311, more than any double.
+  System s{"A = [3e9 0; 0 6e9], b = (3e141, 1e141)",
+           diagonal({3e9, 6e9}),
+           {3e141, 1e141},
+           {1e132, 1e141 / 6e9},
+           3e9};
+  SCOPED_TRACE(call(s.name, 1e282, 0));
+  const Outcome out = solve(s.A, s.b, 1e282, 0);
+  if (out.steps > 1) {
+    SCOPED_TRACE("it went on, which is right if its sums hold 4.6e311, as those of long double do");
+    expect_solved(s, out, 1e282);
+    return;
+  }
+  EXPECT_EQ(out.steps, 1) << "the iteration that fails counts";
+  EXPECT_EQ(out.x, s.b) << "x stays the last one, which is the first guess, b";
+  EXPECT_FALSE(out.returned <= 1e282) << "returned " << out.returned;
 }
 
 TEST(ConjGrad, AgreesWithTheGoldenData) {
