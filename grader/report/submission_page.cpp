@@ -98,7 +98,7 @@ Html runs_section(const SubmissionResult& result, Reader reader) {
   Html section = html(R"(<section id="runs">
 <h2>End to end</h2>
 <p>All exercises together move something, beside ours. This is to look at: it gives no points and takes none.</p>
-<div class="wide"><table>
+<div class="wide"><table class="runs">
 <thead><tr><th scope="col" class="category">Scene</th><th scope="col" class="status">Outcome</th><th scope="col">What we saw</th></tr></thead>
 <tbody>
 )");
