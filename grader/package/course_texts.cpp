@@ -10,6 +10,8 @@
 #include <sstream>
 #include <string_view>
 
+#include "grader/package/course_scenes.h"
+
 namespace grader {
 namespace {
 
@@ -87,6 +89,70 @@ std::string with_partial_points(std::string text) {
   return text;
 }
 
+bool is_to_write(const Exercise& exercise) {
+  return exercise.role == Role::assigned || exercise.role == Role::optional;
+}
+
+// What an exercise's text says of writing it, and those that it calls. A text opens with "Write ..." below its title, may have a
+// paragraph "This exercise calls ...", which asks to write those first, and has the section "Hints, in steps".
+class Writing {
+ public:
+  Writing(const Exercise& exercise, const Course& course) : given_(exercise.role == Role::given) {
+    calls_given_ = std::none_of(exercise.prerequisites.begin(), exercise.prerequisites.end(),
+                                [&](const std::string& id) {
+                                  const Exercise* called = course.find(id);
+                                  return called && is_to_write(*called);
+                                });
+  }
+
+  // Nothing: the line goes.
+  std::optional<std::string> line(const std::string& text) {
+    if (text.starts_with("## ")) {
+      opening_ = false;
+      hints_ = given_ && text == "## Hints, in steps";
+    }
+    if (text.starts_with("This exercise calls ")) calls_ = true;
+    const bool goes = hints_ || (calls_ && (given_ || calls_given_));
+    if (text.empty()) calls_ = false;
+    if (goes) return {};
+    if (!given_ || !opening_ || !text.starts_with(kWrite)) return text;
+    opening_ = false;
+    return "Given: " + text.substr(kWrite.size());
+  }
+
+ private:
+  static constexpr std::string_view kWrite = "Write ";
+  bool given_, calls_given_ = false;
+  bool opening_ = true, calls_ = false, hints_ = false;  // where the line is
+};
+
+// "ConjGrad" of "ConjGrad(int, ...)".
+std::string plain_name(std::string function) {
+  function = function.substr(0, function.find('('));
+  const std::size_t scope = function.rfind("::");
+  return scope == std::string::npos ? function : function.substr(scope + 2);
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+    text.replace(at, what.size(), by);
+  return text;
+}
+
+// The README, whose first ten minutes are of the first exercise, for a course in which that one is not to be written.
+std::string with_first_exercise(std::string text, const Course& course) {
+  if (course.exercises.empty()) return text;
+  const Exercise& usual = course.exercises.front();
+  const auto first = std::find_if(course.exercises.begin(), course.exercises.end(), is_to_write);
+  if (first == course.exercises.end() || first->id == usual.id) return text;
+  if (usual.functions.empty() || first->functions.empty()) return text;
+  text = replaced(text, usual.id + " " + plain_name(usual.functions.front()),
+                  first->id + " " + plain_name(first->functions.front()));
+  text = replaced(text, "check-" + usual.id, "check-" + first->id);
+  text = replaced(text, "student/" + usual.file, "student/" + first->file);
+  return replaced(text, usual.text, first->text);
+}
+
 // [words](file#place) whose file does not ship: the words. Pictures, ![words](file), too.
 std::string without_dead_links(const std::string& text, const std::string& destination,
                                const Paths& shipped) {
@@ -143,12 +209,16 @@ std::string course_json(const std::string& text, const Course& course) {
 }
 
 std::string course_text(const std::string& text, const std::string& destination, const Course& course,
-                        const Paths& shipped) {
+                        const Paths& shipped, const Paths& missing) {
   const Exercise* own = nullptr;
   for (const Exercise& exercise : course.exercises)
     if (exercise.text == destination) own = &exercise;
   std::optional<Points> points;
-  if (own) points.emplace(*own);
+  std::optional<Writing> writing;
+  if (own) {
+    points.emplace(*own);
+    writing.emplace(*own, course);
+  }
   const bool index = destination == "assignment/README.md", scenes = destination == "hair/scenes/README.md";
 
   std::istringstream in(course.partial ? with_partial_points(text) : text);
@@ -159,11 +229,15 @@ std::string course_text(const std::string& text, const std::string& destination,
       continue;
     }
     if ((index || scenes) && is_of_absent_scene(line, course)) continue;
-    result += (points ? points->line(line) : line) + "\n";
+    const std::optional<std::string> kept = writing ? writing->line(line) : line;
+    if (!kept) continue;
+    result += (points ? points->line(*kept) : *kept) + "\n";
     if (own && own->role == Role::given && line.starts_with("# "))
       result += "\n*In your course this exercise is given: `student/" + own->file +
                 "` is its solution. Read it beside this page; nothing of it is left to write.*\n";
   }
+  if (destination == "README.md") result = with_first_exercise(result, course);
+  result = with_present_scenes(result, shipped, missing);
   result = without_dead_links(result, destination, shipped);
   if (const std::string absent = absent_exercises_in(result, course); !absent.empty())
     result += "\n*Not part of your course: " + absent + ".*\n";

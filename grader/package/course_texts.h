@@ -12,14 +12,17 @@ namespace grader {
 // exercises.json: without absent exercises, with the course's points and roles.
 std::string course_json(const std::string& text, const Course& course);
 
-// A text, Markdown, that ships as `destination`, beside all of `shipped`:
+// A text, Markdown, that ships as `destination`, beside all of `shipped`; `missing` has what ships in other courses only:
 // - tables of exercises have the course's rows (index_row), and tables of scenes only those whose exercises are there;
 // - the text of an exercise has the course's points, those of its categories in proportion, none if it is given solved;
+// - the text of an exercise that is given says so, in the place of "Write" in its first line, and has no hints; no text asks to
+//   write it first, and the README begins with an exercise that is to be written;
 // - how a category gives points is the course's;
 // - a link to a file that does not ship becomes its words, and exercises that the text names and the course lacks are named at
-//   its end.
+//   its end;
+// - commands play scenes that are there (course_scenes.h).
 std::string course_text(const std::string& text, const std::string& destination, const Course& course,
-                        const Paths& shipped);
+                        const Paths& shipped, const Paths& missing);
 
 // The exercise's row in the table of assignment/README.md.
 std::string index_row(const Exercise& exercise);

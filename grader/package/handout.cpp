@@ -95,8 +95,12 @@ struct TemporaryFile {
 Files handout_files(const HandoutSources& sources, const Course& course) {
   const Paths solved = solved_files(course);
   const std::vector<ManifestLine> lines = read_manifest(sources.root / "handout/manifest.txt", course);
-  Paths shipped;
+  Paths shipped, missing;
   for (const ManifestLine& line : lines) shipped.insert(line.destination);
+  Course whole = course;
+  for (Exercise& exercise : whole.exercises) exercise.role = Role::assigned;
+  for (const ManifestLine& line : read_manifest(sources.root / "handout/manifest.txt", whole))
+    if (!shipped.contains(line.destination)) missing.insert(line.destination);
   Files files;
   for (const ManifestLine& line : lines) {
     fs::path source = sources.root / line.source;
@@ -105,7 +109,8 @@ Files handout_files(const HandoutSources& sources, const Course& course) {
     if (solved.contains(line.destination)) source = sources.root / "reference" / source.filename();
     std::string bytes = read_file(source, line.where);
     if (line.destination == "exercises.json") bytes = course_json(bytes, course);
-    if (line.destination.ends_with(".md")) bytes = course_text(bytes, line.destination, course, shipped);
+    if (line.destination.ends_with(".md"))
+      bytes = course_text(bytes, line.destination, course, shipped, missing);
     files[line.destination] = bytes;
   }
   return files;

@@ -265,6 +265,51 @@ std::pair<double, double> points_in(const std::string& text) {
   return points;
 }
 
+// Commands play scenes that are there, and nobody is asked to look at, study or copy another.
+void expect_scenes_to_play(const Files& files, const std::vector<ManifestLine>& all) {
+  for (const ManifestLine& line : all) {
+    if (!line.destination.starts_with("hair/scenes/") || !line.destination.ends_with(".json")) continue;
+    if (files.contains(line.destination)) continue;
+    const std::string scene = fs::path(line.destination).stem().string();
+    const std::regex plays("hairlab (run|study|stability)\\s+" + scene + "(?![a-z.-])|" + scene +
+                           "\\.json|[a-z] (at|study)\\s+`" + scene + "`");
+    for (const auto& [path, text] : files)
+      EXPECT_FALSE(path.ends_with(".md") && std::regex_search(text, plays)) << path << " plays " << scene;
+  }
+}
+
+// Nobody is asked to write what is given.
+void expect_nothing_to_write(const Exercise& given, const Files& files) {
+  const std::string& own = files.at(given.text);
+  for (const char* asks : {"Write ", "ou write", "ou also write", "ou have written", "not implemented yet"})
+    EXPECT_EQ(own.find(asks), std::string::npos) << given.text << ": " << asks;
+  EXPECT_NE(own.find("\n\nGiven: "), std::string::npos) << given.text;
+  std::string functions;
+  for (const std::string& function : given.functions) {
+    const std::string name = function.substr(0, function.find('('));
+    functions += "|" + name.substr(name.rfind(':') + 1);  // rfind's npos + 1 is 0
+  }
+  const std::regex asks("[Ww]rite `?(" + given.id + functions + ")\\b|" + given.id +
+                        " [A-Za-z_0-9]+ is not implemented|until " + given.id + " is written");
+  for (const auto& [path, text] : files)
+    EXPECT_FALSE(path.ends_with(".md") && std::regex_search(text, asks))
+        << path << " asks to write " << given.id;
+}
+
+// Points stand where the course's are put: in the index's table and in an exercise's categories.
+void expect_no_other_points(const Files& files) {
+  static const std::regex number("\\b([Oo]ne|[Tt]wo|half a|[0-9.]+) points? (for|of|if|each|in)\\b"),
+      categories("[0-9.]+ points, in these categories:");
+  for (const auto& [path, text] : files) {
+    if (!path.starts_with("assignment/") || !path.ends_with(".md") || path.ends_with("work-precision.md"))
+      continue;
+    for (std::sregex_iterator it(text.begin(), text.end(), number), end; it != end; ++it)
+      EXPECT_TRUE(std::regex_search(text.begin() + it->position(), text.end(), categories,
+                                    std::regex_constants::match_continuous))
+          << path << ": " << it->str();
+  }
+}
+
 TEST_F(RealProject, FitsAnyCourse) {
   const std::vector<ManifestLine> all = read_manifest(root_ / "handout/manifest.txt", course_);
   std::mt19937 random(1);
@@ -278,6 +323,8 @@ TEST_F(RealProject, FitsAnyCourse) {
     course_.partial = number % 2 == 1;
     const Files files = handout_files(sources_, course_);
     expect_links_resolve(files);
+    expect_scenes_to_play(files, all);
+    expect_no_other_points(files);
     // With all exercises none of a text's links was left out.
     if (number == 0) {
       Files texts = files;
@@ -303,6 +350,8 @@ TEST_F(RealProject, FitsAnyCourse) {
       const auto [points, sum] = points_in(text);
       const bool given = exercise.role == Role::given;
       EXPECT_EQ(text.find("nothing of it is left to write") != std::string::npos, given);
+      EXPECT_EQ(text.find("## Hints, in steps") == std::string::npos, given);
+      if (given) expect_nothing_to_write(exercise, files);
       EXPECT_EQ(points, given ? -1 : exercise.points);
       // Each share is rounded to a hundredth.
       EXPECT_NEAR(sum, given ? 0 : exercise.points, 0.005 * 32);
@@ -313,6 +362,52 @@ TEST_F(RealProject, FitsAnyCourse) {
       const std::string row = "| `" + fs::path(line.destination).stem().string() + "` |";
       EXPECT_EQ(files.contains(line.destination), index.find(row) != std::string::npos) << line.destination;
     }
+  }
+}
+
+// An example's scene makes room for another; a scene that a paragraph is about does not.
+TEST_F(RealProject, PlaysOtherScenesWithoutH6) {
+  const std::vector<ManifestLine> all = read_manifest(root_ / "handout/manifest.txt", course_);
+  for (Exercise& exercise : course_.exercises)
+    if (exercise.id == "H6") exercise.role = Role::absent;
+  const Files files = handout_files(sources_, course_);
+  expect_scenes_to_play(files, all);
+  const std::string& readme = files.at("README.md");
+  for (const char* line : {"\nbuild/hairlab run long-straight --out swing      # plays it\n",
+                           "\nbuild/hairlab run head-of-hair --jobs 2",
+                           "\nbuild/hairlab study long-straight --out study            # error against run "
+                           "time, of each method\n"})
+    EXPECT_NE(readme.find(line), std::string::npos) << line << readme;
+  EXPECT_NE(
+      files.at("assignment/work-precision.md").find("\nbuild/hairlab study long-straight --out study\n"),
+      std::string::npos);
+  EXPECT_NE(files.at("assignment/H4-implicit-euler.md")
+                .find("\n\n*(Not in your course: the scene angular-momentum.)*\n\n"),
+            std::string::npos);
+}
+
+TEST_F(RealProject, BeginsWithAnExerciseThatIsToBeWritten) {
+  for (Exercise& exercise : course_.exercises)
+    if (exercise.id == "S1" || exercise.id == "S2") exercise.role = Role::given;
+  const std::string readme = handout_files(sources_, course_).at("README.md");
+  for (const char* words : {"--target check-P1 --parallel 4", "`P1 forward_euler is not implemented yet`",
+                            "[student/explicit_integrators.cpp](student/explicit_integrators.cpp)"})
+    EXPECT_NE(readme.find(words), std::string::npos) << words << readme;
+}
+
+// What a text asks for a command or a check prints; what the report does not say it does not promise.
+TEST_F(RealProject, PromisesWhatIsThere) {
+  const auto text = [&](const char* name) { return bytes_of(root_ / "handout/assignment" / name); };
+  EXPECT_NE(text("README.md").find("fewer than five checks, it says only that it is not right"),
+            std::string::npos);
+  // check-H5 goes to 60 segments.
+  EXPECT_EQ(text("H5-length-correction.md").find("| 120 | 108,066 | |"), std::string::npos);
+  // check.cpp calls each function before the checks: a breakpoint there stops in these calls first.
+  for (const char* name : {"H4-implicit-euler.md", "S2-normal-equations.md"}) {
+    const std::string recipe = text(name);
+    const std::size_t at = recipe.find("(gdb) break YourMatrix::matVecMult");
+    ASSERT_NE(at, std::string::npos) << name;
+    EXPECT_LT(recipe.find("(gdb) tbreak testing::UnitTest::Run\n(gdb) run\n"), at) << name;
   }
 }
 

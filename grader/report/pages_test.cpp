@@ -246,14 +246,43 @@ TEST(Pages, ARunThatBreaksOffIsTheWorst) {
   EXPECT_EQ(count(rows, "in all pictures: 0. Without pictures: 0."), 1u);
   EXPECT_LT(rows.find("bob.html"), rows.find("alice.html"));
   EXPECT_LT(rows.find("carol.html"), rows.find("alice.html"));
-  EXPECT_EQ(count(staff_page(results[1]), "until it breaks off: FLIP up to 0.0000"), 1u);
 
-  // Its pictures say what is wrong if one is too far from the reference's, and a stub has no run.
-  results[1].exercises[1].pictures[0].flip = 0.5;
-  results[1].exercises[1].pictures[0].flip_limit = 0.01;
-  EXPECT_FALSE(run_breaks_off(results[1].exercises[1]));
+  // One that has a picture that is too far, too, breaks off all the same, and a stub has no run.
+  results[1].exercises[1].pictures[0].flip = 0.001;
+  results[1].exercises[1].pictures[0].flip_limit = 0.0001;
+  EXPECT_TRUE(run_breaks_off(results[1].exercises[1]));
+  const std::string again = class_page(results);
+  EXPECT_EQ(count(again, ">breaks off<"), 2u);
+  EXPECT_LT(again.rfind("bob.html"), again.rfind("alice.html"));
   results[2].exercises[2].cases.back().status = Status::not_implemented;
   EXPECT_FALSE(run_breaks_off(results[2].exercises[2]));
+  // One with all of its pictures does not, however far they are.
+  results[1].exercises[1].pictures.assign(kRunPictures, sample_picture("1.00 s", 40, 0.01));
+  EXPECT_FALSE(run_breaks_off(results[1].exercises[1]));
+}
+
+// The pictures before it ends may be like the reference's: their distance says nothing.
+TEST(Pages, ARunThatBreaksOffIsOpenAndHasNoDistance) {
+  SubmissionResult result = sample_class(1).front();
+  for (ExerciseResult& exercise : result.exercises) exercise.pictures.clear();
+  CaseResult broken;
+  broken.name = kPicturesTitle;
+  broken.status = Status::wrong;
+  result.exercises[0].cases.push_back(broken);
+  for (const double flip : {0.0, 0.5}) {
+    result.exercises[0].pictures = {sample_picture("0.00 s", 0, 0.01)};
+    result.exercises[0].pictures[0].flip = flip;
+    result.exercises[0].pictures[0].flip_limit = 0.01;
+    result.runs = {
+        {"swing", "a hair swings", RunOutcome::blew_up, "Broke off.", "", result.exercises[0].pictures}};
+    for (const std::string& page : {student_page(result), staff_page(result)}) {
+      EXPECT_EQ(
+          count(page, "<details open=\"\"><summary>The whole run in pictures, until it breaks off</summary>"),
+          1u);
+      EXPECT_EQ(count(page, "<details open=\"\"><summary>a hair swings, until it breaks off</summary>"), 1u);
+      EXPECT_EQ(count(page, "FLIP up to"), 0u);
+    }
+  }
 }
 
 // A class page of a thousand would load 60 MB of them.

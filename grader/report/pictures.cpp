@@ -127,11 +127,11 @@ Html figure(const Html& picture, const Html& caption) {
   return html("<figure>{}<figcaption>{}</figcaption></figure>\n", {picture, caption});
 }
 
-Html moments(const std::vector<PictureResult>& pictures, const std::string& heading, const std::string& whose,
-             const PicturePlace& place) {
+Html moments(const std::vector<PictureResult>& pictures, const std::string& heading, Ending ending,
+             const std::string& whose, const PicturePlace& place) {
   if (pictures.empty()) return {};
   double flip = 0;
-  bool open = false;
+  bool open = ending == Ending::breaks_off;
   Html rows;
   for (const PictureResult& picture : pictures) {
     flip = std::max(flip, picture.flip);
@@ -140,11 +140,13 @@ Html moments(const std::vector<PictureResult>& pictures, const std::string& head
     rows += moment(picture, whose, place);
   }
   return html(
-      "<details{}><summary>{}: FLIP up to {}</summary>\n{}<p class=\"quiet\">Blurred RMSE is how far they "
+      "<details{}><summary>{}{}</summary>\n{}<p class=\"quiet\">Blurred RMSE is how far they "
       "are "
       "apart once both are blurred by 4 pixels, 1 for black and white. FLIP is how different they look to a "
       "person who flips between them, 0 to 1.</p>\n</details>\n",
-      {open ? html(" open=\"\"") : Html{}, heading, shown_distance(flip), rows});
+      {open ? html(" open=\"\"") : Html{}, heading,
+       ending == Ending::breaks_off ? ", until it breaks off" : ": FLIP up to " + shown_distance(flip),
+       rows});
 }
 
 Html pictures_by_distance(const std::vector<SubmissionResult>& results, const PicturePlace& place) {

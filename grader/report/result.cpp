@@ -103,11 +103,16 @@ bool too_far(const PictureResult& picture) {
 }
 
 bool run_breaks_off(const ExerciseResult& exercise) {
-  if (std::any_of(exercise.pictures.begin(), exercise.pictures.end(), too_far)) return false;
+  if (exercise.pictures.size() >= kRunPictures) return false;
   return std::any_of(exercise.cases.begin(), exercise.cases.end(), [](const CaseResult& one) {
     return one.name == kPicturesTitle && one.status != Status::passed &&
            one.status != Status::not_implemented;
   });
+}
+
+bool run_breaks_off(const RunResult& run) {
+  return (run.outcome == RunOutcome::blew_up || run.outcome == RunOutcome::failed) &&
+         run.pictures.size() < kRunPictures;
 }
 
 std::optional<double> picture_distance(const SubmissionResult& result) {

@@ -2,6 +2,7 @@
 // them.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +29,9 @@ inline constexpr const char* kPicturesTitle = "Pictures of it";
 std::string to_string(Status status);           // "does not compile"
 Status status_from_string(const std::string&);  // throws std::invalid_argument
 std::string sentence_for(Status status);        // helps the student without revealing hidden cases
+
+// The moments of a whole run that are drawn. Fewer were drawn of one that ends early.
+inline constexpr std::size_t kRunPictures = 3;
 
 // One category of an exercise's hidden cases.
 struct CaseResult {
@@ -97,6 +101,7 @@ bool too_far(const PictureResult&);  // over a limit
 
 // Whether its whole run was played and ended before its last picture: then its pictures, if there are any, say too little.
 bool run_breaks_off(const ExerciseResult&);
+bool run_breaks_off(const RunResult&);
 
 double points(const SubmissionResult&);
 double max_points(const SubmissionResult&);  // without extra credit

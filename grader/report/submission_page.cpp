@@ -20,6 +20,11 @@ PicturePlace place_of(Reader reader) {
   return {reader == Reader::student ? "" : "pictures"};
 }
 
+template <class Run>
+Ending ending_of(const Run& run) {
+  return run_breaks_off(run) ? Ending::breaks_off : Ending::whole;
+}
+
 std::string points_of(double points, double max_points) {
   return shown_points(points) + " / " + shown_points(max_points);
 }
@@ -71,10 +76,8 @@ Html exercise_section(const ExerciseResult& exercise, Reader reader) {
         {std::to_string(exercise.allocations)});
   section += block("What the compiler says", exercise.compiler_messages);
   section += cases_table(exercise, reader);
-  section += moments(exercise.pictures,
-                     run_breaks_off(exercise) ? "The whole run in pictures, until it breaks off"
-                                              : "The whole run in pictures",
-                     whose(reader), place_of(reader));
+  section += moments(exercise.pictures, "The whole run in pictures", ending_of(exercise), whose(reader),
+                     place_of(reader));
   if (reader == Reader::staff)
     section += block("What compiler, linker and worker printed", exercise.staff_log);
   return section += html("</section>\n");
@@ -98,7 +101,7 @@ Html runs_section(const SubmissionResult& result, Reader reader) {
   Html section = html(R"(<section id="runs">
 <h2>End to end</h2>
 <p>All exercises together move something, beside ours. This is to look at: it gives no points and takes none.</p>
-<div class="wide"><table>
+<div class="wide"><table class="runs">
 <thead><tr><th scope="col" class="category">Scene</th><th scope="col" class="status">Outcome</th><th scope="col">What we saw</th></tr></thead>
 <tbody>
 )");
@@ -114,7 +117,7 @@ Html runs_section(const SubmissionResult& result, Reader reader) {
         html("<p><a href=\"{}study.html\">Error against run time</a> of these scenes, beside ours.</p>\n",
              {reader == Reader::staff ? "../" + result.name + "/" : std::string()});
   for (const RunResult& run : result.runs)
-    section += moments(run.pictures, run.shows, whose(reader), place_of(reader));
+    section += moments(run.pictures, run.shows, ending_of(run), whose(reader), place_of(reader));
   return section += html("</section>\n");
 }
 

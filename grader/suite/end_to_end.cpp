@@ -15,7 +15,6 @@ namespace {
 // Two ways to add the same numbers are apart by rounding, which a swinging strand makes larger; what is below
 // this nobody sees.
 constexpr double kSame = 1e-3;
-constexpr int kPictures = 3;  // of each scene
 
 struct Difference {
   double distance = 0;                // the largest of a particle, relative to the scene's extent
@@ -100,7 +99,8 @@ void run_scene(Student& student, const SceneText& text, const hair::Scene& scene
     trial.describe(text.name);
     const Played theirs = play_elsewhere(trial, text.json, scene);
     std::vector<int> pictures;
-    for (int part = 1; part <= kPictures; ++part) pictures.push_back(scene.frames * part / kPictures);
+    constexpr int kParts = kRunPictures;
+    for (int part = 1; part <= kParts; ++part) pictures.push_back(scene.frames * part / kParts);
     const RunComparison run = compare_runs(scene, pictures, theirs);
     judge(result, theirs, run, scene.frames);
     if (kept_pictures) result.pictures = draw_shots(run.shots, run.camera, *kept_pictures / text.name);

@@ -40,7 +40,7 @@ TEST(HiddenScene, EachExerciseWithPointsForItsRunHasOneThatCallsIt) {
     const HiddenScene hidden = hidden_scene_of(exercise.id);
     const std::vector<std::string> called = hair::exercises_of(hidden.scene);
     EXPECT_NE(std::find(called.begin(), called.end(), exercise.id), called.end());
-    EXPECT_EQ(hidden.pictures.size(), 3U);
+    EXPECT_EQ(hidden.pictures.size(), kRunPictures);
   }
 }
 

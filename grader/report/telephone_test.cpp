@@ -1,0 +1,65 @@
+// STAFF ONLY. A student's page on a telephone: headless Chromium, where there is one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "grader/report/pages.h"
+#include "grader/report/sample_results.h"
+#include "hair/io/files/temporary_folder.h"
+#include "hair/io/plot/readable.h"
+
+namespace grader {
+namespace {
+
+constexpr int kWidth = 390;  // CSS pixels
+
+// A page of ours runs no script, so the one around it measures. It says which elements end right of the screen.
+std::string measuring_page(const std::string& page) {
+  return "<!DOCTYPE html><html><body><iframe style=\"border:0;width:" + std::to_string(kWidth) +
+         "px;height:900px\" srcdoc=\"" + hair::escaped(page) +
+         "\"></iframe><script>onload = () => {\n"
+         "let seen = 0, outside = '';\n"
+         "for (const one of document.querySelector('iframe').contentDocument.querySelectorAll("
+         "'h1,h2,p,th,td,summary,pre,img')) {\n"
+         "  seen += one.getClientRects().length > 0;\n"
+         "  if (one.getBoundingClientRect().right > " +
+         std::to_string(kWidth) +
+         ") outside += one.tagName + ' ' + one.textContent.slice(0, 40) + '; ';\n"
+         "}\n"
+         "document.body.textContent = (seen > 50 ? 'seen, ' : 'not seen, ') + 'outside: ' + outside + '|';\n"
+         "};</script></body></html>";
+}
+
+std::string dump(const std::string& html) {
+  const hair::TemporaryFolder temporary{"hair-telephone"};
+  const std::string path = temporary.path().string();
+  std::ofstream(path + "/page.html", std::ios::binary) << html;
+  const std::string command =
+      "HOME=" + path +
+      " timeout -k 2 60 chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --no-first-run"
+      " --disable-background-networking --user-data-dir=" +
+      path + "/profile --dump-dom file://" + path + "/page.html >" + path +
+      "/document 2>/dev/null </dev/null";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  std::ostringstream text;
+  text << std::ifstream(path + "/document", std::ios::binary).rdbuf();
+  return text.str();
+}
+
+TEST(Telephone, ShowsAllOfAPageWithoutScrollingSideways) {
+  if (std::system("command -v chromium >/dev/null 2>&1") != 0)
+    GTEST_SKIP() << "no chromium on PATH: pages are not opened in a browser";
+  const SubmissionResult result = class_of_ten_exercises(2)[1];
+  for (const std::string& page : {student_page(result), staff_page(result)}) {
+    const std::string seen = dump(measuring_page(page));
+    EXPECT_NE(seen.find("<body>seen, outside: |"), std::string::npos)
+        << seen.substr(std::min(seen.find("<body>"), seen.size()), 2000);
+  }
+}
+
+}  // namespace
+}  // namespace grader
