@@ -46,8 +46,8 @@ class Count {
   void add(std::size_t strand) {
     if (count_++ == 0) first_ = strand;
   }
-  void say(const std::string& what, std::vector<Oddity>& odd) const {
-    if (count_ > 0) odd.push_back({what, count_, first_});
+  void say(const std::string& one, const std::string& many, std::vector<Oddity>& odd) const {
+    if (count_ > 0) odd.push_back({count_ == 1 ? one : many, count_, first_});
   }
 
  private:
@@ -102,8 +102,9 @@ void look_at_roots(const std::vector<Vector3d>& roots, const std::vector<std::si
     if (distances[i] == 0) same.add(strands[i]);
     if (usual > 0 && distances[i] > kFarRoot * usual) far.add(strands[i]);
   }
-  same.say("roots at the same place as another", measures.odd);
-  far.say("roots that are ten times as far from the next as usual", measures.odd);
+  same.say("root at the same place as another", "roots at the same place as another", measures.odd);
+  far.say("root that is ten times as far from the next as usual",
+          "roots that are ten times as far from the next as usual", measures.odd);
   const double span = (measures.roots.high - measures.roots.low).maxCoeff();
   if (span > 0) measures.unit_guess = kScalp / span;
 }
@@ -152,17 +153,23 @@ GroomMeasures measure_groom(const Groom& groom) {
   measures.curvature = spread_of(std::move(all.curvatures));
   measures.bend = spread_of(std::move(all.bends));
 
-  all.not_finite.say("strands with a number that is not finite; no program can use them", measures.odd);
-  all.bald.say("bald roots: strands of a single point", measures.odd);
-  all.without_length.say("strands without length", measures.odd);
-  all.points_at_one_place.say("points where the point before is; scenes refuse them", measures.odd);
-  all.twice.say("strands that pass the same point twice", measures.odd);
-  all.sharp.say("joints that bend by more than 154 degrees; scenes refuse them", measures.odd);
+  all.not_finite.say("strand with a number that is not finite; no program can use it",
+                     "strands with a number that is not finite; no program can use them", measures.odd);
+  all.bald.say("bald root: a strand of a single point", "bald roots: strands of a single point",
+               measures.odd);
+  all.without_length.say("strand without length", "strands without length", measures.odd);
+  all.points_at_one_place.say("point where the point before is; scenes refuse it",
+                              "points where the point before is; scenes refuse them", measures.odd);
+  all.twice.say("strand that passes the same point twice", "strands that pass the same point twice",
+                measures.odd);
+  all.sharp.say("joint that bends by more than 154 degrees; scenes refuse it",
+                "joints that bend by more than 154 degrees; scenes refuse them", measures.odd);
   Count long_segments;
   for (std::size_t i = 0; i < all.segments.size(); ++i)
     if (all.segments[i] > kLongSegment * measures.segment.median) long_segments.add(all.strand_of_segment[i]);
   if (measures.segment.median > 0)
-    long_segments.say("segments that are twenty times as long as usual", measures.odd);
+    long_segments.say("segment that is twenty times as long as usual",
+                      "segments that are twenty times as long as usual", measures.odd);
   look_at_roots(roots, strands, measures);
   measures.root_sphere = sphere_through(roots);
   return measures;

@@ -89,18 +89,17 @@ TEST(GroomMeasures, WhatIsOddIsNamed) {
         Eigen::Map<const Eigen::VectorXd>(numbers.begin(), static_cast<Eigen::Index>(numbers.size())));
   };
   EXPECT_EQ(with(2, x({0, 2, NAN, 1, 2, 3})),
-            "1 strands with a number that is not finite; no program can use them (2)\n");
-  EXPECT_EQ(with(3, x({0, 3, 0})), "1 bald roots: strands of a single point (3)\n");
+            "1 strand with a number that is not finite; no program can use it (2)\n");
+  EXPECT_EQ(with(3, x({0, 3, 0})), "1 bald root: a strand of a single point (3)\n");
   EXPECT_EQ(with(4, x({0, 4, 0, 0, 4, 0})),
-            "1 strands without length (4)\n1 points where the point before is; scenes refuse them (4)\n");
+            "1 strand without length (4)\n1 point where the point before is; scenes refuse it (4)\n");
   EXPECT_EQ(with(5, x({0, 5, 0, 0, 5, 1, 1, 5, 1, 0, 5, 0})),
-            "1 strands that pass the same point twice (5)\n");
+            "1 strand that passes the same point twice (5)\n");
   EXPECT_EQ(with(6, x({0, 6, 0, 0, 6, 1, 0, 6, 0.5})),
-            "1 joints that bend by more than 154 degrees; scenes refuse them (6)\n");
-  EXPECT_EQ(with(7, x({0, 7, 0, 0, 7, 21})), "1 segments that are twenty times as long as usual (7)\n");
+            "1 joint that bends by more than 154 degrees; scenes refuse it (6)\n");
+  EXPECT_EQ(with(7, x({0, 7, 0, 0, 7, 21})), "1 segment that is twenty times as long as usual (7)\n");
   EXPECT_EQ(with(8, x({0, 7, 0, 0, 7, 1})), "2 roots at the same place as another (7)\n");
-  EXPECT_EQ(with(9, x({0, 9, 11, 0, 9, 12})),
-            "1 roots that are ten times as far from the next as usual (9)\n");
+  EXPECT_EQ(with(9, x({0, 9, 11, 0, 9, 12})), "1 root that is ten times as far from the next as usual (9)\n");
 }
 
 }  // namespace

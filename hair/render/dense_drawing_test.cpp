@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <string>
 
 #include "hair/render/idle_guides.h"
 #include "hair/render/scene_drawing.h"
@@ -227,6 +228,51 @@ TEST(IdleGuides, AreThoseThatNoStrandIsMadeOf) {
   EXPECT_TRUE(idle_guides(scene, SceneDrawing(scene, {})).empty());
   scene.dense[0].description.children.resize(1);
   EXPECT_GE(idle_guides(scene, SceneDrawing(scene, {})).size(), 197U);
+}
+
+// Rows of one, one and three guides: each is linked to the one before, in its row or in the row before.
+Scene linked_guides(const std::string& last_row, const std::string& look) {
+  const auto row = [](const std::string& roots, const std::string& more) {
+    return R"({"segments": 2, "length": 0.1, "roots": {"list": [)" + roots + "]}" + more + "}";
+  };
+  return parse_scene(
+      R"({"shows": "links", "frames": 1, "method": "implicit_euler", "hair": [)" +
+          row(R"({"position": [0, 0, 0]})", "") + ", " + row(R"({"position": [0.01, 0, 0]})", "") + ", " +
+          row(R"({"position": [0.02, 0, 0]}, {"position": [0.03, 0, 0]}, {"position": [0.02, 0.01, 0]})",
+              last_row) +
+          R"(], "links": {"stiffness": 1e-3, "neighbours": "both"}, "render": {)" + look + "}}",
+      "links.json");
+}
+
+Drawing draw_start(const Scene& scene, const MeshRecord* mesh) {
+  const Playback playback(scene);
+  return SceneDrawing(scene, playback.strands())
+      .at(playback.centre_lines(playback.state()), playback.obstacles(), 0, mesh);
+}
+
+TEST(LinkDrawing, LinksThatHoldAreTubesIfTheLookAsksForThem) {
+  const Scene scene = linked_guides("", R"("links": true)");
+  const std::vector<StaticLink>& links = scene.hair.mesh->links;
+  const Drawing whole = draw_start(scene, nullptr);
+  ASSERT_EQ(whole.tubes.size(), links.size());
+  EXPECT_EQ(whole.tubes[0].a, whole.strands.points.at(static_cast<std::size_t>(links[0].a)));
+  EXPECT_EQ(whole.tubes[0].b, whole.strands.points.at(static_cast<std::size_t>(links[0].b)));
+
+  const MeshRecord broken{{{3, 0}}, 0};
+  const Drawing torn = draw_start(scene, &broken);
+  ASSERT_EQ(torn.tubes.size(), links.size() - 1);
+  EXPECT_EQ(torn.tubes[0].a, whole.tubes[1].a) << "the first broke in step 3";
+
+  EXPECT_TRUE(draw_start(linked_guides("", ""), nullptr).tubes.empty());
+}
+
+TEST(LinkDrawing, NoLinkIsDrawnToGuidesWhoseDenseHairIsDrawn) {
+  const Scene scene = linked_guides(R"(, "synthesis": {"strands": 5})", R"("links": true)");
+  const Drawing drawing = draw_start(scene, nullptr);
+  ASSERT_FALSE(drawing.tubes.empty());
+  EXPECT_LT(drawing.tubes.size(), scene.hair.mesh->links.size());
+  for (const Tube& tube : drawing.tubes)
+    EXPECT_LT(std::max(tube.a.x(), tube.b.x()), 0.015) << "the last row begins at 0.02";
 }
 
 }  // namespace

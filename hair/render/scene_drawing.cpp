@@ -17,10 +17,11 @@ namespace {
 const std::array<Colour, 5> kToyColours = {Colour(0.60F, 0.09F, 0.06F), Colour(0.05F, 0.22F, 0.50F),
                                            Colour(0.10F, 0.35F, 0.12F), Colour(0.60F, 0.36F, 0.03F),
                                            Colour(0.32F, 0.10F, 0.38F)};
-const Colour kPinned(0.06F, 0.06F, 0.07F), kRod(0.20F, 0.22F, 0.25F), kWire(0.45F, 0.36F, 0.12F);
+const Colour kPinned(0.06F, 0.06F, 0.07F), kRod(0.20F, 0.22F, 0.25F), kWire(0.45F, 0.36F, 0.12F),
+    kLink(0.05F, 0.22F, 0.50F);
 
 // Parts of the picture's height.
-constexpr double kBall = 0.018, kTube = 0.005, kRing = 0.0035;
+constexpr double kBall = 0.018, kTube = 0.005, kRing = 0.0035, kThread = 0.0006;
 
 constexpr std::uint32_t kFirstStillId = 1U << 30;  // beyond the numbers of what moves
 
@@ -37,6 +38,10 @@ std::vector<Plane> seen_planes(const Camera& camera, double aspect, bool shadows
     if (!shadows || inward.dot(kKeyLight.cast<double>()) >= 0)
       planes.push_back({camera.eye, axes.transpose() * inward.normalized()});
   return planes;
+}
+
+int last_guide(const DenseHair& dense) {
+  return dense.first + static_cast<int>(dense.description.guides.size()) - 1;
 }
 
 }  // namespace
@@ -66,8 +71,8 @@ RenderSettings SceneDrawing::settings() const {
   return {.width = look_.image_width, .height = look_.image_height, .shadows = look_.shadows};
 }
 
-Drawing SceneDrawing::at(const particles::State& state, const std::vector<Obstacle>& obstacles,
-                         double time) const {
+Drawing SceneDrawing::at(const particles::State& state, const std::vector<Obstacle>& obstacles, double time,
+                         const MeshRecord* mesh) const {
   Drawing drawing;
   drawing.obstacles = obstacles;
   for (const Obstacle& obstacle : obstacles)
@@ -85,6 +90,7 @@ Drawing SceneDrawing::at(const particles::State& state, const std::vector<Obstac
                      std::to_string(3 * particles) + ", 3 for each particle");
 
   add_strands(state.x.head(3 * of_strands), obstacles, time, drawing.strands);
+  if (look_.links && scene_.hair.mesh) add_links(state.x.head(3 * of_strands), mesh, drawing);
   std::uint32_t still_id = kFirstStillId;
   for (std::size_t i = 0; i < still_.size(); ++i)
     add_still(scene_.still[i], still_[i], time, still_id, drawing.strands);
@@ -155,6 +161,29 @@ void SceneDrawing::add_still(const StillHair& hair, const Groom& grown, double t
     drawing.sizes.push_back(static_cast<int>(x.size() / 3));
     if (drawing.fine) drawing.ids.push_back(id++);
     for (Eigen::Index i = 0; i < x.size(); i += 3) drawing.points.push_back(way(x.segment<3>(i) + hair.at));
+  }
+}
+
+void SceneDrawing::add_links(particles::Input x, const MeshRecord* mesh, Drawing& drawing) const {
+  std::vector<char> hidden;  // by particles
+  hidden.reserve(static_cast<std::size_t>(x.size() / 3));
+  std::size_t group = 0;
+  int strand = 0;
+  for (const int points : strands_) {
+    while (group < scene_.dense.size() && last_guide(scene_.dense[group]) < strand) ++group;
+    const bool guide = group < scene_.dense.size() && scene_.dense[group].first <= strand;
+    hidden.insert(hidden.end(), static_cast<std::size_t>(points), guide ? 1 : 0);
+    ++strand;
+  }
+  const std::vector<StaticLink>& links = scene_.hair.mesh->links;
+  std::vector<char> broken(links.size(), 0);
+  if (mesh != nullptr)
+    for (const BrokenLink& one : mesh->broken) broken.at(static_cast<std::size_t>(one.link)) = 1;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const auto a = static_cast<std::size_t>(links[i].a), b = static_cast<std::size_t>(links[i].b);
+    if (broken[i] || hidden.at(a) || hidden.at(b)) continue;
+    drawing.tubes.push_back(
+        {x.segment<3>(3 * links[i].a), x.segment<3>(3 * links[i].b), kThread * unit_, kLink});
   }
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "hair/mass_spring/mesh_record.h"
 #include "hair/render/camera.h"
 #include "hair/render/drawing.h"
 #include "hair/render/renderer.h"
@@ -31,8 +32,10 @@ class SceneDrawing {
   // Throws std::invalid_argument for a state of another size. Not for two threads at a time.
   //
   // Dense hair that is drawn as fine hair is kept out of obstacles (strand_clearance.h); ribbons are as H10 makes them.
-  // In a toy, springs and rods are tubes, particles are balls and wires are rings; cloth is a sheet.
-  Drawing at(const particles::State& state, const std::vector<Obstacle>& obstacles, double time) const;
+  // With Look::links, links of the control mesh are tubes, but not those that `mesh` has as broken (null: none is), and not those of guides
+  // that dense hair is drawn in place of. In a toy, springs and rods are tubes, particles are balls and wires are rings; cloth is a sheet.
+  Drawing at(const particles::State& state, const std::vector<Obstacle>& obstacles, double time,
+             const MeshRecord* mesh = nullptr) const;
 
   // Of the last drawing's dense hair.
   const SynthesisCounts& synthesised() const { return synthesised_; }
@@ -44,6 +47,7 @@ class SceneDrawing {
   void add_dense(std::size_t group, particles::Input guides, double time, StrandsDrawing& drawing) const;
   void add_still(const StillHair& hair, const Groom& grown, double time, std::uint32_t& id,
                  StrandsDrawing& drawing) const;
+  void add_links(particles::Input x, const MeshRecord* mesh, Drawing& drawing) const;
   void add_toy(const Toy& toy, int toy_index, particles::Input x, Drawing& drawing) const;
 
   const Scene& scene_;

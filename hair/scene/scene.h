@@ -30,6 +30,7 @@ struct Look {
   int image_width = 1280, image_height = 720;
   bool shadows = true;
   bool fine_hair = false;  // thin strands with tapered tips; else ribbons
+  bool links = false;      // those of the control mesh that hold, between guides that are drawn
 };
 
 // Objects that follow a motion: the roots of strands (positions, and frames of clamped strands), and

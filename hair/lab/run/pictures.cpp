@@ -7,8 +7,9 @@ Pictures::Pictures(const Scene& scene, const std::vector<int>& strands)
   renderer_.measure(true);
 }
 
-Image Pictures::draw(const particles::State& state, const std::vector<Obstacle>& obstacles, double time) {
-  return renderer_.draw(drawing_.at(state, obstacles, time), drawing_.camera());
+Image Pictures::draw(const particles::State& state, const std::vector<Obstacle>& obstacles, double time,
+                     const MeshRecord* mesh) {
+  return renderer_.draw(drawing_.at(state, obstacles, time, mesh), drawing_.camera());
 }
 
 }  // namespace hair

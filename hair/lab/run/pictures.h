@@ -14,7 +14,9 @@ class Pictures {
   // strands: as SceneDrawing has them. The scene must have a look and outlive this object. Throws NoOpenGl.
   Pictures(const Scene& scene, const std::vector<int>& strands);
 
-  Image draw(const particles::State& state, const std::vector<Obstacle>& obstacles, double time);
+  // As SceneDrawing::at.
+  Image draw(const particles::State& state, const std::vector<Obstacle>& obstacles, double time,
+             const MeshRecord* mesh);
 
   const SceneDrawing& drawing() const { return drawing_; }
   const SynthesisCounts& synthesised() const { return drawing_.synthesised(); }  // in the last picture

@@ -76,7 +76,8 @@ class FrameWriter {
       csv_.add(playback_.time(), lines);
     }
     if (!pictures_) return;
-    const Image image = pictures_->draw(lines, playback_.obstacles(), playback_.time());
+    const Image image =
+        pictures_->draw(lines, playback_.obstacles(), playback_.time(), playback_.mesh_record());
     if (dense_) record_.dense = pictures_->synthesised();
     record_.moved_out = pictures_->moved_out();
     const timing::AddsTime watch(seconds.png);

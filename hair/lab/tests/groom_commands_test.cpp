@@ -44,7 +44,7 @@ TEST_F(GroomCommands, InfoSaysWhatAGroomIsLike) {
   EXPECT_TRUE(has(run.output, "\n  unit                about 6.667 cm, if the roots span a scalp of 20 cm\n"))
       << run.output;
   EXPECT_TRUE(
-      run.output.ends_with("\n  odd                 1 bald roots: strands of a single point (strand 0)\n"))
+      run.output.ends_with("\n  odd                 1 bald root: a strand of a single point (strand 0)\n"))
       << run.output;
 }
 
@@ -163,7 +163,7 @@ TEST_F(GroomCommands, BadInputIsOneLineAndWritesNothing) {
                  "nan.data: byte 8: strand 0, point 0: has a number that is not finite");
   const ProgramRun run = run_hairlab({"info", nan});
   EXPECT_EQ(run.code, 0) << run.errors;
-  EXPECT_TRUE(has(run.output, "1 strands with a number that is not finite")) << run.output;
+  EXPECT_TRUE(has(run.output, "1 strand with a number that is not finite")) << run.output;
   EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a.data", "cut.data", "nan.data"}));
 }
 

@@ -398,6 +398,20 @@ TEST_F(Hairlab, ExplainsWithoutRunning) {
   EXPECT_TRUE(fs::exists(out_ / "run.json"));
 }
 
+TEST_F(Hairlab, ExplainsHowMuchDenseHairTheFirstPictureLeavesOut) {
+  const ProgramRun run = play(R"({"shows": "a tuft, of which the picture shows a part", "frames": 1, "hair": [
+    {"segments": 3, "length": 0.09, "roots": {"disc": {"centre": [0, 0, 0], "normal": [0, 0, 1], "radius": 0.02, "count": 30}},
+     "synthesis": {"strands": 200}}],
+    "render": {"view": [0, -1, 0], "look_at": [0.012, 0, 0.02], "zoom": 20, "shadows": false, "image_width": 64, "image_height": 48}})",
+                              {"--explain", "--frames", "0"});
+  ASSERT_EQ(run.code, 0) << run.errors;
+  const Json dense = read_run(out_)["dense_hair"];
+  EXPECT_GT(dense["out_of_view"], 0);
+  EXPECT_TRUE(has(run.output, "H10, 200 strands of 30 guides, " + dense["out_of_view"].dump() +
+                                  " of them out of view at the start\n"))
+      << run.output;
+}
+
 TEST_F(Hairlab, ListsTheScenesThatComeAlong) {
   const ProgramRun run = run_hairlab({"scenes"});
   EXPECT_EQ(run.code, 0) << run.errors;

@@ -23,7 +23,7 @@ int pixels_or(const JsonValue& object, const std::string& key, int otherwise) {
 
 Look read_look(const JsonValue& object) {
   object.check_keys({}, {"width", "root_colour", "tip_colour", "view", "look_at", "zoom", "image_width",
-                         "image_height", "shadows", "hair", "colour", "camera"});
+                         "image_height", "shadows", "hair", "colour", "camera", "links"});
   Look look;
   look.width = number_or(object, "width", look.width, 1e-6, 1);
   if (object.has("colour")) {
@@ -41,6 +41,7 @@ Look read_look(const JsonValue& object) {
   look.image_width = pixels_or(object, "image_width", look.image_width);
   look.image_height = pixels_or(object, "image_height", look.image_height);
   look.shadows = boolean_or(object, "shadows", look.shadows);
+  look.links = boolean_or(object, "links", look.links);
   if (object.has("camera")) look.frame = object["camera"].word({"room", "frame"}) == 1;
   if (object.has("hair")) look.fine_hair = object["hair"].word({"ribbons", "fine"}) == 1;
   return look;

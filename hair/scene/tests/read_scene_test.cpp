@@ -56,6 +56,7 @@ TEST(ReadScene, EverythingIsWhereItsKeySays) {
   EXPECT_EQ(scene.look->image_width, 640);
   EXPECT_EQ(scene.look->tip_colour, Vector3d(1, 1, 1));
   EXPECT_FALSE(scene.look->shadows);
+  EXPECT_TRUE(scene.look->links);
 }
 
 TEST(ReadScene, WhatIsNotSaidIsLeftOut) {

@@ -104,7 +104,7 @@ std::string small_scene(const std::string& what, const std::string& by) {
     }
   ],
   "render": {"width": 1e-3, "root_colour": [0, 0, 0], "tip_colour": [1, 1, 1], "view": [1, 0, 0],
-             "image_width": 640, "image_height": 480, "shadows": false, "hair": "fine", "colour": "red", "camera": "frame"}
+             "image_width": 640, "image_height": 480, "shadows": false, "hair": "fine", "colour": "red", "camera": "frame", "links": true}
 })";
   return with(text, what, by);
 }
