@@ -119,9 +119,8 @@ void preconditioned(Trial& trial) {
   Random& random = trial.random;
   for (int n : {12, 40})
     for (int far : {0, 1, 4}) {
-      const double h = 1.0 / random.integer(60, 240), a = random.uniform(0.4, 0.7) * h;
-      // With much drag, a and b for each other are another matrix.
-      const Cloud hair = stiff_hair(random, n, h, far, far == 1 ? 0 : random.uniform(50, 100));
+      const double h = 1.0 / random.integer(60, 240), a = random.uniform(0.4, 1) * h;
+      const Cloud hair = stiff_hair(random, n, h, far);
       const ImplicitSystem system = implicit_system(hair, a, h);
       const Solution solution = solve(trial, hair, a, h);
       const double size = system.norm * solution.dv.norm() + system.rhs.norm();
