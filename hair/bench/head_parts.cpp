@@ -14,8 +14,8 @@ namespace {
 
 using namespace hair;
 
-constexpr int kTurns = 9, kWarmUp = 12;  // frames
-constexpr int kSteps = 8;                // of a frame
+constexpr int kTurns = 9, kFramesBefore = 12;  // frames
+constexpr int kSteps = 8;                      // of a frame
 
 struct Case {
   std::string name, scene;
@@ -27,7 +27,7 @@ struct Costs {
   std::vector<double> seconds = {};
 
   explicit Costs(const Case& one) : scene(parse_scene(one.scene, one.name)), playback(scene) {
-    for (int k = 0; k < kWarmUp; ++k) playback.advance();
+    for (int k = 0; k < kFramesBefore; ++k) playback.advance();
   }
   double particles() const { return static_cast<double>(playback.state().x.size()) / 3; }
 };

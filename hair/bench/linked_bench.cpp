@@ -22,7 +22,7 @@ namespace {
 using hair::Description, hair::Simulation, hair::Vector3d;
 
 constexpr double kStep = 1.0 / 240;
-constexpr int kSegments = 14, kRow = 10, kWarmUp = 40, kRounds = 15;
+constexpr int kSegments = 14, kRow = 10, kStepsBefore = 40, kRounds = 15;
 
 Description swinging_guides(int count) {
   Description description;
@@ -56,7 +56,7 @@ Description linked(Description guides, bool strips) {
 
 struct Timed {
   explicit Timed(Description description) : simulation(std::move(description)) {
-    simulation.advance(kWarmUp);
+    simulation.advance(kStepsBefore);
   }
   void round(long steps) {
     const long before = simulation.work().solver_steps;
