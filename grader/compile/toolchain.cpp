@@ -27,6 +27,7 @@ const std::vector<std::string> kCompile = {"-std=c++20",
                                            "-fPIC",
                                            "-ffp-contract=off",
                                            "-pipe",
+                                           "--param=ggc-min-heapsize=524288",  // kB: collects no garbage
                                            "-frandom-seed=exercise",
                                            "-fmax-errors=20",
                                            "-fno-diagnostics-show-caret",
@@ -42,8 +43,7 @@ const std::vector<std::string> kSanitise = {
     "-fsanitize=address,signed-integer-overflow,bounds,integer-divide-by-zero,shift,vla-bound,return",
     "-fno-sanitize-recover=all",
     "-U__SANITIZE_ADDRESS__",
-    "--param=asan-instrumentation-with-call-threshold=0",
-    "--param=ggc-min-heapsize=524288"};
+    "--param=asan-instrumentation-with-call-threshold=0"};
 const std::vector<std::string> kLinkSanitised = {"-fsanitize=address,undefined"};
 // The lines of the program are in what is stripped otherwise.
 const std::string kStrip = "-s";

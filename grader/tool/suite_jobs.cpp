@@ -133,6 +133,9 @@ fs::path SuiteJobs::reference_object(const Exercise& exercise) const {
 }
 
 SuiteResult SuiteJobs::run(const SuiteJob& job, ExerciseTiming& timing) const {
+  // A study times methods that may use several threads.
+  std::optional<Processors::Lease> processor;
+  if (job.exercise != kStudy) processor.emplace(processors_);
   const timing::Stopwatch running;
   SuiteResult found = run_suite(settings_.suite, job);
   timing.suite_seconds = running.seconds();

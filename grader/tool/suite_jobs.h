@@ -11,6 +11,7 @@
 #include "grader/course/course.h"
 #include "grader/report/result.h"
 #include "grader/sandbox/control_group.h"
+#include "grader/sandbox/processors.h"
 #include "grader/tool/suite_run.h"
 
 namespace grader {
@@ -74,6 +75,7 @@ class SuiteJobs {
 
   std::filesystem::path reference_object(const Exercise& exercise) const;
 
+  // The suite and its worker run on one processor, another one for each thread that calls this.
   SuiteResult run(const SuiteJob& job, ExerciseTiming& timing) const;
 
  private:
@@ -85,6 +87,7 @@ class SuiteJobs {
   std::string suite_hash_, drawn_;
   std::optional<std::filesystem::path> pictures_;  // the folder of the reference's pictures, if any are drawn
   std::map<std::string, ExerciseTiming> reference_;
+  mutable Processors processors_;  // has a lock of its own
 };
 
 }  // namespace grader

@@ -1,0 +1,54 @@
+// STAFF ONLY.
+#include "grader/sandbox/processors.h"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+namespace grader {
+namespace {
+
+cpu_set_t allowed() {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  sched_getaffinity(0, sizeof set, &set);
+  return set;
+}
+
+TEST(Processors, BindAThreadToOneAsLongAsItHasALease) {
+  const cpu_set_t before = allowed();
+  Processors processors;
+  {
+    const Processors::Lease lease(processors);
+    const cpu_set_t one = allowed();
+    EXPECT_EQ(CPU_COUNT(&one), 1);
+    EXPECT_TRUE(CPU_ISSET(sched_getcpu(), &one)) << "it is there already";
+  }
+  const cpu_set_t after = allowed();
+  EXPECT_TRUE(CPU_EQUAL(&before, &after));
+}
+
+TEST(Processors, ThreadsHaveTheirOwnAsLongAsThereAreEnough) {
+  cpu_set_t all = allowed();
+  if (CPU_COUNT(&all) < 2) GTEST_SKIP() << "this machine has one processor";
+  Processors processors;
+  cpu_set_t mine, other, third;
+  {
+    const Processors::Lease lease(processors);
+    mine = allowed();
+    std::jthread([&] {
+      const Processors::Lease its(processors);
+      other = allowed();
+    });
+  }
+  CPU_AND(&all, &mine, &other);
+  EXPECT_EQ(CPU_COUNT(&all), 0) << "two leases at a time have the same processor";
+
+  // The first is free again.
+  const Processors::Lease lease(processors);
+  third = allowed();
+  EXPECT_TRUE(CPU_EQUAL(&third, &mine));
+}
+
+}  // namespace
+}  // namespace grader
