@@ -2,6 +2,7 @@
 #include "grader/sandbox/processors.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace grader {
 
@@ -15,11 +16,17 @@ Processors::Processors() {
 Processors::Lease::Lease(Processors& processors) : processors_(processors), holders_(nullptr) {
   if (processors.processors_.empty()) return;
   const std::lock_guard lock(processors.mutex_);
-  Processor& chosen = *std::ranges::min_element(processors.processors_, {}, &Processor::holders);
+  // Where it is already, if no other has fewer: the kernel put it there, and knows of other programs' load.
+  const int here = sched_getcpu();
+  Processor& chosen = *std::ranges::min_element(processors.processors_, {}, [here](const Processor& one) {
+    return std::pair(one.holders, one.number != here);
+  });
   cpu_set_t one;
   CPU_ZERO(&one);
   CPU_SET(chosen.number, &one);
-  if (sched_setaffinity(0, sizeof one, &one) == 0) ++*(holders_ = &chosen.holders);
+  if (sched_setaffinity(0, sizeof one, &one) != 0) return;
+  ++chosen.holders;
+  holders_ = &chosen.holders;
 }
 
 Processors::Lease::~Lease() {

@@ -15,8 +15,8 @@ class Processors {
   // Those that the calling thread may run on. If the kernel does not tell, nobody is bound.
   Processors();
 
-  // Binds the calling thread, and the programs that it starts, to the processor that fewest leases hold, as long as it
-  // lives. To be destroyed in the same thread, and before `processors`.
+  // Binds the calling thread, and the programs that it starts, to the processor that fewest leases hold, the present
+  // one among these, as long as it lives. To be destroyed in the same thread, and before `processors`.
   class Lease {
    public:
     explicit Lease(Processors& processors);
@@ -26,7 +26,7 @@ class Processors {
 
    private:
     Processors& processors_;
-    int* holders_;
+    int* holders_;  // of its processor; nothing if the thread is not bound
   };
 
  private:

@@ -4,15 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
 #include <sstream>
-#include <thread>
 
 #include "grader/mutants/equivalents.h"
 #include "grader/mutants/judging.h"
 #include "grader/mutants/mutation.h"
 #include "grader/tests/run_program.h"
+#include "grader/tests/side_by_side.h"
 #include "grader/tool/secret.h"
 #include "grader/tool/settings_for_tests.h"
 
@@ -27,7 +26,7 @@ constexpr std::size_t kLeastWrong = 40;
 GradingSettings settings_for(const std::string& exercise) {
   GradingSettings settings = settings_for_tests();
   settings.exercise = exercise;
-  settings.cache = fs::path(HAIR_GRADED) / "mutants" / exercise;
+  settings.cache = fs::path(HAIR_GRADED) / "mutants";
   settings.secret = read_secret(HAIR_TEST_SECRET);
   fs::create_directories(settings.cache);
   return settings;
@@ -41,13 +40,9 @@ struct Mutant {
 };
 
 void judge_all(const Judging& judging, const std::string& source, std::vector<Mutant>& mutants) {
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < mutants.size(); i = next++)
-      mutants[i].judgement = judging.judge(mutants[i].name, mutated(source, mutants[i].mutation));
-  };
-  std::vector<std::jthread> threads;
-  for (unsigned t = 0; t < std::max(1u, std::thread::hardware_concurrency()); ++t) threads.emplace_back(work);
+  side_by_side(mutants.size(), [&](std::size_t i) {
+    mutants[i].judgement = judging.judge(mutants[i].name, mutated(source, mutants[i].mutation));
+  });
 }
 
 TEST(Suite, TakesPointsOfEachWrongProgram) {

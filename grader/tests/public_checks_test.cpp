@@ -14,12 +14,12 @@
 #include <filesystem>
 #include <set>
 #include <string_view>
-#include <thread>
 
 #include "grader/compile/compiler.h"
 #include "grader/samples/sample.h"
 #include "grader/samples/solution_files.h"
 #include "grader/tests/run_program.h"
+#include "grader/tests/side_by_side.h"
 
 namespace grader {
 namespace {
@@ -125,20 +125,13 @@ class PublicChecks : public testing::Test {
 TEST_F(PublicChecks, FailWhereTheHiddenOnesTakePointsAndNowhereElse) {
   const std::vector<Program> programs = programs_of(*course_.find(id_), kit_.new_job("scratch"));
   std::vector<Checked> found(programs.size());
-  std::atomic<std::size_t> next = 0;
   std::atomic<int> by_sanitizers = 0;
-  {
-    std::vector<std::jthread> threads;
-    for (unsigned t = 0; t < std::max(1u, std::thread::hardware_concurrency()); ++t)
-      threads.emplace_back([&] {
-        for (std::size_t i = next++; i < programs.size(); i = next++) {
-          found[i] = check(programs[i], Build::ordinary);
-          if (!found[i].passed || programs[i].right) continue;
-          found[i] = check(programs[i], Build::sanitised);
-          by_sanitizers += !found[i].passed;
-        }
-      });
-  }
+  side_by_side(programs.size(), [&](std::size_t i) {
+    found[i] = check(programs[i], Build::ordinary);
+    if (!found[i].passed || programs[i].right) return;
+    found[i] = check(programs[i], Build::sanitised);
+    by_sanitizers += !found[i].passed;
+  });
 
   std::vector<Exception> exceptions;
   std::ranges::copy_if(kExceptions, std::back_inserter(exceptions),

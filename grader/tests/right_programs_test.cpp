@@ -5,12 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <thread>
 
 #include "grader/compile/hash.h"
 #include "grader/compile/kit.h"
@@ -20,6 +18,7 @@
 #include "grader/samples/solution_files.h"
 #include "grader/sandbox/processors.h"
 #include "grader/tests/run_program.h"
+#include "grader/tests/side_by_side.h"
 
 namespace grader {
 namespace {
@@ -148,20 +147,13 @@ TEST_P(RightPrograms, LoseNoPointWhateverCompilesThem) {
   EXPECT_GE(programs.size(), 4u) << "the reference and three others";
   const std::vector<Setting> all = settings();
   std::vector<std::string> refused(programs.size());
-  std::atomic<std::size_t> next = 0;
   Processors processors;
-  const auto work = [&] {
+  side_by_side(programs.size(), [&](std::size_t i) {
     const Processors::Lease processor(processors);
-    for (std::size_t i = next++; i < programs.size(); i = next++)
-      for (const Setting& setting : all)
-        if (const std::string lost = failures(programs[i], setting); !lost.empty())
-          refused[i] += setting.name + ": " + lost;
-  };
-  {
-    std::vector<std::jthread> threads;
-    for (unsigned t = 0; t < std::max(1u, std::thread::hardware_concurrency()); ++t)
-      threads.emplace_back(work);
-  }
+    for (const Setting& setting : all)
+      if (const std::string lost = failures(programs[i], setting); !lost.empty())
+        refused[i] += setting.name + ": " + lost;
+  });
   std::printf("%s, seeds:", exercise_.id.c_str());
   for (const Setting& setting : all) std::printf(" %d %s;", setting.seeds, setting.name.c_str());
   std::printf("\n");

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kTimes = 20, kPrograms = 20;
-// Of so many times the first compiles, and the first two have the programs beside them.
+// In each round of five gradings the first compiles, and the first two have the programs beside them.
 constexpr int kRound = 5, kBesideOthers = 2;
 constexpr const char* kFile = "stretch_springs.cpp";
 
