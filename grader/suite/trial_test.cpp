@@ -52,14 +52,14 @@ TEST(Feedback, TellsStudentsABandAndStaffTheNumbers) {
   EXPECT_EQ(failure.detail, "a hidden case: the error of x: 0.0625, bound 0.03125; more for staff");
 }
 
-std::optional<CaseCount> counted(const std::function<void(Trial&)>& run) {
+std::optional<CaseCount> counted_without_worker(const std::function<void(Trial&)>& run) {
   Student nobody{WorkerSetup{}};
   return count_of({"Name", "Title", 1, run}, nobody, Random("seed", "count"));
 }
 
 TEST(Count, GoesOnAfterAFailure) {
   bool last = false;
-  const std::optional<CaseCount> count = counted([&](Trial& trial) {
+  const std::optional<CaseCount> count = counted_without_worker([&](Trial& trial) {
     trial.expect(false, "the first");
     trial.expect_at_most(2, 1, "the second");
     last = true;
@@ -72,12 +72,12 @@ TEST(Count, GoesOnAfterAFailure) {
 
 TEST(Count, IsNothingWhereTheCategoryEndsEarly) {
   bool last = false;
-  EXPECT_FALSE(counted([&](Trial& trial) {
+  EXPECT_FALSE(counted_without_worker([&](Trial& trial) {
     trial.expect(false, "the first");
     trial.require(false, "nothing is there");
     last = true;
   }));
-  EXPECT_FALSE(counted([](Trial& trial) {
+  EXPECT_FALSE(counted_without_worker([](Trial& trial) {
     trial.expect(false, "the first");
     throw MalformedMessage("too short");
   }));
@@ -85,12 +85,12 @@ TEST(Count, IsNothingWhereTheCategoryEndsEarly) {
 }
 
 TEST(Count, IsNothingWhereNothingFails) {
-  EXPECT_FALSE(counted([](Trial& trial) { trial.expect(true, "nothing"); }));
+  EXPECT_FALSE(counted_without_worker([](Trial& trial) { trial.expect(true, "nothing"); }));
 }
 
 TEST(Count, LeavesOutWhatIsAskedAside) {
   int questions = 0;
-  EXPECT_FALSE(counted([&](Trial& trial) {
+  EXPECT_FALSE(counted_without_worker([&](Trial& trial) {
     trial.ask_aside([&] {
       ++questions;
       trial.expect(false, "what excuses nothing");

@@ -52,20 +52,20 @@ std::vector<Setting> settings() {
   return all;
 }
 
-struct Program {
+struct RightProgram {
   std::string name, source;
 };
 
 // The right programs of an exercise, each once. Those that are patched, or have other ends of lines, are the same in another
 // dress.
-std::vector<Program> right_programs(const Exercise& exercise) {
-  std::vector<Program> programs;
+std::vector<RightProgram> right_programs(const Exercise& exercise) {
+  std::vector<RightProgram> programs;
   for (const Sample& sample : read_samples(kProject)) {
     if (sample.list != "right" || sample.expected.at(exercise.id).status != "passed") continue;
     if (!sample.patch.empty() || sample.windows) continue;
     for (const auto& [path, source] : solution_files(sample, kProject, kKept / exercise.id / "scratch"))
       if (fs::path(path).filename() == exercise.file &&
-          std::ranges::find(programs, source, &Program::source) == programs.end())
+          std::ranges::find(programs, source, &RightProgram::source) == programs.end())
         programs.push_back({sample.name, source});
   }
   return programs;
@@ -104,7 +104,7 @@ class RightPrograms : public testing::TestWithParam<std::string> {
   }
 
   // What fails of this program, or nothing.
-  std::string failures(const Program& program, const Setting& setting) const {
+  std::string failures(const RightProgram& program, const Setting& setting) const {
     const std::string first = environment("HAIR_FIRST_SEED", "0"), seeds = std::to_string(setting.seeds);
     std::string made_of = given_ + toolchain_.version() + setting.compiler + program.source;
     for (const std::string& option : setting.options) made_of += " " + option;
@@ -143,7 +143,7 @@ class RightPrograms : public testing::TestWithParam<std::string> {
 };
 
 TEST_P(RightPrograms, LoseNoPointWhateverCompilesThem) {
-  const std::vector<Program> programs = right_programs(exercise_);
+  const std::vector<RightProgram> programs = right_programs(exercise_);
   EXPECT_GE(programs.size(), 4u) << "the reference and three others";
   const std::vector<Setting> all = settings();
   std::vector<std::string> refused(programs.size());
