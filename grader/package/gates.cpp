@@ -1,36 +1,70 @@
 // STAFF ONLY.
 #include "grader/package/gates.h"
 
+#include <cctype>
 #include <sstream>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 namespace grader {
 namespace {
 
 const std::string canary = "STAFF ONLY";
-constexpr std::size_t run_length = 4;
+constexpr std::size_t least_lines = 4, least_with_letters = 3, least_letters = 30;
 
-// Consecutive lines that say something, trimmed, and the number of the first. What a file includes gives
-// nothing away.
-struct Run {
+// Lines that give nothing away.
+bool is_common(const std::string& line) {
+  for (const char* begin : {"#include", "using ", "namespace "})
+    if (line.starts_with(begin)) return true;
+  return false;
+}
+
+// The letters, digits and underscores of a text, one after the other: neither its layout nor marks of comments change them.
+struct Letters {
   std::string text;
-  int line;
+  std::vector<int> line;            // of each
+  std::vector<std::size_t> begins;  // of each line that is neither blank nor common, and the end
 };
 
-std::vector<Run> runs_of(const std::string& text) {
-  std::vector<std::pair<std::string, int>> lines;
+Letters letters_of(const std::string& text) {
+  Letters letters;
   std::istringstream in(text);
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
     const auto first = line.find_first_not_of(" \t\r");
-    if (first == std::string::npos || line.compare(first, 8, "#include") == 0) continue;
-    lines.emplace_back(line.substr(first, line.find_last_not_of(" \t\r") - first + 1), number);
+    if (first == std::string::npos || is_common(line.substr(first))) continue;
+    letters.begins.push_back(letters.text.size());
+    for (const char letter : line)
+      if (letter == '_' || std::isalnum(static_cast<unsigned char>(letter))) {
+        letters.text += letter;
+        letters.line.push_back(number);
+      }
   }
+  letters.begins.push_back(letters.text.size());
+  return letters;
+}
+
+// As few consecutive lines as there may be, by their letters.
+struct Run {
+  std::string_view letters;
+  int line;  // the first
+};
+
+std::vector<Run> runs_of(const Letters& letters) {
   std::vector<Run> runs;
-  for (std::size_t i = 0; i + run_length <= lines.size(); ++i) {
-    Run run{"", lines[i].second};
-    for (std::size_t k = i; k < i + run_length; ++k) run.text += lines[k].first + '\n';
-    runs.push_back(run);
+  const std::vector<std::size_t>& begins = letters.begins;
+  for (std::size_t first = 0; first + least_lines < begins.size(); ++first) {
+    if (begins[first] == begins[first + 1]) continue;
+    std::size_t end = first, with_letters = 0;
+    const auto is_enough = [&] {
+      return end - first >= least_lines && with_letters >= least_with_letters &&
+             begins[end] - begins[first] >= least_letters;
+    };
+    for (; !is_enough() && end + 1 < begins.size(); ++end) with_letters += begins[end] < begins[end + 1];
+    if (is_enough())
+      runs.push_back({std::string_view(letters.text).substr(begins[first], begins[end] - begins[first]),
+                      letters.line[begins[first]]});
   }
   return runs;
 }
@@ -54,20 +88,31 @@ void check_canary(const Files& handout, const Paths& solved) {
 
 void check_reference_lines(const Files& handout, const Files& reference, const Files& stubs,
                            const Paths& solved) {
-  std::map<std::string, std::string> secret;  // a run -> "conj_grad.cpp:17"
+  struct Secret {
+    std::string run, place;  // "conj_grad.cpp:17"
+  };
+  std::unordered_map<std::string, std::vector<Secret>> secrets;  // by the first letters of a run
   for (const auto& [name, text] : reference) {
-    Paths in_stub;
-    if (const auto stub = stubs.find(name); stub != stubs.end())
-      for (const Run& run : runs_of(stub->second)) in_stub.insert(run.text);
-    for (const Run& run : runs_of(text))
-      if (!in_stub.contains(run.text)) secret.emplace(run.text, name + ":" + std::to_string(run.line));
+    const auto stub = stubs.find(name);
+    const std::string allowed = stub == stubs.end() ? "" : letters_of(stub->second).text;
+    const Letters letters = letters_of(text);
+    for (const Run& run : runs_of(letters))
+      if (allowed.find(run.letters) == std::string::npos)
+        secrets[std::string(run.letters.substr(0, least_letters))].push_back(
+            {std::string(run.letters), name + ":" + std::to_string(run.line)});
   }
   for (const auto& [path, text] : handout) {
     if (solved.contains(path)) continue;
-    for (const Run& run : runs_of(text))
-      if (const auto found = secret.find(run.text); found != secret.end())
-        throw HandoutError(path + ":" + std::to_string(run.line) + ": four lines stand in reference/" +
-                           found->second + ", too; write them in another way");
+    const Letters letters = letters_of(text);
+    for (std::size_t i = 0; i + least_letters <= letters.text.size(); ++i) {
+      const auto found = secrets.find(letters.text.substr(i, least_letters));
+      if (found == secrets.end()) continue;
+      for (const Secret& secret : found->second)
+        if (letters.text.compare(i, secret.run.size(), secret.run) == 0)
+          throw HandoutError(path + ":" + std::to_string(letters.line[i]) +
+                             ": what it says stands in reference/" + secret.place +
+                             ", too; write it in another way");
+    }
   }
 }
 

@@ -23,9 +23,10 @@ void check_listing(const Files& handout, const Paths& listed);
 // which contain it.
 void check_canary(const Files& handout, const Paths& solved);
 
-// No file except `solved` contains four consecutive lines of the reference. Blank lines, #include and white
-// space at the ends of a line are ignored, and so are four lines that the stub of the same name also has. The
-// keys of `reference` and `stubs` are file names ("conj_grad.cpp").
+// No file except `solved` says what four consecutive lines of the reference say; of these at least three have letters, at least 30
+// in all. Only letters, digits and underscores count: other ends of lines, blanks and marks of comments hide nothing. Blank
+// lines, #include, using, namespace, and what the stub of the same name also says, are left out. The keys of `reference` and
+// `stubs` are file names ("conj_grad.cpp").
 void check_reference_lines(const Files& handout, const Files& reference, const Files& stubs,
                            const Paths& solved);
 

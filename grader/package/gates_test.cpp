@@ -70,6 +70,20 @@ TEST(ReferenceLinesGate, ClosesForFourLinesHoweverTheyAreSpaced) {
   EXPECT_NE(said.find("reference/f.cpp:3"), std::string::npos) << said;
 }
 
+TEST(ReferenceLinesGate, ClosesForFourLinesInCommentsOrWithOtherEnds) {
+  const std::string commented =
+      "/* double f(double x) {\n *   const double y = 2 * x;\n *   return y * y;\n * } */\n";
+  const std::string quoted =
+      "> // double f(double x) {\n> //   const double y = 2 * x;\n> //   return y * y;\n> // }\n";
+  const std::string wrapped = "double\nf(double x) { const double y =\n2 * x; return\ny * y; }";
+  for (const std::string& leak : {commented, quoted, wrapped}) {
+    const std::string said = complaint_of([&] {
+      check_reference_lines({{"text.md", leak}}, {{"f.cpp", solution}}, {}, {});
+    });
+    EXPECT_NE(said.find("text.md:1"), std::string::npos) << leak << said;
+  }
+}
+
 TEST(ReferenceLinesGate, OpensForThreeLines) {
   const std::string three = "  const double y = 2 * x;\n  return y * y;\n}\n";
   EXPECT_EQ(complaint_of([&] {

@@ -18,9 +18,7 @@ struct RootBox {
 };
 
 inline Eigen::Matrix3d axes_of_root(const RootFrame& frame) {
-  Eigen::Matrix3d axes;
-  axes << frame.axis, frame.side, frame.axis.cross(frame.side);
-  return axes;
+  return (Eigen::Matrix3d() << frame.axis, frame.side, frame.axis.cross(frame.side)).finished();
 }
 
 // points: 3n numbers, in the world's axes.
