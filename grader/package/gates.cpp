@@ -86,20 +86,16 @@ void check_canary(const Files& handout, const Paths& solved) {
       throw HandoutError(path + " says " + canary + ": it, or a part of it, is not for students");
 }
 
-void check_reference_lines(const Files& handout, const Files& reference, const Files& stubs,
-                           const Paths& solved) {
+void check_reference_lines(const Files& handout, const Files& reference, const Paths& solved) {
   struct Secret {
     std::string run, place;  // "conj_grad.cpp:17"
   };
   std::unordered_map<std::string, std::vector<Secret>> secrets;  // by the first letters of a run
   for (const auto& [name, text] : reference) {
-    const auto stub = stubs.find(name);
-    const std::string allowed = stub == stubs.end() ? "" : letters_of(stub->second).text;
     const Letters letters = letters_of(text);
     for (const Run& run : runs_of(letters))
-      if (allowed.find(run.letters) == std::string::npos)
-        secrets[std::string(run.letters.substr(0, least_letters))].push_back(
-            {std::string(run.letters), name + ":" + std::to_string(run.line)});
+      secrets[std::string(run.letters.substr(0, least_letters))].push_back(
+          {std::string(run.letters), name + ":" + std::to_string(run.line)});
   }
   for (const auto& [path, text] : handout) {
     if (solved.contains(path)) continue;

@@ -23,12 +23,11 @@ void check_listing(const Files& handout, const Paths& listed);
 // which contain it.
 void check_canary(const Files& handout, const Paths& solved);
 
-// No file except `solved` says what four consecutive lines of the reference say; of these at least three have letters, at least 30
-// in all. Only letters, digits and underscores count: other ends of lines, blanks and marks of comments hide nothing. Blank
-// lines, #include, using, namespace, and what the stub of the same name also says, are left out. The keys of `reference` and
-// `stubs` are file names ("conj_grad.cpp").
-void check_reference_lines(const Files& handout, const Files& reference, const Files& stubs,
-                           const Paths& solved);
+// No file except `solved`, stubs no more than others, says what four consecutive lines of the reference say; of these at least
+// three have letters, at least 30 in all. Only letters, digits and underscores count: other ends of lines, blanks and marks of
+// comments hide nothing. Blank lines, #include, using and namespace are left out. The keys of `reference` are file names
+// ("conj_grad.cpp").
+void check_reference_lines(const Files& handout, const Files& reference, const Paths& solved);
 
 // Whether a text has the staff's mark in its first lines.
 bool carries_canary(const std::string& text);

@@ -77,8 +77,7 @@ void check_gates(const fs::path& archive, const HandoutSources& sources, const C
     listed.insert(line.destination);
   check_listing(handout, listed);
   check_canary(handout, solved);
-  check_reference_lines(handout, files_below(sources.root / "reference"),
-                        files_below(sources.root / "handout/student"), solved);
+  check_reference_lines(handout, files_below(sources.root / "reference"), solved);
 }
 
 // Gone at the end, unless it was renamed.

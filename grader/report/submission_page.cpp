@@ -40,7 +40,7 @@ Html case_row(const std::string& number, const CaseResult& one, Reader reader) {
   Html row = html("<tr><td>{}</td><th scope=\"row\">{}</th><td>{}</td><td class=\"number\">{}</td><td>{}",
                   {number, one.name, badge(one.status), points_of(one.points, one.max_points), one.feedback});
   if (reader == Reader::staff && one.cases > 0)
-    row += html("<br><span class=\"quiet\">{} of {} cases hold</span>",
+    row += html("<br/><span class=\"quiet\">{} of {} cases hold</span>",
                 {std::to_string(one.held), std::to_string(one.cases)});
   if (reader == Reader::staff && !one.detail.empty()) row += html("<pre>{}</pre>", {one.detail});
   return row += html("</td></tr>\n");

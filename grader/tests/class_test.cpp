@@ -16,6 +16,7 @@
 #include "grader/report/report.h"
 #include "grader/report/result.h"
 #include "grader/samples/sample.h"
+#include "grader/tests/broken_links.h"
 #include "grader/tests/run_program.h"
 #include "grader/tests/submission_name.h"
 
@@ -58,6 +59,10 @@ TEST(SampleClass, HasAReportForEverySampleAndNobodyElse) {
   for (const auto& entry : fs::directory_iterator(graded()))
     if (fs::exists(entry.path() / "report.html")) reports.insert(entry.path().filename().string());
   EXPECT_EQ(reports, expected);
+}
+
+TEST(SampleClass, HasPagesThatLeadToWhatIsThere) {
+  EXPECT_EQ(broken_links(graded()), std::vector<std::string>());
 }
 
 TEST(SampleClass, TakesLessThanAMegabyteForEach) {

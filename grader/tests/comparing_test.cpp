@@ -14,6 +14,7 @@
 
 #include "grader/compare/compare.h"
 #include "grader/compare/test_pictures.h"
+#include "grader/tests/broken_links.h"
 #include "grader/tests/run_program.h"
 #include "hair/io/files/temporary_folder.h"
 #include "hair/io/image/png.h"
@@ -148,6 +149,7 @@ TEST_F(Comparing, PicturesAndAPageAreWritten) {
     EXPECT_TRUE(page.substr(at).starts_with("src=\"data:image/png;base64,")) << page.substr(at, 40);
   }
   EXPECT_EQ(page.find("http"), page.find("http-equiv"));
+  EXPECT_EQ(broken_links(out()), std::vector<string>());
 }
 
 TEST_F(Comparing, AgainItGivesTheSameBytes) {
@@ -168,6 +170,7 @@ TEST_F(Comparing, StrangeNamesAreWrittenAsTheyAreAndShownSafely) {
   const string page = read_file(out() + "/index.html");
   EXPECT_EQ(page.find("<b>"), string::npos);
   EXPECT_NE(page.find("href=\"%3Cb%3E%231%2050%25%3F%1B%5B31m-heat.png\""), string::npos);
+  EXPECT_EQ(broken_links(out()), std::vector<string>());
 }
 
 TEST_F(Comparing, WhatIsNoPairIsRefused) {

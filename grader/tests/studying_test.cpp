@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "grader/tests/broken_links.h"
 #include "grader/tests/run_program.h"
 
 namespace grader {
@@ -97,6 +98,7 @@ TEST_F(Studying, ChangesNothingButThatThereIsALink) {
   // Of each: two pages, two records. Of the class: index.html, grades.csv, junit.xml, made-by.json, .lock.
   EXPECT_EQ(files, 3 * 4 + 5);
   EXPECT_EQ(links, 3 * 3 + 1);  // both pages and the record of each, and the class's
+  EXPECT_EQ(broken_links(folder_ / "with"), std::vector<string>());
 }
 
 TEST_F(Studying, OfTheReferencesFilesHasTheReferencesErrorsBitByBit) {
