@@ -1,7 +1,9 @@
 // STAFF ONLY.
 #include "grader/package/gates.h"
 
+#include <algorithm>
 #include <cctype>
+#include <deque>
 #include <sstream>
 #include <string_view>
 #include <unordered_map>
@@ -13,31 +15,49 @@ namespace {
 const std::string canary = "STAFF ONLY";
 constexpr std::size_t least_lines = 4, least_with_letters = 3, least_letters = 30;
 
-// Lines that give nothing away.
-bool is_common(const std::string& line) {
-  for (const char* begin : {"#include", "using ", "namespace "})
-    if (line.starts_with(begin)) return true;
-  return false;
+enum class Comments { with, without };  // those that begin with //
+
+bool is_letter(char c) {
+  return c == '_' || std::isalnum(static_cast<unsigned char>(c));
+}
+
+// Leaves out of a line what gives nothing away: #include, and the words that begin a namespace or a using.
+std::string_view telling_part(std::string_view line) {
+  const auto first = static_cast<std::size_t>(std::ranges::find_if(line, is_letter) - line.begin());
+  const std::string_view words = line.substr(first);
+  if (words.starts_with("include") && line.substr(0, first).find('#') != line.npos) return {};
+  for (const auto& [begin, end] : {std::pair{"using ", ';'}, std::pair{"namespace ", '{'}})
+    if (words.starts_with(begin)) return words.substr(std::min(words.find(end), words.size() - 1) + 1);
+  return line;
+}
+
+// Of what stands for one character in strings and on pages, and has letters.
+std::size_t length_of_escape(std::string_view text) {
+  if (text[0] != '\\' && text[0] != '&') return 0;
+  for (const std::string_view escape : {"\\n", "\\t", "\\r", "&lt;", "&gt;", "&amp;", "&quot;"})
+    if (text.starts_with(escape)) return escape.size();
+  return 0;
 }
 
 // The letters, digits and underscores of a text, one after the other: neither its layout nor marks of comments change them.
 struct Letters {
   std::string text;
   std::vector<int> line;            // of each
-  std::vector<std::size_t> begins;  // of each line that is neither blank nor common, and the end
+  std::vector<std::size_t> begins;  // of each line that says something, and the end
 };
 
-Letters letters_of(const std::string& text) {
+Letters letters_of(const std::string& text, Comments comments) {
   Letters letters;
   std::istringstream in(text);
   std::string line;
   for (int number = 1; std::getline(in, line); ++number) {
-    const auto first = line.find_first_not_of(" \t\r");
-    if (first == std::string::npos || is_common(line.substr(first))) continue;
+    if (comments == Comments::without) line.resize(std::min(line.find("//"), line.size()));
+    std::string_view rest = telling_part(line);
+    if (rest.find_first_not_of(" \t\r") == rest.npos) continue;
     letters.begins.push_back(letters.text.size());
-    for (const char letter : line)
-      if (letter == '_' || std::isalnum(static_cast<unsigned char>(letter))) {
-        letters.text += letter;
+    for (; !rest.empty(); rest.remove_prefix(std::max<std::size_t>(length_of_escape(rest), 1)))
+      if (is_letter(rest[0])) {
+        letters.text += rest[0];
         letters.line.push_back(number);
       }
   }
@@ -45,7 +65,7 @@ Letters letters_of(const std::string& text) {
   return letters;
 }
 
-// As few consecutive lines as there may be, by their letters.
+// Consecutive lines by their letters: the fewest from one on that are enough to be a secret.
 struct Run {
   std::string_view letters;
   int line;  // the first
@@ -88,26 +108,30 @@ void check_canary(const Files& handout, const Paths& solved) {
 
 void check_reference_lines(const Files& handout, const Files& reference, const Paths& solved) {
   struct Secret {
-    std::string run, place;  // "conj_grad.cpp:17"
+    std::string_view letters;
+    std::string place;  // "conj_grad.cpp:17"
   };
-  std::unordered_map<std::string, std::vector<Secret>> secrets;  // by the first letters of a run
-  for (const auto& [name, text] : reference) {
-    const Letters letters = letters_of(text);
-    for (const Run& run : runs_of(letters))
-      secrets[std::string(run.letters.substr(0, least_letters))].push_back(
-          {std::string(run.letters), name + ":" + std::to_string(run.line)});
-  }
+  std::deque<Letters> read;
+  std::unordered_map<std::string_view, std::vector<Secret>> secrets;  // by the first letters of a run
+  for (const auto& [name, text] : reference)
+    for (const Comments comments : {Comments::with, Comments::without})
+      for (const Run& run : runs_of(read.emplace_back(letters_of(text, comments))))
+        secrets[run.letters.substr(0, least_letters)].push_back(
+            {run.letters, name + ":" + std::to_string(run.line)});
   for (const auto& [path, text] : handout) {
     if (solved.contains(path)) continue;
-    const Letters letters = letters_of(text);
-    for (std::size_t i = 0; i + least_letters <= letters.text.size(); ++i) {
-      const auto found = secrets.find(letters.text.substr(i, least_letters));
-      if (found == secrets.end()) continue;
-      for (const Secret& secret : found->second)
-        if (letters.text.compare(i, secret.run.size(), secret.run) == 0)
-          throw HandoutError(path + ":" + std::to_string(letters.line[i]) +
-                             ": what it says stands in reference/" + secret.place +
-                             ", too; write it in another way");
+    for (const Comments comments : {Comments::with, Comments::without}) {
+      const Letters letters = letters_of(text, comments);
+      const std::string_view all = letters.text;
+      for (std::size_t i = 0; i + least_letters <= all.size(); ++i) {
+        const auto found = secrets.find(all.substr(i, least_letters));
+        if (found == secrets.end()) continue;
+        for (const Secret& secret : found->second)
+          if (all.substr(i).starts_with(secret.letters))
+            throw HandoutError(path + ":" + std::to_string(letters.line[i]) +
+                               ": what it says stands in reference/" + secret.place +
+                               ", too; write it in another way");
+      }
     }
   }
 }

@@ -23,10 +23,10 @@ void check_listing(const Files& handout, const Paths& listed);
 // which contain it.
 void check_canary(const Files& handout, const Paths& solved);
 
-// No file except `solved`, stubs no more than others, says what four consecutive lines of the reference say; of these at least
-// three have letters, at least 30 in all. Only letters, digits and underscores count: other ends of lines, blanks and marks of
-// comments hide nothing. Blank lines, #include, using and namespace are left out. The keys of `reference` are file names
-// ("conj_grad.cpp").
+// No file but `solved`, stubs included, has the letters of four or more consecutive lines of the reference: as many as it takes
+// until three have letters, 30 in all. Digits and underscores count as letters. Ends of lines, blanks, marks of comments and escapes
+// hide nothing, and comments after // are read and left out. Blank lines, #include, and the beginnings of using and namespace are
+// left out. The keys of `reference` are file names ("conj_grad.cpp").
 void check_reference_lines(const Files& handout, const Files& reference, const Paths& solved);
 
 // Whether a text has the staff's mark in its first lines.

@@ -70,18 +70,47 @@ TEST(ReferenceLinesGate, ClosesForFourLinesHoweverTheyAreSpaced) {
   EXPECT_NE(said.find("reference/f.cpp:3"), std::string::npos) << said;
 }
 
-TEST(ReferenceLinesGate, ClosesForFourLinesInCommentsOrWithOtherEnds) {
-  const std::string commented =
-      "/* double f(double x) {\n *   const double y = 2 * x;\n *   return y * y;\n * } */\n";
-  const std::string quoted =
-      "> // double f(double x) {\n> //   const double y = 2 * x;\n> //   return y * y;\n> // }\n";
-  const std::string wrapped = "double\nf(double x) { const double y =\n2 * x; return\ny * y; }";
-  for (const std::string& leak : {commented, quoted, wrapped}) {
-    const std::string said = complaint_of([&] {
-      check_reference_lines({{"text.md", leak}}, {{"f.cpp", solution}}, {});
-    });
-    EXPECT_NE(said.find("text.md:1"), std::string::npos) << leak << said;
-  }
+TEST(ReferenceLinesGate, ClosesForFourLinesInAnyDress) {
+  const std::string lines[] = {"double f(double x) {", "const double y = 2 * x;", "return y * y;", "}"};
+  const auto dressed = [&](const std::string& before, const std::string& after) {
+    std::string text;
+    for (const std::string& line : lines) text += before + line + after;
+    return text;
+  };
+  const std::string dresses[] = {
+      dressed("// ", "\n"), dressed(" * ", "\n"),     dressed("> // ", "\r\n"),  dressed("", " // so\n"),
+      dressed("", " "),     dressed("\"", "\\n\"\n"), dressed("&lt;", "&gt;\n"), dressed("", "\n\n// and\n")};
+  for (const std::string& leak : dresses)
+    for (const std::string& secret : {solution, std::string("// f\n") + dressed("", "  // why\n")}) {
+      const std::string said = complaint_of([&] {
+        check_reference_lines({{"text.md", leak}}, {{"f.cpp", secret}}, {});
+      });
+      EXPECT_NE(said.find("text.md:1"), std::string::npos) << leak << said;
+    }
+}
+
+TEST(ReferenceLinesGate, LooksPastUsingAndNamespace) {
+  const std::string secret = "double f(double x) {\nusing std::abs;\nreturn 2 * abs(x) +\nx / 17.25;\n}\n";
+  for (const std::string leak :
+       {"// double f(double x) {\n// using std::abs;\n// return 2 * abs(x) +\n// x / 17.25;\n// }\n",
+        "namespace hair { double f(double x) { return 2 * abs(x) + x / 17.25; } }"})
+    EXPECT_NE(complaint_of([&] {
+                check_reference_lines({{"text.md", leak}}, {{"f.cpp", secret}}, {});
+              }),
+              "")
+        << leak;
+}
+
+// Three lines with letters, 30 in all.
+TEST(ReferenceLinesGate, OpensForWhatAnybodyMayWrite) {
+  const auto says = [](const std::string& text) {
+    return complaint_of([&] { check_reference_lines({{"text.md", text}}, {{"f.cpp", text}}, {}); });
+  };
+  EXPECT_EQ(says("one_of_ten\nten_of_ten\n}\nnineteen9\n"), "");
+  EXPECT_NE(says("one_of_ten\nten_of_ten\n}\nnineteen10\n"), "");
+  EXPECT_EQ(says("(one_of_ten\n{\n}\nlong_enough_to_be_a_secret_of_its_own)\n"), "");
+  EXPECT_EQ(says("a;\nb;\nc;\n}\nlast_of_twenty_six_letters\n"), "") << "29 letters";
+  EXPECT_NE(says("a;\nb;\nc;\n}\nlast_of_twenty_seven_letter\n"), "") << "five lines";
 }
 
 TEST(ReferenceLinesGate, OpensForThreeLines) {

@@ -25,9 +25,9 @@ hair::Strand spring() {
 }
 
 struct Revolution {
-  double momentum;  // L/L0
   double length;    // the largest |l - l0| / l0
   double radial;    // the largest velocity along the spring
+  double momentum;  // L/L0
 };
 
 template <typename Step>
