@@ -61,8 +61,11 @@ TEST(SampleClass, HasAReportForEverySampleAndNobodyElse) {
   EXPECT_EQ(reports, expected);
 }
 
+// A student gets a folder, and nothing else of the class.
 TEST(SampleClass, HasPagesThatLeadToWhatIsThere) {
   EXPECT_EQ(broken_links(graded()), std::vector<std::string>());
+  for (const Sample& sample : samples())
+    EXPECT_EQ(broken_links(graded() / submission_name(sample.name)), std::vector<std::string>());
 }
 
 TEST(SampleClass, TakesLessThanAMegabyteForEach) {
