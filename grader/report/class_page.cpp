@@ -211,21 +211,23 @@ std::string class_page(const Results& results) {
     totals.push_back(points(result));
     reachable = std::max(reachable, max_points(result));
   }
+  const Html pictures = pictures_by_distance(results, {"staff/pictures"});
+  const Html link_to_pictures = pictures.text.empty() ? Html() : html("<a href=\"#pictures\">Pictures</a> ");
   Html body = stamps(all_isolated(results), all_with_images(results));
   body += html(
       "<header>\n<h1>Grades of the class</h1>\n<p class=\"total\"><strong>{}</strong> of {} points on "
       "average, median {}, {} submissions</p>\n"
       "<p class=\"quiet\"><a href=\"grades.csv\">grades.csv</a> &#183; <a "
       "href=\"junit.xml\">junit.xml</a> &#183; <a href=\"costs.html\">what grading cost</a></p>\n"
-      "<nav><a href=\"#look\">Worth a look</a> <a href=\"#submissions\">Submissions</a> <a "
-      "href=\"#pictures\">Pictures</a> <a href=\"#exercises\">Exercises</a> <a "
+      "<nav><a href=\"#look\">Worth a look</a> <a href=\"#submissions\">Submissions</a> {}<a "
+      "href=\"#exercises\">Exercises</a> <a "
       "href=\"#distribution\">Distribution</a> <a "
       "href=\"#categories\">Categories</a></nav>\n</header>\n<main>\n",
       {shown_points(mean(totals)), shown_points(reachable), shown_points(timing::median(totals)),
-       results.size()});
+       results.size(), link_to_pictures});
   body += to_look_at(results);
   body += class_table(results, columns);
-  body += pictures_by_distance(results, {"staff/pictures"});
+  body += pictures;
   body += means_table(results, columns);
   body += distribution(results);
   body += categories_table(results);

@@ -293,6 +293,19 @@ TEST(Pages, TheClassShowsPicturesOfTheWorstTwentyAlone) {
   EXPECT_EQ(count(class_page(results), "<img"), 3u * 20);
 }
 
+TEST(Pages, TheClassLinksToItsPicturesWhereThereAreSome) {
+  std::vector<SubmissionResult> results = sample_class(3);
+  for (SubmissionResult& result : results) {
+    for (ExerciseResult& exercise : result.exercises) exercise.pictures.clear();
+    result.runs.clear();
+  }
+  EXPECT_EQ(count(class_page(results), "#pictures"), 0u);
+  results[0].exercises[0].pictures = {sample_picture("1.00 s", 40, 0)};
+  const std::string page = class_page(results);
+  EXPECT_EQ(count(page, "href=\"#pictures\""), 1u);
+  EXPECT_EQ(count(page, "id=\"pictures\""), 1u);
+}
+
 TEST(Pages, TheClassShowsEverySubmissionAndStatus) {
   const std::vector<SubmissionResult> results = sample_class(30);
   const std::string page = class_page(results);
