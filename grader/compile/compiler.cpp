@@ -37,7 +37,8 @@ Compiler::Compiler(const StagedKit& kit, fs::path cache, bool isolated)
 Compiled Compiler::compile(const Exercise& exercise, const std::string& source, const fs::path& job,
                            double cpu_seconds, Build build) const {
   const fs::path object = job / (exercise.id + ".so");
-  const std::string kept = (cache_ / key(exercise, source, build)).string();
+  const std::string hash = key(exercise, source, build), kept = (cache_ / hash).string();
+  const Turns::Turn turn(turns_, hash);
   std::error_code error;
   // What was compiled without a cage may hold anything, and is not kept.
   if (toolchain_.isolated() && fs::copy_file(kept + ".so", object, error)) {

@@ -2,7 +2,7 @@
 //
 // The file is compiled in a cage with the file, the given headers and the system's compiler; it is linked in
 // another cage with the object and the prerequisites' shared objects. Objects are cached by a hash of all
-// their inputs.
+// their inputs: of threads that want the same one, the first makes it, and the others take it from the cache.
 #pragma once
 
 #include <filesystem>
@@ -11,6 +11,7 @@
 #include "grader/compile/kit.h"
 #include "grader/compile/precompiled.h"
 #include "grader/compile/toolchain.h"
+#include "grader/compile/turns.h"
 #include "grader/course/course.h"
 
 namespace grader {
@@ -28,7 +29,7 @@ class Compiler {
   // no cache.
   Compiler(const StagedKit& kit, std::filesystem::path cache, bool isolated);
 
-  // `job` is one of the kit's folders, for this file only; the object is written into it as <id>.so.
+  // From any thread. `job` is one of the kit's folders, for this file only; the object is written into it as <id>.so.
   // `cpu_seconds`: what compiler and linker may take. Throws std::runtime_error if the machine fails.
   Compiled compile(const Exercise& exercise, const std::string& source, const std::filesystem::path& job,
                    double cpu_seconds, Build build = Build::ordinary) const;
@@ -45,6 +46,7 @@ class Compiler {
   Toolchain toolchain_;
   PrecompiledHeader precompiled_, precompiled_sanitised_;
   std::filesystem::path cache_;
+  mutable Turns turns_;  // by the object's key
 };
 
 // The lines of a compiler's output about `file`, one message per line, without text of other files.

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <sstream>
 #include <thread>
+#include <vector>
 
 #include "grader/course/course.h"
 
@@ -97,6 +98,22 @@ TEST_F(CompilerTest, WarningsAreKeptWithTheObject) {
   const Compiled again = compiler_.compile(exercise, source, job, kSeconds);
   EXPECT_FALSE(fs::exists(job / "source")) << "it was compiled once more";
   EXPECT_EQ(again.log, first.log);
+}
+
+TEST_F(CompilerTest, TwoThreadsThatWantTheSameObjectCompileItOnce) {
+  const Exercise& exercise = *course_.find("S1");
+  const fs::path jobs[] = {kit_.new_job("at-once-0"), kit_.new_job("at-once-1")};
+  Compiled compiled[2];
+  {
+    std::vector<std::jthread> threads;
+    for (int i = 0; i < 2; ++i)
+      threads.emplace_back(
+          [&, i] { compiled[i] = compiler_.compile(exercise, reference(exercise), jobs[i], kSeconds); });
+  }
+  EXPECT_NE(fs::exists(jobs[0] / "source"), fs::exists(jobs[1] / "source"));
+  EXPECT_NE(compiled[0].cpu_seconds > 0, compiled[1].cpu_seconds > 0);
+  for (const Compiled& one : compiled) ASSERT_FALSE(one.object.empty()) << one.log;
+  EXPECT_EQ(bytes_of(compiled[0].object), bytes_of(compiled[1].object));
 }
 
 // As the lecture's own programs have it.

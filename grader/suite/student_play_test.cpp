@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "grader/course/course.h"
+#include "grader/sandbox/processors.h"
 #include "grader/suite/hidden_scene.h"
 #include "grader/suite/played.h"
 
@@ -77,6 +78,8 @@ class StudentPlay : public testing::TestWithParam<std::string> {
     return result;
   }
 
+  Processors processors_;
+  const Processors::Lease lease_{processors_};  // both ends on one, as where it is graded
   fs::path folder_;
   WorkerSetup setup_;
 };
