@@ -69,10 +69,11 @@ Watchdog::Patience patience(const WorkerSetup& setup) {
   return patience;
 }
 
+// 0 is no limit. The kernel counts all threads of a user in a user name space: with no cage, those of his other programs, too.
 std::vector<std::string> worker_command(const WorkerSetup& setup, const Limits& limits) {
   std::vector<std::string> command = {"/worker", std::to_string(limits.cpu_seconds),
                                       limits.memory_of_group ? "0" : std::to_string(limits.memory_bytes),
-                                      std::to_string(limits.processes)};
+                                      setup.isolated ? std::to_string(limits.processes) : "0"};
   for (const auto& object : all_objects(setup)) command.push_back("/objects/" + object.filename().string());
   command.push_back("/server.so");
   return command;

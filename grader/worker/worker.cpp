@@ -5,6 +5,7 @@
 //
 // MEMORY_BYTES limits the address space; 0: the control group bounds memory, and the sanitizers have the address space
 // that they need.
+// THREADS limits the threads of its user; 0: nothing does.
 // Objects are loaded in their order, each finding the functions of those before it. Nothing here is trusted
 // once they are in.
 #include <dlfcn.h>
@@ -55,7 +56,7 @@ void lock_down(int cpu_seconds, rlim_t memory, rlim_t threads) {
   if (syscall(SYS_close_range, kOut + 1, ~0U, 0U) != 0) _exit(120);
   limit(RLIMIT_CPU, cpu_seconds, cpu_seconds + 1);
   if (memory > 0) limit(RLIMIT_AS, memory, memory);
-  limit(RLIMIT_NPROC, threads, threads);
+  if (threads > 0) limit(RLIMIT_NPROC, threads, threads);
   limit(RLIMIT_FSIZE, 1 << 20, 1 << 20);  // standard output is a file
   limit(RLIMIT_NOFILE, 32, 32);
   limit(RLIMIT_CORE, 0, 0);
