@@ -1,4 +1,4 @@
-// STAFF ONLY. One thread at a time for each key: the second to want what the first is making waits, and then finds it made.
+// STAFF ONLY. One thread at a time for each key: who wants what another is making waits for it.
 #pragma once
 
 #include <condition_variable>

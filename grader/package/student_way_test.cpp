@@ -43,8 +43,8 @@ class StudentsWay : public testing::Test {
   Ran run(const std::string& command) const {
     fs::create_directories(folder_ / "hair-assignment");
     const std::string line = "cd '" + (folder_ / "hair-assignment").string() +
-                             "' && env -i PATH=\"$PATH\" HOME='" + folder_.string() + "' " + command +
-                             " 2>&1";
+                             "' && env -i PATH=\"$PATH\" HOME='" + folder_.string() + "' TMPDIR='" +
+                             folder_.string() + "' " + command + " 2>&1";
     FILE* pipe = popen(line.c_str(), "r");
     if (!pipe) return {-1, "can't start a shell"};
     std::string output;

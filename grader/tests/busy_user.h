@@ -2,6 +2,7 @@
 #pragma once
 
 #include <signal.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -20,11 +21,11 @@ class BusyUser {
     if (pipe(ready) != 0) throw std::runtime_error("no pipe");
     process_ = fork();
     if (process_ == 0) {
-      if (!become(sandbox_identity())) _exit(1);
-      std::vector<std::jthread> all;
+      if (!become(sandbox_identity()) || prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) _exit(1);
+      std::vector<std::thread> all;
       for (int i = 0; i < threads; ++i) all.emplace_back([] { pause(); });
       if (write(ready[1], "1", 1) != 1) _exit(1);
-      pause();
+      for (;;) pause();
     }
     close(ready[1]);
     char letter;

@@ -178,8 +178,14 @@ TEST(EndToEnd, ChangesNoScore) {
 
 TEST(SampleClass, ChangesNothingOutsideOfTheSandbox) {
   const std::string trace = "hair-sample-was-here";
-  std::vector<fs::path> places = {"/tmp",   "/var/tmp",       "/", "/dev/shm", fs::current_path(),
-                                  graded(), HAIR_SAMPLE_CLASS};
+  std::vector<fs::path> places = {"/tmp",
+                                  "/var/tmp",
+                                  "/",
+                                  "/dev/shm",
+                                  fs::temp_directory_path(),
+                                  graded(),
+                                  HAIR_SAMPLE_CLASS,
+                                  fs::current_path()};
   if (const char* home = std::getenv("HOME")) places.push_back(home);
   for (const fs::path& place : places) {
     std::error_code error;
