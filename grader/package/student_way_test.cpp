@@ -54,7 +54,13 @@ class StudentsWay : public testing::Test {
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, output};
   }
 
-  void pass_with_another_compiler(const std::string& exercise);
+  // The checks have AddressSanitizer, and start wherever the kernel puts memory. Code 77: that can't be tried here.
+  Ran start(int times, const std::string& programs) const {
+    return run("'" + (sources_.root / "grader/tests/random_addresses").string() + "' " +
+               std::to_string(times) + " --gtest_list_tests " + programs);
+  }
+
+  void pass_with_another_compiler(const std::string& exercise, int starts);
 
   void solve() const {
     for (const Exercise& exercise : course_.exercises)
@@ -94,6 +100,8 @@ TEST_F(StudentsWay, LeadsFromTheArchiveToTheHandIn) {
   ran = run("cmake --build build --parallel 2 --target all check hairlab");
   EXPECT_EQ(ran.code, 0) << ran.output;
   EXPECT_NE(ran.output.find("100% tests passed"), std::string::npos) << ran.output;
+  ran = start(0, "build/student_*_check");
+  EXPECT_EQ(ran.code, 0) << ran.output;
   ran = run("build/hairlab run strand-swing --out swing --frames 2");
   EXPECT_EQ(ran.code, 0) << ran.output;
   const fs::path swing = folder_ / "hair-assignment/swing";
@@ -142,6 +150,11 @@ TEST_F(SlowWay, HasStudies) {
   ran = run("build/hairlab validate published-numbers");
   EXPECT_EQ(ran.code, 0) << ran.output;
 
+  ran = run("cmake --build build --parallel 2 --target student_S1_check");
+  ASSERT_EQ(ran.code, 0) << ran.output;
+  ran = start(1000, "build/student_S1_check");
+  EXPECT_TRUE(ran.code == 0 || ran.code == 77) << ran.output;
+
   // Where all strands are moved by the exercises: the fast head is the staff's.
   ran = run("build/hairlab study head --hair straight --quick --out head");
   EXPECT_EQ(ran.code, 0) << ran.output;
@@ -151,7 +164,7 @@ TEST_F(SlowWay, HasStudies) {
 
 // The second compiler: an exercise with its prerequisite, and the given code that its checks need. H4's need most of it, and are
 // left to the slow tests.
-void StudentsWay::pass_with_another_compiler(const std::string& exercise) {
+void StudentsWay::pass_with_another_compiler(const std::string& exercise, int starts) {
   const std::string compiler = HAIR_OTHER_COMPILER;
   if (!fs::exists(compiler)) GTEST_SKIP() << "there is no clang++; it is in the package clang";
   unpack();
@@ -161,14 +174,16 @@ void StudentsWay::pass_with_another_compiler(const std::string& exercise) {
   ran = run("cmake --build build --parallel 2 --target check-" + exercise);
   EXPECT_EQ(ran.code, 0) << ran.output;
   EXPECT_NE(ran.output.find("[  PASSED  ]"), std::string::npos) << ran.output;
+  ran = start(starts, "build/student_" + exercise + "_check");
+  EXPECT_TRUE(ran.code == 0 || (starts > 0 && ran.code == 77)) << ran.output;
 }
 
 TEST_F(StudentsWay, BuildsAnExerciseWithAnotherCompiler) {
-  pass_with_another_compiler("S2");
+  pass_with_another_compiler("S2", 0);
 }
 
 TEST_F(SlowWay, BuildsHairWithAnotherCompiler) {
-  pass_with_another_compiler("H4");
+  pass_with_another_compiler("H4", 1000);
 }
 
 // What hairlab alone needs is not there: it is named, and the rest is configured.
@@ -207,6 +222,10 @@ TEST_F(StudentsWay, HasADebugBuildAndChecksTheStudentsName) {
   unpack();
   const Ran debug = run("cmake --preset debug");
   EXPECT_EQ(debug.code, 0) << debug.output;
+  // A program whose own code is compiled with sanitizers by the preset alone.
+  const std::string link =
+      bytes_of(folder_ / "hair-assignment/build-debug/CMakeFiles/student_example1.dir/link.txt");
+  EXPECT_NE(link.find(" -no-pie "), std::string::npos) << link;
   const Ran named = run(configure_ + " '-DSTUDENT=../ada'");
   EXPECT_NE(named.code, 0);
   EXPECT_NE(named.output.find("STUDENT is \"../ada\""), std::string::npos) << named.output;

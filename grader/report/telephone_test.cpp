@@ -40,7 +40,7 @@ std::string dump(const std::string& html) {
   std::ofstream(path + "/page.html", std::ios::binary) << html;
   const std::string command =
       "HOME=" + path +
-      " timeout -k 2 60 chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --no-first-run"
+      " timeout -k 2 600 chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --no-first-run"
       " --disable-background-networking --user-data-dir=" +
       path + "/profile --dump-dom file://" + path + "/page.html >" + path +
       "/document 2>/dev/null </dev/null";

@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <sys/personality.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
@@ -118,7 +117,6 @@ struct Child {
   const char* folder;      // null: stay
   int requests, replies, output, info, filter;
   Identity identity;
-  bool fixed_addresses;
 
   [[noreturn]] void exec() const {
     for (int group : joins)
@@ -136,7 +134,6 @@ struct Child {
     if (output < 0 && (dup2(nothing, 1) < 0 || dup2(nothing, 2) < 0)) _exit(126);
     if (!become(identity)) _exit(126);
     if (folder != nullptr && chdir(folder) != 0) _exit(126);
-    if (fixed_addresses && personality(ADDR_NO_RANDOMIZE) < 0) _exit(126);
     execve(argv[0], argv.data(), environment.data());
     _exit(127);
   }
@@ -177,8 +174,7 @@ CagedProcess::CagedProcess(const Cage& cage, const std::vector<std::string>& com
               output,
               cage.isolated ? info.write_end.get() : -1,
               filter.get(),
-              sandbox_identity(),
-              cage.fixed_addresses};
+              sandbox_identity()};
   for (const Descriptor& join : joins)
     if (join) child.joins.push_back(join.get());
 

@@ -44,9 +44,6 @@ struct Cage {
   // The command is the first process of its name space and takes leave of its children itself, as compilers do.
   // Then it is known how much CPU time all of them took.
   bool as_first_process = false;
-  // Memory is where it always is. With as much chance as some kernels have it, AddressSanitizer's runtime may not find
-  // the addresses that it needs.
-  bool fixed_addresses = false;
   // False: no cage at all, for machines that can't make one and for --unsafe-no-sandbox. Paths inside are
   // then replaced by those outside.
   bool isolated = true;

@@ -33,7 +33,7 @@ class CageTest : public testing::Test {
     for (const Mount& mount : header_mounts(folder_ / "empty")) cage_.mounts.push_back(mount);
     cage_.tmp_bytes = 1 << 20;
     cage_.syscalls = Syscalls::toolchain;
-    cage_.limits.wall_seconds = 20;
+    cage_.limits.wall_seconds = 200;
     cage_.limits.cpu_seconds = 5;
     cage_.limits.memory_bytes = std::size_t{256} << 20;
   }

@@ -66,7 +66,7 @@ Tried attempt(const std::function<long()>& call, std::optional<Syscalls> filter)
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("fork");
   if (child == 0) {
-    alarm(20);
+    alarm(200);
     struct sigaction action = {};
     action.sa_sigaction = on_trap;
     action.sa_flags = SA_SIGINFO;

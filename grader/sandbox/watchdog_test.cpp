@@ -50,12 +50,13 @@ TEST(Watchdog, EndsWhatSleeps) {
 
 // The kernel calls this state D, as if it waited for a disk.
 TEST(Watchdog, EndsWhatWaitsForAChildThatSharesItsMemory) {
-  Waiting waiting({HAIR_IDLER, "vfork"}, {.idle_seconds = 0.6, .cpu_seconds = 10, .wall_seconds = 20}, false);
+  Waiting waiting({HAIR_IDLER, "vfork"}, {.idle_seconds = 0.6, .cpu_seconds = 10, .wall_seconds = 200},
+                  false);
   EXPECT_STREQ(waiting.wait().why(), "asleep");
 }
 
 TEST(Watchdog, EndsWhatSleepsInShortNaps) {
-  Waiting naps({HAIR_IDLER, "naps"}, {.idle_seconds = 0.6, .cpu_seconds = 10, .wall_seconds = 20}, false);
+  Waiting naps({HAIR_IDLER, "naps"}, {.idle_seconds = 0.6, .cpu_seconds = 10, .wall_seconds = 200}, false);
   EXPECT_STREQ(naps.wait().why(), "asleep");
 }
 
@@ -85,7 +86,7 @@ class BusyMachine {
 // To wait there is no idling.
 TEST(Watchdog, LeavesAloneWhatWaitsForABusyMachine) {
   const BusyMachine busy;
-  Waiting computing(kComputes, {.idle_seconds = 0.6, .cpu_seconds = 0.4, .wall_seconds = 60});
+  Waiting computing(kComputes, {.idle_seconds = 0.6, .cpu_seconds = 0.4, .wall_seconds = 600});
   const Watchdog& watchdog = computing.wait();
   EXPECT_STREQ(watchdog.why(), "out of CPU time");
   EXPECT_LT(watchdog.idle_seconds(), 0.3);
@@ -100,7 +101,7 @@ TEST(Watchdog, LeavesAloneWhatAnswersQuicklyOnABusyMachine) {
   Pipe to = make_pipe(), from = make_pipe();
   CagedProcess echo(cage, {"/usr/bin/bash", "-c", "exec cat <&3 >&4"}, to.read_end.get(),
                     from.write_end.get(), -1);
-  Watchdog watchdog(echo, {.idle_seconds = 5, .cpu_seconds = 10, .wall_seconds = 60});
+  Watchdog watchdog(echo, {.idle_seconds = 5, .cpu_seconds = 10, .wall_seconds = 600});
   for (int i = 0; i < 100; ++i) {
     // Who computes a lot is let wait when it has something to do again.
     for (const double start = timing::cpu_seconds(); timing::cpu_seconds() < start + 0.004;) {
@@ -123,7 +124,7 @@ TEST(Watchdog, TakesNoWakingUpForIdling) {
   Pipe to = make_pipe(), from = make_pipe();
   CagedProcess echo(cage, {"/usr/bin/bash", "-c", "exec cat <&3 >&4"}, to.read_end.get(),
                     from.write_end.get(), -1);
-  Watchdog watchdog(echo, {.idle_seconds = 5, .cpu_seconds = 10, .wall_seconds = 60});
+  Watchdog watchdog(echo, {.idle_seconds = 5, .cpu_seconds = 10, .wall_seconds = 600});
   for (int i = 0; i < kAnswers; ++i) {
     char letter = 'a';
     ASSERT_EQ(write(to.write_end.get(), &letter, 1), 1);

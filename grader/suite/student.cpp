@@ -49,7 +49,6 @@ Cage worker_cage(const WorkerSetup& setup) {
   if (setup.sanitised) {
     for (const auto& library : std::filesystem::directory_iterator(setup.kit / "sanitised/lib"))
       cage.mounts.push_back({library.path(), "/sanitised/" + library.path().filename().string()});
-    cage.fixed_addresses = true;
     cage.limits.memory_of_group = true;
     cage.limits.memory_bytes *= 2;  // of that, the runtime takes its share
   }

@@ -39,7 +39,7 @@ bool has_open(int process, const fs::path& file) {
 }
 
 bool wait_for(const std::function<bool()>& what) {
-  for (int i = 0; i < 60'000; ++i, usleep(1000))
+  for (int i = 0; i < 600'000; ++i, usleep(1000))
     if (what()) return true;
   return false;
 }

@@ -109,7 +109,6 @@ class PublicChecks : public testing::Test {
     if (build == Build::sanitised) {
       for (const auto& library : fs::directory_iterator(kit_.folder() / "sanitised/lib"))
         cage.mounts.push_back({library.path(), "/sanitised/" + library.path().filename().string()});
-      cage.fixed_addresses = true;
       cage.limits.memory_of_group = true;
       cage.limits.memory_bytes *= 2;
       inner.memory_bytes = std::size_t{1} << 46;  // of addresses

@@ -36,7 +36,7 @@ function(hair_sanitise TARGET)
   if(HAIR_SANITIZED_CHECKS AND HAIR_HAS_SANITIZERS)
     target_compile_options(${TARGET} PRIVATE -O1 -g1 -fno-omit-frame-pointer ${HAIR_SANITIZERS} -fno-sanitize-recover=all
                            -U__SANITIZE_ADDRESS__)
-    target_link_options(${TARGET} INTERFACE ${HAIR_SANITIZERS})
+    target_link_options(${TARGET} INTERFACE ${HAIR_SANITIZERS} ${HAIR_FIXED_ADDRESSES})
   endif()
 endfunction()
 

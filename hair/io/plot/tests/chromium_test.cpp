@@ -52,7 +52,7 @@ class ChromiumTest : public testing::Test {
     const std::string path = folder_.string();
     std::ofstream(folder_ / "page.html", std::ios::binary) << html;
     const std::string command =
-        "HOME=" + path + " timeout -k 2 60 " + browser_ +
+        "HOME=" + path + " timeout -k 2 600 " + browser_ +
         " --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --no-first-run"
         " --disable-background-networking --enable-logging=stderr --user-data-dir=" +
         path + "/profile --dump-dom file://" + path + "/page.html >" + path + "/document 2>" + path +
