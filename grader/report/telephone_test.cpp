@@ -38,12 +38,12 @@ std::string dump(const std::string& html) {
   const hair::TemporaryFolder temporary{"hair-telephone"};
   const std::string path = temporary.path().string();
   std::ofstream(path + "/page.html", std::ios::binary) << html;
-  const std::string command =
-      "HOME=" + path +
-      " timeout -k 2 600 chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage --no-first-run"
-      " --disable-background-networking --user-data-dir=" +
-      path + "/profile --dump-dom file://" + path + "/page.html >" + path +
-      "/document 2>/dev/null </dev/null";
+  const std::string command = "HOME=" + path +
+                              " timeout -k 2 600 chromium --headless --no-sandbox --disable-gpu "
+                              "--disable-dev-shm-usage --no-first-run"
+                              " --disable-background-networking --user-data-dir=" +
+                              path + "/profile --dump-dom file://" + path + "/page.html >" + path +
+                              "/document 2>/dev/null </dev/null";
   EXPECT_EQ(std::system(command.c_str()), 0);
   std::ostringstream text;
   text << std::ifstream(path + "/document", std::ios::binary).rdbuf();

@@ -105,6 +105,7 @@ class PublicChecks : public testing::Test {
           {kit_.folder() / "lib" / (prerequisite + ".so"), "/objects/" + prerequisite + ".so"});
     cage.syscalls = Syscalls::toolchain;  // prlimit starts it
     cage.limits.cpu_seconds = 20;         // right programs take one or two
+    cage.limits.wall_seconds = 1200;
     Limits inner = cage.limits;
     if (build == Build::sanitised) {
       for (const auto& library : fs::directory_iterator(kit_.folder() / "sanitised/lib"))
