@@ -4,12 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
-#include <fstream>
-#include <sstream>
 #include <thread>
 #include <vector>
 
 #include "grader/course/course.h"
+#include "grader/tests/bytes_of.h"
 
 namespace grader {
 namespace {
@@ -29,16 +28,8 @@ class CompilerTest : public testing::Test {
       if (entry.path().extension() == ".so" || entry.path().extension() == ".log") fs::remove(entry.path());
   }
 
-  static std::string bytes_of(const fs::path& file) {
-    std::ostringstream text;
-    text << std::ifstream(file, std::ios::binary).rdbuf();
-    return text.str();
-  }
-
   std::string reference(const Exercise& exercise) const {
-    std::ostringstream text;
-    text << std::ifstream(fs::path(HAIR_PROJECT) / "reference" / exercise.file).rdbuf();
-    return text.str();
+    return bytes_of(fs::path(HAIR_PROJECT) / "reference" / exercise.file);
   }
 
   static constexpr double kSeconds = 20;

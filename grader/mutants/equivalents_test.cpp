@@ -4,10 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 #include "grader/course/course.h"
+#include "grader/tests/bytes_of.h"
 
 namespace grader {
 namespace {
@@ -18,9 +17,7 @@ const std::filesystem::path kProject = HAIR_PROJECT;
 TEST(Equivalents, AreMutantsOfTheSolutions) {
   std::size_t count = 0;
   for (const Exercise& exercise : read_course(kProject / "handout/exercises.json").exercises) {
-    std::ostringstream text;
-    text << std::ifstream(kProject / "reference" / exercise.file).rdbuf();
-    const std::string source = text.str();
+    const std::string source = bytes_of(kProject / "reference" / exercise.file);
     const std::vector<Mutation> all = mutations_of(source);
     const std::vector<Equivalent> equivalents = equivalents_of(exercise.id, kProject);
     count += equivalents.size();

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
+
+#include "grader/tests/bytes_of.h"
 
 namespace grader {
 namespace {
@@ -161,10 +161,7 @@ TEST(Canary, StandsInEveryFileOfTheStaffs) {
     for (const fs::directory_entry& entry :
          fs::recursive_directory_iterator(fs::path(HAIR_SOURCE_DIR) / folder)) {
       if (!entry.is_regular_file() || without_comments.contains(entry.path().extension().string())) continue;
-      std::ifstream in(entry.path(), std::ios::binary);
-      std::ostringstream text;
-      text << in.rdbuf();
-      EXPECT_TRUE(carries_canary(text.str()))
+      EXPECT_TRUE(carries_canary(bytes_of(entry.path())))
           << entry.path() << " must say STAFF ONLY in one of its first three lines";
     }
 }

@@ -18,6 +18,7 @@
 #include "grader/report/base64.h"
 #include "grader/report/picture_files.h"
 #include "grader/report/sample_results.h"
+#include "grader/tests/bytes_of.h"
 #include "hair/io/files/temporary_folder.h"
 
 namespace grader {
@@ -32,9 +33,7 @@ class Reports : public testing::Test {
     Files files;
     for (const auto& item : fs::recursive_directory_iterator(dir)) {
       if (!item.is_regular_file()) continue;
-      std::ostringstream bytes;
-      bytes << std::ifstream(item.path(), std::ios::binary).rdbuf();
-      files[fs::relative(item.path(), dir).string()] = bytes.str();
+      files[fs::relative(item.path(), dir).string()] = bytes_of(item.path());
     }
     return files;
   }

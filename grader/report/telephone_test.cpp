@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
-#include <sstream>
 #include <string>
 
 #include "grader/report/pages.h"
 #include "grader/report/sample_results.h"
+#include "grader/tests/bytes_of.h"
 #include "hair/io/files/temporary_folder.h"
 #include "hair/io/plot/readable.h"
 
@@ -38,16 +38,14 @@ std::string dump(const std::string& html) {
   const hair::TemporaryFolder temporary{"hair-telephone"};
   const std::string path = temporary.path().string();
   std::ofstream(path + "/page.html", std::ios::binary) << html;
-  const std::string command = "HOME=" + path +
-                              " timeout -k 2 600 chromium --headless --no-sandbox --disable-gpu "
-                              "--disable-dev-shm-usage --no-first-run"
-                              " --disable-background-networking --user-data-dir=" +
-                              path + "/profile --dump-dom file://" + path + "/page.html >" + path +
-                              "/document 2>/dev/null </dev/null";
+  const std::string command =
+      "HOME=" + path +
+      " timeout -k 2 600 chromium --headless --no-sandbox --disable-gpu --disable-dev-shm-usage"
+      " --no-first-run --disable-background-networking --user-data-dir=" +
+      path + "/profile --dump-dom file://" + path + "/page.html >" + path +
+      "/document 2>/dev/null </dev/null";
   EXPECT_EQ(std::system(command.c_str()), 0);
-  std::ostringstream text;
-  text << std::ifstream(path + "/document", std::ios::binary).rdbuf();
-  return text.str();
+  return bytes_of(path + "/document");
 }
 
 TEST(Telephone, ShowsAllOfAPageWithoutScrollingSideways) {

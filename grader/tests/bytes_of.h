@@ -1,4 +1,4 @@
-// STAFF ONLY. A file's content, for tests.
+// STAFF ONLY. A file's bytes, for tests; empty if it can't be read.
 #pragma once
 
 #include <filesystem>

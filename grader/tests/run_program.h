@@ -1,7 +1,6 @@
 // STAFF ONLY. Runs hairgrade as a user does.
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -20,8 +19,5 @@ ProgramRun run_hairgrade(const std::vector<std::string>& arguments,
 
 // A variable of the environment, or what stands for it.
 std::string environment(const char* name, const std::string& otherwise);
-
-// A file's bytes; empty if it can't be read.
-std::string read_file(const std::filesystem::path& path);
 
 }  // namespace grader

@@ -4,9 +4,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "grader/compile/compiler.h"
 #include "grader/compile/lines.h"
 #include "grader/report/student_view.h"
@@ -14,6 +11,7 @@
 #include "grader/sandbox/identity.h"
 #include "grader/suite/memory_points.h"
 #include "grader/suite/student.h"
+#include "grader/tests/bytes_of.h"
 #include "grader/tool/exercise_grading.h"
 #include "grader/tool/settings_for_tests.h"
 #include "grader/tool/suite_jobs.h"
@@ -23,12 +21,6 @@ namespace grader {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string text_of(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
 
 const fs::path kProject = HAIR_PROJECT;
 
@@ -214,7 +206,7 @@ TEST_F(MemoryErrorsTest, AreToldInNoWordsOfTheStudents) {
 
 // The sample of the issue.
 TEST_F(MemoryErrorsTest, CostAPointThatNothingElseCosts) {
-  std::string source = text_of(kProject / "grader/samples/solutions/plain/conj_grad.cpp");
+  std::string source = bytes_of(kProject / "grader/samples/solutions/plain/conj_grad.cpp");
   const std::string vectors = "  vector<double> r(n), d(n), q(n), x_new(n);\n";
   ASSERT_NE(source.find(vectors), std::string::npos);
   const std::string right = source;
@@ -251,7 +243,7 @@ TEST_F(MemoryErrorsTest, CostAPointThatNothingElseCosts) {
 
 // The look comes last, and has what the others have left of the share.
 TEST_F(MemoryErrorsTest, AreLookedForAtNoOthersCost) {
-  std::string source = text_of(kProject / "grader/samples/solutions/plain/conj_grad.cpp");
+  std::string source = bytes_of(kProject / "grader/samples/solutions/plain/conj_grad.cpp");
   const std::string vectors = "  vector<double> r(n), d(n), q(n), x_new(n);\n";
   ASSERT_NE(source.find(vectors), std::string::npos);
   source.replace(source.find(vectors), 0,
@@ -272,8 +264,8 @@ TEST_F(MemoryErrorsTest, AreCachedApart) {
   const Compiled first = sanitised(source, "cache-2"), second = sanitised(source, "cache-3");
   EXPECT_GT(first.cpu_seconds, 0) << "the ordinary object took its place";
   EXPECT_EQ(second.cpu_seconds, 0) << "compiled again";
-  EXPECT_EQ(text_of(first.object), text_of(second.object));
-  EXPECT_NE(text_of(first.object), text_of(ordinary.object));
+  EXPECT_EQ(bytes_of(first.object), bytes_of(second.object));
+  EXPECT_NE(bytes_of(first.object), bytes_of(ordinary.object));
 }
 
 // Where kernels place memory by more chance than here, AddressSanitizer's runtime fails now and then.

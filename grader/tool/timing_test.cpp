@@ -5,8 +5,8 @@
 
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+#include "grader/tests/bytes_of.h"
 #include "hair/io/files/temporary_folder.h"
 
 namespace grader {
@@ -63,10 +63,9 @@ TEST_F(TimingOfAFolder, LeavesOutWhoHasNoResultAnyMore) {
   timing.add("bob", cost({"S1"}, 2));
   timing.finish(results({"bob"}), {});
   EXPECT_FALSE(file()["submissions"].contains("alice"));
-  std::ostringstream page;
-  page << std::ifstream(folder() / "costs.html").rdbuf();
-  EXPECT_NE(page.str().find("staff/bob.html"), std::string::npos);
-  EXPECT_EQ(page.str().find("alice"), std::string::npos);
+  const std::string page = bytes_of(folder() / "costs.html");
+  EXPECT_NE(page.find("staff/bob.html"), std::string::npos);
+  EXPECT_EQ(page.find("alice"), std::string::npos);
 }
 
 TEST_F(TimingOfAFolder, BeginsAnewWhereTheFileIsDamaged) {
