@@ -268,16 +268,6 @@ TEST_F(MemoryErrorsTest, AreCachedApart) {
   EXPECT_NE(bytes_of(first.object), bytes_of(ordinary.object));
 }
 
-// Where kernels place memory by more chance than here, AddressSanitizer's runtime fails now and then.
-TEST_F(MemoryErrorsTest, AreLookedForWhereMemoryIsAlwaysInTheSamePlace) {
-  const Compiled compiled = sanitised(
-      function("static double here;\nreturn static_cast<double>(reinterpret_cast<long>(&here));"), "place");
-  Answer first = ask(compiled.object), second = ask(compiled.object);
-  ASSERT_EQ(first.outcome, Outcome::done);
-  ASSERT_EQ(second.outcome, Outcome::done);
-  EXPECT_EQ(first.reply.get<double>(), second.reply.get<double>());
-}
-
 // A user that owns no control group can't bound memory, and starts no worker with sanitizers.
 TEST_F(MemoryErrorsTest, AreNotLookedForWithoutAControlGroup) {
   if (geteuid() != 0) GTEST_SKIP() << "only root can become somebody else";
