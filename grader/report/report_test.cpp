@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. The folder of reports: which files there are, and what stands in them.
 #include "grader/report/report.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Starts bubblewrap around a command, and reads from the kernel what the command does.
 #include "grader/sandbox/cage.h"
 
 #include <fcntl.h>

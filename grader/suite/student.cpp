@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Starts workers, converses with them, and says how each request ended.
 #include "grader/suite/student.h"
 
 #include <fcntl.h>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Starts hairgrade and reads both of its streams.
 #include "grader/tests/run_program.h"
 
 #include <spawn.h>
