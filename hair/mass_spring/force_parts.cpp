@@ -77,10 +77,31 @@ void add_skipping(const StrandStart&, GeometricTerm term, Products, MovingStrand
 }
 
 constexpr ForcePart kParts[] = {
-    {"stretching", "springs along the segments", "H1", stretches, why_no_stretching, add_stretching, true},
-    {"bending", "angular springs at the joints", "H2", bends_straight, why_no_bending, add_bending},
-    {"rest curvature", "at the joints", "", bends_curved, why_no_rest_curvature, add_rest_curvature},
-    {"springs that skip", "springs that skip a particle,", "H3", skips, why_no_skipping, add_skipping},
+    {.name = "stretching",
+     .how = "springs along the segments",
+     .exercise = "H1",
+     .acts = stretches,
+     .why_not = why_no_stretching,
+     .add = add_stretching,
+     .of_lengths = true},
+    {.name = "bending",
+     .how = "angular springs at the joints",
+     .exercise = "H2",
+     .acts = bends_straight,
+     .why_not = why_no_bending,
+     .add = add_bending},
+    {.name = "rest curvature",
+     .how = "at the joints",
+     .exercise = "",
+     .acts = bends_curved,
+     .why_not = why_no_rest_curvature,
+     .add = add_rest_curvature},
+    {.name = "springs that skip",
+     .how = "springs that skip a particle,",
+     .exercise = "H3",
+     .acts = skips,
+     .why_not = why_no_skipping,
+     .add = add_skipping},
 };
 
 // To `sum`, with products as said.

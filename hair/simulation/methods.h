@@ -31,10 +31,10 @@ struct MethodRow {
   std::span<const std::string_view> exercises;  // the exercises that it calls; the last one is its own
   int order;                                    // of its error in time
   int evaluations;                              // of the forces in a step, without iterations
-  bool is_explicit;
-  bool keeps_lengths;
-  int polynomial;     // the power up to which its amplification is the Taylor series of exp; 0: other
-  const char* limit;  // the theoretical limit of its steps, in words
+  bool is_explicit = false;
+  bool keeps_lengths = false;
+  int polynomial = 0;  // the power up to which its amplification is the Taylor series of exp; 0: other
+  const char* limit;   // the theoretical limit of its steps, in words
 
   const StepMethod* mass_spring;  // the step of such a strand; null: the course leaves it out
   const LinkMethod* rigid_links =

@@ -44,8 +44,13 @@ bool mass_spring_moves_by(const MethodRow& method) {
 template <bool is_there>
 constexpr auto links() {
   if constexpr (is_there)
-    return std::array{ModelRow{"rigid_links", rigid_links_exercises, false, rigid_links_why_not,
-                               points_of_elements, make_rigid_links, rigid_links_moves_by}};
+    return std::array{ModelRow{.id = "rigid_links",
+                               .exercises = rigid_links_exercises,
+                               .calls_method = false,
+                               .why_not = rigid_links_why_not,
+                               .points = points_of_elements,
+                               .make = make_rigid_links,
+                               .moves_by = rigid_links_moves_by}};
   else
     return std::array<ModelRow, 0>{};
 }
@@ -53,15 +58,24 @@ constexpr auto links() {
 template <bool is_there>
 constexpr auto helices() {
   if constexpr (is_there)
-    return std::array{ModelRow{"super_helix", super_helix_exercises, false, super_helix_why_not,
-                               super_helix_points, make_super_helix, super_helix_moves_by}};
+    return std::array{ModelRow{.id = "super_helix",
+                               .exercises = super_helix_exercises,
+                               .calls_method = false,
+                               .why_not = super_helix_why_not,
+                               .points = super_helix_points,
+                               .make = make_super_helix,
+                               .moves_by = super_helix_moves_by}};
   else
     return std::array<ModelRow, 0>{};
 }
 
-constexpr ModelRow kMassSpring = {"mass_spring",       mass_spring_exercises, true,
-                                  mass_spring_why_not, points_of_elements,    make_mass_spring,
-                                  mass_spring_moves_by};
+constexpr ModelRow kMassSpring = {.id = "mass_spring",
+                                  .exercises = mass_spring_exercises,
+                                  .calls_method = true,
+                                  .why_not = mass_spring_why_not,
+                                  .points = points_of_elements,
+                                  .make = make_mass_spring,
+                                  .moves_by = mass_spring_moves_by};
 
 template <std::size_t m, std::size_t n>
 constexpr auto rows(const std::array<ModelRow, m>& some, const std::array<ModelRow, n>& others) {
