@@ -7,62 +7,15 @@
 #include <numbers>
 #include <sstream>
 
-#include "grader/wire/strand_message.h"
-
 namespace grader {
 namespace {
 
 using Eigen::Vector3d;
 
-bool no_products(int, const std::vector<double>&, std::vector<double>&) {
-  throw MalformedMessage("no operator");
-}
-
-MessageReader ask(Trial& trial, int function, const Posed& posed, GeometricTerm term, const VectorXd& dx,
-                  const VectorXd& before) {
-  trial.describe(posed.name + ", " + std::to_string(posed.strand.count()) + " particles");
-  MessageWriter request;
-  request.put(function).put(static_cast<int>(term));
-  put(request, posed.strand);
-  put(request, posed.x);
-  put(request, dx);
-  put(request, before);
-  return trial.ask(request, no_products);
-}
-
-VectorXd finite_vector(Trial& trial, MessageReader reply, Eigen::Index size, const std::string& what) {
-  VectorXd result = get_vector(reply, size);
-  reply.expect_end();
-  trial.expect(result.allFinite(), what + " is not a finite number");
-  return result;
-}
-
 }  // namespace
 
-double ask_energy(Trial& trial, const Posed& posed) {
-  MessageReader reply = ask(trial, 0, posed, GeometricTerm::full, {}, {});
-  const double energy = reply.get<double>();
-  reply.expect_end();
-  trial.expect(std::isfinite(energy), "the energy is not a finite number");
-  return energy;
-}
-
-VectorXd ask_force(Trial& trial, const Posed& posed, const VectorXd& before) {
-  return finite_vector(trial, ask(trial, 1, posed, GeometricTerm::full, {}, before), posed.x.size(),
-                       "a force");
-}
-
-VectorXd ask_force(Trial& trial, const Posed& posed) {
-  return ask_force(trial, posed, VectorXd::Zero(posed.x.size()));
-}
-
-VectorXd ask_product(Trial& trial, const Posed& posed, const VectorXd& dx, const VectorXd& before,
-                     GeometricTerm term, int function) {
-  return finite_vector(trial, ask(trial, function, posed, term, dx, before), posed.x.size(), "a product");
-}
-
-VectorXd ask_product(Trial& trial, const Posed& posed, const VectorXd& dx, GeometricTerm term, int function) {
-  return ask_product(trial, posed, dx, VectorXd::Zero(posed.x.size()), term, function);
+void describe(Trial& trial, const Posed& posed) {
+  trial.describe(posed.name + ", " + std::to_string(posed.strand.count()) + " particles");
 }
 
 double largest(const VectorXd& v) {

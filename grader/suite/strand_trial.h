@@ -1,11 +1,12 @@
-// STAFF ONLY. Shared code of the hidden cases of H1, H2 and H3: calls of a student's strand forces through
-// the pipe, strands and states as inputs, and comparisons with the reference.
+// STAFF ONLY. Shared code of the hidden cases of H1, H2 and H3: a student's answers about strands, strands and states as inputs, and comparisons with the reference.
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <string>
 #include <vector>
 
+#include "grader/suite/case_asker.h"
 #include "grader/suite/random_vector.h"
 #include "grader/suite/rounding.h"
 #include "grader/suite/trial.h"
@@ -25,15 +26,25 @@ struct Posed {
   std::string name;  // for staff
 };
 
-// Call an exercise's functions by their number in strand_call.h. Each checks that the answer is finite.
-inline constexpr int kProduct = 2, kSpdProduct = 3;
-double ask_energy(Trial& trial, const Posed& posed);
-VectorXd ask_force(Trial& trial, const Posed& posed, const VectorXd& before);
-VectorXd ask_force(Trial& trial, const Posed& posed);  // starting from zeros
-VectorXd ask_product(Trial& trial, const Posed& posed, const VectorXd& dx, const VectorXd& before,
-                     GeometricTerm term = GeometricTerm::full, int function = kProduct);
-VectorXd ask_product(Trial& trial, const Posed& posed, const VectorXd& dx,
-                     GeometricTerm term = GeometricTerm::full, int function = kProduct);
+void describe(Trial& trial, const Posed& posed);
+
+// What a function of the student's answers about a strand. Each checks that it is finite.
+template <class Calls, auto energy>
+double energy_of(Trial& trial, const Posed& posed) {
+  describe(trial, posed);
+  const double answer = ask_student_for<Calls, energy>(trial, posed.strand, posed.x);
+  trial.expect(std::isfinite(answer), "the energy is not a finite number");
+  return answer;
+}
+// What becomes of `sum`, to which the function adds.
+template <class Calls, auto add, class... Arguments>
+VectorXd sum_of(Trial& trial, const Posed& posed, const std::string& what, VectorXd sum,
+                const Arguments&... arguments) {
+  describe(trial, posed);
+  ask_student_for<Calls, add>(trial, posed.strand, posed.x, arguments..., sum);
+  trial.expect(sum.allFinite(), what + " is not a finite number");
+  return sum;
+}
 
 // The largest absolute value of an entry.
 double largest(const VectorXd& v);

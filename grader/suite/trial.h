@@ -22,6 +22,9 @@ struct CaseFailed {
   std::string feedback, detail;
 };
 
+inline constexpr const char* kTooManyProducts =
+    "takes more products with the matrix than the step limit allows";
+
 // What a wrong answer does: it ends the category by CaseFailed, or it is counted. No answer ends it in either way.
 enum class WhenWrong { stop, count };
 
@@ -32,9 +35,8 @@ class Trial {
 
   // The return value of the student's function. Throws CaseFailed if it did not return; with the feedback
   // `stopped` if `products` stopped it.
-  MessageReader ask(
-      const MessageWriter& request, const Products& products,
-      const std::string& stopped = "takes more products with the matrix than the step limit allows");
+  MessageReader ask(const MessageWriter& request, const Products& products,
+                    const std::string& stopped = kTooManyProducts);
 
   // The reply in an answer; throws CaseFailed as above if there is none.
   MessageReader reply_of(Answer answer, const std::string& stopped = {}) const;

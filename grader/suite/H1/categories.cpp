@@ -19,6 +19,7 @@
 
 #include <cmath>
 
+#include "grader/exercise/H1/calls.h"
 #include "grader/suite/strand_trial.h"
 #include "hair/stretch_springs.h"
 
@@ -26,6 +27,28 @@ namespace grader::h1 {
 namespace {
 
 using Eigen::Vector3d;
+
+double ask_energy(Trial& trial, const Posed& posed) {
+  return energy_of<Calls, hair::stretch_energy>(trial, posed);
+}
+
+VectorXd ask_force(Trial& trial, const Posed& posed, const VectorXd& before) {
+  return sum_of<Calls, hair::add_stretch_force>(trial, posed, "a force", before);
+}
+
+VectorXd ask_force(Trial& trial, const Posed& posed) {
+  return ask_force(trial, posed, VectorXd::Zero(posed.x.size()));
+}
+
+VectorXd ask_product(Trial& trial, const Posed& posed, const VectorXd& dx, const VectorXd& before,
+                     GeometricTerm term = GeometricTerm::full) {
+  return sum_of<Calls, hair::add_stretch_product>(trial, posed, "a product", before, term, dx);
+}
+
+VectorXd ask_product(Trial& trial, const Posed& posed, const VectorXd& dx,
+                     GeometricTerm term = GeometricTerm::full) {
+  return ask_product(trial, posed, dx, VectorXd::Zero(dx.size()), term);
+}
 
 double length(const Posed& posed, int i) {
   return (posed.x.segment<3>(3 * i + 3) - posed.x.segment<3>(3 * i)).norm();

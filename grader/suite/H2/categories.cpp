@@ -150,9 +150,9 @@ void added(Trial& trial) {
   expect_vector(trial, ask_force(trial, posed, before), f + before, bound(f) + force_rounding(posed),
                 "the force that is added to what f held");
   for (int function : {kProduct, kSpdProduct}) {
-    const VectorXd df = ask_product(trial, posed, dx, GeometricTerm::full, function);
+    const VectorXd df = ask_product(trial, posed, dx, function);
     expect_size(trial, df.norm(), reference_product(posed, dx, function).norm(), "the product");
-    expect_vector(trial, ask_product(trial, posed, dx, before, GeometricTerm::full, function), df + before,
+    expect_vector(trial, ask_product(trial, posed, dx, before, function), df + before,
                   bound(df) + product_rounding(posed, dx), "the product that is added to what df held");
   }
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "grader/exercise/H2/calls.h"
 #include "hair/angular_springs.h"
 
 namespace grader::h2 {
@@ -64,6 +65,29 @@ void expect_energy(Trial& trial, const Posed& posed) {
                        energy_rounding(posed), "the error of the energy");
 }
 
+double ask_energy(Trial& trial, const Posed& posed) {
+  return energy_of<Calls, hair::bend_energy>(trial, posed);
+}
+
+VectorXd ask_force(Trial& trial, const Posed& posed, const VectorXd& before) {
+  return sum_of<Calls, hair::add_bend_force>(trial, posed, "a force", before);
+}
+
+VectorXd ask_force(Trial& trial, const Posed& posed) {
+  return ask_force(trial, posed, VectorXd::Zero(posed.x.size()));
+}
+
+VectorXd ask_product(Trial& trial, const Posed& posed, const VectorXd& dx, const VectorXd& before,
+                     int function) {
+  return function == kProduct
+             ? sum_of<Calls, hair::add_bend_product>(trial, posed, "a product", before, dx)
+             : sum_of<Calls, hair::add_bend_product_spd>(trial, posed, "a product", before, dx);
+}
+
+VectorXd ask_product(Trial& trial, const Posed& posed, const VectorXd& dx, int function) {
+  return ask_product(trial, posed, dx, VectorXd::Zero(dx.size()), function);
+}
+
 VectorXd reference_force(const Posed& posed) {
   VectorXd f = VectorXd::Zero(posed.x.size());
   hair::add_bend_force(posed.strand, posed.x, f);
@@ -75,7 +99,7 @@ void expect_force(Trial& trial, const Posed& posed) {
 }
 
 VectorXd ask_spd(Trial& trial, const Posed& posed, const VectorXd& dx) {
-  return ask_product(trial, posed, dx, GeometricTerm::full, kSpdProduct);
+  return ask_product(trial, posed, dx, kSpdProduct);
 }
 
 VectorXd reference_product(const Posed& posed, const VectorXd& dx, int function) {
@@ -87,8 +111,8 @@ VectorXd reference_product(const Posed& posed, const VectorXd& dx, int function)
 namespace {
 
 void expect_product(Trial& trial, const Posed& posed, int function, const VectorXd& dx, double rounding) {
-  expect_vector(trial, ask_product(trial, posed, dx, GeometricTerm::full, function),
-                reference_product(posed, dx, function), rounding, "the product");
+  expect_vector(trial, ask_product(trial, posed, dx, function), reference_product(posed, dx, function),
+                rounding, "the product");
 }
 
 }  // namespace

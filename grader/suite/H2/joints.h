@@ -31,6 +31,15 @@ double energy_rounding(const Posed& posed);
 double force_rounding(const Posed& posed);
 double product_rounding(const Posed& posed, const VectorXd& dx);
 
+// The student's answers; `function` is one of the two products.
+inline constexpr int kProduct = 2, kSpdProduct = 3;
+double ask_energy(Trial& trial, const Posed& posed);
+VectorXd ask_force(Trial& trial, const Posed& posed, const VectorXd& before);
+VectorXd ask_force(Trial& trial, const Posed& posed);  // starting from zeros
+VectorXd ask_product(Trial& trial, const Posed& posed, const VectorXd& dx, const VectorXd& before,
+                     int function);
+VectorXd ask_product(Trial& trial, const Posed& posed, const VectorXd& dx, int function = kProduct);
+
 VectorXd reference_force(const Posed& posed);
 VectorXd reference_product(const Posed& posed, const VectorXd& dx, int function);
 VectorXd ask_spd(Trial& trial, const Posed& posed, const VectorXd& dx);

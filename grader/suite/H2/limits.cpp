@@ -69,11 +69,11 @@ void clamped_root(Trial& trial) {
   for (int function : {kProduct, kSpdProduct}) {
     VectorXd dx = VectorXd::Zero(6), moved = VectorXd::Zero(9);
     dx.tail<3>() = moved.tail<3>() = random_vector(random, 3);
-    const VectorXd df = ask_product(trial, free, moved, GeometricTerm::full, function);
+    const VectorXd df = ask_product(trial, free, moved, function);
     expect_size(trial, df.tail<3>().norm(), reference_product(free, moved, function).tail<3>().norm(),
                 "the product");
     expected << -2 * df.tail<3>(), 2 * df.tail<3>();
-    expect_vector(trial, ask_product(trial, root, dx, GeometricTerm::full, function), expected,
+    expect_vector(trial, ask_product(trial, root, dx, function), expected,
                   8 * product_rounding(root, dx) + k / (arm * arm) * 64 * shift * largest(dx),
                   "a clamped root's product");
   }

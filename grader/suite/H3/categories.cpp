@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "grader/exercise/H3/calls.h"
 #include "grader/suite/strand_trial.h"
 #include "hair/bend_springs.h"
 
@@ -17,6 +18,28 @@ namespace grader::h3 {
 namespace {
 
 using Eigen::Vector3d;
+
+double ask_energy(Trial& trial, const Posed& posed) {
+  return energy_of<Calls, hair::bend_spring_energy>(trial, posed);
+}
+
+VectorXd ask_force(Trial& trial, const Posed& posed, const VectorXd& before) {
+  return sum_of<Calls, hair::add_bend_spring_force>(trial, posed, "a force", before);
+}
+
+VectorXd ask_force(Trial& trial, const Posed& posed) {
+  return ask_force(trial, posed, VectorXd::Zero(posed.x.size()));
+}
+
+VectorXd ask_product(Trial& trial, const Posed& posed, const VectorXd& dx, const VectorXd& before,
+                     GeometricTerm term = GeometricTerm::full) {
+  return sum_of<Calls, hair::add_bend_spring_product>(trial, posed, "a product", before, term, dx);
+}
+
+VectorXd ask_product(Trial& trial, const Posed& posed, const VectorXd& dx,
+                     GeometricTerm term = GeometricTerm::full) {
+  return ask_product(trial, posed, dx, VectorXd::Zero(dx.size()), term);
+}
 
 constexpr Range kStretch = {0.6, 1.5}, kLong = {2, 3}, kBend = {0.1, 2.2};
 

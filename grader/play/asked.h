@@ -1,0 +1,28 @@
+// STAFF ONLY. An exercise's functions as proxies: each asks the student's worker of the present play. The definitions themselves
+// are generated, grader/cmake/definitions.cmake.
+#pragma once
+
+#include "grader/exercise/client.h"
+#include "grader/play/asking.h"
+
+namespace grader {
+
+struct PlayAsker {
+  MessageReader ask(const MessageWriter& request, const Products& products) {
+    return ask_student(request, products);
+  }
+  bool served(const particles::Force&) const { return false; }
+  void scratch(const auto&, int) {}
+  void changed() {}
+};
+
+template <class Calls, auto function, class... Arguments>
+ResultOf<function> asked(Arguments&... arguments) {
+  PlayAsker asker;
+  if constexpr (Signature<decltype(function)>::returns_matrix)
+    return matrix_of<Calls, function>(asker, arguments...);
+  else
+    return ask<Calls, function>(asker, arguments...);
+}
+
+}  // namespace grader

@@ -1,0 +1,40 @@
+// STAFF ONLY. A case as a client's asker (grader/exercise/client.h): asks the student's worker, and ends the category if there is no
+// answer.
+#pragma once
+
+#include "grader/exercise/client.h"
+#include "grader/suite/trial.h"
+
+namespace grader {
+
+class CaseAsker {
+ public:
+  // `stopped`: the feedback if the worker asks for more than it may.
+  explicit CaseAsker(Trial& trial, std::string stopped = kTooManyProducts)
+      : trial_(trial), stopped_(std::move(stopped)) {}
+
+  MessageReader ask(const MessageWriter& request, const Products& products) {
+    return trial_.ask(request, products, stopped_);
+  }
+  bool served(const particles::Force&) const { return false; }
+  void scratch(const auto&, int) {}
+  void changed() { changed_input_ = true; }
+
+  bool changed_input() const {
+    return changed_input_;
+  }  // an argument that the contract does not let it change
+
+ private:
+  Trial& trial_;
+  std::string stopped_;
+  bool changed_input_ = false;
+};
+
+// One case.
+template <class Calls, auto function, class... Given>
+ResultOf<function> ask_student_for(Trial& trial, Given&&... given) {
+  CaseAsker asker(trial);
+  return ask<Calls, function>(asker, given...);
+}
+
+}  // namespace grader

@@ -1,0 +1,31 @@
+// STAFF ONLY. A worker as the host of a server (grader/exercise/server.h): it calls a student's functions.
+#pragma once
+
+#include "grader/exercise/server.h"
+#include "grader/worker/guarded_vectors.h"
+#include "grader/worker/session.h"
+
+namespace grader {
+
+class WorkerHost {
+ public:
+  using Vector = GuardedVector;
+  struct Ours : Session::Uncounted {
+    explicit Ours(const WorkerHost& host) : Uncounted(host.session_) {}
+  };
+
+  explicit WorkerHost(Session& session) : session_(session) {}
+
+  void ask(const Question& question) { session_.product(question.which, question.numbers, question.answer); }
+  template <class Function>
+  decltype(auto) called(bool allocates_nothing, Function&& call) {
+    return allocates_nothing ? session_.counted(call) : call();
+  }
+  void bound(int&, Eigen::Index) {}
+  void served(const particles::Force& force) { session_.served_force = &force; }
+
+ private:
+  Session& session_;
+};
+
+}  // namespace grader
