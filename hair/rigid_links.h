@@ -7,8 +7,8 @@
 //
 //   M(q) q" = Q - C(q, q')     Q: the joints' forces, N (prismatic) or N m; C: velocities, and forces on links
 //
-// What is known of the links, `links[i]`, is explained in hair/rigid_links/link.h; spatial vectors, transforms and
-// inertias are in hair/rigid_links/spatial.h. links[0] is the base; a pass begins with link 1 or ends with it.
+// What is known of the links, `links[i]`, is explained in hair/link.h; spatial vectors, transforms and
+// inertias are in hair/spatial.h. links[0] is the base; a pass begins with link 1 or ends with it.
 // rates, Q and accelerations have one number for each revolute or prismatic joint and three for each spherical one;
 // those of link i begin at links[i].first. passes[i] belongs to link i, and there are as many.
 //
@@ -48,7 +48,7 @@
 
 #include <vector>
 
-#include "hair/rigid_links/link.h"
+#include "hair/link.h"
 #include "particles/vectors.h"
 
 namespace hair {

@@ -11,7 +11,7 @@
 #include <array>
 #include <span>
 
-#include "hair/mass_spring/control_mesh.h"
+#include "hair/static_link.h"
 #include "particles/vectors.h"
 
 namespace hair {
@@ -22,7 +22,7 @@ using particles::Output;
 
 // ---- Links
 
-// StaticLink is in hair/mass_spring/control_mesh.h. With R the frame of particle a, a rotation, a link's displacement is
+// StaticLink is in hair/static_link.h. With R the frame of particle a, a rotation, a link's displacement is
 //
 //   d = x_b - (x_a + R offset)
 //
@@ -53,7 +53,7 @@ void add_link_product(std::span<const StaticLink> links, Input largest, Input dx
 // ---- Strips
 //
 // Between two neighbouring guides lies a strip of triangles, whose corners are particles of both. A particle of a third
-// hair that comes near a triangle is pushed away from it, along its normal. StripLaw is beside StaticLink.
+// hair that comes near a triangle is pushed away from it, along its normal. StripLaw is in hair/static_link.h, too.
 
 // A particle near a triangle.
 struct StripContact {

@@ -12,7 +12,7 @@
 #include <array>
 #include <vector>
 
-#include "hair/strand/rest_shape.h"
+#include "hair/root_frame.h"
 #include "particles/vectors.h"
 
 namespace hair {

@@ -11,14 +11,14 @@
 //
 //   Q = sum of J_j^T force_j,     M = sum of J_j^T inertia_j J_j
 //
-// What is known of the strand, of its elements and of its points is explained in hair/super_helix/helix.h. The
+// What is known of the strand, of its elements and of its points is explained in hair/helix.h. The
 // functions change nothing but what they return.
 #pragma once
 
 #include <array>
 #include <vector>
 
-#include "hair/super_helix/helix.h"
+#include "hair/helix.h"
 #include "particles/vectors.h"
 
 namespace hair {

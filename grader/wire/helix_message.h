@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "grader/wire/message.h"
-#include "hair/super_helix/helix.h"
+#include "hair/helix.h"
 
 namespace grader {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "grader/wire/message.h"
-#include "hair/rigid_links/link.h"
+#include "hair/link.h"
 
 namespace grader {
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "hair/mass_spring/control_mesh.h"
 #include "hair/mass_spring/frame_torque.h"
 #include "hair/static_links.h"
 #include "particles/force.h"

@@ -12,6 +12,7 @@
 #include <span>
 #include <vector>
 
+#include "hair/mass_spring/control_mesh.h"
 #include "hair/static_links.h"
 
 namespace hair {

@@ -8,7 +8,7 @@
 
 #include <vector>
 
-#include "hair/rigid_links/link.h"
+#include "hair/link.h"
 
 namespace hair {
 

@@ -6,18 +6,10 @@
 // of a wave or turn, because they can't follow the curve then.
 #pragma once
 
+#include "hair/root_frame.h"
 #include "particles/vectors.h"
 
 namespace hair {
-
-using Eigen::Vector3d;
-
-// The start and the direction of the curve. axis and side have length 1 and are perpendicular.
-struct RootFrame {
-  Vector3d position = Vector3d::Zero();  // m
-  Vector3d axis = Vector3d(0, 0, -1);
-  Vector3d side = Vector3d(1, 0, 0);
-};
 
 // The side of a strand along `axis` (of length 1): x made perpendicular to it, or y if x is nearly parallel
 // to it.

@@ -1,0 +1,26 @@
+// A static link between two particles of guide hairs, and the law of the triangle strips between them. Particles are counted
+// through all strands: those of strand 0, of strand 1, ... Source: the lecture, "Control Mesh".
+#pragma once
+
+#include <Eigen/Core>
+
+namespace hair {
+
+using Eigen::Vector3d;
+
+// Holds particle b where a's frame had it when the link was made.
+struct StaticLink {
+  int a = 0, b = 0;                    // a != b
+  Vector3d offset = Vector3d::Zero();  // m: from a to b at rest, in a's frame
+  double length = 0;                   // > 0, m: stretches are multiples of it
+  double stiffness = 0;                // k >= 0, N/m
+  double yields = 0, breaks = 0;       // stretches, 0 <= yields <= breaks
+};
+
+struct StripLaw {
+  double thickness = 0;  // r > 0, m: nearer particles are pushed away
+  double stiffness = 0;  // k >= 0, N/m
+  double friction = 0;   // mu >= 0
+};
+
+}  // namespace hair
