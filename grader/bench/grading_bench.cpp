@@ -130,7 +130,7 @@ void time_parts(const Course& course, const Exercise& exercise, const fs::path& 
   link.insert(link.end(), {"-Wl,--version-script=" + (kit.folder() / "export" / (id + ".map")).string(), "-o",
                            (scratch / (id + ".so")).string(), object});
   for (const std::string& prerequisite : exercise.prerequisites)
-    link.push_back((kit.folder() / "lent" / (prerequisite + ".so")).string());
+    link.push_back((kit.folder() / "provided" / (prerequisite + ".so")).string());
   const std::vector<fs::path> objects = {kit.folder() / "lib" / (id + ".so")};
 
   Cage toolchain;
@@ -148,7 +148,7 @@ void time_parts(const Course& course, const Exercise& exercise, const fs::path& 
     WorkerSetup setup;
     setup.kit = kit.folder();
     setup.exercise = id;
-    setup.lent = exercise.prerequisites;
+    setup.provided = exercise.prerequisites;
     setup.objects = objects;
     setup.log = scratch / "log";
     Student student(setup);

@@ -42,7 +42,7 @@ Played play_object(const Exercise& exercise, const fs::path& object, const Hidde
   WorkerSetup setup;
   setup.kit = HAIR_KIT_DIR;
   setup.exercise = exercise.id;
-  setup.lent = exercise.prerequisites;
+  setup.provided = exercise.prerequisites;
   setup.objects = {object};
   setup.log = fs::path(HAIR_KEPT) / "worker.log";
   setup.isolated = false;

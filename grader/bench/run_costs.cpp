@@ -37,7 +37,7 @@ Cost cost_of(const Exercise& exercise, const hair::Scene& scene, const fs::path&
   WorkerSetup setup;
   setup.kit = HAIR_KIT_DIR;
   setup.exercise = exercise.id;
-  setup.lent = exercise.prerequisites;
+  setup.provided = exercise.prerequisites;
   setup.objects = {setup.kit / "lib" / (exercise.id + ".so")};
   setup.log = log;
   setup.isolated = false;

@@ -1,4 +1,4 @@
-# STAFF ONLY. Definitions of an exercise's functions that ask somebody else, made of their signatures in exercises.json:
+# STAFF ONLY. HAIR_PROVIDED, the exercises that are others' prerequisites; and definitions of an exercise's functions that ask somebody else, made of their signatures in exercises.json:
 #
 #   hair_definitions(OUT ID ASKED)  writes the file OUT: each function of exercise ID calls grader::asked<Calls, function>(arguments...)
 #                                   of the header ASKED. Where grader/exercise/<ID>/asked.h is, it is included in their place.
@@ -30,3 +30,10 @@ function(hair_definitions OUT ID ASKED)
   endif()
   file(CONFIGURE OUTPUT "${OUT}" CONTENT "${text}" @ONLY)
 endfunction()
+
+# The exercises that are others' prerequisites: the suite provides their functions.
+set(HAIR_PROVIDED)
+foreach(id ${HAIR_EXERCISES})
+  list(APPEND HAIR_PROVIDED ${HAIR_${id}_PREREQUISITES})
+endforeach()
+list(REMOVE_DUPLICATES HAIR_PROVIDED)

@@ -124,8 +124,8 @@ Compiled Compiler::run_linker(const Exercise& exercise, const fs::path& job, dou
   command.insert(command.end(), {"-Wl,-soname," + exercise.id + ".so", "-Wl,--version-script=/export.map",
                                  "-o", "/out/" + exercise.id + ".so", "/object/object.o"});
   for (const std::string& id : exercise.prerequisites) {
-    cage.mounts.push_back({toolchain_.kit().folder() / "lent" / (id + ".so"), "/lent/" + id + ".so"});
-    command.push_back("/lent/" + id + ".so");
+    cage.mounts.push_back({toolchain_.kit().folder() / "provided" / (id + ".so"), "/provided/" + id + ".so"});
+    command.push_back("/provided/" + id + ".so");
   }
 
   const Toolchain::Run found = toolchain_.run(cage, command, exercise.file);

@@ -41,7 +41,7 @@ StagedKit::StagedKit(const fs::path& kit, const Course& course) {
     parts.push_back(fs::path("export") / (exercise.id + ".map"));
     for (const char* folder : {"lib", "stub", "serve"})
       parts.push_back(fs::path(folder) / (exercise.id + ".so"));
-    for (const std::string& id : exercise.prerequisites) parts.push_back(fs::path("lent") / (id + ".so"));
+    for (const std::string& id : exercise.prerequisites) parts.push_back(fs::path("provided") / (id + ".so"));
   }
   for (const fs::path& part : parts)
     if (!fs::exists(kit / part))

@@ -2,6 +2,8 @@
 // the caller's objects, and puts what comes back into the arguments. Answers are untrusted: their lengths are checked, and numbers
 // may be anything. Whom a client asks is an Asker:
 //
+//   asker.ours()                  while what it returns lives, what is allocated is not the caller's
+//   asker.start(request)          writes what comes before the number of the call
 //   asker.ask(request, products)  sends it, and returns the reply; `products` answers questions
 //   asker.served(force)           `force` is the one that the other side serves already: it asks itself
 //   asker.scratch(scratch, n)     `scratch` is the caller's, of which the contract gives the function n columns
@@ -15,8 +17,8 @@
 #include <limits>
 
 #include "grader/exercise/call.h"
-#include "grader/play/dynamics_server.h"
-#include "grader/play/force_server.h"
+#include "grader/exercise/dynamics_server.h"
+#include "grader/exercise/force_server.h"
 #include "grader/wire/products.h"
 
 namespace grader {
@@ -51,6 +53,11 @@ class Answering {
  private:
   std::vector<Products> operators_;
   Products force_;
+};
+
+// Nothing to end, for an asker's ours().
+struct Nothing {
+  ~Nothing() {}
 };
 
 inline constexpr int kNoLimit = std::numeric_limits<int>::max();  // the submission's budget is one
@@ -182,8 +189,10 @@ class Client {
  public:
   template <class Asker, class... Given>
   static ResultOf<function> ask(Asker& asker, Given&&... given) {
+    const auto ours = asker.ours();
     MessageWriter request;
     Answering answering;
+    asker.start(request);
     request.put(Calls::template number_of<function>());
     send(request, answering, asker, given...);
     MessageReader reply = asker.ask(request, answering);
@@ -207,8 +216,10 @@ class Client {
   static Products multiply(Asker& asker, int times, const Eigen::VectorXd& x, const Eigen::VectorXd& filling,
                            const std::tuple<Made...>& made,
                            const std::tuple<After...>& after = std::tuple<>()) {
+    const auto ours = asker.ours();
     MessageWriter request;
     Answering answering;
+    asker.start(request);
     request.put(Calls::template number_of<function>());
     std::apply([&](auto&... given) { send(request, answering, asker, given...); }, made);
     request.put(static_cast<std::uint8_t>(sizeof...(After) > 0));

@@ -1,7 +1,8 @@
 // STAFF ONLY. Serves an exercise's calls: reads a request, calls the function, writes the reply. Where that happens is a Host:
 //
 //   Host::Vector(numbers)     numbers in memory of the host's, with view(), a vector
-//   host.called(promised, f)  calls f; `promised`: it allocates nothing, by its contract
+//   host.call<Call>(arguments...)  calls the call's function
+//   host.multiply(promised, f)     calls f, a product; `promised`: it allocates nothing, by its contract
 //   host.bound(sweeps, size)  bounds how much a call may compute, for a vector of `size` numbers
 //   host.served(force)        `force` is the one that the other side serves in this request
 //   host.ask, Host::Ours      see remote.h
@@ -218,11 +219,10 @@ class Request<Call, Host, std::tuple<P...>> {
     } else {
       request.expect_end();
       each([&](auto&... stored) {
-        const auto function = [&]() -> decltype(auto) { return Call::function(stored.view()...); };
         if constexpr (std::is_void_v<typename Call::Signature::Result>)
-          host_.called(Call::contract.allocates_nothing, function);
+          host_.template call<Call>(stored.view()...);
         else
-          encode(reply, host_.called(Call::contract.allocates_nothing, function));
+          encode(reply, host_.template call<Call>(stored.view()...));
         (stored.write(reply), ...);
         reply.put(static_cast<std::uint8_t>((stored.changed() || ...)));
       });
@@ -279,8 +279,8 @@ class Request<Call, Host, std::tuple<P...>> {
       throw MalformedMessage("a product of another size than the matrix");
     for (int i = 0; i < times; ++i) {
       typename Host::Vector product(filling);
-      host_.called(Call::contract.allocates_nothing,
-                   [&] { matrix->matVecMult(x.view().data(), product.view().data()); });
+      host_.multiply(Call::contract.allocates_nothing,
+                     [&] { matrix->matVecMult(x.view().data(), product.view().data()); });
       encode(reply, product.view());
     }
     encode(reply, x.view());

@@ -11,13 +11,15 @@ struct PlayAsker {
   MessageReader ask(const MessageWriter& request, const Products& products) {
     return ask_student(request, products);
   }
+  Nothing ours() const { return {}; }
+  void start(MessageWriter&) const {}
   bool served(const particles::Force&) const { return false; }
   void scratch(const auto&, int) {}
   void changed() {}
 };
 
 template <class Calls, auto function, class... Arguments>
-ResultOf<function> asked(Arguments&... arguments) {
+ResultOf<function> asked(Arguments&&... arguments) {
   PlayAsker asker;
   if constexpr (Signature<decltype(function)>::returns_matrix)
     return matrix_of<Calls, function>(asker, arguments...);

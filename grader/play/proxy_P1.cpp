@@ -2,8 +2,8 @@
 // accelerations are computed here.
 #include <limits>
 
+#include "grader/exercise/dynamics_server.h"
 #include "grader/play/asking.h"
-#include "grader/play/dynamics_server.h"
 #include "particles/explicit_integrators.h"
 
 namespace particles {

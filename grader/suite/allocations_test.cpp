@@ -16,7 +16,7 @@ class Allocations : public testing::TestWithParam<std::string> {
     WorkerSetup setup;
     setup.kit = kKit;
     setup.exercise = GetParam();
-    setup.lent = read_course(HAIR_EXERCISES_JSON).find(GetParam())->prerequisites;
+    setup.provided = read_course(HAIR_EXERCISES_JSON).find(GetParam())->prerequisites;
     setup.objects = {object};
     setup.log = "/dev/null";
     setup.isolated = false;

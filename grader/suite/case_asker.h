@@ -16,6 +16,8 @@ class CaseAsker {
   MessageReader ask(const MessageWriter& request, const Products& products) {
     return trial_.ask(request, products, stopped_);
   }
+  Nothing ours() const { return {}; }
+  void start(MessageWriter&) const {}
   bool served(const particles::Force&) const { return false; }
   void scratch(const auto&, int) {}
   void changed() { changed_input_ = true; }

@@ -3,12 +3,12 @@
 //
 // Reads a job as JSON from standard input and writes what it found as JSON to standard output:
 //
-//   {"exercise": "S2", "seed": "...", "kit": DIR, "lent": ["S1"], "objects": [FILE...], "log": FILE,
+//   {"exercise": "S2", "seed": "...", "kit": DIR, "provided": ["S1"], "objects": [FILE...], "log": FILE,
 //    "isolated": true, "cpu_seconds": 10, "allowance": {"idle_seconds": 3, ...}, "pictures": DIR, "sanitised": FILE}
 //   {"cases": [{"name", "status", "weight", "points", "feedback", "detail", "cases", "held"}...],
 //    "cpu_seconds": 0.1, "starts": 1, "spent": {"idle_seconds": 0.01, ...}}
 //
-// "lent" are the exercises whose functions the suite lends (lending.h). "allowance" and "spent" are as in grader/course/budget.h.
+// "provided" are the exercises whose functions the suite provides (provided.h). "allowance" and "spent" are as in grader/course/budget.h.
 // "sanitised" is the student's object with sanitizers, or "" if there is none; without it memory errors are not looked
 // for, and the result has no "memory": {"told": a sentence or "", "offsets": [...], "cpu_seconds": 0.1}, which is told to
 // the student, and where in the object it is (grader/wire/memory_error.h).
@@ -80,7 +80,7 @@ Job read_job(std::istream& in) {
     job.seed = document.at("seed");
     job.worker.exercise = job.exercise;
     job.worker.kit = document.at("kit").get<std::string>();
-    document.at("lent").get_to(job.worker.lent);
+    document.at("provided").get_to(job.worker.provided);
     for (const std::string object : document.at("objects")) job.worker.objects.push_back(object);
     job.worker.log = document.at("log").get<std::string>();
     job.worker.isolated = document.at("isolated");

@@ -29,8 +29,8 @@ grader::Student uncaged(const std::string& exercise, const std::string& kit,
   setup.exercise = exercise;
   for (const std::filesystem::path& object : objects) {
     setup.objects.push_back(std::filesystem::absolute(object));
-    // The kit's lent/S1.so asks the suite.
-    if (object.parent_path().filename() == "lent") setup.lent.push_back(object.stem());
+    // The kit's provided/S1.so asks the suite.
+    if (object.parent_path().filename() == "provided") setup.provided.push_back(object.stem());
   }
   setup.log = "/dev/null";
   setup.isolated = false;

@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <cmath>
 
-#include "grader/suite/lending.h"
+#include "grader/suite/provided.h"
 #include "grader/suite/recording.h"
 #include "solver/timing.h"
 
@@ -37,7 +37,7 @@ std::uint64_t random_nonce() {
 // In loading order.
 std::vector<std::filesystem::path> all_objects(const WorkerSetup& setup) {
   std::vector<std::filesystem::path> all;
-  for (const std::string& id : setup.lent) all.push_back(setup.kit / "lent" / (id + ".so"));
+  for (const std::string& id : setup.provided) all.push_back(setup.kit / "provided" / (id + ".so"));
   all.insert(all.end(), setup.objects.begin(), setup.objects.end());
   return all;
 }
@@ -164,7 +164,7 @@ std::optional<Answer> Student::start() {
   }
 }
 
-// A request on its way: `depth` calls of lent functions wait for callbacks.
+// A request on its way: `depth` calls of provided functions wait for callbacks.
 struct Student::Conversation {
   std::uint64_t nonce;
   const Products& products;
@@ -175,7 +175,7 @@ struct Student::Conversation {
 };
 
 Answer Student::ask(const MessageWriter& request, const Products& products) {
-  lent_solves_.clear();
+  provided_solves_.clear();
   if (recording_ == nullptr || gave_up_) return ask_worker(request, products);
   recording_->begin(request);
   Answer answer = ask_worker(request, [&](int which, const std::vector<double>& x, std::vector<double>& y) {
@@ -309,12 +309,12 @@ void Student::serve_call(Conversation& conversation, MessageReader call) {
   ++conversation.depth;
   try {
     const MessageWriter result =
-        lend(setup_.lent, std::move(call), conversation.products, callback, lent_solves_);
+        provide(setup_.provided, std::move(call), conversation.products, callback, provided_solves_);
     --conversation.depth;
     send(Kind::call_result, result);
   } catch (const CallbackThrew&) {
     --conversation.depth;
-  } catch (const StoppedLoan&) {
+  } catch (const StoppedCall&) {
     --conversation.depth;
     conversation.stopping = true;
     send(Kind::stop, {});

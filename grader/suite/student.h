@@ -13,7 +13,7 @@
 #include "grader/sandbox/cage.h"
 #include "grader/sandbox/watchdog.h"
 #include "grader/suite/allowance.h"
-#include "grader/suite/lending.h"
+#include "grader/suite/provided.h"
 #include "grader/wire/channel.h"
 #include "grader/wire/message.h"
 #include "grader/wire/products.h"
@@ -23,9 +23,9 @@ namespace grader {
 class Recording;
 
 struct WorkerSetup {
-  std::filesystem::path kit;                   // see grader/worker/CMakeLists.txt
-  std::string exercise;                        // the exercise whose server answers
-  std::vector<std::string> lent;               // prerequisites that the suite lends, see lending.h
+  std::filesystem::path kit;          // see grader/worker/CMakeLists.txt
+  std::string exercise;               // the exercise whose server answers
+  std::vector<std::string> provided;  // prerequisites whose functions the suite provides, see provided.h
   std::vector<std::filesystem::path> objects;  // in loading order; the student's last
   std::filesystem::path log;                   // the worker's output is appended here
   bool isolated = true;
@@ -79,7 +79,7 @@ class Student {
   int allocations() const { return allocations_; }
 
   // ConjGrad's, as the last request had the suite solve with it, in their order. None if the student's code solves by itself.
-  const std::vector<LentSolve>& lent_solves() const { return lent_solves_; }
+  const std::vector<ProvidedSolve>& provided_solves() const { return provided_solves_; }
   const Budget& spent() const { return setup_.allowance->spent; }
   const std::optional<Answer>& gave_up() const { return gave_up_; }  // the final answer, if the suite gave up
   void finish();
@@ -108,7 +108,7 @@ class Student {
   std::optional<Answer> gave_up_;
   Outcome last_failure_ = Outcome::timed_out;
   double cpu_seconds_ = 0;
-  std::vector<LentSolve> lent_solves_;
+  std::vector<ProvidedSolve> provided_solves_;
   int starts_ = 0, timeouts_ = 0, allocations_ = 0;
 };
 

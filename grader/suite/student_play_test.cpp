@@ -49,7 +49,7 @@ class StudentPlay : public testing::TestWithParam<std::string> {
     fs::permissions(folder_, fs::perms(0755));
     signal(SIGPIPE, SIG_IGN);
     for (const Exercise& one : exercises())
-      if (one.id == id()) setup_.lent = one.prerequisites;
+      if (one.id == id()) setup_.provided = one.prerequisites;
     fs::copy(kKit / "lib" / (id() + ".so"), object());
     setup_.kit = kKit;
     setup_.exercise = id();
@@ -100,7 +100,7 @@ bool same_bits(const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
 TEST_P(StudentPlay, IsTheMotionOfAllObjectsInOneProcessToTheLastBit) {
   WorkerSetup together = setup_;
   together.exercise = "runs";
-  together.lent.clear();
+  together.provided.clear();
   together.objects.clear();
   for (const Exercise& one : exercises()) together.objects.push_back(kKit / "lib" / (one.id + ".so"));
   for (const char* seed : {"a seed", "another seed"}) {
@@ -142,7 +142,7 @@ std::set<std::string> mapped_by_children() {
 
 TEST_P(StudentPlay, LeavesNoReferenceInTheStudentsProcess) {
   std::set<std::string> expected = {kKit / "worker", kKit / "serve" / (id() + ".so"), object()};
-  for (const std::string& one : setup_.lent) expected.insert(kKit / "lent" / (one + ".so"));
+  for (const std::string& one : setup_.provided) expected.insert(kKit / "provided" / (one + ".so"));
   int looks = 0;
   play([&](int call, MessageReader reply) {
     if (call % 100 == 0) {

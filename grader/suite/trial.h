@@ -54,7 +54,7 @@ class Trial {
   [[noreturn]] void fail(Status status, const std::string& feedback, const std::string& detail) const;
 
   // Of the last case, see Student.
-  const std::vector<LentSolve>& lent_solves() const { return student_.lent_solves(); }
+  const std::vector<ProvidedSolve>& provided_solves() const { return student_.provided_solves(); }
 
   // Runs `questions` for what their answers may excuse: none of them is a case, and the first that fails ends them.
   void ask_aside(const std::function<void()>& questions);

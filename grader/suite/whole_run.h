@@ -1,6 +1,6 @@
 // STAFF ONLY. The whole run of an exercise: the suite plays a hidden scene from start to end, with the submission's
 // functions for this exercise and the reference's for all others. Each call of the submission's goes to a worker of
-// its own, which holds the submission's object, lent prerequisites (lending.h), and nothing else. Two categories
+// its own, which holds the submission's object, provided prerequisites (provided.h), and nothing else. Two categories
 // judge the result.
 //
 // The run. It must end with finite numbers. It must start as the scene says, and held particles must stay

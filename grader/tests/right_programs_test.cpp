@@ -116,7 +116,7 @@ class RightPrograms : public testing::TestWithParam<std::string> {
     if (fs::exists(passed)) return {};
 
     std::vector<std::string> ask = {HAIRSEEDS, exercise_.id, first, seeds, kit_.folder().string()};
-    for (const std::string& id : exercise_.prerequisites) ask.push_back(lent(id));
+    for (const std::string& id : exercise_.prerequisites) ask.push_back(provided(id));
     ask.push_back(object.string());
     if (!fs::exists(object)) {
       fs::create_directories(object.parent_path());
@@ -130,7 +130,7 @@ class RightPrograms : public testing::TestWithParam<std::string> {
                   {"-Wl,-soname," + exercise_.id + ".so",
                    "-Wl,--version-script=" + (kit_.folder() / "export" / (exercise_.id + ".map")).string(),
                    "-o", linked, compiled});
-      for (const std::string& id : exercise_.prerequisites) link.push_back(lent(id));
+      for (const std::string& id : exercise_.prerequisites) link.push_back(provided(id));
       for (const auto& words : {compile, link})
         if (const ProgramRun found = run(words, log); found.code != 0) return found.output;
       fs::rename(linked, object);
@@ -140,7 +140,7 @@ class RightPrograms : public testing::TestWithParam<std::string> {
     return {};
   }
 
-  std::string lent(const std::string& id) const { return kit_.folder() / "lent" / (id + ".so"); }
+  std::string provided(const std::string& id) const { return kit_.folder() / "provided" / (id + ".so"); }
 };
 
 TEST_P(RightPrograms, LoseNoPointWhateverCompilesThem) {

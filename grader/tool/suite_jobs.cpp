@@ -106,7 +106,7 @@ SuiteJob SuiteJobs::cases(const Exercise& exercise, const std::string& student, 
                           const fs::path& folder) const {
   SuiteJob suite = job(exercise.id, folder);
   suite.seed = seed_for(settings_.secret, student, exercise.id);
-  suite.lent = exercise.prerequisites;
+  suite.provided = exercise.prerequisites;
   suite.objects.push_back(object);
   suite.whole_run = whole_run(exercise.id);
   if (pictures_ && suite.whole_run)

@@ -35,7 +35,7 @@ json texts(const std::vector<std::filesystem::path>& paths) {
 json to_json(const SuiteJob& job) {
   json all = {
       {"exercise", job.exercise},       {"seed", job.seed},
-      {"kit", job.kit.string()},        {"lent", job.lent},
+      {"kit", job.kit.string()},        {"provided", job.provided},
       {"objects", texts(job.objects)},  {"log", job.log.string()},
       {"isolated", job.isolated},       {"cpu_seconds", job.cpu_seconds},
       {"count_cases", job.count_cases}, {"pictures", job.pictures ? json(job.pictures->string()) : json()}};

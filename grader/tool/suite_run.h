@@ -18,7 +18,7 @@ struct SuiteJob {
   std::string exercise;  // or "runs", or "study"
   std::string seed;
   std::filesystem::path kit;
-  std::vector<std::string> lent;               // exercises whose functions the suite lends
+  std::vector<std::string> provided;           // exercises whose functions the suite provides
   std::vector<std::filesystem::path> objects;  // in loading order
   std::filesystem::path log;
   bool isolated = true;

@@ -10,8 +10,8 @@
 //                             done(...) | stopped | not_implemented | threw | out_of_memory
 //                             | memory_error, of a worker with sanitizers
 //
-// During the request the worker may also call a function of a prerequisite, which the suite lends
-// (grader/wire/lent_functions.h). Then the suite may ask for products with an object of the caller's:
+// During the request the worker may also call a function of a prerequisite, which the suite provides
+// (grader/suite/provided.h). Then the suite may ask for products with an object of the caller's:
 //
 //                             call(function, ...)
 //   callback(operator, x)     callback_result(doubles) | callback_threw, which ends the call

@@ -1,5 +1,5 @@
 // STAFF ONLY. Dynamics that the suite holds: the worker requests each acceleration through the pipe, so that
-// the suite's count is correct. The other side is grader/play/dynamics_server.h.
+// the suite's count is correct. The other side is grader/exercise/dynamics_server.h.
 #pragma once
 
 #include <functional>

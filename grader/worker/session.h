@@ -38,7 +38,7 @@ class Session {
   // Computes what the suite asks of a caller's object: y, from x.
   using Callback = std::function<void(int which, std::vector<double>& x, std::vector<double>& y)>;
 
-  // Calls a function that the suite lends, grader/wire/lent_functions.h. An exception of `callback` ends the call.
+  // Calls a function that the suite provides, grader/suite/provided.h. An exception of `callback` ends the call.
   MessageReader call(const MessageWriter& arguments, const Callback& callback);
 
   // Calls a function of the student's that allocates nothing, by its contract, and counts what it allocates.
@@ -135,9 +135,9 @@ class GuardedBuffer {
 using Server = void (*)(Session& session);
 inline constexpr const char* kServerName = "serve";
 
-// The variable that each object of lent functions defines: the session of the present request, which contracts have
+// The variable that each object of provided functions defines: the session of the present request, which contracts have
 // no argument for.
-using LentSession = Session*;
-inline constexpr const char* kLentSessionName = "lent_session";
+using ProvidedSession = Session*;
+inline constexpr const char* kProvidedSessionName = "provided_session";
 
 }  // namespace grader

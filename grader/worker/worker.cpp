@@ -75,10 +75,10 @@ void send_text(Channel& channel, Kind kind, std::uint64_t nonce, const char* tex
   channel.send(kind, nonce, message.bytes());
 }
 
-// What is loaded: the server, and where objects of lent functions look for the session.
+// What is loaded: the server, and where objects of provided functions look for the session.
 struct Loaded {
   Server serve = nullptr;
-  std::vector<LentSession*> lent;
+  std::vector<ProvidedSession*> provided;
 };
 
 Loaded load(Channel& channel, int count, char* files[]) {
@@ -91,30 +91,30 @@ Loaded load(Channel& channel, int count, char* files[]) {
       send_text(channel, Kind::cannot_load, 0, dlerror());
       _exit(0);
     }
-    if (void* session = dlsym(object, kLentSessionName))
-      loaded.lent.push_back(static_cast<LentSession*>(session));
+    if (void* session = dlsym(object, kProvidedSessionName))
+      loaded.provided.push_back(static_cast<ProvidedSession*>(session));
   }
   loaded.serve = reinterpret_cast<Server>(dlsym(object, kServerName));
   return loaded;
 }
 
-// How often a function allocates that promises not to. Told if it is more than `told` already.
-void tell_allocations(Channel& channel, std::uint64_t nonce, int most, int& told) {
-  if (most <= told) return;
-  told = most;
+// How often a function allocates that promises not to. Sent if it is more than `sent` already.
+void send_allocations(Channel& channel, std::uint64_t nonce, int most, int& sent) {
+  if (most <= sent) return;
+  sent = most;
   MessageWriter message;
   message.put(most);
   channel.send(Kind::allocated, nonce, message.bytes());
 }
 
-void answer(Channel& channel, const Loaded& loaded, Message& request, int& allocations_told) {
+void answer(Channel& channel, const Loaded& loaded, Message& request, int& allocations_sent) {
   const std::uint64_t nonce = request.nonce;
   try {
     Session session(channel, nonce, MessageReader(std::move(request.body)),
                     allocations != nullptr ? &allocations() : nullptr);
-    for (LentSession* lent : loaded.lent) *lent = &session;
+    for (ProvidedSession* provided : loaded.provided) *provided = &session;
     loaded.serve(session);
-    tell_allocations(channel, nonce, session.allocations(), allocations_told);
+    send_allocations(channel, nonce, session.allocations(), allocations_sent);
     channel.send(Kind::done, nonce, session.reply.bytes());
   } catch (const Stopped&) {
     channel.send(Kind::stopped, nonce);
@@ -139,10 +139,10 @@ void serve_requests() {
   Channel channel(kIn, kOut);
   const Loaded loaded = load(channel, arguments.count, arguments.files);
   channel.send(Kind::hello, 0);
-  int allocations_told = 0;
+  int allocations_sent = 0;
   while (std::optional<Message> request = channel.receive(kLargestRequest)) {
     current.nonce = request->nonce;
-    answer(channel, loaded, *request, allocations_told);
+    answer(channel, loaded, *request, allocations_sent);
   }
   _exit(0);  // not through the student's destructors
 }

@@ -17,9 +17,17 @@ class WorkerHost {
   explicit WorkerHost(Session& session) : session_(session) {}
 
   void ask(const Question& question) { session_.product(question.which, question.numbers, question.answer); }
-  template <class Function>
-  decltype(auto) called(bool allocates_nothing, Function&& call) {
-    return allocates_nothing ? session_.counted(call) : call();
+  template <class Call, class... Arguments>
+  decltype(auto) call(Arguments&&... arguments) {
+    const auto function = [&]() -> decltype(auto) { return Call::function(arguments...); };
+    if constexpr (Call::contract.allocates_nothing)
+      return session_.counted(function);
+    else
+      return function();
+  }
+  template <class Product>
+  void multiply(bool allocates_nothing, Product&& product) {
+    allocates_nothing ? session_.counted(product) : product();
   }
   void bound(int&, Eigen::Index) {}
   void served(const particles::Force& force) { session_.served_force = &force; }

@@ -5,17 +5,13 @@
 #include <functional>
 #include <limits>
 
-#include "grader/play/force_server.h"
-#include "grader/wire/particles_message.h"
-#include "grader/wire/report_message.h"
-#include "grader/wire/strand_message.h"
+#include "grader/exercise/H4/calls.h"
+#include "grader/suite/case_asker.h"
 
 namespace grader::h4 {
 namespace {
 
 using Eigen::VectorXd;
-
-constexpr int kProduct = 0, kSolve = 1, kEuler = 2;  // as in serve_H4.cpp
 
 int step_limit(const Cloud& cloud) {
   return std::max(100, 60 * cloud.count());
@@ -26,52 +22,41 @@ int most_questions(const Cloud& cloud, int solves = 1) {
   return (2 * solves + 1) * (step_limit(cloud) + step_limit(cloud) / 64) + 6 * cloud.count() + 20;
 }
 
-MessageWriter request(int function, const Cloud& cloud) {
-  MessageWriter message;
-  message.put(function);
-  put(message, cloud.particles);
-  put(message, cloud.state);
-  return message;
+constexpr Filling kScratch{particles::kImplicitScratch};
+
+void count(Solution& solution, const ForceServer& server) {
+  solution.forces = server.forces;
+  solution.dfdx = server.dfdx;
+  solution.dfdv = server.dfdv;
+  solution.bands = server.bands;
 }
 
 }  // namespace
 
 Solution solve(Trial& trial, const Cloud& cloud, double a, double b, double tolerance) {
   trial.describe(cloud.name + ", solve_implicit");
-  MessageWriter message = request(kSolve, cloud);
-  message.put(a).put(b).put(tolerance);
-  put(message, random_vector(trial.random, 3 * cloud.count(), 1e3));
   // A tolerance that can't be met may be loosened to 1e-6, a hundred times each time: from 1e-10, or from next to nothing.
   const int solves = tolerance < kTolerance ? 7 : 3;
   ForceServer server(*cloud.force, cloud.count(), most_questions(cloud, solves));
-  MessageReader reply = trial.ask(message, std::ref(server));
   Solution solution;
-  solution.dv = get_vector(reply, 3 * cloud.count());
-  solution.report = get_solve_report(reply);
-  reply.expect_end();
-  solution.forces = server.forces;
-  solution.dfdx = server.dfdx;
-  solution.dfdv = server.dfdv;
-  solution.bands = server.bands;
+  solution.dv = random_vector(trial.random, 3 * cloud.count(), 1e3);
+  solution.report = ask_student_for<Calls, particles::solve_implicit>(
+      trial, std::ref(server), cloud.particles, cloud.state, a, b, tolerance, solution.dv, kScratch);
+  count(solution, server);
   return solution;
 }
 
 Solution step(Trial& trial, const Cloud& cloud, double h, double tolerance) {
   trial.describe(cloud.name + ", implicit_euler");
-  MessageWriter message = request(kEuler, cloud);
-  message.put(h).put(tolerance);
   ForceServer server(*cloud.force, cloud.count(), most_questions(cloud));
-  MessageReader reply = trial.ask(message, std::ref(server));
   Solution solution;
-  solution.x = get_vector(reply, 3 * cloud.count());
-  solution.v = get_vector(reply, 3 * cloud.count());
+  particles::State state = cloud.state;
+  solution.report = ask_student_for<Calls, particles::implicit_euler>(
+      trial, std::ref(server), cloud.particles, h, tolerance, state, kScratch);
+  solution.x = state.x;
+  solution.v = state.v;
   solution.dv = solution.v - cloud.state.v;
-  solution.report = get_solve_report(reply);
-  reply.expect_end();
-  solution.forces = server.forces;
-  solution.dfdx = server.dfdx;
-  solution.dfdv = server.dfdv;
-  solution.bands = server.bands;
+  count(solution, server);
   return solution;
 }
 
@@ -81,14 +66,12 @@ void expect_matrix(Trial& trial, const Cloud& cloud, double a, double b) {
   const ImplicitSystem system = implicit_system(cloud, a, b);
   const VectorXd x = random_vector(trial.random, size);
   for (double junk : {0.0, 1e3, std::numeric_limits<double>::quiet_NaN()}) {
-    MessageWriter message = request(kProduct, cloud);
-    message.put(a).put(b);
-    put(message, x);
-    put(message, VectorXd::Constant(size, junk));
     ForceServer server(*cloud.force, cloud.count(), 2 * size + 20);  // enough to write the matrix out
-    MessageReader reply = trial.ask(message, std::ref(server));
-    const VectorXd first = get_vector(reply, size), second = get_vector(reply, size);
-    reply.expect_end();
+    CaseAsker asker(trial);
+    const auto answer = Client<Calls, particles::implicit_matrix>::multiply(
+        asker, 2, x, VectorXd::Constant(size, junk),
+        std::tuple(std::ref(server), std::cref(cloud.particles), std::cref(cloud.state), a, b));
+    const VectorXd &first = answer.products[0], &second = answer.products[1];
     // 3n terms in each of the two products, and what puts them together.
     trial.expect_at_most((first - system.A * x).norm(), 4 * (size + 8) * kUnit * system.norm * x.norm(),
                          "the error of the matrix' product");

@@ -171,8 +171,8 @@ void expect_end_of_rounding(Trial& trial) {
   // At 1e-10, 1e-8 and 1e-6.
   const int most = std::max(100, 60 * hair.count()), steps = solution.report.steps;
   // No rounding is between what ConjGrad returned last and what is reported.
-  if (!trial.lent_solves().empty())
-    trial.expect_at_most(std::abs(solution.report.residual - std::sqrt(trial.lent_solves().back().value)),
+  if (!trial.provided_solves().empty())
+    trial.expect_at_most(std::abs(solution.report.residual - std::sqrt(trial.provided_solves().back().value)),
                          1e-12 * solution.report.residual, "the error of the report's residual");
   trial.expect(steps >= most && steps <= 3 * most,
                "a solve that does not meet its tolerance takes other iterations than it may",

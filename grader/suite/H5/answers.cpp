@@ -4,9 +4,9 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <cmath>
-#include <cstring>
 
-#include "grader/wire/strand_message.h"
+#include "grader/exercise/H5/calls.h"
+#include "grader/suite/case_asker.h"
 #include "solver/symmetric_eigen.h"
 
 namespace grader::h5 {
@@ -15,25 +15,7 @@ namespace {
 using Eigen::MatrixXd;
 
 constexpr double kFar = 5;  // see expect_near
-
-Products no_products() {
-  return [](int, const auto&, auto&) -> bool { throw MalformedMessage("no operator"); };
-}
-
-CorrectionReport get_report(MessageReader& reply) {
-  CorrectionReport report;
-  report.iterations = reply.get<int>();
-  report.error = reply.get<double>();
-  report.converged = reply.get<std::uint8_t>() != 0;
-  reply.expect_end();
-  return report;
-}
-
-// A NaN equals itself.
-bool same_bits(const VectorXd& a, const VectorXd& b) {
-  return a.size() == b.size() &&
-         std::memcmp(a.data(), b.data(), sizeof(double) * static_cast<std::size_t>(a.size())) == 0;
-}
+constexpr Filling kScratch{hair::kCorrectionScratch};
 
 // J W J^T, J = d(length)/dx with the root fixed.
 MatrixXd multiplier_matrix(const Strand& strand, const VectorXd& x) {
@@ -55,15 +37,11 @@ std::string name_of(int function) {
 
 Corrected correct(Trial& trial, int function, const Strand& strand, const VectorXd& x, double tolerance,
                   int most) {
-  MessageWriter message;
-  message.put(function);
-  put(message, strand);
-  message.put(tolerance).put(most);
-  put(message, x);
-  MessageReader reply = trial.ask(message, no_products());
-  Corrected corrected;
-  corrected.result = get_vector(reply, x.size());
-  corrected.report = get_report(reply);
+  Corrected corrected{x, {}};
+  corrected.report = function == kRelax ? ask_student_for<Calls, hair::relax_lengths>(
+                                              trial, strand, tolerance, most, corrected.result)
+                                        : ask_student_for<Calls, hair::correct_lengths>(
+                                              trial, strand, tolerance, most, corrected.result, kScratch);
   trial.expect(corrected.report.iterations >= 0 && corrected.report.iterations <= most,
                name_of(function) + " reports more iterations than it may take",
                std::to_string(corrected.report.iterations));
@@ -72,18 +50,11 @@ Corrected correct(Trial& trial, int function, const Strand& strand, const Vector
 
 Corrected correct_velocities(Trial& trial, const Strand& strand, const VectorXd& x, const VectorXd& v,
                              double tolerance, int most) {
-  MessageWriter message;
-  message.put(kVelocities);
-  put(message, strand);
-  message.put(tolerance).put(most);
-  put(message, x);
-  put(message, v);
-  MessageReader reply = trial.ask(message, no_products());
-  Corrected corrected;
-  corrected.result = get_vector(reply, v.size());
-  const VectorXd x_after = get_vector(reply, x.size());
-  corrected.report = get_report(reply);
-  trial.expect(same_bits(x_after, x), "correct_velocities changes x");
+  Corrected corrected{v, {}};
+  CaseAsker asker(trial);
+  corrected.report =
+      ask<Calls, hair::correct_velocities>(asker, strand, x, tolerance, most, corrected.result, kScratch);
+  trial.expect(!asker.changed_input(), "correct_velocities changes x");
   trial.expect(corrected.report.iterations >= 0 && corrected.report.iterations <= most,
                "correct_velocities reports more iterations than it may take",
                std::to_string(corrected.report.iterations));

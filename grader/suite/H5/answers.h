@@ -17,8 +17,8 @@ namespace grader::h5 {
 
 using hair::CorrectionReport;
 
-inline constexpr int kRelax = 0, kCorrect = 1, kVelocities = 2;  // as in serve_H5.cpp
-inline constexpr int kMostSweeps = 200000;                       // more than any case here needs
+inline constexpr int kRelax = 0, kCorrect = 1;
+inline constexpr int kMostSweeps = 200000;  // more than any case here needs
 
 struct Corrected {
   VectorXd result;  // x or v

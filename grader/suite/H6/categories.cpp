@@ -10,11 +10,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "grader/play/force_server.h"
+#include "grader/exercise/H6/calls.h"
+#include "grader/suite/case_asker.h"
 #include "grader/suite/implicit_system.h"
-#include "grader/wire/particles_message.h"
-#include "grader/wire/report_message.h"
-#include "grader/wire/strand_message.h"
 #include "hair/predictor_corrector.h"
 #include "particles/force_sum.h"
 #include "particles/gravity.h"
@@ -44,19 +42,13 @@ struct Step {
 Step step(Trial& trial, const Hair& hair) {
   const int n = hair.cloud.count(), most = std::max(100, 60 * n);
   trial.describe(hair.cloud.name);
-  MessageWriter message;
-  put(message, hair.strand);
-  put(message, hair.cloud.particles);
-  put(message, hair.cloud.state);
-  message.put(hair.h).put(kTolerance);
   Step step{{}, {}, {}, ForceServer(*hair.cloud.force, n, 6 * (most + most / 64) + 40)};
-  MessageReader reply = trial.ask(message, std::ref(step.asked));
-  step.x = get_vector(reply, 3 * n);
-  step.v = get_vector(reply, 3 * n);
-  step.report.filter = get_solve_report(reply);
-  step.report.correction = get_correction_report(reply);
-  step.report.second_filter = get_solve_report(reply);
-  reply.expect_end();
+  particles::State state = hair.cloud.state;
+  step.report = ask_student_for<Calls, hair::predictor_corrector>(
+      trial, std::ref(step.asked), hair.cloud.particles, hair.strand, hair.h, kTolerance, state,
+      Filling{hair::kPredictorCorrectorScratch});
+  step.x = state.x;
+  step.v = state.v;
   trial.expect(step.x.allFinite() && step.v.allFinite(), "a step is not finite");
   return step;
 }

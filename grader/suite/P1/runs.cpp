@@ -5,7 +5,7 @@
 #include <span>
 #include <sstream>
 
-#include "grader/play/dynamics_server.h"
+#include "grader/exercise/dynamics_server.h"
 
 namespace grader::p1 {
 namespace {

@@ -48,8 +48,8 @@ void expect_steps_for_all_rods(Trial& trial) {
 
 // Of the solve before.
 void expect_limit(Trial& trial, const ConstrainedSystem& system) {
-  if (trial.lent_solves().size() != 1) return;
-  const int most = trial.lent_solves()[0].most, limit = std::max(100, 20 * system.rows());
+  if (trial.provided_solves().size() != 1) return;
+  const int most = trial.provided_solves()[0].most, limit = std::max(100, 20 * system.rows());
   const bool default_is_the_same = limit == std::max(100, 2 * system.rows());
   trial.expect(most == limit || (most == 0 && default_is_the_same),
                "ConjGrad gets other iterations than the header says",

@@ -1,5 +1,5 @@
-// STAFF ONLY. A worker that does not keep to the protocol of lent functions ends its request, and not the suite.
-#include "grader/suite/lending.h"
+// STAFF ONLY. A worker that does not keep to the protocol of provided functions ends its request, and not the suite.
+#include "grader/suite/provided.h"
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -14,19 +14,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class Lending : public testing::Test {
+class Provided : public testing::Test {
  protected:
-  Lending() {
-    std::string pattern = (fs::temp_directory_path() / "lending-test-XXXXXX").string();
+  Provided() {
+    std::string pattern = (fs::temp_directory_path() / "provided-test-XXXXXX").string();
     folder_ = mkdtemp(pattern.data());
     fs::permissions(folder_, fs::perms(0755));
     signal(SIGPIPE, SIG_IGN);
     fs::create_directories(folder_ / "serve");
-    fs::create_directories(folder_ / "lent");
-    fs::copy(HAIR_HOSTILE_BORROWER, folder_ / "worker");
-    for (const char* file : {"serve/X.so", "lent/S1.so", "lent/H5.so"}) std::ofstream(folder_ / file) << "";
+    fs::create_directories(folder_ / "provided");
+    fs::copy(HAIR_HOSTILE_CALLER, folder_ / "worker");
+    for (const char* file : {"serve/X.so", "provided/S1.so", "provided/H5.so"})
+      std::ofstream(folder_ / file) << "";
   }
-  ~Lending() override { fs::remove_all(folder_); }
+  ~Provided() override { fs::remove_all(folder_); }
 
   // Asked twice: after the first answer there is still a suite.
   Outcome outcome(const std::string& how) {
@@ -35,7 +36,7 @@ class Lending : public testing::Test {
     setup.allowance = allowance_;
     setup.kit = folder_;
     setup.exercise = "X";
-    setup.lent = {"S1", "H5"};
+    setup.provided = {"S1", "H5"};
     setup.objects = {folder_ / (how + ".so")};
     setup.log = folder_ / "log";
     setup.isolated = false;
@@ -52,20 +53,20 @@ class Lending : public testing::Test {
   std::shared_ptr<Allowance> allowance_;  // of the last worker
 };
 
-TEST_F(Lending, RefusesWhatMakesNoSense) {
+TEST_F(Provided, RefusesWhatMakesNoSense) {
   for (const char* how :
-       {"calls-what-is-not-lent", "calls-what-is-not-there", "has-fewer-numbers-than-unknowns",
-        "has-less-than-no-unknowns", "calls-in-callbacks-forever", "throws-unasked", "answers-unasked",
-        "answers-with-another-length", "is-done-in-a-callback"})
+       {"calls-what-is-not-provided", "calls-what-is-not-there", "calls-before-the-first",
+        "has-fewer-numbers-than-unknowns", "has-less-than-no-unknowns", "calls-in-callbacks-forever",
+        "throws-unasked", "answers-unasked", "answers-with-another-length", "is-done-in-a-callback"})
     EXPECT_EQ(outcome(how), Outcome::broke_rules) << how;
 }
 
-TEST_F(Lending, GoesOnAfterACallbackThatEnds) {
+TEST_F(Provided, GoesOnAfterACallbackThatEnds) {
   EXPECT_EQ(outcome("exits-in-a-callback"), Outcome::crashed);
   EXPECT_EQ(outcome("throws-in-a-callback"), Outcome::threw);
 }
 
-TEST_F(Lending, ComputesNoLongerThanItMay) {
+TEST_F(Provided, ComputesNoLongerThanItMay) {
   EXPECT_EQ(outcome("solves-forever"), Outcome::timed_out);
   EXPECT_GT(allowance_->spent.messages, allowance_->limit.messages) << "it ended for another reason";
   EXPECT_EQ(outcome("sweeps-forever"), Outcome::done);

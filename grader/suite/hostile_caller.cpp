@@ -1,12 +1,13 @@
-// STAFF ONLY. A worker that does not keep to the protocol of lent functions, for lending_test. The name of the object
+// STAFF ONLY. A worker that does not keep to the protocol of provided functions, for provided_test. The name of the object
 // that it should load says how.
 #include <unistd.h>
 
 #include <filesystem>
 #include <limits>
 
+#include "grader/exercise/H5/calls.h"
+#include "grader/exercise/S1/calls.h"
 #include "grader/wire/channel.h"
-#include "grader/wire/lent_functions.h"
 #include "grader/wire/message.h"
 
 namespace {
@@ -16,21 +17,34 @@ using namespace grader;
 std::uint64_t nonce = 0;
 Channel channel(3, 4);
 
-MessageWriter conj_grad(int n, std::size_t given) {
+template <class Calls>
+MessageWriter call_of(int number) {
   MessageWriter call;
-  const std::vector<double> b(given, 1.0);
-  call.put(kLentConjGrad).put(n).put(-1.0).put(std::numeric_limits<int>::max());
-  return call.put(std::span<const double>(b));
+  call.put(std::string(Calls::id)).put(number);
+  return call;
+}
+
+// A system of n unknowns, with other numbers of them than that.
+MessageWriter conj_grad(int n, Eigen::Index given) {
+  MessageWriter call = call_of<s1::Calls>(s1::Calls::number_of<s1::conj_grad>());
+  call.put(0).put(n).put(n);  // the matrix: operator 0, its rows and columns
+  for (int vector = 0; vector < 2; ++vector) encode(call, Eigen::VectorXd(Eigen::VectorXd::Ones(given)));
+  return call.put(-1.0).put(std::numeric_limits<int>::max());
 }
 
 // A strand of two particles, and velocities that no sweep makes right.
 MessageWriter endless_sweeps() {
-  MessageWriter call;
-  const std::vector<double> two(2, 1.0), one(1, 1.0), x = {0, 0, 0, 1, 0, 0}, v(6, 1e300);
-  call.put(kLentCorrectVelocities).put(std::span<const double>(two)).put(std::span<const double>(one));
-  call.put(1.0).put(1.0).put(1.0).put(std::uint8_t{0}).put(0.0).put(0.0).put(1.0);
-  call.put(-1.0).put(-1);
-  return call.put(std::span<const double>(x)).put(std::span<const double>(v));
+  MessageWriter call = call_of<h5::Calls>(h5::Calls::number_of<hair::correct_velocities>());
+  hair::Strand strand;
+  strand.mass = Eigen::VectorXd::Ones(2);
+  strand.rest_length = Eigen::VectorXd::Ones(1);
+  encode(call, strand);
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(6), v = Eigen::VectorXd::Constant(6, 1e300);
+  x[3] = 1;
+  encode(call, x);
+  call.put(-1.0).put(std::numeric_limits<int>::max());
+  encode(call, v);
+  return call.put(hair::kCorrectionScratch).put(0.0);
 }
 
 void send(Kind kind, const MessageWriter& body = {}) {
@@ -61,12 +75,13 @@ void send_products_forever() {
 }
 
 void misbehave(const std::string& how) {
-  if (how == "calls-what-is-not-lent") {
+  if (how == "calls-what-is-not-provided") {
     MessageWriter call;
-    send(Kind::call, call.put(kLentSolveImplicit));
+    send(Kind::call, call.put(std::string("H4")).put(0));
   } else if (how == "calls-what-is-not-there") {
-    MessageWriter call;
-    send(Kind::call, call.put(1000));
+    send(Kind::call, call_of<s1::Calls>(1000));
+  } else if (how == "calls-before-the-first") {
+    send(Kind::call, call_of<h5::Calls>(-1));
   } else if (how == "has-fewer-numbers-than-unknowns") {
     send(Kind::call, conj_grad(1 << 30, 3));
   } else if (how == "has-less-than-no-unknowns") {

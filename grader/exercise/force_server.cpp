@@ -1,5 +1,5 @@
 // STAFF ONLY.
-#include "grader/play/force_server.h"
+#include "grader/exercise/force_server.h"
 
 #include "grader/wire/force_answer.h"
 

@@ -1,0 +1,49 @@
+// STAFF ONLY. An exercise's functions as the suite provides them to a worker whose code needs them as a prerequisite: each asks the
+// suite, in the session of the present request. The definitions themselves are generated, grader/cmake/definitions.cmake.
+#pragma once
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "grader/exercise/client.h"
+#include "grader/worker/session.h"
+
+// Each object's own.
+extern "C" __attribute__((visibility("default"))) grader::ProvidedSession provided_session;
+
+namespace grader {
+
+template <class Calls>
+struct ProvidedAsker {
+  Session::Uncounted ours() const { return Session::Uncounted(*provided_session); }
+  void start(MessageWriter& request) const { request.put(std::string(Calls::id)); }
+  MessageReader ask(const MessageWriter& request, const Products& products) const {
+    return provided_session->call(
+        request, [&](int which, std::vector<double>& x, std::vector<double>& y) { products(which, x, y); });
+  }
+  bool served(const particles::Force& force) const { return &force == provided_session->served_force; }
+  // Leaves nothing in the columns that the contract gives a function: what a caller keeps there is lost, as it may be with any
+  // function of that contract.
+  void scratch(particles::Scratch scratch, int columns) const {
+    if (scratch.cols() < columns)
+      throw std::invalid_argument("scratch of " + std::to_string(scratch.cols()) + " columns; expected " +
+                                  std::to_string(columns));
+    scratch.leftCols(columns).setConstant(std::numeric_limits<double>::quiet_NaN());
+  }
+  void changed() const {}
+};
+
+template <class Calls, auto function, class... Arguments>
+ResultOf<function> asked(Arguments&&... arguments) {
+  using Call = typename Calls::template Of<function>;
+  ProvidedAsker<Calls> asker;
+  const auto ours = asker.ours();
+  Call::Check::check(arguments...);
+  if constexpr (Call::Signature::returns_matrix)
+    return matrix_of<Calls, function>(asker, arguments...);
+  else
+    return ask<Calls, function>(asker, arguments...);
+}
+
+}  // namespace grader
