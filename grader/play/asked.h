@@ -18,6 +18,10 @@ struct PlayAsker {
   void changed() {}
 };
 
+inline Nothing ours() {
+  return {};
+}
+
 template <class Calls, auto function, class... Arguments>
 ResultOf<function> asked(Arguments&&... arguments) {
   PlayAsker asker;

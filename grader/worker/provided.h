@@ -34,11 +34,16 @@ struct ProvidedAsker {
   void changed() const {}
 };
 
+// While it lives, what is allocated is not the student's.
+inline Session::Uncounted ours() {
+  return Session::Uncounted(*provided_session);
+}
+
 template <class Calls, auto function, class... Arguments>
 ResultOf<function> asked(Arguments&&... arguments) {
   using Call = typename Calls::template Of<function>;
   ProvidedAsker<Calls> asker;
-  const auto ours = asker.ours();
+  const Session::Uncounted uncounted = ours();
   Call::Check::check(arguments...);
   if constexpr (Call::Signature::returns_matrix)
     return matrix_of<Calls, function>(asker, arguments...);
