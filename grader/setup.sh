@@ -13,12 +13,12 @@ ninja-build          #   and what runs it
 pkg-config           # finds libseccomp and libsodium
 libeigen3-dev        # Eigen: linear algebra
 libgtest-dev         # GoogleTest: tests, public checks, grading suite
-libstb-dev           # reads and writes images
+libstb-dev           # writes pictures
 libosmesa6           # OpenGL without a window: draws what is graded
 nlohmann-json3-dev   # JSON: exercises, courses, results
 libcli11-dev         # the command line of hairgrade
 libarchive-dev       # reads and writes .zip and .tar.gz
-zlib1g-dev           # packs the pictures of reports
+libpng-dev           # reads pictures, and packs those of reports
 libseccomp-dev       # the sandbox's system call filter
 libsodium-dev        # seeds and fingerprints: HMAC, hashes
 bubblewrap           # the sandbox

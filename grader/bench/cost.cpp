@@ -1,19 +1,14 @@
 // STAFF ONLY.
 #include "grader/bench/cost.h"
+#include "hair/io/files/start_program.h"
 #include "solver/timing.h"
 
-#include <fcntl.h>
-#include <spawn.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <chrono>
-#include <system_error>
-
-extern char** environ;
 
 namespace grader_bench {
 namespace {
@@ -70,21 +65,10 @@ std::vector<Cost> median_costs(const std::vector<Part>& parts, int rounds) {
 }
 
 int run_program(const std::vector<std::string>& command) {
-  std::vector<char*> argv;
-  for (const std::string& word : command) argv.push_back(const_cast<char*>(word.c_str()));
-  argv.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  for (int descriptor : {0, 1, 2})
-    posix_spawn_file_actions_addopen(&actions, descriptor, "/dev/null", O_RDWR, 0);
-  pid_t process = 0;
-  const int error = posix_spawn(&process, argv[0], &actions, nullptr, argv.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) throw std::system_error(error, std::generic_category(), command[0]);
-  int status = 0;
-  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  const std::filesystem::path nothing = "/dev/null";
+  return hair::exit_code_of(
+             hair::start_program({.words = command, .input = nothing, .output = nothing, .errors = nothing}))
+      .value_or(-1);
 }
 
 }  // namespace grader_bench

@@ -23,6 +23,7 @@
 #include "grader/tool/batch.h"
 #include "grader/tool/grading.h"
 #include "grader/tool/suite_run.h"
+#include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 
 namespace grader_bench {
@@ -38,12 +39,6 @@ void require(bool holds, const std::string& what) {
   if (!holds) throw std::runtime_error(what);
 }
 
-std::string read_file(const fs::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  require(in.good(), path.string() + " can't be read");
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 // A right solution, one of those of the sample class, and no two the same bytes.
 Submission submission(const Course& course, int number) {
   static const fs::path solutions = fs::path(HAIR_PROJECT) / "grader/samples/solutions";
@@ -54,7 +49,7 @@ Submission submission(const Course& course, int number) {
   for (const Exercise& exercise : course.exercises) {
     fs::path file = folders[static_cast<std::size_t>(number) % std::size(folders)] / exercise.file;
     if (number % 2 == 0 || !fs::exists(file)) file = fs::path(HAIR_PROJECT) / "reference" / exercise.file;
-    result.files[exercise.file].text = read_file(file) + "// " + result.name + "\n";
+    result.files[exercise.file].text = hair::bytes_of(file) + "// " + result.name + "\n";
   }
   return result;
 }
@@ -118,7 +113,7 @@ void time_parts(const Course& course, const Exercise& exercise, const fs::path& 
   const StagedKit kit(HAIR_KIT_DIR, course);
   const Compiler compiler(kit, scratch / "parts", true);
   const std::string id = exercise.id,
-                    source = read_file(fs::path(HAIR_PROJECT) / "reference" / exercise.file);
+                    source = hair::bytes_of(fs::path(HAIR_PROJECT) / "reference" / exercise.file);
   const std::string file = (scratch / exercise.file).string(), object = (scratch / (id + ".o")).string();
   std::ofstream(file) << source;
 

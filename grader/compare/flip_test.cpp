@@ -12,7 +12,7 @@
 
 #include "grader/compare/color.h"
 #include "grader/compare/test_pictures.h"
-#include "hair/io/image/png.h"
+#include "hair/io/image/read_png.h"
 
 namespace grader {
 namespace {

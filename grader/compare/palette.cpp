@@ -1,7 +1,7 @@
 // STAFF ONLY.
 #include "grader/compare/palette.h"
 
-#include <zlib.h>
+#include <png.h>
 
 #include <algorithm>
 #include <cmath>
@@ -53,32 +53,6 @@ Pixel mean_of(std::span<const UsedColor> colors) {
   Pixel mean{};
   for (std::size_t c = 0; c < 3; ++c) mean[c] = static_cast<std::uint8_t>(std::lround(sum[c] / count));
   return mean;
-}
-
-std::string big_endian(std::size_t number) {
-  std::string bytes;
-  for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(number >> shift & 0xff);
-  return bytes;
-}
-
-const Bytef* as_bytes(const std::string& text) {
-  return reinterpret_cast<const Bytef*>(text.data());
-}
-
-std::string chunk(const std::string& type, const std::string& data) {
-  const std::string checked = type + data;
-  return big_endian(data.size()) + checked +
-         big_endian(crc32(0, as_bytes(checked), static_cast<uInt>(checked.size())));
-}
-
-std::string deflated(const std::string& bytes) {
-  uLongf size = compressBound(bytes.size());
-  std::string out(size, '\0');
-  if (compress2(reinterpret_cast<Bytef*>(out.data()), &size, as_bytes(bytes), bytes.size(),
-                Z_BEST_COMPRESSION) != Z_OK)
-    throw std::runtime_error("zlib does not compress " + std::to_string(bytes.size()) + " bytes");
-  out.resize(size);
-  return out;
 }
 
 }  // namespace
@@ -134,20 +108,20 @@ PalettePicture in_few_colors(const hair::Image& image, std::size_t most) {
   return picture;
 }
 
-// PNG (Second Edition, W3C 2003), sections 5.2, 11.2: colour type 3, eight bits, no filter.
 std::string encode_palette_png(const PalettePicture& picture) {
-  std::string colors, rows;
-  for (const Pixel& color : picture.colors) colors.append(color.begin(), color.end());
-  const auto width = static_cast<std::size_t>(picture.width);
-  for (std::size_t at = 0; at < picture.pixels.size(); at += width) {
-    rows += '\0';
-    rows.append(picture.pixels.begin() + static_cast<std::ptrdiff_t>(at),
-                picture.pixels.begin() + static_cast<std::ptrdiff_t>(at + width));
-  }
-  const std::string kind{8, 3, 0, 0, 0};
-  return "\x89PNG\r\n\x1a\n" +
-         chunk("IHDR", big_endian(width) + big_endian(static_cast<std::size_t>(picture.height)) + kind) +
-         chunk("PLTE", colors) + chunk("IDAT", deflated(rows)) + chunk("IEND", "");
+  png_image png{};
+  png.version = PNG_IMAGE_VERSION;
+  png.width = static_cast<png_uint_32>(picture.width);
+  png.height = static_cast<png_uint_32>(picture.height);
+  png.format = PNG_FORMAT_RGB_COLORMAP;
+  png.colormap_entries = static_cast<png_uint_32>(picture.colors.size());
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(png);
+  std::string bytes(size, '\0');
+  if (png_image_write_to_memory(&png, bytes.data(), &size, 0, picture.pixels.data(), 0,
+                                picture.colors.data()) == 0)
+    throw std::runtime_error(std::string("libpng does not write a picture: ") + png.message);
+  bytes.resize(size);
+  return bytes;
 }
 
 }  // namespace grader

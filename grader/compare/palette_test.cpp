@@ -7,7 +7,7 @@
 #include <set>
 
 #include "grader/compare/test_pictures.h"
-#include "hair/io/image/png.h"
+#include "hair/io/image/read_png.h"
 
 namespace grader {
 namespace {

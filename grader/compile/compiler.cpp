@@ -8,21 +8,11 @@
 #include "grader/compile/hash.h"
 #include "grader/course/input.h"
 #include "grader/sandbox/identity.h"
+#include "hair/io/files/read_file.h"
 
 namespace grader {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-// Nothing of a file that is not there.
-std::string text_of(const fs::path& file) {
-  std::ostringstream text;
-  if (std::ifstream in(file, std::ios::binary); in) text << in.rdbuf();
-  return text.str();
-}
-
-}  // namespace
 
 Compiler::Compiler(const StagedKit& kit, fs::path cache, bool isolated)
     : toolchain_(kit, isolated),
@@ -43,7 +33,7 @@ Compiled Compiler::compile(const Exercise& exercise, const std::string& source, 
   // What was compiled without a cage may hold anything, and is not kept.
   if (toolchain_.isolated() && fs::copy_file(kept + ".so", object, error)) {
     fs::permissions(object, fs::perms(0755));
-    return {object, {}, text_of(kept + ".log")};
+    return {object, {}, hair::bytes_of(kept + ".log")};
   }
 
   const Compiled first = run_compiler(exercise, source, job, cpu_seconds, build);

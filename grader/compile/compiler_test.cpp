@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "grader/course/course.h"
-#include "grader/tests/bytes_of.h"
+#include "hair/io/files/read_file.h"
 
 namespace grader {
 namespace {
@@ -29,7 +29,7 @@ class CompilerTest : public testing::Test {
   }
 
   std::string reference(const Exercise& exercise) const {
-    return bytes_of(fs::path(HAIR_PROJECT) / "reference" / exercise.file);
+    return hair::bytes_of(fs::path(HAIR_PROJECT) / "reference" / exercise.file);
   }
 
   static constexpr double kSeconds = 20;
@@ -71,10 +71,10 @@ TEST_F(CompilerTest, TheSameFileBecomesTheSameBytesAtAnyTime) {
         compiler_.compile(exercise, source, kit_.new_job("when-" + std::to_string(run)), kSeconds);
     ASSERT_FALSE(compiled.object.empty()) << compiled.log;
     if (run == 0) {
-      first = bytes_of(compiled.object);
+      first = hair::bytes_of(compiled.object);
       std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // __TIME__ has seconds
     } else {
-      EXPECT_EQ(bytes_of(compiled.object), first);
+      EXPECT_EQ(hair::bytes_of(compiled.object), first);
     }
   }
 }
@@ -104,7 +104,7 @@ TEST_F(CompilerTest, TwoThreadsThatWantTheSameObjectCompileItOnce) {
   EXPECT_NE(fs::exists(jobs[0] / "source"), fs::exists(jobs[1] / "source"));
   EXPECT_NE(compiled[0].cpu_seconds > 0, compiled[1].cpu_seconds > 0);
   for (const Compiled& one : compiled) ASSERT_FALSE(one.object.empty()) << one.log;
-  EXPECT_EQ(bytes_of(compiled[0].object), bytes_of(compiled[1].object));
+  EXPECT_EQ(hair::bytes_of(compiled[0].object), hair::bytes_of(compiled[1].object));
 }
 
 // As the lecture's own programs have it.

@@ -4,11 +4,11 @@
 #include <sodium.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
+#include <limits>
 #include <vector>
 
 #include "grader/course/input.h"
+#include "hair/io/files/read_file.h"
 
 namespace grader {
 namespace {
@@ -53,10 +53,7 @@ std::string sha256_of(const std::filesystem::path& path) {
       all += fs::relative(file, path).string() + "\n" + sha256_of(file) + "\n";
     return sha256(all);
   }
-  std::ifstream in(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-  if (!in.good() && !in.eof()) throw BadInput(path.string() + ": can't be read");
-  return sha256(bytes);
+  return sha256(hair::read_file(path, std::numeric_limits<std::size_t>::max(), "a file that can be read"));
 }
 
 }  // namespace grader

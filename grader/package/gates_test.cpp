@@ -1,12 +1,11 @@
 // STAFF ONLY. Each gate is shown open for a clean handout and closed for a planted leak.
 
 #include "grader/package/gates.h"
+#include "hair/io/files/read_file.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
-
-#include "grader/tests/bytes_of.h"
 
 namespace grader {
 namespace {
@@ -161,7 +160,7 @@ TEST(Canary, StandsInEveryFileOfTheStaffs) {
     for (const fs::directory_entry& entry :
          fs::recursive_directory_iterator(fs::path(HAIR_SOURCE_DIR) / folder)) {
       if (!entry.is_regular_file() || without_comments.contains(entry.path().extension().string())) continue;
-      EXPECT_TRUE(carries_canary(bytes_of(entry.path())))
+      EXPECT_TRUE(carries_canary(hair::bytes_of(entry.path())))
           << entry.path() << " must say STAFF ONLY in one of its first three lines";
     }
 }

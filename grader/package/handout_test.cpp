@@ -14,7 +14,7 @@
 #include "grader/course/input.h"
 #include "grader/package/course_texts.h"
 #include "grader/package/manifest.h"
-#include "grader/tests/bytes_of.h"
+#include "hair/io/files/read_file.h"
 
 namespace grader {
 namespace {
@@ -120,7 +120,7 @@ TEST_F(SmallProject, ShipsTheCoursesRolesAndPoints) {
 TEST_F(SmallProject, GivesTheSameBytesAgain) {
   make_handout(sources_, course_, out_);
   make_handout(sources_, course_, root_ / "again.tar.gz");
-  EXPECT_EQ(bytes_of(out_), bytes_of(root_ / "again.tar.gz"));
+  EXPECT_EQ(hair::bytes_of(out_), hair::bytes_of(root_ / "again.tar.gz"));
 }
 
 TEST_F(SmallProject, ClosesForAStaffFileInTheManifest) {
@@ -141,10 +141,10 @@ TEST_F(SmallProject, AGivenExerciseOpensNothingElse) {
 
 TEST_F(SmallProject, LeavesTheOldArchiveWhenAGateCloses) {
   make_handout(sources_, course_, out_);
-  const std::string before = bytes_of(out_);
+  const std::string before = hair::bytes_of(out_);
   write("handout/README.md", "STAFF ONLY\n");
   EXPECT_THROW(make_handout(sources_, course_, out_), HandoutError);
-  EXPECT_EQ(bytes_of(out_), before);
+  EXPECT_EQ(hair::bytes_of(out_), before);
 }
 
 TEST_F(SmallProject, NamesWhatCantBeReadOrWritten) {
@@ -330,7 +330,7 @@ TEST_F(RealProject, FitsAnyCourse) {
     if (number == 0) {
       Files texts = files;
       for (const ManifestLine& line : all)
-        if (line.destination.ends_with(".md")) texts[line.destination] = bytes_of(root_ / line.source);
+        if (line.destination.ends_with(".md")) texts[line.destination] = hair::bytes_of(root_ / line.source);
       expect_links_resolve(texts);
     }
 
@@ -398,7 +398,7 @@ TEST_F(RealProject, BeginsWithAnExerciseThatIsToBeWritten) {
 
 // What a text asks for a command or a check prints; what the report does not say it does not promise.
 TEST_F(RealProject, PromisesWhatIsThere) {
-  const auto text = [&](const char* name) { return bytes_of(root_ / "handout/assignment" / name); };
+  const auto text = [&](const char* name) { return hair::bytes_of(root_ / "handout/assignment" / name); };
   EXPECT_NE(text("README.md").find("fewer than five checks, it says only that it is not right"),
             std::string::npos);
   // check-H5 goes to 60 segments.
@@ -413,7 +413,7 @@ TEST_F(RealProject, PromisesWhatIsThere) {
 }
 
 TEST_F(RealProject, HasAnIndexThatAgreesWithTheListOfExercises) {
-  const std::string index = bytes_of(root_ / "handout/assignment/README.md");
+  const std::string index = hair::bytes_of(root_ / "handout/assignment/README.md");
   for (const Exercise& exercise : course_.exercises)
     EXPECT_NE(index.find(index_row(exercise) + "\n"), std::string::npos) << "it must have the row\n"
                                                                          << index_row(exercise);

@@ -12,7 +12,7 @@
 
 #include "grader/intake/submission.h"
 #include "grader/package/handout.h"
-#include "grader/tests/bytes_of.h"
+#include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 
 namespace grader {
@@ -118,7 +118,7 @@ TEST_F(StudentsWay, LeadsFromTheArchiveToTheHandIn) {
   ASSERT_EQ(submissions[0].files.size(), course_.exercises.size());
   for (const Exercise& exercise : course_.exercises)
     EXPECT_EQ(submissions[0].files.at(exercise.file).text,
-              bytes_of(sources_.root / "reference" / exercise.file));
+              hair::bytes_of(sources_.root / "reference" / exercise.file));
 }
 
 // hairlab names what is not written, and what only studies read is there, too.
@@ -224,7 +224,7 @@ TEST_F(StudentsWay, HasADebugBuildAndChecksTheStudentsName) {
   EXPECT_EQ(debug.code, 0) << debug.output;
   // A program whose own code is compiled with sanitizers by the preset alone.
   const std::string link =
-      bytes_of(folder_ / "hair-assignment/build-debug/CMakeFiles/student_example1.dir/link.txt");
+      hair::bytes_of(folder_ / "hair-assignment/build-debug/CMakeFiles/student_example1.dir/link.txt");
   EXPECT_NE(link.find(" -no-pie "), std::string::npos) << link;
   const Ran named = run(configure_ + " '-DSTUDENT=../ada'");
   EXPECT_NE(named.code, 0);

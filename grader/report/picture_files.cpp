@@ -2,14 +2,13 @@
 #include "grader/report/picture_files.h"
 
 #include <algorithm>
-#include <fstream>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <string_view>
 
 #include "grader/compile/hash.h"
 #include "grader/course/input.h"
+#include "hair/io/files/read_file.h"
 
 namespace grader {
 namespace {
@@ -17,14 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view kEnding = ".png";
-
-std::optional<std::string> bytes_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
-  if (!in) return {};
-  return std::move(bytes).str();
-}
 
 bool is_picture_name(std::string_view name) {
   return name.size() == 64 + kEnding.size() && name.ends_with(kEnding) &&
@@ -34,7 +25,7 @@ bool is_picture_name(std::string_view name) {
 void write_picture(const fs::path& folder, const std::string& png) {
   if (png.empty()) return;
   const fs::path file = folder / picture_name(png);
-  if (bytes_of(file) != png) write_file(file, png);
+  if (hair::bytes_of(file) != png) write_file(file, png);
 }
 
 void write_pictures_of(const fs::path& folder, const std::vector<PictureResult>& pictures) {
@@ -61,8 +52,7 @@ void write_pictures(const fs::path& folder, const SubmissionResult& result) {
 std::string read_picture(const fs::path& folder, const std::string& name) {
   if (name.empty()) return "";
   if (is_picture_name(name))
-    if (std::optional<std::string> png = bytes_of(folder / name); png && picture_name(*png) == name)
-      return std::move(*png);
+    if (std::string png = hair::bytes_of(folder / name); picture_name(png) == name) return png;
   throw BadInput((folder / printable(name)).string() + ": is missing or damaged; grade the submission again");
 }
 
@@ -72,11 +62,11 @@ void remove_unshown_pictures(const fs::path& dir) {
   std::error_code none;
   for (const auto& page : fs::directory_iterator(dir / "staff", none)) {
     if (page.path().extension() != ".html") continue;
-    const std::optional<std::string> text = bytes_of(page.path());
-    if (!text) return;  // nobody knows what it shows
-    for (std::size_t at = text->find(link); at != text->npos; at = text->find(link, at)) {
+    const std::string text = hair::bytes_of(page.path());
+    if (text.empty()) return;  // nobody knows what it shows
+    for (std::size_t at = text.find(link); at != text.npos; at = text.find(link, at)) {
       at += link.size();
-      shown.insert(text->substr(at, text->find('"', at) - at));
+      shown.insert(text.substr(at, text.find('"', at) - at));
     }
   }
   for (const auto& file : fs::directory_iterator(pictures_folder(dir), none))

@@ -2,8 +2,6 @@
 #include "grader/report/report.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -13,6 +11,7 @@
 #include "grader/report/picture_files.h"
 #include "grader/report/results_json.h"
 #include "grader/report/study_json.h"
+#include "hair/io/files/read_file.h"
 
 namespace grader {
 namespace {
@@ -83,12 +82,9 @@ std::optional<SubmissionResult> read_results(const fs::path& dir, const std::str
   const bool whole = fs::exists(dir / name / "results.json", error) &&
                      fs::exists(dir / name / "report.html", error) &&
                      fs::exists(dir / "staff" / (name + ".html"), error);
-  std::ifstream in(record_of(dir, name), std::ios::binary);
-  if (!whole || !in) return {};
-  std::ostringstream text;
-  text << in.rdbuf();
-  std::optional<SubmissionResult> result =
-      result_from_staff_json(std::move(text).str(), pictures_folder(dir));
+  const std::string text = whole ? hair::bytes_of(record_of(dir, name)) : "";
+  if (text.empty()) return {};
+  std::optional<SubmissionResult> result = result_from_staff_json(text, pictures_folder(dir));
   if (result && result->name != name) return {};
   return result;
 }

@@ -18,7 +18,7 @@
 #include "grader/report/base64.h"
 #include "grader/report/picture_files.h"
 #include "grader/report/sample_results.h"
-#include "grader/tests/bytes_of.h"
+#include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 
 namespace grader {
@@ -33,7 +33,7 @@ class Reports : public testing::Test {
     Files files;
     for (const auto& item : fs::recursive_directory_iterator(dir)) {
       if (!item.is_regular_file()) continue;
-      files[fs::relative(item.path(), dir).string()] = bytes_of(item.path());
+      files[fs::relative(item.path(), dir).string()] = hair::bytes_of(item.path());
     }
     return files;
   }

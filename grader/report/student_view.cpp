@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "grader/compare/montage.h"
-#include "hair/io/image/png.h"
+#include "hair/io/image/read_png.h"
 
 namespace grader {
 namespace {

@@ -9,7 +9,7 @@
 #include "grader/report/pages.h"
 #include "grader/report/results_json.h"
 #include "grader/report/sample_results.h"
-#include "hair/io/image/png.h"
+#include "hair/io/image/read_png.h"
 
 namespace grader {
 namespace {

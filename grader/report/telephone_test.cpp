@@ -8,7 +8,7 @@
 
 #include "grader/report/pages.h"
 #include "grader/report/sample_results.h"
-#include "grader/tests/bytes_of.h"
+#include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 #include "hair/io/plot/readable.h"
 
@@ -45,7 +45,7 @@ std::string dump(const std::string& html) {
       path + "/profile --dump-dom file://" + path + "/page.html >" + path +
       "/document 2>/dev/null </dev/null";
   EXPECT_EQ(std::system(command.c_str()), 0);
-  return bytes_of(path + "/document");
+  return hair::bytes_of(path + "/document");
 }
 
 TEST(Telephone, ShowsAllOfAPageWithoutScrollingSideways) {

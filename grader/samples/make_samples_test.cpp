@@ -7,7 +7,7 @@
 
 #include "grader/course/input.h"
 #include "grader/samples/sample.h"
-#include "grader/tests/bytes_of.h"
+#include "hair/io/files/read_file.h"
 
 namespace grader {
 namespace {
@@ -71,7 +71,7 @@ Outcome make_samples(const fs::path& project, const fs::path& out,
                               out.string() + "' '" + showcase.string() + "' '" + out.string() +
                               "-attacks' >'" + log.string() + "' 2>&1";
   const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, bytes_of(log)};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, hair::bytes_of(log)};
 }
 
 TEST(MakeSamples, GivesTheSameBytesWhateverTheTimeZoneAndLocale) {
@@ -84,7 +84,8 @@ TEST(MakeSamples, GivesTheSameBytesWhateverTheTimeZoneAndLocale) {
   unsetenv("LC_ALL");
   for (const Sample& sample : read_samples(HAIR_PROJECT)) {
     if (sample.form == SampleForm::folder) continue;
-    EXPECT_TRUE(bytes_of(out / sample.file_name()) == bytes_of(again / sample.file_name())) << sample.name;
+    EXPECT_TRUE(hair::bytes_of(out / sample.file_name()) == hair::bytes_of(again / sample.file_name()))
+        << sample.name;
   }
   fs::remove_all(project);
 }
@@ -93,7 +94,7 @@ TEST(MakeSamples, AppliesThePatch) {
   const fs::path project = small_project("one\n");
   const Outcome run = make_samples(project, project / "class");
   EXPECT_EQ(run.code, 0) << run.output;
-  EXPECT_EQ(bytes_of(project / "class" / "bug" / "a.cpp"), "two\n");
+  EXPECT_EQ(hair::bytes_of(project / "class" / "bug" / "a.cpp"), "two\n");
 }
 
 TEST(MakeSamples, CopiesWhatIsMarkedToTheShowcase) {
@@ -103,7 +104,7 @@ TEST(MakeSamples, CopiesWhatIsMarkedToTheShowcase) {
                 "expect": {"A": {"status": "passed"}})");
   const Outcome run = make_samples(project, out, showcase);
   EXPECT_EQ(run.code, 0) << run.output;
-  EXPECT_EQ(bytes_of(showcase / "shown" / "src" / "a.cpp"), "one\n");
+  EXPECT_EQ(hair::bytes_of(showcase / "shown" / "src" / "a.cpp"), "one\n");
   EXPECT_FALSE(fs::exists(showcase / "bug"));
   EXPECT_TRUE(fs::exists(out / "bug"));
 }
@@ -134,7 +135,7 @@ TEST(MakeSamples, OverwritesBytesFromBothEnds) {
              sample + R"(, "overwrite": [{"at": 0, "hex": "00ff"}, {"at": -2, "hex": "fe"}])");
   Outcome run = make_samples(project, out);
   EXPECT_EQ(run.code, 0) << run.output;
-  const std::string bytes = bytes_of(out / "forged.zip");
+  const std::string bytes = hair::bytes_of(out / "forged.zip");
   EXPECT_EQ(bytes.substr(0, 2), std::string("\0\xff", 2));
   EXPECT_EQ(bytes.substr(bytes.size() - 2, 1), "\xfe");
   add_sample(project, "forged", sample + R"(, "overwrite": [{"at": 100000, "hex": "00"}])");
@@ -175,8 +176,8 @@ TEST(MakeSamples, FillsInTheOtherExercises) {
                    R"(", "expect": {"A": {"status": "passed"}})");
     const Outcome run = make_samples(project, out);
     EXPECT_EQ(run.code, 0) << run.output;
-    EXPECT_EQ(bytes_of(out / "more" / "b.cpp"), bytes);
-    EXPECT_EQ(bytes_of(out / "more" / "src" / "a.cpp"), "one\n");
+    EXPECT_EQ(hair::bytes_of(out / "more" / "b.cpp"), bytes);
+    EXPECT_EQ(hair::bytes_of(out / "more" / "src" / "a.cpp"), "one\n");
   }
 }
 

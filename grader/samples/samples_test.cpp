@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "grader/samples/sample.h"
-#include "grader/tests/bytes_of.h"
+#include "hair/io/files/read_file.h"
 
 namespace grader {
 namespace {
@@ -55,7 +55,7 @@ std::map<std::string, Packed> read_folder(const fs::path& path) {
     if (item.is_symlink()) {
       file.link = fs::read_symlink(item.path()).string();
     } else if (item.is_regular_file()) {
-      file.bytes = bytes_of(item.path());
+      file.bytes = hair::bytes_of(item.path());
       file.size = file.bytes.size();
     } else {
       files.erase(item.path().lexically_relative(path).string());
@@ -163,7 +163,7 @@ TEST(SampleClass, PatchesChangeAFileAndNothingElseDoes) {
     bool changed = false;
     for (const SampleFile& file : sample.files) {
       if (file.kind == SampleFile::Kind::solution) {
-        changed |= packed.at(file.path).bytes != bytes_of(base_file(file));
+        changed |= packed.at(file.path).bytes != hair::bytes_of(base_file(file));
       }
     }
     EXPECT_EQ(changed, !sample.patch.empty());
@@ -223,7 +223,7 @@ std::string row(const Sample& sample) {
 }
 
 TEST(SampleClass, IsDescribedInTheReadme) {
-  const std::string readme = bytes_of(kProject / "grader" / "samples" / "README.md");
+  const std::string readme = hair::bytes_of(kProject / "grader" / "samples" / "README.md");
   for (const Sample& sample : all_samples()) {
     EXPECT_NE(readme.find(row(sample)), std::string::npos) << "README.md lacks the row\n" << row(sample);
   }

@@ -2,12 +2,11 @@
 #include "grader/study/truth.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 #include "grader/compile/hash.h"
 #include "grader/wire/message.h"
+#include "hair/io/files/read_file.h"
 #include "hair/io/files/write_file.h"
 #include "hair/scene/playback.h"
 #include "hair/truth/accurate_motion.h"
@@ -78,8 +77,7 @@ void keep(const fs::path& file, const Truth& truth) {
 }
 
 std::optional<Truth> read_kept(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  const std::string all{std::istreambuf_iterator<char>(in), {}};
+  const std::string all = hair::bytes_of(file);
   const std::size_t sum = sha256("").size();
   if (all.size() < sum || sha256(all.substr(sum)) != all.substr(0, sum)) return {};
   const auto* bytes = reinterpret_cast<const std::byte*>(all.data());

@@ -1,16 +1,15 @@
 // STAFF ONLY.
 #include "grader/suite/run_pictures.h"
 
-#include <fstream>
-#include <iterator>
 #include <memory>
 
 #include "grader/compare/compare.h"
 #include "grader/compare/heat_map.h"
 #include "grader/compare/montage.h"
 #include "grader/compare/palette.h"
+#include "hair/io/files/read_file.h"
 #include "hair/io/files/write_file.h"
-#include "hair/io/image/png.h"
+#include "hair/io/image/read_png.h"
 #include "hair/render/renderer.h"
 
 namespace grader {
@@ -39,15 +38,10 @@ class Artist {
   std::unique_ptr<hair::Renderer> renderer_;
 };
 
-std::string read_bytes(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
 // A file's bytes, which are made if it is not there.
 template <class Make>
 std::string made_once(const fs::path& file, const Make& make) {
-  std::string bytes = read_bytes(file);
+  std::string bytes = hair::bytes_of(file);
   if (!bytes.empty()) return bytes;
   bytes = make();
   hair::write_file(file, bytes);

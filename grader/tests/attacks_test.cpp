@@ -28,10 +28,10 @@
 #include "grader/report/report.h"
 #include "grader/report/result.h"
 #include "grader/samples/sample.h"
-#include "grader/tests/bytes_of.h"
 #include "grader/tests/run_program.h"
 #include "grader/tests/submission_name.h"
 #include "grader/tests/traces.h"
+#include "hair/io/files/read_file.h"
 
 namespace grader {
 namespace {
@@ -122,14 +122,14 @@ ShardRun run_shard(std::vector<std::string> words, const fs::path& terminal) {
 std::string version() {
   std::string all;
   for (const char* program : {HAIRGRADE, HAIR_SUITE_PROGRAM})
-    all += std::to_string(std::hash<std::string>()(bytes_of(program))) + "\n";
-  return all + bytes_of(HAIR_ATTACKS_COURSE);
+    all += std::to_string(std::hash<std::string>()(hair::bytes_of(program))) + "\n";
+  return all + hair::bytes_of(HAIR_ATTACKS_COURSE);
 }
 
 class AttackCorpus : public testing::Test {
  protected:
   static void SetUpTestSuite() {
-    if (bytes_of(folder() / "version") != version()) fs::remove_all(folder());
+    if (hair::bytes_of(folder() / "version") != version()) fs::remove_all(folder());
     fs::create_directories(folder());
     std::ofstream(folder() / "version") << version();
     std::vector<std::string> words = {
@@ -140,7 +140,7 @@ class AttackCorpus : public testing::Test {
         "--course", HAIR_ATTACKS_COURSE,  // with less of a budget: it takes minutes
         "--resume"};
     run_ = run_shard(words, folder() / "terminal");
-    timing_ = json::parse(bytes_of(grades() / "timing.json"), nullptr, false);
+    timing_ = json::parse(hair::bytes_of(grades() / "timing.json"), nullptr, false);
   }
 
   static SubmissionResult result_of(const Sample& sample) {
@@ -159,7 +159,7 @@ json AttackCorpus::timing_;
 // Both of what students get.
 std::vector<std::string> pages_of(const Sample& sample) {
   const fs::path of = grades() / submission_name(sample.name);
-  return {bytes_of(of / "report.html"), bytes_of(of / "results.json")};
+  return {hair::bytes_of(of / "report.html"), hair::bytes_of(of / "results.json")};
 }
 
 // Control characters but line feeds and tabs, in UTF-8 or not: what a terminal obeys.
@@ -173,7 +173,7 @@ bool has_control_characters(const std::string& text) {
 // No attack is a failure of the grader's own.
 TEST_F(AttackCorpus, IsGradedToItsEnd) {
   EXPECT_EQ(run_.code, 0);
-  const std::string terminal = bytes_of(folder() / "terminal");
+  const std::string terminal = hair::bytes_of(folder() / "terminal");
   const std::size_t trouble = terminal.find("could not grade");
   if (trouble != std::string::npos) {
     ADD_FAILURE() << printable(terminal.substr(trouble, 400), 400);
@@ -280,7 +280,7 @@ TEST_F(AttackCorpus, ChangesNothingOutsideOfTheSandbox) {
 }
 
 TEST_F(AttackCorpus, ChangesNoTerminal) {
-  const std::string terminal = bytes_of(folder() / "terminal");
+  const std::string terminal = hair::bytes_of(folder() / "terminal");
   EXPECT_FALSE(terminal.empty());
   for (std::size_t at = 0, end = 0; at < terminal.size(); at = end + 1) {
     end = std::min(terminal.find('\n', at), terminal.size());
@@ -306,11 +306,11 @@ TEST_F(AttackCorpus, SaysNothingOnAStudentsPage) {
 TEST_F(AttackCorpus, WritesNoMarkupAndNoControlCharacters) {
   for (const Sample& sample : corpus()) {
     const fs::path staff = grades() / "staff" / (submission_name(sample.name) + ".html");
-    for (const std::string& page : {pages_of(sample).at(0), bytes_of(staff)})
+    for (const std::string& page : {pages_of(sample).at(0), hair::bytes_of(staff)})
       for (const char* markup : {"<script>document", "<script>alert", "<img src=x"})
         EXPECT_EQ(page.find(markup), std::string::npos) << sample.name << ": " << markup;
     std::vector<std::string> all = pages_of(sample);
-    all.push_back(bytes_of(staff));
+    all.push_back(hair::bytes_of(staff));
     for (const std::string& page : all) EXPECT_FALSE(has_control_characters(page)) << sample.name;
   }
 }

@@ -17,10 +17,10 @@
 #include "grader/report/result.h"
 #include "grader/samples/sample.h"
 #include "grader/tests/broken_links.h"
-#include "grader/tests/bytes_of.h"
 #include "grader/tests/run_program.h"
 #include "grader/tests/submission_name.h"
 #include "grader/tests/traces.h"
+#include "hair/io/files/read_file.h"
 
 namespace grader {
 namespace {
@@ -169,7 +169,7 @@ TEST(EndToEnd, ABugShowsWhereItIsCalledAndNowhereElse) {
 TEST(EndToEnd, ChangesNoScore) {
   for (const Sample& sample : samples()) {
     const std::string name = submission_name(sample.name);
-    const nlohmann::json results = nlohmann::json::parse(bytes_of(graded() / name / "results.json"));
+    const nlohmann::json results = nlohmann::json::parse(hair::bytes_of(graded() / name / "results.json"));
     for (const nlohmann::json& test : results.at("tests"))
       if (test.at("tags").at(0) == "runs") {
         EXPECT_EQ(test.at("score"), 0);
@@ -188,7 +188,7 @@ TEST(SampleClass, PagesForStudentsHoldNothingOfTheStaffs) {
     const SubmissionResult result = result_of(name);
     for (const char* file : {"results.json", "report.html"}) {
       SCOPED_TRACE(name + "/" + file);
-      const std::string page = bytes_of(graded() / name / file);
+      const std::string page = hair::bytes_of(graded() / name / file);
       ASSERT_FALSE(page.empty());
       for (const ExerciseResult& exercise : result.exercises)
         for (const CaseResult& one : exercise.cases)
@@ -215,7 +215,7 @@ TEST(SampleClass, GradedAgainGivesTheSameBytes) {
   for (const auto& entry : fs::recursive_directory_iterator(again)) {
     const fs::path name = fs::relative(entry.path(), again);
     if (!entry.is_regular_file() || !name.has_parent_path()) continue;  // the class's have none
-    EXPECT_TRUE(bytes_of(entry.path()) == bytes_of(graded() / name)) << name;
+    EXPECT_TRUE(hair::bytes_of(entry.path()) == hair::bytes_of(graded() / name)) << name;
     ++files;
   }
   EXPECT_GE(files, 4);  // two for the student, two for staff
@@ -225,7 +225,7 @@ TEST(SampleClass, ResultsAreInGradescopesSchema) {
   for (const Sample& sample : samples()) {
     const std::string name = submission_name(sample.name);
     SCOPED_TRACE(name);
-    const nlohmann::json results = nlohmann::json::parse(bytes_of(graded() / name / "results.json"));
+    const nlohmann::json results = nlohmann::json::parse(hair::bytes_of(graded() / name / "results.json"));
     double sum = 0;
     for (const nlohmann::json& test : results.at("tests")) {
       sum += test.at("score").get<double>();
@@ -271,14 +271,14 @@ TEST(SampleClass, NobodyTakesMoreThanAMegabyte) {
 }
 
 TEST(SampleClass, TimesStandInTwoFilesAlone) {
-  const nlohmann::json timing = nlohmann::json::parse(bytes_of(graded() / "timing.json"));
+  const nlohmann::json timing = nlohmann::json::parse(hair::bytes_of(graded() / "timing.json"));
   EXPECT_GT(timing.at("reference").at("S1").at("worker_cpu_seconds"), 0);
   EXPECT_GT(timing.at("submissions").at("perfect").at("S1").at("worker_cpu_seconds"), 0);
   for (const auto& entry : fs::recursive_directory_iterator(graded()))
     if (entry.is_regular_file() && entry.path().filename() != "timing.json" &&
         entry.path().filename() != "costs.html" &&
         entry.path().filename() != "made-by.json") {  // a limit is no time
-      EXPECT_EQ(bytes_of(entry.path()).find("cpu_seconds"), std::string::npos) << entry.path();
+      EXPECT_EQ(hair::bytes_of(entry.path()).find("cpu_seconds"), std::string::npos) << entry.path();
     }
 }
 

@@ -15,10 +15,10 @@
 #include "grader/compare/compare.h"
 #include "grader/compare/test_pictures.h"
 #include "grader/tests/broken_links.h"
-#include "grader/tests/bytes_of.h"
 #include "grader/tests/run_program.h"
+#include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
-#include "hair/io/image/png.h"
+#include "hair/io/image/read_png.h"
 
 namespace grader {
 namespace {
@@ -77,7 +77,7 @@ class Comparing : public testing::Test {
   static std::map<string, string> files(const fs::path& folder) {
     std::map<string, string> all;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
-      all[fs::relative(entry.path(), folder).string()] = bytes_of(entry.path());
+      all[fs::relative(entry.path(), folder).string()] = hair::bytes_of(entry.path());
     return all;
   }
 
@@ -168,7 +168,7 @@ TEST_F(Comparing, StrangeNamesAreWrittenAsTheyAreAndShownSafely) {
   EXPECT_EQ(run.code, 0) << run.errors;
   EXPECT_EQ(run.output.find('\x1b'), string::npos);
   EXPECT_TRUE(fs::exists(out() + "/<b>#1 50%?\x1b[31m-heat.png"));
-  const string page = bytes_of(out() + "/index.html");
+  const string page = hair::bytes_of(out() + "/index.html");
   EXPECT_EQ(page.find("<b>"), string::npos);
   EXPECT_NE(page.find("href=\"%3Cb%3E%231%2050%25%3F%1B%5B31m-heat.png\""), string::npos);
   EXPECT_EQ(broken_links(out()), std::vector<string>());
@@ -198,7 +198,7 @@ TEST_F(Comparing, SizesThatDifferAreNamedAndNothingIsLeft) {
 
 TEST_F(Comparing, PicturesThatCanNotBeReadAreNamed) {
   two_folders();
-  const string whole = bytes_of(path("b/frame-0002.png"));
+  const string whole = hair::bytes_of(path("b/frame-0002.png"));
   for (const string& bytes : {string(), string("no picture"), whole.substr(0, whole.size() / 2)}) {
     std::ofstream(path("b/frame-0002.png"), std::ios::binary) << bytes;
     expect_refused({path("a"), path("b")}, {path("b/frame-0002.png")});
@@ -210,7 +210,7 @@ TEST_F(Comparing, AFolderThatCanNotBeWrittenIsNamedAndWhatWasThereStays) {
   std::ofstream(path("file")) << "kept";
   expect_refused({path("a"), path("b"), "--out", path("file")}, {path("file"), "Not a directory"});
   expect_refused({path("a"), path("b"), "--out", path("file/in")}, {path("file/in"), "Not a directory"});
-  EXPECT_EQ(bytes_of(path("file")), "kept");
+  EXPECT_EQ(hair::bytes_of(path("file")), "kept");
   const std::map<string, string> before = files(path("a"));
   expect_refused({path("a"), path("b"), "--out", path("a")}, {"--out " + path("a"), "another folder"});
   EXPECT_EQ(files(path("a")), before);

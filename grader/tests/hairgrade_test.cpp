@@ -19,8 +19,8 @@
 #include "grader/report/picture_files.h"
 #include "grader/report/report.h"
 #include "grader/tests/busy_user.h"
-#include "grader/tests/bytes_of.h"
 #include "grader/tests/run_program.h"
+#include "hair/io/files/read_file.h"
 
 namespace grader {
 namespace {
@@ -113,7 +113,8 @@ class Hairgrade : public testing::Test {
   std::map<string, string> files(const fs::path& folder) const {
     std::map<string, string> all;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
-      if (entry.is_regular_file()) all[fs::relative(entry.path(), folder).string()] = bytes_of(entry.path());
+      if (entry.is_regular_file())
+        all[fs::relative(entry.path(), folder).string()] = hair::bytes_of(entry.path());
     return all;
   }
 
@@ -163,8 +164,9 @@ TEST_F(Hairgrade, GradesAClassWithStraysAndClashes) {
   const SubmissionResult bob = read_results(out(), "bob").value();
   EXPECT_EQ(points(bob), 0);
   for (const ExerciseResult& exercise : bob.exercises) EXPECT_EQ(exercise.status, Status::unreadable);
-  EXPECT_NE(bytes_of(fs::path(out()) / "bob" / "report.html").find("bob.rar is a RAR archive"), string::npos);
-  const string gradebook = bytes_of(fs::path(out()) / "grades.csv");
+  EXPECT_NE(hair::bytes_of(fs::path(out()) / "bob" / "report.html").find("bob.rar is a RAR archive"),
+            string::npos);
+  const string gradebook = hair::bytes_of(fs::path(out()) / "grades.csv");
   EXPECT_NE(gradebook.find("\nx_1-"), string::npos) << gradebook;
   EXPECT_EQ(std::count(gradebook.begin(), gradebook.end(), '\n'), 5) << gradebook;
 }
@@ -220,7 +222,7 @@ TEST_F(Hairgrade, RefusesAnOutputThatIsAFile) {
   const ProgramRun run = grade({sample("other-order"), "--out", file});
   EXPECT_EQ(run.code, 2);
   EXPECT_NE(run.errors.find(file), string::npos) << run.errors;
-  EXPECT_EQ(bytes_of(file), "not a folder");
+  EXPECT_EQ(hair::bytes_of(file), "not a folder");
 }
 
 TEST_F(Hairgrade, RefusesAHandoutThatCanNotBeWritten) {
@@ -270,7 +272,7 @@ TEST_F(Hairgrade, GradesAgainWhatHasADamagedPicture) {
   const fs::path picture = fs::directory_iterator(fs::path(out()) / "staff" / "pictures")->path();
   write("grades/staff/pictures/" + picture.filename().string(), "damaged");
   EXPECT_NE(grade(resume).output.find("1 graded"), string::npos);
-  EXPECT_EQ(bytes_of(picture), first.at("staff/pictures/" + picture.filename().string()));
+  EXPECT_EQ(hair::bytes_of(picture), first.at("staff/pictures/" + picture.filename().string()));
   EXPECT_NE(grade(resume).output.find("0 graded, 1 kept"), string::npos);
 }
 
@@ -352,7 +354,7 @@ TEST_F(Hairgrade, TakesLessThanAMegabyteForASubmissionWithAllPictures) {
 TEST_F(Hairgrade, GradesOneExerciseAlone) {
   ASSERT_EQ(grade({sample("other-order"), "--out", out(), "--exercise", "S2"}).code, 0);
   const nlohmann::json results =
-      nlohmann::json::parse(bytes_of(fs::path(out()) / "other-order" / "results.json"));
+      nlohmann::json::parse(hair::bytes_of(fs::path(out()) / "other-order" / "results.json"));
   EXPECT_EQ(results.at("score"), 20);
   for (const nlohmann::json& test : results.at("tests")) EXPECT_EQ(test.at("tags").at(0), "S2");
 }
@@ -360,8 +362,9 @@ TEST_F(Hairgrade, GradesOneExerciseAlone) {
 TEST_F(Hairgrade, KeepsTheOtherExercisesOfAnEarlierRun) {
   earlier_run();
   ASSERT_EQ(grade({sample("other-order"), "--out", out(), "--exercise", "S1"}).code, 0);
-  EXPECT_EQ(nlohmann::json::parse(bytes_of(fs::path(out()) / "other-order" / "results.json")).at("score"),
-            52);
+  EXPECT_EQ(
+      nlohmann::json::parse(hair::bytes_of(fs::path(out()) / "other-order" / "results.json")).at("score"),
+      52);
 }
 
 TEST_F(Hairgrade, KeepsNoObjectThatWasCompiledWithoutASandbox) {
@@ -371,7 +374,7 @@ TEST_F(Hairgrade, KeepsNoObjectThatWasCompiledWithoutASandbox) {
       << "#include \"" HAIR_PROJECT "/reference/conj_grad.cpp\"\n";
   const string thief = (folder_ / "thief").string();
   auto score = [](const string& folder) {
-    return nlohmann::json::parse(bytes_of(fs::path(folder) / "thief" / "results.json")).at("score");
+    return nlohmann::json::parse(hair::bytes_of(fs::path(folder) / "thief" / "results.json")).at("score");
   };
   const string outside = (folder_ / "outside").string();
   ASSERT_EQ(grade({thief, "--out", outside, "--unsafe-no-sandbox"}).code, 0);
@@ -386,8 +389,9 @@ TEST_F(Hairgrade, TakesPointsAndRolesFromTheCourse) {
       R"({"exercises": {"S1": {"points": 60}, "S2": {"role": "optional", "points": 5}}})"));
   const string course = write("course.json", points.dump());
   ASSERT_EQ(grade({sample("other-order"), "--out", out(), "--course", course}).code, 0);
-  EXPECT_EQ(nlohmann::json::parse(bytes_of(fs::path(out()) / "other-order" / "results.json")).at("score"),
-            65);
+  EXPECT_EQ(
+      nlohmann::json::parse(hair::bytes_of(fs::path(out()) / "other-order" / "results.json")).at("score"),
+      65);
 }
 
 TEST_F(Hairgrade, KeepsWhatIsFinishedWhenInterrupted) {
@@ -414,9 +418,9 @@ TEST_F(Hairgrade, KeepsWhatIsFinishedWhenInterrupted) {
   });
   EXPECT_EQ(run.code, 130) << run.errors;
   EXPECT_NE(run.errors.find("--resume"), string::npos) << run.errors;
-  EXPECT_EQ(nlohmann::json::parse(bytes_of(first)).at("score"), 52);
+  EXPECT_EQ(nlohmann::json::parse(hair::bytes_of(first)).at("score"), 52);
   EXPECT_FALSE(fs::exists(fs::path(out()) / "sleeps"));
-  const string gradebook = bytes_of(fs::path(out()) / "grades.csv");
+  const string gradebook = hair::bytes_of(fs::path(out()) / "grades.csv");
   EXPECT_NE(gradebook.find("other-order,52"), string::npos) << gradebook;
   EXPECT_NE(gradebook.find("stubs,0"), string::npos) << gradebook;
 }
@@ -424,11 +428,12 @@ TEST_F(Hairgrade, KeepsWhatIsFinishedWhenInterrupted) {
 TEST_F(Hairgrade, StampsWhatWasGradedWithoutASandbox) {
   const BusyUser user(64);  // more threads than a worker may have in a sandbox
   ASSERT_EQ(grade({sample("other-order"), "--out", out(), "--unsafe-no-sandbox"}).code, 0);
-  EXPECT_NE(bytes_of(fs::path(out()) / "other-order" / "report.html").find("without a sandbox"),
+  EXPECT_NE(hair::bytes_of(fs::path(out()) / "other-order" / "report.html").find("without a sandbox"),
             string::npos);
-  EXPECT_NE(bytes_of(fs::path(out()) / "index.html").find("without a sandbox"), string::npos);
-  EXPECT_EQ(nlohmann::json::parse(bytes_of(fs::path(out()) / "other-order" / "results.json")).at("score"),
-            52);
+  EXPECT_NE(hair::bytes_of(fs::path(out()) / "index.html").find("without a sandbox"), string::npos);
+  EXPECT_EQ(
+      nlohmann::json::parse(hair::bytes_of(fs::path(out()) / "other-order" / "results.json")).at("score"),
+      52);
 }
 
 TEST_F(Hairgrade, WithoutImagesTheOtherCategoriesHaveTheirPoints) {
@@ -436,7 +441,8 @@ TEST_F(Hairgrade, WithoutImagesTheOtherCategoriesHaveTheirPoints) {
   earlier_run();
   const auto numbers = [](const fs::path& folder) {
     std::map<string, double> points;
-    const nlohmann::json document = nlohmann::json::parse(bytes_of(folder / "other-order" / "results.json"));
+    const nlohmann::json document =
+        nlohmann::json::parse(hair::bytes_of(folder / "other-order" / "results.json"));
     for (const nlohmann::json& test : document.at("tests"))
       if (test.at("tags").at(0) == "S1") points[test.at("name")] = test.at("max_score");
     return points;
@@ -449,9 +455,9 @@ TEST_F(Hairgrade, WithoutImagesTheOtherCategoriesHaveTheirPoints) {
   EXPECT_EQ(without.count("Pictures of it"), 0U);
   EXPECT_EQ(without.size() + 1, with.size());
   for (const auto& [name, points] : without) EXPECT_NEAR(points, with.at(name) * 32 / 31, 1e-3) << name;
-  EXPECT_EQ(nlohmann::json::parse(bytes_of(blind / "other-order" / "results.json")).at("score"), 52);
+  EXPECT_EQ(nlohmann::json::parse(hair::bytes_of(blind / "other-order" / "results.json")).at("score"), 52);
   for (const char* page : {"other-order/report.html", "index.html"})
-    EXPECT_NE(bytes_of(blind / page).find("without pictures"), string::npos) << page;
+    EXPECT_NE(hair::bytes_of(blind / page).find("without pictures"), string::npos) << page;
 }
 
 TEST_F(Hairgrade, KeepsTheReferencesPicturesForTheNextBatch) {

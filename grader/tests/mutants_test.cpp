@@ -10,11 +10,11 @@
 #include "grader/mutants/equivalents.h"
 #include "grader/mutants/judging.h"
 #include "grader/mutants/mutation.h"
-#include "grader/tests/bytes_of.h"
 #include "grader/tests/run_program.h"
 #include "grader/tests/side_by_side.h"
 #include "grader/tool/secret.h"
 #include "grader/tool/settings_for_tests.h"
+#include "hair/io/files/read_file.h"
 
 namespace grader {
 namespace {
@@ -51,7 +51,7 @@ TEST(Suite, TakesPointsOfEachWrongProgram) {
   const GradingSettings settings = settings_for(id);
   const Exercise* exercise = settings.course.find(id);
   ASSERT_NE(exercise, nullptr) << "HAIR_EXERCISE must name an exercise; it is \"" << id << "\"";
-  const std::string source = bytes_of(kProject / "reference" / exercise->file);
+  const std::string source = hair::bytes_of(kProject / "reference" / exercise->file);
   const std::vector<Mutation> order =
       drawn(mutations_of(source), std::stoull(environment("HAIR_MUTANTS_SEED", "1")));
   const auto count = static_cast<std::size_t>(std::stoi(environment("HAIR_MUTANTS", "40")));

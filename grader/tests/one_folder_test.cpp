@@ -14,8 +14,8 @@
 #include <thread>
 
 #include "grader/sandbox/descriptor.h"
-#include "grader/tests/bytes_of.h"
 #include "grader/tests/run_program.h"
+#include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 
 namespace grader {
@@ -84,7 +84,8 @@ class OneFolder : public testing::Test {
   static std::map<string, string> files(const fs::path& folder) {
     std::map<string, string> all;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
-      if (entry.is_regular_file()) all[fs::relative(entry.path(), folder).string()] = bytes_of(entry.path());
+      if (entry.is_regular_file())
+        all[fs::relative(entry.path(), folder).string()] = hair::bytes_of(entry.path());
     EXPECT_EQ(all.erase("timing.json") + all.erase("costs.html"), 2U);
     return all;
   }
@@ -127,7 +128,7 @@ TEST_F(OneFolder, FourAtOnceOfWhichOneIsKilledLoseNothing) {
     EXPECT_EQ(lines_with(run.errors, kWaiting), 1) << run.errors;
     EXPECT_EQ(lines_with(run.errors, "\n"), 1) << run.errors;
   }
-  const string gradebook = bytes_of(out_ / "grades.csv");
+  const string gradebook = hair::bytes_of(out_ / "grades.csv");
   for (const char* row : {"\r\nother-order,20,", "\r\nprints-success,", "\r\nsegfault,", "\r\nstubs,0,"})
     EXPECT_NE(gradebook.find(row), string::npos) << row << " is not in " << gradebook;
   for (const char* row : {"perfect", "textbook"}) EXPECT_EQ(gradebook.find(row), string::npos) << gradebook;
@@ -140,7 +141,7 @@ TEST_F(OneFolder, FourAtOnceOfWhichOneIsKilledLoseNothing) {
   const fs::path undisturbed = temporary_.path() / "undisturbed";
   ASSERT_EQ(grade(everybody, undisturbed).code, 0);
   expect_same(out_, undisturbed);
-  const string costs = bytes_of(out_ / "costs.html"), timing = bytes_of(out_ / "timing.json");
+  const string costs = hair::bytes_of(out_ / "costs.html"), timing = hair::bytes_of(out_ / "timing.json");
   for (const string& name : everybody) {
     EXPECT_NE(costs.find("staff/" + name + ".html"), string::npos) << name;
     EXPECT_NE(timing.find("\"" + name + "\""), string::npos) << name;
@@ -192,7 +193,7 @@ TEST_F(OneFolder, NamesWhoHasNoWholeResult) {
   const ProgramRun run = grade({"stubs", "other-order"}, out_, {"--only", "other-order"});
   EXPECT_EQ(run.code, 0);
   EXPECT_NE(run.errors.find("grades/stubs: its reports are not whole"), string::npos) << run.errors;
-  EXPECT_EQ(bytes_of(out_ / "grades.csv").find("stubs"), string::npos);
+  EXPECT_EQ(hair::bytes_of(out_ / "grades.csv").find("stubs"), string::npos);
 }
 
 }  // namespace

@@ -18,9 +18,9 @@
 #include "grader/compile/compiler.h"
 #include "grader/samples/sample.h"
 #include "grader/samples/solution_files.h"
-#include "grader/tests/bytes_of.h"
 #include "grader/tests/run_program.h"
 #include "grader/tests/side_by_side.h"
+#include "hair/io/files/read_file.h"
 
 namespace grader {
 namespace {
@@ -119,7 +119,7 @@ class PublicChecks : public testing::Test {
     const Descriptor output(open(log.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600));
     CagedProcess process(cage, with_inner_limits(inner, {"/check", "--gtest_brief=1"}), -1, -1, output.get());
     const Ending ending = process.wait(cage.limits.wall_seconds);
-    return {true, ending.well(), ending.well() ? "" : bytes_of(log).substr(0, 4000)};
+    return {true, ending.well(), ending.well() ? "" : hair::bytes_of(log).substr(0, 4000)};
   }
 };
 

@@ -17,9 +17,9 @@
 #include "grader/samples/sample.h"
 #include "grader/samples/solution_files.h"
 #include "grader/sandbox/processors.h"
-#include "grader/tests/bytes_of.h"
 #include "grader/tests/run_program.h"
 #include "grader/tests/side_by_side.h"
+#include "hair/io/files/read_file.h"
 
 namespace grader {
 namespace {
@@ -77,7 +77,7 @@ ProgramRun run(const std::vector<std::string>& words, const fs::path& log) {
   std::string command;
   for (const std::string& word : words) command += "'" + word + "' ";
   const int status = std::system((command + "> '" + log.string() + "' 2>&1").c_str());
-  return {status, bytes_of(log), {}};
+  return {status, hair::bytes_of(log), {}};
 }
 
 class RightPrograms : public testing::TestWithParam<std::string> {

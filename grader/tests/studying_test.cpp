@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "grader/tests/broken_links.h"
-#include "grader/tests/bytes_of.h"
 #include "grader/tests/run_program.h"
+#include "hair/io/files/read_file.h"
 
 namespace grader {
 namespace {
@@ -48,7 +48,7 @@ class Studying : public testing::Test {
   }
 
   static json study_of(const string& name) {
-    return json::parse(bytes_of(folder_ / "with" / name / "study.json"));
+    return json::parse(hair::bytes_of(folder_ / "with" / name / "study.json"));
   }
 
   static json part_of(const json& study, const string& name) {
@@ -79,7 +79,7 @@ TEST_F(Studying, ChangesNothingButThatThereIsALink) {
       continue;
     ++files;
     const fs::path name = fs::relative(entry.path(), folder_ / "without");
-    const string before = bytes_of(entry.path()), after = bytes_of(folder_ / "with" / name);
+    const string before = hair::bytes_of(entry.path()), after = hair::bytes_of(folder_ / "with" / name);
     const bool student =
         name.filename() == "results.json" || name.extension() == ".csv" || name.extension() == ".xml";
     EXPECT_TRUE(!student || after == before) << name;
@@ -166,7 +166,7 @@ TEST_F(Studying, IsMadeUpForByResume) {
   fs::copy(folder_ / "later", folder_ / "one", fs::copy_options::recursive);
   ASSERT_EQ(grade("one", {"--only", "perfect", "--exercise", "S1"}).code, 0);
   EXPECT_FALSE(fs::exists(folder_ / "one" / "perfect" / "study.html"));
-  EXPECT_EQ(bytes_of(folder_ / "one" / "perfect" / "report.html").find("study.html"), string::npos);
+  EXPECT_EQ(hair::bytes_of(folder_ / "one" / "perfect" / "report.html").find("study.html"), string::npos);
   // Graded again without one, nothing leads to an old one.
   ASSERT_EQ(grade("later", {"--only", "perfect"}).code, 0);
   EXPECT_FALSE(fs::exists(folder_ / "later" / "perfect" / "study.html"));
@@ -195,7 +195,7 @@ TEST_F(Studying, OfAReferenceThatFailsStopsNoGrading) {
 
 TEST_F(Studying, PageStandsAlone) {
   for (const char* name : {"perfect", "p1-midpoint-full-step", "segfault"}) {
-    const string page = bytes_of(folder_ / "with" / name / "study.html");
+    const string page = hair::bytes_of(folder_ / "with" / name / "study.html");
     EXPECT_NE(page.find("<svg"), string::npos) << name;
     for (const char* word : {"<script", "src=", "https://", "/tmp", "/dev/shm", "hairgrade-"})
       EXPECT_EQ(page.find(word), string::npos) << name << ": " << word;

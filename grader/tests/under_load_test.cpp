@@ -10,8 +10,8 @@
 #include <thread>
 #include <vector>
 
-#include "grader/tests/bytes_of.h"
 #include "grader/tests/run_program.h"
+#include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 
 namespace grader {
@@ -27,7 +27,8 @@ constexpr const char* kFile = "stretch_springs.cpp";
 std::map<std::string, std::string> files_in(const fs::path& folder) {
   std::map<std::string, std::string> all;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file()) all[fs::relative(entry.path(), folder).string()] = bytes_of(entry.path());
+    if (entry.is_regular_file())
+      all[fs::relative(entry.path(), folder).string()] = hair::bytes_of(entry.path());
   return all;
 }
 
@@ -50,7 +51,7 @@ TEST(UnderLoad, GivesTheSameBytesTwentyTimes) {
   const hair::TemporaryFolder temporary("under-load");
   const fs::path& folder = temporary.path();
   const fs::path students = folder / "class", cache = folder / "cache";
-  const std::string right = bytes_of(fs::path(HAIR_PROJECT) / "reference" / kFile);
+  const std::string right = hair::bytes_of(fs::path(HAIR_PROJECT) / "reference" / kFile);
   const auto hand_in = [&](const std::string& name, const std::string& text) {
     fs::create_directories(students / name);
     std::ofstream(students / name / kFile) << text;

@@ -14,7 +14,7 @@
 #include "grader/course/input.h"
 #include "grader/report/comparison_page.h"
 #include "grader/tool/progress.h"
-#include "hair/io/image/png.h"
+#include "hair/io/image/read_png.h"
 
 namespace grader {
 namespace {

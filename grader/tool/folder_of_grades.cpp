@@ -7,8 +7,6 @@
 
 #include <cerrno>
 #include <chrono>
-#include <fstream>
-#include <iterator>
 #include <ostream>
 #include <system_error>
 #include <thread>
@@ -16,6 +14,7 @@
 
 #include "grader/course/input.h"
 #include "grader/report/report.h"
+#include "hair/io/files/read_file.h"
 
 namespace grader {
 namespace {
@@ -23,12 +22,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::chrono::milliseconds kBetweenLooks{100};
-
-std::optional<std::string> text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return {};
-  return std::string{std::istreambuf_iterator<char>(in), {}};
-}
 
 [[noreturn]] void refuse(const fs::path& folder, const std::string& why, const std::string& way) {
   throw BadInput(printable(folder.string(), 4096) + ": " + why + "; " + way +
@@ -66,11 +59,11 @@ void remove_half_written(const fs::path& folder) {
 void check_made_by(const fs::path& folder, const MadeBy& mine) {
   // In this order: another hairgrade may write made-by.json and its first result just now.
   if (submissions_in(folder).empty()) return;
-  const std::optional<std::string> text = text_of(folder / kMadeBy);
-  if (!text)
+  const std::string text = hair::bytes_of(folder / kMadeBy);
+  if (text.empty())
     refuse(folder, "it has grades, but no " + std::string(kMadeBy) + " that tells what they were made with",
            "");
-  const std::optional<MadeBy> there = made_by_from_json(*text);
+  const std::optional<MadeBy> there = made_by_from_json(text);
   if (!there) refuse(folder, std::string(kMadeBy) + " in it is damaged", "");
   if (const std::vector<Difference> found = differences(*there, mine); !found.empty()) refuse(folder, found);
 }
@@ -97,7 +90,7 @@ std::optional<FolderOfGrades> FolderOfGrades::open(const fs::path& folder, const
   }
   check_made_by(folder, mine);
   remove_half_written(folder);
-  if (const std::string text = to_json(mine); text_of(folder / kMadeBy) != text)
+  if (const std::string text = to_json(mine); hair::bytes_of(folder / kMadeBy) != text)
     write_file(folder / kMadeBy, text);
   return FolderOfGrades(std::move(lock));
 }

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "grader/course/input.h"
-#include "grader/tests/bytes_of.h"
+#include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 
 namespace grader {
@@ -33,7 +33,7 @@ class Folder : public testing::Test {
     return FolderOfGrades::open(grades_, made_by, interrupted_, said_);
   }
   void add_result(const std::string& name) const { write_file(grades_ / name / "results.json", "{}"); }
-  std::string memory() const { return bytes_of(grades_ / kMadeBy); }
+  std::string memory() const { return hair::bytes_of(grades_ / kMadeBy); }
   // The line with which the folder refuses; "" if it does not.
   std::string refusal(const MadeBy& made_by) {
     std::string checked, opened;

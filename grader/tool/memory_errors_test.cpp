@@ -11,11 +11,11 @@
 #include "grader/sandbox/identity.h"
 #include "grader/suite/memory_points.h"
 #include "grader/suite/student.h"
-#include "grader/tests/bytes_of.h"
 #include "grader/tool/exercise_grading.h"
 #include "grader/tool/settings_for_tests.h"
 #include "grader/tool/suite_jobs.h"
 #include "grader/wire/memory_error.h"
+#include "hair/io/files/read_file.h"
 
 namespace grader {
 namespace {
@@ -206,7 +206,7 @@ TEST_F(MemoryErrorsTest, AreToldInNoWordsOfTheStudents) {
 
 // The sample of the issue.
 TEST_F(MemoryErrorsTest, CostAPointThatNothingElseCosts) {
-  std::string source = bytes_of(kProject / "grader/samples/solutions/plain/conj_grad.cpp");
+  std::string source = hair::bytes_of(kProject / "grader/samples/solutions/plain/conj_grad.cpp");
   const std::string vectors = "  vector<double> r(n), d(n), q(n), x_new(n);\n";
   ASSERT_NE(source.find(vectors), std::string::npos);
   const std::string right = source;
@@ -243,7 +243,7 @@ TEST_F(MemoryErrorsTest, CostAPointThatNothingElseCosts) {
 
 // The look comes last, and has what the others have left of the share.
 TEST_F(MemoryErrorsTest, AreLookedForAtNoOthersCost) {
-  std::string source = bytes_of(kProject / "grader/samples/solutions/plain/conj_grad.cpp");
+  std::string source = hair::bytes_of(kProject / "grader/samples/solutions/plain/conj_grad.cpp");
   const std::string vectors = "  vector<double> r(n), d(n), q(n), x_new(n);\n";
   ASSERT_NE(source.find(vectors), std::string::npos);
   source.replace(source.find(vectors), 0,
@@ -264,8 +264,8 @@ TEST_F(MemoryErrorsTest, AreCachedApart) {
   const Compiled first = sanitised(source, "cache-2"), second = sanitised(source, "cache-3");
   EXPECT_GT(first.cpu_seconds, 0) << "the ordinary object took its place";
   EXPECT_EQ(second.cpu_seconds, 0) << "compiled again";
-  EXPECT_EQ(bytes_of(first.object), bytes_of(second.object));
-  EXPECT_NE(bytes_of(first.object), bytes_of(ordinary.object));
+  EXPECT_EQ(hair::bytes_of(first.object), hair::bytes_of(second.object));
+  EXPECT_NE(hair::bytes_of(first.object), hair::bytes_of(ordinary.object));
 }
 
 // A user that owns no control group can't bound memory, and starts no worker with sanitizers.

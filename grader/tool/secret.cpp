@@ -6,11 +6,10 @@
 #include <unistd.h>
 
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 
 #include "grader/compile/hash.h"
 #include "grader/course/input.h"
+#include "hair/io/files/read_file.h"
 
 namespace grader {
 namespace {
@@ -50,9 +49,8 @@ void make_secret(const fs::path& file) {
 std::string read_secret(const std::optional<fs::path>& file) {
   const fs::path path = file ? *file : default_file();
   if (!file && !fs::exists(path)) make_secret(path);
-  std::ifstream in(path, std::ios::binary);
-  std::string secret{std::istreambuf_iterator<char>(in), {}};
-  if (!in && secret.empty())
+  const std::string secret = hair::bytes_of(path);
+  if (secret.empty())
     throw BadInput(path.string() + ": can't read the staff's secret; name a file of 16 random bytes or more");
   if (secret.size() < kLeastBytes)
     throw BadInput(path.string() + ": a secret of " + std::to_string(secret.size()) +

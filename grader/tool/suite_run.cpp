@@ -2,20 +2,15 @@
 #include "grader/tool/suite_run.h"
 
 #include <signal.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
-#include <system_error>
 
 #include "grader/report/base64.h"
 #include "grader/report/study_json.h"
 #include "grader/sandbox/descriptor.h"
-
-extern char** environ;
+#include "hair/io/files/start_program.h"
 
 namespace grader {
 namespace {
@@ -60,16 +55,9 @@ json to_json(const SuiteJob& job) {
 // Runs a program that we trust, with `input` on its standard input, and returns its standard output.
 std::string run_trusted(const std::filesystem::path& program, const std::string& input) {
   Pipe in = make_pipe(), out = make_pipe();
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_adddup2(&actions, in.read_end.get(), 0);
-  posix_spawn_file_actions_adddup2(&actions, out.write_end.get(), 1);
-  std::string name = program.string();
-  char* argv[] = {name.data(), nullptr};
-  pid_t process = 0;
-  const int error = posix_spawn(&process, name.c_str(), &actions, nullptr, argv, environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) throw std::system_error(error, std::generic_category(), name);
+  const std::string name = program.string();
+  const pid_t process =
+      hair::start_program({.words = {name}, .input = in.read_end.get(), .output = out.write_end.get()});
   in.read_end.close();
   out.write_end.close();
   if (write(in.write_end.get(), input.data(), input.size()) != static_cast<ssize_t>(input.size()))
@@ -79,10 +67,10 @@ std::string run_trusted(const std::filesystem::path& program, const std::string&
   out.read_end.close();
   if (output.empty() || output.back() != '\n')
     kill(process, SIGKILL);  // it has not ended, and is not waited for
-  int status = 0;
-  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (status != 0) throw std::runtime_error(name + " failed with status " + std::to_string(status));
+  const std::optional<int> code = hair::exit_code_of(process);
+  if (code != 0)
+    throw std::runtime_error(name + " failed " +
+                             (code ? "with exit code " + std::to_string(*code) : "by a signal"));
   return output;
 }
 

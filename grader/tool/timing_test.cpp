@@ -6,7 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "grader/tests/bytes_of.h"
+#include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 
 namespace grader {
@@ -63,7 +63,7 @@ TEST_F(TimingOfAFolder, LeavesOutWhoHasNoResultAnyMore) {
   timing.add("bob", cost({"S1"}, 2));
   timing.finish(results({"bob"}), {});
   EXPECT_FALSE(file()["submissions"].contains("alice"));
-  const std::string page = bytes_of(folder() / "costs.html");
+  const std::string page = hair::bytes_of(folder() / "costs.html");
   EXPECT_NE(page.find("staff/bob.html"), std::string::npos);
   EXPECT_EQ(page.find("alice"), std::string::npos);
 }

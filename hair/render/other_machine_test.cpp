@@ -1,16 +1,13 @@
 // What another machine may draw: another library, vectors of another width, another driver. Each draws in a
 // process of its own.
 #include <gtest/gtest.h>
-#include <spawn.h>
-#include <stdlib.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <string>
-#include <vector>
 
-#include "hair/io/image/png.h"
+#include "hair/io/files/start_program.h"
+#include "hair/io/image/read_png.h"
 #include "hair/io/image/same_picture.h"
 #include "hair/render/renderer.h"
 #include "hair/render/test_drawing.h"
@@ -27,22 +24,11 @@ Image drawn_here() {
 Image drawn_there(const std::string& library, const std::string& variable) {
   const std::filesystem::path file =
       std::filesystem::temp_directory_path() / ("hair-other-machine-" + std::to_string(getpid()) + ".png");
-  std::vector<std::string> words = {HAIR_DRAW_TEST_SCENE, library, file.string()};
-  std::vector<char*> arguments, environment;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  for (char** one = environ; *one != nullptr; ++one) environment.push_back(*one);
-  std::string added = variable;
-  if (!added.empty()) environment.push_back(added.data());
-  environment.push_back(nullptr);
-  pid_t child = 0;
-  int status = -1;
-  if (posix_spawn(&child, HAIR_DRAW_TEST_SCENE, nullptr, nullptr, arguments.data(), environment.data()) ==
-      0) {
-    waitpid(child, &status, 0);
-  }
+  Program program{.words = {HAIR_DRAW_TEST_SCENE, library, file.string()}};
+  if (!variable.empty()) program.environment.push_back(variable);
+  const std::optional<int> code = exit_code_of(start_program(program));
   Image image;
-  if (status == 0) image = read_png(file);
+  if (code == 0) image = read_png(file);
   std::error_code ignored;
   std::filesystem::remove(file, ignored);
   return image;

@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "hair/io/files/bad_input.h"
+#include "hair/io/files/read_file.h"
 #include "hair/io/fuzz/fuzz.h"
 #include "hair/scene/json/parts.h"
 #include "hair/scene/playback.h"
@@ -123,9 +122,7 @@ std::size_t fuzz::most_memory(std::size_t input) {
 std::vector<std::string> fuzz::seeds() {
   std::vector<std::string> all = {reference_tests::small_scene()};
   for (const auto& entry : std::filesystem::directory_iterator(HAIR_SCENES)) {
-    if (entry.path().extension() != ".json") continue;
-    std::ifstream in(entry.path(), std::ios::binary);
-    all.emplace_back(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
+    if (entry.path().extension() == ".json") all.push_back(hair::bytes_of(entry.path()));
   }
   all.emplace_back(
       R"({"shows": "a groom", "frames": 2, "hair": [{"groom": {"file": "a.hair", "scale": 0.5, "every": 2,)"

@@ -3,6 +3,7 @@
 #include <array>
 #include <cerrno>
 #include <fstream>
+#include <iterator>
 #include <system_error>
 
 #include "hair/io/files/bad_input.h"
@@ -32,6 +33,11 @@ std::string read_file(const std::filesystem::path& file, std::size_t most, const
   }
   if (in.bad()) fail_with(errno ? errno : EIO);
   return bytes;
+}
+
+std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 }  // namespace hair

@@ -11,4 +11,7 @@ namespace hair {
 // bytes than that. `wanted` ends the sentence "give the path of ...": "a JSON file".
 std::string read_file(const std::filesystem::path& file, std::size_t most, const std::string& wanted);
 
+// The bytes of a file of our own; empty if it can't be read.
+std::string bytes_of(const std::filesystem::path& file);
+
 }  // namespace hair

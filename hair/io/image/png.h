@@ -1,23 +1,21 @@
-// Pictures as PNG files.
+// Pictures are written as PNG files by stb.
 #pragma once
 
 #include <filesystem>
 #include <string>
-#include <string_view>
 
 #include "hair/io/image/image.h"
 
 namespace hair {
 
-// The same picture gives the same bytes.
+inline constexpr int kMostSide = 16384;  // pixels
+inline constexpr std::size_t kMostPixels = 64'000'000;
+
+// The same picture gives the same bytes. Throws std::invalid_argument for a picture without pixels, larger than these
+// bounds, or whose pixels are not three bytes each.
 std::string encode_png(const Image& image);
 
-// Throws BadInput with a message that begins with `name`, if the bytes are not a PNG, cut off, or larger than
-// 16384 pixels a side or 64 million pixels in total. Transparent pixels are composited over black.
-Image decode_png(std::string_view bytes, const std::string& name);
-
-// Reading also throws BadInput with the path if the file can't be read; writing throws as write_file does.
-Image read_png(const std::filesystem::path& file);
+// Throws as write_file does, too.
 void write_png(const std::filesystem::path& file, const Image& image);
 
 }  // namespace hair

@@ -1,4 +1,4 @@
-#include "hair/io/image/png.h"
+#include "hair/io/image/read_png.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -81,8 +81,9 @@ TEST(Png, AColourThatThePaletteLacksIsBlack) {
 // The data of an iPhone's PNG have no header, so that they are more than those that were counted.
 TEST(Png, ACriticalChunkThatNoPngHasIsRefused) {
   const std::string raw = stored(bytes({0, 9}));
-  EXPECT_EQ(refusal(png({1, 1, 8, 0}, raw, chunk("CgBI", bytes({0, 0, 0, 0})))),
-            "a.png: has a CgBI, which no PNG has; make it anew");
+  EXPECT_EQ(
+      refusal(png({1, 1, 8, 0}, raw, chunk("CgBI", bytes({0, 0, 0, 0})))),
+      "a.png: can't be decoded (CgBI: unhandled critical chunk); give a whole PNG file, or make it anew");
   EXPECT_EQ(refusal(png({1, 1, 8, 0}, raw, chunk("tEXt", "a"))), "");
 }
 
@@ -135,7 +136,7 @@ TEST(Png, AHeaderThatLiesIsRefusedBeforeItsMemoryIsTaken) {
 // Data that inflate to more than the header says are refused, however much more it would be.
 TEST(Png, DataThatAreTooManyAreRefused) {
   const std::string many = stored(std::string(5000, '\0'));
-  EXPECT_NE(refusal(png({2, 1, 8, 0}, many)).find("more than its header says"), std::string::npos);
+  EXPECT_NE(refusal(png({2, 1, 8, 0}, many)).find("Too much image data"), std::string::npos);
 }
 
 TEST(Png, WhatIsNoPngIsRefusedWithItsName) {

@@ -1,12 +1,8 @@
 #include "hair/lab/run/film.h"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
-#include <cerrno>
 #include <charconv>
 #include <cstdlib>
 #include <fstream>
@@ -15,8 +11,7 @@
 #include <vector>
 
 #include "hair/io/files/printable.h"
-
-extern char** environ;
+#include "hair/io/files/start_program.h"
 
 namespace hair {
 
@@ -29,29 +24,6 @@ constexpr const char* kErrors = "film.errors";
 std::string digits_of(double number) {
   std::array<char, 32> digits{};
   return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr};
-}
-
-// What a program that runs in `folder` returned, or nothing if it could not be started or a signal ended it.
-std::optional<int> run_program(const fs::path& program, std::vector<std::string> arguments,
-                               const fs::path& folder) {
-  std::vector<char*> argv;
-  for (std::string& argument : arguments) argv.push_back(argument.data());
-  argv.push_back(nullptr);
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, 0, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, 1, "/dev/null", O_WRONLY, 0);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  posix_spawn_file_actions_addopen(&actions, 2, kErrors, O_WRONLY | O_CREAT | O_TRUNC, 0644);
-  pid_t process = 0;
-  const int error = posix_spawn(&process, program.c_str(), &actions, nullptr, argv.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) return {};
-  int status = 0;
-  while (waitpid(process, &status, 0) < 0)
-    if (errno != EINTR) return {};
-  if (!WIFEXITED(status)) return {};
-  return WEXITSTATUS(status);
 }
 
 std::string first_line(const fs::path& file) {
@@ -81,30 +53,38 @@ std::optional<std::string> make_film(const fs::path& folder, double frames_per_s
   const fs::path film = folder / "film.mp4", errors = folder / kErrors;
   // One thread and no dates: the same pictures give the same bytes. Most players want an even number of rows
   // and columns, and colours at half their resolution.
-  const auto code = run_program(*program,
-                                {"ffmpeg",
-                                 "-nostdin",
-                                 "-loglevel",
-                                 "error",
-                                 "-y",
-                                 "-framerate",
-                                 digits_of(frames_per_second),
-                                 "-i",
-                                 "frame-%04d.png",
-                                 "-vf",
-                                 "pad=ceil(iw/2)*2:ceil(ih/2)*2",
-                                 "-pix_fmt",
-                                 "yuv420p",
-                                 "-threads",
-                                 "1",
-                                 "-fflags",
-                                 "+bitexact",
-                                 "-flags:v",
-                                 "+bitexact",
-                                 "-movflags",
-                                 "+faststart",
-                                 "film.mp4"},
-                                folder);
+  const std::vector<std::string> words = {program->string(),
+                                          "-nostdin",
+                                          "-loglevel",
+                                          "error",
+                                          "-y",
+                                          "-framerate",
+                                          digits_of(frames_per_second),
+                                          "-i",
+                                          "frame-%04d.png",
+                                          "-vf",
+                                          "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                                          "-pix_fmt",
+                                          "yuv420p",
+                                          "-threads",
+                                          "1",
+                                          "-fflags",
+                                          "+bitexact",
+                                          "-flags:v",
+                                          "+bitexact",
+                                          "-movflags",
+                                          "+faststart",
+                                          "film.mp4"};
+  std::optional<int> code;
+  try {
+    code = exit_code_of(start_program({.words = words,
+                                       .input = fs::path("/dev/null"),
+                                       .output = fs::path("/dev/null"),
+                                       .errors = errors,
+                                       .folder = folder}));
+  } catch (const std::system_error& error) {
+    return "ffmpeg can't be started (" + error.code().message() + "); the pictures are there";
+  }
   const std::string line = first_line(errors);
   std::error_code ignored;
   fs::remove(errors, ignored);

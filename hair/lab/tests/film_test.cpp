@@ -35,11 +35,11 @@ class Film : public testing::Test {
 TEST_F(Film, IsAnMp4AndTheSameTwice) {
   if (!find_ffmpeg()) GTEST_SKIP() << "ffmpeg is not on PATH";
   ASSERT_EQ(make_film(folder_.path(), 29.97), std::nullopt);
-  const std::string first = read_bytes(folder_ / "film.mp4");
+  const std::string first = bytes_of(folder_ / "film.mp4");
   EXPECT_EQ(first.substr(4, 4), "ftyp");
   EXPECT_FALSE(fs::exists(folder_ / "film.errors"));
   ASSERT_EQ(make_film(folder_.path(), 29.97), std::nullopt);
-  EXPECT_EQ(read_bytes(folder_ / "film.mp4"), first);
+  EXPECT_EQ(bytes_of(folder_ / "film.mp4"), first);
 }
 
 TEST_F(Film, IsLeftOutWithoutFfmpeg) {

@@ -64,7 +64,7 @@ TEST_F(GroomCommands, InfoAsJsonHasTheSame) {
       "file",        "strands", "points", "points_of_strand", "length",    "segment", "bend",
       "root_sphere", "box",     "roots",  "unit_guess",       "curvature", "look",    "odd"};
   EXPECT_EQ(json.size(), keys.size());
-  const std::string documented = read_bytes(std::string(HAIR_PROJECT) + "/hair/lab/README.md");
+  const std::string documented = bytes_of(std::string(HAIR_PROJECT) + "/hair/lab/README.md");
   for (const std::string& key : keys) {
     EXPECT_TRUE(json.contains(key)) << key;
     EXPECT_TRUE(has(documented, "`" + key + "`")) << key;
@@ -78,7 +78,7 @@ TEST_F(GroomCommands, ConvertKeepsThePointsAndSaysWhatItLeavesOut) {
   const Groom before = read_groom(groom_), after = read_groom(out_);
   for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(after.strands[i], before.strands[i + 1]);
   EXPECT_EQ(run_hairlab({"convert", groom_, folder_ / "b.data"}).code, 0);
-  EXPECT_EQ(read_bytes(folder_ / "b.data"), read_bytes(groom_));
+  EXPECT_EQ(bytes_of(folder_ / "b.data"), bytes_of(groom_));
 }
 
 TEST_F(GroomCommands, ConvertScalesThinsAndTakesPoints) {
@@ -86,14 +86,14 @@ TEST_F(GroomCommands, ConvertScalesThinsAndTakesPoints) {
   const ProgramRun run =
       run_hairlab({"convert", groom_, ply, "--scale", "0.5", "--every", "2", "--points", "5", "--ascii"});
   EXPECT_EQ(run.code, 0) << run.errors;
-  EXPECT_TRUE(read_bytes(ply).starts_with("ply\nformat ascii 1.0\nelement vertex 5\n"));
+  EXPECT_TRUE(bytes_of(ply).starts_with("ply\nformat ascii 1.0\nelement vertex 5\n"));
   Eigen::VectorXd x(15);
   x << 1, 0, 0, 1, 0, -0.25, 1, 0, -0.5, 1, 0, -0.75, 1, 0, -1;
   EXPECT_EQ(read_groom(ply).strands, std::vector<Eigen::VectorXd>{x});
   const std::string usda = folder_ / "a.usda";
   EXPECT_EQ(run_hairlab({"convert", groom_, usda, "--cubic", "--unit", "0.01", "--y-up"}).code, 0);
   for (const char* const part : {"\"cubic\"", "metersPerUnit = 0.01\n", "upAxis = \"Y\"\n"})
-    EXPECT_TRUE(has(read_bytes(usda), part)) << part;
+    EXPECT_TRUE(has(bytes_of(usda), part)) << part;
 }
 
 TEST_F(GroomCommands, AGroomGrowsInAStyleTheSameEachTime) {
@@ -105,7 +105,7 @@ TEST_F(GroomCommands, AGroomGrowsInAStyleTheSameEachTime) {
     const ProgramRun run = run_hairlab(all);
     EXPECT_EQ(run.output, (folder_ / name).string() + ": 200 strands, 12,000 points, in metres\n")
         << run.errors;
-    return read_bytes(folder_ / name);
+    return bytes_of(folder_ / name);
   };
   const std::string bytes = grown("b.hair");
   EXPECT_EQ(grown("c.hair"), bytes);
@@ -116,7 +116,7 @@ TEST_F(GroomCommands, AGroomGrowsInAStyleTheSameEachTime) {
   expect_refused({"groom", "wavy", "--out", folder_ / "a.obj"}, "a.obj: has the ending of no format");
   for (const char* const seed : {"-1", "nan", "1.5", "9007199254740993"})
     expect_refused({"groom", "wavy", "--seed", seed, "--out", out_}, "--seed");
-  EXPECT_EQ(read_bytes(out_), "");
+  EXPECT_EQ(bytes_of(out_), "");
 }
 
 TEST_F(GroomCommands, DrawsAGroomTwiceWithTheSameBytes) {
@@ -128,8 +128,8 @@ TEST_F(GroomCommands, DrawsAGroomTwiceWithTheSameBytes) {
     EXPECT_EQ(run.code, 0) << run.errors;
     EXPECT_TRUE(has(run.output, "png: 300 strands, a unit of ")) << run.output;
   }
-  EXPECT_TRUE(read_bytes(picture).starts_with("\x89PNG"));
-  EXPECT_EQ(read_bytes(picture), read_bytes(again));
+  EXPECT_TRUE(bytes_of(picture).starts_with("\x89PNG"));
+  EXPECT_EQ(bytes_of(picture), bytes_of(again));
 }
 
 TEST_F(GroomCommands, DrawRefusesWhatCantBeDrawn) {
@@ -141,11 +141,11 @@ TEST_F(GroomCommands, DrawRefusesWhatCantBeDrawn) {
   expect_refused({"draw", groom_, "--picture", picture, "--on", "none", "--view", "0", "0", "0"},
                  "the view's direction");
   expect_refused({"draw", folder_ / "none.hair", "--picture", picture}, "none.hair: can't be read");
-  EXPECT_EQ(read_bytes(picture), "");
+  EXPECT_EQ(bytes_of(picture), "");
 }
 
 TEST_F(GroomCommands, BadInputIsOneLineAndWritesNothing) {
-  const std::string cut = folder_.write("cut.data", read_bytes(groom_).substr(0, 140));
+  const std::string cut = folder_.write("cut.data", bytes_of(groom_).substr(0, 140));
   expect_refused({"info", cut},
                  "cut.data: byte 88: strand 3 says that it has 5 points; the bytes after it hold 4, and");
   expect_refused({"convert", cut, out_}, "cut.data: byte 88: ");
@@ -158,7 +158,7 @@ TEST_F(GroomCommands, BadInputIsOneLineAndWritesNothing) {
   expect_refused({"convert", groom_, out_, "--points", "1"}, "--points");
   expect_refused({"convert", groom_, out_, "--every", "4"}, "has bald roots only");
   expect_refused({"convert", groom_, folder_ / "a.data/b.hair"}, "b.hair: can't be written");
-  const std::string nan = folder_.write("nan.data", read_bytes(groom_).replace(8, 4, "\xff\xff\xff\x7f"));
+  const std::string nan = folder_.write("nan.data", bytes_of(groom_).replace(8, 4, "\xff\xff\xff\x7f"));
   expect_refused({"convert", nan, out_},
                  "nan.data: byte 8: strand 0, point 0: has a number that is not finite");
   const ProgramRun run = run_hairlab({"info", nan});

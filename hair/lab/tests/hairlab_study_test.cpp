@@ -43,7 +43,7 @@ class HairlabStudy : public testing::Test {
     for (int k = 0; k < 30000 && !fs::exists(out_ / "study.json"); ++k)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  Json record() const { return Json::parse(read_bytes(out_ / "study.json")); }
+  Json record() const { return Json::parse(bytes_of(out_ / "study.json")); }
   void expect_refused(const ProgramRun& run, int code, const std::string& part) {
     EXPECT_EQ(run.code, code) << run.errors;
     EXPECT_TRUE(has(run.errors, part)) << run.errors;
@@ -68,9 +68,9 @@ TEST_F(HairlabStudy, WritesRecordTableAndPageAndIsQuietInAPipe) {
   EXPECT_EQ(json["methods"][1]["id"], "runge-kutta-4");
   std::size_t runs = 0;
   for (const Json& method : json["methods"]) runs += method["runs"].size();
-  const std::string csv = read_bytes(out_ / "study.csv");
+  const std::string csv = bytes_of(out_ / "study.csv");
   EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), runs + 1);
-  EXPECT_TRUE(has(read_bytes(out_ / "index.html"), "<svg"));
+  EXPECT_TRUE(has(bytes_of(out_ / "index.html"), "<svg"));
 
   // The accurate motion is kept, and the same as before; a finished study has nothing to go on with.
   EXPECT_EQ(json["reference"]["from_cache"], false);
@@ -92,7 +92,7 @@ TEST_F(HairlabStudy, InterruptedKeepsWhatIsFinishedAndGoesOn) {
   EXPECT_TRUE(has(run.errors, "interrupted; what is finished is kept, and --resume goes on")) << run.errors;
   const Json part = record();
   EXPECT_EQ(part["finished"], false);
-  EXPECT_TRUE(has(read_bytes(out_ / "index.html"), "--resume goes on"));
+  EXPECT_TRUE(has(bytes_of(out_ / "index.html"), "--resume goes on"));
 
   // Of something else it can't.
   expect_refused(study({"--resume", "--methods", "h6"}), 2,
@@ -123,7 +123,7 @@ TEST_F(HairlabStudy, KilledKeepsTheRunsOfBefore) {
   const Json part = record();
   EXPECT_EQ(part["finished"], false);
   ASSERT_FALSE(part["methods"][0]["runs"].empty());
-  EXPECT_TRUE(has(read_bytes(out_ / "index.html"), "--resume goes on"));
+  EXPECT_TRUE(has(bytes_of(out_ / "index.html"), "--resume goes on"));
   expect_refused(study({"--resume"}), 2, "is another study, and can't be resumed: its \"");
   EXPECT_EQ(record(), part);
   for (const std::string& name : folder_.names()) EXPECT_FALSE(name.starts_with(".hairlab-")) << name;
@@ -132,7 +132,7 @@ TEST_F(HairlabStudy, KilledKeepsTheRunsOfBefore) {
 TEST_F(HairlabStudy, AnotherProgramCanNotResume) {
   ASSERT_EQ(study(kFew).code, 0);
   const Json before = record();
-  const std::string studies = read_bytes(HAIRLAB "-study"), same = folder_.write("same", studies),
+  const std::string studies = bytes_of(HAIRLAB "-study"), same = folder_.write("same", studies),
                     other = folder_.write("other", studies + "x");
   for (const std::string& program : {same, other}) fs::permissions(program, fs::perms::owner_all);
   const std::vector<std::string> resume = {"--methods", kFew[1], "--resume"};

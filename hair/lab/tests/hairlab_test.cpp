@@ -51,7 +51,7 @@ const char* const kLinked = R"({"shows": "links break", "frames": 12, "frames_pe
  "links": {"stiffness": 1e-4, "yields": 0.1, "breaks": 0.5, "neighbours": "both"}})";
 
 Json read_run(const fs::path& folder) {
-  return Json::parse(read_bytes(folder / "run.json"));
+  return Json::parse(bytes_of(folder / "run.json"));
 }
 
 class Hairlab : public testing::Test {
@@ -90,7 +90,7 @@ TEST_F(Hairlab, WritesStatesMeasuresAndNothingElseWithoutPictures) {
   EXPECT_EQ(states.strands, std::vector<int>{7});
   EXPECT_EQ(states.particles, 7);
   ASSERT_EQ(states.frames.size(), 5u);
-  std::istringstream csv(read_bytes(out_ / "states.csv"));
+  std::istringstream csv(bytes_of(out_ / "states.csv"));
   std::string line;
   std::getline(csv, line);
   for (int k = 0; k < 5; ++k)
@@ -167,7 +167,7 @@ TEST_F(Hairlab, DoesTheSameTwice) {
   ASSERT_EQ(folder_.names("first"), names);
   for (const std::string& name : names) {
     if (name == "run.json") continue;
-    EXPECT_EQ(read_bytes(folder_ / ("first/" + name)), read_bytes(out_ / name)) << name;
+    EXPECT_EQ(bytes_of(folder_ / ("first/" + name)), bytes_of(out_ / name)) << name;
   }
   Json first = read_run(folder_ / "first"), second = read_run(out_);
   EXPECT_EQ(first.erase("seconds"), 1u);
@@ -317,9 +317,9 @@ TEST_F(Hairlab, NamesTheExerciseThatAStubIsOf) {
   EXPECT_FALSE(fs::exists(out_));
 
   ASSERT_EQ(play(kSwing, {"--no-render"}).code, 0);
-  const std::string before = read_bytes(out_ / "run.json");
+  const std::string before = bytes_of(out_ / "run.json");
   EXPECT_EQ(play(kSwing, {}, student).code, 3);
-  EXPECT_EQ(read_bytes(out_ / "run.json"), before) << "an earlier run is lost";
+  EXPECT_EQ(bytes_of(out_ / "run.json"), before) << "an earlier run is lost";
 }
 
 TEST_F(Hairlab, RefusesBadScenesWithTheirJsonPath) {
@@ -358,13 +358,13 @@ TEST_F(Hairlab, RefusesFoldersThatCanNotBeWrittenOrHoldSomethingElse) {
   expect_refused(into("/proc/out"), 2, "/proc/out: can't be made");
   expect_refused(into("/"), 2, "is the root");
   expect_refused(into(folder_.path().string()), 2, "is not empty, and not from hairlab");
-  EXPECT_EQ(read_bytes(scene), kSwing);
+  EXPECT_EQ(bytes_of(scene), kSwing);
 
   ASSERT_EQ(into(out_.string()).code, 0);
   ASSERT_EQ(into(out_.string()).code, 0) << "an earlier run is replaced";
   folder_.write("out/notes.txt", "mine");
   expect_refused(into(out_.string()), 2, "holds notes.txt");
-  EXPECT_EQ(read_bytes(out_ / "notes.txt"), "mine");
+  EXPECT_EQ(bytes_of(out_ / "notes.txt"), "mine");
 }
 
 // A limit on the size of files acts as a disk that is full: first for the table of states, with less for all.

@@ -40,7 +40,7 @@ TEST_F(HairlabHead, WritesPageTableAndRecordAndReplacesThem) {
     EXPECT_EQ(run.output, (out_ / "index.html").string() + "\n");
   }
   EXPECT_EQ(folder_.names("out"), (std::vector<std::string>{"head.csv", "head.json", "index.html"}));
-  const Json json = Json::parse(read_bytes(out_ / "head.json"));
+  const Json json = Json::parse(bytes_of(out_ / "head.json"));
   EXPECT_EQ(json["no_pictures"], "--no-pictures");
   ASSERT_EQ(json["cases"].size(), 2u);
   EXPECT_EQ(json["cases"][0]["head"], true);
@@ -75,7 +75,7 @@ TEST_F(HairlabHead, RefusesAFolderWithAnythingElse) {
   const ProgramRun run = run_hairlab({"study", "head", "--out", folder_.path().string()});
   EXPECT_EQ(run.code, 2);
   EXPECT_EQ(lines_of(run.errors), 1) << run.errors;
-  EXPECT_EQ(read_bytes(file), "mine");
+  EXPECT_EQ(bytes_of(file), "mine");
 }
 
 // Stubs: nothing is written. A student's program has no engine, and no option for it.

@@ -79,7 +79,7 @@ TEST_F(HairlabModels, ModelsAgreeOnStraightHair) {
   EXPECT_EQ(run.output, (out_ / "index.html").string() + "\n");
   EXPECT_EQ(folder_.names("out"),
             (std::vector<std::string>{"index.html", "lengths.csv", "models.csv", "models.json"}));
-  const Json json = Json::parse(read_bytes(out_ / "models.json"));
+  const Json json = Json::parse(bytes_of(out_ / "models.json"));
   ASSERT_EQ(json["hairs"].size(), 1u);
   const Json& hair = json["hairs"][0];
   EXPECT_LT(hair["uncertainty"], 2e-4);

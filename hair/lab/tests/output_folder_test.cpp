@@ -68,7 +68,7 @@ TEST(OutputFolderTest, ReplacesAnEarlierRunOnlyAtTheEnd) {
   EXPECT_TRUE(fs::exists(test / "out/frame-0012.png"));
   write_run(test / "out", "2");
   EXPECT_EQ(test.names("out"), std::vector<std::string>{"run.json"});
-  EXPECT_EQ(read_bytes(test / "out/run.json"), std::string(kRunRecordBegin) + "2");
+  EXPECT_EQ(bytes_of(test / "out/run.json"), std::string(kRunRecordBegin) + "2");
   EXPECT_EQ(test.names(), std::vector<std::string>{"out"});
 }
 
@@ -106,7 +106,7 @@ TEST(OutputFolderTest, TakesAnEmptyFolderALinkAndASlashAtTheEnd) {
   fs::create_directory_symlink("empty", test / "link");
   write_run(test / "link", "2");
   EXPECT_TRUE(fs::is_symlink(test / "link"));
-  EXPECT_EQ(read_bytes(test / "empty/run.json"), std::string(kRunRecordBegin) + "2");
+  EXPECT_EQ(bytes_of(test / "empty/run.json"), std::string(kRunRecordBegin) + "2");
 }
 
 // What a run that was killed left behind goes; what one that still runs has written stays.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 
 namespace hair {
@@ -28,9 +29,6 @@ ProgramRun run_hairlab(const std::vector<std::string>& arguments, const ProgramS
 // Helpers for tests: whether a text contains a part, and its number of lines.
 bool has(const std::string& text, const std::string& part);
 std::ptrdiff_t lines_of(const std::string& text);
-
-// A file's bytes; empty if it can't be read.
-std::string read_bytes(const std::filesystem::path& file);
 
 // A test's own folder; removed with this object.
 class TestFolder {

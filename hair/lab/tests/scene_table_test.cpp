@@ -13,7 +13,7 @@ namespace {
 
 TEST(SceneTable, HasTheRowOfEachSceneAndNoOthers) {
   std::set<std::string> rows;
-  std::istringstream text(read_bytes(std::string(HAIR_PROJECT) + "/handout/assignment/README.md"));
+  std::istringstream text(bytes_of(std::string(HAIR_PROJECT) + "/handout/assignment/README.md"));
   for (std::string line; std::getline(text, line);)
     if (line.starts_with("| `")) {
       EXPECT_TRUE(rows.insert(line).second) << line;

@@ -24,11 +24,11 @@ TEST(HairlabSolver, WritesAPageNumbersAndTablesAndReplacesItsOwn) {
   EXPECT_EQ(folder.names("out"),
             (std::vector<std::string>{"convergence.csv", "digits.csv", "direct.csv", "index.html",
                                       "iterations.csv", "products.csv", "solver.json"}));
-  const Json json = Json::parse(read_bytes(folder / "out/solver.json"));
+  const Json json = Json::parse(bytes_of(folder / "out/solver.json"));
   EXPECT_EQ(json["program"], "hairlab solver");
   EXPECT_TRUE(json["left_out"].is_null());
   EXPECT_EQ(json["digits"].size(), 8);
-  const std::string page = read_bytes(folder / "out/index.html");
+  const std::string page = bytes_of(folder / "out/index.html");
   for (const char* figure : {"error-against-iterations", "squared-residual-against-iterations",
                              "error-against-time", "error-for-clusters", "squared-residual-for-clusters",
                              "error-for-clusters-against-time", "strand-error-against-products",
@@ -68,7 +68,7 @@ TEST(HairlabSolver, AFolderOfSomethingElseIsRefused) {
   folder.write("precious.txt", "mine");
   const ProgramRun run = run_hairlab({"solver", "--quick", "--out", folder.path().string()});
   EXPECT_EQ(run.code, 2);
-  EXPECT_EQ(read_bytes(folder / "precious.txt"), "mine");
+  EXPECT_EQ(bytes_of(folder / "precious.txt"), "mine");
   EXPECT_EQ(run_hairlab({"solver"}).code, 2) << "--out is missing";
 }
 

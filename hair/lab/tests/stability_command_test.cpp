@@ -22,7 +22,7 @@ class StabilityCommand : public testing::Test {
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run_hairlab(arguments, settings);
   }
-  OrderedJson record() const { return OrderedJson::parse(read_bytes(folder_ / "out/stability.json")); }
+  OrderedJson record() const { return OrderedJson::parse(bytes_of(folder_ / "out/stability.json")); }
   void expect_refused(const ProgramRun& run, int code, const std::string& part) {
     EXPECT_EQ(run.code, code) << run.errors;
     EXPECT_TRUE(has(run.errors, part)) << run.errors;
@@ -46,7 +46,7 @@ TEST_F(StabilityCommand, WritesRecordTablesAndPage) {
     ASSERT_EQ(map["rows"].size(), map["h"].size());
     for (const OrderedJson& row : map["rows"]) EXPECT_EQ(row.get<std::string>().size(), map["x"].size());
   }
-  EXPECT_TRUE(has(read_bytes(folder_ / "out/index.html"), "<svg"));
+  EXPECT_TRUE(has(bytes_of(folder_ / "out/index.html"), "<svg"));
 }
 
 // As after Ctrl-C: some maps are there, and those only are not run anew, as their times show.
@@ -104,7 +104,7 @@ TEST_F(StabilityCommand, InterruptedKeepsWhatIsFinished) {
   EXPECT_TRUE(has(run.errors, " of 16 maps, which are kept; --resume goes on\n")) << run.errors;
   EXPECT_EQ(record()["ended"], "interrupted");
   EXPECT_FALSE(record()["maps"].empty());
-  EXPECT_TRUE(has(read_bytes(folder_ / "out/index.html"), "--resume goes on"));
+  EXPECT_TRUE(has(bytes_of(folder_ / "out/index.html"), "--resume goes on"));
 }
 
 TEST_F(StabilityCommand, BadInputIsRefusedInOneLineAndNothingIsWritten) {

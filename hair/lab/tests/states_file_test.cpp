@@ -58,7 +58,7 @@ TEST(StatesFileTest, RefusesWhatIsNotWhole) {
   StatesWriter writer(folder / "states.bin", "states.bin", {2, 1}, 4);
   for (int k = 0; k < 2; ++k) writer.add(k, state_of(4, k));
   writer.close();
-  const std::string good = read_bytes(folder / "states.bin");
+  const std::string good = bytes_of(folder / "states.bin");
   ASSERT_EQ(good.size(), 24 + 8 + 2 * (1 + 24) * 8u);
 
   const auto refuses = [&](const std::string& bytes) {
@@ -119,7 +119,7 @@ TEST(StatesFileTest, RefusesLinksThatCantBe) {
   StatesWriter writer(folder / "states.bin", "states.bin", {3, 1}, 4);
   writer.add(three_links());
   writer.close();
-  const std::string good = read_bytes(folder / "states.bin");
+  const std::string good = bytes_of(folder / "states.bin");
   const std::size_t links = 24 + 8, ends = links + 16, broken = ends + 8 * 3;
   ASSERT_EQ(good.size(), broken + 16 * 3);
   const auto refuses = [&](std::size_t at, std::uint32_t value) {
@@ -155,7 +155,7 @@ TEST(StatesCsvTest, HoldsTheSameNumbersWithAStrandForHairAndNoneForToys) {
   writer.add(1.0 / 3, state);
   writer.close();
 
-  std::istringstream lines(read_bytes(folder / "states.csv"));
+  std::istringstream lines(bytes_of(folder / "states.csv"));
   std::string line;
   std::getline(lines, line);
   EXPECT_EQ(line + "\n", kCsvHead);

@@ -39,17 +39,17 @@ TEST(ValidateCommand, WritesPageTableAndJson) {
                                               (folder / "out").string()};
   ASSERT_EQ(run_hairlab(arguments).code, 0);
   EXPECT_EQ(folder.names("out"), (std::vector<std::string>{"index.html", "validate.csv", "validate.json"}));
-  const std::string text = read_bytes(folder / "out/validate.json");
+  const std::string text = bytes_of(folder / "out/validate.json");
   const Json json = Json::parse(text);
   EXPECT_EQ(json["quick"], true);
   ASSERT_EQ(json["validations"].size(), 1u);
   const std::size_t checks = json["validations"][0]["checks"].size();
-  EXPECT_EQ(lines_of(read_bytes(folder / "out/validate.csv")), static_cast<std::ptrdiff_t>(checks) + 1);
-  EXPECT_TRUE(has(read_bytes(folder / "out/index.html"), "<svg"));
+  EXPECT_EQ(lines_of(bytes_of(folder / "out/validate.csv")), static_cast<std::ptrdiff_t>(checks) + 1);
+  EXPECT_TRUE(has(bytes_of(folder / "out/index.html"), "<svg"));
 
   // Again, over what is there: the same, but for the time.
   ASSERT_EQ(run_hairlab(arguments).code, 0);
-  Json again = Json::parse(read_bytes(folder / "out/validate.json")), before = json;
+  Json again = Json::parse(bytes_of(folder / "out/validate.json")), before = json;
   for (Json* one : {&again, &before}) (*one)["validations"][0].erase("cpu_seconds");
   EXPECT_EQ(again, before);
   EXPECT_EQ(folder.names(), std::vector<std::string>{"out"});
@@ -71,7 +71,7 @@ TEST(ValidateCommand, RefusesWhatItDoesNotKnow) {
   EXPECT_EQ(foreign.code, 2);
   EXPECT_EQ(lines_of(foreign.errors), 1) << foreign.errors;
   EXPECT_EQ(foreign.output, "") << "before it computes";
-  EXPECT_EQ(read_bytes(folder / "out/letter.txt"), "dear");
+  EXPECT_EQ(bytes_of(folder / "out/letter.txt"), "dear");
 }
 
 TEST(ValidateCommand, SaysWhatIsNotWrittenYet) {
@@ -100,7 +100,7 @@ TEST(ValidateCommand, KeepsWhatIsFinishedWhenItIsInterrupted) {
   const ProgramRun run = run_hairlab({"validate", "--out", (folder / "out").string()}, settings);
   EXPECT_EQ(run.code, 130) << run.errors;
   EXPECT_TRUE(has(run.errors, "interrupted after ")) << run.errors;
-  const Json json = Json::parse(read_bytes(folder / "out/validate.json"));
+  const Json json = Json::parse(bytes_of(folder / "out/validate.json"));
   EXPECT_GE(json["validations"].size(), 1u);
 }
 

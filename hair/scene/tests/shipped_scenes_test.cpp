@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <set>
 
+#include "hair/io/files/read_file.h"
 #include "hair/scene/playback.h"
 
 namespace reference_tests {
@@ -32,8 +31,7 @@ TEST(ShippedScenes, AreThoseThatAUserIsPromised) {
 }
 
 TEST(ShippedScenes, AreInTheReadmeWithWhatTheyShowAndCall) {
-  std::ifstream in(HAIR_SCENES "/README.md");
-  const std::string readme{std::istreambuf_iterator<char>(in), {}};
+  const std::string readme = hair::bytes_of(HAIR_SCENES "/README.md");
   for (const auto& file : shipped()) {
     const hair::Scene scene = hair::read_scene(file);
     std::string called;

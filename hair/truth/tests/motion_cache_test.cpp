@@ -1,12 +1,12 @@
 // STAFF ONLY. A motion that was kept is the same bit by bit, and no other's.
 #include "hair/truth/motion_cache.h"
+#include "hair/io/files/read_file.h"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 #include <functional>
 #include <set>
-#include <sstream>
 
 #include "hair/truth/strand_ode.h"
 #include "problems.h"
@@ -81,9 +81,7 @@ TEST_F(MotionCache, KnowsTolerancesApart) {
 
 TEST_F(MotionCache, BelievesNoFileThatIsNotWhole) {
   const AccurateMotion first = motion();
-  std::ostringstream whole;
-  whole << std::ifstream(only_file(), std::ios::binary).rdbuf();
-  const std::string bytes = whole.str();
+  const std::string bytes = hair::bytes_of(only_file());
   ASSERT_GT(bytes.size(), 1000U);
   std::string flipped = bytes;
   flipped[bytes.size() / 2] = flipped[bytes.size() / 2] == '1' ? '2' : '1';

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <string>
 
+#include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 #include "hair/io/plot/page.h"
 #include "hair/io/plot/tests/sample_figures.h"
@@ -21,12 +22,6 @@ std::string browser() {
   for (const char* name : {"chromium", "chromium-browser", "google-chrome"})
     if (std::system(("command -v " + std::string(name) + " >/dev/null 2>&1").c_str()) == 0) return name;
   return "";
-}
-
-std::string content(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
 }
 
 std::size_t count(const std::string& text, const std::string& what) {
@@ -59,8 +54,8 @@ class ChromiumTest : public testing::Test {
         "/log </dev/null";
     Opened opened;
     opened.status = std::system(command.c_str());
-    opened.document = content(folder_ / "document");
-    std::istringstream log(content(folder_ / "log"));
+    opened.document = bytes_of(folder_ / "document");
+    std::istringstream log(bytes_of(folder_ / "log"));
     for (std::string line; std::getline(log, line);)
       if (line.find("CONSOLE") != std::string::npos) opened.console += line + "\n";
     return opened;

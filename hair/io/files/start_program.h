@@ -1,0 +1,31 @@
+// Starts another program, and waits for its end.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace hair {
+
+// What one of a program's three streams is: ours (the default), a descriptor of ours, or a file, which is read or written anew.
+using Stream = std::variant<std::monostate, int, std::filesystem::path>;
+
+struct Program {
+  std::vector<std::string> words;  // its path, then its arguments
+  Stream input = {}, output = {}, errors = {};
+  std::filesystem::path folder = {};          // where it runs; empty: here
+  std::vector<std::string> environment = {};  // "NAME=value", in addition to ours and instead of one of that name
+  bool leads_group = false;                   // it is the first of a new process group
+};
+
+// Returns its process id. Throws std::system_error, with the program's path, if it can't be started.
+pid_t start_program(const Program& program);
+
+// Waits until it has ended. Returns its exit code, or nothing if a signal ended it.
+std::optional<int> exit_code_of(pid_t process);
+
+}  // namespace hair
