@@ -55,8 +55,8 @@ void encode(MessageWriter& message, const T& value) {
     } else {
       if constexpr (T::ColsAtCompileTime != 1)
         message.put(static_cast<int>(value.rows())).put(static_cast<int>(value.cols()));
-      const Eigen::Ref<const typename T::PlainObject> numbers(
-          value);  // a copy if they do not lie side by side
+      // A copy if they do not lie side by side.
+      const Eigen::Ref<const typename T::PlainObject>& numbers = value;
       message.put(std::span<const double>(numbers.data(), static_cast<std::size_t>(numbers.size())));
     }
   } else if constexpr (Formed<T>) {
