@@ -9,7 +9,7 @@
 
 namespace grader {
 
-// exercises.json: without absent exercises, with the course's points and roles.
+// exercises.json with the course's points and roles. Absent exercises stay: the handout's build has definitions in their place.
 std::string course_json(const std::string& text, const Course& course);
 
 // A text, Markdown, that ships as `destination`, beside all of `shipped`; `missing` has what ships in other courses only:

@@ -95,11 +95,13 @@ TEST_F(SmallProject, ShipsAGivenExerciseSolvedAndPassesItsGates) {
   EXPECT_EQ(complaint(), "");
 }
 
-TEST_F(SmallProject, LeavesNoTraceOfAnAbsentExercise) {
+TEST_F(SmallProject, LeavesOutAllButTheListsEntryOfAnAbsentExercise) {
   course_.exercises[1].role = Role::absent;
   const Files shipped = files();
   EXPECT_FALSE(shipped.contains("student/g.cpp") || shipped.contains("checks/golden/g.mtx"));
-  for (const auto& [path, text] : shipped) EXPECT_EQ(text.find("E2"), std::string::npos) << path;
+  for (const auto& [path, text] : shipped)
+    EXPECT_TRUE(path == "exercises.json" || text.find("E2") == std::string::npos) << path;
+  EXPECT_EQ(nlohmann::json::parse(shipped.at("exercises.json"))["exercises"][1]["role"], "absent");
   EXPECT_NE(shipped.at("assignment/README.md").find("| `one` |"), std::string::npos);
 }
 

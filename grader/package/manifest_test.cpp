@@ -16,7 +16,7 @@ Course course_with(Role role) {
   Exercise exercise;
   exercise.id = "S1";
   exercise.role = role;
-  return {{exercise}};
+  return {{{exercise}}};
 }
 
 std::vector<ManifestLine> read(const std::string& text, Role role = Role::assigned) {

@@ -7,7 +7,6 @@
 
 #include "hair/head/triangulation.h"
 #include "hair/strand_synthesis.h"
-#include "solver/course.h"
 
 namespace hair {
 namespace {
@@ -37,7 +36,7 @@ Parents weighted(const std::array<int, 3>& corners, const std::vector<RootFrame>
             [&](int a, int b) { return distance(a) < distance(b) || (distance(a) == distance(b) && a < b); });
   std::array<Vector3d, 3> roots;
   for (int k = 0; k < 3; ++k) roots[k] = guides[parents.guides[k]].position;
-  if constexpr (in_course("H10")) parents.weights = root_weights(roots, child.position);
+  parents.weights = root_weights(roots, child.position);
   return parents;
 }
 

@@ -13,7 +13,6 @@
 #include "hair/strand/variation.h"
 #include "hair/strand_synthesis.h"
 #include "particles/require.h"
-#include "solver/course.h"
 
 namespace hair {
 namespace {
@@ -196,25 +195,21 @@ class Synthesis::Parts {
     }
   }
 
-  void carry(int i) {
-    if constexpr (in_course("H10")) carry_along(guide(i).points, frames_[i]);
-  }
+  void carry(int i) { carry_along(guide(i).points, frames_[i]); }
 
   template <typename Number>
   void make_child(int thread, int child, Number* strand) {
     const RootFrame root = child_root(child);
     const Parents& parents = parents_[child];
     auto made = scratch_.col(2 * thread), wisp = scratch_.col(2 * thread + 1);
-    if constexpr (in_course("H10")) {
-      const int nearest = parents.guides[0];
-      if (shapes())
-        interpolate({guide(nearest), guide(parents.guides[1]), guide(parents.guides[2])}, parents.weights,
-                    root, made);
-      if (wisps())
-        extrapolate(guide(nearest).points, frames_[nearest], root.position, spreads_[child],
-                    shapes() ? wisp : made);
-      if (shapes() && wisps()) blend(frames_[nearest].arc, made, wisp, made);
-    }
+    const int nearest = parents.guides[0];
+    if (shapes())
+      interpolate({guide(nearest), guide(parents.guides[1]), guide(parents.guides[2])}, parents.weights, root,
+                  made);
+    if (wisps())
+      extrapolate(guide(nearest).points, frames_[nearest], root.position, spreads_[child],
+                  shapes() ? wisp : made);
+    if (shapes() && wisps()) blend(frames_[nearest].arc, made, wisp, made);
     const std::span<const Matrix3d> none;
     disorder_.apply(child, root, turn_, wisps() ? frames_[parents.guides[0]].turns : none, made);
     const double size = sizes_[child];
@@ -242,7 +237,6 @@ class Synthesis::Parts {
 };
 
 Synthesis::Synthesis(SynthesisDescription description, int threads) {
-  require_exercise("dense hair", "H10");
   particles::require_at_least("the guides", static_cast<int>(description.guides.size()), 1);
   particles::require_at_least("the points of a strand", description.points, 2);
   particles::require_at_least("the threads", threads, 1);

@@ -7,7 +7,6 @@
 #include "hair/mass_spring/rest_curvature.h"
 #include "particles/drag.h"
 #include "particles/gravity.h"
-#include "solver/course.h"
 
 namespace hair {
 
@@ -55,12 +54,12 @@ const char* why_no_skipping(Starts) {
 
 void add_stretching(const StrandStart&, GeometricTerm term, Products, MovingStrand& moving,
                     particles::ForceSum& sum) {
-  if constexpr (in_course("H1")) sum.emplace<StretchForce>(moving.strand, term);
+  sum.emplace<StretchForce>(moving.strand, term);
 }
 
 void add_bending(const StrandStart&, GeometricTerm, Products product, MovingStrand& moving,
                  particles::ForceSum& sum) {
-  if constexpr (in_course("H2")) sum.emplace<BendForce>(moving.strand, product);
+  sum.emplace<BendForce>(moving.strand, product);
 }
 
 void add_rest_curvature(const StrandStart& start, GeometricTerm, Products product, MovingStrand& moving,
@@ -73,7 +72,7 @@ void add_rest_curvature(const StrandStart& start, GeometricTerm, Products produc
 
 void add_skipping(const StrandStart&, GeometricTerm term, Products, MovingStrand& moving,
                   particles::ForceSum& sum) {
-  if constexpr (in_course("H3")) sum.emplace<BendSpringForce>(moving.strand, term);
+  sum.emplace<BendSpringForce>(moving.strand, term);
 }
 
 constexpr ForcePart kParts[] = {
@@ -111,7 +110,6 @@ void add_parts(const ForceOptions& options, const StrandStart& start, GeometricT
   const bool main = &sum == &moving.force;
   for (const ForcePart& part : kParts)
     if (part.acts(start)) {
-      if (*part.exercise != '\0') require_exercise(part.name, part.exercise);
       part.add(start, geometric_term, bend_product, moving, sum);
       if (main) (part.of_lengths ? moving.stretching : moving.bending).push_back(&sum.last());
     }

@@ -41,8 +41,7 @@ std::span<const ForcePart> force_parts();
 std::vector<std::string> exercises_of(const StrandStart& start);
 
 // Adds the forces to a strand that was made from `start`. `with_definite`: `force` gets exact products, and
-// `definite_force` the same forces with definite products. Throws std::invalid_argument for a part whose
-// exercise the course leaves out.
+// `definite_force` the same forces with definite products.
 void add_forces(const ForceOptions& options, const StrandStart& start, bool with_definite,
                 MovingStrand& moving);
 

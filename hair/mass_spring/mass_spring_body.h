@@ -15,8 +15,7 @@ namespace hair {
 class MassSpringBody final : public Body {
  public:
   // `start` has passed check_start. With `collides`, steps keep a copy of their start positions; with `watched`,
-  // sizes() tells what a step did. Throws std::invalid_argument for parts that need an exercise that the course
-  // leaves out.
+  // sizes() tells what a step did.
   MassSpringBody(const StrandStart& start, const StepMethod& method, const ForceOptions& options,
                  bool collides, bool watched);
 

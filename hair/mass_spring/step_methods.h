@@ -52,7 +52,7 @@ struct StepMethod {
   bool needs_definite_force = false;
 };
 
-// The methods of P1, H4 and H6. Each exists only if the course has its exercise.
+// The methods of P1, H4 and H6.
 extern const StepMethod kForwardEuler, kSymplecticEuler, kMidpoint, kRungeKutta4;
 extern const StepMethod kImplicitEuler, kNewtonEuler;
 extern const StepMethod kPredictorCorrector;

@@ -6,11 +6,16 @@
 #include "hair/scene/scene.h"
 #include "hair/simulation/models.h"
 #include "particles/toys/moving_toy.h"
-#include "solver/course.h"
 
 namespace hair {
 
 namespace {
+
+// The exercise's place in exercises.json.
+std::size_t place_of(std::string_view id) {
+  constexpr std::string_view all = HAIR_EXERCISES;  // " S1 S2 "
+  return all.find(" " + std::string(id) + " ");
+}
 
 class Called {
  public:
@@ -19,12 +24,9 @@ class Called {
     for (const std::string_view id : ids)
       if (std::find(ids_.begin(), ids_.end(), id) == ids_.end()) ids_.emplace_back(id);
   }
-  // In the course's order; those that it leaves out come last.
   std::vector<std::string> take() {
-    std::sort(ids_.begin(), ids_.end());
-    std::stable_sort(ids_.begin(), ids_.end(), [](const std::string& a, const std::string& b) {
-      return place_in_course(a) < place_in_course(b);
-    });
+    std::sort(ids_.begin(), ids_.end(),
+              [](const std::string& a, const std::string& b) { return place_of(a) < place_of(b); });
     return std::move(ids_);
   }
 

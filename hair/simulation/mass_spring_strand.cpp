@@ -1,17 +1,13 @@
 #include "hair/simulation/mass_spring_strand.h"
 
 #include "hair/mass_spring/linked_guides.h"
-#include "solver/course.h"
 
 namespace hair {
 
 namespace {
 
 const StepMethod& step_of(const Description& description) {
-  const StepMethod& usual = mass_spring_step(description.method);
-  if constexpr (in_course("H4") && in_course("H9"))
-    if (description.mesh) return kLinkedImplicitEuler;
-  return usual;
+  return description.mesh ? kLinkedImplicitEuler : row_of(description.method).mass_spring;
 }
 
 }  // namespace

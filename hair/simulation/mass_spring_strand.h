@@ -9,8 +9,7 @@
 
 namespace hair {
 
-// Throws std::invalid_argument for a start that is out of bounds (`name` is in the message), and for parts
-// that need an exercise that the course leaves out.
+// Throws std::invalid_argument for a start that is out of bounds (`name` is in the message).
 std::unique_ptr<MassSpringBody> mass_spring_strand(const std::string& name, const StrandStart& start,
                                                    const Description& description);
 

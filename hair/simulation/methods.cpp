@@ -1,9 +1,5 @@
 #include "hair/simulation/methods.h"
 
-#include <string>
-
-#include "solver/course.h"
-
 namespace hair {
 
 namespace {
@@ -13,17 +9,6 @@ using particles::ToyMethod;
 constexpr std::string_view kExplicit[] = {"P1"};
 constexpr std::string_view kImplicit[] = {"S1", "H4"};
 constexpr std::string_view kCorrected[] = {"S1", "H4", "H5", "H6"};
-
-// Names what is linked only in a course that has it.
-template <const auto& step, bool is_there>
-constexpr auto step_of() -> decltype(&step) {
-  if constexpr (is_there)
-    return &step;
-  else
-    return nullptr;
-}
-
-constexpr bool kP1 = in_course("P1"), kH4 = in_course("H4"), kH6 = in_course("H6"), kH7 = in_course("H7");
 
 constexpr MethodRow kMethods[] = {
     {.method = Method::forward_euler,
@@ -35,7 +20,7 @@ constexpr MethodRow kMethods[] = {
      .is_explicit = true,
      .polynomial = 1,
      .limit = "the least of 2 zeta/omega and 2/|lambda|",
-     .mass_spring = step_of<kForwardEuler, kP1>(),
+     .mass_spring = kForwardEuler,
      .toy = ToyMethod::forward_euler},
     {.method = Method::symplectic_euler,
      .id = "symplectic_euler",
@@ -45,8 +30,8 @@ constexpr MethodRow kMethods[] = {
      .evaluations = 1,
      .is_explicit = true,
      .limit = "2 (sqrt(1 + zeta^2) - zeta)/omega",
-     .mass_spring = step_of<kSymplecticEuler, kP1>(),
-     .rigid_links = step_of<kLinkSymplecticEuler, kH7>(),
+     .mass_spring = kSymplecticEuler,
+     .rigid_links = &kLinkSymplecticEuler,
      .toy = ToyMethod::symplectic_euler},
     {.method = Method::midpoint,
      .id = "midpoint",
@@ -57,7 +42,7 @@ constexpr MethodRow kMethods[] = {
      .is_explicit = true,
      .polynomial = 2,
      .limit = "|1 + z + z^2/2| = 1",
-     .mass_spring = step_of<kMidpoint, kP1>(),
+     .mass_spring = kMidpoint,
      .toy = ToyMethod::midpoint},
     {.method = Method::runge_kutta_4,
      .id = "runge_kutta_4",
@@ -68,8 +53,8 @@ constexpr MethodRow kMethods[] = {
      .is_explicit = true,
      .polynomial = 4,
      .limit = "RK4's |R(h lambda)| = 1",
-     .mass_spring = step_of<kRungeKutta4, kP1>(),
-     .rigid_links = step_of<kLinkRungeKutta4, kH7>(),
+     .mass_spring = kRungeKutta4,
+     .rigid_links = &kLinkRungeKutta4,
      .toy = ToyMethod::runge_kutta_4},
     {.method = Method::implicit_euler,
      .id = "implicit_euler",
@@ -78,8 +63,8 @@ constexpr MethodRow kMethods[] = {
      .order = 1,
      .evaluations = 1,
      .limit = "what its matrix leaves out",
-     .mass_spring = step_of<kImplicitEuler, kH4>(),
-     .rigid_links = step_of<kLinkImplicitEuler, kH7>(),
+     .mass_spring = kImplicitEuler,
+     .rigid_links = &kLinkImplicitEuler,
      .toy = ToyMethod::implicit_euler},
     {.method = Method::predictor_corrector,
      .id = "predictor_corrector",
@@ -89,7 +74,7 @@ constexpr MethodRow kMethods[] = {
      .evaluations = 2,  // one for each of its two solves
      .keeps_lengths = true,
      .limit = "across the hair",
-     .mass_spring = step_of<kPredictorCorrector, kH6>()},
+     .mass_spring = kPredictorCorrector},
     {.method = Method::newton_euler,
      .id = "newton_euler",
      .name = "implicit Euler by Newton's method",
@@ -97,7 +82,7 @@ constexpr MethodRow kMethods[] = {
      .order = 1,
      .evaluations = 1,
      .limit = "",
-     .mass_spring = step_of<kNewtonEuler, kH4>()},
+     .mass_spring = kNewtonEuler},
 };
 
 }  // namespace
@@ -108,12 +93,6 @@ std::span<const MethodRow> methods() {
 
 const MethodRow& row_of(Method method) {
   return kMethods[static_cast<std::size_t>(method)];
-}
-
-const StepMethod& mass_spring_step(Method method) {
-  const MethodRow& row = row_of(method);
-  if (!row.mass_spring) require_exercise(row.name, std::string(row.exercises.back()));
-  return *row.mass_spring;
 }
 
 }  // namespace hair

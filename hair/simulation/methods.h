@@ -36,7 +36,7 @@ struct MethodRow {
   int polynomial = 0;  // the power up to which its amplification is the Taylor series of exp; 0: other
   const char* limit;   // the theoretical limit of its steps, in words
 
-  const StepMethod* mass_spring;  // the step of such a strand; null: the course leaves it out
+  const StepMethod& mass_spring;  // the step of such a strand
   const LinkMethod* rigid_links =
       nullptr;  // the step of a strand of rigid links; null: it has none, or the same
   std::optional<particles::ToyMethod> toy = {};  // the toys' method; none: toys don't have it
@@ -50,9 +50,5 @@ struct MethodRow {
 
 std::span<const MethodRow> methods();  // in the order of the enumeration
 const MethodRow& row_of(Method method);
-
-// The step of a strand of masses and springs. Throws std::invalid_argument for a method that the course
-// leaves out.
-const StepMethod& mass_spring_step(Method method);
 
 }  // namespace hair

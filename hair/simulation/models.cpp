@@ -1,13 +1,10 @@
 #include "hair/simulation/models.h"
 
-#include <algorithm>
-#include <array>
 #include <stdexcept>
 
 #include "hair/simulation/mass_spring_strand.h"
 #include "hair/simulation/rigid_links_strand.h"
 #include "hair/simulation/super_helix_strand.h"
-#include "solver/course.h"
 
 namespace hair {
 
@@ -36,55 +33,33 @@ long points_of_elements(const StrandSpec& spec) {
   return spec.elements + 1L;
 }
 
-bool mass_spring_moves_by(const MethodRow& method) {
-  return method.mass_spring != nullptr;
+bool mass_spring_moves_by(const MethodRow&) {
+  return true;
 }
 
-// What the course lacks is not linked.
-template <bool is_there>
-constexpr auto links() {
-  if constexpr (is_there)
-    return std::array{ModelRow{.id = "rigid_links",
-                               .exercises = rigid_links_exercises,
-                               .calls_method = false,
-                               .why_not = rigid_links_why_not,
-                               .points = points_of_elements,
-                               .make = make_rigid_links,
-                               .moves_by = rigid_links_moves_by}};
-  else
-    return std::array<ModelRow, 0>{};
-}
-
-template <bool is_there>
-constexpr auto helices() {
-  if constexpr (is_there)
-    return std::array{ModelRow{.id = "super_helix",
-                               .exercises = super_helix_exercises,
-                               .calls_method = false,
-                               .why_not = super_helix_why_not,
-                               .points = super_helix_points,
-                               .make = make_super_helix,
-                               .moves_by = super_helix_moves_by}};
-  else
-    return std::array<ModelRow, 0>{};
-}
-
-constexpr ModelRow kMassSpring = {.id = "mass_spring",
-                                  .exercises = mass_spring_exercises,
-                                  .calls_method = true,
-                                  .why_not = mass_spring_why_not,
-                                  .points = points_of_elements,
-                                  .make = make_mass_spring,
-                                  .moves_by = mass_spring_moves_by};
-
-template <std::size_t m, std::size_t n>
-constexpr auto rows(const std::array<ModelRow, m>& some, const std::array<ModelRow, n>& others) {
-  std::array<ModelRow, 1 + m + n> all = {kMassSpring};
-  std::copy(some.begin(), some.end(), all.begin() + 1);
-  std::copy(others.begin(), others.end(), all.begin() + 1 + m);
-  return all;
-}
-constexpr auto kModels = rows(links<in_course("H7")>(), helices<in_course("H8")>());
+constexpr ModelRow kModels[] = {
+    {.id = "mass_spring",
+     .exercises = mass_spring_exercises,
+     .calls_method = true,
+     .why_not = mass_spring_why_not,
+     .points = points_of_elements,
+     .make = make_mass_spring,
+     .moves_by = mass_spring_moves_by},
+    {.id = "rigid_links",
+     .exercises = rigid_links_exercises,
+     .calls_method = false,
+     .why_not = rigid_links_why_not,
+     .points = points_of_elements,
+     .make = make_rigid_links,
+     .moves_by = rigid_links_moves_by},
+    {.id = "super_helix",
+     .exercises = super_helix_exercises,
+     .calls_method = false,
+     .why_not = super_helix_why_not,
+     .points = super_helix_points,
+     .make = make_super_helix,
+     .moves_by = super_helix_moves_by},
+};
 
 }  // namespace
 

@@ -28,10 +28,10 @@ struct ModelRow {
   long (*points)(const StrandSpec& spec);
 
   // Makes a body with the description's gravity, drag and method. Throws std::invalid_argument for a strand
-  // that the model can't express, and for an exercise that the course leaves out.
+  // that the model can't express.
   std::unique_ptr<Body> (*make)(const StrandSpec& spec, const Description& description);
 
-  // Whether such strands have a step for the method, in this course.
+  // Whether such strands have a step for the method.
   bool (*moves_by)(const MethodRow& method);
 };
 

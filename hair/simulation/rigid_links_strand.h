@@ -1,5 +1,4 @@
-// Strands of rigid links, as the tables of models and of methods see them. All that is declared here is there if the course
-// has H7.
+// Strands of rigid links, as the tables of models and of methods see them.
 #pragma once
 
 #include <memory>

@@ -11,7 +11,6 @@
 #include "hair/simulation/mass_spring_strand.h"
 #include "hair/simulation/models.h"
 #include "particles/require.h"
-#include "solver/course.h"
 
 namespace hair {
 
@@ -29,7 +28,6 @@ void check(const Description& description) {
   require_finite("the wind", description.wind);
   for (const Obstacle& obstacle : description.obstacles) check_obstacle(obstacle);
   if (!description.mesh) return;
-  require_exercise("a control mesh", "H9");
   if (!description.modelled.empty())
     throw std::invalid_argument("a control mesh links strands of masses and springs, and no others");
   if (description.method != Method::implicit_euler)
@@ -56,8 +54,7 @@ Simulation::Simulation(Description description) : step_{description.step, descri
     springs_.push_back(body.get());
     bodies_.push_back(std::move(body));
   }
-  if constexpr (in_course("H4") && in_course("H9"))
-    if (description.mesh) joint_ = linked_guides(springs_, *description.mesh, watched_);
+  if (description.mesh) joint_ = linked_guides(springs_, *description.mesh, watched_);
   for (const ModelledStrand& strand : description.modelled)
     bodies_.push_back(strand.model->make(strand.spec, description));
   int rows = 0, columns = 0;

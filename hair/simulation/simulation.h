@@ -23,8 +23,7 @@ namespace hair {
 
 class Simulation {
  public:
-  // Throws std::invalid_argument for values that are out of bounds, not finite or of the wrong size, and for
-  // parts that need an exercise that the course leaves out.
+  // Throws std::invalid_argument for values that are out of bounds, not finite or of the wrong size.
   explicit Simulation(Description description);
 
   // One step of all strands. Allocates nothing, apart from ConjGrad's own memory.

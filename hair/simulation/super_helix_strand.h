@@ -1,4 +1,4 @@
-// Super-helices, as the table of models sees them. All that is declared here is there if the course has H8.
+// Super-helices, as the table of models sees them.
 #pragma once
 
 #include <memory>

@@ -1,11 +1,8 @@
 #include "hair/truth/model_ode.h"
 
-#include <array>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-
-#include "solver/course.h"
 
 namespace hair {
 
@@ -16,15 +13,7 @@ struct OdeRow {
   std::unique_ptr<Ode> (*make)(const Problem& problem);
 };
 
-// With what the course has; a row that is not used is not linked.
-template <bool has_links>
-constexpr auto rows() {
-  if constexpr (has_links)
-    return std::array{OdeRow{"rigid_links", links_ode}};
-  else
-    return std::array<OdeRow, 0>{};
-}
-constexpr auto kRows = rows<in_course("H7")>();
+constexpr OdeRow kRows[] = {{"rigid_links", links_ode}};
 
 const OdeRow* row_of(const ModelRow& model) {
   for (const OdeRow& row : kRows)

@@ -14,7 +14,7 @@ bool has_ode(const ModelRow& model);
 // Of a problem with a modelled strand. Throws std::invalid_argument if its model has none.
 std::unique_ptr<Ode> model_ode(const Problem& problem);
 
-// Of rigid links: there if the course has H7.
+// Of rigid links.
 std::unique_ptr<Ode> links_ode(const Problem& problem);
 
 }  // namespace hair

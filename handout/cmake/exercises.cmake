@@ -1,6 +1,7 @@
 # Builds exercises from exercises.json, the one list of them.
 #
-#   HAIR_EXERCISES                 the ids, in the file's order
+#   HAIR_EXERCISES                 the ids, in the file's order, of those that the course has; the staff's build has all
+#   HAIR_LEFT_OUT                  the ids of the others
 #   HAIR_<id>_<FIELD>              file, header, checks, role, prerequisites, libraries, functions of each. Input, Output and
 #                                  Scratch (particles/vectors.h) in a function's signature are spelled out as compilers do
 #   HAIR_FIXED_ADDRESSES           how a program with AddressSanitizer is linked
@@ -9,9 +10,9 @@
 #   hair_warnings(TARGET)          the same and warnings, for our code, never for a student's file. They are errors in the staff's
 #                                  build alone: a student's compiler may be newer than ours
 #   hair_own_code(TARGET)          the same, and what makes the staff's build quicker: precompiled headers
-#   hair_knows_course(TARGET)      TARGET's code may ask which exercises the course has
 #   hair_exercise_libraries(NAME DIR)
 #                                  one static library <NAME>_<id> for each exercise file in DIR, compiled as for grading
+#   hair_left_out(NAME ID...)      a static library that stands for these exercises: each of their functions throws NotInCourse
 #   hair_test(NAME [OPTIMISED] SOURCES ... LIBRARIES ...)
 #                                  a GoogleTest program of our own, one test of ctest's. OPTIMISED: it takes minutes to build or to run
 #                                  with sanitisers; there .ci/full alone runs it
@@ -46,14 +47,19 @@ endfunction()
 string(JSON count LENGTH "${json}" exercises)
 math(EXPR last "${count} - 1")
 set(HAIR_EXERCISES)
+set(HAIR_LEFT_OUT)
 foreach(i RANGE ${last})
   string(JSON exercise GET "${json}" exercises ${i})
   string(JSON id GET "${exercise}" id)
-  list(APPEND HAIR_EXERCISES ${id})
   string(JSON HAIR_${id}_FILE GET "${exercise}" file)
   string(JSON HAIR_${id}_HEADER GET "${exercise}" header)
   string(JSON HAIR_${id}_CHECKS GET "${exercise}" checks)
   string(JSON HAIR_${id}_ROLE GET "${exercise}" role)
+  if(HAIR_${id}_ROLE STREQUAL "absent" AND NOT HAIR_STAFF)
+    list(APPEND HAIR_LEFT_OUT ${id})
+  else()
+    list(APPEND HAIR_EXERCISES ${id})
+  endif()
   hair_json_list(HAIR_${id}_PREREQUISITES "${exercise}" prerequisites)
   hair_json_list(HAIR_${id}_LIBRARIES "${exercise}" libraries)
   hair_json_list(functions "${exercise}" functions)
@@ -106,12 +112,6 @@ function(hair_use_libraries TARGET ID)
   endforeach()
 endfunction()
 
-# What the code of TARGET asks in_course() of (solver/course.h).
-function(hair_knows_course TARGET)
-  list(JOIN HAIR_EXERCISES " " course)
-  target_compile_definitions(${TARGET} PRIVATE "HAIR_COURSE=\" ${course} \"")
-endfunction()
-
 function(hair_exercise_libraries NAME DIR)
   foreach(id ${HAIR_EXERCISES})
     if(NOT EXISTS "${DIR}/${HAIR_${id}_FILE}")
@@ -129,6 +129,27 @@ function(hair_exercise_libraries NAME DIR)
       target_link_libraries(${NAME}_${id} PUBLIC ${NAME}_${prerequisite})
     endforeach()
   endforeach()
+endfunction()
+
+# All given code is linked, whatever the course has: these definitions stand for what it lacks.
+function(hair_left_out NAME)
+  set(files)
+  foreach(id ${ARGN})
+    set(text "// ${id} is not in this course. Made by cmake/exercises.cmake of exercises.json.\n#include \"${HAIR_${id}_HEADER}\"\n")
+    string(APPEND text "#include \"solver/not_in_course.h\"\n\ntemplate <class Result, class... P>\nResult result_of(Result (*)(P...));\n")
+    foreach(signature ${HAIR_${id}_FUNCTIONS})
+      string(REGEX REPLACE "[(].*" "" function "${signature}")
+      string(REGEX REPLACE "^.*::" "" name "${function}")
+      string(APPEND text "\ndecltype(result_of(&${function})) ${signature} {\n  throw NotInCourse(\"${id} ${name}\");\n}\n")
+    endforeach()
+    set(file "${CMAKE_CURRENT_BINARY_DIR}/${NAME}/${HAIR_${id}_FILE}")
+    file(CONFIGURE OUTPUT "${file}" CONTENT "${text}" @ONLY)
+    list(APPEND files "${file}")
+  endforeach()
+  add_library(${NAME} STATIC EXCLUDE_FROM_ALL ${files})
+  hair_compile_settings(${NAME})
+  set_target_properties(${NAME} PROPERTIES UNITY_BUILD OFF)
+  target_link_libraries(${NAME} PUBLIC hair_interfaces Eigen3::Eigen)
 endfunction()
 
 # What tests run: in .ci/run, in ./grader/check, and with slow ones; each has those before it. A sanitisers' build builds nothing else.

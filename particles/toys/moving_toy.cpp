@@ -4,20 +4,16 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 
 #include "particles/drag.h"
 #include "particles/gravity.h"
 #include "particles/require.h"
 #include "particles/system.h"
 #include "particles/toys/toy_methods.h"
-#include "solver/course.h"
 
 namespace particles {
 
 namespace {
-
-constexpr const char* kConstraints = "P2";
 
 void check_index(const std::string& what, int i, int n) {
   require(i >= 0 && i < n, what, i, "a particle, from 0 to " + std::to_string(n - 1));
@@ -58,15 +54,6 @@ void check(const Toy& toy) {
   require_at_least("the constraints' damping", toy.constraints.damping, 0);
 }
 
-// Names what is linked only in a course that has it.
-template <const ToyStep& step, bool is_there>
-constexpr const ToyStep* step_of() {
-  if constexpr (is_there)
-    return &step;
-  else
-    return nullptr;
-}
-
 // NaN once either is.
 double worse(double stretch, const Vector3d& between, double rest_length) {
   if (rest_length == 0) return stretch;
@@ -88,34 +75,21 @@ MovingToy::MovingToy(const Toy& description) : toy(description), state(toy.start
   if (toy.drag > 0) force.emplace<Drag>(Eigen::VectorXd::Constant(toy.particles.count(), toy.drag), toy.wind);
 
   if (held) {
-    hair::require_exercise("what rods and wires hold", kConstraints);
-    if constexpr (hair::in_course(kConstraints)) dynamics = constrained_dynamics(*this);
+    dynamics = constrained_dynamics(*this);
   } else if (!implicit) {
     dynamics = std::make_unique<ParticleSystem>(toy.particles, force);
   }
 }
 
 ToyStep toy_step_of(ToyMethod method) {
-  struct Row {
-    const char *what, *exercise;
-    const ToyStep* step;  // null: the course leaves it out
-  };
-  constexpr bool explicit_ones = hair::in_course("P1"), implicit_ones = hair::in_course("H4");
-  static constexpr Row kRows[] = {
-      {"forward Euler", "P1", step_of<kToyForwardEuler, explicit_ones>()},
-      {"symplectic Euler", "P1", step_of<kToySymplecticEuler, explicit_ones>()},
-      {"midpoint", "P1", step_of<kToyMidpoint, explicit_ones>()},
-      {"Runge-Kutta 4", "P1", step_of<kToyRungeKutta4, explicit_ones>()},
-      {"implicit Euler", "H4", step_of<kToyImplicitEuler, implicit_ones>()},
-  };
-  const Row& row = kRows[static_cast<std::size_t>(method)];
-  if (!row.step) hair::require_exercise(row.what, row.exercise);
-  return *row.step;
+  static constexpr const ToyStep* kSteps[] = {&kToyForwardEuler, &kToySymplecticEuler, &kToyMidpoint,
+                                              &kToyRungeKutta4, &kToyImplicitEuler};
+  return *kSteps[static_cast<std::size_t>(method)];
 }
 
 std::vector<std::string> exercises_of_constraints(const Toy& toy) {
   if (toy.constraints.rows() == 0) return {};
-  return {"S1", kConstraints};
+  return {"S1", "P2"};
 }
 
 double largest_stretch(const Toy& toy, Input x) {

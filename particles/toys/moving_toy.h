@@ -20,8 +20,7 @@ struct SolveCount {
 
 // Its parts refer to each other, so it can be neither copied nor moved.
 struct MovingToy {
-  // Throws std::invalid_argument for values that are out of bounds, not finite or of the wrong size, and for
-  // parts that need an exercise that the course leaves out.
+  // Throws std::invalid_argument for values that are out of bounds, not finite or of the wrong size.
   explicit MovingToy(const Toy& description);
   MovingToy(const MovingToy&) = delete;
   MovingToy& operator=(const MovingToy&) = delete;
@@ -38,7 +37,6 @@ struct ToyStep {
   int scratch;  // columns of 3n numbers
 };
 
-// Throws std::invalid_argument for a method that the course leaves out.
 ToyStep toy_step_of(ToyMethod method);
 
 // The exercises that the toy's rods and wires need.

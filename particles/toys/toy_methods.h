@@ -1,4 +1,4 @@
-// The parts of a toy that call an exercise. Each exists only if the course has its exercise.
+// The parts of a toy that call an exercise.
 #pragma once
 
 #include "particles/toys/moving_toy.h"

@@ -2,19 +2,20 @@
 // parsing.
 //
 // The return value of a command is the program's exit code. A command may throw BadInput (exit code 2),
-// NotImplemented (3), or anything else (1).
+// NotInCourse (2), NotImplemented (3), or anything else (1).
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <functional>
 
+#include "hair/course/course.h"
 #include "hair/lab/commands/exit_codes.h"
 
 namespace hair {
 
 struct Command {
   CLI::App* app;
-  std::function<int()> run;
+  std::function<int(const Course&)> run;
 };
 
 Command add_convert_command(CLI::App& program);

@@ -23,7 +23,7 @@ Command add_convert_command(CLI::App& program) {
   app->add_option("--unit", options->unit, ".usda: what OUT's unit is, in metres (default: 1)")
       ->check(CLI::Range(1e-9, 1e9));
   app->add_flag("--y-up", options->y_is_up, ".usda: y is up; without it, z");
-  return {app, [options] { return convert_groom(*options); }};
+  return {app, [options](const Course&) { return convert_groom(*options); }};
 }
 
 Command add_draw_command(CLI::App& program) {
@@ -48,7 +48,7 @@ Command add_draw_command(CLI::App& program) {
   app->add_option("--size", options->size, "Width and height of the picture (default: 1280 720)")
       ->check(CLI::Range(16, 4096));
   app->add_flag("--no-shadows", options->no_shadows, "Without shadows");
-  return {app, [options] { return draw_groom(*options); }};
+  return {app, [options](const Course&) { return draw_groom(*options); }};
 }
 
 Command add_info_command(CLI::App& program) {
@@ -56,7 +56,7 @@ Command add_info_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("info", "Say what a groom is like, and what is odd about it");
   app->add_option("FILE", options->file, "A groom: .hair, .data or .ply")->required();
   app->add_flag("--json", options->json, "As JSON");
-  return {app, [options] { return show_groom(*options); }};
+  return {app, [options](const Course&) { return show_groom(*options); }};
 }
 
 // As in scenes: doubles hold all whole numbers up to here.
@@ -75,7 +75,7 @@ Command add_groom_command(CLI::App& program) {
       ->check(CLI::Range(2, 1'000'000));
   app->add_option("--seed", options->seed, "Another seed gives other strands of the same style (default: 1)")
       ->check(CLI::Range(std::int64_t{0}, kMostSeed));
-  return {app, [options] { return write_grown_groom(*options); }};
+  return {app, [options](const Course&) { return write_grown_groom(*options); }};
 }
 
 }  // namespace hair

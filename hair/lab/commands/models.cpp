@@ -47,7 +47,9 @@ const OutputKind& models_output() {
   return kind;
 }
 
-int run(const ModelsOptions& options) {
+int run(const ModelsOptions& options, const Course& course) {
+  if (!course.has("H7"))
+    throw BadInput("models: makes the fine motion with H7, which this course leaves out");
   const std::vector<model_study::ComparedHair> hairs = chosen(options);
   const std::atomic<bool>& interrupted = catch_interruption("\nhairlab: stopping; once more ends at once\n");
   OutputFolder folder(options.out, models_output());
@@ -55,7 +57,8 @@ int run(const ModelsOptions& options) {
   const auto say = [&](const std::string& what) {
     if (terminal) std::cerr << "\r\x1b[K" << what << std::flush;
   };
-  const auto comparison = model_study::compare_models(hairs, options.quick, interrupted, say);
+  const auto comparison =
+      model_study::compare_models(hairs, options.quick, course.absent(), interrupted, say);
   say("");
   if (!comparison) {
     std::cerr << "hairlab: interrupted; nothing is written\n";
@@ -79,7 +82,7 @@ Command add_models_command(CLI::App& program) {
   app->add_option("--out", options->out, "The folder for page, JSON and CSV")->required();
   app->add_option("--hair", options->hairs, "Which: straight, wavy, curly, uncoiling (default: all)");
   app->add_flag("--quick", options->quick, "Fewer elements and steps, and a coarser fine motion");
-  return {app, [options] { return run(*options); }};
+  return {app, [options](const Course& course) { return run(*options, course); }};
 }
 
 }  // namespace hair

@@ -10,6 +10,7 @@
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/printable.h"
 #include "hair/lab/commands/exit_codes.h"
+#include "hair/lab/run/course_scene.h"
 #include "hair/lab/run/explain.h"
 #include "hair/lab/run/interruption.h"
 #include "hair/lab/run/run.h"
@@ -18,14 +19,14 @@
 
 namespace hair {
 
-int play_scene(const PlayOptions& options) {
-  Scene scene = read_scene(find_scene(options.scene, HAIR_SCENES_DIR));
+int play_scene(const PlayOptions& options, const Course& course) {
+  Scene scene = read_course_scene(options.scene, course);
   scene.hair.jobs =
       options.jobs > 0 ? options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const RunSettings settings{options.out, options.frames, !options.no_render};
   if (options.explain) {
     std::cout << scene.name << ": " << printable(scene.shows, 200) << "\n"
-              << explanation(explain(scene, settings.render)) << std::flush;
+              << explanation(explain(scene, settings.render, course)) << std::flush;
     if (settings.out.empty()) return 0;
   }
   const std::atomic<bool>& interrupted =
@@ -60,9 +61,9 @@ int play_scene(const PlayOptions& options) {
   return options.strict && !record.warnings.empty() ? kBroke : 0;
 }
 
-int list_scenes() {
+int list_scenes(const Course& course) {
   for (const std::string& name : shipped_scenes(HAIR_SCENES_DIR)) try {
-      const Scene scene = read_scene(find_scene(name, HAIR_SCENES_DIR));
+      const Scene scene = read_course_scene(name, course);
       std::string exercises;
       for (const std::string& id : exercises_of(scene)) exercises += (exercises.empty() ? "" : ", ") + id;
       std::cout << name << ": " << printable(scene.shows, 200) << " (" << exercises << ")\n";

@@ -8,6 +8,8 @@
 
 namespace hair {
 
+struct Course;
+
 struct PlayOptions {
   std::string scene;          // a file, or the name of a shipped scene
   std::filesystem::path out;  // a folder; empty: only explain
@@ -18,7 +20,7 @@ struct PlayOptions {
 };
 
 // Both return the program's exit code.
-int play_scene(const PlayOptions& options);
-int list_scenes();
+int play_scene(const PlayOptions& options, const Course& course);
+int list_scenes(const Course& course);
 
 }  // namespace hair

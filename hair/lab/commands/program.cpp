@@ -1,14 +1,21 @@
 #include "hair/lab/commands/program.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
+#include <optional>
 
 #include "hair/io/files/bad_input.h"
 #include "hair/lab/stub.h"
+#include "solver/not_in_course.h"
 
 namespace hair {
 
 int run_program(CLI::App& app, const std::vector<Command>& commands, int argc, char* argv[]) {
+  std::optional<std::filesystem::path> course_file;
+  for (const Command& command : commands)
+    command.app->add_option("--course", course_file,
+                            "A course file: the exercises that there are (default: this build's)");
   try {
     app.require_subcommand(1);
     app.parse(argc, argv);
@@ -21,9 +28,13 @@ int run_program(CLI::App& app, const std::vector<Command>& commands, int argc, c
   const auto asked =
       std::find_if(commands.begin(), commands.end(), [](const Command& one) { return one.app->parsed(); });
   try {
-    return asked->run();
+    return asked->run(read_course(HAIR_EXERCISES_JSON, course_file));
   } catch (const BadInput& error) {
     std::cerr << "hairlab: " << error.what() << "\n";
+    return kBadInput;
+  } catch (const NotInCourse& left_out) {
+    std::cerr << "hairlab: " << left_out.what()
+              << "; take it out of the scene, or build with a course that has it\n";
     return kBadInput;
   } catch (const NotImplemented& stub) {
     std::cerr << "hairlab: this needs " << missing_part(stub) << "\n";

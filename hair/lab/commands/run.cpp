@@ -23,7 +23,7 @@ Command add_run_command(CLI::App& program) {
     if (out->count() == 0 && !options->explain)
       throw CLI::RequiredError("--out, a folder for what the run writes,");
   });
-  return {app, [options] { return play_scene(*options); }};
+  return {app, [options](const Course& course) { return play_scene(*options, course); }};
 }
 
 }  // namespace hair

@@ -10,11 +10,12 @@
 #include "hair/lab/commands/studies.h"
 #include "hair/lab/run/interruption.h"
 #include "hair/lab/run/output_folder.h"
-#include "hair/lab/solver/functions.h"
 #include "hair/lab/solver/solver_page.h"
 #include "hair/lab/solver/solver_record.h"
 #include "hair/lab/solver/solver_tables.h"
 #include "hair/lab/stub.h"
+#include "solver/linearSolver.h"
+#include "solver/normal_equations.h"
 
 namespace hair {
 
@@ -44,8 +45,10 @@ void write(const OutputFolder& folder, const solver::study::SolverStudy& study, 
   write_file(folder.now("index.html"), to_html(solver_page(study, machine, left_out)));
 }
 
-int run(const SolverOptions& options) {
-  const solver::study::Functions studied = studied_functions();
+int run(const SolverOptions& options, const Course& course) {
+  solver::study::Functions studied;
+  if (course.has("S1")) studied.conj_grad = ConjGrad;
+  if (course.has("S2")) studied.normal_equations = solve_normal_equations;
   if (!studied.conj_grad) throw BadInput("this course leaves out S1, ConjGrad; there is no solver to study");
   const std::atomic<bool>& interrupted = catch_interruption("\nhairlab: stopping; once more ends at once\n");
   OutputFolder folder(options.out, solver_output());
@@ -84,7 +87,7 @@ Command add_solver_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand(kSolverStudy.name, kSolverStudy.what);
   app->add_option("--out", options->out, "The folder for page, JSON and CSV")->required();
   app->add_flag("--quick", options->settings.quick, "Fewer points, and shorter repeats");
-  return {app, [options] { return run(*options); }};
+  return {app, [options](const Course& course) { return run(*options, course); }};
 }
 
 }  // namespace hair

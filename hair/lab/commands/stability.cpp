@@ -9,9 +9,9 @@
 #include "hair/io/files/write_file.h"
 #include "hair/lab/commands/command.h"
 #include "hair/lab/commands/studies.h"
+#include "hair/lab/run/course_scene.h"
 #include "hair/lab/run/interruption.h"
 #include "hair/lab/run/output_folder.h"
-#include "hair/lab/run/shipped_scenes.h"
 #include "hair/lab/stability/report.h"
 #include "hair/lab/stub.h"
 
@@ -42,9 +42,10 @@ void write(const OutputFolder& folder, const StabilityReport& report) {
   write_file(folder.now("index.html"), to_html(page_of(report)));
 }
 
-int run(const StabilityOptions& options) {
-  const Scene scene = read_scene(find_scene(options.scene, HAIR_SCENES_DIR));
+int run(const StabilityOptions& options, const Course& course) {
+  const Scene scene = read_course_scene(options.scene, course);
   StabilitySettings settings = options.settings;
+  settings.absent = course.absent();
   settings.quick = options.quick;
   if (options.quick) settings.maps = quick_maps();
   const std::atomic<bool>& interrupted =
@@ -97,7 +98,7 @@ Command add_stability_command(CLI::App& program) {
   app->add_option("--segments", options->settings.segments,
                   "Divide it anew into so many (default: the scene's, at most 10)")
       ->check(CLI::Range(1, 200));
-  return {app, [options] { return run(*options); }};
+  return {app, [options](const Course& course) { return run(*options, course); }};
 }
 
 }  // namespace hair

@@ -12,10 +12,10 @@
 #include "hair/io/machine.h"
 #include "hair/lab/commands/command.h"
 #include "hair/lab/commands/studies.h"
+#include "hair/lab/run/course_scene.h"
 #include "hair/lab/run/interruption.h"
 #include "hair/lab/run/output_file.h"
 #include "hair/lab/run/output_folder.h"
-#include "hair/lab/run/shipped_scenes.h"
 #include "hair/lab/stub.h"
 #include "hair/lab/study/study_page.h"
 #include "hair/lab/study/study_record.h"
@@ -81,8 +81,9 @@ ProblemSettings problem_settings(const Scene& scene, const StudyOptions& options
   return settings;
 }
 
-std::vector<StudyMethod> chosen_methods(const Problem& problem, const std::vector<std::string>& ids) {
-  std::vector<StudyMethod> methods = methods_for(problem);
+std::vector<StudyMethod> chosen_methods(const Problem& problem, const std::vector<std::string>& ids,
+                                        const Course& course) {
+  std::vector<StudyMethod> methods = methods_for(problem, course.absent());
   std::string known;
   for (const StudyMethod& method : methods) known += (known.empty() ? "" : ", ") + method.id;
   for (const std::string& id : ids)
@@ -121,7 +122,7 @@ bool has_runs(const Study& study) {
                      [](const Sweep& sweep) { return !sweep.runs.empty(); });
 }
 
-int run(const StudyOptions& options) {
+int run(const StudyOptions& options, const Course& course) {
   if (!have_accurate_motion()) {
     std::cerr
         << "hairlab: a study needs SUNDIALS, and this hairlab was built without it: install libsundials-dev, "
@@ -131,9 +132,9 @@ int run(const StudyOptions& options) {
   // Also nan, which CLI::Range lets pass.
   if (options.duration && !(*options.duration >= 1e-6 && *options.duration <= 1000))
     throw BadInput("--duration: " + to_exact_text(*options.duration) + " is not right; give 1e-6 to 1000");
-  const Scene scene = read_scene(find_scene(options.scene, HAIR_SCENES_DIR));
+  const Scene scene = read_course_scene(options.scene, course);
   const Problem problem = make_problem(scene, problem_settings(scene, options));
-  const std::vector<StudyMethod> methods = chosen_methods(problem, options.methods);
+  const std::vector<StudyMethod> methods = chosen_methods(problem, options.methods, course);
   const std::atomic<bool>& interrupted =
       catch_interruption("\nhairlab: keeping what is finished; once more ends at once\n");
   std::optional<OutputFolder> folder(std::in_place, options.out, study_output());
@@ -224,9 +225,9 @@ Command add_study_command(CLI::App& program) {
       ->delimiter(',');
   CLI::Option* cache = app->add_option("--cache", options->cache, "Where accurate motions are kept");
   app->add_flag("--no-cache", options->no_cache, "Keep none, and use none that was kept")->excludes(cache);
-  return {app, [options, cache] {
+  return {app, [options, cache](const Course& course) {
             options->names_cache = cache->count() > 0;
-            return run(*options);
+            return run(*options, course);
           }};
 }
 

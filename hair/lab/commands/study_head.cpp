@@ -16,7 +16,6 @@
 #include "hair/lab/run/interruption.h"
 #include "hair/lab/run/output_file.h"
 #include "hair/lab/run/output_folder.h"
-#include "solver/course.h"
 
 namespace hair {
 
@@ -100,8 +99,8 @@ class Pictured {
   std::vector<HeadPicture>& pictures_;
 };
 
-int run(const HeadOptions& options) {
-  if (!in_course("H10"))
+int run(const HeadOptions& options, const Course& course) {
+  if (!course.has("H10"))
     throw BadInput("study head: makes strands of guides with H10, which this course leaves out");
   const std::vector<const HeadHair*> hairs = chosen(options);
   const std::atomic<bool>& interrupted = catch_interruption("\nhairlab: stopping; once more ends at once\n");
@@ -170,7 +169,7 @@ Command add_study_head_command(CLI::App& study) {
       ->check(CLI::Range(1, 64));
   app->add_flag("--quick", options->quick, "Fewer strands");
   app->add_flag("--no-pictures", options->no_pictures, "None: without OpenGL");
-  return {app, [options] { return run(*options); }};
+  return {app, [options](const Course& course) { return run(*options, course); }};
 }
 
 }  // namespace hair

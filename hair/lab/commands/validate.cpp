@@ -27,8 +27,8 @@ struct ValidateOptions {
   std::filesystem::path out;
 };
 
-int list_validations() {
-  for (const Validation& one : all_validations()) {
+int list_validations(const Course& course) {
+  for (const Validation& one : all_validations(course.absent())) {
     std::string exercises;
     for (const std::string& id : one.exercises) exercises += (exercises.empty() ? "" : ", ") + id;
     std::cout << one.id << ": " << one.title << " (" << (exercises.empty() ? "no exercise" : exercises)
@@ -38,8 +38,8 @@ int list_validations() {
 }
 
 // Those that are asked for, in the list's order; all, if none is.
-std::vector<Validation> chosen(const std::vector<std::string>& ids) {
-  std::vector<Validation> all = all_validations();
+std::vector<Validation> chosen(const std::vector<std::string>& ids, const Course& course) {
+  std::vector<Validation> all = all_validations(course.absent());
   std::string known;
   for (const Validation& one : all) known += (known.empty() ? "" : ", ") + one.id;
   for (const std::string& id : ids)
@@ -81,9 +81,9 @@ void write_results(OutputFolder& folder, const std::vector<ValidationRecord>& re
   std::cout << folder.then("index.html").string() << "\n";
 }
 
-int run(const ValidateOptions& options) {
-  if (options.list) return list_validations();
-  const std::vector<Validation> validations = chosen(options.ids);
+int run(const ValidateOptions& options, const Course& course) {
+  if (options.list) return list_validations(course);
+  const std::vector<Validation> validations = chosen(options.ids, course);
   const std::atomic<bool>& interrupted = catch_interruption("\nhairlab: stopping; once more ends at once\n");
   const ValidationSettings settings{options.quick, &interrupted};
   std::optional<OutputFolder> folder;
@@ -138,7 +138,7 @@ Command add_validate_command(CLI::App& program) {
   app->add_flag("--quick", options->quick, "Fewer and coarser: seconds instead of a minute");
   CLI::Option* out = app->add_option("--out", options->out, "A folder for the same as page, CSV and JSON");
   app->final_callback([options, out] { options->writes = out->count() > 0; });
-  return {app, [options] { return run(*options); }};
+  return {app, [options](const Course& course) { return run(*options, course); }};
 }
 
 }  // namespace hair

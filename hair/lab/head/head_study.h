@@ -76,7 +76,7 @@ inline constexpr int kPictured = kSettle + 22;
 // What is called there: interpolated from so many guides, or all strands simulated, if these are as many. 3 numbers a point.
 using SeeHead = std::function<void(int guides, std::span<const double> points)>;
 
-// Empty if interrupted. `say` is told what is being done; `see` may be empty. Throws std::invalid_argument if the course leaves out H10.
+// Empty if interrupted. `say` is told what is being done; `see` may be empty.
 std::optional<HeadCase> study_head(const std::shared_ptr<const Bust>& bust, const GrownHead& head,
                                    const HeadStudySettings& settings, const std::atomic<bool>& interrupted,
                                    const std::function<void(const std::string&)>& say, const SeeHead& see);

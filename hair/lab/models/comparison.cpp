@@ -5,7 +5,6 @@
 
 #include "hair/lab/stub.h"
 #include "hair/simulation/simulation.h"
-#include "solver/course.h"
 #include "solver/not_implemented.h"
 #include "solver/timing.h"
 
@@ -108,8 +107,9 @@ bool sweep(Runner& runner, const ComparedHair& hair, bool quick, FamilyRuns& fam
 }
 
 template <typename Runs>
-bool add_family(const Family& family, std::vector<FamilyRuns>& families, Runs make_runs) {
-  FamilyRuns& added = families.emplace_back(FamilyRuns{family, {}, left_out(family)});
+bool add_family(const Family& family, const std::string& left_out, std::vector<FamilyRuns>& families,
+                Runs make_runs) {
+  FamilyRuns& added = families.emplace_back(FamilyRuns{family, {}, left_out});
   if (!added.left_out.empty()) return true;
   try {
     return make_runs(added);
@@ -123,6 +123,7 @@ bool add_family(const Family& family, std::vector<FamilyRuns>& families, Runs ma
 }  // namespace
 
 std::optional<Comparison> compare_models(const std::vector<ComparedHair>& hairs, bool quick,
+                                         const std::vector<std::string>& absent,
                                          const std::atomic<bool>& interrupted,
                                          const std::function<void(const std::string&)>& say) {
   Comparison comparison;
@@ -138,14 +139,14 @@ std::optional<Comparison> compare_models(const std::vector<ComparedHair>& hairs,
     Runner runner(hair, *truth, interrupted);
     for (const Family& family : families()) {
       say(hair.title + ": " + family.name);
-      if (!add_family(family, one.families,
+      if (!add_family(family, left_out(family, hair.spec, absent), one.families,
                       [&](FamilyRuns& runs) { return sweep(runner, hair, quick, runs); }))
         return {};
     }
     if (hair.id != "straight") continue;
     for (const Family& family : stiff_families()) {
       say(hair.title + ": " + family.name);
-      if (!add_family(family, one.stiff, [&](FamilyRuns& runs) {
+      if (!add_family(family, left_out(family, hair.spec, absent), one.stiff, [&](FamilyRuns& runs) {
             for (const int elements : hair.elements) {
               const auto run = runner.run(family, elements, kFrame);
               if (!run) return false;
@@ -156,7 +157,7 @@ std::optional<Comparison> compare_models(const std::vector<ComparedHair>& hairs,
         return {};
     }
   }
-  if constexpr (in_course("H8")) {
+  if (std::find(absent.begin(), absent.end(), "H8") == absent.end()) {
     say("super-helices: what a step costs");
     try {
       const auto costs = helix_costs(quick, interrupted);

@@ -46,8 +46,9 @@ struct Comparison {
 };
 
 // Of these hairs (compared_hairs). Empty if `interrupted`. `say` is told what is being done. Throws NotImplemented if H7, which makes the fine motion, is not
-// written; families whose exercise is not written are left out.
+// written; families whose exercise is not written, or `absent`, are left out.
 std::optional<Comparison> compare_models(const std::vector<ComparedHair>& hairs, bool quick,
+                                         const std::vector<std::string>& absent,
                                          const std::atomic<bool>& interrupted,
                                          const std::function<void(const std::string&)>& say);
 

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "hair/geometric_term.h"
 #include "hair/simulation/description.h"
@@ -26,8 +27,8 @@ std::span<const Family> families();
 // Springs with EA 1, 100 and 10,000 times hair's, and rigid links: all at h = 1/60 s.
 std::span<const Family> stiff_families();
 
-// Why the course can't have it; empty if it can.
-std::string left_out(const Family& family);
+// Why such a strand can't be there, as it calls one of the `absent` exercises; empty if it can.
+std::string left_out(const Family& family, const StrandSpec& spec, const std::vector<std::string>& absent);
 
 // Without weight in `spec`'s family's way: the model, the method, the factor. `left_out` is empty.
 Description description_of(const Family& family, const StrandSpec& spec, int elements, double step);

@@ -7,11 +7,13 @@
 
 namespace hair::model_study {
 
-std::string left_out(const Family& family) {
-  if (!find_model(family.model)) return std::string("the course has no model ") + family.model;
-  const MethodRow& method = row_of(family.method);
-  if (find_model(family.model)->calls_method && !method.mass_spring)
-    return std::string("the course has no ") + method.name;
+std::string left_out(const Family& family, const StrandSpec& spec, const std::vector<std::string>& absent) {
+  const ModelRow& model = *find_model(family.model);
+  std::vector<std::string> called = model.exercises(spec);
+  if (model.calls_method)
+    for (const std::string_view id : row_of(family.method).exercises) called.emplace_back(id);
+  for (const std::string& id : called)
+    if (std::find(absent.begin(), absent.end(), id) != absent.end()) return "the course has no " + id;
   return {};
 }
 

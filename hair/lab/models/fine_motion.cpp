@@ -4,7 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "hair/io/files/bad_input.h"
 #include "hair/lab/models/family.h"
 #include "hair/simulation/simulation.h"
 #include "solver/timing.h"
@@ -70,8 +69,6 @@ double rms_distance(const std::vector<Eigen::VectorXd>& lines, const std::vector
 }
 
 std::optional<FineMotion> fine_motion(const ComparedHair& hair, const std::atomic<bool>& interrupted) {
-  if (const std::string why = left_out(kChain); !why.empty())
-    throw BadInput("the models' fine motion is that of rigid links (H7), and " + why);
   const double start = timing::cpu_seconds();
   const auto coarse = chain(hair, hair.fine, interrupted);
   if (!coarse) return {};

@@ -19,7 +19,7 @@ struct FineMotion {
   double seconds = 0;      // CPU time that it took
 };
 
-// Empty if `interrupted`. Calls H7; throws BadInput if the course has none.
+// Empty if `interrupted`. Calls H7.
 std::optional<FineMotion> fine_motion(const ComparedHair& hair, const std::atomic<bool>& interrupted);
 
 // The points of such a line out of a body's centre line x, whose points lie at the arc lengths `at`: those that it has there,

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <functional>
-#include <sstream>
 
 #include "hair/lab/run/film.h"
 #include "hair/lab/run/run_record.h"
@@ -191,12 +190,12 @@ void explain_still_hair(const Scene& scene, bool render, Parts& parts) {
             strands > 0 ? "--no-render" : "all hair moves");
 }
 
-void explain_exercises(const Scene& scene, Parts& parts) {
+void explain_exercises(const Scene& scene, const Course& course, Parts& parts) {
   const std::vector<std::string> used = exercises_of(scene);
-  std::istringstream files(HAIR_EXERCISE_FILES);
-  for (std::string id, file; files >> id >> file;)
-    parts.add("exercise " + id, std::find(used.begin(), used.end(), id) != used.end(), "student/" + file,
-              "nothing in this scene calls it");
+  for (const Exercise& exercise : course.exercises)
+    if (exercise.role != Role::absent)
+      parts.add("exercise " + exercise.id, std::find(used.begin(), used.end(), exercise.id) != used.end(),
+                "student/" + exercise.file, "nothing in this scene calls it");
 }
 
 void explain_pictures(const Scene& scene, bool render, Parts& parts) {
@@ -215,14 +214,14 @@ void explain_pictures(const Scene& scene, bool render, Parts& parts) {
 
 }  // namespace
 
-std::vector<Part> explain(const Scene& scene, bool render) {
+std::vector<Part> explain(const Scene& scene, bool render, const Course& course) {
   Parts parts;
   explain_hair(scene, parts);
   explain_toys(scene, parts);
   explain_surroundings(scene, parts);
   explain_dense_hair(scene, render, parts);
   explain_still_hair(scene, render, parts);
-  explain_exercises(scene, parts);
+  explain_exercises(scene, course, parts);
   explain_pictures(scene, render, parts);
   return parts.take();
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "hair/course/course.h"
 #include "hair/scene/scene.h"
 
 namespace hair {
@@ -14,8 +15,8 @@ struct Part {
   std::string why;  // what it does, or why it is not used
 };
 
-// All existing parts, in the same order for each scene; `render` as in RunSettings.
-std::vector<Part> explain(const Scene& scene, bool render);
+// All existing parts, and the course's exercises, in the same order for each scene; `render` as in RunSettings.
+std::vector<Part> explain(const Scene& scene, bool render, const Course& course);
 
 // One line for each part: "bending             used      H2: angular springs, ..."
 std::string explanation(const std::vector<Part>& parts);

@@ -130,7 +130,7 @@ StabilityReport study_stability(const Scene& scene, const StabilitySettings& set
     }
     return false;
   };
-  std::vector<StudyMethod> all = methods_for(problem);
+  std::vector<StudyMethod> all = methods_for(problem, settings.absent);
   // How a system is solved does not decide where a method breaks.
   std::erase_if(all, [](const StudyMethod& method) { return !method.preconditioner; });
   for (const StudyMethod& method : all) {

@@ -24,6 +24,7 @@ struct StabilitySettings {
   int strand = 0;                    // counted from 0
   std::optional<int> segments = {};  // none: the scene's, but at most kMapSegments
   bool quick = false;
+  std::vector<std::string> absent = {};     // exercises whose methods are left out
   std::vector<StabilityMap> finished = {};  // from an earlier run of the same study: read_maps
 };
 

@@ -1,5 +1,7 @@
 #include "hair/lab/study/study_methods.h"
 
+#include "hair/course/course.h"
+
 #include <algorithm>
 
 #include "hair/simulation/models.h"
@@ -58,7 +60,7 @@ bool fits(const StudyMethod& method, const Problem& problem) {
 
 }  // namespace
 
-std::vector<StudyMethod> methods_for(const Problem& problem) {
+std::vector<StudyMethod> methods_for(const Problem& problem, const std::vector<std::string>& absent) {
   std::vector<StudyMethod> methods;
   if (problem.modelled()) {
     for (const StudyMethod& method : methods_of_models())
@@ -66,7 +68,8 @@ std::vector<StudyMethod> methods_for(const Problem& problem) {
     return methods;
   }
   for (const StudyMethod& method : methods_of_springs())
-    if (row_of(method.method).mass_spring && fits(method, problem)) methods.push_back(method);
+    if (!calls_absent(row_of(method.method).exercises, absent) && fits(method, problem))
+      methods.push_back(method);
   return methods;
 }
 

@@ -22,10 +22,10 @@ struct StudyMethod {
 };
 
 // The methods that fit the problem: all of them for a strand of masses and springs, those that move the model of another
-// strand, or those that a toy's parts allow, except methods whose exercise the course leaves out. H4 appears with each option of its Jacobian that makes a
+// strand, or those that a toy's parts allow, except methods that call an `absent` exercise. H4 appears with each option of its Jacobian that makes a
 // difference here, and with Newton's method to convergence. Implicit methods of strands appear once more
 // without the preconditioner ("-plain"), but for those with exact bending.
-std::vector<StudyMethod> methods_for(const Problem& problem);
+std::vector<StudyMethod> methods_for(const Problem& problem, const std::vector<std::string>& absent = {});
 
 // The problem's scene with this method and steps_per_frame steps for each frame.
 Scene with_method(const Problem& problem, const StudyMethod& method, int steps_per_frame);

@@ -8,10 +8,12 @@
 namespace hair {
 namespace {
 
+const Course kCourse = read_course(HAIR_EXERCISES_JSON);
+
 std::map<std::string, Part> parts_of(const std::string& json, bool render = true) {
   std::map<std::string, Part> parts;
   const Scene scene = parse_scene(json, "scene.json");
-  for (const Part& part : explain(scene, render)) {
+  for (const Part& part : explain(scene, render, kCourse)) {
     EXPECT_FALSE(part.why.empty()) << part.name;
     EXPECT_TRUE(parts.emplace(part.name, part).second) << part.name << " is there twice";
   }

@@ -24,6 +24,15 @@ TEST(ValidateCommand, ListsWhatThereIs) {
   EXPECT_TRUE(has(run.output, "chain-h6: ") && has(run.output, "(S1, H1, H4, H5, H6)")) << run.output;
 }
 
+TEST(ValidateCommand, LeavesOutWhatCallsExercisesThatTheCourseLeavesOut) {
+  const TestFolder folder;
+  const ProgramRun run =
+      run_hairlab({"validate", "--list", "--course",
+                   folder.write("course.json", R"({"exercises": {"H6": {"role": "absent"}}})")});
+  EXPECT_EQ(run.code, 0) << run.errors;
+  EXPECT_TRUE(has(run.output, "published-numbers: ") && !has(run.output, "H6")) << run.output;
+}
+
 TEST(ValidateCommand, RunsThoseThatAreAskedForInTheListsOrder) {
   const ProgramRun run = run_hairlab({"validate", "pendulum-rods", "published-numbers"});
   EXPECT_EQ(run.code, 0) << run.errors;

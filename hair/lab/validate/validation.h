@@ -66,7 +66,7 @@ struct Validation {
   std::function<ValidationResult(const ValidationSettings&)> run;
 };
 
-// The validations whose exercises the course has, in the order of display.
-std::vector<Validation> all_validations();
+// The validations that call none of the `absent` exercises, in the order of display.
+std::vector<Validation> all_validations(const std::vector<std::string>& absent);
 
 }  // namespace hair

@@ -11,7 +11,6 @@
 #include "hair/io/files/bad_input.h"
 #include "hair/scene/playback.h"
 #include "hair/simulation/models.h"
-#include "solver/course.h"
 
 namespace reference_tests {
 namespace {
@@ -71,7 +70,6 @@ TEST(GroomScene, IsScaledAndMovedAndRestsAsItIs) {
 }
 
 TEST(GroomScene, IsOfRigidLinksIfItSaysSo) {
-  if (!hair::find_model("rigid_links")) GTEST_SKIP() << "the course has no rigid links";
   const Folder folder;
   folder.write("a.hair", hair_file({0, 0, 0, 0, 0, 2, 0, 2, 2}));
   const hair::Scene scene = hair::read_scene(
@@ -175,7 +173,6 @@ TEST(GroomScene, TakesStrandsThatAreWellSpreadWithThePointsThatItAsksFor) {
 }
 
 TEST(GroomScene, GuidesOfAGroomAreDrawnAsDenseHair) {
-  if (!hair::in_course("H10")) GTEST_SKIP() << "the course has no dense hair";
   const Folder folder;
   hair::write_groom(lattice(9), folder.write("a.hair", ""));
   const hair::Scene scene = hair::read_scene(folder.write(

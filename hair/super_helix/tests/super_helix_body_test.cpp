@@ -204,7 +204,6 @@ TEST(SuperHelixBody, StaysOutOfABall) {
 // Kirchhoff's rod by two models that share nothing but its constants. Where a level curl sags, it bends to and fro with each turn, so
 // that an element should be a small part of a turn.
 TEST(SuperHelixBody, FallsAsRigidLinksDo) {
-  if (!find_model("rigid_links")) GTEST_SKIP() << "the course has no rigid links";
   StrandSpec spec = curl(24);
   spec.root.axis = Vector3d(1, 0, 0);
   spec.root.side = Vector3d(0, 0, 1);

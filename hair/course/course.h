@@ -1,0 +1,59 @@
+// The exercises of a course: handout/exercises.json, with the changes of an instructor's course file. Programs read both when they
+// start.
+//
+// A course file changes the role or the points of exercises; what it leaves out keeps its value:
+//
+//   {"exercises": {"S1": {"role": "given"}, "S2": {"role": "optional", "points": 5}, "H3": {"role": "absent"}}}
+//
+// Its "budget" and "partial" are the grader's alone, and are not read here.
+#pragma once
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hair {
+
+// assigned: counts. optional: extra credit, added on top of the total. given: handed out solved. absent: left
+// out.
+enum class Role { assigned, optional, given, absent };
+
+struct Exercise {
+  std::string id;                          // "S1"
+  std::string title;                       // "Conjugate gradients"
+  std::string file;                        // "conj_grad.cpp"
+  std::vector<std::string> functions;      // defined in the file, demangled: "ConjGrad(int, ...)"
+  std::string header;                      // the header with their contract, relative to the project's root
+  std::string text;                        // the assignment text, relative to handout/
+  std::string checks;                      // the public checks, relative to handout/
+  std::vector<std::string> prerequisites;  // ids of exercises whose functions it calls
+  std::vector<std::string> libraries;      // allowed besides the standard library: "eigen"
+  double points = 0;
+  Role role = Role::assigned;
+};
+
+struct Course {
+  std::vector<Exercise> exercises;  // in the order of exercises.json, absent ones included
+
+  const Exercise* find(const std::string& id) const;  // null if there is none
+  bool has(const std::string& id) const;              // and it is not absent
+  std::vector<std::string> absent() const;            // the ids of those that are
+};
+
+// Throws BadInput with the file and the JSON path.
+Course read_course(const std::filesystem::path& exercises_json,
+                   const std::optional<std::filesystem::path>& course_json = {});
+
+std::string to_string(Role role);
+
+// Whether any of the exercises that are called is among the absent ones.
+template <class Ids>
+bool calls_absent(const Ids& called, const std::vector<std::string>& absent) {
+  return std::any_of(called.begin(), called.end(), [&](const auto& id) {
+    return std::find(absent.begin(), absent.end(), id) != absent.end();
+  });
+}
+
+}  // namespace hair
