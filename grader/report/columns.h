@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/report/result.h"
+#include "grader/result/result.h"
 
 namespace grader {
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "grader/report/result.h"
-#include "grader/report/study_result.h"
+#include "grader/result/result.h"
+#include "grader/result/study.h"
 #include "hair/io/plot/html.h"
 
 namespace grader {

@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "grader/report/base64.h"
 #include "grader/report/comparison_page.h"
 #include "grader/report/gradebook.h"
 #include "grader/report/picture_files.h"
 #include "grader/report/results_json.h"
 #include "grader/report/sample_results.h"
+#include "grader/result/base64.h"
 #include "hair/io/plot/readable.h"
 #include "hair/io/plot/tests/parsed.h"
 

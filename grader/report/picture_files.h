@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "grader/report/result.h"
+#include "grader/result/result.h"
 
 namespace grader {
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "grader/compare/heat_map.h"
-#include "grader/report/base64.h"
 #include "grader/report/picture_files.h"
+#include "grader/result/base64.h"
 
 namespace grader {
 namespace {

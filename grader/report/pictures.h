@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/report/result.h"
+#include "grader/result/result.h"
 #include "hair/io/plot/html.h"
 
 namespace grader {

@@ -10,7 +10,7 @@
 #include "grader/report/pages.h"
 #include "grader/report/picture_files.h"
 #include "grader/report/results_json.h"
-#include "grader/report/study_json.h"
+#include "grader/result/study_json.h"
 #include "hair/io/files/read_file.h"
 
 namespace grader {

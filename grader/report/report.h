@@ -20,8 +20,8 @@
 #include <string>
 #include <vector>
 
-#include "grader/report/result.h"
-#include "grader/report/study_result.h"
+#include "grader/result/result.h"
+#include "grader/result/study.h"
 
 namespace grader {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "grader/report/result.h"
+#include "grader/result/result.h"
 
 namespace grader {
 

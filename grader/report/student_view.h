@@ -5,7 +5,7 @@
 // kind and its line, which code may choose from a short list of ours and from its own file. Staff see all.
 #pragma once
 
-#include "grader/report/result.h"
+#include "grader/result/result.h"
 
 namespace grader {
 

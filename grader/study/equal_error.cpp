@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "grader/report/study_result.h"
+#include "grader/result/study.h"
 #include "solver/timing.h"
 
 namespace grader {

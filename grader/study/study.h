@@ -11,7 +11,7 @@
 
 #include <functional>
 
-#include "grader/report/study_result.h"
+#include "grader/result/study.h"
 #include "grader/study/parts.h"
 #include "grader/study/player.h"
 #include "grader/study/truth.h"

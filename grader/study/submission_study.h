@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <optional>
 
-#include "grader/report/study_result.h"
+#include "grader/result/study.h"
 #include "grader/study/study.h"
 #include "grader/suite/end_to_end.h"
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/report/result.h"
+#include "grader/result/result.h"
 #include "grader/suite/student.h"
 #include "hair/scene/scene.h"
 

@@ -28,7 +28,7 @@
 // is true of a scene is kept:
 //
 //   {..., "left_out": [...], "unavailable": {...}, "reference_objects": [FILE...], "motions": DIR}
-//   {"study": STUDY, "cpu_seconds": 0.1, "starts": 1}                                   see grader/report/study_json.h
+//   {"study": STUDY, "cpu_seconds": 0.1, "starts": 1}                                   see grader/result/study_json.h
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sodium.h>
@@ -40,8 +40,8 @@
 #include <nlohmann/json.hpp>
 
 #include "grader/course/input.h"
-#include "grader/report/base64.h"
-#include "grader/report/study_json.h"
+#include "grader/result/base64.h"
+#include "grader/result/study_json.h"
 #include "grader/study/submission_study.h"
 #include "grader/suite/end_to_end.h"
 #include "grader/suite/memory_errors.h"

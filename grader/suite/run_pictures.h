@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/report/result.h"
+#include "grader/result/result.h"
 #include "hair/render/camera.h"
 #include "hair/render/drawing.h"
 

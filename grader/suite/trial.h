@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/report/result.h"
+#include "grader/result/result.h"
 #include "grader/suite/random.h"
 #include "grader/suite/student.h"
 

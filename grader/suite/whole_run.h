@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/report/result.h"
+#include "grader/result/result.h"
 #include "grader/suite/hidden_scene.h"
 #include "grader/suite/run_comparison.h"
 #include "grader/suite/suite_table.h"

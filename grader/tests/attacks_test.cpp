@@ -24,9 +24,9 @@
 
 #include "grader/course/course.h"
 #include "grader/course/input.h"
-#include "grader/report/base64.h"
 #include "grader/report/report.h"
-#include "grader/report/result.h"
+#include "grader/result/base64.h"
+#include "grader/result/result.h"
 #include "grader/samples/sample.h"
 #include "grader/tests/run_program.h"
 #include "grader/tests/submission_name.h"

@@ -14,7 +14,7 @@
 #include "grader/intake/names.h"
 #include "grader/report/picture_files.h"
 #include "grader/report/report.h"
-#include "grader/report/result.h"
+#include "grader/result/result.h"
 #include "grader/samples/sample.h"
 #include "grader/tests/broken_links.h"
 #include "grader/tests/run_program.h"

@@ -15,9 +15,9 @@
 
 #include "grader/course/course.h"
 #include "grader/intake/submission.h"
-#include "grader/report/base64.h"
 #include "grader/report/picture_files.h"
 #include "grader/report/report.h"
+#include "grader/result/base64.h"
 #include "grader/tests/busy_user.h"
 #include "grader/tests/run_program.h"
 #include "hair/io/files/read_file.h"

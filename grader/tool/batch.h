@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "grader/intake/submission.h"
-#include "grader/report/result.h"
+#include "grader/result/result.h"
 #include "grader/tool/grading.h"
 
 namespace grader {

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "grader/report/result.h"
+#include "grader/result/result.h"
 #include "grader/tool/suite_jobs.h"
 
 namespace grader {

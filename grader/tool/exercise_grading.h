@@ -9,7 +9,7 @@
 
 #include "grader/compile/compiler.h"
 #include "grader/intake/submission.h"
-#include "grader/report/result.h"
+#include "grader/result/result.h"
 #include "grader/tool/suite_jobs.h"
 
 namespace grader {

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -13,7 +12,7 @@
 #include "grader/compile/kit.h"
 #include "grader/course/course.h"
 #include "grader/intake/submission.h"
-#include "grader/report/result.h"
+#include "grader/result/result.h"
 #include "grader/tool/made_by.h"
 #include "grader/tool/reference_grading.h"
 #include "grader/tool/suite_jobs.h"
@@ -22,7 +21,7 @@ namespace grader {
 
 struct Graded {
   SubmissionResult result;
-  std::map<std::string, ExerciseTiming> timing;  // by exercise, also of "runs" and "study"
+  TimingByExercise timing;  // by exercise, also of "runs" and "study"
   std::optional<SubmissionStudy> study;
   std::vector<std::string> problems;  // on our side: what prevented grading, a line each
 };

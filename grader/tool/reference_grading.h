@@ -2,20 +2,19 @@
 // CPU time determines the students' limit.
 #pragma once
 
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "grader/report/study_result.h"
+#include "grader/result/study.h"
 #include "grader/tool/suite_jobs.h"
 
 namespace grader {
 
 struct ReferenceGraded {
-  std::map<std::string, ExerciseTiming> timing;  // by exercise, also of kRuns and kStudy
-  std::optional<SubmissionStudy> study;          // beside itself: deviations of its ratios from 1 are noise
-  std::vector<std::string> problems;             // of studies; they don't affect grades
+  TimingByExercise timing;               // by exercise, also of kRuns and kStudy
+  std::optional<SubmissionStudy> study;  // beside itself: deviations of its ratios from 1 are noise
+  std::vector<std::string> problems;     // of studies; they don't affect grades
 };
 
 // Throws std::runtime_error if the reference does not pass.

@@ -2,14 +2,14 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "grader/compile/kit.h"
 #include "grader/course/course.h"
-#include "grader/report/result.h"
+#include "grader/result/costs.h"
+#include "grader/result/result.h"
 #include "grader/sandbox/control_group.h"
 #include "grader/sandbox/processors.h"
 #include "grader/tool/suite_run.h"
@@ -25,18 +25,6 @@ struct GradingSettings {
   bool images = true;                            // draw whole runs
   bool memory_errors = memory_can_be_bounded();  // look for them, once more with sanitizers
   bool study = false;  // error against time, beside the reference: shown, but not scored
-};
-
-// The cost of an exercise; the only part of a result that differs from run to run.
-struct ExerciseTiming {
-  double compile_seconds = 0;  // wall time, including linking; 0 if it came from the cache
-  double suite_seconds = 0;    // wall time
-  double worker_cpu_seconds = 0;
-  int worker_starts = 0;
-  double sanitised_cpu_seconds = 0;  // of the worker with sanitizers
-  Budget spent = nothing_spent();
-  double run_cpu_seconds = 0;      // of the worker that plays the whole run
-  double picture_cpu_seconds = 0;  // for drawing and comparing its pictures
 };
 
 // Names in the timing, beside those of the exercises: the end-to-end runs, and the study.
@@ -55,8 +43,8 @@ class SuiteJobs {
   std::string fingerprint() const;
 
   // From now on a worker's limit is a multiple of the reference's time.
-  void limit_by(std::map<std::string, ExerciseTiming> reference) { reference_ = std::move(reference); }
-  const std::map<std::string, ExerciseTiming>& reference() const { return reference_; }
+  void limit_by(TimingByExercise reference) { reference_ = std::move(reference); }
+  const TimingByExercise& reference() const { return reference_; }
 
   bool selected(const Exercise& exercise) const;  // to be graded
 
@@ -86,7 +74,7 @@ class SuiteJobs {
   const StagedKit& kit_;
   std::string suite_hash_, drawn_;
   std::optional<std::filesystem::path> pictures_;  // the folder of the reference's pictures, if any are drawn
-  std::map<std::string, ExerciseTiming> reference_;
+  TimingByExercise reference_;
   mutable Processors processors_;  // has a lock of its own
 };
 

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "grader/report/base64.h"
-#include "grader/report/study_json.h"
+#include "grader/result/base64.h"
+#include "grader/result/study_json.h"
 #include "grader/sandbox/descriptor.h"
 #include "hair/io/files/start_program.h"
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "grader/course/budget.h"
-#include "grader/report/result.h"
-#include "grader/report/study_result.h"
+#include "grader/result/result.h"
+#include "grader/result/study.h"
 
 namespace grader {
 

@@ -7,11 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "grader/tool/grading.h"
+#include "grader/result/costs.h"
+#include "grader/result/result.h"
 
 namespace grader {
-
-using TimingByExercise = std::map<std::string, ExerciseTiming>;
 
 struct LastRun {
   double wall_seconds = 0;

@@ -1,9 +1,9 @@
-// STAFF ONLY. A study as JSON: study.json, also the suite's output. README.md describes the format.
+// STAFF ONLY. A study as JSON: study.json, also the suite's output. grader/README.md describes the format.
 #pragma once
 
 #include <string>
 
-#include "grader/report/study_result.h"
+#include "grader/result/study.h"
 
 namespace grader {
 

@@ -1,5 +1,5 @@
-// STAFF ONLY. The results of grading, as plain data: the suite and the build make them, the reports read
-// them.
+// STAFF ONLY. The results of grading, as plain data: the suite and the build make them, the reports
+// read them.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // STAFF ONLY.
-#include "grader/report/base64.h"
+#include "grader/result/base64.h"
 
 #include <sodium.h>
 

@@ -1,5 +1,5 @@
 // STAFF ONLY.
-#include "grader/report/study_json.h"
+#include "grader/result/study_json.h"
 
 #include <nlohmann/json.hpp>
 #include <stdexcept>

@@ -1,5 +1,5 @@
 // STAFF ONLY.
-#include "grader/report/result.h"
+#include "grader/result/result.h"
 
 #include <algorithm>
 #include <array>

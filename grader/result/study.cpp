@@ -1,5 +1,5 @@
 // STAFF ONLY.
-#include "grader/report/study_result.h"
+#include "grader/result/study.h"
 
 #include <algorithm>
 

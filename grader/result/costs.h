@@ -1,0 +1,44 @@
+// STAFF ONLY. What grading cost: of each exercise, and as a table for people.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "grader/course/budget.h"
+
+namespace grader {
+
+// The cost of an exercise; the only part of a result that differs from run to run.
+struct ExerciseTiming {
+  double compile_seconds = 0;  // wall time, including linking; 0 if it came from the cache
+  double suite_seconds = 0;    // wall time
+  double worker_cpu_seconds = 0;
+  int worker_starts = 0;
+  double sanitised_cpu_seconds = 0;  // of the worker with sanitizers
+  Budget spent = nothing_spent();
+  double run_cpu_seconds = 0;      // of the worker that plays the whole run
+  double picture_cpu_seconds = 0;  // for drawing and comparing its pictures
+};
+
+// By exercise, or another part such as the end-to-end runs.
+using TimingByExercise = std::map<std::string, ExerciseTiming>;
+
+// What a submission costs is the sum of its wall_seconds; the other columns are parts of these.
+enum class CostKind { wall_seconds, cpu_seconds, count };
+
+struct CostColumn {
+  std::string heading, explanation;
+  CostKind kind = CostKind::cpu_seconds;
+};
+
+// By exercise, or another part: a value for each column.
+using CostsByPart = std::map<std::string, std::vector<double>>;
+
+struct Costs {
+  std::vector<CostColumn> columns;
+  CostsByPart reference;
+  std::map<std::string, CostsByPart> submissions;  // by name
+};
+
+}  // namespace grader
