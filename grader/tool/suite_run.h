@@ -44,7 +44,7 @@ struct SuiteJob {
   std::vector<std::string> left_out = {};
   std::map<std::string, std::string> unavailable = {};
 
-  // Only for "study", see grader/study/submission_study.h.
+  // Only for "study", see grader/suite/study/submission_study.h.
   std::vector<std::filesystem::path> reference_objects = {};
   std::filesystem::path motions = {};  // the folder of true motions
 };

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "grader/result/study.h"
-#include "grader/study/study.h"
+#include "grader/suite/study/study.h"
 #include "grader/suite/end_to_end.h"
 
 namespace grader {

@@ -1,5 +1,5 @@
 // STAFF ONLY.
-#include "grader/study/truth.h"
+#include "grader/suite/study/truth.h"
 
 #include <algorithm>
 #include <stdexcept>

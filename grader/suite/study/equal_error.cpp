@@ -1,5 +1,5 @@
 // STAFF ONLY.
-#include "grader/study/equal_error.h"
+#include "grader/suite/study/equal_error.h"
 
 #include <algorithm>
 #include <cmath>

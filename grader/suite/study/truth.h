@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "grader/study/parts.h"
+#include "grader/suite/study/parts.h"
 #include "particles/state.h"
 
 namespace grader {

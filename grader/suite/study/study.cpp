@@ -1,11 +1,11 @@
 // STAFF ONLY.
-#include "grader/study/study.h"
+#include "grader/suite/study/study.h"
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
-#include "grader/study/equal_error.h"
+#include "grader/suite/study/equal_error.h"
 #include "solver/timing.h"
 
 namespace grader {

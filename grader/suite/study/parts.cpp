@@ -1,5 +1,5 @@
 // STAFF ONLY.
-#include "grader/study/parts.h"
+#include "grader/suite/study/parts.h"
 
 #include <nlohmann/json.hpp>
 

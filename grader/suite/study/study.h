@@ -12,9 +12,9 @@
 #include <functional>
 
 #include "grader/result/study.h"
-#include "grader/study/parts.h"
-#include "grader/study/player.h"
-#include "grader/study/truth.h"
+#include "grader/suite/study/parts.h"
+#include "grader/suite/study/player.h"
+#include "grader/suite/study/truth.h"
 
 namespace grader {
 

@@ -1,5 +1,5 @@
 // STAFF ONLY.
-#include "grader/study/submission_study.h"
+#include "grader/suite/study/submission_study.h"
 
 #include <cmath>
 

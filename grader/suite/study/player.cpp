@@ -1,5 +1,5 @@
 // STAFF ONLY.
-#include "grader/study/player.h"
+#include "grader/suite/study/player.h"
 
 #include <chrono>
 

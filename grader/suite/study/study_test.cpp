@@ -1,5 +1,5 @@
 // STAFF ONLY. Studies with players of known speed and accuracy in place of workers.
-#include "grader/study/study.h"
+#include "grader/suite/study/study.h"
 
 #include <gtest/gtest.h>
 #include <stdlib.h>
