@@ -107,6 +107,10 @@ struct Call {
   using Signature = grader::Signature<decltype(function_)>;
 };
 
+// A type for each function: UBSan's compilers do not compare functions before they are linked.
+template <auto function>
+struct Named;
+
 // A request names a call by its place in the list.
 template <class... All>
 struct CallList {
@@ -117,12 +121,7 @@ struct CallList {
   template <auto function>
   static constexpr int number_of() {
     int number = 0, found = -1;
-    const auto look = [&]<auto other>() {
-      if constexpr (std::is_same_v<decltype(other), decltype(function)>)
-        if (other == function) found = number;
-      ++number;
-    };
-    (look.template operator()<All::function>(), ...);
+    ((found = std::is_same_v<Named<All::function>, Named<function>> ? number : found, ++number), ...);
     return found;
   }
   template <auto function>

@@ -262,6 +262,9 @@ class Client {
 };
 
 // What a function returns that makes a matrix: each product is a request of its own. It refers to the arguments, as contracts allow.
+// Of a vector it keeps a view of its own: the caller's is gone when the function returns.
+template <class P>
+using Kept = std::conditional_t<std::is_same_v<P, particles::Input>, Eigen::Ref<const Eigen::VectorXd>, P>;
 template <class Calls, auto function, class Asker, class Parameters>
 class AskedMatrix;
 template <class Calls, auto function, class Asker, class... P>
@@ -282,7 +285,7 @@ class AskedMatrix<Calls, function, Asker, std::tuple<P...>> : public implicitMat
 
  private:
   Asker asker_;
-  std::tuple<P...> arguments_;
+  std::tuple<Kept<P>...> arguments_;
 };
 
 template <class Calls, auto function, class Asker, class... Arguments>

@@ -1,4 +1,4 @@
-// STAFF ONLY. Serves Dynamics to a student's code: the suite's side of grader/worker/served_dynamics.h.
+// STAFF ONLY. Serves Dynamics to a student's code: the other side is RemoteDynamics, remote.h.
 #pragma once
 
 #include <vector>

@@ -50,7 +50,7 @@ class RemoteMatrix : public implicitMatrix {
   }
 
  private:
-  Host& host_;
+  Host host_;  // a copy: it is some references
   int which_, rows_, cols_;
 };
 

@@ -19,6 +19,18 @@
 
 namespace grader {
 
+// Numbers of a host that trusts what it calls.
+class UnguardedVector {
+ public:
+  explicit UnguardedVector(const std::vector<double>& numbers)
+      : numbers_(numbers), view_(numbers_.data(), static_cast<Eigen::Index>(numbers_.size())) {}
+  Eigen::Map<Eigen::VectorXd>& view() { return view_; }
+
+ private:
+  std::vector<double> numbers_;
+  Eigen::Map<Eigen::VectorXd> view_;
+};
+
 // What parameters have, unless they say otherwise.
 struct StoredParameter {
   void prepare(Eigen::Index) {}             // when all are there; of the size of the call's vectors
@@ -94,7 +106,8 @@ class Stored<particles::Input, Host, contract> : public StoredVector<Host> {
   explicit Stored(Host&) {}
   // NaN equals itself.
   bool changed() {
-    return std::memcmp(this->view().data(), this->sent_.data(), this->sent_.size() * sizeof(double)) != 0;
+    return !this->sent_.empty() &&
+           std::memcmp(this->view().data(), this->sent_.data(), this->sent_.size() * sizeof(double)) != 0;
   }
 };
 
@@ -240,6 +253,8 @@ class Request<Call, Host, std::tuple<P...>> {
     each([&](auto&... stored) {
       Eigen::Index size = -1;
       ((size = size < 0 ? stored.size() : size), ...);
+      if (size_.value_or(size) != size) throw MalformedMessage("other arguments of another size");
+      size_ = size;
       (stored.prepare(std::max<Eigen::Index>(size, 0)), ...);
       Call::Check::check(plain(stored.view())...);
       if constexpr (Call::contract.sweeps >= 0)
@@ -264,17 +279,20 @@ class Request<Call, Host, std::tuple<P...>> {
   }
 
   // The matrix is made of the arguments that came first. With others after them, these are in their place when it multiplies:
-  // so a matrix shows whether it keeps what it was made of. Each product is one of the same x, in a buffer that holds anything.
+  // so a matrix shows whether it keeps what it was made of. Their sizes stay. Each product is one of the same x, in a buffer that
+  // holds anything.
   void multiply(MessageReader& request, MessageWriter& reply) {
     const std::unique_ptr<implicitMatrix> matrix =
-        each([](auto&... stored) { return Call::function(stored.view()...); });
-    if (request.get<std::uint8_t>() != 0) read(request);
+        each([&](auto&... stored) { return host_.template call<Call>(stored.view()...); });
+    const std::array<Eigen::Index, 2> shape = this->shape();
+    if (request.get<std::uint8_t>() != 0) {
+      read(request);
+      if (this->shape() != shape) throw MalformedMessage("other arguments, of a matrix of another size");
+    }
     typename Host::Vector x(request.get_doubles());
     const std::vector<double> filling = request.get_doubles();
     const auto times = request.get<std::uint8_t>();
     request.expect_end();
-    const std::array<Eigen::Index, 2> shape =
-        each([](auto&... stored) { return Call::Check::shape(plain(stored.view())...); });
     if (x.view().size() != shape[1] || static_cast<Eigen::Index>(filling.size()) != shape[0])
       throw MalformedMessage("a product of another size than the matrix");
     for (int i = 0; i < times; ++i) {
@@ -286,6 +304,10 @@ class Request<Call, Host, std::tuple<P...>> {
     encode(reply, x.view());
   }
 
+  std::array<Eigen::Index, 2> shape() {
+    return each([](auto&... stored) { return Call::Check::shape(plain(stored.view())...); });
+  }
+
   // Checks see values.
   template <class View>
   static const View& plain(const View& view) {
@@ -294,6 +316,7 @@ class Request<Call, Host, std::tuple<P...>> {
 
   Host& host_;
   std::tuple<Stored<P, Host, Call::contract>...> stored_;
+  std::optional<Eigen::Index> size_;  // the numbers of a vector
 };
 
 template <class Calls, class Host>

@@ -1,6 +1,8 @@
 // STAFF ONLY. A case as a client's asker (grader/exercise/client.h): asks the student's worker, and ends the category if there is no
-// answer.
+// answer. All calls through one asker are one case.
 #pragma once
+
+#include <utility>
 
 #include "grader/exercise/client.h"
 #include "grader/suite/trial.h"
@@ -14,7 +16,8 @@ class CaseAsker {
       : trial_(trial), stopped_(std::move(stopped)) {}
 
   MessageReader ask(const MessageWriter& request, const Products& products) {
-    return trial_.ask(request, products, stopped_);
+    return std::exchange(begun_, true) ? trial_.ask_on(request, products, stopped_)
+                                       : trial_.ask(request, products, stopped_);
   }
   Nothing ours() const { return {}; }
   void start(MessageWriter&) const {}
@@ -22,14 +25,13 @@ class CaseAsker {
   void scratch(const auto&, int) {}
   void changed() { changed_input_ = true; }
 
-  bool changed_input() const {
-    return changed_input_;
-  }  // an argument that the contract does not let it change
+  // An argument that the contract does not let it change.
+  bool changed_input() const { return changed_input_; }
 
  private:
   Trial& trial_;
   std::string stopped_;
-  bool changed_input_ = false;
+  bool begun_ = false, changed_input_ = false;
 };
 
 // One case.

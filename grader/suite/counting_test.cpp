@@ -1,20 +1,27 @@
 // STAFF ONLY. How many cases of a category hold, where a worker answers: the reference's S1.
 #include <gtest/gtest.h>
 
-#include "grader/suite/trial.h"
+#include "grader/exercise/S1/calls.h"
+#include "grader/suite/case_asker.h"
 
 namespace grader {
 namespace {
 
+using Eigen::VectorXd;
+
 // A system of one unknown, whose matrix is 1.
+void ask(CaseAsker& asker) {
+  VectorXd x = VectorXd::Ones(1), b = x;
+  int steps = 4;
+  const Served one{1, 1, [](int, const std::vector<double>& in, std::vector<double>& out) {
+                     out = in;
+                     return true;
+                   }};
+  grader::ask<s1::Calls, s1::conj_grad>(asker, one, x, b, 1e-20, steps);
+}
 void ask(Trial& trial) {
-  const std::vector<double> one = {1};
-  MessageWriter request;
-  request.put(1).put(1e-20).put(4).put(1).put(std::span<const double>(one)).put(std::span<const double>(one));
-  trial.ask(request, [](int, const std::vector<double>& x, std::vector<double>& y) {
-    y = x;
-    return true;
-  });
+  CaseAsker asker(trial);
+  ask(asker);
 }
 
 std::optional<CaseCount> counted(const std::function<void(Trial&)>& run) {
@@ -41,6 +48,21 @@ TEST(CountedCases, FailOnceEachAndTheOthersHold) {
   ASSERT_TRUE(count);
   EXPECT_EQ(count->cases, 5);
   EXPECT_EQ(count->held, 3);
+}
+
+TEST(CountedCases, MayTakeSeveralCalls) {
+  const std::optional<CaseCount> count = counted([](Trial& trial) {
+    for (int i = 0; i < 3; ++i) {
+      CaseAsker asker(trial);
+      ask(asker);
+      trial.expect(i != 1, "the second, after its first call");
+      ask(asker);
+      trial.expect(i != 1, "the second, after its last call");
+    }
+  });
+  ASSERT_TRUE(count);
+  EXPECT_EQ(count->cases, 3);
+  EXPECT_EQ(count->held, 2);
 }
 
 TEST(CountedCases, AreNotThoseThatAreAskedAside) {

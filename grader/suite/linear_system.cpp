@@ -9,6 +9,8 @@
 #include <optional>
 #include <sstream>
 
+#include "grader/exercise/S1/calls.h"
+#include "grader/suite/case_asker.h"
 #include "grader/suite/rounding.h"
 
 namespace grader {
@@ -141,25 +143,23 @@ Solution solve(Trial& trial, const LinearSystem& system, double epsilon, int ste
   if (x.empty()) x.assign(n, 0.0);
 
   Solution solution;
-  auto serve = [&](int which, const std::vector<double>& in, std::vector<double>& out) {
-    if (which != 0 || in.size() != system.b.size()) throw MalformedMessage("a product that makes no sense");
+  const auto serve = [&](int, const std::vector<double>& in, std::vector<double>& out) {
+    if (in.size() != system.b.size()) throw MalformedMessage("a product that makes no sense");
     out.resize(in.size());
     std::vector<double> copy = in;
     system.A->matVecMult(copy.data(), out.data());
     return ++solution.products <= calls * (3 + 2 * limit);
   };
-  MessageWriter request;
-  request.put(n)
-      .put(epsilon)
-      .put(steps)
-      .put(calls)
-      .put(std::span<const double>(x))
-      .put(std::span<const double>(system.b));
-  MessageReader reply = trial.ask(request, serve);
-  solution.value = reply.get<double>();
-  solution.steps = reply.get<int>();
-  solution.x = reply.get_doubles(n);
-  reply.expect_end();
+  std::vector<double> b = system.b;  // what one call does to it, the next one meets
+  Eigen::Map<Eigen::VectorXd> right_side(b.data(), n);
+  CaseAsker asker(trial);
+  for (int call = 0; call < calls; ++call) {
+    solution.x = x;
+    solution.steps = steps;
+    Eigen::Map<Eigen::VectorXd> result(solution.x.data(), n);
+    solution.value = ask<s1::Calls, s1::conj_grad>(asker, Served{n, n, serve}, result, right_side, epsilon,
+                                                   solution.steps);
+  }
 
   // One more than the limit is a mistake that the step limit's category is about; what lies further off is no
   // count of steps.

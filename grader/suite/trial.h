@@ -1,5 +1,5 @@
 // STAFF ONLY. A category of an exercise's hidden cases, and the tools for its code. A case is a call of the student's
-// function, with what is expected of its answer until the next call. The first failing case ends its category; how many there are is
+// function, or a few calls in a row, with what is expected of the answers until the next case. The first failing case ends its category; how many there are is
 // counted later.
 //
 // A failure has two readers. The student sees the missing property and the size of an error in bands; staff
@@ -37,6 +37,8 @@ class Trial {
   // `stopped` if `products` stopped it.
   MessageReader ask(const MessageWriter& request, const Products& products,
                     const std::string& stopped = kTooManyProducts);
+  // The same of another call in the same case.
+  MessageReader ask_on(const MessageWriter& request, const Products& products, const std::string& stopped);
 
   // The reply in an answer; throws CaseFailed as above if there is none.
   MessageReader reply_of(Answer answer, const std::string& stopped = {}) const;

@@ -6,6 +6,7 @@
 
 #include "grader/compile/compiler.h"
 #include "grader/compile/lines.h"
+#include "grader/exercise/S1/calls.h"
 #include "grader/report/student_view.h"
 #include "grader/sandbox/control_group.h"
 #include "grader/sandbox/identity.h"
@@ -60,12 +61,8 @@ class MemoryErrorsTest : public testing::Test {
     Student student(setup);
     const std::vector<double> values = {1, 2, 3, 4};
     MessageWriter request;
-    request.put(4)
-        .put(1e-10)
-        .put(4)
-        .put(1)
-        .put(std::span<const double>(values))
-        .put(std::span<const double>(values));
+    request.put(s1::Calls::number_of<s1::conj_grad>()).put(0).put(4).put(4);  // operator 0 and its size
+    request.put(std::span<const double>(values)).put(std::span<const double>(values)).put(1e-10).put(4);
     return student.ask(request, [](int, const std::vector<double>& v, std::vector<double>& y) {
       y = v;
       return true;

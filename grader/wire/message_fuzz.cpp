@@ -10,9 +10,6 @@
 #include <stdexcept>
 
 #include "grader/wire/channel.h"
-#include "grader/wire/constraints_message.h"
-#include "grader/wire/particles_message.h"
-#include "grader/wire/strand_message.h"
 #include "hair/io/fuzz/fuzz.h"
 
 namespace {
@@ -28,47 +25,13 @@ Bytes bytes_of(std::string_view text) {
 }
 
 // What a step of a script reads, its low four bits; the others are a length.
-enum Step : unsigned char {
-  an_int,
-  a_double,
-  a_byte,
-  doubles,
-  as_many_doubles,
-  a_text,
-  a_document,
-  a_vector,
-  a_strand,
-  some_particles,
-  a_state,
-  particles_and_state,
-  some_constraints,
-  the_end
-};
+enum Step : unsigned char { an_int, a_double, a_byte, doubles, as_many_doubles, a_text, a_document, the_end };
 
 void read_text(MessageReader& reader, MessageWriter& copy) {
   const std::string said = reader.get_text();
   fuzz::expect(said.size() <= 1000, "a text has at most 1000 bytes");
   if (!said.empty()) fuzz::expect_readable(said);
   copy.put(said);
-}
-
-void read_particles(MessageReader& reader, MessageWriter& copy, bool with_state) {
-  const particles::Particles all = grader::get_particles(reader);
-  fuzz::expect(all.pinned.size() == static_cast<std::size_t>(all.mass.size()), "each particle may be pinned");
-  put(copy, all);
-  if (with_state) put(copy, grader::get_state(reader, all.count()));
-}
-
-void read_strand(MessageReader& reader, MessageWriter& copy) {
-  const hair::Strand all = grader::get_strand(reader);
-  fuzz::expect(all.count() >= 1 && all.segments() == all.count() - 1, "a strand has one segment less");
-  put(copy, all);
-}
-
-void read_vector(MessageReader& reader, MessageWriter& copy, int length) {
-  const Eigen::VectorXd all = grader::get_vector(reader, length);
-  fuzz::expect(all.size() == length, "a vector has the length that is asked for");
-  put(copy, all);
 }
 
 // Reads by the script, and writes what was read.
@@ -97,22 +60,6 @@ void play(std::string_view script, MessageReader& reader, MessageWriter& copy) {
         break;
       case a_document:
         copy.put(reader.get_document());
-        break;
-      case a_vector:
-        read_vector(reader, copy, length);
-        break;
-      case a_strand:
-        read_strand(reader, copy);
-        break;
-      case some_particles:
-      case particles_and_state:
-        read_particles(reader, copy, (step & 15) == particles_and_state);
-        break;
-      case a_state:
-        put(copy, grader::get_state(reader, length));
-        break;
-      case some_constraints:
-        put(copy, grader::get_constraints(reader));
         break;
       default:
         reader.expect_end();
@@ -213,27 +160,6 @@ std::vector<std::string> fuzz::seeds() {
   add({an_int, a_double, a_byte, the_end}, MessageWriter().put(7).put(2.5).put(std::uint8_t{1}));
   add({doubles, as_many_doubles + (3 << 4), a_text, a_document, the_end},
       MessageWriter().put(three).put(three).put(std::string("a\ntext")).put(std::string("{}")));
-
-  MessageWriter strand_body;
-  hair::Strand three_particles;
-  three_particles.mass = Eigen::Vector3d(1, 2, 3);
-  three_particles.rest_length = Eigen::Vector2d(0.1, 0.2);
-  put(strand_body, three_particles);
-  put(strand_body, three_particles.mass);
-  add({a_strand, a_vector + (3 << 4), the_end}, strand_body);
-
-  MessageWriter moving;
-  const particles::Particles two{Eigen::Vector2d(1, 2), {1, 0}};
-  const particles::State rest{Eigen::VectorXd::Ones(6), Eigen::VectorXd::Zero(6)};
-  put(moving, two);
-  put(moving, two);
-  put(moving, rest);
-  put(moving, rest);
-  add({some_particles, particles_and_state, a_state + (2 << 4), the_end}, moving);
-
-  MessageWriter held;
-  put(held, particles::Constraints{{{0, 1, 2.0}}, {{1, {0, 0, 0}, {0, 0, 1}, 2.0}}, 100, 20});
-  add({some_constraints, the_end}, held);
 
   // A stream of two messages: kind, nothing, a number, the body's length, the body.
   std::string stream;

@@ -20,7 +20,8 @@ class WorkerHost {
   template <class Call, class... Arguments>
   decltype(auto) call(Arguments&&... arguments) {
     const auto function = [&]() -> decltype(auto) { return Call::function(arguments...); };
-    if constexpr (Call::contract.allocates_nothing)
+    // Of a function that makes a matrix it is the product.
+    if constexpr (Call::contract.allocates_nothing && !Call::Signature::returns_matrix)
       return session_.counted(function);
     else
       return function();

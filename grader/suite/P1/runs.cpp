@@ -2,10 +2,9 @@
 #include "grader/suite/P1/runs.h"
 
 #include <functional>
-#include <span>
 #include <sstream>
 
-#include "grader/exercise/dynamics_server.h"
+#include "grader/exercise/P1/calls.h"
 
 namespace grader::p1 {
 namespace {
@@ -17,12 +16,19 @@ VectorXd vector_of(const std::vector<double>& values) {
   return Map<const VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
+template <auto function>
+Method method(const char* name, int evaluations, int order) {
+  return {name, evaluations, order, function,
+          [](CaseAsker& asker, DynamicsServer& server, double h, VectorXd& x, VectorXd& v,
+             const Filling& scratch) { ask<Calls, function>(asker, std::ref(server), h, x, v, scratch); }};
+}
+
 }  // namespace
 
-const Method kMethods[4] = {{0, "forward_euler", 1, 1, particles::forward_euler},
-                            {1, "symplectic_euler", 1, 1, particles::symplectic_euler},
-                            {2, "midpoint", 2, 2, particles::midpoint},
-                            {3, "runge_kutta_4", 4, 4, particles::runge_kutta_4}};
+const Method kMethods[4] = {method<particles::forward_euler>("forward_euler", 1, 1),
+                            method<particles::symplectic_euler>("symplectic_euler", 1, 1),
+                            method<particles::midpoint>("midpoint", 2, 2),
+                            method<particles::runge_kutta_4>("runge_kutta_4", 4, 4)};
 
 State random_state(Random& random, int n) {
   return {vector_of(random.normals(3 * n)), vector_of(random.normals(3 * n))};
@@ -30,29 +36,22 @@ State random_state(Random& random, int n) {
 
 Run run(Trial& trial, const Method& method, particles::Dynamics& dynamics, const State& start,
         const Setting& setting) {
-  const int size = static_cast<int>(start.x.size()), n = size / 3;
+  const int n = static_cast<int>(start.x.size()) / 3;
   std::ostringstream text;
   text << method.name << ", n = " << n << ", h = " << setting.h << ", " << setting.steps
        << " steps, scratch of " << setting.columns << " columns with " << setting.junk;
   trial.describe(text.str());
 
-  MessageWriter request;
-  request.put(method.number).put(n).put(setting.h).put(setting.steps).put(setting.columns).put(setting.junk);
-  for (const VectorXd* vector : {&start.x, &start.v})
-    request.put(std::span<const double>(vector->data(), vector->size()));
   // Ten times what is needed, so that it is a category of its own that counts.
   DynamicsServer server(dynamics, n, 10 * method.evaluations * setting.steps);
-  MessageReader reply =
-      trial.ask(request, std::ref(server), "evaluates the acceleration far more often than it should");
-  const std::vector<double> numbers =
-      reply.get_doubles(2 * static_cast<std::size_t>(size) * static_cast<std::size_t>(setting.steps));
+  CaseAsker asker(trial, "evaluates the acceleration far more often than it should");
   Run result;
-  reply.expect_end();
-  result.evaluations = server.evaluations;
+  State state = start;
   for (int step = 0; step < setting.steps; ++step) {
-    const double* at = numbers.data() + std::ptrdiff_t{2} * size * step;
-    result.states.push_back({Map<const VectorXd>(at, size), Map<const VectorXd>(at + size, size)});
+    method.ask(asker, server, setting.h, state.x, state.v, {setting.columns, setting.junk});
+    result.states.push_back(state);
   }
+  result.evaluations = server.evaluations;
   return result;
 }
 

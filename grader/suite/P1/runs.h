@@ -5,7 +5,8 @@
 #include <limits>
 #include <vector>
 
-#include "grader/suite/trial.h"
+#include "grader/exercise/dynamics_server.h"
+#include "grader/suite/case_asker.h"
 #include "particles/explicit_integrators.h"
 
 namespace grader::p1 {
@@ -13,10 +14,12 @@ namespace grader::p1 {
 inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 struct Method {
-  int number;  // as in serve_P1.cpp
   const char* name;
   int evaluations, order;
   void (*reference)(particles::Dynamics&, double, particles::Output, particles::Output, particles::Scratch);
+  // One step of the student's.
+  void (*ask)(CaseAsker&, DynamicsServer&, double h, Eigen::VectorXd& x, Eigen::VectorXd& v,
+              const Filling& scratch);
 };
 
 extern const Method kMethods[4];

@@ -4,10 +4,10 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
-#include "grader/wire/constraints_message.h"
-#include "grader/wire/particles_message.h"
-#include "grader/wire/strand_message.h"
+#include "grader/exercise/P2/calls.h"
+#include "grader/suite/case_asker.h"
 #include "solver/symmetric_eigen.h"
 
 namespace grader::p2 {
@@ -16,51 +16,64 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-MessageReader ask(Trial& trial, int function, const ConstrainedSystem& system,
-                  std::initializer_list<VectorXd> vectors, bool changes = false) {
+void describe(Trial& trial, const ConstrainedSystem& system) {
   trial.describe(system.name + ", " + std::to_string(system.constraints.rods.size()) + " rods and " +
                  std::to_string(system.constraints.wires.size()) + " wires");
-  MessageWriter request;
-  request.put(function);
-  put(request, system.constraints);
-  put(request, system.particles);
-  put(request, system.state.x);
-  put(request, system.state.v);
-  for (const VectorXd& vector : vectors) put(request, vector);
-  if (function == kMatrix) request.put(changes);
-  return trial.ask(request,
-                   [](int, const auto&, auto&) -> bool { throw MalformedMessage("no operator is served"); });
 }
 
 }  // namespace
 
-VectorXd answer(Trial& trial, int function, const ConstrainedSystem& system,
-                std::initializer_list<VectorXd> vectors, Eigen::Index size) {
-  MessageReader reply = ask(trial, function, system, vectors);
-  const VectorXd result = get_vector(reply, size);
-  reply.expect_end();
-  return result;
+VectorXd values(Trial& trial, const ConstrainedSystem& system, double junk) {
+  describe(trial, system);
+  VectorXd C = VectorXd::Constant(system.rows(), junk);
+  ask_student_for<Calls, particles::constraint_values>(trial, system.constraints, system.state.x, C);
+  return C;
+}
+
+VectorXd rates(Trial& trial, const ConstrainedSystem& system, double junk) {
+  describe(trial, system);
+  VectorXd rates = VectorXd::Constant(system.rows(), junk);
+  ask_student_for<Calls, particles::constraint_rates>(trial, system.constraints, system.state.x,
+                                                      system.state.v, rates);
+  return rates;
+}
+
+VectorXd with_forces(Trial& trial, const ConstrainedSystem& system, const VectorXd& lambda, VectorXd f) {
+  describe(trial, system);
+  ask_student_for<Calls, particles::add_constraint_forces>(trial, system.constraints, system.state.x, lambda,
+                                                           f);
+  return f;
 }
 
 VectorXd product(Trial& trial, const ConstrainedSystem& system, const VectorXd& multiplier, double junk,
                  bool changes) {
-  MessageReader reply =
-      ask(trial, kMatrix, system, {multiplier, VectorXd::Constant(system.rows(), junk)}, changes);
-  const VectorXd first = get_vector(reply, system.rows());
-  trial.expect(get_vector(reply, system.rows()) == multiplier, "the matrix's product changes its input");
-  trial.expect(get_vector(reply, system.rows()) == first || !first.allFinite(),
+  describe(trial, system);
+  ConstrainedSystem before = system;
+  std::reverse(before.constraints.rods.begin(), before.constraints.rods.end());
+  before.particles.mass *= 2;
+  before.state.x *= 1.5;
+  using Matrix = Client<Calls, particles::constraint_matrix>;
+  CaseAsker asker(trial);
+  const VectorXd there = VectorXd::Constant(system.rows(), junk);
+  const auto made = std::tie(before.constraints, before.particles, before.state);
+  const auto now = std::tie(system.constraints, system.particles, system.state);
+  const auto answer = changes ? Matrix::multiply(asker, 2, multiplier, there, made, now)
+                              : Matrix::multiply(asker, 2, multiplier, there, now);
+  const VectorXd& first = answer.products[0];
+  trial.expect(answer.x == multiplier, "the matrix's product changes its input");
+  trial.expect(answer.products[1] == first || !first.allFinite(),
                "the matrix gives another product the second time");
-  reply.expect_end();
   return first;
 }
 
 Solved solve(Trial& trial, const ConstrainedSystem& system) {
-  MessageReader reply = ask(trial, kSolve, system, {system.f, VectorXd::Constant(system.rows(), 1e3)});
+  describe(trial, system);
   Solved solved;
-  solved.steps = reply.get<int>();
-  solved.residual = reply.get<double>();
-  solved.lambda = get_vector(reply, system.rows());
-  reply.expect_end();
+  solved.lambda = VectorXd::Constant(system.rows(), 1e3);
+  const particles::ConstraintReport report = ask_student_for<Calls, particles::solve_constraints>(
+      trial, system.constraints, system.particles, system.state, system.f, solved.lambda);
+  solved.steps = report.steps;
+  solved.residual = report.residual;
   return solved;
 }
 

@@ -2,7 +2,6 @@
 // the tables of system.h.
 #pragma once
 
-#include <initializer_list>
 #include <limits>
 
 #include "grader/suite/P2/system.h"
@@ -18,11 +17,11 @@ inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 // the tolerance's own category tests the tolerance.
 inline constexpr double kTolerance = 1e-3;
 
-inline constexpr int kValues = 0, kRates = 1, kForces = 2, kMatrix = 3, kSolve = 4;  // as in serve_P2.cpp
-
-// Calls a function with these vectors; its result has `size` entries.
-Eigen::VectorXd answer(Trial& trial, int function, const ConstrainedSystem& system,
-                       std::initializer_list<Eigen::VectorXd> vectors, Eigen::Index size);
+// C and J v, in buffers that hold `junk` before; and f + J^T lambda.
+Eigen::VectorXd values(Trial& trial, const ConstrainedSystem& system, double junk);
+Eigen::VectorXd rates(Trial& trial, const ConstrainedSystem& system, double junk);
+Eigen::VectorXd with_forces(Trial& trial, const ConstrainedSystem& system, const Eigen::VectorXd& lambda,
+                            Eigen::VectorXd f);
 
 // A product with the matrix, computed twice into buffers with junk. With `changes`, the matrix was made when rods, masses
 // and positions had other values.

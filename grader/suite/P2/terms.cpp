@@ -13,13 +13,12 @@ using Eigen::VectorXd;
 void expect_values_and_rates(Trial& trial, const std::vector<ConstrainedSystem>& systems) {
   for (const ConstrainedSystem& system : systems)
     for (double junk : {0.0, kNaN}) {
-      const VectorXd there = VectorXd::Constant(system.rows(), junk);
-      trial.expect_at_most((answer(trial, kValues, system, {there}, system.rows()) - system.values()).norm(),
+      trial.expect_at_most((values(trial, system, junk) - system.values()).norm(),
                            32 * kUnit * system.value_size(), "the error of C");
       const MatrixXd J = system.jacobian();
-      trial.expect_at_most(
-          (answer(trial, kRates, system, {there}, system.rows()) - J * system.state.v).norm(),
-          32 * kUnit * (J.cwiseAbs() * system.state.v.cwiseAbs()).norm(), "the error of J v");
+      trial.expect_at_most((rates(trial, system, junk) - J * system.state.v).norm(),
+                           32 * kUnit * (J.cwiseAbs() * system.state.v.cwiseAbs()).norm(),
+                           "the error of J v");
     }
 }
 
@@ -28,7 +27,7 @@ void expect_forces(Trial& trial, const std::vector<ConstrainedSystem>& systems) 
     const VectorXd lambda = random_vector(trial.random, system.rows());
     const VectorXd there = 10 * random_vector(trial.random, 3 * system.n());
     const MatrixXd Jt = system.jacobian().transpose();
-    const VectorXd f = answer(trial, kForces, system, {lambda, there}, there.size());
+    const VectorXd f = with_forces(trial, system, lambda, there);
     trial.expect_at_most(
         (f - there - Jt * lambda).norm(),
         (16 + system.rows()) * kUnit * ((Jt.cwiseAbs() * lambda.cwiseAbs()).norm() + 2 * there.norm()),

@@ -4,17 +4,22 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
+#include "grader/exercise/S2/calls.h"
+#include "grader/suite/case_asker.h"
 #include "grader/suite/linear_system.h"
 #include "grader/suite/rounding.h"
 
 namespace grader::s2 {
 namespace {
 
-constexpr int kDense = 0, kNormal = 1, kSolve = 2;  // as in serve_S2.cpp
+using Eigen::VectorXd;
 
-// A rows x cols table with products on the trusted side.
-struct Table {
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+// A matrix with products on the trusted side.
+struct Matrix {
   int rows, cols;
   std::vector<double> entries;  // by rows
 
@@ -27,8 +32,8 @@ struct Table {
     }
     return y;
   }
-  Table transposed() const {
-    Table result{cols, rows, std::vector<double>(entries.size())};
+  Matrix transposed() const {
+    Matrix result{cols, rows, std::vector<double>(entries.size())};
     for (int i = 0; i < rows; ++i)
       for (int j = 0; j < cols; ++j) result.entries[j * rows + i] = entries[i * cols + j];
     return result;
@@ -36,50 +41,62 @@ struct Table {
   double norm() const { return grader::norm(entries); }  // Frobenius, >= ||A||
 };
 
-Table random_table(Random& random, int rows, int cols) {
+Matrix random_table(Random& random, int rows, int cols) {
   return {rows, cols, random.normals(rows * cols)};
 }
 
-// Serves A as operator 0 and A' as operator 1, and counts.
-struct Served {
-  Table A, A_transposed;
+// Serves A and A', and counts.
+struct Counted {
+  Matrix A, A_transposed;
   int products = 0, transposed_products = 0, most = 1 << 20;
 
-  explicit Served(const Table& table) : A(table), A_transposed(table.transposed()) {}
+  explicit Counted(const Matrix& matrix) : A(matrix), A_transposed(matrix.transposed()) {}
 
-  bool operator()(int which, const std::vector<double>& x, std::vector<double>& y) {
-    if (which != 0 && which != 1) throw MalformedMessage("an operator that is not there");
-    const Table& table = which == 0 ? A : A_transposed;
-    if (static_cast<int>(x.size()) != table.cols) throw MalformedMessage("a product that makes no sense");
-    y = table.times(x);
-    return ++(which == 0 ? products : transposed_products) <= most;
+  Served served() { return serve(A, products); }
+  Served served_transposed() { return serve(A_transposed, transposed_products); }
+
+ private:
+  Served serve(const Matrix& matrix, int& count) {
+    return {matrix.rows, matrix.cols,
+            [this, &matrix, &count](int, const std::vector<double>& x, std::vector<double>& y) {
+              if (static_cast<int>(x.size()) != matrix.cols)
+                throw MalformedMessage("a product that makes no sense");
+              y = matrix.times(x);
+              return ++count <= most;
+            }};
   }
 };
 
-// `product` was A x, twice, into buffers that held junk; its entries may be off by `rounding`.
-void expect_product(Trial& trial, MessageReader& reply, const std::vector<double>& expected, double rounding,
-                    const std::string& what) {
-  const std::vector<double> first = reply.get_doubles(expected.size());
-  const std::vector<double> second = reply.get_doubles(expected.size());
-  reply.expect_end();
-  trial.expect_at_most(distance(first, expected), rounding, "the error of " + what);
-  // Of the same x: a product that changes it shows here.
-  trial.expect(first == second, what + " gives another result the second time");
+VectorXd vector_of(const std::vector<double>& values) {
+  return Eigen::Map<const VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
 }
 
-void expect_dense_product(Trial& trial, const std::string& name, const Table& table,
+std::vector<double> numbers_in(const VectorXd& values) {
+  return {values.begin(), values.end()};
+}
+
+// Two products with the same x, into buffers that held anything; entries may be off by `rounding`.
+void expect_products(Trial& trial, const std::vector<VectorXd>& products, const std::vector<double>& expected,
+                     double rounding, const std::string& what) {
+  trial.expect_at_most(distance(numbers_in(products[0]), expected), rounding, "the error of " + what);
+  // Of the same x: a product that changes it shows here.
+  trial.expect(products[0] == products[1], what + " gives another result the second time");
+}
+
+void expect_dense_product(Trial& trial, const std::string& name, const Matrix& matrix,
                           const std::vector<double>& x) {
-  trial.describe(name + ", " + std::to_string(table.rows) + " x " + std::to_string(table.cols));
-  for (double junk : {0.0, 1e3, std::numeric_limits<double>::quiet_NaN()}) {
-    MessageWriter request;
-    request.put(kDense).put(table.rows).put(table.cols).put(std::span<const double>(table.entries));
-    request.put(std::span<const double>(x))
-        .put(std::span<const double>(std::vector<double>(table.rows, junk)));
-    MessageReader reply =
-        trial.ask(request, [](int, const auto&, auto&) -> bool { throw MalformedMessage("no operator"); });
+  trial.describe(name + ", " + std::to_string(matrix.rows) + " x " + std::to_string(matrix.cols));
+  const VectorXd entries = vector_of(matrix.entries);
+  // The table is the caller's, who may change it.
+  const VectorXd changed = VectorXd::Constant(entries.size(), kNaN);
+  for (double junk : {0.0, 1e3, kNaN}) {
+    CaseAsker asker(trial);
+    const auto answer = Client<Calls, dense>::multiply(
+        asker, 2, vector_of(x), VectorXd::Constant(matrix.rows, junk),
+        std::tie(matrix.rows, matrix.cols, entries), std::tie(matrix.rows, matrix.cols, changed));
     // Each entry is a dot product of `cols` terms.
-    expect_product(trial, reply, table.times(x), kUnit * (table.cols + 1) * table.norm() * norm(x),
-                   "dense_matrix's product");
+    expect_products(trial, answer.products, matrix.times(x),
+                    kUnit * (matrix.cols + 1) * matrix.norm() * norm(x), "dense_matrix's product");
   }
 }
 
@@ -91,37 +108,38 @@ struct NormalSolution {
 };
 
 // Calls the student's solve_normal_equations, `calls` times with the same b.
-NormalSolution solve(Trial& trial, const std::string& name, const Table& table, const std::vector<double>& b,
-                     double epsilon, int steps, int calls = 1) {
-  trial.describe(name + ", " + std::to_string(table.rows) + " x " + std::to_string(table.cols));
-  Served served(table);
-  const int limit = steps == 0 ? std::max(100, 2 * table.cols) : std::max(0, steps);
-  served.most = calls * (limit + limit / 64 + 4);
-  MessageWriter request;
-  request.put(kSolve).put(table.rows).put(table.cols).put(epsilon).put(steps).put(calls);
-  request.put(std::span<const double>(trial.random.normals(table.cols, 1e3))).put(std::span<const double>(b));
-  MessageReader reply = trial.ask(request, std::ref(served));
+NormalSolution solve(Trial& trial, const std::string& name, const Matrix& matrix,
+                     const std::vector<double>& b, double epsilon, int steps, int calls = 1) {
+  trial.describe(name + ", " + std::to_string(matrix.rows) + " x " + std::to_string(matrix.cols));
+  Counted counted(matrix);
+  const int limit = steps == 0 ? std::max(100, 2 * matrix.cols) : std::max(0, steps);
+  counted.most = calls * (limit + limit / 64 + 4);
+  const VectorXd junk = vector_of(trial.random.normals(matrix.cols, 1e3));
+  VectorXd x, right_side = vector_of(b);  // what one call does to b, the next one meets
   NormalSolution solution;
-  solution.value = reply.get<double>();
-  solution.steps = reply.get<int>();
-  solution.x = reply.get_doubles(table.cols);
-  reply.expect_end();
-
+  CaseAsker asker(trial);
+  for (int call = 0; call < calls; ++call) {
+    x = junk;
+    solution.steps = steps;
+    solution.value = ask<Calls, solve_normal>(asker, counted.served(), counted.served_transposed(), x,
+                                              right_side, epsilon, solution.steps);
+  }
+  solution.x = numbers_in(x);
   trial.expect(solution.steps >= 0 && solution.steps <= limit + 1,
                "the number of steps is negative, or far beyond the limit", std::to_string(solution.steps));
-  solution.products = served.products;
-  solution.transposed_products = served.transposed_products;
+  solution.products = counted.products;
+  solution.transposed_products = counted.transposed_products;
   return solution;
 }
 
 // The drift of linear_system.h for the matrix A'A, whose products have the error of two dot products.
-double drift(const Table& table, const std::vector<double>& x, const std::vector<double>& Atb) {
+double drift(const Matrix& table, const std::vector<double>& x, const std::vector<double>& Atb) {
   const double error = table.rows + table.cols + 2, squared = table.norm() * table.norm();
   return kUnit * (65 * (10 + 2 * error) * squared * (2 * norm(x) + norm(Atb)) + 2 * error * norm(Atb));
 }
 
 // ||A'(b - Ax)||, by the suite's own products.
-double normal_residual(const Table& table, const std::vector<double>& x, std::vector<double> b) {
+double normal_residual(const Matrix& table, const std::vector<double>& x, std::vector<double> b) {
   const std::vector<double> Ax = table.times(x);
   for (std::size_t i = 0; i < b.size(); ++i) b[i] -= Ax[i];
   return norm(table.transposed().times(b));
@@ -129,7 +147,7 @@ double normal_residual(const Table& table, const std::vector<double>& x, std::ve
 
 // x solves A'A x = A'b within what epsilon and rounding leave, and is as close to `expected` as that says;
 // `smallest` is a lower bound of A's smallest singular value.
-void expect_solves(Trial& trial, const std::string& name, const Table& table, const std::vector<double>& b,
+void expect_solves(Trial& trial, const std::string& name, const Matrix& table, const std::vector<double>& b,
                    const std::vector<double>& expected, double smallest) {
   const std::vector<double> Atb = table.transposed().times(b);
   const double epsilon = std::pow(1e-9 * norm(Atb), 2);
@@ -141,9 +159,9 @@ void expect_solves(Trial& trial, const std::string& name, const Table& table, co
 
 // A = D + N: D diagonal with entries of size `large` or more, ||N||_F <= 1, so that no singular value is
 // below large - 1.
-Table dominant(Random& random, const std::vector<double>& diagonal) {
+Matrix dominant(Random& random, const std::vector<double>& diagonal) {
   const int n = static_cast<int>(diagonal.size());
-  Table table = random_table(random, n, n);
+  Matrix table = random_table(random, n, n);
   const double scale = 1 / table.norm();
   for (double& entry : table.entries) entry *= scale;
   for (int i = 0; i < n; ++i) table.entries[i * n + i] += diagonal[i];
@@ -163,21 +181,21 @@ void table(Trial& trial) {
 void normal_operator(Trial& trial) {
   Random& random = trial.random;
   for (auto [rows, cols] : {std::pair{2, 2}, {5, 5}, {9, 4}, {4, 9}, {40, 30}}) {
-    const Table table = random_table(random, rows, cols);
+    const Matrix table = random_table(random, rows, cols);
     const std::vector<double> x = random.normals(cols);
     trial.describe("A'A, A " + std::to_string(rows) + " x " + std::to_string(cols));
-    Served served(table);
-    MessageWriter request;
-    request.put(kNormal).put(rows).put(cols).put(std::span<const double>(x));
-    request.put(std::span<const double>(random.normals(cols, 1e3)));
-    MessageReader reply = trial.ask(request, std::ref(served));
+    Counted counted(table);
+    const VectorXd junk = vector_of(random.normals(cols, 1e3));
+    CaseAsker asker(trial);
+    const auto answer = Client<Calls, normal>::multiply(
+        asker, 2, vector_of(x), junk, std::tuple(counted.served(), counted.served_transposed()));
     const double rounding = kUnit * (rows + cols + 2) * table.norm() * table.norm() * norm(x);
-    expect_product(trial, reply, table.transposed().times(table.times(x)), rounding,
-                   "normal_matrix's product");
-    trial.expect(
-        served.products == 2 && served.transposed_products == 2,
-        "a product with A'A does not take one product with A and one with A'",
-        std::to_string(served.products) + " and " + std::to_string(served.transposed_products) + " for two");
+    expect_products(trial, answer.products, table.transposed().times(table.times(x)), rounding,
+                    "normal_matrix's product");
+    trial.expect(counted.products == 2 && counted.transposed_products == 2,
+                 "a product with A'A does not take one product with A and one with A'",
+                 std::to_string(counted.products) + " and " + std::to_string(counted.transposed_products) +
+                     " for two");
   }
 }
 
@@ -186,13 +204,13 @@ void non_symmetric(Trial& trial) {
   for (int n : {2, 3, 10, 40}) {
     std::vector<double> diagonal(n);
     for (double& value : diagonal) value = random.uniform(2, 6);
-    const Table A = dominant(random, diagonal);
+    const Matrix A = dominant(random, diagonal);
     const std::vector<double> x = random.normals(n);
     expect_solves(trial, "non-symmetric", A, A.times(x), x, 1);
   }
   // A rotation: A'A is the identity, and one look suffices.
   const double angle = random.uniform(0.5, 1);
-  const Table rotation{2, 2, {std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle)}};
+  const Matrix rotation{2, 2, {std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle)}};
   const std::vector<double> x = random.normals(2);
   expect_solves(trial, "rotation", rotation, rotation.times(x), x, 0.99);
 }
@@ -202,7 +220,7 @@ void indefinite(Trial& trial) {
   for (int n : {2, 5, 20}) {
     std::vector<double> diagonal(n);
     for (int i = 0; i < n; ++i) diagonal[i] = (i % 2 == 0 ? 1 : -1) * random.uniform(2, 6);
-    Table A = dominant(random, diagonal);
+    Matrix A = dominant(random, diagonal);
     for (int i = 0; i < n; ++i)
       for (int j = 0; j < i; ++j) A.entries[i * n + j] = A.entries[j * n + i];
     // Made symmetric, the part beside the diagonal is no longer than sqrt(2).
@@ -220,7 +238,7 @@ void least_squares(Trial& trial) {
     // columns: b = A x + Q [0; z] has the solution x.
     std::vector<double> diagonal(cols);
     for (double& value : diagonal) value = random.uniform(2, 5);
-    const Table B = dominant(random, diagonal);
+    const Matrix B = dominant(random, diagonal);
     std::vector<double> mirror = random.normals(rows);
     const double length = norm(mirror);
     for (double& value : mirror) value /= length;
@@ -230,7 +248,7 @@ void least_squares(Trial& trial) {
       for (std::size_t i = 0; i < mirror.size(); ++i) v[i] -= 2 * dot * mirror[i];
       return v;
     };
-    Table A{rows, cols, std::vector<double>(rows * cols)};
+    Matrix A{rows, cols, std::vector<double>(rows * cols)};
     for (int j = 0; j < cols; ++j) {
       std::vector<double> column(rows, 0.0);
       for (int i = 0; i < cols; ++i) column[i] = B.entries[i * cols + j];
@@ -248,7 +266,7 @@ void least_squares(Trial& trial) {
   }
   // Fewer rows than columns: A'A is singular, and any x that solves will do. The first guess, A'b, is in its range.
   for (auto [rows, cols] : {std::pair{2, 5}, {3, 40}}) {
-    const Table A = random_table(random, rows, cols);
+    const Matrix A = random_table(random, rows, cols);
     const std::vector<double> b = random.normals(rows), Atb = A.transposed().times(b);
     const double epsilon = std::pow(1e-6 * norm(Atb), 2);
     const NormalSolution solution = solve(trial, "fewer rows than columns", A, b, epsilon, 0);
@@ -262,7 +280,7 @@ void steps_and_products(Trial& trial) {
   const int n = random.integer(12, 18);
   std::vector<double> diagonal(n);
   for (double& value : diagonal) value = random.uniform(2, 20);
-  const Table A = dominant(random, diagonal);
+  const Matrix A = dominant(random, diagonal);
   const std::vector<double> x = random.normals(n), b = A.times(x), Atb = A.transposed().times(b);
   expect_solves(trial, "ordinary", A, b, x, 1);
   // The second call finds b as it was.
