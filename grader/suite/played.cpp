@@ -21,7 +21,7 @@ Played play_elsewhere(Trial& trial, const std::string& text, const hair::Scene& 
   if (reply.get<std::uint64_t>() != scene.hair.strands.size() + scene.toys.size())
     throw MalformedMessage("another number of bodies");
   for (std::size_t i = 0; i < scene.hair.strands.size() + scene.toys.size(); ++i)
-    if (reply.get<std::uint32_t>() != static_cast<std::uint32_t>(hair::Coordinates::positions))
+    if (reply.get<std::uint32_t>() != hair::kPositions)
       throw MalformedMessage("coordinates that are no positions");
   const auto frames = reply.get<std::uint64_t>();
   if (frames > static_cast<std::uint64_t>(scene.frames) + 1) throw MalformedMessage("too many frames");

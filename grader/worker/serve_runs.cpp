@@ -16,7 +16,7 @@ struct Frame {
 
 // Until it ends or breaks.
 std::string play(const hair::Scene& scene, std::vector<Frame>& frames, hair::Work& work,
-                 std::vector<hair::Coordinates>& coordinates) {
+                 std::vector<std::uint32_t>& coordinates) {
   hair::Playback playback(scene);
   coordinates = playback.coordinates();
   frames.assign(1, {0, playback.state()});
@@ -37,7 +37,7 @@ extern "C" __attribute__((visibility("default"))) void serve(grader::Session& se
   const int times = session.request.get<int>();
   std::vector<Frame> frames;
   hair::Work work;
-  std::vector<hair::Coordinates> coordinates;
+  std::vector<std::uint32_t> coordinates;
   std::string trouble;
   for (int i = 0; i < times; ++i) trouble = play(scene, frames, work, coordinates);
 
@@ -46,7 +46,7 @@ extern "C" __attribute__((visibility("default"))) void serve(grader::Session& se
   };
   session.reply.put(trouble).put<std::int64_t>(work.solver_steps).put<std::int64_t>(work.correction_steps);
   session.reply.put(static_cast<std::uint64_t>(coordinates.size()));
-  for (const hair::Coordinates one : coordinates) session.reply.put(static_cast<std::uint32_t>(one));
+  for (const std::uint32_t one : coordinates) session.reply.put(one);
   session.reply.put(static_cast<std::uint64_t>(frames.size()));
   for (const Frame& frame : frames)
     session.reply.put(frame.time).put(span(frame.state.x)).put(span(frame.state.v));

@@ -32,7 +32,6 @@ class MassSpringBody final : public Body {
   std::optional<Stage> step_to(const BodyStep& step, particles::Output x, particles::Output v,
                                const StepOutcome& outcome, Work& work);
 
-  Coordinates coordinates() const override { return Coordinates::positions; }
   int size() const override { return 3 * moving_.strand.count(); }
   int points() const override { return moving_.strand.count(); }
   Eigen::VectorXd arc_lengths() const override { return hair::arc_lengths(moving_.strand); }

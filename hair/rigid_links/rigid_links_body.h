@@ -21,7 +21,6 @@ class RigidLinksBody final : public Body {
   // Obstacles are for linearly implicit steps. `strand.forces` have weight and drag. The base is at rest at the start, and moves with root_velocity from then on.
   RigidLinksBody(LinkStrand strand, const Vector3d& root_velocity, TreeStep method);
 
-  Coordinates coordinates() const override { return Coordinates::turns; }
   int size() const override { return 3 * points(); }
   int points() const override { return links() + 1; }
   Eigen::VectorXd arc_lengths() const override;

@@ -5,6 +5,7 @@
 
 #include "hair/scene/riding.h"
 #include "hair/scene/toy_body.h"
+#include "hair/simulation/models.h"
 #include "hair/simulation/simulation.h"
 #include "particles/require.h"
 
@@ -45,6 +46,9 @@ class Playback::Parts {
     for (const int points : strands_) mesh_size_ += 3 * points;
     add_toys(scene.toys);
     for (int i = 0; i < bodies(); ++i) size_ += body(i).size();
+    coordinates_.assign(static_cast<std::size_t>(bodies()), kPositions);
+    for (std::size_t i = 0; i < scene.hair.modelled.size(); ++i)
+      coordinates_[scene.hair.strands.size() + i] = scene.hair.modelled[i].model->coordinates;
   }
 
   void restart(const Scene& scene) {
@@ -99,11 +103,7 @@ class Playback::Parts {
     for (std::size_t i = 0; i < strands_.size(); ++i) all.push_back(body(static_cast<int>(i)).size() / 3);
     return all;
   }
-  std::vector<Coordinates> coordinates() const {
-    std::vector<Coordinates> all;
-    for (int i = 0; i < bodies(); ++i) all.push_back(body(i).coordinates());
-    return all;
-  }
+  const std::vector<std::uint32_t>& coordinates() const { return coordinates_; }
 
   particles::State centre_lines(const particles::State& all) const {
     check_size(all);
@@ -198,10 +198,11 @@ class Playback::Parts {
   std::vector<Riding> riding_;
   std::vector<std::unique_ptr<ToyBody>> toys_;
   Work toys_work_;
-  Watch nothing_;                // toys are not watched
-  Eigen::MatrixXd scratch_;      // shared by the toys, which take turns
-  std::vector<Obstacle> still_;  // without strands nothing moves them
-  std::vector<int> strands_;     // the points of each
+  Watch nothing_;                           // toys are not watched
+  Eigen::MatrixXd scratch_;                 // shared by the toys, which take turns
+  std::vector<Obstacle> still_;             // without strands nothing moves them
+  std::vector<int> strands_;                // the points of each
+  std::vector<std::uint32_t> coordinates_;  // of each body
   int size_ = 0;
   Eigen::Index mesh_size_ = 0;  // the numbers of strands that a mesh couples
   int frame_ = 0;
@@ -233,7 +234,7 @@ long Playback::steps() const {
 particles::State Playback::state() const {
   return parts_->state();
 }
-std::vector<Coordinates> Playback::coordinates() const {
+std::vector<std::uint32_t> Playback::coordinates() const {
   return parts_->coordinates();
 }
 particles::State Playback::centre_lines(const particles::State& state) const {

@@ -51,7 +51,7 @@ class Playback {
   // The coordinates of all bodies: strand after strand, then toy after toy. For masses and springs they are
   // positions.
   particles::State state() const;
-  std::vector<Coordinates> coordinates() const;  // what each body's numbers are
+  std::vector<std::uint32_t> coordinates() const;  // what each body's numbers are: ModelRow::coordinates
   particles::State centre_lines(
       const particles::State& state) const;        // the points that such coordinates mean
   const std::vector<int>& strands() const;         // the number of points of each strand

@@ -11,7 +11,6 @@ class ToyBody final : public Body {
   // Throws std::invalid_argument as MovingToy does.
   explicit ToyBody(const particles::Toy& toy) : moving_(toy), method_(particles::toy_step_of(toy.method)) {}
 
-  Coordinates coordinates() const override { return Coordinates::positions; }
   int size() const override { return static_cast<int>(moving_.state.x.size()); }
   int points() const override { return size() / 3; }
   Eigen::VectorXd arc_lengths() const override { return {}; }

@@ -1,13 +1,36 @@
 #include "hair/simulation/mass_spring_strand.h"
 
+#include <stdexcept>
+
+#include "hair/mass_spring/force_parts.h"
 #include "hair/mass_spring/linked_guides.h"
+#include "hair/mass_spring/step_methods.h"
+#include "hair/simulation/models.h"
 
 namespace hair {
 
 namespace {
 
-const StepMethod& step_of(const Description& description) {
-  return description.mesh ? kLinkedImplicitEuler : row_of(description.method).mass_spring;
+struct SpringStep {
+  Method method;
+  const StepMethod& step;
+};
+constexpr SpringStep kSpringSteps[] = {{Method::forward_euler, kForwardEuler},
+                                       {Method::symplectic_euler, kSymplecticEuler},
+                                       {Method::midpoint, kMidpoint},
+                                       {Method::runge_kutta_4, kRungeKutta4},
+                                       {Method::implicit_euler, kImplicitEuler},
+                                       {Method::predictor_corrector, kPredictorCorrector},
+                                       {Method::newton_euler, kNewtonEuler}};
+
+std::string springs_why_not(const StrandSpec& spec) {
+  if (is_wave_or_curl(spec.form) && !spec.clamped) return "wavy and curly hair must be clamped";
+  if (spec.fibre.twist_factor != 1)
+    return "masses and springs have no twist; leave the twist_factor out, or choose another model";
+  if (spec.fibre.relaxation_time != 0)
+    return "masses and springs don't resist the rates of bends; the relaxation_time must be 0";
+  if (spec.fibre.joint_limit) return "masses and springs have no limits of joints; leave the joint_limit out";
+  return {};
 }
 
 }  // namespace
@@ -22,8 +45,25 @@ std::unique_ptr<MassSpringBody> mass_spring_strand(const std::string& name, cons
                              description.wind,
                              description.point_forces,
                              description.preconditioner};
-  return std::make_unique<MassSpringBody>(start, step_of(description), options,
-                                          !description.obstacles.empty(), description.watched);
+  const StepMethod& step =
+      description.mesh ? kLinkedImplicitEuler : *step_of(kSpringSteps, description.method);
+  return std::make_unique<MassSpringBody>(start, step, options, !description.obstacles.empty(),
+                                          description.watched);
+}
+
+ModelRow mass_spring_model() {
+  return {.id = "mass_spring",
+          .coordinates = kPositions,
+          .coordinates_name = "positions",
+          .exercises = [](const StrandSpec& spec) { return exercises_of(discretise(spec)); },
+          .calls_method = true,
+          .why_not = springs_why_not,
+          .points = [](const StrandSpec& spec) { return spec.elements + 1L; },
+          .make = [](const StrandSpec& spec, const Description& description) -> std::unique_ptr<Body> {
+            if (const std::string why = springs_why_not(spec); !why.empty()) throw std::invalid_argument(why);
+            return mass_spring_strand("a strand", discretise(spec), description);
+          },
+          .moves_by = [](const MethodRow& row) { return step_of(kSpringSteps, row.method) != nullptr; }};
 }
 
 }  // namespace hair

@@ -1,15 +1,14 @@
 // The table of time methods: a row holds everything that the rest of the project knows about a method. No
-// other code distinguishes methods, so a new method is one row here, and a step function in the folder of
-// each model that it moves.
+// other code distinguishes methods, so a new method is one row here, and for each model that it moves a step in the model's room and
+// its place in the model's table of steps, in <model>_strand.cpp.
 #pragma once
 
+#include <iterator>
 #include <optional>
 #include <span>
 #include <string_view>
 
 #include "hair/geometric_term.h"
-#include "hair/mass_spring/step_methods.h"
-#include "hair/simulation/rigid_links_strand.h"
 #include "particles/toys/toy.h"
 
 namespace hair {
@@ -36,9 +35,6 @@ struct MethodRow {
   int polynomial = 0;  // the power up to which its amplification is the Taylor series of exp; 0: other
   const char* limit;   // the theoretical limit of its steps, in words
 
-  const StepMethod& mass_spring;  // the step of such a strand
-  const LinkMethod* rigid_links =
-      nullptr;  // the step of a strand of rigid links; null: it has none, or the same
   std::optional<particles::ToyMethod> toy = {};  // the toys' method; none: toys don't have it
 
   // The geometric term that a scene gets if it asks for none. Segments of exactly their rest length have no such term.
@@ -50,5 +46,13 @@ struct MethodRow {
 
 std::span<const MethodRow> methods();  // in the order of the enumeration
 const MethodRow& row_of(Method method);
+
+// In a model's table of {method, step}: the step. Null: such strands don't move by this method.
+template <class Steps>
+auto step_of(const Steps& steps, Method method) -> decltype(&std::begin(steps)->step) {
+  for (const auto& row : steps)
+    if (row.method == method) return &row.step;
+  return nullptr;
+}
 
 }  // namespace hair

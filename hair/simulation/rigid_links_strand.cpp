@@ -4,28 +4,37 @@
 #include <string>
 
 #include "hair/rigid_links/rigid_links_body.h"
-#include "hair/simulation/description.h"
+#include "hair/simulation/models.h"
 
 namespace hair {
 
-struct LinkMethod {
+namespace {
+
+struct LinkStep {
+  Method method;
   TreeStep step;
 };
-const LinkMethod kLinkSymplecticEuler{&TreeSteps::symplectic_euler};
-const LinkMethod kLinkRungeKutta4{&TreeSteps::runge_kutta_4};
-const LinkMethod kLinkImplicitEuler{&TreeSteps::linearly_implicit_euler};
+constexpr LinkStep kLinkSteps[] = {{Method::symplectic_euler, &TreeSteps::symplectic_euler},
+                                   {Method::runge_kutta_4, &TreeSteps::runge_kutta_4},
+                                   {Method::implicit_euler, &TreeSteps::linearly_implicit_euler}};
 
-std::vector<std::string> rigid_links_exercises(const StrandSpec&) {
-  return {"H7"};
+std::unique_ptr<Body> make_links(const StrandSpec& spec, const Description& description) {
+  const MethodRow& method = row_of(description.method);
+  const TreeStep* step = step_of(kLinkSteps, method.method);
+  if (!step) {
+    std::string others;
+    for (const LinkStep& other : kLinkSteps)
+      others += (others.empty() ? "" : ", ") + std::string(row_of(other.method).id);
+    throw std::invalid_argument(std::string("rigid links don't move by ") + method.id + "; they do by " +
+                                others);
+  }
+  if (!description.obstacles.empty() && method.is_explicit)
+    throw std::invalid_argument(std::string("rigid links don't collide with ") + method.id +
+                                "; use implicit_euler, or leave the obstacles out");
+  return std::make_unique<RigidLinksBody>(links_of(spec, description), spec.root_velocity, *step);
 }
 
-std::string rigid_links_why_not(const StrandSpec& spec) {
-  return why_not_of_links(spec);
-}
-
-bool rigid_links_moves_by(const MethodRow& method) {
-  return method.rigid_links != nullptr;
-}
+}  // namespace
 
 LinkStrand links_of(const StrandSpec& spec, const Description& description) {
   LinkStrand strand = link_strand(spec);
@@ -35,20 +44,17 @@ LinkStrand links_of(const StrandSpec& spec, const Description& description) {
   return strand;
 }
 
-std::unique_ptr<Body> make_rigid_links(const StrandSpec& spec, const Description& description) {
-  const MethodRow& method = row_of(description.method);
-  if (!rigid_links_moves_by(method)) {
-    std::string others;
-    for (const MethodRow& row : methods())
-      if (rigid_links_moves_by(row)) others += (others.empty() ? "" : ", ") + std::string(row.id);
-    throw std::invalid_argument(std::string("rigid links don't move by ") + method.id + "; they do by " +
-                                others);
-  }
-  if (!description.obstacles.empty() && method.is_explicit)
-    throw std::invalid_argument(std::string("rigid links don't collide with ") + method.id +
-                                "; use implicit_euler, or leave the obstacles out");
-  return std::make_unique<RigidLinksBody>(links_of(spec, description), spec.root_velocity,
-                                          method.rigid_links->step);
+// Turns: the root's position, m, and for each link the rotation vector, rad, from where the rest shape has it.
+ModelRow rigid_links_model() {
+  return {.id = "rigid_links",
+          .coordinates = 1,
+          .coordinates_name = "turns",
+          .exercises = [](const StrandSpec&) { return std::vector<std::string>{"H7"}; },
+          .calls_method = false,
+          .why_not = why_not_of_links,
+          .points = [](const StrandSpec& spec) { return spec.elements + 1L; },
+          .make = make_links,
+          .moves_by = [](const MethodRow& row) { return step_of(kLinkSteps, row.method) != nullptr; }};
 }
 
 }  // namespace hair

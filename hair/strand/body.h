@@ -55,11 +55,9 @@ struct BodyMeasures {
   double energy() const { return kinetic + potential; }
 };
 
-// The meaning of the numbers in q, also in files and replies: a reader rejects a kind that it does not know.
-// positions: of the centre line's points, m. turns: the root's position, m, and for each link the rotation vector, rad,
-// from where the rest shape has it. curvatures: the root's position, m, the turn of its frame, rad, and for each element two curvatures
-// and the torsion, 1/m.
-enum class Coordinates : std::uint32_t { positions = 0, turns = 1, curvatures = 2 };
+// What q of masses and springs, and of toys, means in files and replies: positions of the centre line's points, m. Other models
+// have numbers of their own (ModelRow::coordinates).
+inline constexpr std::uint32_t kPositions = 0;
 
 class Body {
  public:
@@ -68,7 +66,6 @@ class Body {
   Body(const Body&) = delete;
   Body& operator=(const Body&) = delete;
 
-  virtual Coordinates coordinates() const = 0;
   virtual int size() const = 0;    // of q, and of its rate: a multiple of 3
   virtual int points() const = 0;  // of the centre line
 

@@ -27,7 +27,6 @@ class SuperHelixBody final : public Body {
   // The root is at rest at the start, and moves with root_velocity from then on.
   SuperHelixBody(HelixStart start, const HelixSurroundings& surroundings, const Vector3d& root_velocity);
 
-  Coordinates coordinates() const override { return Coordinates::curvatures; }
   int size() const override { return 6 + static_cast<int>(q_.size()); }
   int points() const override { return static_cast<int>(places_.size()); }
   Eigen::VectorXd arc_lengths() const override;

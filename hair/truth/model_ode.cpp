@@ -8,15 +8,8 @@ namespace hair {
 
 namespace {
 
-struct OdeRow {
-  const char* model;  // ModelRow::id
-  std::unique_ptr<Ode> (*make)(const Problem& problem);
-};
-
-constexpr OdeRow kRows[] = {{"rigid_links", links_ode}};
-
 const OdeRow* row_of(const ModelRow& model) {
-  for (const OdeRow& row : kRows)
+  for (const OdeRow& row : model_odes())
     if (std::string_view(row.model) == model.id) return &row;
   return nullptr;
 }

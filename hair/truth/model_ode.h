@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 
 #include "hair/simulation/models.h"
 #include "hair/truth/ode.h"
@@ -9,12 +10,17 @@
 
 namespace hair {
 
+struct OdeRow {
+  const char* model;  // ModelRow::id
+  std::unique_ptr<Ode> (*make)(const Problem& problem);
+};
+
+// Those of all files <model>_ode.cpp here: each defines the function <model>_ode, which is such a row's `make`.
+std::span<const OdeRow> model_odes();
+
 bool has_ode(const ModelRow& model);
 
 // Of a problem with a modelled strand. Throws std::invalid_argument if its model has none.
 std::unique_ptr<Ode> model_ode(const Problem& problem);
-
-// Of rigid links.
-std::unique_ptr<Ode> links_ode(const Problem& problem);
 
 }  // namespace hair

@@ -1,5 +1,6 @@
 #include "hair/lab/run/states_file.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
@@ -10,6 +11,7 @@
 
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/printable.h"
+#include "hair/simulation/models.h"
 
 namespace hair {
 
@@ -74,12 +76,11 @@ std::uint64_t padding(std::uint64_t strands) {
 }  // namespace
 
 StatesWriter::StatesWriter(const std::filesystem::path& file, const std::filesystem::path& shown,
-                           const std::vector<int>& strands, int particles, Coordinates coordinates)
+                           const std::vector<int>& strands, int particles, std::uint32_t coordinates)
     : file_(file, shown) {
   file_.write(kMagic);
   for (const std::uint32_t number :
-       {static_cast<std::uint32_t>(strands.size()), static_cast<std::uint32_t>(particles), 0U,
-        static_cast<std::uint32_t>(coordinates)})
+       {static_cast<std::uint32_t>(strands.size()), static_cast<std::uint32_t>(particles), 0U, coordinates})
     file_.write(bytes_of(number));
   for (const int size : strands) file_.write(bytes_of(static_cast<std::uint32_t>(size)));
   file_.write(std::string(padding(strands.size()), '\0'));
@@ -129,9 +130,14 @@ StatesFile read_states(const std::filesystem::path& file) {
   read(magic.data(), magic.size());
   read(numbers.data(), sizeof numbers);
   if (std::string_view(magic.data(), magic.size()) != kMagic) fail("is no file of states");
-  if (numbers[3] > static_cast<std::uint32_t>(Coordinates::curvatures))
+  std::string known;
+  for (const ModelRow& model : models())
+    known +=
+        (known.empty() ? "" : ", ") + std::to_string(model.coordinates) + " (" + model.coordinates_name + ")";
+  if (std::none_of(models().begin(), models().end(),
+                   [&](const ModelRow& model) { return model.coordinates == numbers[3]; }))
     fail("has coordinates of the kind " + std::to_string(numbers[3]) +
-         ", which this program does not know; it knows 0 to 2: positions, turns, curvatures");
+         ", which this program does not know; it knows " + known);
   const std::uint64_t strands = numbers[0], particles = numbers[1], frames = numbers[2];
   // None of these overflows, for each number is below 2^32; and all is compared with the size before anything
   // of that size is made.
@@ -144,7 +150,7 @@ StatesFile read_states(const std::filesystem::path& file) {
          " frames of " + std::to_string(particles) + " particles in " + std::to_string(strands) + " strands");
 
   StatesFile states;
-  states.coordinates = static_cast<Coordinates>(numbers[3]);
+  states.coordinates = numbers[3];
   states.particles = static_cast<int>(particles);
   std::uint64_t sum = 0;
   for (std::uint64_t i = 0; i < strands; ++i) {

@@ -40,9 +40,9 @@ struct LinksFile {
 };
 
 struct StatesFile {
-  std::vector<int> strands;  // the threes of coordinates of each strand
-  int particles = 0;         // of strands and toys together
-  Coordinates coordinates = Coordinates::positions;
+  std::vector<int> strands;                // the threes of coordinates of each strand
+  int particles = 0;                       // of strands and toys together
+  std::uint32_t coordinates = kPositions;  // ModelRow::coordinates
   std::vector<StateFrame> frames;
   std::optional<LinksFile> links;  // none without a control mesh
 };
@@ -51,8 +51,7 @@ class StatesWriter {
  public:
   // All functions throw BadInput if the file can't be written.
   StatesWriter(const std::filesystem::path& file, const std::filesystem::path& shown,
-               const std::vector<int>& strands, int particles,
-               Coordinates coordinates = Coordinates::positions);
+               const std::vector<int>& strands, int particles, std::uint32_t coordinates = kPositions);
   void add(double time, const particles::State& state);  // 3n each
   void add(const LinksFile& links);                      // once, after the last frame
   void close();

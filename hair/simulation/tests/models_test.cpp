@@ -32,7 +32,13 @@ TEST(Methods, EachHasItsRow) {
 }
 
 TEST(Models, EachIsFoundByItsName) {
-  for (const ModelRow& row : models()) EXPECT_EQ(find_model(row.id), &row);
+  std::set<std::uint32_t> coordinates;
+  for (const ModelRow& row : models()) {
+    EXPECT_EQ(find_model(row.id), &row);
+    EXPECT_TRUE(coordinates.insert(row.coordinates).second) << row.id;
+  }
+  EXPECT_EQ(find_model("mass_spring"), &models().front());
+  EXPECT_EQ(models().front().coordinates, kPositions);
   EXPECT_EQ(find_model("no such model"), nullptr);
 }
 

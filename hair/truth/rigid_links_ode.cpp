@@ -1,4 +1,4 @@
-#include "hair/truth/links_ode.h"
+#include "hair/truth/rigid_links_ode.h"
 
 #include "hair/simulation/rigid_links_strand.h"
 #include "hair/truth/model_ode.h"
@@ -94,7 +94,7 @@ VectorXd LinksOde::points(const particles::State& state) const {
   return x;
 }
 
-std::unique_ptr<Ode> links_ode(const Problem& problem) {
+std::unique_ptr<Ode> rigid_links_ode(const Problem& problem) {
   return std::make_unique<LinksOde>(problem);
 }
 

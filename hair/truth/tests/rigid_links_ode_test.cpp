@@ -1,5 +1,5 @@
 // STAFF ONLY. Accurate motions of rigid links: closed forms, an independent integration, energies.
-#include "hair/truth/links_ode.h"
+#include "hair/truth/rigid_links_ode.h"
 
 #include <gtest/gtest.h>
 
