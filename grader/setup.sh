@@ -22,7 +22,6 @@ libpng-dev           # reads pictures, and packs those of reports
 libseccomp-dev       # the sandbox's system call filter
 libsodium-dev        # seeds and fingerprints: HMAC, hashes
 bubblewrap           # the sandbox
-patch                # makes the sample class
 LIST
 }
 

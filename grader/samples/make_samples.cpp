@@ -1,11 +1,10 @@
 // STAFF ONLY. Packs the samples: make_samples PROJECT CLASS SHOWCASE ATTACKS makes the three folders anew. CLASS gets an
-// archive or a folder for each sample of PROJECT/grader/samples/list but most attacks, SHOWCASE a copy of those that are
+// archive or a folder for each sample of PROJECT but most attacks, SHOWCASE a copy of those that are
 // marked for it, and ATTACKS a folder for each place, with its attacks and what is graded beside them.
 #include <clocale>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
-#include <set>
 #include <string>
 #include <vector>
 
@@ -22,8 +21,8 @@ using grader::Sample;
 using grader::SampleFile;
 using grader::SampleForm;
 
-std::vector<ArchiveEntry> entries_of(const Sample& sample, const fs::path& project, const fs::path& scratch) {
-  const auto solutions = grader::solution_files(sample, project, scratch);
+std::vector<ArchiveEntry> entries_of(const Sample& sample, const fs::path& project) {
+  const auto solutions = grader::solution_files(sample, project);
   std::vector<ArchiveEntry> entries;
   for (const SampleFile& file : sample.files) {
     switch (file.kind) {
@@ -76,7 +75,7 @@ void overwrite(const fs::path& path, const std::vector<grader::Overwrite>& chang
 
 void write_sample(const Sample& sample, const fs::path& project, const fs::path& folder) {
   const fs::path path = folder / sample.file_name();
-  const auto entries = entries_of(sample, project, folder / ".scratch");
+  const auto entries = entries_of(sample, project);
   switch (sample.form) {
     case SampleForm::zip:
       grader::write_zip(path, entries);
@@ -103,16 +102,6 @@ void make_folder(const fs::path& folder, const Fill& fill) {
   fs::rename(unfinished, folder);
 }
 
-void check_patches_are_used(const std::vector<Sample>& samples, const fs::path& patches) {
-  std::set<std::string> used;
-  for (const Sample& sample : samples) used.insert(sample.patch);
-  for (const auto& file : fs::directory_iterator(patches)) {
-    if (!used.count(file.path().filename().string())) {
-      throw grader::BadInput(file.path().string() + ": no sample uses it; name it in list/ or delete it");
-    }
-  }
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -126,7 +115,6 @@ int main(int argc, char** argv) {
   try {
     const fs::path project = argv[1], all = argv[2], showcase = argv[3], attacks = argv[4];
     const auto samples = grader::read_samples(project);
-    check_patches_are_used(samples, project / "grader" / "samples" / "patches");
     make_folder(all, [&](const fs::path& folder) {
       for (const Sample& sample : samples)
         if (sample.in_class()) write_sample(sample, project, folder);

@@ -1,42 +1,50 @@
-// STAFF ONLY. The sample class: submissions with known bugs and attacks, and what grading them must give. The
-// files of list/, in the order of their names, list them:
+// STAFF ONLY. The sample class: submissions with known bugs and attacks, and what grading them must give. A group of them is a
+// file, GROUP.samples, with a line for each fact. Lines before the first sample hold for all samples that don't say otherwise:
 //
-//   {"samples": [{
-//     "name":    "wrong-beta"                  of the archive or folder, without its ending
-//     "shows":   "..."                         the bug, or what is right, in a line
-//     "form":    "zip" | "tar.gz" | "folder"
-//     "files":   {PATH IN THE ARCHIVE: CONTENT, ...}
-//     "others":  "reference" | "stub"          optional: the files of all exercises that "files" does not name, at the
-//                                              archive's top level
-//     "patch":   "wrong-beta.patch"            optional: from patches/, applied to the solution files with -p1
-//     "windows": true                          optional: solution files begin with a byte order mark and have CR LF
-//     "cut":     1000                          optional: the bytes of the archive that are left, as after a
-//                                              broken upload
-//     "overwrite": [{"at": -6, "hex": "ff00"}] optional: bytes of the packed archive that are changed; -6 is the sixth
-//                                              from the end
-//     "showcase": true                         optional: one of the few that show every kind of sample
-//     "beside_attacks": true                   optional: right, and graded beside the attacks of every place
-//     "attack":  ATTACK                        optional: see below
-//     "expect":  {"S1": {"status": "partly", "points": 12}, ...}
-//                                              without points: all of them if it passed, or else none
-//   }, ...]}
+//   title Bugs in H2
+//   file plain angular_springs.cpp
+//   others reference
 //
-// CONTENT is "reference", "stub" or a folder of solutions/, which hold an exercise file of that name;
-// {"text": "..."}; {"link": TARGET}, a symbolic link; or {"zeros": BYTES}, so many zero bytes.
+//   sample h2-acos
+//   shows The angle is acos(u1 . u2).
+//   form zip
+//   status H2 partly
+//   points H2 28
+//   edit
+//   -  bend.phi = std::atan2(s, dot);
+//   +  bend.phi = std::acos(dot);
 //
-// ATTACK makes a sample one of the corpus, which is graded place by place, apart from the class. Only attacks that the
-// showcase has are in the class, too.
+//   title TEXT           of the group: once in a file, before its samples
+//   sample NAME          of the archive or folder, without its ending
+//   shows TEXT           the bug, or what is right, in a line
+//   form FORM            zip, tar.gz or folder
+//   file SOLUTION PATH   a file of the archive: "reference", "stub" or a folder of solutions/, which has an exercise file of that name
+//   text TEXT PATH       a file that holds this text, a JSON string
+//   link TARGET PATH     a symbolic link
+//   zeros BYTES PATH     so many zero bytes. A PATH with odd letters is a JSON string, too
+//   others SOLUTION      reference or stub: the files of all exercises that have none so far, at the archive's top level; or none
+//   edit [FILE]          changes a solution's file: edit.h. Without FILE: the sample's first "file"
+//   part NAME            before the samples: the lines + that follow; an edit's line *NAME stands for them
+//   windows              solution files begin with a byte order mark and have CR LF
+//   cut BYTES            the bytes of the archive that are left, as after a broken upload
+//   overwrite AT HEX     bytes of the packed archive that are changed; -6 is the sixth from the end
+//   showcase             one of the few that show every kind of sample
+//   beside-attacks       right, and graded beside the attacks of every place
+//   status ID STATUS     of an exercise, or of "all"
+//   points ID POINTS     else all of them if it passed, or none
 //
-//   {"place": "run"                            build, start, run, protocol, archive, report or time
-//    "fence": "..."                            what stops it
-//    "most_points": {"S1": 0}                  of these exercises; or a number: of all of them together
-//    "most_cpu_seconds": 10                    of ours
-//    "also": ["crashed", ...]                  optional: statuses that are right, too, for the exercises that most_points
-//                                              names: it depends on the machine which limit comes first
-//    "no_pictures": true}                      optional: the student's report shows no picture of its run
+// An exercise without a status has passed if it has a file, and is missing if not. What "others" fills in has passed
+// ("reference") or is not implemented ("stub"), and takes no status.
 //
-// "expect" names every exercise whose file "files" names. What "others" fills in is expected to have passed
-// ("reference") or not to be implemented ("stub"); all other exercises that "expect" does not name, to be missing.
+// An attack is one of the corpus, which is graded place by place, apart from the class. Only attacks that the showcase has are in
+// the class, too.
+//
+//   place PLACE          build, start, run, protocol, archive, report or time
+//   fence TEXT           what stops it
+//   most ID POINTS       the most that it may get; or of "all" exercises together
+//   seconds SECONDS      the most CPU time of ours that it may take
+//   also STATUS          right, too, for the exercises that "most" names: it depends on the machine which limit comes first
+//   no-pictures          the student's report shows no picture of its run
 #pragma once
 
 #include <array>
@@ -46,6 +54,8 @@
 #include <optional>
 #include <string>
 #include <vector>
+
+#include "grader/samples/edit.h"
 
 namespace grader {
 
@@ -83,25 +93,25 @@ struct Overwrite {
 };
 
 struct Sample {
-  std::string list;  // that names it: "H1" for H1.json
+  std::string group, title;  // "H1" for H1.samples, and the file's title
   std::string name, shows;
   SampleForm form = SampleForm::zip;
   std::vector<SampleFile> files;  // sorted by path
-  std::string patch;              // empty: none
+  std::vector<Edit> edits;
   bool windows = false, showcase = false, beside_attacks = false;
   std::optional<std::uint64_t> cut;
   std::vector<Overwrite> overwrite;
   std::optional<Attack> attack;
   std::map<std::string, ExpectedResult> expected;  // by exercise id: every exercise of the course
-  std::vector<std::string> listed;                 // of these, the ids that "expect" names
+  std::vector<std::string> listed;  // of these, the ids that have a line, in the course's order
 
   std::string file_name() const;  // "wrong-beta.zip"
   bool in_class() const { return !attack || showcase; }
   bool graded_at(const std::string& place) const { return attack ? attack->place == place : beside_attacks; }
 };
 
-// The lists of PROJECT/grader/samples/list, for the exercises of PROJECT/handout/exercises.json. Throws BadInput
-// with the file and the JSON path.
+// The groups of PROJECT/grader/samples, in the order of their names, for the exercises of PROJECT/handout/exercises.json. Throws
+// BadInput with file and line.
 std::vector<Sample> read_samples(const std::filesystem::path& project);
 
 }  // namespace grader

@@ -1,4 +1,4 @@
-// STAFF ONLY. The sample class is packed as its lists say, and described in its README.
+// STAFF ONLY. The sample class is packed as its groups say.
 #include <archive.h>
 #include <archive_entry.h>
 #include <gtest/gtest.h>
@@ -7,9 +7,9 @@
 #include <clocale>
 #include <memory>
 #include <set>
-#include <sstream>
 
 #include "grader/samples/sample.h"
+#include "grader/samples/table.h"
 #include "hair/io/files/read_file.h"
 
 namespace grader {
@@ -154,8 +154,8 @@ TEST(SampleClass, HoldsTheFilesThatAreListed) {
   }
 }
 
-// A sample whose patch did nothing would be a right solution that is expected to be wrong.
-TEST(SampleClass, PatchesChangeAFileAndNothingElseDoes) {
+// A sample whose edits did nothing would be a right solution that is expected to be wrong.
+TEST(SampleClass, EditsChangeAFileAndNothingElseDoes) {
   for (const Sample& sample : all_samples()) {
     SCOPED_TRACE(sample.name);
     if (sample.cut || !sample.overwrite.empty() || sample.windows || sample.name == "ten-gigabytes") continue;
@@ -166,7 +166,7 @@ TEST(SampleClass, PatchesChangeAFileAndNothingElseDoes) {
         changed |= packed.at(file.path).bytes != hair::bytes_of(base_file(file));
       }
     }
-    EXPECT_EQ(changed, !sample.patch.empty());
+    EXPECT_EQ(changed, !sample.edits.empty());
   }
 }
 
@@ -191,42 +191,19 @@ TEST(SampleClass, ExpectsAKnownStatusForEachExercise) {
   }
 }
 
-// "S1 partly 18, S2 missing": what a list says of a sample's exercises that don't pass.
-std::string losses(const Sample& sample) {
-  std::ostringstream text;
-  for (const std::string& id : sample.listed) {
-    const ExpectedResult& expected = sample.expected.at(id);
-    if (expected.status == "passed") continue;
-    text << (text.str().empty() ? "" : ", ") << id << " " << expected.status;
-    if (expected.points) text << " " << *expected.points;
-  }
-  return text.str().empty() ? "passed" : text.str();
-}
-
-// "S1 0": the most points that it may get.
-std::string most_points(const Attack& attack) {
-  std::ostringstream text;
-  if (attack.most_points) text << *attack.most_points;
-  for (const auto& [id, points] : attack.most_points_of)
-    text << (text.str().empty() ? "" : ", ") << id << " " << points;
-  return text.str();
-}
-
-std::string row(const Sample& sample) {
-  std::ostringstream text;
-  text << "| `" << sample.name << "` | " << sample.shows << " | ";
-  if (sample.attack) text << sample.attack->fence << " | ";
-  text << losses(sample) << " |";
-  if (sample.attack)
-    text << " " << most_points(*sample.attack) << " | " << sample.attack->most_cpu_seconds << " |";
-  return text.str() + "\n";
-}
-
-TEST(SampleClass, IsDescribedInTheReadme) {
-  const std::string readme = hair::bytes_of(kProject / "grader" / "samples" / "README.md");
-  for (const Sample& sample : all_samples()) {
-    EXPECT_NE(readme.find(row(sample)), std::string::npos) << "README.md lacks the row\n" << row(sample);
-  }
+TEST(SampleTable, HasARowForEverySample) {
+  const std::string table = table_of(all_samples());
+  for (const Sample& sample : all_samples())
+    EXPECT_NE(table.find("| `" + sample.name + "` | " + sample.shows + " |"), std::string::npos)
+        << sample.name;
+  for (const char* row :
+       {"## Bugs in S1\n\n| sample | what it shows | gets |\n|---|---|---|\n",
+        "| `perfect` | Every exercise, as the reference has it. | passed |\n",
+        "| `h2-acos` | The angle is acos(u1 . u2). | H2 partly 28 |\n", "## Attacks: protocol\n\n| sample | ",
+        "| `drips` | Sends a long message, a byte at a time, with a nap after each. | all waits together are "
+        "limited | "
+        "S1 timed out | S1 0 | 10 |\n"})
+    EXPECT_NE(table.find(row), std::string::npos) << row;
 }
 
 }  // namespace

@@ -35,9 +35,9 @@ std::set<std::string> statuses(const std::vector<Sample>& samples) {
   return all;
 }
 
-std::set<std::string> lists(const std::vector<Sample>& samples) {
+std::set<std::string> groups(const std::vector<Sample>& samples) {
   std::set<std::string> all;
-  for (const Sample& sample : samples) all.insert(sample.list);
+  for (const Sample& sample : samples) all.insert(sample.group);
   return all;
 }
 
@@ -46,11 +46,11 @@ TEST(Showcase, IsGradedSoon) {
   EXPECT_LE(shown().size(), 30U);
 }
 
-// Each list of the class is a kind: the bugs in an exercise, attacks on the grade, archives, ...
-TEST(Showcase, HasASampleOfEveryList) {
+// Each group of the class is a kind: the bugs in an exercise, attacks on the grade, archives, ...
+TEST(Showcase, HasASampleOfEveryGroup) {
   std::vector<Sample> of_the_class = read_samples(HAIR_PROJECT);
   std::erase_if(of_the_class, [](const Sample& sample) { return !sample.in_class(); });
-  EXPECT_EQ(lists(shown()), lists(of_the_class));
+  EXPECT_EQ(groups(shown()), groups(of_the_class));
 }
 
 TEST(Showcase, HasEveryStatus) {
@@ -59,7 +59,7 @@ TEST(Showcase, HasEveryStatus) {
 
 TEST(Showcase, HasThreeThatAreRight) {
   const std::vector<std::string> right = names_where([](const Sample& sample) {
-    return sample.list == "right" && std::ranges::all_of(sample.expected, [](const auto& of) {
+    return sample.group == "right" && std::ranges::all_of(sample.expected, [](const auto& of) {
              return of.second.status == "passed" || of.second.status == "missing";
            });
   });
@@ -72,14 +72,14 @@ TEST(Showcase, HasAnHonestBugInEveryExercise) {
   ASSERT_FALSE(samples.empty());
   for (const auto& [exercise, expected] : samples.front().expected) {
     const std::vector<std::string> bugs = names_where([&id = exercise](const Sample& sample) {
-      return sample.list == id && sample.expected.at(id).status != "passed";
+      return sample.group == id && sample.expected.at(id).status != "passed";
     });
     EXPECT_FALSE(bugs.empty()) << exercise;
   }
 }
 
 TEST(Showcase, HasThreeAttacks) {
-  const auto attacks = [](const Sample& sample) { return sample.list.starts_with("attacks-on-"); };
+  const auto attacks = [](const Sample& sample) { return sample.group.starts_with("attacks-on-"); };
   EXPECT_GE(names_where(attacks).size(), 3U);
 }
 

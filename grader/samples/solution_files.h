@@ -1,5 +1,5 @@
 // STAFF ONLY. A sample's exercise files: copies of the reference, the stubs or a whole solution, with the
-// sample's patch applied.
+// sample's edits.
 #pragma once
 
 #include <filesystem>
@@ -10,10 +10,8 @@
 
 namespace grader {
 
-// By path in the archive. `project` is the project's root; `scratch` is a folder that is made for the copies
-// and removed again. Throws BadInput if a file is not there or the patch does not apply exactly.
-std::map<std::string, std::string> solution_files(const Sample& sample, const std::filesystem::path& project,
-                                                  const std::filesystem::path& scratch);
+// By path in the archive. `project` is the project's root. Throws BadInput if a file is not there, or an edit's lines are not.
+std::map<std::string, std::string> solution_files(const Sample& sample, const std::filesystem::path& project);
 
 // Throws std::runtime_error with the path.
 std::string read_bytes(const std::filesystem::path& file);

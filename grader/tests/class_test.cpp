@@ -122,7 +122,7 @@ TEST(SampleClass, AttacksCostNobodyElseAnything) {
   // Attacks are in S1; S2 of the same submission is right, and graded as such beside it.
   int attacks = 0;
   for (const Sample& sample : samples())
-    if (sample.list.starts_with("attacks-on-") && sample.expected.at("S1").status != "passed") {
+    if (sample.group.starts_with("attacks-on-") && sample.expected.at("S1").status != "passed") {
       const SubmissionResult result = result_of(submission_name(sample.name));
       EXPECT_EQ(exercise_of(result, "S1").points, 0) << sample.name;
       EXPECT_EQ(exercise_of(result, "S2").status, Status::passed) << sample.name;

@@ -125,7 +125,7 @@ class Hairgrade : public testing::Test {
 TEST_F(Hairgrade, RefusesBadUsageInOneLine) {
   expect_refused(run_hairgrade({}), {"--help"});
   expect_refused(run_hairgrade({"grade"}), {"SUBMISSION", "--help"});
-  expect_refused(run_hairgrade({"degrade"}), {"degrade", "grade, compare and handout"});
+  expect_refused(run_hairgrade({"degrade"}), {"degrade", "grade, compare, handout and samples"});
   expect_refused(grade({sample("other-order")}), {"--out"});
   expect_refused(grade({sample("other-order"), "--out", out(), "--quickly"}), {"--quickly"});
   for (const char* jobs : {"0", "-1", "many", "1e9"})

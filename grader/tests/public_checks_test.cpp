@@ -47,19 +47,19 @@ struct Program {
 };
 
 // The exercise's files of the class, each once. Attacks are aimed at the grader, not at the contract.
-std::vector<Program> programs_of(const Exercise& exercise, const fs::path& scratch) {
+std::vector<Program> programs_of(const Exercise& exercise) {
   std::vector<Program> programs;
   const std::string only = environment("HAIR_SAMPLE", "");
   std::vector<Sample> samples = read_samples(kProject);
   std::stable_partition(samples.begin(), samples.end(),
-                        [](const Sample& sample) { return sample.list == "right"; });
+                        [](const Sample& sample) { return sample.group == "right"; });
   for (const Sample& sample : samples) {
     const std::string& status = sample.expected.at(exercise.id).status;
     const bool right = status == "passed";
-    if (sample.attack || sample.list.starts_with("attacks-") || (!right && !kLosesPoints.contains(status)))
+    if (sample.attack || sample.group.starts_with("attacks-") || (!right && !kLosesPoints.contains(status)))
       continue;
     if (!only.empty() && sample.name != only) continue;
-    for (const auto& [path, source] : solution_files(sample, kProject, scratch))
+    for (const auto& [path, source] : solution_files(sample, kProject))
       if (fs::path(path).filename() == exercise.file &&
           std::ranges::find(programs, source, &Program::source) == programs.end())
         programs.push_back({sample.name, source, right});
@@ -124,7 +124,7 @@ class PublicChecks : public testing::Test {
 };
 
 TEST_F(PublicChecks, FailWhereTheHiddenOnesTakePointsAndNowhereElse) {
-  const std::vector<Program> programs = programs_of(*course_.find(id_), kit_.new_job("scratch"));
+  const std::vector<Program> programs = programs_of(*course_.find(id_));
   std::vector<Checked> found(programs.size());
   std::atomic<int> by_sanitizers = 0;
   side_by_side(programs.size(), [&](std::size_t i) {

@@ -1,4 +1,4 @@
-// STAFF ONLY. hairgrade: grades submissions, compares pictures, and makes the handout.
+// STAFF ONLY. hairgrade: grades submissions, compares pictures, makes the handout, and tells of the samples.
 //
 // Exit code 0: all submissions have results (or the handout is written). 1: the grader itself failed, intake
 // left something out (a line each, all else is graded), or a gate of the handout closed. 2: bad input or usage. 130: interrupted; what was finished is kept, and
@@ -20,6 +20,7 @@
 #include "grader/intake/submission.h"
 #include "grader/package/handout.h"
 #include "grader/report/report.h"
+#include "grader/samples/table.h"
 #include "grader/tool/batch.h"
 #include "grader/tool/comparing.h"
 #include "grader/tool/folder_of_grades.h"
@@ -198,6 +199,11 @@ int main(int argc, char* argv[]) {
                               "A folder for heat maps, pictures side by side and a page of the worst");
   compare_command->add_flag("--json", comparing.json, "Print JSON in place of a table");
 
+  CLI::App* samples_command = app.add_subcommand("samples", "Tell of the sample class and the attacks");
+  bool table = false;
+  samples_command->add_flag("--table", table, "Print what each sample shows and gets, as Markdown")
+      ->required();
+
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
@@ -206,7 +212,7 @@ int main(int argc, char* argv[]) {
     const bool without_command = argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty();
     std::cerr << "hairgrade: "
               << (without_command
-                      ? std::string(argv[1]) + " is no command; there are grade, compare and handout"
+                      ? std::string(argv[1]) + " is no command; there are grade, compare, handout and samples"
                       : error.what())
               << "; see hairgrade --help\n";
     return 2;
@@ -217,6 +223,10 @@ int main(int argc, char* argv[]) {
       const int code = compare(comparing, std::cout, interrupted);
       if (code == 130) std::cerr << "hairgrade: interrupted; nothing was written\n";
       return code;
+    }
+    if (*samples_command) {
+      std::cout << table_of(read_samples(HAIR_SOURCE_DIR));
+      return 0;
     }
     return *grade_command ? grade(grading) : handout(handing_out);
   } catch (const BadInput& error) {
