@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "grader/wire/channel.h"
+#include "grader/wire/message.h"
 #include "hair/io/fuzz/fuzz.h"
 
 namespace {

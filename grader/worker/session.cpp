@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <cstring>
-#include <functional>
-#include <limits>
 #include <new>
 
 // Of the sanitizers' runtime, where there is one.
@@ -90,14 +88,6 @@ Message Session::receive(std::size_t limit) {
   if (!answer) _exit(0);
   if (answer->kind == Kind::stop) throw Stopped();
   return std::move(*answer);
-}
-
-void ServedMatrix::matVecMult(double x[], double b[]) {
-  const Session::Uncounted ours(session_);
-  const std::less<const double*> before;
-  const bool overlap = before(x, b + rows_) && before(b, x + cols_);
-  session_.product(which_, {x, static_cast<std::size_t>(cols_)}, {b, static_cast<std::size_t>(rows_)});
-  if (overlap) std::fill(b, b + rows_, std::numeric_limits<double>::quiet_NaN());
 }
 
 GuardedBuffer::GuardedBuffer(const std::vector<double>& values) {

@@ -1,6 +1,5 @@
-// STAFF ONLY. One request, as the server of an exercise sees it. Each server is a separate shared object,
-// grader/worker/serve_<id>.cpp. It is loaded after the student's object and calls it through the given
-// headers.
+// STAFF ONLY. One request, as the server of an exercise sees it. Each server is a separate shared object, made of serve.cpp.in. It is
+// loaded after the student's object and calls it through the given headers.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +12,6 @@
 
 #include "grader/wire/channel.h"
 #include "grader/wire/message.h"
-#include "solver/linearSolver.h"
 
 namespace grader {
 
@@ -98,20 +96,6 @@ class Session {
   std::uint64_t nonce_;
   Allocations* allocations_;
   int most_allocations_ = 0;
-};
-
-// A matrix that the suite holds. A product whose output overlaps its input, which no contract allows, is NaN: nobody
-// has to tell the suite.
-class ServedMatrix : public implicitMatrix {
- public:
-  ServedMatrix(Session& session, int which, int rows, int cols)
-      : session_(session), which_(which), rows_(rows), cols_(cols) {}
-
-  void matVecMult(double x[], double b[]) override;
-
- private:
-  Session& session_;
-  int which_, rows_, cols_;
 };
 
 // A copy of `values` that ends directly before a protected page.
