@@ -69,10 +69,11 @@ class Sender {
   Sender(MessageWriter& request, Answering& answering, Asker& asker, Eigen::Index size)
       : request_(request), answering_(answering), asker_(asker), size_(size) {}
 
-  template <class Given>
+  // `own`: its number among all arguments.
+  template <int own, class Given>
   void send(Given& given, auto&... all) {
     if constexpr (std::is_same_v<P, particles::Output>) {
-      if constexpr (contract.may_share) request_.put(place_of(given, all...));
+      if constexpr (contract.may_share) request_.put(place_of<own>(given, all...));
       encode(request_, given);
     } else if constexpr (std::is_same_v<P, particles::Scratch>) {
       send_matrix(given);
@@ -89,16 +90,14 @@ class Sender {
   }
 
  private:
-  // The number, counted from 1, of the argument that lies at the same place.
-  template <class Given>
+  // The number, counted from 1, of another argument that lies at the same place; 0 if none does.
+  template <int own, class Given>
   static int place_of(Given& given, auto&... all) {
     int number = 0, found = 0;
     const auto look = [&](auto& other) {
       ++number;
       if constexpr (requires { other.data() == given.data(); })
-        if (found == 0 && static_cast<const void*>(&other) != static_cast<const void*>(&given) &&
-            other.data() == given.data())
-          found = number;
+        if (found == 0 && number != own + 1 && other.data() == given.data()) found = number;
     };
     (look(all), ...);
     return found;
@@ -245,7 +244,9 @@ class Client {
   static void send(MessageWriter& request, Answering& answering, Asker& asker, Given&... given) {
     const Eigen::Index size = size_of(given...);
     [&]<std::size_t... i>(std::index_sequence<i...>) {
-      (Sender<P<i>, Call::contract, Asker>(request, answering, asker, size).send(given, given...), ...);
+      (Sender<P<i>, Call::contract, Asker>(request, answering, asker, size)
+           .template send<static_cast<int>(i)>(given, given...),
+       ...);
     }
     (std::index_sequence_for<Given...>());
   }

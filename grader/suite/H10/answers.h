@@ -17,7 +17,6 @@ VectorXd ask_interpolated(Trial& trial, const std::array<OwnGuide, 3>& guides, c
 GuideFrames ask_frames(Trial& trial, const VectorXd& guide);
 VectorXd ask_extrapolated(Trial& trial, const VectorXd& guide, const GuideFrames& frames,
                           const Vector3d& root, double spread);
-VectorXd ask_blended(Trial& trial, const VectorXd& arc, const VectorXd& at_root, const VectorXd& at_tip,
-                     Place place);
+VectorXd ask_blended(Trial& trial, const VectorXd& arc, VectorXd at_root, VectorXd at_tip, Place place);
 
 }  // namespace grader::h10

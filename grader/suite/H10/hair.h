@@ -2,13 +2,21 @@
 #pragma once
 
 #include "grader/suite/random.h"
-#include "grader/wire/synthesis_message.h"
+#include "hair/strand_synthesis.h"
 
 namespace grader::h10 {
 
 using Eigen::VectorXd;
 using hair::GuideFrames, hair::Matrix3d, hair::RootFrame, hair::Vector3d;
 using Corners = std::array<Vector3d, 3>;
+
+// A guide that owns its points.
+struct OwnGuide {
+  RootFrame root;
+  VectorXd points;
+
+  hair::GuideHair view() const { return {root, {points.data(), points.size()}}; }
+};
 
 Vector3d some_direction(Random& random);
 RootFrame some_root(Random& random);  // about 0.1 m from the origin

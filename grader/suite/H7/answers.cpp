@@ -4,15 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "grader/wire/link_message.h"
-#include "grader/wire/strand_message.h"
+#include "grader/exercise/H7/calls.h"
+#include "grader/suite/case_asker.h"
 
 namespace grader::h7 {
 namespace {
-
-Products no_products() {
-  return [](int, const auto&, auto&) -> bool { throw MalformedMessage("no operator"); };
-}
 
 // The larger one; NaN if either is.
 double larger(double a, double b) {
@@ -22,17 +18,17 @@ double larger(double a, double b) {
 }  // namespace
 
 Answered ask(Trial& trial, int pass, const Tree& tree) {
-  MessageWriter message;
-  message.put(pass - 1);
-  put(message, tree.links);
-  put(message, tree.passes);
-  put(message, pass == 1 ? tree.rates : tree.Q);
   trial.describe(in_words(tree));
-  MessageReader reply = trial.ask(message, no_products());
-  Answered answered;
-  answered.passes = get_passes(reply, tree.links.size());
-  if (pass == 3) answered.accelerations = get_vector(reply, tree.rates.size());
-  reply.expect_end();
+  Answered answered{tree.passes, {}};
+  if (pass == 1) {
+    ask_student_for<Calls, hair::outward_velocities>(trial, tree.links, tree.rates, answered.passes);
+  } else if (pass == 2) {
+    ask_student_for<Calls, hair::inward_inertias>(trial, tree.links, tree.Q, answered.passes);
+  } else {
+    answered.accelerations = VectorXd::Constant(tree.rates.size(), std::nan(""));
+    ask_student_for<Calls, hair::outward_accelerations>(trial, tree.links, tree.Q, answered.passes,
+                                                        answered.accelerations);
+  }
   return answered;
 }
 

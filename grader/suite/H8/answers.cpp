@@ -1,40 +1,16 @@
 // STAFF ONLY.
 #include "grader/suite/H8/answers.h"
 
-#include "grader/suite/numbers.h"
-#include "grader/wire/helix_message.h"
-#include "grader/wire/strand_message.h"
+#include <cmath>
+
+#include "grader/exercise/H8/calls.h"
+#include "grader/suite/case_asker.h"
 
 namespace grader::h8 {
 namespace {
 
-template <typename Get>
-auto only(MessageReader reply, Get get) {
-  const auto value = get(reply);
-  reply.expect_end();
-  return value;
-}
-
-VectorXd only_vector(MessageReader reply, Eigen::Index size) {
-  return only(std::move(reply), [size](MessageReader& from) { return get_vector(from, size); });
-}
-
-MessageWriter place(int function, const MaterialFrame& start, const Vector3d& curvature, double s) {
-  MessageWriter message;
-  message.put(function);
-  put(message, start);
-  put_vector3(message, curvature);
-  message.put(s);
-  return message;
-}
-
-MessageWriter placed(int function, const Hair& hair) {
-  MessageWriter message;
-  message.put(function);
-  if (function == 8) put(message, hair.strand());
-  put(message, hair.motion.elements);
-  put(message, hair.motion.points);
-  return message;
+VectorXd nothing(Eigen::Index size) {
+  return VectorXd::Constant(size, std::nan(""));
 }
 
 std::string in_words(const Hair& hair) {
@@ -48,71 +24,61 @@ std::string in_words(const Hair& hair) {
 }  // namespace
 
 std::array<double, 8> ask_stumpff(Trial& trial, double x) {
-  MessageWriter message;
-  message.put(0).put(x);
   trial.describe("x = " + std::to_string(x));
-  const VectorXd numbers = only_vector(ask_alone(trial, message), 8);
-  std::array<double, 8> c{};
-  std::copy(numbers.begin(), numbers.end(), c.begin());
-  return c;
+  return ask_student_for<Calls, hair::stumpff>(trial, x);
 }
 
 MaterialFrame ask_frame(Trial& trial, const MaterialFrame& start, const Vector3d& curvature, double s) {
   trial.describe("an element that winds by " + std::to_string(s * curvature.norm()));
-  return only(ask_alone(trial, place(1, start, curvature, s)), get_frame);
+  return ask_student_for<Calls, hair::frame_at>(trial, start, curvature, s);
 }
 
 hair::HelixJacobian ask_jacobian(Trial& trial, const MaterialFrame& start, const Vector3d& curvature,
                                  double s) {
   trial.describe("an element that winds by " + std::to_string(s * curvature.norm()));
-  return only(ask_alone(trial, place(5, start, curvature, s)), get_jacobian);
+  return ask_student_for<Calls, hair::jacobian_at>(trial, start, curvature, s);
 }
 
 std::vector<hair::HelixElement> ask_carried(Trial& trial, const MaterialFrame& root,
-                                            const std::vector<hair::HelixElement>& elements) {
-  MessageWriter message;
-  message.put(2);
-  put(message, root);
-  put(message, elements);
+                                            std::vector<hair::HelixElement> elements) {
   trial.describe(std::to_string(elements.size()) + " elements");
-  std::vector<hair::HelixElement> carried = only(ask_alone(trial, message), get_elements);
-  if (carried.size() != elements.size()) throw MalformedMessage("another number of elements");
-  return carried;
+  ask_student_for<Calls, hair::carry_frames>(trial, root, elements);
+  return elements;
 }
 
 VectorXd ask_stiffness(Trial& trial, const HelixStrand& strand) {
-  MessageWriter message;
-  message.put(3);
-  put(message, strand);
-  return only_vector(ask_alone(trial, message), strand.natural.size());
+  VectorXd K = nothing(strand.natural.size());
+  ask_student_for<Calls, hair::helix_stiffness>(trial, strand, K);
+  return K;
 }
 
 VectorXd ask_elastic(Trial& trial, const HelixStrand& strand, const VectorXd& q) {
-  MessageWriter message;
-  message.put(4);
-  put(message, strand);
-  put(message, q);
-  return only_vector(ask_alone(trial, message), q.size());
+  VectorXd force = nothing(q.size());
+  ask_student_for<Calls, hair::elastic_force>(trial, strand, q, force);
+  return force;
 }
 
 VectorXd ask_force(Trial& trial, const Hair& hair) {
   trial.describe(in_words(hair));
-  return only_vector(ask_alone(trial, placed(6, hair)), hair.q.size());
+  VectorXd Q = nothing(hair.q.size());
+  ask_student_for<Calls, hair::generalised_force>(trial, hair.motion.elements, hair.motion.points, Q);
+  return Q;
 }
 
 MatrixXd ask_mass(Trial& trial, const Hair& hair) {
   trial.describe(in_words(hair));
-  const Eigen::Index size = hair.q.size();
-  return only_vector(ask_alone(trial, placed(7, hair)), size * size).reshaped(size, size);
+  MatrixXd M = MatrixXd::Constant(hair.q.size(), hair.q.size(), std::nan(""));
+  ask_student_for<Calls, hair::mass_matrix>(trial, hair.motion.elements, hair.motion.points, M);
+  return M;
 }
 
 VectorXd ask_step(Trial& trial, const Hair& hair, double h) {
-  MessageWriter message = placed(8, hair);
-  put(message, hair.q);
-  put(message, hair.rates);
-  message.put(h);
   trial.describe(in_words(hair) + ", h = " + std::to_string(h) + " s");
-  return only_vector(ask_alone(trial, message), hair.q.size());
+  VectorXd change = nothing(hair.q.size());
+  const Filling scratch{static_cast<int>(hair.q.size()) + 10};
+  ask_student_for<Calls, hair::helix_step>(trial, hair.strand(), hair.motion.elements, hair.motion.points,
+                                           hair.q, hair.rates, h, scratch, change);
+  return change;
 }
 
 }  // namespace grader::h8

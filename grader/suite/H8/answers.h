@@ -11,7 +11,7 @@ MaterialFrame ask_frame(Trial& trial, const MaterialFrame& start, const Vector3d
 hair::HelixJacobian ask_jacobian(Trial& trial, const MaterialFrame& start, const Vector3d& curvature,
                                  double s);
 std::vector<hair::HelixElement> ask_carried(Trial& trial, const MaterialFrame& root,
-                                            const std::vector<hair::HelixElement>& elements);
+                                            std::vector<hair::HelixElement> elements);
 VectorXd ask_stiffness(Trial& trial, const HelixStrand& strand);
 VectorXd ask_elastic(Trial& trial, const HelixStrand& strand, const VectorXd& q);
 VectorXd ask_force(Trial& trial, const Hair& hair);

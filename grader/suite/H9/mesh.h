@@ -2,7 +2,7 @@
 #pragma once
 
 #include "grader/suite/random.h"
-#include "grader/wire/mesh_message.h"
+#include "hair/static_links.h"
 
 namespace grader::h9 {
 
