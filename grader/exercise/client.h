@@ -257,7 +257,9 @@ class Client {
       (take_back<P<i>, Call::contract>(reply, given), ...);
     }
     (std::index_sequence_for<Given...>());
-    if (reply.get<std::uint8_t>() != 0) asker.changed();
+    bool changed = false;
+    decode(reply, changed);
+    if (changed) asker.changed();
     reply.expect_end();
   }
 };

@@ -73,7 +73,9 @@ void decode(MessageReader& message, T& value) {
   if constexpr (std::is_enum_v<T>) {
     value = static_cast<T>(message.get<int>());
   } else if constexpr (std::is_same_v<T, bool>) {
-    value = message.get<std::uint8_t>() != 0;
+    const auto byte = message.get<std::uint8_t>();
+    if (byte > 1) throw MalformedMessage("neither false nor true");
+    value = byte == 1;
   } else if constexpr (std::is_arithmetic_v<T>) {
     value = message.get<T>();
   } else if constexpr (DenseNumbers<T>) {
