@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "grader/exercise/H10/calls.h"
 #include "grader/exercise/server.h"
 
 namespace grader::draw {
@@ -82,6 +83,17 @@ struct Parameter {
 template <class Item, Contract contract>
 struct Parameter<std::span<const Item>, contract> {
   static void put(MessageWriter& request, Source& source) { encode(request, any<std::vector<Item>>(source)); }
+};
+
+// Guides refer to points that somebody else keeps.
+template <Contract contract>
+struct Parameter<const std::array<hair::GuideHair, 3>&, contract> {
+  static void put(MessageWriter& request, Source& source) {
+    for (int k = 0; k < 3; ++k) {
+      encode(request, any<hair::RootFrame>(source));
+      encode(request, any<Eigen::VectorXd>(source));
+    }
+  }
 };
 
 // Of call number `number`.

@@ -1,8 +1,8 @@
 // STAFF ONLY. Plays a scene in which one exercise is a student's and all others are the reference's, while the student's
 // process holds the student's object alone.
 //
-// Exercise libraries are interchangeable file by file. So for each exercise X there is a proxy, proxy_X.cpp, which
-// defines X's functions: each asks the student's worker, by the request that the suite's cases send, too. A player,
+// Exercise libraries are interchangeable file by file. So for each exercise X there is a proxy, generated from
+// exercise/X/calls.h, which defines X's functions: each asks the student's worker, by the request that the suite's cases send, too. A player,
 // players/X.so, holds the code that plays scenes, the reference's other exercises and the proxy. It is ours, and the
 // suite loads it: the suite itself links the reference's X for its checks.
 //

@@ -48,7 +48,7 @@ enum class Kind : std::uint32_t {
   callback_result,  // doubles
   callback_threw,   // an exception leaves the call; the request goes on
   memory_error,     // see grader/wire/memory_error.h; the worker ends
-  allocated,        // int, how often a function did that promises not to; if it is more than was told before
+  allocated,        // int, how often a function did that promises not to; if it is more than was said before
 };
 
 struct Message {
