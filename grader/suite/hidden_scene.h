@@ -1,4 +1,4 @@
-// STAFF ONLY. The scene of an exercise's whole run: grader/suite/H1/scene.json for H1, with small variations
+// STAFF ONLY. The scene of an exercise's whole run: grader/exercise/H1/scene.json for H1, with small variations
 // by a seed, so that its result is not predictable. The seed is the same for a class, so that pictures can be
 // compared.
 //

@@ -1,4 +1,5 @@
-// STAFF ONLY. The table of hidden suites: one folder for each exercise, grader/suite/H1/ and so forth.
+// STAFF ONLY. The table of hidden suites: of each exercise its categories() and, where it has a scene.json, its whole_run(), the points
+// of that run. Both stand in grader/exercise/<ID>/cases.cpp.
 #pragma once
 
 #include <string>

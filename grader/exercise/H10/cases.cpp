@@ -1,0 +1,25 @@
+// STAFF ONLY.
+#include "grader/exercise/H10/cases.h"
+#include "grader/suite/whole_run_points.h"
+
+namespace grader::h10 {
+
+WholeRunPoints whole_run() {
+  return {2, 2};
+}
+
+std::vector<Category> categories() {
+  return {{"WeightsInside", "Weights inside of a triangle", 2, weights_inside},
+          {"WeightsOutside", "Weights outside of a triangle", 2, weights_outside},
+          {"ThinTriangles", "Triangles without a width", 1, thin_triangles},
+          {"FlatScalp", "Interpolation on a flat scalp", 2, flat_scalp},
+          {"CurvedScalp", "Interpolation in root frames", 3, curved_scalp},
+          {"Arcs", "Arc parameters", 1, arcs},
+          {"CarriedTurns", "Frames carried along a guide", 4, carried_turns},
+          {"Folds", "Folds, and points that coincide", 1, folds},
+          {"Wisps", "Wisps that keep their width", 2, wisps},
+          {"Spreading", "Wisps that spread or close", 1, spreading},
+          {"Blends", "Blends", 1, blends}};
+}
+
+}  // namespace grader::h10

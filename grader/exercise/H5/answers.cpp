@@ -1,0 +1,106 @@
+// STAFF ONLY.
+#include "grader/exercise/H5/answers.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "grader/exercise/H5/calls.h"
+#include "grader/suite/case_asker.h"
+#include "solver/symmetric_eigen.h"
+
+namespace grader::h5 {
+namespace {
+
+using Eigen::MatrixXd;
+
+constexpr double kFar = 5;  // see expect_near
+constexpr Filling kScratch{hair::kCorrectionScratch};
+
+// J W J^T, J = d(length)/dx with the root fixed.
+MatrixXd multiplier_matrix(const Strand& strand, const VectorXd& x) {
+  MatrixXd J = MatrixXd::Zero(strand.segments(), x.size());
+  for (int i = 0; i < strand.segments(); ++i) {
+    const Vector3d u = (x.segment<3>(3 * i + 3) - x.segment<3>(3 * i)).normalized();
+    if (i > 0) J.block<1, 3>(i, 3 * i) = -u.transpose();
+    J.block<1, 3>(i, 3 * i + 3) = u.transpose();
+  }
+  for (int i = 0; i < strand.count(); ++i) J.middleCols<3>(3 * i) /= std::sqrt(strand.mass[i]);
+  return J * J.transpose();
+}
+
+}  // namespace
+
+std::string name_of(int function) {
+  return function == kRelax ? "relax_lengths" : "correct_lengths";
+}
+
+Corrected correct(Trial& trial, int function, const Strand& strand, const VectorXd& x, double tolerance,
+                  int most) {
+  Corrected corrected{x, {}};
+  corrected.report = function == kRelax ? ask_student_for<Calls, hair::relax_lengths>(
+                                              trial, strand, tolerance, most, corrected.result)
+                                        : ask_student_for<Calls, hair::correct_lengths>(
+                                              trial, strand, tolerance, most, corrected.result, kScratch);
+  trial.expect(corrected.report.iterations >= 0 && corrected.report.iterations <= most,
+               name_of(function) + " reports more iterations than it may take",
+               std::to_string(corrected.report.iterations));
+  return corrected;
+}
+
+Corrected correct_velocities(Trial& trial, const Strand& strand, const VectorXd& x, const VectorXd& v,
+                             double tolerance, int most) {
+  Corrected corrected{v, {}};
+  CaseAsker asker(trial);
+  corrected.report =
+      ask<Calls, hair::correct_velocities>(asker, strand, x, tolerance, most, corrected.result, kScratch);
+  trial.expect(!asker.changed_input(), "correct_velocities changes x");
+  trial.expect(corrected.report.iterations >= 0 && corrected.report.iterations <= most,
+               "correct_velocities reports more iterations than it may take",
+               std::to_string(corrected.report.iterations));
+  return corrected;
+}
+
+VectorXd reference_lengths(const Strand& strand, VectorXd x) {
+  MatrixXd scratch(x.size(), hair::kCorrectionScratch);
+  hair::correct_lengths(strand, 1e-13, 100, x, scratch);
+  return x;
+}
+
+void expect_lengths(Trial& trial, int function, const Strand& strand, double tolerance,
+                    const Corrected& corrected) {
+  const VectorXd& x = corrected.result;
+  const double round = rounding(x, strand.segments() > 0 ? strand.rest_length.minCoeff() : 1);
+  trial.expect_at_most(largest_error(strand, x), tolerance + round,
+                       "the largest error of a length after " + name_of(function));
+  trial.expect(corrected.report.converged, name_of(function) + " reports that it has not converged");
+}
+
+void expect_near(Trial& trial, int function, const Strand& strand, const VectorXd& x, const VectorXd& after) {
+  trial.expect_at_most(moved(strand, x, after), kFar * moved(strand, x, reference_lengths(strand, x)),
+                       "how far " + name_of(function) + " moves particles, by their masses");
+}
+
+void expect_velocities(Trial& trial, const Strand& strand, const VectorXd& x, const VectorXd& v,
+                       double tolerance, bool values) {
+  const Corrected corrected = correct_velocities(trial, strand, x, v, tolerance);
+  const double speed = v.cwiseAbs().maxCoeff(), round = 32 * kUnit * strand.count() * speed;
+  trial.expect_at_most(largest_rate(strand, x, corrected.result), tolerance + round,
+                       "the velocity at which a segment is still stretched");
+  trial.expect(corrected.report.converged, "correct_velocities reports that it has not converged");
+  trial.expect_at_most(std::abs(corrected.report.error - largest_rate(strand, x, corrected.result)), round,
+                       "the error of the error that correct_velocities reports");
+  VectorXd expected = v;
+  MatrixXd scratch(v.size(), hair::kCorrectionScratch);
+  hair::correct_velocities(strand, x, 1e-14 * speed, 10, expected, scratch);
+  trial.expect_at_most(moved(strand, v, corrected.result), kFar * moved(strand, v, expected),
+                       "how much correct_velocities changes velocities, by the masses");
+  if (!values) return;
+
+  const double smallest = solver::symmetric_eigenvalues(multiplier_matrix(strand, x)).minCoeff();
+  const double left = (tolerance + round) * std::sqrt(strand.segments());
+  trial.expect_at_most(moved(strand, expected, corrected.result), 2 * left / std::sqrt(smallest),
+                       "how far velocities are from what impulses along the segments make of them");
+}
+
+}  // namespace grader::h5

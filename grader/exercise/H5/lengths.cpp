@@ -1,0 +1,88 @@
+// STAFF ONLY. H5: hidden cases of relax_lengths and correct_lengths.
+#include <cmath>
+
+#include "grader/exercise/H5/answers.h"
+#include "grader/exercise/H5/cases.h"
+
+namespace grader::h5 {
+namespace {
+
+// Errors of 1e-5: corrections agree to a few of these, relative to their size. A segment turns by no more than what
+// its ends move over its length, some 1e-4 where the errors of 12 segments add up.
+void expect_small_correction(Trial& trial, int function, const Strand& strand) {
+  Random& random = trial.random;
+  const VectorXd x = disturbed(random, placed(random, strand, 0.4), 1e-5);
+  const Corrected corrected = correct(trial, function, strand, x, 1e-12, kMostSweeps);
+  const VectorXd expected = reference_lengths(strand, x);
+  trial.expect_at_most(
+      moved(strand, expected, corrected.result), 0.01 * moved(strand, x, expected),
+      "how far " + name_of(function) + "'s particles are from where impulses along the segments move them");
+}
+
+}  // namespace
+
+void relaxation(Trial& trial) {
+  Random& random = trial.random;
+  for (int n : {2, 3, 8, 15}) {
+    trial.describe("relax_lengths, " + std::to_string(n) + " particles");
+    const Strand strand = random_strand(random, n, 1);
+    const VectorXd x = disturbed(random, placed(random, strand, 0.3), 0.05);
+    for (double tolerance : {1e-3, 1e-8}) {
+      const Corrected corrected = correct(trial, kRelax, strand, x, tolerance, kMostSweeps);
+      expect_lengths(trial, kRelax, strand, tolerance, corrected);
+      expect_near(trial, kRelax, strand, x, corrected.result);
+    }
+  }
+}
+
+void lengths(Trial& trial) {
+  Random& random = trial.random;
+  for (int n : {2, 3, 10, 20}) {
+    trial.describe("correct_lengths, " + std::to_string(n) + " particles");
+    const Strand strand = random_strand(random, n, 1);
+    const VectorXd x = disturbed(random, placed(random, strand, 0.3), 0.05);
+    for (double tolerance : {1e-4, 1e-10}) {
+      const Corrected corrected = correct(trial, kCorrect, strand, x, tolerance, kMostSweeps);
+      expect_lengths(trial, kCorrect, strand, tolerance, corrected);
+      expect_near(trial, kCorrect, strand, x, corrected.result);
+    }
+  }
+}
+
+void impulses(Trial& trial) {
+  for (int n : {3, 5, 10}) {
+    trial.describe("correct_lengths, equal masses, " + std::to_string(n) + " particles");
+    expect_small_correction(trial, kCorrect, random_strand(trial.random, n, 1));
+  }
+}
+
+void masses(Trial& trial) {
+  for (int n : {3, 5, 10}) {
+    trial.describe("correct_lengths, masses 1:10, " + std::to_string(n) + " particles");
+    expect_small_correction(trial, kCorrect, random_strand(trial.random, n, 10));
+  }
+}
+
+void relaxation_masses(Trial& trial) {
+  for (double ratio : {1.0, 10.0})
+    for (int n : {3, 5, 10}) {
+      trial.describe("relax_lengths, masses 1:" + std::to_string(ratio) + ", " + std::to_string(n) +
+                     " particles");
+      expect_small_correction(trial, kRelax, random_strand(trial.random, n, ratio));
+    }
+}
+
+// Errors of a few hundredths: every order of sweeps, and Newton's method, move particles by the same, within 2 %.
+void distance(Trial& trial) {
+  Random& random = trial.random;
+  for (int n : {4, 8, 14}) {
+    trial.describe("correct_lengths, distance, " + std::to_string(n) + " particles");
+    const Strand strand = random_strand(random, n, 1);
+    const VectorXd x = disturbed(random, placed(random, strand, 0.5), 0.02);
+    const Corrected corrected = correct(trial, kCorrect, strand, x, 1e-9, kMostSweeps);
+    const double ratio = moved(strand, x, corrected.result) / moved(strand, x, reference_lengths(strand, x));
+    trial.expect_at_most(std::abs(ratio - 1), 0.02, "the difference from the distance that must be moved");
+  }
+}
+
+}  // namespace grader::h5

@@ -1,0 +1,74 @@
+// STAFF ONLY.
+#include "grader/exercise/H7/answers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "grader/exercise/H7/calls.h"
+#include "grader/suite/case_asker.h"
+
+namespace grader::h7 {
+namespace {
+
+// The larger one; NaN if either is.
+double larger(double a, double b) {
+  return a >= b || std::isnan(a) ? a : b;
+}
+
+}  // namespace
+
+Answered ask(Trial& trial, int pass, const Tree& tree) {
+  trial.describe(in_words(tree));
+  Answered answered{tree.passes, {}};
+  if (pass == 1) {
+    ask_student_for<Calls, hair::outward_velocities>(trial, tree.links, tree.rates, answered.passes);
+  } else if (pass == 2) {
+    ask_student_for<Calls, hair::inward_inertias>(trial, tree.links, tree.Q, answered.passes);
+  } else {
+    answered.accelerations = VectorXd::Constant(tree.rates.size(), std::nan(""));
+    ask_student_for<Calls, hair::outward_accelerations>(trial, tree.links, tree.Q, answered.passes,
+                                                        answered.accelerations);
+  }
+  return answered;
+}
+
+double motion_error(const Of& a, const Of& b, hair::SpatialMotion LinkPass::*member, double length) {
+  double largest = 0;
+  for (std::size_t i = 1; i < a.size(); ++i) {
+    const hair::SpatialMotion &one = a[i].*member, &other = b[i].*member;
+    largest = larger(largest, length * (one.angular - other.angular).norm());
+    largest = larger(largest, (one.linear - other.linear).norm());
+  }
+  return largest;
+}
+
+double force_error(const Of& a, const Of& b, double length, std::size_t first) {
+  double largest = 0;
+  for (std::size_t i = first; i < a.size(); ++i) {
+    largest = larger(largest, (a[i].bias.force - b[i].bias.force).norm());
+    largest = larger(largest, (a[i].bias.torque - b[i].bias.torque).norm() / length);
+  }
+  return largest;
+}
+
+double inertia_error(const Of& a, const Of& b, double length) {
+  double largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    largest = larger(largest, (a[i].inertia.M - b[i].inertia.M).norm());
+    largest = larger(largest, (a[i].inertia.H - b[i].inertia.H).norm() / length);
+    largest = larger(largest, (a[i].inertia.J - b[i].inertia.J).norm() / (length * length));
+  }
+  return largest;
+}
+
+std::string in_words(const Tree& tree) {
+  std::string text = std::to_string(tree.links.size() - 1) + " links:";
+  for (std::size_t i = 1; i < std::min<std::size_t>(tree.links.size(), 7); ++i)
+    text += (tree.links[i].joint == JointType::revolute    ? " revolute"
+             : tree.links[i].joint == JointType::prismatic ? " prismatic"
+                                                           : " spherical") +
+            std::string(" at ") + std::to_string(tree.links[i].parent);
+  return text + (tree.rates.isZero() ? ", at rest" : ", moving");
+}
+
+}  // namespace grader::h7

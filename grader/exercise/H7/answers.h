@@ -1,0 +1,28 @@
+// STAFF ONLY. A student's passes, requested through the pipe, and what is expected of them.
+#pragma once
+
+#include <string>
+
+#include "grader/exercise/H7/trees.h"
+#include "grader/suite/trial.h"
+
+namespace grader::h7 {
+
+// What the student's pass `pass` (1, 2 or 3) makes of tree.passes; pass 3 also gives accelerations.
+struct Answered {
+  std::vector<LinkPass> passes;
+  VectorXd accelerations;
+};
+Answered ask(Trial& trial, int pass, const Tree& tree);
+
+// Largest differences over all links from `first` on, of one member of a pass. `length` turns the second half of a motion
+// and of a force into the unit of the first, and blocks of an inertia into kg. NaN if a number is none.
+using Of = std::vector<LinkPass>;
+double motion_error(const Of& a, const Of& b, hair::SpatialMotion LinkPass::*member, double length);
+double force_error(const Of& a, const Of& b, double length, std::size_t first);
+double inertia_error(const Of& a, const Of& b, double length);
+
+// "4 links, revolute prismatic ..., moving".
+std::string in_words(const Tree& tree);
+
+}  // namespace grader::h7

@@ -1,0 +1,21 @@
+// STAFF ONLY.
+#include "grader/exercise/H8/cases.h"
+
+namespace grader::h8 {
+
+std::vector<Category> categories() {
+  return {{"Functions", "Stumpff's functions", 2, functions},
+          {"NearlyStraight", "Nearly straight elements", 3, nearly_straight},
+          {"CentreLine", "The centre line and frame of an element", 3, centre_line},
+          {"CarriedFrames", "Frames carried from element to element", 2, carried_frames},
+          {"Stiffness", "Stiffness", 1, stiffness},
+          {"Elasticity", "Elastic forces", 2, elasticity},
+          {"Jacobians", "Jacobians of an element", 5, jacobians},
+          {"Winding", "Elements that wind many times", 1, winding},
+          {"Forces", "Generalised forces", 3, forces},
+          {"Masses", "The mass matrix", 3, masses},
+          {"Steps", "The step", 4, steps},
+          {"StiffSteps", "Straight hair, long steps, many elements", 1, stiff_steps}};
+}
+
+}  // namespace grader::h8

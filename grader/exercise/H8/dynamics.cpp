@@ -1,0 +1,117 @@
+// STAFF ONLY. H8's stiffness, forces, masses and steps.
+//
+// Bounds: a coordinate's stiffness is a product of two numbers, and its elastic force one more: 1e-13. Generalised
+// forces and masses are sums over at most 400 points of products of at most 5 factors, whose sizes are those of
+// Sizes, whatever point of the world arms refer to: 500 u, say 1e-12. A forgotten part is a hundredth of the size
+// and more. Steps: the contract's.
+#include <cmath>
+
+#include "grader/exercise/H8/answers.h"
+#include "grader/exercise/H8/cases.h"
+#include "hair/super_helix.h"
+
+namespace grader::h8 {
+namespace {
+
+constexpr double kProducts = 1e-13, kSums = 1e-12, kBackward = 1e-10;
+
+// The largest of |a - b| / size over all entries; NaN if one is none.
+double worst(const VectorXd& a, const VectorXd& b, const VectorXd& size) {
+  const VectorXd errors = (a - b).cwiseAbs().cwiseQuotient(size);
+  return errors.hasNaN() ? std::nan("") : errors.maxCoeff();
+}
+
+// Whether the student's own part may stand for ours: with a matrix of 0 every step would be right. A part of a
+// strand of 40 elements that lacks what arms do is 1e-7 of what it should be.
+bool comparable(double own, double ours) {
+  return own >= 1e-9 * ours && own <= 1e9 * ours;
+}
+
+// The residual with the reference's parts; if it is too large, with the student's own, so that a bug in one of
+// those costs its own category only.
+void expect_step(Trial& trial, const Hair& hair, double h) {
+  const VectorXd change = ask_step(trial, hair, h);
+  const Parts ours = reference_parts(hair, h);
+  const System system = system_of(ours, h);
+  double error = system.error(change);
+  if (!(error <= kBackward)) {
+    trial.ask_aside([&] {
+      const Parts own{ask_mass(trial, hair), ask_force(trial, hair), ask_stiffness(trial, hair.strand()),
+                      ask_elastic(trial, hair.strand(), hair.q + h * hair.rates)};
+      if (comparable(own.M.norm(), ours.M.norm()) && comparable(own.K.norm(), ours.K.norm()) &&
+          comparable(own.Q.norm(), ours.Q.norm()) && system_of(own, h).error(change) <= kBackward)
+        error = 0;
+    });
+  }
+  trial.expect_at_most(error, kBackward, "what (M + h^2 K) change = h (Q - K (q + h q' - q^n)) leaves");
+}
+
+}  // namespace
+
+void stiffness(Trial& trial) {
+  for (const int elements : {1, 2, 7, 40}) {
+    const HelixStrand strand = random_hair(trial.random, {.elements = elements}).strand();
+    VectorXd expected(3 * elements);
+    hair::helix_stiffness(strand, expected);
+    const VectorXd K = ask_stiffness(trial, strand);
+    trial.expect_at_most(worst(K, expected, expected), kProducts, "K");
+  }
+}
+
+// With the student's own K as well: EI in place of GJ costs one category.
+void elasticity(Trial& trial) {
+  for (const int elements : {1, 2, 7, 40}) {
+    const Hair hair = random_hair(trial.random, {.elements = elements});
+    const HelixStrand& strand = hair.strand();
+    const VectorXd bent = hair.q - strand.natural, size = hair.q.cwiseAbs() + strand.natural.cwiseAbs();
+    VectorXd K(3 * elements);
+    hair::helix_stiffness(strand, K);
+    const VectorXd force = ask_elastic(trial, strand, hair.q);
+    double error = worst(force, -K.cwiseProduct(bent), K.cwiseProduct(size));
+    if (!(error <= kProducts)) {
+      trial.ask_aside([&] {
+        const VectorXd own = ask_stiffness(trial, strand);
+        if (own.minCoeff() > 0 && comparable(own.norm(), K.norm()))
+          error = worst(force, -own.cwiseProduct(bent), own.cwiseProduct(size));
+      });
+    }
+    trial.expect_at_most(error, kProducts, "an elastic force");
+  }
+}
+
+void forces(Trial& trial) {
+  for (const int elements : {1, 2, 5, 20}) {
+    const Hair hair = random_hair(trial.random, {.elements = elements});
+    VectorXd expected(3 * elements);
+    hair::generalised_force(hair.motion.elements, hair.motion.points, expected);
+    trial.expect_at_most(worst(ask_force(trial, hair), expected, sizes_of(hair).force), kSums,
+                         "a generalised force");
+  }
+}
+
+void masses(Trial& trial) {
+  for (const int elements : {1, 2, 5, 20}) {
+    const Hair hair = random_hair(trial.random, {.elements = elements});
+    MatrixXd expected(3 * elements, 3 * elements);
+    hair::mass_matrix(hair.motion.elements, hair.motion.points, expected);
+    const MatrixXd M = ask_mass(trial, hair);
+    const VectorXd root = sizes_of(hair).mass;
+    const MatrixXd size = root * root.transpose();
+    trial.expect_at_most(worst(M.reshaped(), expected.reshaped(), size.reshaped()), kSums, "an entry of M");
+  }
+}
+
+void steps(Trial& trial) {
+  for (const int elements : {1, 2, 5, 12})
+    for (const double h : {1e-3, 1.0 / 60})
+      expect_step(trial, random_hair(trial.random, {.elements = elements}), h);
+}
+
+void stiff_steps(Trial& trial) {
+  for (const int elements : {1, 10, 40}) expect_step(trial, straight_hair(trial.random, elements), 1.0 / 30);
+  for (const int elements : {2, 40})
+    expect_step(trial, random_hair(trial.random, {.elements = elements}), 1.0 / 30);
+  expect_step(trial, random_hair(trial.random, {.elements = 3, .least = 100, .most = 126}), 1e-3);
+}
+
+}  // namespace grader::h8

@@ -1,0 +1,108 @@
+// STAFF ONLY.
+#include "grader/exercise/H8/hair.h"
+
+#include "grader/suite/random_vector.h"
+
+namespace grader::h8 {
+namespace {
+
+VectorXd any_curl(Random& random, const VectorXd& lengths, double least, double most) {
+  VectorXd q(3 * lengths.size());
+  for (Eigen::Index i = 0; i < lengths.size(); ++i)
+    q.segment<3>(3 * i) = random.uniform(least, most) / lengths[i] * any_direction(random);
+  return q;
+}
+
+HelixStrand any_strand(Random& random, int elements) {
+  HelixStrand strand;
+  strand.lengths.resize(elements);
+  for (double& length : strand.lengths) length = random.uniform(0.005, 0.02);
+  strand.line_density = random.log_uniform(5e-6, 2e-5);
+  strand.bend_rigidity = random.log_uniform(0.5e-8, 3e-8);
+  strand.twist_rigidity = strand.bend_rigidity * random.uniform(0.3, 0.8);
+  strand.natural = any_curl(random, strand.lengths, 0.5, 3);
+  return strand;
+}
+
+void push(Random& random, HelixMotion& motion) {
+  for (std::size_t j = 0; j < motion.points.size(); ++j) {
+    hair::HelixPoint& point = motion.points[j];
+    const double mass = point.inertia(0, 0);
+    point.force = mass * random_vector(random, 3, 10);
+    if (j % 3 == 1) {
+      const Vector3d held = random_vector(random, 3, 1);
+      point.inertia += mass * held * held.transpose();
+    }
+  }
+}
+
+}  // namespace
+
+Vector3d any_direction(Random& random) {
+  return Vector3d(random_vector(random, 3)).normalized();
+}
+
+MaterialFrame any_frame(Random& random) {
+  const Eigen::Quaterniond turn(random.normal(), random.normal(), random.normal(), random.normal());
+  return {random_vector(random, 3, 0.1), turn.normalized().toRotationMatrix()};
+}
+
+Hair random_hair(Random& random, const HairKind& kind) {
+  const HelixStrand strand = any_strand(random, kind.elements);
+  Hair hair{any_curl(random, strand.lengths, kind.least, kind.most), any_curl(random, strand.lengths, 0, 10),
+            HelixMotion(strand)};
+  hair.motion.place(any_frame(random), hair.q);
+  push(random, hair.motion);
+  return hair;
+}
+
+Hair straight_hair(Random& random, int elements) {
+  Hair hair{VectorXd::Zero(3 * elements), VectorXd::Zero(3 * elements),
+            HelixMotion(any_strand(random, elements))};
+  hair.motion.place(any_frame(random), hair.q);
+  push(random, hair.motion);
+  return hair;
+}
+
+Sizes sizes_of(const Hair& hair) {
+  const std::vector<hair::HelixElement>& elements = hair.motion.elements;
+  Sizes sizes{VectorXd::Zero(hair.q.size()), VectorXd::Zero(hair.q.size())};
+  for (const hair::HelixPoint& point : hair.motion.points) {
+    const double inertia = point.inertia.norm(), force = point.force.norm();
+    for (int i = 0; i <= point.element; ++i)
+      for (int k = 0; k < 3; ++k) {
+        const hair::HelixJacobian& J = elements[i].at_end;
+        const double moves =
+            i == point.element
+                ? point.moves.col(k).norm()
+                : J.moves.col(k).norm() +
+                      J.turns.col(k).norm() * (point.position.norm() + elements[i].end.position.norm());
+        sizes.force[3 * i + k] += moves * force;
+        sizes.mass[3 * i + k] += moves * moves * inertia;
+      }
+  }
+  sizes.mass = sizes.mass.cwiseSqrt();
+  return sizes;
+}
+
+double System::error(const VectorXd& change) const {
+  return (matrix * change - right).norm() / (matrix.norm() * change.norm() + right.norm());
+}
+
+Parts reference_parts(const Hair& hair, double h) {
+  const Eigen::Index size = hair.q.size();
+  Parts parts{MatrixXd(size, size), VectorXd(size), VectorXd(size), VectorXd(size)};
+  hair::mass_matrix(hair.motion.elements, hair.motion.points, parts.M);
+  hair::generalised_force(hair.motion.elements, hair.motion.points, parts.Q);
+  hair::helix_stiffness(hair.strand(), parts.K);
+  hair::elastic_force(hair.strand(), hair.q + h * hair.rates, parts.elastic);
+  return parts;
+}
+
+System system_of(const Parts& parts, double h) {
+  System system{parts.M, h * (parts.Q + parts.elastic)};
+  system.matrix.diagonal() += h * h * parts.K;
+  return system;
+}
+
+}  // namespace grader::h8

@@ -1,0 +1,135 @@
+// STAFF ONLY. H9's links. Bounds: the contract's, 1e-12 of the sum of what results are made of: a hundred links, a dozen
+// roundings each, are 1e-13.
+#include <algorithm>
+#include <cmath>
+
+#include "grader/exercise/H9/answers.h"
+#include "grader/exercise/H9/cases.h"
+#include "grader/suite/random_vector.h"
+
+namespace grader::h9 {
+namespace {
+
+constexpr double kPart = 1e-12;
+
+// NaN if an entry is none.
+double largest_error(const VectorXd& errors) {
+  return errors.hasNaN() ? std::nan("") : errors.cwiseAbs().maxCoeff();
+}
+
+void expect_stretches(Trial& trial, const LinkedHairs& hairs) {
+  VectorXd expected = hairs.largest;
+  hair::remember_stretches(hairs.links, hairs.frames, hairs.x, expected);
+  const VectorXd answered = ask_stretches(trial, hairs);
+  double size = 1;  // lengths are at least 1.5 mm, so that a stretch rounds by more than its own size does
+  for (const StaticLink& link : hairs.links)
+    size = std::max(size, (2 * hairs.x.cwiseAbs().maxCoeff() + link.offset.norm()) / link.length);
+  trial.expect_at_most(largest_error(answered - expected), kPart * size, "the error of a largest stretch");
+}
+
+void expect_link_energy(Trial& trial, const LinkedHairs& hairs) {
+  const double expected = hair::link_energy(hairs.links, hairs.frames, hairs.largest, hairs.x);
+  const double size = hairs.size() * 3 * hairs.x.cwiseAbs().maxCoeff();
+  trial.expect_at_most(std::abs(ask_link_energy(trial, hairs) - expected), kPart * size,
+                       "the error of an energy");
+}
+
+// What is there already has the size of the forces.
+VectorXd something(Random& random, const LinkedHairs& hairs) {
+  return random_vector(random, hairs.x.size(), hairs.size() / static_cast<double>(hairs.links.size()));
+}
+
+void expect_link_force(Trial& trial, const LinkedHairs& hairs) {
+  const VectorXd before = something(trial.random, hairs);
+  VectorXd expected = before;
+  hair::add_link_force(hairs.links, hairs.frames, hairs.largest, hairs.x, expected);
+  trial.expect_at_most(largest_error(ask_link_force(trial, hairs, before) - expected),
+                       kPart * (hairs.size() + before.cwiseAbs().maxCoeff()), "the error of a force");
+}
+
+void expect_link_product(Trial& trial, const LinkedHairs& hairs) {
+  const VectorXd dx = random_vector(trial.random, hairs.x.size(), hairs.x.cwiseAbs().maxCoeff() / 3),
+                 before = something(trial.random, hairs);
+  VectorXd expected = before;
+  hair::add_link_product(hairs.links, hairs.largest, dx, expected);
+  trial.expect_at_most(largest_error(ask_link_product(trial, hairs, dx, before) - expected),
+                       kPart * (10 * hairs.size() + before.cwiseAbs().maxCoeff()), "the error of a product");
+}
+
+}  // namespace
+
+void strengths(Trial& trial) {
+  Random& random = trial.random;
+  for (int repeat = 0; repeat < 8; ++repeat) {
+    StaticLink link;
+    link.length = link.stiffness = 1;
+    link.yields = repeat == 0 ? 0 : random.uniform(0.1, 1);
+    link.breaks = repeat < 3 ? link.yields : link.yields + random.uniform(0.1, 2);
+    const double width = link.breaks - link.yields;
+    for (const double largest : {0.0, link.yields * random.uniform(), link.yields, link.breaks,
+                                 link.breaks + 0.01, link.breaks * random.uniform(1.1, 30) + 1})
+      trial.expect_at_most(std::abs(ask_strength(trial, link, largest) - hair::link_strength(link, largest)),
+                           0, "the error of a strength of 0 or 1");
+    if (width == 0) continue;
+    for (const double part : {0.01, random.uniform(), 0.99}) {
+      const double largest = link.yields + part * width;
+      trial.expect_at_most(std::abs(ask_strength(trial, link, largest) - hair::link_strength(link, largest)),
+                           kPart, "the error of a strength between 0 and 1");
+    }
+  }
+}
+
+// Links are pulled, let go, and pulled again.
+void histories(Trial& trial) {
+  Random& random = trial.random;
+  LinkedHairs hairs = some_linked_hairs(random, 6, Frames::straight, Wear::none);
+  hairs.largest.setZero();
+  for (const double scale : {0.2, 1.0, 0.1, 0.5, 2.0, 1.0, 0.01, 3.0}) {
+    hairs.x = random_vector(random, hairs.x.size(), 0.05 * scale);
+    expect_stretches(trial, hairs);
+    hair::remember_stretches(hairs.links, hairs.frames, hairs.x, hairs.largest);
+  }
+}
+
+void link_energies(Trial& trial) {
+  for (const int links : {1, 2, 7, 40})
+    expect_link_energy(trial, some_linked_hairs(trial.random, links, Frames::straight, Wear::none));
+}
+
+void link_forces(Trial& trial) {
+  for (const int links : {1, 2, 7, 40})
+    expect_link_force(trial, some_linked_hairs(trial.random, links, Frames::straight, Wear::none));
+}
+
+void turned_frames(Trial& trial) {
+  for (const int links : {1, 2, 7, 40}) {
+    const LinkedHairs hairs = some_linked_hairs(trial.random, links, Frames::turned, Wear::none);
+    LinkedHairs unstretched = hairs;
+    unstretched.largest.setZero();
+    expect_stretches(trial, unstretched);
+    expect_link_energy(trial, hairs);
+    expect_link_force(trial, hairs);
+  }
+}
+
+void worn_links(Trial& trial) {
+  for (const int links : {3, 7, 40}) {
+    LinkedHairs hairs = some_linked_hairs(trial.random, links, Frames::straight, Wear::some);
+    expect_link_energy(trial, hairs);
+    expect_link_force(trial, hairs);
+    expect_link_product(trial, hairs);
+    for (int l = 0; l < links; ++l) hairs.largest[l] = 2 * hairs.links[l].breaks;
+    const VectorXd before = something(trial.random, hairs);
+    trial.expect_at_most(largest_error(ask_link_force(trial, hairs, before) - before), 0,
+                         "a force of broken links");
+    trial.expect_at_most(largest_error(ask_link_product(trial, hairs, hairs.x, before) - before), 0,
+                         "a product of broken links");
+  }
+}
+
+void link_products(Trial& trial) {
+  for (const int links : {1, 2, 7, 40})
+    expect_link_product(trial, some_linked_hairs(trial.random, links, Frames::turned, Wear::none));
+}
+
+}  // namespace grader::h9

@@ -1,0 +1,225 @@
+// STAFF ONLY. P1: hidden cases of the four integrators. The values of a method's step are looked at in its
+// own category alone, so that one wrong method does not fail them all.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "grader/exercise/P1/dynamics.h"
+#include "grader/exercise/P1/runs.h"
+#include "grader/suite/linear_system.h"
+#include "grader/suite/rounding.h"
+#include "grader/suite/trial.h"
+#include "grader/suite/whole_run_points.h"
+#include "particles/explicit_integrators.h"
+
+namespace grader::p1 {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+bool same_vectors(const VectorXd& a, const VectorXd& b) {
+  return same_bits({a.begin(), a.end()}, {b.begin(), b.end()});
+}
+
+// The error of (x, v / omega) at t = 2 / omega, for steps of h omega = 2 / steps: the sine is 0.91 there.
+double oscillator_error(Trial& trial, const Method& method, double omega, const State& start, int steps) {
+  Oscillator oscillator(omega);
+  const State end = run(trial, method, oscillator, start, {2 / omega / steps, steps}).end();
+  const VectorXd x = std::cos(2) * start.x + std::sin(2) * start.v / omega;
+  const VectorXd v = std::cos(2) * start.v - std::sin(2) * omega * start.x;
+  return std::hypot((end.x - x).norm(), (end.v - v).norm() / omega);
+}
+
+// The error is C h^p (1 + c h omega + ...). From 16 to 32 steps log2 of its ratio is p + 0.09 c; the methods'
+// c is at most 1.2 in size at omega t = 2, and 0.25 tells any two orders apart.
+void expect_order(Trial& trial, const Method& method) {
+  const double omega = trial.random.log_uniform(0.1, 100);
+  State start = random_state(trial.random, 2);
+  start.v *= omega;
+  const double order = std::log2(oscillator_error(trial, method, omega, start, 16) /
+                                 oscillator_error(trial, method, omega, start, 32));
+  trial.expect(std::abs(order - method.order) <= 0.25,
+               std::string("the observed order of ") + method.name + " on an oscillator is not its order",
+               std::to_string(order));
+}
+
+// One step is the reference's. With z = (x, v) and seconds as the unit, z' = (v, a) has the Lipschitz
+// constant L <= 1 + ||A|| + ||B||. A stage or the last sum has at most 8 roundings of terms that are at most
+// ||z|| + h ||z'||, and an acceleration rounds by 6n + 4 in u of its terms' sum, (||A|| + ||B||) sqrt(3n); up
+// to three stages after it multiply that by 1 + h L each. Twice, for either side has it.
+void expect_reference_step(Trial& trial, const Method& method, Waves& waves, const State& start, double h) {
+  const int size = static_cast<int>(start.x.size());
+  const Run student = run(trial, method, waves, start, {h});
+  State expected = start;
+  MatrixXd scratch(size, particles::kIntegratorScratch);
+  method.reference(waves, h, expected.x, expected.v, scratch);
+
+  const double strength = waves.A.norm() + waves.B.norm(), largest = strength * std::sqrt(size);
+  const double z = std::hypot(start.x.norm(), start.v.norm());
+  const double bound = 2 * kUnit * std::pow(1 + h * (1 + strength), 3) *
+                       (8 * (z + h * (z + largest)) + h * (2 * size + 4) * largest);
+  const std::string step = std::string(" after one step of ") + method.name;
+  trial.expect_at_most((student.end().x - expected.x).norm(), bound, "the error of x" + step);
+  trial.expect_at_most((student.end().v - expected.v).norm(), bound, "the error of v" + step);
+}
+
+void expect_method(Trial& trial, const Method& method) {
+  expect_order(trial, method);
+  for (int n : {1, 2, 5, 12})
+    for (bool pinned : {false, true}) {
+      Waves waves(trial.random, n);
+      if (pinned) waves.pin(trial.random.integer(0, n - 1));
+      expect_reference_step(trial, method, waves, random_state(trial.random, n),
+                            trial.random.log_uniform(1e-2, 1));
+    }
+}
+
+void forward_euler(Trial& trial) {
+  expect_method(trial, kMethods[0]);
+}
+
+void symplectic_euler(Trial& trial) {
+  expect_method(trial, kMethods[1]);
+}
+
+void midpoint(Trial& trial) {
+  expect_method(trial, kMethods[2]);
+}
+
+void runge_kutta_4(Trial& trial) {
+  expect_method(trial, kMethods[3]);
+}
+
+// With s = h omega, the method keeps v^2 + w^2 - s v w of each coordinate, w = omega x: between 1 - s/2 and
+// 1 + s/2 times v^2 + w^2. Rounding adds at most some 10 u a step.
+void symplectic_energy(Trial& trial) {
+  for (double s : {0.1, 0.5, 1.0, trial.random.uniform(1.2, 1.8)}) {
+    const double omega = trial.random.log_uniform(0.1, 100), h = s / omega;
+    State start = random_state(trial.random, 1);
+    start.v *= omega;
+    Oscillator oscillator(omega);
+    const int steps = 300;
+    const Run student = run(trial, kMethods[1], oscillator, start, {h, steps});
+    for (int i = 0; i < 3; ++i) {
+      double least = kInfinity, most = 0;
+      int turns = 0;  // passes through 0
+      double before = start.x[i];
+      for (const State& state : student.states) {
+        const double energy = std::pow(state.v[i], 2) + std::pow(omega * state.x[i], 2);
+        trial.expect(std::isfinite(energy), "the energy of an oscillator is not finite");
+        least = std::min(least, energy);
+        most = std::max(most, energy);
+        turns += (before < 0) != (state.x[i] < 0);
+        before = state.x[i];
+      }
+      trial.expect_at_most(most / least, (1 + s / 2) / (1 - s / 2) * (1 + 1e-12),
+                           "the ratio of an oscillator's largest energy to its least");
+      // It turns by 2 asin(s/2) a step.
+      trial.expect(std::abs(turns - steps * 2 * std::asin(s / 2) / std::numbers::pi) <= 2,
+                   "an oscillator does not swing as often as it should", std::to_string(turns));
+    }
+  }
+}
+
+void evaluations(Trial& trial) {
+  for (const Method& method : kMethods)
+    for (int n : {1, 4}) {
+      Waves waves(trial.random, n);
+      const State start = random_state(trial.random, n);
+      const double h = 1e-3;
+      const int steps = trial.random.integer(2, 6);
+      const Run student = run(trial, method, waves, start, {h, steps});
+      expect_moves(trial, method, start, h, student.states.front());
+      trial.expect(student.evaluations == steps * method.evaluations,
+                   std::string("the number of evaluations of ") + method.name + " is not the contract's",
+                   std::to_string(student.evaluations) + " in " + std::to_string(steps) + " steps");
+    }
+}
+
+// With a(x) alone, a step of -h from (x, v) is a step of h from (x, -v) with the velocity turned around: of
+// the four methods, and of most wrong ones, bit by bit.
+void either_sign(Trial& trial) {
+  for (const Method& method : kMethods)
+    for (int n : {1, 3}) {
+      Pendulums pendulums(trial.random);
+      const State start = random_state(trial.random, n), turned{start.x, -start.v};
+      const double h = trial.random.log_uniform(1e-3, 1e-2);
+      const State forwards = run(trial, method, pendulums, turned, {h}).end();
+      expect_moves(trial, method, turned, h, forwards);
+      const State backwards = run(trial, method, pendulums, start, {-h}).end();
+      trial.expect((backwards.x - forwards.x).norm() <= 16 * kUnit * start.x.norm() &&
+                       (backwards.v + forwards.v).norm() <= 16 * kUnit * start.v.norm(),
+                   std::string(method.name) + " with a negative h does not go back in time");
+      const State still = run(trial, method, pendulums, start, {0.0}).end();
+      trial.expect(still.x == start.x && still.v == start.v,
+                   std::string(method.name) + " with h = 0 changes the state");
+    }
+}
+
+// Particles that are alike move alike, one of them or a thousand; and nothing that scratch holds, and no call
+// before, makes a difference.
+void sizes_and_scratch(Trial& trial) {
+  for (const Method& method : kMethods) {
+    Pendulums pendulums(trial.random);
+    const double h = trial.random.log_uniform(1e-3, 1e-2);
+    const State one = random_state(trial.random, 1);
+    run(trial, method, pendulums, {VectorXd(0), VectorXd(0)}, {h});
+    const State moved = run(trial, method, pendulums, one, {h}).end();
+    expect_moves(trial, method, one, h, moved);
+    for (int n : {2, 30, 1000}) {
+      const State alike{one.x.replicate(n, 1), one.v.replicate(n, 1)};
+      const State end = run(trial, method, pendulums, alike, {h}).end();
+      trial.expect(
+          (end.x - moved.x.replicate(n, 1)).lpNorm<Eigen::Infinity>() <= 16 * kUnit * one.x.norm() &&
+              (end.v - moved.v.replicate(n, 1)).lpNorm<Eigen::Infinity>() <= 16 * kUnit * one.v.norm(),
+          std::string(method.name) + " moves particles that are alike in different ways");
+    }
+    for (const auto& [columns, junk] : {std::pair{particles::kIntegratorScratch, 0.0},
+                                        {particles::kIntegratorScratch, 1e300},
+                                        {particles::kIntegratorScratch, kInfinity},
+                                        {particles::kIntegratorScratch + 3, kNaN}}) {
+      const State again = run(trial, method, pendulums, one, {h, 1, columns, junk}).end();
+      trial.expect(same_vectors(again.x, moved.x) && same_vectors(again.v, moved.v),
+                   std::string(method.name) + " depends on what scratch holds, or on the call before");
+    }
+  }
+}
+
+// With h omega = 1e6 an oscillator grows at least by 1e6 a step, and overflows within 60.
+void blow_up(Trial& trial) {
+  const int steps = 60;
+  for (const Method& method : kMethods) {
+    const double omega = trial.random.log_uniform(0.1, 100);
+    Oscillator oscillator(omega);
+    const State start = random_state(trial.random, 2);
+    const Run student = run(trial, method, oscillator, start, {1e6 / omega, steps});
+    trial.expect(student.states[4].x.allFinite() && student.states[4].v.allFinite(),
+                 std::string(method.name) + " gives values that are not finite before they overflow");
+    trial.expect(!(student.end().x.allFinite() && student.end().v.allFinite()),
+                 std::string(method.name) + " hides that the values have overflowed");
+  }
+}
+
+}  // namespace
+
+WholeRunPoints whole_run() {
+  return {1, 2};
+}
+
+std::vector<Category> categories() {
+  return {{"ForwardEuler", "Forward Euler", 2, forward_euler},
+          {"SymplecticEuler", "Symplectic Euler", 2, symplectic_euler},
+          {"Midpoint", "Midpoint", 3, midpoint},
+          {"RungeKutta4", "Runge-Kutta", 3, runge_kutta_4},
+          {"Energy", "Energy over many steps", 1, symplectic_energy},
+          {"Evaluations", "The number of evaluations", 1, evaluations},
+          {"EitherSign", "Steps back and no steps", 1, either_sign},
+          {"SizesAndScratch", "Sizes and scratch", 1, sizes_and_scratch},
+          {"BlowUp", "Numbers that overflow", 1, blow_up}};
+}
+
+}  // namespace grader::p1

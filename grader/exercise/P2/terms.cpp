@@ -1,0 +1,71 @@
+// STAFF ONLY. P2: hidden cases of what the solve is put together from: C, J v, J^T lambda, J W J^T.
+#include <cmath>
+
+#include "grader/exercise/P2/answers.h"
+#include "grader/exercise/P2/cases.h"
+
+namespace grader::p2 {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+void expect_values_and_rates(Trial& trial, const std::vector<ConstrainedSystem>& systems) {
+  for (const ConstrainedSystem& system : systems)
+    for (double junk : {0.0, kNaN}) {
+      trial.expect_at_most((values(trial, system, junk) - system.values()).norm(),
+                           32 * kUnit * system.value_size(), "the error of C");
+      const MatrixXd J = system.jacobian();
+      trial.expect_at_most((rates(trial, system, junk) - J * system.state.v).norm(),
+                           32 * kUnit * (J.cwiseAbs() * system.state.v.cwiseAbs()).norm(),
+                           "the error of J v");
+    }
+}
+
+void expect_forces(Trial& trial, const std::vector<ConstrainedSystem>& systems) {
+  for (const ConstrainedSystem& system : systems) {
+    const VectorXd lambda = random_vector(trial.random, system.rows());
+    const VectorXd there = 10 * random_vector(trial.random, 3 * system.n());
+    const MatrixXd Jt = system.jacobian().transpose();
+    const VectorXd f = with_forces(trial, system, lambda, there);
+    trial.expect_at_most(
+        (f - there - Jt * lambda).norm(),
+        (16 + system.rows()) * kUnit * ((Jt.cwiseAbs() * lambda.cwiseAbs()).norm() + 2 * there.norm()),
+        "the error of the constraint forces");
+  }
+}
+
+}  // namespace
+
+void rod_values(Trial& trial) {
+  expect_values_and_rates(trial, chains(trial.random));
+}
+
+void wire_values(Trial& trial) {
+  expect_values_and_rates(trial, beads(trial.random));
+}
+
+void rod_forces(Trial& trial) {
+  expect_forces(trial, chains(trial.random));
+}
+
+void wire_forces(Trial& trial) {
+  expect_forces(trial, beads(trial.random));
+}
+
+void matrix(Trial& trial) {
+  for (const ConstrainedSystem& system : chains(trial.random)) expect_matrix(trial, system);
+
+  const ConstrainedSystem system = random_chain(trial.random, 5);
+  const VectorXd a = random_vector(trial.random, system.rows()),
+                 b = random_vector(trial.random, system.rows());
+  const VectorXd Ab = product(trial, system, b, 0);
+  const double rounding = 4 * (16 + system.rows()) * kUnit * system.matrix_size() * a.norm() * b.norm();
+  trial.expect_at_most(std::abs(a.dot(Ab) - b.dot(product(trial, system, a, 0))), rounding,
+                       "the asymmetry of J W J'");
+  trial.expect_at_most((product(trial, system, a, 0, true) - system.matrix() * a).norm(),
+                       2 * (16 + system.rows()) * kUnit * system.matrix_size() * a.norm(),
+                       "the error of a product with J W J', made before rods, masses and positions changed");
+}
+
+}  // namespace grader::p2

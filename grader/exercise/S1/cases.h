@@ -1,0 +1,25 @@
+// STAFF ONLY. Cases of S1 that stand in files of their own.
+#pragma once
+
+#include "grader/suite/trial.h"
+
+namespace grader::s1 {
+
+// Each sends its cases to the student's ConjGrad and throws CaseFailed at the first failure.
+void examples(Trial& trial);
+void sizes(Trial& trial);
+void known_matrices(Trial& trial);
+void ill_conditioned(Trial& trial);
+void clusters(Trial& trial);
+void stiff_strand(Trial& trial);
+void first_guess(Trial& trial);
+void step_limit(Trial& trial);
+void tolerance(Trial& trial);
+void return_value(Trial& trial);
+void scaling(Trial& trial);
+void not_positive_definite(Trial& trial);
+void not_finite(Trial& trial);
+void products(Trial& trial);
+void call_after_call(Trial& trial);
+
+}  // namespace grader::s1
