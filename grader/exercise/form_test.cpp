@@ -10,6 +10,7 @@
 #include "grader/exercise/S1/calls.h"
 #include "grader/exercise/S2/calls.h"
 #include "grader/exercise/client.h"
+#include "grader/exercise/draw.h"
 
 namespace grader {
 namespace {
@@ -168,6 +169,29 @@ TEST(Client, TakesNoOtherLengths) {
   VectorXd vector = three;
   EXPECT_THROW((take_back<particles::Output, Contract{}>(vectors, vector)), MalformedMessage);
   EXPECT_EQ(vector, three);
+}
+
+// A function of the reference's writes to all the columns that its contract names.
+TEST(Server, GivesNoLessScratchThanTheContract) {
+  const auto refused = [](int columns) {
+    MessageWriter request, reply;
+    request.put(0).put(1.0);  // forward_euler, h
+    for (int vector = 0; vector < 2; ++vector) encode(request, VectorXd(VectorXd::Ones(3)));
+    request.put(columns).put(0.0);
+    MessageReader reader(request.bytes());
+    draw::Source source(0);
+    draw::Idle idle(source);
+    try {
+      serve<p1::Calls>(idle, reader, reply);
+    } catch (const MalformedMessage& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refused(10), "");
+  EXPECT_EQ(refused(13), "");
+  EXPECT_EQ(refused(9), "scratch of 9 columns; expected 10");
+  for (const int columns : {-1, 0, 1000, std::numeric_limits<int>::max()}) EXPECT_NE(refused(columns), "");
 }
 
 // Of a call, what its check says; empty if the arguments fit.

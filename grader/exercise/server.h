@@ -147,8 +147,10 @@ class Stored<particles::Scratch, Host, contract> : public StoredParameter {
   void prepare(Eigen::Index size) {
     if constexpr (contract.scratch_columns > 0) {
       const Eigen::Index columns = columns_;
-      if (columns < 0 || columns > 4 * (contract.scratch_columns + size))
-        throw MalformedMessage("scratch of " + std::to_string(columns) + " columns");
+      const Eigen::Index least = contract.scratch_columns + (contract.scratch_of_size ? size : 0);
+      if (columns < least || columns > 4 * least)
+        throw MalformedMessage("scratch of " + std::to_string(columns) + " columns; expected " +
+                               std::to_string(least));
       make(size, columns, std::vector<double>(static_cast<std::size_t>(size * columns), filling_));
     }
   }
