@@ -46,7 +46,9 @@ std::string Sample::file_name() const {
   return name;
 }
 
-std::vector<Sample> read_samples(const std::filesystem::path& project) {
+std::vector<Sample> read_samples(const std::filesystem::path& project,
+                                 const std::filesystem::path& categories) {
+  const SampleCategories known = read_categories(categories);
   const Course course = read_course(project / "handout" / "exercises.json");
   std::vector<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(project / "grader" / "samples"))
@@ -61,7 +63,7 @@ std::vector<Sample> read_samples(const std::filesystem::path& project) {
       if (!names.insert(first.rest).second)
         group.fail(first, "the name \"" + first.rest + "\" is taken; give each sample its own");
       const std::vector<GroupLine> lines = all_lines(group, own);
-      SampleBuilder builder{group, course};
+      SampleBuilder builder{group, course, known};
       builder.sample.group = file.stem().string();
       for (const GroupLine& line : lines) builder.read(line);
       builder.complete(first);

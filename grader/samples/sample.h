@@ -8,8 +8,7 @@
 //   sample h2-acos
 //   shows The angle is acos(u1 . u2).
 //   form zip
-//   status H2 partly
-//   points H2 28
+//   fails H2 NearlyStraight
 //   edit
 //   -  bend.phi = std::atan2(s, dot);
 //   +  bend.phi = std::acos(dot);
@@ -31,9 +30,11 @@
 //   showcase             one of the few that show every kind of sample
 //   beside-attacks       right, and graded beside the attacks of every place
 //   status ID STATUS     of an exercise, or of "all"
-//   points ID POINTS     else all of them if it passed, or none
+//   fails ID NAMES       the categories that fail (grader/suite/): its status is "partly", if no other is given, and its points are
+//                        those of the other categories
+//   points ID POINTS     of a sample of the showcase, besides: an error in scoring can't confirm itself
 //
-// An exercise without a status has passed if it has a file, and is missing if not. What "others" fills in has passed
+// An exercise without such a line has passed if it has a file, and is missing if not. What "others" fills in has passed
 // ("reference") or is not implemented ("stub"), and takes no status.
 //
 // An attack is one of the corpus, which is graded place by place, apart from the class. Only attacks that the showcase has are in
@@ -73,6 +74,8 @@ struct SampleFile {
 struct ExpectedResult {
   std::string status;            // as to_string(Status) has it
   std::optional<double> points;  // nothing: all if it passed, or else none
+  std::vector<std::string> failed =
+      {};  // the titles of the categories that fail; none: nothing is said of them
 };
 
 struct Attack {
@@ -110,8 +113,9 @@ struct Sample {
   bool graded_at(const std::string& place) const { return attack ? attack->place == place : beside_attacks; }
 };
 
-// The groups of PROJECT/grader/samples, in the order of their names, for the exercises of PROJECT/handout/exercises.json. Throws
-// BadInput with file and line.
-std::vector<Sample> read_samples(const std::filesystem::path& project);
+// The groups of PROJECT/grader/samples, in the order of their names, for the exercises of PROJECT/handout/exercises.json
+// and their categories. Throws BadInput with file and line.
+std::vector<Sample> read_samples(const std::filesystem::path& project,
+                                 const std::filesystem::path& categories = HAIR_CATEGORIES);
 
 }  // namespace grader

@@ -90,6 +90,29 @@ void read_status(SampleBuilder& builder, const GroupLine& line) {
   }
 }
 
+void read_fails(SampleBuilder& builder, const GroupLine& line) {
+  std::string names = line.rest;
+  const std::string id = builder.exercise(line, builder.take(line, names)).id;
+  const auto known = builder.categories.find(id);
+  if (known == builder.categories.end()) builder.fail(line, "the suites have no categories of " + id);
+  std::vector<std::string>& failed = builder.expect(line, id).failed;
+  while (!names.empty()) {
+    const std::string name = builder.take(line, names);
+    const auto category = std::ranges::find(known->second, name, &SampleCategory::name);
+    if (category == known->second.end()) {
+      std::string all;
+      for (const SampleCategory& one : known->second) all += (all.empty() ? "" : ", ") + one.name;
+      builder.fail(line, id + " has no category \"" + name + "\"; it has " + all);
+    }
+    if (std::ranges::find(failed, category->title) != failed.end())
+      builder.fail(line, "names " + name + " twice");
+    failed.push_back(category->title);
+  }
+  if (failed.empty()) builder.fail(line, "name the categories that fail, as in \"fails H2 Energy Balance\"");
+  if (failed.size() == known->second.size())
+    builder.fail(line, "no category is left; write \"status " + id + " wrong\"");
+}
+
 void read_points(SampleBuilder& builder, const GroupLine& line) {
   std::string points = line.rest;
   const Exercise& exercise = builder.exercise(line, builder.take(line, points));
@@ -132,6 +155,7 @@ const SampleKey keys[] = {
     {"beside-attacks", "beside-attacks", false,
      [](SampleBuilder& b, const GroupLine&) { b.sample.beside_attacks = true; }},
     {"status", "status", true, read_status},
+    {"fails", "fails", true, read_fails},
     {"points", "points", true, read_points},
     {"place", "place", false, read_place},
     {"fence", "fence", false, [](SampleBuilder& b, const GroupLine& line) { b.attack().fence = line.rest; }},
@@ -181,7 +205,13 @@ void SampleBuilder::complete(const GroupLine& first) {
     if (const auto line = named.find(exercise.id); line != named.end()) {
       expected = given[exercise.id];
       if (filled_in) fail(*line->second, "names " + exercise.id + ", which \"others\" fills in");
-      if (expected.status.empty()) fail(*line->second, "gives " + exercise.id + " points and no status");
+      if (expected.points.has_value() != (sample.showcase && !expected.failed.empty()))
+        fail(*line->second, expected.points
+                                ? "points are computed; name the categories that fail"
+                                : "a sample of the showcase says its points of " + exercise.id + ", too");
+      if (!expected.failed.empty() && expected.status.empty()) expected.status = "partly";
+      if (!expected.failed.empty() && !expected.points)
+        expected.points = points_without(categories.at(exercise.id), expected.failed);
       sample.listed.push_back(exercise.id);
     } else {
       expected.status = has_file || others == "reference" ? "passed"

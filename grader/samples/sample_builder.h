@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "grader/course/course.h"
+#include "grader/samples/categories.h"
 #include "grader/samples/group_file.h"
 #include "grader/samples/sample.h"
 
@@ -16,6 +17,7 @@ namespace grader {
 struct SampleBuilder {
   const GroupFile& group;
   const Course& course;
+  const SampleCategories& categories;
   std::map<std::string, std::vector<EditLine>> parts = {};
   Sample sample = {};
   std::string others = {};

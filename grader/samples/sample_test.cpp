@@ -7,29 +7,44 @@
 namespace grader {
 namespace {
 
+std::vector<Sample> read(const fs::path& project) {
+  return read_samples(project, project / "categories.json");
+}
+
 void expect_refused(const fs::path& project, const std::string& words) {
   try {
-    read_samples(project);
+    read(project);
     FAIL() << "read, for all that: " << words;
   } catch (const BadInput& error) {
     EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
   }
 }
 
-TEST(ReadSamples, ReadsPointsAndLeavesThemOpen) {
-  const auto samples = read_samples(small_project("one\n"));
+TEST(ReadSamples, ComputesPointsFromTheCategoriesThatFail) {
+  const fs::path project = small_project("one\n");
+  const auto samples = read(project);
   ASSERT_EQ(samples.size(), 1u);
-  EXPECT_EQ(samples[0].expected.at("A").status, "wrong");
+  EXPECT_EQ(samples[0].expected.at("A").status, "partly");
   EXPECT_EQ(samples[0].expected.at("A").points, 3.0);
+  EXPECT_EQ(samples[0].expected.at("A").failed, std::vector<std::string>{"The first"});
   EXPECT_EQ(samples[0].expected.at("B").points, std::nullopt);
   EXPECT_EQ(samples[0].group, "bugs");
   EXPECT_FALSE(samples[0].showcase);
+  add_sample(project, "more", "form zip\nfile plain a.cpp\nstatus A crashed\nfails A Two\n");
+  EXPECT_EQ(read(project).at(1).expected.at("A").status, "crashed");
+  EXPECT_EQ(read(project).at(1).expected.at("A").points, 2.0);
+}
+
+TEST(ReadSamples, TakesTheShowcasesPointsAsTheyStandThere) {
+  const fs::path project = small_project("one\n");
+  add_sample(project, "more", "form zip\nshowcase\nfile plain a.cpp\nfails A Two\npoints A 1\n");
+  EXPECT_EQ(read(project).at(1).expected.at("A").points, 1.0);
 }
 
 TEST(ReadSamples, ReadsAttacks) {
   const fs::path project = small_project("one\n");
   add_sample(project, "attacks", "form zip\nalso crashed\nno-pictures\n" + kAttack);
-  const std::vector<Sample> samples = read_samples(project);
+  const std::vector<Sample> samples = read(project);
   ASSERT_TRUE(samples.at(1).attack.has_value());
   const Attack& attack = *samples[1].attack;
   EXPECT_EQ(attack.place, "start");
@@ -42,14 +57,14 @@ TEST(ReadSamples, ReadsAttacks) {
   EXPECT_FALSE(samples[1].in_class());
   EXPECT_FALSE(samples[0].attack.has_value());
   add_sample(project, "attacks", "form zip\nshowcase\nplace run\nfence A wall.\nmost all 7\nseconds 1\n");
-  EXPECT_EQ(read_samples(project).at(1).attack->most_points, 7.0);
-  EXPECT_TRUE(read_samples(project)[1].in_class());
+  EXPECT_EQ(read(project).at(1).attack->most_points, 7.0);
+  EXPECT_TRUE(read(project)[1].in_class());
 }
 
 TEST(ReadSamples, ReadsTheGroupsInTheOrderOfTheirNames) {
   const fs::path project = small_project("one\n");
   add_sample(project, "more", "form zip\n");
-  const auto samples = read_samples(project);
+  const auto samples = read(project);
   ASSERT_EQ(samples.size(), 2u);
   EXPECT_EQ(samples[0].name, "bug");
   EXPECT_EQ(samples[1].name, "more");
@@ -57,16 +72,16 @@ TEST(ReadSamples, ReadsTheGroupsInTheOrderOfTheirNames) {
 
 TEST(ReadSamples, ExpectsWhatHasAFileToPassAndAllElseToBeMissing) {
   const fs::path project = small_project("one\n");
-  EXPECT_EQ(read_samples(project)[0].expected.at("B").status, "missing");
-  EXPECT_EQ(read_samples(project)[0].listed, std::vector<std::string>{"A"});
+  EXPECT_EQ(read(project)[0].expected.at("B").status, "missing");
+  EXPECT_EQ(read(project)[0].listed, std::vector<std::string>{"A"});
   add_sample(project, "more", "form zip\nfile plain a.cpp\n");
-  EXPECT_EQ(read_samples(project)[1].expected.at("A").status, "passed");
+  EXPECT_EQ(read(project)[1].expected.at("A").status, "passed");
   add_sample(project, "more", "form zip\nothers reference\n");
-  EXPECT_EQ(read_samples(project)[1].expected.at("B").status, "passed");
+  EXPECT_EQ(read(project)[1].expected.at("B").status, "passed");
   add_sample(project, "more", "form zip\nothers stub\n");
-  EXPECT_EQ(read_samples(project)[1].expected.at("B").status, "not implemented");
+  EXPECT_EQ(read(project)[1].expected.at("B").status, "not implemented");
   add_sample(project, "more", "form zip\nstatus all can't be read\n");
-  EXPECT_EQ(read_samples(project)[1].listed, (std::vector<std::string>{"A", "B"}));
+  EXPECT_EQ(read(project)[1].listed, (std::vector<std::string>{"A", "B"}));
 }
 
 TEST(ReadSamples, TakesTheGroupsLinesWhereTheSampleHasNone) {
@@ -74,7 +89,7 @@ TEST(ReadSamples, TakesTheGroupsLinesWhereTheSampleHasNone) {
   std::ofstream(project / "grader/samples/more.samples")
       << "title More\n# A comment.\nform zip\nfile plain a.cpp\nfile plain b.cpp\nothers stub\n\n"
          "sample first\nshows It.\n\nsample second\nshows It.\nform folder\nzeros 3 a.bin\nothers none\n";
-  const auto samples = read_samples(project);
+  const auto samples = read(project);
   EXPECT_EQ(samples.at(1).form, SampleForm::zip);
   EXPECT_EQ(samples[1].title, "More");
   EXPECT_EQ(samples[1].files.size(), 2U);
@@ -86,7 +101,7 @@ TEST(ReadSamples, TakesTheGroupsLinesWhereTheSampleHasNone) {
 TEST(ReadSamples, ReadsOddTextsAndPaths) {
   const fs::path project = small_project("one\n");
   add_sample(project, "more", "form zip\ntext \"a \\\"\\n\" \"b\\n c\"\nlink /etc/passwd two words\n");
-  const auto files = read_samples(project).at(1).files;
+  const auto files = read(project).at(1).files;
   ASSERT_EQ(files.size(), 2U);
   EXPECT_EQ(files[0].path, "b\n c");
   EXPECT_EQ(files[0].value, "a \"\n");
@@ -103,9 +118,15 @@ TEST(ReadSamples, NamesWhatIsNotRight) {
            {"form zip\nothers plain\n", ":5: write reference, stub or none"},
            {"form zip\nstatus C wrong\n", ":5: there is no exercise C"},
            {"form zip\nothers stub\nstatus A wrong\n", ":6: names A, which \"others\" fills in"},
-           {"form zip\nstatus A partly\npoints A 6\n", ":6: \"6\" is not right; give a number from 0 to 5"},
-           {"form zip\nstatus A partly\npoints A 5x\n", ":6: \"5x\" is not right"},
-           {"form zip\npoints A 5\n", ":5: gives A points and no status"},
+           {"form zip\nshowcase\nfails A One\npoints A 6\n",
+            ":7: \"6\" is not right; give a number from 0 to 5"},
+           {"form zip\nshowcase\nfails A One\npoints A 5x\n", ":7: \"5x\" is not right"},
+           {"form zip\nfails A One\npoints A 3\n", ":6: points are computed; name the categories that fail"},
+           {"form zip\nshowcase\nfails A One\n", ":6: a sample of the showcase says its points of A, too"},
+           {"form zip\nfails A Three\n", ":5: A has no category \"Three\"; it has One, Two"},
+           {"form zip\nfails A One One\n", ":5: names One twice"},
+           {"form zip\nfails A One Two\n", ":5: no category is left; write \"status A wrong\""},
+           {"form zip\nfails A\n", ":5: name the categories that fail"},
            {"form zip\nshown\n", ":5: unknown word \"shown\""},
            {"form zip\nplace nowhere\n", ":5: unknown place; write build, "},
            {"form zip\nmost C 0\n", ":5: there is no exercise C"},

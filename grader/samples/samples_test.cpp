@@ -8,6 +8,7 @@
 #include <memory>
 #include <set>
 
+#include "grader/samples/categories.h"
 #include "grader/samples/sample.h"
 #include "grader/samples/table.h"
 #include "hair/io/files/read_file.h"
@@ -189,6 +190,20 @@ TEST(SampleClass, ExpectsAKnownStatusForEachExercise) {
     if (!sample.attack) continue;
     for (const std::string& status : sample.attack->also) EXPECT_TRUE(known.count(status)) << status;
   }
+}
+
+// They are written down, and so are the categories: either shows an error in the other.
+TEST(SampleClass, ShowcasesPointsAreThoseOfTheirCategories) {
+  const SampleCategories categories = read_categories(HAIR_CATEGORIES);
+  int compared = 0;
+  for (const Sample& sample : all_samples())
+    for (const auto& [id, expected] : sample.expected)
+      if (sample.showcase && !expected.failed.empty()) {
+        EXPECT_EQ(expected.points, points_without(categories.at(id), expected.failed))
+            << sample.name << ", " << id;
+        ++compared;
+      }
+  EXPECT_GE(compared, 14);
 }
 
 TEST(SampleTable, HasARowForEverySample) {

@@ -31,12 +31,15 @@ inline fs::path small_project(const std::string& source) {
   fs::create_directories(samples / "solutions/plain");
   for (const char* folder : {"handout/student", "reference"}) fs::create_directories(project / folder);
   std::ofstream(project / "handout" / "exercises.json") << kExercises;
+  std::ofstream(project / "categories.json") << R"({
+    "A": [{"name": "One", "title": "The first", "points": 2}, {"name": "Two", "title": "The second", "points": 3}],
+    "B": [{"name": "One", "title": "The first", "points": 5}]})";
   std::ofstream(project / "handout" / "student" / "b.cpp") << "stub\n";
   std::ofstream(project / "reference" / "b.cpp") << "reference\n";
   std::ofstream(samples / "solutions" / "plain" / "a.cpp") << source;
   std::ofstream(samples / "bugs.samples")
       << "title Bugs\n\nsample bug\nshows A bug.\nform folder\nfile plain a.cpp\n"
-         "status A wrong\npoints A 3\nedit\n-one\n+two\n";
+         "fails A One\nedit\n-one\n+two\n";
   return project;
 }
 

@@ -9,10 +9,7 @@
 #include <string>
 
 #include "grader/course/course.h"
-#include "grader/suite/memory_errors.h"
-#include "grader/suite/suite_table.h"
-#include "grader/suite/trial.h"
-#include "grader/suite/whole_run.h"
+#include "grader/suite/graded_categories.h"
 
 namespace grader {
 namespace {
@@ -47,16 +44,10 @@ TEST(AssignmentText, ListsTheCategoriesThatAreGradedWithTheirPoints) {
     SCOPED_TRACE(exercise.text);
     std::map<std::string, double> graded;
     double sum = 0;
-    std::vector<Category> cases = categories(exercise.id), of_the_run;
-    if (const WholeRunPoints run = whole_run_points(exercise.id); run.run > 0)
-      of_the_run = {{"WholeRun", kRunTitle, run.run, {}}, {"Pictures", kPicturesTitle, run.pictures, {}}};
-    pay_for_memory_errors(cases, of_the_run);
-    cases.push_back({"Memory", kMemoryTitle, kMemoryPoints, {}});
-    for (const auto* list : {&cases, &of_the_run})
-      for (const Category& category : *list) {
-        graded[category.title] = category.weight;
-        sum += category.weight;
-      }
+    for (const Category& category : graded_categories(exercise.id)) {
+      graded[category.title] = category.weight;
+      sum += category.weight;
+    }
     const Promise promise = promise_of(std::filesystem::path(HAIR_HANDOUT) / exercise.text);
     EXPECT_EQ(promise.table, graded);
     EXPECT_EQ(promise.points, sum);

@@ -79,7 +79,7 @@ TEST(SampleClass, TakesLessThanAMegabyteForEach) {
   }
 }
 
-TEST(SampleClass, EverybodyGetsTheirStatusesAndPoints) {
+TEST(SampleClass, EverybodyGetsTheirStatusesCategoriesAndPoints) {
   for (const Sample& sample : samples()) {
     SCOPED_TRACE(sample.name + ": " + sample.shows);
     const SubmissionResult result = result_of(submission_name(sample.name));
@@ -87,11 +87,16 @@ TEST(SampleClass, EverybodyGetsTheirStatusesAndPoints) {
     for (const ExerciseResult& exercise : result.exercises) {
       const ExpectedResult& expected = sample.expected.at(exercise.id);
       std::string failures;
+      std::set<std::string> failed;
       for (const CaseResult& one : exercise.cases)
-        if (one.status != Status::passed)
+        if (one.status != Status::passed && failed.insert(one.name).second)
           failures += "\n  " + one.name + ": " + one.feedback + " | " + one.detail;
       EXPECT_EQ(to_string(exercise.status), expected.status) << exercise.id << failures << "\n"
                                                              << exercise.staff_log;
+      if (!expected.failed.empty()) {
+        EXPECT_EQ(failed, std::set<std::string>(expected.failed.begin(), expected.failed.end()))
+            << exercise.id << failures;
+      }
       const double otherwise = expected.status == "passed" ? exercise.max_points : 0;
       EXPECT_NEAR(exercise.points, expected.points.value_or(otherwise), 1e-9) << exercise.id << failures;
     }
