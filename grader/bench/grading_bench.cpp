@@ -153,8 +153,14 @@ void time_parts(const Course& course, const Exercise& exercise, const fs::path& 
     student.finish();
   };
   auto run_cases = [&] {
-    const SuiteResult found = run_suite(
-        HAIR_SUITE, {id, "a seed", kit.folder(), exercise.prerequisites, objects, scratch / "log", true, 10});
+    SuiteJob job;
+    job.exercise = id;
+    job.seed = "a seed";
+    job.kit = kit.folder();
+    job.provided = exercise.prerequisites;
+    job.objects = objects;
+    job.log = scratch / "log";
+    const SuiteResult found = run_suite(HAIR_SUITE, job);
     for (const CaseResult& one : found.cases)
       require(one.status == Status::passed, "the reference fails in " + one.name);
   };

@@ -16,6 +16,8 @@ struct Budget {
   double restarts = 75;               // of workers that crashed or broke the rules
   double messages = 3e7;              // from workers
   double megabytes = 11000;           // in these messages
+
+  bool operator==(const Budget&) const = default;
 };
 
 struct BudgetField {

@@ -10,7 +10,7 @@
 #include "grader/report/pages.h"
 #include "grader/report/picture_files.h"
 #include "grader/report/results_json.h"
-#include "grader/result/study_json.h"
+#include "grader/result/result_fields.h"
 #include "hair/io/files/read_file.h"
 
 namespace grader {
@@ -34,6 +34,12 @@ fs::path record_of(const fs::path& dir, const std::string& name) {
   return dir / "staff" / (name + ".json");
 }
 
+// The record names the pictures' files.
+PictureText pictures_in(const fs::path& dir) {
+  return {picture_name,
+          [folder = pictures_folder(dir)](const std::string& name) { return read_picture(folder, name); }};
+}
+
 // The record comes last and goes first: where it is, all other files belong to it. So a grader that is killed
 // leaves either a whole result or none.
 void remove_record(const fs::path& dir, const std::string& name) {
@@ -52,14 +58,14 @@ void write_submission_reports(const fs::path& dir, const SubmissionResult& resul
   write_file(dir / result.name / "report.html", student_page(result));
   write_pictures(pictures_folder(dir), result);
   write_file(dir / "staff" / (result.name + ".html"), staff_page(result));
-  write_file(record_of(dir, result.name), staff_json(result));
+  write_file(record_of(dir, result.name), json_text(result, 1, pictures_in(dir)));
 }
 
 void write_study(const fs::path& dir, const SubmissionResult& result, const SubmissionStudy& study,
                  const SubmissionStudy& beside_itself) {
   check_name(result.name);
   remove_record(dir, result.name);
-  write_file(dir / result.name / "study.json", study_json(study));
+  write_file(dir / result.name / "study.json", json_text(study, 1));
   write_file(dir / result.name / "study.html", study_page(result, study, beside_itself));
 }
 
@@ -84,9 +90,12 @@ std::optional<SubmissionResult> read_results(const fs::path& dir, const std::str
                      fs::exists(dir / "staff" / (name + ".html"), error);
   const std::string text = whole ? hair::bytes_of(record_of(dir, name)) : "";
   if (text.empty()) return {};
-  std::optional<SubmissionResult> result = result_from_staff_json(text, pictures_folder(dir));
-  if (result && result->name != name) return {};
-  return result;
+  try {
+    SubmissionResult result = from_json_text<SubmissionResult>(text, name, pictures_in(dir));
+    if (result.name == name) return result;
+  } catch (const BadInput&) {  // damaged, or one of its pictures
+  }
+  return {};
 }
 
 std::vector<std::string> submissions_in(const fs::path& dir) {

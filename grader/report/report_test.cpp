@@ -451,32 +451,5 @@ TEST(PictureDistance, IsTheLargestOfTheGradedOnes) {
   EXPECT_EQ(picture_distance(result), 0.3);
 }
 
-// RFC 4648, section 10.
-TEST(Base64, IsTheRfcs) {
-  const std::map<std::string, std::string> vectors{{"", ""},
-                                                   {"f", "Zg=="},
-                                                   {"fo", "Zm8="},
-                                                   {"foo", "Zm9v"},
-                                                   {"foob", "Zm9vYg=="},
-                                                   {"fooba", "Zm9vYmE="},
-                                                   {"foobar", "Zm9vYmFy"}};
-  for (const auto& [bytes, text] : vectors) {
-    EXPECT_EQ(base64(bytes), text);
-    EXPECT_EQ(from_base64(text), bytes);
-  }
-  for (const char* bad : {"Zg", "Zg=", "Zg==\n", "Zm9v!", "Zh==", "====", "Z"})
-    EXPECT_THROW(from_base64(bad), std::invalid_argument) << bad;
-}
-
-TEST(Statuses, HaveNamesThatReadBackAndSentencesOfTheirOwn) {
-  std::map<std::string, Status> sentences;
-  for (const Status status : all_statuses) {
-    EXPECT_EQ(status_from_string(to_string(status)), status);
-    EXPECT_TRUE(sentences.emplace(sentence_for(status), status).second);
-    EXPECT_TRUE(sentence_for(status).ends_with("."));
-  }
-  EXPECT_THROW(status_from_string("fine"), std::invalid_argument);
-}
-
 }  // namespace
 }  // namespace grader

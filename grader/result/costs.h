@@ -1,7 +1,8 @@
-// STAFF ONLY. What grading cost: of each exercise, and as a table for people.
+// STAFF ONLY. What grading cost: of each exercise, of a class, and as a table for people.
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,7 +10,8 @@
 
 namespace grader {
 
-// The cost of an exercise; the only part of a result that differs from run to run.
+// The cost of an exercise; the only part of a result that differs from run to run. A row in costs.cpp is all that
+// timing.json and the page need for a new member.
 struct ExerciseTiming {
   double compile_seconds = 0;  // wall time, including linking; 0 if it came from the cache
   double suite_seconds = 0;    // wall time
@@ -19,10 +21,31 @@ struct ExerciseTiming {
   Budget spent = nothing_spent();
   double run_cpu_seconds = 0;      // of the worker that plays the whole run
   double picture_cpu_seconds = 0;  // for drawing and comparing its pictures
+
+  bool operator==(const ExerciseTiming&) const = default;
 };
 
 // By exercise, or another part such as the end-to-end runs.
 using TimingByExercise = std::map<std::string, ExerciseTiming>;
+
+struct LastRun {
+  double wall_seconds = 0;
+  int graded = 0, jobs = 0;
+
+  bool operator==(const LastRun&) const = default;
+};
+
+struct ClassCosts {
+  TimingByExercise reference;
+  std::map<std::string, TimingByExercise> submissions;  // by name
+  std::optional<LastRun> last_run;                      // nothing: it has not finished
+
+  bool operator==(const ClassCosts&) const = default;
+};
+
+// timing.json. The reader throws BadInput for a text that is none; errors name it `name`.
+std::string to_json(const ClassCosts& costs);
+ClassCosts class_costs_from_json(const std::string& text, const std::string& name);
 
 // What a submission costs is the sum of its wall_seconds; the other columns are parts of these.
 enum class CostKind { wall_seconds, cpu_seconds, count };
@@ -40,5 +63,7 @@ struct Costs {
   CostsByPart reference;
   std::map<std::string, CostsByPart> submissions;  // by name
 };
+
+Costs costs_table(const ClassCosts& costs);
 
 }  // namespace grader

@@ -64,25 +64,12 @@ std::string to_string(Status status) {
   return wording_of(status).name;
 }
 
-Status status_from_string(const std::string& name) {
-  for (const Wording& wording : wordings) {
-    if (name == wording.name) return wording.status;
-  }
-  throw std::invalid_argument("\"" + name + "\" is no status");
-}
-
 std::string sentence_for(Status status) {
   return wording_of(status).sentence;
 }
 
 std::string to_string(RunOutcome outcome) {
   return outcomes.at(static_cast<std::size_t>(outcome));
-}
-
-RunOutcome run_outcome_from_string(const std::string& name) {
-  for (std::size_t i = 0; i < outcomes.size(); ++i)
-    if (name == outcomes[i]) return static_cast<RunOutcome>(i);
-  throw std::invalid_argument("\"" + name + "\" is no outcome of a run");
 }
 
 double points(const SubmissionResult& result) {

@@ -26,9 +26,8 @@ enum class Status {
 // The name of the category that compares pictures of the whole run.
 inline constexpr const char* kPicturesTitle = "Pictures of it";
 
-std::string to_string(Status status);           // "does not compile"
-Status status_from_string(const std::string&);  // throws std::invalid_argument
-std::string sentence_for(Status status);        // helps the student without revealing hidden cases
+std::string to_string(Status status);     // "does not compile"
+std::string sentence_for(Status status);  // helps the student without revealing hidden cases
 
 // The moments of a whole run that are drawn. Fewer were drawn of one that ends early.
 inline constexpr std::size_t kRunPictures = 3;
@@ -44,6 +43,8 @@ struct CaseResult {
   std::string memory_error = {};
   // Of a wrong category, how many of its cases hold; 0 of 0 where they could not be counted.
   int cases = 0, held = 0;
+
+  bool operator==(const CaseResult&) const = default;
 };
 
 // A moment of a run. We draw it from the states of the submission's code and of the reference. It contains no
@@ -56,6 +57,8 @@ struct PictureResult {
   double blurred_rmse_limit = 0, flip_limit = 0;
   // Its particles are far from the reference's: students see it coarsely (student_view.h).
   bool far_off = false;
+
+  bool operator==(const PictureResult&) const = default;
 };
 
 struct ExerciseResult {
@@ -70,12 +73,13 @@ struct ExerciseResult {
   std::string staff_log;                // the whole output of compiler, linker and worker
   // How often a function that promises to allocate nothing did so in one call, as the worker says of itself: a hint. 0: never.
   int allocations = 0;
+
+  bool operator==(const ExerciseResult&) const = default;
 };
 
 enum class RunOutcome { same, differs, blew_up, failed, not_run };
 
-std::string to_string(RunOutcome outcome);               // "blew up"
-RunOutcome run_outcome_from_string(const std::string&);  // throws std::invalid_argument
+std::string to_string(RunOutcome outcome);  // "blew up"
 
 // A scene that runs all exercises of a submission together: shown, but not scored.
 struct RunResult {
@@ -84,6 +88,8 @@ struct RunResult {
   std::string feedback;  // for students
   std::string detail;    // for staff
   std::vector<PictureResult> pictures = {};
+
+  bool operator==(const RunResult&) const = default;
 };
 
 struct SubmissionResult {
@@ -95,6 +101,8 @@ struct SubmissionResult {
   bool isolated = true;     // false: graded without a sandbox; every page says so
   bool images = true;       // false: graded without pictures; every page says so
   bool studied = false;     // there is a study.html, to which pages link
+
+  bool operator==(const SubmissionResult&) const = default;
 };
 
 bool too_far(const PictureResult&);  // over a limit

@@ -31,6 +31,8 @@ struct StudyPoint {
   // CPU time, s. If no round was measured, `seconds` has only the time of the first play.
   double first_seconds = 0;          // of its first play; 0: unknown
   std::vector<double> seconds = {};  // of each measured round
+
+  bool operator==(const StudyPoint&) const = default;
 };
 
 struct StudyCurve {
@@ -40,6 +42,8 @@ struct StudyCurve {
   // that was played; 0: there is none. Points that broke don't count.
   int stable_steps = 0;
   bool stable_everywhere = false;  // true: stable with the smallest number that was played
+
+  bool operator==(const StudyCurve&) const = default;
 };
 
 // The subject of a pair of curves: a scene, or one toy of it.
@@ -57,20 +61,28 @@ struct PartStudy {
   // all rounds. Nothing if the two have no common error.
   struct Ratio {
     double median = 1, least = 1, most = 1;
+
+    bool operator==(const Ratio&) const = default;
   };
   std::optional<Ratio> ratio;
   std::string note = {};  // omissions and their reasons
+
+  bool operator==(const PartStudy&) const = default;
 };
 
 struct SceneStudy {
   std::string name, shows;
   std::string left_out = {};  // not empty: the reason why there are no parts
   std::vector<PartStudy> parts = {};
+
+  bool operator==(const SceneStudy&) const = default;
 };
 
 struct SubmissionStudy {
   std::vector<SceneStudy> scenes;
   double student_seconds = 0, reference_seconds = 0;  // CPU time of the two workers
+
+  bool operator==(const SubmissionStudy&) const = default;
 };
 
 double step_of(const PartStudy& part, int steps);  // s

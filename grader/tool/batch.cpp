@@ -80,6 +80,8 @@ Batch grade_batch(const Grading& grading, const std::vector<Submission>& submiss
   const auto start = std::chrono::steady_clock::now();
   batch.problems = grading.reference().problems;
   Timing timing(settings.out, grading.reference().timing, settings.merge);
+  if (!timing.damage().empty())
+    std::cerr << "hairgrade: " << timing.damage() << "; costs of earlier runs are left out\n";
   std::string failure;
   Progress progress(settings.only ? 1 : submissions.size());
   std::mutex shared;  // guards all of the above

@@ -134,9 +134,9 @@ void run_cases(const SuiteJobs& jobs, const Exercise& exercise, const std::strin
     if (jobs.settings().course.partial) one.points = points_for_share(one);
     result.points += one.points;
   }
-  if (sanitised && !found.memory_error.told.empty()) {
+  if (sanitised && found.memory && !found.memory->told.empty()) {
     const std::string told =
-        found.memory_error.told + place_of(*sanitised, exercise.file, found.memory_error.offsets) + ".";
+        found.memory->told + place_of(*sanitised, exercise.file, found.memory->offsets) + ".";
     for (CaseResult& one : found.cases)
       if (one.name == kMemoryTitle) one.memory_error = one.feedback = told;
   }

@@ -144,7 +144,7 @@ SuiteResult SuiteJobs::run(const SuiteJob& job, ExerciseTiming& timing) const {
   const double compiler = timing.spent.compiler_cpu_seconds;
   timing.spent = found.spent;
   timing.spent.compiler_cpu_seconds = compiler;
-  timing.sanitised_cpu_seconds = found.sanitised_cpu_seconds;
+  timing.sanitised_cpu_seconds = found.memory ? found.memory->cpu_seconds : 0;
   timing.run_cpu_seconds = found.run_cpu_seconds;
   timing.picture_cpu_seconds = found.picture_cpu_seconds;
   return found;

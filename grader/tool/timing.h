@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -12,16 +11,13 @@
 
 namespace grader {
 
-struct LastRun {
-  double wall_seconds = 0;
-  int graded = 0, jobs = 0;
-};
-
 class Timing {
  public:
-  // Begins with what earlier runs found. `merge`: this run grades one exercise alone, and keeps the costs of the
-  // others.
+  // Begins with what earlier runs found, or anew where that can't be read. `merge`: this run grades one exercise alone,
+  // and keeps the costs of the others.
   Timing(std::filesystem::path folder, const TimingByExercise& reference, bool merge);
+
+  const std::string& damage() const { return damage_; }  // why it began anew, in a line; empty: it did not
 
   // Writes timing.json, so that no cost is lost if the batch is killed.
   void add(const std::string& submission, const TimingByExercise& timing);
@@ -31,12 +27,12 @@ class Timing {
 
  private:
   void put(TimingByExercise& place, const TimingByExercise& timing) const;
-  void write(const LastRun* run) const;
+  void write() const;
 
   std::filesystem::path folder_;
   bool merge_;
-  TimingByExercise reference_;
-  std::map<std::string, TimingByExercise> submissions_;
+  ClassCosts costs_;
+  std::string damage_;
 };
 
 }  // namespace grader

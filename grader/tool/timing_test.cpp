@@ -68,13 +68,19 @@ TEST_F(TimingOfAFolder, LeavesOutWhoHasNoResultAnyMore) {
   EXPECT_EQ(page.find("alice"), std::string::npos);
 }
 
-TEST_F(TimingOfAFolder, BeginsAnewWhereTheFileIsDamaged) {
-  std::ofstream(folder() / "timing.json") << R"({"submissions": [3, {"S1": null}], "reference": "x)";
-  Timing timing(folder(), cost({"S1"}, 1), false);
-  std::ofstream(folder() / "timing.json") << R"({"submissions": [3, {"S1": null}], "reference": "x"})";
-  Timing again(folder(), cost({"S1"}, 1), false);
-  again.add("bob", cost({"S1"}, 2));
-  EXPECT_EQ(file()["submissions"]["bob"]["S1"]["suite_seconds"], 2);
+TEST_F(TimingOfAFolder, BeginsAnewWhereTheFileIsDamagedAndSaysSo) {
+  EXPECT_EQ(Timing(folder(), cost({"S1"}, 1), false).damage(), "");
+  const std::string file_name = (folder() / "timing.json").string();
+  for (const char* text : {R"({"submissions": [3, {"S1": null}], "reference": "x)",
+                           R"({"submissions": [3, {"S1": null}], "reference": "x"})", ""}) {
+    std::ofstream(file_name) << text;
+    Timing again(folder(), cost({"S1"}, 1), false);
+    EXPECT_TRUE(again.damage().starts_with(file_name + ": ")) << again.damage();
+    EXPECT_EQ(again.damage().find('\n'), std::string::npos) << again.damage();
+    again.add("bob", cost({"S1"}, 2));
+    EXPECT_EQ(file()["submissions"]["bob"]["S1"]["suite_seconds"], 2);
+    EXPECT_EQ(Timing(folder(), cost({"S1"}, 1), false).damage(), "");
+  }
 }
 
 }  // namespace

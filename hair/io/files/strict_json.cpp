@@ -133,10 +133,15 @@ std::vector<std::string> JsonValue::keys() const {
 
 void JsonValue::check_keys(std::initializer_list<std::string_view> required,
                            std::initializer_list<std::string_view> optional) const {
+  check_keys(std::span(required.begin(), required.size()), std::span(optional.begin(), optional.size()));
+}
+
+void JsonValue::check_keys(std::span<const std::string_view> required,
+                           std::span<const std::string_view> optional) const {
   const std::string known =
       listed(required) + (required.size() > 0 && optional.size() > 0 ? ", " : "") + listed(optional);
   for (const std::string& key : keys()) {
-    const auto names = [&](std::initializer_list<std::string_view> list) {
+    const auto names = [&](std::span<const std::string_view> list) {
       return std::find(list.begin(), list.end(), key) != list.end();
     };
     if (!names(required) && !names(optional)) {
@@ -172,8 +177,12 @@ std::vector<JsonValue> JsonValue::items() const {
 }
 
 std::string JsonValue::text() const {
+  if (any_text().empty()) fail("is empty; write some text");
+  return any_text();
+}
+
+std::string JsonValue::any_text() const {
   if (!value_->is_string()) fail(shown() + " is not text; write \"...\"");
-  if (value_->get_ref<const std::string&>().empty()) fail("is empty; write some text");
   return value_->get<std::string>();
 }
 

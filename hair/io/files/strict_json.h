@@ -38,6 +38,8 @@ class JsonValue {
   // Checks an object: it has all keys of `required`, and no others except those of `optional`.
   void check_keys(std::initializer_list<std::string_view> required,
                   std::initializer_list<std::string_view> optional = {}) const;
+  void check_keys(std::span<const std::string_view> required,
+                  std::span<const std::string_view> optional) const;
   bool has(const std::string& key) const;
   JsonValue operator[](const std::string& key) const;  // of an object that has this key
   bool is_null() const;
@@ -45,6 +47,7 @@ class JsonValue {
   std::vector<std::string> keys() const;   // of an object
   std::vector<JsonValue> items() const;    // of an array
   std::string text() const;                // a non-empty string
+  std::string any_text() const;            // a string
   std::vector<std::string> texts() const;  // an array of such strings, all different
   double number(double lowest, double highest) const;
   long whole_number(long lowest, long highest) const;                        // also written as 3.0 or 3e2
@@ -55,11 +58,12 @@ class JsonValue {
   // The only key of an object; it must be one of `choices`.
   std::string only_key(std::initializer_list<std::string_view> choices) const;
 
+  const nlohmann::json& value() const { return *value_; }
+  std::string shown() const;  // the value in a message: printable, and cut
   [[noreturn]] void fail(const std::string& what) const;
 
  private:
   JsonValue(const nlohmann::json& value, std::filesystem::path file, std::string where);
-  std::string shown() const;
 
   const nlohmann::json* value_;
   std::filesystem::path file_;

@@ -1,0 +1,104 @@
+// STAFF ONLY.
+#include "grader/result/result_fields.h"
+
+#include "grader/result/base64.h"
+
+namespace grader {
+
+PictureText pictures_in_base64() {
+  return {[](const std::string& png) { return base64(png); },
+          [](const std::string& text) { return from_base64(text); }};
+}
+
+const Rows<CaseResult>& Fields<CaseResult>::rows() {
+  using T = CaseResult;
+  static const Rows<T> all = {field("name", &T::name),
+                              field("status", &T::status),
+                              field("points", &T::points),
+                              field("max_points", &T::max_points),
+                              field("feedback", &T::feedback),
+                              field("detail", &T::detail),
+                              field("memory_error", &T::memory_error),
+                              field("cases", &T::cases),
+                              field("held", &T::held)};
+  return all;
+}
+
+const Rows<PictureResult>& Fields<PictureResult>::rows() {
+  using T = PictureResult;
+  static const Rows<T> all = {field("name", &T::name),
+                              field("blurred_rmse", &T::blurred_rmse),
+                              field("flip", &T::flip),
+                              picture("student", &T::student),
+                              picture("reference", &T::reference),
+                              picture("heat", &T::heat),
+                              field("blurred_rmse_limit", &T::blurred_rmse_limit),
+                              field("flip_limit", &T::flip_limit),
+                              field("far_off", &T::far_off)};
+  return all;
+}
+
+const Rows<ExerciseResult>& Fields<ExerciseResult>::rows() {
+  using T = ExerciseResult;
+  static const Rows<T> all = {field("id", &T::id),
+                              field("title", &T::title),
+                              field("file", &T::file),
+                              field("extra_credit", &T::extra_credit),
+                              field("status", &T::status),
+                              field("points", &T::points),
+                              field("max_points", &T::max_points),
+                              field("feedback", &T::feedback),
+                              field("compiler_messages", &T::compiler_messages),
+                              field("cases", &T::cases),
+                              field("pictures", &T::pictures),
+                              field("staff_log", &T::staff_log),
+                              field("allocations", &T::allocations)};
+  return all;
+}
+
+const Rows<RunResult>& Fields<RunResult>::rows() {
+  using T = RunResult;
+  static const Rows<T> all = {field("name", &T::name),       field("shows", &T::shows),
+                              field("outcome", &T::outcome), field("feedback", &T::feedback),
+                              field("detail", &T::detail),   field("pictures", &T::pictures)};
+  return all;
+}
+
+const Rows<SubmissionResult>& Fields<SubmissionResult>::rows() {
+  using T = SubmissionResult;
+  static const Rows<T> all = {
+      field("name", &T::name),
+      field("fingerprint", &T::fingerprint),
+      field("isolated", &T::isolated),
+      field("images", &T::images),
+      field("note", &T::note),
+      field("exercises", &T::exercises),
+      field("runs", &T::runs),
+      field<T>("studied", &T::studied, [](const T& result) { return result.studied; })};
+  return all;
+}
+
+const Rows<MemoryLook>& Fields<MemoryLook>::rows() {
+  using T = MemoryLook;
+  static const Rows<T> all = {field("told", &T::told), field("offsets", &T::offsets),
+                              field("cpu_seconds", &T::cpu_seconds)};
+  return all;
+}
+
+const Rows<SuiteResult>& Fields<SuiteResult>::rows() {
+  using T = SuiteResult;
+  static const Rows<T> all = {field("cases", &T::cases),
+                              field("pictures", &T::pictures),
+                              field("runs", &T::runs),
+                              field("study", &T::study),
+                              field("memory", &T::memory),
+                              field("allocations", &T::allocations),
+                              field("cpu_seconds", &T::cpu_seconds),
+                              field("run_cpu_seconds", &T::run_cpu_seconds),
+                              field("picture_cpu_seconds", &T::picture_cpu_seconds),
+                              field("starts", &T::starts),
+                              field("spent", &T::spent)};
+  return all;
+}
+
+}  // namespace grader

@@ -1,0 +1,42 @@
+// STAFF ONLY. What a hidden suite found of a job (grader/suite/job.h), as hairsuite writes it to standard output.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grader/course/budget.h"
+#include "grader/result/result.h"
+#include "grader/result/study.h"
+
+namespace grader {
+
+// The look for memory errors, see grader/suite/memory_errors.h.
+struct MemoryLook {
+  // A memory error, as a sentence for the student, and where in the sanitised object it is, see
+  // grader/wire/memory_error.h: not trusted. Empty: none was found.
+  std::string told;
+  std::vector<std::uint64_t> offsets;
+  double cpu_seconds = 0;  // of the worker with sanitizers
+
+  bool operator==(const MemoryLook&) const = default;
+};
+
+struct SuiteResult {
+  std::vector<CaseResult> cases;         // of an exercise; points are weights, not yet scaled to its points
+  std::vector<PictureResult> pictures;   // of its whole run
+  std::vector<RunResult> runs;           // of "runs"
+  std::optional<SubmissionStudy> study;  // of "study"
+  std::optional<MemoryLook> memory;      // nothing: not looked for
+  int allocations = 0;                   // see Student::allocations
+  double cpu_seconds = 0;                // of the worker
+  double run_cpu_seconds = 0;            // of the worker that played the whole run
+  double picture_cpu_seconds = 0;        // on our side: drawing and comparing
+  int starts = 0;                        // of the worker
+  Budget spent = nothing_spent();
+
+  bool operator==(const SuiteResult&) const = default;
+};
+
+}  // namespace grader
