@@ -118,6 +118,16 @@ TEST_F(CompilerTest, TheLecturesIncludeIsFound) {
   EXPECT_FALSE(compiled.object.empty()) << compiled.log;
 }
 
+// At home a student's file lies in student/, beside the folders of the given code.
+TEST_F(CompilerTest, AnIncludeFromTheFolderAboveIsFound) {
+  const Exercise& exercise = *course_.find("S1");
+  const Compiled compiled = compiler_.compile(
+      exercise,
+      "#include \"../solver/linearSolver.h\"\n#include \"../solver/timing.h\"\n" + reference(exercise),
+      kit_.new_job("from-above"), kSeconds);
+  EXPECT_FALSE(compiled.object.empty()) << compiled.log;
+}
+
 TEST_F(CompilerTest, AnExerciseWithoutEigenHasNone) {
   const Exercise& without = *course_.find("S1");
   const Compiled compiled = compiler_.compile(without, "#include <Eigen/Core>\n" + reference(without),

@@ -154,7 +154,7 @@ std::vector<std::string> Toolchain::compile_command(const std::vector<std::strin
   if (build == Build::sanitised) command.insert(command.end(), kSanitise.begin(), kSanitise.end());
   for (const std::string& library : libraries)
     command.insert(command.end(), {"-isystem", "/usr/include/" + folder_of(library)});
-  command.insert(command.end(), {"-I/given", "-I/given/solver/lecture"});
+  command.insert(command.end(), {"-I/given", "-I/given/solver/lecture", "-I/given/student"});
   return command;
 }
 

@@ -20,7 +20,7 @@ const std::regex& playing() {
 }
 
 std::string file_of(const std::string& scene) {
-  return "hair/scenes/" + scene + ".json";
+  return "given/hair/scenes/" + scene + ".json";
 }
 
 // The first scene that the text plays and the course lacks; empty if there is none.

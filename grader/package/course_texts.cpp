@@ -215,7 +215,8 @@ std::string course_text(const std::string& text, const std::string& destination,
     points.emplace(*own);
     writing.emplace(*own, course);
   }
-  const bool index = destination == "assignment/README.md", scenes = destination == "hair/scenes/README.md";
+  const bool index = destination == "assignment/README.md",
+             scenes = destination == "given/hair/scenes/README.md";
 
   std::istringstream in(course.partial ? with_partial_points(text) : text);
   std::string result;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 #include <deque>
+#include <filesystem>
 #include <sstream>
 #include <string_view>
 #include <unordered_map>
@@ -98,6 +99,33 @@ void check_listing(const Files& handout, const Paths& listed) {
   for (const std::string& path : listed)
     if (!handout.contains(path))
       throw HandoutError("the archive lacks " + path + ", which the manifest lists");
+}
+
+void check_folder(const Files& files, const std::string& where) {
+  for (const auto& [path, text] : files) {
+    const std::string stem = std::filesystem::path(path).stem().string();
+    const auto holds = [&](std::string_view part) { return text.find(part) != std::string::npos; };
+    std::string kind;
+    if (holds(canary)) kind = "a staff file";
+    if (holds("gtest/gtest.h") || stem.ends_with("_test") || stem.starts_with("test_")) kind = "of a test";
+    if (holds("benchmark/benchmark.h") || stem.ends_with("_bench")) kind = "of a benchmark";
+    if (holds("LLVMFuzzerTestOneInput") || stem.ends_with("_fuzz")) kind = "of a fuzz program";
+    if (!kind.empty())
+      throw HandoutError(where + ": " + path + " is " + kind +
+                         ", and its folder ships; move the file into a folder of its own");
+  }
+}
+
+void check_accepted(const Paths& now, const Paths& accepted) {
+  std::string changes;
+  for (const std::string& path : now)
+    if (!accepted.contains(path)) changes += path + " is new\n";
+  for (const std::string& path : accepted)
+    if (!now.contains(path)) changes += path + " is gone\n";
+  if (!changes.empty())
+    throw HandoutError(
+        "the handout is not the one of handout/packed.txt:\n" + changes +
+        "Look at each file; then \"hairgrade handout --accept --out FILE.tar.gz\" writes the list anew");
 }
 
 void check_canary(const Files& handout, const Paths& solved) {

@@ -19,6 +19,13 @@ using Paths = std::set<std::string>;
 // The handout contains exactly the files that the manifest lists.
 void check_listing(const Files& handout, const Paths& listed);
 
+// What ships as a folder holds no tests, benchmarks, fuzz programs or staff files; `where` names its line. The keys are the files' paths
+// in the project.
+void check_folder(const Files& files, const std::string& where);
+
+// The whole course ships exactly what it shipped when somebody last looked (handout/packed.txt). Says each file that is new or gone.
+void check_accepted(const Paths& now, const Paths& accepted);
+
 // No file contains the mark with which every staff file begins. `solved` are the files of given exercises,
 // which contain it.
 void check_canary(const Files& handout, const Paths& solved);

@@ -45,6 +45,12 @@ TEST(ListingGate, ClosesForAFileTooManyOrTooFew) {
             "the archive lacks b, which the manifest lists");
 }
 
+TEST(AcceptedGate, OpensForTheListAndSaysWhatIsNewOrGone) {
+  EXPECT_EQ(complaint_of([] { check_accepted({"a", "b"}, {"a", "b"}); }), "");
+  const std::string said = complaint_of([] { check_accepted({"a", "b"}, {"a", "c"}); });
+  EXPECT_NE(said.find("\nb is new\nc is gone\n"), std::string::npos) << said;
+}
+
 TEST(CanaryGate, ClosesForAFileOfTheStaffs) {
   const Files handout = {{"README.md", "Welcome"}, {"student/f.cpp", "// STAFF ONLY. f\n"}};
   EXPECT_NE(complaint_of([&] { check_canary(handout, {}); }).find("student/f.cpp"), std::string::npos);

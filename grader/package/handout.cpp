@@ -9,6 +9,7 @@
 #include "grader/intake/archive.h"
 #include "grader/package/course_texts.h"
 #include "grader/package/manifest.h"
+#include "hair/io/files/write_file.h"
 
 namespace grader {
 namespace {
@@ -31,6 +32,26 @@ Paths solved_files(const Course& course) {
   for (const Exercise& exercise : course.exercises)
     if (exercise.role == Role::given) solved.insert("student/" + exercise.file);
   return solved;
+}
+
+// What ships if all exercises are assigned.
+Paths whole_handout(const HandoutSources& sources, Course course) {
+  for (Exercise& exercise : course.exercises) exercise.role = Role::assigned;
+  Paths paths;
+  for (const ManifestLine& line : read_manifest(sources.root, course)) paths.insert(line.destination);
+  return paths;
+}
+
+fs::path packed_list(const HandoutSources& sources) {
+  return sources.root / "handout/packed.txt";
+}
+
+Paths accepted_files(const HandoutSources& sources) {
+  std::istringstream list(read_file(packed_list(sources), "handout/packed.txt"));
+  Paths accepted;
+  for (std::string line; std::getline(list, line);)
+    if (!line.empty() && line[0] != '#') accepted.insert(line);
+  return accepted;
 }
 
 Files files_below(const fs::path& folder) {
@@ -73,8 +94,7 @@ void check_gates(const fs::path& archive, const HandoutSources& sources, const C
   const Files handout = read_archive(archive);
   const Paths solved = solved_files(course);
   Paths listed;
-  for (const ManifestLine& line : read_manifest(sources.root / "handout/manifest.txt", course))
-    listed.insert(line.destination);
+  for (const ManifestLine& line : read_manifest(sources.root, course)) listed.insert(line.destination);
   check_listing(handout, listed);
   check_canary(handout, solved);
   check_reference_lines(handout, files_below(sources.root / "reference"), solved);
@@ -93,13 +113,11 @@ struct TemporaryFile {
 
 Files handout_files(const HandoutSources& sources, const Course& course) {
   const Paths solved = solved_files(course);
-  const std::vector<ManifestLine> lines = read_manifest(sources.root / "handout/manifest.txt", course);
+  const std::vector<ManifestLine> lines = read_manifest(sources.root, course);
   Paths shipped, missing;
   for (const ManifestLine& line : lines) shipped.insert(line.destination);
-  Course whole = course;
-  for (Exercise& exercise : whole.exercises) exercise.role = Role::assigned;
-  for (const ManifestLine& line : read_manifest(sources.root / "handout/manifest.txt", whole))
-    if (!shipped.contains(line.destination)) missing.insert(line.destination);
+  for (const std::string& path : whole_handout(sources, course))
+    if (!shipped.contains(path)) missing.insert(path);
   Files files;
   for (const ManifestLine& line : lines) {
     fs::path source = sources.root / line.source;
@@ -115,12 +133,22 @@ Files handout_files(const HandoutSources& sources, const Course& course) {
   return files;
 }
 
+void accept_files(const HandoutSources& sources, const Course& course) {
+  std::string list =
+      "# The files of the handout with all exercises, as somebody accepted them: \"hairgrade handout "
+      "--accept\" writes this list.\n"
+      "# Its headers are those that students' code is compiled with in grading.\n";
+  for (const std::string& path : whole_handout(sources, course)) list += path + "\n";
+  hair::write_file(packed_list(sources), list);
+}
+
 void make_handout(const HandoutSources& sources, const Course& course, const fs::path& out) {
   if (fs::is_directory(out))
     throw BadInput(out.string() + ": is a folder; name the archive to write, like handout.tar.gz");
   if (const fs::path folder = fs::absolute(out).parent_path(); !fs::is_directory(folder))
     throw BadInput(out.string() + ": there is no folder " + folder.string() +
                    "; make it first, or write elsewhere");
+  check_accepted(whole_handout(sources, course), accepted_files(sources));
   const TemporaryFile part{out.string() + ".part"};
   write_archive(part.path, handout_files(sources, course));
   check_gates(part.path, sources, course);

@@ -1,19 +1,14 @@
-// STAFF ONLY. Handouts of a small project of two exercises, into which leaks are planted, and of the real
-// one.
+// STAFF ONLY. Handouts of a small project of two exercises, into which leaks are planted.
 
 #include "grader/package/handout.h"
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <array>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <random>
-#include <regex>
 
 #include "grader/course/input.h"
-#include "grader/package/course_texts.h"
-#include "grader/package/manifest.h"
 #include "hair/io/files/read_file.h"
 
 namespace grader {
@@ -31,8 +26,7 @@ class SmallProject : public testing::Test {
     fs::remove_all(root_);
     write("handout/manifest.txt",
           "handout/README.md\nhandout/exercises.json\nhandout/assignment/README.md\n"
-          "E1: handout/assignment/E1.md\nE2: handout/assignment/E2.md\n"
-          "E1: handout/student/f.cpp\nE2: handout/student/g.cpp\nE2: golden/g.mtx -> checks/golden/g.mtx\n");
+          "E2: golden/g.mtx -> checks/golden/g.mtx\n");
     write("handout/README.md", "Welcome\n");
     write("handout/exercises.json",
           R"({"exercises": [{"id": "E1", "file": "f.cpp", "points": 1, "role": "assigned"},
@@ -55,6 +49,14 @@ class SmallProject : public testing::Test {
       exercise.points = 7.5;
       course_.exercises.push_back(exercise);
     }
+    accept();
+  }
+
+  void accept() { accept_files(sources_, course_); }
+
+  // Appends a line to the manifest.
+  void list(const std::string& line) {
+    std::ofstream(root_ / "handout/manifest.txt", std::ios::app) << line << "\n";
   }
 
   void write(const std::string& path, const std::string& text) {
@@ -126,7 +128,8 @@ TEST_F(SmallProject, GivesTheSameBytesAgain) {
 }
 
 TEST_F(SmallProject, ClosesForAStaffFileInTheManifest) {
-  std::ofstream(root_ / "handout/manifest.txt", std::ios::app) << "reference/g.cpp -> checks/example.cpp\n";
+  list("reference/g.cpp -> checks/example.cpp");
+  accept();
   EXPECT_NE(complaint().find("checks/example.cpp says STAFF ONLY"), std::string::npos);
 }
 
@@ -149,6 +152,57 @@ TEST_F(SmallProject, LeavesTheOldArchiveWhenAGateCloses) {
   EXPECT_EQ(hair::bytes_of(out_), before);
 }
 
+TEST_F(SmallProject, ClosesForAFolderThatHoldsATestABenchmarkOrAStaffFile) {
+  write("solver/lib/a.h", "int a();\n");
+  list("solver/lib/");
+  accept();
+  EXPECT_EQ(complaint(), "");
+  EXPECT_EQ(files().at("given/solver/lib/a.h"), "int a();\n");
+  fs::remove(out_);
+  for (const auto& [name, text, kind] :
+       {std::array<std::string, 3>{"a_test.cpp", "int main() {}\n", "of a test"},
+        {"test_hair.h", "int hair();\n", "of a test"},
+        {"looks_good.cpp", "#include <gtest/gtest.h>\n", "of a test"},
+        {"a_bench.cpp", "int main() {}\n", "of a benchmark"},
+        {"speed.cpp", "#include <benchmark/benchmark.h>\n", "of a benchmark"},
+        {"a_fuzz.cpp", "int main() {}\n", "of a fuzz program"},
+        {"any_bytes.cpp", "extern \"C\" int LLVMFuzzerTestOneInput();\n", "of a fuzz program"},
+        {"notes.md", "# Notes\n\nSTAFF ONLY\n", "a staff file"}}) {
+    write("solver/lib/" + name, text);
+    EXPECT_NE(complaint().find("manifest.txt:5: solver/lib/" + name + " is " + kind), std::string::npos)
+        << complaint();
+    EXPECT_THROW(accept(), HandoutError) << name;
+    fs::remove(root_ / "solver/lib" / name);
+  }
+  EXPECT_EQ(complaint(), "");
+}
+
+TEST_F(SmallProject, ClosesForFilesThatAreNewOrGoneUntilTheyAreAccepted) {
+  write("solver/lib/a.h", "int a();\n");
+  write("solver/lib/b.h", "int b();\n");
+  list("solver/lib/");
+  accept();
+  fs::rename(root_ / "solver/lib/b.h", root_ / "solver/lib/c.h");
+  write("solver/lib/d.h", "int d();\n");
+  EXPECT_EQ(complaint(),
+            "the handout is not the one of handout/packed.txt:\ngiven/solver/lib/c.h is "
+            "new\ngiven/solver/lib/d.h is new\n"
+            "given/solver/lib/b.h is gone\nLook at each file; then \"hairgrade handout --accept --out "
+            "FILE.tar.gz\" writes the "
+            "list anew");
+  accept();
+  EXPECT_EQ(complaint(), "");
+}
+
+// The list is the whole course's.
+TEST_F(SmallProject, AcceptsForAllCourses) {
+  const std::string before = hair::bytes_of(root_ / "handout/packed.txt");
+  course_.exercises[1].role = Role::absent;
+  EXPECT_EQ(complaint(), "");
+  accept();
+  EXPECT_EQ(hair::bytes_of(root_ / "handout/packed.txt"), before);
+}
+
 TEST_F(SmallProject, NamesWhatCantBeReadOrWritten) {
   EXPECT_THROW(make_handout(sources_, course_, root_), BadInput);
   EXPECT_THROW(make_handout(sources_, course_, root_ / "nowhere/handout.tar.gz"), BadInput);
@@ -157,268 +211,8 @@ TEST_F(SmallProject, NamesWhatCantBeReadOrWritten) {
     make_handout(sources_, course_, out_);
     FAIL() << "a golden file is missing";
   } catch (const BadInput& error) {
-    EXPECT_NE(std::string(error.what()).find("manifest.txt:8"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("manifest.txt:4"), std::string::npos) << error.what();
   }
-}
-
-class RealProject : public testing::Test {
- protected:
-  fs::path root_ = HAIR_SOURCE_DIR;
-  HandoutSources sources_{root_, HAIR_GOLDEN_DIR};
-  Course course_ = read_course(root_ / "handout/exercises.json");
-};
-
-TEST_F(RealProject, PassesTheGatesInEveryRole) {
-  const fs::path out = fs::path(HAIR_SCRATCH_DIR) / "real_handout.tar.gz";
-  for (Role role : {Role::assigned, Role::optional, Role::given}) {
-    for (Exercise& exercise : course_.exercises) exercise.role = role;
-    make_handout(sources_, course_, out);
-  }
-}
-
-TEST_F(RealProject, ForgetsNoFileThatStudentsNeed) {
-  Paths listed;
-  for (const ManifestLine& line : read_manifest(root_ / "handout/manifest.txt", course_))
-    listed.insert(line.source);
-  const Paths kept = {"handout/manifest.txt", "solver/README.md"};
-  for (const std::string folder : {"handout", "solver"})
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root_ / folder)) {
-      const std::string path = entry.path().lexically_relative(root_).string();
-      const bool ours = path.find("/tests/") != std::string::npos || path.starts_with("solver/bench/");
-      if (!entry.is_regular_file() || kept.contains(path) || ours) continue;
-      EXPECT_TRUE(listed.contains(path)) << path << " is not in handout/manifest.txt";
-    }
-}
-
-TEST_F(RealProject, MakesGoldenDataThatShipsAsAWhole) {
-  Paths listed;
-  for (const ManifestLine& line : read_manifest(root_ / "handout/manifest.txt", course_))
-    listed.insert(line.source);
-  for (const fs::directory_entry& entry : fs::directory_iterator(sources_.golden)) {
-    const std::string source = "golden/" + entry.path().filename().string();
-    EXPECT_TRUE(listed.contains(source)) << source << " is not in handout/manifest.txt";
-  }
-}
-
-// Where a link of a text leads, from the handout's top: "hair/README.md#grooms".
-std::vector<std::string> links_of(const std::string& path, const std::string& text) {
-  static const std::regex link("\\]\\(([^)\\s]+)\\)");
-  std::vector<std::string> found;
-  for (std::sregex_iterator it(text.begin(), text.end(), link), end; it != end; ++it) {
-    const std::string target = (*it)[1];
-    if (target.find(':') != std::string::npos) continue;
-    found.push_back(target.starts_with("#")
-                        ? path + target
-                        : (fs::path(path).parent_path() / target).lexically_normal().string());
-  }
-  return found;
-}
-
-// "## States, and more" is #states-and-more.
-bool has_place(const std::string& text, const std::string& place) {
-  std::istringstream in(text);
-  for (std::string line; std::getline(in, line);) {
-    if (!line.starts_with("#")) continue;
-    std::string name;
-    for (const char c : line.substr(line.find_first_not_of("# ")))
-      if (c == ' ' || c == '-' || c == '_' || std::isalnum(static_cast<unsigned char>(c)))
-        name += c == ' ' ? '-' : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    if (name == place) return true;
-  }
-  return false;
-}
-
-void expect_links_resolve(const Files& files) {
-  for (const auto& [path, text] : files) {
-    if (!path.ends_with(".md")) continue;
-    for (const std::string& link : links_of(path, text)) {
-      const std::string file = link.substr(0, link.find('#'));
-      const auto below = files.lower_bound(file);  // itself, or a file of the folder
-      EXPECT_TRUE(below != files.end() && below->first.starts_with(file)) << path << " links to " << link;
-      if (link == file || !files.contains(file)) continue;
-      EXPECT_TRUE(has_place(files.at(file), link.substr(file.size() + 1))) << path << " links to " << link;
-    }
-  }
-}
-
-// A text that mentions it says at its end that the course lacks it.
-void expect_named_as_absent(const Exercise& exercise, const Files& files) {
-  for (const auto& [path, text] : files) {
-    if (!path.ends_with(".md") || text.find(" " + exercise.id + " ") == std::string::npos) continue;
-    const std::size_t end = text.find("*Not part of your course: ");
-    ASSERT_NE(end, std::string::npos) << path;
-    EXPECT_NE(text.find(exercise.id + " (" + exercise.title + ")", end), std::string::npos) << path;
-  }
-}
-
-// The points that an exercise's text names, and their sum over its categories; {-1, 0} if it names none.
-std::pair<double, double> points_in(const std::string& text) {
-  static const std::regex total("([0-9.]+) points, in these categories:"), row("\\| .+? \\| ([0-9.]+) \\|.*");
-  std::pair<double, double> points{-1, 0};
-  std::istringstream in(text);
-  std::smatch match;
-  for (std::string line; std::getline(in, line);) {
-    if (std::regex_match(line, match, total))
-      points.first = std::stod(match[1]);
-    else if (points.first >= 0 && line.starts_with("#"))
-      break;
-    else if (points.first >= 0 && std::regex_match(line, match, row))
-      points.second += std::stod(match[1]);
-  }
-  return points;
-}
-
-// Commands play scenes that are there, and nobody is asked to look at, study or copy another.
-void expect_scenes_to_play(const Files& files, const std::vector<ManifestLine>& all) {
-  for (const ManifestLine& line : all) {
-    if (!line.destination.starts_with("hair/scenes/") || !line.destination.ends_with(".json")) continue;
-    if (files.contains(line.destination)) continue;
-    const std::string scene = fs::path(line.destination).stem().string();
-    const std::regex plays("hairlab (run|study|stability)\\s+" + scene + "(?![a-z.-])|" + scene +
-                           "\\.json|[a-z] (at|study)\\s+`" + scene + "`");
-    for (const auto& [path, text] : files)
-      EXPECT_FALSE(path.ends_with(".md") && std::regex_search(text, plays)) << path << " plays " << scene;
-  }
-}
-
-// Nobody is asked to write what is given.
-void expect_nothing_to_write(const Exercise& given, const Files& files) {
-  const std::string& own = files.at(given.text);
-  for (const char* asks : {"Write ", "ou write", "ou also write", "ou have written", "not implemented yet"})
-    EXPECT_EQ(own.find(asks), std::string::npos) << given.text << ": " << asks;
-  EXPECT_NE(own.find("\n\nGiven: "), std::string::npos) << given.text;
-  std::string functions;
-  for (const std::string& function : given.functions) {
-    const std::string name = function.substr(0, function.find('('));
-    functions += "|" + name.substr(name.rfind(':') + 1);  // rfind's npos + 1 is 0
-  }
-  const std::regex asks("[Ww]rite `?(" + given.id + functions + ")\\b|" + given.id +
-                        " [A-Za-z_0-9]+ is not implemented|until " + given.id + " is written");
-  for (const auto& [path, text] : files)
-    EXPECT_FALSE(path.ends_with(".md") && std::regex_search(text, asks))
-        << path << " asks to write " << given.id;
-}
-
-// Points stand where the course's are put: in the index's table and in an exercise's categories.
-void expect_no_other_points(const Files& files) {
-  static const std::regex number("\\b([Oo]ne|[Tt]wo|half a|[0-9.]+) points? (for|of|if|each|in)\\b"),
-      categories("[0-9.]+ points, in these categories:");
-  for (const auto& [path, text] : files) {
-    if (!path.starts_with("assignment/") || !path.ends_with(".md") || path.ends_with("work-precision.md"))
-      continue;
-    for (std::sregex_iterator it(text.begin(), text.end(), number), end; it != end; ++it)
-      EXPECT_TRUE(std::regex_search(text.begin() + it->position(), text.end(), categories,
-                                    std::regex_constants::match_continuous))
-          << path << ": " << it->str();
-  }
-}
-
-TEST_F(RealProject, FitsAnyCourse) {
-  const std::vector<ManifestLine> all = read_manifest(root_ / "handout/manifest.txt", course_);
-  std::mt19937 random(1);
-  for (int number = 0; number < 10; ++number) {
-    // The first is the course as it is.
-    for (Exercise& exercise : course_.exercises) {
-      if (number == 0) continue;
-      exercise.role = std::array{Role::assigned, Role::optional, Role::given, Role::absent}[random() % 4];
-      exercise.points = 1 + static_cast<double>(random() % 80) / 2;
-    }
-    course_.partial = number % 2 == 1;
-    const Files files = handout_files(sources_, course_);
-    expect_links_resolve(files);
-    expect_scenes_to_play(files, all);
-    expect_no_other_points(files);
-    // With all exercises none of a text's links was left out.
-    if (number == 0) {
-      Files texts = files;
-      for (const ManifestLine& line : all)
-        if (line.destination.ends_with(".md")) texts[line.destination] = hair::bytes_of(root_ / line.source);
-      expect_links_resolve(texts);
-    }
-
-    const std::string& index = files.at("assignment/README.md");
-    EXPECT_EQ(index.find("gives them if all of its checks hold") != std::string::npos, !course_.partial);
-    EXPECT_EQ(index.find("in whole points") != std::string::npos, course_.partial);
-    for (const Exercise& exercise : course_.exercises) {
-      SCOPED_TRACE(exercise.id + ", " + to_string(exercise.role) + ", course " + std::to_string(number));
-      const bool there = exercise.role != Role::absent;
-      for (const std::string& file : {"student/" + exercise.file, exercise.text, exercise.checks})
-        EXPECT_EQ(files.contains(file), there) << file;
-      EXPECT_EQ(index.find(index_row(exercise) + "\n") != std::string::npos, there);
-      if (!there) {
-        expect_named_as_absent(exercise, files);
-        continue;
-      }
-      const std::string& text = files.at(exercise.text);
-      const auto [points, sum] = points_in(text);
-      const bool given = exercise.role == Role::given;
-      EXPECT_EQ(text.find("nothing of it is left to write") != std::string::npos, given);
-      EXPECT_EQ(text.find("## Hints, in steps") == std::string::npos, given);
-      if (given) expect_nothing_to_write(exercise, files);
-      EXPECT_EQ(points, given ? -1 : exercise.points);
-      // Each share is rounded to a hundredth.
-      EXPECT_NEAR(sum, given ? 0 : exercise.points, 0.005 * 32);
-    }
-    // The scenes that the index names are there, and no others.
-    for (const ManifestLine& line : all) {
-      if (!line.destination.starts_with("hair/scenes/") || !line.destination.ends_with(".json")) continue;
-      const std::string row = "| `" + fs::path(line.destination).stem().string() + "` |";
-      EXPECT_EQ(files.contains(line.destination), index.find(row) != std::string::npos) << line.destination;
-    }
-  }
-}
-
-// An example's scene makes room for another; a scene that a paragraph is about does not.
-TEST_F(RealProject, PlaysOtherScenesWithoutH6) {
-  const std::vector<ManifestLine> all = read_manifest(root_ / "handout/manifest.txt", course_);
-  for (Exercise& exercise : course_.exercises)
-    if (exercise.id == "H6") exercise.role = Role::absent;
-  const Files files = handout_files(sources_, course_);
-  expect_scenes_to_play(files, all);
-  const std::string& readme = files.at("README.md");
-  for (const char* line : {"\nbuild/hairlab run long-straight --out swing      # plays it\n",
-                           "\nbuild/hairlab run head-of-hair --jobs 2",
-                           "\nbuild/hairlab study long-straight --out study            # error against run "
-                           "time, of each method\n"})
-    EXPECT_NE(readme.find(line), std::string::npos) << line << readme;
-  EXPECT_NE(
-      files.at("assignment/work-precision.md").find("\nbuild/hairlab study long-straight --out study\n"),
-      std::string::npos);
-  EXPECT_NE(files.at("assignment/H4-implicit-euler.md")
-                .find("\n\n*(Not in your course: the scene angular-momentum.)*\n\n"),
-            std::string::npos);
-}
-
-TEST_F(RealProject, BeginsWithAnExerciseThatIsToBeWritten) {
-  for (Exercise& exercise : course_.exercises)
-    if (exercise.id == "S1" || exercise.id == "S2") exercise.role = Role::given;
-  const std::string readme = handout_files(sources_, course_).at("README.md");
-  for (const char* words : {"--target check-P1 --parallel 4", "`P1 forward_euler is not implemented yet`",
-                            "[student/explicit_integrators.cpp](student/explicit_integrators.cpp)"})
-    EXPECT_NE(readme.find(words), std::string::npos) << words << readme;
-}
-
-// What a text asks for a command or a check prints; what the report does not say it does not promise.
-TEST_F(RealProject, PromisesWhatIsThere) {
-  const auto text = [&](const char* name) { return hair::bytes_of(root_ / "handout/assignment" / name); };
-  EXPECT_NE(text("README.md").find("fewer than five checks, it says only that it is not right"),
-            std::string::npos);
-  // check-H5 goes to 60 segments.
-  EXPECT_EQ(text("H5-length-correction.md").find("| 120 | 108,066 | |"), std::string::npos);
-  // check.cpp calls each function before the checks: a breakpoint there stops in these calls first.
-  for (const char* name : {"H4-implicit-euler.md", "S2-normal-equations.md"}) {
-    const std::string recipe = text(name);
-    const std::size_t at = recipe.find("(gdb) break YourMatrix::matVecMult");
-    ASSERT_NE(at, std::string::npos) << name;
-    EXPECT_LT(recipe.find("(gdb) tbreak testing::UnitTest::Run\n(gdb) run\n"), at) << name;
-  }
-}
-
-TEST_F(RealProject, HasAnIndexThatAgreesWithTheListOfExercises) {
-  const std::string index = hair::bytes_of(root_ / "handout/assignment/README.md");
-  for (const Exercise& exercise : course_.exercises)
-    EXPECT_NE(index.find(index_row(exercise) + "\n"), std::string::npos) << "it must have the row\n"
-                                                                         << index_row(exercise);
 }
 
 }  // namespace

@@ -5,11 +5,16 @@
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <utility>
 
 #include "grader/course/input.h"
+#include "grader/package/gates.h"
+#include "hair/io/files/read_file.h"
 
 namespace grader {
 namespace {
+
+namespace fs = std::filesystem;
 
 std::string trimmed(const std::string& text) {
   const auto first = text.find_first_not_of(" \t\r");
@@ -18,7 +23,7 @@ std::string trimmed(const std::string& text) {
 }
 
 std::string read_path(const std::string& text, const std::string& where) {
-  const std::filesystem::path path = text;
+  const fs::path path = text;
   if (text.empty() || path.is_absolute() || path.lexically_normal() != path || *path.begin() == "..")
     throw BadInput(where + ": \"" + text + "\" is no path; write one like handout/README.md, without \"..\"");
   return text;
@@ -26,16 +31,59 @@ std::string read_path(const std::string& text, const std::string& where) {
 
 std::string default_destination(const std::string& source) {
   const std::string handout = "handout/";
-  return source.starts_with(handout) ? source.substr(handout.size()) : source;
+  return source.starts_with(handout) ? source.substr(handout.size()) : "given/" + source;
+}
+
+// Collects what ships, and no destination twice.
+class Lines {
+ public:
+  void add(const ManifestLine& line, bool absent) {
+    const auto [other, is_new] = taken_.emplace(line.destination, line.where);
+    if (!is_new)
+      throw BadInput(line.where + ": " + line.destination + " is already the destination of " +
+                     other->second + "; each file needs its own");
+    if (!absent) lines_.push_back(line);
+  }
+
+  // `folder` is a line whose source and destination end with /. Folders in it are not looked into.
+  void add_files_of(const fs::path& root, const ManifestLine& folder, bool absent) {
+    Files files;
+    std::error_code error;
+    for (const fs::directory_entry& entry : fs::directory_iterator(root / folder.source, error))
+      if (!entry.is_directory()) {
+        const std::string name = entry.path().filename().string();
+        files[folder.source + name] = hair::bytes_of(entry.path());
+      }
+    if (files.empty()) throw BadInput(folder.where + ": " + folder.source + " is no folder with files in it");
+    check_folder(files, folder.where);
+    for (const auto& [source, bytes] : files)
+      add({source, folder.destination + source.substr(folder.source.size()), folder.where}, absent);
+  }
+
+  std::vector<ManifestLine> take() { return std::move(lines_); }
+
+ private:
+  std::vector<ManifestLine> lines_;
+  std::map<std::string, std::string> taken_;  // destination -> where
+};
+
+// Its contract ships in every course: the given code and other exercises know it.
+void add_exercise(Lines& lines, const Exercise& exercise) {
+  const std::string where = "exercises.json: " + exercise.id;
+  const bool absent = exercise.role == Role::absent;
+  for (const std::string& file : {exercise.text, "student/" + exercise.file, exercise.checks})
+    if (!file.empty()) lines.add({"handout/" + file, file, where}, absent);
+  if (!exercise.header.empty()) lines.add({exercise.header, exercise.header, where}, false);
 }
 
 }  // namespace
 
-std::vector<ManifestLine> read_manifest(const std::filesystem::path& file, const Course& course) {
+std::vector<ManifestLine> read_manifest(const fs::path& root, const Course& course) {
+  const fs::path file = root / "handout/manifest.txt";
   std::ifstream in(file);
   if (!in) throw BadInput(file.string() + ": can't be read; it must list the files of the handout");
-  std::vector<ManifestLine> lines;
-  std::map<std::string, std::string> taken;  // destination -> where
+  Lines lines;
+  for (const Exercise& exercise : course.exercises) add_exercise(lines, exercise);
   std::string text;
   for (int number = 1; std::getline(in, text); ++number) {
     const std::string where = file.string() + ":" + std::to_string(number);
@@ -60,13 +108,14 @@ std::vector<ManifestLine> read_manifest(const std::filesystem::path& file, const
     line.source = read_path(trimmed(text.substr(0, arrow)), where);
     line.destination = arrow == std::string::npos ? default_destination(line.source)
                                                   : read_path(trimmed(text.substr(arrow + 2)), where);
-    const auto [other, is_new] = taken.emplace(line.destination, where);
-    if (!is_new)
-      throw BadInput(where + ": " + line.destination + " is already the destination of " + other->second +
-                     "; each file needs its own");
-    if (!absent) lines.push_back(line);
+    if (line.source.ends_with('/') != line.destination.ends_with('/'))
+      throw BadInput(where + ": a folder's source and destination both end with /, a file's do not");
+    if (line.source.ends_with('/'))
+      lines.add_files_of(root, line, absent);
+    else
+      lines.add(line, absent);
   }
-  return lines;
+  return lines.take();
 }
 
 }  // namespace grader

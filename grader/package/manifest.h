@@ -9,15 +9,16 @@
 
 namespace grader {
 
+// A file that ships.
 struct ManifestLine {
   std::string source;       // relative to the project's root; "golden/..." comes from the build
   std::string destination;  // relative to the handout's top
   std::string where;        // "handout/manifest.txt:12", for messages
 };
 
-// The lines for this course, without those of absent exercises. Throws BadInput with file and line for a line
-// that can't be parsed, names an unknown exercise, points outside the project or the handout, or repeats a
-// destination.
-std::vector<ManifestLine> read_manifest(const std::filesystem::path& file, const Course& course);
+// The files for this course: those of its exercises (exercises.json), and those that the lines of root/handout/manifest.txt and the
+// folders in it name. Throws BadInput with file and line for a line that can't be parsed, names an unknown exercise or a folder without
+// files, points outside the project or the handout, or repeats a destination; and HandoutError for a folder that does not ship as one.
+std::vector<ManifestLine> read_manifest(const std::filesystem::path& root, const Course& course);
 
 }  // namespace grader

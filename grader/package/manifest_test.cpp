@@ -6,25 +6,41 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 #include "grader/course/input.h"
 
 namespace grader {
 namespace {
 
+namespace fs = std::filesystem;
+
+std::set<std::string> destinations(const std::vector<ManifestLine>& lines) {
+  std::set<std::string> found;
+  for (const ManifestLine& line : lines) found.insert(line.destination);
+  return found;
+}
+
 Course course_with(Role role) {
   Exercise exercise;
   exercise.id = "S1";
+  exercise.file = "s.cpp";
+  exercise.text = "assignment/S1.md";
+  exercise.checks = "checks/s_check.cpp";
+  exercise.header = "solver/s.h";
   exercise.role = role;
   return {{{exercise}}};
 }
 
 std::vector<ManifestLine> read(const std::string& text, Role role = Role::assigned) {
   const std::string name = testing::UnitTest::GetInstance()->current_test_info()->name();
-  const std::filesystem::path file = std::filesystem::path(HAIR_SCRATCH_DIR) / (name + "_manifest.txt");
-  std::ofstream(file) << text;
-  const Course course = course_with(role);
-  return read_manifest(file, course);
+  const fs::path root = fs::path(HAIR_SCRATCH_DIR) / ("Manifest" + name);
+  fs::create_directories(root / "handout");
+  fs::create_directories(root / "solver/lib/tests");
+  for (const char* file : {"solver/lib/a.cpp", "solver/lib/a.h", "solver/lib/tests/a_test.cpp"})
+    std::ofstream(root / file) << "//\n";
+  std::ofstream(root / "handout/manifest.txt") << text;
+  return read_manifest(root, course_with(role));
 }
 
 std::string complaint(const std::string& text) {
@@ -36,21 +52,35 @@ std::string complaint(const std::string& text) {
   }
 }
 
-TEST(Manifest, ShipsAFileOfTheHandoutAtItsTopAndOthersWhereTheyAre) {
-  const auto lines =
-      read("# comment\n\nhandout/README.md\nsolver/a.h\n golden/x.mtx  ->  checks/golden/x.mtx \n");
-  ASSERT_EQ(lines.size(), 3u);
-  EXPECT_EQ(lines[0].destination, "README.md");
-  EXPECT_EQ(lines[1].destination, "solver/a.h");
-  EXPECT_EQ(lines[2].source, "golden/x.mtx");
-  EXPECT_EQ(lines[2].destination, "checks/golden/x.mtx");
+using Destinations = std::set<std::string>;
+
+// What exercises.json says of S1.
+const Destinations kExercise = {"assignment/S1.md", "checks/s_check.cpp", "solver/s.h", "student/s.cpp"};
+
+TEST(Manifest, PutsTheHandoutOnTopAndGivenCodeBelowGiven) {
+  const auto lines = read(
+      "# comment\n\nhandout/README.md\nsolver/a.h\nsolver/b.h -> solver/b.h\n golden/x.mtx  ->  "
+      "checks/golden/x.mtx \n");
+  Destinations expected = kExercise;
+  expected.insert({"README.md", "given/solver/a.h", "solver/b.h", "checks/golden/x.mtx"});
+  EXPECT_EQ(destinations(lines), expected);
+  EXPECT_EQ(lines.back().source, "golden/x.mtx");
 }
 
-TEST(Manifest, LeavesOutTheLinesOfAbsentExercises) {
-  const std::string text = "handout/README.md\nS1: handout/student/f.cpp\n";
-  for (Role role : {Role::assigned, Role::optional, Role::given}) EXPECT_EQ(read(text, role).size(), 2u);
-  EXPECT_EQ(read(text, Role::absent).size(), 1u);
-  EXPECT_EQ(read("S1, S1: hair/scenes/a.json\n", Role::absent).size(), 0u);
+TEST(Manifest, TakesTheFilesOfAFolderAndNotThoseOfItsFolders) {
+  Destinations expected = kExercise;
+  expected.insert({"given/solver/lib/a.cpp", "given/solver/lib/a.h"});
+  EXPECT_EQ(destinations(read("solver/lib/\n")), expected);
+  expected = kExercise;
+  expected.insert({"top/a.cpp", "top/a.h"});
+  EXPECT_EQ(destinations(read("S1: solver/lib/ -> top/\n")), expected);
+}
+
+TEST(Manifest, LeavesOutWhatIsOfAbsentExercisesButTheirContracts) {
+  const std::string text = "handout/README.md\nS1: handout/figure.svg\nS1: solver/lib/\n";
+  for (Role role : {Role::assigned, Role::optional, Role::given}) EXPECT_EQ(read(text, role).size(), 8u);
+  EXPECT_EQ(destinations(read(text, Role::absent)), (Destinations{"README.md", "solver/s.h"}));
+  EXPECT_EQ(read("S1, S1: hair/scenes/a.json\n", Role::absent).size(), 1u);
 }
 
 TEST(Manifest, NamesFileAndLineOfWhatIsWrong) {
@@ -60,6 +90,13 @@ TEST(Manifest, NamesFileAndLineOfWhatIsWrong) {
   EXPECT_NE(complaint("a -> ../b\n").find("is no path"), std::string::npos);
   EXPECT_NE(complaint("a ->\n").find("is no path"), std::string::npos);
   EXPECT_NE(complaint("a/../b\n").find("is no path"), std::string::npos);
+  EXPECT_NE(complaint("solver/nothing/\n").find("manifest.txt:1: solver/nothing/ is no folder with files"),
+            std::string::npos);
+  EXPECT_NE(complaint("solver/lib/ -> a\n").find("manifest.txt:1: a folder's source and destination"),
+            std::string::npos);
+  EXPECT_NE(complaint("a\nsolver/s.h -> solver/s.h\n")
+                .find("manifest.txt:2: solver/s.h is already the destination of exercises.json: S1"),
+            std::string::npos);
   EXPECT_NE(complaint("handout/a\nb -> a\n").find("manifest.txt:2: a is already the destination of"),
             std::string::npos);
 }

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include "grader/intake/submission.h"
@@ -219,6 +220,26 @@ TEST_F(StudentsWay, ConfiguresWithoutAnExerciseThatTheCourseLacks) {
   ran = run("cmake --build build --target hair_not_in_course");
   EXPECT_EQ(ran.code, 0) << ran.output;
   EXPECT_FALSE(fs::exists(folder_ / "hair-assignment/student" / course_.exercises.back().file));
+}
+
+// As the first handouts had them, which had no given/: with the folder above or without.
+TEST_F(StudentsWay, CompilesEveryIncludeOfAFlatTree) {
+  unpack();
+  // Two names of hair/lab/ are others' names elsewhere.
+  std::string lines[2];
+  for (const auto& [path, text] : handout_files(sources_, course_)) {
+    const std::string header = path.starts_with("given/") ? path.substr(6) : path;
+    if (!header.ends_with(".h") || header.starts_with("checks/")) continue;
+    for (const char* above : {"", "../"})
+      lines[header.starts_with("hair/lab/")] += "#include \"" + std::string(above) + header + "\"\n";
+  }
+  Ran ran = run(configure_);
+  ASSERT_EQ(ran.code, 0) << ran.output;
+  const char* names[2] = {"student/stretch_springs.cpp", "student/angular_springs.cpp"};
+  for (int i = 0; i < 2; ++i)
+    std::ofstream(folder_ / "hair-assignment" / names[i]) << lines[i] << "#include \"linearSolver.h\"\n";
+  ran = run("cmake --build build --parallel 2 --target student_H1 student_H2");
+  EXPECT_EQ(ran.code, 0) << ran.output;
 }
 
 TEST_F(StudentsWay, HasADebugBuildAndChecksTheStudentsName) {

@@ -46,6 +46,7 @@ struct GradeOptions {
 struct HandoutOptions {
   fs::path out;
   std::optional<fs::path> course;
+  bool accept = false;
 };
 
 fs::path default_cache() {
@@ -137,7 +138,9 @@ int handout(const HandoutOptions& options) {
   if (!name.ends_with(".tar.gz") && !name.ends_with(".tgz"))
     throw BadInput("--out " + options.out.string() + ": the handout is a .tar.gz; give it such a name");
   const Course course = read_course(HAIR_EXERCISES_JSON, options.course);
-  make_handout({HAIR_SOURCE_DIR, HAIR_GOLDEN_DIR}, course, options.out);
+  const HandoutSources sources{HAIR_SOURCE_DIR, HAIR_GOLDEN_DIR};
+  if (options.accept) accept_files(sources, course);
+  make_handout(sources, course, options.out);
   std::cout << options.out.string() << "\n";
   return 0;
 }
@@ -188,6 +191,8 @@ int main(int argc, char* argv[]) {
   handout_command->add_option("--out", handing_out.out, "The archive, a .tar.gz")->required();
   handout_command->add_option("--course", handing_out.course,
                               "The course file: roles and points of the exercises");
+  handout_command->add_flag("--accept", handing_out.accept,
+                            "Accept the handout's files as they are now: write handout/packed.txt");
 
   CompareSettings comparing;
   CLI::App* compare_command =

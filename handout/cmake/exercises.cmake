@@ -4,6 +4,8 @@
 #   HAIR_LEFT_OUT                  the ids of the others
 #   HAIR_<id>_<FIELD>              file, header, checks, role, prerequisites, libraries, functions of each. Input, Output and
 #                                  Scratch (particles/vectors.h) in a function's signature are spelled out as compilers do
+#   HAIR_GIVEN_DIR                 the folder of the given code: solver/, particles/, hair/
+#   HAIR_CONTRACT_DIRS             what the include path has beside it; HAIR_LECTURE_DIR: for students' files and the lecture's programs, too
 #   HAIR_FIXED_ADDRESSES           how a program with AddressSanitizer is linked
 #   hair_use_libraries(TARGET ID)  the libraries beside the standard one that exercise ID may include
 #   hair_compile_settings(TARGET)  C++20 and the flags that results depend on, for all code
@@ -28,6 +30,17 @@ if("${CMAKE_CXX_FLAGS}" MATCHES "-fsanitize=[^ ]*address")
 endif()
 
 set(HAIR_HANDOUT_DIR "${CMAKE_CURRENT_LIST_DIR}/..")
+# In the project the given code lies beside the handout. Students have contracts on top, and the rest below given/, so that an include
+# line says the same in both. given/student/ is empty: by it "../hair/..." in a student's file finds what lies below given/.
+get_filename_component(HAIR_GIVEN_DIR "${HAIR_HANDOUT_DIR}/.." ABSOLUTE)
+set(HAIR_CONTRACT_DIRS)
+set(HAIR_LECTURE_DIR "${HAIR_GIVEN_DIR}/solver/lecture")
+if(IS_DIRECTORY "${HAIR_HANDOUT_DIR}/given")
+  get_filename_component(HAIR_GIVEN_DIR "${HAIR_HANDOUT_DIR}/given" ABSOLUTE)
+  get_filename_component(top "${HAIR_HANDOUT_DIR}" ABSOLUTE)
+  set(HAIR_CONTRACT_DIRS "${top}" "${HAIR_GIVEN_DIR}/student")
+  set(HAIR_LECTURE_DIR "${top}/solver/lecture")
+endif()
 set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS "${HAIR_HANDOUT_DIR}/exercises.json")
 file(READ "${HAIR_HANDOUT_DIR}/exercises.json" json)
 
@@ -121,7 +134,7 @@ function(hair_exercise_libraries NAME DIR)
     hair_compile_settings(${NAME}_${id})
     set_target_properties(${NAME}_${id} PROPERTIES POSITION_INDEPENDENT_CODE ON UNITY_BUILD OFF)
     target_link_libraries(${NAME}_${id} PUBLIC hair_interfaces)
-    target_include_directories(${NAME}_${id} PUBLIC "${PROJECT_SOURCE_DIR}/solver/lecture")
+    target_include_directories(${NAME}_${id} PUBLIC "${HAIR_LECTURE_DIR}")
     hair_use_libraries(${NAME}_${id} ${id})
   endforeach()
   foreach(id ${HAIR_EXERCISES})
