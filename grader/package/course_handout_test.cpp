@@ -57,37 +57,6 @@ TEST_F(RealProject, MakesGoldenDataThatShipsAsAWhole) {
   }
 }
 
-// The project's headers that a text includes, "hair/strand.h".
-std::vector<std::string> included_by(const std::string& text) {
-  static const std::regex line("#include \"([^\"]+)\"");
-  std::vector<std::string> found;
-  for (std::sregex_iterator it(text.begin(), text.end(), line), end; it != end; ++it)
-    found.push_back((*it)[1]);
-  return found;
-}
-
-// On top lie the exercises' headers and what these and the stubs include, and nothing else.
-TEST_F(RealProject, HasContractsOnTopAndNoOtherGivenCode) {
-  const Files files = handout_files(sources_, course_);
-  std::vector<std::string> open = {"solver/lecture/linearSolver.h"};
-  for (const Exercise& exercise : course_.exercises) {
-    open.push_back(exercise.header);
-    for (const std::string& header : included_by(files.at("student/" + exercise.file)))
-      open.push_back(header);
-  }
-  Paths contracts;
-  while (!open.empty()) {
-    const std::string header = open.back();
-    open.pop_back();
-    if (!contracts.insert(header).second) continue;
-    ASSERT_TRUE(files.contains(header)) << header << " is a contract or a part of one, and must lie on top";
-    for (const std::string& other : included_by(files.at(header))) open.push_back(other);
-  }
-  for (const auto& [path, text] : files)
-    for (const char* room : {"solver/", "particles/", "hair/"})
-      EXPECT_TRUE(!path.starts_with(room) || contracts.contains(path)) << path << " must lie below given/";
-}
-
 // Where a link of a text leads, from the handout's top: "given/hair/README.md#grooms".
 std::vector<std::string> links_of(const std::string& path, const std::string& text) {
   static const std::regex link("\\]\\(([^)\\s]+)\\)");
