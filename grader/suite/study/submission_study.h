@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "grader/result/study.h"
-#include "grader/suite/study/study.h"
 #include "grader/suite/end_to_end.h"
+#include "grader/suite/study/study.h"
 
 namespace grader {
 

@@ -17,9 +17,10 @@ using Stream = std::variant<std::monostate, int, std::filesystem::path>;
 struct Program {
   std::vector<std::string> words;  // its path, then its arguments
   Stream input = {}, output = {}, errors = {};
-  std::filesystem::path folder = {};          // where it runs; empty: here
-  std::vector<std::string> environment = {};  // "NAME=value", in addition to ours and instead of one of that name
-  bool leads_group = false;                   // it is the first of a new process group
+  std::filesystem::path folder = {};  // where it runs; empty: here
+  std::vector<std::string> environment =
+      {};                    // "NAME=value", in addition to ours and instead of one of that name
+  bool leads_group = false;  // it is the first of a new process group
 };
 
 // Returns its process id. Throws std::system_error, with the program's path, if it can't be started.

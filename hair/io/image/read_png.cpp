@@ -44,7 +44,8 @@ class PngReader {
     png_set_crc_action(png_, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
     png_set_benign_errors(png_, 0);  // a file that contradicts itself is refused
     png_set_chunk_malloc_max(png_, kMostChunk);
-    png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);  // nor texts, colour spaces, times
+    png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, nullptr,
+                                -1);  // nor texts, colour spaces, times
     png_read_info(png_, info_);
     return true;
   }
