@@ -6,9 +6,9 @@
 namespace grader {
 
 template <>
-struct Fields<SuiteJob::WholeRun> {
-  static const Rows<SuiteJob::WholeRun>& rows() {
-    using T = SuiteJob::WholeRun;
+struct Fields<WholeRunJob> {
+  static const Rows<WholeRunJob>& rows() {
+    using T = WholeRunJob;
     static const Rows<T> all = {field("scene", &T::scene), field("seed", &T::seed),
                                 field("player", &T::player), field("cpu_seconds", &T::cpu_seconds)};
     return all;

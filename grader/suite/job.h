@@ -13,6 +13,16 @@
 
 namespace grader {
 
+// See whole_run.h. Not within SuiteJob: clang 14 has no std::optional::emplace() for such a struct there.
+struct WholeRunJob {
+  std::filesystem::path scene;
+  std::string seed;
+  std::filesystem::path player;  // see grader/play/play.h
+  int cpu_seconds = 10;
+
+  bool operator==(const WholeRunJob&) const = default;
+};
+
 struct SuiteJob {
   std::string exercise;  // or "runs": all of them end to end; or "study": the same beside the reference
   std::string seed;
@@ -31,16 +41,7 @@ struct SuiteJob {
   // The student's object with sanitizers; empty: there is none. Nothing: memory errors are not looked for.
   std::optional<std::filesystem::path> sanitised = {};
 
-  // For an exercise with a whole run, see whole_run.h.
-  struct WholeRun {
-    std::filesystem::path scene;
-    std::string seed;
-    std::filesystem::path player;  // see grader/play/play.h
-    int cpu_seconds = 10;
-
-    bool operator==(const WholeRun&) const = default;
-  };
-  std::optional<WholeRun> whole_run = {};
+  std::optional<WholeRunJob> whole_run = {};  // for an exercise with one
 
   // Only for "runs" and "study", see AvailableExercises in end_to_end.h.
   std::set<std::string> left_out = {};

@@ -89,10 +89,10 @@ Budget SuiteJobs::allowance() const {
   return share_of(settings_.course.budget, parts);
 }
 
-std::optional<SuiteJob::WholeRun> SuiteJobs::whole_run(const std::string& exercise) const {
+std::optional<WholeRunJob> SuiteJobs::whole_run(const std::string& exercise) const {
   const fs::path scene = settings_.scenes / (exercise + ".json");
   if (!fs::exists(scene)) return {};
-  SuiteJob::WholeRun run;
+  WholeRunJob run;
   run.scene = scene;
   run.seed = seed_for(settings_.secret, "the class", exercise);  // no submission's name has a space
   run.player = settings_.players / (exercise + ".so");

@@ -68,7 +68,7 @@ class SuiteJobs {
 
  private:
   SuiteJob job(const std::string& exercise, const std::filesystem::path& folder) const;
-  std::optional<SuiteJob::WholeRun> whole_run(const std::string& exercise) const;
+  std::optional<WholeRunJob> whole_run(const std::string& exercise) const;
 
   const GradingSettings& settings_;
   const StagedKit& kit_;
