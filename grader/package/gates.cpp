@@ -104,7 +104,7 @@ void check_listing(const Files& handout, const Paths& listed) {
 void check_folder(const Files& files, const std::string& where) {
   for (const auto& [path, text] : files) {
     const std::string stem = std::filesystem::path(path).stem().string();
-    const auto holds = [&](std::string_view part) { return text.find(part) != std::string::npos; };
+    const auto holds = [&text = text](std::string_view part) { return text.find(part) != std::string::npos; };
     std::string kind;
     if (holds(canary)) kind = "a staff file";
     if (holds("gtest/gtest.h") || stem.ends_with("_test") || stem.starts_with("test_")) kind = "of a test";

@@ -109,7 +109,7 @@ std::string stability(const PartStudy& part, const StudyCurve& curve) {
          "h = " + step_text(part, curve.stable_steps);
 }
 
-std::string ratio_text(const PartStudy::Ratio& ratio) {
+std::string ratio_text(const TimeRatio& ratio) {
   return rounded(ratio.median) + " (" + rounded(ratio.least) + " to " + rounded(ratio.most) + ")";
 }
 

@@ -51,8 +51,8 @@ struct Fields<StudyCurve> {
   static const Rows<StudyCurve>& rows();
 };
 template <>
-struct Fields<PartStudy::Ratio> {
-  static const Rows<PartStudy::Ratio>& rows();
+struct Fields<TimeRatio> {
+  static const Rows<TimeRatio>& rows();
 };
 template <>
 struct Fields<PartStudy> {

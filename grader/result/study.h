@@ -46,6 +46,13 @@ struct StudyCurve {
   bool operator==(const StudyCurve&) const = default;
 };
 
+// The student's time over the reference's for the same error: the median, and the smallest and largest of all rounds.
+struct TimeRatio {
+  double median = 1, least = 1, most = 1;
+
+  bool operator==(const TimeRatio&) const = default;
+};
+
 // The subject of a pair of curves: a scene, or one toy of it.
 struct PartStudy {
   std::string name;        // "pendulums, forward Euler"
@@ -57,15 +64,8 @@ struct PartStudy {
   int rounds = 0;          // number of complete rounds; 0: times are of first plays
   StudyCurve student, reference;
 
-  // The student's time over the reference's for the same error: the median, and the smallest and largest of
-  // all rounds. Nothing if the two have no common error.
-  struct Ratio {
-    double median = 1, least = 1, most = 1;
-
-    bool operator==(const Ratio&) const = default;
-  };
-  std::optional<Ratio> ratio;
-  std::string note = {};  // omissions and their reasons
+  std::optional<TimeRatio> ratio;  // nothing if the two have no common error
+  std::string note = {};           // omissions and their reasons
 
   bool operator==(const PartStudy&) const = default;
 };

@@ -25,8 +25,8 @@ const Rows<StudyCurve>& Fields<StudyCurve>::rows() {
   return all;
 }
 
-const Rows<PartStudy::Ratio>& Fields<PartStudy::Ratio>::rows() {
-  using T = PartStudy::Ratio;
+const Rows<TimeRatio>& Fields<TimeRatio>::rows() {
+  using T = TimeRatio;
   static const Rows<T> all = {field("median", &T::median), field("least", &T::least),
                               field("most", &T::most)};
   return all;

@@ -72,7 +72,7 @@ std::vector<Sample> samples_of(const StudyCurve& curve, std::size_t round) {
   return samples;
 }
 
-std::optional<PartStudy::Ratio> ratio_of(const PartStudy& part) {
+std::optional<TimeRatio> ratio_of(const PartStudy& part) {
   std::vector<double> ratios;
   for (std::size_t at = 0; at < static_cast<std::size_t>(std::max(part.rounds, 1)); ++at)
     if (const auto ratio =
@@ -80,7 +80,7 @@ std::optional<PartStudy::Ratio> ratio_of(const PartStudy& part) {
       ratios.push_back(*ratio);
   if (ratios.empty()) return {};
   const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
-  return PartStudy::Ratio{timing::median(ratios), *least, *most};
+  return TimeRatio{timing::median(ratios), *least, *most};
 }
 
 class PartStudied {
