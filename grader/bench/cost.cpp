@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Measures what work costs, with all processes that it starts.
 #include "grader/bench/cost.h"
 #include "hair/io/files/start_program.h"
 #include "solver/timing.h"

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Median cut, and PNG files with a palette.
 #include "grader/compare/palette.h"
 
 #include <png.h>

@@ -265,7 +265,7 @@ class Client {
 };
 
 // What a function returns that makes a matrix: each product is a request of its own. It refers to the arguments, as contracts allow.
-// Of a vector it keeps a view of its own: the caller's is gone when the function returns.
+// AskedMatrix keeps its own view of a vector: the caller's is gone when the function returns.
 template <class P>
 using Kept = std::conditional_t<std::is_same_v<P, particles::Input>, Eigen::Ref<const Eigen::VectorXd>, P>;
 template <class Calls, auto function, class Asker, class Parameters>

@@ -96,7 +96,7 @@ struct Parameter<const std::array<hair::GuideHair, 3>&, contract> {
   }
 };
 
-// Of call number `number`.
+// A request of call number `number`.
 template <class Calls, int number>
 std::vector<std::byte> request(Source& source) {
   using Call = typename Calls::template At<number>;

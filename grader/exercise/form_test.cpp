@@ -44,7 +44,7 @@ T sent(const T& value) {
   return arrived;
 }
 
-// What a message is refused with; empty if it is read.
+// The words that a message is refused with; empty if it is read.
 template <class T>
 std::string refusal(const MessageWriter& message) {
   MessageReader reader(message.bytes());
@@ -157,7 +157,7 @@ TEST(Fit, GivesBackLengths) {
   EXPECT_EQ(after.rods[0].length, 2.0);
 }
 
-// What comes back has the lengths of what was given, or it is refused.
+// A reply of other lengths than the arguments is refused.
 TEST(Client, TakesNoOtherLengths) {
   const VectorXd six = VectorXd::Ones(6), three = VectorXd::Ones(3);
   MessageWriter message;

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. The fields of costs.
 #include "grader/result/costs.h"
 
 #include <string_view>

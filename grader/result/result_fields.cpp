@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. The fields of results.
 #include "grader/result/result_fields.h"
 
 #include "grader/result/base64.h"

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Statuses and outcomes have names.
 #include "grader/result/result.h"
 
 #include <gtest/gtest.h>

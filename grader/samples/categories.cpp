@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Reads the suites' table of categories.
 #include "grader/samples/categories.h"
 
 #include <algorithm>

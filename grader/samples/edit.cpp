@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Applies a sample's edit to a solution.
 #include "grader/samples/edit.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Reads a group of samples, GROUP.samples.
 #include "grader/samples/group_file.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Makes a sample of its section.
 #include "grader/samples/sample_builder.h"
 
 #include <algorithm>

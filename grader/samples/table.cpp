@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Prints the table of samples.
 #include "grader/samples/table.h"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Lists all categories of an exercise.
 #include "grader/suite/graded_categories.h"
 
 #include "grader/suite/memory_errors.h"

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. The fields of a job.
 #include "grader/suite/job.h"
 
 #include "grader/result/result_fields.h"

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Draws the rooms, and the ways between them.
 #include "grader/tests/architecture.h"
 
 #include <algorithm>

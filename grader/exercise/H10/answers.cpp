@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Asks a student's functions of H10.
 #include "grader/exercise/H10/answers.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Asks a student's functions of H8.
 #include "grader/exercise/H8/answers.h"
 
 #include <cmath>

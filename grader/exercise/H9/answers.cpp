@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Asks a student's functions of H9.
 #include "grader/exercise/H9/answers.h"
 
 #include "grader/exercise/H9/calls.h"

@@ -29,7 +29,7 @@ struct Form<hair::StripContact> {
 
 namespace grader::h9 {
 
-// Of n particles there are 3n numbers, and all that is named is one of them.
+// The vectors of n particles have 3n numbers, and every index is that of a particle.
 
 inline void expect_particle(int number, Eigen::Index particles) {
   if (number < 0 || number >= particles) throw MalformedMessage("a particle that is not there");

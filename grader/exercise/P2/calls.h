@@ -37,7 +37,7 @@ namespace grader::p2 {
 
 using particles::Constraints;
 
-// What is held is there.
+// Throws MalformedMessage if a constraint holds a particle that is not there.
 inline void expect_particles(const Constraints& constraints, Eigen::Index size) {
   const auto expect = [n = size / 3](int i) {
     if (i < 0 || i >= n)
