@@ -8,7 +8,7 @@
 namespace grader {
 namespace {
 
-// What is measured: its field in timing.json, and its column on the page.
+// A measured quantity: its field in timing.json, and its column on the page.
 struct Measured {
   Field<ExerciseTiming> field;
   CostColumn column;

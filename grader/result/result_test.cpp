@@ -1,4 +1,4 @@
-// STAFF ONLY. Statuses and outcomes have names.
+// STAFF ONLY. Base64, and the names of statuses and outcomes.
 #include "grader/result/result.h"
 
 #include <gtest/gtest.h>

@@ -2,12 +2,18 @@
 // answer. All calls through one asker are one case.
 #pragma once
 
+#include <limits>
 #include <utility>
 
 #include "grader/exercise/client.h"
 #include "grader/suite/trial.h"
 
 namespace grader {
+
+// An Output before a call that must overwrite it.
+inline Eigen::VectorXd unset(Eigen::Index size) {
+  return Eigen::VectorXd::Constant(size, std::numeric_limits<double>::quiet_NaN());
+}
 
 class CaseAsker {
  public:

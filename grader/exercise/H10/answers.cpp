@@ -13,10 +13,6 @@ std::string points_of(const VectorXd& guide) {
   return std::to_string(guide.size() / 3) + " points";
 }
 
-VectorXd nothing(Eigen::Index size) {
-  return VectorXd::Constant(size, std::nan(""));
-}
-
 }  // namespace
 
 Weights ask_weights(Trial& trial, const Corners& corners, const Vector3d& root) {
@@ -28,7 +24,7 @@ VectorXd ask_interpolated(Trial& trial, const std::array<OwnGuide, 3>& guides, c
   trial.describe("guides of " + points_of(guides[0].points) + ", weights " + std::to_string(weights[0]) +
                  ", " + std::to_string(weights[1]) + ", " + std::to_string(weights[2]));
   const std::array<hair::GuideHair, 3> seen{guides[0].view(), guides[1].view(), guides[2].view()};
-  VectorXd child = nothing(guides[0].points.size());
+  VectorXd child = unset(guides[0].points.size());
   ask_student_for<Calls, hair::interpolate>(trial, seen, weights, root, child);
   return child;
 }
@@ -36,8 +32,8 @@ VectorXd ask_interpolated(Trial& trial, const std::array<OwnGuide, 3>& guides, c
 GuideFrames ask_frames(Trial& trial, const VectorXd& guide) {
   trial.describe("a guide of " + points_of(guide));
   const Eigen::Index points = guide.size() / 3;
-  GuideFrames frames{nothing(points), std::vector<hair::Matrix3d>(static_cast<std::size_t>(points),
-                                                                  hair::Matrix3d::Constant(std::nan("")))};
+  GuideFrames frames{unset(points), std::vector<hair::Matrix3d>(static_cast<std::size_t>(points),
+                                                                hair::Matrix3d::Constant(std::nan("")))};
   ask_student_for<Calls, hair::carry_along>(trial, guide, frames);
   return frames;
 }
@@ -45,7 +41,7 @@ GuideFrames ask_frames(Trial& trial, const VectorXd& guide) {
 VectorXd ask_extrapolated(Trial& trial, const VectorXd& guide, const GuideFrames& frames,
                           const Vector3d& root, double spread) {
   trial.describe("a guide of " + points_of(guide) + ", spread " + std::to_string(spread));
-  VectorXd child = nothing(guide.size());
+  VectorXd child = unset(guide.size());
   ask_student_for<Calls, hair::extrapolate>(trial, guide, frames, root, spread, child);
   return child;
 }
@@ -55,7 +51,7 @@ VectorXd ask_blended(Trial& trial, const VectorXd& arc, VectorXd at_root, Vector
                  (place == Place::own       ? "memory of its own"
                   : place == Place::at_root ? "at_root"
                                             : "at_tip"));
-  VectorXd own = nothing(at_root.size());
+  VectorXd own = unset(at_root.size());
   VectorXd& child = place == Place::own ? own : place == Place::at_root ? at_root : at_tip;
   ask_student_for<Calls, hair::blend>(trial, arc, at_root, at_tip, child);
   return child;

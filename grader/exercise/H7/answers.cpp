@@ -25,7 +25,7 @@ Answered ask(Trial& trial, int pass, const Tree& tree) {
   } else if (pass == 2) {
     ask_student_for<Calls, hair::inward_inertias>(trial, tree.links, tree.Q, answered.passes);
   } else {
-    answered.accelerations = VectorXd::Constant(tree.rates.size(), std::nan(""));
+    answered.accelerations = unset(tree.rates.size());
     ask_student_for<Calls, hair::outward_accelerations>(trial, tree.links, tree.Q, answered.passes,
                                                         answered.accelerations);
   }

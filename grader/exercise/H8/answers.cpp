@@ -9,10 +9,6 @@
 namespace grader::h8 {
 namespace {
 
-VectorXd nothing(Eigen::Index size) {
-  return VectorXd::Constant(size, std::nan(""));
-}
-
 std::string in_words(const Hair& hair) {
   double most = 0;
   for (const hair::HelixElement& element : hair.motion.elements)
@@ -47,20 +43,20 @@ std::vector<hair::HelixElement> ask_carried(Trial& trial, const MaterialFrame& r
 }
 
 VectorXd ask_stiffness(Trial& trial, const HelixStrand& strand) {
-  VectorXd K = nothing(strand.natural.size());
+  VectorXd K = unset(strand.natural.size());
   ask_student_for<Calls, hair::helix_stiffness>(trial, strand, K);
   return K;
 }
 
 VectorXd ask_elastic(Trial& trial, const HelixStrand& strand, const VectorXd& q) {
-  VectorXd force = nothing(q.size());
+  VectorXd force = unset(q.size());
   ask_student_for<Calls, hair::elastic_force>(trial, strand, q, force);
   return force;
 }
 
 VectorXd ask_force(Trial& trial, const Hair& hair) {
   trial.describe(in_words(hair));
-  VectorXd Q = nothing(hair.q.size());
+  VectorXd Q = unset(hair.q.size());
   ask_student_for<Calls, hair::generalised_force>(trial, hair.motion.elements, hair.motion.points, Q);
   return Q;
 }
@@ -74,7 +70,7 @@ MatrixXd ask_mass(Trial& trial, const Hair& hair) {
 
 VectorXd ask_step(Trial& trial, const Hair& hair, double h) {
   trial.describe(in_words(hair) + ", h = " + std::to_string(h) + " s");
-  VectorXd change = nothing(hair.q.size());
+  VectorXd change = unset(hair.q.size());
   const Filling scratch{static_cast<int>(hair.q.size()) + 10};
   ask_student_for<Calls, hair::helix_step>(trial, hair.strand(), hair.motion.elements, hair.motion.points,
                                            hair.q, hair.rates, h, scratch, change);
