@@ -15,9 +15,6 @@
 #   hair_exercise_libraries(NAME DIR)
 #                                  one static library <NAME>_<id> for each exercise file in DIR, compiled as for grading
 #   hair_left_out(NAME ID...)      a static library that stands for these exercises: each of their functions throws NotInCourse
-#   hair_test(NAME [OPTIMISED] SOURCES ... LIBRARIES ...)
-#                                  a GoogleTest program of our own, one test of ctest's. OPTIMISED: it takes minutes to build or to run
-#                                  with sanitisers; there .ci/full alone runs it
 
 # Programs with AddressSanitizer are linked at fixed addresses. Where the kernel moves memory by 32 random bits (vm.mmap_rnd_bits),
 # GCC's runtime before version 14 and clang's before 17 find no room for themselves in a quarter of all starts of a movable program.
@@ -163,41 +160,4 @@ function(hair_left_out NAME)
   hair_compile_settings(${NAME})
   set_target_properties(${NAME} PROPERTIES UNITY_BUILD OFF)
   target_link_libraries(${NAME} PUBLIC hair_interfaces Eigen3::Eigen)
-endfunction()
-
-# What tests run: in .ci/run, in ./grader/check, and with slow ones; each has those before it. A sanitisers' build builds nothing else.
-if(HAIR_STAFF AND NOT TARGET tests)
-  add_custom_target(ci_tests)
-  add_custom_target(tests)
-  add_custom_target(all_tests)
-  add_dependencies(tests ci_tests)
-  add_dependencies(all_tests tests)
-endif()
-
-# .ci/run runs each test in the build that finds most: OPTIMISED without sanitisers, SANITISED with them, and others in both.
-# What takes long in a test is one of its own, NAME.slow: the cases that SLOW names, as --gtest_filter does.
-function(hair_test NAME)
-  cmake_parse_arguments(PARSE_ARGV 1 ARG "OPTIMISED;SANITISED" "SLOW" "SOURCES;LIBRARIES")
-  find_package(GTest REQUIRED)
-  add_executable(${NAME} ${ARG_SOURCES})
-  hair_own_code(${NAME})
-  if(COMMAND hair_precompile_test)
-    hair_precompile_test(${NAME})
-  endif()
-  target_link_libraries(${NAME} PRIVATE ${ARG_LIBRARIES} hair_dense_algebra GTest::gtest_main)
-  if(HAIR_ALL_TESTS OR NOT ARG_OPTIMISED)
-    if(ARG_SLOW)
-      add_test(NAME ${NAME} COMMAND ${NAME} "--gtest_filter=-${ARG_SLOW}")
-      add_test(NAME ${NAME}.slow COMMAND ${NAME} "--gtest_filter=${ARG_SLOW}")
-      set_tests_properties(${NAME}.slow PROPERTIES LABELS slow FAIL_REGULAR_EXPRESSION "Running 0 tests")
-    else()
-      add_test(NAME ${NAME} COMMAND ${NAME})
-    endif()
-    if(ARG_SANITISED AND HAIR_ALL_TESTS)
-      set_tests_properties(${NAME} PROPERTIES LABELS sanitised)
-      add_dependencies(tests ${NAME})
-    else()
-      add_dependencies(ci_tests ${NAME})
-    endif()
-  endif()
 endfunction()

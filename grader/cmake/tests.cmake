@@ -1,0 +1,50 @@
+# STAFF ONLY. Tests. Each has one of three labels, and the target of that name builds what it runs:
+#
+#   quick       for every change, optimised: in .ci/run and in ./grader/check
+#   sanitised   for every change, too; .ci/run runs it with sanitisers, ./grader/check without
+#   slow        in ./grader/check --all
+#
+# .ci/nightly runs all of them, optimised and with sanitisers.
+#
+#   hair_test(NAME [SANITISED] [SLOW CASES] SOURCES ... LIBRARIES ...)
+#       a GoogleTest program of our own and its test, both called NAME: quick, or sanitised. Cases that take long are a test of their
+#       own, NAME.slow: SLOW names them as --gtest_filter does
+#   hair_program_test(LABEL NAME PROGRAM ARGUMENT...)
+#       the test NAME, which starts the target PROGRAM with these arguments
+#   hair_command_test(LABEL NAME PROGRAM COMMAND...)
+#       the test NAME, which starts a command that is about the target PROGRAM
+add_custom_target(quick)
+add_custom_target(sanitised)
+add_custom_target(slow)
+
+function(hair_command_test LABEL NAME PROGRAM)
+  add_test(NAME ${NAME} COMMAND ${ARGN})
+  set_tests_properties(${NAME} PROPERTIES LABELS ${LABEL})
+  add_dependencies(${LABEL} ${PROGRAM})
+endfunction()
+
+function(hair_program_test LABEL NAME PROGRAM)
+  hair_command_test(${LABEL} ${NAME} ${PROGRAM} ${PROGRAM} ${ARGN})
+endfunction()
+
+function(hair_test NAME)
+  cmake_parse_arguments(PARSE_ARGV 1 ARG "SANITISED" "SLOW" "SOURCES;LIBRARIES")
+  find_package(GTest REQUIRED)
+  add_executable(${NAME} ${ARG_SOURCES})
+  hair_own_code(${NAME})
+  if(COMMAND hair_precompile_test)
+    hair_precompile_test(${NAME})
+  endif()
+  target_link_libraries(${NAME} PRIVATE ${ARG_LIBRARIES} hair_dense_algebra GTest::gtest_main)
+  set(label quick)
+  if(ARG_SANITISED)
+    set(label sanitised)
+  endif()
+  if(ARG_SLOW)
+    hair_program_test(${label} ${NAME} ${NAME} "--gtest_filter=-${ARG_SLOW}")
+    hair_program_test(slow ${NAME}.slow ${NAME} "--gtest_filter=${ARG_SLOW}")
+    set_tests_properties(${NAME}.slow PROPERTIES FAIL_REGULAR_EXPRESSION "Running 0 tests")
+  else()
+    hair_program_test(${label} ${NAME} ${NAME})
+  endif()
+endfunction()
