@@ -43,7 +43,7 @@ void require(bool holds, const std::string& what) {
 Submission submission(const Course& course, int number) {
   static const fs::path solutions = fs::path(HAIR_PROJECT) / "grader/samples/solutions";
   static const fs::path folders[] = {solutions / "plain", solutions / "other-order", solutions / "same-names",
-                                     solutions / "vector-class"};
+                                     solutions / "recursion"};
   Submission result;
   result.name = "submission-" + std::to_string(number);
   for (const Exercise& exercise : course.exercises) {

@@ -28,6 +28,19 @@ std::string as_on_windows(const std::string& text) {
   return windows;
 }
 
+// A hand-in is one file: #include "NAME" of a header in the solution's folder becomes the header's text, but for its first line.
+std::string in_one_file(const fs::path& source) {
+  std::string text = read_bytes(source);
+  for (const auto& item : fs::directory_iterator(source.parent_path())) {
+    const std::string line = "#include \"" + item.path().filename().string() + "\"\n";
+    const std::size_t at = item.path().extension() == ".h" ? text.find(line) : std::string::npos;
+    if (at == std::string::npos) continue;
+    const std::string header = read_bytes(item.path());
+    text.replace(at, line.size(), header.substr(header.find('\n') + 1));
+  }
+  return text;
+}
+
 }  // namespace
 
 std::map<std::string, std::string> solution_files(const Sample& sample, const fs::path& project) {
@@ -41,7 +54,7 @@ std::map<std::string, std::string> solution_files(const Sample& sample, const fs
       throw BadInput("sample \"" + sample.name + "\": " + file.path + ": " + source.string() +
                      " is not there; name \"reference\", \"stub\" or a folder of solutions/ that has it");
     }
-    const std::string text = edited(read_bytes(source), name, sample.edits);
+    const std::string text = edited(in_one_file(source), name, sample.edits);
     texts[file.path] = sample.windows ? as_on_windows(text) : text;
     names.insert(name);
   }

@@ -1,5 +1,5 @@
 // STAFF ONLY. A sample's exercise files: copies of the reference, the stubs or a whole solution, with the
-// sample's edits.
+// headers beside them put in, and the sample's edits.
 #pragma once
 
 #include <filesystem>

@@ -7,30 +7,7 @@
 namespace hair {
 namespace {
 
-template <typename T>
-struct Dual {
-  T v, d;
-  Dual(double constant = 0) : v(constant), d(0) {}
-  Dual(T value, T change) : v(value), d(change) {}
-};
-template <typename T>
-Dual<T> operator+(const Dual<T>& a, const Dual<T>& b) {
-  return {a.v + b.v, a.d + b.d};
-}
-template <typename T>
-Dual<T> operator-(const Dual<T>& a, const Dual<T>& b) {
-  return {a.v - b.v, a.d - b.d};
-}
-template <typename T>
-Dual<T> operator*(const Dual<T>& a, const Dual<T>& b) {
-  return {a.v * b.v, a.d * b.v + a.v * b.d};
-}
-
-using First = Dual<double>;
-using Second = Dual<First>;
-
-template <typename T>
-using Vec = std::array<T, 3>;
+#include "dual.h"
 
 // k s |x_b - (x_a + arm)|^2 / 2; of: a, b.
 struct LinkEnergy {
@@ -88,7 +65,7 @@ double value(const Energy& energy, Input x) {
 
 template <typename Energy>
 void subtract_gradient(const Energy& energy, Input x, Output f) {
-  auto at = corners<First>(energy.of, [&](int i) { return First(x[i], 0); });
+  auto at = corners<D1>(energy.of, [&](int i) { return D1(x[i], 0); });
   for (std::size_t j = 0; j < at.size(); ++j)
     for (int k = 0; k < 3; ++k) {
       at[j][k].d = 1;
@@ -100,7 +77,7 @@ void subtract_gradient(const Energy& energy, Input x, Output f) {
 // The second derivatives of what is quadratic are the same everywhere: here at 0.
 template <typename Energy>
 void subtract_product(const Energy& energy, Input dx, Output df) {
-  auto at = corners<Second>(energy.of, [&](int i) { return Second(First(0, 0), First(dx[i], 0)); });
+  auto at = corners<D2>(energy.of, [&](int i) { return D2(D1(0, 0), D1(dx[i], 0)); });
   for (std::size_t j = 0; j < at.size(); ++j)
     for (int k = 0; k < 3; ++k) {
       at[j][k].v.d = 1;
