@@ -38,7 +38,6 @@ libxml2-dev          # reads figures and pages
 libegl1              # the other way to OpenGL: both draw the same
 libegl-mesa0
 libbenchmark-dev     # Google Benchmark
-libbullet-dev        # Bullet: its rope is what hair is timed beside
 libhwy-dev           # Highway: vectors of the engine for full heads
 LIST
 }

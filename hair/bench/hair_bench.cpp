@@ -1,4 +1,4 @@
-// What a step of hair costs: by method and number of strands, by part, by stiffness, and beside Bullet's rope.
+// What a step of hair costs: by method and number of strands, beside a step that is not watched, and by stiffness.
 //
 // All hair is human hair in segments of 1 cm that starts level and swings down for `kWarmUp` steps before it is
 // timed, so that it is bent and moves.
@@ -10,10 +10,6 @@
 #include <ctime>
 #include <vector>
 
-#include "hair/bench/bullet_rope.h"
-#include "hair/bench/staged_step.h"
-#include "hair/length_correction.h"
-#include "hair/predictor_corrector.h"
 #include "hair/simulation/simulation.h"
 #include "hair/strand/make_strand.h"
 #include "hair/strand/measures.h"
@@ -110,27 +106,6 @@ BENCHMARK_CAPTURE(watched, H6, Method::predictor_corrector)
     ->Iterations(100)
     ->UseManualTime();
 
-// Where a step of H6 spends its time. Arguments: segments.
-void shares(benchmark::State& state) {
-  const int segments = static_cast<int>(state.range(0));
-  Simulation simulation = swinging(Method::predictor_corrector, 1, segments, kStep);
-  particles::State moving = simulation.state(0);
-  Eigen::MatrixXd scratch(moving.x.size(), hair::kPredictorCorrectorScratch);
-  Stages stages;
-  for (auto _ : state) {
-    const double before = stages.all;
-    staged_step(simulation.force(0), simulation.particles(0), simulation.strand(0), kStep, moving, scratch,
-                stages);
-    state.SetIterationTime(stages.all - before);
-  }
-  state.counters["products_%"] = 100 * stages.products / stages.all;
-  state.counters["bands_%"] = 100 * stages.bands / stages.all;
-  state.counters["solver_%"] = 100 * stages.solver / stages.all;
-  state.counters["forces_%"] = 100 * stages.forces / stages.all;
-  state.counters["correction_%"] = 100 * stages.correction / stages.all;
-}
-BENCHMARK(shares)->Arg(10)->Arg(30)->Arg(100)->Iterations(50)->UseManualTime()->Unit(benchmark::kMicrosecond);
-
 // Iterations of ConjGrad for a solve, 30 segments. Arguments: the logarithm of how many times hair's stiffness.
 void stiffness(benchmark::State& state, Method method) {
   hair::Material material;
@@ -155,54 +130,6 @@ BENCHMARK_CAPTURE(stiffness, H6, Method::predictor_corrector)
     ->Iterations(40)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
-
-// A swing of half a second, by H4 or H6 and by Bullet's rope, turn by turn. Arguments: steps a second, Bullet's
-// iterations. Without bending, which the rope has not. `stretch` and `bullet_stretch` are the largest on the way.
-void beside_bullet(benchmark::State& state, Method method) {
-  const double step = 1.0 / static_cast<double>(state.range(0));
-  const int iterations = static_cast<int>(state.range(1)), steps = static_cast<int>(state.range(0)) / 2;
-  Description description;
-  description.method = method;
-  description.step = step;
-  description.strands = {level_hair(30)};
-  description.strands[0].strand.bend_rigidity = 0;
-
-  std::vector<double> ratios, ours, bullets;
-  double stretch = 0, bullet_stretch = 0;
-  for (auto _ : state) {
-    Simulation simulation(description);
-    const hair::Strand& strand = simulation.strand(0);
-    BulletRope rope(strand, iterations);
-    double our_time = 0, bullet_time = 0;
-    for (int k = 0; k < steps; k += kTurn) {
-      our_time += seconds([&] { simulation.advance(kTurn); });
-      bullet_time += seconds([&] {
-        for (int turn = 0; turn < kTurn; ++turn) rope.step(step);
-      });
-      stretch = std::max(stretch, hair::largest_stretch(strand, simulation.state(0).x));
-      bullet_stretch = std::max(bullet_stretch, hair::largest_stretch(strand, rope.positions()));
-    }
-    ours.push_back(our_time / steps);
-    bullets.push_back(bullet_time / steps);
-    ratios.push_back(our_time / bullet_time);
-    state.SetIterationTime(our_time);
-  }
-  state.counters["us"] = 1e6 * *std::min_element(ours.begin(), ours.end());
-  state.counters["bullet_us"] = 1e6 * *std::min_element(bullets.begin(), bullets.end());
-  state.counters["ratio"] = timing::median(ratios);
-  state.counters["stretch"] = stretch;
-  state.counters["bullet_stretch"] = bullet_stretch;
-}
-BENCHMARK_CAPTURE(beside_bullet, H4, Method::implicit_euler)
-    ->ArgsProduct({{60, 240, 960}, {10}})
-    ->Iterations(5)
-    ->UseManualTime()
-    ->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(beside_bullet, H6, Method::predictor_corrector)
-    ->ArgsProduct({{60, 240, 960}, {1, 10, 100, 1000}})
-    ->Iterations(5)
-    ->UseManualTime()
-    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
 }  // namespace hair_bench

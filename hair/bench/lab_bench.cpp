@@ -2,7 +2,6 @@
 //
 //   lab_bench pipeline    by number of strands and stage
 //   lab_bench parts       what each part that is left out saves
-//   lab_bench head        what collisions, curls, links and strips cost, beside hair without them
 //   lab_bench beside      a scene without bending, obstacles and pictures, beside a program written for just that
 //
 // Human hair in 15 segments of 1 cm on the upper half of a head of 10 cm.
@@ -15,7 +14,6 @@
 #include <string>
 #include <vector>
 
-#include "hair/bench/head_parts.h"
 #include "hair/bench/plain_program.h"
 #include "hair/lab/run/run.h"
 #include "hair/scene/playback.h"
@@ -197,12 +195,10 @@ int main(int argc, char* argv[]) {
     pipeline();
   else if (what == "parts")
     parts();
-  else if (what == "head")
-    hair_bench::head_parts();
   else if (what == "beside")
     beside();
   else {
-    std::cerr << "lab_bench: give one of pipeline, parts, head, beside\n";
+    std::cerr << "lab_bench: give one of pipeline, parts, beside\n";
     return 2;
   }
   return 0;

@@ -1,12 +1,228 @@
-// STAFF ONLY. What a step of the engine costs and how far off it is; beside given code, Bullet's rope and plain XPBD. Prints Markdown.
+// STAFF ONLY. What a step of the engine costs, beside given code, and what the machine can do. Prints Markdown. CPU times, so that other
+// programs on the machine matter less: the least of some steps.
 // Usage: engine_bench [STRANDS].
+#include <hwy/targets.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
+#include <functional>
+#include <stdexcept>
+#include <string>
 
-#include "reference/engine/bench/bench_head.h"
-#include "reference/engine/bench/tables.h"
+#include "hair/head/bust.h"
+#include "hair/head/full_head.h"
+#include "hair/head/grow.h"
+#include "hair/length_correction.h"
+#include "hair/predictor_corrector.h"
+#include "hair/strand/obstacles.h"
+#include "particles/implicit_euler.h"
+#include "reference/engine/bench/peaks.h"
+#include "reference/engine/head_of_strands.h"
+#include "solver/timing.h"
+
+namespace hair_bench {
+
+using Eigen::VectorXd;
+using hair::FullHead, hair::FullHeadSettings, hair::Vector3d;
+
+namespace {
+
+constexpr int kPoints = 25;
+constexpr double kStep = 1.0 / 24;  // s
+constexpr int kWarmUp = 4, kSteps = 6;
+
+// Along a curve that fills space: Morton's order of cells of 2 mm.
+std::int64_t place_on_curve(const Vector3d& root) {
+  std::int64_t place = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto cell = static_cast<std::int64_t>((root[axis] + 1) / 2e-3);
+    for (int bit = 0; bit < 12; ++bit) place |= ((cell >> bit) & 1) << (3 * bit + axis);
+  }
+  return place;
+}
+
+// Hair on the bust, combed. Neighbours follow each other.
+hair::Groom combed_groom(int strands) {
+  const hair::HairStyle* const style = hair::find_hair_style("long-smooth");
+  if (!style) throw std::runtime_error("no style long-smooth");
+  hair::Groom groom = grow_groom(hair::Bust(), *style, {strands, kPoints, 1});
+  std::sort(groom.strands.begin(), groom.strands.end(), [](const VectorXd& a, const VectorXd& b) {
+    return place_on_curve(a.head<3>()) < place_on_curve(b.head<3>());
+  });
+  return groom;
+}
+
+// The strands of `head` take the groom's in turn.
+void set(FullHead& head, const hair::Groom& groom) {
+  const VectorXd still = VectorXd::Zero(3 * kPoints);
+  for (int k = 0; k < head.strands(); ++k) {
+    const VectorXd& x = groom.strands[k % groom.strands.size()];
+    double length = 0;
+    for (int i = 1; i < kPoints; ++i) length += (x.segment<3>(3 * i) - x.segment<3>(3 * i - 3)).norm();
+    head.set_strand(k, length / (kPoints - 1), (x.segment<3>(3) - x.head<3>()).normalized(), x, still);
+  }
+}
+
+FullHeadSettings with(bool bending, bool correction, bool contact) {
+  FullHeadSettings settings;
+  settings.drag = 2;
+  settings.bending = bending;
+  settings.correct_lengths = correction;
+  if (contact) settings.head = std::make_shared<hair::Bust>();
+  settings.friction = 0.3;
+  return settings;
+}
+
+// Seconds: the least of some times.
+double least(int times, const std::function<void()>& work, double (*clock)() = timing::process_cpu_seconds) {
+  double least = INFINITY;
+  for (int i = 0; i < times; ++i) {
+    const double start = clock();
+    work();
+    least = std::min(least, clock() - start);
+  }
+  return least;
+}
+
+// ns per particle and step, of CPU time if the clock says so. Says how many bytes a particle takes, if `bytes` is not null.
+double engine_ns(const FullHeadSettings& settings, int strands, const hair::Groom& groom,
+                 double (*clock)() = timing::process_cpu_seconds, double* bytes = nullptr) {
+  FullHead head(std::vector<int>(strands, kPoints), settings);
+  set(head, groom);
+  for (int i = 0; i < kWarmUp; ++i) head.step(kStep);
+  const int repeat = std::max(1, 4'000 / strands);
+  const double seconds = least(
+      kSteps,
+      [&] {
+        for (int i = 0; i < repeat; ++i) head.step(kStep);
+      },
+      clock);
+  if (head.broken()) std::printf("%d strands broke\n", head.broken());
+  if (bytes) *bytes = static_cast<double>(head.bytes()) / static_cast<double>(head.particles());
+  return 1e9 * seconds / repeat / static_cast<double>(head.particles());
+}
+
+// The same by given code: H4, H5 and the collision of obstacles.h with the bust itself.
+double given_ns(const FullHeadSettings& settings, const hair::Groom& groom) {
+  constexpr int kStrands = 40;
+  std::vector<std::unique_ptr<hair::MovingStrand>> strands;
+  for (int k = 0; k < kStrands; ++k) {
+    const VectorXd& x = groom.strands[k];
+    double length = 0;
+    for (int i = 1; i < kPoints; ++i) length += (x.segment<3>(3 * i) - x.segment<3>(3 * i - 3)).norm();
+    strands.push_back(hair::engine::given_strand(settings, kPoints, length / (kPoints - 1),
+                                                 (x.segment<3>(3) - x.head<3>()).normalized()));
+    strands.back()->state.x = x;
+  }
+  std::vector<hair::Obstacle> obstacles;
+  if (settings.head) obstacles.push_back({hair::PlacedSolid{settings.head}, settings.friction});
+  Eigen::MatrixXd scratch(3 * kPoints, hair::kPredictorCorrectorScratch);
+  VectorXd before(3 * kPoints), predicted(3 * kPoints);
+  const auto step = [&] {
+    for (const auto& one : strands) {
+      before = one->state.x;
+      implicit_euler(one->force, one->particles, kStep, particles::kSolveTolerance, one->state, scratch);
+      if (settings.correct_lengths) {
+        predicted = one->state.x;
+        correct_lengths(one->strand, hair::kLengthTolerance, hair::kMostCorrections, one->state.x, scratch);
+        one->state.v += (one->state.x - predicted) / kStep;
+      }
+      if (settings.head) collide(obstacles, one->particles, kStep, before, one->state);
+    }
+  };
+  for (int i = 0; i < kWarmUp; ++i) step();
+  return 1e9 * least(kSteps, step) / (kStrands * kPoints);
+}
+
+// Of the process, until now: bytes; 0 where Linux does not say it.
+double peak_memory() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with("VmHWM:")) return 1024 * std::strtod(line.c_str() + 6, nullptr);
+  return 0;
+}
+
+// For engines made from now on.
+void use_sets_without(long long disabled) {
+  hwy::DisableTargets(disabled);
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+void by_parts(int strands, const hair::Groom& grown) {
+  std::printf(
+      "| parts, %d strands x %d points, h = 1/24 s | ns | given code, ns | times |\n|---|--:|--:|--:|\n",
+      strands, kPoints);
+  const struct {
+    const char* name;
+    FullHeadSettings settings;
+  } rows[] = {{"stretch", with(false, false, false)},
+              {"stretch, correction", with(false, true, false)},
+              {"stretch, bending", with(true, false, false)},
+              {"stretch, head", with(false, false, true)},
+              {"stretch, correction, head", with(false, true, true)},
+              {"stretch, bending, head", with(true, false, true)},
+              {"stretch, bending, correction", with(true, true, false)},
+              {"everything", with(true, true, true)}};
+  for (const auto& [name, settings] : rows) {
+    const double ours = engine_ns(settings, strands, grown), given = given_ns(settings, grown);
+    std::printf("| %s | %.1f | %.0f | %.0f |\n", name, ours, given, given / ours);
+    std::fflush(stdout);
+  }
+}
+
+void by_strands(const hair::Groom& grown) {
+  std::printf("\n| everything, strands | 1,000 | 10,000 | 50,000 | 200,000 |\n|---|--:|--:|--:|--:|\n| ns |");
+  std::string memory = "| bytes per particle |";
+  for (const int strands : {1'000, 10'000, 50'000, 200'000}) {
+    double bytes = 0;
+    std::printf(" %.1f |",
+                engine_ns(with(true, true, true), strands, grown, timing::process_cpu_seconds, &bytes));
+    std::fflush(stdout);
+    memory += " " + std::to_string(std::lround(bytes)) + " |";
+  }
+  // Strands to start from, the bench itself and heads of before are in it.
+  std::printf("\n%s\n\nThe process's peak memory with 200,000 strands: %.0f MB, %.0f bytes per particle\n",
+              memory.c_str(), 1e-6 * peak_memory(), peak_memory() / (200'000.0 * kPoints));
+}
+
+void by_set(int strands, const hair::Groom& grown) {
+  std::printf("\n| everything, %d strands | ns |\n|---|--:|\n", strands);
+  // With all that Highway has beyond it: better targets have smaller numbers.
+  constexpr long long kAvx512 = 2 * HWY_AVX3 - 1;
+  const struct {
+    const char* name;
+    long long disabled;
+  } sets[] = {{"AVX-512", 0}, {"AVX2", kAvx512}, {"scalars", ~0LL}};
+  const auto here = hwy::SupportedTargets();
+  for (const auto& [name, disabled] : sets) {
+    if (disabled == 0 && !(here & kAvx512)) continue;
+    use_sets_without(disabled);
+    std::printf("| %s | %.1f |\n", name, engine_ns(with(true, true, true), strands, grown));
+    std::fflush(stdout);
+  }
+  use_sets_without(0);
+  std::printf("\n| everything, %d strands, threads | ns, CPU of all threads | ns, wall |\n|---|--:|--:|\n",
+              strands);
+  for (const int threads : {1, 2}) {
+    FullHeadSettings settings = with(true, true, true);
+    settings.threads = threads;
+    std::printf("| %d | %.1f | %.1f |\n", threads, engine_ns(settings, strands, grown),
+                engine_ns(settings, strands, grown, timing::wall_seconds));
+  }
+}
+
+void by_peaks() {
+  std::printf("\n| one core, of CPU time | at most |\n|---|--:|\n");
+  std::printf("| 1e9 operations per second | %.0f |\n| GB/s | %.1f |\n", 1e-9 * arithmetic_peak(),
+              1e-9 * bandwidth());
+  std::fflush(stdout);
+}
+
+}  // namespace
+}  // namespace hair_bench
 
 int main(int count, char** arguments) {
   using namespace hair_bench;
@@ -21,8 +237,4 @@ int main(int count, char** arguments) {
   by_strands(grown);
   by_set(strands, grown);
   by_peaks();
-  by_step(grown);
-  beside_others();
-  by_precision();
-  by_curves();
 }
