@@ -6,11 +6,10 @@
 
 #include "grader/compile/compiler.h"
 #include "grader/compile/kit.h"
+#include "grader/mutants/judgement.h"
 #include "grader/tool/suite_jobs.h"
 
 namespace grader {
-
-enum class Judgement { does_not_compile, loses_points, gets_all };
 
 class Judging {
  public:

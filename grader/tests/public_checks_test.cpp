@@ -1,6 +1,7 @@
 // STAFF ONLY. What the hidden checks ask, the public ones ask: a sample that loses points in an exercise fails that exercise's
-// public checks (handout/checks/), and one that gets all of them passes them. The environment's HAIR_EXERCISE names the exercise,
-// and HAIR_SAMPLE one sample alone.
+// public checks (handout/checks/), and one that gets all of them passes them. So do the wrong programs that are made of the reference:
+// tests of the reference need not ask what these checks ask. The environment's HAIR_EXERCISE names the exercise, and HAIR_SAMPLE one
+// sample alone.
 //
 // A sample's file is compiled and linked as for grading, in a cage, and the public checks run with it in another. Wrong ones that
 // they do not catch are compiled once more with sanitizers, as students' checks are: these take longer, and tell more of memory
@@ -18,6 +19,7 @@
 #include "grader/compile/compiler.h"
 #include "grader/samples/sample.h"
 #include "grader/samples/solution_files.h"
+#include "grader/tests/mutants_found.h"
 #include "grader/tests/run_program.h"
 #include "grader/tests/side_by_side.h"
 #include "hair/io/files/read_file.h"
@@ -77,8 +79,9 @@ class PublicChecks : public testing::Test {
   const Course course_ = read_course(kProject / "handout/exercises.json");
   const std::string id_ = environment("HAIR_EXERCISE", "");
   const StagedKit kit_{HAIR_KIT_DIR, course_};
-  // The class's, if it was graded here: it has the same files.
+  // Where the class or mutants were graded here, they have the same files.
   const Compiler compiler_{kit_, fs::path(HAIR_GRADED) / "class-cache", true};
+  const Compiler mutants_{kit_, fs::path(HAIR_GRADED) / "mutants", true};
   // Copied, for the sandbox's user may not read where the project lies.
   const fs::path checks_ = kit_.new_job("checks");
 
@@ -89,11 +92,11 @@ class PublicChecks : public testing::Test {
     fs::copy(HAIR_GOLDEN_DIR, checks_ / "golden");
   }
 
-  Checked check(const Program& program, Build build) const {
-    const fs::path job =
-        kit_.new_job(program.name + (build == Build::sanitised ? "-sanitised" : "-ordinary"));
+  Checked check(const Compiler& compiler, const std::string& name, const std::string& source,
+                Build build) const {
+    const fs::path job = kit_.new_job(name + (build == Build::sanitised ? "-sanitised" : "-ordinary"));
     const Exercise& exercise = *course_.find(id_);
-    const Compiled compiled = compiler_.compile(exercise, program.source, job, 60, build);
+    const Compiled compiled = compiler.compile(exercise, source, job, 60, build);
     if (compiled.object.empty()) return {false, false, compiled.log};
     Cage cage;
     cage.mounts = library_mounts();
@@ -128,9 +131,10 @@ TEST_F(PublicChecks, FailWhereTheHiddenOnesTakePointsAndNowhereElse) {
   std::vector<Checked> found(programs.size());
   std::atomic<int> by_sanitizers = 0;
   side_by_side(programs.size(), [&](std::size_t i) {
-    found[i] = check(programs[i], Build::ordinary);
-    if (!found[i].passed || programs[i].right) return;
-    found[i] = check(programs[i], Build::sanitised);
+    const auto& [name, source, right] = programs[i];
+    found[i] = check(compiler_, name, source, Build::ordinary);
+    if (!found[i].passed || right) return;
+    found[i] = check(compiler_, name, source, Build::sanitised);
     by_sanitizers += !found[i].passed;
   });
 
@@ -170,6 +174,18 @@ TEST_F(PublicChecks, FailWhereTheHiddenOnesTakePointsAndNowhereElse) {
   std::printf(
       "%s: public checks catch %d of %d wrong samples (%d by sanitizers), %d are exceptions; %d are right\n",
       id_.c_str(), caught, wrong, by_sanitizers.load(), excused, right);
+}
+
+TEST_F(PublicChecks, FailForWrongProgramsThatAreMadeOfTheReference) {
+  expect_mutants_found(
+      *course_.find(id_),
+      [&](const std::string& name, const std::string& source) {
+        Checked found = check(mutants_, name, source, Build::ordinary);
+        if (!found.ran) return Judgement::does_not_compile;
+        if (found.passed) found = check(mutants_, name, source, Build::sanitised);
+        return found.passed ? Judgement::gets_all : Judgement::loses_points;
+      },
+      "Let the public checks ask for it");
 }
 
 }  // namespace

@@ -148,6 +148,9 @@ TEST(BendEnergy, WithoutAJointIsZero) {
   EXPECT_EQ(bend_energy(strand_of(vector({1})), vector({1, 2, 3, 3, 3, 3})), 0) << "two particles";
   EXPECT_EQ(bend_energy(strand_of(vector({1, 1})), vector({0, 0, 0, 0, 1, 0, 0, 1, 0})), 0)
       << "a segment of length 0";
+  EXPECT_EQ(bend_energy(strand_of(vector({1, 1})), vector({0, 0, 0, -1, -2, -2, -1, -2, -2})), 0)
+      << "a segment of length 0 behind one along (-1, -2, -2): their dot product is -0, and atan2(0, -0) is "
+         "pi";
 }
 
 TEST(AddBendForce, OfOneJoint) {

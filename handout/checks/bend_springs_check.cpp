@@ -66,6 +66,9 @@ const Strand kTwo = strand_of(vector({1.5, 2.5}));               // d0 = 4 m, k 
 const VectorXd kBent = vector({0, 0, 0, 0, 1.5, 0, 0, 1.5, 2});  // d = 2.5 m
 const VectorXd kLong = vector({0, 0, 0, 0, 0.5, -3, 0, 0, -5});  // d = 5 m
 const VectorXd kMeeting = vector({1, 2, 3, 1, 3, 3, 1, 2, 3});   // d = 0
+// The second spring is kTwo's at d = 5 m, from particle 1 to 3. The first one's ends meet.
+const Strand kThree = strand_of(vector({1, 1.5, 2.5}));
+const VectorXd kFirstMeets = vector({0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, -5});
 
 }  // namespace
 
@@ -132,6 +135,14 @@ TEST(AddBendSpringForce, IsAddedToWhatFHolds) {
 TEST(AddBendSpringForce, OfParticlesThatMeetIsZero) {
   const VectorXd f = force(kTwo, kMeeting);
   EXPECT_EQ(f, VectorXd::Zero(9)) << "particles 0 and 2 in the same place; actual: " << particles_in_words(f);
+}
+
+TEST(AddBendSpringForce, OfTheSpringsBehindOneWithoutLengthStays) {
+  expect_entries(force(kThree, kFirstMeets), vector({0, 0, 0, 0, 0, -2.5, 0, 0, 0, 0, 0, 2.5}),
+                 32 * kU * 2.5 * 9,
+                 "the force at x = " + particles_in_words(kFirstMeets) +
+                     ": particles 0 and 2 meet, 1 and 3 are 5 m apart, d0 = 4 m, k = 2.5 N/m",
+                 "32 u of k (d + d0): rounding");
 }
 
 TEST(AddBendSpringProduct, IsTheForcesDerivative) {
@@ -201,6 +212,18 @@ TEST(AddBendSpringProduct, OfParticlesThatMeetIsZero) {
     EXPECT_EQ(df, VectorXd::Zero(9)) << "particles 0 and 2 in the same place; actual: "
                                      << particles_in_words(df);
   }
+}
+
+TEST(AddBendSpringProduct, OfTheSpringsBehindOneWithoutLengthStays) {
+  VectorXd dx = VectorXd::Zero(12);
+  dx[11] = 1;
+  for (GeometricTerm term : {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped})
+    expect_entries(product(kThree, kFirstMeets, term, dx), vector({0, 0, 0, 0, 0, 2.5, 0, 0, 0, 0, 0, -2.5}),
+                   64 * kU * 5,
+                   "the product at x = " + particles_in_words(kFirstMeets) +
+                       ", where particles 0 and 2 meet and k = 2.5 N/m of the other spring, dx = " +
+                       particles_in_words(dx),
+                   "64 u of k (1 + d0/d): rounding");
 }
 
 int main(int argc, char** argv) {

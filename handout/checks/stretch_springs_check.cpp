@@ -66,6 +66,9 @@ VectorXd vector(std::initializer_list<double> values) {
 const Strand kOne = strand_of(vector({2}));                   // k = EA / l0 = 6 N/m
 const VectorXd kStretched = vector({1, 0, 0, 1, 0, -2.5});    // 0.5 m too long
 const VectorXd kCompressed = vector({1, 0, 0, 1, 0, -1.25});  // 0.75 m too short
+// The same spring, stretched, behind one whose ends meet.
+const Strand kPair = strand_of(vector({2, 2}));
+const VectorXd kMeeting = vector({1, 0, 0, 1, 0, 0, 1, 0, -2.5});
 
 }  // namespace
 
@@ -129,6 +132,14 @@ TEST(AddStretchForce, IsAddedToWhatFHolds) {
 TEST(AddStretchForce, OfASegmentWithoutLengthIsZero) {
   const VectorXd f = force(kOne, vector({1, 2, 3, 1, 2, 3}));
   EXPECT_EQ(f, VectorXd::Zero(6)) << "two particles in the same place; actual: " << particles_in_words(f);
+}
+
+TEST(AddStretchForce, OfTheSegmentsBehindOneWithoutLengthStays) {
+  expect_entries(force(kPair, kMeeting), vector({0, 0, 0, 0, 0, -3, 0, 0, 3}), 32 * kU * 6 * 4.5,
+                 "the force at x = " + particles_in_words(kMeeting) +
+                     ": the first two particles meet, and the "
+                     "second spring is the one above",
+                 "32 u of k (l + l0): rounding");
 }
 
 TEST(AddStretchProduct, OfOneSpring) {
@@ -205,6 +216,17 @@ TEST(AddStretchProduct, OfASegmentWithoutLengthIsZero) {
     const VectorXd df = product(kOne, vector({1, 2, 3, 1, 2, 3}), term, vector({1, 0, 0, 0, 1, 0}));
     EXPECT_EQ(df, VectorXd::Zero(6)) << "two particles in the same place; actual: " << particles_in_words(df);
   }
+}
+
+TEST(AddStretchProduct, OfTheSegmentsBehindOneWithoutLengthStays) {
+  const VectorXd dx = vector({0, 0, 0, 0, 0, 0, 0, 0, 1});
+  for (GeometricTerm term : {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped})
+    expect_entries(product(kPair, kMeeting, term, dx), vector({0, 0, 0, 0, 0, 6, 0, 0, -6}), 64 * kU * 12,
+                   "the product at x = " + particles_in_words(kMeeting) +
+                       ", where the first two particles meet, "
+                       "dx = " +
+                       particles_in_words(dx),
+                   "64 u of k (1 + l0/l): rounding");
 }
 
 int main(int argc, char** argv) {

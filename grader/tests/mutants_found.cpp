@@ -1,0 +1,80 @@
+// STAFF ONLY.
+#include "grader/tests/mutants_found.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <sstream>
+
+#include "grader/mutants/equivalents.h"
+#include "grader/mutants/mutation.h"
+#include "grader/tests/run_program.h"
+#include "grader/tests/side_by_side.h"
+#include "hair/io/files/read_file.h"
+
+namespace grader {
+namespace {
+
+constexpr std::size_t kLeastWrong = 40;
+
+struct Mutant {
+  std::string name;  // of the submission
+  Mutation mutation;
+  bool known = false;  // to be right
+  Judgement judgement = Judgement::does_not_compile;
+};
+
+std::string in_words(const Exercise& exercise, const std::string& source, const Mutation& mutation) {
+  std::ostringstream words;
+  words << exercise.file << ":" << line_number(source, mutation) << ": " << change_of(source, mutation)
+        << ", occurrence " << occurrence_of(source, mutation) << ", in\n  " << line_of(source, mutation)
+        << "\n";
+  return words.str();
+}
+
+}  // namespace
+
+void expect_mutants_found(const Exercise& exercise, const Judge& judge, const std::string& advice) {
+  const std::filesystem::path project = HAIR_PROJECT;
+  const std::string source = hair::bytes_of(project / "reference" / exercise.file);
+  const std::vector<Mutation> order =
+      drawn(mutations_of(source), std::stoull(environment("HAIR_MUTANTS_SEED", "1")));
+  const auto count = static_cast<std::size_t>(std::stoi(environment("HAIR_MUTANTS", "40")));
+  const std::vector<Equivalent> equivalents = equivalents_of(exercise.id, project);
+
+  std::size_t tried = 0, wrong = 0, found = 0, equivalent = 0, broken = 0;
+  // As many as are missing at once: others take the place of those that do not compile or are known.
+  while (wrong < count && tried < order.size()) {
+    std::vector<Mutant> mutants;
+    for (; mutants.size() < count - wrong && tried < order.size(); ++tried) {
+      Mutant mutant{"m" + std::to_string(tried), order[tried]};
+      mutant.known = std::ranges::any_of(equivalents,
+                                         [&](const Equivalent& one) { return one.is(source, order[tried]); });
+      mutants.push_back(std::move(mutant));
+    }
+    side_by_side(mutants.size(), [&](std::size_t i) {
+      mutants[i].judgement = judge(mutants[i].name, mutated(source, mutants[i].mutation));
+    });
+    for (const Mutant& mutant : mutants) {
+      const bool is_found = mutant.judgement == Judgement::loses_points;
+      if (mutant.judgement == Judgement::does_not_compile) {
+        ++broken;
+      } else if (mutant.known) {
+        ++equivalent;
+        EXPECT_FALSE(is_found) << in_words(exercise, source, mutant.mutation)
+                               << "is listed as equivalent, but it loses points";
+      } else {
+        ++wrong;
+        found += is_found;
+        EXPECT_TRUE(is_found) << in_words(exercise, source, mutant.mutation) << mutant.name
+                              << " is not found. " << advice;
+      }
+    }
+  }
+  EXPECT_GE(wrong, std::min(kLeastWrong, count)) << "too few that compile";
+  std::printf("%s: of %zu wrong programs %zu are found (%.1f %%); %zu are equivalent, %zu do not compile\n",
+              exercise.id.c_str(), wrong, found, wrong ? 100.0 * found / wrong : 100.0, equivalent, broken);
+}
+
+}  // namespace grader
