@@ -14,24 +14,6 @@ void expect_failure(const Solution& s, double epsilon) {
   EXPECT_FALSE(s.squared_residual <= epsilon);
 }
 
-TEST(ConjGradEnds, AtADirectionWithoutCurvature) {
-  struct Case {
-    const char* name;
-    Vector diagonal, b;
-    double squared_residual;  // of x = b
-  };
-  for (const Case& c :
-       {Case{"zero", {0, 0}, {3, 4}, 25}, Case{"negative definite", {-1, -1}, {3, 4}, 100},
-        Case{"indefinite, d'Ad = 0", {2, -2}, {3, 1}, 18}, Case{"semi-definite", {0, 0, 1}, {1, 0, 1}, 1}}) {
-    solver::SparseMatrix A = solver::diagonal(c.diagonal);
-    const Solution s = solve(A, c.b, 1e-5, 0);
-    EXPECT_EQ(s.steps, 1) << c.name << ": the iteration that fails counts";
-    EXPECT_EQ(s.products, 2) << c.name;
-    EXPECT_EQ(s.x, c.b) << c.name;
-    EXPECT_EQ(s.squared_residual, c.squared_residual) << c.name;
-  }
-}
-
 TEST(ConjGradEnds, InALaterStepWithTheXOfTheStepBefore) {
   solver::SparseMatrix A = solver::diagonal({1, 2, 3, 4, 5, 6, 7, -0.1});
   const Vector b(8, 1.0);
@@ -85,19 +67,6 @@ TEST(ConjGradEnds, BeforeTheFirstStepIfTheFirstResidualIsNotFinite) {
   }
 }
 
-TEST(ConjGradEnds, BeforeXOverflows) {
-  // The solution of the first has 1e310, of the second 1e315 in its last place, reached in its third step.
-  for (const Vector& diagonal : {Vector{1e-300}, Vector{1, 2, 1e-305}}) {
-    solver::SparseMatrix A = solver::diagonal(diagonal);
-    const Vector b(diagonal.size(), 1e10);
-    const Solution s = solve(A, b, 1e-20, 0);
-    EXPECT_TRUE(all_finite(s.x)) << s.x.back();
-    expect_failure(s, 1e-20);
-    ASSERT_GE(s.steps, 1);
-    EXPECT_EQ(s.x, solve(A, b, 1e-20, s.steps == 1 ? -1 : s.steps - 1).x) << "the x before it";
-  }
-}
-
 TEST(ConjGradEnds, BeforeALargeFirstGuessOverflows) {
   // 1e-295 times ((2, -1), (-1, 1)), but for the first product, which leaves the residual (0, 1). Step 2
   // would add 1e295 to the largest number there is.
@@ -112,15 +81,6 @@ TEST(ConjGradEnds, BeforeALargeFirstGuessOverflows) {
   EXPECT_EQ(s.steps, 2);
   EXPECT_EQ(s.x[0], largest);
   EXPECT_NEAR(s.x[1] / 1e295, 1, 8 * kUnit);
-}
-
-TEST(ConjGradEnds, NotBeforeXReallyOverflows) {
-  for (double a : {1e-290, 1e-297}) {
-    solver::SparseMatrix A = solver::diagonal({a});
-    const Solution s = solve(A, {1e10}, 1e-5, 0);
-    EXPECT_EQ(s.steps, 1);
-    EXPECT_NEAR(s.x[0] / (1e10 / a), 1, 4 * kUnit);
-  }
 }
 
 TEST(ConjGradEnds, ForEveryEpsilon) {

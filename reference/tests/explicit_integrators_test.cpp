@@ -1,8 +1,8 @@
-// STAFF ONLY. What particles/explicit_integrators.h promises, and what theory says of the four methods.
+// STAFF ONLY. What theory says of the four methods. What particles/explicit_integrators.h promises the public checks ask.
 //
 // An oscillator z' = i w z, z = w x - i v, shows all: a step multiplies it by R, with s = h w.
 //
-//   forward Euler  |R|^2 = 1 + s^2      midpoint  |R|^2 = 1 + s^4 / 4      RK4  |R|^2 = 1 - s^6 / 72 + s^8 / 576
+//   midpoint  |R|^2 = 1 + s^4 / 4      RK4  |R|^2 = 1 - s^6 / 72 + s^8 / 576
 //
 // Symplectic Euler keeps w^2 x^2 + v^2 - s w x v and turns by 2 asin(s/2) a step. (Hairer, Lubich and Wanner,
 // "Geometric Numerical Integration", sections I.1 and IX.3.)
@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "particles/drag.h"
 #include "particles/force_sum.h"
@@ -38,24 +37,19 @@ using particles::State;
 struct Method {
   const char* name;
   int order;
-  int evaluations;
   void (*step)(Dynamics&, double, Output, Output, Scratch);
 };
 
-const Method kForwardEuler = {"ForwardEuler", 1, 1, particles::forward_euler};
-const Method kSymplecticEuler = {"SymplecticEuler", 1, 1, particles::symplectic_euler};
-const Method kMidpoint = {"Midpoint", 2, 2, particles::midpoint};
-const Method kRungeKutta4 = {"RungeKutta4", 4, 4, particles::runge_kutta_4};
+const Method kForwardEuler = {"ForwardEuler", 1, particles::forward_euler};
+const Method kSymplecticEuler = {"SymplecticEuler", 1, particles::symplectic_euler};
+const Method kMidpoint = {"Midpoint", 2, particles::midpoint};
+const Method kRungeKutta4 = {"RungeKutta4", 4, particles::runge_kutta_4};
 const Method kMethods[] = {kForwardEuler, kSymplecticEuler, kMidpoint, kRungeKutta4};
 
 class Oscillator : public Dynamics {
  public:
   explicit Oscillator(double omega, double damping = 0) : omega_(omega), damping_(damping) {}
-  void acceleration(Input x, Input v, Output a) override {
-    ++evaluations;
-    a = -omega_ * omega_ * x - damping_ * v;
-  }
-  int evaluations = 0;
+  void acceleration(Input x, Input v, Output a) override { a = -omega_ * omega_ * x - damping_ * v; }
 
  private:
   double omega_, damping_;
@@ -128,11 +122,6 @@ TEST(Order, IsTheSameForForcesOnMassesThatDependOnVelocity) {
   }
 }
 
-TEST(ForwardEuler, GainsEnergyBy1PlusSSquared) {
-  for (double s : {0.01, 0.1, 1.0})
-    EXPECT_NEAR(energy_after(kForwardEuler, s, 100) / std::pow(1 + s * s, 100), 1, 1000 * kUnit) << s;
-}
-
 TEST(Midpoint, GainsEnergyBySToTheFourthOver4) {
   for (double s : {0.01, 0.1, 1.0})
     EXPECT_NEAR(energy_after(kMidpoint, s, 100) / std::pow(1 + std::pow(s, 4) / 4, 100), 1, 2000 * kUnit)
@@ -200,13 +189,6 @@ TEST(Stability, EndsWhereTheoryPutsIt) {
 
 class Integrator : public testing::TestWithParam<Method> {};
 
-TEST_P(Integrator, CostsItsNumberOfEvaluations) {
-  Oscillator oscillator(1);
-  State state{VectorXd::Ones(6), VectorXd::Ones(6)};
-  run(GetParam(), oscillator, 0.1, 7, state);
-  EXPECT_EQ(oscillator.evaluations, 7 * GetParam().evaluations);
-}
-
 TEST_P(Integrator, AllocatesNothing) {
   Oscillator oscillator(1);
   State state{VectorXd::Ones(300), VectorXd::Ones(300)};
@@ -217,74 +199,6 @@ TEST_P(Integrator, AllocatesNothing) {
   ASSERT_GT(before, 0) << "nothing is counted";
   GetParam().step(oscillator, 0.1, x, v, scratch_view);
   EXPECT_EQ(allocations(), before);
-}
-
-TEST_P(Integrator, UsesNoMoreScratchThanItIsGivenAndReadsNone) {
-  Net net;
-  State expected = net.start;
-  run(GetParam(), net.system, 0.01, 1, expected);
-  for (double junk : {0.0, 1e300, double{INFINITY}}) {
-    // A column more on either side, which nobody may touch.
-    MatrixXd memory = MatrixXd::Constant(12, kIntegratorScratch + 2, junk);
-    State state = net.start;
-    GetParam().step(net.system, 0.01, state.x, state.v, memory.middleCols(1, kIntegratorScratch));
-    EXPECT_EQ(state.x, expected.x);
-    EXPECT_EQ(state.v, expected.v);
-    EXPECT_EQ(VectorXd(memory.col(0)), VectorXd::Constant(12, junk));
-    EXPECT_EQ(VectorXd(memory.col(kIntegratorScratch + 1)), VectorXd::Constant(12, junk));
-  }
-}
-
-TEST_P(Integrator, WorksOnPartsOfLargerVectors) {
-  Net net;
-  State expected = net.start;
-  run(GetParam(), net.system, 0.01, 3, expected);
-  VectorXd x(20), v(20);
-  x << VectorXd::Constant(4, 7), net.start.x, VectorXd::Constant(4, 7);
-  v << VectorXd::Constant(4, 7), net.start.v, VectorXd::Constant(4, 7);
-  MatrixXd scratch(12, kIntegratorScratch);
-  for (int i = 0; i < 3; ++i) GetParam().step(net.system, 0.01, x.segment(4, 12), v.segment(4, 12), scratch);
-  EXPECT_EQ(VectorXd(x.segment(4, 12)), expected.x);
-  EXPECT_EQ(VectorXd(v.segment(4, 12)), expected.v);
-  EXPECT_EQ(x[3] + x[16] + v[3] + v[16], 28);
-}
-
-TEST_P(Integrator, LeavesPinnedParticlesTheirVelocity) {
-  Net net;
-  State state = net.start;
-  run(GetParam(), net.system, 0.01, 100, state);
-  EXPECT_EQ(VectorXd(state.v.segment<3>(6)), VectorXd(net.start.v.segment<3>(6)));
-  EXPECT_LE((state.x.segment<3>(6) - net.start.x.segment<3>(6) - net.start.v.segment<3>(6)).norm(),
-            1000 * kUnit);
-}
-
-TEST_P(Integrator, GoesBackInTime) {
-  // Without drag, -h from (x, v) is h from (x, -v) with the velocity turned around, bit by bit.
-  Oscillator oscillator(3);
-  State back{VectorXd::LinSpaced(6, -1, 2), VectorXd::LinSpaced(6, 3, 1)}, forth{back.x, -back.v};
-  run(GetParam(), oscillator, -0.01, 20, back);
-  run(GetParam(), oscillator, 0.01, 20, forth);
-  EXPECT_EQ(back.x, forth.x);
-  EXPECT_EQ(back.v, -forth.v);
-}
-
-TEST_P(Integrator, DoesNothingInNoTimeOrToNoParticles) {
-  Net net;
-  State state = net.start;
-  run(GetParam(), net.system, 0, 1, state);
-  EXPECT_EQ(state.x, net.start.x);
-  EXPECT_EQ(state.v, net.start.v);
-  Oscillator oscillator(1);
-  State nothing;
-  run(GetParam(), oscillator, 0.1, 1, nothing);
-  EXPECT_EQ(nothing.x.size(), 0);
-}
-
-TEST_P(Integrator, ReturnsNumbersThatOverflow) {
-  Oscillator oscillator(1e6);
-  State state{VectorXd::Ones(3), VectorXd::Zero(3)};
-  run(GetParam(), oscillator, 1, 60, state);
-  EXPECT_FALSE(state.x.allFinite() && state.v.allFinite());
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Integrator, testing::ValuesIn(kMethods),
