@@ -35,10 +35,9 @@ std::vector<const Exercise*> exercises_in(std::string cell, const Course& course
   return found;
 }
 
-// Whether it is the row of a scene, "| `pendulum` | P1 | ..." or "| [pendulum](pendulum.json) | ...", that calls an exercise which
-// the course lacks.
+// Whether it is the row of a scene, "| [pendulum](pendulum.json) | P1 | ...", that calls an exercise which the course lacks.
 bool is_of_absent_scene(const std::string& line, const Course& course) {
-  if (!line.starts_with("| `") && !line.starts_with("| [")) return false;
+  if (!line.starts_with("| [")) return false;
   std::istringstream cells(line);
   for (std::string cell; std::getline(cells, cell, '|');)
     for (const Exercise* exercise : exercises_in(cell, course))
@@ -204,6 +203,15 @@ std::string course_json(const std::string& text, const Course& course) {
   return json.dump(2) + "\n";
 }
 
+Paths absent_scenes(const std::string& table, const Course& course) {
+  Paths absent;
+  std::istringstream rows(table);
+  for (std::string row; std::getline(rows, row);)
+    if (is_of_absent_scene(row, course))
+      absent.insert("hair/scenes/" + row.substr(3, row.find(']') - 3) + ".json");
+  return absent;
+}
+
 std::string course_text(const std::string& text, const std::string& destination, const Course& course,
                         const Paths& shipped, const Paths& missing) {
   const Exercise* own = nullptr;
@@ -216,7 +224,7 @@ std::string course_text(const std::string& text, const std::string& destination,
     writing.emplace(*own, course);
   }
   const bool index = destination == "assignment/README.md",
-             scenes = destination == "given/hair/scenes/README.md";
+             scenes = destination == "given/hair/scenes/scenes.md";
 
   std::istringstream in(course.partial ? with_partial_points(text) : text);
   std::string result;
@@ -225,7 +233,7 @@ std::string course_text(const std::string& text, const std::string& destination,
       if (exercise->role != Role::absent) result += index_row(*exercise) + "\n";
       continue;
     }
-    if ((index || scenes) && is_of_absent_scene(line, course)) continue;
+    if (scenes && is_of_absent_scene(line, course)) continue;
     const std::optional<std::string> kept = writing ? writing->line(line) : line;
     if (!kept) continue;
     result += (points ? points->line(*kept) : *kept) + "\n";

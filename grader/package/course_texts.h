@@ -12,8 +12,11 @@ namespace grader {
 // exercises.json with the course's points and roles. Absent exercises stay: the handout's build has definitions in their place.
 std::string course_json(const std::string& text, const Course& course);
 
+// Scenes that call an exercise which the course lacks: "hair/scenes/wind.json". table: of all scenes, golden/scenes.md.
+Paths absent_scenes(const std::string& table, const Course& course);
+
 // A text, Markdown, that ships as `destination`, beside all of `shipped`; `missing` has what ships in other courses only:
-// - tables of exercises have the course's rows (index_row), and tables of scenes only those whose exercises are there;
+// - tables of exercises have the course's rows (index_row), and the table of scenes only those whose exercises are there;
 // - the text of an exercise has the course's points, those of its categories in proportion, none if it is given solved;
 // - the text of an exercise that is given says so, in the place of "Write" in its first line, and has no hints; no text asks to
 //   write it first, and the README begins with an exercise that is to be written;

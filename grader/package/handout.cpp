@@ -34,11 +34,29 @@ Paths solved_files(const Course& course) {
   return solved;
 }
 
+// Where a line's bytes are.
+fs::path source_of(const ManifestLine& line, const HandoutSources& sources) {
+  const std::string golden = "golden/";
+  return line.source.starts_with(golden) ? sources.golden / line.source.substr(golden.size())
+                                         : sources.root / line.source;
+}
+
+// What ships. A scene ships if the course has all exercises that it calls.
+std::vector<ManifestLine> lines_of(const HandoutSources& sources, const Course& course) {
+  std::vector<ManifestLine> lines = read_manifest(sources.root, course);
+  Paths absent;
+  for (const ManifestLine& line : lines)
+    if (line.source == "golden/scenes.md")
+      absent = absent_scenes(read_file(source_of(line, sources), line.where), course);
+  std::erase_if(lines, [&](const ManifestLine& line) { return absent.contains(line.source); });
+  return lines;
+}
+
 // What ships if all exercises are assigned.
 Paths whole_handout(const HandoutSources& sources, Course course) {
   for (Exercise& exercise : course.exercises) exercise.role = Role::assigned;
   Paths paths;
-  for (const ManifestLine& line : read_manifest(sources.root, course)) paths.insert(line.destination);
+  for (const ManifestLine& line : lines_of(sources, course)) paths.insert(line.destination);
   return paths;
 }
 
@@ -94,7 +112,7 @@ void check_gates(const fs::path& archive, const HandoutSources& sources, const C
   const Files handout = read_archive(archive);
   const Paths solved = solved_files(course);
   Paths listed;
-  for (const ManifestLine& line : read_manifest(sources.root, course)) listed.insert(line.destination);
+  for (const ManifestLine& line : lines_of(sources, course)) listed.insert(line.destination);
   check_listing(handout, listed);
   check_canary(handout, solved);
   check_reference_lines(handout, files_below(sources.root / "reference"), solved);
@@ -113,16 +131,14 @@ struct TemporaryFile {
 
 Files handout_files(const HandoutSources& sources, const Course& course) {
   const Paths solved = solved_files(course);
-  const std::vector<ManifestLine> lines = read_manifest(sources.root, course);
+  const std::vector<ManifestLine> lines = lines_of(sources, course);
   Paths shipped, missing;
   for (const ManifestLine& line : lines) shipped.insert(line.destination);
   for (const std::string& path : whole_handout(sources, course))
     if (!shipped.contains(path)) missing.insert(path);
   Files files;
   for (const ManifestLine& line : lines) {
-    fs::path source = sources.root / line.source;
-    if (line.source.starts_with("golden/"))
-      source = sources.golden / line.source.substr(std::string("golden/").size());
+    fs::path source = source_of(line, sources);
     if (solved.contains(line.destination)) source = sources.root / "reference" / source.filename();
     std::string bytes = read_file(source, line.where);
     if (line.destination == "exercises.json") bytes = course_json(bytes, course);

@@ -26,13 +26,16 @@ class SmallProject : public testing::Test {
     fs::remove_all(root_);
     write("handout/manifest.txt",
           "handout/README.md\nhandout/exercises.json\nhandout/assignment/README.md\n"
-          "E2: golden/g.mtx -> checks/golden/g.mtx\n");
+          "E2: golden/g.mtx -> checks/golden/g.mtx\nhair/scenes/\n"
+          "golden/scenes.md -> given/hair/scenes/scenes.md\n");
     write("handout/README.md", "Welcome\n");
     write("handout/exercises.json",
           R"({"exercises": [{"id": "E1", "file": "f.cpp", "points": 1, "role": "assigned"},
                                                       {"id": "E2", "file": "g.cpp", "points": 1, "role": "assigned"}]})");
-    write("handout/assignment/README.md",
-          "# Exercises\n| E1 | old |\n| E2 | old |\n| `one` | E1 | x |\n| `two` | E1, E2 | x |\nGood luck\n");
+    write("handout/assignment/README.md", "# Exercises\n| E1 | old |\n| E2 | old |\nGood luck\n");
+    write("hair/scenes/one.json", "{}\n");
+    write("hair/scenes/two.json", "{}\n");
+    write("build/golden/scenes.md", "| [one](one.json) | E1 | x |\n| [two](two.json) | E1, E2 | x |\n");
     write("handout/assignment/E1.md", "# E1\n");
     write("handout/assignment/E2.md", "# E2\n");
     write("handout/student/f.cpp", "int f();\n");
@@ -104,7 +107,9 @@ TEST_F(SmallProject, LeavesOutAllButTheListsEntryOfAnAbsentExercise) {
   for (const auto& [path, text] : shipped)
     EXPECT_TRUE(path == "exercises.json" || text.find("E2") == std::string::npos) << path;
   EXPECT_EQ(nlohmann::json::parse(shipped.at("exercises.json"))["exercises"][1]["role"], "absent");
-  EXPECT_NE(shipped.at("assignment/README.md").find("| `one` |"), std::string::npos);
+  EXPECT_EQ(shipped.at("given/hair/scenes/scenes.md"), "| [one](one.json) | E1 | x |\n");
+  EXPECT_TRUE(shipped.contains("given/hair/scenes/one.json"));
+  EXPECT_FALSE(shipped.contains("given/hair/scenes/two.json"));
 }
 
 TEST_F(SmallProject, ShipsTheCoursesRolesAndPoints) {
@@ -117,8 +122,8 @@ TEST_F(SmallProject, ShipsTheCoursesRolesAndPoints) {
   EXPECT_EQ(json["exercises"][1]["role"], "optional");
   EXPECT_EQ(shipped.at("assignment/README.md"),
             "# Exercises\n| E1 | [Exercise E1](E1.md) | `student/f.cpp` | - | 7.5 |\n"
-            "| E2 | [Exercise E2](E2.md) | `student/g.cpp` | - | 3, extra credit |\n"
-            "| `one` | E1 | x |\n| `two` | E1, E2 | x |\nGood luck\n");
+            "| E2 | [Exercise E2](E2.md) | `student/g.cpp` | - | 3, extra credit |\nGood luck\n");
+  EXPECT_TRUE(shipped.contains("given/hair/scenes/two.json"));
 }
 
 TEST_F(SmallProject, GivesTheSameBytesAgain) {
@@ -169,7 +174,7 @@ TEST_F(SmallProject, ClosesForAFolderThatHoldsATestABenchmarkOrAStaffFile) {
         {"any_bytes.cpp", "extern \"C\" int LLVMFuzzerTestOneInput();\n", "of a fuzz program"},
         {"notes.md", "# Notes\n\nSTAFF ONLY\n", "a staff file"}}) {
     write("solver/lib/" + name, text);
-    EXPECT_NE(complaint().find("manifest.txt:5: solver/lib/" + name + " is " + kind), std::string::npos)
+    EXPECT_NE(complaint().find("manifest.txt:7: solver/lib/" + name + " is " + kind), std::string::npos)
         << complaint();
     EXPECT_THROW(accept(), HandoutError) << name;
     fs::remove(root_ / "solver/lib" / name);

@@ -84,6 +84,9 @@ Scene read_scene(const std::filesystem::path& file);
 // The same for a text, for a scene without files: rejects a scene that names a groom. Errors name it `name`.
 Scene parse_scene(const std::string& text, const std::string& name);
 
+// All keys that a scene can have, with their units, defaults and bounds: tables in Markdown.
+std::string scene_keys();
+
 // The exercises whose functions the scene calls, in the order of exercises.json: {"S1", "H1", ...}.
 std::vector<std::string> exercises_of(const Scene& scene);
 

@@ -24,12 +24,6 @@ std::string line_and_column(const std::string& text, std::size_t byte) {
   return "line " + std::to_string(line) + ", column " + std::to_string(column);
 }
 
-std::string listed(std::span<const std::string_view> words) {
-  std::string list;
-  for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + std::string(word);
-  return list;
-}
-
 // Where in the text the parser gives up: what it says of a number beyond all bounds does not tell.
 class PlaceOfError : public json::json_sax_t {
  public:
@@ -70,6 +64,23 @@ std::string reason_of(const json::exception& error) {
 }
 
 }  // namespace
+
+std::string number_range(double lowest, double highest) {
+  std::ostringstream range;
+  range.precision(15);
+  range << lowest << " to " << highest;
+  return range.str();
+}
+
+std::string whole_range(long lowest, long highest) {
+  return std::to_string(lowest) + " to " + std::to_string(highest);
+}
+
+std::string listed(std::span<const std::string_view> words) {
+  std::string list;
+  for (const std::string_view word : words) list += (list.empty() ? "" : ", ") + std::string(word);
+  return list;
+}
 
 json read_json(const std::filesystem::path& file) {
   return parse_json(read_file(file, kMostJsonBytes, "a JSON file"), file.string());
@@ -201,8 +212,7 @@ long JsonValue::whole_number(long lowest, long highest) const {
   const double number = value_->is_number() ? value_->get<double>() : NAN;
   if (!(number >= static_cast<double>(lowest) && number <= static_cast<double>(highest)) ||
       std::floor(number) != number) {
-    fail(shown() + " is not right; give a whole number from " + std::to_string(lowest) + " to " +
-         std::to_string(highest));
+    fail(shown() + " is not right; give a whole number from " + whole_range(lowest, highest));
   }
   return static_cast<long>(number);
 }
@@ -232,7 +242,7 @@ std::size_t JsonValue::word(std::span<const std::string_view> words) const {
   fail(shown() + " is not right; write one of: " + listed(words));
 }
 
-std::string JsonValue::only_key(std::initializer_list<std::string_view> choices) const {
+std::string JsonValue::only_key(std::span<const std::string_view> choices) const {
   const std::vector<std::string> found = keys();
   if (found.size() != 1)
     fail("has " + std::to_string(found.size()) + " keys; give one of: " + listed(choices));
@@ -243,12 +253,8 @@ std::string JsonValue::only_key(std::initializer_list<std::string_view> choices)
 
 double JsonValue::number(double lowest, double highest) const {
   const double number = value_->is_number() ? value_->get<double>() : lowest;
-  if (!value_->is_number() || !(number >= lowest && number <= highest)) {
-    std::ostringstream range;
-    range.precision(15);
-    range << shown() << " is not right; give a number from " << lowest << " to " << highest;
-    fail(range.str());
-  }
+  if (!value_->is_number() || !(number >= lowest && number <= highest))
+    fail(shown() + " is not right; give a number from " + number_range(lowest, highest));
   return number;
 }
 

@@ -29,6 +29,11 @@ using JsonDocument = std::shared_ptr<const nlohmann::json>;
 JsonDocument read_document(const std::filesystem::path& file);
 JsonDocument parse_document(const std::string& text, const std::string& name);
 
+// Bounds as errors say them: "0 to 0.9", "1 to 1000"; and words, "none, band".
+std::string number_range(double lowest, double highest);
+std::string whole_range(long lowest, long highest);
+std::string listed(std::span<const std::string_view> words);
+
 // A value and its position. Every failed check throws BadInput: "FILE: exercises[0].points: what is wrong;
 // what would be right". The document must outlive the JsonValue.
 class JsonValue {
@@ -56,7 +61,7 @@ class JsonValue {
   std::size_t word(std::initializer_list<std::string_view> words) const;  // the index of the value in `words`
   std::size_t word(std::span<const std::string_view> words) const;
   // The only key of an object; it must be one of `choices`.
-  std::string only_key(std::initializer_list<std::string_view> choices) const;
+  std::string only_key(std::span<const std::string_view> choices) const;
 
   const nlohmann::json& value() const { return *value_; }
   std::string shown() const;  // the value in a message: printable, and cut

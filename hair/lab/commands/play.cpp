@@ -74,4 +74,9 @@ int list_scenes(const Course& course) {
   return 0;
 }
 
+int list_keys() {
+  std::cout << scene_keys() << std::flush;
+  return 0;
+}
+
 }  // namespace hair

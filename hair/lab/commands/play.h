@@ -19,8 +19,9 @@ struct PlayOptions {
   bool strict = false;  // warnings make the exit code kBroke
 };
 
-// Both return the program's exit code.
+// All return the program's exit code.
 int play_scene(const PlayOptions& options, const Course& course);
 int list_scenes(const Course& course);
+int list_keys();  // of scenes
 
 }  // namespace hair

@@ -426,6 +426,9 @@ TEST_F(Hairlab, ListsTheScenesThatComeAlong) {
   const ProgramRun missing = run_hairlab({"run", "strand-swnig", "--explain"});
   EXPECT_TRUE(has(missing.errors, "strand-swing, ")) << missing.errors;
   EXPECT_EQ(run_hairlab({"run", "strand-swing", "--explain"}).code, 0);
+  const ProgramRun keys = run_hairlab({"scenes", "--keys"});
+  EXPECT_EQ(keys.code, 0) << keys.errors;
+  EXPECT_TRUE(has(keys.output, "\n## `hair[].roots.line`\n")) << keys.output;
 }
 
 }  // namespace

@@ -5,21 +5,79 @@
 #include <utility>
 #include <vector>
 
-#include "hair/head/bust.h"
-#include "hair/head/ellipsoid_head.h"
 #include "hair/head/farthest_points.h"
 #include "hair/head/grow.h"
 #include "hair/head/resample.h"
 #include "hair/head/scalp_roots.h"
-#include "hair/scene/json/fibre.h"
+#include "hair/scene/json/group.h"
+#include "hair/scene/json/grown.h"
 #include "hair/scene/json/parts.h"
-#include "hair/scene/json/values.h"
 
 namespace hair::json {
 
 namespace {
 
-constexpr long kMostPicked = 5000, kMostPoints = 10'000;
+constexpr double kMostPicked = 5000;
+
+// Strands of a file.
+struct FileText {
+  std::optional<JsonValue> file;
+  double scale;
+  int every = 1;
+  std::optional<int> strands, points;
+  Vector3d move = Vector3d::Zero();
+};
+
+void keys_of(Keys& keys, FileText& groom) {
+  keys.about(
+      "Reads `.hair` files (www.cemyuksel.com/research/hairmodels), `.data` files (USC-HairSalon) and "
+      "`.ply` files with strands. Bald roots, which are strands of a single point, are left out; `hairlab "
+      "run --explain` says how many. `hairlab info` shows what is in a file "
+      "([lab/README.md](../lab/README.md#hairlab-info-convert-groom)).");
+  keys.any({.name = "file", .needed = true, .what = "its path counts from the scene's folder"}, groom.file);
+  keys.number({.name = "scale",
+               .unit = "m",
+               .needed = true,
+               .least = 1e-6,
+               .most = 1e6,
+               .what = "what the file's unit is"},
+              groom.scale);
+  keys.whole({.name = "every",
+              .least = 1,
+              .most = kMostParticles,
+              .what = "takes the first of every so many strands, and leaves the others out"},
+             groom.every);
+  keys.whole({.name = "strands",
+              .least = 1,
+              .most = kMostPicked,
+              .otherwise = "all of them",
+              .what = "takes so many of these, well spread over the scalp; what bends too much for hair "
+                      "is left out then"},
+             groom.strands);
+  keys.whole({.name = "points",
+              .least = 2,
+              .most = kMostPoints,
+              .otherwise = "the file's",
+              .what = "of each strand, at equal distances along it"},
+             groom.points);
+  keys.vector({.name = "move", .unit = "m", .what = "moves the groom, once it has its scale"}, groom.move);
+}
+
+// A group that has "groom".
+struct GroomedText {
+  std::optional<JsonValue> groom;
+  GroupText group;
+};
+
+void keys_of(Keys& keys, GroomedText& text) {
+  keys.about(
+      "Strands from a file, or strands that grow on a head, in the shape that they have there. Clamped "
+      "strands have this shape as their rest shape. Masses and springs that are not clamped have its "
+      "lengths, and are straight at rest; rigid links keep the shape.");
+  keys.any({.name = "groom", .needed = true}, text.groom,
+           {object<FileText>(), {grown_section, " that grows"}});
+  keys_of(keys, text.group);
+}
 
 // What a groom brings: strands in metres, and the scalp that they grow on.
 struct Strands {
@@ -75,12 +133,7 @@ bool is_hair(const Eigen::VectorXd& x, double scale) {
 
 // Strands of a file, without bald roots.
 Strands of_file(const JsonValue& groom, bool dense, Reading& reading) {
-  groom.check_keys({"file", "scale"}, {"every", "strands", "points", "move"});
-  const double scale = groom["scale"].number(1e-6, 1e6);
-  const Vector3d move = vector_or(groom, "move", Vector3d::Zero(), kFar);
-  const long every = groom.has("every") ? groom["every"].whole_number(1, kMostParticles) : 1;
-  const long points = groom.has("points") ? groom["points"].whole_number(2, kMostPoints) : 0;
-  const long picked = groom.has("strands") ? groom["strands"].whole_number(1, kMostPicked) : 0;
+  const auto [file, scale, every, picked, points, move] = read<FileText>(groom);
   if (!reading.groom) groom["file"].fail("this scene can't have files of its own; leave the groom out");
   const std::vector<Eigen::VectorXd> all = reading.groom(groom["file"]);
   std::vector<std::size_t> hairs;  // in the file
@@ -102,10 +155,10 @@ Strands of_file(const JsonValue& groom, bool dense, Reading& reading) {
   if (dense) found.scalp = scalp_of(roots);
   std::vector<RootFrame> guides;
   for (const std::size_t k :
-       farthest_points(places, picked ? static_cast<std::size_t>(picked) : hairs.size())) {
+       farthest_points(places, picked ? static_cast<std::size_t>(*picked) : hairs.size())) {
     const Eigen::VectorXd& whole = all[hairs[k]];
-    reading.expect(groom, 1, points ? points : whole.size() / 3);
-    Eigen::VectorXd x = points ? resampled(whole, static_cast<int>(points)) : whole;
+    reading.expect(groom, 1, points ? *points : whole.size() / 3);
+    Eigen::VectorXd x = points ? resampled(whole, *points) : whole;
     // Of those that it picks the scene needs none in particular.
     if (picked && !is_hair(x, scale)) continue;
     found.names.push_back("strand " + std::to_string(hairs[k]) + " of the groom: ");
@@ -121,27 +174,7 @@ Strands of_file(const JsonValue& groom, bool dense, Reading& reading) {
   return found;
 }
 
-// Hair that grows on a head, in a style.
-StillHair read_grown(const JsonValue& groom) {
-  groom.check_keys({"style", "strands"}, {"points", "length", "head", "at", "seed"});
-  std::vector<std::string_view> names;
-  for (const HairStyle& style : hair_styles()) names.emplace_back(style.name);
-  StillHair hair;
-  hair.style = hair_styles()[groom["style"].word(names)];
-  if (groom.has("length")) hair.style.length = length(groom["length"]);
-  GrowSettings& settings = hair.settings;
-  settings.strands = static_cast<int>(groom["strands"].whole_number(1, 100'000));
-  settings.points = groom.has("points") ? static_cast<int>(groom["points"].whole_number(2, kMostPoints)) : 0;
-  if (groom.has("seed")) settings.seed = static_cast<std::uint64_t>(groom["seed"].whole_number(0, 1L << 53));
-  hair.at = vector_or(groom, "at", Vector3d::Zero(), kFar);
-  if (groom.has("head") && groom["head"].word({"bust", "ellipsoid"}) == 1)
-    hair.head = std::make_shared<EllipsoidHead>();
-  else
-    hair.head = std::make_shared<Bust>();
-  return hair;
-}
-
-// Its strands.
+// Strands that grow on a head.
 Strands grown(const JsonValue& groom, bool dense, Reading& reading) {
   auto [head, at, style, settings, motion] = read_grown(groom);
   // Guides are in no clump: what is drawn of them gathers as wisps.
@@ -173,36 +206,17 @@ Strands grown(const JsonValue& groom, bool dense, Reading& reading) {
 
 }  // namespace
 
-void read_still_hair(const JsonValue& list, Reading& reading) {
-  for (const JsonValue& object : list.items()) {
-    object.check_keys({"groom"}, {"moves_with"});
-    const JsonValue groom = object["groom"];
-    StillHair hair = read_grown(groom);
-    const int points = hair.settings.points > 0 ? hair.settings.points : hair.style.points;
-    if (points < fewest_points(hair.style))
-      groom["points"].fail("is too few to follow the style; give " +
-                           std::to_string(fewest_points(hair.style)) + " at least");
-    reading.dense_points += static_cast<long>(hair.settings.strands) * points;
-    if (reading.dense_points > kMostDensePoints)
-      groom["strands"].fail("makes " + std::to_string(reading.dense_points) +
-                            " points in all; a scene draws at most " + std::to_string(kMostDensePoints));
-    if (const Rider* rider = reading.rider(object)) hair.motion = rider->motion;
-    reading.scene.still.push_back(std::move(hair));
-  }
+const Section& groomed_section() {
+  return section_of<GroomedText>();
 }
 
-void read_groom(const JsonValue& group, Reading& reading) {
-  group.check_keys({"groom"},
-                   {"model", "material", "clamped", "start", "root_velocity", "moves_with", "synthesis"});
-  const JsonValue groom = group["groom"];
-  const bool dense = group.has("synthesis");
-  const ModelRow& model = *read_model(group);
-  StrandSpec spec;
-  spec.fibre = read_fibre(group);
-  spec.start = read_held(group);
-  spec.clamped = boolean_or(group, "clamped", true);
-  spec.root_velocity = read_root_velocity(group);
-  Rider* const rider = reading.rider(group);
+void add_groomed(const JsonValue& object, Reading& reading) {
+  const GroomedText text = read<GroomedText>(object);
+  const JsonValue& groom = *text.groom;
+  const bool dense = text.group.synthesis.has_value();
+  const ModelRow& model = models()[text.group.model];
+  StrandSpec spec = spec_of(object, text.group);
+  Rider* const rider = reading.rider(object, text.group.moves_with);
 
   Strands strands = groom.has("style") ? grown(groom, dense, reading) : of_file(groom, dense, reading);
   Description& hair = reading.scene.hair;
@@ -222,7 +236,7 @@ void read_groom(const JsonValue& group, Reading& reading) {
                  std::to_string(read.points) + "; guides have as many, so give \"points\"");
     read.points = points;
   }
-  if (dense) read_synthesis(group, std::move(strands.scalp), reading);
+  if (dense) add_synthesis(object["synthesis"], *text.group.synthesis, std::move(strands.scalp), reading);
 }
 
 }  // namespace hair::json

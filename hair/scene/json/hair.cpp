@@ -6,10 +6,9 @@
 #include <string_view>
 #include <vector>
 
-#include "hair/scene/json/fibre.h"
+#include "hair/scene/json/group.h"
 #include "hair/scene/json/parts.h"
 #include "hair/scene/json/roots.h"
-#include "hair/scene/json/values.h"
 #include "hair/simulation/models.h"
 #include "hair/strand/variation.h"
 
@@ -18,69 +17,68 @@ namespace hair::json {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
-constexpr int kMostSegments = 10'000;
 
-RestForm read_form(const JsonValue& group) {
-  if (!group.has("shape")) return Straight{};
-  const JsonValue object = group["shape"];
-  const std::string kind = object.only_key({"wavy", "curly"});
-  const JsonValue numbers = object[kind];
-  if (kind == "wavy") {
-    numbers.check_keys({"amplitude", "wavelength"});
-    return Wavy{numbers["amplitude"].number(0, kLongest), length(numbers["wavelength"])};
-  }
-  numbers.check_keys({"radius", "pitch"});
-  return Curly{numbers["radius"].number(0, kLongest), length(numbers["pitch"])};
-}
+struct ShapeText {
+  std::optional<Wavy> wavy;
+  std::optional<Curly> curly;
+};
 
 struct Spread {
-  double length = 0, tilt = 0, turn = 0;
   std::uint64_t seed = 0;
+  double length = 0, tilt = 0, turn = 0;  // tilt and turn in degrees
 };
 
-Spread read_spread(const JsonValue& group) {
-  if (!group.has("variation")) return {};
-  const JsonValue object = group["variation"];
-  object.check_keys({}, {"seed", "length", "tilt", "turn"});
-  Spread spread;
-  spread.length = number_or(object, "length", 0, 0, 0.9);
-  spread.tilt = kDegree * number_or(object, "tilt", 0, 0, 90);
-  spread.turn = kDegree * number_or(object, "turn", 0, 0, 180);
-  if (object.has("seed")) spread.seed = static_cast<std::uint64_t>(object["seed"].whole_number(0, 1L << 53));
-  return spread;
+void keys_of(Keys& keys, Spread& spread) {
+  keys.about("Random differences. The same seed gives the same strands.");
+  keys.whole({.name = "seed", .least = 0, .most = kLargestSeed}, spread.seed);
+  keys.number({.name = "length", .least = 0, .most = 0.9, .what = "longer or shorter by up to this part"},
+              spread.length);
+  keys.number({.name = "tilt", .unit = "°", .least = 0, .most = 90, .what = "of the direction, up to"},
+              spread.tilt);
+  keys.number({.name = "turn",
+               .unit = "°",
+               .least = 0,
+               .most = 180,
+               .what = "of waves and curls about the strand, up to, either way"},
+              spread.turn);
 }
 
-struct Group {
-  const ModelRow* model;
-  StrandSpec spec;  // but for its root
-  Spread spread;
-
-  StrandSpec make(const RootFrame& frame, Variation& variation) const {
-    StrandSpec own = spec;
-    own.length *= 1 + variation.uniform(-spread.length, spread.length);
-    own.root = varied(frame, spread.tilt, spread.turn, variation);
-    return own;
-  }
+// A group that has "roots".
+struct RootedText {
+  int segments;
+  double length;
+  Roots roots;
+  ShapeText shape;
+  Spread variation;
+  GroupText group;
 };
 
-Group read_group(const JsonValue& object) {
-  object.check_keys({"segments", "length", "roots"},
-                    {"model", "material", "shape", "clamped", "start", "variation", "root_velocity",
-                     "moves_with", "synthesis"});
-  Group group;
-  group.model = read_model(object);
-  StrandSpec& spec = group.spec;
-  spec.elements = static_cast<int>(object["segments"].whole_number(1, kMostSegments));
-  spec.length = length(object["length"]);
-  spec.fibre = read_fibre(object);
-  spec.form = read_form(object);
-  spec.start = read_held(object);
-  group.spread = read_spread(object);
-  spec.clamped = boolean_or(object, "clamped", true);
-  if (!spec.clamped && is_wave_or_curl(spec.form))
-    object["clamped"].fail("wavy and curly hair must be clamped; write true, or leave the shape out");
-  spec.root_velocity = read_root_velocity(object);
-  return group;
+void keys_of(Keys& keys, RootedText& text) {
+  keys.about("A group: strands that differ by their roots, and by chance.");
+  keys.whole({.name = "segments",
+              .needed = true,
+              .least = 1,
+              .most = 10'000,
+              .what = "of each strand: it has one particle more"},
+             text.segments);
+  keys.number(a_length({.name = "length", .needed = true, .what = "of each strand"}), text.length);
+  keys.part({.name = "roots", .needed = true, .what = "where they grow, and in which direction"}, text.roots);
+  keys.part({.name = "shape", .otherwise = "straight", .what = "at rest"}, text.shape);
+  keys.part({.name = "variation", .otherwise = "none", .what = "how strands differ"}, text.variation);
+  keys_of(keys, text.group);
+}
+
+RestForm form_of(const ShapeText& shape) {
+  if (shape.wavy) return *shape.wavy;
+  if (shape.curly) return *shape.curly;
+  return Straight{};
+}
+
+StrandSpec with_variation(StrandSpec spec, const RootFrame& frame, const Spread& spread,
+                          Variation& variation) {
+  spec.length *= 1 + variation.uniform(-spread.length, spread.length);
+  spec.root = varied(frame, kDegree * spread.tilt, kDegree * spread.turn, variation);
+  return spec;
 }
 
 // States are written with one kind of coordinates.
@@ -93,41 +91,70 @@ void check_one_model(const JsonValue& object, const Description& hair) {
     object.fail("all hair of a scene has the same model; write the same \"model\" in each group");
 }
 
-// A group that has "roots".
-void read_rooted(const JsonValue& object, Reading& reading) {
-  const Group group = read_group(object);
-  const auto expect = [&](const JsonValue& where, long count) {
-    reading.expect(where, count, group.model->points(group.spec));
-  };
+void add_rooted(const JsonValue& object, Reading& reading) {
+  const RootedText text = read<RootedText>(object);
+  const ModelRow& model = models()[text.group.model];
+  StrandSpec spec = spec_of(object, text.group);
+  spec.elements = text.segments;
+  spec.length = text.length;
+  spec.form = form_of(text.shape);
+  if (!spec.clamped && is_wave_or_curl(spec.form))
+    object["clamped"].fail("wavy and curly hair must be clamped; write true, or leave the shape out");
+  const long points = model.points(spec);
   Description& hair = reading.scene.hair;
-  Rider* const rider = reading.rider(object);
-  Variation variation(group.spread.seed);
-  const std::vector<RootFrame> roots = read_roots(object["roots"], expect);
+  Rider* const rider = reading.rider(object, text.group.moves_with);
+  Variation variation(text.variation.seed);
+  const std::vector<RootFrame> roots =
+      make_roots(object["roots"], text.roots,
+                 [&](const JsonValue& where, long count) { reading.expect(where, count, points); });
   for (const RootFrame& frame : roots) {
     if (rider) rider->strands.push_back(static_cast<int>(hair.strands.size() + hair.modelled.size()));
     try {
-      add_strand(*group.model, group.make(frame, variation), hair);
+      add_strand(model, with_variation(spec, frame, text.variation, variation), hair);
     } catch (const std::invalid_argument& error) {
       object.fail(error.what());
     }
   }
-  GroupRoots& read = reading.groups.back();
-  read.points = static_cast<int>(group.model->points(group.spec));
-  read.rider = rider;
-  const bool listed = object["roots"].has("list");
-  if (listed) read.listed = roots;
-  if (object.has("synthesis"))
-    read_synthesis(object, listed ? GroupScalp() : scalp_of(object["roots"], static_cast<int>(roots.size())),
-                   reading);
+  GroupRoots& group = reading.groups.back();
+  group.points = static_cast<int>(points);
+  group.rider = rider;
+  if (text.roots.list) group.listed = roots;
+  if (text.group.synthesis)
+    add_synthesis(object["synthesis"], *text.group.synthesis,
+                  text.roots.list ? GroupScalp() : scalp_of(text.roots, static_cast<int>(roots.size())),
+                  reading);
 }
 
 }  // namespace
 
-const ModelRow* read_model(const JsonValue& group) {
-  if (!group.has("model")) return &models().front();
-  std::vector<std::string_view> names;
-  for (const ModelRow& row : models()) names.emplace_back(row.id);
-  return &models()[group["model"].word(names)];
+static void keys_of(Keys& keys, Wavy& wave) {
+  keys.number({.name = "amplitude",
+               .unit = "m",
+               .needed = true,
+               .least = 0,
+               .most = kLongest,
+               .what = "at most a wavelength"},
+              wave.amplitude);
+  keys.number(a_length({.name = "wavelength", .needed = true, .what = "at least four segments"}),
+              wave.wavelength);
+}
+
+static void keys_of(Keys& keys, Curly& curl) {
+  keys.number({.name = "radius", .unit = "m", .needed = true, .least = 0, .most = kLongest}, curl.radius);
+  keys.number(a_length({.name = "pitch",
+                        .needed = true,
+                        .what = "from one turn to the next; a turn takes at least four segments"}),
+              curl.pitch);
+}
+
+static void keys_of(Keys& keys, ShapeText& shape) {
+  keys.one_of();
+  keys.part({.name = "wavy", .what = "a plane wave"}, shape.wavy);
+  keys.part({.name = "curly", .what = "a helix"}, shape.curly);
+}
+
+std::vector<ObjectKind> kinds_of_hair() {
+  return {object<RootedText>(), {groomed_section, " with a groom"}};
 }
 
 void add_strand(const ModelRow& model, const StrandSpec& spec, Description& hair) {
@@ -139,15 +166,15 @@ void add_strand(const ModelRow& model, const StrandSpec& spec, Description& hair
   hair.modelled.push_back({&model, spec});
 }
 
-void read_hair(const JsonValue& list, Reading& reading) {
+void add_hair(const JsonValue& list, Reading& reading) {
   Description& hair = reading.scene.hair;
   for (const JsonValue& object : list.items()) {
     reading.rows.push_back(static_cast<int>(hair.strands.size()));
     reading.groups.push_back({static_cast<int>(hair.strands.size() + hair.modelled.size()), 0, nullptr, {}});
     if (object.has("groom"))
-      read_groom(object, reading);
+      add_groomed(object, reading);
     else
-      read_rooted(object, reading);
+      add_rooted(object, reading);
     check_one_model(object, hair);
   }
 }

@@ -1,9 +1,7 @@
 #include <algorithm>
-#include <string>
 
-#include "hair/head/control_mesh.h"
+#include "hair/scene/json/keys.h"
 #include "hair/scene/json/parts.h"
-#include "hair/scene/json/values.h"
 
 namespace hair::json {
 
@@ -12,27 +10,64 @@ namespace {
 constexpr double kStiffest = 1e6;   // N/m
 constexpr double kStretched = 1e6;  // times a link's length
 
-StripLaw read_strips(const JsonValue& strips) {
-  strips.check_keys({"thickness", "stiffness"}, {"friction"});
-  return {length(strips["thickness"]), strips["stiffness"].number(0, kStiffest),
-          number_or(strips, "friction", 0, 0, 1e3)};
-}
-
 }  // namespace
 
-void read_links(const JsonValue& object, Reading& reading) {
-  object.check_keys({"stiffness"}, {"yields", "breaks", "neighbours", "strips"});
-  MeshSpec spec;
-  spec.stiffness = object["stiffness"].number(0, kStiffest);
-  spec.yields = number_or(object, "yields", spec.yields, 0, kStretched);
-  spec.breaks = number_or(object, "breaks", std::max(spec.breaks, spec.yields), 0, kStretched);
+void keys_of(Keys& keys, StripLaw& strips) {
+  keys.number(
+      a_length({.name = "thickness",
+                .needed = true,
+                .what = "particles that are nearer to a strip are pushed away; in a step they should move "
+                        "by less than this"}),
+      strips.thickness);
+  keys.number({.name = "stiffness",
+               .unit = "N/m",
+               .needed = true,
+               .least = 0,
+               .most = kStiffest,
+               .what = "of this push, where hairs cross"},
+              strips.stiffness);
+  keys.number({.name = "friction", .least = 0, .most = 1e3, .what = "of hair that slips along a strip"},
+              strips.friction);
+}
+
+void keys_of(Keys& keys, LinksText& links) {
+  keys.about(
+      "Each group of `hair` is a row of guides, in the order of its roots. Neighbours in a row are "
+      "linked, and linked hair is one system: its `method` is `implicit_euler`, and it is of masses and "
+      "springs, and clamped.");
+  MeshSpec& spec = links.spec;
+  keys.number(
+      {.name = "stiffness",
+       .unit = "N/m",
+       .needed = true,
+       .least = 0,
+       .most = kStiffest,
+       .what = "of a link; one goes from each particle of a guide to the nearest one of the guide before"},
+      spec.stiffness);
+  keys.number({.name = "yields",
+               .least = 0,
+               .most = kStretched,
+               .what = "the stretch, over the link's length, from which on it loses stiffness for good"},
+              spec.yields);
+  spec.breaks = std::max(spec.breaks, spec.yields);
+  keys.number({.name = "breaks",
+               .least = 0,
+               .most = kStretched,
+               .what = "the stretch that breaks it; at least `yields`"},
+              spec.breaks);
+  keys.word({.name = "neighbours",
+             .what = "both: a guide is also linked to the one in its place in the next row, as on a brush"},
+            {"rows", "both"}, links.neighbours);
+  keys.part({.name = "strips",
+             .otherwise = "none",
+             .what = "strips of triangles between neighbours, which other guides can't go through"},
+            spec.strips);
+}
+
+void add_links(const JsonValue& object, const LinksText& links, Reading& reading) {
+  const MeshSpec& spec = links.spec;
   if (spec.breaks < spec.yields)
     object["breaks"].fail("a link can't break before it yields; give \"yields\" or more");
-  Neighbours which = Neighbours::rows;
-  if (object.has("neighbours"))
-    which = object["neighbours"].word({"rows", "both"}) == 0 ? Neighbours::rows : Neighbours::both;
-  if (object.has("strips")) spec.strips = read_strips(object["strips"]);
-
   Description& hair = reading.scene.hair;
   if (!hair.modelled.empty())
     object.fail("links are for hair of masses and springs; leave them out, or the \"model\"");
@@ -41,7 +76,8 @@ void read_links(const JsonValue& object, Reading& reading) {
   const auto hinged = [](const StrandStart& start) { return !start.strand.clamped; };
   if (std::any_of(hair.strands.begin(), hair.strands.end(), hinged))
     object.fail("links are for clamped hair, whose roots have frames; leave out \"clamped\": false");
-  const std::vector<Pair> pairs = neighbours(reading.rows, static_cast<int>(hair.strands.size()), which);
+  const std::vector<Pair> pairs =
+      neighbours(reading.rows, static_cast<int>(hair.strands.size()), links.neighbours);
   if (pairs.empty()) object.fail("no hair has a neighbour; give a group with two roots or more");
   hair.mesh = control_mesh(hair.strands, pairs, spec);
 }

@@ -1,42 +1,56 @@
 #include <cmath>
 #include <numbers>
-#include <optional>
 
+#include "hair/scene/json/keys.h"
 #include "hair/scene/json/parts.h"
-#include "hair/scene/json/values.h"
 
 namespace hair::json {
 
 namespace {
 
-struct Turn {
-  Vector3d axis = Vector3d::UnitZ();
+struct MotionKey {
+  double time = 0;
+  Vector3d position = Vector3d::Zero(), axis = Vector3d::UnitZ();
   double degrees = 0;
 };
 
-Turn read_turn(const JsonValue& key) {
-  if (key.has("axis") != key.has("degrees"))
-    key.fail("\"axis\" and \"degrees\" go together; give both or none");
-  if (!key.has("axis")) return {};
-  return {direction(key["axis"]), key["degrees"].number(-3600, 3600)};
+void keys_of(Keys& keys, MotionKey& key) {
+  keys.about(
+      "At the first key, a moving thing is where the scene puts it. It turns about the key's `position`. "
+      "From one key to the next it speeds up and slows down. It rests before the first key and after the "
+      "last.");
+  keys.number({.name = "time",
+               .unit = "s",
+               .needed = true,
+               .least = 0,
+               .most = 1e6,
+               .what = "later than the key before it"},
+              key.time);
+  keys.vector({.name = "position", .unit = "m"}, key.position);
+  keys.direction({.name = "axis", .what = "of the rotation; goes with `degrees`"}, key.axis);
+  keys.number({.name = "degrees",
+               .unit = "°",
+               .least = -3600,
+               .most = 3600,
+               .what = "at most 180 from one key to the next"},
+              key.degrees);
 }
 
 Motion read_keys(const JsonValue& list) {
   Motion motion;
-  std::optional<Turn> before;
-  for (const JsonValue& key : list.items()) {
-    key.check_keys({"time"}, {"position", "axis", "degrees"});
-    const double time = key["time"].number(0, 1e6);
-    if (!motion.keys.empty() && !(time > motion.keys.back().time))
-      key["time"].fail("is not later than the key before it; give times that increase");
-    const Turn turn = read_turn(key);
+  std::optional<MotionKey> before;
+  for (const JsonValue& object : list.items()) {
+    const MotionKey key = read<MotionKey>(object);
+    if (before && !(key.time > before->time))
+      object["time"].fail("is not later than the key before it; give times that increase");
+    if (object.has("axis") != object.has("degrees"))
+      object.fail("\"axis\" and \"degrees\" go together; give both or none");
     // Of two ways to turn, a motion takes the shorter.
-    if (before && turn.axis == before->axis && std::abs(turn.degrees - before->degrees) > 180)
-      key["degrees"].fail("is more than 180 degrees from the key before it; put keys between them");
-    before = turn;
-    const Pose pose{vector_or(key, "position", Vector3d::Zero(), kFar),
-                    Eigen::Quaterniond(Eigen::AngleAxisd(turn.degrees * std::numbers::pi / 180, turn.axis))};
-    motion.keys.push_back({time, pose});
+    if (before && key.axis == before->axis && std::abs(key.degrees - before->degrees) > 180)
+      object["degrees"].fail("is more than 180 degrees from the key before it; put keys between them");
+    const Eigen::AngleAxisd turn(key.degrees * std::numbers::pi / 180, key.axis);
+    motion.keys.push_back({key.time, {key.position, Eigen::Quaterniond(turn)}});
+    before = key;
   }
   if (motion.keys.empty()) list.fail("has no keys; give one at least");
   return motion;
@@ -44,18 +58,23 @@ Motion read_keys(const JsonValue& list) {
 
 }  // namespace
 
-void read_motions(const JsonValue& list, Reading& reading) {
-  for (const JsonValue& motion : list.items()) {
-    motion.check_keys({"name", "keys"});
-    if (!reading.motions.emplace(motion["name"].text(), reading.scene.riders.size()).second)
-      motion["name"].fail("is the name of a motion before it; give another");
-    reading.scene.riders.push_back({read_keys(motion["keys"]), {}, {}});
+void keys_of(Keys& keys, MotionText& motion) {
+  keys.text({.name = "name", .needed = true, .what = "what `moves_with` says"}, motion.name);
+  keys.list({.name = "keys", .needed = true, .what = "where it is when"}, motion.keys, {object<MotionKey>()});
+}
+
+void add_motions(const JsonValue& list, Reading& reading) {
+  for (const JsonValue& item : list.items()) {
+    const MotionText motion = read<MotionText>(item);
+    if (!reading.motions.emplace(motion.name, reading.scene.riders.size()).second)
+      item["name"].fail("is the name of a motion before it; give another");
+    reading.scene.riders.push_back({read_keys(*motion.keys), {}, {}});
   }
 }
 
-Rider* Reading::rider(const JsonValue& object) {
-  if (!object.has("moves_with")) return nullptr;
-  const auto found = motions.find(object["moves_with"].text());
+Rider* Reading::rider(const JsonValue& object, const std::optional<std::string>& moves_with) {
+  if (!moves_with) return nullptr;
+  const auto found = motions.find(*moves_with);
   if (found == motions.end()) object["moves_with"].fail("no motion has this name; look at \"motions\"");
   return &scene.riders[found->second];
 }

@@ -5,23 +5,27 @@
 #include "hair/head/bust.h"
 #include "hair/head/scalp_roots.h"
 #include "hair/scene/json/parts.h"
-#include "hair/scene/json/values.h"
 #include "hair/scene/roots.h"
 
 namespace hair::json {
 
 namespace {
 
-using Expect = std::function<void(const JsonValue&, long)>;
+struct ListedRoot {
+  Vector3d position, direction = {0, 0, -1};
+};
+
+void keys_of(Keys& keys, ListedRoot& root) {
+  keys.vector({.name = "position", .unit = "m", .needed = true}, root.position);
+  keys.direction({.name = "direction", .what = "of any length"}, root.direction);
+}
+
+void count_of(Keys& keys, int& count) {
+  keys.whole({.name = "count", .needed = true, .least = 1, .most = kMostParticles}, count);
+}
 
 RootFrame frame_at(const Vector3d& position, const Vector3d& axis) {
   return {position, axis, side_of(axis)};
-}
-
-int read_count(const JsonValue& value, const Expect& expect) {
-  const long count = value.whole_number(1, kMostParticles);
-  expect(value, count);
-  return static_cast<int>(count);
 }
 
 std::vector<RootFrame> all_along(const std::vector<Vector3d>& points, const Vector3d& axis) {
@@ -31,71 +35,120 @@ std::vector<RootFrame> all_along(const std::vector<Vector3d>& points, const Vect
   return frames;
 }
 
-std::vector<RootFrame> read_list(const JsonValue& list, const Expect& expect) {
-  const std::vector<JsonValue> items = list.items();
-  if (items.empty()) list.fail("has no roots; give one at least");
-  expect(list, static_cast<long>(items.size()));
+std::vector<RootFrame> listed(const std::vector<JsonValue>& items) {
   std::vector<RootFrame> frames;
   for (const JsonValue& item : items) {
-    item.check_keys({"position"}, {"direction"});
-    const Vector3d axis = item.has("direction") ? direction(item["direction"]) : Vector3d(0, 0, -1);
-    frames.push_back(frame_at(vector(item["position"], kFar), axis));
+    const ListedRoot root = read<ListedRoot>(item);
+    frames.push_back(frame_at(root.position, root.direction));
   }
   return frames;
 }
 
-std::vector<RootFrame> read_line(const JsonValue& line, const Expect& expect) {
-  line.check_keys({"from", "to", "count"}, {"direction"});
-  const Vector3d axis = line.has("direction") ? direction(line["direction"]) : Vector3d(0, 0, -1);
-  const int count = read_count(line["count"], expect);
-  return all_along(points_on_line(vector(line["from"], kFar), vector(line["to"], kFar), count), axis);
-}
-
-std::vector<RootFrame> read_disc(const JsonValue& disc, const Expect& expect) {
-  disc.check_keys({"centre", "normal", "radius", "count"}, {"direction"});
-  const Vector3d normal = direction(disc["normal"]);
-  const Vector3d axis = disc.has("direction") ? direction(disc["direction"]) : normal;
-  const int count = read_count(disc["count"], expect);
-  return all_along(points_on_disc(vector(disc["centre"], kFar), normal, length(disc["radius"]), count), axis);
-}
-
-std::vector<RootFrame> read_cap(const JsonValue& cap, const Expect& expect) {
-  cap.check_keys({"centre", "radius", "count"}, {"axis", "degrees", "comb", "lift"});
-  if (cap.has("lift") && !cap.has("comb")) cap["lift"].fail("is of hair that is combed; give \"comb\", too");
-  const Vector3d centre = vector(cap["centre"], kFar);
-  const Vector3d axis = cap.has("axis") ? direction(cap["axis"]) : Vector3d(0, 0, 1);
-  const double radius = length(cap["radius"]);
-  const double degrees = number_or(cap, "degrees", 90, 0.1, 180), lift = number_or(cap, "lift", 0.3, 0, 1);
-  const int count = read_count(cap["count"], expect);
+std::vector<RootFrame> on_cap(const RootCap& cap) {
   std::vector<RootFrame> frames;
-  frames.reserve(static_cast<std::size_t>(count));
-  for (const Vector3d& outward : directions_in_cap(axis, degrees * std::numbers::pi / 180, count)) {
-    const Vector3d way = cap.has("comb") ? combed(outward, direction(cap["comb"]), lift) : outward;
-    frames.push_back(frame_at(centre + radius * outward, way));
-  }
+  frames.reserve(static_cast<std::size_t>(cap.count));
+  for (const Vector3d& outward : directions_in_cap(cap.axis, cap.degrees * std::numbers::pi / 180, cap.count))
+    frames.push_back(frame_at(cap.centre + cap.radius * outward,
+                              cap.comb ? combed(outward, *cap.comb, cap.lift) : outward));
   return frames;
 }
 
-std::vector<RootFrame> read_bust(const JsonValue& bust, const Expect& expect) {
-  bust.check_keys({"count"}, {"at", "lift", "seed"});
-  const Vector3d at = vector_or(bust, "at", Vector3d::Zero(), kFar);
-  const double lift = number_or(bust, "lift", 0.3, 0, 1);
-  const long seed = bust.has("seed") ? bust["seed"].whole_number(0, 1L << 53) : 0;
-  std::vector<RootFrame> frames =
-      scalp_roots(Bust(), read_count(bust["count"], expect), static_cast<std::uint64_t>(seed));
-  for (RootFrame& frame : frames) frame = frame_at(at + frame.position, combed(frame.axis, frame.side, lift));
+std::vector<RootFrame> on_bust(const RootBust& bust) {
+  std::vector<RootFrame> frames = scalp_roots(Bust(), bust.count, bust.seed);
+  for (RootFrame& frame : frames)
+    frame = frame_at(bust.at + frame.position, combed(frame.axis, frame.side, bust.lift));
   return frames;
 }
 
 }  // namespace
 
-std::vector<RootFrame> read_roots(const JsonValue& object, const Expect& expect) {
-  const std::string kind = object.only_key({"list", "line", "disc", "cap", "bust"});
-  if (kind == "list") return read_list(object[kind], expect);
-  if (kind == "line") return read_line(object[kind], expect);
-  if (kind == "disc") return read_disc(object[kind], expect);
-  if (kind == "bust") return read_bust(object[kind], expect);
-  return read_cap(object[kind], expect);
+static void keys_of(Keys& keys, RootLine& line) {
+  keys.vector({.name = "from", .unit = "m", .needed = true}, line.from);
+  keys.vector({.name = "to", .unit = "m", .needed = true}, line.to);
+  count_of(keys, line.count);
+  keys.direction({.name = "direction"}, line.direction);
+}
+
+static void keys_of(Keys& keys, RootDisc& disc) {
+  keys.vector({.name = "centre", .unit = "m", .needed = true}, disc.centre);
+  keys.direction({.name = "normal", .needed = true}, disc.normal);
+  keys.number(a_length({.name = "radius", .needed = true}), disc.radius);
+  count_of(keys, disc.count);
+  keys.direction({.name = "direction", .otherwise = "the normal"}, disc.direction);
+}
+
+static void keys_of(Keys& keys, RootCap& cap) {
+  keys.about(
+      "A part of a sphere. The cap is no obstacle: add a sphere under `obstacles` for the head. If that "
+      "sphere is a little smaller than the cap, it does not push at the first segments.");
+  keys.vector({.name = "centre", .unit = "m", .needed = true, .what = "of the sphere"}, cap.centre);
+  keys.number(a_length({.name = "radius", .needed = true}), cap.radius);
+  count_of(keys, cap.count);
+  keys.direction({.name = "axis", .what = "from the centre to the cap's middle"}, cap.axis);
+  keys.number({.name = "degrees",
+               .unit = "°",
+               .least = 0.1,
+               .most = 180,
+               .what = "from the axis to the cap's edge; 180 is the whole sphere"},
+              cap.degrees);
+  keys.direction(
+      {.name = "comb", .otherwise = "straight out", .what = "the way that hair is combed, along the head"},
+      cap.comb);
+  keys.number({.name = "lift",
+               .least = 0,
+               .most = 1,
+               .what = "of combed hair: 0 lies flat on the head, 1 stands out"},
+              cap.lift);
+}
+
+static void keys_of(Keys& keys, RootBust& bust) {
+  keys.about(
+      "On the scalp of the bust under `obstacles[].bust`, combed from its parting to both sides. Place "
+      "both alike. Hair that is longer than 12 cm would begin inside the shoulders: let it grow there ([a "
+      "groom that grows](#hairgroom-that-grows)).");
+  count_of(keys, bust.count);
+  keys.vector({.name = "at", .unit = "m", .what = "where the middle of its skull is"}, bust.at);
+  keys.number({.name = "lift", .least = 0, .most = 1, .what = "0 lies flat on the head, 1 stands out"},
+              bust.lift);
+  keys.whole({.name = "seed", .least = 0, .most = kLargestSeed, .what = "the same seed gives the same roots"},
+             bust.seed);
+}
+
+void keys_of(Keys& keys, Roots& roots) {
+  keys.one_of();
+  keys.list({.name = "list", .what = "one by one"}, roots.list, {object<ListedRoot>()});
+  keys.part({.name = "line", .what = "in a row"}, roots.line);
+  keys.part({.name = "disc", .what = "in a tuft"}, roots.disc);
+  keys.part({.name = "cap", .what = "on a head that is a sphere"}, roots.cap);
+  keys.part({.name = "bust", .what = "on the scalp of a bust"}, roots.bust);
+}
+
+std::vector<RootFrame> make_roots(const JsonValue& object, const Roots& roots,
+                                  const std::function<void(const JsonValue& where, long count)>& expect) {
+  if (roots.list) {
+    const std::vector<JsonValue> items = roots.list->items();
+    if (items.empty()) roots.list->fail("has no roots; give one at least");
+    expect(*roots.list, static_cast<long>(items.size()));
+    return listed(items);
+  }
+  const auto expect_count = [&](const char* kind, int count) { expect(object[kind]["count"], count); };
+  if (const auto& line = roots.line) {
+    expect_count("line", line->count);
+    return all_along(points_on_line(line->from, line->to, line->count), line->direction);
+  }
+  if (const auto& disc = roots.disc) {
+    expect_count("disc", disc->count);
+    return all_along(points_on_disc(disc->centre, disc->normal, disc->radius, disc->count),
+                     disc->direction.value_or(disc->normal));
+  }
+  if (const auto& cap = roots.cap) {
+    if (object["cap"].has("lift") && !cap->comb)
+      object["cap"]["lift"].fail("is of hair that is combed; give \"comb\", too");
+    expect_count("cap", cap->count);
+    return on_cap(*cap);
+  }
+  expect_count("bust", roots.bust->count);
+  return on_bust(*roots.bust);
 }
 
 }  // namespace hair::json

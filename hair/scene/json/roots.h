@@ -4,13 +4,54 @@
 #include <functional>
 #include <vector>
 
-#include "hair/io/files/strict_json.h"
+#include "hair/scene/json/keys.h"
 #include "hair/strand/rest_shape.h"
 
 namespace hair::json {
 
-// Calls `expect` with the number of roots before making any; it throws for too many.
-std::vector<RootFrame> read_roots(const JsonValue& object,
+struct RootLine {
+  Vector3d from, to;
+  int count;
+  Vector3d direction = {0, 0, -1};
+};
+
+struct RootDisc {
+  Vector3d centre, normal;
+  double radius;
+  int count;
+  std::optional<Vector3d> direction;
+};
+
+struct RootCap {
+  Vector3d centre;
+  double radius;
+  int count;
+  Vector3d axis = Vector3d::UnitZ();
+  double degrees = 90;
+  std::optional<Vector3d> comb;
+  double lift = 0.3;
+};
+
+struct RootBust {
+  int count;
+  Vector3d at = Vector3d::Zero();
+  double lift = 0.3;
+  std::uint64_t seed = 0;
+};
+
+// One of them is there.
+struct Roots {
+  std::optional<JsonValue> list;
+  std::optional<RootLine> line;
+  std::optional<RootDisc> disc;
+  std::optional<RootCap> cap;
+  std::optional<RootBust> bust;
+};
+
+void keys_of(Keys& keys, Roots& roots);
+
+// Calls `expect` with the number of roots before making any; it throws for too many. `object`: that which `roots` was read from.
+std::vector<RootFrame> make_roots(const JsonValue& object, const Roots& roots,
                                   const std::function<void(const JsonValue& where, long count)>& expect);
 
 }  // namespace hair::json

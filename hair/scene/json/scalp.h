@@ -5,8 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "hair/io/files/strict_json.h"
-#include "hair/strand/rest_shape.h"
+#include "hair/scene/json/roots.h"
 
 namespace hair::json {
 
@@ -17,8 +16,8 @@ struct GroupScalp {
   std::function<std::vector<RootFrame>(int count, std::uint64_t seed)> more;
 };
 
-// The scalp that a group's "roots" say, which read_roots has checked: a line, a disc, a cap or a bust, with `count` guides.
-GroupScalp scalp_of(const JsonValue& roots, int count);
+// The scalp of roots on a line, a disc, a cap or a bust, with `count` guides.
+GroupScalp scalp_of(const Roots& roots, int count);
 
 // That of roots on a surface which nothing else tells. axis: how hair leaves its root.
 GroupScalp scalp_of(const std::vector<RootFrame>& roots);

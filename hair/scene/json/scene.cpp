@@ -2,15 +2,95 @@
 #include <charconv>
 #include <cmath>
 
+#include "hair/scene/json/keys.h"
 #include "hair/scene/json/parts.h"
-#include "hair/scene/json/values.h"
 
 namespace hair::json {
 
 namespace {
 
-// Of a solve's tolerance: rounding leaves more, and a solver that waits for 0 waits forever.
-constexpr double kTightest = 1e-15;
+constexpr double kMostSteps = 1'000'000;  // a frame
+
+struct SceneText {
+  Scene scene;  // what is not in lists
+  std::optional<double> step;
+  std::optional<LinksText> links;
+  std::optional<JsonValue> hair, obstacles, motions, toys, still_hair;
+};
+
+void keys_of_hair(Keys& keys, Description& hair) {
+  keys.vector({.name = "gravity", .unit = "m/s²"}, hair.gravity);
+  keys.vector(
+      {.name = "wind", .unit = "m/s", .what = "of the air that drags; without `drag` it has no effect"},
+      hair.wind);
+  std::vector<std::string_view> names;
+  for (const MethodRow& row : methods()) names.emplace_back(row.id);
+  keys.word({.name = "method",
+             .what = "how hair moves: P1's, H4's or H6's; newton_euler: H4's equation solved to "
+                     "convergence, for studies"},
+            names, hair.method);
+  keys.number({.name = "drag",
+               .unit = "N s/m²",
+               .least = 0,
+               .most = 1e6,
+               .what = "of the air, for each metre of hair; 2e-4 is right for hair that moves slowly"},
+              hair.drag);
+  keys.word({.name = "geometric_term",
+             .otherwise = "filtered; with H6 dropped",
+             .what = "of a segment's product: see `../geometric_term.h`"},
+            {"full", "filtered", "dropped"}, hair.geometric_term);
+  keys.word({.name = "bend_product", .what = "of bending's product"}, {"exact", "definite"},
+            hair.bend_product);
+  // Rounding leaves more than less, and a solver that waits for 0 waits forever.
+  keys.number({.name = "tolerance",
+               .least = 1e-15,
+               .most = 1,
+               .what = "of an implicit solve, relative to its right-hand side"},
+              hair.tolerance);
+  keys.word({.name = "preconditioner",
+             .what = "with `band`, implicit solves use the forces' band: see `particles/preconditioner.h`"},
+            {"none", "band"}, hair.preconditioner);
+}
+
+void keys_of(Keys& keys, SceneText& text) {
+  Scene& scene = text.scene;
+  keys.text({.name = "shows", .needed = true, .what = "one line for people; the file's name is the scene's"},
+            scene.shows);
+  keys.whole({.name = "frames",
+              .needed = true,
+              .least = 1,
+              .most = kMostFrames,
+              .what = "after the first, which is the start"},
+             scene.frames);
+  keys.number({.name = "frames_per_second", .unit = "1/s", .least = 1e-3, .most = 1e6},
+              scene.frames_per_second);
+  keys.whole({.name = "steps_per_frame",
+              .least = 1,
+              .most = kMostSteps,
+              .what = "a step takes 1 / (`frames_per_second` x `steps_per_frame`)"},
+             scene.steps_per_frame);
+  keys.number({.name = "step",
+               .unit = "s",
+               .least = 1e-9,
+               .most = 10,
+               .what = "instead of `steps_per_frame`; it must make a whole number of them"},
+              text.step);
+  keys_of_hair(keys, scene.hair);
+  keys.list({.name = "hair", .what = "a list of groups of strands"}, text.hair, kinds_of_hair());
+  keys.part(
+      {.name = "links", .otherwise = "none", .what = "a control mesh: hair is linked to its neighbours (H9)"},
+      text.links);
+  keys.list({.name = "obstacles", .what = "a list of what hair can't go through"}, text.obstacles,
+            {object<ObstacleText>()});
+  keys.list({.name = "motions", .what = "a list of motions, which roots and obstacles can follow"},
+            text.motions, {object<MotionText>()});
+  keys.list({.name = "toys", .what = "a list of toys"}, text.toys, kinds_of_toys());
+  keys.list({.name = "still_hair",
+             .otherwise = "none",
+             .what = "a list of hair that is drawn, and does not move on its own"},
+            text.still_hair, {object<StillText>()});
+  keys.part({.name = "render", .what = "how it is drawn"}, scene.look);
+}
 
 // As short as it can be read back.
 std::string exact_text(double number) {
@@ -18,40 +98,17 @@ std::string exact_text(double number) {
   return {text.data(), std::to_chars(text.begin(), text.end(), number).ptr};
 }
 
-void read_times(const JsonValue& object, Scene& scene) {
-  scene.frames = static_cast<int>(object["frames"].whole_number(1, kMostFrames));
-  scene.frames_per_second = number_or(object, "frames_per_second", scene.frames_per_second, 1e-3, 1e6);
-  if (object.has("step") && object.has("steps_per_frame"))
+void set_step(const JsonValue& object, const std::optional<double>& step, Scene& scene) {
+  if (step && object.has("steps_per_frame"))
     object["step"].fail("\"steps_per_frame\" says it already; keep one of the two");
-  if (object.has("steps_per_frame"))
-    scene.steps_per_frame = static_cast<int>(object["steps_per_frame"].whole_number(1, 1'000'000));
-  if (object.has("step")) {
-    const double steps = 1 / (scene.frames_per_second * object["step"].number(1e-9, 10));
-    if (!(std::abs(steps - std::round(steps)) <= 1e-6 * steps) || steps > 1e6 + 0.5)
+  if (step) {
+    const double steps = 1 / (scene.frames_per_second * *step);
+    if (!(std::abs(steps - std::round(steps)) <= 1e-6 * steps) || steps > kMostSteps + 0.5)
       object["step"].fail("makes " + exact_text(steps) +
                           " steps a frame; give one that makes a whole number, from 1 to 1000000");
     scene.steps_per_frame = static_cast<int>(std::lround(steps));
   }
   scene.hair.step = 1 / (scene.frames_per_second * scene.steps_per_frame);
-}
-
-void read_method(const JsonValue& object, Description& hair) {
-  if (object.has("method")) {
-    std::vector<std::string_view> ids;
-    for (const MethodRow& row : methods()) ids.emplace_back(row.id);
-    hair.method = methods()[object["method"].word(ids)].method;
-  }
-  if (object.has("geometric_term")) {
-    constexpr GeometricTerm kTerms[] = {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped};
-    hair.geometric_term = kTerms[object["geometric_term"].word({"full", "filtered", "dropped"})];
-  }
-  if (object.has("bend_product")) {
-    constexpr Products kProducts[] = {Products::exact, Products::definite};
-    hair.bend_product = kProducts[object["bend_product"].word({"exact", "definite"})];
-  }
-  if (object.has("preconditioner"))
-    hair.preconditioner = object["preconditioner"].word({"none", "band"}) == 1;
-  hair.tolerance = number_or(object, "tolerance", hair.tolerance, kTightest, 1);
 }
 
 // What has nothing that it could be for.
@@ -89,27 +146,32 @@ void Reading::expect(const JsonValue& where, long strands, long of_each) {
 
 Scene scene_of(const JsonDocument& document, const std::filesystem::path& file, Reading reading) {
   const JsonValue object(*document, file);
-  object.check_keys({"shows", "frames"},
-                    {"frames_per_second", "steps_per_frame", "step", "gravity", "wind", "method", "drag",
-                     "geometric_term", "bend_product", "tolerance", "preconditioner", "hair", "links",
-                     "obstacles", "motions", "toys", "still_hair", "render"});
+  SceneText text = read<SceneText>(object);
   Scene& scene = reading.scene;
+  scene = std::move(text.scene);
   scene.name = file.stem().string();
-  scene.shows = object["shows"].text();
-  read_times(object, scene);
-  read_method(object, scene.hair);
-  scene.hair.gravity = vector_or(object, "gravity", scene.hair.gravity, kFast);
-  scene.hair.wind = vector_or(object, "wind", scene.hair.wind, kFast);
-  scene.hair.drag = number_or(object, "drag", scene.hair.drag, 0, 1e6);
-  if (object.has("motions")) read_motions(object["motions"], reading);
-  if (object.has("obstacles")) read_obstacles(object["obstacles"], reading);
-  if (object.has("hair")) read_hair(object["hair"], reading);
-  if (object.has("links")) read_links(object["links"], reading);
-  if (object.has("toys")) read_toys(object["toys"], reading);
-  if (object.has("still_hair")) read_still_hair(object["still_hair"], reading);
-  if (object.has("render")) scene.look = read_look(object["render"]);
+  set_step(object, text.step, scene);
+  if (text.motions) add_motions(*text.motions, reading);
+  if (text.obstacles) add_obstacles(*text.obstacles, reading);
+  if (text.hair) add_hair(*text.hair, reading);
+  if (text.links) add_links(object["links"], *text.links, reading);
+  if (text.toys) add_toys(*text.toys, reading);
+  if (text.still_hair) add_still_hair(*text.still_hair, reading);
   check_use(object, reading);
   return std::move(scene);
 }
 
 }  // namespace hair::json
+
+namespace hair {
+
+std::string scene_keys() {
+  return "# The keys of a scene\n\nA key that is not in these tables is an error, and so is a key that "
+         "stands twice. A scene "
+         "has at most " +
+         std::to_string(json::kMostParticles) + " particles, and particles times frames are at most " +
+         std::to_string(json::kMostStates) + ".\n\n" +
+         json::key_tables(json::object<json::SceneText>(), "The scene");
+}
+
+}  // namespace hair

@@ -1,22 +1,20 @@
 #include <algorithm>
 #include <string>
 
+#include "hair/scene/json/keys.h"
 #include "hair/scene/json/parts.h"
-#include "hair/scene/json/values.h"
 
 namespace hair::json {
 
 namespace {
 
-constexpr double kGathered = 0.6;
-constexpr long kMostDense = 1'000'000;
+constexpr double kMostDense = 1'000'000;
 
 // Of the last group, and of the rows before it that its guides stand in, too.
-std::size_t first_row(const JsonValue& object, const Reading& reading) {
+std::size_t first_row(const JsonValue& object, std::size_t count, const Reading& reading) {
   const std::vector<GroupRoots>& groups = reading.groups;
   if (!object.has("rows")) return groups.size() - 1;
   const JsonValue rows = object["rows"];
-  const auto count = static_cast<std::size_t>(rows.whole_number(1, 1000));
   if (count > groups.size())
     rows.fail("is more than the groups that are there; there are " + std::to_string(groups.size()));
   const GroupRoots& last = groups.back();
@@ -36,11 +34,64 @@ std::size_t first_row(const JsonValue& object, const Reading& reading) {
 
 }  // namespace
 
-void read_synthesis(const JsonValue& group, GroupScalp scalp, Reading& reading) {
-  const JsonValue object = group["synthesis"];
-  object.check_keys({"strands"},
-                    {"mode", "spread", "jitter", "length", "seed", "rows", "clump", "gathered", "fly_aways"});
-  const std::size_t row = first_row(object, reading);
+void keys_of(Keys& keys, SynthesisText& text) {
+  keys.about(
+      "Dense hair (H10). The group's strands move, and are guides: others are drawn, at roots that are "
+      "spread over the same line, disc, cap or bust, over the head that a groom grows on, or over the "
+      "triangles between the roots of a list or of a groom's file, without those that have very long "
+      "sides. It has no effect on how hair moves.");
+  SynthesisDescription& made = text.made;
+  keys.whole({.name = "strands",
+              .needed = true,
+              .least = 1,
+              .most = kMostDense,
+              .what = "that are drawn; a scene draws at most 50 million points of them"},
+             text.strands);
+  keys.word({.name = "mode",
+             .what = "between three guides; as a wisp, beside the nearest guide; the first at roots, the "
+                     "second at tips"},
+            {"interpolate", "extrapolate", "blend"}, made.mode);
+  keys.number({.name = "spread",
+               .least = 0,
+               .most = 100,
+               .what = "how wide wisps are at their tips, over how wide they are at their roots"},
+              made.spread);
+  keys.number({.name = "jitter",
+               .least = 0,
+               .most = 1,
+               .what = "each strand's spread is larger or smaller by up to this part"},
+              made.jitter);
+  keys.number({.name = "length",
+               .least = 0,
+               .most = 0.9,
+               .what = "each strand is larger or smaller by up to this part"},
+              made.length);
+  keys.whole(
+      {.name = "seed", .least = 0, .most = kLargestSeed, .what = "of jitter, length, clumps and fly-aways"},
+      made.seed);
+  keys.whole(
+      {.name = "rows",
+       .least = 1,
+       .most = 1000,
+       .what =
+           "so many groups, which are lists of roots, are guides together: this one, and those before it"},
+      text.rows);
+  keys.whole({.name = "clump",
+              .least = 0,
+              .most = kMostDense,
+              .what = "strands grow towards a common one, about so many together; 0: no clumps"},
+             made.clump);
+  keys.number({.name = "gathered", .least = 0, .most = 1, .what = "how much of the way to that one a tip is"},
+              text.gathered);
+  keys.number({.name = "fly_aways",
+               .least = 0,
+               .most = 1,
+               .what = "this part of the strands stands out from the others, in no clump"},
+              made.fly_aways);
+}
+
+void add_synthesis(const JsonValue& object, const SynthesisText& text, GroupScalp scalp, Reading& reading) {
+  const std::size_t row = first_row(object, text.rows, reading);
   std::vector<GroupRoots>& groups = reading.groups;
   if (!groups.back().listed.empty()) {
     std::vector<RootFrame> roots;
@@ -48,27 +99,18 @@ void read_synthesis(const JsonValue& group, GroupScalp scalp, Reading& reading) 
       roots.insert(roots.end(), groups[i].listed.begin(), groups[i].listed.end());
     scalp = scalp_of(roots);
   }
-  const auto strands = static_cast<int>(object["strands"].whole_number(1, kMostDense));
-  reading.dense_points += static_cast<long>(strands) * groups.back().points;
+  reading.dense_points += static_cast<long>(text.strands) * groups.back().points;
   if (reading.dense_points > kMostDensePoints)
     object["strands"].fail("makes " + std::to_string(reading.dense_points) +
                            " points in all; a scene draws at most " + std::to_string(kMostDensePoints));
 
-  DenseHair dense{groups[row].first, {}, {}};
+  DenseHair dense{groups[row].first, text.made, {}};
   SynthesisDescription& made = dense.description;
   made.points = groups.back().points;
-  if (object.has("mode"))
-    made.mode = static_cast<SynthesisMode>(object["mode"].word({"interpolate", "extrapolate", "blend"}));
-  made.spread = number_or(object, "spread", made.spread, 0, 100);
-  made.jitter = number_or(object, "jitter", made.jitter, 0, 1);
-  made.length = number_or(object, "length", made.length, 0, 0.9);
-  if (object.has("clump")) made.clump = static_cast<int>(object["clump"].whole_number(0, kMostDense));
-  made.gathered = number_or(object, "gathered", made.clump > 0 ? kGathered : 0, 0, 1);
-  made.fly_aways = number_or(object, "fly_aways", made.fly_aways, 0, 1);
-  if (object.has("seed")) made.seed = static_cast<std::uint64_t>(object["seed"].whole_number(0, 1L << 53));
+  made.gathered = made.clump > 0 || object.has("gathered") ? text.gathered : 0;
   made.combed = scalp.combed;
   made.guides = std::move(scalp.guides);
-  made.children = scalp.more(strands, made.seed);
+  made.children = scalp.more(text.strands, made.seed);
   if (made.children.empty())
     object.fail(
         "the roots are on a line, and have no room for more between them; give three at least that are not");

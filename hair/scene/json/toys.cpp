@@ -1,11 +1,136 @@
+#include "hair/scene/json/keys.h"
 #include "hair/scene/json/parts.h"
-#include "hair/scene/json/values.h"
 
 namespace hair::json {
 
 namespace {
 
 using particles::Rod, particles::Spring, particles::Wire;
+
+struct ParticleText {
+  Vector3d position;
+  double mass;
+  Vector3d velocity = Vector3d::Zero();
+  bool pinned = false;
+};
+
+void keys_of(Keys& keys, ParticleText& particle) {
+  keys.about("Counted from 0.");
+  keys.vector({.name = "position", .unit = "m", .needed = true}, particle.position);
+  keys.number({.name = "mass", .unit = "kg", .needed = true, .least = 1e-15, .most = 1e6}, particle.mass);
+  keys.vector({.name = "velocity", .unit = "m/s"}, particle.velocity);
+  keys.flag({.name = "pinned", .what = "keeps its velocity, whatever force acts"}, particle.pinned);
+}
+
+struct SpringText {
+  std::optional<JsonValue> between;
+  double stiffness;
+  std::optional<double> rest_length;
+  double damping = 0;
+};
+
+void keys_of(Keys& keys, SpringText& spring) {
+  keys.any({.name = "between", .needed = true, .what = "two particles, as in [0, 1]"}, spring.between);
+  keys.number({.name = "stiffness", .unit = "N/m", .needed = true, .least = 0, .most = 1e12},
+              spring.stiffness);
+  keys.number(
+      {.name = "rest_length", .unit = "m", .least = 0, .most = kLongest, .otherwise = "as at the start"},
+      spring.rest_length);
+  keys.number({.name = "damping", .unit = "N s/m", .least = 0, .most = 1e9, .what = "along the spring"},
+              spring.damping);
+}
+
+struct RodText {
+  std::optional<JsonValue> between;
+  std::optional<double> length;
+};
+
+void keys_of(Keys& keys, RodText& rod) {
+  keys.any({.name = "between", .needed = true, .what = "two particles"}, rod.between);
+  keys.number({.name = "length", .unit = "m", .least = 0, .most = kLongest, .otherwise = "as at the start"},
+              rod.length);
+}
+
+struct WireText {
+  std::optional<JsonValue> particle;
+  Vector3d centre, normal;
+  double radius;
+};
+
+void keys_of(Keys& keys, WireText& wire) {
+  keys.about("A circle that a particle slides along.");
+  keys.any({.name = "particle", .needed = true}, wire.particle);
+  keys.vector({.name = "centre", .unit = "m", .needed = true}, wire.centre);
+  keys.direction({.name = "normal", .needed = true, .what = "of the circle's plane"}, wire.normal);
+  keys.number(a_length({.name = "radius", .needed = true}), wire.radius);
+}
+
+struct Feedback {
+  double stiffness, damping;
+};
+
+void keys_of(Keys& keys, Feedback& feedback) {
+  keys.number({.name = "stiffness", .unit = "1/s²", .needed = true, .least = 0, .most = 1e12},
+              feedback.stiffness);
+  keys.number({.name = "damping",
+               .unit = "1/s",
+               .needed = true,
+               .least = 0,
+               .most = 1e9,
+               .what = "2 √stiffness is critical"},
+              feedback.damping);
+}
+
+// The common keys of all toys.
+struct ToyText {
+  std::size_t method = 3;  // among those that toys have: runge_kutta_4
+  double drag = 0;
+};
+
+const std::vector<MethodRow>& toy_methods() {
+  static const std::vector<MethodRow> rows = [] {
+    std::vector<MethodRow> found;
+    for (const MethodRow& row : methods())
+      if (row.toy) found.push_back(row);
+    return found;
+  }();
+  return rows;
+}
+
+void keys_of(Keys& keys, ToyText& toy) {
+  std::vector<std::string_view> names;
+  for (const MethodRow& row : toy_methods()) names.emplace_back(row.id);
+  keys.word({.name = "method", .what = "P1's or H4's; rods and wires need one of P1's"}, names, toy.method);
+  keys.number(
+      {.name = "drag", .unit = "kg/s", .least = 0, .most = 1e6, .what = "of the air, for each particle"},
+      toy.drag);
+}
+
+struct ParticlesText {
+  std::optional<JsonValue> particles, springs, rods, wires, feedback;
+  ToyText toy;
+};
+
+void keys_of(Keys& keys, ParticlesText& text) {
+  keys.about("Points with mass, and the springs, rods and wires that hold them together.");
+  keys.list({.name = "particles", .needed = true}, text.particles, {object<ParticleText>()});
+  keys.list({.name = "springs"}, text.springs, {object<SpringText>()});
+  keys.list({.name = "rods", .what = "held by P2's constraint forces"}, text.rods, {object<RodText>()});
+  keys.list({.name = "wires", .what = "likewise"}, text.wires, {object<WireText>()});
+  keys.any({.name = "feedback", .otherwise = "none", .what = "what corrects errors of rods and wires"},
+           text.feedback, {object<Feedback>()});
+  keys_of(keys, text.toy);
+}
+
+struct ClothToyText {
+  std::optional<JsonValue> cloth;
+  ToyText toy;
+};
+
+void keys_of(Keys& keys, ClothToyText& text) {
+  keys.any({.name = "cloth", .needed = true}, text.cloth, {object<ClothText>()});
+  keys_of(keys, text.toy);
+}
 
 void read_particles(const JsonValue& list, Reading& reading, Toy& toy) {
   const std::vector<JsonValue> items = list.items();
@@ -16,12 +141,11 @@ void read_particles(const JsonValue& list, Reading& reading, Toy& toy) {
   toy.particles.pinned.assign(items.size(), 0);
   toy.start = {Eigen::VectorXd(3 * n), Eigen::VectorXd(3 * n)};
   for (Eigen::Index i = 0; i < n; ++i) {
-    const JsonValue& item = items[static_cast<std::size_t>(i)];
-    item.check_keys({"position", "mass"}, {"velocity", "pinned"});
-    toy.particles.mass[i] = mass(item["mass"]);
-    toy.particles.pinned[static_cast<std::size_t>(i)] = boolean_or(item, "pinned", false);
-    toy.start.x.segment<3>(3 * i) = vector(item["position"], kFar);
-    toy.start.v.segment<3>(3 * i) = vector_or(item, "velocity", Vector3d::Zero(), kFast);
+    const auto particle = read<ParticleText>(items[static_cast<std::size_t>(i)]);
+    toy.particles.mass[i] = particle.mass;
+    toy.particles.pinned[static_cast<std::size_t>(i)] = particle.pinned;
+    toy.start.x.segment<3>(3 * i) = particle.position;
+    toy.start.v.segment<3>(3 * i) = particle.velocity;
   }
 }
 
@@ -44,63 +168,61 @@ Pair read_pair(const JsonValue& value, const Toy& toy) {
 
 void read_springs(const JsonValue& list, Toy& toy) {
   for (const JsonValue& item : list.items()) {
-    item.check_keys({"between", "stiffness"}, {"rest_length", "damping"});
-    const Pair pair = read_pair(item["between"], toy);
-    toy.springs.push_back(Spring{pair.i, pair.j, item["stiffness"].number(0, 1e12),
-                                 number_or(item, "rest_length", pair.distance, 0, kLongest),
-                                 number_or(item, "damping", 0, 0, 1e9)});
+    const auto text = read<SpringText>(item);
+    const Pair pair = read_pair(*text.between, toy);
+    toy.springs.push_back(
+        Spring{pair.i, pair.j, text.stiffness, text.rest_length.value_or(pair.distance), text.damping});
   }
 }
 
 void read_rods(const JsonValue& list, Toy& toy) {
   for (const JsonValue& item : list.items()) {
-    item.check_keys({"between"}, {"length"});
-    const Pair pair = read_pair(item["between"], toy);
-    toy.constraints.rods.push_back(
-        Rod{pair.i, pair.j, number_or(item, "length", pair.distance, 0, kLongest)});
+    const auto text = read<RodText>(item);
+    const Pair pair = read_pair(*text.between, toy);
+    toy.constraints.rods.push_back(Rod{pair.i, pair.j, text.length.value_or(pair.distance)});
   }
 }
 
 void read_wires(const JsonValue& list, Toy& toy) {
   for (const JsonValue& item : list.items()) {
-    item.check_keys({"particle", "centre", "normal", "radius"});
-    toy.constraints.wires.push_back(Wire{read_particle(item["particle"], toy), vector(item["centre"], kFar),
-                                         direction(item["normal"]), length(item["radius"])});
+    const auto text = read<WireText>(item);
+    toy.constraints.wires.push_back(
+        Wire{read_particle(*text.particle, toy), text.centre, text.normal, text.radius});
   }
+}
+
+Toy read_parts(const ParticlesText& text, Reading& reading) {
+  Toy toy;
+  read_particles(*text.particles, reading, toy);
+  if (text.springs) read_springs(*text.springs, toy);
+  if (text.rods) read_rods(*text.rods, toy);
+  if (text.wires) read_wires(*text.wires, toy);
+  if (text.feedback) {
+    const auto feedback = read<Feedback>(*text.feedback);
+    if (toy.constraints.rows() == 0)
+      text.feedback->fail("there are no rods and no wires to hold; leave it out");
+    toy.constraints.stiffness = feedback.stiffness;
+    toy.constraints.damping = feedback.damping;
+  }
+  return toy;
 }
 
 Toy read_toy(const JsonValue& item, Reading& reading) {
   Toy toy;
+  ToyText common;
   if (item.has("cloth")) {
-    item.check_keys({"cloth"}, {"method", "drag"});
-    toy = read_cloth(item["cloth"], reading);
+    const auto text = read<ClothToyText>(item);
+    common = text.toy;
+    toy = read_cloth(*text.cloth, reading);
   } else {
-    item.check_keys({"particles"}, {"method", "springs", "rods", "wires", "feedback", "drag"});
-    read_particles(item["particles"], reading, toy);
+    const auto text = read<ParticlesText>(item);
+    common = text.toy;
+    toy = read_parts(text, reading);
   }
   toy.gravity = reading.scene.hair.gravity;
   toy.wind = reading.scene.hair.wind;
-  if (item.has("method")) {
-    std::vector<std::string_view> ids;
-    std::vector<ToyMethod> toy_methods;
-    for (const MethodRow& row : methods()) {
-      if (!row.toy) continue;
-      ids.emplace_back(row.id);
-      toy_methods.push_back(*row.toy);
-    }
-    toy.method = toy_methods[item["method"].word(ids)];
-  }
-  toy.drag = number_or(item, "drag", 0, 0, 1e6);
-  if (item.has("springs")) read_springs(item["springs"], toy);
-  if (item.has("rods")) read_rods(item["rods"], toy);
-  if (item.has("wires")) read_wires(item["wires"], toy);
-  if (item.has("feedback")) {
-    const JsonValue feedback = item["feedback"];
-    feedback.check_keys({"stiffness", "damping"});
-    if (toy.constraints.rows() == 0) feedback.fail("there are no rods and no wires to hold; leave it out");
-    toy.constraints.stiffness = feedback["stiffness"].number(0, 1e12);
-    toy.constraints.damping = feedback["damping"].number(0, 1e9);
-  }
+  toy.method = *toy_methods()[common.method].toy;
+  toy.drag = common.drag;
   if (toy.method == ToyMethod::implicit_euler && toy.constraints.rows() > 0)
     item["method"].fail("rods and wires need an explicit method");
   return toy;
@@ -108,7 +230,11 @@ Toy read_toy(const JsonValue& item, Reading& reading) {
 
 }  // namespace
 
-void read_toys(const JsonValue& list, Reading& reading) {
+std::vector<ObjectKind> kinds_of_toys() {
+  return {object<ParticlesText>(), object<ClothToyText>(" with a cloth")};
+}
+
+void add_toys(const JsonValue& list, Reading& reading) {
   for (const JsonValue& item : list.items()) reading.scene.toys.push_back(read_toy(item, reading));
 }
 

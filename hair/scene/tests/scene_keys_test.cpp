@@ -1,169 +1,158 @@
-// STAFF ONLY. hair/scenes/README.md names the keys that the reader knows, and no others, with the bounds that it has.
+// STAFF ONLY. A key's declaration is all that reading, errors and tables know of it.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <fstream>
-#include <map>
-#include <nlohmann/json.hpp>
-#include <regex>
-#include <set>
-#include <sstream>
-
-#include "reading.h"
+#include "hair/io/files/bad_input.h"
+#include "hair/scene/json/keys.h"
+#include "hair/scene/scene.h"
 
 namespace reference_tests {
 namespace {
 
-using nlohmann::json;
-using Bounds = std::map<std::string, std::string>;  // of each key, as the README writes them
+using Eigen::Vector3d;
+using hair::json::Keys, hair::json::object;
 
-std::string trimmed(const std::string& text) {
-  const std::size_t from = text.find_first_not_of(' ');
-  return from == std::string::npos ? "" : text.substr(from, text.find_last_not_of(' ') + 1 - from);
+enum class Fur { smooth, rough };
+
+struct Ear {
+  double tip;
+};
+
+void keys_of(Keys& keys, Ear& ear) {
+  keys.one_of();
+  keys.number({.name = "tip", .least = 0, .most = 1}, ear.tip);
 }
 
-std::vector<std::string> split(const std::string& text, const std::string& by) {
-  std::vector<std::string> parts;
-  std::size_t from = 0;
-  for (std::size_t at = text.find(by); at != std::string::npos;
-       from = at + by.size(), at = text.find(by, from))
-    parts.push_back(text.substr(from, at - from));
-  parts.push_back(text.substr(from));
-  return parts;
+struct Cat {
+  std::string name;
+  Vector3d place;
+  double weight = 4.5;
+  std::optional<long> lives;
+  std::optional<Vector3d> way;
+  bool tame = true;
+  Fur fur = Fur::rough;
+  std::optional<Ear> ear;
+  std::optional<hair::JsonValue> kittens;
+};
+
+void keys_of(Keys& keys, Cat& cat) {
+  keys.about("It says so.");
+  keys.text({.name = "name", .needed = true, .what = "that it hears"}, cat.name);
+  keys.vector({.name = "place", .unit = "m", .needed = true, .least = -2, .most = 2}, cat.place);
+  keys.number({.name = "weight", .unit = "kg", .least = 0.1, .most = 10}, cat.weight);
+  keys.whole({.name = "lives", .least = 1, .most = 9, .otherwise = "nobody knows"}, cat.lives);
+  keys.direction({.name = "way"}, cat.way);
+  keys.flag({.name = "tame"}, cat.tame);
+  keys.word({.name = "fur"}, {"smooth", "rough"}, cat.fur);
+  keys.part({.name = "ear"}, cat.ear);
+  keys.list({.name = "kittens", .otherwise = "none"}, cat.kittens, {object<Ear>(" of which little is seen")});
 }
 
-// The tables under each heading: "hair[].roots" -> its keys.
-std::map<std::string, Bounds> documented() {
-  std::map<std::string, Bounds> sections;
-  std::ifstream in(HAIR_SCENES "/README.md");
-  std::string line, section;
-  while (std::getline(in, line)) {
-    if (line.rfind("## ", 0) == 0) {
-      section = line.substr(3);
-      section.erase(std::remove(section.begin(), section.end(), '`'), section.end());
-    } else if (line.rfind("| `", 0) == 0 && !section.empty()) {
-      const std::vector<std::string> cells = split(line, "|");
-      EXPECT_EQ(cells.size(), 7U) << line;
-      for (const std::string& key : split(trimmed(cells[1]), ", "))
-        sections[section][key.substr(1, key.size() - 2)] = trimmed(cells[4]);
-    }
+hair::JsonDocument document_of(const std::string& text) {
+  return hair::parse_document(text, "cat.json");
+}
+
+Cat cat_of(const hair::JsonDocument& document) {
+  return hair::json::read<Cat>(hair::JsonValue(*document, "cat.json"));
+}
+
+std::string complaint_of(const std::string& text) {
+  try {
+    cat_of(document_of(text));
+  } catch (const hair::BadInput& error) {
+    return error.what();
   }
-  return sections;
-}
-
-std::string after(const std::string& text, const std::string& mark) {
-  const std::size_t at = text.rfind(mark);
-  return at == std::string::npos ? "" : text.substr(at + mark.size());
-}
-
-// What the reader says of a value that is surely wrong, as the README writes bounds.
-std::string bounds_in(const std::string& said) {
-  if (said.find("not a list of three numbers") != std::string::npos) return "three";
-  if (const std::string range = after(said, "give a number from "); !range.empty()) return range;
-  if (const std::string range = after(said, "give a whole number from "); !range.empty())
-    return "whole, " + std::regex_replace(range, std::regex(" to "), " to ");
-  if (const std::string words = after(said, "write one of: "); !words.empty()) return words;
-  if (said.find("write true or false") != std::string::npos) return "true, false";
   return "";
 }
 
-// Asks the reader, by mistakes in each object of a scene: which keys it knows there, and their bounds.
-class Asked {
- public:
-  explicit Asked(const std::string& scene) : scene_(json::parse(scene)) {
-    ask(scene_, "", json::json_pointer());
-  }
-  const std::map<std::string, Bounds>& sections() const { return sections_; }
-
- private:
-  std::string said_with(const json::json_pointer& place, const json& value) const {
-    json wrong = scene_;
-    wrong[place] = value;
-    return complaint(wrong.dump());
-  }
-
-  void ask(const json& value, const std::string& path, const json::json_pointer& place) {
-    if (value.is_array()) {
-      for (std::size_t i = 0; i < value.size(); ++i) ask(value[i], path + "[]", place / i);
-      return;
-    }
-    if (!value.is_object()) return;
-    std::string section = path.empty() ? "The scene" : path;
-    if (value.contains("groom")) section += " with a groom";
-    if (value.contains("style")) section += " that grows";
-    if (value.contains("cloth")) section += " with a cloth";
-    Bounds& known = sections_[section];
-    for (const std::string& key : split(after(said_with(place / "?", 0), ": "), ", ")) known.emplace(key, "");
-    for (const auto& [key, item] : value.items()) {
-      std::string bounds = bounds_in(said_with(place / key, item.is_boolean() ? json("?") : json::object()));
-      // A vector's bounds are those of its numbers.
-      if (bounds == "three") bounds = bounds_in(said_with(place / key / 0, "?"));
-      if (!bounds.empty()) known[key] = bounds;
-      ask(item, path.empty() ? key : path + "." + key, place / key);
-    }
-  }
-
-  json scene_;
-  std::map<std::string, Bounds> sections_;
-};
-
-// Both small scenes together have every object there is.
-std::map<std::string, Bounds> read() {
-  std::map<std::string, Bounds> sections = Asked(small_scene()).sections();
-  const Asked step(small_scene(R"("steps_per_frame": 8)", R"("step": 0.0041666666666666666)"));
-  sections["The scene"]["step"] = step.sections().at("The scene").at("step");
-  const Asked linked(linked_scene());
-  sections["The scene"].merge(std::map(linked.sections().at("The scene")));
-  for (const char* section : {"links", "links.strips"}) sections[section] = linked.sections().at(section);
-  const Asked groom(
-      R"({"shows": "a groom", "frames": 1, "hair": [{"groom": {"file": "a", "scale": 1, "every": 1,
-    "strands": 1, "points": 2, "move": [0, 0, 0]}, "model": "mass_spring", "clamped": true, "root_velocity": [0, 0, 0]}]})");
-  for (const char* section : {"hair[] with a groom", "hair[].groom"})
-    sections[section] = groom.sections().at(section);
-  const Asked grown(
-      R"({"shows": "hair that grows", "frames": 1, "hair": [{"groom": {"style": "wavy", "strands": 1,
-    "points": 60, "length": 0.2, "head": "bust", "at": [0, 0, 0], "seed": 1}}]})");
-  sections["hair[].groom that grows"] = grown.sections().at("hair[].groom that grows");
-  const Asked bust(R"({"shows": "a bust", "frames": 1, "hair": [{"segments": 1, "length": 0.1,
-    "roots": {"bust": {"count": 1, "at": [0, 0, 0], "lift": 0.3, "seed": 1}}}],
-    "obstacles": [{"bust": {"at": [0, 0, 0]}}]})");
-  for (const char* section : {"hair[].roots.bust", "obstacles[].bust"})
-    sections[section] = bust.sections().at(section);
-  const Asked still(R"({"shows": "still hair", "frames": 1, "render": {},
-    "hair": [{"segments": 1, "length": 0.1, "roots": {"list": [{"position": [0, 0, 0]}]}}],
-    "still_hair": [{"groom": {"style": "ponytail", "strands": 1}}]})");
-  sections["still_hair[]"] = still.sections().at("still_hair[] with a groom");
-  return sections;
+TEST(SceneKeys, OfAnObjectSetWhatItHasAndLeaveTheDefaults) {
+  const Cat few = cat_of(document_of(R"({"name": "Tom", "place": [0, 1, 2]})"));
+  EXPECT_EQ(few.name, "Tom");
+  EXPECT_EQ(few.place, Vector3d(0, 1, 2));
+  EXPECT_EQ(few.weight, 4.5);
+  EXPECT_FALSE(few.lives || few.way || few.ear || few.kittens);
+  EXPECT_TRUE(few.tame);
+  EXPECT_EQ(few.fur, Fur::rough);
+  const hair::JsonDocument document =
+      document_of(R"({"name": "Tom", "place": [0, 1, 2], "weight": 3, "lives": 7,
+    "way": [0, 4, 0], "tame": false, "fur": "smooth", "ear": {"tip": 0.5}, "kittens": [1]})");
+  const Cat all = cat_of(document);
+  EXPECT_EQ(all.weight, 3);
+  EXPECT_EQ(all.lives, 7);
+  EXPECT_EQ(all.way, Vector3d(0, 1, 0));
+  EXPECT_FALSE(all.tame);
+  EXPECT_EQ(all.fur, Fur::smooth);
+  EXPECT_EQ(all.ear->tip, 0.5);
+  EXPECT_EQ(all.kittens->items().size(), 1U);
 }
 
-TEST(SceneKeys, AreThoseOfTheReadme) {
-  const auto written = documented(), known = read();
-  std::set<std::string> sections;
-  for (const auto& [section, keys] : written) sections.insert(section);
-  for (const auto& [section, keys] : known) {
-    EXPECT_EQ(sections.erase(section), 1U) << "README.md lacks \"" << section << "\"";
-    if (written.count(section) == 0) continue;
-    for (const auto& [key, bounds] : keys)
-      EXPECT_TRUE(written.at(section).count(key)) << section << ": " << key;
-    for (const auto& [key, bounds] : written.at(section))
-      EXPECT_TRUE(keys.count(key)) << section << ": " << key;
-  }
-  for (const std::string& section : sections)
-    ADD_FAILURE() << "no object of a scene is \"" << section << "\"";
+TEST(SceneKeys, WrongOnesAreNamedWithWhatTheDeclarationsAllow) {
+  const std::string known = "name, place, weight, lives, way, tame, fur, ear, kittens";
+  const auto said = [](const std::string& more) {
+    return complaint_of(R"({"name": "Tom", "place": [0, 1, 2], )" + more + "}");
+  };
+  EXPECT_EQ(complaint_of(R"({"name": "Tom"})"),
+            "cat.json: \"place\" is missing; an object here has: " + known);
+  EXPECT_EQ(said(R"("age": 3)"), "cat.json: unknown key \"age\"; known here: " + known);
+  EXPECT_EQ(said(R"("weight": 11)"), "cat.json: weight: 11 is not right; give a number from 0.1 to 10");
+  EXPECT_EQ(said(R"("lives": 0)"), "cat.json: lives: 0 is not right; give a whole number from 1 to 9");
+  EXPECT_EQ(said(R"("way": [0, 0, 0])"), "cat.json: way: has no direction; give one that is not [0, 0, 0]");
+  EXPECT_EQ(said(R"("fur": "none")"), "cat.json: fur: \"none\" is not right; write one of: smooth, rough");
+  EXPECT_EQ(said(R"("ear": {})"), "cat.json: ear: has 0 keys; give one of: tip");
+  EXPECT_EQ(complaint_of(R"({"name": "Tom", "place": [0, 1, 3]})"),
+            "cat.json: place[2]: 3 is not right; give a number from -2 to 2");
 }
 
-TEST(SceneKeys, HaveTheBoundsOfTheReadme) {
-  const auto written = documented();
-  int compared = 0;
-  for (const auto& [section, keys] : read())
-    for (const auto& [key, bounds] : keys) {
-      if (bounds.empty() || written.count(section) == 0 || written.at(section).count(key) == 0) continue;
-      const std::string& here = written.at(section).at(key);
-      if (here == "a particle") continue;
-      EXPECT_EQ(here, bounds) << section << ": " << key;
-      ++compared;
-    }
-  EXPECT_GT(compared, 80);
+TEST(SceneKeys, AreInTablesAsTheyAreDeclared) {
+  EXPECT_EQ(hair::json::key_tables(object<Cat>(), "A cat"), R"(## A cat
+
+It says so.
+
+| key | unit | default | bounds | what |
+|---|---|---|---|---|
+| `name` | | needed | | that it hears |
+| `place` | m | needed | -2 to 2 | |
+| `weight` | kg | 4.5 | 0.1 to 10 | |
+| `lives` | | nobody knows | whole, 1 to 9 | |
+| `way` | | | -1000000 to 1000000 | |
+| `tame` | | true | true, false | |
+| `fur` | | rough | smooth, rough | |
+| `ear` | | | | |
+| `kittens` | | none | | |
+
+## `ear`
+
+One of:
+
+| key | unit | default | bounds | what |
+|---|---|---|---|---|
+| `tip` | | 0 | 0 to 1 | |
+
+## `kittens[]` of which little is seen
+
+One of:
+
+| key | unit | default | bounds | what |
+|---|---|---|---|---|
+| `tip` | | 0 | 0 to 1 | |
+
+)");
+}
+
+TEST(SceneKeys, OfAllObjectsOfASceneHaveASection) {
+  const std::string tables = hair::scene_keys();
+  for (const char* section :
+       {"The scene", "`hair[]`", "`hair[]` with a groom", "`hair[].groom`", "`hair[].groom` that grows",
+        "`hair[].material`", "`hair[].roots.list[]`", "`hair[].shape.curly`", "`links.strips`",
+        "`obstacles[].bust`", "`motions[].keys[]`", "`toys[]`", "`toys[]` with a cloth",
+        "`toys[].particles[]`", "`still_hair[]`", "`render`"}) {
+    const std::string heading = "\n## " + std::string(section) + "\n";
+    const std::size_t at = tables.find(heading);
+    ASSERT_NE(at, std::string::npos) << section;
+    EXPECT_EQ(tables.find(heading, at + 1), std::string::npos) << section << " stands twice";
+  }
+  EXPECT_NE(tables.find("| `tolerance` | | 1e-10 | 1e-15 to 1 | of an implicit solve"), std::string::npos)
+      << tables;
+  EXPECT_NE(tables.find("| `count` | | needed | whole, 1 to 10000000 | |"), std::string::npos) << tables;
 }
 
 }  // namespace

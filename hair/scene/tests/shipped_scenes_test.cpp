@@ -5,7 +5,6 @@
 #include <cmath>
 #include <set>
 
-#include "hair/io/files/read_file.h"
 #include "hair/scene/playback.h"
 
 namespace reference_tests {
@@ -28,18 +27,6 @@ TEST(ShippedScenes, AreThoseThatAUserIsPromised) {
        {"strand-swing", "long-straight", "short-curly", "wavy", "strand-over-sphere", "ponytail", "pendulum",
         "bead-on-wire", "cloth-patch", "stiff", "extreme", "wind", "head-of-hair"})
     EXPECT_TRUE(names.count(name)) << name;
-}
-
-TEST(ShippedScenes, AreInTheReadmeWithWhatTheyShowAndCall) {
-  const std::string readme = hair::bytes_of(HAIR_SCENES "/README.md");
-  for (const auto& file : shipped()) {
-    const hair::Scene scene = hair::read_scene(file);
-    std::string called;
-    for (const std::string& id : hair::exercises_of(scene)) called += (called.empty() ? "" : ", ") + id;
-    const std::string row =
-        "| [" + scene.name + "](" + scene.name + ".json) | " + scene.shows + " | " + called + " |\n";
-    EXPECT_NE(readme.find(row), std::string::npos) << row;
-  }
 }
 
 TEST(ShippedScenes, APonytailHas200Strands) {

@@ -1,0 +1,25 @@
+// The common keys of all groups of strands.
+#pragma once
+
+#include "hair/scene/json/keys.h"
+#include "hair/scene/json/parts.h"
+#include "hair/strand/strand_spec.h"
+
+namespace hair::json {
+
+struct GroupText {
+  std::size_t model = 0;  // its row in the table of models
+  Fibre fibre;
+  bool clamped = true;
+  Held start;
+  Vector3d root_velocity = Vector3d::Zero();
+  std::optional<std::string> moves_with;
+  std::optional<SynthesisText> synthesis;
+};
+
+void keys_of(Keys& keys, GroupText& group);
+
+// All of the group's strands, without roots, forms, lengths and elements. `object`: the group.
+StrandSpec spec_of(const JsonValue& object, const GroupText& group);
+
+}  // namespace hair::json

@@ -1,0 +1,243 @@
+// The keys of a scene's objects. A key is declared once: its name, unit, bounds, default, and a sentence. What reads an
+// object, the errors that it makes, and the tables of keys follow from the declaration.
+//
+//   struct Ball {
+//     Vector3d centre;
+//     double radius = 0.1;
+//   };
+//   void keys_of(Keys& keys, Ball& ball) {
+//     keys.vector({.name = "centre", .unit = "m", .needed = true}, ball.centre);
+//     keys.number({.name = "radius", .unit = "m", .least = 0, .most = 1, .what = "of its hull"}, ball.radius);
+//   }
+//   const Ball ball = read<Ball>(object);
+//
+// keys_of is called without an object once, to note the keys; the values are their defaults then. After that it is called
+// for each object that is read, and sets the values that the object has.
+#pragma once
+
+#include <concepts>
+#include <initializer_list>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hair/io/files/strict_json.h"
+#include "particles/vectors.h"
+
+namespace hair::json {
+
+using Eigen::Vector3d;
+
+inline constexpr double kFar = 1e6;      // of positions in m, velocities in m/s, accelerations in m/s^2
+inline constexpr double kLongest = 1e4;  // m, of lengths and radii
+inline constexpr double kShortest = 1e-7;
+inline constexpr double kLargestSeed = 9007199254740992;  // a double holds all whole numbers up to here
+
+struct KeySpec {
+  const char* name;
+  const char* unit = "";
+  bool needed = false;
+  double least = -kFar, most = kFar;  // of a number, and of each number of a vector
+  const char* otherwise = nullptr;    // the default in words; null: the value as it is
+  const char* what = "";
+};
+
+// The same key, of a length in metres.
+constexpr KeySpec a_length(KeySpec key) {
+  key.unit = "m";
+  key.least = kShortest;
+  key.most = kLongest;
+  return key;
+}
+
+struct Section;
+
+// An object that stands under a key, or in the list under it. Of several kinds each one has an addition to its heading.
+struct ObjectKind {
+  const Section& (*section)();
+  const char* addition = "";
+};
+
+struct NotedKey {
+  KeySpec key;
+  std::string otherwise, bounds;  // as the tables say them
+  std::vector<ObjectKind> objects = {};
+  bool list = false;  // of such objects
+};
+
+// All keys of an object.
+struct Section {
+  const char* about = "";
+  bool one_of = false;  // an object has exactly one of the keys
+  std::vector<NotedKey> keys = {};
+  std::vector<std::string_view> needed = {}, optional = {};  // their names
+
+  // Throws BadInput for an object that lacks a key or has another.
+  void check(const JsonValue& object) const;
+};
+
+template <class T>
+const Section& section_of();
+template <class T>
+T read(const JsonValue& object);
+
+template <class T>
+constexpr ObjectKind object(const char* addition = "") {
+  return {section_of<T>, addition};
+}
+
+class Keys {
+ public:
+  explicit Keys(Section& noted) : noted_(&noted) {}
+  explicit Keys(const JsonValue& object) : object_(&object) {}
+
+  void about(const char* text) {
+    if (noted_) noted_->about = text;
+  }
+  void one_of() {
+    if (noted_) noted_->one_of = true;
+  }
+
+  // A value is of the type that is named, or std::optional of it. Without the key it stays as it is.
+  template <class Value>  // double
+  void number(const KeySpec& key, Value& value) {
+    if (has(key, value, [&] { return number_range(key.least, key.most); }))
+      value = at(key).number(key.least, key.most);
+  }
+  template <class Value>  // a whole number
+  void whole(const KeySpec& key, Value& value) {
+    const auto least = static_cast<long>(key.least), most = static_cast<long>(key.most);
+    if (has(key, value, [&] { return "whole, " + whole_range(least, most); }))
+      value = static_cast<Plain<Value>>(at(key).whole_number(least, most));
+  }
+  template <class Value>  // Vector3d
+  void vector(const KeySpec& key, Value& value) {
+    if (has(key, value, [&] { return number_range(key.least, key.most); })) value = vector_at(key);
+  }
+  template <class Value>  // Vector3d, of any length but 0, which becomes 1
+  void direction(const KeySpec& key, Value& value) {
+    if (has(key, value, [&] { return number_range(key.least, key.most); })) value = direction_at(key);
+  }
+  template <class Value>  // bool
+  void flag(const KeySpec& key, Value& value) {
+    if (has(key, value, [] { return "true, false"; })) value = at(key).boolean();
+  }
+  template <class Value>  // std::string
+  void text(const KeySpec& key, Value& value) {
+    if (has(key, value, [] { return ""; })) value = at(key).text();
+  }
+  template <class Value>  // one of the words: its index, as an enumeration, a number or a bool
+  void word(const KeySpec& key, std::span<const std::string_view> words, Value& value) {
+    if (has(key, Word{words, index_of(value)}, [&] { return listed(words); }))
+      value = static_cast<Plain<Value>>(at(key).word(words));
+  }
+  template <class Value>
+  void word(const KeySpec& key, std::initializer_list<std::string_view> words, Value& value) {
+    word(key, std::span(words.begin(), words.size()), value);
+  }
+  template <class Value>  // an object of a type that has keys_of
+  void part(const KeySpec& key, Value& value) {
+    if (has(key, Nothing{}, [] { return ""; }, {object<Plain<Value>>()})) value = read<Plain<Value>>(at(key));
+  }
+  // What the caller reads: an object of one of these kinds, a list of such objects, or anything else.
+  void any(const KeySpec& key, std::optional<JsonValue>& value, const std::vector<ObjectKind>& objects = {}) {
+    if (has(
+            key, Nothing{}, [] { return ""; }, objects))
+      value = at(key);
+  }
+  void list(const KeySpec& key, std::optional<JsonValue>& value, const std::vector<ObjectKind>& objects) {
+    if (has(
+            key, Nothing{}, [] { return ""; }, objects, true))
+      value = at(key);
+  }
+
+ private:
+  template <class T>
+  struct PlainType {
+    using Type = T;
+  };
+  template <class T>
+  struct PlainType<std::optional<T>> {
+    using Type = T;
+  };
+  template <class T>
+  using Plain = typename PlainType<T>::Type;
+
+  struct Nothing {};
+  struct Word {
+    std::span<const std::string_view> words;
+    std::size_t index;
+  };
+
+  // Whether there is an object that has the key. Without an object, notes the key.
+  template <class Value, class Bounds>
+  bool has(const KeySpec& key, const Value& value, const Bounds& bounds,
+           const std::vector<ObjectKind>& objects = {}, bool list = false) {
+    if (object_) return object_->has(key.name);
+    note({key,
+          key.needed      ? "needed"
+          : key.otherwise ? key.otherwise
+                          : text_of(value),
+          bounds(), objects, list});
+    return false;
+  }
+  void note(NotedKey key);
+  JsonValue at(const KeySpec& key) const { return (*object_)[key.name]; }
+  Vector3d vector_at(const KeySpec& key) const;
+  Vector3d direction_at(const KeySpec& key) const;
+
+  template <class Value>
+  static std::size_t index_of(const Value& value) {
+    return static_cast<std::size_t>(value);
+  }
+  template <class Value>
+  static std::size_t index_of(const std::optional<Value>&) {
+    return 0;
+  }
+  static std::string text_of(double number);  // as short as it can be read back
+  static std::string text_of(const Vector3d& vector);
+  static std::string text_of(bool flag) { return flag ? "true" : "false"; }
+  static std::string text_of(const std::string& text) { return text; }
+  static std::string text_of(const Word& word) { return std::string(word.words[word.index]); }
+  static std::string text_of(Nothing) { return ""; }
+  template <class Value>
+  static std::string text_of(const std::optional<Value>& value) {
+    return value ? text_of(*value) : "";
+  }
+  template <std::integral Value>
+  static std::string text_of(Value value) {
+    return std::to_string(value);
+  }
+
+  Section* noted_ = nullptr;
+  const JsonValue* object_ = nullptr;
+};
+
+template <class T>
+const Section& section_of() {
+  static const Section section = [] {
+    Section noted;
+    Keys keys(noted);
+    T value{};
+    keys_of(keys, value);
+    return noted;
+  }();
+  return section;
+}
+
+template <class T>
+T read(const JsonValue& object) {
+  section_of<T>().check(object);
+  T value{};
+  Keys keys(object);
+  keys_of(keys, value);
+  return value;
+}
+
+// Markdown: a section for the object, with the name, unit, default, bounds and meaning of its keys, and one for each object in
+// it. Headings are paths: "hair[].roots"; `top` is the object's own.
+std::string key_tables(const ObjectKind& object, const std::string& top);
+
+}  // namespace hair::json
