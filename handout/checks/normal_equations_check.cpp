@@ -152,6 +152,16 @@ TEST(SolveNormalEquations, FitsALineByLeastSquares) {
   expect_solved(s, solve(s.A, s.b, 1e-20, 100), 1e-20);
 }
 
+TEST(SolveNormalEquations, SolvesForMoreUnknownsThanEquations) {
+  // One equation, x_1 + ... + x_50 = 25. All that is left of A'(b - Ax) is 25 less the sum, 50 times.
+  SparseMatrix A = dense(1, 50, Vector(50, 1.0));
+  SCOPED_TRACE(call("A = [1 1 ... 1], n = 50, b = 25", 1e-16, 100));
+  const Outcome out = solve(A, {25}, 1e-16, 100);
+  double sum = 0;
+  for (double value : out.x) sum += value;
+  EXPECT_NEAR(sum, 25, 1e-8) << "the sum of x; bound: sqrt(epsilon)";
+}
+
 TEST(SolveNormalEquations, OnlyWritesX) {
   SparseMatrix A = dense(3, 2, {1, 0, 1, 1, 1, 2});
   const Outcome from_zeros = solve(A, {6, 0, 0}, 1e-20, 100);
