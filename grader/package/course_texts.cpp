@@ -45,12 +45,6 @@ bool is_of_absent_scene(const std::string& line, const Course& course) {
   return false;
 }
 
-const Exercise* exercise_of_row(const std::string& line, const Course& course) {
-  for (const Exercise& exercise : course.exercises)
-    if (line.starts_with("| " + exercise.id + " |")) return &exercise;
-  return nullptr;
-}
-
 // "30 points, in these categories:" and the second cells of the table below it. A course gives categories their shares.
 class Points {
  public:
@@ -229,8 +223,9 @@ std::string course_text(const std::string& text, const std::string& destination,
   std::istringstream in(course.partial ? with_partial_points(text) : text);
   std::string result;
   for (std::string line; std::getline(in, line);) {
-    if (const Exercise* exercise = index ? exercise_of_row(line, course) : nullptr) {
-      if (exercise->role != Role::absent) result += index_row(*exercise) + "\n";
+    if (index && line == kExerciseRows) {
+      for (const Exercise& exercise : course.exercises)
+        if (exercise.role != Role::absent) result += index_row(exercise) + "\n";
       continue;
     }
     if (scenes && is_of_absent_scene(line, course)) continue;

@@ -16,7 +16,8 @@ std::string course_json(const std::string& text, const Course& course);
 Paths absent_scenes(const std::string& table, const Course& course);
 
 // A text, Markdown, that ships as `destination`, beside all of `shipped`; `missing` has what ships in other courses only:
-// - tables of exercises have the course's rows (index_row), and the table of scenes only those whose exercises are there;
+// - the line kExerciseRows of assignment/README.md becomes a row for each exercise (index_row), and the table of scenes keeps those
+//   whose exercises are there;
 // - the text of an exercise has the course's points, those of its categories in proportion, none if it is given solved;
 // - the text of an exercise that is given says so, in the place of "Write" in its first line, and has no hints; no text asks to
 //   write it first, and the README begins with an exercise that is to be written;
@@ -26,6 +27,9 @@ Paths absent_scenes(const std::string& table, const Course& course);
 // - commands play scenes that are there (course_scenes.h).
 std::string course_text(const std::string& text, const std::string& destination, const Course& course,
                         const Paths& shipped, const Paths& missing);
+
+inline constexpr const char* kExerciseRows =
+    "<!-- When the handout is packed: a row for each exercise of exercises.json. -->";
 
 // The exercise's row in the table of assignment/README.md.
 std::string index_row(const Exercise& exercise);

@@ -60,6 +60,15 @@ Paths whole_handout(const HandoutSources& sources, Course course) {
   return paths;
 }
 
+// Without what exercises.json names: text, stub, checks and contract of each exercise.
+Paths without_exercises(Paths paths, const Course& course) {
+  for (const Exercise& exercise : course.exercises)
+    for (const std::string& own :
+         {exercise.text, "student/" + exercise.file, exercise.checks, exercise.header})
+      paths.erase(own);
+  return paths;
+}
+
 fs::path packed_list(const HandoutSources& sources) {
   return sources.root / "handout/packed.txt";
 }
@@ -151,10 +160,11 @@ Files handout_files(const HandoutSources& sources, const Course& course) {
 
 void accept_files(const HandoutSources& sources, const Course& course) {
   std::string list =
-      "# The files of the handout with all exercises, as somebody accepted them: \"hairgrade handout "
-      "--accept\" writes this list.\n"
-      "# Its headers are those that students' code is compiled with in grading.\n";
-  for (const std::string& path : whole_handout(sources, course)) list += path + "\n";
+      "# The files of the handout with all exercises, beside those that exercises.json names, as somebody "
+      "accepted them:\n# \"hairgrade handout --accept\" writes this list. Its headers and the exercises' "
+      "are those that students' code is compiled\n# with in grading.\n";
+  for (const std::string& path : without_exercises(whole_handout(sources, course), course))
+    list += path + "\n";
   hair::write_file(packed_list(sources), list);
 }
 
@@ -164,7 +174,7 @@ void make_handout(const HandoutSources& sources, const Course& course, const fs:
   if (const fs::path folder = fs::absolute(out).parent_path(); !fs::is_directory(folder))
     throw BadInput(out.string() + ": there is no folder " + folder.string() +
                    "; make it first, or write elsewhere");
-  check_accepted(whole_handout(sources, course), accepted_files(sources));
+  check_accepted(without_exercises(whole_handout(sources, course), course), accepted_files(sources));
   const TemporaryFile part{out.string() + ".part"};
   write_archive(part.path, handout_files(sources, course));
   check_gates(part.path, sources, course);

@@ -32,7 +32,7 @@ class SmallProject : public testing::Test {
     write("handout/exercises.json",
           R"({"exercises": [{"id": "E1", "file": "f.cpp", "points": 1, "role": "assigned"},
                                                       {"id": "E2", "file": "g.cpp", "points": 1, "role": "assigned"}]})");
-    write("handout/assignment/README.md", "# Exercises\n| E1 | old |\n| E2 | old |\nGood luck\n");
+    write("handout/assignment/README.md", "# Exercises\n" + std::string(kExerciseRows) + "\nGood luck\n");
     write("hair/scenes/one.json", "{}\n");
     write("hair/scenes/two.json", "{}\n");
     write("build/golden/scenes.md", "| [one](one.json) | E1 | x |\n| [two](two.json) | E1, E2 | x |\n");
