@@ -1,4 +1,4 @@
-// STAFF ONLY. Each entry of equivalents.json is a mutant of a solution, and says why it is right.
+// STAFF ONLY. Each entry of an equivalents.json is a mutant of a solution, and says why it is right.
 #include "grader/mutants/equivalents.h"
 
 #include <gtest/gtest.h>
