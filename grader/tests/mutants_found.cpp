@@ -72,7 +72,9 @@ void expect_mutants_found(const Exercise& exercise, const Judge& judge, const st
       }
     }
   }
-  EXPECT_GE(wrong, std::min(kLeastWrong, count)) << "too few that compile";
+  // A short solution has no more: then most of them compile.
+  EXPECT_TRUE(wrong >= std::min(kLeastWrong, count) || (tried == order.size() && wrong + equivalent > broken))
+      << "too few that compile: " << wrong;
   std::printf("%s: of %zu wrong programs %zu are found (%.1f %%); %zu are equivalent, %zu do not compile\n",
               exercise.id.c_str(), wrong, found, wrong ? 100.0 * found / wrong : 100.0, equivalent, broken);
 }
