@@ -71,9 +71,9 @@ TEST(CourseScene, IsAskedOfTheCourseFileThatHairlabIsGiven) {
   EXPECT_EQ(played.code, 0) << played.errors;
   EXPECT_TRUE(has(played.output, "exercise P1") && !has(played.output, "exercise P2")) << played.output;
   const ProgramRun bad =
-      run_hairlab({"scenes", "--course", folder.write("bad.json", "{\"exercises\": {\"X1\": {}}}")});
+      run_hairlab({"scenes", "--course", folder.write("bad.json", "{\"exercises\": {\"none\": {}}}")});
   EXPECT_EQ(bad.code, 2);
-  EXPECT_TRUE(has(bad.errors, "bad.json: exercises.X1: there is no such exercise")) << bad.errors;
+  EXPECT_TRUE(has(bad.errors, "bad.json: exercises.none: there is no such exercise")) << bad.errors;
   EXPECT_EQ(lines_of(bad.errors), 1);
 }
 
