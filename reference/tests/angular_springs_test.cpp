@@ -20,15 +20,15 @@ namespace {
 using std::numbers::pi;
 
 VectorXd bend_force(const Strand& strand, const VectorXd& x) {
-  VectorXd f = VectorXd::Zero(x.size());
-  add_bend_force(strand, x, f);
-  return f;
+  VectorXd sum = VectorXd::Zero(x.size());
+  add_bend_force(strand, x, sum);
+  return sum;
 }
 
 VectorXd bend_product(const Strand& strand, const VectorXd& x, const VectorXd& dx) {
-  VectorXd df = VectorXd::Zero(x.size());
-  add_bend_product(strand, x, dx, df);
-  return df;
+  VectorXd sum = VectorXd::Zero(x.size());
+  add_bend_product(strand, x, dx, sum);
+  return sum;
 }
 
 MatrixXd bend_matrix(const Strand& strand, const VectorXd& x) {
@@ -38,9 +38,9 @@ MatrixXd bend_matrix(const Strand& strand, const VectorXd& x) {
 MatrixXd bend_matrix_spd(const Strand& strand, const VectorXd& x) {
   return matrix_of(
       [&](const VectorXd& dx) {
-        VectorXd df = VectorXd::Zero(x.size());
-        add_bend_product_spd(strand, x, dx, df);
-        return df;
+        VectorXd sum = VectorXd::Zero(x.size());
+        add_bend_product_spd(strand, x, dx, sum);
+        return sum;
       },
       x.size());
 }
