@@ -45,7 +45,7 @@ TEST(Watchdog, EndsWhatSleeps) {
   Waiting sleeper({"/usr/bin/sleep", "1000"}, {.idle_seconds = 0.6, .cpu_seconds = 10});
   const Watchdog& watchdog = sleeper.wait();
   EXPECT_STREQ(watchdog.why(), "asleep");
-  EXPECT_NEAR(watchdog.idle_seconds(), 0.75, 0.2);
+  EXPECT_GT(watchdog.idle_seconds(), 0.6);
 }
 
 // The kernel calls this state D, as if it waited for a disk.

@@ -98,15 +98,16 @@ TEST_F(StudentTest, IsStartedAgainUntilItsRestartsAreUsedUp) {
   EXPECT_EQ(student.starts(), 1 + static_cast<int>(allowance_->limit.restarts));
 }
 
-// What idles in all of its starts idles in all no longer than one that never wakes up.
+// What idles in all of its starts idles in all no longer than one that never wakes up. A nap of 0.15 s on a busy machine is partly one
+// that waits for a processor: there it takes more of them.
 TEST_F(StudentTest, IdlesNoLongerInSeveralStarts) {
   allowance_->limit.restarts = 1000;
+  allowance_->limit.worker_cpu_seconds = 1000;
   allowance_->limit.idle_seconds = 1;
-  allowance_->limit.worker_cpu_seconds = 1;
   Student student = this->student("naps-and-crashes");
-  ask(student, 100);
-  EXPECT_TRUE(student.gave_up());
-  EXPECT_LT(student.starts(), 20);
+  ask(student, 500);
+  ASSERT_TRUE(student.gave_up());
+  EXPECT_EQ(student.gave_up()->note, "used up: idle time");
 }
 
 TEST_F(StudentTest, IsEndedTwiceWhenItSleeps) {

@@ -103,7 +103,7 @@ ShardRun run_shard(std::vector<std::string> words, const fs::path& terminal) {
   for (pid_t ended = 0; ended != process; ended = waitpid(-1, &status, 0)) {
   }
   run.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(10);
   for (;;) {
     const pid_t ended = waitpid(-1, nullptr, WNOHANG);
     if (ended < 0) break;  // there is no child any more

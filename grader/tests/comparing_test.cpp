@@ -5,12 +5,10 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "grader/compare/compare.h"
 #include "grader/compare/test_pictures.h"
@@ -241,10 +239,11 @@ TEST_F(Comparing, InterruptedItLeavesNothing) {
     put("a/" + name, frame(0));
     put("b/" + name, frame(i));
   }
-  const ProgramRun run = run_hairgrade({"compare", path("a"), path("b"), "--out", out()}, [&](int process) {
-    while (!fs::exists(out())) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    kill(process, SIGINT);
-  });
+  const auto interrupt = [&](const RunningProgram& compares) {
+    EXPECT_TRUE(compares.wait_until([&] { return fs::exists(out()); }));
+    kill(compares.process, SIGINT);
+  };
+  const ProgramRun run = run_hairgrade({"compare", path("a"), path("b"), "--out", out()}, interrupt);
   EXPECT_EQ(run.code, 130);
   EXPECT_EQ(run.errors, "hairgrade: interrupted; nothing was written\n");
   EXPECT_FALSE(fs::exists(out()));

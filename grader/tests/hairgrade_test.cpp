@@ -66,7 +66,8 @@ class Hairgrade : public testing::Test {
   }
   string out() const { return (folder_ / "grades").string(); }
 
-  static ProgramRun grade(std::vector<string> arguments, const std::function<void(int)>& meanwhile = {}) {
+  static ProgramRun grade(std::vector<string> arguments,
+                          const std::function<void(const RunningProgram&)>& meanwhile = {}) {
     arguments.insert(arguments.begin(), "grade");
     const auto add = [&](const string& option, const char* file) {
       if (std::ranges::count(arguments, option) == 0)
@@ -403,18 +404,16 @@ TEST_F(Hairgrade, KeepsWhatIsFinishedWhenInterrupted) {
   const string everybody = (folder_ / "class").string();
   add("stubs");
   ASSERT_EQ(grade({everybody, "--out", out()}).code, 0);
-  // One at a time: `other-order` is graded at once, `sleeps` sleeps until the watchdog comes, and `stubs` is not
-  // reached.
+  // One at a time: `sleeps` would sleep until the watchdog comes, and `stubs` is not reached.
   add("other-order");
   fs::create_directories(folder_ / "class" / "sleeps");
   std::ofstream(folder_ / "class" / "sleeps" / "conj_grad.cpp")
       << "#include <unistd.h>\nstruct Sleep { Sleep() { sleep(100); } } now;\n"
       << code_of("perfect", "conj_grad.cpp");
   const fs::path first = fs::path(out()) / "other-order" / "results.json";
-  const ProgramRun run = grade({everybody, "--out", out(), "-j", "1"}, [&](int process) {
-    for (int i = 0; i < 2400 && !fs::exists(first); ++i) usleep(50000);
-    usleep(2000000);         // `sleeps` is at it by then, and takes ten seconds
-    kill(-process, SIGINT);  // as Ctrl-C does, to all that runs
+  const ProgramRun run = grade({everybody, "--out", out(), "-j", "1"}, [&](const RunningProgram& grades) {
+    EXPECT_TRUE(grades.wait_until([&] { return fs::exists(first); }));
+    kill(-grades.process, SIGINT);  // as Ctrl-C does, to all that runs
   });
   EXPECT_EQ(run.code, 130) << run.errors;
   EXPECT_NE(run.errors.find("--resume"), string::npos) << run.errors;

@@ -9,6 +9,7 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <latch>
 #include <map>
 #include <stdexcept>
 #include <thread>
@@ -32,19 +33,6 @@ string sample(const string& name) {
   throw std::runtime_error("the sample class has no " + name);
 }
 
-bool has_open(int process, const fs::path& file) {
-  std::error_code error;
-  for (const auto& descriptor : fs::directory_iterator("/proc/" + std::to_string(process) + "/fd", error))
-    if (fs::read_symlink(descriptor.path(), error) == file) return true;
-  return false;
-}
-
-bool wait_for(const std::function<bool()>& what) {
-  for (int i = 0; i < 600'000; ++i, usleep(1000))
-    if (what()) return true;
-  return false;
-}
-
 int lines_with(const string& text, const string& words) {
   int lines = 0;
   for (std::size_t at = text.find(words); at != string::npos; at = text.find(words, at + 1)) ++lines;
@@ -66,7 +54,8 @@ class OneFolder : public testing::Test {
     return (common_->path() / name).string();
   }
   static ProgramRun grade(const std::vector<string>& samples, const fs::path& out,
-                          std::vector<string> options = {}, const std::function<void(int)>& meanwhile = {}) {
+                          std::vector<string> options = {},
+                          const std::function<void(const RunningProgram&)>& meanwhile = {}) {
     std::vector<string> words = {"grade", "--out", out.string(), "--exercise", "S2"};
     for (const string& name : samples) words.push_back(sample(name));
     const auto add = [&](const string& option, const string& value) {
@@ -104,23 +93,22 @@ class OneFolder : public testing::Test {
 TEST_F(OneFolder, FourAtOnceOfWhichOneIsKilledLoseNothing) {
   const std::vector<string> first = {"other-order", "perfect", "textbook"};
   const std::array<string, 3> others = {"stubs", "segfault", "prints-success"};
-  const auto is_waiting = [&](int process) { return has_open(process, out_ / ".lock"); };
   std::array<ProgramRun, 3> runs;
-  std::atomic<int> waiting = 0;
-  const ProgramRun killed = grade(first, out_, {"-j", "1"}, [&](int process) {
-    EXPECT_TRUE(wait_for([&] { return fs::exists(out_ / "staff" / "other-order.json"); }));
-    kill(-process, SIGSTOP);
+  std::latch all_wait(others.size());
+  const ProgramRun killed = grade(first, out_, {"-j", "1"}, [&](const RunningProgram& grades) {
+    EXPECT_TRUE(grades.wait_until([&] { return fs::exists(out_ / "staff" / "other-order.json"); }));
+    kill(-grades.process, SIGSTOP);
     std::vector<std::jthread> graders;
     for (std::size_t i = 0; i < others.size(); ++i)
       graders.emplace_back([&, i] {
-        runs[i] = grade({others[i]}, out_, {}, [&](int other) {
-          if (wait_for([&] { return is_waiting(other); })) ++waiting;
+        runs[i] = grade({others[i]}, out_, {}, [&](const RunningProgram& other) {
+          EXPECT_TRUE(other.wait_until_it_says(kWaiting));
+          all_wait.count_down();
         });
       });
-    EXPECT_TRUE(wait_for([&] { return waiting == 3; }));
-    usleep(300'000);  // for what they say
+    all_wait.wait();
     EXPECT_FALSE(fs::exists(out_ / "stubs"));
-    kill(-process, SIGKILL);
+    kill(-grades.process, SIGKILL);
   });
   EXPECT_EQ(killed.code, -1);
   for (const ProgramRun& run : runs) {
@@ -152,10 +140,9 @@ TEST_F(OneFolder, CanBeLeftWhileItIsWaitedFor) {
   fs::create_directory(out_);
   const Descriptor lock(open((out_ / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600));
   ASSERT_EQ(flock(lock.get(), LOCK_EX), 0);
-  const ProgramRun run = grade({"stubs"}, out_, {}, [&](int process) {
-    EXPECT_TRUE(wait_for([&] { return has_open(process, out_ / ".lock"); }));
-    usleep(300'000);
-    kill(-process, SIGINT);
+  const ProgramRun run = grade({"stubs"}, out_, {}, [&](const RunningProgram& waits) {
+    EXPECT_TRUE(waits.wait_until_it_says(kWaiting));
+    kill(-waits.process, SIGINT);
   });
   EXPECT_EQ(run.code, 130) << run.errors;
   EXPECT_EQ(run.errors, "hairgrade: " + out_.string() + kWaiting +

@@ -96,7 +96,7 @@ class PublicChecks : public testing::Test {
                 Build build) const {
     const fs::path job = kit_.new_job(name + (build == Build::sanitised ? "-sanitised" : "-ordinary"));
     const Exercise& exercise = *course_.find(id_);
-    const Compiled compiled = compiler.compile(exercise, source, job, 60, build);
+    const Compiled compiled = compiler.compile(exercise, source, job, 600, build);
     if (compiled.object.empty()) return {false, false, compiled.log};
     Cage cage;
     cage.mounts = library_mounts();
@@ -108,8 +108,8 @@ class PublicChecks : public testing::Test {
       cage.mounts.push_back(
           {kit_.folder() / "lib" / (prerequisite + ".so"), "/objects/" + prerequisite + ".so"});
     cage.syscalls = Syscalls::toolchain;  // prlimit starts it
-    cage.limits.cpu_seconds = 20;         // right programs take one or two
-    cage.limits.wall_seconds = 1200;
+    cage.limits.cpu_seconds = 40;         // right programs take one or two
+    cage.limits.wall_seconds = 3600;
     Limits inner = cage.limits;
     if (build == Build::sanitised) {
       for (const auto& library : fs::directory_iterator(kit_.folder() / "sanitised/lib"))

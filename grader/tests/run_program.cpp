@@ -3,31 +3,32 @@
 
 #include <cstdlib>
 #include <iostream>
-#include <thread>
 
-#include "grader/sandbox/descriptor.h"
+#include "hair/io/files/read_file.h"
 #include "hair/io/files/start_program.h"
+#include "hair/io/files/temporary_folder.h"
 
 namespace grader {
 
+bool RunningProgram::wait_until(const std::function<bool()>& happened) const {
+  return hair::wait_until(happened, process);
+}
+
+bool RunningProgram::wait_until_it_says(const std::string& words) const {
+  return wait_until([&] { return hair::bytes_of(errors).find(words) != std::string::npos; });
+}
+
 ProgramRun run_hairgrade(const std::vector<std::string>& arguments,
-                         const std::function<void(int)>& meanwhile) {
-  Pipe out = make_pipe(), errors = make_pipe();
+                         const std::function<void(const RunningProgram&)>& meanwhile) {
+  const hair::TemporaryFolder temporary{"hairgrade"};
+  const std::filesystem::path output = temporary.path() / "output", errors = temporary.path() / "errors";
   std::vector<std::string> words = {HAIRGRADE};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  const pid_t process = hair::start_program({.words = words,
-                                             .output = out.write_end.get(),
-                                             .errors = errors.write_end.get(),
-                                             .leads_group = static_cast<bool>(meanwhile)});
-  out.write_end.close();
-  errors.write_end.close();
-
-  ProgramRun run;
-  std::jthread reader([&] { run.errors = read_all(errors.read_end, 1 << 20, 600); });
-  if (meanwhile) meanwhile(process);
-  run.output = read_all(out.read_end, 1 << 20, 600);
-  reader.join();
-  run.code = hair::exit_code_of(process).value_or(-1);
+  const pid_t process = hair::start_program(
+      {.words = words, .output = output, .errors = errors, .leads_group = static_cast<bool>(meanwhile)});
+  if (meanwhile) meanwhile({process, errors});
+  const int code = hair::exit_code_of(process).value_or(-1);
+  ProgramRun run{code, hair::bytes_of(output), hair::bytes_of(errors)};
   // Not bad input, but something that went wrong: a test that fails of it says what.
   if (run.code == 1 || run.code == -1)
     std::cout << HAIRGRADE << " ended with " << run.code << ": " << run.errors << "\n";

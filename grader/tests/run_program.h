@@ -1,6 +1,7 @@
 // STAFF ONLY. Runs hairgrade as a user does.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -12,10 +13,19 @@ struct ProgramRun {
   std::string output, errors;
 };
 
-// Runs hairgrade with these arguments. `meanwhile` is called with its process id once it runs, which is also
-// the id of its process group.
+// A hairgrade that runs: the id of its process, which is also that of its process group, and the file that its errors go to.
+struct RunningProgram {
+  int process;
+  std::filesystem::path errors;
+
+  // Waits until something has happened. False: the program ended before.
+  bool wait_until(const std::function<bool()>& happened) const;
+  bool wait_until_it_says(const std::string& words) const;
+};
+
+// Runs hairgrade with these arguments, and calls `meanwhile` once it runs.
 ProgramRun run_hairgrade(const std::vector<std::string>& arguments,
-                         const std::function<void(int)>& meanwhile = {});
+                         const std::function<void(const RunningProgram&)>& meanwhile = {});
 
 // A variable of the environment, or what stands for it.
 std::string environment(const char* name, const std::string& otherwise);

@@ -5,10 +5,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <chrono>
 #include <csignal>
 #include <fstream>
-#include <sstream>
 #include <thread>
 
 #include "grader/course/input.h"
@@ -33,6 +31,7 @@ class Folder : public testing::Test {
     return FolderOfGrades::open(grades_, made_by, interrupted_, said_);
   }
   void add_result(const std::string& name) const { write_file(grades_ / name / "results.json", "{}"); }
+  std::string said() const { return hair::bytes_of(said_file_); }
   std::string memory() const { return hair::bytes_of(grades_ / kMadeBy); }
   // The line with which the folder refuses; "" if it does not.
   std::string refusal(const MadeBy& made_by) {
@@ -56,13 +55,14 @@ class Folder : public testing::Test {
   fs::path grades_ = temporary_.path() / "of" / "grades";
   MadeBy mine_, other_;
   std::atomic<bool> interrupted_ = false;
-  std::ostringstream said_;
+  const fs::path said_file_ = temporary_.path() / "said";
+  std::ofstream said_{said_file_};
 };
 
 TEST_F(Folder, RemembersWhatMadeItBeforeTheFirstResult) {
   EXPECT_TRUE(open(mine_));
   EXPECT_EQ(made_by_from_json(memory()), mine_);
-  EXPECT_EQ(said_.str(), "");
+  EXPECT_EQ(said(), "");
 }
 
 TEST_F(Folder, WithResultsRefusesWhatWasMadeOtherwise) {
@@ -103,27 +103,30 @@ TEST_F(Folder, IsUsedByOneAtATime) {
   std::optional<FolderOfGrades> first = open(mine_);
   std::atomic<bool> has_it = false;
   std::jthread second([&] { has_it = open(mine_).has_value(); });
-  std::this_thread::sleep_for(std::chrono::milliseconds(500));
+  while (said().empty() && !has_it) std::this_thread::yield();
   EXPECT_FALSE(has_it);
   first.reset();
   second.join();
   EXPECT_TRUE(has_it);
-  EXPECT_EQ(said_.str(), "hairgrade: " + grades_.string() +
-                             " is in use by another hairgrade; waiting until it has finished\n")
+  EXPECT_EQ(said(), "hairgrade: " + grades_.string() +
+                        " is in use by another hairgrade; waiting until it has finished\n")
       << "once, however long it waits";
 }
 
 TEST_F(Folder, IsCheckedOnceMoreAfterTheWait) {
   std::optional<FolderOfGrades> first = open(mine_);
   std::string refused;
+  std::atomic<bool> is_over = false;
   std::jthread second([&] {
     try {
       open(other_);
     } catch (const BadInput& line) {
       refused = line.what();
     }
+    is_over = true;
   });
-  std::this_thread::sleep_for(std::chrono::milliseconds(200));
+  while (said().empty() && !is_over) std::this_thread::yield();
+  EXPECT_FALSE(is_over);
   add_result("alice");
   first.reset();
   second.join();
@@ -138,25 +141,26 @@ TEST_F(Folder, IsNotWaitedForAfterCtrlC) {
 
 // As with `kill -9`: the process has no time for anything, and a program that it started lives on.
 TEST_F(Folder, IsFreeOnceItsProcessIsKilled) {
+  Pipe ready = make_pipe();
   const pid_t process = fork();
   if (process == 0) {
     setpgid(0, 0);
     try {
       const std::optional<FolderOfGrades> held = open(mine_);
-      if (fork() == 0) execlp("sleep", "sleep", "20", nullptr);
-      add_result("alice");
+      if (fork() == 0) execlp("sleep", "sleep", "infinity", nullptr);
+      ready.write_end.close();
       pause();
     } catch (const BadInput&) {
     }
     _exit(1);
   }
-  for (int i = 0; i < 10'000 && !fs::exists(grades_ / "alice" / "results.json"); ++i) usleep(1000);
-  usleep(100'000);  // its child has become `sleep` by then
+  ready.write_end.close();
+  char none;
+  EXPECT_EQ(read(ready.read_end.get(), &none, 1), 0);  // it has the folder, and its child has become `sleep`
   kill(process, SIGKILL);
   waitpid(process, nullptr, 0);
-  const auto start = std::chrono::steady_clock::now();
   EXPECT_TRUE(open(mine_));
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
+  EXPECT_EQ(said(), "") << "it waited";
   kill(-process, SIGKILL);  // `sleep`
 }
 

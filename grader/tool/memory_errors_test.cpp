@@ -46,7 +46,7 @@ class MemoryErrorsTest : public testing::Test {
            body + "\n}\n";
   }
 
-  Compiled sanitised(const std::string& source, const std::string& name, double seconds = 20) const {
+  Compiled sanitised(const std::string& source, const std::string& name, double seconds = 200) const {
     return compiler_.compile(s1_, source, kit_.new_job(name), seconds, Build::sanitised);
   }
 
@@ -257,7 +257,7 @@ TEST_F(MemoryErrorsTest, AreLookedForAtNoOthersCost) {
 TEST_F(MemoryErrorsTest, AreCachedApart) {
   const std::string source =
       function("return x[0];") + "// for the cache, " + std::to_string(getpid()) + "\n";
-  const Compiled ordinary = compiler_.compile(s1_, source, kit_.new_job("cache-1"), 20);
+  const Compiled ordinary = compiler_.compile(s1_, source, kit_.new_job("cache-1"), 200);
   const Compiled first = sanitised(source, "cache-2"), second = sanitised(source, "cache-3");
   EXPECT_GT(first.cpu_seconds, 0) << "the ordinary object took its place";
   EXPECT_EQ(second.cpu_seconds, 0) << "compiled again";

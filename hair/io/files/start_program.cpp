@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <system_error>
+#include <thread>
 
 namespace hair {
 namespace {
@@ -58,6 +60,17 @@ pid_t start_program(const Program& program) {
   posix_spawnattr_destroy(&attributes);
   if (error != 0) throw std::system_error(error, std::generic_category(), program.words[0]);
   return process;
+}
+
+bool wait_until(const std::function<bool()>& happened, pid_t process) {
+  for (bool ended = false; !happened(); std::this_thread::sleep_for(std::chrono::milliseconds(1))) {
+    if (ended) return false;
+    siginfo_t end{};
+    if (waitid(P_PID, static_cast<id_t>(process), &end, WEXITED | WNOHANG | WNOWAIT) != 0)
+      throw std::system_error(errno, std::generic_category(), "waitid");
+    ended = end.si_pid == process;
+  }
+  return true;
 }
 
 std::optional<int> exit_code_of(pid_t process) {

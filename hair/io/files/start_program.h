@@ -1,9 +1,10 @@
-// Starts another program, and waits for its end.
+// Starts another program, and waits for its end or for something that it does.
 #pragma once
 
 #include <sys/types.h>
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <variant>
@@ -25,6 +26,9 @@ struct Program {
 
 // Returns its process id. Throws std::system_error, with the program's path, if it can't be started.
 pid_t start_program(const Program& program);
+
+// Waits until something has happened. False: the program has ended before; exit_code_of still tells how.
+bool wait_until(const std::function<bool()>& happened, pid_t process);
 
 // Waits until it has ended. Returns its exit code, or nothing if a signal ended it.
 std::optional<int> exit_code_of(pid_t process);

@@ -1,6 +1,7 @@
 #include "hair/io/files/start_program.h"
 
 #include <gtest/gtest.h>
+#include <signal.h>
 #include <stdlib.h>
 
 #include <system_error>
@@ -49,6 +50,19 @@ TEST(StartProgram, ItMayLeadAGroup) {
     EXPECT_EQ(exit_code_of(process), 0);
     EXPECT_EQ(bytes_of(out) == std::to_string(process) + "\n", leads);
   }
+}
+
+TEST(StartProgram, ItIsWaitedForUntilSomethingHappensOrItEnds) {
+  const TemporaryFolder folder("start-program");
+  const auto is_there = [&] { return std::filesystem::exists(folder.path() / "file"); };
+  const pid_t ends = start_program({.words = shell("exit 7")});
+  EXPECT_FALSE(wait_until(is_there, ends));
+  EXPECT_EQ(exit_code_of(ends), 7);
+  const pid_t goes_on =
+      start_program({.words = shell("sleep 0.1; : >file; exec sleep 1000"), .folder = folder.path()});
+  EXPECT_TRUE(wait_until(is_there, goes_on));
+  kill(goes_on, SIGKILL);
+  EXPECT_EQ(exit_code_of(goes_on), std::nullopt);
 }
 
 }  // namespace

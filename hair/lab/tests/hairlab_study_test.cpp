@@ -2,9 +2,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <chrono>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "hair/lab/tests/run_hairlab.h"
 
@@ -38,10 +36,9 @@ class HairlabStudy : public testing::Test {
     settings.environment.push_back("XDG_CACHE_HOME=" + (folder_ / "cache").string());
     return run_hairlab(arguments, settings);
   }
-  // Until a run is finished and kept; half a minute at most.
-  void wait_for_a_run() const {
-    for (int k = 0; k < 30000 && !fs::exists(out_ / "study.json"); ++k)
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  // Until a run is finished and kept.
+  void wait_for_a_run(int process) const {
+    EXPECT_TRUE(wait_until([&] { return fs::exists(out_ / "study.json"); }, process));
   }
   Json record() const { return Json::parse(bytes_of(out_ / "study.json")); }
   void expect_refused(const ProgramRun& run, int code, const std::string& part) {
@@ -83,7 +80,7 @@ TEST_F(HairlabStudy, WritesRecordTableAndPageAndIsQuietInAPipe) {
 TEST_F(HairlabStudy, InterruptedKeepsWhatIsFinishedAndGoesOn) {
   ProgramSettings settings;
   settings.meanwhile = [&](int process) {
-    wait_for_a_run();
+    wait_for_a_run(process);
     kill(process, SIGINT);
   };
   const ProgramRun run = study(kMany, settings);
@@ -113,7 +110,7 @@ TEST_F(HairlabStudy, InterruptedKeepsWhatIsFinishedAndGoesOn) {
 TEST_F(HairlabStudy, KilledKeepsTheRunsOfBefore) {
   ProgramSettings settings;
   settings.meanwhile = [&](int process) {
-    wait_for_a_run();
+    wait_for_a_run(process);
     kill(process, SIGKILL);
   };
   settings.environment = {"XDG_CACHE_HOME=" + (folder_ / "cache").string()};

@@ -4,11 +4,9 @@
 
 #include <algorithm>
 #include <charconv>
-#include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <thread>
 
 #include "hair/lab/run/states_csv.h"
 #include "hair/lab/run/states_file.h"
@@ -290,9 +288,8 @@ TEST_F(Hairlab, KeepsWhatIsFinishedWhenItIsInterrupted) {
   ProgramSettings settings;
   settings.meanwhile = [&](int process) {
     // As soon as it plays, its hidden folder is there.
-    const std::string playing = ".hairlab-out-" + std::to_string(process);
-    for (int k = 0; k < 2000 && !fs::exists(folder_ / (playing + "/frame-0003.png")); ++k)
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    const fs::path playing = folder_ / (".hairlab-out-" + std::to_string(process));
+    EXPECT_TRUE(wait_until([&] { return fs::exists(playing / "frame-0003.png"); }, process));
     EXPECT_FALSE(fs::exists(out_));
     kill(process, SIGINT);
   };

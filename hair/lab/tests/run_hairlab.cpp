@@ -4,7 +4,6 @@
 #include <fstream>
 
 #include "hair/io/files/read_file.h"
-#include "hair/io/files/start_program.h"
 
 namespace hair {
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hair/io/files/read_file.h"
+#include "hair/io/files/start_program.h"
 #include "hair/io/files/temporary_folder.h"
 
 namespace hair {

@@ -2,9 +2,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <chrono>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "hair/lab/tests/run_hairlab.h"
 
@@ -52,9 +50,8 @@ TEST(HairlabSolver, AnInterruptionLeavesNothing) {
   ProgramSettings settings;
   settings.meanwhile = [&](int process) {
     // As soon as it studies, its hidden folder is there.
-    const std::string studying = ".hairlab-out-" + std::to_string(process);
-    for (int k = 0; k < 2000 && !fs::exists(folder / studying); ++k)
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    const fs::path studying = folder / (".hairlab-out-" + std::to_string(process));
+    EXPECT_TRUE(wait_until([&] { return fs::exists(studying); }, process));
     kill(process, SIGINT);
   };
   const ProgramRun run = run_hairlab({"solver", "--out", (folder / "out").string()}, settings);

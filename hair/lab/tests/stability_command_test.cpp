@@ -90,8 +90,11 @@ TEST_F(StabilityCommand, ResumedKeepsTheMapsThatAreFinishedAndMakesTheOthers) {
 // Whole it takes 20 seconds.
 TEST_F(StabilityCommand, InterruptedKeepsWhatIsFinished) {
   ProgramSettings settings;
-  settings.meanwhile = [](int process) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(900));
+  settings.meanwhile = [&](int process) {
+    // As soon as it studies, its hidden folder is there. In a second it finishes some maps, or none on a slow machine.
+    const std::filesystem::path studying = folder_ / (".hairlab-out-" + std::to_string(process));
+    EXPECT_TRUE(wait_until([&] { return std::filesystem::exists(studying); }, process));
+    std::this_thread::sleep_for(std::chrono::seconds(1));
     kill(process, SIGINT);
   };
   const ProgramRun run =

@@ -2,9 +2,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
-#include <chrono>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "hair/lab/tests/run_hairlab.h"
 
@@ -102,8 +100,7 @@ TEST(ValidateCommand, KeepsWhatIsFinishedWhenItIsInterrupted) {
   ProgramSettings settings;
   settings.meanwhile = [&](int process) {
     const fs::path hidden = folder / (".hairlab-out-" + std::to_string(process));
-    for (int k = 0; k < 2000 && !fs::exists(hidden); ++k)
-      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    EXPECT_TRUE(wait_until([&] { return fs::exists(hidden); }, process));
     kill(process, SIGINT);
   };
   const ProgramRun run = run_hairlab({"validate", "--out", (folder / "out").string()}, settings);
