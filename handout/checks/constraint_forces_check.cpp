@@ -273,6 +273,13 @@ TEST(SolveConstraints, ReportsHowFarItCame) {
   EXPECT_GT(report.steps, 0);
   EXPECT_LE(report.residual, 1e-8)
       << "||right-hand side - J W J^T lambda||, for a right-hand side of about 10";
+  Example pulled = system;
+  pulled.f *= 1e6;
+  const ConstraintReport large =
+      solve_constraints(pulled.constraints, pulled.particles, pulled.state, pulled.f, lambda);
+  EXPECT_LE(large.residual, 1.001e-10 * product(pulled, lambda).norm())
+      << "the same with a million times the forces; bound: 1e-10 times the norm of the right-hand side, "
+         "which is that of J W J^T lambda but for the residual";
   // Two free particles in one place, a rod of length 0 between them, and they part at 3 m/s: J = 0, so that nothing
   // can solve 0 = -J' v = -9, and all of it is left.
   Example apart = pendulum();
@@ -286,6 +293,26 @@ TEST(SolveConstraints, ReportsHowFarItCame) {
       << "the residual where the ends of a rod of length 0 part at 3 m/s: the norm of the right-hand side, "
          "and not "
          "its square; bound: rounding";
+}
+
+TEST(SolveConstraints, TakesTheStepsThatALongChainNeeds) {
+  // 150 particles of 1 kg in a row, 0.1 m apart, the first one pinned: 149 rows, and as many iterations.
+  constexpr int kCount = 150;
+  Example chain;
+  chain.particles = {VectorXd::Ones(kCount), std::vector<char>(kCount, 0)};
+  chain.particles.pinned[0] = 1;
+  chain.state = {VectorXd::Zero(3 * kCount), VectorXd::Zero(3 * kCount)};
+  for (int i = 1; i < kCount; ++i) {
+    chain.state.x[3 * i] = 0.1 * i;
+    chain.constraints.rods.push_back({i - 1, i, 0.1});
+  }
+  chain.f = scattered_vector(3 * kCount, 4);
+  VectorXd lambda(kCount - 1);
+  const ConstraintReport report =
+      solve_constraints(chain.constraints, chain.particles, chain.state, chain.f, lambda);
+  EXPECT_LE(report.residual, 1.001e-10 * product(chain, lambda).norm())
+      << "the residual after " << report.steps
+      << " iterations; bound: 1e-10 times the norm of the right-hand side. The limit is max(100, 20 rows)";
 }
 
 TEST(SolveConstraints, GivesTheSameForcesHoweverOftenItIsAsked) {

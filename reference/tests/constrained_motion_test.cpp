@@ -63,25 +63,6 @@ void step(ConstrainedMotion& motion, double h) {
   motion.state = state;
 }
 
-TEST(Pendulum, IsPulledByWeightAndCentripetalForce) {
-  for (double angle : {0.0, 0.4, 2.5})
-    for (double speed : {0.0, 1.0, 7.0}) {
-      ConstrainedMotion motion = pendulum(0.8, 2.5, angle);
-      motion.state.v.tail<3>() = speed * Vector3d(std::cos(angle), 0, std::sin(angle));
-      motion.solve();
-      const double pull = 2.5 * (kGravity * std::cos(angle) + speed * speed / 0.8);
-      EXPECT_NEAR(motion.lambda[0], -pull / 0.8, 1e-9 * 2.5 * (kGravity + 64)) << angle << ", " << speed;
-    }
-}
-
-TEST(Bead, HangsFromItsPlaneAndIsTurnedByItsWire) {
-  ConstrainedMotion motion = bead(2, 0.25, 0);
-  motion.constraints.wires[0].normal = Vector3d::UnitZ();  // level
-  motion.state = {2 * Vector3d::UnitX(), 4 * Vector3d::UnitY()};
-  motion.solve();
-  EXPECT_LE((motion.lambda - Vector2d(-0.25 * 16 / 4, 0.25 * kGravity)).norm(), 1e-9);
-}
-
 // T = 2 pi sqrt(L / g) / agm(1, cos(angle / 2)): Gauss.
 double period(double length, double angle) {
   double a = 1, b = std::cos(angle / 2);
