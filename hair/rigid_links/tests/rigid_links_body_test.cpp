@@ -1,17 +1,13 @@
-// STAFF ONLY. Strands of rigid links: what a body promises, and hair that hangs, twists and coils.
+// STAFF ONLY. Strands of rigid links, beyond what all bodies promise (hair/simulation/tests/bodies_test.cpp): hair that hangs, twists
+// and lies on a table.
 #include "hair/rigid_links/rigid_links_body.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <memory>
-#include <numbers>
 
-#include "hair/lab/validate/elastica.h"
-#include "hair/strand/centre_line.h"
 #include "hair/strand/tests/bodies.h"
-#include "hair/strand/tests/placed_ball.h"
-#include "solver/tests/allocations.h"
 
 namespace hair {
 namespace {
@@ -30,64 +26,6 @@ std::unique_ptr<RigidLinksBody> body(const StrandSpec& spec, const Setting& sett
   strand.forces.gravity = setting.gravity;
   strand.forces.drag = setting.drag;
   return std::make_unique<RigidLinksBody>(std::move(strand), spec.root_velocity, setting.method);
-}
-
-TEST(RigidLinksBody, StartsOnItsRestShape) {
-  for (const StrandSpec& spec : {straight_hair(7), curl(48)}) {
-    const auto strand = body(spec);
-    EXPECT_LE((Line(*strand).x - rest_shape(spec).x).norm(), 1e-14 * spec.elements);
-    EXPECT_EQ(Line(*strand).v.norm(), 0);
-    EXPECT_EQ(strand->arc_lengths().size(), strand->points());
-  }
-}
-
-// A helix has curvature and torsion; the springs hold both, and without weight nothing moves.
-TEST(RigidLinksBody, RestsWithoutWeight) {
-  const auto strand = body(curl(48), {Vector3d::Zero()});
-  const VectorXd x = Line(*strand).x;
-  advance(*strand, 1.0 / 60, 600);
-  EXPECT_LE((Line(*strand).x - x).norm(), 1e-9);
-}
-
-TEST(RigidLinksBody, IsHeldAsItsSpecificationSays) {
-  StrandSpec spec = curl(24);
-  spec.start = {true, Vector3d(0.6, 0, 0.8), 1, false, Vector3d(3, 0, -2)};
-  const auto strand = body(spec);
-  const Line line(*strand);
-  for (int i = 1; i < strand->points(); ++i) {
-    const Vector3d arm = strand->arc_lengths()[i] * spec.start.direction;
-    EXPECT_LE((line.x.segment<3>(3 * i) - arm).norm(), 1e-14);
-    EXPECT_LE((line.v.segment<3>(3 * i) - spec.start.spin.cross(arm)).norm(), 1e-14);
-  }
-  spec.start.folded = true;
-  spec.form = Straight{};
-  EXPECT_LE(Line(*body(spec)).x.tail<3>().norm(), 1e-14);
-}
-
-TEST(RigidLinksBody, WhatIsWrittenIsReadAndMovesOnAsBefore) {
-  const auto one = body(curl(24)), other = body(curl(24));
-  advance(*one, 1e-3, 50);
-  const BodyState state(*one);
-  other->write(state.q, state.rate);
-  const BodyState again(*other);
-  EXPECT_LE((again.q - state.q).norm(), 1e-13);
-  EXPECT_LE((again.rate - state.rate).norm(), 1e-12 * state.rate.norm());
-  advance(*one, 1e-3, 20);
-  advance(*other, 1e-3, 20);
-  EXPECT_LE((Line(*one).x - Line(*other).x).norm(), 1e-9);
-  const BodyMeasures measures = one->measure(BodyState(*one).q, BodyState(*one).rate);
-  EXPECT_LE((*measures.tip - Vector3d(Line(*one).x.tail<3>())).norm(), 1e-15);
-}
-
-// The centre line's velocities are how it moves, and momenta are those of its mass.
-TEST(RigidLinksBody, VelocitiesAreThoseOfTheLine) {
-  const auto strand = body(curl(24));
-  advance(*strand, 1e-3, 40);
-  const double h = 1e-6;
-  const Line now(*strand);
-  advance(*strand, h, 1);
-  const Line then(*strand);
-  EXPECT_LE(((then.x - now.x) / h - then.v).norm(), 1e-3 * then.v.norm());
 }
 
 // Explicit and implicit steps end at the same place as steps get small, and keep energy to their order.
@@ -207,46 +145,6 @@ TEST(RigidLinksBody, ComesToRestForGood) {
   for (const double v : Line(*strand).v) EXPECT_TRUE(v == 0 || std::abs(v) > 1e-200) << v;
 }
 
-// The heavy elastica from a horizontal clamp: the tip is off by order 2 in the rods' length. At rest after each step, a step
-// goes down the energy; h = 2.8 sqrt(EI rho A) / (weight) is the longest that does (hair/rigid_links/tree_system.h).
-TEST(RigidLinksBody, ItsTipIsTheElasticasToTheSecondOrder) {
-  struct Load {
-    double gamma;
-    int coarse;
-  };
-  for (const auto& [gamma, coarse] :
-       {Load{1, 10}, Load{10, 10}, Load{100, 20}, Load{1000, 50}, Load{3800, 80}}) {
-    StrandSpec spec = straight_hair(coarse);
-    spec.root.axis = Vector3d(1, 0, 0);
-    spec.root.side = Vector3d(0, 0, 1);
-    const Material& material = spec.fibre.material;
-    const double EI = material.bend_rigidity(), line = material.line_density(), L = spec.length;
-    const double g = gamma * EI / (line * L * L * L);
-    const Eigen::Vector2d exact = L * elastica(gamma).tip();
-    double errors[2];
-    for (const int fine : {0, 1}) {
-      spec.elements = coarse << fine;
-      const auto strand = body(spec, {Vector3d(0, 0, -g)});
-      const double h = 2 * std::sqrt(EI * line) / (line * L * g);
-      Eigen::Vector3d tip = Vector3d::Zero(), before;
-      int steps = 0;
-      do {
-        before = tip;
-        for (int k = 0; k < 20; ++k, ++steps) {
-          advance(*strand, h, 1);
-          const BodyState state(*strand);
-          strand->write(state.q, VectorXd::Zero(state.q.size()));
-        }
-        tip = Line(*strand).x.tail<3>();
-      } while ((tip - before).norm() > 1e-13 * L && steps < 40000);
-      errors[fine] = (Eigen::Vector2d(tip.x(), -tip.z()) - exact).norm();
-    }
-    EXPECT_NEAR(std::log2(errors[0] / errors[1]), 2, 0.2)
-        << "Gamma " << gamma << ": " << errors[0] / L << ", " << errors[1] / L;
-    RecordProperty("gamma_" + std::to_string(static_cast<int>(gamma)), std::to_string(errors[1] / L));
-  }
-}
-
 // GJ phi'^2 / 2 and EI kappa^2 / 2 for each metre, but for the last half of a rod, which nothing bends.
 TEST(RigidLinksBody, ATwistAndAnArcHaveTheContinuumsEnergy) {
   StrandSpec spec = straight_hair(20);
@@ -308,48 +206,6 @@ TEST(RigidLinksBody, NoJointTurnsBeyondItsLimit) {
   EXPECT_GE(largest, 0.1) << "nothing meets a limit";
 }
 
-TEST(RigidLinksBody, ImplicitStepsFeelPointForces) {
-  const auto strand = body(straight_hair(10), {Vector3d::Zero(), 1e-4});
-  const PointForce pull{10, Vector3d(0, 0, -1e-5), Eigen::Matrix3d::Zero()};
-  const PointForce spring{5, Vector3d(1e-6, 0, 0), 1e6 * Eigen::Matrix3d::Identity()};
-  const PointForce forces[] = {pull, spring};
-  advance(*strand, 1.0 / 60, 1, forces);
-  // Such a stiffness holds the point: a step moves it by what the force is over the stiffness.
-  EXPECT_LE(std::abs(Line(*strand).x[15]), 1e-11);
-}
-
-void advance_among(const std::vector<Obstacle>& obstacles, Body& body, double h, int steps,
-                   double* deepest = nullptr, std::span<const PointForce> forces = {}) {
-  Eigen::MatrixXd scratch(0, 0);
-  for (int k = 0; k < steps; ++k) {
-    Work work;
-    ASSERT_FALSE(body.step({h, 1e-10, obstacles, forces}, scratch, work)) << "step " << k;
-    if (deepest) *deepest = std::max(*deepest, work.penetration);
-  }
-}
-
-// A hair that falls on a ball and slides off, at a sixtieth of a second; then it hangs beside it.
-TEST(RigidLinksBody, StaysOutOfABall) {
-  const Vector3d middle(0.05, 0, -0.05);
-  for (const Obstacle& one : {Obstacle{Sphere{middle, 0.03}}, Obstacle{Sphere{middle, 0.03}, 0.5},
-                              placed_ball(middle, 0.03, 0.5)}) {
-    const std::vector<Obstacle> ball = {one};
-    const double friction = one.friction;
-    StrandSpec spec = straight_hair(30, 0.15);
-    spec.clamped = false;
-    spec.start = {true, Vector3d(1, 0, 0)};
-    const auto strand = body(spec, {.drag = 2e-4});
-    double deepest = 0;
-    advance_among(ball, *strand, 1.0 / 60, 600, &deepest);
-    // The weight of all presses at most on one point: m n g = k depth. A step's way on a curved surface, v^2 h^2 / 2r with 1
-    // m/s, is cut off.
-    EXPECT_LE(deepest, 30 * 9.81 / (kContactRate * kContactRate) + 1.0 / (60 * 60 * 2 * 0.03)) << friction;
-    double left = 0;
-    advance_among(ball, *strand, 1.0 / 60, 60, &left);
-    EXPECT_LE(left, kRestingDepth) << friction;
-  }
-}
-
 // One rod lies on a table and turns about its root. Whatever carries it where, friction's moment is mu m g l / 2, against m l^2
 // / 3: it slows by 3/2 mu g / l.
 TEST(RigidLinksBody, FrictionSlowsARodOnATable) {
@@ -364,10 +220,10 @@ TEST(RigidLinksBody, FrictionSlowsARodOnATable) {
   const double slowing = 1.5 * mu * 9.81 / l;
   const auto strand = body(spec);
   const int steps = static_cast<int>(0.5 * speed / slowing / h);
-  advance_among(table, *strand, h, steps);
+  advance(*strand, h, steps, {}, table);
   // The first step has no friction yet; each step divides the rate by 1 + h slowing / rate.
   EXPECT_NEAR(rate(*strand), speed - slowing * h * steps, 3 * h * slowing);
-  advance_among(table, *strand, h, 3 * steps);
+  advance(*strand, h, 3 * steps, {}, table);
   EXPECT_LE(std::abs(rate(*strand)), kCreep / l);
   // A push across it below mu m g / 2 at its tip moves it by creep alone, and a larger one moves it.
   const double weight = spec.fibre.material.line_density() * l * 9.81;
@@ -375,7 +231,7 @@ TEST(RigidLinksBody, FrictionSlowsARodOnATable) {
   const auto pushed = [&](double part) {
     const Vector3d at = tip(), across = Vector3d(-at.y(), at.x(), 0) / l;
     const PointForce push{1, part * mu * weight * across, Eigen::Matrix3d::Zero()};
-    advance_among(table, *strand, h, 1000, nullptr, {&push, 1});
+    advance(*strand, h, 1000, {&push, 1}, table);
     return (tip() - at).norm();
   };
   EXPECT_LE(pushed(0.4), 2 * kCreep * 1000 * h);
@@ -390,31 +246,8 @@ TEST(RigidLinksBody, AMovingTableDragsItsHair) {
   spec.root.axis = Vector3d(1, 0, 0);
   spec.root.side = Vector3d(0, 0, 1);
   const auto strand = body(spec);
-  advance_among(table, *strand, 1e-3, 400);
+  advance(*strand, 1e-3, 400, {}, table);
   EXPECT_GT(Line(*strand).x[4], 1e-3);
-}
-
-TEST(RigidLinksBody, AllocatesNothing) {
-  const auto strand = body(curl(24), {.drag = 1e-4});
-  advance(*strand, 1e-3, 1);
-  Eigen::MatrixXd scratch(0, 0);
-  Work work;
-  const std::vector<Obstacle> none;
-  const long before = reference_tests::allocations();
-  for (int k = 0; k < 10; ++k) strand->step({1e-3, 1e-10, none, {}}, scratch, work);
-  EXPECT_EQ(reference_tests::allocations(), before);
-}
-
-TEST(RigidLinksBody, SaysWhatItCannotExpress) {
-  StrandSpec spec = straight_hair(3);
-  EXPECT_EQ(why_not_of_links(spec), "");
-  spec.fibre.skip_factor = 0.1;
-  EXPECT_EQ(why_not_of_links(spec),
-            "rigid links have no springs that skip a particle; the skip_factor must be 0");
-  spec = straight_hair(3);
-  spec.start = {true, Vector3d(1, 0, 0), 1.5};
-  EXPECT_EQ(why_not_of_links(spec), "rigid links don't stretch; the start's stretch must be 1");
-  EXPECT_THROW(link_strand(spec), std::invalid_argument);
 }
 
 }  // namespace
