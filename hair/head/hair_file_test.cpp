@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <limits>
 
 #include "hair/head/groom_bytes.h"
@@ -80,10 +79,8 @@ TEST(HairFile, WhatItCanNotHoldIsNotWritten) {
             "the groom has 1 numbers for its points' thickness; 2 are right");
 }
 
-TEST(HairFile, EveryLengthButItsOwnIsRefused) {
+TEST(HairFile, ACutOrALongerFileSaysWhere) {
   const std::string whole = Made().bytes();
-  for (std::size_t size = 0; size < whole.size(); ++size)
-    EXPECT_NE(complaint(whole.substr(0, size)), "") << size;
   EXPECT_EQ(complaint(whole.substr(0, 127)),
             "a.hair: is not a .hair file, which begins with \"HAIR\" and a header of 128 bytes");
   EXPECT_EQ(complaint(whole.substr(0, 150)),
@@ -118,18 +115,11 @@ TEST(HairFile, WhatIsNoGroomIsRefused) {
             "is right)");
 }
 
-TEST(HairFile, NumbersThatAreNotFiniteAreRefusedUnlessTheyAreAskedFor) {
-  for (const float bad : {std::numeric_limits<float>::quiet_NaN(), -std::numeric_limits<float>::infinity()}) {
-    Made made;
-    made.numbers[10] = bad;
-    EXPECT_EQ(complaint(made.bytes()),
-              "a.hair: byte 172: strand 1, point 1: has a number that is not finite");
-    EXPECT_FALSE(std::isfinite(parse_hair_file(made.bytes(), "a.hair", Numbers::any).strands[1][4]));
-    std::string bytes = Made().bytes(), number;
-    put_real(number, bad);
-    EXPECT_EQ(complaint(bytes.replace(20, 4, number)),
-              "a.hair: byte 20: the thickness has a number that is not finite");
-  }
+TEST(HairFile, ALookThatIsNotFiniteIsRefused) {
+  std::string bytes = Made().bytes(), number;
+  put_real(number, std::numeric_limits<float>::infinity());
+  EXPECT_EQ(complaint(bytes.replace(20, 4, number)),
+            "a.hair: byte 20: the thickness has a number that is not finite");
 }
 
 }  // namespace
