@@ -7,14 +7,32 @@
 
 #include "grader/compile/hash.h"
 #include "grader/course/input.h"
-#include "grader/tool/end_to_end_grading.h"
+#include "grader/sandbox/cage.h"
 #include "grader/tool/exercise_grading.h"
-#include "grader/tool/isolation.h"
 
 namespace grader {
 namespace {
 
 namespace fs = std::filesystem;
+
+// Tests whether this machine can isolate student code, by doing it: empty if a caged worker starts; otherwise the reason and a remedy.
+std::string why_not_isolated(const StagedKit& kit) {
+  if (!fs::exists("/usr/bin/bwrap")) return "bubblewrap is not installed; install the package bubblewrap";
+  Cage cage;
+  cage.mounts = runtime_library_mounts();
+  cage.mounts.push_back({kit.folder() / "worker", "/worker"});
+  Pipe output = make_pipe();
+  CagedProcess process(cage, {"/worker"}, -1, -1, output.write_end.get());
+  output.write_end.close();
+  const std::string text = read_all(output.read_end, 1000, 10);
+  const Ending ending = process.wait(10);
+  constexpr int kWorkerWithoutArguments = 2;
+  if (ending.code == kWorkerWithoutArguments) return {};
+  return "a caged program does not start: " + (text.empty() ? "no reason given\n" : text) +
+         "It needs bubblewrap 0.8 or later and unprivileged user namespaces (sysctl "
+         "kernel.unprivileged_userns_clone=1, "
+         "user.max_user_namespaces > 0; on Ubuntu kernel.apparmor_restrict_unprivileged_userns=0)";
+}
 
 // The settings, if this machine can do as they say.
 const GradingSettings& checked(const GradingSettings& settings, const StagedKit& kit) {
@@ -23,6 +41,53 @@ const GradingSettings& checked(const GradingSettings& settings, const StagedKit&
     throw BadInput("this machine can't isolate student code: " + why +
                    "; --unsafe-no-sandbox runs it all the same, and stamps the report");
   return settings;
+}
+
+// Why an exercise of a submission is not called in scenes that run end to end; nothing if it is.
+std::string why_not_called(Status status) {
+  switch (status) {
+    case Status::missing:
+      return "is missing";
+    case Status::not_implemented:
+      return "is not implemented yet";
+    case Status::does_not_compile:
+      return "does not compile";
+    case Status::timed_out:
+      return "takes too long";
+    case Status::out_of_memory:
+      return "takes too much memory";
+    case Status::broke_rules:
+      return "breaks the rules";
+    case Status::unreadable:
+      return "can't be read";
+    default:
+      return "";
+  }
+}
+
+// Runs all files of a submission together in the end-to-end scenes, which give no points: one worker for all of its objects, which
+// lie in the folders of `job`. Given exercises use the reference's objects, and exercises that can't be called use stubs: scenes
+// that need a stub are not run.
+SuiteJob end_to_end_job(const SuiteJobs& jobs, const fs::path& job, const SubmissionResult& result) {
+  const StagedKit& kit = jobs.kit();
+  SuiteJob suite = jobs.end_to_end(kit.new_job(job.filename() / kRuns));
+  for (const Exercise& exercise : jobs.settings().course.exercises) {
+    const std::string file = exercise.id + ".so";
+    fs::path object = kit.folder() / (exercise.role == Role::given ? "lib" : "stub") / file;
+    if (exercise.role == Role::absent) suite.left_out.insert(exercise.id);
+    for (const ExerciseResult& graded : result.exercises) {
+      if (graded.id != exercise.id) continue;
+      const fs::path compiled = job / exercise.id / file;
+      std::string why = why_not_called(graded.status);
+      if (why.empty() && !fs::exists(compiled)) why = "could not be graded";
+      if (why.empty())
+        object = compiled;
+      else
+        suite.unavailable[exercise.id] = why;
+    }
+    suite.objects.push_back(object);
+  }
+  return suite;
 }
 
 }  // namespace

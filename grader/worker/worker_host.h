@@ -2,10 +2,24 @@
 #pragma once
 
 #include "grader/exercise/server.h"
-#include "grader/worker/guarded_vectors.h"
 #include "grader/worker/session.h"
+#include "particles/vectors.h"
 
 namespace grader {
+
+// In front of a protected page.
+class GuardedVector {
+ public:
+  explicit GuardedVector(const std::vector<double>& values)
+      : buffer_(values), view_(buffer_.data(), static_cast<Eigen::Index>(values.size())) {}
+
+  Eigen::Map<Eigen::VectorXd>& view() { return view_; }
+  std::span<const double> values() const { return buffer_.values(); }
+
+ private:
+  GuardedBuffer buffer_;
+  Eigen::Map<Eigen::VectorXd> view_;
+};
 
 class WorkerHost {
  public:
