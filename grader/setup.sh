@@ -48,6 +48,8 @@ ccache               # remembers what was compiled
 clang                # the second compiler for the handout,
 libclang-rt-dev      #   and its sanitisers and libFuzzer
 clang-format         # layout
+libc++-dev           # macOS's standard library:
+libc++abi-dev        #   what students build compiles with it
 clang-tidy           # common mistakes, names,
 python3              #   and what runs it
 shellcheck           # these scripts

@@ -9,6 +9,8 @@
 #include <fstream>
 #include <random>
 #include <regex>
+#include <set>
+#include <sstream>
 
 #include "grader/course/input.h"
 #include "grader/package/course_texts.h"
@@ -256,6 +258,55 @@ TEST_F(RealProject, BeginsWithAnExerciseThatIsToBeWritten) {
   for (const char* words : {"--target check-P1 --parallel 4", "`P1 forward_euler is not implemented yet`",
                             "[student/explicit_integrators.cpp](student/explicit_integrators.cpp)"})
     EXPECT_NE(readme.find(words), std::string::npos) << words << readme;
+}
+
+// packages.cmake is what the build asks for.
+TEST_F(RealProject, NamesAllPackagesInTheReadme) {
+  const std::string readme = hair::bytes_of(root_ / "handout/README.md");
+  const std::size_t debian = readme.find("\n**Debian, Ubuntu**"), macos = readme.find("\n**macOS**"),
+                    windows = readme.find("\n**Windows**");
+  ASSERT_TRUE(debian < macos && macos < windows && windows != std::string::npos);
+  // The words of all lines that begin with this command.
+  const auto installed = [&](std::size_t from, std::size_t to, const std::string& command) {
+    std::set<std::string> words;
+    std::istringstream lines(readme.substr(from, to - from));
+    for (std::string line; std::getline(lines, line);)
+      if (line.starts_with(command)) {
+        std::istringstream rest(line.substr(command.size()));
+        for (std::string word; rest >> word;) words.insert(word);
+      }
+    return words;
+  };
+  std::set<std::string> apt = installed(debian, macos, "sudo apt install "),
+                        brew = installed(macos, windows, "brew install ");
+  std::istringstream list(hair::bytes_of(root_ / "handout/cmake/packages.cmake"));
+  int packages = 0;
+  for (std::string line; std::getline(list, line);) {
+    std::istringstream row(line);
+    std::string need, for_apt, for_brew;
+    if (!line.starts_with("  ") || !(row >> need >> for_apt >> for_brew) ||
+        (need != "checks" && need != "hairlab" && need != "studies"))
+      continue;
+    ++packages;
+    if (for_brew.ends_with(")")) for_brew.pop_back();
+    EXPECT_EQ(apt.erase(for_apt), 1u) << for_apt;
+    if (for_brew == "-") continue;
+    EXPECT_EQ(brew.erase(for_brew), 1u) << for_brew;
+  }
+  EXPECT_EQ(packages, 9);
+  EXPECT_EQ(apt, (std::set<std::string>{"build-essential", "gdb"}));
+  EXPECT_EQ(brew, std::set<std::string>());
+}
+
+// The standard library of macOS is libc++, which has none of these. (Numbers that are no whole numbers have no std::from_chars there:
+// the nightly's stage libcxx compiles everything.)
+TEST_F(RealProject, UsesNothingThatLibcxxLacks) {
+  for (const auto& [path, text] : handout_files(sources_, course_)) {
+    if (!path.ends_with(".h") && !path.ends_with(".cpp")) continue;
+    for (const char* word :
+         {"jthread", "stop_token", "atomic_ref", "std::format", "std::execution", "<stacktrace>"})
+      EXPECT_EQ(text.find(word), std::string::npos) << path << ": " << word;
+  }
 }
 
 // What a text asks for a command or a check prints; what the report does not say it does not promise.

@@ -193,8 +193,39 @@ TEST_F(StudentsWay, GoesWithoutHairlabsPackages) {
   const Ran ran = run(configure_ +
                       " -DCMAKE_DISABLE_FIND_PACKAGE_nlohmann_json=ON -DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON");
   EXPECT_EQ(ran.code, 0) << ran.output;
-  EXPECT_NE(ran.output.find("It needs the packages nlohmann-json3-dev libcli11-dev;"), std::string::npos)
-      << ran.output;
+  EXPECT_NE(ran.output.find("hairlab is left out"), std::string::npos) << ran.output;
+  EXPECT_NE(ran.output.find("apt install nlohmann-json3-dev libcli11-dev."), std::string::npos) << ran.output;
+  EXPECT_NE(ran.output.find("brew install nlohmann-json cli11;"), std::string::npos) << ran.output;
+}
+
+// Packages of Eigen that say which version they are, with this machine's Eigen in them.
+TEST_F(StudentsWay, TakesEigenFromVersion33On) {
+  unpack();
+  for (const std::string version : {"3.2.9", "3.3.0", "5.0.1"}) {
+    const fs::path package = folder_ / ("eigen-" + version);
+    fs::create_directories(package);
+    // As Eigen's own: another first number is not compatible.
+    std::ofstream(package / "Eigen3ConfigVersion.cmake")
+        << "set(PACKAGE_VERSION " << version << ")\n"
+        << "if(PACKAGE_FIND_VERSION_MAJOR STREQUAL \"" << version[0]
+        << "\" AND NOT PACKAGE_VERSION VERSION_LESS PACKAGE_FIND_VERSION)\n"
+        << "  set(PACKAGE_VERSION_COMPATIBLE TRUE)\nendif()\n";
+    std::ofstream(package / "Eigen3Config.cmake")
+        << "add_library(Eigen3::Eigen INTERFACE IMPORTED)\n"
+        << "target_include_directories(Eigen3::Eigen INTERFACE /usr/include/eigen3)\n";
+    const Ran ran =
+        run(configure_ + " -B 'build-" + version + "' '-DEigen3_DIR:PATH=" + package.string() + "'");
+    if (version == "3.2.9") {
+      EXPECT_NE(ran.code, 0);
+      EXPECT_NE(ran.output.find("Eigen is missing, version 3.3 or later."), std::string::npos) << ran.output;
+    } else {
+      EXPECT_EQ(ran.code, 0) << version << "\n" << ran.output;
+      // It did not find another one.
+      const std::string cache =
+          hair::bytes_of(folder_ / "hair-assignment" / ("build-" + version) / "CMakeCache.txt");
+      EXPECT_NE(cache.find("\nEigen3_DIR:PATH=" + package.string() + "\n"), std::string::npos) << version;
+    }
+  }
 }
 
 TEST_F(StudentsWay, LeavesGivenExercisesOutOfTheHandIn) {

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cerrno>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 #include <optional>
 #include <utility>
 
@@ -56,6 +58,19 @@ bool can_be(double value, PlyType type) {
   const double values = std::ldexp(1.0, static_cast<int>(8 * size_of(type)));
   const double low = has_sign ? -values / 2 : 0;
   return value == std::floor(value) && value >= low && value < low + values;
+}
+
+// The number that the word is, and nothing else; none for one that double can't hold. Not every standard library has
+// std::from_chars for double.
+std::optional<double> number_in(std::string_view word) {
+  // strtod also takes a plus and hexadecimal digits.
+  if (word.empty() || word.front() == '+' || word.find_first_of("xX") != std::string_view::npos) return {};
+  const std::string text(word);
+  char* end = nullptr;
+  errno = 0;
+  const double value = std::strtod(text.c_str(), &end);
+  if (end != text.c_str() + text.size() || (errno == ERANGE && (std::isinf(value) || value == 0))) return {};
+  return value;
 }
 
 double value_of(std::uint64_t bits, PlyType type) {
@@ -161,8 +176,9 @@ void PlyRows::read_header() {
 void PlyRows::add_element(std::string_view line) {
   const std::string_view name = next_word(line), number = next_word(line);
   std::uint64_t count = 0;
-  const auto [end, error] = std::from_chars(number.begin(), number.end(), count);
-  if (number.empty() || error != std::errc() || end != number.end())
+  const char* const last = number.data() + number.size();
+  const auto [end, error] = std::from_chars(number.data(), last, count);
+  if (number.empty() || error != std::errc() || end != last)
     fail_here("the element " + in_quotes(name) + " has the count " + in_quotes(number) +
               "; a whole number is right");
   elements_.push_back({std::string(name), count, {}});
@@ -224,11 +240,10 @@ double PlyRows::binary_value(PlyType type) {
 double PlyRows::ascii_value(std::string_view& line, const std::string& name, PlyType type) const {
   const std::string_view word = next_word(line);
   if (word.empty()) fail_here("ends before " + in_quotes(name));
-  double value = 0;
-  const auto [end, error] = std::from_chars(word.begin(), word.end(), value);
-  if (error != std::errc() || end != word.end() || !can_be(value, type))
+  const std::optional<double> value = number_in(word);
+  if (!value || !can_be(*value, type))
     fail_here(in_quotes(word) + " is no number that " + in_quotes(name) + " can be");
-  return type == PlyType::f32 ? static_cast<double>(static_cast<float>(value)) : value;
+  return type == PlyType::f32 ? static_cast<double>(static_cast<float>(*value)) : *value;
 }
 
 void PlyRows::read(const PlyElement& element, std::vector<double>& row) {

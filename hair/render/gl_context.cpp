@@ -41,7 +41,8 @@ GlContext::GlContext(const std::string& library) {
                           : open(library);
   if (!opened) {
     throw NoOpenGl("no OpenGL 3.3 here: tried " + tried +
-                   "; install Debian's and Ubuntu's package libosmesa6, or libegl1 and libegl-mesa0");
+                   "; install Debian's and Ubuntu's package libosmesa6, or libegl1 and libegl-mesa0 (there "
+                   "are none for macOS)");
   }
   const Current current(*this);
   const auto text = [&](gl::Enum name) {

@@ -48,11 +48,10 @@ void splat(const Eigen::Vector3f& from, const Eigen::Vector3f& to, float width, 
 }
 
 // Positive floats are in the order of their bits.
-void lower(std::uint32_t& place, float depth) {
-  const std::atomic_ref<std::uint32_t> shared(place);
+void lower(std::atomic<std::uint32_t>& place, float depth) {
   const auto bits = std::bit_cast<std::uint32_t>(depth);
-  std::uint32_t now = shared.load(std::memory_order_relaxed);
-  while (bits < now && !shared.compare_exchange_weak(now, bits, std::memory_order_relaxed)) {
+  std::uint32_t now = place.load(std::memory_order_relaxed);
+  while (bits < now && !place.compare_exchange_weak(now, bits, std::memory_order_relaxed)) {
   }
 }
 
@@ -73,7 +72,9 @@ OpacityMap::OpacityMap(const LightMap& light, int size, const FineStrands& stran
   const float texel = 2 * light.radius / static_cast<float>(size);
   skip_ = std::max(texel, strands.half_width(0)) / LightMap::kDepth;
   const auto texels = static_cast<std::size_t>(size) * static_cast<std::size_t>(size);
-  std::vector<std::uint32_t> first(texels, std::bit_cast<std::uint32_t>(1.0F)), areas(kLayers * texels, 0);
+  std::vector<std::atomic<std::uint32_t>> first(texels), areas(kLayers * texels);
+  for (std::atomic<std::uint32_t>& depth : first)
+    depth.store(std::bit_cast<std::uint32_t>(1.0F), std::memory_order_relaxed);
 
   const auto for_each_texel = [&](const auto& visit) {
     const StrandThreads::Task task = [&](int, int batch) {
@@ -96,19 +97,19 @@ OpacityMap::OpacityMap(const LightMap& light, int size, const FineStrands& stran
   };
   for_each_texel([&](std::size_t at, float depth, float) { lower(first[at], depth); });
   for_each_texel([&](std::size_t at, float depth, float area) {
-    const float behind = depth - std::bit_cast<float>(first[at]);
+    const float behind = depth - std::bit_cast<float>(first[at].load(std::memory_order_relaxed));
     const int layer = behind <= ends_[0] ? 0 : behind <= ends_[1] ? 1 : behind <= ends_[2] ? 2 : 3;
-    std::atomic_ref<std::uint32_t>(areas[kLayers * at + static_cast<std::size_t>(layer)])
-        .fetch_add(static_cast<std::uint32_t>(std::lrint(area * kUnit)), std::memory_order_relaxed);
+    areas[kLayers * at + static_cast<std::size_t>(layer)].fetch_add(
+        static_cast<std::uint32_t>(std::lrint(area * kUnit)), std::memory_order_relaxed);
   });
 
   first_.resize(texels);
   opacity_.resize(kLayers * texels);
   for (std::size_t at = 0; at < texels; ++at) {
-    first_[at] = std::bit_cast<float>(first[at]);
+    first_[at] = std::bit_cast<float>(first[at].load());
     float sum = 0;
     for (std::size_t layer = kLayers * at; layer < kLayers * (at + 1); ++layer)
-      opacity_[layer] = sum += static_cast<float>(areas[layer]) / kUnit;
+      opacity_[layer] = sum += static_cast<float>(areas[layer].load()) / kUnit;
   }
 }
 

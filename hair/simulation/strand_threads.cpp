@@ -17,6 +17,7 @@ StrandThreads::StrandThreads(int threads) : begin_(threads), end_(threads), fail
 StrandThreads::~StrandThreads() {
   stop_ = true;
   begin_.arrive_and_wait();
+  for (std::thread& other : others_) other.join();
 }
 
 void StrandThreads::run(int tasks, const Task& task) {

@@ -45,7 +45,7 @@ class StrandThreads {
     std::exception_ptr exception;
   };
   std::vector<Failure> failures_;  // of each thread
-  std::vector<std::jthread> others_;
+  std::vector<std::thread> others_;
 };
 
 }  // namespace hair

@@ -10,7 +10,8 @@
 
 find_package(GTest QUIET)
 if(NOT GTest_FOUND)
-  message(FATAL_ERROR "GoogleTest is missing. Debian, Ubuntu, WSL2: sudo apt install libgtest-dev. macOS: brew install googletest")
+  hair_how_to_install(how libgtest-dev)
+  message(FATAL_ERROR "GoogleTest is missing. ${how}")
 endif()
 
 # With the same errors in view as in grading; the staff's builds choose for themselves. A check stops at the first error, and the

@@ -108,10 +108,13 @@ function(hair_own_code TARGET)
   endif()
 endfunction()
 
-# Eigen, for the given code and for the exercises that may include it.
-find_package(Eigen3 3.3 QUIET NO_MODULE)
-if(NOT TARGET Eigen3::Eigen)
-  message(FATAL_ERROR "Eigen is missing. Debian, Ubuntu, WSL2: sudo apt install libeigen3-dev. macOS: brew install eigen")
+# Eigen, for the given code and for the exercises that may include it: any version from 3.3 on. Of a version that find_package is
+# given, Eigen's package takes the same first number alone.
+include("${CMAKE_CURRENT_LIST_DIR}/packages.cmake")
+find_package(Eigen3 QUIET NO_MODULE)
+if(NOT TARGET Eigen3::Eigen OR Eigen3_VERSION VERSION_LESS 3.3)
+  hair_how_to_install(how libeigen3-dev)
+  message(FATAL_ERROR "Eigen is missing, version 3.3 or later. ${how}")
 endif()
 
 function(hair_use_libraries TARGET ID)

@@ -11,6 +11,8 @@
 #include <system_error>
 #include <thread>
 
+extern char** environ;  // macOS's headers do not declare it
+
 namespace hair {
 namespace {
 
