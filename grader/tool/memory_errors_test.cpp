@@ -58,6 +58,8 @@ class MemoryErrorsTest : public testing::Test {
     setup.objects = {object};
     setup.log = kit_.folder().parent_path() / "log";
     setup.sanitised = true;
+    setup.cpu_seconds = 1000;  // to touch all memory takes a slow machine long
+    setup.allowance->limit.worker_cpu_seconds = 1000;
     Student student(setup);
     const std::vector<double> values = {1, 2, 3, 4};
     MessageWriter request;
