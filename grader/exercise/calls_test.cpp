@@ -34,7 +34,7 @@ Bytes reply_to(const MessageWriter& request, draw::Source& source) {
 }
 
 // Cut off, longer, or with other bytes somewhere.
-Bytes spoilt(Bytes bytes, draw::Source& source) {
+Bytes poisoned(Bytes bytes, draw::Source& source) {
   const int size = static_cast<int>(bytes.size()), at = source.integer(0, std::max(0, size - 1));
   switch (source.integer(0, 3)) {
     case 0:
@@ -88,11 +88,11 @@ TEST(Calls, TakeOrRefuseAnyRequestAndReply) {
         } catch (const std::invalid_argument& error) {  // an object of ours, asked for another size
           expect_readable(error.what());
         }
-        return MessageReader(spoilt(reply_to<Calls>(request, source), source));
+        return MessageReader(poisoned(reply_to<Calls>(request, source), source));
       };
       for (int i = 0; i < kTries; ++i) {
         const Bytes request = draw::request<Calls, number>(source);
-        relay::send<Calls>(way, i % 2 == 0 ? request : spoilt(request, source), expect_readable);
+        relay::send<Calls>(way, i % 2 == 0 ? request : poisoned(request, source), expect_readable);
       }
     });
   });

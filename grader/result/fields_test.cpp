@@ -108,7 +108,7 @@ SuiteResult suite_result() {
   found.pictures = {kPicture};
   found.runs = {kRun};
   found.study = study();
-  found.memory = {.told = "It writes behind an array",
+  found.memory = {.message = "It writes behind an array",
                   .offsets = {1, std::numeric_limits<std::uint64_t>::max()},
                   .cpu_seconds = 0.5};
   found.allocations = 2;

@@ -16,7 +16,7 @@ namespace grader {
 struct MemoryLook {
   // A memory error, as a sentence for the student, and where in the sanitised object it is, see
   // grader/wire/memory_error.h: not trusted. Empty: none was found.
-  std::string told;
+  std::string message;
   std::vector<std::uint64_t> offsets;
   double cpu_seconds = 0;  // of the worker with sanitizers
 

@@ -153,7 +153,7 @@ SuiteResult run_categories(const SuiteJob& job, const grader::WorkerSetup& setup
     result.run_cpu_seconds = run->student().cpu_seconds();
     result.picture_cpu_seconds = run->picture_seconds();
   }
-  if (memory) result.memory = {memory->told(), memory->offsets(), memory->student().cpu_seconds()};
+  if (memory) result.memory = {memory->message(), memory->offsets(), memory->student().cpu_seconds()};
   return result;
 }
 

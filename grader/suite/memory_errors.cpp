@@ -64,7 +64,7 @@ Category MemoryErrors::category() {
 }
 
 void MemoryErrors::tell(Trial& trial, const std::string& sentence, const std::string& detail) {
-  told_ = sentence;
+  message_ = sentence;
   trial.fail(Status::wrong, sentence, detail);
 }
 

@@ -39,7 +39,7 @@ class MemoryErrors {
   Student& student() { return student_; }
 
   // What the student reads of an error, in a sentence of ours, and where it is in the object. Empty: none was found.
-  const std::string& told() const { return told_; }
+  const std::string& message() const { return message_; }
   const std::vector<std::uint64_t>& offsets() const { return offsets_; }
 
  private:
@@ -54,7 +54,7 @@ class MemoryErrors {
   std::function<bool()> anything_right_;
   WorkerSetup setup_;
   Student student_;
-  std::string told_;
+  std::string message_;
   std::vector<std::uint64_t> offsets_;
 };
 

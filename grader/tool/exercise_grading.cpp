@@ -134,11 +134,11 @@ void run_cases(const SuiteJobs& jobs, const Exercise& exercise, const std::strin
     if (jobs.settings().course.partial) one.points = points_for_share(one);
     result.points += one.points;
   }
-  if (sanitised && found.memory && !found.memory->told.empty()) {
-    const std::string told =
-        found.memory->told + place_of(*sanitised, exercise.file, found.memory->offsets) + ".";
+  if (sanitised && found.memory && !found.memory->message.empty()) {
+    const std::string message =
+        found.memory->message + place_of(*sanitised, exercise.file, found.memory->offsets) + ".";
     for (CaseResult& one : found.cases)
-      if (one.name == kMemoryTitle) one.memory_error = one.feedback = told;
+      if (one.name == kMemoryTitle) one.memory_error = one.feedback = message;
   }
   result.allocations = found.allocations;
   result.cases = std::move(found.cases);

@@ -37,7 +37,7 @@ Truth truth_of(const StudiedPart& part) {
 struct Fake : Player {
   double seconds_per_step = 1e-5;
   std::function<void(hair::Scene&)> change = [](hair::Scene&) {};
-  std::function<void(Played&, int steps)> spoil = [](Played&, int) {};
+  std::function<void(Played&, int steps)> poison = [](Played&, int) {};
   int plays = 0;
 
   Play play(const SceneText& /*text*/, const hair::Scene& scene, int times) override {
@@ -52,7 +52,7 @@ struct Fake : Player {
       if (play.played.trouble.empty()) play.played.frames.push_back(playback.state());
     }
     const int steps = scene.frames * scene.steps_per_frame;
-    spoil(play.played, steps);
+    poison(play.played, steps);
     play.seconds = times * steps * seconds_per_step;
     return play;
   }
@@ -146,7 +146,7 @@ TEST(Study, FindsWhereAMethodStopsBeingStable) {
   // All that has fewer steps than 100 runs away; among the steps that can be played around there, multiples of 12, the
   // first is 108.
   Fake student;
-  student.spoil = [](Played& played, int steps) {
+  student.poison = [](Played& played, int steps) {
     if (steps < 100) played.frames.back().x[5] += 1e3;
   };
   const PartStudy part = study("symplectic Euler", student);
@@ -164,7 +164,7 @@ TEST(Study, ShowsNoNumberThatIsNone) {
     for (const bool of_velocities : {false, true}) {
       if (of_velocities && std::isfinite(bad)) continue;  // where it is counts, not how fast
       Fake student;
-      student.spoil = [&](Played& played, int) {
+      student.poison = [&](Played& played, int) {
         (of_velocities ? played.frames.back().v : played.frames.back().x)[3] = bad;
       };
       const PartStudy part = study("symplectic Euler", student);
@@ -180,7 +180,7 @@ TEST(Study, ShowsNoNumberThatIsNone) {
 
 TEST(Study, RefusesARunThatIsShorterThanAskedFor) {
   Fake student;
-  student.spoil = [](Played& played, int) { played.frames.pop_back(); };
+  student.poison = [](Played& played, int) { played.frames.pop_back(); };
   const PartStudy part = study("symplectic Euler", student);
   EXPECT_TRUE(part.student.points.empty());
   EXPECT_NE(part.note.find("a form that it has no business with"), std::string::npos) << part.note;
@@ -189,7 +189,7 @@ TEST(Study, RefusesARunThatIsShorterThanAskedFor) {
 
 TEST(Study, GoesOnWithoutAWorkerThatEnds) {
   Fake student;
-  student.spoil = [](Played&, int steps) {
+  student.poison = [](Played&, int steps) {
     if (steps == 240) throw CaseFailed{Status::crashed, "the program ended in the middle of the call", ""};
   };
   const PartStudy part = study("symplectic Euler", student);
@@ -214,7 +214,7 @@ std::string page_of(const PartStudy& part) {
 
 TEST(Study, DoesNotKnowWhatIsStableInCodeThatOnlyBreaks) {
   Fake student;
-  student.spoil = [](Played&, int steps) {
+  student.poison = [](Played&, int steps) {
     if (steps < 480) throw CaseFailed{Status::crashed, "the program ended in the middle of the call", ""};
   };
   const PartStudy part = study("symplectic Euler", student);
@@ -229,19 +229,19 @@ int first_plays(const StudiedPart& part) {
 
 TEST(Study, ShowsNoTimesOfPlaysThatDontEndAsTheFirstDid) {
   const int first = first_plays(pendulum("symplectic Euler"));
-  const std::vector<std::function<void(Played&)>> spoiled = {
+  const std::vector<std::function<void(Played&)>> poisoned = {
       [](Played& played) {
         played.frames.resize(1);
         played.trouble = "enough";
       },
       [](Played& played) { played.frames.back().x[3] += 1e-6; },
       [](Played& played) { played.frames.back().x[3] = std::numeric_limits<double>::quiet_NaN(); }};
-  for (const auto& spoil : spoiled) {
+  for (const auto& poison : poisoned) {
     Fake student;
-    student.spoil = [&](Played& played, int) {
+    student.poison = [&](Played& played, int) {
       if (student.plays <= first) return;
       student.seconds_per_step = 1e-9;
-      spoil(played);
+      poison(played);
     };
     const PartStudy part = study("symplectic Euler", student);
     EXPECT_EQ(static_cast<int>(part.student.points.size()), first - 1);
@@ -257,7 +257,7 @@ TEST(Study, ShowsNoTimesOfPlaysThatDontEndAsTheFirstDid) {
 TEST(Study, SaysWhenCodeTakesFarLessTimeForWhatItWasAskedBefore) {
   const int first = first_plays(pendulum("midpoint"));
   Fake honest, remembers;
-  remembers.spoil = [&](Played&, int) {
+  remembers.poison = [&](Played&, int) {
     if (remembers.plays > first) remembers.seconds_per_step = 1e-7;
   };
   EXPECT_EQ(page_of(study("midpoint", honest)).find("it may remember"), std::string::npos);
@@ -311,7 +311,7 @@ TEST(StudyPage, DrawsNoTimeThatWasNotTaken) {
 TEST(UntilItGivesUp, EndsWhatDozes) {
   const StudiedPart part = pendulum("midpoint");
   Fake dozes;
-  dozes.spoil = [](Played&, int) { std::this_thread::sleep_for(std::chrono::milliseconds(20)); };
+  dozes.poison = [](Played&, int) { std::this_thread::sleep_for(std::chrono::milliseconds(20)); };
   UntilItGivesUp player(dozes, 0.01);
   const auto play = [&] { player.play(divided(part, {part.scene.frames, 1}), part.scene, 1); };
   EXPECT_NO_THROW(play());
@@ -322,7 +322,7 @@ TEST(UntilItGivesUp, EndsWhatDozes) {
 TEST(UntilItGivesUp, EndsWhatCrashesAgainAndAgain) {
   const StudiedPart part = pendulum("midpoint");
   Fake crashes;
-  crashes.spoil = [](Played&, int) { throw CaseFailed{Status::crashed, "gone", ""}; };
+  crashes.poison = [](Played&, int) { throw CaseFailed{Status::crashed, "gone", ""}; };
   UntilItGivesUp player(crashes, 100);
   for (int i = 0; i < 2 * UntilItGivesUp::kMostCrashes; ++i)
     EXPECT_THROW(player.play(divided(part, {part.scene.frames, 1}), part.scene, 1), CaseFailed);
@@ -345,7 +345,7 @@ TEST(Study, LeavesOutWhatTakesTooLong) {
 TEST(Study, IsNoneWithoutTheReference) {
   const StudiedPart part = pendulum("midpoint");
   Fake student, reference;
-  reference.spoil = [](Played&, int) { throw CaseFailed{Status::crashed, "gone", ""}; };
+  reference.poison = [](Played&, int) { throw CaseFailed{Status::crashed, "gone", ""}; };
   EXPECT_THROW(study_part(part, truth_of(part), student, reference, {}), std::runtime_error);
 }
 
