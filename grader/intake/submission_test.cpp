@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Hand-ins of every form are taken apart, and what can't be taken says why.
 #include "grader/intake/submission.h"
 
 #include <gtest/gtest.h>

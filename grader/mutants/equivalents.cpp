@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Reads an exercise's list of mutants that are right programs.
 #include "grader/mutants/equivalents.h"
 
 #include <fstream>

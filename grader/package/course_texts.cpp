@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Makes a course's texts, line by line.
 #include "grader/package/course_texts.h"
 
 #include <algorithm>
@@ -35,7 +35,7 @@ std::vector<const Exercise*> exercises_in(std::string cell, const Course& course
   return found;
 }
 
-// Whether it is the row of a scene, "| [pendulum](pendulum.json) | P1 | ...", that calls an exercise which the course lacks.
+// Tells the row of a scene, "| [pendulum](pendulum.json) | P1 | ...", that calls an exercise which the course lacks.
 bool is_of_absent_scene(const std::string& line, const Course& course) {
   if (!line.starts_with("| [")) return false;
   std::istringstream cells(line);

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Packs the handout, and shuts its gates on what must not ship.
 #include "grader/package/handout.h"
 
 #include <fstream>
@@ -34,14 +34,14 @@ Paths solved_files(const Course& course) {
   return solved;
 }
 
-// Where a line's bytes are.
+// The file that holds a line's bytes.
 fs::path source_of(const ManifestLine& line, const HandoutSources& sources) {
   const std::string golden = "golden/";
   return line.source.starts_with(golden) ? sources.golden / line.source.substr(golden.size())
                                          : sources.root / line.source;
 }
 
-// What ships. A scene ships if the course has all exercises that it calls.
+// The lines that ship. A scene ships if the course has all exercises that it calls.
 std::vector<ManifestLine> lines_of(const HandoutSources& sources, const Course& course) {
   std::vector<ManifestLine> lines = read_manifest(sources.root, course);
   Paths absent;

@@ -98,7 +98,7 @@ TEST_F(StudentTest, IsStartedAgainUntilItsRestartsAreUsedUp) {
   EXPECT_EQ(student.starts(), 1 + static_cast<int>(allowance_->limit.restarts));
 }
 
-// What idles in all of its starts idles in all no longer than one that never wakes up. A nap of 0.15 s on a busy machine is partly one
+// A worker that idles in each of its starts idles in all no longer than one that never wakes up. A nap of 0.15 s on a busy machine is partly one
 // that waits for a processor: there it takes more of them.
 TEST_F(StudentTest, IdlesNoLongerInSeveralStarts) {
   allowance_->limit.restarts = 1000;

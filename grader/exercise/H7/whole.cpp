@@ -51,7 +51,7 @@ std::vector<Moving> motion_of(const Tree& tree, const VectorXd& accelerations) {
   return all;
 }
 
-// Whether accelerations obey the laws of motion: without H7's recursion, link by link from Newton's and Euler's laws (Mirtich 4.4 and
+// Checks that accelerations obey the laws of motion: without H7's recursion, link by link from Newton's and Euler's laws (Mirtich 4.4 and
 // 4.5 solve for the same accelerations). The joints' forces that `accelerations` need, beside Q: the largest difference over `size`, the
 // sum of all forces and torques that take part, with their arms. M(q) q" = Q - C to within this. NaN if an acceleration is none.
 double unbalanced(const Tree& tree, const VectorXd& accelerations) {
