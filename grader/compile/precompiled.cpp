@@ -19,9 +19,7 @@ const char* name_of(Build build) {
   return build == Build::sanitised ? "sanitised" : "given";
 }
 
-constexpr const char* kText =
-    "#include <algorithm>\n#include <cmath>\n#include <memory>\n#include <vector>\n\n"
-    "#include \"particles/vectors.h\"\n";
+constexpr const char* kText = "#include \"particles/usual.h\"\n";
 
 }  // namespace
 

@@ -34,11 +34,22 @@ endif()
 
 # The checks themselves are compiled without sanitizers, as the code around your files is in grading, and with less optimisation.
 function(hair_check_code TARGET)
-  hair_own_code(${TARGET})
-  if(NOT HAIR_STAFF)
-    target_compile_options(${TARGET} PRIVATE $<$<CONFIG:Release>:-O1>)
+  if(HAIR_STAFF)
+    hair_own_code(${TARGET})
+    return()
   endif()
+  hair_warnings(${TARGET})
+  target_compile_options(${TARGET} PRIVATE $<$<CONFIG:Release>:-O1>)
+  hair_precompile(${TARGET} check)
 endfunction()
+if(NOT HAIR_STAFF)
+  hair_precompiled(check HEADERS <gtest/gtest.h> <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <cmath> <functional> <memory>
+                                 <numbers> <sstream> <string> <vector>
+                   LIBRARIES hair_interfaces Eigen3::Eigen GTest::gtest)
+  if(HAIR_PRECOMPILED)
+    target_compile_options(hair_precompiled_check PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
+endif()
 
 # Without the macro Eigen allocates in them as in all that is compiled without sanitizers: what one allocates the other may free.
 function(hair_sanitise TARGET)

@@ -11,9 +11,10 @@
 #   hair_compile_settings(TARGET)  C++20 and the flags that results depend on, for all code
 #   hair_warnings(TARGET)          the same and warnings, for our code, never for a student's file. They are errors in the staff's
 #                                  build alone: a student's compiler may be newer than ours
-#   hair_own_code(TARGET)          the same, and what makes the staff's build quicker: precompiled headers
-#   hair_exercise_libraries(NAME DIR)
-#                                  one static library <NAME>_<id> for each exercise file in DIR, compiled as for grading
+#   hair_own_code(TARGET)          the same, and a library has the precompiled headers of libraries (precompiled.cmake)
+#   hair_exercise_libraries(NAME DIR [SANITISED])
+#                                  one static library <NAME>_<id> for each exercise file in DIR, compiled as for grading; SANITISED:
+#                                  with the sanitizers that find memory errors (checks.cmake)
 #   hair_left_out(NAME ID...)      a static library that stands for these exercises: each of their functions throws NotInCourse
 
 # Programs with AddressSanitizer are linked at fixed addresses. Where the kernel moves memory by 32 random bits (vm.mmap_rnd_bits),
@@ -103,8 +104,9 @@ endfunction()
 
 function(hair_own_code TARGET)
   hair_warnings(${TARGET})
-  if(COMMAND hair_precompile)
-    hair_precompile(${TARGET})
+  get_target_property(type ${TARGET} TYPE)
+  if(type MATCHES "LIBRARY$")
+    hair_precompile(${TARGET} library)
   endif()
 endfunction()
 
@@ -136,6 +138,14 @@ function(hair_exercise_libraries NAME DIR)
     target_link_libraries(${NAME}_${id} PUBLIC hair_interfaces)
     target_include_directories(${NAME}_${id} PUBLIC "${HAIR_LECTURE_DIR}")
     hair_use_libraries(${NAME}_${id} ${id})
+    set(kind exercise)
+    if(ARGC GREATER 2)
+      hair_sanitise(${NAME}_${id})
+      set(kind sanitised_exercise)
+    endif()
+    if("eigen" IN_LIST HAIR_${id}_LIBRARIES)
+      hair_precompile(${NAME}_${id} ${kind})
+    endif()
   endforeach()
   foreach(id ${HAIR_EXERCISES})
     foreach(prerequisite ${HAIR_${id}_PREREQUISITES})
