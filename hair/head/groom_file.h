@@ -14,6 +14,11 @@
 
 namespace hair {
 
+// Thrown instead by a program that has no readers (the library hair_no_groom_files): it names another program.
+struct GroomFilesElsewhere {
+  std::string file;
+};
+
 // Throws BadInput for a name with another ending, a file that can't be read, and what its format's reader
 // refuses.
 Groom read_groom(const std::filesystem::path& file, Numbers numbers = Numbers::finite);

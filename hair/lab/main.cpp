@@ -1,14 +1,18 @@
-// hairlab: plays scenes of hair with the exercises' code. How well they are played is studied by hairlab-study, to which
-// it hands over. Its exit codes are in hair/lab/commands/exit_codes.h.
+// hairlab: plays scenes of hair with the exercises' code. It hands over to hairlab-study, which studies how well they are
+// played, and to hairlab-groom, which reads grooms' files. Its exit codes are in hair/lab/commands/exit_codes.h.
+#include "hair/head/groom_file.h"
+#include "hair/lab/commands/hand_over.h"
 #include "hair/lab/commands/program.h"
-#include "hair/lab/commands/studies.h"
 
 int main(int argc, char* argv[]) {
-  if (argc > 1 && hair::is_study(argv[1])) return hair::hand_over_to_studies(argv);
+  const hair::OtherCommand* const other = argc > 1 ? hair::other_command(argv[1]) : nullptr;
+  if (other) return hair::hand_over(other->program, other->name, argv);
   CLI::App app("hairlab: plays scenes of hair with your code");
-  const std::vector<hair::Command> commands = {hair::add_run_command(app),   hair::add_scenes_command(app),
-                                               hair::add_info_command(app),  hair::add_convert_command(app),
-                                               hair::add_groom_command(app), hair::add_draw_command(app)};
-  for (const hair::StudyCommand& study : hair::kStudyCommands) app.add_subcommand(study.name, study.what);
-  return hair::run_program(app, commands, argc, argv);
+  const std::vector<hair::Command> commands = {hair::add_run_command(app), hair::add_scenes_command(app)};
+  for (const hair::OtherCommand& one : hair::kOtherCommands) app.add_subcommand(one.name, one.what);
+  try {
+    return hair::run_program(app, commands, argc, argv);
+  } catch (const hair::GroomFilesElsewhere& scene) {
+    return hair::hand_over(hair::kGrooms, "the reader of " + scene.file, argv);
+  }
 }

@@ -4,12 +4,13 @@
 #include "hair/lab/commands/command.h"
 #include "hair/lab/commands/draw_groom.h"
 #include "hair/lab/commands/groom_commands.h"
+#include "hair/lab/commands/hand_over.h"
 
 namespace hair {
 
 Command add_convert_command(CLI::App& program) {
   const auto options = std::make_shared<ConvertOptions>();
-  CLI::App* app = program.add_subcommand("convert", "Write a groom in another format");
+  CLI::App* app = program.add_subcommand(kConvert.name, kConvert.what);
   app->add_option("IN", options->in, "A groom: .hair, .data or .ply")->required();
   app->add_option("OUT", options->out, "The file to write: .hair, .data, .ply or .usda")->required();
   app->add_option("--scale", options->scale, "Makes all points and thicknesses so many times as large")
@@ -28,7 +29,7 @@ Command add_convert_command(CLI::App& program) {
 
 Command add_draw_command(CLI::App& program) {
   const auto options = std::make_shared<DrawOptions>();
-  CLI::App* app = program.add_subcommand("draw", "Draw a groom as it is");
+  CLI::App* app = program.add_subcommand(kDraw.name, kDraw.what);
   app->add_option("FILE", options->file, "A groom: .hair, .data or .ply")->required();
   app->add_option("--picture", options->picture, "The PNG file to write")->required();
   app->add_option("--colour", options->colour, "black, brown (default), chestnut, red, blond, grey or white");
@@ -53,7 +54,7 @@ Command add_draw_command(CLI::App& program) {
 
 Command add_info_command(CLI::App& program) {
   const auto options = std::make_shared<InfoOptions>();
-  CLI::App* app = program.add_subcommand("info", "Say what a groom is like, and what is odd about it");
+  CLI::App* app = program.add_subcommand(kInfo.name, kInfo.what);
   app->add_option("FILE", options->file, "A groom: .hair, .data or .ply")->required();
   app->add_flag("--json", options->json, "As JSON");
   return {app, [options](const Course&) { return show_groom(*options); }};
@@ -64,7 +65,7 @@ constexpr std::int64_t kMostSeed = std::int64_t{1} << 53;
 
 Command add_groom_command(CLI::App& program) {
   const auto options = std::make_shared<GrowOptions>();
-  CLI::App* app = program.add_subcommand("groom", "Let hair grow on a head, in a style");
+  CLI::App* app = program.add_subcommand(kGroom.name, kGroom.what);
   app->add_option("STYLE", options->style, "long-smooth, short-curly, wavy or ponytail")->required();
   app->add_option("--out", options->out, "The file to write: .hair, .data, .ply or .usda")->required();
   app->add_option("--head", options->head, "What it grows on: bust (default) or ellipsoid")

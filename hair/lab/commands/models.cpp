@@ -9,7 +9,7 @@
 #include "hair/io/files/write_file.h"
 #include "hair/io/machine.h"
 #include "hair/lab/commands/command.h"
-#include "hair/lab/commands/studies.h"
+#include "hair/lab/commands/hand_over.h"
 #include "hair/lab/models/models_page.h"
 #include "hair/lab/models/models_record.h"
 #include "hair/lab/run/interruption.h"

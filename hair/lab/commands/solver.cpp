@@ -7,7 +7,7 @@
 #include "hair/io/files/write_file.h"
 #include "hair/io/machine.h"
 #include "hair/lab/commands/command.h"
-#include "hair/lab/commands/studies.h"
+#include "hair/lab/commands/hand_over.h"
 #include "hair/lab/run/interruption.h"
 #include "hair/lab/run/output_folder.h"
 #include "hair/lab/solver/solver_page.h"

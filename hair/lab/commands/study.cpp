@@ -11,7 +11,7 @@
 #include "hair/io/files/printable.h"
 #include "hair/io/machine.h"
 #include "hair/lab/commands/command.h"
-#include "hair/lab/commands/studies.h"
+#include "hair/lab/commands/hand_over.h"
 #include "hair/lab/run/course_scene.h"
 #include "hair/lab/run/interruption.h"
 #include "hair/lab/run/output_file.h"

@@ -1,4 +1,4 @@
-// hairlab hands over to its studies, which are a program of their own beside it.
+// hairlab hands over to its studies and to what reads grooms, which are programs of their own beside it.
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -15,10 +15,10 @@ class HandOver : public testing::Test {
  protected:
   HandOver() { fs::copy_file(HAIRLAB, hairlab_); }
 
-  // A program in the place of the studies, which says what it is given.
-  void make_studies() const {
-    folder_.write("hairlab-study", "#!/bin/sh\necho \"$@\"\necho moved >&2\nexit 130\n");
-    fs::permissions(studies_, fs::perms::owner_all);
+  // A program in the place of another one, which says what it is given.
+  void make_program(const fs::path& file) const {
+    folder_.write(file.filename(), "#!/bin/sh\necho \"$@\"\necho moved >&2\nexit 130\n");
+    fs::permissions(file, fs::perms::owner_all);
   }
 
   void expect_asks_for_a_build(const ProgramRun& run, const std::string& what) const {
@@ -36,8 +36,8 @@ class HandOver : public testing::Test {
 TEST_F(HandOver, ListsAllCommands) {
   const ProgramRun run = run_hairlab({"--help"}, {.program = hairlab_.string()});
   EXPECT_EQ(run.code, 0);
-  for (const char* command :
-       {"run", "scenes", "info", "convert", "groom", "solver", "stability", "study", "validate"})
+  for (const char* command : {"run", "scenes", "info", "convert", "draw", "groom", "models", "solver",
+                              "stability", "study", "validate"})
     EXPECT_TRUE(has(run.output, "\n  " + std::string(command) + " ")) << command << "\n" << run.output;
 }
 
@@ -46,14 +46,14 @@ TEST_F(HandOver, SaysHowToBuildStudiesThatAreMissing) {
 }
 
 TEST_F(HandOver, RefusesStudiesThatAreOlderThanItself) {
-  make_studies();
+  make_program(studies_);
   fs::last_write_time(studies_, fs::last_write_time(hairlab_) - std::chrono::milliseconds(10));
   expect_asks_for_a_build(run_hairlab({"study", "--help"}, {.program = hairlab_.string()}),
                           "older than hairlab");
 }
 
 TEST_F(HandOver, PassesArgumentsOutputAndExitCodeThrough) {
-  make_studies();
+  make_program(studies_);
   for (const std::string command : {"solver", "stability", "study", "validate"}) {
     const ProgramRun run =
         run_hairlab({command, "run", "--help", "--out", "a b"}, {.program = hairlab_.string()});
@@ -63,16 +63,34 @@ TEST_F(HandOver, PassesArgumentsOutputAndExitCodeThrough) {
   }
 }
 
+// A scene with a groom's file is played by what reads such files, and by hairlab itself without that file.
+TEST_F(HandOver, NamesWhatReadsTheGroomOfAScene) {
+  const std::string scene = folder_.write(
+      "own.json",
+      R"({"shows": "a groom", "frames": 1, "hair": [{"groom": {"file": "a.data", "scale": 1}}]})");
+  const std::string asks =
+      "hairlab: the reader of " + (folder_ / "a.data").string() +
+      " is in a program of its own, which is not built yet; build it with: cmake --build '" + HAIR_BUILD_DIR +
+      "' --target hairlab_grooms --parallel 4\n";
+  const ProgramRun missing = run_hairlab({"run", scene, "--explain"}, {.program = hairlab_.string()});
+  EXPECT_EQ(missing.code, 2);
+  EXPECT_EQ(missing.errors, asks);
+  make_program(folder_ / "hairlab-groom");
+  const ProgramRun run = run_hairlab({"run", scene, "--explain"}, {.program = hairlab_.string()});
+  EXPECT_EQ(run.code, 130);
+  EXPECT_EQ(run.output, "run " + scene + " --explain\n");
+}
+
 // By another name, too: the studies lie beside the program, not beside its name.
 TEST_F(HandOver, FindsStudiesThroughALink) {
-  make_studies();
+  make_program(studies_);
   fs::create_directory(folder_ / "bin");
   fs::create_symlink(hairlab_, folder_ / "bin/lab");
   EXPECT_EQ(run_hairlab({"solver"}, {.program = (folder_ / "bin/lab").string()}).code, 130);
 }
 
 TEST_F(HandOver, SaysThatStudiesDoNotRun) {
-  make_studies();
+  make_program(studies_);
   fs::permissions(studies_, fs::perms::owner_read);
   const ProgramRun run = run_hairlab({"study"}, {.program = hairlab_.string()});
   EXPECT_EQ(run.code, 1);

@@ -1,0 +1,52 @@
+// The commands that hairlab does not have itself, because their code takes longer to build than hairlab's. They are in
+// programs that lie beside hairlab, and hairlab starts these.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace hair {
+
+struct OtherProgram {
+  const char* name;    // hairlab-study
+  const char* target;  // hairlab_studies
+};
+inline constexpr OtherProgram kStudies = {"study", "studies"};
+inline constexpr OtherProgram kGrooms = {"groom", "grooms"};
+
+struct OtherCommand {
+  const char* name;
+  const char* what;  // for --help
+  const OtherProgram& program;
+};
+
+inline constexpr OtherCommand kSolverStudy = {
+    "solver", "Study ConjGrad and the normal equations: error against iterations, products and time",
+    kStudies};
+inline constexpr OtherCommand kStabilityStudy = {
+    "stability",
+    "Map the step sizes with which each method is stable, beside theory, and what extreme cases do",
+    kStudies};
+inline constexpr OtherCommand kErrorStudy = {
+    "study", "Error against run time, of each method that fits a scene", kStudies};
+inline constexpr OtherCommand kModelsStudy = {
+    "models", "Springs, links and helices side by side: error against run time, which model when", kStudies};
+inline constexpr OtherCommand kValidation = {
+    "validate", "Compare with what theory says: published numbers, exact solutions", kStudies};
+inline constexpr OtherCommand kInfo = {"info", "Say what a groom is like, and what is odd about it", kGrooms};
+inline constexpr OtherCommand kConvert = {"convert", "Write a groom in another format", kGrooms};
+inline constexpr OtherCommand kGroom = {"groom", "Let hair grow on a head, in a style", kGrooms};
+inline constexpr OtherCommand kDraw = {"draw", "Draw a groom as it is", kGrooms};
+
+inline constexpr std::array kOtherCommands = {
+    kInfo, kConvert, kGroom, kDraw, kErrorStudy, kModelsStudy, kSolverStudy, kStabilityStudy, kValidation};
+
+// Null for a command of hairlab's own.
+const OtherCommand* other_command(std::string_view name);
+
+// Replaces this process by the other program, with the same command line. Returns only if that fails, with the exit code.
+// If the program is missing, or older than hairlab and so out of date, it prints how to build it. `what`: what is asked of it.
+int hand_over(const OtherProgram& program, const std::string& what, char* argv[]);
+
+}  // namespace hair
