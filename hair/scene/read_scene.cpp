@@ -4,15 +4,29 @@
 
 namespace hair {
 
-Scene read_scene(const std::filesystem::path& file) {
+namespace {
+
+json::Reading reading_beside(const std::filesystem::path& file) {
   json::Reading reading;
-  reading.groom = [&](const JsonValue& name) {
+  reading.groom = [folder = file.parent_path()](const JsonValue& name) {
     try {
-      return read_groom(file.parent_path() / name.text()).strands;
+      return read_groom(folder / name.text()).strands;
     } catch (const BadInput& error) {
       name.fail(error.what());
     }
   };
+  return reading;
+}
+
+}  // namespace
+
+Scene read_scene(const std::filesystem::path& file) {
+  return json::scene_of(read_document(file), file, reading_beside(file));
+}
+
+Scene read_outline(const std::filesystem::path& file) {
+  json::Reading reading = reading_beside(file);
+  reading.most_strands = 4;  // roots that are not on a line have room for dense hair between them
   return json::scene_of(read_document(file), file, std::move(reading));
 }
 

@@ -81,6 +81,9 @@ inline bool has_strands(const Scene& scene) {
 // to the scene's folder.
 Scene read_scene(const std::filesystem::path& file);
 
+// The same with few strands: it is read in a moment, shows the same and calls the same exercises.
+Scene read_outline(const std::filesystem::path& file);
+
 // The same for a text, for a scene without files: rejects a scene that names a groom. Errors name it `name`.
 Scene parse_scene(const std::string& text, const std::string& name);
 

@@ -63,7 +63,7 @@ int play_scene(const PlayOptions& options, const Course& course) {
 
 int list_scenes(const Course& course) {
   for (const std::string& name : shipped_scenes(HAIR_SCENES_DIR)) try {
-      const Scene scene = read_course_scene(name, course);
+      const Scene scene = read_course_outline(name, course);
       std::string exercises;
       for (const std::string& id : exercises_of(scene)) exercises += (exercises.empty() ? "" : ", ") + id;
       std::cout << name << ": " << printable(scene.shows, 200) << " (" << exercises << ")\n";

@@ -12,4 +12,7 @@ namespace hair {
 // exercise that the course leaves out.
 Scene read_course_scene(const std::string& name, const Course& course);
 
+// The same, of a scene that is not played: with few of its strands.
+Scene read_course_outline(const std::string& name, const Course& course);
+
 }  // namespace hair

@@ -180,6 +180,7 @@ Strands grown(const JsonValue& groom, bool dense, Reading& reading) {
   // Guides are in no clump: what is drawn of them gathers as wisps.
   if (dense) style.clump = 0, style.fly_aways = 0;
   reading.expect(groom["strands"], settings.strands, settings.points ? settings.points : style.points);
+  settings.strands = reading.made(settings.strands);
   Strands found;
   try {
     found.points = grow_groom(*head, style, settings).strands;

@@ -105,8 +105,10 @@ void add_rooted(const JsonValue& object, Reading& reading) {
   Rider* const rider = reading.rider(object, text.group.moves_with);
   Variation variation(text.variation.seed);
   const std::vector<RootFrame> roots =
-      make_roots(object["roots"], text.roots,
-                 [&](const JsonValue& where, long count) { reading.expect(where, count, points); });
+      make_roots(object["roots"], text.roots, [&](const JsonValue& where, long count) {
+        reading.expect(where, count, points);
+        return reading.made(count);
+      });
   for (const RootFrame& frame : roots) {
     if (rider) rider->strands.push_back(static_cast<int>(hair.strands.size() + hair.modelled.size()));
     try {

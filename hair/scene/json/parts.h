@@ -2,6 +2,7 @@
 // JSON path.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -43,10 +44,14 @@ struct Reading {
   std::vector<GroupRoots> groups;              // of hair
   long particles = 0;
   long most_particles = kMostParticles;
-  long dense_points = 0;  // of strands that are drawn
+  long most_strands = kMostDensePoints;  // that are made of a group; further ones are only counted
+  long dense_points = 0;                 // of strands that are drawn
 
   // Counts particles before memory is allocated for them: at most `most_particles` in a scene.
   void expect(const JsonValue& where, long strands, long of_each);
+
+  // How many of `count` strands of a group are made.
+  int made(long count) const { return static_cast<int>(std::min(count, most_strands)); }
 
   // The rider of the motion that `object` names as "moves_with", or null for no name.
   Rider* rider(const JsonValue& object, const std::optional<std::string>& moves_with);

@@ -44,17 +44,17 @@ std::vector<RootFrame> listed(const std::vector<JsonValue>& items) {
   return frames;
 }
 
-std::vector<RootFrame> on_cap(const RootCap& cap) {
+std::vector<RootFrame> combed_on_cap(const RootCap& cap, int count) {
   std::vector<RootFrame> frames;
-  frames.reserve(static_cast<std::size_t>(cap.count));
-  for (const Vector3d& outward : directions_in_cap(cap.axis, cap.degrees * std::numbers::pi / 180, cap.count))
+  frames.reserve(static_cast<std::size_t>(count));
+  for (const Vector3d& outward : directions_in_cap(cap.axis, cap.degrees * std::numbers::pi / 180, count))
     frames.push_back(frame_at(cap.centre + cap.radius * outward,
                               cap.comb ? combed(outward, *cap.comb, cap.lift) : outward));
   return frames;
 }
 
-std::vector<RootFrame> on_bust(const RootBust& bust) {
-  std::vector<RootFrame> frames = scalp_roots(Bust(), bust.count, bust.seed);
+std::vector<RootFrame> combed_on_bust(const RootBust& bust, int count) {
+  std::vector<RootFrame> frames = scalp_roots(Bust(), count, bust.seed);
   for (RootFrame& frame : frames)
     frame = frame_at(bust.at + frame.position, combed(frame.axis, frame.side, bust.lift));
   return frames;
@@ -124,31 +124,29 @@ void keys_of(Keys& keys, Roots& roots) {
 }
 
 std::vector<RootFrame> make_roots(const JsonValue& object, const Roots& roots,
-                                  const std::function<void(const JsonValue& where, long count)>& expect) {
+                                  const std::function<int(const JsonValue& where, long count)>& expect) {
   if (roots.list) {
     const std::vector<JsonValue> items = roots.list->items();
     if (items.empty()) roots.list->fail("has no roots; give one at least");
     expect(*roots.list, static_cast<long>(items.size()));
     return listed(items);
   }
-  const auto expect_count = [&](const char* kind, int count) { expect(object[kind]["count"], count); };
+  const auto expect_count = [&](const char* kind, int count) { return expect(object[kind]["count"], count); };
   if (const auto& line = roots.line) {
-    expect_count("line", line->count);
-    return all_along(points_on_line(line->from, line->to, line->count), line->direction);
+    const int made = expect_count("line", line->count);
+    return all_along(points_on_line(line->from, line->to, made), line->direction);
   }
   if (const auto& disc = roots.disc) {
-    expect_count("disc", disc->count);
-    return all_along(points_on_disc(disc->centre, disc->normal, disc->radius, disc->count),
+    const int made = expect_count("disc", disc->count);
+    return all_along(points_on_disc(disc->centre, disc->normal, disc->radius, made),
                      disc->direction.value_or(disc->normal));
   }
   if (const auto& cap = roots.cap) {
     if (object["cap"].has("lift") && !cap->comb)
       object["cap"]["lift"].fail("is of hair that is combed; give \"comb\", too");
-    expect_count("cap", cap->count);
-    return on_cap(*cap);
+    return combed_on_cap(*cap, expect_count("cap", cap->count));
   }
-  expect_count("bust", roots.bust->count);
-  return on_bust(*roots.bust);
+  return combed_on_bust(*roots.bust, expect_count("bust", roots.bust->count));
 }
 
 }  // namespace hair::json

@@ -110,7 +110,7 @@ void add_synthesis(const JsonValue& object, const SynthesisText& text, GroupScal
   made.gathered = made.clump > 0 || object.has("gathered") ? text.gathered : 0;
   made.combed = scalp.combed;
   made.guides = std::move(scalp.guides);
-  made.children = scalp.more(text.strands, made.seed);
+  made.children = scalp.more(reading.made(text.strands), made.seed);
   if (made.children.empty())
     object.fail(
         "the roots are on a line, and have no room for more between them; give three at least that are not");

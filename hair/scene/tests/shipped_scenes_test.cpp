@@ -29,6 +29,21 @@ TEST(ShippedScenes, AreThoseThatAUserIsPromised) {
     EXPECT_TRUE(names.count(name)) << name;
 }
 
+// `hairlab scenes` reads outlines.
+TEST(ShippedScenes, AnOutlineShowsAndCallsWhatTheSceneDoesWithFewStrands) {
+  for (const auto& file : shipped()) {
+    const hair::Scene scene = hair::read_scene(file), outline = hair::read_outline(file);
+    EXPECT_EQ(outline.shows, scene.shows) << file;
+    EXPECT_EQ(hair::exercises_of(outline), hair::exercises_of(scene)) << file;
+    for (const hair::DenseHair& dense : outline.dense)
+      EXPECT_LE(dense.description.children.size(), 4u) << file;
+  }
+  // Four strands of each group: of three lines, a disc and a groom that grows.
+  EXPECT_EQ(hair::read_outline(HAIR_SCENES "/wind.json").hair.strands.size(), 12u);
+  EXPECT_EQ(hair::read_outline(HAIR_SCENES "/ponytail.json").hair.strands.size(), 4u);
+  EXPECT_EQ(hair::read_outline(HAIR_SCENES "/head-of-hair.json").hair.strands.size(), 4u);
+}
+
 TEST(ShippedScenes, APonytailHas200Strands) {
   EXPECT_EQ(hair::read_scene(HAIR_SCENES "/ponytail.json").hair.strands.size(), 200U);
 }
