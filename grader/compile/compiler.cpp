@@ -117,6 +117,9 @@ Compiled Compiler::run_linker(const Exercise& exercise, const fs::path& job, dou
     cage.mounts.push_back({toolchain_.kit().folder() / "provided" / (id + ".so"), "/provided/" + id + ".so"});
     command.push_back("/provided/" + id + ".so");
   }
+  cage.mounts.push_back({toolchain_.kit().folder() / "given", "/given"});
+  for (const std::string& library : exercise.libraries) command.push_back("/given/" + library + ".a");
+  command.push_back("/given/standard.a");
 
   const Toolchain::Run found = toolchain_.run(cage, command, exercise.file);
   Compiled compiled{{}, {}, found.output, found.cpu_seconds};

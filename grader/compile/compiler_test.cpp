@@ -128,6 +128,17 @@ TEST_F(CompilerTest, AnIncludeFromTheFolderAboveIsFound) {
   EXPECT_FALSE(compiled.object.empty()) << compiled.log;
 }
 
+// What the headers declare is there at home, too.
+TEST_F(CompilerTest, GivenFunctionsAreLinked) {
+  const std::string source = "#include \"particles/require.h\"\n#include \"solver/block_cholesky.h\"\n" +
+                             reference(with_eigen_) +
+                             "bool given(double x, Eigen::Matrix3d A) {\n"
+                             "  particles::require_finite(\"x\", x);\n"
+                             "  return solver::block_cholesky::factor(A);\n}\n";
+  const Compiled compiled = compiler_.compile(with_eigen_, source, kit_.new_job("given"), kSeconds);
+  EXPECT_FALSE(compiled.object.empty()) << compiled.messages << compiled.log;
+}
+
 TEST_F(CompilerTest, AnExerciseWithoutEigenHasNone) {
   const Exercise& without = *course_.find("S1");
   const Compiled compiled = compiler_.compile(without, "#include <Eigen/Core>\n" + reference(without),

@@ -35,12 +35,14 @@ void remove_stale() {
 }  // namespace
 
 StagedKit::StagedKit(const fs::path& kit, const Course& course) {
-  std::vector<fs::path> parts = {"worker", "sanitised/worker", "serve/runs.so"};
+  std::vector<fs::path> parts = {"worker", "sanitised/worker", "serve/runs.so", "given/standard.a"};
   for (const Exercise& exercise : course.exercises) {
     parts.push_back(fs::path("include") / exercise.header);
     parts.push_back(fs::path("export") / (exercise.id + ".map"));
     for (const char* folder : {"lib", "stub", "serve"})
       parts.push_back(fs::path(folder) / (exercise.id + ".so"));
+    for (const std::string& library : exercise.libraries)
+      parts.push_back(fs::path("given") / (library + ".a"));
     for (const std::string& id : exercise.prerequisites) parts.push_back(fs::path("provided") / (id + ".so"));
   }
   for (const fs::path& part : parts)

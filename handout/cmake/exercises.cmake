@@ -8,6 +8,7 @@
 #   HAIR_CONTRACT_DIRS             what the include path has beside it; HAIR_LECTURE_DIR: for students' files and the lecture's programs, too
 #   HAIR_FIXED_ADDRESSES           how a program with AddressSanitizer is linked
 #   hair_use_libraries(TARGET ID)  the libraries beside the standard one that exercise ID may include
+#   HAIR_GIVEN_<LIBRARY>           the given code that a file may call if it may include LIBRARY; HAIR_GIVEN_standard: that each file may call
 #   hair_compile_settings(TARGET)  C++20 and the flags that results depend on, for all code
 #   hair_warnings(TARGET)          the same and warnings, for our code, never for a student's file. They are errors in the staff's
 #                                  build alone: a student's compiler may be newer than ours
@@ -119,6 +120,9 @@ if(NOT TARGET Eigen3::Eigen OR Eigen3_VERSION VERSION_LESS 3.3)
   message(FATAL_ERROR "Eigen is missing, version 3.3 or later. ${how}")
 endif()
 
+set(HAIR_GIVEN_standard hair_solver)
+set(HAIR_GIVEN_eigen hair_particles hair_block_bands)
+
 function(hair_use_libraries TARGET ID)
   foreach(library ${HAIR_${ID}_LIBRARIES})
     if(library STREQUAL "eigen")
@@ -146,6 +150,9 @@ function(hair_exercise_libraries NAME DIR)
     if("eigen" IN_LIST HAIR_${id}_LIBRARIES)
       hair_precompile(${NAME}_${id} ${kind})
     endif()
+    foreach(library ${HAIR_${id}_LIBRARIES} standard)
+      target_link_libraries(${NAME}_${id} PUBLIC ${HAIR_GIVEN_${library}})
+    endforeach()
   endforeach()
   foreach(id ${HAIR_EXERCISES})
     foreach(prerequisite ${HAIR_${id}_PREREQUISITES})
