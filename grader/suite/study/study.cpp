@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "grader/suite/study/equal_error.h"
+#include "hair/io/plot/work_precision.h"
 #include "solver/timing.h"
 
 namespace grader {
@@ -64,8 +64,8 @@ StudyPoint judged(const Division& division, const Played& played, const Truth& t
   return point;
 }
 
-std::vector<Sample> samples_of(const StudyCurve& curve, std::size_t round) {
-  std::vector<Sample> samples;
+std::vector<hair::Sample> samples_of(const StudyCurve& curve, std::size_t round) {
+  std::vector<hair::Sample> samples;
   for (const StudyPoint& point : curve.points)
     if (point.end == StudyEnd::finished && round < point.seconds.size())
       samples.push_back({point.seconds[round], point.error});

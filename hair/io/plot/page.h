@@ -37,6 +37,9 @@ std::string to_csv(const Table& table);
 // Enough digits to see a difference, few enough to read: "1.23e-5".
 std::string to_text(double value);
 
+// Formats like printf: "%.9g".
+std::string printed(const char* format, double value);
+
 // The shortest text that reads back as the same number: for CSV.
 std::string to_exact_text(double value);
 

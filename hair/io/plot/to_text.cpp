@@ -1,6 +1,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "hair/io/plot/page.h"
@@ -39,6 +40,12 @@ std::string to_text(double value) {
       size >= kSmallestInFull && size < 1000 ? std::chars_format::general : std::chars_format::scientific;
   if (format == std::chars_format::general) return formatted(value, format, 3);
   return shortened(formatted(value, format, 2));
+}
+
+std::string printed(const char* format, double value) {
+  std::array<char, 64> text = {};
+  std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
 }
 
 std::string to_exact_text(double value) {

@@ -1,18 +1,7 @@
-#include <unistd.h>
-
-#include <iostream>
 #include <memory>
 
-#include "hair/io/files/bad_input.h"
-#include "hair/io/files/write_file.h"
-#include "hair/io/machine.h"
-#include "hair/lab/commands/command.h"
-#include "hair/lab/commands/hand_over.h"
-#include "hair/lab/run/interruption.h"
-#include "hair/lab/run/output_folder.h"
-#include "hair/lab/solver/solver_page.h"
+#include "hair/lab/commands/study_shell.h"
 #include "hair/lab/solver/solver_record.h"
-#include "hair/lab/solver/solver_tables.h"
 #include "hair/lab/stub.h"
 #include "solver/linearSolver.h"
 #include "solver/normal_equations.h"
@@ -23,70 +12,39 @@ using namespace solver_lab;
 
 namespace {
 
-struct SolverOptions {
-  std::filesystem::path out;
-  solver::study::Settings settings;
-};
-
-const OutputKind& solver_output() {
-  static const OutputKind kind = {
-      "hairlab solver",
-      "solver.json",
-      kSolverRecordBegin,
-      {"index.html", "convergence.csv", "direct.csv", "iterations.csv", "digits.csv", "products.csv"}};
-  return kind;
-}
-
-void write(const OutputFolder& folder, const solver::study::SolverStudy& study, const std::string& left_out) {
-  const std::string machine = measured_on(this_machine());
-  write_file(folder.now("solver.json"), solver_json(study, machine, left_out));
-  for (const NamedTable& table : solver_tables(study))
-    write_file(folder.now(table.file), to_csv(table.table));
-  write_file(folder.now("index.html"), to_html(solver_page(study, machine, left_out)));
-}
-
-int run(const SolverOptions& options, const Course& course) {
+int run(const ShellOptions& options, const Course& course) {
   solver::study::Functions studied;
   if (course.has("S1")) studied.conj_grad = ConjGrad;
   if (course.has("S2")) studied.normal_equations = solve_normal_equations;
   if (!studied.conj_grad) throw BadInput("this course leaves out S1, ConjGrad; there is no solver to study");
-  const std::atomic<bool>& interrupted = catch_interruption("\nhairlab: stopping; once more ends at once\n");
-  OutputFolder folder(options.out, solver_output());
-  const bool terminal = isatty(STDERR_FILENO) != 0;
-  const auto say = [&](const std::string& what) {
-    if (terminal) std::cerr << "\r\x1b[K" << what << std::flush;
-  };
-  std::optional<solver::study::SolverStudy> study;
-  try {
-    study = solver::study::study_solvers(studied, options.settings, interrupted, say);
-  } catch (const NotImplemented&) {
-    say("");
-    throw;
-  }
-  say("");
-  if (!study) {
-    std::cerr << "hairlab: interrupted; nothing is written\n";
-    return kInterrupted;
-  }
-  std::string left_out;
-  if (study->not_written)
-    left_out = missing_part(*study->not_written);
-  else if (!studied.normal_equations)
-    left_out = "this course has no S2";
-  write(folder, *study, left_out);
-  folder.keep();
-  std::cout << (folder.path() / "index.html").string() << "\n";
-  if (!left_out.empty()) std::cout << "without the normal equations: " << left_out << "\n";
-  return 0;
+  StudyShell shell(
+      options, "hairlab solver", "solver.json",
+      {"index.html", "convergence.csv", "direct.csv", "iterations.csv", "digits.csv", "products.csv"},
+      WhenInterrupted::loses);
+  solver::study::Settings settings;
+  settings.quick = options.quick;
+  const auto study = solver::study::study_solvers(studied, settings, shell.interrupted(), shell.teller());
+  if (!study) return shell.end(false);
+  const std::string left_out = study->not_written         ? missing_part(*study->not_written)
+                               : studied.normal_equations ? ""
+                                                          : "this course has no S2";
+  std::vector<solver::study::Compared> all;
+  for (const auto* family : {&study->conditions, &study->clusters, &study->strands, &study->linked})
+    all.insert(all.end(), family->begin(), family->end());
+  shell.keep(solver_json(*study, left_out), solver_page(*study, left_out),
+             {{"convergence.csv", convergence_rows(all)},
+              {"direct.csv", direct_rows(all)},
+              {"iterations.csv", rows_of(study->needed, row_of_needed)},
+              {"products.csv", rows_of(study->products, row_of_cost)},
+              {"digits.csv", rows_of(study->digits, row_of_digits)}});
+  return shell.end(true, left_out.empty() ? "" : "\nwithout the normal equations: " + left_out);
 }
 
 }  // namespace
 
 Command add_solver_command(CLI::App& program) {
-  const auto options = std::make_shared<SolverOptions>();
-  CLI::App* app = program.add_subcommand(kSolverStudy.name, kSolverStudy.what);
-  app->add_option("--out", options->out, "The folder for page, JSON and CSV")->required();
-  app->add_flag("--quick", options->settings.quick, "Fewer points, and shorter repeats");
+  const auto options = std::make_shared<ShellOptions>();
+  CLI::App* app = add_study(program, kSolverStudy, *options, "fewer points, and shorter repeats");
   return {app, [options](const Course& course) { return run(*options, course); }};
 }
 

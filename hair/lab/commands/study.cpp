@@ -1,23 +1,14 @@
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
 #include <memory>
 
-#include "hair/io/files/bad_input.h"
-#include "hair/io/files/printable.h"
-#include "hair/io/machine.h"
-#include "hair/lab/commands/command.h"
-#include "hair/lab/commands/hand_over.h"
+#include "hair/lab/commands/study_shell.h"
 #include "hair/lab/run/course_scene.h"
-#include "hair/lab/run/interruption.h"
-#include "hair/lab/run/output_file.h"
-#include "hair/lab/run/output_folder.h"
 #include "hair/lab/stub.h"
-#include "hair/lab/study/study_page.h"
 #include "hair/lab/study/study_record.h"
 #include "hair/lab/study/sweep.h"
 
@@ -33,19 +24,14 @@ constexpr double kEnoughQuick = 0.05;  // s, that repeats of a run take together
 using Clock = std::chrono::steady_clock;
 constexpr Clock::duration kKeptEvery = std::chrono::seconds(1);
 
-struct StudyOptions {
+struct StudyOptions : ShellOptions {
   std::string scene;
-  std::filesystem::path out, cache;
-  bool quick = false, resume = false, names_cache = false, no_cache = false, space = false;
+  std::filesystem::path cache;
+  bool names_cache = false, no_cache = false, space = false;
   int strand = 0;
   std::optional<double> duration;
   std::vector<std::string> methods;
 };
-
-const OutputKind& study_output() {
-  static const OutputKind kind{"hairlab study", "study.json", kStudyRecordBegin, {"study.csv", "index.html"}};
-  return kind;
-}
 
 void require_writable(const std::filesystem::path& cache) {
   if (cache.empty()) throw BadInput("--cache: is empty; give the path of a folder");
@@ -81,40 +67,12 @@ ProblemSettings problem_settings(const Scene& scene, const StudyOptions& options
   return settings;
 }
 
-std::vector<StudyMethod> chosen_methods(const Problem& problem, const std::vector<std::string>& ids,
+std::vector<StudyMethod> chosen_methods(const Problem& problem, const StudyOptions& options,
                                         const Course& course) {
-  std::vector<StudyMethod> methods = methods_for(problem, course.absent());
-  std::string known;
-  for (const StudyMethod& method : methods) known += (known.empty() ? "" : ", ") + method.id;
-  for (const std::string& id : ids)
-    if (std::none_of(methods.begin(), methods.end(), [&](const StudyMethod& one) { return one.id == id; }))
-      throw BadInput("--methods: there is no \"" + printable(id) + "\" for this scene; there are " + known);
-  if (!ids.empty())
-    std::erase_if(methods, [&](const StudyMethod& one) {
-      return std::find(ids.begin(), ids.end(), one.id) == ids.end();
-    });
-  if (methods.empty()) throw BadInput(problem.scene.name + ": this course leaves out all methods for it");
-  return methods;
+  const std::vector<StudyMethod> all = methods_for(problem, course.absent());
+  if (all.empty()) throw BadInput(problem.scene.name + ": this course leaves out all methods for it");
+  return chosen(all, options.methods, "--methods");
 }
-
-void keep(const Study& study, OutputFolder& folder) {
-  write_whole(folder, "study.csv", to_csv(table_of_runs(study)));
-  write_whole(folder, "index.html", to_html(study_page(study)));
-  write_whole(folder, "study.json", study_json(study));
-  folder.keep();
-}
-
-// A line that is written over and over, on a terminal alone.
-class Progress {
- public:
-  void say(const std::string& what) const {
-    if (terminal_) std::cerr << "\r\x1b[K" << what << std::flush;
-  }
-  void clear() const { say(""); }
-
- private:
-  bool terminal_ = isatty(STDERR_FILENO) != 0;
-};
 
 // Whether a run got anywhere.
 bool has_runs(const Study& study) {
@@ -134,10 +92,10 @@ int run(const StudyOptions& options, const Course& course) {
     throw BadInput("--duration: " + to_exact_text(*options.duration) + " is not right; give 1e-6 to 1000");
   const Scene scene = read_course_scene(options.scene, course);
   const Problem problem = make_problem(scene, problem_settings(scene, options));
-  const std::vector<StudyMethod> methods = chosen_methods(problem, options.methods, course);
-  const std::atomic<bool>& interrupted =
-      catch_interruption("\nhairlab: keeping what is finished; once more ends at once\n");
-  std::optional<OutputFolder> folder(std::in_place, options.out, study_output());
+  const std::vector<StudyMethod> methods = chosen_methods(problem, options, course);
+  StudyShell shell(options, "hairlab study", "study.json", {"study.csv", "index.html"},
+                   WhenInterrupted::resumes);
+  const std::atomic<bool>& interrupted = shell.interrupted();
 
   StudySettings settings;
   settings.most_work = options.quick ? kMostQuickWork : kMostWork;
@@ -147,75 +105,57 @@ int run(const StudyOptions& options, const Course& course) {
   study.strand = options.strand;
   study.program_digest = program_digest();
   // What can't be resumed is refused at once, not after the accurate motion, which takes long.
-  if (options.resume) read_runs(folder->earlier_record(), study);
+  if (options.resume) read_runs(shell.folder().earlier_record(), study);
 
-  const Progress progress;
-  progress.say("the accurate motion");
+  shell.say("the accurate motion");
   const std::optional<AccurateMotion> motion =
       accurate_motion(problem, {kTightest, cache_folder(options)}, interrupted);
-  progress.clear();
-  if (!motion) {
-    std::cerr << "hairlab: interrupted before the accurate motion was known; nothing is written\n";
-    return kInterrupted;
-  }
-
+  if (!motion) return shell.end(false);
   set_reference(problem, *motion, study);
-  if (options.resume) read_runs(folder->earlier_record(), study);
+  if (options.resume) read_runs(shell.folder().earlier_record(), study);
 
   // A run that never ends, in an exercise, loses no more than what came within a second before it.
   auto kept = Clock::now() - kKeptEvery;
   settings.progress = [&](const std::string& what) {
-    progress.say(what);
+    shell.say(what);
     if (!has_runs(study) || Clock::now() - kept < kKeptEvery) return;
-    keep(study, *folder);
-    folder.emplace(options.out, study_output());
+    shell.keep(study_json(study), study_page(study), {{"study.csv", run_rows(study)}});
     kept = Clock::now();
   };
-  progress.say("the space error");
+  shell.say("the space error");
   study.space_error =
       space_error(problem, options.space ? Patience::minutes : Patience::seconds, interrupted);
   const bool finished = finish_study(problem, *motion, settings, study, interrupted);
-  progress.clear();
+  shell.say("");
 
-  if (!has_runs(study)) {
-    if (!finished) {
-      std::cerr << "hairlab: interrupted before a run was finished; nothing is written\n";
-      return kInterrupted;
-    }
+  if (has_runs(study)) {
+    shell.keep(study_json(study), study_page(study), {{"study.csv", run_rows(study)}});
+    for (const Sweep& sweep : study.sweeps)
+      if (!sweep.left_out.empty())
+        std::cerr << "hairlab: " << sweep.method.name << " is left out: " << missing_part(sweep.left_out)
+                  << "\n";
+  } else if (finished) {
     std::cerr << "hairlab: " << study.scene << " needs " << missing_part(study.sweeps[0].left_out) << "\n";
     return kNotWritten;
   }
-  keep(study, *folder);
-
-  for (const Sweep& sweep : study.sweeps)
-    if (!sweep.left_out.empty())
-      std::cerr << "hairlab: " << sweep.method.name << " is left out: " << missing_part(sweep.left_out)
-                << "\n";
-  std::cout << (folder->path() / "index.html").string() << "\n";
-  if (!finished) {
-    std::cerr << "hairlab: interrupted; what is finished is kept, and --resume goes on\n";
-    return kInterrupted;
-  }
-  return 0;
+  return shell.end(finished);
 }
 
 }  // namespace
 
 Command add_study_command(CLI::App& program) {
   const auto options = std::make_shared<StudyOptions>();
-  CLI::App* app = program.add_subcommand(kErrorStudy.name, kErrorStudy.what);
+  CLI::App* app = add_study(program, kErrorStudy, *options,
+                            "at most 10 segments, and shorter sweeps: seconds instead of a minute", false);
   CLI::Option* scene =
       app->add_option("SCENE", options->scene, "A scene's file, or the name of one that comes along");
-  CLI::Option* out =
-      app->add_option("--out", options->out, "The folder for index.html, study.csv and study.json");
   // Both are required, but not of a command of its own (`study head`).
-  app->parse_complete_callback([app, scene, out] {
+  app->parse_complete_callback([app, scene] {
     if (!app->get_subcommands().empty()) return;
-    for (const CLI::Option* one : {scene, out})
+    for (const CLI::Option* one : {scene, app->get_option("--out")})
       if (one->count() == 0) throw CLI::RequiredError(one->get_name());
   });
-  app->add_flag("--quick", options->quick, "10 segments, and shorter sweeps: seconds instead of a minute");
-  app->add_flag("--resume", options->resume, "Go on with the study in the folder, which was interrupted");
+  add_resume(*app, *options);
   app->add_flag("--space", options->space,
                 "Also of soft hair, how far its segments are from infinitely many: that may take minutes");
   app->add_option("--strand", options->strand, "Which of the scene's strands, or toys (default: 0)")

@@ -1,18 +1,7 @@
-#include <unistd.h>
-
-#include <algorithm>
 #include <iostream>
 #include <memory>
-#include <optional>
 
-#include "hair/io/files/bad_input.h"
-#include "hair/io/files/printable.h"
-#include "hair/io/files/write_file.h"
-#include "hair/io/machine.h"
-#include "hair/lab/commands/command.h"
-#include "hair/lab/commands/hand_over.h"
-#include "hair/lab/run/interruption.h"
-#include "hair/lab/run/output_folder.h"
+#include "hair/lab/commands/study_shell.h"
 #include "hair/lab/stub.h"
 #include "hair/lab/validate/record.h"
 #include "solver/timing.h"
@@ -21,10 +10,9 @@ namespace hair {
 
 namespace {
 
-struct ValidateOptions {
+struct ValidateOptions : ShellOptions {
   std::vector<std::string> ids;
-  bool quick = false, list = false, writes = false;
-  std::filesystem::path out;
+  bool list = false;
 };
 
 int list_validations(const Course& course) {
@@ -35,20 +23,6 @@ int list_validations(const Course& course) {
               << ")\n";
   }
   return 0;
-}
-
-// Those that are asked for, in the list's order; all, if none is.
-std::vector<Validation> chosen(const std::vector<std::string>& ids, const Course& course) {
-  std::vector<Validation> all = all_validations(course.absent());
-  std::string known;
-  for (const Validation& one : all) known += (known.empty() ? "" : ", ") + one.id;
-  for (const std::string& id : ids)
-    if (std::none_of(all.begin(), all.end(), [&](const Validation& one) { return one.id == id; }))
-      throw BadInput("there is no validation \"" + printable(id) + "\"; there are " + known);
-  if (!ids.empty())
-    std::erase_if(
-        all, [&](const Validation& one) { return std::find(ids.begin(), ids.end(), one.id) == ids.end(); });
-  return all;
 }
 
 // Throws Interrupted.
@@ -66,51 +40,31 @@ ValidationRecord run_one(const Validation& one, const ValidationSettings& settin
   return record;
 }
 
-const OutputKind& validate_output() {
-  static const OutputKind kind{
-      "hairlab validate", "validate.json", kValidationJsonBegin, {"index.html", "validate.csv"}};
-  return kind;
-}
-
-void write_results(OutputFolder& folder, const std::vector<ValidationRecord>& records, bool quick) {
-  write_file(folder.now("validate.csv"), to_csv(table_of_checks(records)));
-  const std::string machine = measured_on(this_machine());
-  write_file(folder.now("index.html"), to_html(page_of(records, quick, machine)));
-  write_file(folder.now("validate.json"), json_of(records, quick, machine));
-  folder.keep();
-  std::cout << folder.then("index.html").string() << "\n";
-}
-
 int run(const ValidateOptions& options, const Course& course) {
   if (options.list) return list_validations(course);
-  const std::vector<Validation> validations = chosen(options.ids, course);
-  const std::atomic<bool>& interrupted = catch_interruption("\nhairlab: stopping; once more ends at once\n");
-  const ValidationSettings settings{options.quick, &interrupted};
-  std::optional<OutputFolder> folder;
-  if (options.writes) folder.emplace(options.out, validate_output());
-  const bool terminal = isatty(STDERR_FILENO) != 0;
+  const std::vector<Validation> validations =
+      chosen(all_validations(course.absent()), options.ids, "validate");
+  StudyShell shell(options, "hairlab validate", "validate.json", {"index.html", "validate.csv"},
+                   WhenInterrupted::keeps);
+  const ValidationSettings settings{options.quick, &shell.interrupted()};
 
   std::vector<ValidationRecord> records;
   for (const Validation& one : validations) {
-    if (terminal)
-      std::cerr << "\r\x1b[K" << records.size() + 1 << " of " << validations.size() << ": " << one.id
-                << std::flush;
+    shell.say(std::to_string(records.size() + 1) + " of " + std::to_string(validations.size()) + ": " +
+              one.id);
     std::optional<ValidationRecord> record;
     try {
       record = run_one(one, settings);
     } catch (const Interrupted&) {
     }
-    if (terminal) std::cerr << "\r\x1b[K" << std::flush;
+    shell.say("");
     if (!record) break;
     std::cout << terminal_text(*record) << std::flush;
     records.push_back(std::move(*record));
   }
-  if (folder && !records.empty()) write_results(*folder, records, options.quick);
-  if (records.size() < validations.size()) {
-    std::cerr << "hairlab: interrupted after " << records.size() << " of " << validations.size()
-              << " validations\n";
-    return kInterrupted;
-  }
+  if (options.writes && !records.empty())
+    shell.keep(json_of(records), page_of(records), {{"validate.csv", check_rows(records)}});
+  if (const int code = shell.end(records.size() == validations.size()); code != 0) return code;
 
   const bool all_hold = std::all_of(records.begin(), records.end(),
                                     [](const ValidationRecord& one) { return !one.ran() || one.holds(); });
@@ -132,12 +86,11 @@ int run(const ValidateOptions& options, const Course& course) {
 
 Command add_validate_command(CLI::App& program) {
   const auto options = std::make_shared<ValidateOptions>();
-  CLI::App* app = program.add_subcommand(kValidation.name, kValidation.what);
+  CLI::App* app =
+      add_study(program, kValidation, *options, "fewer and coarser: seconds instead of a minute", false);
   app->add_option("ID", options->ids, "Which (default: all)");
   app->add_flag("--list", options->list, "Say which there are, and the exercises that they call");
-  app->add_flag("--quick", options->quick, "Fewer and coarser: seconds instead of a minute");
-  CLI::Option* out = app->add_option("--out", options->out, "A folder for the same as page, CSV and JSON");
-  app->final_callback([options, out] { options->writes = out->count() > 0; });
+  app->final_callback([options, app] { options->writes = app->count("--out") > 0; });
   return {app, [options](const Course& course) { return run(*options, course); }};
 }
 

@@ -1,4 +1,4 @@
-#include "hair/lab/head/head_page.h"
+#include "hair/lab/head/head_record.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,37 +25,27 @@ std::string place_of(const HeadCase& one) {
   return one.collides ? "on a head" : "without a head";
 }
 
-std::string who_of(const HeadCase& one) {
-  return one.fast ? "engine" : "exercises";
-}
-
 Point point_of(const GuideRun& run, std::size_t mode, double error) {
   return {std::max(run.seconds(mode), kLeast), std::max(1e3 * error, kLeast),
           std::to_string(run.guides) + " guides"};
 }
 
 Figure figure_of(const HeadCase& one) {
-  Figure figure;
-  figure.id = "error-against-time-" + one.hair->id + (one.collides ? "-head" : "-free");
-  figure.title = one.hair->title + " " + place_of(one) + ": error against run time";
-  figure.description =
+  Figure figure{
+      "error-against-time-" + one.hair->id + (one.collides ? "-head" : "-free"),
+      one.hair->title + " " + place_of(one) + ": error against run time",
       "The distance of hair that is made of guides from the same hair simulated, over the second in which "
       "the head moves, against the CPU time of that second. A point for each number of guides. The dashed "
-      "line is the time of every strand simulated, which has no such error. Both axes are logarithmic.";
-  figure.x.title = "CPU time for a second of motion, s";
-  figure.y.title = "RMS distance, mm";
-  for (std::size_t m = 0; m < kModes.size(); ++m) {
-    Series series;
-    series.name = kModes[m].id;
+      "line is the time of every strand simulated, which has no such error. Both axes are logarithmic.",
+      {"CPU time for a second of motion, s"},
+      {"RMS distance, mm"}};
+  const auto add = [&](const std::string& name, std::size_t mode, HeadError HeadErrors::*of) {
+    Series& series = figure.series.emplace_back(Series{name, {}});
     for (const GuideRun& run : one.runs)
-      series.points.push_back(point_of(run, m, run.modes[m].errors.all.rms));
-    figure.series.push_back(std::move(series));
-  }
-  Series motion;
-  motion.name = "interpolate, motion alone";
-  for (const GuideRun& run : one.runs)
-    motion.points.push_back(point_of(run, kInterpolate, run.modes[kInterpolate].errors.motion.rms));
-  figure.series.push_back(std::move(motion));
+      series.points.push_back(point_of(run, mode, (run.modes[mode].errors.*of).rms));
+  };
+  for (std::size_t m = 0; m < kModes.size(); ++m) add(kModes[m].id, m, &HeadErrors::all);
+  add("interpolate, motion alone", kInterpolate, &HeadErrors::motion);
   double low = 1 / kLeast, high = kLeast;
   for (const Series& series : figure.series)
     for (const Point& point : series.points) low = std::min(low, point.y), high = std::max(high, point.y);
@@ -87,19 +77,12 @@ Table table_of(const HeadCase& one) {
 }
 
 // All errors, in mm, and the time together.
-Table errors_of(const HeadCase& one, std::size_t mode) {
-  Table table{caption_of(one, mode) + "; errors in mm",
-              {"guides", "ms", "start", "start, 95 %", "end", "end, 95 %", "all", "all, 95 %", "motion",
-               "motion, 95 %"},
-              {}};
-  for (const GuideRun& run : one.runs) {
-    std::vector<std::string> row = {std::to_string(run.guides), ms(run.seconds(mode))};
-    const HeadErrors& e = run.modes[mode].errors;
-    for (const HeadError& error : {e.start, e.end, e.all, e.motion})
-      row.insert(row.end(), {mm(error.rms), mm(error.most)});
-    table.rows.push_back(std::move(row));
-  }
-  return table;
+void add_errors(const HeadCase& one, std::size_t mode, std::vector<Table>& tables) {
+  std::vector<Row> rows;
+  for (const GuideRun& run : one.runs)
+    rows.push_back(Row{{"guides", "", run.guides}, {"seconds", "", run.seconds(mode), {"ms", 1e3}}} +
+                   row_of_mode(run.modes[mode]));
+  add_table(tables, rows, caption_of(one, mode) + "; errors in mm");
 }
 
 // Null: there is none.
@@ -117,7 +100,7 @@ Table answer(const HeadStudy& study) {
       {"hair", "by", "strands", "100 guides", "s", "1,000 guides", "s", "every strand, s", "times"},
       {}};
   for (const HeadCase& one : study.cases) {
-    std::vector<std::string> row = {one.hair->title + " " + place_of(one), who_of(one),
+    std::vector<std::string> row = {one.hair->title + " " + place_of(one), simulated_by(one),
                                     std::to_string(one.strands)};
     for (const int guides : {100, 1'000}) {
       const GuideRun* const run = run_with(one, guides);
@@ -159,7 +142,7 @@ Section section_of(const HeadStudy& study, const std::string& id) {
     section.heading = one.hair->title;
     section.first.push_back(table_of(one));
     section.figures.push_back(to_svg(figure_of(one)));
-    for (std::size_t m = 0; m < kModes.size(); ++m) section.tables.push_back(errors_of(one, m));
+    for (std::size_t m = 0; m < kModes.size(); ++m) add_errors(one, m, section.tables);
   }
   if (std::any_of(study.pictures.begin(), study.pictures.end(),
                   [&](const HeadPicture& picture) { return picture.hair == id; }))
@@ -184,7 +167,7 @@ Section left_out() {
 
 }  // namespace
 
-Page head_page(const HeadStudy& study, const std::string& machine) {
+Page head_page(const HeadStudy& study) {
   Page page;
   page.title = "Why not simulate every single strand?";
   page.paragraphs = {
@@ -203,7 +186,7 @@ Page head_page(const HeadStudy& study, const std::string& machine) {
               : "The exercises (H1, H2, H4) step one strand at a time, and so there are fewer strands than "
                 "on a "
                 "real head."),
-      machine + " Times are CPU times" +
+      std::string("Times are CPU times") +
           (study.threads > 1 ? " of " + std::to_string(study.threads) + " threads together" : "") + ", of " +
           std::to_string(kMoving) + " frames with " + std::to_string(kStepsPerFrame) +
           " steps each, and of a synthesis for each frame. 'Start': as the head begins to move. 'All': of "

@@ -1,88 +1,77 @@
 #include "hair/lab/head/head_record.h"
 
-#include <nlohmann/json.hpp>
-
 namespace hair::head_study {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json json_of(const HeadError& error) {
-  return {{"rms", error.rms}, {"most", error.most}};
+Row row_of_case(const HeadCase& one) {
+  return {{"hair", "", one.hair->id},
+          {"head", "", one.collides},
+          {"simulated_by", "", simulated_by(one)},
+          {"strands", "", one.strands},
+          {"points", "", one.hair->points, In::json},
+          {"length", "m", one.length},
+          {"seconds", "", one.seconds, In::json}};
 }
 
-Json json_of(const GuideRun& run) {
-  Json modes = Json::object();
-  for (std::size_t m = 0; m < kModes.size(); ++m) {
-    const HeadErrors& errors = run.modes[m].errors;
-    modes[kModes[m].id] = {{"synthesis", run.modes[m].synthesis},
-                           {"start", json_of(errors.start)},
-                           {"end", json_of(errors.end)},
-                           {"all", json_of(errors.all)},
-                           {"motion", json_of(errors.motion)}};
-  }
+OrderedJson json_of_run(const GuideRun& run) {
+  OrderedJson modes;
+  for (std::size_t m = 0; m < kModes.size(); ++m) modes[kModes[m].id] = json_of(row_of_mode(run.modes[m]));
   return {{"guides", run.guides}, {"simulation", run.simulation}, {"modes", modes}};
 }
+
+Row csv_row(const HeadCase& one, int guides, const char* mode, double simulation, const ModeRun& run) {
+  return row_of_case(one) + Row{{"guides", "", guides}, {"mode", "", mode}, {"simulation", "s", simulation}} +
+         row_of_mode(run);
+}
+
+}  // namespace
 
 const char* simulated_by(const HeadCase& one) {
   return one.fast ? "engine" : "exercises";
 }
 
-}  // namespace
-
-std::string head_json(const HeadStudy& study, const std::string& machine) {
-  Json json = {{"program", "hairlab study head"},
-               {"format", 1},
-               {"quick", study.quick},
-               {"threads", study.threads},
-               {"machine", machine},
-               {"frames_per_second", kFramesPerSecond},
-               {"steps_per_frame", kStepsPerFrame},
-               {"moving", kMoving},
-               {"cases", Json::array()},
-               {"pictures", Json::array()},
-               {"no_pictures", study.no_pictures.empty() ? Json(nullptr) : Json(study.no_pictures)}};
-  for (const HeadCase& one : study.cases) {
-    Json runs = Json::array();
-    for (const GuideRun& run : one.runs) runs.push_back(json_of(run));
-    json["cases"].push_back({{"hair", one.hair->id},
-                             {"head", one.collides},
-                             {"simulated_by", simulated_by(one)},
-                             {"strands", one.strands},
-                             {"points", one.hair->points},
-                             {"length", one.length},
-                             {"seconds", one.seconds},
-                             {"runs", runs}});
-  }
-  for (const HeadPicture& picture : study.pictures)
-    json["pictures"].push_back({{"hair", picture.hair}, {"file", picture.file}, {"guides", picture.guides}});
-  return json.dump(2) + "\n";
+Row row_of_mode(const ModeRun& run) {
+  const HeadErrors& e = run.errors;
+  return {{"synthesis", "s", run.synthesis, In::files},
+          {"start.rms", "m", e.start.rms, {"start", 1e3}},
+          {"start.most", "m", e.start.most, {"start, 95 %", 1e3}},
+          {"end.rms", "m", e.end.rms, {"end", 1e3}},
+          {"end.most", "m", e.end.most, {"end, 95 %", 1e3}},
+          {"all.rms", "m", e.all.rms, {"all", 1e3}},
+          {"all.most", "m", e.all.most, {"all, 95 %", 1e3}},
+          {"motion.rms", "m", e.motion.rms, {"motion", 1e3}},
+          {"motion.most", "m", e.motion.most, {"motion, 95 %", 1e3}}};
 }
 
-Table table_of_runs(const HeadStudy& study) {
-  Table table{"",
-              {"hair", "head", "simulated_by", "strands", "length_m", "guides", "synthesis", "simulation_s",
-               "synthesis_s", "start_rms_m", "end_rms_m", "end_95_m", "all_rms_m", "all_95_m", "motion_rms_m",
-               "motion_95_m"},
-              {}};
+OrderedJson head_json(const HeadStudy& study) {
+  OrderedJson cases = OrderedJson::array(), pictures = OrderedJson::array();
   for (const HeadCase& one : study.cases) {
-    const std::vector<std::string> first = {one.hair->id, one.collides ? "yes" : "no", simulated_by(one),
-                                            std::to_string(one.strands), to_exact_text(one.length)};
-    const auto add = [&](int guides, const char* mode, double simulation, const ModeRun& run) {
-      std::vector<std::string> row = first;
-      row.insert(row.end(), {std::to_string(guides), mode});
-      const HeadErrors& e = run.errors;
-      for (const double number : {simulation, run.synthesis, e.start.rms, e.end.rms, e.end.most, e.all.rms,
-                                  e.all.most, e.motion.rms, e.motion.most})
-        row.push_back(to_exact_text(number));
-      table.rows.push_back(std::move(row));
-    };
+    OrderedJson runs = OrderedJson::array();
+    for (const GuideRun& run : one.runs) runs.push_back(json_of_run(run));
+    cases.push_back(json_of(row_of_case(one)));
+    cases.back()["runs"] = runs;
+  }
+  for (const HeadPicture& one : study.pictures)
+    pictures.push_back({{"hair", one.hair}, {"file", one.file}, {"guides", one.guides}});
+  return {{"format", 1},
+          {"threads", study.threads},
+          {"frames_per_second", kFramesPerSecond},
+          {"steps_per_frame", kStepsPerFrame},
+          {"moving", kMoving},
+          {"cases", cases},
+          {"pictures", pictures},
+          {"no_pictures", Value(if_any(study.no_pictures)).json()}};
+}
+
+std::vector<Row> head_rows(const HeadStudy& study) {
+  std::vector<Row> rows;
+  for (const HeadCase& one : study.cases) {
     for (const GuideRun& run : one.runs)
       for (std::size_t m = 0; m < kModes.size(); ++m)
-        add(run.guides, kModes[m].id, run.simulation, run.modes[m]);
-    add(one.strands, "none", one.seconds, {});
+        rows.push_back(csv_row(one, run.guides, kModes[m].id, run.simulation, run.modes[m]));
+    rows.push_back(csv_row(one, one.strands, "none", one.seconds, {}));
   }
-  return table;
+  return rows;
 }
 
 }  // namespace hair::head_study

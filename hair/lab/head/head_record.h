@@ -1,6 +1,6 @@
-// head.json: the study of a head for programs to read, and its runs as a table.
+// The study of a head: head.json, its rows, and the page: error against run time for each hair, pictures, and what others report. In head.json:
 //
-//   program, format, quick, threads, machine
+//   program, quick, machine, format, threads
 //   frames_per_second, steps_per_frame, moving     of the motion: `moving` frames are measured
 //   cases      hair, head (whether it collides), simulated_by ("engine" or "exercises"), strands, points (of a strand), length (m),
 //              seconds (CPU time of every strand simulated), runs
@@ -10,17 +10,22 @@
 #pragma once
 
 #include <string>
-#include <string_view>
+#include <vector>
 
-#include "hair/io/plot/page.h"
+#include "hair/io/plot/columns.h"
 #include "hair/lab/head/head_study.h"
 
 namespace hair::head_study {
 
-inline constexpr std::string_view kHeadRecordBegin = "{\n  \"program\": \"hairlab study head\"";
+const char* simulated_by(const HeadCase& one);
 
-std::string head_json(const HeadStudy& study, const std::string& machine);
+// What a way of synthesis takes, and its errors.
+Row row_of_mode(const ModeRun& run);
 
-Table table_of_runs(const HeadStudy& study);  // for head.csv: a row for each way of synthesis
+OrderedJson head_json(const HeadStudy& study);
+Page head_page(const HeadStudy& study);
+
+// head.csv: a row for each way of synthesis, and one for every strand.
+std::vector<Row> head_rows(const HeadStudy& study);
 
 }  // namespace hair::head_study

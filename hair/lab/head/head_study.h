@@ -57,7 +57,6 @@ struct HeadPicture {
 };
 
 struct HeadStudy {
-  bool quick = false;
   int threads = 1;
   std::vector<HeadCase> cases;
   std::vector<HeadPicture> pictures;

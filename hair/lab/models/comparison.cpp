@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hair/io/plot/work_precision.h"
 #include "hair/lab/stub.h"
 #include "hair/simulation/simulation.h"
 #include "solver/not_implemented.h"
@@ -15,8 +16,6 @@ namespace {
 constexpr double kFrame = 1.0 / 60;  // s
 constexpr int kFinest = 6;           // halvings of it
 constexpr double kMostSeconds = 20;  // of CPU time for a second of motion: no finer run then
-constexpr double kNoBetter = 0.95;   // times the error before
-constexpr int kStalls = 3;           // so often in a row
 constexpr int kMostTimes = 5;        // that a short run is repeated
 constexpr double kEnough = 0.02;     // s of CPU time, of all its repeats
 constexpr double kMoment = kComparedTime / kMoments;
@@ -92,15 +91,13 @@ bool sweep(Runner& runner, const ComparedHair& hair, bool quick, FamilyRuns& fam
   const bool helices = std::string_view(family.family.model) == "super_helix";
   for (const int elements : helices ? hair.helices : hair.elements) {
     double step = is_explicit ? explicit_step(family.family, hair.spec, elements) : kFrame;
-    int stalls = 0;
+    std::vector<double> errors;
     for (int halved = 0; halved <= (is_explicit ? 0 : quick ? 2 : kFinest); ++halved, step /= 2) {
       const auto run = runner.run(family.family, elements, step);
       if (!run) return false;
-      const bool better = halved == 0 || !run->trouble.empty() || !family.runs.back().trouble.empty() ||
-                          run->error < kNoBetter * family.runs.back().error;
-      stalls = better ? 0 : stalls + 1;
+      errors.push_back(run->trouble.empty() ? run->error : std::nan(""));
       family.runs.push_back(*run);
-      if (stalls == kStalls || run->seconds > kMostSeconds) break;
+      if (stalls(errors) || run->seconds > kMostSeconds) break;
     }
   }
   return true;
@@ -127,7 +124,6 @@ std::optional<Comparison> compare_models(const std::vector<ComparedHair>& hairs,
                                          const std::atomic<bool>& interrupted,
                                          const std::function<void(const std::string&)>& say) {
   Comparison comparison;
-  comparison.quick = quick;
   for (const ComparedHair& hair : hairs) {
     say(hair.title + ": the fine motion");
     const auto truth = fine_motion(hair, interrupted);

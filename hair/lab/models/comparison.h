@@ -40,7 +40,6 @@ struct HairComparison {
 };
 
 struct Comparison {
-  bool quick = false;
   std::vector<HairComparison> hairs;
   std::vector<HelixCost> helix_costs;  // none if the course has no H8, or it is not written
 };

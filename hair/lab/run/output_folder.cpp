@@ -60,12 +60,12 @@ void check_replaceable(const fs::path& folder, const OutputKind& kind) {
   if (error) refuse(folder, "can't be read (" + error.message() + "); give another folder");
   if (entries == fs::directory_iterator()) return;
   if (!begins_with(folder / kind.record, kind.begin))
-    refuse(folder, "is not empty, and not from " + std::string(kind.command) +
+    refuse(folder, "is not empty, and not from " + kind.command +
                        "; give an empty folder, or one that is not there yet");
   for (const fs::directory_entry& entry : entries)
     if (!is_of(kind, entry.path().filename().string()))
       refuse(folder, "holds " + printable(entry.path().filename().string()) + ", which is not from " +
-                         std::string(kind.command) + "; move it away, or give another folder");
+                         kind.command + "; move it away, or give another folder");
 }
 
 // What runs into this folder left behind that could not clean up: killed, or out of power.
@@ -85,8 +85,11 @@ void remove_remains(const fs::path& folder) {
 }  // namespace
 
 const OutputKind& run_output() {
-  static const OutputKind kind{
-      "hairlab run", "run.json", kRunRecordBegin, {"film.mp4", "states.bin", "states.csv"}, true};
+  static const OutputKind kind{"hairlab run",
+                               "run.json",
+                               std::string(kRunRecordBegin),
+                               {"film.mp4", "states.bin", "states.csv"},
+                               true};
   return kind;
 }
 
@@ -125,9 +128,9 @@ void OutputFolder::clean_up() const {
 
 fs::path OutputFolder::earlier_record() const {
   std::error_code ignored;
-  if (!fs::exists(then(std::string(kind_.record)), ignored))
+  if (!fs::exists(then(kind_.record), ignored))
     refuse(folder_, "there is no earlier study; leave out --resume");
-  return then(std::string(kind_.record));
+  return then(kind_.record);
 }
 
 void OutputFolder::keep() {

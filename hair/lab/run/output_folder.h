@@ -11,11 +11,11 @@ namespace hair {
 
 // How to recognise the output of a command in a folder. A command replaces only its own earlier output.
 struct OutputKind {
-  std::string_view command;             // "hairlab run"
-  std::string_view record;              // this file always exists
-  std::string_view begin;               // the first bytes of that file
-  std::vector<std::string_view> files;  // the other files
-  bool frames = false;                  // also frame_name(0), ...
+  std::string command;             // "hairlab run"
+  std::string record;              // this file always exists
+  std::string begin;               // the first bytes of that file
+  std::vector<std::string> files;  // the other files
+  bool frames = false;             // also frame_name(0), ...
 };
 
 // The output of `hairlab run`.

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "hair/io/plot/figure.h"
+#include "hair/lab/solver/solver_record.h"
 #include "hair/lab/solver/solver_series.h"
-#include "hair/lab/solver/solver_tables.h"
 #include "hair/lab/solver/solver_verdicts.h"
 
 namespace hair::solver_lab {
@@ -13,20 +13,6 @@ namespace hair::solver_lab {
 namespace {
 
 using namespace solver::study;
-
-Figure figure_of(const std::string& id, const std::string& title, const std::string& description,
-                 Against against, Measure measure) {
-  return {id,
-          title,
-          description,
-          {against == Against::iterations ? "iterations"
-           : against == Against::products ? "products with A"
-                                          : "CPU time, s"},
-          {measure == Measure::error ? "error in the A-norm, relative to the first guess"
-                                     : "\u2016b \u2212 Ax\u2016\u00B2 / \u2016b\u2016\u00B2"},
-          {},
-          {}};
-}
 
 // What a system is called in a legend.
 using Named = std::string (*)(const History&);
@@ -39,53 +25,70 @@ std::string step_name(const History& history) {
   return step_of(history.system);
 }
 
-void add_conj_grad(Figure& figure, const std::vector<Compared>& systems, Named named, Against against,
-                   Measure measure) {
-  for (const Compared& on : systems)
-    figure.series.push_back(series_of(on.conj_grad, named(on.conj_grad), against, measure));
+// ConjGrad on all systems; or all solvers, and the direct way against time, on the first, the middle and the last system: all of them would
+// hide each other, and are in the tables.
+enum class Drawn { conj_grad, all_solvers };
+
+Figure figure_of(Drawn drawn, const std::vector<Compared>& systems, Named named, const std::string& id,
+                 const std::string& title, const std::string& description, Against against, Measure measure) {
+  Figure figure = {id,
+                   title,
+                   description,
+                   {against == Against::iterations ? "iterations"
+                    : against == Against::products ? "products with A"
+                                                   : "CPU time, s"},
+                   {measure == Measure::error ? "error in the A-norm, relative to the first guess"
+                                              : "\u2016b \u2212 Ax\u2016\u00B2 / \u2016b\u2016\u00B2"}};
+  const std::size_t last = systems.size() - 1;
+  for (std::size_t i = 0; i <= last; ++i) {
+    const Compared& on = systems[i];
+    const std::string name = named(on.conj_grad);
+    if (drawn == Drawn::conj_grad)
+      figure.series.push_back(series_of(on.conj_grad, name, against, measure));
+    else if (i == 0 || i == systems.size() / 2 || i == last) {
+      for (const History* history : on.histories())
+        figure.series.push_back(series_of(*history, history->solver + ", " + name, against, measure));
+      if (on.direct && against == Against::time)
+        figure.series.push_back(
+            {on.direct->solver + ", " + name,
+             {point(on.direct->factor_seconds + on.direct->solve_seconds,
+                    measure == Measure::error ? on.direct->error : on.direct->squared_residual)},
+             false});
+    }
+  }
+  return figure;
 }
 
-// ConjGrad and Eigen's, and the direct way against time, on the first, the middle and the last system: all of
-// them would hide each other, and are in the tables.
-void add_all_solvers(Figure& figure, const std::vector<Compared>& systems, Named named, Against against,
-                     Measure measure) {
-  for (const std::size_t i : {std::size_t{0}, systems.size() / 2, systems.size() - 1}) {
-    const Compared& on = systems[i];
-    for (const History* history : on.histories())
-      figure.series.push_back(
-          series_of(*history, history->solver + ", " + named(*history), against, measure));
-    if (on.direct && against == Against::time)
-      figure.series.push_back(
-          {on.direct->solver + ", " + named(on.conj_grad),
-           {point(on.direct->factor_seconds + on.direct->solve_seconds,
-                  measure == Measure::error ? on.direct->error : on.direct->squared_residual)},
-           false});
-  }
+// Of all solvers; and the direct way where there is one.
+std::vector<Table> tables_of(const std::vector<Compared>& systems, const std::string& caption) {
+  std::vector<Table> tables = {table_of(convergence_rows(systems), caption)};
+  add_table(tables, direct_rows(systems), "A direct way on the same systems");
+  return tables;
 }
 
 }  // namespace
 
 Section conditions_section(const SolverStudy& study) {
-  Figure error = figure_of("error-against-iterations", "Error of ConjGrad against iterations",
+  Figure error = figure_of(Drawn::conj_grad, study.conditions, condition_name, "error-against-iterations",
+                           "Error of ConjGrad against iterations",
                            "The larger the condition number, the more iterations; all curves should stay "
                            "below the theory's bound until rounding ends them. " +
                                bound_verdict(study.conditions),
                            Against::iterations, Measure::error);
-  add_conj_grad(error, study.conditions, condition_name, Against::iterations, Measure::error);
   for (std::size_t i = 0; i < study.conditions.size(); ++i) {
     const History& history = study.conditions[i].conj_grad;
     error.series.push_back(bound_of(history, "bound, " + to_text(history.condition), static_cast<int>(i)));
   }
   Figure residual =
-      figure_of("squared-residual-against-iterations", "Squared residual against iterations",
+      figure_of(Drawn::all_solvers, study.conditions, condition_name, "squared-residual-against-iterations",
+                "Squared residual against iterations",
                 "Residuals should fall as errors do, but may grow on the way, and be small sooner.",
                 Against::iterations, Measure::squared_residual);
-  add_all_solvers(residual, study.conditions, condition_name, Against::iterations, Measure::squared_residual);
-  Figure time = figure_of("error-against-time", "Error against CPU time",
+  Figure time = figure_of(Drawn::all_solvers, study.conditions, condition_name, "error-against-time",
+                          "Error against CPU time",
                           "The time of so many iterations: as the curves against iterations, if each "
                           "iteration takes as long as the others.",
                           Against::time, Measure::error);
-  add_all_solvers(time, study.conditions, condition_name, Against::time, Measure::error);
   return {
       "Condition numbers",
       {"Systems of " + std::to_string(kUnknowns) +
@@ -101,25 +104,25 @@ Section conditions_section(const SolverStudy& study) {
        "is all of it, and to eliminate takes n\u00B3/3 multiplications.",
        time_verdict(study.conditions)},
       {to_svg(error), to_svg(residual), to_svg(time)},
-      {table_of("Condition numbers", study.conditions, to_text)}};
+      tables_of(study.conditions, "Condition numbers")};
 }
 
 Section clusters_section(const SolverStudy& study) {
   const std::string found = clusters_verdict(study.clusters);
   Figure error =
-      figure_of("error-for-clusters", "Error of ConjGrad against iterations: clustered eigenvalues",
+      figure_of(Drawn::conj_grad, study.clusters, system_name, "error-for-clusters",
+                "Error of ConjGrad against iterations: clustered eigenvalues",
                 "Without rounding k different eigenvalues take k iterations; with it, more. " + found,
                 Against::iterations, Measure::error);
-  add_conj_grad(error, study.clusters, system_name, Against::iterations, Measure::error);
   const History& spread = study.clusters.back().conj_grad;
   error.series.push_back(bound_of(spread, "bound, all of them", static_cast<int>(study.clusters.size()) - 1));
   Figure residual =
-      figure_of("squared-residual-for-clusters", "Squared residual against iterations: clustered eigenvalues",
+      figure_of(Drawn::all_solvers, study.clusters, system_name, "squared-residual-for-clusters",
+                "Squared residual against iterations: clustered eigenvalues",
                 "Residuals should fall where errors do.", Against::iterations, Measure::squared_residual);
-  add_all_solvers(residual, study.clusters, system_name, Against::iterations, Measure::squared_residual);
-  Figure time = figure_of("error-for-clusters-against-time", "Error against CPU time: clustered eigenvalues",
+  Figure time = figure_of(Drawn::all_solvers, study.clusters, system_name, "error-for-clusters-against-time",
+                          "Error against CPU time: clustered eigenvalues",
                           "The fewer different eigenvalues, the less time.", Against::time, Measure::error);
-  add_all_solvers(time, study.clusters, system_name, Against::time, Measure::error);
   return {
       "Clustered eigenvalues",
       {"The condition number is " + to_text(spread.condition) +
@@ -130,28 +133,25 @@ Section clusters_section(const SolverStudy& study) {
            found + " (Not each number of iterations is tried.)",
        "A good preconditioner does not only lower the condition number; it draws eigenvalues together."},
       {to_svg(error), to_svg(residual), to_svg(time)},
-      {table_of("Clustered eigenvalues", study.clusters, to_text)}};
+      tables_of(study.clusters, "Clustered eigenvalues")};
 }
 
 Section strands_section(const SolverStudy& study) {
-  Figure products = figure_of(
-      "strand-error-against-products", "Error of ConjGrad against products: a strand in steps of time",
-      "The longer the step, the stiffer the system, the more products it should take.", Against::products,
-      Measure::error);
-  add_conj_grad(products, study.strands, step_name, Against::products, Measure::error);
-  Figure residual = figure_of("strand-squared-residual-against-iterations",
-                              "Squared residual against iterations: a strand in steps of time",
-                              "The longer the step, the more the residual may grow before it falls.",
-                              Against::iterations, Measure::squared_residual);
-  add_all_solvers(residual, study.strands, step_name, Against::iterations, Measure::squared_residual);
-  Figure time = figure_of("strand-error-against-time", "Error against CPU time: a strand in steps of time",
+  Figure products =
+      figure_of(Drawn::conj_grad, study.strands, step_name, "strand-error-against-products",
+                "Error of ConjGrad against products: a strand in steps of time",
+                "The longer the step, the stiffer the system, the more products it should take.",
+                Against::products, Measure::error);
+  Figure residual =
+      figure_of(Drawn::all_solvers, study.strands, step_name, "strand-squared-residual-against-iterations",
+                "Squared residual against iterations: a strand in steps of time",
+                "The longer the step, the more the residual may grow before it falls.", Against::iterations,
+                Measure::squared_residual);
+  Figure time = figure_of(Drawn::all_solvers, study.strands, step_name, "strand-error-against-time",
+                          "Error against CPU time: a strand in steps of time",
                           "Banded Cholesky is one point for each step: as much work for any of them.",
                           Against::time, Measure::error);
-  add_all_solvers(time, study.strands, step_name, Against::time, Measure::error);
 
-  std::vector<DirectSolve> direct;
-  for (const Compared& on : study.strands)
-    if (on.direct) direct.push_back(*on.direct);
   const History& longest = study.strands.back().conj_grad;
   return {
       "A strand",
@@ -171,30 +171,26 @@ Section strands_section(const SolverStudy& study) {
        "matrix: the springs of a lone strand give it, links between strands and collisions spoil its band. "
        "ConjGrad needs nothing but products."},
       {to_svg(products), to_svg(residual), to_svg(time)},
-      {table_of("ConjGrad and Eigen's ConjugateGradient on a strand", study.strands, to_text),
-       table_of(direct, to_text)}};
+      tables_of(study.strands, "ConjGrad and Eigen's ConjugateGradient on a strand")};
 }
 
 Section linked_section(const SolverStudy& study) {
   const std::string found = preconditioned_verdict(study.linked);
-  Figure residual = figure_of("linked-squared-residual-against-iterations",
-                              "Squared residual against iterations: a strand with links",
-                              "The preconditioner leaves seven different eigenvalues. " + found,
-                              Against::iterations, Measure::squared_residual);
-  add_all_solvers(residual, study.linked, step_name, Against::iterations, Measure::squared_residual);
+  Figure residual =
+      figure_of(Drawn::all_solvers, study.linked, step_name, "linked-squared-residual-against-iterations",
+                "Squared residual against iterations: a strand with links",
+                "The preconditioner leaves seven different eigenvalues. " + found, Against::iterations,
+                Measure::squared_residual);
   Figure products =
-      figure_of("linked-error-against-products", "Error against products: a strand with links",
+      figure_of(Drawn::all_solvers, study.linked, step_name, "linked-error-against-products",
+                "Error against products: a strand with links",
                 "With the preconditioner the stiffest system should take no more products than the others.",
                 Against::products, Measure::error);
-  add_all_solvers(products, study.linked, step_name, Against::products, Measure::error);
   Figure time =
-      figure_of("linked-error-against-time", "Error against CPU time: a strand with links",
+      figure_of(Drawn::all_solvers, study.linked, step_name, "linked-error-against-time",
+                "Error against CPU time: a strand with links",
                 "The preconditioner's factor is counted in each point.", Against::time, Measure::error);
-  add_all_solvers(time, study.linked, step_name, Against::time, Measure::error);
 
-  std::vector<DirectSolve> direct;
-  for (const Compared& on : study.linked)
-    if (on.direct) direct.push_back(*on.direct);
   return {
       "A strand with links, and a preconditioner",
       {"The strand of before, and " + std::to_string(kLinks) +
@@ -215,7 +211,7 @@ Section linked_section(const SolverStudy& study) {
        "implicit methods (exercise H4). " +
            time_verdict(study.linked)},
       {to_svg(residual), to_svg(products), to_svg(time)},
-      {table_of("A strand with links", study.linked, to_text), table_of(direct, to_text)}};
+      tables_of(study.linked, "A strand with links")};
 }
 
 }  // namespace hair::solver_lab

@@ -1,4 +1,4 @@
-#include "hair/lab/solver/solver_page.h"
+#include "hair/lab/solver/solver_record.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,6 @@
 #include "hair/io/plot/figure.h"
 #include "hair/lab/solver/solver_convergence.h"
 #include "hair/lab/solver/solver_series.h"
-#include "hair/lab/solver/solver_tables.h"
 #include "hair/lab/solver/solver_verdicts.h"
 
 namespace hair::solver_lab {
@@ -58,7 +57,13 @@ Section needed_section(const SolverStudy& study) {
         "On A'A, whose condition number is c\u00B2, the slope should be 1 at first. If fewer are needed "
         "further on, that is no good news: there a residual of 1e-8 is reached before x has moved along the "
         "small eigenvalues' directions at all.");
-  return {"How many iterations", paragraphs, {to_svg(figure)}, {table_of(study.needed, to_text)}};
+  return {"How many iterations",
+          paragraphs,
+          {to_svg(figure)},
+          {table_of(
+              rows_of(study.needed, row_of_needed),
+              "Iterations until the residual is 1e-8 of the right-hand side (empty: not within the limit, or "
+              "the solver's residual or count is not true)")}};
 }
 
 Section digits_section(const SolverStudy& study) {
@@ -99,7 +104,8 @@ Section digits_section(const SolverStudy& study) {
        "square root of 1/u (u = 1.1e-16), A'A says nothing about x any more: Cholesky finds that it is not "
        "positive definite, and ConjGrad ends with an error as large as x."},
       {to_svg(figure)},
-      {table_of(study.digits, to_text)}};
+      {table_of(rows_of(study.digits, row_of_digits),
+                "Relative errors of x, and digits that are left of 16")}};
   if (const std::string stopped = stopped_verdict(study.digits); !stopped.empty())
     section.paragraphs.push_back(stopped);
   return section;
@@ -136,18 +142,16 @@ Section products_section(const SolverStudy& study) {
            to_text(static_cast<double>(last.table.bytes) / static_cast<double>(last.formula.bytes)) +
            " times the memory, nearly all of it for zeros."},
           {to_svg(figure)},
-          {table_of(study.products, to_text)}};
+          {table_of(rows_of(study.products, row_of_cost),
+                    "A product with a strand's matrix, by its formula and by the table of its entries")}};
 }
 
 }  // namespace
 
-Page solver_page(const SolverStudy& study, const std::string& machine, const std::string& left_out) {
+Page solver_page(const SolverStudy& study, const std::string& left_out) {
   Page page = {"A study of the solver",
                {"What ConjGrad and the normal equations do, beside Eigen's ConjugateGradient, banded "
-                "Cholesky and QR. Times "
-                "are CPU time, medians of repeats. " +
-                    std::string(study.quick ? "A quick study: fewer points, and shorter repeats." : ""),
-                machine},
+                "Cholesky and QR. Times are CPU time, medians of repeats."},
                {}};
   if (!left_out.empty()) page.paragraphs.push_back("The normal equations are left out: " + left_out + ".");
   page.sections = {conditions_section(study), clusters_section(study), strands_section(study),

@@ -1,83 +1,115 @@
 #include "hair/lab/solver/solver_record.h"
 
-#include <nlohmann/json.hpp>
+#include <algorithm>
+#include <cmath>
 
 namespace hair::solver_lab {
 
+using namespace solver::study;
+
 namespace {
 
-using namespace solver::study;
-using Json = nlohmann::ordered_json;  // what is not finite becomes null
-
-Json json_of(const std::optional<int>& value) {
-  return value ? Json(*value) : Json(nullptr);
-}
-
-Json json_of(const std::string& family, const History& history) {
-  Json progress = Json::array();
-  for (const Progress& one : history.progress)
-    progress.push_back({{"iterations", one.iterations},
-                        {"products", one.products},
-                        {"error", one.error},
-                        {"squared_residual", one.squared_residual},
-                        {"claimed", one.claimed},
-                        {"seconds", one.seconds}});
-  return {{"family", family},      {"system", history.system},       {"solver", history.solver},
-          {"unknowns", history.n}, {"condition", history.condition}, {"progress", progress}};
-}
-
-Json json_of(const ProductCost::Way& way) {
-  return {{"multiplications", way.multiplications}, {"bytes", way.bytes}, {"seconds", way.seconds}};
+// How many of the 16 decimal digits of a double are right.
+Value digits_left(double error) {
+  return std::isfinite(error) ? Value(std::round(10 * std::max(0.0, -std::log10(error))) / 10) : Value();
 }
 
 }  // namespace
 
-std::string solver_json(const SolverStudy& study, const std::string& machine, const std::string& left_out) {
-  Json json = {{"program", "hairlab solver"},
-               {"format", 2},
-               {"quick", study.quick},
-               {"machine", machine},
-               {"seconds", study.cpu_seconds},
-               {"left_out", left_out.empty() ? Json(nullptr) : Json(left_out)},
-               {"most_iterations", study.most_iterations},
-               {"convergence", Json::array()},
-               {"direct", Json::array()}};
-  const auto add = [&](const std::string& family, const std::vector<Compared>& systems) {
-    for (const Compared& on : systems) {
-      for (const History* history : on.histories()) json["convergence"].push_back(json_of(family, *history));
-      if (on.direct)
-        json["direct"].push_back({{"system", on.direct->system},
-                                  {"solver", on.direct->solver},
-                                  {"error", on.direct->error},
-                                  {"squared_residual", on.direct->squared_residual},
-                                  {"factor_seconds", on.direct->factor_seconds},
-                                  {"solve_seconds", on.direct->solve_seconds}});
-    }
+Row row_of_history(const History& history) {
+  return {{"system", "", history.system},
+          {"unknowns", "", history.n},
+          {"condition", "", history.condition, {"condition number"}},
+          {"solver", "", history.solver}};
+}
+
+Row row_of_progress(const Progress& one) {
+  return {{"iterations", "", one.iterations},
+          {"products", "", one.products},
+          {"error", "", one.error, {"error in the A-norm, relative"}},
+          {"squared_residual", "", one.squared_residual, {"squared residual, relative"}},
+          {"claimed", "", std::isnan(one.claimed) ? Value() : Value(one.claimed), {"as the solver says"}},
+          {"seconds", "", one.seconds, {"CPU time, s"}}};
+}
+
+Row row_of_needed(const IterationsNeeded& one) {
+  return {{"condition", "", one.condition, {"condition number"}},
+          {"conj_grad", "", one.conj_grad, {"ConjGrad"}},
+          {"eigen", "", one.eigen, {"Eigen's ConjugateGradient"}},
+          {"clustered", "", one.clustered, {"ConjGrad, " + std::to_string(kNeededClusters) + " clusters"}},
+          {"normal_equations", "", one.normal_equations, {"ConjGrad on A'A"}},
+          {"bound", "", one.bound, {"theory, at most"}}};
+}
+
+Row row_of_digits(const DigitsLost& one) {
+  return {{"condition", "", one.condition, {"condition number"}},
+          {"conj_grad", "", one.conj_grad, {"ConjGrad on A'A"}},
+          {"conj_grad_digits", "", digits_left(one.conj_grad), {"digits left"}, In::tables},
+          {"iterations", "", one.iterations},
+          {"stopped", "", one.stopped},
+          {"cholesky", "", one.cholesky, {"Cholesky of A'A"}},
+          {"cholesky_digits", "", digits_left(one.cholesky), {"digits left"}, In::tables},
+          {"qr", "", one.qr, {"QR of A"}},
+          {"qr_digits", "", digits_left(one.qr), {"digits left"}, In::tables},
+          {"pivoted_qr", "", one.pivoted_qr, {"QR with pivots"}}};
+}
+
+Row row_of_cost(const ProductCost& one) {
+  return {{"unknowns", "", one.n},
+          {"formula.multiplications", "", one.formula.multiplications, {"formula: multiplications"}},
+          {"formula.bytes", "", one.formula.bytes, {"bytes"}},
+          {"formula.seconds", "", one.formula.seconds, {"CPU time, s"}},
+          {"table.multiplications", "", one.table.multiplications, {"table: multiplications"}},
+          {"table.bytes", "", one.table.bytes, {"bytes of the table"}},
+          {"table.seconds", "", one.table.seconds, {"CPU time of the table, s"}},
+          {"times_as_long", "", one.table.seconds / one.formula.seconds, In::tables}};
+}
+
+std::vector<Row> convergence_rows(const std::vector<Compared>& systems) {
+  std::vector<Row> rows;
+  for (const Compared& on : systems)
+    for (const History* history : on.histories())
+      for (const Progress& progress : history->progress)
+        rows.push_back(row_of_history(*history) + row_of_progress(progress));
+  return rows;
+}
+
+std::vector<Row> direct_rows(const std::vector<Compared>& systems) {
+  std::vector<Row> rows;
+  for (const Compared& on : systems)
+    if (on.direct)
+      rows.push_back({{"system", "", on.direct->system},
+                      {"solver", "", on.direct->solver},
+                      {"error", "", on.direct->error, {"error in the A-norm, relative"}},
+                      {"squared_residual", "", on.direct->squared_residual, {"squared residual, relative"}},
+                      {"factor_seconds", "", on.direct->factor_seconds, {"CPU time of the factor, s"}},
+                      {"solve_seconds", "", on.direct->solve_seconds, {"of a solution, s"}}});
+  return rows;
+}
+
+OrderedJson solver_json(const SolverStudy& study, const std::string& left_out) {
+  OrderedJson convergence = OrderedJson::array(), direct = OrderedJson::array();
+  const auto add = [&](const char* family, const std::vector<Compared>& systems) {
+    for (const Compared& on : systems)
+      for (const History* history : on.histories()) {
+        convergence.push_back(json_of(Row{{"family", "", family}} + row_of_history(*history)));
+        convergence.back()["progress"] = json_of(rows_of(history->progress, row_of_progress));
+      }
+    for (const Row& row : direct_rows(systems)) direct.push_back(json_of(row));
   };
   add("condition numbers", study.conditions);
   add("clusters", study.clusters);
   add("strands", study.strands);
   add("linked strands", study.linked);
-  for (const IterationsNeeded& one : study.needed)
-    json["iterations"].push_back({{"condition", one.condition},
-                                  {"conj_grad", json_of(one.conj_grad)},
-                                  {"eigen", json_of(one.eigen)},
-                                  {"clustered", json_of(one.clustered)},
-                                  {"normal_equations", json_of(one.normal_equations)},
-                                  {"bound", one.bound}});
-  json["digits"] = Json::array();
-  for (const DigitsLost& one : study.digits)
-    json["digits"].push_back({{"condition", one.condition},
-                              {"conj_grad", one.conj_grad},
-                              {"iterations", one.iterations},
-                              {"stopped", one.stopped},
-                              {"cholesky", one.cholesky},
-                              {"qr", one.qr},
-                              {"pivoted_qr", one.pivoted_qr}});
-  for (const ProductCost& one : study.products)
-    json["products"].push_back(
-        {{"unknowns", one.n}, {"formula", json_of(one.formula)}, {"table", json_of(one.table)}});
-  return json.dump(2) + "\n";
+  return {{"format", 2},
+          {"seconds", study.cpu_seconds},
+          {"left_out", Value(if_any(left_out)).json()},
+          {"most_iterations", study.most_iterations},
+          {"convergence", convergence},
+          {"direct", direct},
+          {"iterations", json_of(rows_of(study.needed, row_of_needed))},
+          {"digits", json_of(rows_of(study.digits, row_of_digits))},
+          {"products", json_of(rows_of(study.products, row_of_cost))}};
 }
 
 }  // namespace hair::solver_lab

@@ -1,6 +1,6 @@
-// solver.json: the solver study in machine-readable form.
+// The solver's study: solver.json, the rows of its CSV files and of the page's tables, and the page. In solver.json:
 //
-//   program, format, quick, machine, seconds, left_out (null, or why there are no normal equations)
+//   program, quick, machine, format, seconds, left_out (null, or why there are no normal equations)
 //   convergence         histories: family, system, solver, unknowns, condition, and progress: iterations,
 //                       products, error (in the A-norm, relative to the first guess), squared_residual and
 //                       claimed (relative to ||b||^2; null for Eigen's, which does not report it), seconds
@@ -13,15 +13,25 @@
 #pragma once
 
 #include <string>
-#include <string_view>
+#include <vector>
 
+#include "hair/io/plot/columns.h"
 #include "solver/study/solver_study.h"
 
 namespace hair::solver_lab {
 
-inline constexpr std::string_view kSolverRecordBegin = "{\n  \"program\": \"hairlab solver\"";
+// `left_out` is the reason why there are no normal equations, or empty.
+OrderedJson solver_json(const solver::study::SolverStudy& study, const std::string& left_out);
+Page solver_page(const solver::study::SolverStudy& study, const std::string& left_out);
 
-std::string solver_json(const solver::study::SolverStudy& study, const std::string& machine,
-                        const std::string& left_out);
+Row row_of_history(const solver::study::History& history);
+Row row_of_progress(const solver::study::Progress& progress);
+Row row_of_needed(const solver::study::IterationsNeeded& needed);
+Row row_of_digits(const solver::study::DigitsLost& digits);
+Row row_of_cost(const solver::study::ProductCost& cost);
+
+// Of all systems: a history's columns, then those of its progress; and the direct ways.
+std::vector<Row> convergence_rows(const std::vector<solver::study::Compared>& systems);
+std::vector<Row> direct_rows(const std::vector<solver::study::Compared>& systems);
 
 }  // namespace hair::solver_lab

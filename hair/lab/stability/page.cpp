@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "hair/lab/stability/report.h"
@@ -9,46 +8,9 @@ namespace hair {
 
 namespace {
 
-std::string short_text(const char* format, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
-
-std::string percent(double part) {
-  return short_text("%+.1f %%", 100 * part);
-}
-
-std::string cells(double distance) {
-  return short_text("%+.2f", distance);
-}
-
 const char* x_title(const StabilityMap& map) {
   return map.sweep == Swept::stiffness ? "stiffness, times the scene's"
                                        : "drag, N s/m for each metre of hair";
-}
-
-// "H4, filtered; H4, full"
-std::string names_of(const StabilityMap& map) {
-  std::string names = map.method.name;
-  for (const StudyMethod& other : map.alike) names += "; " + other.name;
-  return names;
-}
-
-// What a limit says over the whole map, in words, where it is no curve; and whether the map says so, too.
-std::string verdict(const StabilityMap& map, const Limit& limit) {
-  const bool never = std::all_of(limit.h.begin(), limit.h.end(), [](double h) { return std::isinf(h); });
-  const bool always = std::all_of(limit.h.begin(), limit.h.end(), [](double h) { return h == 0; });
-  const auto all_are = [&](double h) {
-    return std::all_of(map.boundary.begin(), map.boundary.end(), [h](double one) { return one == h; });
-  };
-  if (always)
-    return all_are(0) ? "no step is stable, and no cell is"
-                      : "no step is stable, but so few steps don't show it everywhere";
-  if (never)
-    return all_are(std::numeric_limits<double>::infinity()) ? "none, and none was found"
-                                                            : "none, but a boundary was found";
-  return "";
 }
 
 // "the boundary lies +0.10 cells from it (median), at most -0.43"
@@ -72,7 +34,7 @@ std::string describe(const StabilityMap& map) {
   for (int i = 0; i < kFates; ++i)
     text += (i == 0 ? " " : ", ") + std::to_string(counts[i]) + " " + fate_name(static_cast<Fate>(i));
   text += "; " + std::to_string(map.grid.asked) + " of them were run, each for " + std::to_string(map.steps) +
-          " steps, in " + short_text("%.1f", map.cpu_seconds) + " s of CPU time.";
+          " steps, in " + printed("%.1f", map.cpu_seconds) + " s of CPU time.";
   for (std::size_t i = 0; i < map.limits.size(); ++i) {
     const Limit& limit = map.limits[i];
     const std::string words = verdict(map, limit);
@@ -152,6 +114,27 @@ Section section_of_hair(const StabilityReport& report) {
 
 }  // namespace
 
+std::string names_of(const StabilityMap& map) {
+  std::string names = map.method.name;
+  for (const StudyMethod& other : map.alike) names += "; " + other.name;
+  return names;
+}
+
+std::string verdict(const StabilityMap& map, const Limit& limit) {
+  const bool never = std::all_of(limit.h.begin(), limit.h.end(), [](double h) { return std::isinf(h); });
+  const bool always = std::all_of(limit.h.begin(), limit.h.end(), [](double h) { return h == 0; });
+  const auto all_are = [&](double h) {
+    return std::all_of(map.boundary.begin(), map.boundary.end(), [h](double one) { return one == h; });
+  };
+  if (always)
+    return all_are(0) ? "no step is stable, and no cell is"
+                      : "no step is stable, but so few steps don't show it everywhere";
+  if (never)
+    return all_are(std::numeric_limits<double>::infinity()) ? "none, and none was found"
+                                                            : "none, but a boundary was found";
+  return "";
+}
+
 std::string title_of(const StabilityMap& map) {
   return map.method.name +
          (map.sweep == Swept::stiffness ? ": step size against stiffness" : ": step size against drag");
@@ -179,67 +162,6 @@ CellMap figure_of(const StabilityMap& map) {
   return figure;
 }
 
-Table table_of_boundaries(const StabilityReport& report) {
-  Table table{"Where the first wrong or blown-up cell is, from theory's limit: > 0 is stable beyond it",
-              {"method", "map", "limit", "columns", "median, cells", "largest, cells", "median, relative",
-               "columns beyond", "by, cells"},
-              {}};
-  for (const StabilityMap& map : report.maps)
-    for (std::size_t i = 0; i < map.limits.size(); ++i) {
-      const Distance& distance = map.distances[i];
-      const std::string words = verdict(map, map.limits[i]);
-      const std::string name = map.limits[i].name + (words.empty() ? "" : ": " + words);
-      const bool compared = distance.columns > 0;
-      table.rows.push_back({names_of(map), map.sweep == Swept::stiffness ? "stiffness" : "drag", name,
-                            std::to_string(distance.columns), compared ? cells(distance.median_cells) : "",
-                            compared ? cells(distance.worst_cells) : "",
-                            compared ? percent(distance.median_relative) : "",
-                            std::to_string(distance.columns_beyond),
-                            distance.columns_beyond > 0 ? cells(distance.beyond_cells) : ""});
-    }
-  return table;
-}
-
-Table table_of_runs(const StabilityReport& report) {
-  Table table{"What the maps took",
-              {"method", "map", "cells", "runs", "cells / runs", "steps a run", "CPU time, s"},
-              {}};
-  for (const StabilityMap& map : report.maps) {
-    const auto all = static_cast<double>(map.grid.cells.size());
-    table.rows.push_back({names_of(map), map.sweep == Swept::stiffness ? "stiffness" : "drag",
-                          std::to_string(map.grid.cells.size()), std::to_string(map.grid.asked),
-                          short_text("%.1f", all / static_cast<double>(map.grid.asked)),
-                          std::to_string(map.steps), short_text("%.2f", map.cpu_seconds)});
-  }
-  return table;
-}
-
-Table table_of_curves(const StabilityReport& report) {
-  Table table{"Boundaries, column by column; empty where there is none",
-              {"method", "map", "x", "measured h, s", "theory h, s", "what the run's steps show h, s"},
-              {}};
-  const auto text = [](double h) { return std::isfinite(h) ? short_text("%.9g", h) : std::string(); };
-  for (const StabilityMap& map : report.maps)
-    for (std::size_t i = 0; i < map.xs.size(); ++i)
-      table.rows.push_back({map.method.id, map.sweep == Swept::stiffness ? "stiffness" : "drag",
-                            text(map.xs[i]), text(map.boundary[i]), text(map.limits[0].h[i]),
-                            map.limits.size() > 1 ? text(map.limits[1].h[i]) : ""});
-  return table;
-}
-
-Table table_of_extremes(const StabilityReport& report) {
-  Table table{"Every run of the extreme cases; energies over that of the start",
-              {"case", "method", "h, s", "became", "steps", "broke", "largest stretch", "stretch at the end",
-               "most energy", "energy at the end"},
-              {}};
-  for (const ExtremeRun& run : report.extremes)
-    table.rows.push_back({run.extreme, run.method.name,
-                          to_text(run.h) + (run.step_from.empty() ? "" : " (" + run.step_from + ")"),
-                          fate_name(run.fate), std::to_string(run.steps), run.blow_up, to_text(run.stretch),
-                          to_text(run.last_stretch), to_text(run.most_energy), to_text(run.last_energy)});
-  return table;
-}
-
 Page page_of(const StabilityReport& report) {
   Page page{report.scene + ": where each method breaks"};
   page.paragraphs = {
@@ -259,7 +181,6 @@ Page page_of(const StabilityReport& report) {
       "Few cells are run: boundaries are found by halving in every " + std::to_string(kCoarse) +
           "th column, and followed from there. An island that holds no square of " + std::to_string(kCoarse) +
           " cells on a side can be missed."};
-  if (report.quick) page.paragraphs.emplace_back("Quick: a coarser grid, and shorter runs.");
   if (report.interrupted)
     page.paragraphs.push_back("Interrupted: " + std::to_string(report.maps.size()) + " of " +
                               std::to_string(report.maps_asked) +
@@ -275,7 +196,9 @@ Page page_of(const StabilityReport& report) {
           "dashed curve is "
           "where theory says that errors grow a hundredfold in the steps of a run."},
          {},
-         {table_of_boundaries(report), table_of_runs(report)}});
+         {table_of(limit_rows(report),
+                   "Where the first wrong or blown-up cell is, from theory's limit: > 0 is stable beyond it"),
+          table_of(rows_of(report.maps, row_of_map), "What the maps took")}});
   for (std::size_t i = 0; i < report.maps.size(); ++i) {
     const StabilityMap& map = report.maps[i];
     if (page.sections.empty() || page.sections.back().heading != names_of(map)) {
@@ -305,7 +228,8 @@ Page page_of(const StabilityReport& report) {
                                  "Explicit methods with half their limit for hair that hangs (those that "
                                  "have none: half of RK4's)",
                                  [](const ExtremeRun& run) { return !run.step_from.empty(); }),
-                      table_of_extremes(report)};
+                      table_of(rows_of(report.extremes, row_of_extreme),
+                               "Every run of the extreme cases; energies over that of the start")};
     std::erase_if(section.tables, [](const Table& table) { return table.rows.empty(); });
     page.sections.push_back(std::move(section));
   }

@@ -98,7 +98,6 @@ StabilityReport study_stability(const Scene& scene, const StabilitySettings& set
   const Description& hair = problem.scene.hair;
   StabilityReport report;
   report.scene = scene.name;
-  report.quick = settings.quick;
   report.identity = identity_of(scene, settings);
   report.drag = hair.drag;
   const auto number = static_cast<std::size_t>(settings.strand);

@@ -5,11 +5,10 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "hair/io/plot/columns.h"
 #include "hair/io/plot/figure.h"
-#include "hair/io/plot/page.h"
 #include "hair/lab/stability/extremes.h"
 #include "hair/lab/stability/maps.h"
 #include "hair/truth/problem.h"
@@ -51,7 +50,6 @@ struct StabilityReport {
   double length = 0, EA = 0, EI = 0, GJ = 0;  // m, N, N m^2; EA and GJ: 0 if it does not stretch, or twist
   double mass = 0, drag = 0;                  // kg, N s/m^2
   bool was_curved = false;
-  bool quick = false;
   Frequencies frequencies;
   std::vector<StabilityMap> maps;  // only complete ones
   std::vector<ExtremeRun> extremes;
@@ -77,14 +75,25 @@ std::string identity_of(const Scene& scene, const StabilitySettings& settings);
 // The finished maps of a record. Throws BadInput if the file is not such a record, or has another identity.
 std::vector<StabilityMap> read_maps(const std::filesystem::path& file, const std::string& identity);
 
-inline constexpr std::string_view kStabilityBegin = "{\n  \"program\": \"hairlab stability\"";
+OrderedJson json_of(const StabilityReport& report);  // stability.json
 
-std::string json_of(const StabilityReport& report);
+// The rows of the CSV files and of the page's tables.
+Row row_of_map(const StabilityMap& map);
+std::vector<Row> limit_rows(const StabilityReport& report);  // boundaries.csv
+Row row_of_extreme(const ExtremeRun& run);                   // extremes.csv
+std::vector<Row> curve_rows(const StabilityReport& report);  // curves.csv: column by column
+
+std::string percent(double part);    // "+1.5 %"
+std::string cells(double distance);  // "-0.43"
+
+// "H4, filtered; H4, full"
+std::string names_of(const StabilityMap& map);
+
+// What a limit says over the whole map, in words, where it is no curve; and whether the map says so, too.
+std::string verdict(const StabilityMap& map, const Limit& limit);
+
 CellMap figure_of(const StabilityMap& map);
 std::string title_of(const StabilityMap& map);  // "H6: stiffness against step size"
-Table table_of_boundaries(const StabilityReport& report);
-Table table_of_extremes(const StabilityReport& report);
-Table table_of_curves(const StabilityReport& report);  // column by column, for CSV
 Page page_of(const StabilityReport& report);
 
 }  // namespace hair

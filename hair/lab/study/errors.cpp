@@ -22,22 +22,26 @@ void raise(double& largest, double value) {
 
 const NormName& name_of(Norm norm) {
   static constexpr std::array<NormName, kNorms> kNames = {{
-      {"final_largest", "largest error at the end, m", "the largest distance of a particle at the end"},
-      {"final_rms", "RMS error at the end, m", "the root mean square distance of the particles at the end"},
-      {"trajectory", "L2 error of the way, m",
+      {"final_largest", "m", "largest error at the end", "the largest distance of a particle at the end"},
+      {"final_rms", "m", "RMS error at the end", "the root mean square distance of the particles at the end"},
+      {"trajectory", "m", "L2 error of the way",
        "the root mean square distance of the particles at all moments: the trajectory's L2 norm"},
-      {"length", "error of the lengths, relative",
+      {"length", "", "error of the lengths",
        "the largest error of a segment's length at any moment, relative to its length at rest"},
-      {"energy", "error of the energy, relative",
+      {"energy", "", "error of the energy",
        "the largest error of the energy at any moment, relative to the energy that moves: the most that "
        "kinetic "
        "energy and the change of potential energy add up to"},
-      {"angular_momentum", "error of the angular momentum, relative",
+      {"angular_momentum", "", "error of the angular momentum",
        "the largest error of the angular momentum about the origin at any moment, relative to the largest "
        "that "
        "the accurate motion has"},
   }};
   return kNames[static_cast<int>(norm)];
+}
+
+std::string with_unit(const NormName& norm) {
+  return std::string(norm.title) + ", " + (*norm.unit ? norm.unit : "relative");
 }
 
 double size_of(const Problem& problem) {

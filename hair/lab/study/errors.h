@@ -14,6 +14,7 @@
 #pragma once
 
 #include <array>
+#include <string>
 #include <vector>
 
 #include "hair/scene/playback.h"
@@ -25,12 +26,19 @@ namespace hair {
 enum class Norm { final_largest, final_rms, trajectory, length, energy, angular_momentum };
 inline constexpr int kNorms = 6;
 
+constexpr std::array<Norm, kNorms> all_norms() {
+  return {Norm::final_largest, Norm::final_rms, Norm::trajectory,
+          Norm::length,        Norm::energy,    Norm::angular_momentum};
+}
+
 struct NormName {
   const char* id;     // "final_largest": in files
-  const char* title;  // "largest error at the end, m": on axes
+  const char* unit;   // "m"; empty: the error is relative
+  const char* title;  // "largest error at the end"
   const char* says;   // a definition, in one sentence
 };
 const NormName& name_of(Norm norm);
+std::string with_unit(const NormName& norm);  // "largest error at the end, m": on axes
 
 // NaN in a norm that the problem does not have: energy if nothing moves, length if nothing has a length.
 class Errors {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "hair/io/plot/page.h"
+#include "hair/io/plot/work_precision.h"
 
 namespace hair {
 
@@ -70,7 +71,6 @@ Figure error_figure(const Study& study, Norm norm, Against against) {
   figure.id = std::string(error.id) + "-against-" + across.id;
   std::replace(figure.id.begin(), figure.id.end(), '_', '-');
   std::string title = error.title;
-  title = title.substr(0, title.rfind(','));
   title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
   figure.title = title + " against " + across.words;
   figure.description = std::string("For each method a line, and on it a point for each step size: ") +
@@ -78,29 +78,15 @@ Figure error_figure(const Study& study, Norm norm, Against against) {
                        (against == Against::step ? "A method of order p falls along a line of slope p."
                                                  : "The lower and the further left, the better.");
   figure.x.title = across.title;
-  figure.y.title = error.title;
+  figure.y.title = with_unit(error);
 
   const double floor = study.floors[norm];
-  double low = 0, high = 0;
   for (std::size_t i = 0; i < study.sweeps.size(); ++i) {
-    Series series;
-    series.name = study.sweeps[i].method.name;
-    series.points = points_of(study.sweeps[i], norm, against, floor);
+    Series series{study.sweeps[i].method.name, points_of(study.sweeps[i], norm, against, floor)};
     series.look = static_cast<int>(i);
-    for (const Point& point : series.points) {
-      low = low == 0 ? point.x : std::min(low, point.x);
-      high = std::max(high, point.x);
-    }
     if (!series.points.empty()) figure.series.push_back(std::move(series));
   }
-  if (high > 0) {
-    Series known;
-    known.name = "what the reference knows";
-    known.points = {{low, floor, {}}, {high, floor, {}}};
-    known.marked = false;
-    known.dashed = true;
-    figure.series.push_back(std::move(known));
-  }
+  add_level(figure, "what the reference knows", floor);
   if (against == Against::step) figure.guides = {{1, "order 1"}, {2, "order 2"}, {4, "order 4"}};
   return figure;
 }

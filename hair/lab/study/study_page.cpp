@@ -1,32 +1,37 @@
-#include "hair/lab/study/study_page.h"
+#include "hair/lab/study/study_record.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "hair/lab/study/cheapest.h"
+#include "hair/io/plot/work_precision.h"
 #include "hair/lab/study/observed_order.h"
 #include "hair/lab/study/study_figures.h"
-#include "hair/lab/study/study_record.h"
 
 namespace hair {
 
 namespace {
 
-std::string quoted(const Study& study, const MethodRun& run, Norm norm) {
-  if (run.ending != RunEnding::finished || std::isnan(run.errors[norm])) return "";
-  if (run.errors[norm] < study.floors[norm]) return "below " + to_text(study.floors[norm]);
-  return to_text(run.errors[norm]);
-}
-
-bool has(const Study& study, Norm norm) {
-  for (const Sweep& sweep : study.sweeps)
-    for (const MethodRun& run : sweep.runs)
-      if (run.ending == RunEnding::finished) return !std::isnan(run.errors[norm]);
-  return false;
-}
-
 std::string figure(const Study& study, Norm norm, Against against) {
   return to_svg(error_figure(study, norm, against));
+}
+
+struct Cost {
+  double seconds;
+  const Sweep* sweep;
+};
+
+// The methods that reach the error, the cheapest first.
+std::vector<Cost> costs_for(const Study& study, Norm norm, double error) {
+  std::vector<Cost> costs;
+  for (const Sweep& sweep : study.sweeps) {
+    std::vector<Sample> samples;
+    for (const MethodRun& run : sweep.runs)
+      if (run.ending == RunEnding::finished) samples.push_back({run.time(), run.errors[norm]});
+    if (const auto seconds = time_for(samples, error, study.floors[norm]))
+      costs.push_back({*seconds, &sweep});
+  }
+  std::sort(costs.begin(), costs.end(), [](const Cost& a, const Cost& b) { return a.seconds < b.seconds; });
+  return costs;
 }
 
 // Down from the strand's size in powers of ten, while any method gets there.
@@ -42,7 +47,7 @@ Table cheapest_table(const Study& study) {
     std::vector<std::string> row = {to_text(error)};
     for (int k = 0; k < kShown; ++k)
       row.push_back(k < static_cast<int>(costs.size())
-                        ? study.sweeps[costs[k].sweep].method.name + ": " + to_text(costs[k].seconds)
+                        ? costs[k].sweep->method.name + ": " + to_text(costs[k].seconds)
                         : "");
     table.rows.push_back(std::move(row));
   }
@@ -76,36 +81,10 @@ Table failed_table(const Study& study) {
   return table;
 }
 
-Table run_table(const Study& study) {
-  Table table{
-      "All runs",
-      {"method", "step, s", "CPU time, s", "repeats", "steps", "evaluations", "iterations", "unconverged"},
-      {}};
-  for (int k = 0; k < kNorms; ++k)
-    if (has(study, static_cast<Norm>(k))) table.header.emplace_back(name_of(static_cast<Norm>(k)).title);
-  for (const Sweep& sweep : study.sweeps)
-    for (const MethodRun& run : sweep.runs) {
-      const Counts& counts = run.counts;
-      std::vector<std::string> row = {sweep.method.name,
-                                      to_text(run.step),
-                                      to_text(run.time()),
-                                      std::to_string(run.seconds.size()),
-                                      std::to_string(counts.steps),
-                                      std::to_string(counts.evaluations),
-                                      std::to_string(counts.iterations),
-                                      std::to_string(counts.unconverged)};
-      for (int k = 0; k < kNorms; ++k)
-        if (has(study, static_cast<Norm>(k))) row.push_back(quoted(study, run, static_cast<Norm>(k)));
-      table.rows.push_back(std::move(row));
-    }
-  return table;
-}
-
 std::string what(const Study& study) {
   std::string shows = study.shows;
   if (!shows.empty()) shows[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(shows[0])));
-  return shows + ". " + to_text(study.duration) + " s of it, " + std::to_string(study.particles) + " points" +
-         (study.quick ? "; fewer segments and shorter sweeps (--quick)" : "") + ".";
+  return shows + ". " + to_text(study.duration) + " s of it, " + std::to_string(study.particles) + " points.";
 }
 
 std::string reference_text(const Study& study) {
@@ -133,23 +112,17 @@ Section space_section(const SpaceError& space, int own) {
       to_text(space.error_of(own).value_or(0)) +
       " m, and no smaller step takes it away. It falls with the order " +
       to_text(std::round(space.order * 100) / 100) + " (theory: 2).");
-  Table table{"Space error: the largest distance of a place from the limit, at any moment",
-              {"segments", "error, m"},
-              {}};
-  for (const SpaceLevel& level : space.levels)
-    table.rows.push_back({std::to_string(level.segments), to_text(level.error)});
-  section.tables.push_back(std::move(table));
+  section.tables.push_back(
+      table_of(rows_of(space.levels, row_of_level),
+               "Space error: the largest distance of a place from the limit, at any moment"));
   return section;
 }
 
-std::string machine_text(const Study& study) {
-  return measured_on(study.machine) +
-         " A time is the median of up to seven repeats of CPU time (long runs have fewer), without the "
-         "first of short ones, and without what measures errors. Runs shorter than a millisecond are played "
-         "many "
-         "times in a row between two looks at the clock; what going back to the start takes is measured by "
-         "itself and taken off. Other work on the machine makes times longer, not errors.";
-}
+constexpr const char* kTimes =
+    "A time is the median of up to seven repeats of CPU time (long runs have fewer), without the first of "
+    "short ones, and without what measures errors. Runs shorter than a millisecond are played many times in "
+    "a row between two looks at the clock; what going back to the start takes is measured by itself and "
+    "taken off. Other work on the machine makes times longer, not errors.";
 
 }  // namespace
 
@@ -211,8 +184,8 @@ Page study_page(const Study& study) {
          .tables = {failed}});
   page.sections.push_back({.heading = "What it is measured against", .paragraphs = {reference_text(study)}});
   if (study.space_error) page.sections.push_back(space_section(*study.space_error, study.particles - 1));
-  page.sections.push_back({.heading = "The machine", .paragraphs = {machine_text(study)}});
-  page.sections.push_back({.heading = "All runs", .tables = {run_table(study)}});
+  page.sections.push_back({.heading = "How times are measured", .paragraphs = {kTimes}});
+  page.sections.push_back({.heading = "All runs", .tables = {table_of(run_rows(study), "All runs")}});
   return page;
 }
 

@@ -1,9 +1,7 @@
 #include "hair/lab/study/study_record.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/printable.h"
@@ -13,62 +11,32 @@ namespace hair {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 constexpr double kMost = 1e300;
 constexpr long kMostCount = 1L << 52;
 
-constexpr std::array<const char*, 3> kEndings = {"finished", "broke", "useless"};
+constexpr std::array<std::string_view, 3> kEndings = {"finished", "broke", "useless"};
 constexpr std::array<const char*, 5> kSweepEnds = {"unfinished", "below the reference's floor",
                                                    "smaller steps make no difference",
                                                    "the next would take too long", "not written"};
 
-// A norm that the problem has not is left out.
-template <typename Value>
-Json json_of(const Errors& errors, Value value) {
-  Json json = Json::object();
-  for (int k = 0; k < kNorms; ++k) {
-    const Norm norm = static_cast<Norm>(k);
+// Of the norms that the problem has.
+OrderedJson json_of(const Errors& errors, const std::function<OrderedJson(Norm)>& value) {
+  OrderedJson json = OrderedJson::object();
+  for (const Norm norm : all_norms())
     if (!std::isnan(errors[norm])) json[name_of(norm).id] = value(norm);
-  }
   return json;
 }
 
-Json json_of(const MethodRun& run, const Errors& floors) {
-  const Counts& counts = run.counts;
-  Json json = {{"steps_per_moment", run.steps_per_moment},
-               {"step", run.step},
-               {"ending", name_of(run.ending)},
-               {"trouble", run.trouble},
-               {"steps", counts.steps},
-               {"evaluations", counts.evaluations},
-               {"iterations", counts.iterations},
-               {"corrections", counts.corrections},
-               {"unconverged", counts.unconverged}};
-  if (run.ending == RunEnding::finished)
-    json["errors"] = json_of(run.errors, [&](Norm norm) {
-      return run.errors[norm] < floors[norm] ? Json(nullptr) : Json(run.errors[norm]);
-    });
-  json["time"] = run.time();
-  json["seconds"] = run.seconds;
-  return json;
+Row row_of_sweep(const Sweep& sweep) {
+  return {{"id", "", sweep.method.id},         {"name", "", sweep.method.name},
+          {"order", "", sweep.method.order()}, {"explicit", "", sweep.method.is_explicit()},
+          {"end", "", name_of(sweep.end)},     {"left_out", "", sweep.left_out}};
 }
 
-Json json_of(const Machine& machine) {
-  return {{"processor", machine.processor},
-          {"cores", machine.cores},
-          {"compiler", machine.compiler},
-          {"build", machine.build},
-          {"eigen", machine.eigen}};
-}
-
-Json json_of(const std::optional<SpaceError>& space) {
+OrderedJson json_of(const std::optional<SpaceError>& space) {
   if (!space) return nullptr;
   if (!space->left_out.empty()) return {{"left_out", space->left_out}};
-  Json levels = Json::array();
-  for (const SpaceLevel& level : space->levels)
-    levels.push_back({{"segments", level.segments}, {"error", level.error}});
-  return {{"levels", levels},
+  return {{"levels", json_of(rows_of(space->levels, row_of_level))},
           {"order", space->order},
           {"time_error", space->time_error},
           {"stretch", space->stretch},
@@ -77,8 +45,7 @@ Json json_of(const std::optional<SpaceError>& space) {
 
 Errors read_errors(const JsonValue& json) {
   Errors errors;
-  for (int k = 0; k < kNorms; ++k) {
-    const Norm norm = static_cast<Norm>(k);
+  for (const Norm norm : all_norms()) {
     errors[norm] = std::nan("");
     if (!json.has(name_of(norm).id)) continue;
     const JsonValue error = json[name_of(norm).id];
@@ -94,7 +61,7 @@ MethodRun read_run(const JsonValue& json) {
   MethodRun run;
   run.steps_per_moment = static_cast<int>(json["steps_per_moment"].whole_number(1, 1 << 30));
   run.step = json["step"].number(0, kMost);
-  run.ending = static_cast<RunEnding>(json["ending"].word({kEndings[0], kEndings[1], kEndings[2]}));
+  run.ending = static_cast<RunEnding>(json["ending"].word(kEndings));
   if (run.ending != RunEnding::finished) run.trouble = json["trouble"].text();
   run.counts = {json["steps"].whole_number(0, kMostCount), json["evaluations"].whole_number(0, kMostCount),
                 json["iterations"].whole_number(0, kMostCount),
@@ -123,19 +90,10 @@ std::vector<MethodRun> read_sweep(const JsonValue& json) {
   return runs;
 }
 
-// All but the runs, which are written a line each.
-Json head_of(const Study& study) {
-  bool finished = true;
-  Json methods = Json::array();
-  for (const Sweep& sweep : study.sweeps) {
-    finished = finished && sweep.end != SweepEnd::unfinished;
-    methods.push_back({{"id", sweep.method.id},
-                       {"name", sweep.method.name},
-                       {"order", sweep.method.order()},
-                       {"explicit", sweep.method.is_explicit()},
-                       {"end", name_of(sweep.end)},
-                       {"left_out", sweep.left_out}});
-  }
+// All but the runs.
+OrderedJson head_of(const Study& study) {
+  const bool finished = std::none_of(study.sweeps.begin(), study.sweeps.end(),
+                                     [](const Sweep& sweep) { return sweep.end == SweepEnd::unfinished; });
   return {{"program", "hairlab study"},
           {"format", kStudyFormat},
           {"finished", finished},
@@ -149,7 +107,12 @@ Json head_of(const Study& study) {
           {"size", study.size},
           {"tolerance", study.tolerance},
           {"most_work", study.most_work},
-          {"machine", json_of(study.machine)},
+          {"machine",
+           {{"processor", study.machine.processor},
+            {"cores", study.machine.cores},
+            {"compiler", study.machine.compiler},
+            {"build", study.machine.build},
+            {"eigen", study.machine.eigen}}},
           {"program_digest", study.program_digest},
           {"reference",
            {{"method", study.reference},
@@ -158,9 +121,16 @@ Json head_of(const Study& study) {
             {"inextensible", study.inextensible},
             {"from_cache", study.from_cache},
             {"seconds", study.reference_seconds}}},
-          {"floors", json_of(study.floors, [&](Norm norm) { return Json(study.floors[norm]); })},
+          {"floors", json_of(study.floors, [&](Norm norm) { return OrderedJson(study.floors[norm]); })},
           {"space_error", json_of(study.space_error)},
-          {"methods", methods}};
+          {"methods", json_of(rows_of(study.sweeps, row_of_sweep))}};
+}
+
+// An error in a table; empty if there is none.
+std::string written(const Study& study, const MethodRun& run, Norm norm, std::string (*number)(double)) {
+  const double error = run.errors[norm];
+  if (run.ending != RunEnding::finished || std::isnan(error)) return "";
+  return error < study.floors[norm] ? "below " + number(study.floors[norm]) : number(error);
 }
 
 // What must be the same, for runs to go on from: everything that the record says but the runs themselves, how
@@ -194,28 +164,59 @@ std::string difference(const nlohmann::json& before, const nlohmann::json& now) 
 }  // namespace
 
 const char* name_of(RunEnding ending) {
-  return kEndings[static_cast<int>(ending)];
+  return kEndings[static_cast<int>(ending)].data();
 }
 
 const char* name_of(SweepEnd end) {
   return kSweepEnds[static_cast<int>(end)];
 }
 
-std::string study_json(const Study& study) {
-  const Json head = head_of(study);
-  std::string text = "{\n";
-  for (const auto& [key, value] : head.items())
-    if (key != "methods") text += "  " + Json(key).dump() + ": " + value.dump() + ",\n";
-  text += "  \"methods\": [";
-  for (std::size_t i = 0; i < study.sweeps.size(); ++i) {
-    const std::string about = head["methods"][i].dump();
-    text += (i == 0 ? "\n    " : ",\n    ") + about.substr(0, about.size() - 1) + ", \"runs\": [";
-    const std::vector<MethodRun>& runs = study.sweeps[i].runs;
-    for (std::size_t k = 0; k < runs.size(); ++k)
-      text += (k == 0 ? "\n      " : ",\n      ") + json_of(runs[k], study.floors).dump();
-    text += "]}";
+Row row_of_level(const SpaceLevel& level) {
+  return {{"segments", "", level.segments}, {"error", "m", level.error}};
+}
+
+bool has(const Study& study, Norm norm) {
+  for (const Sweep& sweep : study.sweeps)
+    for (const MethodRun& run : sweep.runs)
+      if (run.ending == RunEnding::finished) return !std::isnan(run.errors[norm]);
+  return false;
+}
+
+Row row_of_run(const Study& study, const MethodRun& run) {
+  const Counts& counts = run.counts;
+  Row row = {{"steps_per_moment", "", run.steps_per_moment, In::files},
+             {"step", "s", run.step},
+             {"ending", "", name_of(run.ending), In::files},
+             {"trouble", "", run.trouble, In::files},
+             {"steps", "", counts.steps},
+             {"evaluations", "", counts.evaluations},
+             {"iterations", "", counts.iterations},
+             {"corrections", "", counts.corrections, In::files},
+             {"unconverged", "", counts.unconverged},
+             {"time", "s", run.time(), {"CPU time, s"}},
+             {"repeats", "", run.seconds.size(), In::tables},
+             {"seconds", "", run.seconds, In::json}};
+  for (const Norm norm : all_norms()) {
+    row.push_back({name_of(norm).id, name_of(norm).unit, written(study, run, norm, to_exact_text), In::csv});
+    if (has(study, norm))
+      row.push_back({"", "", written(study, run, norm, to_text), {with_unit(name_of(norm))}, In::page});
   }
-  return text + "\n  ]\n}\n";
+  return row;
+}
+
+OrderedJson study_json(const Study& study) {
+  OrderedJson json = head_of(study);
+  for (std::size_t i = 0; i < study.sweeps.size(); ++i) {
+    OrderedJson& runs = json["methods"][i]["runs"] = OrderedJson::array();
+    for (const MethodRun& run : study.sweeps[i].runs) {
+      runs.push_back(json_of(row_of_run(study, run)));
+      if (run.ending == RunEnding::finished)
+        runs.back()["errors"] = json_of(run.errors, [&](Norm norm) {
+          return run.errors[norm] < study.floors[norm] ? OrderedJson() : OrderedJson(run.errors[norm]);
+        });
+    }
+  }
+  return json;
 }
 
 void read_runs(const std::filesystem::path& file, Study& study) {
@@ -242,41 +243,16 @@ void read_runs(const std::filesystem::path& file, Study& study) {
   }
 }
 
-Table table_of_runs(const Study& study) {
-  Table table;
-  table.caption = "All runs";
-  table.header = {"method",      "steps_per_moment", "step_s",      "ending",      "trouble", "steps",
-                  "evaluations", "iterations",       "corrections", "unconverged", "cpu_s",   "repeats"};
-  for (int k = 0; k < kNorms; ++k) table.header.emplace_back(name_of(static_cast<Norm>(k)).id);
-  table.header.emplace_back("space_error");
+std::vector<Row> run_rows(const Study& study) {
   std::optional<double> space;
   if (study.space_error) space = study.space_error->error_of(study.particles - 1);
+  std::vector<Row> rows;
   for (const Sweep& sweep : study.sweeps)
-    for (const MethodRun& run : sweep.runs) {
-      const Counts& counts = run.counts;
-      std::vector<std::string> row = {sweep.method.id,
-                                      std::to_string(run.steps_per_moment),
-                                      to_exact_text(run.step),
-                                      name_of(run.ending),
-                                      run.trouble,
-                                      std::to_string(counts.steps),
-                                      std::to_string(counts.evaluations),
-                                      std::to_string(counts.iterations),
-                                      std::to_string(counts.corrections),
-                                      std::to_string(counts.unconverged),
-                                      to_exact_text(run.time()),
-                                      std::to_string(run.seconds.size())};
-      for (int k = 0; k < kNorms; ++k) {
-        const Norm norm = static_cast<Norm>(k);
-        const double error = run.errors[norm];
-        row.push_back(run.ending != RunEnding::finished || std::isnan(error) ? ""
-                      : error < study.floors[norm] ? "below " + to_exact_text(study.floors[norm])
-                                                   : to_exact_text(error));
-      }
-      row.push_back(space ? to_exact_text(*space) : "");
-      table.rows.push_back(std::move(row));
-    }
-  return table;
+    for (const MethodRun& run : sweep.runs)
+      rows.push_back(
+          Row{{"method", "", sweep.method.id, In::csv}, {"method", "", sweep.method.name, In::page}} +
+          row_of_run(study, run) + Row{{"space_error", "m", space, In::csv}});
+  return rows;
 }
 
 }  // namespace hair

@@ -19,24 +19,29 @@
 
 #include <filesystem>
 #include <string>
-#include <string_view>
+#include <vector>
 
-#include "hair/io/plot/page.h"
+#include "hair/io/plot/columns.h"
 #include "hair/lab/study/study.h"
 
 namespace hair {
 
 inline constexpr int kStudyFormat = 1;
-inline constexpr std::string_view kStudyRecordBegin = "{\n  \"program\": \"hairlab study\"";
 
-std::string study_json(const Study& study);
+OrderedJson study_json(const Study& study);
+
+// The page: the cheapest method for each error, the observed orders, and the failures.
+Page study_page(const Study& study);
 
 // Reads the sweeps of an earlier run of the same study into `study`, which has no runs yet. Throws BadInput
 // if the file is not a study, or if its problem, machine or program differs; the message names the
 // difference. If the reference is not known yet, it and everything derived from it are not compared.
 void read_runs(const std::filesystem::path& file, Study& study);
 
-Table table_of_runs(const Study& study);  // all runs; for the CSV
+std::vector<Row> run_rows(const Study& study);  // all runs: study.csv
+Row row_of_level(const SpaceLevel& level);
+
+bool has(const Study& study, Norm norm);  // whether the problem has such errors
 
 const char* name_of(RunEnding ending);
 const char* name_of(SweepEnd end);

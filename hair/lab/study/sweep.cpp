@@ -7,6 +7,7 @@
 
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/printable.h"
+#include "hair/io/plot/work_precision.h"
 #include "hair/truth/content.h"
 #include "solver/not_implemented.h"
 
@@ -15,8 +16,6 @@ namespace hair {
 namespace {
 
 constexpr int kMostSteps = 1 << 24;
-constexpr double kNoBetter = 0.98;  // times the error before: a half step should halve it at least
-constexpr int kStalls = 3;          // so often in a row
 
 // The square of the angular frequency with which the joints of short elements turn, each against the next, 1/s^2: when
 // they twist, 2 c / l, with c the speed of torsion; when they bend, sqrt(48 EI / (rho A)) / l^2.
@@ -54,16 +53,15 @@ bool is_below(const MethodRun& run, const Errors& floors) {
          run.errors[Norm::trajectory] < floors[Norm::trajectory];
 }
 
-// The last halvings of the step made no difference.
+// The last halvings of the step made no difference. Nothing is known of an error below the floors.
 bool stalls(const std::vector<MethodRun>& runs, const Errors& floors) {
-  if (runs.size() <= kStalls) return false;
-  for (std::size_t k = runs.size() - kStalls; k < runs.size(); ++k) {
-    const MethodRun &before = runs[k - 1], &after = runs[k];
-    if (before.ending != RunEnding::finished || after.ending != RunEnding::finished) return false;
-    if (after.errors[Norm::trajectory] < floors[Norm::trajectory]) return false;  // nothing is known of it
-    if (after.errors[Norm::trajectory] < kNoBetter * before.errors[Norm::trajectory]) return false;
+  std::vector<double> errors;
+  for (const MethodRun& run : runs) {
+    const double error = run.errors[Norm::trajectory];
+    const bool known = run.ending == RunEnding::finished && error >= floors[Norm::trajectory];
+    errors.push_back(known ? error : std::nan(""));
   }
-  return true;
+  return hair::stalls(errors);
 }
 
 // Of the whole run that comes after this one, if it takes twice as much.

@@ -1,4 +1,4 @@
-// hairlab study from outside: what it writes, what it says, how it goes on.
+// hairlab study from outside: how it goes on, and what it keeps.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -41,11 +41,6 @@ class HairlabStudy : public testing::Test {
     EXPECT_TRUE(wait_until([&] { return fs::exists(out_ / "study.json"); }, process));
   }
   Json record() const { return Json::parse(bytes_of(out_ / "study.json")); }
-  void expect_refused(const ProgramRun& run, int code, const std::string& part) {
-    EXPECT_EQ(run.code, code) << run.errors;
-    EXPECT_TRUE(has(run.errors, part)) << run.errors;
-    EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
-  }
 
   TestFolder folder_;
   const fs::path out_ = folder_ / "out";
@@ -53,25 +48,12 @@ class HairlabStudy : public testing::Test {
   const std::vector<std::string> kMany = {"--methods", "symplectic-euler,h4-filtered,h6"};
 };
 
-TEST_F(HairlabStudy, WritesRecordTableAndPageAndIsQuietInAPipe) {
-  const ProgramRun run = study(kFew);
-  ASSERT_EQ(run.code, 0) << run.errors;
-  EXPECT_EQ(run.output, (out_ / "index.html").string() + "\n");
-  EXPECT_EQ(run.errors, "");
-  EXPECT_EQ(folder_.names("out"), (std::vector<std::string>{"index.html", "study.csv", "study.json"}));
+TEST_F(HairlabStudy, KeepsTheAccurateMotionAndResumedItIsTheSame) {
+  ASSERT_EQ(study(kFew).code, 0);
   const Json json = record();
   EXPECT_EQ(json["finished"], true);
-  ASSERT_EQ(json["methods"].size(), 2u);
-  EXPECT_EQ(json["methods"][1]["id"], "runge-kutta-4");
-  std::size_t runs = 0;
-  for (const Json& method : json["methods"]) runs += method["runs"].size();
-  const std::string csv = bytes_of(out_ / "study.csv");
-  EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), runs + 1);
-  EXPECT_TRUE(has(bytes_of(out_ / "index.html"), "<svg"));
-
-  // The accurate motion is kept, and the same as before; a finished study has nothing to go on with.
   EXPECT_EQ(json["reference"]["from_cache"], false);
-  ASSERT_EQ(study({"--methods", "symplectic-euler,runge-kutta-4", "--resume"}).code, 0);
+  ASSERT_EQ(study({"--methods", kFew[1], "--resume"}).code, 0);
   const Json again = record();
   EXPECT_EQ(again["reference"]["from_cache"], true);
   EXPECT_EQ(again["methods"], json["methods"]);
@@ -139,24 +121,6 @@ TEST_F(HairlabStudy, AnotherProgramCanNotResume) {
   EXPECT_EQ(record()["methods"], before["methods"]);
 }
 
-TEST_F(HairlabStudy, BadInputIsRefusedInOneLine) {
-  expect_refused(study({"--methods", "leapfrog"}), 2,
-                 "--methods: there is no \"leapfrog\" for this scene; there are forward-euler, ");
-  expect_refused(study({"--methods", ""}), 2, "--methods: there is no \"\" for this scene; ");
-  expect_refused(study({"--strand", "1"}), 2, "there is no strand 1");
-  for (const std::string duration : {"nan", "inf", "-1", "1e-7", "1001"})
-    expect_refused(run_hairlab({"study", "strand-swing", "--out", out_.string(), "--duration", duration}), 2,
-                   "--duration: " + duration + " is not right; give 1e-6 to 1000");
-  expect_refused(run_hairlab({"study", "rigid-links", "--strand", "2", "--out", out_.string()}), 2,
-                 "rigid-links: there is no strand 2; it has strands 0 to 1");
-  expect_refused(run_hairlab({"study", "rigid-links", "--methods", "h6", "--out", out_.string()}), 2,
-                 "there are symplectic-euler, runge-kutta-4, implicit-euler");
-  const std::string mine = folder_.write("mine.txt", "");
-  expect_refused(run_hairlab({"study", "strand-swing", "--out", folder_.path().string()}), 2,
-                 "is not empty, and not from hairlab study; ");
-  EXPECT_FALSE(fs::exists(out_));
-}
-
 TEST_F(HairlabStudy, ALinkStrandIsStudiedByItsOwnMethodsAndWithoutASpaceError) {
   const std::string scene = folder_.write("links.json", kSoftLinks);
   const ProgramRun run = run_hairlab({"study", scene, "--out", out_.string(), "--quick", "--no-cache"});
@@ -175,15 +139,9 @@ TEST_F(HairlabStudy, ALinkStrandIsStudiedByItsOwnMethodsAndWithoutASpaceError) {
   EXPECT_EQ(methods, (std::vector<std::string>{"symplectic-euler", "runge-kutta-4", "implicit-euler"}));
 }
 
-TEST_F(HairlabStudy, ACacheThatIsNamedIsAFolderThatCanBeWritten) {
-  const std::string mine = folder_.write("mine.txt", "");
-  for (const std::string& cache : {mine, mine + "/below", std::string("/proc/cache")})
-    expect_refused(study({"--cache", cache}), 2, "--cache: " + cache + " can't be written (");
-  expect_refused(study({"--cache", ""}), 2, "--cache: is empty; ");
-  EXPECT_FALSE(fs::exists(out_));
-  // The one that it has by itself may be none.
+TEST_F(HairlabStudy, TheCacheThatItHasByItselfMayBeNone) {
   ProgramSettings none;
-  none.environment = {"XDG_CACHE_HOME=" + mine};
+  none.environment = {"XDG_CACHE_HOME=" + folder_.write("mine.txt", "")};
   const std::string scene = folder_.write("scene.json", kSoftHair);
   const ProgramRun run = run_hairlab(
       {"study", scene, "--out", out_.string(), "--quick", "--duration", "0.05", "--methods", "runge-kutta-4"},
@@ -194,11 +152,6 @@ TEST_F(HairlabStudy, ACacheThatIsNamedIsAFolderThatCanBeWritten) {
 
 // Before the accurate motion is computed, which would be kept in the cache.
 TEST_F(HairlabStudy, WhatCanNotBeResumedIsRefusedAtOnce) {
-  const fs::path deep = folder_ / "q/r/s";
-  expect_refused(run_hairlab({"study", "strand-swing", "--out", deep.string(), "--resume"}), 2,
-                 deep.string() + ": there is no earlier study; leave out --resume\n");
-  EXPECT_TRUE(folder_.names().empty());
-
   const auto expect_at_once = [&](const std::vector<std::string>& arguments, const std::string& part) {
     expect_refused(study(arguments), 2, part);
     EXPECT_FALSE(fs::exists(folder_ / "cache")) << part;
@@ -220,8 +173,6 @@ TEST_F(HairlabStudy, WhatCanNotBeResumedIsRefusedAtOnce) {
 }
 
 TEST_F(HairlabStudy, NamesTheExerciseThatAStubIsOf) {
-  expect_refused(study(kFew, {.program = STUDENT_HAIRLAB}), 3,
-                 "hairlab: this needs H1: student/stretch_springs.cpp, ");
   expect_refused(run_hairlab({"study", folder_.write("links.json", kSoftLinks), "--out", out_.string()},
                              {.program = STUDENT_HAIRLAB}),
                  3, "hairlab: this needs H7: student/rigid_links.cpp, ");

@@ -1,5 +1,7 @@
 #include "hair/lab/tests/run_hairlab.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <fstream>
 
@@ -21,6 +23,12 @@ ProgramRun run_hairlab(const std::vector<std::string>& arguments, const ProgramS
       {.words = words, .output = output, .errors = errors, .environment = settings.environment});
   if (settings.meanwhile) settings.meanwhile(process);
   return {exit_code_of(process).value_or(-1), bytes_of(output), bytes_of(errors)};
+}
+
+void expect_refused(const ProgramRun& run, int code, const std::string& part) {
+  EXPECT_EQ(run.code, code) << run.errors;
+  EXPECT_TRUE(has(run.errors, part)) << run.errors;
+  EXPECT_EQ(lines_of(run.errors), 1) << run.errors;
 }
 
 bool has(const std::string& text, const std::string& part) {

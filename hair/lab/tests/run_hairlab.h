@@ -27,6 +27,9 @@ struct ProgramSettings {
 
 ProgramRun run_hairlab(const std::vector<std::string>& arguments, const ProgramSettings& settings = {});
 
+// It ended with this code, and said one line that has a part.
+void expect_refused(const ProgramRun& run, int code, const std::string& part);
+
 // Helpers for tests: whether a text contains a part, and its number of lines.
 bool has(const std::string& text, const std::string& part);
 std::ptrdiff_t lines_of(const std::string& text);

@@ -1,5 +1,5 @@
 // The solver's page says what the numbers say, whatever the code that was studied does.
-#include "hair/lab/solver/solver_page.h"
+#include "hair/lab/solver/solver_record.h"
 
 #include <gtest/gtest.h>
 
@@ -87,7 +87,7 @@ SolverStudy study_of(const Compared& on) {
 }
 
 TEST(SolverPage, WhatWasStoppedIsNoPointOfTheCurve) {
-  const std::string page = to_html(solver_page(study_of(compared("strand, h = 1 ms", {0.5, 1e-12})), "", ""));
+  const std::string page = to_html(solver_page(study_of(compared("strand, h = 1 ms", {0.5, 1e-12})), ""));
   EXPECT_NE(page.find("stopped at 4000 iterations, with an error of 0.042"), std::string::npos);
   EXPECT_NE(page.find("stopped after the 4000 iterations"), std::string::npos);
   EXPECT_NE(page.find("not within 4000 iterations, or its residual or its count is not true"),
@@ -99,7 +99,7 @@ TEST(SolverPage, IsDrawnOfCodeThatDoesNothing) {
   on.conj_grad.progress[0].iterations = 0;
   on.conj_grad.progress[1].iterations = -7;
   for (Progress& one : on.conj_grad.progress) one.products = 0;
-  EXPECT_NO_THROW(to_html(solver_page(study_of(on), "", "")));
+  EXPECT_NO_THROW(to_html(solver_page(study_of(on), "")));
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 namespace hair {
@@ -19,21 +18,31 @@ std::string joined(const std::vector<std::string>& words) {
   return text;
 }
 
-// What a check found, and why it says so.
-const std::vector<std::string> kFound = {"what", "expected", "measured", "error", "tolerance", "holds"};
-const std::vector<std::string> kWhy = {"check", "expected: source", "tolerance: from"};
-
-std::vector<std::string> found(const Check& check) {
-  return {with_unit(check),
-          printed("%.9g", check.expected),
-          printed("%.9g", check.measured),
-          printed("%.1e", check.error()),
-          printed("%.1e", check.tolerance),
-          check.holds() ? "yes" : "NO"};
+std::string nine_digits(double value) {
+  return printed("%.9g", value);
 }
 
-std::vector<std::string> why(const Check& check) {
-  return {check.id, check.source, check.tolerance_from};
+std::string two_digits(double value) {
+  return printed("%.1e", value);
+}
+
+// Where a check's numbers come from, and what it found.
+Row why(const Check& check) {
+  return {{"id", "", check.id, {"check"}},
+          {"source", "", check.source, {"expected: source"}},
+          {"tolerance_from", "", check.tolerance_from, {"tolerance: from"}}};
+}
+
+Row found(const Check& check) {
+  return {{"shows", "", check.shows, In::json},
+          {"unit", "", check.unit, In::json},
+          {"what", "", with_unit(check), In::tables},
+          {"expected", "", check.expected, {.written = nine_digits}},
+          {"measured", "", check.measured, {.written = nine_digits}},
+          {"error", "", check.error(), {.written = two_digits}, In::tables},
+          {"tolerance", "", check.tolerance, {.written = two_digits}},
+          {"holds", "", check.holds(), In::json},
+          {"holds", "", check.holds() ? "yes" : "NO", In::tables}};
 }
 
 std::string outcome(const ValidationRecord& record) {
@@ -49,13 +58,7 @@ Section section_of(const ValidationRecord& record) {
                    outcome(record) + ". " + printed("%.2g", record.cpu_seconds) + " s of CPU time."}};
   const ValidationResult& result = record.result;
   if (result.checks.empty()) return section;
-  Table checks{"Checks of " + record.id, kFound, {}};
-  Table sources{"Where expected values and tolerances of " + record.id + " come from", kWhy, {}};
-  for (const Check& check : result.checks) {
-    checks.rows.push_back(found(check));
-    sources.rows.push_back(why(check));
-  }
-  section.first = {std::move(checks)};
+  section.first = {table_of(rows_of(result.checks, found), "Checks of " + record.id)};
   // An exercise's numbers may be none: that must not cost the page.
   for (const Figure& figure : result.figures) try {
       section.figures.push_back(to_svg(figure));
@@ -64,26 +67,13 @@ Section section_of(const ValidationRecord& record) {
     }
   section.tables = result.tables;
   section.tables.insert(section.tables.end(), result.times.begin(), result.times.end());
-  section.tables.push_back(std::move(sources));
+  section.tables.push_back(table_of(rows_of(result.checks, why),
+                                    "Where expected values and tolerances of " + record.id + " come from"));
   return section;
 }
 
-using Json = nlohmann::ordered_json;
-
-Json json_of_check(const Check& check) {
-  return {{"id", check.id},
-          {"shows", check.shows},
-          {"unit", check.unit},
-          {"source", check.source},
-          {"expected", check.expected},
-          {"measured", check.measured},
-          {"tolerance", check.tolerance},
-          {"tolerance_from", check.tolerance_from},
-          {"holds", check.holds()}};
-}
-
-Json json_of_tables(const std::vector<Table>& tables) {
-  Json all = Json::array();
+OrderedJson json_of_tables(const std::vector<Table>& tables) {
+  OrderedJson all = OrderedJson::array();
   for (const Table& table : tables)
     all.push_back({{"caption", table.caption}, {"header", table.header}, {"rows", table.rows}});
   return all;
@@ -129,67 +119,60 @@ std::string terminal_text(const ValidationRecord& record) {
   };
   text += line("", columns("expected", "measured", "error", "tolerance", ""));
   for (const Check& check : record.result.checks) {
-    const std::vector<std::string> row = found(check);
+    const std::vector<std::string> row = table_of({found(check)}, "").rows[0];
     text += line(row[0], columns(row[1].c_str(), row[2].c_str(), row[3].c_str(), row[4].c_str(),
                                  check.holds() ? "ok" : "DOES NOT HOLD"));
   }
   return text;
 }
 
-Table table_of_checks(const std::vector<ValidationRecord>& records) {
-  Table table{"Checks", {"validation"}, {}};
-  table.header.insert(table.header.end(), kWhy.begin(), kWhy.end());
-  table.header.insert(table.header.end(), kFound.begin(), kFound.end());
+std::vector<Row> check_rows(const std::vector<ValidationRecord>& records) {
+  std::vector<Row> rows;
   for (const ValidationRecord& record : records) {
-    if (!record.ran() || !record.broke.empty())
-      table.rows.push_back(
-          {record.id, "", "", "", outcome(record), "", "", "", "", record.ran() ? "NO" : ""});
-    for (const Check& check : record.result.checks) {
-      std::vector<std::string>& row = table.rows.emplace_back(std::vector<std::string>{record.id});
-      for (const std::vector<std::string>& part : {why(check), found(check)})
-        row.insert(row.end(), part.begin(), part.end());
-      row[5] = to_exact_text(check.expected);
-      row[6] = to_exact_text(check.measured);
-    }
+    const Row id = {{"validation", "", record.id}};
+    for (const Check& check : record.result.checks) rows.push_back(id + why(check) + found(check));
+    if (record.ran() && record.broke.empty()) continue;
+    rows.push_back(id + Row{{"id", "", {}},
+                            {"source", "", {}},
+                            {"tolerance_from", "", {}},
+                            {"what", "", outcome(record)},
+                            {"expected", "", {}},
+                            {"measured", "", {}},
+                            {"error", "", {}},
+                            {"tolerance", "", {}},
+                            {"holds", "", record.ran() ? "NO" : ""}});
   }
-  return table;
+  return rows;
 }
 
-Page page_of(const std::vector<ValidationRecord>& records, bool quick, const std::string& machine) {
+Page page_of(const std::vector<ValidationRecord>& records) {
   Page page{
       "Truth from outside",
       {"What theory says of hair and of the methods that move it, beside what the exercises' code does. A "
        "check holds if measured and expected differ by the tolerance at most, and the theory says how much "
        "that is.",
-       summary(records) + ".", machine}};
-  if (quick) page.paragraphs.emplace_back("A quick run: fewer and coarser.");
+       summary(records) + "."}};
   for (const ValidationRecord& record : records) page.sections.push_back(section_of(record));
   return page;
 }
 
-std::string json_of(const std::vector<ValidationRecord>& records, bool quick, const std::string& machine) {
-  Json validations = Json::array();
+OrderedJson json_of(const std::vector<ValidationRecord>& records) {
+  OrderedJson validations = OrderedJson::array();
   for (const ValidationRecord& record : records) {
-    Json checks = Json::array();
-    for (const Check& check : record.result.checks) checks.push_back(json_of_check(check));
-    Json one = {{"id", record.id},
-                {"title", record.title},
-                {"exercises", record.exercises},
-                {"holds", record.ran() ? Json(record.holds()) : Json()}};
+    OrderedJson one = {{"id", record.id},
+                       {"title", record.title},
+                       {"exercises", record.exercises},
+                       {"holds", record.ran() ? OrderedJson(record.holds()) : OrderedJson()}};
     if (!record.ran()) one["left_out"] = record.left_out;
     if (!record.broke.empty()) one["broke"] = record.broke;
-    one["checks"] = std::move(checks);
+    one["checks"] =
+        json_of(rows_of(record.result.checks, [](const Check& check) { return why(check) + found(check); }));
     one["tables"] = json_of_tables(record.result.tables);
     one["times"] = json_of_tables(record.result.times);
     one["cpu_seconds"] = record.cpu_seconds;
     validations.push_back(std::move(one));
   }
-  return Json({{"format", "hairlab validate 1"},
-               {"quick", quick},
-               {"machine", machine},
-               {"validations", std::move(validations)}})
-             .dump(1) +
-         "\n";
+  return {{"format", 2}, {"validations", std::move(validations)}};
 }
 
 }  // namespace hair

@@ -2,15 +2,12 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "hair/io/plot/columns.h"
 #include "hair/lab/validate/validation.h"
 
 namespace hair {
-
-// The beginning of every validate.json.
-inline constexpr std::string_view kValidationJsonBegin = "{\n \"format\": \"hairlab validate 1\"";
 
 struct ValidationRecord {
   std::string id, title;
@@ -31,14 +28,13 @@ std::string summary(const std::vector<ValidationRecord>& records);
 // One line for each check in aligned columns, with a heading, for a terminal of 120 columns.
 std::string terminal_text(const ValidationRecord& record);
 
-// One row for each check of all validations, and one for each validation that broke or was left out.
-Table table_of_checks(const std::vector<ValidationRecord>& records);
+// validate.csv: one row for each check of all validations, and one for each validation that broke or was left out.
+std::vector<Row> check_rows(const std::vector<ValidationRecord>& records);
 
-// `machine`: the machine that measured the times (hair/io/machine.h).
-Page page_of(const std::vector<ValidationRecord>& records, bool quick, const std::string& machine);
+Page page_of(const std::vector<ValidationRecord>& records);
 
 // validate.json: everything except the figures. `measured` is null if it is not finite. Equal runs give equal
 // text, except for "cpu_seconds" and "times".
-std::string json_of(const std::vector<ValidationRecord>& records, bool quick, const std::string& machine);
+OrderedJson json_of(const std::vector<ValidationRecord>& records);
 
 }  // namespace hair

@@ -40,9 +40,6 @@ struct ValidationResult {
   std::vector<Table> times = {};  // with CPU times, which differ between runs
 };
 
-// Formats like printf: "%.9g".
-std::string printed(const char* format, double value);
-
 // A point in a figure with a logarithmic axis: an error that the axis can't show becomes a failed point.
 Point error_point(double x, double error, std::string note = {});
 

@@ -64,8 +64,8 @@ std::string said_of(hair::Fate fate, double limit) {
   hair::StabilityReport report;
   report.scene = "a scene";
   report.maps = {map};
-  return hair::to_html(hair::page_of(report)) + hair::to_csv(hair::table_of_boundaries(report)) +
-         hair::to_csv(hair::table_of_curves(report)) + hair::json_of(report);
+  return hair::to_html(hair::page_of(report)) + hair::csv_of(hair::limit_rows(report)) +
+         hair::csv_of(hair::curve_rows(report)) + hair::record_text(hair::json_of(report));
 }
 
 void expect_said(const std::string& text, const std::string& part, bool is) {

@@ -1,7 +1,7 @@
 // STAFF ONLY. A study of one who has not written H6 yet: all else is there, and H6 is left out by name.
 #include <gtest/gtest.h>
 
-#include "hair/lab/study/study_page.h"
+#include "hair/lab/study/study_record.h"
 #include "studies.h"
 
 namespace reference_tests {

@@ -10,7 +10,6 @@
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/temporary_folder.h"
 #include "hair/io/files/write_file.h"
-#include "hair/lab/study/study_page.h"
 #include "studies.h"
 
 namespace reference_tests {
@@ -22,7 +21,7 @@ using Json = nlohmann::json;
 class StudyRecord : public testing::Test {
  protected:
   fs::path keep(const hair::Study& study) const {
-    hair::write_file(folder_ / "study.json", hair::study_json(study));
+    hair::write_file(folder_ / "study.json", hair::record_text(hair::study_json(study)));
     return folder_ / "study.json";
   }
   std::string why_refused(const fs::path& file, hair::Study study) const {
@@ -38,9 +37,14 @@ class StudyRecord : public testing::Test {
   fs::path folder_ = temporary_.path();
 };
 
+// As it is read: a number that is none is null.
+Json json_of(const hair::Study& study) {
+  return Json::parse(hair::record_text(hair::study_json(study)));
+}
+
 // Without what differs from time to time.
 std::string timeless(const hair::Study& study) {
-  Json json = Json::parse(hair::study_json(study));
+  Json json = json_of(study);
   json["reference"].erase("seconds");
   for (Json& method : json["methods"])
     for (Json& run : method["runs"]) {
@@ -58,17 +62,17 @@ TEST_F(StudyRecord, ARunThatBrokeStaysByNameInAllThatIsWritten) {
   ASSERT_EQ(first.ending, hair::RunEnding::broke) << shown(sweep_of(study, "forward-euler"));
   ASSERT_TRUE(first.trouble.starts_with("strand 0, step ")) << first.trouble;
   EXPECT_LT(first.counts.steps, first.steps_per_moment * hair::kMoments) << "it is not stopped at once";
-  const Json run = Json::parse(hair::study_json(study))["methods"][0]["runs"][0];
+  const Json run = json_of(study)["methods"][0]["runs"][0];
   EXPECT_EQ(run["ending"], "broke");
   EXPECT_EQ(run["trouble"], first.trouble);
   EXPECT_FALSE(run.contains("errors"));
-  EXPECT_NE(hair::to_csv(hair::table_of_runs(study)).find(first.trouble), std::string::npos);
+  EXPECT_NE(hair::csv_of(hair::run_rows(study)).find(first.trouble), std::string::npos);
   EXPECT_NE(hair::to_html(hair::study_page(study)).find(first.trouble), std::string::npos);
 }
 
 TEST_F(StudyRecord, ErrorsBelowTheFloorAreNoNumbers) {
   const hair::Study study = studied(kPendulum, 0.1, {"runge-kutta-4"}, 1e7).whole();
-  const Json json = Json::parse(hair::study_json(study));
+  const Json json = json_of(study);
   const Json& errors = json["methods"][0]["runs"].back()["errors"];
   EXPECT_TRUE(errors["final_largest"].is_null()) << errors.dump();
   for (const Json& run : json["methods"][0]["runs"])
@@ -88,7 +92,7 @@ TEST_F(StudyRecord, ResumedItIsTheSameAsOneThatWasNeverInterrupted) {
     hair::Study part = all.empty();
     EXPECT_FALSE(hair::finish_study(all.problem, all.motion, settings, part, interrupted));
     const fs::path file = keep(part);
-    EXPECT_EQ(Json::parse(hair::study_json(part))["finished"], false);
+    EXPECT_EQ(json_of(part)["finished"], false);
 
     hair::Study resumed = all.empty();
     hair::read_runs(file, resumed);
@@ -165,7 +169,7 @@ TEST_F(StudyRecord, OfSomethingElseIsRefusedAndSaysWhatDiffers) {
   EXPECT_NE(why_refused(file, other).find("the program is another than the one that began this study; "),
             std::string::npos);
 
-  Json broken = Json::parse(hair::study_json(all.whole()));
+  Json broken = json_of(all.whole());
   const Json whole = broken;
   broken["methods"] = {1};
   hair::write_file(file, broken.dump());
@@ -186,7 +190,7 @@ TEST_F(StudyRecord, OfSomethingElseIsRefusedAndSaysWhatDiffers) {
 
 TEST_F(StudyRecord, OfRunsThatNoStudyWritesIsRefused) {
   const Studied all = studied(kSoftHair, 0.1, {"runge-kutta-4"}, 1e5);
-  const Json whole = Json::parse(hair::study_json(all.whole()));
+  const Json whole = json_of(all.whole());
   const Json runs = whole["methods"][0]["runs"];
   ASSERT_GE(runs.size(), 3u);
   const auto expect_refused = [&](const Json& spoiled, const std::string& part) {

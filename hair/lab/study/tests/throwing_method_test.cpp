@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "hair/lab/study/study_figures.h"
-#include "hair/lab/study/study_page.h"
+#include "hair/lab/study/study_record.h"
 #include "particles/explicit_integrators.h"
 #include "studies.h"
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "hair/lab/study/observed_order.h"
-#include "hair/lab/study/study_page.h"
+#include "hair/lab/study/study_record.h"
 #include "studies.h"
 
 namespace reference_tests {

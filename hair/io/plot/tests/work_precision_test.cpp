@@ -1,11 +1,10 @@
-// STAFF ONLY.
-#include "grader/suite/study/equal_error.h"
+#include "hair/io/plot/work_precision.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-namespace grader {
+namespace hair {
 namespace {
 
 // error = size / time^order, at some times.
@@ -59,5 +58,37 @@ TEST(TimeRatio, TakesNoNoteOfWhatIsBelowTheLeastError) {
   EXPECT_NEAR(*time_ratio(one, two, one[0].error), 1, 1e-12);
 }
 
+TEST(TimeFor, IsBetweenTheRunsAndNoneWhereNoRunGets) {
+  const std::vector<Sample> samples = curve(2, 1e-9);  // errors from 1e-3 down to 1e-3 / 4^5
+  EXPECT_NEAR(*time_for(samples, 1e-3, 1e-15), 1e-3, 1e-12);
+  EXPECT_NEAR(*time_for(samples, 1e-3 / 9, 1e-15), 3e-3, 1e-12);
+  EXPECT_NEAR(*time_for(samples, 1, 1e-15), 1e-3, 1e-12) << "no run takes less";
+  EXPECT_FALSE(time_for(samples, 1e-3 / 1025, 1e-15));
+  EXPECT_FALSE(time_for({}, 1, 1e-15));
+}
+
+TEST(BestOf, AreRunsThatNoOtherBeatsInBoth) {
+  EXPECT_EQ(best_of({{4, 1}, {1, 10}, {2, 20}, {3, 5}, {3, 6}}), (std::vector<std::size_t>{1, 3, 0}));
+}
+
+TEST(Stalls, AfterThreeHalvingsThatGainNothing) {
+  EXPECT_FALSE(stalls({1, 1, 1}));
+  EXPECT_TRUE(stalls({4, 1, 0.99, 1, 0.99}));
+  EXPECT_FALSE(stalls({1, 1, 1, 0.9}));
+  EXPECT_FALSE(stalls({1, NAN, 1, 1}));
+}
+
+TEST(Level, IsAsWideAsThePoints) {
+  Figure figure;
+  add_level(figure, "known", 1);
+  EXPECT_TRUE(figure.series.empty());
+  figure.series = {{"a", {{2, 1}, {8, 1}}}, {"b", {{1, 1}}}};
+  add_level(figure, "known", 0.5);
+  const std::vector<Point>& line = figure.series.back().points;
+  EXPECT_EQ(line[0].x, 1);
+  EXPECT_EQ(line[1].x, 8);
+  EXPECT_EQ(line[1].y, 0.5);
+}
+
 }  // namespace
-}  // namespace grader
+}  // namespace hair

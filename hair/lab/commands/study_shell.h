@@ -1,0 +1,88 @@
+// What all studies do around what they study: options, a folder, a line of progress, Ctrl-C, and how they end.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hair/io/files/bad_input.h"
+#include "hair/io/files/printable.h"
+#include "hair/io/plot/columns.h"
+#include "hair/lab/commands/command.h"
+#include "hair/lab/commands/hand_over.h"
+#include "hair/lab/run/output_folder.h"
+
+namespace hair {
+
+struct ShellOptions {
+  std::filesystem::path out;
+  bool writes = true;  // into `out`
+  bool quick = false, resume = false;
+  std::string when_quick;  // what --quick changes
+  int threads = 1;
+};
+
+// A command with --out and --quick, which `quick` describes. --out is required, unless the command says when it is.
+CLI::App* add_study(CLI::App& program, const OtherCommand& command, ShellOptions& options, const char* quick,
+                    bool out_is_required = true);
+void add_resume(CLI::App& app, ShellOptions& options);
+
+// What Ctrl-C leaves of a study: nothing, what is finished, or what is finished and --resume goes on with.
+enum class WhenInterrupted { loses, keeps, resumes };
+
+class StudyShell {
+ public:
+  // From here on Ctrl-C sets interrupted(). The record, a JSON file, begins with the command's name. Throws BadInput as OutputFolder
+  // does.
+  StudyShell(const ShellOptions& options, const std::string& command, const std::string& record,
+             std::vector<std::string> files, WhenInterrupted leaves);
+  ~StudyShell() { say(""); }
+  StudyShell(const StudyShell&) = delete;
+  StudyShell& operator=(const StudyShell&) = delete;
+
+  const std::atomic<bool>& interrupted() const { return interrupted_; }
+  const OutputFolder& folder() const { return *folder_; }
+
+  // A line that is written over and over, on a terminal alone.
+  void say(const std::string& what) const;
+  std::function<void(const std::string&)> teller() const {
+    return [this](const std::string& what) { say(what); };
+  }
+
+  // Writes the record, the page and the tables (names and rows; none without rows) and moves the folder to its place; each call replaces what
+  // the one before wrote. Adds to the record, in front, program, quick and machine, unless it has them; to the page the machine, and --quick.
+  void keep(const OrderedJson& record, Page page,
+            const std::vector<std::pair<std::string, std::vector<Row>>>& tables);
+
+  // Says where the page is, if one was kept, with `more` behind it; and what an interruption left. Returns the exit code.
+  int end(bool finished, const std::string& more = "") const;
+
+ private:
+  ShellOptions options_;
+  OutputKind kind_;
+  WhenInterrupted leaves_;
+  const std::atomic<bool>& interrupted_;
+  std::optional<OutputFolder> folder_;
+  bool terminal_, kept_ = false;
+};
+
+// Those of `all` that are asked for, in the order of `all`; all, if none is. Throws BadInput, which begins with `where`.
+template <class One>
+std::vector<One> chosen(std::vector<One> all, const std::vector<std::string>& ids, const std::string& where) {
+  std::string known;
+  for (const One& one : all) known += (known.empty() ? "" : ", ") + one.id;
+  for (const std::string& id : ids)
+    if (std::none_of(all.begin(), all.end(), [&](const One& one) { return one.id == id; }))
+      throw BadInput(where + ": there is no \"" + printable(id) + "\"; there are " + known);
+  if (!ids.empty())
+    std::erase_if(all,
+                  [&](const One& one) { return std::find(ids.begin(), ids.end(), one.id) == ids.end(); });
+  return all;
+}
+
+}  // namespace hair

@@ -1,0 +1,242 @@
+// What hairlab's studies have in common, from outside: their files, their ends, and what they refuse.
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <nlohmann/json.hpp>
+
+#include "hair/lab/tests/run_hairlab.h"
+#include "hair/truth/accurate_motion.h"
+
+namespace hair {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+struct StudyCase {
+  std::string name;                                           // of the record's program, after hairlab
+  std::string record;                                         // "solver.json"
+  std::vector<std::string> files;                             // those that it writes, in order
+  std::vector<std::string> arguments;                         // of a short study
+  std::string stub;                                           // the exercise that it needs first
+  void (*look)(const Json& record, const std::string& page);  // what else the record and the page have
+};
+
+void look_at_solver(const Json& record, const std::string& page) {
+  EXPECT_TRUE(record["left_out"].is_null());
+  EXPECT_EQ(record["digits"].size(), 8);
+  for (const char* figure : {"error-against-iterations", "squared-residual-against-iterations",
+                             "error-against-time", "error-for-clusters", "squared-residual-for-clusters",
+                             "error-for-clusters-against-time", "strand-error-against-products",
+                             "strand-squared-residual-against-iterations", "strand-error-against-time",
+                             "iterations-against-condition", "error-against-condition", "product-cost"})
+    EXPECT_TRUE(has(page, "id=\"" + std::string(figure) + "\"")) << figure;
+}
+
+void look_at_head(const Json& record, const std::string&) {
+  EXPECT_EQ(record["no_pictures"], "--no-pictures");
+  ASSERT_EQ(record["cases"].size(), 2u);
+  EXPECT_EQ(record["cases"][0]["head"], true);
+  EXPECT_EQ(record["cases"][1]["head"], false);
+  for (const Json& one : record["cases"]) {
+    EXPECT_EQ(one["strands"], 60);
+    ASSERT_EQ(one["runs"].size(), 1u);
+    EXPECT_EQ(one["runs"][0]["guides"], 50);
+    EXPECT_GT(one["runs"][0]["modes"]["interpolate"]["end"]["rms"], 0);
+  }
+}
+
+// The finest of each family are near the fine motion, and links and helices near each other.
+void look_at_models(const Json& record, const std::string&) {
+  ASSERT_EQ(record["hairs"].size(), 1u);
+  const Json& hair = record["hairs"][0];
+  EXPECT_LT(hair["uncertainty"], 2e-4);
+  for (const Json& family : hair["families"]) {
+    EXPECT_TRUE(family["left_out"].is_null()) << family["family"];
+    if (family["family"] == "springs-h4") continue;  // its stretch: centimetres at these steps
+    double best = 1;
+    for (const Json& one : family["runs"])
+      if (one["trouble"].is_null()) best = std::min(best, one["error"].get<double>());
+    EXPECT_LT(best, 0.005) << family["family"];
+  }
+  // At a sixtieth of a second hair's own springs let it stretch, and links don't.
+  for (const Json& family : hair["at_a_sixtieth"]) {
+    double longest = 0;
+    for (const Json& one : family["runs"])
+      for (const double length : one["lengths"]) longest = std::max(longest, length);
+    if (family["family"] == "springs-1") {
+      EXPECT_GT(longest, 1.001);
+    }
+    if (family["family"] == "links") {
+      EXPECT_LT(longest, 1 + 1e-12);
+    }
+  }
+}
+
+void look_at_stability(const Json& record, const std::string&) {
+  EXPECT_EQ(record["ended"], "finished");
+  EXPECT_EQ(record["extremes"].size(), 224u);
+  ASSERT_EQ(record["maps"].size(), 16u);
+  for (const Json& map : record["maps"]) {
+    ASSERT_EQ(map["rows"].size(), map["h"].size());
+    for (const Json& row : map["rows"]) EXPECT_EQ(row.get<std::string>().size(), map["x"].size());
+  }
+}
+
+void look_at_validate(const Json& record, const std::string&) {
+  EXPECT_EQ(record["quick"], true);
+  ASSERT_EQ(record["validations"].size(), 1u);
+  EXPECT_GE(record["validations"][0]["checks"].size(), 1u);
+}
+
+void look_at_study(const Json& record, const std::string& page) {
+  EXPECT_EQ(record["finished"], true);
+  ASSERT_EQ(record["methods"].size(), 2u);
+  EXPECT_EQ(record["methods"][1]["id"], "runge-kutta-4");
+  for (const Json& method : record["methods"])
+    for (const Json& run : method["runs"])
+      EXPECT_TRUE(has(page, ">" + std::to_string(run["evaluations"].get<long>()) + "</td>")) << run;
+}
+
+const StudyCase kStudies[] = {
+    {"solver",
+     "solver.json",
+     {"convergence.csv", "digits.csv", "direct.csv", "index.html", "iterations.csv", "products.csv",
+      "solver.json"},
+     {"--quick"},
+     "S1: student/conj_grad.cpp, ConjGrad is not implemented yet",
+     look_at_solver},
+    {"study head",
+     "head.json",
+     {"head.csv", "head.json", "index.html"},
+     {"--hair", "straight", "--exercise-strands", "60", "--no-pictures"},
+     "hairlab: this needs ",
+     look_at_head},
+    {"models",
+     "models.json",
+     {"index.html", "lengths.csv", "models.csv", "models.json"},
+     {"--quick", "--hair", "straight"},
+     "H7",
+     look_at_models},
+    {"study",
+     "study.json",
+     {"index.html", "study.csv", "study.json"},
+     {"pendulum", "--quick", "--duration", "0.05", "--methods", "symplectic-euler,runge-kutta-4",
+      "--no-cache"},
+     "hairlab: pendulum needs P1: student/explicit_integrators.cpp, ",
+     look_at_study},
+    {"stability",
+     "stability.json",
+     {"boundaries.csv", "curves.csv", "extremes.csv", "index.html", "stability.json"},
+     {"strand-swing", "--quick", "--segments", "2"},
+     "is left out: it needs H1: student/stretch_springs.cpp",
+     look_at_stability},
+    {"validate",
+     "validate.json",
+     {"index.html", "validate.csv", "validate.json"},
+     {"pendulum-rods", "--quick"},
+     "hairlab: this needs P1: student/explicit_integrators.cpp, ",
+     look_at_validate},
+};
+
+class Studies : public testing::TestWithParam<StudyCase> {
+ protected:
+  void SetUp() override {
+    if (GetParam().name == "study" && !have_accurate_motion()) GTEST_SKIP() << "built without SUNDIALS";
+  }
+  ProgramRun study(const ProgramSettings& settings = {}, const std::vector<std::string>& more = {}) const {
+    std::vector<std::string> arguments = {"--out", out_.string()};
+    for (const auto* list : {&GetParam().arguments, &more})
+      arguments.insert(arguments.end(), list->begin(), list->end());
+    return run(arguments, settings);
+  }
+  // The command with other arguments.
+  ProgramRun run(const std::vector<std::string>& arguments, const ProgramSettings& settings = {}) const {
+    std::vector<std::string> all;
+    const std::string& name = GetParam().name;
+    const std::size_t space = name.find(' ');
+    all.push_back(name.substr(0, space));
+    if (space != name.npos) all.push_back(name.substr(space + 1));
+    all.insert(all.end(), arguments.begin(), arguments.end());
+    return run_hairlab(all, settings);
+  }
+
+  TestFolder folder_;
+  const fs::path out_ = folder_ / "out";
+};
+
+TEST_P(Studies, WritePageTablesAndRecordInPlaceOfEarlierOnesAndAreQuietInAPipe) {
+  const StudyCase& one = GetParam();
+  fs::create_directory(out_);
+  folder_.write("out/" + one.record, "{\n  \"program\": \"hairlab " + one.name + "\", \"of\": \"before\"}");
+  // The engine moves straight hair; a student's program has none.
+  using Words = std::vector<std::string>;
+  const ProgramRun done = study({}, one.name == "study head" ? Words{"--strands", "60"} : Words{});
+  ASSERT_EQ(done.code, 0) << done.errors;
+  EXPECT_EQ(done.errors, "") << "progress is for terminals";
+  EXPECT_TRUE(has(done.output, (out_ / "index.html").string())) << done.output;
+  EXPECT_EQ(folder_.names("out"), one.files);
+  EXPECT_EQ(folder_.names(), std::vector<std::string>{"out"});
+  const std::string text = bytes_of(out_ / one.record), page = bytes_of(out_ / "index.html");
+  EXPECT_TRUE(text.starts_with("{\n  \"program\": \"hairlab " + one.name + "\"")) << text.substr(0, 100);
+  EXPECT_TRUE(has(page, "<svg"));
+  one.look(Json::parse(text), page);
+}
+
+TEST_P(Studies, RefuseAFolderOfSomethingElseBeforeTheyCompute) {
+  fs::create_directory(out_);
+  folder_.write("out/letter.txt", "dear");
+  const ProgramRun done = study();
+  expect_refused(done, 2, "is not empty, and not from hairlab " + GetParam().name);
+  EXPECT_EQ(done.output, "");
+  EXPECT_EQ(bytes_of(out_ / "letter.txt"), "dear");
+  std::vector<std::string> nowhere = GetParam().arguments;
+  nowhere.insert(nowhere.end(), {"--out", ""});
+  EXPECT_EQ(run(nowhere).code, 2);
+}
+
+TEST_P(Studies, NameTheExerciseThatIsNotWrittenAndWriteNothing) {
+  const ProgramRun done = study({.program = STUDENT_HAIRLAB});
+  EXPECT_EQ(done.code, 3) << done.errors;
+  EXPECT_TRUE(has(done.errors, GetParam().stub)) << done.errors;
+  EXPECT_TRUE(GetParam().name == "validate" || folder_.names().empty());
+}
+
+TEST_P(Studies, RefuseOptionsThatTheyDoNotHave) {
+  const ProgramRun done = study({}, {"--fast"});
+  expect_refused(done, 2, "--fast");
+  EXPECT_TRUE(folder_.names().empty());
+}
+
+// As soon as it studies, its hidden folder is there.
+TEST_P(Studies, InterruptedKeepWhatTheySayOrNothing) {
+  ProgramSettings settings;
+  settings.meanwhile = [&](int process) {
+    const fs::path hidden = folder_ / (".hairlab-out-" + std::to_string(process));
+    EXPECT_TRUE(wait_until([&] { return fs::exists(hidden); }, process));
+    kill(process, SIGINT);
+  };
+  std::vector<std::string> whole = {"--out", out_.string()};
+  if (GetParam().name == "stability" || GetParam().name == "study") whole.push_back("strand-swing");
+  if (GetParam().name == "study") whole.push_back("--no-cache");
+  if (GetParam().name == "study head") whole.push_back("--quick");
+  const ProgramRun done = run(whole, settings);
+  EXPECT_EQ(done.code, 130) << done.errors;
+  if (fs::exists(out_)) {
+    EXPECT_TRUE(has(done.errors, "hairlab: interrupted; what is finished is kept")) << done.errors;
+    EXPECT_TRUE(GetParam().name == "validate" || GetParam().name == "stability" ||
+                GetParam().name == "study");
+  } else {
+    EXPECT_TRUE(has(done.errors, "hairlab: interrupted; nothing is written\n")) << done.errors;
+    EXPECT_TRUE(folder_.names().empty());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Studies, testing::ValuesIn(kStudies), [](const auto& study) {
+  std::string name = study.param.name;
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return name;
+});
+
+}  // namespace
+}  // namespace hair
