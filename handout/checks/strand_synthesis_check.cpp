@@ -116,11 +116,19 @@ namespace {
 
 const Corners kTriangle = {Vector3d(0, 0, 1), Vector3d(4, 0, 1), Vector3d(0, 3, 1)};
 
+// Wherever the triangle lies, and whatever the unit of length is.
 void expect_weights(const Vector3d& root, const Weights& expected, const std::string& where) {
-  const Weights weights = hair::root_weights(kTriangle, root);
-  for (int k = 0; k < 3; ++k)
-    EXPECT_NEAR(weights[k], expected[k], 1e-11)
-        << "weight " << k << " of a root " << where << " the triangle (0, 0, 1), (4, 0, 1), (0, 3, 1)";
+  for (const Vector3d& way : {Vector3d(0, 0, 0), Vector3d(-2, 1, 3)})
+    for (const double unit : {1.0, 0x1p-20, 0x1p20}) {
+      Corners corners = kTriangle;
+      for (Vector3d& corner : corners) corner = unit * (corner + way);
+      const Weights weights = hair::root_weights(corners, unit * (root + way));
+      for (int k = 0; k < 3; ++k)
+        EXPECT_NEAR(weights[k], expected[k], 1e-11)
+            << "weight " << k << " of a root " << where
+            << " the triangle (0, 0, 1), (4, 0, 1), (0, 3, 1), moved by (" << way.transpose()
+            << "), and all lengths times " << unit;
+    }
 }
 
 }  // namespace
@@ -162,6 +170,15 @@ TEST(RootWeights, OfTrianglesWithoutAWidth) {
         "the point of three corners on the line x = y = z up to (2, 2, 2) that is nearest to (3, 3, 0)",
         "the contract's");
   }
+  // A line with two corners side by side: what the cross product of its edges says is rounding.
+  const Vector3d end(1.1, 0.7, 1.9), aside = 1e-13 * Vector3d(0.3, -0.8, 0.5), root = end / 2 + aside / 4;
+  const Corners corners = {Vector3d::Zero(), end, end + aside};
+  const Weights weights = hair::root_weights(corners, root);
+  EXPECT_NEAR(weights[0] + weights[1] + weights[2], 1, 1e-6) << "the sum of the weights";
+  expect_entries(weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2], root,
+                 1e-6 * end.norm(),
+                 "the nearest point of a triangle to a point of it, two corners of which are 1e-13 apart",
+                 "the contract's: 1e-6 of the longest edge");
 }
 
 // ---- (2)
@@ -303,6 +320,24 @@ TEST(CarryAlong, SurvivesFoldsAndPointsThatCoincide) {
   }
   guide.points.setZero();
   expect_entries(carried(guide).arc, VectorXd::Zero(6), 0, "arc of a guide of length 0", "0");
+}
+
+// Nearer and nearer to a fold the sum of both directions is less and less than its rounding.
+TEST(CarryAlong, TurnsRightRoundWhereAGuideAllButFolds) {
+  const Vector3d along = Vector3d(2, -1, 2) / 3, aside = Vector3d(1, 2, 0).normalized();
+  for (const double off : {1e-9, 1e-12, 1e-15}) {
+    Lock guide{{Vector3d::Zero(), Vector3d(0, 0, 1), Vector3d(1, 0, 0)}, VectorXd::Zero(9)};
+    guide.points.segment<3>(3) = along;
+    guide.points.tail<3>() = off * aside;
+    const Matrix3d turn = carried(guide).turns[2];
+    const std::string where =
+        " of a guide that goes back beside itself, " + std::to_string(off * 1e15) + "e-15 away";
+    expect_entries((turn.transpose() * turn).reshaped(), Matrix3d::Identity().reshaped(), 1e-9,
+                   "turns^T turns" + where, "the contract's");
+    EXPECT_GT(turn.determinant(), 0) << "a reflection is no rotation" << where;
+    expect_entries(turn * along, -along, 1e-6, "the direction that turns takes along" + where,
+                   "1e-6: some half turn is right");
+  }
 }
 
 // ---- (4)
