@@ -8,8 +8,10 @@
 #include <thread>
 
 #include "grader/course/input.h"
+#include "grader/report/columns.h"
 #include "grader/report/picture_files.h"
 #include "grader/report/report.h"
+#include "grader/report/text.h"
 #include "grader/tool/folder_of_grades.h"
 #include "grader/tool/progress.h"
 #include "grader/tool/timing.h"
@@ -46,6 +48,14 @@ void keep_other_exercises(SubmissionResult& result, const std::optional<Submissi
 bool has(const std::vector<SubmissionResult>& results, const std::string& name) {
   return std::any_of(results.begin(), results.end(),
                      [&](const SubmissionResult& result) { return result.name == name; });
+}
+
+// A submission's row, as it appears before the table is there: "alice  S1 32  S2 crashed  of 52: 32".
+std::string in_a_line(const SubmissionResult& result) {
+  std::string line = printable(result.name);
+  for (const ExerciseResult& exercise : result.exercises)
+    line += "  " + exercise.id + " " + in_short(exercise);
+  return line + "  of " + shown_points(max_points(result)) + ": " + short_points(points(result));
 }
 
 // The rows of those whom this batch did not grade: other people's, and what an interrupted batch did not reach.
@@ -94,8 +104,8 @@ Batch grade_batch(const Grading& grading, const std::vector<Submission>& submiss
       const bool complete = earlier && (earlier->studied || !grading.reference().study);
       if (complete && earlier->fingerprint == grading.fingerprint(submission)) {
         const std::lock_guard lock(shared);
+        progress.step(in_a_line(*earlier));
         batch.results.push_back(std::move(*earlier));
-        progress.step(submission.name);
         return;
       }
     }
@@ -116,10 +126,10 @@ Batch grade_batch(const Grading& grading, const std::vector<Submission>& submiss
     }
     write_submission_reports(settings.out, graded.result);
     const std::lock_guard lock(shared);
+    progress.step(in_a_line(graded.result));
     batch.results.push_back(std::move(graded.result));
     batch.problems.insert(batch.problems.end(), graded.problems.begin(), graded.problems.end());
     ++batch.graded;
-    progress.step(submission.name);
   };
   auto work = [&] {
     for (std::size_t i = next++; i < submissions.size() && !interrupted; i = next++) {

@@ -1,4 +1,4 @@
-// STAFF ONLY. The progress of long work: one line on a terminal, nothing in a pipe.
+// STAFF ONLY. The progress of long work: on a terminal a line for each step, as it is done; nothing in a pipe.
 #pragma once
 
 #include <unistd.h>
@@ -13,12 +13,9 @@ class Progress {
   explicit Progress(std::size_t total) : total_(total), shown_(isatty(STDERR_FILENO) != 0) {}
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
-  ~Progress() {
-    if (shown_) std::cerr << "\r\033[K" << std::flush;
-  }
-  void step(const std::string& name) {
+  void step(const std::string& what) {
     ++done_;
-    if (shown_) std::cerr << "\r\033[K[" << done_ << "/" << total_ << "] " << name << std::flush;
+    if (shown_) std::cerr << "[" << done_ << "/" << total_ << "] " << what << std::endl;
   }
 
  private:
