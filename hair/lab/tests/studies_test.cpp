@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "hair/lab/tests/run_hairlab.h"
@@ -180,7 +181,12 @@ TEST_P(Studies, WritePageTablesAndRecordInPlaceOfEarlierOnesAndAreQuietInAPipe) 
   const std::string text = bytes_of(out_ / one.record), page = bytes_of(out_ / "index.html");
   EXPECT_TRUE(text.starts_with("{\n  \"program\": \"hairlab " + one.name + "\"")) << text.substr(0, 100);
   EXPECT_TRUE(has(page, "<svg"));
-  one.look(Json::parse(text), page);
+  const Json record = Json::parse(text);
+  const bool quick = std::ranges::count(one.arguments, "--quick") > 0;
+  EXPECT_EQ(record["quick"], quick);
+  EXPECT_EQ(has(page, " A quick study: "), quick);
+  EXPECT_FALSE(record["machine"].empty());
+  one.look(record, page);
 }
 
 TEST_P(Studies, RefuseAFolderOfSomethingElseBeforeTheyCompute) {
