@@ -10,8 +10,9 @@
 
 #include "check.h"
 #include "derivative.h"
-#include "particles/preconditioner.h"
-#include "particles/springs.h"
+#include "implicit_systems.h"
+#include "particles/force_sum.h"
+#include "particles/gravity.h"
 #include "stepping.h"
 
 using namespace checks;
@@ -24,10 +25,11 @@ using particles::State;
 
 namespace {
 
-const double kU = std::ldexp(1.0, -53);
+const double kU = std::ldexp(1.0, -53), kStep = 1.0 / 60;
 
 // Two particles of 2 and 3 kg, 2 m apart along x, and a spring of 4 N/m between them that is 1 m long at rest.
-const Particles kFree{Eigen::Vector2d(2, 3), {0, 0}}, kPinned{Eigen::Vector2d(2, 3), {1, 0}};
+const Particles kFree{Eigen::Vector2d(2, 3), {0, 0}}, kPinned{Eigen::Vector2d(2, 3), {1, 0}},
+    kOtherPinned{Eigen::Vector2d(2, 3), {0, 1}};
 
 State apart() {
   State state{VectorXd::Zero(6), VectorXd::Zero(6)};
@@ -39,12 +41,9 @@ State apart() {
 const char* const kText =
     "2 and 3 kg at (0, 0, 0) and (2, 0, 0), a spring of 4 N/m that is 1 m long at rest, drag of 0.5 N s/m";
 
-VectorXd times(implicitMatrix& matrix, VectorXd x) {
-  const VectorXd before = x;
-  VectorXd b = VectorXd::Constant(x.size(), std::numeric_limits<double>::quiet_NaN());
-  matrix.matVecMult(x.data(), b.data());
-  EXPECT_EQ(x, before) << "matVecMult changed its input";
-  return b;
+std::string pinned_text(const Particles& particles) {
+  if (particles.is_pinned(0)) return ", particle 0 pinned";
+  return particles.is_pinned(1) ? ", particle 1 pinned" : ", both free";
 }
 
 VectorXd unit(int i) {
@@ -57,58 +56,8 @@ VectorXd six(double a, double b, double c, double d, double e, double f) {
   return values;
 }
 
-// 60 particles of 1e-7 kg, 1 cm apart along x, the first one pinned; springs between them, of 1e-3 N/m if nothing else is said,
-// the first one stretched by 1 mm. With h = 1/60 s, h^2 k/m is 2.8.
-struct Chain {
-  static constexpr int kCount = 60;
-  Particles particles{VectorXd::Constant(kCount, 1e-7), std::vector<char>(kCount, 0)};
-  State state{VectorXd::Zero(3 * kCount), VectorXd::Zero(3 * kCount)};
-  std::vector<particles::Spring> springs;
-
-  explicit Chain(double stiffness = 1e-3) {
-    particles.pinned[0] = 1;
-    for (int i = 1; i < kCount; ++i) {
-      state.x[3 * i] = 0.01 * i + 0.001;
-      springs.push_back({i - 1, i, stiffness, 0.01});
-    }
-  }
-};
-
 const char* const kChainText =
     "60 particles of 1e-7 kg in a row, 1 cm apart, springs of 1e-3 N/m, the first one stretched by 1 mm";
-
-// The chain's springs, which know their band: that of their products, of straight hair.
-class BandedSprings : public particles::DampedSprings {
- public:
-  explicit BandedSprings(const std::vector<particles::Spring>& springs)
-      : DampedSprings(springs, particles::Products::definite), springs_(springs) {}
-
-  bool add_band(particles::Input x, particles::Input, double by_dfdx, double, solver::BlockBand& band,
-                particles::Scratch) const override {
-    for (const particles::Spring& spring : springs_) {
-      const Eigen::Vector3d e = x.segment<3>(3 * spring.j) - x.segment<3>(3 * spring.i);
-      const Eigen::Matrix3d along = e * e.transpose() / e.squaredNorm();
-      const double turn = std::max(1 - spring.rest_length / e.norm(), 0.0);
-      const Eigen::Matrix3d K = spring.stiffness * (along + turn * (Eigen::Matrix3d::Identity() - along));
-      band.block(spring.i, 0) -= by_dfdx * K;
-      band.block(spring.j, 0) -= by_dfdx * K;
-      band.block(spring.j, 1) += by_dfdx * K;
-    }
-    return true;
-  }
-
- private:
-  std::vector<particles::Spring> springs_;
-};
-
-// The matrix as a table, by products with unit vectors.
-MatrixXd table(const particles::Force& force, const Particles& particles, const State& state, double a,
-               double b) {
-  auto matrix = implicit_matrix(force, particles, state, a, b);
-  MatrixXd A(state.x.size(), state.x.size());
-  for (int j = 0; j < A.cols(); ++j) A.col(j) = times(*matrix, VectorXd::Unit(A.cols(), j));
-  return A;
-}
 
 }  // namespace
 
@@ -148,11 +97,11 @@ TEST(ImplicitMatrix, HasPinnedRowsAndColumnsOfTheIdentity) {
 
 TEST(ImplicitMatrix, IsSymmetric) {
   const Spring spring(4, 1, GeometricTerm::full, 0.5);
-  for (const Particles& particles : {kFree, kPinned}) {
+  for (const Particles& particles : {kFree, kPinned, kOtherPinned}) {
     const MatrixXd A = table(spring, particles, apart(), 0.5, 0.25);
     EXPECT_LE((A - A.transpose()).cwiseAbs().maxCoeff(), 32 * kU)
         << "A =\n"
-        << A << "\nfor " << kText << "; bound: 32 u, rounding";
+        << A << "\nfor " << kText << pinned_text(particles) << "; bound: 32 u, rounding";
   }
 }
 
@@ -169,22 +118,17 @@ TEST(ImplicitMatrix, TakesOneProductOfEachKind) {
 }
 
 TEST(SolveImplicit, SolvesItsSystem) {
-  for (const Particles& particles : {kFree, kPinned}) {
+  for (const Particles& particles : {kFree, kPinned, kOtherPinned}) {
     const Spring spring(4, 1, GeometricTerm::full, 0.5);
     const State state = apart();
     const double a = 0.5, b = 0.25;
     const MatrixXd A = table(spring, particles, state, a, b);
-    VectorXd rhs = VectorXd::Zero(6);
-    spring.add_force(state.x, state.v, rhs);
-    spring.add_dfdx(state.x, state.v, VectorXd(b * state.v), rhs);
-    rhs *= a;
-    if (particles.is_pinned(0)) rhs.head<3>().setZero();
+    const VectorXd rhs = right_side(spring, particles, state, a, b);
     VectorXd dv = VectorXd::Constant(6, 1e3);
     MatrixXd scratch = MatrixXd::Constant(6, particles::kImplicitScratch, 1e3);
     const int before = spring.forces;
     const SolveReport report = solve_implicit(spring, particles, state, a, b, 1e-10, dv, scratch);
-    const std::string what =
-        std::string(particles.is_pinned(0) ? "particle 0 pinned, " : "both free, ") + kText;
+    const std::string what = kText + pinned_text(particles);
     expect_entries(A * dv, rhs, 1e-10 * rhs.norm() + 4096 * kU * A.norm(),
                    "matrix times dv, beside a (f + b df/dx v), a = 0.5, b = 0.25, " + what,
                    "1e-10 ||rhs|| + 4096 u ||A||: tolerance and rounding, see solver/linearSolver.h");
@@ -195,84 +139,231 @@ TEST(SolveImplicit, SolvesItsSystem) {
   }
 }
 
+TEST(SolveImplicit, TakesDerivativesAtTheState) {
+  const double a = 0.5, b = 0.25;
+  const State state{six(1, 0.5, 2, 1.5, -1, 0.5), six(0.5, 1, 0.25, 1, -0.5, 2)};
+  VectorXd dv = VectorXd::Constant(6, 1e3), expected(6), rhs(6);
+  for (int i = 0; i < 6; ++i) {
+    const double x = state.x[i], v = state.v[i], m = kFree.mass[i / 3];
+    const double f = -x * x * v * v * v, dfdx = -2 * x * v * v * v, dfdv = -3 * x * x * v * v;
+    rhs[i] = a * (f + b * dfdx * v);
+    expected[i] = rhs[i] / (m - a * dfdv - a * b * dfdx);
+  }
+  MatrixXd scratch = MatrixXd::Constant(6, particles::kImplicitScratch, 1e3);
+  solve_implicit(ThickAir(), kFree, state, a, b, 1e-10, dv, scratch);
+  expect_entries(dv, expected, 1e-10 * rhs.norm(),
+                 "dv for f = -x^2 v^3, entry by entry, masses 2 and 3 kg, a = 0.5, b = 0.25, at x = " +
+                     particles_in_words(state.x) + ", v = " + particles_in_words(state.v),
+                 "1e-10 ||rhs||: the tolerance, and no eigenvalue of the matrix is below 2");
+}
+
 TEST(SolveImplicit, KeepsItsToleranceForLightParticles) {
   const Chain chain;
   const particles::DampedSprings springs(chain.springs, particles::Products::definite);
-  const double h = 1.0 / 60;
-  const MatrixXd A = table(springs, chain.particles, chain.state, h, h);
-  VectorXd rhs = VectorXd::Zero(A.rows());  // v = 0: h f
-  springs.add_force(chain.state.x, chain.state.v, rhs);
-  rhs *= h;
-  rhs.head<3>().setZero();
   int steps_before = 0;
   for (double tolerance : {1e-2, 1e-6, 1e-10}) {
-    VectorXd dv = VectorXd::Constant(A.rows(), 1e3);
-    MatrixXd scratch = MatrixXd::Constant(A.rows(), particles::kImplicitScratch, 1e3);
-    const SolveReport report =
-        solve_implicit(springs, chain.particles, chain.state, h, h, tolerance, dv, scratch);
+    const Solved system = solved(springs, chain.particles, chain.state, kStep, tolerance);
     SCOPED_TRACE(std::string(kChainText) + ", a = b = 1/60 s, tolerance " +
                  ::testing::PrintToString(tolerance));
-    const double left = (rhs - A * dv).norm(), rounding = 4096 * kU * A.norm() * dv.norm();
-    EXPECT_LE(left, tolerance * rhs.norm() + rounding)
-        << "||rhs - matrix dv||, where ||rhs|| is " << rhs.norm()
+    EXPECT_LE(system.left(), tolerance * system.rhs.norm() + system.rounding())
+        << "||rhs - matrix dv||, where ||rhs|| is " << system.rhs.norm()
         << ": ConjGrad's epsilon is the square of what may be left";
-    EXPECT_NEAR(report.residual, left, rounding + 1e-6 * left) << "the report's residual";
-    EXPECT_TRUE(report.converged);
-    EXPECT_GT(report.steps, steps_before) << "iterations: a smaller tolerance takes more";
-    steps_before = report.steps;
+    EXPECT_NEAR(system.report.residual, system.left(), system.rounding() + 1e-6 * system.left())
+        << "the report's residual";
+    EXPECT_TRUE(system.report.converged);
+    EXPECT_FALSE(system.report.preconditioned) << "these springs don't know their band";
+    EXPECT_GT(system.report.steps, steps_before) << "iterations: a smaller tolerance takes more";
+    steps_before = system.report.steps;
   }
 }
+
+// With a preconditioner: springs between neighbours know their band, ties between others do not.
+namespace {
+
+void expect_solved(const Solved& system, double tolerance) {
+  EXPECT_TRUE(system.report.preconditioned) << "the report says that there was no preconditioner: "
+                                               "particles::Preconditioner exists for these forces";
+  EXPECT_LE(system.left(), tolerance * system.rhs.norm() + system.rounding())
+      << "||rhs - matrix dv||; bound: the tolerance, and 2^-48 (||matrix|| ||dv|| + ||rhs||), rounding";
+  EXPECT_NEAR(system.report.residual, system.left(), system.rounding())
+      << "the report's residual: that of dv, computed anew, and not that of L^-1 r";
+  EXPECT_NEAR(system.report.rhs, system.rhs.norm(), 1e-12 * system.rhs.norm())
+      << "the report's ||right-hand side||";
+  EXPECT_TRUE(system.report.converged) << "after " << system.report.steps << " steps";
+  expect_all_steps_reported(system);
+}
+
+// Tied, and each particle but the root off by up to 1 mm.
+Chain tied_chain(double tie, double rest_length) {
+  Chain chain(3.6);
+  chain.state.x.tail(177) += 1e-3 * scattered_vector(177, 3);
+  chain.tie(tie, rest_length);
+  return chain;
+}
+
+}  // namespace
 
 TEST(SolveImplicit, TakesFewStepsWithAPreconditioner) {
   // h^2 k/m is 2.8e6: conjugate gradients alone take hundreds of steps.
   const Chain chain(1e3);
-  const BandedSprings springs(chain.springs);
-  const double h = 1.0 / 60, tolerance = particles::kSolveTolerance;
-  const MatrixXd A = table(springs, chain.particles, chain.state, h, h);
-  VectorXd rhs = VectorXd::Zero(A.rows());  // v = 0: h f
-  springs.add_force(chain.state.x, chain.state.v, rhs);
-  rhs *= h;
-  rhs.head<3>().setZero();
-  VectorXd dv = VectorXd::Constant(A.rows(), 1e3);
-  MatrixXd scratch = MatrixXd::Constant(A.rows(), particles::kImplicitScratch, 1e3);
-  const SolveReport report =
-      solve_implicit(springs, chain.particles, chain.state, h, h, tolerance, dv, scratch);
+  const Solved system = solved(BandedSprings(chain.springs), chain.particles, chain.state, kStep, 1e-10);
   SCOPED_TRACE("60 particles of 1e-7 kg in a row, springs of 1e3 N/m that know their band, a = b = 1/60 s");
-  EXPECT_TRUE(report.preconditioned) << "the report says that there was no preconditioner: "
-                                        "particles::Preconditioner exists for these forces";
-  EXPECT_LE(report.steps, 2 * particles::kMostSolves) << "iterations: the preconditioner is the matrix, but "
-                                                         "for rounding, so that each solve takes two at most";
-  EXPECT_LE((rhs - A * dv).norm(), tolerance * rhs.norm() + 0x1p-48 * (A.norm() * dv.norm() + rhs.norm()))
-      << "||rhs - matrix dv||; bound: the tolerance, and 2^-48 (||matrix|| ||dv|| + ||rhs||), rounding";
-  EXPECT_TRUE(report.converged);
+  expect_solved(system, 1e-10);
+  EXPECT_LE(system.report.steps, 2 * particles::kMostSolves)
+      << "iterations: the preconditioner is the matrix, but "
+         "for rounding, so that each solve takes two at most";
+}
+
+TEST(SolveImplicit, SolvesAgainForWhatIsLeft) {
+  // The ties are as stiff as the chain is, and one solve of at most 180 steps is not enough.
+  const Chain chain = tied_chain(1, 0.06);
+  SCOPED_TRACE(
+      "60 particles of 1e-7 kg, a chain of 3.6 N/m, ties of 1 N/m that the preconditioner does not know");
+  for (const double tolerance : {1e-10, 1e-12})
+    expect_solved(solved(BandedSprings(chain.springs), chain.particles, chain.state, kStep, tolerance),
+                  tolerance);
+}
+
+TEST(SolveImplicit, SolvesOnceWhereThatIsEnough) {
+  const Chain chain = tied_chain(0.1, 0.07);
+  SCOPED_TRACE(
+      "60 particles of 1e-7 kg, a chain of 3.6 N/m, ties of 0.1 N/m that the preconditioner does not know");
+  const BandedSprings springs(chain.springs);
+  const Solved coarse = solved(springs, chain.particles, chain.state, kStep, 1e-4),
+               fine = solved(springs, chain.particles, chain.state, kStep, 1e-10);
+  expect_solved(fine, 1e-10);
+  EXPECT_LE(fine.report.steps, 100)
+      << "iterations: each of the 53 ties adds little to the matrix, and one solve is enough";
+  EXPECT_LT(coarse.report.steps, fine.report.steps) << "iterations to 1e-4, and to 1e-10";
+}
+
+TEST(SolveImplicit, TakesTheStepsThatItNeeds) {
+  // h^2 k/m is 1e4, and springs are stretched in all directions.
+  const Chain chain = [] {
+    Chain stretched(3.6);
+    stretched.state.x += 1e-3 * scattered_vector(stretched.state.x.size(), 3);
+    return stretched;
+  }();
+  const particles::DampedSprings springs(chain.springs, particles::Products::definite);
+  const Solved system = solved(springs, chain.particles, chain.state, kStep, 1e-10);
+  SCOPED_TRACE("60 particles of 1e-7 kg, springs of 3.6 N/m that do not know their band: some 160 steps");
+  EXPECT_LE(system.left(), 1e-10 * system.rhs.norm() + system.rounding());
+  EXPECT_TRUE(system.report.converged)
+      << "ConjGrad may take max(100, 20 * 3n) steps. It took " << system.report.steps;
+  expect_all_steps_reported(system);
+}
+
+TEST(SolveImplicit, TakesAllStepsThatItMay) {
+  // Between any two of 33 particles a tie, from h^2 k/m = 1 to 1e6, and a tolerance that no solve reaches.
+  Chain tangle(3.6, 33);
+  const VectorXd numbers = scattered_vector(33 * 33, 2);
+  tangle.state.x += 1e-3 * scattered_vector(99, 3);
+  for (int i = 0; i < 33; ++i)
+    for (int j = i + 2; j < 33; ++j)
+      tangle.springs.push_back({i, j, 3.6e-4 * std::pow(1e3, 1 + numbers[33 * i + j]), 0.01 * (j - i)});
+  const Solved system = solved(BandedSprings(tangle.springs), tangle.particles, tangle.state, kStep, 0);
+  SCOPED_TRACE("33 particles, a tie between any two, tolerance 0");
+  EXPECT_TRUE(system.report.steps % 100 == 0 && system.report.steps <= 100 * particles::kMostSolves)
+      << system.report.steps << " steps: max(100, 3n) in each of at most " << particles::kMostSolves
+      << " solves";
+  expect_all_steps_reported(system);
+}
+
+TEST(SolveImplicit, IsTheSameInEveryUnit) {
+  // Masses of 2^-20 kg and lengths of 2^10 m or the like make powers of two of all numbers, and rounding stays the same.
+  const auto in_units = [](double mass, double length, double tolerance) {
+    Chain chain = tied_chain(0.1, 0.07);
+    chain.particles.mass *= mass;
+    chain.particles.pinned[0] = 0;
+    chain.state.x *= length;
+    for (particles::Spring& spring : chain.springs) spring.stiffness *= mass, spring.rest_length *= length;
+    Solved system = solved(BandedSprings(chain.springs), chain.particles, chain.state, kStep, tolerance);
+    system.dv /= length;
+    return system;
+  };
+  for (const double tolerance : {1e-10, 0.0}) {
+    const Solved known = in_units(1, 1, tolerance);
+    for (const double mass : {0x1p-20, 0x1p20})
+      for (const double length : {0x1p-10, 0x1p10}) {
+        const Solved same = in_units(mass, length, tolerance);
+        SCOPED_TRACE("with masses times " + ::testing::PrintToString(mass) + " and lengths times " +
+                     ::testing::PrintToString(length) + ", tolerance " + ::testing::PrintToString(tolerance));
+        EXPECT_EQ(same.report.steps, known.report.steps)
+            << "steps. What is compared with a number that has a unit?";
+        EXPECT_EQ(same.report.converged, known.report.converged);
+        EXPECT_LE((same.dv - known.dv).norm(), 1e-6 * known.dv.norm());
+      }
+  }
+}
+
+TEST(SolveImplicit, SolvesNothing) {
+  Chain chain(1e3);
+  chain.particles.pinned.assign(60, 1);
+  const particles::DampedSprings plain(chain.springs, particles::Products::definite);
+  const BandedSprings banded(chain.springs);
+  for (const particles::Force* force :
+       {static_cast<const particles::Force*>(&plain), static_cast<const particles::Force*>(&banded)}) {
+    const Solved system = solved(*force, chain.particles, chain.state, kStep, 1e-10);
+    EXPECT_TRUE(system.dv.isZero(0)) << "all particles are pinned";
+    EXPECT_EQ(system.report.steps, 0);
+    EXPECT_EQ(system.report.residual, 0);
+    EXPECT_TRUE(system.report.converged) << "0 <= tolerance * 0";
+  }
 }
 
 TEST(SolveImplicit, SaysWhatItCannotSolve) {
-  // A number that is not finite can't be solved for; nothing to solve is solved.
+  // A number that is not finite can't be solved for.
   Chain chain;
   const particles::DampedSprings springs(chain.springs, particles::Products::definite);
   VectorXd dv = VectorXd::Zero(chain.state.x.size());
   MatrixXd scratch = MatrixXd::Zero(dv.size(), particles::kImplicitScratch);
   chain.state.x[7] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(solve_implicit(springs, chain.particles, chain.state, 0.1, 0.1, 1e-10, dv, scratch).converged)
+  const SolveReport none =
+      solve_implicit(springs, chain.particles, chain.state, 0.1, 0.1, 1e-10, dv, scratch);
+  EXPECT_FALSE(none.converged)
       << "a position is not a number, and yet the report says that the solve converged";
+  EXPECT_LE(none.steps, 1) << "a position is not a number: ConjGrad gives up, and so must the solve";
 
-  // 1 m of spring pressed to 0.5 m: across it, the matrix of a = b = 1 s is 2 - 100 (2 - 1) < 0 for the free particle.
+  // 1 m of spring pressed to 0.5 m: across it, the matrix of a = b = 1 s is 3 - 100 (2 - 1) < 0 for the free particle.
   const Spring pressed(100, 1, GeometricTerm::full);
   State state{VectorXd::Zero(6), VectorXd::Zero(6)};
   state.x[3] = 0.5;
   state.v << 0, 0, 0, 0.5, 1, 0;
-  const MatrixXd A = table(pressed, kPinned, state, 1, 1);
-  VectorXd six_dv = VectorXd::Zero(6), rhs = VectorXd::Zero(6);
-  pressed.add_force(state.x, state.v, rhs);
-  pressed.add_dfdx(state.x, state.v, state.v, rhs);
-  rhs.head<3>().setZero();
-  MatrixXd small = MatrixXd::Zero(6, particles::kImplicitScratch);
-  const SolveReport report = solve_implicit(pressed, kPinned, state, 1, 1, 1e-10, six_dv, small);
-  ASSERT_TRUE(six_dv.allFinite()) << "dv, where the matrix is not positive definite";
-  EXPECT_TRUE(!report.converged || (A * six_dv - rhs).norm() <= 1e-9 * rhs.norm())
-      << "the matrix is not positive definite, ||rhs - matrix dv|| is " << (A * six_dv - rhs).norm() << " of "
-      << rhs.norm() << ", and yet the report says that the solve converged";
+  const Solved system = solved(pressed, kPinned, state, 1, 1e-10);
+  ASSERT_TRUE(system.dv.allFinite()) << "dv, where the matrix is not positive definite";
+  EXPECT_TRUE(!system.report.converged || system.left() <= 1e-9 * system.rhs.norm())
+      << "the matrix is not positive definite, ||rhs - matrix dv|| is " << system.left() << " of "
+      << system.rhs.norm() << ", and yet the report says that the solve converged";
+  EXPECT_LE(system.report.steps, 2) << "steps. The matrix has two different eigenvalues, one of which is "
+                                       "negative: ConjGrad breaks down in the second "
+                                       "step at the latest, and there is no use in calling it again";
+}
+
+// Without a preconditioner rounding leaves more than the tolerance where h^2 k/m is 3e13 and a bent chain can fold.
+TEST(SolveImplicit, SaysWhereRoundingKeepsItFromItsTolerance) {
+  const int most = 20 * 60;
+  int longest = 0;
+  for (int which : {1, 2, 3}) {
+    Chain chain(1e10, 20);
+    chain.state.x.tail(57) += 3e-3 * scattered_vector(57, which);
+    chain.particles.mass.array() *= 1 + 0.4 * scattered_vector(20, which + 5).array();
+    for (particles::Spring& spring : chain.springs)
+      spring.rest_length =
+          (chain.state.x.segment<3>(3 * spring.j) - chain.state.x.segment<3>(3 * spring.i)).norm();
+    particles::ForceSum force;
+    force.emplace<particles::DampedSprings>(chain.springs, particles::Products::definite);
+    force.emplace<particles::Gravity>(chain.particles.mass, Eigen::Vector3d(0, 0, -9.81));
+    SCOPED_TRACE("20 particles of some 1e-7 kg in a bent chain of 1e10 N/m under gravity, a = b = 1/60 s");
+    const Solved fine = solved(force, chain.particles, chain.state, kStep, 1e-10),
+                 loose = solved(force, chain.particles, chain.state, kStep, 1e-6);
+    EXPECT_FALSE(fine.report.converged) << "tolerance 1e-10";
+    EXPECT_TRUE(fine.dv.allFinite());
+    EXPECT_LE(fine.report.steps, 3 * most) << "steps of ConjGrad, 20 * 3n in a call, to 1e-10, 1e-8 and 1e-6";
+    EXPECT_LE(loose.report.steps, most) << "steps to 1e-6: no larger tolerance is tried";
+    expect_all_steps_reported(fine);
+    if (!loose.report.converged) longest = std::max(longest, loose.report.steps);
+  }
+  EXPECT_TRUE(longest == 0 || longest == most) << longest << " steps, where ConjGrad may take " << most;
 }
 
 TEST(ImplicitEuler, MovesWithTheNewVelocity) {

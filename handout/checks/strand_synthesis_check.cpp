@@ -148,6 +148,7 @@ TEST(RootWeights, OfARootAboveTheTriangle) {
 
 TEST(RootWeights, OfARootBesideTheTriangleAreThoseOfTheNearestPoint) {
   expect_weights(Vector3d(1, -2, 1), {0.75, 0.25, 0}, "beside the first edge of");
+  expect_weights(Vector3d(-2, 1.5, 1), {0.5, 0, 0.5}, "beside the last edge of");
   expect_weights(Vector3d(-1, -1, 1), {1, 0, 0}, "beyond the first corner of");
   expect_weights(Vector3d(9, 1, 4), {0, 1, 0}, "beyond the second corner of");
   // The foot on the edge from (4, 0) to (0, 3) is its middle; weights that are cut off at 0 and scaled say otherwise.

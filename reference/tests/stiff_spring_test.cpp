@@ -1,5 +1,5 @@
-// STAFF ONLY. A mass that turns on a stiff spring: the lecture's "loss of angular momentum" and "good Jacobian very
-// important", in the numbers of the table in the assignment.
+// STAFF ONLY. A mass that turns on a stiff spring, the lecture's "loss of angular momentum": what the table in the assignment has beside
+// the rows of H4 and H6, which their public checks ask for.
 
 #include <gtest/gtest.h>
 
@@ -68,42 +68,11 @@ void backward_euler(Hair& hair) {
   hair.state.x.tail<3>() = x + kStep * v;
 }
 
-void one_implicit_step(Hair& hair) {
-  hair.implicit_step(kStep);
-}
-
-void corrected_step(Hair& hair) {
-  hair.corrected_step(kStep);
-}
-
 TEST(StiffSpring, ConvergedBackwardEulerLosesAThirdOfTheAngularMomentum) {
   const Revolution after = revolve(GeometricTerm::full, backward_euler);
   EXPECT_NEAR(after.momentum, 0.6583, 1e-4);
   EXPECT_NEAR(after.momentum, 1 / std::sqrt(1 + 2 * kTurn * kTurn * kStep), 2e-3) << "the limit for small h";
   EXPECT_LT(after.length, 1e-6);
-}
-
-TEST(StiffSpring, OneLinearisationWithoutTheGeometricTermKeepsItAndGetsTheLengthWrong) {
-  const Revolution after = revolve(GeometricTerm::dropped, one_implicit_step);
-  EXPECT_NEAR(after.momentum, 1, 1e-4);
-  // A step along the tangent: sqrt(1 + (Omega h)^2) - 1 = 0.547 %; then a little less, as it turns slower.
-  EXPECT_NEAR(after.length, std::sqrt(1 + std::pow(kTurn * kStep, 2)) - 1, 1e-5);
-  EXPECT_NEAR(after.length, 0.0054, 1e-4);
-  EXPECT_GT(after.radial, 0.1);
-}
-
-TEST(StiffSpring, OneLinearisationWithTheGeometricTermLosesNearlyAll) {
-  for (GeometricTerm term : {GeometricTerm::full, GeometricTerm::filtered})
-    EXPECT_NEAR(revolve(term, one_implicit_step).momentum, 0.0049, 1e-4);
-}
-
-TEST(StiffSpring, PredictorCorrectorKeepsTheLengthAndThreeQuartersOfTheMomentum) {
-  for (GeometricTerm term : {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped}) {
-    const Revolution after = revolve(term, corrected_step);
-    EXPECT_NEAR(after.momentum, 1 / std::sqrt(1 + kTurn * kTurn * kStep), 1e-4) << "0.7766";
-    EXPECT_LT(after.length, 1e-12);
-    EXPECT_LT(after.radial, 2e-5) << "m/s";
-  }
 }
 
 TEST(StiffSpring, TheSecondSolveTakesTheRadialVelocityAway) {
