@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "check.h"
 #include "derivative.h"
@@ -212,6 +213,28 @@ TEST(SolveImplicit, TakesFewStepsWithAPreconditioner) {
   EXPECT_LE(system.report.steps, 2 * particles::kMostSolves)
       << "iterations: the preconditioner is the matrix, but "
          "for rounding, so that each solve takes two at most";
+}
+
+TEST(SolveImplicit, IsContentWithWhatRoundingAllows) {
+  // A slow wave: the springs' forces on a particle nearly cancel, so that the right-hand side is a thousandth of ||matrix|| ||dv||,
+  // and no solve comes as near to it as the tolerance asks.
+  Chain chain(1e3);
+  for (int i = 1; i < chain.particles.count(); ++i) {
+    chain.state.x[3 * i] = 0.01 * i;
+    chain.state.v[3 * i] = 1e-6 * std::sin(std::numbers::pi * i / 119);
+  }
+  const double tolerance = 1e-15;
+  const Solved system = solved(BandedSprings(chain.springs), chain.particles, chain.state, kStep, tolerance);
+  SCOPED_TRACE(
+      "60 particles of 1e-7 kg in a row, springs of 1e3 N/m that know their band, velocities of at most 1e-6 "
+      "m/s along the row, "
+      "a = b = 1/60 s, tolerance 1e-15");
+  EXPECT_LE(system.left(), system.rounding())
+      << "||rhs - matrix dv||; bound: 2^-48 (||matrix|| ||dv|| + ||rhs||)";
+  EXPECT_TRUE(system.report.converged)
+      << "the residual is " << system.report.residual << ", " << system.report.residual / system.report.rhs
+      << " of the right-hand side; Preconditioner::rounding_allows says for the norms of dv and of the "
+         "right-hand side whether that is enough";
 }
 
 TEST(SolveImplicit, SolvesAgainForWhatIsLeft) {
