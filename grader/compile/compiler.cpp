@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. A student's file becomes an object: from the cache, or by compiler and linker in cages.
 #include "grader/compile/compiler.h"
 
 #include <fstream>

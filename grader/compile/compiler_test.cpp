@@ -128,7 +128,7 @@ TEST_F(CompilerTest, AnIncludeFromTheFolderAboveIsFound) {
   EXPECT_FALSE(compiled.object.empty()) << compiled.log;
 }
 
-// What the headers declare is there at home, too.
+// A student's build has all that the given headers declare, too.
 TEST_F(CompilerTest, GivenFunctionsAreLinked) {
   const std::string source = "#include \"particles/require.h\"\n#include \"solver/block_cholesky.h\"\n" +
                              reference(with_eigen_) +

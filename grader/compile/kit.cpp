@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Copies the grading kit to where the sandbox's user can read it.
 #include "grader/compile/kit.h"
 
 #include <fcntl.h>

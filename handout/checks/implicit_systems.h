@@ -1,4 +1,4 @@
-// What the checks of H4 and H6 solve: chains of springs, forces that count, and a system with what came of it.
+// The systems that the checks of H4 and H6 solve: chains of springs, forces that count, and a system with what came of it.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -165,7 +165,7 @@ inline Solved solved(const particles::Force& force, const particles::Particles& 
 }
 
 // ConjGrad takes a product for each step, one more in each call, and one for every 64 steps; each residual is another one.
-// Who writes the matrix out takes 3n.
+// A program that writes the matrix out takes 3n.
 inline void expect_all_steps_reported(const Solved& system) {
   const int steps = system.report.steps, others = system.products - steps - steps / 64;
   EXPECT_TRUE((others >= 0 && others <= 2 * particles::kMostSolves) ||

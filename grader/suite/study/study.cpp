@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Runs a submission's methods beside the reference's, and compares error and time.
 #include "grader/suite/study/study.h"
 
 #include <algorithm>

@@ -26,7 +26,7 @@ std::vector<Logs> front_of(std::vector<Sample> samples, double least_error) {
   return front;
 }
 
-// Of an error that the front reaches.
+// The logarithm of the time for an error that the front reaches.
 double time_at(const std::vector<Logs>& front, double error) {
   for (std::size_t i = 1; i < front.size(); ++i) {
     const Logs &before = front[i - 1], &after = front[i];

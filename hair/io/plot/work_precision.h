@@ -25,7 +25,7 @@ std::optional<double> time_for(const std::vector<Sample>& samples, double error,
 std::optional<double> time_ratio(const std::vector<Sample>& theirs, const std::vector<Sample>& ours,
                                  double least_error);
 
-// Whether smaller steps gain nothing any more: each of the last three halvings left at least 98 % of the error. An error that is not a
+// True if smaller steps gain nothing any more: each of the last three halvings left at least 98 % of the error. An error that is not a
 // number, of a run that failed, is no such halving.
 bool stalls(const std::vector<double>& errors);
 

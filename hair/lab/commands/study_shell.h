@@ -1,4 +1,4 @@
-// What all studies do around what they study: options, a folder, a line of progress, Ctrl-C, and how they end.
+// The shell around each study: options, a folder, a line of progress, Ctrl-C, and how they end.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +32,7 @@ CLI::App* add_study(CLI::App& program, const OtherCommand& command, ShellOptions
                     bool out_is_required = true);
 void add_resume(CLI::App& app, ShellOptions& options);
 
-// What Ctrl-C leaves of a study: nothing, what is finished, or what is finished and --resume goes on with.
+// Ctrl-C leaves of a study nothing, what is finished, or what is finished and --resume goes on with.
 enum class WhenInterrupted { loses, keeps, resumes };
 
 class StudyShell {
@@ -71,7 +71,7 @@ class StudyShell {
   bool terminal_, kept_ = false;
 };
 
-// Those of `all` that are asked for, in the order of `all`; all, if none is. Throws BadInput, which begins with `where`.
+// Returns those of `all` that are asked for, in the order of `all`; all, if none is. Throws BadInput, which begins with `where`.
 template <class One>
 std::vector<One> chosen(std::vector<One> all, const std::vector<std::string>& ids, const std::string& where) {
   std::string known;

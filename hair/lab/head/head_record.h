@@ -19,7 +19,7 @@ namespace hair::head_study {
 
 const char* simulated_by(const HeadCase& one);
 
-// What a way of synthesis takes, and its errors.
+// The time that a way of synthesis takes, and its errors.
 Row row_of_mode(const ModeRun& run);
 
 OrderedJson head_json(const HeadStudy& study);

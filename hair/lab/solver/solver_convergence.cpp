@@ -59,7 +59,7 @@ Figure figure_of(Drawn drawn, const std::vector<Compared>& systems, Named named,
   return figure;
 }
 
-// Of all solvers; and the direct way where there is one.
+// The tables have all solvers, and the direct way where there is one.
 std::vector<Table> tables_of(const std::vector<Compared>& systems, const std::string& caption) {
   std::vector<Table> tables = {table_of(convergence_rows(systems), caption)};
   add_table(tables, direct_rows(systems), "A direct way on the same systems");

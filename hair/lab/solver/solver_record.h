@@ -30,7 +30,7 @@ Row row_of_needed(const solver::study::IterationsNeeded& needed);
 Row row_of_digits(const solver::study::DigitsLost& digits);
 Row row_of_cost(const solver::study::ProductCost& cost);
 
-// Of all systems: a history's columns, then those of its progress; and the direct ways.
+// The rows of all systems have a history's columns, then those of its progress; and the direct ways.
 std::vector<Row> convergence_rows(const std::vector<solver::study::Compared>& systems);
 std::vector<Row> direct_rows(const std::vector<solver::study::Compared>& systems);
 

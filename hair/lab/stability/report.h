@@ -89,7 +89,7 @@ std::string cells(double distance);  // "-0.43"
 // "H4, filtered; H4, full"
 std::string names_of(const StabilityMap& map);
 
-// What a limit says over the whole map, in words, where it is no curve; and whether the map says so, too.
+// Says in words what a limit says over the whole map, where it is no curve; and whether the map says so, too.
 std::string verdict(const StabilityMap& map, const Limit& limit);
 
 CellMap figure_of(const StabilityMap& map);

@@ -26,7 +26,7 @@ std::string two_digits(double value) {
   return printed("%.1e", value);
 }
 
-// Where a check's numbers come from, and what it found.
+// A check: its sources, and the numbers that it found.
 Row why(const Check& check) {
   return {{"id", "", check.id, {"check"}},
           {"source", "", check.source, {"expected: source"}},

@@ -1,4 +1,4 @@
-// What follows from declared columns: JSON, CSV and tables of pages.
+// JSON, CSV and tables of pages follow from declared columns.
 #include "hair/io/plot/columns.h"
 
 #include <gtest/gtest.h>
