@@ -202,11 +202,15 @@ void CagedProcess::kill() {
   if (process_ > 0 && !ending_) ::kill(process_, SIGKILL);
 }
 
+Descriptor CagedProcess::handle() const {
+  return Descriptor(static_cast<int>(syscall(SYS_pidfd_open, process_, 0)));
+}
+
 Ending CagedProcess::wait(double seconds) {
   if (ending_) return *ending_;
   Ending ending;
-  const Descriptor handle(static_cast<int>(syscall(SYS_pidfd_open, process_, 0)));
-  pollfd wanted{handle.get(), POLLIN, 0};
+  const Descriptor ended = handle();
+  pollfd wanted{ended.get(), POLLIN, 0};
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
   int ready = 0;
   do {

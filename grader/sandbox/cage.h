@@ -71,6 +71,7 @@ class CagedProcess {
   CagedProcess& operator=(CagedProcess&&) = delete;
   ~CagedProcess();  // kills it
 
+  Descriptor handle() const;  // readable once it has ended
   void kill();
   // Waits until it ends or the time is up, then kills it.
   Ending wait(double seconds);

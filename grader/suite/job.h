@@ -1,4 +1,4 @@
-// STAFF ONLY. A job for hairsuite, as it reads it in JSON from standard input: these fields are its keys. What it finds is in
+// STAFF ONLY. A job for hairsuite or hairstudy, as it reads it in JSON from standard input: these fields are its keys. What it finds is in
 // grader/result/suite_result.h.
 #pragma once
 
@@ -24,7 +24,7 @@ struct WholeRunJob {
 };
 
 struct SuiteJob {
-  std::string exercise;  // or "runs": all of them end to end; or "study": the same beside the reference
+  std::string exercise;  // or "runs": all of them end to end
   std::string seed;
   std::filesystem::path kit;
   std::vector<std::string> provided;           // exercises whose functions the suite provides (provided.h)
@@ -43,11 +43,11 @@ struct SuiteJob {
 
   std::optional<WholeRunJob> whole_run = {};  // for an exercise with one
 
-  // Only for "runs" and "study", see AvailableExercises in end_to_end.h.
+  // Only for "runs", see AvailableExercises in end_to_end.h.
   std::set<std::string> left_out = {};
   std::map<std::string, std::string> unavailable = {};
 
-  // Only for "study", see study/submission_study.h.
+  // Only for hairstudy, see study/submission_study.h.
   std::vector<std::filesystem::path> reference_objects = {};
   std::filesystem::path motions = {};  // the folder of true motions
 

@@ -1,25 +1,14 @@
 // STAFF ONLY. The hidden suite of one exercise, as a GoogleTest program: links the reference, and never a
-// student's code.
-//
-// Reads a job as JSON from standard input (job.h) and writes what it found as JSON to standard output
-// (grader/result/suite_result.h). Of an exercise with a whole run its two categories come last.
+// student's code. Of an exercise with a whole run its two categories come last.
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sodium.h>
-#include <sys/prctl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <iostream>
-#include <iterator>
 #include <stdexcept>
 
-#include "grader/course/input.h"
-#include "grader/result/result_fields.h"
 #include "grader/suite/end_to_end.h"
-#include "grader/suite/job.h"
 #include "grader/suite/memory_errors.h"
-#include "grader/suite/study/submission_study.h"
+#include "grader/suite/suite_program.h"
 #include "grader/suite/suite_table.h"
 #include "grader/suite/trial.h"
 #include "grader/suite/whole_run.h"
@@ -27,26 +16,6 @@
 namespace {
 
 using grader::CaseResult, grader::Category, grader::Status, grader::SuiteJob, grader::SuiteResult;
-
-// The worker of a job. Studies ask it for the same scenes as end-to-end runs.
-grader::WorkerSetup worker_of(const SuiteJob& job) {
-  grader::WorkerSetup worker;
-  worker.exercise = job.exercise == "study" ? "runs" : job.exercise;
-  worker.kit = job.kit;
-  worker.provided = job.provided;
-  worker.objects = job.objects;
-  worker.log = job.log;
-  worker.isolated = job.isolated;
-  worker.cpu_seconds = job.cpu_seconds;
-  grader::Budget& limit = worker.allowance->limit;
-  limit = job.allowance;
-  if (job.exercise == "study") {
-    worker.cpu_seconds = grader::study_cpu_seconds();
-    // Asked for by the instructor, beside the submission's budget.
-    limit.worker_cpu_seconds = limit.suite_cpu_seconds = worker.cpu_seconds;
-  }
-  return worker;
-}
 
 // One category as a GoogleTest test.
 class CategoryTest : public testing::Test {
@@ -157,55 +126,21 @@ SuiteResult run_categories(const SuiteJob& job, const grader::WorkerSetup& setup
   return result;
 }
 
-grader::SubmissionStudy study(const SuiteJob& job, grader::WorkerSetup setup, grader::Student& student) {
-  setup.objects = job.reference_objects;
-  setup.allowance = std::make_shared<grader::Allowance>(grader::Allowance{setup.allowance->limit});
-  grader::Student reference(setup);
-  return grader::study_submission(student, reference, {job.left_out, job.unavailable}, job.motions);
-}
-
 SuiteResult run(const SuiteJob& job) {
-  const grader::WorkerSetup worker = worker_of(job);
+  const grader::WorkerSetup worker = grader::worker_of(job);
   grader::Student student(worker);
   SuiteResult result;
   if (job.exercise == "runs")
     result.runs = grader::run_end_to_end(student, {job.left_out, job.unavailable}, job.pictures);
-  else if (job.exercise == "study")
-    result.study = study(job, worker, student);
   else
     result = run_categories(job, worker, student);
-  student.finish();
-  result.cpu_seconds = student.cpu_seconds();
-  result.starts = student.starts();
-  result.spent = worker.allowance->spent;
+  add_costs(student, worker, result);
   return result;
 }
 
 }  // namespace
 
-// In a build with sanitisers: looking for leaks when the process ends fails now and then beside OSMesa's threads, and a
-// submission would have no result. The suite's own tests look for leaks in the same code.
-// NOLINTNEXTLINE(bugprone-reserved-identifier,readability-identifier-naming): the sanitiser's name
-extern "C" int __lsan_is_turned_off() {
-  return 1;
-}
-
 int main(int argc, char* argv[]) {
-  // Ends with hairgrade, whatever ends that, and its worker with it.
-  prctl(PR_SET_PDEATHSIG, SIGTERM);
-  signal(SIGPIPE, SIG_IGN);
-  for (int ending : {SIGINT, SIGTERM, SIGHUP}) signal(ending, [](int number) { _exit(128 + number); });
   testing::InitGoogleTest(&argc, argv);
-  if (sodium_init() < 0) return 1;
-  try {
-    const std::string job(std::istreambuf_iterator<char>(std::cin), {});
-    std::cout << grader::json_text(run(grader::suite_job_from_json(job, "standard input")), -1) << std::flush;
-    return 0;
-  } catch (const grader::BadInput& error) {
-    std::cerr << "hairsuite: " << error.what() << "\n";
-    return 2;
-  } catch (const std::exception& error) {
-    std::cerr << "hairsuite: " << error.what() << "\n";
-    return 1;
-  }
+  return grader::run_suite_program("hairsuite", run);
 }

@@ -2,6 +2,7 @@
 #include "grader/suite/student.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <signal.h>
 #include <sodium.h>
 
@@ -323,9 +324,10 @@ void Student::serve_call(Conversation& conversation, MessageReader call) {
 
 // The worker is gone, or not worth waiting for. Says how, and gives up after too many.
 Answer Student::ended(const std::string& during) {
+  // A worker that has closed its pipes may still run, or wait for a processor to leave by.
+  worker_->watchdog.wait_for(worker_->process.handle().get(), POLLIN);
   const char* why = worker_->watchdog.why();
-  // A worker that has closed its pipes may still run.
-  const Ending ending = end(why != nullptr ? 0 : 1);
+  const Ending ending = end(0);
 
   Answer answer{Outcome::crashed, MessageReader({}), during};
   if (ending.out_of_memory) {

@@ -163,7 +163,7 @@ void Grading::run_end_to_end(const fs::path& job, Graded& graded) const {
   graded.result.runs = jobs_.run(runs, graded.timing[kRuns]).runs;
   if (!reference_.study) return;
   try {
-    graded.study = jobs_.run(jobs_.study(runs), graded.timing[kStudy]).study.value();
+    graded.study = jobs_.run_study(jobs_.study(runs), graded.timing[kStudy]).study.value();
   } catch (const std::exception& problem) {  // the grade stands
     graded.problems.push_back(graded.result.name + ": study: " + problem.what());
   }

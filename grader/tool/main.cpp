@@ -84,9 +84,12 @@ int grade(const GradeOptions& options) {
   }
   if (options.study && options.exercise)
     throw BadInput("--study: it needs all exercises; leave out --exercise " + *options.exercise);
+  if (options.study && !std::filesystem::exists(HAIR_STUDY))
+    throw BadInput("--study: hairstudy is not built; ./grader/grade builds it for --study");
   settings.exercise = options.exercise;
   settings.kit = HAIR_KIT_DIR;
   settings.suite = HAIR_SUITE;
+  settings.study_program = HAIR_STUDY;
   settings.players = HAIR_PLAYERS;
   settings.scenes = HAIR_HIDDEN_SCENES;
   settings.isolated = !options.unsafe;

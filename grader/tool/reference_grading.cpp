@@ -18,7 +18,7 @@ void run_end_to_end(const SuiteJobs& jobs, ReferenceGraded& graded) {
                                "\": " + run.feedback + "; " + run.detail);
   if (!jobs.settings().study) return;
   try {
-    graded.study = jobs.run(jobs.study(suite), graded.timing[kStudy]).study.value();
+    graded.study = jobs.run_study(jobs.study(suite), graded.timing[kStudy]).study.value();
   } catch (const std::exception& problem) {
     graded.problems.push_back(std::string("the studies: the reference's failed: ") + problem.what());
   }

@@ -29,6 +29,21 @@ bool asked_for(const Exercise& exercise) {
   return exercise.role == Role::assigned || exercise.role == Role::optional;
 }
 
+SuiteResult timed(const fs::path& program, const SuiteJob& job, ExerciseTiming& timing) {
+  const timing::Stopwatch running;
+  SuiteResult found = run_suite(program, job);
+  timing.suite_seconds = running.seconds();
+  timing.worker_cpu_seconds = found.cpu_seconds;
+  timing.worker_starts = found.starts;
+  const double compiler = timing.spent.compiler_cpu_seconds;
+  timing.spent = found.spent;
+  timing.spent.compiler_cpu_seconds = compiler;
+  timing.sanitised_cpu_seconds = found.memory ? found.memory->cpu_seconds : 0;
+  timing.run_cpu_seconds = found.run_cpu_seconds;
+  timing.picture_cpu_seconds = found.picture_cpu_seconds;
+  return found;
+}
+
 // What draws here: OpenGL and its version. Throws BadInput where there is none.
 std::string what_draws() {
   try {
@@ -121,8 +136,7 @@ SuiteJob SuiteJobs::end_to_end(const fs::path& folder) const {
 }
 
 SuiteJob SuiteJobs::study(SuiteJob end_to_end) const {
-  end_to_end.exercise = kStudy;
-  end_to_end.motions = settings_.cache / "motions" / suite_hash_;
+  end_to_end.motions = settings_.cache / "motions" / sha256_of(settings_.study_program);
   for (const Exercise& exercise : settings_.course.exercises)
     end_to_end.reference_objects.push_back(reference_object(exercise));
   return end_to_end;
@@ -133,21 +147,13 @@ fs::path SuiteJobs::reference_object(const Exercise& exercise) const {
 }
 
 SuiteResult SuiteJobs::run(const SuiteJob& job, ExerciseTiming& timing) const {
-  // A study times methods that may use several threads.
-  std::optional<Processors::Lease> processor;
-  if (job.exercise != kStudy) processor.emplace(processors_);
-  const timing::Stopwatch running;
-  SuiteResult found = run_suite(settings_.suite, job);
-  timing.suite_seconds = running.seconds();
-  timing.worker_cpu_seconds = found.cpu_seconds;
-  timing.worker_starts = found.starts;
-  const double compiler = timing.spent.compiler_cpu_seconds;
-  timing.spent = found.spent;
-  timing.spent.compiler_cpu_seconds = compiler;
-  timing.sanitised_cpu_seconds = found.memory ? found.memory->cpu_seconds : 0;
-  timing.run_cpu_seconds = found.run_cpu_seconds;
-  timing.picture_cpu_seconds = found.picture_cpu_seconds;
-  return found;
+  const Processors::Lease processor(processors_);
+  return timed(settings_.suite, job, timing);
+}
+
+// A study times methods that may use several threads.
+SuiteResult SuiteJobs::run_study(const SuiteJob& job, ExerciseTiming& timing) const {
+  return timed(settings_.study_program, job, timing);
 }
 
 }  // namespace grader

@@ -19,7 +19,7 @@ namespace grader {
 struct GradingSettings {
   Course course;
   std::optional<std::string> exercise;  // grade only this one
-  std::filesystem::path kit, suite, players, scenes, cache;
+  std::filesystem::path kit, suite, study_program, players, scenes, cache;
   std::string secret;
   bool isolated = true;
   bool images = true;                            // draw whole runs
@@ -58,13 +58,14 @@ class SuiteJobs {
   // A job with all objects together; the caller adds the objects.
   SuiteJob end_to_end(const std::filesystem::path& folder) const;
 
-  // The same job with more and fewer steps, beside a worker that has only the reference's objects.
+  // The same job for hairstudy: with more and fewer steps, beside a worker that has only the reference's objects.
   SuiteJob study(SuiteJob end_to_end) const;
 
   std::filesystem::path reference_object(const Exercise& exercise) const;
 
   // The suite and its worker run on one processor, another one for each thread that calls this.
   SuiteResult run(const SuiteJob& job, ExerciseTiming& timing) const;
+  SuiteResult run_study(const SuiteJob& job, ExerciseTiming& timing) const;
 
  private:
   SuiteJob job(const std::string& exercise, const std::filesystem::path& folder) const;
