@@ -324,7 +324,8 @@ void Student::serve_call(Conversation& conversation, MessageReader call) {
 
 // The worker is gone, or not worth waiting for. Says how, and gives up after too many.
 Answer Student::ended(const std::string& during) {
-  // A worker that has closed its pipes may still run, or wait for a processor to leave by.
+  // A worker that has closed its pipes may still run, or wait for a processor to leave by. Once it is gone nobody sees how it idled.
+  worker_->watchdog.look();
   worker_->watchdog.wait_for(worker_->process.handle().get(), POLLIN);
   const char* why = worker_->watchdog.why();
   const Ending ending = end(0);
