@@ -82,13 +82,14 @@ class ThickAir : public particles::Force {
   }
 };
 
-// Another force, which counts its products with df/dv.
+// Another force, which counts how often it is asked for itself and for a product with df/dv.
 class CountedForce : public particles::Force {
  public:
   explicit CountedForce(const particles::Force& force) : force_(force) {}
 
   double energy(particles::Input x) const override { return force_.energy(x); }
   void add_force(particles::Input x, particles::Input v, particles::Output f) const override {
+    ++forces;
     force_.add_force(x, v, f);
   }
   void add_dfdx(particles::Input x, particles::Input v, particles::Input dx,
@@ -105,7 +106,7 @@ class CountedForce : public particles::Force {
     return force_.add_band(x, v, by_dfdx, by_dfdv, band, work);
   }
 
-  mutable int products = 0;
+  mutable int forces = 0, products = 0;
 
  private:
   const particles::Force& force_;

@@ -7,6 +7,7 @@
 
 #include "hair/simulation/simulation.h"
 #include "hair/strand/make_strand.h"
+#include "handout/checks/implicit_systems.h"
 #include "particles/drag.h"
 #include "particles/force_sum.h"
 #include "particles/gravity.h"
@@ -24,29 +25,6 @@ hair::NewtonReport step(const particles::Force& force, const particles::Force& d
   Eigen::MatrixXd scratch(state.x.size(), hair::kNewtonScratch);
   return hair::newton_euler(force, definite, particles, h, state, scratch);
 }
-
-// Counts how often it is asked for its forces.
-class Counted : public particles::Force {
- public:
-  explicit Counted(const particles::Force& force) : force_(force) {}
-  double energy(particles::Input x) const override { return force_.energy(x); }
-  void add_force(particles::Input x, particles::Input v, particles::Output f) const override {
-    ++count;
-    force_.add_force(x, v, f);
-  }
-  void add_dfdx(particles::Input x, particles::Input v, particles::Input dx,
-                particles::Output df) const override {
-    force_.add_dfdx(x, v, dx, df);
-  }
-  void add_dfdv(particles::Input x, particles::Input v, particles::Input dv,
-                particles::Output df) const override {
-    force_.add_dfdv(x, v, dv, df);
-  }
-  mutable int count = 0;
-
- private:
-  const particles::Force& force_;
-};
 
 // A spring of no length at rest is linear.
 TEST(NewtonEuler, IsH4OfLinearForces) {
@@ -120,13 +98,13 @@ TEST(NewtonEuler, TakesTheDefiniteMatrixWhereTheExactOneIsNotAndCountsAllEvaluat
     particles::ForceSum exact, definite;
     exact.emplace<hair::StretchForce>(strand, hair::GeometricTerm::full);
     definite.emplace<hair::StretchForce>(strand, hair::GeometricTerm::filtered);
-    const Counted counted(exact);
+    const checks::CountedForce counted(exact);
     const particles::Particles particles{strand.mass, {1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}};
     State state = description.strands[0].state;
     const hair::NewtonReport report = step(counted, definite, particles, h, state);
     EXPECT_TRUE(report.converged) << "h = " << h;
     EXPECT_GT(report.definite_steps, 0) << "h = " << h;
-    EXPECT_EQ(counted.count, 1 + report.newton_steps + report.halvings) << "h = " << h;
+    EXPECT_EQ(counted.forces, 1 + report.newton_steps + report.halvings) << "h = " << h;
     halvings += report.halvings;
   }
   EXPECT_GT(halvings, 0);
