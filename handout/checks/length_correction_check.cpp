@@ -7,8 +7,10 @@
 
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
 #include "check.h"
+#include "corrections.h"
 #include "derivative.h"
 
 using namespace checks;
@@ -21,50 +23,6 @@ using hair::Strand;
 namespace {
 
 const double kU = std::ldexp(1.0, -53);
-
-Strand strand_of(int count, double heaviest = 1) {
-  Strand strand;
-  strand.mass = VectorXd::LinSpaced(count, 1, heaviest);
-  strand.rest_length = VectorXd::LinSpaced(count - 1, 1, 1.5);
-  return strand;
-}
-
-// At rest lengths, bent, each particle but the root then off by up to `size`.
-VectorXd bent(const Strand& strand, double size) {
-  const VectorXd numbers = scattered_vector(6 * strand.count(), strand.count());
-  VectorXd x = VectorXd::Zero(3 * strand.count());
-  for (int i = 0; i < strand.segments(); ++i) {
-    const Vector3d u = (Vector3d(0, 0, -1) + 0.5 * numbers.segment<3>(3 * i)).normalized();
-    x.segment<3>(3 * i + 3) = x.segment<3>(3 * i) + strand.rest_length[i] * u;
-  }
-  x.tail(x.size() - 3) += size * numbers.tail(x.size() - 3);
-  return x;
-}
-
-VectorXd vector(std::initializer_list<double> values) {
-  return Eigen::Map<const VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()));
-}
-
-double largest_error(const Strand& strand, const VectorXd& x) {
-  double largest = 0;
-  for (int i = 0; i < strand.segments(); ++i) {
-    const double l = (x.segment<3>(3 * i + 3) - x.segment<3>(3 * i)).norm();
-    largest = std::max(largest, std::abs(l / strand.rest_length[i] - 1));
-  }
-  return largest;
-}
-
-// Either function, as a function of x.
-using Correction = CorrectionReport (*)(const Strand&, double tolerance, int most, VectorXd& x);
-
-CorrectionReport relax(const Strand& strand, double tolerance, int most, VectorXd& x) {
-  return relax_lengths(strand, tolerance, most, x);
-}
-
-CorrectionReport correct(const Strand& strand, double tolerance, int most, VectorXd& x) {
-  MatrixXd scratch = MatrixXd::Constant(x.size(), hair::kCorrectionScratch, 1e3);
-  return correct_lengths(strand, tolerance, most, x, scratch);
-}
 
 void makes_lengths_right(Correction correction) {
   for (int count : {1, 2, 3, 10}) {
@@ -92,13 +50,71 @@ void moves_by_masses(Correction correction) {
                  "a straight strand of 1 and 1.4 m, corrected to 1 and 1 m", "the tolerance, 1e-12, twice");
   // Only one segment is wrong, and not at the root: its ends move against each other by 1/mass, and the first then pulls
   // its own end back. For a small error e across a right angle the first segment does not see it.
-  const double e = 1e-6;
-  VectorXd corner = vector({0, 0, 0, 1, 0, 0, 1, 1 + e, 0});
-  correction(strand, 1e-13, 100000, corner);
-  expect_entries(corner - vector({0, 0, 0, 1, 0, 0, 1, 1, 0}),
-                 vector({0, 0, 0, 0, 0.75 * e, 0, 0, 0.75 * e, 0}), 10 * e * e + 1e-12,
-                 "the correction of a right angle whose second segment is 1e-6 too long, masses 1 and 3 kg",
-                 "10 e^2 + 1e-12: second order, and the tolerance");
+  strand.rest_length = vector({2, 2});
+  for (const double e : {1e-6, -1e-6}) {
+    VectorXd corner = vector({0, 0, 0, 2, 0, 0, 2, 2 + e, 0});
+    correction(strand, 1e-13, 100000, corner);
+    expect_entries(
+        corner - vector({0, 0, 0, 2, 0, 0, 2, 2, 0}), vector({0, 0, 0, 0, 0.75 * e, 0, 0, 0.75 * e, 0}),
+        10 * e * e + 1e-12,
+        "the correction of a right angle of two segments of 2 m, masses 1 and 3 kg; the second one is " +
+            std::string(e > 0 ? "1e-6 m too long" : "1e-6 m too short"),
+        "10 e^2 + 1e-12: second order, and the tolerance");
+  }
+}
+
+// With all iterations that it needs, with one less, and with none.
+void reports_what_it_did(Correction correction, const VectorXd& before,
+                         double error(const Strand&, const VectorXd&)) {
+  const Strand strand = strand_of(10);
+  VectorXd right = before;
+  const int needed = correction(strand, 1e-9, 100000, right).iterations;
+  for (const int most : {needed, needed - 1, 0}) {
+    SCOPED_TRACE("10 particles, tolerance 1e-9; of " + std::to_string(needed) +
+                 " iterations that it needs, " + std::to_string(most) + " are allowed");
+    VectorXd after = before;
+    const CorrectionReport report = correction(strand, 1e-9, most, after);
+    EXPECT_EQ(report.iterations, most);
+    EXPECT_EQ(report.converged, most == needed);
+    EXPECT_NEAR(report.error, error(strand, after), 64 * kU) << "the error of what is returned";
+    EXPECT_EQ(after == before, most == 0) << "only with no iteration nothing changes";
+  }
+  const VectorXd kept = right;
+  EXPECT_EQ(correction(strand, 1e-9, 1000, right).iterations, 0) << "nothing is left to correct";
+  EXPECT_EQ(right, kept) << "nothing was left to correct";
+}
+
+// An error of 0.25 or 0.25 m/s, without any rounding.
+void leaves_an_error_that_is_the_tolerance(Correction correction, const VectorXd& before) {
+  Strand strand = strand_of(2);
+  strand.rest_length[0] = 1;
+  VectorXd after = before;
+  const CorrectionReport report = correction(strand, 0.25, 100, after);
+  EXPECT_TRUE(report.converged) << "the error is 0.25, and the tolerance, too";
+  EXPECT_EQ(after, before) << "the error is 0.25, and the tolerance, too";
+}
+
+void expect_few_or_sweeps(int iterations, int few, const std::string& of) {
+  EXPECT_TRUE(iterations <= few || iterations >= 100)
+      << iterations << " iterations for " << of << ": all segments at once take " << few
+      << " at most, and sweeps take hundreds";
+}
+
+// Nearly straight: sweeps take few where hair is much bent.
+const double kLittleBent = 0.05;
+
+void takes_few_iterations(Correction correction, VectorXd wrong, double tolerance, int few) {
+  const CorrectionReport report = correction(strand_of(201, 3), tolerance, 200000, wrong);
+  EXPECT_TRUE(report.converged) << "a hair of 200 segments that is bent a little";
+  expect_few_or_sweeps(report.iterations, few, "a hair of 200 segments that is bent a little");
+}
+
+void never_converges_with_nan(Correction correction, const VectorXd& right) {
+  for (int i = 3; i < right.size(); ++i) {
+    VectorXd x = right;
+    x[i] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_FALSE(correction(strand_of(10), 1e-6, 50, x).converged) << "entry " << i << " is not a number";
+  }
 }
 
 // A straight hair, its tip half as heavy as the other particles, that is 1 % too long.
@@ -124,13 +140,22 @@ TEST(RelaxLengths, MovesByMasses) {
   moves_by_masses(relax);
 }
 
-TEST(RelaxLengths, EndsAfterTheSweepsThatItMayTake) {
-  const Strand strand = strand_of(10);
+TEST(RelaxLengths, ReportsWhatItDid) {
+  reports_what_it_did(relax, bent(strand_of(10), 0.05), largest_error);
+}
+
+TEST(RelaxLengths, TakesOneSweepForOneSegment) {
+  const Strand strand = strand_of(2, 3);
   VectorXd x = bent(strand, 0.05);
-  const CorrectionReport report = relax_lengths(strand, 1e-12, 3, x);
-  EXPECT_EQ(report.iterations, 3) << "of 3 sweeps";
-  EXPECT_FALSE(report.converged) << "3 sweeps don't make a strand of 10 particles right to 1e-12";
-  EXPECT_NEAR(report.error, largest_error(strand, x), 64 * kU) << "the error of the x that is returned";
+  EXPECT_EQ(relax(strand, 1e-9, 1000, x).iterations, 1) << "sweeps for one segment: the first one is exact";
+}
+
+TEST(RelaxLengths, LeavesAnErrorThatIsTheTolerance) {
+  leaves_an_error_that_is_the_tolerance(relax, vector({0, 0, 0, 0, 0, -1.25}));
+}
+
+TEST(RelaxLengths, NeverConvergesWithNaN) {
+  never_converges_with_nan(relax, bent(strand_of(10), 0));
 }
 
 TEST(RelaxLengths, TakesSweepsThatGrowWithTheSquare) {
@@ -148,17 +173,28 @@ TEST(CorrectLengths, MovesByMasses) {
   moves_by_masses(correct);
 }
 
+TEST(CorrectLengths, ReportsWhatItDid) {
+  reports_what_it_did(correct, bent(strand_of(10), 0.05), largest_error);
+}
+
+TEST(CorrectLengths, NeverConvergesWithNaN) {
+  never_converges_with_nan(correct, bent(strand_of(10), 0));
+}
+
 TEST(CorrectLengths, TakesFewIterations) {
   std::printf("The same by correct_lengths: your iterations\n");
   for (int segments : {10, 20, 30, 60}) {
     const int iterations = iterations_for(correct, segments);
     std::printf("  %3d segments  %6d\n", segments, iterations);
-    EXPECT_TRUE(iterations <= 8 || iterations >= 100)
-        << iterations << " iterations for " << segments
-        << " segments: Newton's method takes 8 at most, and sweeps take hundreds";
+    expect_few_or_sweeps(iterations, 8, "a straight hair of " + std::to_string(segments) + " segments");
   }
+  takes_few_iterations(correct, bent(strand_of(201, 3), 0.005, kLittleBent), 1e-10, 8);
   EXPECT_LE(iterations_for(correct, 1), 2) << "for one segment: the first step is exact. Has the root's mass "
                                               "a part in your matrix? 1/mass of it is 0";
+}
+
+TEST(CorrectLengths, LeavesAnErrorThatIsTheTolerance) {
+  leaves_an_error_that_is_the_tolerance(correct, vector({0, 0, 0, 0, 0, -1.25}));
 }
 
 TEST(CorrectLengths, GivesTheSameHoweverOftenItIsAsked) {
@@ -191,27 +227,63 @@ TEST(CorrectLengths, GivesASegmentOfNoLengthADirection) {
 TEST(CorrectVelocities, StopStretching) {
   for (int count : {1, 2, 3, 10}) {
     const Strand strand = strand_of(count, 3);
-    const VectorXd x = bent(strand, 0), before = scattered_vector(3 * count, 7);
+    const VectorXd before = scattered_vector(3 * count, 7);
     VectorXd v = before;
-    MatrixXd scratch = MatrixXd::Constant(3 * count, hair::kCorrectionScratch, 1e3);
-    const CorrectionReport report = correct_velocities(strand, x, 1e-9, 100000, v, scratch);
-    SCOPED_TRACE(std::to_string(count) + " particles, tolerance 1e-9 m/s, at x = " + particles_in_words(x));
+    const CorrectionReport report = stop(strand, 1e-9, 100000, v);
+    SCOPED_TRACE(std::to_string(count) +
+                 " particles, tolerance 1e-9 m/s, at x = " + particles_in_words(bent(strand, 0)));
     EXPECT_TRUE(report.converged);
     EXPECT_EQ(v.head<3>(), before.head<3>()) << "the root's velocity changed";
-    for (int i = 0; i < count - 1; ++i) {
-      const Vector3d u = (x.segment<3>(3 * i + 3) - x.segment<3>(3 * i)).normalized();
-      EXPECT_LE(std::abs(u.dot(v.segment<3>(3 * i + 3) - v.segment<3>(3 * i))), 1e-9 + 256 * kU)
-          << "the rate at which segment " << i << " is stretched, m/s";
-    }
+    EXPECT_LE(largest_rate(strand, v), 1e-9 + 256 * kU) << "the rate at which a segment is stretched, m/s";
   }
+}
+
+TEST(CorrectVelocities, ReportsWhatItDid) {
+  reports_what_it_did(stop, scattered_vector(30, 7), largest_rate);
+}
+
+TEST(CorrectVelocities, TakesFewIterations) {
+  takes_few_iterations(
+      [](const Strand& strand, double tolerance, int most, VectorXd& v) {
+        return stop_at(bent(strand, 0, kLittleBent), strand, tolerance, most, v);
+      },
+      scattered_vector(603, 7), 1e-9, 4);
+}
+
+TEST(CorrectVelocities, LeavesAnErrorThatIsTheTolerance) {
+  leaves_an_error_that_is_the_tolerance(
+      [](const Strand& strand, double tolerance, int most, VectorXd& v) {
+        return stop_at(vector({0, 0, 0, 0, 0, -1}), strand, tolerance, most, v);
+      },
+      vector({0, 0, 0, 0, 0, -0.25}));
+}
+
+TEST(CorrectVelocities, NeverConvergesWithNaN) {
+  never_converges_with_nan(stop, VectorXd::Zero(30));
 }
 
 TEST(CorrectVelocities, OfOneSegmentAtOnce) {
   const Strand strand = strand_of(2, 3);
   VectorXd v = scattered_vector(6, 7);
-  MatrixXd scratch(6, hair::kCorrectionScratch);
-  EXPECT_LE(correct_velocities(strand, bent(strand, 0), 1e-9, 1000, v, scratch).iterations, 2)
+  EXPECT_LE(stop(strand, 1e-9, 1000, v).iterations, 2)
       << "iterations for one segment: the first impulse is exact. 1/mass of the root is 0";
+}
+
+// From the tip on, each segment gives to its outer end what it takes from its inner one.
+TEST(CorrectVelocities, ByImpulsesAlongTheSegments) {
+  const Strand strand = strand_of(10, 3);
+  const VectorXd x = bent(strand, 0), before = scattered_vector(30, 7);
+  VectorXd v = before;
+  stop(strand, 1e-12, 100000, v);
+  Vector3d impulse = Vector3d::Zero();
+  for (int i = 9; i > 0; --i) {
+    impulse += strand.mass[i] * (v - before).segment<3>(3 * i);
+    const Vector3d u = (x.segment<3>(3 * i) - x.segment<3>(3 * i - 3)).normalized();
+    expect_entries(impulse - u.dot(impulse) * u, Vector3d::Zero(), 1e-12,
+                   "N s across segment " + std::to_string(i - 1) + " of 9, which moves particles " +
+                       std::to_string(i) + " to 9",
+                   "rounding of some 100 impulses of 10 N s at most");
+  }
 }
 
 TEST(CorrectVelocities, ByEqualAndOppositeImpulses) {

@@ -156,18 +156,23 @@ VectorXd one(double value) {
 }
 
 // Newton's and Euler's laws, and nothing of the recursion: the joint's force that each link needs with all that hangs from
-// it, less Q. Z^ is that of pass 1.
-VectorXd unbalanced(const Links& links, const Passes& passes, const Passes& after_pass_1, const VectorXd& Q) {
+// it and with its stiffening, less Q, after all three passes.
+VectorXd unbalanced(const Links& links, const VectorXd& rates, const VectorXd& Q, const LinkPass& base = {}) {
+  const Passes first = pass_1(links, rates, base);
+  Passes passes = pass_2(links, Q, first);
+  const VectorXd accelerations = pass_3(links, Q, passes);
   std::vector<hair::SpatialForce> needs(links.size());
   VectorXd left = -Q;
   for (std::size_t i = links.size() - 1; i > 0; --i) {
     const Link& link = links[i];
-    needs[i] += link.inertia * passes[i].a + after_pass_1[i].bias;
+    needs[i] += link.inertia * passes[i].a + first[i].bias;
     const Vector3d torque = needs[i].torque + link.d.cross(needs[i].force);
     if (link.joint == JointType::spherical)
-      left.segment<3>(link.first) += torque;
+      left.segment<3>(link.first) += torque + link.stiffening * accelerations.segment<3>(link.first);
     else
-      left[link.first] += link.joint == JointType::revolute ? link.u.dot(torque) : link.u.dot(needs[i].force);
+      left[link.first] +=
+          (link.joint == JointType::revolute ? link.u.dot(torque) : link.u.dot(needs[i].force)) +
+          link.stiffening(0, 0) * accelerations[link.first];
     needs[link.parent] += to_parent(needs[i], link.r);
   }
   return left;
@@ -379,11 +384,13 @@ TEST(OutwardAccelerations, ObeyNewtonAndEuler) {
   LinkPass base;
   base.v = {Vector3d(0.3, -1, 0.4), Vector3d(1, 2, 0)};
   base.a = {Vector3d(1, 0, -2), Vector3d(0, 0, 9.81)};
-  const Passes first = pass_1(links, kRates, base);
-  Passes passes = pass_2(links, Q, first);
-  pass_3(links, Q, passes);
-  expect_entries(unbalanced(links, passes, first, Q), VectorXd::Zero(4), 1e-11,
-                 "the joints' forces that four links need, less Q", "1e-11: rounding of some 100 N and N m");
+  for (const double stiffening : {0.0, 0.7}) {
+    for (Link& link : links) link.stiffening(0, 0) = stiffening;
+    expect_entries(
+        unbalanced(links, kRates, Q, base), VectorXd::Zero(4), 1e-11,
+        "the joints' forces that four links need, stiffening " + std::to_string(stiffening) + ", less Q",
+        "1e-11: rounding of some 100 N and N m");
+  }
 }
 
 // ---- Spherical joints: extra
@@ -412,12 +419,19 @@ TEST(SphericalJoints, ObeyNewtonAndEuler) {
   links = chain_of(links);
   for (Link& link : links) link.external.force = Vector3d(0, 0, -9.81);
   const VectorXd rates = 2 * scattered_vector(10, 7), Q = scattered_vector(10, 8);
-  const Passes first = pass_1(links, rates);
-  Passes passes = pass_2(links, Q, first);
-  pass_3(links, Q, passes);
-  expect_entries(unbalanced(links, passes, first, Q), VectorXd::Zero(10), 1e-11,
-                 "the joints' forces that three spherical joints and a revolute one need, less Q",
-                 "1e-11: rounding of some 100 N m");
+  for (const bool stiffened : {false, true}) {
+    for (Link& link : links) {
+      if (!stiffened) continue;
+      if (link.joint == JointType::spherical)
+        link.stiffening << 0.8, 0.1, -0.3, 0.1, 0.5, 0.2, -0.3, 0.2, 0.6;
+      else
+        link.stiffening(0, 0) = 0.8;
+    }
+    expect_entries(unbalanced(links, rates, Q), VectorXd::Zero(10), 1e-11,
+                   std::string("the joints' forces that three spherical joints and a revolute one need, ") +
+                       (stiffened ? "stiffened" : "not stiffened") + ", less Q",
+                   "1e-11: rounding of some 100 N m");
+  }
 }
 
 int main(int argc, char** argv) {

@@ -246,6 +246,12 @@ TEST(TouchStrip, FindsNothingFarAway) {
   for (const auto& [x, y] : {std::pair(-0.1, 1.0), {1.0, -0.1}, {1.2, 1.6}})
     EXPECT_FALSE(touch(above_triangle(0.1, x, y), 1, contact))
         << "over (" << x << ", " << y << "), outside of the triangle (0, 0), (2, 0), (0, 3)";
+  for (const auto& [x, y] : {std::pair(0.5, 0.0), {0.0, 1.5}, {0.0, 0.0}}) {
+    EXPECT_TRUE(touch(above_triangle(0.125, x, y), 1, contact))
+        << "over (" << x << ", " << y
+        << "), an edge or a corner of that triangle: a share of 0 is not negative";
+    EXPECT_FALSE(touch(above_triangle(0.25, x, y), 1, contact)) << "as far away as the thickness, 0.25";
+  }
   VectorXd flat = above_triangle(0.1);
   flat.segment<3>(6) = 2 * flat.segment<3>(3);
   EXPECT_FALSE(touch(flat, 1, contact)) << "a triangle without an area";
@@ -267,6 +273,15 @@ TEST(TouchStrip, DoesNotAskForSigns) {
   EXPECT_NEAR(weight_of(-z, {z, z, z}), 0, 1e-12)
       << "the point's tangent is -z, the strip's are z: the hair was turned end for end";
   EXPECT_NEAR(weight_of(z, {z, -z, z}), 0, 1e-12) << "one corner's tangent is -z, all others are z";
+}
+
+// A unit vector's product with itself is often a little more than 1.
+TEST(TouchStrip, NeverGivesANegativeWeight) {
+  for (int which = 0; which < 20; ++which) {
+    const Vector3d t = Vector3d(scattered_vector(3, which)).normalized();
+    EXPECT_GE(weight_of(t, {t, t, t}), 0)
+        << "all tangents are " << particles_in_words(t) << ": 1 - t.t is negative by rounding alone";
+  }
 }
 
 TEST(StripEnergy, OfOneContact) {
@@ -318,13 +333,30 @@ TEST(AddStripProduct, IsTheSlopeOfTheForce) {
 
 // The pressure is 4 N, so that friction is 2 N at most.
 TEST(ApplyStripFriction, SlipsWithCoulombsForce) {
-  VectorXd v = zeros(4), inverse_mass = VectorXd::Zero(4);
-  v.tail<3>() = Vector3d(3, 4, 7);
-  inverse_mass[3] = 2;
+  for (const double inverse : {1, 2}) {
+    VectorXd v = zeros(4), inverse_mass = VectorXd::Zero(4);
+    v.tail<3>() = Vector3d(3, 4, 7);
+    inverse_mass[3] = inverse;
+    VectorXd expected = v;
+    expected.tail<3>() = Vector3d(3, 4, 0) * (5 - 0.2 * inverse) / 5 + Vector3d(0, 0, 7);
+    expect_entries(after_friction(above_triangle(0.05), inverse_mass, 0.1, v), expected, 1e-12,
+                   "velocities after 0.1 s; the corners are pinned, the point has 1 or 0.5 kg", kRounding);
+  }
+}
+
+// All particles move, each has a mass of its own: W is 1/2 + 0.25/4 + (1 + 2)/16 = 0.75 / kg.
+TEST(ApplyStripFriction, StopsThePointBesideCornersThatMove) {
+  VectorXd v = scattered_vector(12, 3);
+  const Eigen::Vector4d inverse_mass(0.25, 1, 2, 0.5);
+  const Vector3d slip = v.tail<3>() - 0.5 * v.head<3>() - 0.25 * v.segment<3>(3) - 0.25 * v.segment<3>(6);
+  const Vector3d impulse = -Vector3d(slip.x(), slip.y(), 0) / 0.75;
   VectorXd expected = v;
-  expected.tail<3>() = Vector3d(3, 4, 0) * 4.6 / 5 + Vector3d(0, 0, 7);
-  expect_entries(after_friction(above_triangle(0.05), inverse_mass, 0.1, v), expected, 1e-12,
-                 "velocities after 0.1 s; the corners are pinned, the point has 0.5 kg", kRounding);
+  expected.tail<3>() += 0.5 * impulse;
+  const double shares[] = {0.5, 0.25, 0.25};
+  for (int j = 0; j < 3; ++j) expected.segment<3>(3 * j) -= shares[j] * inverse_mass[j] * impulse;
+  expect_entries(after_friction(above_triangle(0.05), inverse_mass, 10, v), expected, 1e-12,
+                 "velocities after 10 s, inverse masses of corners 0.25, 1, 2 and of the point 0.5 / kg",
+                 kRounding);
 }
 
 TEST(ApplyStripFriction, StopsAndDoesNotReverse) {

@@ -5,8 +5,8 @@
 
 namespace reference_tests {
 
-using Eigen::Isometry3d, Eigen::Matrix3d, Eigen::Quaterniond;
-using hair::Link, hair::LinkShape, hair::LinkTree, hair::TreeBase, hair::TreeMotion;
+using Eigen::Matrix3d;
+using hair::LinkShape, hair::LinkTree, hair::TreeBase, hair::TreeMotion;
 
 LinkTree random_tree(int links, const std::vector<JointType>& types, bool chain, RandomNumbers& numbers) {
   std::vector<LinkShape> shapes(links);
@@ -53,108 +53,6 @@ VectorXd random_coordinates(const LinkTree& tree, RandomNumbers& numbers) {
                      : numbers.between(-0.5, 0.5);
   }
   return q;
-}
-
-TreeBase random_base(RandomNumbers& numbers) {
-  return {numbers.vector(3),
-          numbers.turn(),
-          {numbers.vector(3), numbers.vector(3)},
-          {numbers.vector(9), numbers.vector(9)}};
-}
-
-namespace {
-
-// Where a link is, and how it moves, seen from a point that does not.
-struct Place {
-  Isometry3d at;               // its axes, at its centre of mass
-  Vector3d joint;              // the point of its parent
-  Vector3d joint_moves;        // and this point's velocity
-  std::vector<Vector3d> axes;  // one for each rate
-  Vector3d omega, v;
-};
-
-std::vector<Place> places(const LinkTree& tree, const TreeBase& base, const VectorXd& q,
-                          const VectorXd& rates) {
-  std::vector<Place> links(tree.links());
-  links[0].at = Eigen::Translation3d(base.position) * base.orientation;
-  links[0].omega = base.velocity.angular;
-  links[0].v = base.velocity.linear;
-  for (int i = 1; i < tree.links(); ++i) {
-    const LinkShape& shape = tree.shapes()[i];
-    const Place& parent = links[shape.parent];
-    Place& place = links[i];
-    Isometry3d joint = parent.at * Eigen::Translation3d(shape.joint_at) * shape.rest;
-    place.joint = joint.translation();
-    place.joint_moves = parent.v + parent.omega.cross(Vector3d(place.joint - parent.at.translation()));
-    const Vector3d u = joint.linear() * shape.axis;
-    const double* at = q.data() + tree.coordinate(i);
-    if (shape.joint == JointType::revolute) joint = joint * Eigen::AngleAxisd(*at, shape.axis);
-    if (shape.joint == JointType::prismatic) joint = joint * Eigen::Translation3d(*at * shape.axis);
-    if (shape.joint == JointType::spherical) joint = joint * Quaterniond(at);
-    place.at = joint * Eigen::Translation3d(shape.center);
-    place.axes = {u};
-    if (shape.joint == JointType::spherical)
-      place.axes = {Vector3d::UnitX(), Vector3d::UnitY(), Vector3d::UnitZ()};
-    Vector3d w = Vector3d::Zero(), slide = Vector3d::Zero();
-    for (std::size_t k = 0; k < place.axes.size(); ++k)
-      (shape.joint == JointType::prismatic ? slide : w) += rates[tree.rate(i) + k] * place.axes[k];
-    place.omega = parent.omega + w;
-    const Vector3d arm = place.at.translation() - place.joint;
-    place.v = place.joint_moves + slide + place.omega.cross(arm);
-  }
-  return links;
-}
-
-}  // namespace
-
-DenseMotion dense_motion(const TreeMotion& motion, const TreeBase& base, const VectorXd& q,
-                         const VectorXd& rates) {
-  const LinkTree& tree = motion.tree();
-  const std::vector<Place> all = places(tree, base, q, rates);
-  const int n = tree.rates();
-  DenseMotion dense{MatrixXd::Zero(n, n), VectorXd::Zero(n)};
-  for (int i = 1; i < tree.links(); ++i) {
-    const Place& place = all[i];
-    const Vector3d x = place.at.translation();
-    MatrixXd turns = MatrixXd::Zero(3, n), moves = MatrixXd::Zero(3, n);
-    Vector3d alpha = base.acceleration.angular;
-    Vector3d a = base.acceleration.linear + alpha.cross(Vector3d(x - base.position)) +
-                 base.velocity.angular.cross(Vector3d(place.v - base.velocity.linear));
-    for (int j = i; j > 0; j = tree.shapes()[j].parent) {
-      const JointType type = tree.shapes()[j].joint;
-      const Vector3d& carrier = all[tree.shapes()[j].parent].omega;
-      for (std::size_t k = 0; k < all[j].axes.size(); ++k) {
-        const int column = tree.rate(j) + static_cast<int>(k);
-        const double rate = rates[column];
-        const Vector3d& u = all[j].axes[k];
-        const Vector3d turned = type == JointType::spherical ? Vector3d::Zero() : carrier.cross(u);
-        if (type == JointType::prismatic) {
-          moves.col(column) = u;
-          a += rate * turned;
-          continue;
-        }
-        turns.col(column) = u;
-        moves.col(column) = u.cross(Vector3d(x - all[j].joint));
-        alpha += rate * turned;
-        a += rate *
-             (turned.cross(Vector3d(x - all[j].joint)) + u.cross(Vector3d(place.v - all[j].joint_moves)));
-      }
-    }
-    const double mass = tree.shapes()[i].mass;
-    const Matrix3d axes = place.at.linear();
-    const Matrix3d tensor = axes * tree.shapes()[i].moments.asDiagonal() * axes.transpose();
-    const hair::SpatialForce& external = motion.links[i].external;
-    dense.M += mass * moves.transpose() * moves + turns.transpose() * tensor * turns;
-    dense.C +=
-        moves.transpose() * (mass * a - external.force) +
-        turns.transpose() * (tensor * alpha + place.omega.cross(tensor * place.omega) - external.torque);
-  }
-  for (int i = 1; i < tree.links(); ++i) {
-    const int size = hair::rates_of(tree.shapes()[i].joint);
-    dense.M.block(tree.rate(i), tree.rate(i), size, size) +=
-        motion.links[i].stiffening.topLeftCorner(size, size);
-  }
-  return dense;
 }
 
 VectorXd joint_forces(const TreeMotion& motion, const TreeBase& base, const VectorXd& rates,

@@ -1,5 +1,4 @@
-// STAFF ONLY. Trees of links for tests, and their equations of motion by other ways than H7's: with the dense
-// matrix of the links' Jacobians, and by Newton's and Euler's laws link by link.
+// STAFF ONLY. Trees of links for tests, and what Newton's and Euler's laws say of each link: another way than H7's.
 #pragma once
 
 #include <random>
@@ -41,17 +40,6 @@ hair::LinkTree rod_chain(int n, double length, double mass, double radius);
 
 // Coordinates anywhere.
 VectorXd random_coordinates(const hair::LinkTree& tree, RandomNumbers& numbers);
-
-hair::TreeBase random_base(RandomNumbers& numbers);
-
-// M q" + C = Q, from the Jacobians of each link. `external` and `stiffening` are those of `motion`'s links, and nothing
-// else of it is used.
-struct DenseMotion {
-  MatrixXd M;
-  VectorXd C;
-};
-DenseMotion dense_motion(const hair::TreeMotion& motion, const hair::TreeBase& base, const VectorXd& q,
-                         const VectorXd& rates);
 
 // Q for these accelerations, link by link from their places (frames) and from Newton's and Euler's laws.
 VectorXd joint_forces(const hair::TreeMotion& motion, const hair::TreeBase& base, const VectorXd& rates,

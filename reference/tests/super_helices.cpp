@@ -39,39 +39,6 @@ hair::MaterialFrame some_start() {
   return {numbers.vector(1), numbers.turn().toRotationMatrix()};
 }
 
-MatrixXd dense_jacobian(const HelixMotion& motion) {
-  const std::size_t points = motion.points.size();
-  MatrixXd J = MatrixXd::Zero(3 * points, 3 * motion.elements.size());
-  for (std::size_t j = 0; j < points; ++j) {
-    const hair::HelixPoint& point = motion.points[j];
-    J.block<3, 3>(3 * j, 3 * point.element) = point.moves;
-    for (int i = 0; i < point.element; ++i) {
-      const hair::HelixElement& element = motion.elements[i];
-      for (int k = 0; k < 3; ++k)
-        J.block<3, 1>(3 * j, 3 * i + k) =
-            element.at_end.moves.col(k) +
-            Vector3d(element.at_end.turns.col(k)).cross(point.position - element.end.position);
-    }
-  }
-  return J;
-}
-
-DenseStep dense_step(const HelixMotion& motion, const VectorXd& q, const VectorXd& rates, double h) {
-  const MatrixXd J = dense_jacobian(motion);
-  MatrixXd WJ(J.rows(), J.cols());
-  VectorXd force(J.rows()), K(q.size());
-  for (std::size_t j = 0; j < motion.points.size(); ++j) {
-    WJ.middleRows<3>(3 * j) = motion.points[j].inertia * J.middleRows<3>(3 * j);
-    force.segment<3>(3 * j) = motion.points[j].force;
-  }
-  hair::helix_stiffness(motion.strand(), K);
-  DenseStep step{J.transpose() * WJ, {}, {}};
-  step.matrix = step.M;
-  step.matrix.diagonal() += h * h * K;
-  step.right = h * (J.transpose() * force - K.cwiseProduct(q + h * rates - motion.strand().natural));
-  return step;
-}
-
 VectorXd helix_step(const HelixMotion& motion, const VectorXd& q, const VectorXd& rates, double h) {
   MatrixXd scratch(q.size(), q.size() + 10);
   VectorXd change(q.size());

@@ -1,4 +1,4 @@
-// STAFF ONLY. Super-helices for tests, and what they must obey, made with dense Jacobians.
+// STAFF ONLY. Super-helices for tests.
 #pragma once
 
 #include "hair/super_helix/helix_forces.h"
@@ -6,7 +6,6 @@
 
 namespace reference_tests {
 
-using Eigen::Matrix3Xd;
 using hair::HelixMotion, hair::HelixRoot, hair::HelixStrand;
 
 // Human hair of equal elements, with the same natural curvatures in each.
@@ -19,16 +18,6 @@ HelixRoot random_root(RandomNumbers& numbers);
 
 // At no special place, in no special direction.
 hair::MaterialFrame some_start();
-
-// J of each point, 3 rows each, as hair/super_helix.h says.
-MatrixXd dense_jacobian(const HelixMotion& motion);
-
-// M + h^2 K and the right side of (7), from dense_jacobian().
-struct DenseStep {
-  MatrixXd M, matrix;
-  VectorXd right;
-};
-DenseStep dense_step(const HelixMotion& motion, const VectorXd& q, const VectorXd& rates, double h);
 
 // With the scratch that it needs.
 VectorXd helix_step(const HelixMotion& motion, const VectorXd& q, const VectorXd& rates, double h);

@@ -1,4 +1,4 @@
-// STAFF ONLY. H8's frames and Jacobians: one element, and the helix that many of them make.
+// STAFF ONLY. H8's functions, frames and Jacobians beyond its public checks: digits, jumps, and the helix that many elements make.
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace reference_tests {
 namespace {
 
-using hair::HelixJacobian, hair::MaterialFrame, hair::Matrix3d;
+using hair::HelixJacobian, hair::MaterialFrame;
 
 // ---- Stumpff's functions
 
@@ -51,40 +51,6 @@ TEST(Stumpff, HasItsDigitsForAllX) {
 }
 
 // ---- Centre line and frame
-
-// The sine and cosine that everybody knows: curvature 1/R bends t towards n2 x ... about n1.
-TEST(HelixFrames, BendAsOmegaSays) {
-  const MaterialFrame arc = hair::frame_at({}, Vector3d(2, 0, 0), 0.5);
-  EXPECT_LE((arc.position - Vector3d(0, -(1 - std::cos(1.0)) / 2, std::sin(1.0) / 2)).norm(), 1e-16 * 4);
-  EXPECT_LE((arc.axes.col(2) - Vector3d(0, -std::sin(1.0), std::cos(1.0))).norm(), 4e-16);
-  const MaterialFrame twisted = hair::frame_at({}, Vector3d(0, 0, 2), 0.5);
-  EXPECT_LE((twisted.position - Vector3d(0, 0, 0.5)).norm(), 1e-16);
-  EXPECT_LE((twisted.axes.col(0) - Vector3d(std::cos(1.0), std::sin(1.0), 0)).norm(), 4e-16);
-}
-
-// dr/ds = t, dn/ds = Omega x n: central differences over 1e-4 of a radian, errors of 1e-9.
-TEST(HelixFrames, TurnAsTheirCurvaturesSay) {
-  const MaterialFrame start = some_start();
-  RandomNumbers numbers(2);
-  for (const double turns : {1e-6, 0.01, 0.3, 2.0, 20.0}) {
-    const Vector3d curvature = 2 * std::numbers::pi * turns * numbers.direction();
-    const double d = 1e-4 / std::max(1.0, curvature.norm());
-    for (const double s : {0.0, 0.3, 1.0}) {
-      const MaterialFrame here = hair::frame_at(start, curvature, s),
-                          ahead = hair::frame_at(start, curvature, s + d),
-                          behind = hair::frame_at(start, curvature, s - d);
-      EXPECT_LE(((ahead.position - behind.position) / (2 * d) - here.axes.col(2)).norm(), 2e-8);
-      const Vector3d omega = here.axes * curvature;
-      for (int k = 0; k < 3; ++k)
-        EXPECT_LE(
-            ((ahead.axes.col(k) - behind.axes.col(k)) / (2 * d) - omega.cross(Vector3d(here.axes.col(k))))
-                .norm(),
-            2e-8 * std::max(1.0, curvature.norm()))
-            << turns << " turns, s = " << s;
-      EXPECT_LE((here.axes.transpose() * here.axes - Matrix3d::Identity()).norm(), 1e-14);
-    }
-  }
-}
 
 // Pose and Jacobian across the switch at |p| = 2, and at 0: the change over a step of 1e-9 is the derivative's, to
 // rounding over 1e-9. A jump of 1e-12 would show.
@@ -128,28 +94,6 @@ TEST(HelixFrames, MakeTheHelixThatItsRadiusAndPitchDescribe) {
       const Vector3d tip = hair::frame_at(root, curvature, length).position;
       EXPECT_LE((motion.elements.back().end.position - tip).norm(), tolerance);
     }
-}
-
-// ---- Jacobians
-
-TEST(HelixJacobians, AreDerivatives) {
-  const MaterialFrame start = some_start();
-  RandomNumbers numbers(4);
-  for (const double angle : {0.0, 1e-9, 1e-3, 0.5, 1.99999, 2.00001, 6.0, 126.0}) {
-    const Vector3d curvature = angle * numbers.direction();
-    const HelixJacobian J = hair::jacobian_at(start, curvature, 1);
-    const double d = 1e-5;
-    for (int k = 0; k < 3; ++k) {
-      const Vector3d change = d * Vector3d::Unit(k);
-      const MaterialFrame ahead = hair::frame_at(start, curvature + change, 1),
-                          behind = hair::frame_at(start, curvature - change, 1);
-      // Central differences over 1e-5: 1e-10 of third derivatives, which are below 1, and 1e-15 / 1e-5 of rounding.
-      EXPECT_LE((J.moves.col(k) - (ahead.position - behind.position) / (2 * d)).norm(), 2e-10) << angle;
-      const Matrix3d turn = ahead.axes * behind.axes.transpose();
-      const Vector3d by(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0), turn(1, 0) - turn(0, 1));
-      EXPECT_LE((J.turns.col(k) - by / (4 * d)).norm(), 2e-10 + 1e-12 * angle) << angle;
-    }
-  }
 }
 
 }  // namespace

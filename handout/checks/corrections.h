@@ -1,0 +1,83 @@
+// The strands that the checks of H5 correct, what is wrong with them, and each of H5's functions as one of what it corrects.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+#include "derivative.h"
+#include "hair/length_correction.h"
+
+namespace checks {
+
+inline hair::Strand strand_of(int count, double heaviest = 1) {
+  hair::Strand strand;
+  strand.mass = Eigen::VectorXd::LinSpaced(count, 1, heaviest);
+  strand.rest_length = Eigen::VectorXd::LinSpaced(count - 1, 1, 1.5);
+  return strand;
+}
+
+// At rest lengths, bent, each particle but the root then off by up to `size`.
+inline Eigen::VectorXd bent(const hair::Strand& strand, double size, double bend = 0.5) {
+  const Eigen::VectorXd numbers = scattered_vector(6 * strand.count(), strand.count());
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(3 * strand.count());
+  for (int i = 0; i < strand.segments(); ++i) {
+    const Eigen::Vector3d u = (Eigen::Vector3d(0, 0, -1) + bend * numbers.segment<3>(3 * i)).normalized();
+    x.segment<3>(3 * i + 3) = x.segment<3>(3 * i) + strand.rest_length[i] * u;
+  }
+  x.tail(x.size() - 3) += size * numbers.tail(x.size() - 3);
+  return x;
+}
+
+inline Eigen::VectorXd vector(std::initializer_list<double> values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()));
+}
+
+inline double largest_error(const hair::Strand& strand, const Eigen::VectorXd& x) {
+  double largest = 0;
+  for (int i = 0; i < strand.segments(); ++i) {
+    const double l = (x.segment<3>(3 * i + 3) - x.segment<3>(3 * i)).norm();
+    largest = std::max(largest, std::abs(l / strand.rest_length[i] - 1));
+  }
+  return largest;
+}
+
+// Each of the three functions, as one of what it corrects.
+using Correction = hair::CorrectionReport (*)(const hair::Strand&, double tolerance, int most,
+                                              Eigen::VectorXd& x);
+
+inline hair::CorrectionReport relax(const hair::Strand& strand, double tolerance, int most,
+                                    Eigen::VectorXd& x) {
+  return relax_lengths(strand, tolerance, most, x);
+}
+
+inline hair::CorrectionReport correct(const hair::Strand& strand, double tolerance, int most,
+                                      Eigen::VectorXd& x) {
+  Eigen::MatrixXd scratch = Eigen::MatrixXd::Constant(x.size(), hair::kCorrectionScratch, 1e3);
+  return correct_lengths(strand, tolerance, most, x, scratch);
+}
+
+// The rate at which the worst segment is stretched, m/s, where lengths are right.
+inline double largest_rate(const hair::Strand& strand, const Eigen::VectorXd& v) {
+  const Eigen::VectorXd x = bent(strand, 0);
+  double largest = 0;
+  for (int i = 0; i < strand.segments(); ++i) {
+    const Eigen::Vector3d u = (x.segment<3>(3 * i + 3) - x.segment<3>(3 * i)).normalized();
+    largest = std::max(largest, std::abs(u.dot(v.segment<3>(3 * i + 3) - v.segment<3>(3 * i))));
+  }
+  return largest;
+}
+
+inline hair::CorrectionReport stop_at(const Eigen::VectorXd& x, const hair::Strand& strand, double tolerance,
+                                      int most, Eigen::VectorXd& v) {
+  Eigen::MatrixXd scratch = Eigen::MatrixXd::Constant(v.size(), hair::kCorrectionScratch, 1e3);
+  return correct_velocities(strand, x, tolerance, most, v, scratch);
+}
+
+inline hair::CorrectionReport stop(const hair::Strand& strand, double tolerance, int most,
+                                   Eigen::VectorXd& v) {
+  return stop_at(bent(strand, 0), strand, tolerance, most, v);
+}
+
+}  // namespace checks
