@@ -12,6 +12,7 @@ struct ComparedPair {
   std::string name;
   int width = 0, height = 0;
   PictureDistance distance;
+  std::string obstacle = {};  // why it could not be compared; the numbers then mean nothing
 };
 
 struct Comparison {
@@ -20,16 +21,21 @@ struct Comparison {
   std::vector<std::string> only_in_reference, only_in_test;
 };
 
-// By FLIP's mean, then its maximum, then the name.
+// Whether every picture of either folder was compared.
+bool is_complete(const Comparison& comparison);
+
+// A pair that could not be compared is worse than all others. Then by FLIP's mean, its maximum, and the name.
 bool is_worse(const ComparedPair& a, const ComparedPair& b);
 
 std::size_t count_identical(const Comparison& comparison);
+std::size_t count_compared(const Comparison& comparison);
 
-// For a terminal: ASCII. Identical pairs are counted, not listed.
+// For a terminal: ASCII, worst first, so that missing pictures come first. Identical pairs are counted, not listed.
 std::string comparison_table(const Comparison& comparison);
 
 // {"pairs": [{"name", "width", "height", "identical", "blurred_rmse", "flip_mean", "flip_max"}], worst first,
-// "only_in_first": [names], "only_in_second": [names]}
+// "only_in_first": [names], "only_in_second": [names]}. A pair that could not be compared has "name" and "not_compared", the
+// reason.
 std::string comparison_json(const Comparison& comparison);
 
 }  // namespace grader

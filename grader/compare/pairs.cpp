@@ -2,8 +2,10 @@
 #include "grader/compare/pairs.h"
 
 #include <algorithm>
-#include <iterator>
+#include <cctype>
+#include <map>
 #include <set>
+#include <string_view>
 
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/printable.h"
@@ -32,24 +34,27 @@ Kind kind_of(const fs::path& path) {
   throw BadInput(shown(path) + ": " + why + "; give two PNG pictures, or two folders of them");
 }
 
+// "a.png", also for "a.PNG"; empty for what is not named as a picture.
+std::string with_small_ending(const std::string& name) {
+  constexpr std::string_view ending = ".png";
+  if (name.size() <= ending.size()) return "";
+  const std::size_t stem = name.size() - ending.size();
+  for (std::size_t i = 0; i < ending.size(); ++i)
+    if (std::tolower(static_cast<unsigned char>(name[stem + i])) != ending[i]) return "";
+  return name.substr(0, stem) + std::string(ending);
+}
+
 Names pictures_in(const fs::path& folder) {
   Names names;
   std::error_code error;
   for (fs::directory_iterator item(folder, error), end; !error && item != end; item.increment(error)) {
-    std::error_code unreadable;
-    if (item->path().extension() == ".png" && item->is_regular_file(unreadable))
-      names.insert(item->path().filename().string());
+    const std::string name = item->path().filename().string();
+    if (!with_small_ending(name).empty()) names.insert(name);
   }
   if (error)
     throw BadInput(shown(folder) + ": can't be read (" + error.message() + "); give a folder of pictures");
   if (names.empty()) throw BadInput(shown(folder) + ": holds no file *.png; give a folder of pictures");
   return names;
-}
-
-std::vector<std::string> without(const Names& names, const Names& others) {
-  std::vector<std::string> rest;
-  std::set_difference(names.begin(), names.end(), others.begin(), others.end(), std::back_inserter(rest));
-  return rest;
 }
 
 }  // namespace
@@ -66,15 +71,27 @@ PicturePairs find_pairs(const fs::path& reference, const fs::path& test) {
     found.pairs.push_back({test.filename().string(), reference, test});
     return found;
   }
-  const Names first = pictures_in(reference), second = pictures_in(test);
-  found.only_in_reference = without(first, second);
-  found.only_in_test = without(second, first);
-  for (const std::string& name : first)
-    if (second.contains(name)) found.pairs.push_back({name, reference / name, test / name});
+  const Names first = pictures_in(reference), all_others = pictures_in(test);
+  Names second = all_others;  // those that have no partner yet
+  const auto pair = [&](const std::string& name, const std::string& other) {
+    found.pairs.push_back({other, reference / name, test / other});
+  };
+  Names rest;
+  for (const std::string& name : first) second.erase(name) > 0 ? pair(name, name) : void(rest.insert(name));
+  std::map<std::string, std::string> others;
+  for (const std::string& name : second) others.emplace(with_small_ending(name), name);
+  for (const std::string& name : rest) {
+    const auto other = others.extract(with_small_ending(name));
+    other ? pair(name, other.mapped()) : found.only_in_reference.push_back(name);
+    if (other) second.erase(other.mapped());
+  }
+  found.only_in_test.assign(second.begin(), second.end());
+  std::sort(found.pairs.begin(), found.pairs.end(),
+            [](const PicturePair& a, const PicturePair& b) { return a.name < b.name; });
   if (found.pairs.empty())
     throw BadInput(shown(reference) + " and " + shown(test) +
                    ": no picture of one has a name of the other's, " + "as " +
-                   hair::printable(*first.begin()) + " and " + hair::printable(*second.begin()) +
+                   hair::printable(*first.begin()) + " and " + hair::printable(*all_others.begin()) +
                    "; pictures are matched by their names");
   return found;
 }

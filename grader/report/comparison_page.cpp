@@ -1,8 +1,6 @@
 // STAFF ONLY.
 #include "grader/report/comparison_page.h"
 
-#include <filesystem>
-
 #include "grader/report/pictures.h"
 #include "hair/io/plot/html.h"
 
@@ -58,6 +56,9 @@ Html shown_pair(const SmallPair& small) {
 
 Html row(const ComparedPair& pair) {
   const PictureDistance& distance = pair.distance;
+  if (!pair.obstacle.empty())
+    return html("<tr><th scope=\"row\">{}</th><td colspan=\"5\">not compared: {}</td></tr>\n",
+                {pair.name, pair.obstacle});
   return html(
       "<tr><th scope=\"row\">{}</th><td class=\"number\">{}</td><td class=\"number\">{}</td><td "
       "class=\"number\">{}</td><td><a href=\"{}\">side by side</a></td><td>{}</td></tr>\n",
@@ -74,8 +75,9 @@ Html missing(const std::string& folder, const std::vector<std::string>& names) {
   return html("<p class=\"note\">Only in {}: {}</p>\n", {folder, list});
 }
 
+// "a" of "a.png"; "a.PNG" stays, for "a.png" may stand beside it.
 std::string stem_of(const std::string& name) {
-  return std::filesystem::path(name).stem().string();
+  return name.ends_with(".png") ? name.substr(0, name.size() - 4) : name;
 }
 
 }  // namespace
@@ -93,7 +95,9 @@ std::string comparison_page(const Comparison& comparison, const std::vector<Smal
       "<header>\n<h1>Pictures compared</h1>\n<p>The first: <code>{}</code><br/>The second: "
       "<code>{}</code></p>\n"
       "<p>{} compared, {} of them the same, pixel for pixel.</p>\n</header>\n<main>\n",
-      {comparison.reference, comparison.test, comparison.pairs.size(), count_identical(comparison)});
+      {comparison.reference, comparison.test, count_compared(comparison), count_identical(comparison)});
+  if (const std::size_t left = comparison.pairs.size() - count_compared(comparison); left > 0)
+    body += html("<p class=\"note\">{} could not be compared: the first in the table below.</p>\n", {left});
   body += missing(comparison.reference, comparison.only_in_reference);
   body += missing(comparison.test, comparison.only_in_test);
   if (!worst.empty()) {
@@ -101,7 +105,7 @@ std::string comparison_page(const Comparison& comparison, const std::vector<Smal
         "<section id=\"worst\">\n<h2>{}</h2>\n<p class=\"quiet\">Press a picture, or hold the key "
         "F for "
         "all of them, to flip between the first and the second.</p>\n",
-        {worst.size() + count_identical(comparison) == comparison.pairs.size()
+        {worst.size() + count_identical(comparison) == count_compared(comparison)
              ? "Those that differ"
              : "The worst " + std::to_string(worst.size())});
     for (const SmallPair& small : worst) body += shown_pair(small);

@@ -57,7 +57,8 @@ TEST(Pages, AStrictParserReadsThem) {
   results[1].isolated = false;
   results[2].images = false;
   const ComparedPair pair{"<x>.png", 8, 8, {0.1, 0.2, 0.3, false}};
-  const Comparison comparison{"a", "b", {pair}, {"only here.png"}, {"only there.png"}};
+  const ComparedPair uncompared{.name = "<y>.png", .distance = {}, .obstacle = "<cut> off & \"small\""};
+  const Comparison comparison{"a", "b", {uncompared, pair}, {"only here.png"}, {"only there.png"}};
   std::vector<std::string> pages = {class_page({}), class_page(results),
                                     comparison_page(comparison, {{pair, "first", "second", "heat"}})};
   for (const SubmissionResult& result : results) {

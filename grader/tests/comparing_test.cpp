@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -110,7 +111,7 @@ TEST_F(Comparing, TwoPicturesGiveTheirDistances) {
 TEST_F(Comparing, FoldersAreSortedWorstFirstAndWhatIsMissingIsNamed) {
   two_folders();
   const ProgramRun run = compare({path("a"), path("b")});
-  EXPECT_EQ(run.code, 0) << run.errors;
+  EXPECT_EQ(run.code, 3) << run.errors;
   const std::size_t far = run.output.find("\nframe-0003.png"), near = run.output.find("\nframe-0002.png");
   ASSERT_NE(far, string::npos) << run.output;
   ASSERT_NE(near, string::npos);
@@ -119,6 +120,7 @@ TEST_F(Comparing, FoldersAreSortedWorstFirstAndWhatIsMissingIsNamed) {
        {string("1 of 3 the same, pixel for pixel\n"), "only in " + path("a") + ": frame-0004.png\n",
         "only in " + path("b") + ": frame-0005.png\n"})
     EXPECT_NE(run.output.find(words), string::npos) << run.output << words;
+  EXPECT_LT(run.output.find("only in"), far);
 
   const json all = json::parse(compare({path("a"), path("b"), "--json"}).output);
   ASSERT_EQ(all.at("pairs").size(), 3u);
@@ -131,7 +133,7 @@ TEST_F(Comparing, FoldersAreSortedWorstFirstAndWhatIsMissingIsNamed) {
 TEST_F(Comparing, PicturesAndAPageAreWritten) {
   two_folders();
   const ProgramRun run = compare({path("a"), path("b"), "--out", out()});
-  EXPECT_EQ(run.code, 0) << run.errors;
+  EXPECT_EQ(run.code, 3) << run.errors;
   EXPECT_TRUE(run.output.ends_with(out() + "/index.html\n")) << run.output;
   const std::map<string, string> written = files(out());
   std::vector<string> names;
@@ -154,7 +156,7 @@ TEST_F(Comparing, PicturesAndAPageAreWritten) {
 TEST_F(Comparing, AgainItGivesTheSameBytes) {
   two_folders();
   for (const char* folder : {"first", "second", "second"})
-    ASSERT_EQ(compare({path("a"), path("b"), "--out", path(folder)}).code, 0);
+    ASSERT_EQ(compare({path("a"), path("b"), "--out", path(folder)}).code, 3);
   EXPECT_EQ(files(path("first")), files(path("second")));
 }
 
@@ -187,20 +189,62 @@ TEST_F(Comparing, WhatIsNoPairIsRefused) {
   expect_refused({path("a"), "/dev/null"}, {"/dev/null", "neither"});
 }
 
-TEST_F(Comparing, SizesThatDifferAreNamedAndNothingIsLeft) {
-  two_folders();
-  put("b/frame-0003.png", strands(kWidth, kHeight + 1, 10));
-  expect_refused({path("a"), path("b")},
-                 {path("a/frame-0003.png"), "96 x 64", path("b/frame-0003.png"), "96 x 65"});
+TEST_F(Comparing, TwoPicturesThatCanNotBeComparedAreRefused) {
+  const string a = put("a.png", frame(0)), b = put("b.png", strands(kWidth, kHeight + 1, 10));
+  expect_refused({a, b}, {a, "96 x 64", b, "96 x 65"});
+  std::ofstream(b, std::ios::binary) << "no picture";
+  expect_refused({a, b}, {b, "is not a PNG picture"});
 }
 
-TEST_F(Comparing, PicturesThatCanNotBeReadAreNamed) {
+// Each row puts something else in the place of b's frame 2. The other frames are compared all the same.
+TEST_F(Comparing, APictureThatCanNotBeComparedIsNamedAndWorst) {
   two_folders();
-  const string whole = hair::bytes_of(path("b/frame-0002.png"));
-  for (const string& bytes : {string(), string("no picture"), whole.substr(0, whole.size() / 2)}) {
-    std::ofstream(path("b/frame-0002.png"), std::ios::binary) << bytes;
-    expect_refused({path("a"), path("b")}, {path("b/frame-0002.png")});
+  const string bad = path("b/frame-0002.png"), whole = hair::bytes_of(bad);
+  const auto write = [&](const string& bytes) { std::ofstream(bad, std::ios::binary) << bytes; };
+  const std::vector<std::pair<string, std::function<void()>>> rows = {
+      {"96 x 65", [&] { put("b/frame-0002.png", strands(kWidth, kHeight + 1, 10)); }},
+      {"is not a PNG picture", [&] { write(""); }},
+      {"is not a PNG picture", [&] { write("no picture"); }},
+      {"can't be decoded", [&] { write(whole.substr(0, whole.size() / 2)); }},
+      {"No such file", [&] { fs::create_symlink("nowhere", bad); }},
+      {"Is a directory", [&] { fs::create_directory(bad); }}};
+  for (const auto& [why, put_there] : rows) {
+    SCOPED_TRACE(why);
+    fs::remove(bad);
+    put_there();
+    const ProgramRun run = compare({path("a"), path("b"), "--out", out()});
+    EXPECT_EQ(run.code, 3) << run.errors;
+    const std::size_t at = run.output.find("not compared: frame-0002.png: " + path("")),
+                      far = run.output.find("\nframe-0003.png");
+    EXPECT_LT(at, far) << run.output;
+    EXPECT_NE(far, string::npos) << run.output;
+    EXPECT_NE(run.output.find(why, at), string::npos) << run.output;
+    EXPECT_NE(run.output.find("1 of 2 the same"), string::npos) << run.output;
+    EXPECT_NE(hair::bytes_of(out() + "/index.html").find("not compared: " + path("")), string::npos);
+    EXPECT_EQ(broken_links(out()), std::vector<string>());
+    const json pairs = json::parse(compare({path("a"), path("b"), "--json"}).output).at("pairs");
+    EXPECT_EQ(pairs.at(0).at("name"), "frame-0002.png");
+    EXPECT_NE(pairs.at(0).at("not_compared").get<string>().find(why), string::npos);
+    EXPECT_EQ(pairs.at(1).at("name"), "frame-0003.png");
   }
+}
+
+TEST_F(Comparing, TheCaseOfTheEndingDoesNotMatter) {
+  put("a/upper.PNG", frame(0));
+  put("b/upper.PNG", frame(1));
+  put("a/mixed.png", frame(0));
+  put("b/mixed.Png", frame(2));
+  put("a/both.png", frame(0));
+  put("b/both.png", frame(0));
+  put("a/both.PNG", frame(0));
+  put("b/both.PNG", frame(40));
+  const ProgramRun run = compare({path("a"), path("b"), "--out", out()});
+  EXPECT_EQ(run.code, 0) << run.output << run.errors;
+  for (const char* const line : {"\nupper.PNG  ", "\nmixed.Png  ", "\nboth.PNG  ", "\n1 of 4 the same"})
+    EXPECT_NE(run.output.find(line), string::npos) << line << run.output;
+  EXPECT_EQ(hair::read_png(out() + "/both.PNG-side.png").height, kHeight);
+  EXPECT_TRUE(fs::exists(out() + "/both-side.png"));
+  EXPECT_EQ(broken_links(out()), std::vector<string>());
 }
 
 TEST_F(Comparing, AFolderThatCanNotBeWrittenIsNamedAndWhatWasThereStays) {

@@ -105,12 +105,22 @@ int compare(const CompareSettings& settings, std::ostream& output, const std::at
                         {},
                         std::move(found.only_in_reference),
                         std::move(found.only_in_test)};
+  const bool folders = fs::is_directory(settings.reference);
   std::vector<SmallPair> worst;
   {
     Progress progress(found.pairs.size());
     for (const PicturePair& pair : found.pairs) {
       if (interrupted) return 130;
-      const auto [reference, test] = read_pair(pair);
+      std::pair<Image, Image> both;
+      try {
+        both = read_pair(pair);
+      } catch (const BadInput& error) {
+        if (!folders) throw;
+        comparison.pairs.push_back({.name = pair.name, .distance = {}, .obstacle = error.what()});
+        progress.step(printable(pair.name));
+        continue;
+      }
+      const auto& [reference, test] = both;
       const ErrorMap map = flip(reference, test);
       const ComparedPair compared{pair.name, reference.width, reference.height,
                                   compare_pictures(reference, test, map)};
@@ -138,7 +148,7 @@ int compare(const CompareSettings& settings, std::ostream& output, const std::at
   output << (settings.json ? comparison_json(comparison) : comparison_table(comparison));
   if (settings.out && !settings.json)
     output << fs::absolute(*settings.out / "index.html").lexically_normal().string() << "\n";
-  return 0;
+  return is_complete(comparison) ? 0 : 3;
 }
 
 }  // namespace grader

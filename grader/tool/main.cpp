@@ -1,8 +1,8 @@
 // STAFF ONLY. hairgrade: grades submissions, compares pictures, makes the handout, and tells of the samples.
 //
 // Exit code 0: all submissions have results (or the handout is written). 1: the grader itself failed, intake
-// left something out (a line each, all else is graded), or a gate of the handout closed. 2: bad input or usage. 130: interrupted; what was finished is kept, and
-// --resume goes on.
+// left something out (a line each, all else is graded), or a gate of the handout closed. 2: bad input or usage. 3: a picture is missing or
+// could not be compared. 130: interrupted; what was finished is kept, and --resume goes on.
 #include <locale.h>
 #include <signal.h>
 #include <sodium.h>
