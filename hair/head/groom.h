@@ -4,6 +4,9 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace hair {
@@ -13,9 +16,10 @@ inline constexpr long kMostGroomPoints = 20'000'000;
 
 // How a groom looks, as .hair files say it. Other formats have less of it.
 struct GroomLook {
-  float thickness = 1;  // the diameter, in the groom's unit
-  float transparency = 0;
-  std::array<float, 3> colour = {1, 1, 1};
+  // Of all points; without a value it is not known.
+  std::optional<float> thickness = {};  // the diameter, in the groom's unit
+  std::optional<float> transparency = {};
+  std::optional<std::array<float, 3>> colour = {};
   // Of each point, strand after strand; empty: all points have the values above.
   std::vector<float> thicknesses = {}, transparencies = {};
   std::vector<float> colours = {};  // 3 for each point
@@ -24,10 +28,33 @@ struct GroomLook {
   std::uint32_t segments = 0;  // what its header says then; it has no meaning
 };
 
+// A part of a look: `size` numbers for all points, or for each.
+struct LookPart {
+  const char* name;
+  std::size_t size;
+  std::span<const float> of_all, of_each;
+
+  std::span<const float> numbers() const { return of_each.empty() ? of_all : of_each; }
+  bool is_known() const { return !numbers().empty(); }
+};
+
+// Thickness, transparency and colour; they point into `look`.
+inline std::array<LookPart, 3> parts_of(const GroomLook& look) {
+  const auto one = [](const std::optional<float>& number) {
+    return number ? std::span(&*number, 1) : std::span<const float>();
+  };
+  return {{{"thickness", 1, one(look.thickness), look.thicknesses},
+           {"transparency", 1, one(look.transparency), look.transparencies},
+           {"colour", 3, look.colour ? std::span<const float>(*look.colour) : std::span<const float>(),
+            look.colours}}};
+}
+
 struct Groom {
   std::vector<Eigen::VectorXd> strands;  // 3n numbers each, n >= 1, from the root to the tip; in the file's
                                          // unit. n = 1: a bald root, where no hair grows
   GroomLook look = {};
+  // The parts of its file that say more of it, and have no place here: "nx of each vertex".
+  std::vector<std::string> not_read = {};
 };
 
 inline Eigen::Index points_of(const Eigen::VectorXd& strand) {

@@ -63,19 +63,16 @@ void put_real(std::string& bytes, float number) {
 namespace {
 
 void check_look(const GroomLook& look, std::size_t points) {
-  const auto check = [&](const std::string& what, const auto& numbers, std::size_t count) {
-    if (!numbers.empty() && numbers.size() != count)
-      throw BadInput("the groom has " + std::to_string(numbers.size()) + " numbers for its " + what + "; " +
-                     std::to_string(count) + " are right");
-    for (const float number : numbers)
-      if (!std::isfinite(number)) throw BadInput("the groom's " + what + " has a number that is not finite");
-  };
-  check("thickness", std::array{look.thickness}, 1);
-  check("transparency", std::array{look.transparency}, 1);
-  check("colour", look.colour, 3);
-  check("points' thickness", look.thicknesses, points);
-  check("points' transparency", look.transparencies, points);
-  check("points' colour", look.colours, 3 * points);
+  for (const LookPart& part : parts_of(look)) {
+    const std::string what = (part.of_each.empty() ? "" : "points' ") + std::string(part.name);
+    if (!part.of_each.empty() && part.of_each.size() != part.size * points)
+      throw BadInput("the groom has " + std::to_string(part.of_each.size()) + " numbers for its " + what +
+                     "; " + std::to_string(part.size * points) + " are right");
+    for (const std::span<const float> numbers : {part.of_all, part.of_each})
+      for (const float number : numbers)
+        if (!std::isfinite(number))
+          throw BadInput("the groom's " + what + " has a number that is not finite");
+  }
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ void scale(Groom& groom, double factor) {
   const auto to_unit = [&](float& thickness) {
     thickness = static_cast<float>(factor * static_cast<double>(thickness));
   };
-  to_unit(groom.look.thickness);
+  if (groom.look.thickness) to_unit(*groom.look.thickness);
   for (float& thickness : groom.look.thicknesses) to_unit(thickness);
 }
 

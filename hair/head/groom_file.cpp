@@ -1,6 +1,8 @@
 #include "hair/head/groom_file.h"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "hair/head/data_file.h"
 #include "hair/head/groom_bytes.h"
@@ -15,6 +17,15 @@ namespace hair {
 
 namespace {
 
+struct Format {
+  std::string_view ending;
+  bool bald_roots, look, text;
+};
+constexpr std::array<Format, 4> kWritten = {{{".hair", true, true, true},
+                                             {".data", true, false, false},
+                                             {".ply", true, true, false},
+                                             {".usda", false, true, false}}};
+
 // ".hair", also of "A.HAIR".
 std::string ending_of(const std::filesystem::path& file) {
   std::string ending = file.extension().string();
@@ -25,6 +36,13 @@ std::string ending_of(const std::filesystem::path& file) {
 
 [[noreturn]] void refuse_ending(const std::filesystem::path& file, const std::string& what) {
   throw BadInput(printable(file.string(), 4096) + ": has the ending of no format that is " + what);
+}
+
+const Format& written_format(const std::filesystem::path& file) {
+  const auto* const found = std::find_if(kWritten.begin(), kWritten.end(),
+                                         [&](const Format& one) { return one.ending == ending_of(file); });
+  if (found == kWritten.end()) refuse_ending(file, "written; .hair, .data, .ply and .usda are");
+  return *found;
 }
 
 }  // namespace
@@ -40,15 +58,39 @@ Groom read_groom(const std::filesystem::path& file, Numbers numbers) {
 }
 
 bool can_write_bald_roots(const std::filesystem::path& file) {
-  const std::string ending = ending_of(file);
-  if (ending != ".hair" && ending != ".data" && ending != ".ply" && ending != ".usda")
-    refuse_ending(file, "written; .hair, .data, .ply and .usda are");
-  return ending == ".data";
+  return written_format(file).bald_roots;
+}
+
+std::vector<std::string> lost_in(const std::filesystem::path& file, const Groom& groom) {
+  const Format& format = written_format(file);
+  std::vector<std::string> lost = groom.not_read;
+  for (const LookPart& part : parts_of(groom.look)) {
+    const bool is_opaque = part.name == std::string_view("transparency") &&
+                           std::all_of(part.numbers().begin(), part.numbers().end(),
+                                       [](float transparency) { return transparency == 0; });
+    if (!format.look && part.is_known() && !is_opaque) lost.emplace_back(part.name);
+  }
+  if (!format.text && groom.look.info[0] != '\0') lost.emplace_back("text");
+  if (std::any_of(groom.strands.begin(), groom.strands.end(),
+                  [](const Eigen::VectorXd& x) { return x != x.cast<float>().cast<double>(); }))
+    lost.emplace_back("digits of points that 32 bits don't hold");
+  return lost;
+}
+
+std::vector<std::string> unknown_in(const std::filesystem::path& file, const Groom& groom) {
+  const Format& format = written_format(file);
+  std::vector<std::string> unknown;
+  constexpr std::array header = {" (the header says 0)", " (the header says 0)", " (the header says white)"};
+  const auto parts = parts_of(groom.look);
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (format.look && !parts[i].is_known())
+      unknown.push_back(parts[i].name + std::string(format.ending == ".hair" ? header[i] : ""));
+  return unknown;
 }
 
 void write_groom(const Groom& groom, const std::filesystem::path& file, const GroomFileSettings& settings) {
   const std::string ending = ending_of(file);
-  can_write_bald_roots(file);
+  written_format(file);
   std::string bytes;
   try {
     bytes = ending == ".hair"   ? hair_file_of(groom)

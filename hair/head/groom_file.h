@@ -1,13 +1,15 @@
 // Grooms from files and into files: the name's ending says which format.
 //
-//   .hair    read and written (hair_file.h)
-//   .data    read and written (data_file.h); the only one with bald roots
-//   .ply     read and written (ply_file.h)
-//   .usda    written (usda_file.h)
+//   ending   read   written   bald roots   look   text
+//   .hair    yes    yes       yes          yes    yes     (hair_file.h)
+//   .data    yes    yes       yes                         (data_file.h)
+//   .ply     yes    yes       yes          yes            (ply_file.h)
+//   .usda           yes                    yes            (usda_file.h)
 #pragma once
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "hair/head/groom.h"
 #include "hair/head/usda_file.h"
@@ -31,6 +33,11 @@ struct GroomFileSettings {
 // Whether the format that the name's ending says has bald roots. Throws BadInput for a name with an ending
 // that no writer has.
 bool can_write_bald_roots(const std::filesystem::path& file);
+
+// What else of the groom's file a file with this name can't hold: "text"; and what of a look is not known that the format
+// has: "thickness". Both throw as can_write_bald_roots does.
+std::vector<std::string> lost_in(const std::filesystem::path& file, const Groom& groom);
+std::vector<std::string> unknown_in(const std::filesystem::path& file, const Groom& groom);
 
 // The whole file appears, or nothing. Throws BadInput for a name with another ending, a file that can't be
 // written, and what its format can't hold, with the file's name.

@@ -58,6 +58,45 @@ TEST_P(GroomFormats, WhatIsWrittenIsReadAndWrittenAgainByteForByte) {
   EXPECT_EQ(format_.write(again), bytes_);
 }
 
+TEST_P(GroomFormats, BaldRootsStay) {
+  Groom groom = written_groom();
+  groom.strands.insert(groom.strands.begin() + 1, Eigen::VectorXd::Ones(3));
+  EXPECT_EQ(format_.parse(format_.write(groom), name_, Numbers::finite).strands, groom.strands);
+  groom.strands = {Eigen::VectorXd::Ones(3), Eigen::VectorXd::Zero(3)};
+  EXPECT_EQ(format_.parse(format_.write(groom), name_, Numbers::finite).strands, groom.strands);
+}
+
+// Each point has a look of its own: in whole 255ths, and with all digits.
+TEST_P(GroomFormats, ALookStaysWhereTheFormatHasIt) {
+  for (const float step : {1.0F, 0.3F}) {
+    Groom groom = written_groom();
+    for (int k = 0; k < 5; ++k) {
+      const float number = step * static_cast<float>(k);
+      groom.look.thicknesses.push_back(number / 7);
+      groom.look.transparencies.push_back(number / 255);
+      groom.look.colours.insert(groom.look.colours.end(), {number / 255, 1, 0});
+    }
+    const GroomLook again = format_.parse(format_.write(groom), name_, Numbers::finite).look;
+    const bool has_look = format_.parse != parse_data_file;
+    EXPECT_EQ(again.thicknesses, has_look ? groom.look.thicknesses : std::vector<float>());
+    EXPECT_EQ(again.transparencies, has_look ? groom.look.transparencies : std::vector<float>());
+    EXPECT_EQ(again.colours, has_look ? groom.look.colours : std::vector<float>());
+  }
+}
+
+// A PLY file has no place for what all points share: each has it.
+TEST_P(GroomFormats, ALookOfAllPointsStaysWhereTheFormatHasIt) {
+  Groom groom = written_groom();
+  groom.look = {.thickness = 0.1F, .transparency = 0.2F, .colour = {{0.3F, 0.4F, 0.5F}}};
+  const GroomLook again = format_.parse(format_.write(groom), name_, Numbers::finite).look;
+  const auto parts = parts_of(groom.look), parts_again = parts_of(again);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(parts_again[i].is_known(), format_.parse != parse_data_file) << parts[i].name;
+    for (std::size_t k = 0; k < parts_again[i].numbers().size(); ++k)
+      EXPECT_EQ(parts_again[i].numbers()[k], parts[i].of_all[k % parts[i].size]) << parts[i].name;
+  }
+}
+
 TEST_P(GroomFormats, EveryLengthButItsOwnIsRefused) {
   for (std::size_t size = 0; size + static_cast<std::size_t>(format_.tail) < bytes_.size(); ++size)
     EXPECT_NE(complaint(bytes_.substr(0, size)), "") << size;

@@ -45,6 +45,8 @@ void expect_written_as_ply(std::string_view bytes) {
   for (const bool ascii : {false, true}) {
     const Groom again = hair::parse_ply_file(hair::ply_file_of(groom, ascii), "b.ply", hair::Numbers::finite);
     fuzz::expect(again.look.colours == groom.look.colours, "colours stay");
+    fuzz::expect(again.look.transparencies == groom.look.transparencies, "transparencies stay");
+    fuzz::expect(again.look.thicknesses == groom.look.thicknesses, "thicknesses stay");
     fuzz::expect(again.strands.size() == groom.strands.size(), "strands stay");
     for (std::size_t i = 0; i < groom.strands.size(); ++i)
       fuzz::expect(again.strands[i] == groom.strands[i].cast<float>().cast<double>(),
@@ -97,6 +99,9 @@ std::vector<std::string> fuzz::seeds() {
   groom.look.colours.assign(30, 0.2F);
   all.push_back(hair::ply_file_of(groom));
   all.push_back(hair::ply_file_of(groom, true));
+  groom.look.thicknesses.assign(10, 0.1F);
+  groom.look.transparencies.assign(10, 0.3F);
+  all.push_back(hair::ply_file_of(groom));
   std::string big = plain;
   all.push_back(big.replace(big.find("little"), 6, "big"));
   all.emplace_back(

@@ -49,17 +49,15 @@ Header read_header(const GroomBytes& file) {
 // How many points each strand has: together all that there are.
 std::vector<std::uint32_t> read_counts(const GroomBytes& file, const Header& header) {
   const bool own = (header.arrays & Array::segments) != 0;
-  // A strand has two points at the least, so that this bounds what there is to allocate.
-  if (header.strands > header.points / 2)
+  // A strand has a point at the least, so that this bounds what there is to allocate.
+  if (header.strands > header.points)
     file.fail_at(4, "says that there are " + std::to_string(header.strands) + " strands and " +
-                        std::to_string(header.points) + " points; a strand has two at least");
+                        std::to_string(header.points) + " points; a strand has one at least");
   std::vector<std::uint32_t> counts(header.strands);
   std::uint64_t sum = 0;
   for (std::size_t i = 0; i < counts.size(); ++i) {
     const std::size_t place = own ? kHeader + 2 * i : 16;
     const std::uint64_t segments = own ? file.number(place, 2) : header.segments;
-    if (segments == 0)
-      file.fail_at(place, "strand " + std::to_string(i) + " is a single point; a strand has two at least");
     sum += segments + 1;
     if (sum > header.points) break;
     counts[i] = static_cast<std::uint32_t>(segments + 1);
@@ -82,9 +80,11 @@ std::vector<float> read_array(const GroomBytes& file, std::size_t& at, std::size
 
 GroomLook read_look(const GroomBytes& file, const Header& header, std::size_t at) {
   GroomLook look;
-  look.thickness = file.real(20, "the thickness");
+  const float thickness = file.real(20, "the thickness");
+  if (file.number(20) != 0) look.thickness = thickness;
   look.transparency = file.real(24, "the transparency");
-  for (std::size_t k = 0; k < 3; ++k) look.colour[k] = file.real(28 + 4 * k, "the colour");
+  look.colour.emplace();
+  for (std::size_t k = 0; k < 3; ++k) (*look.colour)[k] = file.real(28 + 4 * k, "the colour");
   const std::string_view info = file.part(kInfo, look.info.size());
   std::copy(info.begin(), info.end(), look.info.begin());
   look.own_segments = (header.arrays & Array::segments) != 0;
@@ -119,7 +119,7 @@ Groom parse_hair_file(std::string_view bytes, const std::string& name, Numbers n
 }
 
 std::string hair_file_of(const Groom& groom) {
-  check_writable(groom, 2);
+  check_writable(groom, 1);
   const GroomLook& look = groom.look;
   const auto segments_of = [](const Eigen::VectorXd& x) {
     return static_cast<std::uint32_t>(points_of(x) - 1);
@@ -146,9 +146,9 @@ std::string hair_file_of(const Groom& groom) {
   put_number(bytes, static_cast<std::uint32_t>(points_of(groom)));
   put_number(bytes, arrays);
   put_number(bytes, own ? look.segments : first);
-  put_real(bytes, look.thickness);
-  put_real(bytes, look.transparency);
-  put_reals(bytes, look.colour);
+  put_real(bytes, look.thickness.value_or(0));
+  put_real(bytes, look.transparency.value_or(0));
+  put_reals(bytes, look.colour.value_or(std::array<float, 3>{1, 1, 1}));
   bytes.append(look.info.begin(), look.info.end());
   if (own)
     for (const Eigen::VectorXd& x : groom.strands) put_number(bytes, segments_of(x), 2);

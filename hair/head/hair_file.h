@@ -8,8 +8,11 @@
 //   2           f32 x 3 for each point, strand after strand, from the root; this array is required
 //   4, 8, 16    f32 thickness, f32 transparency, f32 x 3 colour of each point
 //
-// Nothing is lost: a file that is read and written is the same, byte for byte. A groom from elsewhere loses
-// its bald roots, for which this format has no word, and what 32 bits can't hold of its points.
+// A strand without segments is a bald root, a single point. A thickness of 0 in the header means that it is not known, as
+// hair without thickness is not seen.
+//
+// Nothing is lost: a file that is read and written is the same, byte for byte. A groom from elsewhere loses what 32 bits
+// can't hold of its points. Where its look is not known, the header says thickness 0, transparency 0 and white.
 #pragma once
 
 #include <string>
@@ -20,12 +23,12 @@
 namespace hair {
 
 // Throws BadInput with a message that begins with `name`, if the file has another format, a length that its
-// header contradicts, a strand of fewer than two points, or a number that is not finite. No memory is taken
+// header contradicts, or a number that is not finite. No memory is taken
 // for what the header says before the file's length agrees.
 Groom parse_hair_file(std::string_view bytes, const std::string& name, Numbers numbers = Numbers::finite);
 
-// Throws BadInput for a groom that can't be written (groom_bytes.h); a strand has two points at least, and
-// 65,535 segments at most, unless all have the same number of them.
+// Throws BadInput for a groom that can't be written (groom_bytes.h); a strand has 65,535 segments at most, unless all
+// have the same number of them.
 std::string hair_file_of(const Groom& groom);
 
 }  // namespace hair

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
+
 #include "hair/head/refusal.h"
 
 namespace hair {
@@ -40,6 +42,70 @@ TEST(PlyFile, OtherElementsAndPropertiesArePassedOver) {
   const Groom groom = parse_ply_file(made.text(), "a.ply");
   ASSERT_EQ(groom.strands.size(), 1U);
   EXPECT_EQ(groom.strands[0], (Eigen::VectorXd(6) << 1, 2, 3, 4, 5, 6).finished());
+}
+
+TEST(PlyFile, AStrandWithoutSegmentsIsABaldRoot) {
+  MadePly made;
+  made.body = "0 0 0\n1 0 0\n0 1 0\n0 1 1\n0 1 2.5\n0\n3\n";
+  const Groom groom = parse_ply_file(made.text(), "a.ply");
+  EXPECT_EQ(groom.strands[0], Eigen::VectorXd::Zero(3));
+  EXPECT_EQ(groom.strands[1].size(), 12);
+}
+
+// What hairutil writes has u8, and other programs other types. Each row: the properties, a vertex, and colour, transparency
+// and thickness that it has.
+TEST(PlyFile, ALookOfEachVertexIsRead) {
+  struct Row {
+    std::string properties, vertex;
+    std::vector<float> colours, transparencies, thicknesses;
+    std::vector<std::string> not_read = {};
+  };
+  const std::string rgb = "property T red\nproperty T green\nproperty T blue\n";
+  const auto of_type = [&](const std::string& type) {
+    return std::regex_replace(rgb, std::regex("T"), type);
+  };
+  const Row rows[] = {
+      {of_type("uchar") + "property uchar alpha\nproperty float thickness\n",
+       "255 51 0 102 0.25",
+       {1, 0.2F, 0},
+       {0.4F},
+       {0.25F}},
+      {of_type("float"), ".5 0.1 2", {0.5F, 0.1F, 2}, {}, {}},
+      {of_type("double") + "property double alpha\n", ".5 0.25 2 1", {0.5F, 0.25F, 2}, {1}, {}},
+      {of_type("double"), "0 0 0.1", {0, 0, 0.1F}, {}, {}, {"digits of the look that 32 bits don't hold"}},
+      {of_type("ushort"), "65535 13107 0", {1, 0.2F, 0}, {}, {}},
+      {"property uchar thickness\nproperty list uchar float alpha\n",
+       "3 1 0.5",
+       {},
+       {},
+       {3},
+       {"alpha of each vertex"}},
+      {of_type("int"),
+       "1 2 3",
+       {},
+       {},
+       {},
+       {"red of each vertex", "green of each vertex", "blue of each vertex"}},
+      {"property uchar red\nproperty float nx\n",
+       "1 2",
+       {},
+       {},
+       {},
+       {"red of each vertex", "nx of each vertex"}}};
+  for (const Row& row : rows) {
+    MadePly made;
+    made.vertices =
+        "element vertex 1\nproperty float x\nproperty float y\nproperty float z\n" + row.properties;
+    made.strands = "element strand 1\nproperty ushort nsegs\n";
+    made.body = "1 2 3 " + row.vertex + "\n0\n";
+    const Groom groom = parse_ply_file(made.text(), "a.ply");
+    EXPECT_EQ(groom.look.colours, row.colours) << made.text();
+    EXPECT_EQ(groom.look.transparencies, row.transparencies) << made.text();
+    EXPECT_EQ(groom.look.thicknesses, row.thicknesses) << made.text();
+    std::vector<std::string> not_read = row.not_read;
+    not_read.emplace_back("the header's comments");
+    EXPECT_EQ(groom.not_read, not_read) << made.text();
+  }
 }
 
 TEST(PlyFile, TextAndBinaryInBothOrdersAreTheSame) {
@@ -100,11 +166,11 @@ TEST(PlyFile, WhatIsNoGroomIsRefused) {
   EXPECT_EQ(ply_complaint(made.text()),
             "a.ply: does not have one element \"vertex\" and one \"strand\": it is no groom, but a mesh");
   made = {};
-  made.body = "0 0 0\n1 0 0\n0 1 0\n0 1 1\n0 1 2.5\n3\n0\n";
-  EXPECT_EQ(
-      ply_complaint(made.text()),
-      "a.ply: line 17: strand 1 has a number of segments that is not 1, 2, ...; a strand has two points at "
-      "least");
+  made.strands = "element strand 2\nproperty short nsegs\n";
+  made.body = "0 0 0\n1 0 0\n0 1 0\n0 1 1\n0 1 2.5\n3\n-1\n";
+  EXPECT_EQ(ply_complaint(made.text()),
+            "a.ply: line 17: strand 1 has a number of segments that is not 0, 1, 2, ...");
+  made = {};
   made.body = "0 0 0\n1 0 zero\n0 1 0\n0 1 1\n0 1 2.5\n1\n2\n";
   EXPECT_EQ(ply_complaint(made.text()), "a.ply: line 12: \"zero\" is no number that \"z\" can be");
   made.body = "0 0 0\n1 0\n0 1 0\n0 1 1\n0 1 2.5\n1\n2\n  ";

@@ -1,6 +1,7 @@
 #include "hair/head/usda_file.h"
 
 #include <charconv>
+#include <span>
 
 #include "hair/head/groom_bytes.h"
 
@@ -37,23 +38,26 @@ void put_list(std::string& text, const std::string& name, std::size_t count, aut
 const char* const kOfEachPoint = " (\n        interpolation = \"vertex\"\n    )\n";
 const char* const kOfAll = " (\n        interpolation = \"constant\"\n    )\n";
 
+// Of each point or of all; nothing where it is not known.
+void put_part(std::string& text, const std::string& name, const LookPart& part) {
+  const std::span<const float> numbers = part.numbers();
+  if (numbers.empty()) return;
+  put_list(text, name, numbers.size() / part.size,
+           [&](std::size_t i) { part.size == 3 ? put_triple(text, numbers, 3 * i) : put(text, numbers[i]); });
+  text += part.of_each.empty() ? kOfAll : kOfEachPoint;
+}
+
 void put_look(std::string& text, const GroomLook& look) {
-  const auto put_reals = [&](const std::string& name, const std::vector<float>& of_each, float of_all) {
-    put_list(text, name, of_each.empty() ? 1 : of_each.size(),
-             [&](std::size_t i) { put(text, of_each.empty() ? of_all : of_each[i]); });
-    text += of_each.empty() ? kOfAll : kOfEachPoint;
-  };
-  put_reals("float[] widths", look.thicknesses, look.thickness);
-  put_list(text, "color3f[] primvars:displayColor", look.colours.empty() ? 1 : look.colours.size() / 3,
-           [&](std::size_t i) {
-             look.colours.empty() ? put_triple(text, look.colour, std::size_t{0})
-                                  : put_triple(text, look.colours, 3 * i);
-           });
-  text += look.colours.empty() ? kOfAll : kOfEachPoint;
+  const auto [thickness, transparency, colour] = parts_of(look);
+  put_part(text, "float[] widths", thickness);
+  put_part(text, "color3f[] primvars:displayColor", colour);
   std::vector<float> opacities;
-  opacities.reserve(look.transparencies.size());
-  for (const float transparency : look.transparencies) opacities.push_back(1 - transparency);
-  put_reals("float[] primvars:displayOpacity", opacities, 1 - look.transparency);
+  opacities.reserve(transparency.numbers().size());
+  for (const float one : transparency.numbers()) opacities.push_back(1 - one);
+  const bool of_each = !transparency.of_each.empty();
+  put_part(text, "float[] primvars:displayOpacity",
+           {"opacity", 1, of_each ? std::span<const float>() : opacities,
+            of_each ? opacities : std::span<const float>()});
 }
 
 }  // namespace
@@ -83,9 +87,9 @@ std::string usda_file_of(const Groom& groom, const UsdaSettings& settings) {
   });
   text += '\n';
   put_look(text, groom.look);
-  // Points and half of the widest hair around them.
-  float width = groom.look.thicknesses.empty() ? groom.look.thickness : 0;
-  for (const float one : groom.look.thicknesses) width = std::max(width, one);
+  // Points and half of the widest hair around them, if that is known.
+  float width = 0;
+  for (const float one : parts_of(groom.look)[0].numbers()) width = std::max(width, one);
   const Eigen::Vector3d half = Eigen::Vector3d::Constant(static_cast<double>(width) / 2);
   const Eigen::Matrix<double, 6, 1> box =
       (Eigen::Matrix<double, 6, 1>() << low - half, high + half).finished();

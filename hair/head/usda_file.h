@@ -1,8 +1,8 @@
 // Grooms as USD text, .usda: one prim of BasisCurves. Written only. Source: Pixar, "UsdGeomBasisCurves",
 // openusd.org.
 //
-// Has points, widths and colours (of each point where the groom has them), and opacity. The digits of a number
-// are as few as give its 32 bits again. Loses bald roots, and the text of a .hair file.
+// Has points, widths and colours (of each point where the groom has them), and opacity; what is not known of them is not
+// there. The digits of a number are as few as give its 32 bits again. Loses bald roots, and the text of a .hair file.
 #pragma once
 
 #include <string>

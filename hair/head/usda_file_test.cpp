@@ -12,7 +12,7 @@ namespace {
 Groom two_strands() {
   return {{(Eigen::VectorXd(6) << 0, 0, 0, 1, 0, 0).finished(),
            (Eigen::VectorXd(9) << 0, 1, 0, 0, 1, 1, 0, 1, 0.1).finished()},
-          {.thickness = 0.5F}};
+          {.thickness = 0.5F, .transparency = 0.25F, .colour = {{1, 1, 1}}}};
 }
 
 // What stands between `name = [` and the next `]`, without white space.
@@ -37,6 +37,7 @@ TEST(UsdaFile, CurvesHaveTheGroomsPoints) {
   EXPECT_EQ(list(text, "point3f[] points"), "(0,0,0),(1,0,0),(0,1,0),(0,1,1),(0,1,0.1)");
   EXPECT_EQ(list(text, "float[] widths"), "0.5");
   EXPECT_EQ(list(text, "color3f[] primvars:displayColor"), "(1,1,1)");
+  EXPECT_EQ(list(text, "float[] primvars:displayOpacity"), "0.75");
   EXPECT_EQ(list(text, "float3[] extent"), "(-0.25,-0.25,-0.25),(1.25,1.25,1.25)");
 }
 
@@ -55,6 +56,15 @@ TEST(UsdaFile, ALookOfEachPointIsThatOfAVertex) {
   EXPECT_TRUE(says(text, "type = \"cubic\"\n")) << text;
   EXPECT_TRUE(says(text, "wrap = \"pinned\"\n")) << text;
   EXPECT_EQ(list(text, "int[] curveVertexCounts"), "2,3");
+}
+
+TEST(UsdaFile, ALookThatIsNotKnownIsNotThere) {
+  Groom groom = two_strands();
+  groom.look = {};
+  const std::string text = usda_file_of(groom);
+  for (const char* const part : {"widths", "displayColor", "displayOpacity"})
+    EXPECT_FALSE(says(text, part)) << text;
+  EXPECT_EQ(list(text, "float3[] extent"), "(0,0,0),(1,1,1)");
 }
 
 TEST(UsdaFile, ABaldRootIsNoCurve) {

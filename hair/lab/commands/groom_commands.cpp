@@ -23,6 +23,11 @@ void check_number(const std::string& option, double number) {
   if (!(number > 0)) throw BadInput(option + ": is not a number from 1e-09 to 1e+09");
 }
 
+void print_list(const std::string& name, const std::vector<std::string>& all) {
+  for (const std::string& one : all) std::cout << (&one == all.data() ? name + ": " : ", ") << printable(one);
+  if (!all.empty()) std::cout << "\n";
+}
+
 }  // namespace
 
 int convert_groom(const ConvertOptions& options) {
@@ -31,10 +36,11 @@ int convert_groom(const ConvertOptions& options) {
   const bool bald_roots = can_write_bald_roots(options.out);
   Groom groom = read_groom(options.in);
   keep_every(groom, options.every);
+  const std::vector<std::string> lost = lost_in(options.out, groom);
   const long dropped = bald_roots ? 0 : drop_bald_roots(groom);
   if (groom.strands.empty())
     throw BadInput(printable(options.in.string(), 4096) +
-                   ": has bald roots only among the strands that are taken; only .data files hold those");
+                   ": has bald roots only among the strands that are taken; .usda files hold none");
   if (options.points > 0) {
     const auto strands = static_cast<long>(groom.strands.size());
     if (strands > kMostGroomPoints / options.points)
@@ -49,8 +55,9 @@ int convert_groom(const ConvertOptions& options) {
                .usda = {.cubic = options.cubic, .unit = options.unit, .z_is_up = !options.y_is_up}});
   std::cout << printable(options.out.string(), 4096) << ": " << counts_of(groom) << "\n";
   if (dropped > 0)
-    std::cout << "left out: " << counted_with_groups(dropped, "bald root")
-              << "; only .data files have them\n";
+    std::cout << "left out: " << counted_with_groups(dropped, "bald root") << "; .usda files have none\n";
+  print_list("left out", lost);
+  print_list("not known", unknown_in(options.out, groom));
   return 0;
 }
 

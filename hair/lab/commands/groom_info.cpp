@@ -53,12 +53,18 @@ std::string info_of(const GroomLook& look) {
 }
 
 std::string of_look(const GroomLook& look) {
-  const std::string each = "of each point";
-  const auto& [red, green, blue] = look.colour;
-  const auto shown = [](float number) { return four_digits(static_cast<double>(number)); };
-  return "thickness " + (look.thicknesses.empty() ? shown(look.thickness) : each) + ", transparency " +
-         (look.transparencies.empty() ? shown(look.transparency) : each) + ", colour " +
-         (look.colours.empty() ? "(" + shown(red) + ", " + shown(green) + ", " + shown(blue) + ")" : each);
+  std::string text;
+  for (const LookPart& part : parts_of(look)) {
+    std::string numbers;
+    for (const float number : part.of_all)
+      numbers += (numbers.empty() ? "" : ", ") + four_digits(static_cast<double>(number));
+    text += (text.empty() ? "" : ", ") + std::string(part.name) + " " +
+            (!part.is_known()          ? "not known"
+             : !part.of_each.empty()   ? "of each point"
+             : part.of_all.size() == 1 ? numbers
+                                       : "(" + numbers + ")");
+  }
+  return text;
 }
 
 std::string of_unit(const GroomMeasures& measures) {
@@ -110,13 +116,15 @@ std::string odd_json(const std::vector<Oddity>& odd) {
 }
 
 std::string look_json(const GroomLook& look) {
-  const auto or_null = [](bool of_each, const std::string& of_all) { return of_each ? "null" : of_all; };
-  return json_object(
-      {{"thickness", or_null(!look.thicknesses.empty(), json_text(static_cast<double>(look.thickness)))},
-       {"transparency",
-        or_null(!look.transparencies.empty(), json_text(static_cast<double>(look.transparency)))},
-       {"colour", or_null(!look.colours.empty(), vector_json(look.colour))},
-       {"info", json_text(info_of(look))}});
+  std::string text;
+  for (const LookPart& part : parts_of(look)) {
+    if (!part.is_known()) continue;
+    const std::string value = !part.of_each.empty() ? "null"
+                              : part.size == 1      ? json_text(static_cast<double>(part.of_all[0]))
+                                                    : vector_json(part.of_all);
+    text += json_text(part.name) + ":" + value + ",";
+  }
+  return "{" + text + json_text("info") + ":" + json_text(info_of(look)) + "}";
 }
 
 }  // namespace

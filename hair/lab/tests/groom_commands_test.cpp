@@ -57,7 +57,7 @@ TEST_F(GroomCommands, InfoAsJsonHasTheSame) {
   EXPECT_EQ(json.at("length").at("max"), 4);
   EXPECT_EQ(json.at("points_of_strand").at("median"), 3);
   EXPECT_EQ(json.at("roots").at("high"), (std::vector<double>{3, 0, 0}));
-  EXPECT_EQ(json.at("look").at("thickness"), 1);
+  EXPECT_EQ(json.at("look"), nlohmann::json({{"info", ""}}));
   EXPECT_EQ(json.at("odd").at(0).at("first_strand"), 0);
   EXPECT_EQ(json.at("curvature").at("max"), 0);
   const std::vector<std::string> keys = {
@@ -72,13 +72,44 @@ TEST_F(GroomCommands, InfoAsJsonHasTheSame) {
 }
 
 TEST_F(GroomCommands, ConvertKeepsThePointsAndSaysWhatItLeavesOut) {
-  const ProgramRun run = run_hairlab({"convert", groom_, out_});
-  EXPECT_EQ(run.code, 0) << run.errors;
-  EXPECT_EQ(run.output, out_ + ": 3 strands, 10 points\nleft out: 1 bald root; only .data files have them\n");
-  const Groom before = read_groom(groom_), after = read_groom(out_);
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(after.strands[i], before.strands[i + 1]);
-  EXPECT_EQ(run_hairlab({"convert", groom_, folder_ / "b.data"}).code, 0);
-  EXPECT_EQ(bytes_of(folder_ / "b.data"), bytes_of(groom_));
+  const std::string counts = ": 4 strands, 11 points\n", unknown = "not known: thickness";
+  EXPECT_EQ(run_hairlab({"convert", groom_, out_}).output,
+            out_ + counts + unknown +
+                " (the header says 0), transparency (the header says 0), colour (the header says white)\n");
+  EXPECT_EQ(read_groom(out_).strands, read_groom(groom_).strands);
+  const std::string usda = folder_ / "a.usda", ply = folder_ / "a.ply", data = folder_ / "b.data";
+  EXPECT_EQ(run_hairlab({"convert", groom_, usda}).output,
+            usda + ": 3 strands, 10 points\nleft out: 1 bald root; .usda files have none\n" + unknown +
+                ", transparency, colour\n");
+  EXPECT_FALSE(has(bytes_of(usda), "widths"));
+  EXPECT_EQ(run_hairlab({"convert", groom_, data}).output, data + counts);
+  EXPECT_EQ(bytes_of(data), bytes_of(groom_));
+
+  Groom groom = read_groom(groom_);
+  groom.look = {.thickness = 0.5F,
+                .transparency = 0.0F,
+                .colour = {{1, 0, 0}},
+                .transparencies = std::vector<float>(11, 0.5F)};
+  groom.look.info[0] = 'A';
+  write_groom(groom, out_);
+  EXPECT_EQ(run_hairlab({"convert", out_, data}).output,
+            data + counts + "left out: thickness, transparency, colour, text\n");
+  EXPECT_EQ(run_hairlab({"convert", out_, ply}).output, ply + counts + "left out: text\n");
+  EXPECT_EQ(run_hairlab({"convert", ply, out_}).output, out_ + counts);
+  EXPECT_EQ(read_groom(out_).look.thicknesses, std::vector<float>(11, 0.5F));
+  EXPECT_EQ(read_groom(out_).look.transparencies, std::vector<float>(11, 0.5F));
+
+  const std::string other = folder_.write(
+      "c.ply",
+      "ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\nproperty double y\nproperty double "
+      "z\nproperty float nx\n"
+      "element strand 1\nproperty int nsegs\nproperty int id\nelement thing 0\nproperty int a\nend_header\n"
+      "0 0 0.1 5\n0 0 -1 5\n1 7\n");
+  EXPECT_EQ(run_hairlab({"convert", other, data}).output,
+            data +
+                ": 1 strand, 2 points\nleft out: nx of each vertex, id of each strand, the element thing, "
+                "digits of points that 32 "
+                "bits don't hold\n");
 }
 
 TEST_F(GroomCommands, ConvertScalesThinsAndTakesPoints) {
@@ -156,7 +187,7 @@ TEST_F(GroomCommands, BadInputIsOneLineAndWritesNothing) {
   expect_refused({"convert", groom_, out_, "--scale", "nan"}, "--scale");
   expect_refused({"convert", groom_, out_, "--unit", "nan"}, "--unit");
   expect_refused({"convert", groom_, out_, "--points", "1"}, "--points");
-  expect_refused({"convert", groom_, out_, "--every", "4"}, "has bald roots only");
+  expect_refused({"convert", groom_, folder_ / "a.usda", "--every", "4"}, "has bald roots only");
   expect_refused({"convert", groom_, folder_ / "a.data/b.hair"}, "b.hair: can't be written");
   const std::string nan = folder_.write("nan.data", bytes_of(groom_).replace(8, 4, "\xff\xff\xff\x7f"));
   expect_refused({"convert", nan, out_},
