@@ -113,8 +113,15 @@ if [ $# -eq 0 ]; then
   exit
 fi
 
-# Tests and benchmarks are built where their packages are, from the first time on that they were asked for.
 top=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
+case $top in
+  # handout/cmake/folder.cmake refuses others.
+  *\\*)
+    echo "grader/setup.sh: \"$top\" can't be built in: CMake takes a \\ in a folder's name for a /; move it to another folder" >&2
+    exit 2
+    ;;
+esac
+# Tests and benchmarks are built where their packages are, from the first time on that they were asked for.
 tests=
 if [ "$with" = check ] || [ "$with" = lint ]; then
   tests=ON

@@ -12,11 +12,14 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "solver/decimal_point.h"
+
 namespace solver {
 
 namespace {
 
 constexpr long long kMost = 100'000'000;
+constexpr double kMostWhole = 9007199254740992;  // 2^53: a double holds all whole numbers below
 
 using Entry = SparseMatrix::Entry;
 
@@ -78,12 +81,16 @@ class Lines {
   }
 
   double value(const std::string& word, bool integer) const {
+    const DecimalPoint point;
     char* end = nullptr;
     const double value = std::strtod(word.c_str(), &end);
     if (end != word.c_str() + word.size()) fail(quoted(word) + " is no number; need one such as -1.5e3");
     if (!std::isfinite(value)) fail(quoted(word) + " is not finite; need a number below 1.8e308 in size");
     if (integer && value != std::floor(value))
       fail(quoted(word) + " is no whole number; need one, or 'real' in line 1");
+    if (integer && std::abs(value) >= kMostWhole)
+      fail(quoted(word) +
+           " may lose digits; need a whole number of at most 9007199254740991 in size, or 'real' in line 1");
     return value;
   }
 
@@ -190,6 +197,7 @@ std::string digits(double value) {
     throw std::invalid_argument("Matrix Market: the value " + std::to_string(value) +
                                 " can't be written; need finite ones");
   char text[32];
+  const DecimalPoint point;
   std::snprintf(text, sizeof text, "%.17g", value);
   return text;
 }
@@ -209,8 +217,10 @@ SparseMatrix read_matrix_market(const std::string& path) {
 void write_matrix_market(std::ostream& out, const SparseMatrix& matrix) {
   const std::vector<Entry> entries = matrix.entries();
   out << "%%MatrixMarket matrix coordinate real general\n"
-      << matrix.rows() << ' ' << matrix.cols() << ' ' << entries.size() << '\n';
-  for (const Entry& e : entries) out << e.row + 1 << ' ' << e.col + 1 << ' ' << digits(e.value) << '\n';
+      << std::to_string(matrix.rows()) << ' ' << std::to_string(matrix.cols()) << ' '
+      << std::to_string(entries.size()) << '\n';
+  for (const Entry& e : entries)
+    out << std::to_string(e.row + 1) << ' ' << std::to_string(e.col + 1) << ' ' << digits(e.value) << '\n';
 }
 
 std::vector<double> read_vector(std::istream& in, const std::string& name) {
@@ -227,7 +237,7 @@ std::vector<double> read_vector(const std::string& path) {
 }
 
 void write_vector(std::ostream& out, const std::vector<double>& values) {
-  out << "%%MatrixMarket matrix array real general\n" << values.size() << " 1\n";
+  out << "%%MatrixMarket matrix array real general\n" << std::to_string(values.size()) << " 1\n";
   for (double value : values) out << digits(value) << '\n';
 }
 

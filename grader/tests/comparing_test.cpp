@@ -16,6 +16,7 @@
 #include "grader/tests/broken_links.h"
 #include "grader/tests/run_program.h"
 #include "hair/io/files/read_file.h"
+#include "hair/io/files/start_program.h"
 #include "hair/io/files/temporary_folder.h"
 #include "hair/io/image/read_png.h"
 
@@ -275,6 +276,22 @@ TEST_F(Comparing, AFullDiskIsNamedAndEarlierFilesStay) {
   EXPECT_EQ(run.code, 2);
   EXPECT_NE(run.errors.find("can't be written (File too large)"), string::npos) << run.errors;
   EXPECT_EQ(files(out()), (std::map<string, string>{{"index.html", "earlier"}}));
+}
+
+TEST_F(Comparing, ResultsThatAreLostAreNotASuccess) {
+  const string a = put("a.png", frame(0)), b = put("b.png", frame(3));
+  for (const std::vector<string>& arguments : std::vector<std::vector<string>>{
+           {"compare", a, b}, {"compare", a, b, "--json"}, {"samples", "--table"}, {"--help"}}) {
+    std::vector<string> words = {HAIRGRADE};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    const pid_t process =
+        hair::start_program({.words = words, .output = "/dev/full", .errors = path("errors")});
+    EXPECT_EQ(hair::exit_code_of(process), 2);
+    EXPECT_EQ(hair::bytes_of(path("errors")),
+              "hairgrade: the standard output can't be written (No space left on device), so that results "
+              "are lost; "
+              "send it to a place with room in it\n");
+  }
 }
 
 TEST_F(Comparing, InterruptedItLeavesNothing) {

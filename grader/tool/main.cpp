@@ -26,6 +26,7 @@
 #include "grader/tool/folder_of_grades.h"
 #include "grader/tool/grading.h"
 #include "grader/tool/secret.h"
+#include "hair/io/files/finish_output.h"
 
 namespace {
 
@@ -148,9 +149,7 @@ int handout(const HandoutOptions& options) {
   return 0;
 }
 
-}  // namespace
-
-int main(int argc, char* argv[]) {
+int run(int argc, char* argv[]) {
   setlocale(LC_CTYPE, "C.UTF-8");  // names in archives may hold any letters
   signal(SIGPIPE, SIG_IGN);        // who reads what we write may be gone, as an archive's reader in its cage
   if (sodium_init() < 0) {
@@ -244,4 +243,10 @@ int main(int argc, char* argv[]) {
     std::cerr << "hairgrade: " << error.what() << "\n";
     return 1;
   }
+}
+
+}  // namespace
+
+int main(int argc, char* argv[]) {
+  return hair::finish_output("hairgrade", run(argc, argv));
 }

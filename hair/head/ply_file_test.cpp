@@ -5,6 +5,8 @@
 #include <regex>
 
 #include "hair/head/refusal.h"
+#include "hair/io/files/temporary_folder.h"
+#include "solver/tests/comma_locale.h"
 
 namespace hair {
 namespace {
@@ -126,6 +128,16 @@ TEST(PlyFile, TextAndBinaryInBothOrdersAreTheSame) {
               std::string("\0\0\0\1", 4);
   EXPECT_EQ(parse_ply_file(made.text(), "a.ply").strands[0],
             (Eigen::VectorXd(6) << 1, -2, -3, 2, 256, 7).finished());
+}
+
+TEST(PlyFile, TextHasADecimalPointWhateverTheLocale) {
+  const TemporaryFolder folder("locale");
+  const Groom groom = parse_ply_file(MadePly().text(), "a.ply");
+  const std::string text = ply_file_of(groom, true);
+  const solver::CommaLocale comma(folder.path().string());
+  if (!comma.is_everywhere()) GTEST_SKIP() << "the package locales is missing";
+  EXPECT_EQ(parse_ply_file(MadePly().text(), "a.ply").strands, groom.strands);
+  EXPECT_EQ(ply_file_of(groom, true), text);
 }
 
 TEST(PlyFile, ACutOrALongerFileSaysWhere) {

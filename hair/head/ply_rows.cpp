@@ -13,6 +13,7 @@
 
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/printable.h"
+#include "solver/decimal_point.h"
 
 namespace hair {
 
@@ -66,6 +67,7 @@ std::optional<double> number_in(std::string_view word) {
   // strtod also takes a plus and hexadecimal digits.
   if (word.empty() || word.front() == '+' || word.find_first_of("xX") != std::string_view::npos) return {};
   const std::string text(word);
+  const solver::DecimalPoint point;
   char* end = nullptr;
   errno = 0;
   const double value = std::strtod(text.c_str(), &end);

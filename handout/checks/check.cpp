@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
+#include <locale>
 #include <set>
 #include <sstream>
 #include <stdexcept>
@@ -86,6 +87,7 @@ std::vector<Golden> read_golden(const std::string& exercise) {
   while (std::getline(lines, line)) {
     if (line.empty() || line[0] == '#') continue;
     std::istringstream words(line);
+    words.imbue(std::locale::classic());  // whatever your file sets
     std::string name;
     double epsilon, smallest;
     int steps;

@@ -9,6 +9,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "solver/tests/comma_locale.h"
+
 namespace solver {
 namespace {
 
@@ -163,6 +165,9 @@ INSTANTIATE_TEST_SUITE_P(
         Bad{kGeneral + "2 2 1\n1 1 -inf\n", "3", "'-inf' is not finite"},
         Bad{kGeneral + "2 2 1\n1 1 1e999\n", "3", "'1e999' is not finite"},
         Bad{"%%MatrixMarket matrix coordinate integer general\n1 1 1\n1 1 1.5\n", "3", "no whole number"},
+        Bad{"%%MatrixMarket matrix coordinate integer general\n1 1 1\n1 1 9007199254740993\n", "3",
+            "may lose digits"},
+        Bad{kGeneral + std::string("1 1 1\n1 1 1.5\0x\n", 16), "3", "is no number"},
         Bad{kSymmetric + "2 2 1\n1 2 1\n", "3", "above the diagonal"},
         Bad{kGeneral + "2 2 1\n1 1 \x1b[31m" + std::string(5000, 'a') + "\n", "3", "is no number"}));
 
@@ -176,6 +181,22 @@ TEST(MatrixMarketFile, NamesAFileThatIsNotThere) {
     EXPECT_EQ(complaint([&] { read_matrix_market(path); }).find(std::string(path) + ":0: "), 0u);
     EXPECT_EQ(complaint([&] { read_vector(path); }).find(std::string(path) + ":0: "), 0u);
   }
+}
+
+TEST(MatrixMarketFile, HasADecimalPointWhateverTheLocale) {
+  const CommaLocale comma(testing::TempDir());
+  if (!comma.is_everywhere()) GTEST_SKIP() << "the package locales is missing";
+  const Vector values(1500, -1.5e-3);
+  std::ostringstream written;
+  write_vector(written, values);
+  EXPECT_EQ(written.str().substr(0, 61), "%%MatrixMarket matrix array real general\n1500 1\n-0.0015\n-0.0");
+  std::istringstream in(written.str());
+  EXPECT_EQ(read_vector(in, "v"), values);
+  std::ostringstream matrix;
+  write_matrix_market(matrix, SparseMatrix(2000, 2000, {{1233, 1999, 0.5}}));
+  EXPECT_TRUE(matrix.str().ends_with("\n2000 2000 1\n1234 2000 0.5\n")) << matrix.str();
+  EXPECT_EQ(complaint([] { read(kArray + "1 1\n1,5\n"); }),
+            "m.mtx:3: '1,5' is no number; need one such as -1.5e3");
 }
 
 TEST(MatrixMarketFile, IsReadLikeAStream) {

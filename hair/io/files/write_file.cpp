@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "hair/io/files/bad_input.h"
+#include "hair/io/files/check_folder.h"
 #include "hair/io/files/printable.h"
 
 namespace hair {
@@ -35,6 +36,12 @@ int write_all(int descriptor, std::string_view bytes) {
 }
 
 }  // namespace
+
+void check_folder_of(const fs::path& file) {
+  std::error_code error;
+  if (file.has_parent_path() && !fs::is_directory(file.parent_path(), error))
+    fail(file, error ? error.value() : ENOTDIR);
+}
 
 void write_file(const fs::path& file, std::string_view bytes) {
   std::error_code folder_error;

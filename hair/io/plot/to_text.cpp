@@ -5,6 +5,7 @@
 #include <string>
 
 #include "hair/io/plot/page.h"
+#include "solver/decimal_point.h"
 
 namespace hair {
 
@@ -44,6 +45,7 @@ std::string to_text(double value) {
 
 std::string printed(const char* format, double value) {
   std::array<char, 64> text = {};
+  const solver::DecimalPoint point;
   std::snprintf(text.data(), text.size(), format, value);
   return text.data();
 }

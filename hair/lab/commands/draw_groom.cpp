@@ -15,6 +15,7 @@
 #include "hair/head/hair_colours.h"
 #include "hair/head/scalp_roots.h"
 #include "hair/io/files/bad_input.h"
+#include "hair/io/files/check_folder.h"
 #include "hair/io/files/printable.h"
 #include "hair/io/image/png.h"
 #include "hair/lab/commands/groom_info.h"
@@ -102,6 +103,7 @@ int draw_groom(const DrawOptions& options) {
                                        std::pair("--turn", options.turn), std::pair("--zoom", options.zoom)})
     if (!std::isfinite(number)) throw BadInput(std::string(option) + ": is not a number; give one");
   const HairColour& colour = colour_named(options.colour);
+  check_folder_of(options.picture);
   Groom groom = read_groom(options.file);
   const Eigen::Matrix3d turn =
       Eigen::AngleAxisd(options.turn * std::numbers::pi / 180, Vector3d::UnitZ()).toRotationMatrix();

@@ -11,6 +11,7 @@
 #include "hair/head/grow.h"
 #include "hair/head/resample.h"
 #include "hair/io/files/bad_input.h"
+#include "hair/io/files/check_folder.h"
 #include "hair/io/files/printable.h"
 #include "hair/lab/commands/groom_info.h"
 
@@ -34,6 +35,7 @@ int convert_groom(const ConvertOptions& options) {
   check_number("--scale", options.scale);
   check_number("--unit", options.unit);
   const bool bald_roots = can_write_bald_roots(options.out);
+  check_folder_of(options.out);
   Groom groom = read_groom(options.in);
   keep_every(groom, options.every);
   const std::vector<std::string> lost = lost_in(options.out, groom);
@@ -77,6 +79,7 @@ int write_grown_groom(const GrowOptions& options) {
     throw BadInput("there is no style \"" + printable(options.style) + "\"; there are " + known);
   }
   can_write_bald_roots(options.out);  // refuses the name before there is work
+  check_folder_of(options.out);
   Groom groom;
   try {
     const std::unique_ptr<Head> head = options.head == "ellipsoid"

@@ -6,12 +6,16 @@
 #include <optional>
 
 #include "hair/io/files/bad_input.h"
+#include "hair/io/files/finish_output.h"
 #include "hair/lab/stub.h"
+#include "solver/decimal_point.h"
 #include "solver/not_in_course.h"
 
 namespace hair {
 
-int run_program(CLI::App& app, const std::vector<Command>& commands, int argc, char* argv[]) {
+namespace {
+
+int run_command(CLI::App& app, const std::vector<Command>& commands, int argc, char* argv[]) {
   std::optional<std::filesystem::path> course_file;
   for (const Command& command : commands)
     command.app->add_option("--course", course_file,
@@ -43,6 +47,13 @@ int run_program(CLI::App& app, const std::vector<Command>& commands, int argc, c
     std::cerr << "hairlab: " << error.what() << "\n";
     return kBroke;
   }
+}
+
+}  // namespace
+
+int run_program(CLI::App& app, const std::vector<Command>& commands, int argc, char* argv[]) {
+  const solver::DecimalPoint point;  // an exercise may call setlocale
+  return finish_output("hairlab", run_command(app, commands, argc, argv));
 }
 
 }  // namespace hair

@@ -7,7 +7,8 @@
 
 namespace hair {
 
-// Parses the command line, reads the course (each command has --course) and runs the named command. Prints an error as one line. Returns the exit code.
+// Parses the command line, reads the course (each command has --course) and runs the named command. Prints an error as one line, also for results that the standard output
+// does not take. Returns the exit code.
 int run_program(CLI::App& app, const std::vector<Command>& commands, int argc, char* argv[]);
 
 }  // namespace hair

@@ -150,6 +150,29 @@ TEST_F(GroomCommands, AGroomGrowsInAStyleTheSameEachTime) {
   EXPECT_EQ(bytes_of(out_), "");
 }
 
+TEST_F(GroomCommands, ResultsThatAreLostAreNotASuccess) {
+  for (const std::vector<std::string>& arguments :
+       std::vector<std::vector<std::string>>{{"info", groom_},
+                                             {"info", groom_, "--json"},
+                                             {"convert", groom_, out_},
+                                             {"groom", "wavy", "--strands", "50", "--out", out_},
+                                             {"info", "--help"}})
+    hair::expect_refused(
+        run_hairlab(arguments, {.output = "/dev/full"}), 2,
+        "hairlab: the standard output can't be written (No space left on device), so that results are lost");
+}
+
+TEST_F(GroomCommands, AFolderThatIsNotThereIsNotMade) {
+  const std::string in = folder_ / "none";
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"convert", groom_, in + "/a.hair"},
+           {"groom", "wavy", "--strands", "50", "--out", in + "/a.data"},
+           {"draw", groom_, "--on", "none", "--size", "16", "16", "--picture", in + "/a.png"}})
+    expect_refused(arguments,
+                   "can't be written (No such file or directory); give a folder that can be written");
+  EXPECT_EQ(folder_.names(), (std::vector<std::string>{"a.data"}));
+}
+
 TEST_F(GroomCommands, DrawsAGroomTwiceWithTheSameBytes) {
   const std::string hair = folder_ / "head.data", picture = folder_ / "a.png", again = folder_ / "b.png";
   ASSERT_EQ(run_hairlab({"groom", "wavy", "--strands", "300", "--out", hair}).code, 0);

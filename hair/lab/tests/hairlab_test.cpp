@@ -380,6 +380,18 @@ TEST_F(Hairlab, WritesNothingOnAFullDisk) {
   EXPECT_EQ(folder_.names(), std::vector<std::string>{"scene.json"});
 }
 
+TEST_F(Hairlab, ResultsThatAreLostAreNotASuccess) {
+  const std::string scene = folder_.write("scene.json", kSwing);
+  for (const std::vector<std::string>& arguments : std::vector<std::vector<std::string>>{
+           {"run", scene, "--explain"},
+           {"scenes"},
+           {"--help"},
+           {"run", scene, "--no-render", "--frames", "1", "--out", out_.string()}})
+    expect_refused(
+        run_hairlab(arguments, {.output = "/dev/full"}), 2,
+        "hairlab: the standard output can't be written (No space left on device), so that results are lost");
+}
+
 TEST_F(Hairlab, ExplainsWithoutRunning) {
   const std::string scene = folder_.write("scene.json", kSwing);
   const ProgramRun run = run_hairlab({"run", scene, "--explain"});

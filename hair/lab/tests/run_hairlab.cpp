@@ -13,7 +13,8 @@ namespace fs = std::filesystem;
 
 ProgramRun run_hairlab(const std::vector<std::string>& arguments, const ProgramSettings& settings) {
   const TestFolder folder;
-  const fs::path output = folder / "output", errors = folder / "errors";
+  const fs::path output = settings.output.empty() ? folder / "output" : settings.output,
+                 errors = folder / "errors";
   std::vector<std::string> words = {settings.program};
   if (settings.file_limit >= 0)
     words = {"/bin/sh", "-c", "ulimit -f " + std::to_string(settings.file_limit) + "; exec \"$0\" \"$@\"",
@@ -22,7 +23,8 @@ ProgramRun run_hairlab(const std::vector<std::string>& arguments, const ProgramS
   const pid_t process = start_program(
       {.words = words, .output = output, .errors = errors, .environment = settings.environment});
   if (settings.meanwhile) settings.meanwhile(process);
-  return {exit_code_of(process).value_or(-1), bytes_of(output), bytes_of(errors)};
+  const int code = exit_code_of(process).value_or(-1);
+  return {code, settings.output.empty() ? bytes_of(output) : "", bytes_of(errors)};
 }
 
 void expect_refused(const ProgramRun& run, int code, const std::string& part) {

@@ -23,6 +23,7 @@ struct ProgramSettings {
   std::vector<std::string> environment = {};  // "NAME=value", in addition to our own
   long file_limit = -1;                       // the largest file that it may write, in units of 512 bytes
   std::function<void(int)> meanwhile = {};    // called with its process id once it runs
+  std::filesystem::path output = {};  // where its standard output goes; without it, into the ProgramRun
 };
 
 ProgramRun run_hairlab(const std::vector<std::string>& arguments, const ProgramSettings& settings = {});

@@ -25,6 +25,11 @@ TEST(ValidateCommand, LeavesOutWhatCallsExercisesThatTheCourseLeavesOut) {
   EXPECT_TRUE(has(run.output, "published-numbers: ") && !has(run.output, "H6")) << run.output;
 }
 
+TEST(ValidateCommand, AListThatIsLostIsNotASuccess) {
+  expect_refused(run_hairlab({"validate", "--list"}, {.output = "/dev/full"}), 2,
+                 "hairlab: the standard output can't be written (No space left on device)");
+}
+
 TEST(ValidateCommand, RunsThoseThatAreAskedForInTheListsOrder) {
   const ProgramRun run = run_hairlab({"validate", "pendulum-rods", "published-numbers"});
   EXPECT_EQ(run.code, 0) << run.errors;

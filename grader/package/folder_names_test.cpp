@@ -1,0 +1,50 @@
+// STAFF ONLY. Folders with names that CMake can't hold are refused in a sentence, and others are built in.
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "hair/io/files/read_file.h"
+#include "hair/io/files/start_program.h"
+#include "hair/io/files/temporary_folder.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What CMake says as it configures a project in a folder of this name; empty if it does.
+std::string configuring(const std::string& name) {
+  const hair::TemporaryFolder temporary("folder-names");
+  const fs::path folder = temporary.path() / name, errors = temporary.path() / "errors";
+  fs::create_directories(folder / "cmake");
+  fs::copy_file(fs::path(HAIR_SOURCE_DIR) / "handout/cmake/folder.cmake", folder / "cmake/folder.cmake");
+  std::ofstream(folder / "CMakeLists.txt")
+      << "cmake_minimum_required(VERSION 3.22)\ninclude(cmake/folder.cmake)\nproject(names LANGUAGES NONE)\n"
+         "add_custom_target(all_names ALL COMMAND \"${CMAKE_COMMAND}\" -E touch "
+         "\"${PROJECT_BINARY_DIR}/made\")\n";
+  const auto run = [&](std::vector<std::string> words) {
+    return hair::exit_code_of(
+        hair::start_program({.words = std::move(words), .output = "/dev/null", .errors = errors}));
+  };
+  const std::string build = (folder / "build").string();
+  if (run({"/usr/bin/env", "cmake", "-S", folder.string(), "-B", build}) != 0) return hair::bytes_of(errors);
+  if (run({"/usr/bin/env", "cmake", "--build", build}) != 0) return "no build: " + hair::bytes_of(errors);
+  return fs::exists(folder / "build/made") ? "" : "nothing was built";
+}
+
+TEST(FolderNames, ThatCMakeCanNotHoldAreRefusedInASentence) {
+  for (const std::string name : {"C#", "a;b", "a\"b", "a<b", "a>b", "a?b", "a|b", "a[b", "a]b", "${X}"}) {
+    const std::string said = configuring(name);
+    EXPECT_NE(said.find(name + "\" can't be built in: CMake takes no "), std::string::npos)
+        << name << ": " << said;
+    EXPECT_NE(said.find("Move it to a folder without any of"), std::string::npos) << name << ": " << said;
+  }
+}
+
+TEST(FolderNames, OfOtherKindsAreBuiltIn) {
+  for (const std::string name : {"a b", "a$b", "$HOME", "Übung", "a(b)", "c++", "a&b", "it's", "a%b", "a{b}"})
+    EXPECT_EQ(configuring(name), "") << name;
+}
+
+}  // namespace
+}  // namespace grader

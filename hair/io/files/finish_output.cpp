@@ -1,0 +1,25 @@
+#include "hair/io/files/finish_output.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <iostream>
+#include <system_error>
+
+namespace hair {
+
+int finish_output(const std::string& program, int code) {
+  errno = 0;
+  const bool flushed = std::cout.flush().good() & (std::fflush(stdout) == 0);
+  if (flushed && std::ferror(stdout) == 0) return code;
+  if (errno == 0) {  // what failed before left no reason: it is asked for once more
+    std::clearerr(stdout);
+    std::fputc('\n', stdout);
+    std::fflush(stdout);
+  }
+  std::cerr << program << ": the standard output can't be written"
+            << (errno != 0 ? " (" + std::generic_category().message(errno) + ")" : "")
+            << ", so that results are lost; send it to a place with room in it\n";
+  return code == 0 ? 2 : code;
+}
+
+}  // namespace hair
