@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
+#include <locale>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -67,6 +71,7 @@ std::string reason_of(const json::exception& error) {
 
 std::string number_range(double lowest, double highest) {
   std::ostringstream range;
+  range.imbue(std::locale::classic());
   range.precision(15);
   range << lowest << " to " << highest;
   return range.str();
@@ -88,6 +93,9 @@ json read_json(const std::filesystem::path& file) {
 
 json parse_json(const std::string& text, const std::string& file) {
   const std::string name = printable(file, 4096);
+  if (const std::size_t zero = text.find('\0');
+      zero != std::string::npos)  // the library takes it for the end
+    throw BadInput(name + ": " + line_and_column(text, zero + 1) + ": not JSON: a byte 0; remove it");
   std::vector<std::set<std::string>> keys;
   const auto no_key_twice = [&](int depth, json::parse_event_t event, json& parsed) {
     if (depth > kMostJsonDepth)
@@ -194,6 +202,9 @@ std::string JsonValue::text() const {
 
 std::string JsonValue::any_text() const {
   if (!value_->is_string()) fail(shown() + " is not text; write \"...\"");
+  // As a file's name it would end there.
+  if (value_->get_ref<const std::string&>().find('\0') != std::string::npos)
+    fail(shown() + " has a character U+0000; leave it out");
   return value_->get<std::string>();
 }
 
@@ -209,12 +220,19 @@ std::vector<std::string> JsonValue::texts() const {
 }
 
 long JsonValue::whole_number(long lowest, long highest) const {
-  const double number = value_->is_number() ? value_->get<double>() : NAN;
-  if (!(number >= static_cast<double>(lowest) && number <= static_cast<double>(highest)) ||
-      std::floor(number) != number) {
-    fail(shown() + " is not right; give a whole number from " + whole_range(lowest, highest));
+  std::optional<long> number;
+  if (value_->is_number_float()) {  // 3e2; digits that a double does not hold are lost before
+    const auto real = value_->get<double>();
+    if (std::floor(real) == real && std::abs(real) < 0x1p53) number = static_cast<long>(real);
+  } else if (value_->is_number_integer()) {
+    const bool fits =
+        !value_->is_number_unsigned() ||
+        value_->get<std::uint64_t>() <= static_cast<std::uint64_t>(std::numeric_limits<long>::max());
+    if (fits) number = value_->get<std::int64_t>();
   }
-  return static_cast<long>(number);
+  if (!number || *number < lowest || *number > highest)
+    fail(shown() + " is not right; give a whole number from " + whole_range(lowest, highest));
+  return *number;
 }
 
 std::array<double, 3> JsonValue::three_numbers(double lowest, double highest) const {
