@@ -5,10 +5,12 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
+#include <sched.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cctype>
@@ -17,6 +19,7 @@
 #include <system_error>
 
 #include "grader/sandbox/identity.h"
+#include "hair/io/files/bad_input.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 #include "solver/timing.h"
@@ -255,6 +258,33 @@ TEST_F(CageTest, LimitsTheSizeOfFiles) {
 TEST_F(CageTest, MakesNoNamespacesInside) {
   const Run run = shell("unshare -Ur true && echo made");
   EXPECT_EQ(run.output.find("made"), std::string::npos) << run.output;
+}
+
+// A child becomes such a root as `unshare -Ur` makes it.
+TEST(SandboxIdentity, ARootThatCanDropNoRightsIsToldSo) {
+  Pipe said = make_pipe();
+  const pid_t child = fork();
+  if (child == 0) {
+    const std::string user = std::to_string(geteuid()), group = std::to_string(getegid());
+    std::string why = "no refusal";
+    if (unshare(CLONE_NEWUSER) != 0) _exit(77);
+    std::ofstream("/proc/self/setgroups") << "deny";
+    std::ofstream("/proc/self/uid_map") << "0 " << user << " 1";
+    std::ofstream("/proc/self/gid_map") << "0 " << group << " 1";
+    try {
+      sandbox_identity();
+    } catch (const hair::BadInput& error) {
+      why = error.what();
+    }
+    _exit(write(said.write_end.get(), why.data(), why.size()) > 0 ? 0 : 1);
+  }
+  said.write_end.close();
+  const std::string why = read_all(said.read_end, 1000, 100);
+  int status = 0;
+  waitpid(child, &status, 0);
+  if (WEXITSTATUS(status) == 77) GTEST_SKIP() << "this machine makes no user namespaces";
+  EXPECT_TRUE(why.starts_with("this root belongs to a user namespace without the user and group 64123"))
+      << why;
 }
 
 }  // namespace

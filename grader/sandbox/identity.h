@@ -17,6 +17,7 @@ struct Identity {
 // Root becomes this user and group, which no account should have; other users stay themselves.
 inline constexpr uid_t kSandboxUser = 64123;
 
+// Throws BadInput for root of a user namespace that has no such user, as `unshare -Ur` makes it: it can drop no rights.
 Identity sandbox_identity();
 
 // Drops root permanently. Async-signal-safe, for use between fork and exec. False if the kernel refuses.
