@@ -21,7 +21,7 @@ std::string configuring(const std::string& name) {
   std::ofstream(folder / "CMakeLists.txt")
       << "cmake_minimum_required(VERSION 3.22)\ninclude(cmake/folder.cmake)\nproject(names LANGUAGES NONE)\n"
          "add_custom_target(all_names ALL COMMAND \"${CMAKE_COMMAND}\" -E touch "
-         "\"${PROJECT_BINARY_DIR}/made\")\n";
+         "\"${PROJECT_BINARY_DIR}/made\" VERBATIM)\n";
   const auto run = [&](std::vector<std::string> words) {
     return hair::exit_code_of(
         hair::start_program({.words = std::move(words), .output = "/dev/null", .errors = errors}));

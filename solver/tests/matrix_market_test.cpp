@@ -189,7 +189,7 @@ TEST(MatrixMarketFile, HasADecimalPointWhateverTheLocale) {
   const Vector values(1500, -1.5e-3);
   std::ostringstream written;
   write_vector(written, values);
-  EXPECT_EQ(written.str().substr(0, 61), "%%MatrixMarket matrix array real general\n1500 1\n-0.0015\n-0.0");
+  EXPECT_EQ(written.str().substr(0, 60), "%%MatrixMarket matrix array real general\n1500 1\n-0.0015\n-0.0");
   std::istringstream in(written.str());
   EXPECT_EQ(read_vector(in, "v"), values);
   std::ostringstream matrix;

@@ -117,10 +117,10 @@ TEST_F(GroomCommands, ConvertScalesThinsAndTakesPoints) {
   const ProgramRun run =
       run_hairlab({"convert", groom_, ply, "--scale", "0.5", "--every", "2", "--points", "5", "--ascii"});
   EXPECT_EQ(run.code, 0) << run.errors;
-  EXPECT_TRUE(bytes_of(ply).starts_with("ply\nformat ascii 1.0\nelement vertex 5\n"));
+  EXPECT_TRUE(bytes_of(ply).starts_with("ply\nformat ascii 1.0\nelement vertex 6\n"));
   Eigen::VectorXd x(15);
   x << 1, 0, 0, 1, 0, -0.25, 1, 0, -0.5, 1, 0, -0.75, 1, 0, -1;
-  EXPECT_EQ(read_groom(ply).strands, std::vector<Eigen::VectorXd>{x});
+  EXPECT_EQ(read_groom(ply).strands, (std::vector<Eigen::VectorXd>{Eigen::VectorXd::Zero(3), x}));
   const std::string usda = folder_ / "a.usda";
   EXPECT_EQ(run_hairlab({"convert", groom_, usda, "--cubic", "--unit", "0.01", "--y-up"}).code, 0);
   for (const char* const part : {"\"cubic\"", "metersPerUnit = 0.01\n", "upAxis = \"Y\"\n"})
