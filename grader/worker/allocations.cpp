@@ -1,6 +1,13 @@
-// STAFF ONLY. The worker's malloc, which counts where it is asked to (session.h), and leaves the rest to the C library. So
-// `new`, the standard library's containers and Eigen's matrices are counted, of all objects that are loaded.
+// STAFF ONLY. The worker's malloc, which counts where it is asked to (session.h), fills what it gives, and leaves the rest to the C
+// library. So `new`, the standard library's containers and Eigen's matrices are counted and filled, of all objects that are loaded.
+//
+// A wrong answer that depends on memory that nobody sets is the same whenever it is graded: the C library would leave in it what was
+// there before, addresses among it, which differ from run to run.
+#include <malloc.h>
+
+#include <cerrno>
 #include <cstddef>
+#include <cstring>
 
 #include "grader/worker/request.h"
 
@@ -11,6 +18,16 @@ constinit Allocations counted;
 
 void count() {
   if (counted.counting.load(std::memory_order_relaxed)) counted.count.fetch_add(1, std::memory_order_relaxed);
+}
+
+// As a student's variables hold that nobody sets (toolchain.cpp).
+constexpr int kUnset = 0xfe;
+
+// With all that the C library gives, which may be more than was asked for: so realloc finds where it was filled to.
+void* filled(void* memory, std::size_t from = 0) {
+  const std::size_t size = malloc_usable_size(memory);
+  if (size > from) std::memset(static_cast<char*>(memory) + from, kUnset, size - from);
+  return memory;
 }
 
 }  // namespace
@@ -32,18 +49,26 @@ void* __libc_memalign(std::size_t alignment, std::size_t size);
 
 __attribute__((visibility("default"))) void* malloc(std::size_t size) noexcept {
   grader::count();
-  return __libc_malloc(size);
+  return grader::filled(__libc_malloc(size));
 }
 __attribute__((visibility("default"))) void* calloc(std::size_t number, std::size_t size) noexcept {
   grader::count();
-  return __libc_calloc(number, size);
+  return grader::filled(__libc_calloc(number, size), number * size);
 }
 __attribute__((visibility("default"))) void* realloc(void* memory, std::size_t size) noexcept {
   grader::count();
-  return __libc_realloc(memory, size);
+  const std::size_t before = malloc_usable_size(memory);
+  return grader::filled(__libc_realloc(memory, size), before);
 }
 __attribute__((visibility("default"))) void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
   grader::count();
-  return __libc_memalign(alignment, size);
+  return grader::filled(__libc_memalign(alignment, size));
+}
+__attribute__((visibility("default"))) int posix_memalign(void** memory, std::size_t alignment,
+                                                          std::size_t size) noexcept {
+  void* const found = aligned_alloc(alignment, size);
+  if (found == nullptr) return errno;
+  *memory = found;
+  return 0;
 }
 }
