@@ -117,10 +117,10 @@ void time_parts(const Course& course, const Exercise& exercise, const fs::path& 
   const std::string file = (scratch / exercise.file).string(), object = (scratch / (id + ".o")).string();
   std::ofstream(file) << source;
 
-  std::vector<std::string> compile = {"/usr/bin/g++", "-std=c++20",          "-O2",
-                                      "-fPIC",        "-ffp-contract=off",   "-pipe",
-                                      "-isystem",     "/usr/include/eigen3", "-I"};
-  compile.insert(compile.end(), {(kit.folder() / "include").string(), "-c", file, "-o", object});
+  std::vector<std::string> compile = {"/usr/bin/g++",      "-std=c++20", "-O2",      "-fPIC",
+                                      "-ffp-contract=off", "-pipe",      "-isystem", "/usr/include/eigen3"};
+  const std::string handout = (kit.folder() / "handout").string();
+  compile.insert(compile.end(), {"-I" + handout + "/given", "-I" + handout, "-c", file, "-o", object});
   std::vector<std::string> link = {"/usr/bin/g++", "-shared", "-s", "-Wl,-z,defs", "-Wl,-z,now"};
   link.insert(link.end(), {"-Wl,--version-script=" + (kit.folder() / "export" / (id + ".map")).string(), "-o",
                            (scratch / (id + ".so")).string(), object});

@@ -6,6 +6,7 @@
 
 #include "grader/compile/cache.h"
 #include "grader/compile/hash.h"
+#include "grader/compile/messages.h"
 #include "grader/course/input.h"
 #include "grader/sandbox/identity.h"
 #include "hair/io/files/read_file.h"
@@ -33,13 +34,15 @@ Compiled Compiler::compile(const Exercise& exercise, const std::string& source, 
   // What was compiled without a cage may hold anything, and is not kept.
   if (toolchain_.isolated() && fs::copy_file(kept + ".so", object, error)) {
     fs::permissions(object, fs::perms(0755));
-    return {object, {}, hair::bytes_of(kept + ".log")};
+    const std::string log = hair::bytes_of(kept + ".log");
+    return {object, own_warnings(log, exercise.file), log};
   }
 
   const Compiled first = run_compiler(exercise, source, job, cpu_seconds, build);
   if (first.object.empty()) return first;
   Compiled compiled = run_linker(exercise, job, cpu_seconds - first.cpu_seconds, build);
   compiled.log = first.log + compiled.log;
+  if (!compiled.object.empty()) compiled.messages = own_warnings(compiled.log, exercise.file);
   compiled.cpu_seconds += first.cpu_seconds;
   if (toolchain_.isolated() && !compiled.object.empty()) {
     // Its warnings are there whenever it is.
@@ -73,9 +76,9 @@ Compiled Compiler::run_compiler(const Exercise& exercise, const std::string& sou
   Cage cage;
   auto run = [&](bool precompiled, bool& used) {
     cage = toolchain_.compiling(exercise.libraries, cpu_seconds - taken);
-    cage.mounts.push_back({in, "/student"});
+    cage.mounts.push_back({in, kStudentFolder});
     cage.mounts.push_back({out, "/out", true});
-    cage.folder = "/student";
+    cage.folder = kStudentFolder;
     std::vector<std::string> command = toolchain_.compile_command(exercise.libraries, build);
     const PrecompiledHeader& header = build == Build::sanitised ? precompiled_sanitised_ : precompiled_;
     used = precompiled && header.use(exercise.libraries, cage, command);
@@ -125,9 +128,12 @@ Compiled Compiler::run_linker(const Exercise& exercise, const fs::path& job, dou
   Compiled compiled{{}, {}, found.output, found.cpu_seconds};
   if (!found.ending.well()) {
     toolchain_.prove_it_links(cage);
+    const std::string names = undefined_names(found.output);
     compiled.messages =
-        "the file compiles, but does not link: it uses a function that neither it nor its prerequisites "
-        "define\n";
+        "the file compiles, but does not link: neither it, nor the exercises that it needs, nor the given "
+        "code "
+        "that it may call defines" +
+        (names.empty() ? " a function that it uses\n" : "\n" + names);
     return compiled;
   }
   // Copied, for the sandbox's user could still change what it has written.

@@ -19,7 +19,7 @@ namespace grader {
 
 struct Compiled {
   std::filesystem::path object;  // empty: it did not compile
-  std::string messages;          // for the student: the compiler's messages about the student's own lines
+  std::string messages;          // for the student: what compiler and linker say of the student's own lines
   std::string log;               // for staff: the whole output of compiler and linker
   double cpu_seconds = 0;        // what it took; 0 if the object was cached
 };

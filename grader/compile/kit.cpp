@@ -37,7 +37,7 @@ void remove_stale() {
 StagedKit::StagedKit(const fs::path& kit, const Course& course) {
   std::vector<fs::path> parts = {"worker", "sanitised/worker", "serve/runs.so", "given/standard.a"};
   for (const Exercise& exercise : course.exercises) {
-    parts.push_back(fs::path("include") / exercise.header);
+    parts.push_back(fs::path("handout") / exercise.header);
     parts.push_back(fs::path("export") / (exercise.id + ".map"));
     for (const char* folder : {"lib", "stub", "serve"})
       parts.push_back(fs::path(folder) / (exercise.id + ".so"));

@@ -28,7 +28,7 @@ std::optional<int> line_of(const Toolchain& toolchain, const std::filesystem::pa
   std::vector<std::string> command = {kProgram, "-i", "-e", "/object.so"};
   for (const std::uint64_t offset : offsets) command.push_back(hexadecimal(offset));
   std::istringstream output(toolchain.run(cage, command, file).output);
-  const std::string place = "/student/" + file + ":";  // where it was compiled
+  const std::string place = std::string(kStudentFolder) + "/" + file + ":";  // where it was compiled
   for (std::string text; std::getline(output, text);) {
     if (!text.starts_with(place)) continue;
     int line = 0;

@@ -42,7 +42,7 @@ void PrecompiledHeader::make() const {
   const fs::path cached =
       cache_ /
       (std::string(name_of(build_)) + "-" +
-       sha256(toolchain_.version() + kText + sha256_of(toolchain_.kit().folder() / "include")) + ".gch");
+       sha256(toolchain_.version() + kText + sha256_of(toolchain_.kit().folder() / "handout")) + ".gch");
   std::error_code error;
   if (!toolchain_.isolated() || !fs::copy_file(cached, file, error)) {
     const std::optional<std::string> bytes = compile();
@@ -72,9 +72,9 @@ std::optional<std::string> PrecompiledHeader::compile() const {
 
   Cage cage = toolchain_.compiling(kLibraries, kMostSeconds);
   cage.limits.file_bytes = kMostBytes;
-  cage.mounts.push_back({in, "/student"});
+  cage.mounts.push_back({in, kStudentFolder});
   cage.mounts.push_back({out, "/out", true});
-  cage.folder = "/student";
+  cage.folder = kStudentFolder;
   std::vector<std::string> command = toolchain_.compile_command(kLibraries, build_);
   command.insert(command.end(), {"-x", "c++-header", "given.h", "-o", "/out/given.h.gch"});
   const Toolchain::Run run = toolchain_.run(cage, command, "given.h");

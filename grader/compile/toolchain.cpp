@@ -22,15 +22,12 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostOutput = 64 << 10;
 
-const std::vector<std::string> kCompile = {"-std=c++20",
-                                           "-O2",
-                                           "-fPIC",
-                                           "-ffp-contract=off",
-                                           "-pipe",
+const std::vector<std::string> kCompile = {"-std=c++20", "-O2", "-fPIC", "-ffp-contract=off", "-pipe",
                                            "--param=ggc-min-heapsize=524288",  // kB: collects no garbage
                                            "-frandom-seed=exercise",
-                                           "-fmax-errors=20",
-                                           "-fno-diagnostics-show-caret",
+                                           // As in a student's build (handout/cmake/exercises.cmake).
+                                           "-ftrivial-auto-var-init=pattern", "-Wall", "-Wextra",
+                                           "-fmax-errors=20", "-fno-diagnostics-show-caret",
                                            "-fdiagnostics-color=never"};
 // What finds errors, and takes the compiler little time: calls for checks are compiled faster than the checks themselves, and
 // -O1 faster than -O0, which writes out more functions. UndefinedBehaviorSanitizer's tests of pointers repeat those
@@ -143,7 +140,7 @@ Cage Toolchain::compiling(const std::vector<std::string>& libraries, double cpu_
   std::vector<std::string> folders;
   for (const std::string& library : libraries) folders.push_back(folder_of(library));
   for (const Mount& mount : header_mounts(kit_.empty_folder(), folders)) cage.mounts.push_back(mount);
-  cage.mounts.push_back({kit_.folder() / "include", "/given"});
+  cage.mounts.push_back({kit_.folder() / "handout", "/handout"});
   return cage;
 }
 
@@ -154,7 +151,9 @@ std::vector<std::string> Toolchain::compile_command(const std::vector<std::strin
   if (build == Build::sanitised) command.insert(command.end(), kSanitise.begin(), kSanitise.end());
   for (const std::string& library : libraries)
     command.insert(command.end(), {"-isystem", "/usr/include/" + folder_of(library)});
-  command.insert(command.end(), {"-I/given", "-I/given/solver/lecture", "-I/given/student"});
+  // At home they stand in this order.
+  command.insert(command.end(),
+                 {"-I/handout/solver/lecture", "-I/handout/given", "-I/handout", "-I/handout/given/student"});
   return command;
 }
 

@@ -14,6 +14,9 @@ namespace grader {
 // How a student's file is built: as it is graded, or with the sanitizers that find memory errors.
 enum class Build { ordinary, sanitised };
 
+// In a cage that compiles: as at home, student/ beside the folders of the contracts.
+inline constexpr const char* kStudentFolder = "/handout/student";
+
 class Toolchain {
  public:
   // Throws BadInput if there is no compiler.

@@ -58,7 +58,8 @@ std::string student_json(const SubmissionResult& whole) {
     for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
       const CaseResult& one = exercise.cases[i];
       tests.push_back(test(exercise, exercise.id + "." + std::to_string(i + 1), one.name, one.status,
-                           one.points, one.max_points, one.feedback));
+                           one.points, one.max_points,
+                           joined(one.feedback, i == 0 ? exercise.compiler_messages : "")));
     }
     exercises[exercise.id] = {{"status", to_string(exercise.status)},
                               {"score", rounded_points(exercise.points)},

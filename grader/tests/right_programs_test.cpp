@@ -88,7 +88,7 @@ class RightPrograms : public testing::TestWithParam<std::string> {
   const Exercise& exercise_ = *course_.find(GetParam());
   const StagedKit kit_{HAIR_KIT_DIR, course_};
   const Toolchain toolchain_{kit_, false};
-  const std::string suite_ = sha256_of(HAIRSEEDS), given_ = sha256_of(kit_.folder() / "include");
+  const std::string suite_ = sha256_of(HAIRSEEDS), given_ = sha256_of(kit_.folder() / "handout");
   const fs::path folder_ = kKept / GetParam();
 
   std::vector<std::string> compiling(const Setting& setting) const {
@@ -98,7 +98,7 @@ class RightPrograms : public testing::TestWithParam<std::string> {
       if (word.find("diagnostics") != std::string::npos || word.starts_with("-fmax-errors") ||
           word.starts_with("--param"))
         continue;
-      if (word.starts_with("-I/given")) word.replace(2, 6, (kit_.folder() / "include").string());
+      if (word.starts_with("-I/handout")) word.replace(2, 8, (kit_.folder() / "handout").string());
       words.push_back(word);
     }
     if (!setting.compiler.empty()) words[0] = setting.compiler;

@@ -13,9 +13,9 @@
 #   hair_warnings(TARGET)          the same and warnings, for our code, never for a student's file. They are errors in the staff's
 #                                  build alone: a student's compiler may be newer than ours
 #   hair_own_code(TARGET)          the same, and a library has the precompiled headers of libraries (precompiled.cmake)
-#   hair_exercise_libraries(NAME DIR [SANITISED])
-#                                  one static library <NAME>_<id> for each exercise file in DIR, compiled as for grading; SANITISED:
-#                                  with the sanitizers that find memory errors (checks.cmake)
+#   hair_exercise_libraries(NAME DIR [STUDENT] [SANITISED])
+#                                  a library <NAME>_<id> for each exercise file in DIR. STUDENT: compiled and linked as for grading;
+#                                  SANITISED: with the sanitizers that find memory errors (checks.cmake), too
 #   hair_left_out(NAME ID...)      a static library that stands for these exercises: each of their functions throws NotInCourse
 
 # Programs with AddressSanitizer are linked at fixed addresses. Where the kernel moves memory by 32 random bits (vm.mmap_rnd_bits),
@@ -131,32 +131,95 @@ function(hair_use_libraries TARGET ID)
   endforeach()
 endfunction()
 
+# A variable that nobody sets holds the same in each run.
+include(CheckCXXCompilerFlag)
+check_cxx_compiler_flag(-ftrivial-auto-var-init=pattern HAIR_HAS_UNSET_PATTERN)
+set(HAIR_STUDENT_OPTIONS -Wall -Wextra)
+if(HAIR_HAS_UNSET_PATTERN)
+  list(APPEND HAIR_STUDENT_OPTIONS -ftrivial-auto-var-init=pattern)
+else()
+  message(STATUS "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION} does not know -ftrivial-auto-var-init=pattern, as g++ 12 and clang 8 do: "
+                 "what a variable holds that nobody sets differs from run to run, and from grading")
+endif()
+
+# As in grading: a shared library that exports the exercise's functions, and calls the standard library, the given code that it may
+# call, its prerequisites and nothing else. What it lacks is an error where it is linked.
+function(hair_student_library TARGET ID)
+  # Not a word of CMake's own on the compiler's command line.
+  set_target_properties(${TARGET} PROPERTIES DEFINE_SYMBOL "")
+  if(HAIR_CONTRACT_DIRS)
+    get_target_property(file ${TARGET} SOURCES)
+    get_filename_component(top "${HAIR_HANDOUT_DIR}" ABSOLUTE)
+    add_custom_command(TARGET ${TARGET} PRE_LINK
+      COMMAND ${CMAKE_COMMAND} "-DFILE=${file}" "-DTOP=${top}" "-DLIBRARIES=${HAIR_${ID}_LIBRARIES}" "-DCOMPILER=${CMAKE_CXX_COMPILER}"
+              "-DINCLUDES=$<TARGET_PROPERTY:${TARGET},INCLUDE_DIRECTORIES>" -P "${top}/cmake/includes.cmake"
+      VERBATIM)
+  endif()
+  if(CMAKE_SYSTEM_NAME STREQUAL "Darwin")  # its linker asks for all symbols, and binds each to the library that has it
+    return()
+  endif()
+  set(names)
+  foreach(function ${HAIR_${ID}_FUNCTIONS})
+    string(REGEX REPLACE "[(].*" "*;" name "${function}")
+    string(APPEND names " ${name}")
+  endforeach()
+  # With the names of types: by them a program catches what a library throws.
+  set(exported "${CMAKE_CURRENT_BINARY_DIR}/${TARGET}.map")
+  file(CONFIGURE OUTPUT "${exported}" CONTENT "{ global: extern \"C++\" {${names} }; _ZTI*; _ZTS*; local: *; };\n" @ONLY)
+  # From where the linker is started: in the names of folders above, CMake would write a $ twice.
+  set(started "${CMAKE_CURRENT_BINARY_DIR}")
+  if(CMAKE_GENERATOR MATCHES "Ninja")
+    set(started "${CMAKE_BINARY_DIR}")
+  endif()
+  file(RELATIVE_PATH exported "${started}" "${exported}")
+  target_link_options(${TARGET} PRIVATE "-Wl,--version-script=${exported}")
+  # clang has the sanitizers' functions in programs alone.
+  get_target_property(options ${TARGET} COMPILE_OPTIONS)
+  if(NOT CMAKE_CXX_COMPILER_ID MATCHES "Clang" OR NOT "${options};${CMAKE_CXX_FLAGS}" MATCHES "-fsanitize=")
+    target_link_options(${TARGET} PRIVATE -Wl,-z,defs)
+  endif()
+endfunction()
+
 function(hair_exercise_libraries NAME DIR)
+  cmake_parse_arguments(PARSE_ARGV 2 ARG "STUDENT;SANITISED" "" "")
+  set(type STATIC)
+  set(linked PUBLIC)
+  set(kind exercise)
+  if(ARG_STUDENT)
+    set(type SHARED)
+    set(linked PRIVATE)
+    set(kind student_exercise)
+  endif()
+  if(ARG_SANITISED)
+    set(kind sanitised_exercise)
+  endif()
   foreach(id ${HAIR_EXERCISES})
     if(NOT EXISTS "${DIR}/${HAIR_${id}_FILE}")
       message(FATAL_ERROR "exercise ${id}: ${DIR}/${HAIR_${id}_FILE} is missing; restore it from the handout")
     endif()
-    add_library(${NAME}_${id} STATIC "${DIR}/${HAIR_${id}_FILE}")
+    add_library(${NAME}_${id} ${type} "${DIR}/${HAIR_${id}_FILE}")
     hair_compile_settings(${NAME}_${id})
     set_target_properties(${NAME}_${id} PROPERTIES POSITION_INDEPENDENT_CODE ON UNITY_BUILD OFF)
     target_link_libraries(${NAME}_${id} PUBLIC hair_interfaces)
     target_include_directories(${NAME}_${id} PUBLIC "${HAIR_LECTURE_DIR}")
     hair_use_libraries(${NAME}_${id} ${id})
-    set(kind exercise)
-    if(ARGC GREATER 2)
+    if(ARG_SANITISED)
       hair_sanitise(${NAME}_${id})
-      set(kind sanitised_exercise)
+    endif()
+    if(ARG_STUDENT)
+      target_compile_options(${NAME}_${id} PRIVATE ${HAIR_STUDENT_OPTIONS})
+      hair_student_library(${NAME}_${id} ${id})
     endif()
     if("eigen" IN_LIST HAIR_${id}_LIBRARIES)
       hair_precompile(${NAME}_${id} ${kind})
     endif()
     foreach(library ${HAIR_${id}_LIBRARIES} standard)
-      target_link_libraries(${NAME}_${id} PUBLIC ${HAIR_GIVEN_${library}})
+      target_link_libraries(${NAME}_${id} ${linked} ${HAIR_GIVEN_${library}})
     endforeach()
   endforeach()
   foreach(id ${HAIR_EXERCISES})
     foreach(prerequisite ${HAIR_${id}_PREREQUISITES})
-      target_link_libraries(${NAME}_${id} PUBLIC ${NAME}_${prerequisite})
+      target_link_libraries(${NAME}_${id} ${linked} ${NAME}_${prerequisite})
     endforeach()
   endforeach()
 endfunction()

@@ -1,0 +1,50 @@
+// STAFF ONLY.
+#include "grader/compile/messages.h"
+
+#include <algorithm>
+#include <sstream>
+#include <vector>
+
+#include "grader/course/input.h"
+
+namespace grader {
+namespace {
+
+// The first `most` lines, and how many more there are.
+std::string first_lines(const std::vector<std::string>& lines, std::size_t most) {
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, lines.size()); ++i) text += lines[i] + "\n";
+  if (lines.size() > most) text += "... and " + std::to_string(lines.size() - most) + " more\n";
+  return text;
+}
+
+}  // namespace
+
+std::string own_warnings(const std::string& log, const std::string& file) {
+  std::istringstream text(log);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);)
+    if (line.starts_with(file + ":") && line.find(": warning: ") != std::string::npos &&
+        std::find(lines.begin(), lines.end(), line) == lines.end())
+      lines.push_back(line);
+  std::stable_partition(lines.begin(), lines.end(), [](const std::string& line) {
+    return line.ends_with("uninitialized]");  // -Wuninitialized, -Wmaybe-uninitialized
+  });
+  return first_lines(lines, 20);
+}
+
+std::string undefined_names(const std::string& log) {
+  const std::string saying = "undefined reference to ";
+  std::istringstream text(log);
+  std::vector<std::string> names;
+  for (std::string line; std::getline(text, line);) {
+    const std::size_t at = line.find(saying), first = at + saying.size() + 1;
+    if (at == std::string::npos || line.size() < first + 2) continue;
+    // Between a linker's quotes.
+    const std::string name = "  " + printable(line.substr(first, line.size() - 1 - first));
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return first_lines(names, 10);
+}
+
+}  // namespace grader

@@ -1,0 +1,14 @@
+// STAFF ONLY. What a student reads of what compiler and linker print.
+#pragma once
+
+#include <string>
+
+namespace grader {
+
+// The warnings about `file`'s own lines, a line each: those of variables that nobody sets come first. Twenty at most.
+std::string own_warnings(const std::string& log, const std::string& file);
+
+// Names that the linker does not find, a line each, as C++ writes them. Ten at most.
+std::string undefined_names(const std::string& log);
+
+}  // namespace grader

@@ -1,0 +1,225 @@
+// STAFF ONLY. The same file, built as a student builds it in an unpacked handout, and as it is graded: it builds in both or in neither, and for
+// the same reason.
+#include <dlfcn.h>
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "grader/compile/compiler.h"
+#include "grader/package/handout.h"
+#include "hair/io/files/read_file.h"
+#include "hair/io/files/temporary_folder.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kProject = HAIR_PROJECT;
+
+struct Ran {
+  bool well;
+  std::string output;
+};
+
+// With the environment of a shell that has just been opened.
+Ran run(const std::string& command, const fs::path& folder = "/") {
+  FILE* pipe =
+      popen(("cd '" + folder.string() + "' && exec env -i PATH=\"$PATH\" " + command + " 2>&1").c_str(), "r");
+  if (pipe == nullptr) return {false, "can't start a shell"};
+  std::string output;
+  char buffer[4096];
+  while (std::size_t count = fread(buffer, 1, sizeof buffer, pipe)) output.append(buffer, count);
+  return {pclose(pipe) == 0, output};
+}
+
+class HomeAndGrading : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    both_ = new Both;
+    ASSERT_TRUE(run("cmake -E tar xf handout.tar.gz", both_->temporary.path()).well);
+    const Ran configured = run("cmake --preset release", both_->handout);
+    ASSERT_TRUE(configured.well) << configured.output;
+  }
+  static void TearDownTestSuite() { delete both_; }
+
+  static const Exercise& exercise(const std::string& id) { return *both_->course.find(id); }
+  static std::string reference(const std::string& id) {
+    return hair::bytes_of(kProject / "reference" / exercise(id).file);
+  }
+
+  // A folder of the build, without the handout's path.
+  static fs::path handout() { return both_->handout; }
+
+  // With the library of `target`, "student" or "checked", the one with sanitizers.
+  static Ran at_home(const std::string& id, const std::string& source,
+                     const std::string& target = "student") {
+    std::ofstream(both_->handout / "student" / exercise(id).file) << source;
+    return run("cmake --build '" + (both_->handout / "build").string() + "' --target " + target + "_" + id);
+  }
+
+  static Compiled in_grading(const std::string& id, const std::string& source) {
+    return both_->compiler.compile(exercise(id), source, both_->kit.new_job(std::to_string(both_->jobs += 1)),
+                                   200);
+  }
+
+  static void builds_in_both(const std::string& id, const std::string& source) {
+    const Ran home = at_home(id, source);
+    EXPECT_TRUE(home.well) << home.output;
+    const Compiled graded = in_grading(id, source);
+    EXPECT_FALSE(graded.object.empty()) << graded.messages << graded.log;
+  }
+
+  // Both say `reason`.
+  static void builds_in_neither(const std::string& id, const std::string& source, const std::string& reason,
+                                const std::string& target = "student") {
+    const Ran home = at_home(id, source, target);
+    EXPECT_FALSE(home.well) << "at home";
+    EXPECT_NE(home.output.find(reason), std::string::npos) << home.output;
+    const Compiled graded = in_grading(id, source);
+    EXPECT_TRUE(graded.object.empty()) << "in grading";
+    EXPECT_NE(graded.messages.find(reason), std::string::npos) << graded.messages << graded.log;
+  }
+
+ private:
+  struct Both {
+    Both() { make_handout({kProject, HAIR_GOLDEN_DIR}, course, temporary.path() / "handout.tar.gz"); }
+    const Course course = read_course(kProject / "handout/exercises.json");
+    const hair::TemporaryFolder temporary{"hair-both"};
+    const fs::path handout = temporary.path() / "hair-assignment";
+    const StagedKit kit{HAIR_KIT_DIR, course};
+    const Compiler compiler{kit, temporary.path() / "cache", true};
+    int jobs = 0;
+  };
+  static inline Both* both_ = nullptr;
+};
+
+TEST_F(HomeAndGrading, AHeaderIsFoundHoweverItsPathIsWritten) {
+  std::string lines;
+  for (const char* path :
+       {"\"solver/linearSolver.h\"", "<solver/linearSolver.h>", "\"../solver/linearSolver.h\"",
+        "\"./../solver/linearSolver.h\"", "\".././solver/./linearSolver.h\"", "<../solver/linearSolver.h>",
+        "\"linearSolver.h\"", "<linearSolver.h>", "\"solver/matrices.h\"", "\"../solver/matrices.h\"",
+        "<../solver/matrices.h>", "\"given/solver/matrices.h\"", "\"../given/solver/matrices.h\"",
+        "\"../given/../solver/lecture/linearSolver.h\"", "\"hair/../solver/timing.h\"", "<bits/stdc++.h>",
+        "<sys/time.h>", "<vector>"})
+    lines += "#include " + std::string(path) + "\n";
+  builds_in_both("S1", lines + reference("S1"));
+}
+
+// What lies in a student's folder and is not handed in, and what the machine has beside the standard library.
+TEST_F(HomeAndGrading, AnotherFileIsFoundInNeither) {
+  const fs::path student = handout() / "student";
+  for (const fs::path& file :
+       {student / "helper.h", student / "unread.h", student / "my helper.hpp", handout() / "above.h",
+        student / "below/helper.h", handout().parent_path() / "beside/helper.h"}) {
+    fs::create_directories(file.parent_path());
+    std::ofstream(file) << "#pragma once\n";
+  }
+  for (const char* path :
+       {"\"helper.h\"", "\"./helper.h\"", "\"my helper.hpp\"", "\"below/helper.h\"", "\"student/helper.h\"",
+        "<student/helper.h>", "\"../student/helper.h\"", "\"hair/../student/helper.h\"", "\"../above.h\"",
+        "<above.h>", "\"../../beside/helper.h\"", "\"normal_equations.cpp\"",
+        "\"student/normal_equations.cpp\"", "\"checks/check.h\"", "\"../checks/check.h\"",
+        "\"gtest/gtest.h\"", "<gtest/gtest.h>", "<eigen3/Eigen/Core>", "<nlohmann/json.hpp>"}) {
+    SCOPED_TRACE(path);
+    const std::string name = std::string(path + 1).substr(0, std::strlen(path) - 2);
+    // Behind what is not looked at, and so that nothing depends on a first line.
+    builds_in_neither("S1",
+                      "#ifdef ANOTHER_SYSTEM\n#include \"unread.h\"\n#endif\n" + reference("S1") +
+                          "#include " + path + "\n",
+                      name + ": No such file or directory");
+  }
+  // A line that the compiler does not read costs nothing.
+  builds_in_both("S1", "#ifdef ANOTHER_SYSTEM\n#include \"unread.h\"\n#include <gtest/gtest.h>\n#endif\n" +
+                           reference("S1"));
+  fs::remove_all(handout().parent_path() / "beside");
+}
+
+// The functions that a library defines for others, as the linker calls them.
+std::set<std::string> functions_of(const fs::path& archive) {
+  std::set<std::string> names;
+  const Ran listed = run("nm --defined-only --extern-only --format=posix '" + archive.string() + "'");
+  EXPECT_TRUE(listed.well) << listed.output;
+  std::istringstream lines(listed.output);
+  std::string line, name, kind;
+  while (std::getline(lines, line))
+    if (std::istringstream(line) >> name >> kind && kind == "T") names.insert(name);
+  return names;
+}
+
+// A table of their addresses.
+std::string naming(const std::set<std::string>& functions) {
+  std::string text = "asm(\".pushsection .data\\n\"\n";
+  for (const std::string& name : functions) text += "\".quad " + name + "\\n\"\n";
+  return text + "\".popsection\");\n";
+}
+
+// Each function that a header of the given code declares and that is defined elsewhere is one of a library's.
+TEST_F(HomeAndGrading, EveryFunctionOfTheGivenLibrariesIsLinked) {
+  const fs::path given = handout() / "build/given";
+  ASSERT_TRUE(at_home("P1", reference("P1")).well);
+  const std::set<std::string> standard = functions_of(given / "solver/libhair_solver.a");
+  EXPECT_GT(standard.size(), 10u);
+  builds_in_both("S1", reference("S1") + naming(standard));
+
+  std::set<std::string> eigen = standard;
+  for (const char* archive : {"particles/libhair_particles.a", "solver/libhair_block_bands.a"})
+    eigen.merge(functions_of(given / archive));
+  EXPECT_GT(eigen.size(), standard.size() + 50);
+  builds_in_both("P1", reference("P1") + naming(eigen));
+}
+
+TEST_F(HomeAndGrading, WhatNoLibraryHasIsNamed) {
+  const std::string nowhere = "\nint nowhere(double);\nint asks_nowhere() { return nowhere(1); }\n";
+  builds_in_neither("S1", reference("S1") + nowhere, "nowhere(double)");
+  // As check-S1 builds it.
+  builds_in_neither("S1", reference("S1") + nowhere, "nowhere(double)", "checked");
+  // Given code that hairlab has, and an exercise that this one does not need.
+  builds_in_neither("P1",
+                    "#include \"solver/symmetric_eigen.h\"\n" + reference("P1") +
+                        "auto asks() { return &solver::symmetric_eigenvalues; }\n",
+                    "solver::symmetric_eigenvalues");
+  builds_in_neither(
+      "P1", "#include \"solver/linearSolver.h\"\n" + reference("P1") + "auto asks() { return &ConjGrad; }\n",
+      "ConjGrad(int, implicitMatrix*, double*, double*, double, int*)");
+}
+
+// What S1's file returns that forgets to set its result, and what the compiler says of it.
+TEST_F(HomeAndGrading, AVariableThatNobodySetsHoldsTheSameInBoth) {
+  const std::string source =
+      "#include \"solver/linearSolver.h\"\n"
+      "double ConjGrad(int n, implicitMatrix* A, double x[], double b[], double epsilon, int* steps) {\n"
+      "  double sum;\n  return sum;\n}\n";
+  const Ran home = at_home("S1", source);
+  ASSERT_TRUE(home.well) << home.output;
+  const Compiled graded = in_grading("S1", source);
+  ASSERT_FALSE(graded.object.empty()) << graded.log;
+  const std::string warning =
+      "conj_grad.cpp:4:10: warning: 'sum' is used uninitialized [-Wuninitialized]\n"
+      "conj_grad.cpp:2:";
+  EXPECT_TRUE(graded.messages.starts_with(warning)) << graded.messages;
+  EXPECT_NE(graded.messages.find("unused parameter 'epsilon'"), std::string::npos) << graded.messages;
+  EXPECT_EQ(in_grading("S1", source).messages, graded.messages) << "from the cache";
+
+  for (const fs::path& object : {handout() / "build/libstudent_S1.so", graded.object}) {
+    void* const loaded = dlopen(object.c_str(), RTLD_NOW | RTLD_LOCAL);
+    ASSERT_NE(loaded, nullptr) << dlerror();
+    using Function = double (*)(int, void*, double*, double*, double, int*);
+    const auto solve = reinterpret_cast<Function>(dlsym(loaded, "_Z8ConjGradiP14implicitMatrixPdS1_dPi"));
+    ASSERT_NE(solve, nullptr) << dlerror();
+    const double found = solve(0, nullptr, nullptr, nullptr, 0, nullptr);
+    unsigned char bytes[sizeof found];
+    std::memcpy(bytes, &found, sizeof found);
+    for (const unsigned char byte : bytes) EXPECT_EQ(byte, 0xfe) << object;
+    dlclose(loaded);
+  }
+}
+
+}  // namespace
+}  // namespace grader
