@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "grader/compile/cache.h"
+#include "grader/compile/encoding.h"
 #include "grader/compile/hash.h"
 #include "grader/compile/messages.h"
 #include "grader/course/input.h"
@@ -97,10 +98,14 @@ Compiled Compiler::run_compiler(const Exercise& exercise, const std::string& sou
     return compiled;
   }
   toolchain_.prove_it_compiles(cage);
+  if (const std::string wide = told_if_wide(source, exercise.file); !wide.empty())
+    compiled.messages = wide;
+  else
+    compiled.messages += told_of_stray_byte(source, exercise.file);
   if (compiled.messages.empty())
-    compiled.messages =
-        "the compiler gave up on the file: it takes more time or memory than there is, or names a file that "
-        "is not there\n";
+    compiled.messages = found.limited
+                            ? "the compiler gave up on the file: it takes more time or memory than there is\n"
+                            : "the compiler gave up on the file, with no word about its own lines\n";
   return compiled;
 }
 

@@ -91,6 +91,39 @@ TEST_F(CompilerTest, WarningsAreKeptWithTheObject) {
   EXPECT_EQ(again.log, first.log);
 }
 
+// What compilers say is cut, from its middle; what they made is not.
+TEST_F(CompilerTest, AFileWithALotOfWarningsCompiles) {
+  const Exercise& exercise = *course_.find("S1");
+  std::string warnings;
+  for (int i = 0; i < 500; ++i)
+    warnings += "#warning " + std::string(400, 'w') + " number " + std::to_string(i) + "\n";
+  const Compiled right =
+      compiler_.compile(exercise, reference(exercise) + warnings, kit_.new_job("warned"), kSeconds);
+  EXPECT_FALSE(right.object.empty());
+  EXPECT_LT(right.log.size(), 70000U);
+  for (const char* said : {"number 0 [", "bytes are left out here)", "number 499 ["})
+    EXPECT_NE(right.log.find(said), std::string::npos) << said;
+  const Compiled wrong = compiler_.compile(exercise, reference(exercise) + warnings + "int one = two;\n",
+                                           kit_.new_job("warned-and-wrong"), kSeconds);
+  EXPECT_TRUE(wrong.object.empty());
+  EXPECT_NE(wrong.messages.find("'two' was not declared"), std::string::npos);
+}
+
+TEST_F(CompilerTest, ASourceInAnotherEncodingIsToldByItsName) {
+  const Exercise& exercise = *course_.find("S1");
+  std::string wide;
+  for (const char letter : reference(exercise)) wide += {letter, '\0'};
+  const Compiled utf16 = compiler_.compile(exercise, wide, kit_.new_job("utf-16"), kSeconds);
+  EXPECT_TRUE(utf16.object.empty());
+  EXPECT_TRUE(utf16.messages.starts_with("conj_grad.cpp is UTF-16 (little-endian)")) << utf16.messages;
+  // In a comment Latin-1 is no mistake, nor are NULs.
+  const std::string stray = reference(exercise) + "// L\xf6sung\n" + std::string(3, '\0');
+  EXPECT_FALSE(compiler_.compile(exercise, stray, kit_.new_job("stray"), kSeconds).object.empty());
+  const Compiled both =
+      compiler_.compile(exercise, "int l\xf6sung;\nint one = two;\n", kit_.new_job("both"), kSeconds);
+  EXPECT_NE(both.messages.find("conj_grad.cpp holds a byte in line 1"), std::string::npos) << both.messages;
+}
+
 TEST_F(CompilerTest, TwoThreadsThatWantTheSameObjectCompileItOnce) {
   const Exercise& exercise = *course_.find("S1");
   const fs::path jobs[] = {kit_.new_job("at-once-0"), kit_.new_job("at-once-1")};
@@ -183,7 +216,7 @@ TEST_F(CompilerTest, EndsWhatTakesTooLong) {
   const Compiled compiled = compiler_.compile(with_eigen_, bomb, kit_.new_job("bomb"), 2);
   EXPECT_TRUE(compiled.object.empty());
   EXPECT_NEAR(compiled.cpu_seconds, 2, 0.5);
-  EXPECT_EQ(compiled.log, "a limit on time, memory or output was reached\n");
+  EXPECT_EQ(compiled.log, "a limit on time or memory was reached\n");
 }
 
 TEST_F(CompilerTest, SaysWhatItTook) {

@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostOutput = 64 << 10;
+constexpr std::size_t kMostOutput = 64 << 10;  // of what compilers say
 
 const std::vector<std::string> kCompile = {"-std=c++20", "-O2", "-fPIC", "-ffp-contract=off", "-pipe",
                                            "--param=ggc-min-heapsize=524288",  // kB: collects no garbage
@@ -87,19 +87,16 @@ Toolchain::Run Toolchain::run(const Cage& cage, const std::vector<std::string>& 
   const std::vector<std::string> limited = cage.isolated ? with_inner_limits(cage.limits, command) : command;
   CagedProcess process(cage, limited, -1, -1, output.write_end.get());
   output.write_end.close();
-  Run run{{}, read_all(output.read_end, kMostOutput, cage.limits.wall_seconds)};
-  const bool flood = run.output.size() >= kMostOutput;
-  // It may still run: out of time, or with more to say than anybody reads.
-  run.ending = process.wait(flood ? 0 : 1);
+  Run run{{}, read_both_ends(output.read_end, kMostOutput, cage.limits.wall_seconds)};
+  run.ending = process.wait(1);
   // Of what we have ended ourselves the CPU time is unknown.
   run.cpu_seconds =
       run.ending.timed_out ? std::max(running.seconds(), run.ending.cpu_seconds) : run.ending.cpu_seconds;
   run.limited =
-      flood || run.ending.timed_out || run.ending.out_of_memory ||
-      run.cpu_seconds >= cage.limits.cpu_seconds ||
+      run.ending.timed_out || run.ending.out_of_memory || run.cpu_seconds >= cage.limits.cpu_seconds ||
       tool_says(run.output, file, {"Killed signal", "memory exhausted", "out of memory", "CPU time limit"});
   // Which limit a bomb meets first differs from run to run; that it met one does not.
-  if (run.limited && !run.ending.well()) run.output = "a limit on time, memory or output was reached\n";
+  if (run.limited && !run.ending.well()) run.output = "a limit on time or memory was reached\n";
   return run;
 }
 

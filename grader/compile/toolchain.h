@@ -24,7 +24,7 @@ class Toolchain {
 
   struct Run {
     Ending ending;
-    std::string output;      // the beginning of the output
+    std::string output;      // its beginning and its end
     double cpu_seconds = 0;  // of compiler, assembler and linker
     bool limited = false;    // it met a limit: the same again would meet it again
   };

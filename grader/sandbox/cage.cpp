@@ -234,8 +234,8 @@ Ending CagedProcess::wait(double seconds) {
     ending.code = WEXITSTATUS(status);
   }
   ending.out_of_memory = group_ && group_->ran_out_of_memory();
-  // The soft limit on CPU time, or the hard one a second later for a process that ignores the first.
-  ending.timed_out |= ending.signal == SIGXCPU || (ending.signal == SIGKILL && !ending.out_of_memory);
+  // The soft limit on CPU time. SIGKILL may be the hard one, a second later, for a process that ignores the first; or anybody's.
+  ending.timed_out |= ending.signal == SIGXCPU;
   ending_ = ending;
   group_.reset();
   return ending;
@@ -274,14 +274,15 @@ CagedProcess::Activity CagedProcess::activity() const {
 }
 
 std::vector<std::string> with_inner_limits(const Limits& limits, const std::vector<std::string>& command) {
-  std::vector<std::string> all = {"/usr/bin/prlimit",
-                                  "--as=" + std::to_string(limits.memory_bytes),
-                                  "--nproc=" + std::to_string(limits.processes),
-                                  "--cpu=" + std::to_string(limits.cpu_seconds),
-                                  "--fsize=" + std::to_string(limits.file_bytes),
-                                  "--core=0",
-                                  "--nofile=256",
-                                  "--"};
+  std::vector<std::string> all = {
+      "/usr/bin/prlimit",
+      "--as=" + std::to_string(limits.memory_bytes),
+      "--nproc=" + std::to_string(limits.processes),
+      "--cpu=" + std::to_string(limits.cpu_seconds) + ":" + std::to_string(limits.cpu_seconds + 1),
+      "--fsize=" + std::to_string(limits.file_bytes),
+      "--core=0",
+      "--nofile=256",
+      "--"};
   all.insert(all.end(), command.begin(), command.end());
   return all;
 }

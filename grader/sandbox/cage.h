@@ -53,7 +53,7 @@ struct Cage {
 struct Ending {
   int code = 0;                // its exit code
   int signal = 0;              // or the signal that killed it
-  bool timed_out = false;      // it used up its CPU time, or the watchdog killed it
+  bool timed_out = false;      // it used up its CPU time, or we killed it
   bool out_of_memory = false;  // the kernel killed it
   double cpu_seconds = 0;      // of all its processes, if it was the first one and has ended by itself
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
+#include <string_view>
 #include <system_error>
 
 namespace grader {
@@ -23,12 +24,15 @@ Pipe make_pipe() {
   return {Descriptor(ends[0]), Descriptor(ends[1])};
 }
 
-std::string read_all(const Descriptor& from, std::size_t limit, double seconds) {
+namespace {
+
+// Until the other side closes, the time is up, or `take` has enough.
+template <class Take>
+void read_pieces(const Descriptor& from, double seconds, const Take& take) {
   using Clock = std::chrono::steady_clock;
   const auto deadline = Clock::now() + std::chrono::duration<double>(seconds);
-  std::string text;
   char buffer[4096];
-  while (text.size() < limit) {
+  for (;;) {
     const std::chrono::duration<double, std::milli> left = deadline - Clock::now();
     pollfd readable{from.get(), POLLIN, 0};
     const int ready = poll(&readable, 1, static_cast<int>(std::clamp(left.count(), 0.0, 1e9)));
@@ -36,11 +40,44 @@ std::string read_all(const Descriptor& from, std::size_t limit, double seconds) 
     if (ready <= 0) break;
     const ssize_t got = read(from.get(), buffer, sizeof buffer);
     if (got < 0 && errno == EINTR) continue;
-    if (got <= 0) break;
-    text.append(buffer, static_cast<std::size_t>(got));
+    if (got <= 0 || !take(std::string_view(buffer, static_cast<std::size_t>(got)))) break;
   }
-  if (text.size() > limit) text.resize(limit);
+}
+
+}  // namespace
+
+std::string read_all(const Descriptor& from, std::size_t limit, double seconds) {
+  std::string text;
+  read_pieces(from, seconds, [&](std::string_view piece) {
+    text += piece.substr(0, limit - text.size());
+    return text.size() < limit;
+  });
   return text;
+}
+
+std::string read_both_ends(const Descriptor& from, std::size_t most, double seconds) {
+  std::string beginning, end;
+  std::size_t left_out = 0;
+  read_pieces(from, seconds, [&](std::string_view piece) {
+    const std::string_view first = piece.substr(0, most / 2 - beginning.size());
+    beginning += first;
+    end += piece.substr(first.size());
+    if (end.size() > 2 * most) {
+      left_out += end.size() - most / 2;
+      end.erase(0, end.size() - most / 2);
+    }
+    return true;
+  });
+  if (left_out + end.size() <= most / 2) return beginning + end;
+  if (end.size() > most / 2) {
+    left_out += end.size() - most / 2;
+    end.erase(0, end.size() - most / 2);
+  }
+  // Lines that are cut belong to what is left out.
+  const std::size_t whole = beginning.rfind('\n') + 1, next = std::min(end.find('\n'), end.size() - 1) + 1;
+  left_out += beginning.size() - whole + next;
+  return beginning.substr(0, whole) + "(" + std::to_string(left_out) + " bytes are left out here)\n" +
+         end.substr(next);
 }
 
 }  // namespace grader

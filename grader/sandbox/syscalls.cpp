@@ -16,6 +16,7 @@
 #include <initializer_list>
 #include <iterator>
 #include <memory>
+#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -58,7 +59,8 @@ const std::initializer_list<Denied> kDenied = {
     {"to open a network connection",
      {"socket", "socketpair", "connect", "bind", "listen", "accept", "accept4", "sendto", "sendmsg",
       "recvfrom"}},
-    {"to start another process", {"fork", "vfork", "clone", "execve", "execveat"}},
+    // popen makes its pipe first.
+    {"to start another process", {"fork", "vfork", "clone", "execve", "execveat", "pipe", "pipe2"}},
     {"to change or create a file",
      {"open",     "openat",    "openat2",  "creat",     "unlink",   "unlinkat", "rename",
       "renameat", "renameat2", "mkdir",    "mkdirat",   "rmdir",    "link",     "linkat",
@@ -75,8 +77,16 @@ const std::initializer_list<Denied> kDenied = {
       "request_key", "init_module",     "finit_module", "kexec_load",     "reboot",  "setuid",
       "setgid",      "setresuid",       "setresgid",    "setgroups",      "capset"}}};
 
-// Denied for some arguments only.
-constexpr const char* kConditional[] = {"openat", "open", "clone", "prlimit64", "rt_sigaction", "tgkill"};
+// Denied for some arguments only, or to workers only.
+constexpr const char* kConditional[] = {"openat",       "open",   "clone", "prlimit64",
+                                        "rt_sigaction", "tgkill", "pipe",  "pipe2"};
+
+// Among those, in Syscalls::worker.
+constexpr const char* kHeard[] = {"rt_sigprocmask", "exit", "exit_group"};
+
+bool is_one_of(std::span<const char* const> names, const char* name) {
+  return std::ranges::any_of(names, [&](const char* one) { return std::strcmp(name, one) == 0; });
+}
 
 // The flags with which the C library starts a thread. Any other may start more than that: with CLONE_VFORK the starter
 // waits in a state in which it seems to work.
@@ -117,11 +127,19 @@ void add_compute_rules(const Filter& filter) {
   add(filter, SCMP_ACT_TRAP, "tgkill", {{2, SCMP_CMP_NE, SIGABRT, 0}});
   add(filter, SCMP_ACT_ALLOW, "ioctl", {{1, SCMP_CMP_EQ, TCGETS, 0}});  // isatty, which printf asks
   for (const Denied& denied : kDenied)
-    for (const char* name : denied.names) {
-      const bool has_conditions = std::any_of(std::begin(kConditional), std::end(kConditional),
-                                              [&](const char* one) { return std::strcmp(name, one) == 0; });
-      if (!has_conditions) add(filter, SCMP_ACT_TRAP, name);
-    }
+    for (const char* name : denied.names)
+      if (!is_one_of(kConditional, name)) add(filter, SCMP_ACT_TRAP, name);
+}
+
+void add_worker_rules(const Filter& filter) {
+  for (const char* name : {"pipe", "pipe2"}) add(filter, SCMP_ACT_TRAP, name);
+  add(filter, SCMP_ACT_ALLOW, "rt_sigprocmask", {{0, SCMP_CMP_EQ, SIG_UNBLOCK, 0}});
+  add(filter, SCMP_ACT_TRAP, "rt_sigprocmask", {{0, SCMP_CMP_NE, SIG_UNBLOCK, 0}});
+  constexpr std::uint64_t kAbove127 = 0x80;
+  for (const char* name : {"exit", "exit_group"}) {
+    add(filter, SCMP_ACT_ALLOW, name, {bits_are(0, kAbove127, 0)});
+    add(filter, SCMP_ACT_TRAP, name, {bits_are(0, kAbove127, kAbove127)});
+  }
 }
 
 Filter make_filter(Syscalls kept) {
@@ -129,12 +147,14 @@ Filter make_filter(Syscalls kept) {
   if (!filter) throw std::runtime_error("seccomp: no memory for a filter");
   // Calls in another architecture's numbers (int 0x80, x32) end the process, not the calling thread alone.
   seccomp_attr_set(filter.get(), SCMP_FLTATR_ACT_BADARCH, SCMP_ACT_KILL_PROCESS);
-  for (const char* name : kCompute) add(filter, SCMP_ACT_ALLOW, name);
+  for (const char* name : kCompute)
+    if (kept != Syscalls::worker || !is_one_of(kHeard, name)) add(filter, SCMP_ACT_ALLOW, name);
   add(filter, SCMP_ACT_ERRNO(ENOSYS), "clone3");
   if (kept == Syscalls::toolchain) {
     for (const char* name : kToolchain) add(filter, SCMP_ACT_ALLOW, name);
   } else {
     add_compute_rules(filter);
+    if (kept == Syscalls::worker) add_worker_rules(filter);
   }
   return filter;
 }

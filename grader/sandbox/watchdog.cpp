@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <fstream>
+#include <thread>
 
 namespace grader {
 namespace {
@@ -74,6 +75,10 @@ void Watchdog::look() {
   last_ = std::move(now);
   if (idle_ > patience_.idle_seconds) why_ = "asleep";
   if (last_.cpu_seconds > patience_.cpu_seconds) why_ = "out of CPU time";
+}
+
+double Watchdog::most_cpu_seconds() const {
+  return last_.cpu_seconds + waited_ * std::max(1U, std::thread::hardware_concurrency());
 }
 
 bool Watchdog::wait_for(int descriptor, short events) {

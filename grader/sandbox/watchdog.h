@@ -38,6 +38,8 @@ class Watchdog {
   // What the worker has taken, as last seen; the time that we have waited for it since then counts as computing.
   double idle_seconds() const { return idle_; }
   double cpu_seconds() const { return last_.cpu_seconds + waited_; }
+  // If it has computed on all processors since then.
+  double most_cpu_seconds() const;
 
  private:
   using Clock = std::chrono::steady_clock;

@@ -23,6 +23,10 @@ constexpr std::size_t kLargestMessage = std::size_t{8} << 20;
 // More calls within callbacks than honest code makes.
 constexpr int kMostCalls = 4;
 
+// When a worker may end.
+constexpr const char* kLoading = "while the code was loaded";
+constexpr const char* kAsking = "during the request";
+
 // More than honest code makes in a call.
 constexpr int kMostAllocations = 1'000'000;
 
@@ -84,12 +88,14 @@ std::vector<std::string> worker_command(const WorkerSetup& setup, const Limits& 
 struct Student::Worker {
   Pipe requests = make_pipe(), replies = make_pipe();
   Descriptor log;
+  int cpu_seconds;
   CagedProcess process;
   Watchdog watchdog;
   Channel channel;
 
   Worker(const WorkerSetup& setup, const Cage& cage)
       : log(open(setup.log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600)),
+        cpu_seconds(cage.limits.cpu_seconds),
         process(cage, worker_command(setup, cage.limits), requests.read_end.get(), replies.write_end.get(),
                 log.get()),
         watchdog(process, patience(setup)),
@@ -142,7 +148,7 @@ std::optional<Answer> Student::start() {
   worker_ = std::make_shared<Worker>(setup_, worker_cage(setup_));
   try {
     const std::optional<Message> message = receive();
-    if (!message) return ended("while the code was loaded");
+    if (!message) return ended(kLoading);
     switch (message->kind) {
       case Kind::hello:
         return {};
@@ -150,6 +156,8 @@ std::optional<Answer> Student::start() {
         if (!setup_.sanitised) return broke_rules("something else than a greeting");
         end(1);
         return Answer{Outcome::memory_error, MessageReader(message->body), {}};
+      case Kind::left:
+        return left(kLoading, MessageReader(message->body).get<int>());
       case Kind::denied:
         return broke_rules("it tried " +
                            std::string(denied_syscall(MessageReader(message->body).get<int>())));
@@ -235,7 +243,7 @@ Answer Student::converse(const MessageWriter& request, Conversation& conversatio
 MessageReader Student::listen(Conversation& conversation, Kind until) {
   for (;;) {
     std::optional<Message> message = receive();
-    if (!message) throw Over{ended("during the request")};
+    if (!message) throw Over{ended(kAsking)};
     charge(conversation);
     if (give_up_if_used_up()) {
       end(0);
@@ -271,6 +279,8 @@ MessageReader Student::listen(Conversation& conversation, Kind until) {
         if (!setup_.sanitised) throw MalformedMessage("a memory error that nobody looks for");
         end(1);
         throw Over{{Outcome::memory_error, std::move(body), {}}};
+      case Kind::left:
+        throw Over{left(kAsking, body.get<int>())};
       default:
         throw MalformedMessage("a message of kind " +
                                std::to_string(static_cast<std::uint32_t>(message->kind)));
@@ -322,23 +332,34 @@ void Student::serve_call(Conversation& conversation, MessageReader call) {
   }
 }
 
+// The worker has told its exit code, which the kernel's word for its end would not.
+Answer Student::left(const std::string& during, int code) {
+  end(1);
+  last_failure_ = Outcome::crashed;
+  return {Outcome::crashed, MessageReader({}), during + ": it left with code " + std::to_string(code)};
+}
+
 // The worker is gone, or not worth waiting for. Says how, and gives up after too many.
 Answer Student::ended(const std::string& during) {
   // A worker that has closed its pipes may still run, or wait for a processor to leave by. Once it is gone nobody sees how it idled.
   worker_->watchdog.look();
   worker_->watchdog.wait_for(worker_->process.handle().get(), POLLIN);
   const char* why = worker_->watchdog.why();
+  const bool may_be_out_of_cpu_time = worker_->watchdog.most_cpu_seconds() >= worker_->cpu_seconds;
   const Ending ending = end(0);
 
   Answer answer{Outcome::crashed, MessageReader({}), during};
   if (ending.out_of_memory) {
     answer.outcome = Outcome::out_of_memory;
-  } else if (ending.timed_out) {
+  } else if (ending.timed_out || (ending.signal == SIGKILL && may_be_out_of_cpu_time)) {
     answer.outcome = Outcome::timed_out;
     answer.note += std::string(": ") + (why != nullptr ? why : "out of CPU time");
     ++timeouts_;
   } else if (ending.signal == SIGSYS) {
     answer.outcome = Outcome::broke_rules;
+    answer.note = "it tried " + std::string(denied_syscall(-1));  // in a way that hides which
+  } else if (ending.signal == SIGKILL) {
+    answer.note += ": killed, and by none of our clocks";
   } else {
     answer.note += ending.signal != 0 ? ": signal " + std::to_string(ending.signal)
                                       : ": it left with code " + std::to_string(ending.code);

@@ -99,6 +99,7 @@ class Student {
   std::optional<Message> receive();
   Answer broke_rules(const std::string& how);
   Answer ended(const std::string& during);
+  Answer left(const std::string& during, int code);
   std::optional<Answer> give_up_if_used_up();
   Ending end(double grace_seconds);
 

@@ -37,8 +37,9 @@ MessageReader Trial::reply_of(Answer answer, const std::string& stopped) const {
       fail(Status::timed_out, "no answer within the time limit", answer.note);
     case Outcome::broke_rules:
       fail(Status::broke_rules,
-           "the code " + (answer.note.starts_with("it tried")
-                              ? answer.note.substr(3)
+           "the code " + (answer.note.starts_with("it tried") ? answer.note.substr(3)
+                          : answer.note.starts_with("used up")
+                              ? "broke the rules before, and is not asked again"
                               : std::string("answered in a form that it has no business with")),
            answer.note);
     case Outcome::cannot_load:

@@ -8,7 +8,7 @@
 //   stop, for the request     denied(system call), during the request
 //                             allocated(how often), during the request
 //                             done(...) | stopped | not_implemented | threw | out_of_memory
-//                             | memory_error, of a worker with sanitizers
+//                             | memory_error, of a worker with sanitizers | left(exit code)
 //
 // During the request the worker may also call a function of a prerequisite, which the suite provides
 // (grader/suite/provided.h). Then the suite may ask for products with an object of the caller's:
@@ -49,6 +49,7 @@ enum class Kind : std::uint32_t {
   callback_threw,   // an exception leaves the call; the request goes on
   memory_error,     // see grader/wire/memory_error.h; the worker ends
   allocated,        // int, how often a function did that promises not to; if it is more than was said before
+  left,             // int, an exit code above 127; the worker ends
 };
 
 struct Message {

@@ -1,0 +1,88 @@
+// STAFF ONLY. Tells encodings apart.
+#include "grader/compile/encoding.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace grader {
+namespace {
+
+using std::string_view_literals::operator""sv;
+
+constexpr const char* kHowToSave =
+    "Save it as UTF-8: in Visual Studio with File > Save As > Save with Encoding, in VS Code with a click on "
+    "the encoding in "
+    "the status bar, in Notepad with Encoding in Save As";
+
+struct Encoding {
+  const char* name;
+  std::string_view mark;  // the byte order mark
+  std::size_t unit;
+  bool little_endian;
+};
+// UTF-32's mark begins with UTF-16's.
+constexpr std::array kEncodings = {
+    Encoding{"UTF-32", "\xff\xfe\0\0"sv, 4, true}, Encoding{"UTF-32", "\0\0\xfe\xff"sv, 4, false},
+    Encoding{"UTF-16", "\xff\xfe"sv, 2, true}, Encoding{"UTF-16", "\xfe\xff"sv, 2, false}};
+
+// Source code is ASCII, but for comments: then all bytes of a unit but one are zero. This is the share of units where it is so. A
+// file that was cut may end within a unit.
+double share_of_ascii(std::string_view bytes, const Encoding& encoding) {
+  const std::size_t units = bytes.size() / encoding.unit;
+  if (units == 0) return 0;
+  std::size_t ascii = 0;
+  for (std::size_t i = 0; i < units; ++i) {
+    const std::string_view unit = bytes.substr(i * encoding.unit, encoding.unit);
+    const std::size_t letter = encoding.little_endian ? 0 : encoding.unit - 1;
+    const auto zeros = static_cast<std::size_t>(std::ranges::count(unit, '\0'));
+    ascii += zeros == encoding.unit - 1 && unit[letter] >= '\t' && unit[letter] <= '~';
+  }
+  return static_cast<double>(ascii) / static_cast<double>(units);
+}
+
+std::optional<Encoding> wide_encoding_of(std::string_view bytes) {
+  for (const Encoding& encoding : kEncodings)
+    if (bytes.starts_with(encoding.mark)) return encoding;
+  for (const Encoding& encoding : kEncodings)
+    if (share_of_ascii(bytes, encoding) > 0.3) return encoding;
+  return {};
+}
+
+// How many bytes the letter at the beginning has; 0 if it is none of UTF-8's. NUL and other control characters but those
+// between words are in no text.
+std::size_t letter_at(std::string_view bytes) {
+  const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(bytes[i]); };
+  if (byte(0) < 0x20) return byte(0) >= '\t' && byte(0) <= '\r' ? 1 : 0;
+  if (byte(0) < 0x80) return 1;
+  const std::size_t size = byte(0) >= 0xf0 ? 4 : byte(0) >= 0xe0 ? 3 : 2;
+  if (byte(0) < 0xc2 || byte(0) > 0xf4 || bytes.size() < size) return 0;
+  for (std::size_t i = 1; i < size; ++i)
+    if (byte(i) < 0x80 || byte(i) > 0xbf) return 0;
+  return size;
+}
+
+}  // namespace
+
+std::string told_if_wide(std::string_view bytes, const std::string& file) {
+  const std::optional<Encoding> wide = wide_encoding_of(bytes);
+  if (!wide) return "";
+  return file + " is " + wide->name + " (" + (wide->little_endian ? "little" : "big") +
+         "-endian), and compilers read UTF-8. " + kHowToSave + ", anywhere with iconv -f " + wide->name +
+         (wide->little_endian ? "LE" : "BE") + " -t UTF-8.\n";
+}
+
+std::string told_of_stray_byte(std::string_view bytes, const std::string& file) {
+  for (std::size_t i = 0, line = 1, size = 0; i < bytes.size(); i += size) {
+    size = letter_at(bytes.substr(i));
+    if (size == 0)
+      return file + " holds a byte in line " + std::to_string(line) +
+             " that is no text in UTF-8: " + std::to_string(static_cast<std::uint8_t>(bytes[i])) + ". " +
+             kHowToSave + ".\n";
+    line += bytes[i] == '\n';
+  }
+  return "";
+}
+
+}  // namespace grader

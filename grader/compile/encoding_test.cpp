@@ -1,0 +1,75 @@
+// STAFF ONLY. Encodings that compilers do not read are told by their names.
+#include "grader/compile/encoding.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+namespace grader {
+namespace {
+
+using std::string;
+
+// A file as people write it, with a comment in another script.
+const std::u32string kSource =
+    U"// Löst A x = b. 解く。\n#include \"solver/linearSolver.h\"\nint f() { return 1; }\n";
+
+string as_bytes(const std::u32string& text, std::size_t unit, bool little_endian) {
+  string bytes;
+  for (const char32_t letter : text)  // all within 16 bits
+    for (std::size_t i = 0; i < unit; ++i) {
+      const std::size_t place = little_endian ? i : unit - 1 - i;
+      bytes += static_cast<char>(place < 4 ? letter >> (8 * place) & 0xff : 0);
+    }
+  return bytes;
+}
+
+TEST(Encoding, NamesUtf16AndUtf32) {
+  for (const std::size_t unit : {2, 4})
+    for (const bool little : {true, false})
+      for (const bool mark : {true, false}) {
+        const string name = "UTF-" + std::to_string(8 * unit), order = little ? "little" : "big";
+        SCOPED_TRACE(name + " " + order + (mark ? " with a mark" : ""));
+        const string bytes = as_bytes((mark ? U"\ufeff" : U"") + kSource, unit, little);
+        const string begins = "x.cpp is " + name + " (" + order + "-endian)",
+                     told = told_if_wide(bytes, "x.cpp");
+        EXPECT_TRUE(told.starts_with(begins)) << told;
+        EXPECT_NE(told.find("Save it as UTF-8"), string::npos) << told;
+        // A file that was cut.
+        EXPECT_TRUE(told_if_wide(bytes.substr(0, bytes.size() - 1), "x.cpp").starts_with(begins));
+      }
+}
+
+TEST(Encoding, TextIsText) {
+  for (const string text :
+       {"", "int x;\r\n\tint y;\f\v\n", "\xef\xbb\xbfint x;  // a mark, and L\xc3\xb6sung\n",
+        "// \xe8\xa7\xa3\xe3\x81\x8f \xf0\x9f\x99\x82\n"}) {
+    EXPECT_EQ(told_if_wide(text, "x.cpp"), "");
+    EXPECT_EQ(told_of_stray_byte(text, "x.cpp"), "");
+  }
+}
+
+TEST(Encoding, TellsTheFirstStrayByte) {
+  struct Stray {
+    string bytes;
+    int line, byte;
+  };
+  const Stray strays[] = {{"int x;\n\n// L\xf6sung\n", 3, 0xf6},   // Latin-1
+                          {"int x;\n\xe8\xa7", 2, 0xe8},           // a letter that is cut
+                          {"int \xc0\x80;", 1, 0xc0},              // a NUL in two bytes
+                          {string("int x;\0\0\0\0\n", 11), 1, 0},  // a disk that was full
+                          {"int x;\n\x1a", 2, 0x1a},               // the end of a file for DOS
+                          {"\x7f"
+                           "ELF\x02\x01\x01",
+                           1, 2}};
+  for (const Stray& stray : strays) {
+    EXPECT_EQ(told_if_wide(stray.bytes, "x.cpp"), "");
+    const string told = told_of_stray_byte(stray.bytes, "x.cpp");
+    EXPECT_TRUE(told.starts_with("x.cpp holds a byte in line " + std::to_string(stray.line) +
+                                 " that is no text in UTF-8: " + std::to_string(stray.byte) + "."))
+        << told;
+  }
+}
+
+}  // namespace
+}  // namespace grader
