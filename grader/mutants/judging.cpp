@@ -27,7 +27,7 @@ Judging::Judging(GradingSettings settings)
       kit_(settings_.kit, settings_.course),
       compiler_(kit_, settings_.cache, settings_.isolated),
       jobs_(settings_, kit_) {
-  jobs_.limit_by(grade_reference(jobs_).timing);
+  jobs_.limit_by(grade_reference(jobs_, compiler_).timing);
 }
 
 Judgement Judging::judge(const std::string& name, const std::string& source) const {

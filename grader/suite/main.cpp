@@ -6,6 +6,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "grader/sandbox/inherited.h"
 #include "grader/suite/end_to_end.h"
 #include "grader/suite/memory_errors.h"
 #include "grader/suite/suite_program.h"
@@ -141,6 +142,7 @@ SuiteResult run(const SuiteJob& job) {
 }  // namespace
 
 int main(int argc, char* argv[]) {
+  grader::set_what_is_inherited(argv);
   testing::InitGoogleTest(&argc, argv);
   return grader::run_suite_program("hairsuite", run);
 }

@@ -20,8 +20,7 @@ WorkerSetup sanitised_worker(const WorkerSetup& cases, const std::filesystem::pa
   WorkerSetup setup = cases;
   setup.sanitised = true;
   setup.objects.back() = object;
-  // What the sanitizers' runtime prints differs from run to run, and is not read.
-  setup.log = "/dev/null";
+  setup.log += kSanitisedLog;
   setup.allowance = std::make_shared<Allowance>();
   return setup;
 }

@@ -6,4 +6,7 @@ namespace grader {
 inline constexpr const char* kMemoryTitle = "No memory errors";
 inline constexpr double kMemoryPoints = 1;
 
+// What the worker with sanitizers prints is in the job's log with this ending. It differs from run to run: no report shows it.
+inline constexpr const char* kSanitisedLog = ".sanitised";
+
 }  // namespace grader

@@ -11,6 +11,7 @@
 
 #include "grader/course/input.h"
 #include "grader/result/result_fields.h"
+#include "grader/sandbox/inherited.h"
 
 namespace grader {
 
@@ -38,7 +39,8 @@ int run_suite_program(const char* name, SuiteResult (*run)(const SuiteJob&)) {
   // Ends with hairgrade, whatever ends that, and its worker with it.
   prctl(PR_SET_PDEATHSIG, SIGTERM);
   signal(SIGPIPE, SIG_IGN);
-  for (int ending : {SIGINT, SIGTERM, SIGHUP}) signal(ending, [](int number) { _exit(128 + number); });
+  for (int ending : {SIGINT, SIGTERM, SIGHUP})
+    if (!is_ignored(ending)) signal(ending, [](int number) { _exit(128 + number); });
   if (sodium_init() < 0) return 1;
   try {
     const std::string job(std::istreambuf_iterator<char>(std::cin), {});

@@ -67,7 +67,8 @@ class Hairgrade : public testing::Test {
   string out() const { return (folder_ / "grades").string(); }
 
   static ProgramRun grade(std::vector<string> arguments,
-                          const std::function<void(const RunningProgram&)>& meanwhile = {}) {
+                          const std::function<void(const RunningProgram&)>& meanwhile = {},
+                          const string& script = "") {
     arguments.insert(arguments.begin(), "grade");
     const auto add = [&](const string& option, const char* file) {
       if (std::ranges::count(arguments, option) == 0)
@@ -76,7 +77,7 @@ class Hairgrade : public testing::Test {
     add("--secret", "secret");
     add("--cache", "cache");
     add("--course", "course.json");
-    return run_hairgrade(arguments, meanwhile);
+    return run_hairgrade(arguments, meanwhile, script);
   }
 
   // `other-order`, graded once for all tests, copied to out() as an earlier run of this one.
@@ -232,23 +233,40 @@ TEST_F(Hairgrade, RefusesAHandoutThatCanNotBeWritten) {
   EXPECT_NE(run.errors.find("/no/such/folder"), string::npos) << run.errors;
 }
 
+// In another shell, too, whose limits, signals and environment would change what is found.
 TEST_F(Hairgrade, GivesTheSameBytesAgain) {
+  const string other_shell =
+      "ulimit -S -v 8000000 -d 4000000 -s 512 -t 900 -n 40; umask 777; trap '' CHLD XCPU PIPE ALRM;\n"
+      "export TMPDIR=/nowhere GTEST_FILTER=-* LC_ALL=C.UTF-8 OMP_NUM_THREADS=1 MALLOC_PERTURB_=7;\n"
+      "exec setarch -R \"$0\" \"$@\"";
   const std::vector<string> class_of_four = {sample("other-order"), sample("stubs"), sample("prints-success"),
                                              sample("segfault")};
-  auto once = [&](const string& where, const char* jobs) {
+  auto once = [&](const string& where, const char* jobs, const string& script) {
     std::vector<string> arguments = class_of_four;
     for (const string& word : {string("--out"), (folder_ / where).string(), string("-j"), string(jobs)})
       arguments.push_back(word);
-    const ProgramRun run = grade(arguments);
+    const ProgramRun run = grade(arguments, {}, script);
     EXPECT_EQ(run.code, 0) << run.errors;
     std::map<string, string> all = files(folder_ / where);
     EXPECT_EQ(all.erase("timing.json") + all.erase("costs.html"), 2U);
     return all;
   };
-  const std::map<string, string> first = once("first", "1"), second = once("second", "2");
+  const std::map<string, string> first = once("first", "1", ""), second = once("second", "2", other_shell);
   EXPECT_EQ(first.size(), second.size());
   for (const auto& [name, bytes] : first)
     EXPECT_TRUE(second.count(name) > 0 && second.at(name) == bytes) << name;
+}
+
+TEST_F(Hairgrade, RefusesAMachineWhoseHardLimitsAreBelowTheNeed) {
+  const string user = geteuid() == 0 ? "setpriv --bounding-set=-sys_resource --inh-caps=-sys_resource" : "";
+  const ProgramRun run =
+      grade({sample("other-order"), "--out", out()}, {}, "ulimit -s 4096; exec " + user + " \"$0\" \"$@\"");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_EQ(run.errors,
+            "hairgrade: the hard limit on the stack is 4096 kB, and grading needs 8192 kB; start it where "
+            "ulimit -Hs "
+            "says so, or unlimited\n");
+  EXPECT_FALSE(fs::exists(out()));
 }
 
 TEST_F(Hairgrade, ResumesWhatHasNotChanged) {

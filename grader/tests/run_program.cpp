@@ -19,10 +19,13 @@ bool RunningProgram::wait_until_it_says(const std::string& words) const {
 }
 
 ProgramRun run_hairgrade(const std::vector<std::string>& arguments,
-                         const std::function<void(const RunningProgram&)>& meanwhile) {
+                         const std::function<void(const RunningProgram&)>& meanwhile,
+                         const std::string& script) {
   const hair::TemporaryFolder temporary{"hairgrade"};
   const std::filesystem::path output = temporary.path() / "output", errors = temporary.path() / "errors";
-  std::vector<std::string> words = {HAIRGRADE};
+  std::vector<std::string> words;
+  if (!script.empty()) words = {"/usr/bin/bash", "-c", script + "\nexec \"$0\" \"$@\""};
+  words.emplace_back(HAIRGRADE);
   words.insert(words.end(), arguments.begin(), arguments.end());
   const pid_t process = hair::start_program(
       {.words = words, .output = output, .errors = errors, .leads_group = static_cast<bool>(meanwhile)});

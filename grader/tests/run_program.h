@@ -23,9 +23,10 @@ struct RunningProgram {
   bool wait_until_it_says(const std::string& words) const;
 };
 
-// Runs hairgrade with these arguments, and calls `meanwhile` once it runs.
+// Runs hairgrade with these arguments, and calls `meanwhile` once it runs. A shell starts it after `script`, if there is one.
 ProgramRun run_hairgrade(const std::vector<std::string>& arguments,
-                         const std::function<void(const RunningProgram&)>& meanwhile = {});
+                         const std::function<void(const RunningProgram&)>& meanwhile = {},
+                         const std::string& script = "");
 
 // A variable of the environment, or what stands for it.
 std::string environment(const char* name, const std::string& otherwise);

@@ -17,14 +17,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostLog = 16 << 10;  // of what a worker printed
 
-std::string beginning_of(const fs::path& file, std::size_t most) {
-  std::ifstream in(file, std::ios::binary);
-  std::string text(most, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(most));
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  return text;
-}
-
 // In whole points, and nothing where no cases could be counted.
 double points_for_share(const CaseResult& one) {
   if (one.cases == 0) return one.points;
@@ -35,11 +27,29 @@ double points_for_share(const CaseResult& one) {
 std::string place_of(const Sanitised& sanitised, const std::string& file,
                      const std::vector<std::uint64_t>& offsets) {
   const std::optional<int> line =
-      line_of(sanitised.toolchain, sanitised.object, file, sanitised.lines, offsets);
+      line_of(sanitised.toolchain, sanitised.compiled.object, file, sanitised.lines, offsets);
   return line ? ", in line " + std::to_string(*line) + " of " + file : "";
 }
 
 }  // namespace
+
+std::string beginning_of(const fs::path& log, std::size_t most) {
+  std::ifstream in(log, std::ios::binary);
+  std::string text(most, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(most));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return text;
+}
+
+Sanitised compile_with_sanitizers(const Compiler& compiler, const Exercise& exercise,
+                                  const std::string& source, const fs::path& job, double cpu_seconds) {
+  const fs::path folder = job / "sanitised";
+  fs::create_directory(folder);
+  share_with_sandbox(folder, false);
+  const auto lines = std::count(source.begin(), source.end(), '\n') + 1;
+  return {compiler.toolchain(), compiler.compile(exercise, source, folder, cpu_seconds, Build::sanitised),
+          static_cast<int>(lines)};
+}
 
 ExerciseResult describe(const Exercise& exercise) {
   ExerciseResult result;
@@ -91,18 +101,14 @@ void grade_exercise(const SuiteJobs& jobs, const Compiler& compiler, const Exerc
   double compiler_cpu_seconds = compiled.cpu_seconds;
   if (jobs.settings().memory_errors) {
     const timing::Stopwatch once_more;
-    const fs::path folder = job / "sanitised";
-    fs::create_directory(folder);
-    share_with_sandbox(folder, false);
-    const Compiled checked = compiler.compile(exercise, file->second.text, folder,
-                                              compiler_seconds - compiled.cpu_seconds, Build::sanitised);
+    sanitised.emplace(compile_with_sanitizers(compiler, exercise, file->second.text, job,
+                                              compiler_seconds - compiled.cpu_seconds));
+    const Compiled& checked = sanitised->compiled;
     timing.compile_seconds += once_more.seconds();
     compiler_cpu_seconds += checked.cpu_seconds;
     if (checked.object.empty())
       result.staff_log +=
           "memory errors were not looked for, since it does not compile with sanitizers:\n" + checked.log;
-    const auto lines = std::count(file->second.text.begin(), file->second.text.end(), '\n') + 1;
-    sanitised.emplace(Sanitised{compiler.toolchain(), checked.object, static_cast<int>(lines)});
   }
   timing.spent.compiler_cpu_seconds = compiler_cpu_seconds;
 
@@ -113,7 +119,7 @@ void run_cases(const SuiteJobs& jobs, const Exercise& exercise, const std::strin
                const fs::path& object, const fs::path& job, const std::optional<Sanitised>& sanitised,
                ExerciseResult& result, ExerciseTiming& timing) {
   SuiteJob suite = jobs.cases(exercise, student, object, job);
-  if (sanitised) suite.sanitised = sanitised->object;
+  if (sanitised) suite.sanitised = sanitised->compiled.object;
   SuiteResult found = jobs.run(suite, timing);
   double weights = 0;
   for (const CaseResult& one : found.cases) weights += one.max_points;

@@ -103,7 +103,7 @@ Grading::Grading(GradingSettings settings)
       compiler_(kit_, settings_.cache, settings_.isolated),
       jobs_(checked(settings_, kit_), kit_),
       base_fingerprint_(jobs_.fingerprint()),
-      reference_(grade_reference(jobs_)) {
+      reference_(grade_reference(jobs_, compiler_)) {
   jobs_.limit_by(reference_.timing);
 }
 

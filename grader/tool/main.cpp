@@ -21,6 +21,7 @@
 #include "grader/package/handout.h"
 #include "grader/report/report.h"
 #include "grader/samples/table.h"
+#include "grader/sandbox/inherited.h"
 #include "grader/tool/batch.h"
 #include "grader/tool/comparing.h"
 #include "grader/tool/folder_of_grades.h"
@@ -71,7 +72,7 @@ void note_interruptions() {
   action.sa_handler = [](int) { interrupted = true; };
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
-  sigaction(SIGHUP, &action, nullptr);
+  if (!is_ignored(SIGHUP)) sigaction(SIGHUP, &action, nullptr);  // by nohup
 }
 
 int grade(const GradeOptions& options) {
@@ -93,9 +94,15 @@ int grade(const GradeOptions& options) {
   settings.study_program = HAIR_STUDY;
   settings.players = HAIR_PLAYERS;
   settings.scenes = HAIR_HIDDEN_SCENES;
+  settings.reference = fs::path(HAIR_SOURCE_DIR) / "reference";
   settings.isolated = !options.unsafe;
   settings.images = !options.no_images;
   settings.study = options.study;
+  const Budget& budget = settings.course.budget;
+  require_hard_limits({.sanitizers = settings.memory_errors,
+                       .jobs = options.batch.jobs,
+                       .cpu_seconds = std::max({budget.worker_cpu_seconds, budget.compiler_cpu_seconds,
+                                                budget.suite_cpu_seconds})});
   std::optional<CagedReader> reader;
   if (settings.isolated) {
     check_isolation(settings);  // whoever has no sandbox hears of that, and not of archives
@@ -248,5 +255,6 @@ int run(int argc, char* argv[]) {
 }  // namespace
 
 int main(int argc, char* argv[]) {
+  set_what_is_inherited(argv);
   return hair::finish_output("hairgrade", run(argc, argv));
 }

@@ -4,6 +4,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <fstream>
+
 #include "grader/compile/compiler.h"
 #include "grader/compile/lines.h"
 #include "grader/exercise/S1/calls.h"
@@ -13,10 +15,12 @@
 #include "grader/suite/memory_points.h"
 #include "grader/suite/student.h"
 #include "grader/tool/exercise_grading.h"
+#include "grader/tool/grading.h"
 #include "grader/tool/settings_for_tests.h"
 #include "grader/tool/suite_jobs.h"
 #include "grader/wire/memory_error.h"
 #include "hair/io/files/read_file.h"
+#include "hair/io/files/temporary_folder.h"
 
 namespace grader {
 namespace {
@@ -265,6 +269,24 @@ TEST_F(MemoryErrorsTest, AreCachedApart) {
   EXPECT_EQ(second.cpu_seconds, 0) << "compiled again";
   EXPECT_EQ(hair::bytes_of(first.object), hair::bytes_of(second.object));
   EXPECT_NE(hair::bytes_of(first.object), hair::bytes_of(ordinary.object));
+}
+
+// A worker that does not run here takes nobody's point: nobody is graded.
+TEST_F(MemoryErrorsTest, AreLookedForInTheReferenceFirst) {
+  const hair::TemporaryFolder folder("kit");
+  settings_.kit = folder.path() / "kit";
+  fs::copy(HAIR_KIT_DIR, settings_.kit, fs::copy_options::recursive);
+  std::ofstream(settings_.kit / "sanitised/worker") << "#!/bin/no/such/shell\n";
+  settings_.exercise = "S1";
+  try {
+    const Grading grading(settings_);
+    FAIL() << "the reference is not asked";
+  } catch (const std::runtime_error& why) {
+    const std::string said = why.what();
+    EXPECT_TRUE(said.starts_with("the reference fails its own suite for S1, in \"No memory errors\""))
+        << said;
+    EXPECT_NE(said.find("the worker says: bwrap: execvp /worker"), std::string::npos) << said;
+  }
 }
 
 // A user that owns no control group can't bound memory, and starts no worker with sanitizers.

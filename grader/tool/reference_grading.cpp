@@ -3,10 +3,15 @@
 
 #include <stdexcept>
 
+#include "grader/course/input.h"
+#include "grader/suite/memory_points.h"
 #include "grader/tool/exercise_grading.h"
+#include "hair/io/files/read_file.h"
 
 namespace grader {
 namespace {
+
+namespace fs = std::filesystem;
 
 void run_end_to_end(const SuiteJobs& jobs, ReferenceGraded& graded) {
   SuiteJob suite = jobs.end_to_end(jobs.kit().new_job("reference-runs"));
@@ -24,19 +29,44 @@ void run_end_to_end(const SuiteJobs& jobs, ReferenceGraded& graded) {
   }
 }
 
+// What a worker printed may be the reason: the sanitizers' runtime says there what it could not do.
+std::string also_said(const fs::path& log) {
+  const std::string text = beginning_of(log, 400);
+  return text.empty() ? "" : "; the worker says: " + printable(text, 400);
+}
+
+void grade_exercise_of_reference(const SuiteJobs& jobs, const Compiler& compiler, const Exercise& exercise,
+                                 ExerciseTiming& timing) {
+  const fs::path job = jobs.kit().new_job("reference-" + exercise.id);
+  std::optional<Sanitised> sanitised;
+  if (jobs.settings().memory_errors) {
+    sanitised.emplace(compile_with_sanitizers(compiler, exercise,
+                                              hair::bytes_of(jobs.settings().reference / exercise.file), job,
+                                              jobs.settings().course.budget.compiler_cpu_seconds));
+    if (sanitised->compiled.object.empty())
+      throw std::runtime_error("the reference of " + exercise.id +
+                               " does not compile with sanitizers: " + printable(sanitised->compiled.log));
+  }
+  ExerciseResult result;
+  run_cases(jobs, exercise, "", jobs.reference_object(exercise), job, sanitised, result, timing);
+  const std::string fails = "the reference fails its own suite for " + exercise.id;
+  for (const CaseResult& one : result.cases) {
+    if (one.status == Status::passed) continue;
+    const std::string log = one.name == kMemoryTitle ? std::string(kLog) + kSanitisedLog : kLog;
+    throw std::runtime_error(fails + ", in \"" + one.name + "\": " + one.feedback + "; " + one.detail +
+                             also_said(job / log));
+  }
+  if (result.status != Status::passed)
+    throw std::runtime_error(fails + ": " + result.feedback + " " + printable(result.staff_log));
+}
+
 }  // namespace
 
-ReferenceGraded grade_reference(const SuiteJobs& jobs) {
+ReferenceGraded grade_reference(const SuiteJobs& jobs, const Compiler& compiler) {
   ReferenceGraded graded;
   for (const Exercise& exercise : jobs.settings().course.exercises) {
     if (!jobs.selected(exercise)) continue;
-    ExerciseResult result;
-    run_cases(jobs, exercise, "", jobs.reference_object(exercise),
-              jobs.kit().new_job("reference-" + exercise.id), {}, result, graded.timing[exercise.id]);
-    for (const CaseResult& one : result.cases)
-      if (one.status != Status::passed)
-        throw std::runtime_error("the reference fails its own suite for " + exercise.id + ", in \"" +
-                                 one.name + "\": " + one.feedback + "; " + one.detail);
+    grade_exercise_of_reference(jobs, compiler, exercise, graded.timing[exercise.id]);
   }
   if (!jobs.settings().exercise) run_end_to_end(jobs, graded);
   return graded;

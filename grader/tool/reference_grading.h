@@ -1,11 +1,12 @@
-// STAFF ONLY. Every batch begins with the reference, in a worker like the students': it must pass, and its
-// CPU time determines the students' limit.
+// STAFF ONLY. Every batch begins with the reference, in all kinds of workers that students' files have: it must pass, with
+// sanitizers, too, and its CPU time determines the students' limit.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "grader/compile/compiler.h"
 #include "grader/result/study.h"
 #include "grader/tool/suite_jobs.h"
 
@@ -17,7 +18,7 @@ struct ReferenceGraded {
   std::vector<std::string> problems;     // of studies; they don't affect grades
 };
 
-// Throws std::runtime_error if the reference does not pass.
-ReferenceGraded grade_reference(const SuiteJobs& jobs);
+// Throws std::runtime_error if the reference does not pass: what is wrong then is this machine, or the suite.
+ReferenceGraded grade_reference(const SuiteJobs& jobs, const Compiler& compiler);
 
 }  // namespace grader

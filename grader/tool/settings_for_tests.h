@@ -16,6 +16,7 @@ inline GradingSettings settings_for_tests() {
   settings.suite = HAIR_SUITE;
   settings.players = HAIR_PLAYERS;
   settings.scenes = HAIR_HIDDEN_SCENES;
+  settings.reference = std::filesystem::path(HAIR_PROJECT) / "reference";
   return settings;
 }
 

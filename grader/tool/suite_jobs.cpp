@@ -89,7 +89,7 @@ SuiteJob SuiteJobs::job(const std::string& exercise, const fs::path& folder) con
   SuiteJob suite;
   suite.exercise = exercise;
   suite.kit = kit_.folder();
-  suite.log = folder / "output";
+  suite.log = folder / kLog;
   suite.isolated = settings_.isolated;
   suite.cpu_seconds = kLeastCpuSeconds;
   suite.allowance = allowance();

@@ -20,6 +20,7 @@ struct GradingSettings {
   Course course;
   std::optional<std::string> exercise;  // grade only this one
   std::filesystem::path kit, suite, study_program, players, scenes, cache;
+  std::filesystem::path reference;  // its sources
   std::string secret;
   bool isolated = true;
   bool images = true;                            // draw whole runs
@@ -30,6 +31,9 @@ struct GradingSettings {
 // Names in the timing, beside those of the exercises: the end-to-end runs, and the study.
 inline constexpr const char* kRuns = "runs";
 inline constexpr const char* kStudy = "study";
+
+// What a job's workers print, in its folder.
+inline constexpr const char* kLog = "output";
 
 class SuiteJobs {
  public:

@@ -1,5 +1,6 @@
 // STAFF ONLY. Error against time of a submission's code, as a program that takes the job of the end-to-end runs with the reference's
 // objects beside it: links the reference, and never a student's code.
+#include "grader/sandbox/inherited.h"
 #include "grader/suite/study/submission_study.h"
 #include "grader/suite/suite_program.h"
 
@@ -27,6 +28,7 @@ SuiteResult run(const SuiteJob& job) {
 
 }  // namespace
 
-int main() {
+int main(int /*argc*/, char* argv[]) {
+  grader::set_what_is_inherited(argv);
   return grader::run_suite_program("hairstudy", run);
 }
