@@ -16,7 +16,9 @@ StepOutcome take_explicit_step(MovingStrand& moving, const StepOptions& options,
 }
 
 template <Integrator integrator>
-constexpr StepMethod kMethod{take_explicit_step<integrator>, particles::kIntegratorScratch};
+// An explicit step costs no more than to read the strand's energy.
+constexpr StepMethod kMethod{
+    .step = take_explicit_step<integrator>, .scratch = particles::kIntegratorScratch, .read_every = 16};
 
 }  // namespace
 

@@ -13,7 +13,7 @@ StepOutcome take_implicit_step(MovingStrand& moving, const StepOptions& options,
 
 }  // namespace
 
-const StepMethod kImplicitEuler{take_implicit_step, particles::kImplicitScratch, nullptr,
-                                KeptEnergy::without_stretching};
+const StepMethod kImplicitEuler{
+    .step = take_implicit_step, .scratch = particles::kImplicitScratch, .goes_straight_on = true};
 
 }  // namespace hair

@@ -31,6 +31,7 @@ class JointStep {
   // What nothing gave all strands together, as EnergyWatch has it of one strand; 0 if nobody watches.
   virtual double gain() const = 0;
   virtual double contact_gain() const = 0;
+  virtual double loss() const = 0;
 
   virtual const MeshRecord& record() const = 0;
 };

@@ -26,9 +26,10 @@ void LinkedEnergy::after_step(const MeshEnergies& mesh) {
     gained += guide->last();
     scale += guide->scale();
   }
-  (touched ? in_contact_ : free_) += gained;
-  gain_ = std::max(gain_, free_ / scale);
-  contact_gain_ = std::max(contact_gain_, in_contact_ / scale);
+  (touched ? in_contact_ : free_).add(gained);
+  gain_ = std::max(gain_, free_.risen() / scale);
+  contact_gain_ = std::max(contact_gain_, in_contact_.risen() / scale);
+  loss_ = std::max(loss_, free_.fallen() / scale);
 }
 
 }  // namespace hair

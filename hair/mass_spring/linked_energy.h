@@ -11,12 +11,13 @@
 // What a link no longer holds since it is weaker is no gain, and no loss that a gain could hide behind. What a root's frame gives
 // links when it turns is work that came in. Strips that are found at the start of a step begin to hold energy then, which
 // nothing gave: it is counted. Steps in which a guide touches anything, an obstacle or a strip, are in a row of their own.
+// Rows, gains and losses are those of EnergyWatch.
 #pragma once
 
 #include <utility>
 #include <vector>
 
-#include "hair/mass_spring/energy_watch.h"
+#include "hair/strand/energy_watch.h"
 
 namespace hair {
 
@@ -41,12 +42,14 @@ class LinkedEnergy {
   // As EnergyWatch has them, of all guides together, relative to what all have and got.
   double gain() const { return gain_; }
   double contact_gain() const { return contact_gain_; }
+  double loss() const { return loss_; }
 
  private:
   std::vector<const EnergyWatch*> guides_;
   bool begun_ = false;
   double links_ = 0, strips_ = 0;  // at the end of the last step
-  double scale_ = 0, free_ = 0, in_contact_ = 0, gain_ = 0, contact_gain_ = 0;
+  EnergyRow free_, in_contact_;
+  double scale_ = 0, gain_ = 0, contact_gain_ = 0, loss_ = 0;
 };
 
 }  // namespace hair

@@ -118,6 +118,7 @@ class LinkedGuides final : public JointStep {
   int passes(int strand) const override { return contacts_.passes(strand); }
   double gain() const override { return books_ ? books_->gain() : 0; }
   double contact_gain() const override { return books_ ? books_->contact_gain() : 0; }
+  double loss() const override { return books_ ? books_->loss() : 0; }
   const MeshRecord& record() const override { return record_; }
 
   void step(const BodyStep& step, std::span<std::optional<Stage>> broke, Work& work) override {
@@ -232,8 +233,8 @@ class LinkedGuides final : public JointStep {
 
 }  // namespace
 
-const StepMethod kLinkedImplicitEuler{kImplicitEuler.step, particles::kImplicitScratch, nullptr,
-                                      KeptEnergy::without_stretching};
+const StepMethod kLinkedImplicitEuler{
+    .step = kImplicitEuler.step, .scratch = particles::kImplicitScratch, .goes_straight_on = true};
 
 std::unique_ptr<JointStep> linked_guides(std::vector<MassSpringBody*> strands, const ControlMesh& mesh,
                                          bool watched) {

@@ -19,12 +19,9 @@ MassSpringBody::MassSpringBody(const StrandStart& start, const StepMethod& metho
     : moving_(start.strand, start.state),
       method_(method),
       root_normal_(start.root_normal),
-      collides_(collides),
-      watched_(watched) {
+      collides_(collides) {
   add_forces(options, start, method.needs_definite_force, moving_);
-  const bool keeps = method.keeps == KeptEnergy::all || (method.keeps == KeptEnergy::without_stretching &&
-                                                         options.geometric_term == GeometricTerm::filtered);
-  if (watched && keeps) energy_.emplace(moving_, options.gravity, method.keeps == KeptEnergy::all);
+  if (watched) energy_.emplace(moving_, options.gravity, !method.goes_straight_on, method.read_every);
 }
 
 void MassSpringBody::restart(const StrandStart& start) {
@@ -32,7 +29,7 @@ void MassSpringBody::restart(const StrandStart& start) {
   set_root_frame(start.strand.root_tangent, start.root_normal);
   if (energy_) energy_->restart();
   sizes_ = {};
-  steps_ = unmended_steps_ = 0;
+  steps_ = unmended_steps_ = solves_ = unconverged_ = 0;
 }
 
 void MassSpringBody::set_root_frame(const Vector3d& tangent, const Vector3d& normal) {
@@ -64,13 +61,15 @@ std::optional<Stage> MassSpringBody::step(const BodyStep& step, const particles:
   particles::Scratch memory = scratch;  // a view that may be written to
   const bool collides = collides_ && !step.obstacles.empty();
   auto x_before = memory.col(method_.scratch), v_before = memory.col(method_.scratch + 1);
-  if (collides) x_before = moving_.state.x;
+  const bool looks_at_way = energy_ && method_.keeps_lengths;
+  if (collides || looks_at_way) x_before = moving_.state.x;
   if (energy_ && moving_.drag) v_before = moving_.state.v;
   for (PointForces* forces : moving_.point_forces) forces->set(step.forces);
   if (energy_) energy_->before_step();
 
   const particles::Scratch for_method = memory.leftCols(method_.scratch);
   const StepOutcome outcome = method_.step(moving_, {step.h, step.tolerance}, for_method);
+  if (looks_at_way) energy_->moved(step.h, x_before);
   return finish(step, x_before, v_before, for_method, outcome, work);
 }
 
@@ -91,7 +90,10 @@ std::optional<Stage> MassSpringBody::finish(const BodyStep& step, particles::Inp
   work.plain_solves += outcome.plain_solves;
   work.correction_steps += outcome.correction_steps;
   work.halvings += outcome.halvings;
+  work.solves += outcome.solves;
   work.unconverged += outcome.unconverged;
+  solves_ += outcome.solves;
+  unconverged_ += outcome.unconverged;
   if (!is_sound(moving_.state)) return outcome.suspect;
 
   Collisions collisions;
@@ -102,7 +104,7 @@ std::optional<Stage> MassSpringBody::finish(const BodyStep& step, particles::Inp
     work.penetration = std::max(work.penetration, collisions.penetration);
     if (!is_sound(moving_.state)) return Stage::collision;
   }
-  if (watched_) watch(step.h, v_before, outcome, collisions);
+  if (energy_) watch(step.h, v_before, outcome, collisions);
   return {};
 }
 
@@ -131,13 +133,10 @@ void MassSpringBody::watch(double h, particles::Input v_before, const StepOutcom
                            const Collisions& collisions) {
   ++steps_;
   unmended_steps_ += !collisions.mended;
-  if (energy_) {
-    energy_->after_step(h, v_before, collisions.contacts > 0 ? &collisions.work : nullptr);
-    sizes_[Concern::energy] = energy_->gain();
-    sizes_[Concern::contact_energy] = energy_->contact_gain();
-    if (method_.keeps == KeptEnergy::without_stretching) sizes_[Concern::stretching] = energy_->stretching();
-  }
-  if (method_.keeps == KeptEnergy::all) {
+  energy_->after_step(h, v_before, collisions.contacts > 0 ? &collisions.work : nullptr);
+  add(energy_->watch(), sizes_);
+  sizes_[Concern::stretching] = energy_->watch().aside();
+  if (method_.keeps_lengths) {
     const auto& [x, v] = moving_.state;
     sizes_[Concern::stretch] = largest_stretch(moving_.strand, x);
     sizes_[Concern::stretch_rate] = h * largest_stretch_rate(moving_.strand, x, v);
@@ -146,6 +145,7 @@ void MassSpringBody::watch(double h, particles::Input v_before, const StepOutcom
   sizes_[Concern::mends] =
       static_cast<double>(unmended_steps_) / static_cast<double>(std::max(steps_, kFewSteps));
   sizes_[Concern::unconverged] = outcome.residual;
+  sizes_[Concern::solves] = share_of(unconverged_, solves_);
 }
 
 void MassSpringBody::centre_line(particles::Input q, particles::Input rate, particles::Output x,

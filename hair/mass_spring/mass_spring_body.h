@@ -2,9 +2,9 @@
 // centre line.
 #pragma once
 
-#include "hair/mass_spring/energy_watch.h"
 #include "hair/mass_spring/force_parts.h"
 #include "hair/mass_spring/moving_strand.h"
+#include "hair/mass_spring/spring_energy.h"
 #include "hair/mass_spring/step_methods.h"
 #include "hair/mass_spring/strand_start.h"
 #include "hair/strand/body.h"
@@ -20,7 +20,9 @@ class MassSpringBody final : public Body {
                  bool collides, bool watched);
 
   const MovingStrand& moving() const { return moving_; }
-  const EnergyWatch* energy_watch() const { return energy_ ? &*energy_ : nullptr; }  // null: it keeps none
+  const EnergyWatch* energy_watch() const {
+    return energy_ ? &energy_->watch() : nullptr;
+  }  // null: nobody watches
 
   // Restarts from a start of the same size. Masses, lengths and forces stay the same.
   void restart(const StrandStart& start);
@@ -63,10 +65,10 @@ class MassSpringBody final : public Body {
   MovingStrand moving_;
   const StepMethod& method_;
   Vector3d root_normal_;
-  bool collides_, watched_;
-  std::optional<EnergyWatch> energy_;  // of methods that keep some
+  bool collides_;
+  std::optional<SpringEnergy> energy_;  // of watched strands
   Sizes sizes_;
-  long steps_ = 0, unmended_steps_ = 0;
+  long steps_ = 0, unmended_steps_ = 0, solves_ = 0, unconverged_ = 0;
 };
 
 }  // namespace hair

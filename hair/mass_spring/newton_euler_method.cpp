@@ -11,6 +11,7 @@ StepOutcome take_newton_step(MovingStrand& moving, const StepOptions& options,
       newton_euler(moving.force, moving.definite_force, moving.particles, options.h, moving.state, scratch);
   return {.solver_steps = report.solver_steps,
           .plain_solves = report.plain_solves,
+          .solves = 1,
           .unconverged = !report.converged,
           .correction_steps = report.newton_steps,
           .halvings = report.halvings,
@@ -19,6 +20,7 @@ StepOutcome take_newton_step(MovingStrand& moving, const StepOptions& options,
 
 }  // namespace
 
-const StepMethod kNewtonEuler{take_newton_step, kNewtonScratch, nullptr, KeptEnergy::nothing, true};
+const StepMethod kNewtonEuler{
+    .step = take_newton_step, .scratch = kNewtonScratch, .needs_definite_force = true};
 
 }  // namespace hair

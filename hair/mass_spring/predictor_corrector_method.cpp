@@ -19,6 +19,7 @@ StepOutcome predict_and_correct(MovingStrand& moving, const StepOptions& options
   StepOutcome outcome;
   outcome.solver_steps = report.filter.steps + report.second_filter.steps;
   outcome.plain_solves = !report.filter.preconditioned + !report.second_filter.preconditioned;
+  outcome.solves = 3;
   outcome.unconverged =
       !report.filter.converged + !report.correction.converged + !report.second_filter.converged;
   outcome.residual = std::max(left_by(report.filter), left_by(report.second_filter));
@@ -40,6 +41,7 @@ void mend(MovingStrand& moving, const particles::Scratch& scratch) {
 
 }  // namespace
 
-const StepMethod kPredictorCorrector{predict_and_correct, kPredictorCorrectorScratch, mend, KeptEnergy::all};
+const StepMethod kPredictorCorrector{
+    .step = predict_and_correct, .scratch = kPredictorCorrectorScratch, .mend = mend, .keeps_lengths = true};
 
 }  // namespace hair

@@ -14,7 +14,8 @@ using particles::StepOptions;
 struct StepOutcome {
   long solver_steps = 0;               // iterations of ConjGrad
   int plain_solves = 0;                // solves that had no preconditioner
-  int unconverged = 0;                 // solves and corrections that ended above their tolerance
+  int solves = 0;                      // solves and corrections
+  int unconverged = 0;                 // those that ended above their tolerance
   double residual = 0;                 // the largest of these solves, relative to its right-hand side
   long correction_steps = 0;           // Newton steps: of the length correction, or of newton_euler
   long halvings = 0;                   // of newton_euler's steps: each evaluates the forces once more
@@ -30,13 +31,11 @@ inline double left_by(const particles::SolveReport& report) {
 inline StepOutcome outcome_of(const particles::SolveReport& report) {
   return {.solver_steps = report.steps,
           .plain_solves = !report.preconditioned,
+          .solves = 1,
           .unconverged = !report.converged,
           .residual = left_by(report),
           .suspect = Stage::filter};
 }
-
-// H4 keeps the second one with the filtered geometric term only.
-enum class KeptEnergy { nothing, without_stretching, all };
 
 struct StepMethod {
   StepOutcome (*step)(MovingStrand&, const StepOptions&, const particles::Scratch&);
@@ -45,8 +44,14 @@ struct StepMethod {
   // Null, or restores the method's invariants after something else moved the strand: a collision.
   void (*mend)(MovingStrand&, const particles::Scratch&) = nullptr;
 
-  // What its steps may lose, but never gain.
-  KeptEnergy keeps = KeptEnergy::nothing;
+  // Its steps keep lengths.
+  bool keeps_lengths = false;
+
+  // It moves particles straight on instead of round: the books of energy leave stretching out (spring_energy.h).
+  bool goes_straight_on = false;
+
+  // So many steps are read as one by these books.
+  int read_every = 1;
 
   // The method uses exact products of the force, and also definite ones: MovingStrand::definite_force.
   bool needs_definite_force = false;

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "hair/head/kept_net.h"
 #include "hair/render/light.h"
 #include "hair/render/scene_bounds.h"
 #include "hair/render/view.h"
@@ -46,14 +47,15 @@ int last_guide(const DenseHair& dense) {
 
 }  // namespace
 
-SceneDrawing::SceneDrawing(const Scene& scene, std::vector<int> strands)
+SceneDrawing::SceneDrawing(const Scene& scene, std::vector<int> strands,
+                           const std::optional<std::filesystem::path>& cache)
     : scene_(scene), strands_(std::move(strands)), look_(scene.look.value_or(Look())) {
   const double aspect = static_cast<double>(look_.image_width) / look_.image_height;
   camera_ = look_.frame ? frame_points(scene_outline(scene), aspect, look_.view)
                         : frame_camera(scene_bounds(scene), aspect, look_.view);
   for (const Obstacle& obstacle : scene.hair.obstacles)
     if (const auto* const placed = std::get_if<PlacedSolid>(&obstacle.shape))
-      meshes_.push_back(std::make_shared<SurfaceMesh>(surface_net(*placed->solid, kCells)));
+      meshes_.push_back(std::make_shared<SurfaceMesh>(kept_surface_net(*placed->solid, kCells, cache)));
   const Vector3d target = look_.look_at.value_or(camera_.target);
   camera_.eye = target + (camera_.eye - camera_.target) / look_.zoom;
   camera_.target = target;

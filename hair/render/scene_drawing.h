@@ -2,7 +2,9 @@
 // frames.
 #pragma once
 
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "hair/mass_spring/mesh_record.h"
@@ -18,9 +20,10 @@ namespace hair {
 // A scene without a look gets the default one. Calls H10 if the scene has dense hair.
 class SceneDrawing {
  public:
-  // strands: the number of points of each strand's centre line (Playback::strands). Keeps a reference to the scene, which must
-  // outlive it.
-  SceneDrawing(const Scene& scene, std::vector<int> strands);
+  // strands: the number of points of each strand's centre line (Playback::strands). cache: a folder where surface nets of heads are kept.
+  // Keeps a reference to the scene, which must outlive it.
+  SceneDrawing(const Scene& scene, std::vector<int> strands,
+               const std::optional<std::filesystem::path>& cache = {});
 
   RenderSettings settings() const;
   const Camera& camera() const { return camera_; }  // placed by scene_bounds.h

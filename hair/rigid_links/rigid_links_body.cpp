@@ -22,7 +22,8 @@ struct Turned {
 
 }  // namespace
 
-RigidLinksBody::RigidLinksBody(LinkStrand strand, const Vector3d& root_velocity, TreeStep method)
+RigidLinksBody::RigidLinksBody(LinkStrand strand, const Vector3d& root_velocity, TreeStep method,
+                               bool watched)
     : strand_(std::move(strand)),
       steps_(strand_.tree, strand_.forces),
       method_(method),
@@ -37,6 +38,7 @@ RigidLinksBody::RigidLinksBody(LinkStrand strand, const Vector3d& root_velocity,
     at_rest_.push_back(axes);
   }
   root_.angular_velocity.setZero();
+  if (watched) energy_.emplace(strand_, method == &TreeSteps::linearly_implicit_euler);
 }
 
 Eigen::VectorXd RigidLinksBody::arc_lengths() const {
@@ -72,6 +74,7 @@ void RigidLinksBody::write(particles::Input q, particles::Input rate) {
     before = link.axes;
     omega = link.omega;
   }
+  if (energy_) energy_->restart();
 }
 
 void RigidLinksBody::set_root(const Root& root) {
@@ -84,6 +87,7 @@ std::optional<Stage> RigidLinksBody::step(const BodyStep& step, const particles:
   const bool turned = told_ && strand_.clamped;  // a hinge does not feel how its root is turned
   const SpatialMotion goal{turned ? root_.angular_velocity : Vector3d::Zero(), root_.velocity};
   base.acceleration = 1 / step.h * (goal + -1.0 * base.velocity);
+  if (energy_) energy_->before_step(goal);
   more_.clear();
   for (const PointForce& one : step.forces)
     if (one.point > 0)
@@ -102,7 +106,14 @@ std::optional<Stage> RigidLinksBody::step(const BodyStep& step, const particles:
   told_ = false;
   ++work.strand_steps;
   if (!is_sound()) return Stage::integration;
+  if (energy_) watch(step);
   return {};
+}
+
+void RigidLinksBody::watch(const BodyStep& step) {
+  ContactWork contacts;
+  if (contacts_.contacts() > 0) contacts = contacts_.work(after_);
+  energy_->after_step(steps_.system().motion(), step.h, contacts_.contacts() > 0 ? &contacts : nullptr);
 }
 
 void RigidLinksBody::step_among(const BodyStep& step) {
@@ -154,6 +165,7 @@ void RigidLinksBody::find_velocities_after(double h) {
 
 Sizes RigidLinksBody::sizes() const {
   Sizes sizes;
+  if (energy_) add(energy_->watch(), sizes);
   sizes[Concern::penetration] = contacts_.deepest();
   return sizes;
 }

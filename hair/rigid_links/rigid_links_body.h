@@ -6,6 +6,7 @@
 
 #include <vector>
 
+#include "hair/rigid_links/link_energy.h"
 #include "hair/rigid_links/link_strand.h"
 #include "hair/rigid_links/tree_steps.h"
 #include "hair/strand/body.h"
@@ -18,8 +19,9 @@ using TreeStep = void (TreeSteps::*)(const TreeBase& base, double h, std::span<c
 
 class RigidLinksBody final : public Body {
  public:
-  // Obstacles are for linearly implicit steps. `strand.forces` have weight and drag. The base is at rest at the start, and moves with root_velocity from then on.
-  RigidLinksBody(LinkStrand strand, const Vector3d& root_velocity, TreeStep method);
+  // Obstacles are for linearly implicit steps. `strand.forces` have weight and drag. The base is at rest at the start, and moves
+  // with root_velocity from then on. watched: sizes() tells of energies, too.
+  RigidLinksBody(LinkStrand strand, const Vector3d& root_velocity, TreeStep method, bool watched = false);
 
   int size() const override { return 3 * points(); }
   int points() const override { return links() + 1; }
@@ -40,6 +42,7 @@ class RigidLinksBody final : public Body {
   int links() const { return static_cast<int>(strand_.length.size()); }
   const LinkShape& shape(int i) const { return strand_.tree.shapes()[i]; }
   void step_among(const BodyStep& step);
+  void watch(const BodyStep& step);
   void find_points();
   void find_velocities_after(double h);
   bool is_sound() const;
@@ -58,6 +61,7 @@ class RigidLinksBody final : public Body {
   std::vector<Vector3d> arms_, after_;
   ImplicitContacts contacts_;
   Eigen::VectorXd q_before_, rates_before_;
+  std::optional<LinkEnergy> energy_;
 };
 
 }  // namespace hair

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 
 #include "hair/scene/riding.h"
 #include "hair/scene/toy_body.h"
@@ -36,6 +37,9 @@ class Playback::Parts {
         tolerance_(scene.hair.tolerance),
         steps_per_frame_(scene.steps_per_frame),
         frames_per_second_(scene.frames_per_second),
+        watched_(scene.hair.watched),
+        solver_(row_of(scene.hair.method).exercises.back()),
+        toys_watch_(static_cast<int>(scene.toys.size())),
         still_(scene.hair.obstacles) {
     check_times(scene);
     if (has_strands(scene)) {
@@ -63,6 +67,7 @@ class Playback::Parts {
     for (std::size_t i = 0; i < toys_.size(); ++i)
       toys_[i]->write(scene.toys[i].start.x, scene.toys[i].start.v);
     toys_work_ = {};
+    toys_watch_ = Watch(static_cast<int>(toys_.size()));
     h_ = scene.hair.step;
     steps_per_frame_ = scene.steps_per_frame;
     frames_per_second_ = scene.frames_per_second;
@@ -124,9 +129,22 @@ class Playback::Parts {
   const MeshRecord* mesh_record() const { return simulation_ ? simulation_->mesh_record() : nullptr; }
   const Watch& watch() const { return simulation_ ? simulation_->watch() : nothing_; }
 
+  std::vector<Warning> warnings() const {
+    std::vector<Warning> all = watch().warnings(), of_toys = toys_watch_.warnings();
+    for (Warning& one : all)
+      if (one.concern->of_solver) one.solver = solver_;
+    for (Warning& one : of_toys) {
+      one.body = "toy";
+      if (one.concern->of_solver) one.solver = toys_[static_cast<std::size_t>(one.strand)]->solver();
+      all.push_back(one);
+    }
+    return all;
+  }
+
   Work work() const {
     Work work = simulation_ ? simulation_->work() : Work{};
     work.solver_steps += toys_work_.solver_steps;
+    work.solves += toys_work_.solves;
     work.unconverged += toys_work_.unconverged;
     return work;
   }
@@ -167,7 +185,7 @@ class Playback::Parts {
   void add_toys(const std::vector<Toy>& toys) {
     int rows = 0, columns = 0;
     for (const Toy& toy : toys) {
-      const ToyBody& body = *toys_.emplace_back(std::make_unique<ToyBody>(toy));
+      const ToyBody& body = *toys_.emplace_back(std::make_unique<ToyBody>(toy, watched_));
       rows = std::max(rows, body.scratch_rows());
       columns = std::max(columns, body.scratch_columns());
     }
@@ -181,9 +199,12 @@ class Playback::Parts {
       if (const auto blow_up = simulation_->step())
         trouble_ = trouble("strand", blow_up->strand, blow_up->step, blow_up->stage);
     const BodyStep step{h_, tolerance_, still_};
-    for (std::size_t i = 0; i < toys_.size() && !trouble_; ++i)
+    for (std::size_t i = 0; i < toys_.size() && !trouble_; ++i) {
       if (const auto stage = toys_[i]->step(step, scratch_.topRows(toys_[i]->scratch_rows()), toys_work_))
         trouble_ = trouble("toy", static_cast<int>(i), steps_, *stage);
+      else if (watched_)
+        toys_watch_.see(static_cast<int>(i), steps_, toys_[i]->sizes());
+    }
   }
 
   static std::string trouble(const char* what, int which, long step, Stage stage) {
@@ -198,7 +219,10 @@ class Playback::Parts {
   std::vector<Riding> riding_;
   std::vector<std::unique_ptr<ToyBody>> toys_;
   Work toys_work_;
-  Watch nothing_;                           // toys are not watched
+  bool watched_;
+  std::string_view solver_;  // of hair: the exercise of its method
+  Watch nothing_;            // without strands
+  Watch toys_watch_;
   Eigen::MatrixXd scratch_;                 // shared by the toys, which take turns
   std::vector<Obstacle> still_;             // without strands nothing moves them
   std::vector<int> strands_;                // the points of each
@@ -251,6 +275,9 @@ const std::vector<Obstacle>& Playback::obstacles() const {
 }
 const Watch& Playback::watch() const {
   return parts_->watch();
+}
+std::vector<Warning> Playback::warnings() const {
+  return parts_->warnings();
 }
 Work Playback::work() const {
   return parts_->work();

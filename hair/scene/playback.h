@@ -58,7 +58,8 @@ class Playback {
   std::vector<int> sizes() const;                  // of the coordinates of each strand, in threes
   const std::vector<Obstacle>& obstacles() const;  // where they are now
   const Watch& watch() const;                      // of the hair
-  Work work() const;                               // of the hair; for toys the solver's steps
+  std::vector<Warning> warnings() const;           // of the hair, then of the toys
+  Work work() const;                               // of the hair; for toys the solves and their steps
   const MeshRecord* mesh_record() const;           // null without a control mesh
 
   // Measures any state of the scene's particles at the present frame. A state from elsewhere is measured with

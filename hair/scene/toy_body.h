@@ -1,6 +1,9 @@
 // A toy as a body: its coordinates are its particles' positions. It has no root, no obstacles and no tip.
 #pragma once
 
+#include <optional>
+
+#include "hair/scene/toy_energy.h"
 #include "hair/strand/body.h"
 #include "particles/toys/moving_toy.h"
 
@@ -8,8 +11,8 @@ namespace hair {
 
 class ToyBody final : public Body {
  public:
-  // Throws std::invalid_argument as MovingToy does.
-  explicit ToyBody(const particles::Toy& toy) : moving_(toy), method_(particles::toy_step_of(toy.method)) {}
+  // watched: sizes() tells what a step did. Throws std::invalid_argument as MovingToy does.
+  ToyBody(const particles::Toy& toy, bool watched);
 
   int size() const override { return static_cast<int>(moving_.state.x.size()); }
   int points() const override { return size() / 3; }
@@ -24,10 +27,16 @@ class ToyBody final : public Body {
   void centre_line(particles::Input q, particles::Input rate, particles::Output x,
                    particles::Output v) const override;
   BodyMeasures measure(particles::Input q, particles::Input rate) const override;
+  Sizes sizes() const override;
+
+  // The exercise that solves for its motion; empty: none.
+  const char* solver() const;
 
  private:
   particles::MovingToy moving_;
   particles::ToyStep method_;
+  std::optional<ToyEnergy> energy_;  // of watched toys
+  particles::SolveCount all_;        // solves so far
 };
 
 }  // namespace hair

@@ -28,6 +28,9 @@ struct ModelRow {
 
   bool calls_method;
 
+  // The method of a scene that names none.
+  Method usual_method = Method::predictor_corrector;
+
   // The reason why the model can't express such a strand; empty if it can.
   std::string (*why_not)(const StrandSpec& spec);
 

@@ -31,7 +31,8 @@ std::unique_ptr<Body> make_links(const StrandSpec& spec, const Description& desc
   if (!description.obstacles.empty() && method.is_explicit)
     throw std::invalid_argument(std::string("rigid links don't collide with ") + method.id +
                                 "; use implicit_euler, or leave the obstacles out");
-  return std::make_unique<RigidLinksBody>(links_of(spec, description), spec.root_velocity, *step);
+  return std::make_unique<RigidLinksBody>(links_of(spec, description), spec.root_velocity, *step,
+                                          description.watched);
 }
 
 }  // namespace
@@ -51,6 +52,7 @@ ModelRow rigid_links_model() {
           .coordinates_name = "turns",
           .exercises = [](const StrandSpec&) { return std::vector<std::string>{"H7"}; },
           .calls_method = false,
+          .usual_method = Method::implicit_euler,
           .why_not = why_not_of_links,
           .points = [](const StrandSpec& spec) { return spec.elements + 1L; },
           .make = make_links,

@@ -45,10 +45,7 @@ void check_frame(const Vector3d& tangent, const Vector3d& normal) {
 
 Simulation::Simulation(Description description) : step_{description.step, description.tolerance} {
   check(description);
-  // Explicit methods promise nothing but what a blow-up shows.
-  watched_ =
-      description.watched && !(row_of(description.method).is_explicit && description.obstacles.empty());
-  description.watched = watched_;
+  watched_ = description.watched;
   for (const StrandStart& start : description.strands) {
     auto body = mass_spring_strand("strand " + std::to_string(bodies_.size()), start, description);
     springs_.push_back(body.get());
@@ -97,6 +94,7 @@ std::optional<BlowUp> Simulation::step() {
       sizes[Concern::passes] = joint_->passes(i);
       sizes[Concern::energy] = joint_->gain();
       sizes[Concern::contact_energy] = joint_->contact_gain();
+      sizes[Concern::loss] = joint_->loss();
     }
     watch_.see(i, steps_, sizes);
   }

@@ -16,7 +16,8 @@ std::unique_ptr<Body> make_helix(const StrandSpec& spec, const Description& desc
                                 "; they do by " + row_of(kHelixMethod).id);
   const HelixSurroundings surroundings{description.gravity, description.drag, description.wind,
                                        spec.fibre.relaxation_time};
-  return std::make_unique<SuperHelixBody>(helix_start(spec), surroundings, spec.root_velocity);
+  return std::make_unique<SuperHelixBody>(helix_start(spec), surroundings, spec.root_velocity,
+                                          description.watched);
 }
 
 }  // namespace
@@ -28,6 +29,7 @@ ModelRow super_helix_model() {
           .coordinates_name = "curvatures",
           .exercises = [](const StrandSpec&) { return std::vector<std::string>{"H8"}; },
           .calls_method = false,
+          .usual_method = kHelixMethod,
           .why_not = why_not_of_helices,
           .points = helix_points,
           .make = make_helix,

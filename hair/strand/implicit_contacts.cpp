@@ -67,4 +67,18 @@ bool ImplicitContacts::let_go(std::span<const Vector3d> velocities) {
   return any;
 }
 
+ContactWork ImplicitContacts::work(std::span<const Vector3d> velocities) const {
+  ContactWork sum;
+  for (std::size_t i = 0; i < velocities.size(); ++i) {
+    const Pressed& one = pressed_[i];
+    if (!one.by) continue;
+    const Vector3d u = velocities[i] - one.velocity;
+    const Vector3d impulse =
+        h_ * (one.pressure * one.normal - one.friction * (u - one.normal.dot(u) * one.normal));
+    sum.impulse += impulse;
+    sum.work += impulse.dot(one.velocity);
+  }
+  return sum;
+}
+
 }  // namespace hair

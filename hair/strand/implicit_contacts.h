@@ -17,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "hair/strand/energy_watch.h"
 #include "hair/strand/obstacles.h"
 
 namespace hair {
@@ -60,6 +61,9 @@ class ImplicitContacts {
   // With the points' velocities after the step, as the step has them: lets go of the points that would be pulled. False:
   // there are none.
   bool let_go(std::span<const Vector3d> velocities);
+
+  // What the obstacles did in the step, with these velocities at its end.
+  ContactWork work(std::span<const Vector3d> velocities) const;
 
   int contacts() const { return contacts_; }  // points that touched, in the step before
   // m, the largest depth at which a point was before it and after it

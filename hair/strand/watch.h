@@ -1,37 +1,46 @@
 // What a simulation watches beside blow-ups: numbers that are finite and wrong. Each concern has a size, of one strand
-// after one step, and a bound; above it there is a warning. No shipped scene comes above two fifths of a bound.
+// after one step, and a bound; above it there is a warning.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
+#include <string_view>
 #include <vector>
 
 namespace hair {
 
+class EnergyWatch;
+
 enum class Concern {
   energy,
   contact_energy,
+  loss,
+  unmoved,
   stretching,
   stretch,
   stretch_rate,
   penetration,
   mends,
   unconverged,
+  solves,
   passes
 };
 
 struct ConcernRow {
   Concern concern;
-  const char* id;       // in run.json: "contact energy"
-  const char* says;     // in a sentence: "contacts gave it energy"
-  const char* measure;  // what the size is
-  double bound;         // of that size
+  const char* id;          // in run.json: "contact energy"
+  const char* says;        // in a sentence: "contacts gave it energy"
+  const char* measure;     // what the size is
+  double bound;            // of that size
+  bool adds_up = false;    // the size is a share of all steps, which begins where it is no longer 0
+  bool of_solver = false;  // an exercise solves
 };
 
 std::span<const ConcernRow> concerns();  // in the order of the enumeration
 
 // The sizes of all concerns, of a body after a step. 0: it does not apply.
-inline constexpr int kConcerns = 9;
+inline constexpr int kConcerns = 12;
 struct Sizes {
   std::array<double, kConcerns> of = {};
 
@@ -39,18 +48,28 @@ struct Sizes {
   double operator[](Concern concern) const { return of[static_cast<std::size_t>(concern)]; }
 };
 
+// What the books of a body's energy say (hair/strand/energy_watch.h).
+void add(const EnergyWatch& energy, Sizes& sizes);
+
+// More than a few solves of a body end above their tolerance: 1 % of them, and six at least.
+inline double share_of(long unconverged, long solves) {
+  return static_cast<double>(unconverged) / static_cast<double>(std::max(solves, 501L));
+}
+
 struct Warning {
   const ConcernRow* concern;
   int strand;   // the first one above the bound,
   long step;    // and its step, counted from 1
   int strands;  // how many there are
   double size;  // the largest of all
+  std::string_view body = "strand";
+  std::string_view solver = {};  // the exercise whose solves these are, if the concern is of those
 };
 
 // The worst that was seen, of all strands.
 class Watch {
  public:
-  explicit Watch(int strands = 0) : above_(strands) {}
+  explicit Watch(int strands = 0) : above_(strands), begun_(strands) {}
 
   // After each step, of each strand. Allocates nothing.
   void see(int strand, long step, const Sizes& sizes);
@@ -67,6 +86,7 @@ class Watch {
   };
   std::array<Seen, kConcerns> seen_ = {};
   std::vector<std::array<bool, kConcerns>> above_;  // of each strand
+  std::vector<std::array<long, kConcerns>> begun_;  // the step at which a size that adds up was no longer 0
 };
 
 }  // namespace hair

@@ -11,7 +11,8 @@ struct Work {
   long plain_solves = 0;      // solves that had no preconditioner
   long correction_steps = 0;  // Newton steps: of the length correction, or of newton_euler
   long halvings = 0;          // of newton_euler's steps: each evaluates the forces once more
-  long unconverged = 0;       // solves and corrections that ended above their tolerance
+  long solves = 0;            // solves and corrections
+  long unconverged = 0;       // those that ended above their tolerance
   long unmended = 0;          // collisions after which obstacles and lengths did not agree (H6)
   long contacts = 0;          // particles that were pushed out of an obstacle
   double penetration = 0;     // m, the largest depth of a particle that remained in an obstacle
@@ -22,6 +23,7 @@ struct Work {
     plain_solves += other.plain_solves;
     correction_steps += other.correction_steps;
     halvings += other.halvings;
+    solves += other.solves;
     unconverged += other.unconverged;
     unmended += other.unmended;
     contacts += other.contacts;

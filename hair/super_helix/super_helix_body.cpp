@@ -12,7 +12,7 @@ namespace hair {
 using Eigen::Quaterniond;
 
 SuperHelixBody::SuperHelixBody(HelixStart start, const HelixSurroundings& surroundings,
-                               const Vector3d& root_velocity)
+                               const Vector3d& root_velocity, bool watched)
     : axes_at_start_(start.root.frame.axes),
       root_(start.root),
       q_(std::move(start.q)),
@@ -28,6 +28,7 @@ SuperHelixBody::SuperHelixBody(HelixStart start, const HelixSurroundings& surrou
       contacts_(contact_points_.size()) {
   goal_.velocity = root_velocity;
   goal_.angular_velocity.setZero();
+  if (watched) energy_.emplace(motion_.strand(), surroundings);
 }
 
 Eigen::VectorXd SuperHelixBody::arc_lengths() const {
@@ -54,7 +55,8 @@ void SuperHelixBody::write(particles::Input q, particles::Input rate) {
   goal_.velocity = root_.velocity;
   q_ = q.tail(q_.size());
   rates_ = rate.tail(q_.size());
-  has_momentum_ = false;
+  has_momentum_ = placed_ = false;
+  if (energy_) energy_->restart();
 }
 
 void SuperHelixBody::set_root(const Root& root) {
@@ -65,8 +67,13 @@ void SuperHelixBody::set_root(const Root& root) {
 std::optional<Stage> SuperHelixBody::step(const BodyStep& step, const particles::Scratch& scratch,
                                           Work& work) {
   const double h = step.h;
-  const Vector3d spin = told_ ? goal_.angular_velocity : Vector3d::Zero();
-  motion_.place(root_.frame, q_);
+  const Vector3d spin = told_ ? goal_.angular_velocity : Vector3d::Zero(), spin_before = root_.spin;
+  if (!placed_) motion_.place(root_.frame, q_);
+  placed_ = false;
+  if (energy_) {
+    if (!energy_->watch().begun()) motion_.move(root_, rates_);
+    energy_->before_step(motion_, q_, goal_.velocity);
+  }
   if (has_momentum_) {
     root_.velocity = goal_.velocity;
     root_.spin = spin;
@@ -76,6 +83,7 @@ std::optional<Stage> SuperHelixBody::step(const BodyStep& step, const particles:
     start_moving(spin, h);
   }
   add_forces(step);
+  if (energy_) energy_->moved(motion_);
   const HelixStrand& strand = strand_of_step(h);
   if (step.obstacles.empty())
     helix_step(strand, motion_.elements, motion_.points, q_, rates_, h, scratch, change_);
@@ -86,6 +94,7 @@ std::optional<Stage> SuperHelixBody::step(const BodyStep& step, const particles:
   rates_ += change_;
   momentum_.keep(motion_, root_, rates_);
   has_momentum_ = true;
+  if (energy_) weigh(h, (spin_before + root_.spin) / 2);
   q_ += h * rates_;
   drop_traces(rates_);
   drop_traces(q_);
@@ -96,7 +105,21 @@ std::optional<Stage> SuperHelixBody::step(const BodyStep& step, const particles:
   told_ = false;
   ++work.strand_steps;
   if (!is_sound()) return Stage::integration;
+  if (energy_) {
+    motion_.place(root_.frame, q_);
+    placed_ = true;
+    motion_.move(root_, rates_);
+    energy_->after_step(motion_, q_);
+  }
   return {};
+}
+
+// While the strand is still placed as the step had it.
+void SuperHelixBody::weigh(double h, const Vector3d& spin) {
+  ContactWork contacts;
+  if (contacts_.contacts() > 0) contacts = contacts_.work(after_);
+  move_by_change();
+  energy_->found(motion_, h, spin, rates_, change_, contacts_.contacts() > 0 ? &contacts : nullptr);
 }
 
 // A step that has no momenta of a step before takes accelerations, those of the root among them.
@@ -172,16 +195,21 @@ void SuperHelixBody::find_points() {
 }
 
 // A change of the rates moves points as if the root were held.
-void SuperHelixBody::find_velocities_after() {
+void SuperHelixBody::move_by_change() {
   HelixRoot held;
   held.frame = root_.frame;
   motion_.move(held, change_);
+}
+
+void SuperHelixBody::find_velocities_after() {
+  move_by_change();
   for (std::size_t i = 0; i < after_.size(); ++i)
     after_[i] = contact_points_[i].v + motion_.velocities[motion_.placed[i + 1]];
 }
 
 Sizes SuperHelixBody::sizes() const {
   Sizes sizes;
+  if (energy_) add(energy_->watch(), sizes);
   sizes[Concern::penetration] = contacts_.deepest();
   return sizes;
 }

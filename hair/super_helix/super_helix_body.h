@@ -9,23 +9,17 @@
 
 #include "hair/strand/body.h"
 #include "hair/strand/implicit_contacts.h"
+#include "hair/super_helix/helix_energy.h"
 #include "hair/super_helix/helix_momentum.h"
 #include "hair/super_helix/helix_start.h"
 
 namespace hair {
 
-// What acts on a strand beside its own stiffness.
-struct HelixSurroundings {
-  Vector3d gravity = Vector3d::Zero();  // m/s^2
-  double drag = 0;                      // N s/m^2: for each metre
-  Vector3d wind = Vector3d::Zero();     // m/s, of the air
-  double relaxation_time = 0;           // s: bends and twists also resist their rates, with this times K
-};
-
 class SuperHelixBody final : public Body {
  public:
-  // The root is at rest at the start, and moves with root_velocity from then on.
-  SuperHelixBody(HelixStart start, const HelixSurroundings& surroundings, const Vector3d& root_velocity);
+  // The root is at rest at the start, and moves with root_velocity from then on. watched: sizes() tells of energies, too.
+  SuperHelixBody(HelixStart start, const HelixSurroundings& surroundings, const Vector3d& root_velocity,
+                 bool watched = false);
 
   int size() const override { return 6 + static_cast<int>(q_.size()); }
   int points() const override { return static_cast<int>(places_.size()); }
@@ -57,6 +51,8 @@ class SuperHelixBody final : public Body {
   void step_among(const BodyStep& step, const HelixStrand& strand, particles::Scratch scratch);
   void find_points();
   void find_velocities_after();
+  void move_by_change();
+  void weigh(double h, const Vector3d& spin);
   bool is_sound() const;
 
   Matrix3d axes_at_start_;
@@ -68,12 +64,14 @@ class SuperHelixBody final : public Body {
   HelixMotion motion_;
   HelixMomentum momentum_;
   bool has_momentum_ = false;  // of the step before
+  bool placed_ = false;        // motion_ is, where the strand is now
   HelixSurroundings surroundings_;
   HelixStrand damped_;  // as the step sees it, if it resists the rates of bends
   std::vector<ContactPoint> contact_points_;
   std::vector<Push> without_contacts_;  // on the contact points
   std::vector<Vector3d> after_;
   ImplicitContacts contacts_;
+  std::optional<HelixEnergy> energy_;
 };
 
 }  // namespace hair

@@ -54,6 +54,10 @@ void check(const Toy& toy) {
   require_at_least("the constraints' damping", toy.constraints.damping, 0);
 }
 
+Vector3d between(Input x, int i, int j) {
+  return x.segment<3>(3 * i) - x.segment<3>(3 * j);
+}
+
 // NaN once either is.
 double worse(double stretch, const Vector3d& between, double rest_length) {
   if (rest_length == 0) return stretch;
@@ -63,7 +67,7 @@ double worse(double stretch, const Vector3d& between, double rest_length) {
 
 }  // namespace
 
-MovingToy::MovingToy(const Toy& description) : toy(description), state(toy.start) {
+MovingToy::MovingToy(const Toy& description, bool watched) : toy(description), state(toy.start) {
   check(toy);
   const bool implicit = toy.method == ToyMethod::implicit_euler, held = toy.constraints.rows() > 0;
   if (implicit && held)
@@ -75,7 +79,7 @@ MovingToy::MovingToy(const Toy& description) : toy(description), state(toy.start
   if (toy.drag > 0) force.emplace<Drag>(Eigen::VectorXd::Constant(toy.particles.count(), toy.drag), toy.wind);
 
   if (held) {
-    dynamics = constrained_dynamics(*this);
+    dynamics = constrained_dynamics(*this, watched);
   } else if (!implicit) {
     dynamics = std::make_unique<ParticleSystem>(toy.particles, force);
   }
@@ -93,11 +97,15 @@ std::vector<std::string> exercises_of_constraints(const Toy& toy) {
 }
 
 double largest_stretch(const Toy& toy, Input x) {
-  const auto between = [&](int i, int j) -> Vector3d { return x.segment<3>(3 * i) - x.segment<3>(3 * j); };
-  double stretch = 0;
+  double stretch = largest_rod_stretch(toy, x);
   for (const Spring& spring : toy.springs)
-    stretch = worse(stretch, between(spring.i, spring.j), spring.rest_length);
-  for (const Rod& rod : toy.constraints.rods) stretch = worse(stretch, between(rod.i, rod.j), rod.length);
+    stretch = worse(stretch, between(x, spring.i, spring.j), spring.rest_length);
+  return stretch;
+}
+
+double largest_rod_stretch(const Toy& toy, Input x) {
+  double stretch = 0;
+  for (const Rod& rod : toy.constraints.rods) stretch = worse(stretch, between(x, rod.i, rod.j), rod.length);
   return stretch;
 }
 

@@ -1,19 +1,29 @@
+#include <algorithm>
+
 #include "particles/constraint_forces.h"
+#include "particles/toys/constraint_rounding.h"
 #include "particles/toys/toy_methods.h"
 
 namespace particles {
 
 namespace {
 
+// Of the right-hand side: what a solve may leave before it counts as one that did not end. P2 may stop so early where constraints
+// are redundant.
+constexpr double kMostLeft = 1e-6;
+
 // a = W (f + J^T lambda): what the constraints leave of all other force. P2 solves for lambda.
 class ConstrainedDynamics : public Dynamics {
  public:
-  explicit ConstrainedDynamics(MovingToy& moving)
-      : particles_(moving.toy.particles),
+  ConstrainedDynamics(MovingToy& moving, bool watched)
+      : watched_(watched),
+        particles_(moving.toy.particles),
         constraints_(moving.toy.constraints),
         force_(moving.force),
         solves_(moving.solves),
         state_(moving.state),
+        sum_(constraints_.rows()),
+        term_(constraints_.rows()),
         lambda_(Eigen::VectorXd::Zero(constraints_.rows())) {}
 
   void acceleration(Input x, Input v, Output a) override {
@@ -21,30 +31,71 @@ class ConstrainedDynamics : public Dynamics {
     state_.v = v;
     a.setZero();
     force_.add_force(x, v, a);
+    const double rounding = constraint_rounding(constraints_, particles_, state_, a);
+    free_ = a;
+    divide_by_mass(free_);
+    const double before = error(free_);
+    if (before <= rounding) {  // there is nothing to solve
+      a = free_;
+      return;
+    }
     solves_.steps += solve_constraints(constraints_, particles_, state_, a, lambda_).steps;
+    ++solves_.solves;
     add_constraint_forces(constraints_, x, lambda_, a);
+    divide_by_mass(a);
+    if (watched_) watch(before, error(a), rounding);
+  }
+
+ private:
+  void divide_by_mass(Output f) const {
     for (int i = 0; i < particles_.count(); ++i) {
       if (particles_.is_pinned(i)) {
-        a.segment<3>(3 * i).setZero();
+        f.segment<3>(3 * i).setZero();
       } else {
-        a.segment<3>(3 * i) /= particles_.mass[i];
+        f.segment<3>(3 * i) /= particles_.mass[i];
       }
     }
   }
 
- private:
+  void watch(double before, double left, double rounding) {
+    if (left <= std::max(kMostLeft * before, rounding)) return;
+    ++solves_.unconverged;
+    solves_.left = std::max(solves_.left, left / before);
+  }
+
+  // The norm of C'' + stiffness C + damping C' with these accelerations: with those of all other forces the right-hand side's, with
+  // the constraints' forces what a solve leaves.
+  double error(Input a) {
+    const auto& [rods, wires, stiffness, damping] = constraints_;
+    constraint_rates(constraints_, state_.x, a, sum_);
+    constraint_values(constraints_, state_.x, term_);
+    sum_ += stiffness * term_;
+    constraint_rates(constraints_, state_.x, state_.v, term_);
+    sum_ += damping * term_;
+    int row = 0;
+    for (const Rod& rod : rods)
+      sum_[row++] += (state_.v.segment<3>(3 * rod.i) - state_.v.segment<3>(3 * rod.j)).squaredNorm();
+    for (const Wire& wire : wires) {
+      sum_[row] += state_.v.segment<3>(3 * wire.i).squaredNorm();
+      row += 2;
+    }
+    return sum_.norm();
+  }
+
+  bool watched_;
   const Particles& particles_;
   const Constraints& constraints_;
   const Force& force_;
   SolveCount& solves_;
   State state_;
+  Eigen::VectorXd free_, sum_, term_;
   Eigen::VectorXd lambda_;  // 0 at first: an exercise that reads it before it writes does the same each time
 };
 
 }  // namespace
 
-std::unique_ptr<Dynamics> constrained_dynamics(MovingToy& moving) {
-  return std::make_unique<ConstrainedDynamics>(moving);
+std::unique_ptr<Dynamics> constrained_dynamics(MovingToy& moving, bool watched) {
+  return std::make_unique<ConstrainedDynamics>(moving, watched);
 }
 
 }  // namespace particles

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "particles/implicit_euler.h"
 #include "particles/toys/toy_methods.h"
 
@@ -9,7 +11,10 @@ void take_step(MovingToy& moving, const StepOptions& options, const Scratch& scr
   const SolveReport report =
       implicit_euler(moving.force, moving.toy.particles, options.h, options.tolerance, moving.state, scratch);
   moving.solves.steps += report.steps;
-  moving.solves.unconverged += !report.converged;
+  ++moving.solves.solves;
+  if (report.converged) return;
+  ++moving.solves.unconverged;
+  moving.solves.left = std::max(moving.solves.left, report.residual / report.rhs);
 }
 
 }  // namespace

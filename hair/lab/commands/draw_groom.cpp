@@ -13,8 +13,10 @@
 #include "hair/head/groom_file.h"
 #include "hair/head/groom_measures.h"
 #include "hair/head/hair_colours.h"
+#include "hair/head/kept_net.h"
 #include "hair/head/scalp_roots.h"
 #include "hair/io/files/bad_input.h"
+#include "hair/io/files/cache_folder.h"
 #include "hair/io/files/check_folder.h"
 #include "hair/io/files/printable.h"
 #include "hair/io/image/png.h"
@@ -147,7 +149,7 @@ int draw_groom(const DrawOptions& options) {
   }
   std::vector<Vector3d> seen = strands.points;
   if (head) {
-    auto mesh = std::make_shared<SurfaceMesh>(surface_net(*head, kHeadCells));
+    auto mesh = std::make_shared<SurfaceMesh>(kept_surface_net(*head, kHeadCells, cache_folder()));
     seen.insert(seen.end(), mesh->points.begin(), mesh->points.end());
     drawing.meshes.push_back({mesh, Vector3d::Zero(), Eigen::Quaterniond::Identity()});
   }

@@ -16,14 +16,17 @@
 #include "hair/lab/run/run.h"
 #include "hair/lab/run/shipped_scenes.h"
 #include "hair/lab/stub.h"
+#include "solver/timing.h"
 
 namespace hair {
 
 int play_scene(const PlayOptions& options, const Course& course) {
+  const timing::Stopwatch reading;
   Scene scene = read_course_scene(options.scene, course);
+  const double read_seconds = reading.seconds();
   scene.hair.jobs =
       options.jobs > 0 ? options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const RunSettings settings{options.out, options.frames, !options.no_render};
+  const RunSettings settings{options.out, options.frames, !options.no_render, read_seconds};
   if (options.explain) {
     std::cout << scene.name << ": " << printable(scene.shows, 200) << "\n"
               << explanation(explain(scene, settings.render, course)) << std::flush;

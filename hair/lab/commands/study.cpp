@@ -44,19 +44,13 @@ void require_writable(const std::filesystem::path& cache) {
 }
 
 // One that is named must do; without, there may be none.
-std::optional<std::filesystem::path> cache_folder(const StudyOptions& options) {
+std::optional<std::filesystem::path> cache_of(const StudyOptions& options) {
   if (options.no_cache) return {};
   if (options.names_cache) {
     require_writable(options.cache);
     return options.cache;
   }
-  const auto variable = [](const char* name) {
-    const char* value = std::getenv(name);
-    return std::filesystem::path(value ? value : "");
-  };
-  if (const auto folder = variable("XDG_CACHE_HOME"); folder.is_absolute()) return folder / "hairlab";
-  if (const auto home = variable("HOME"); home.is_absolute()) return home / ".cache" / "hairlab";
-  return {};
+  return cache_folder();
 }
 
 ProblemSettings problem_settings(const Scene& scene, const StudyOptions& options) {
@@ -109,7 +103,7 @@ int run(const StudyOptions& options, const Course& course) {
 
   shell.say("the accurate motion");
   const std::optional<AccurateMotion> motion =
-      accurate_motion(problem, {kTightest, cache_folder(options)}, interrupted);
+      accurate_motion(problem, {kTightest, cache_of(options)}, interrupted);
   if (!motion) return shell.end(false);
   set_reference(problem, *motion, study);
   if (options.resume) read_runs(shell.folder().earlier_record(), study);

@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 
+#include "hair/io/files/cache_folder.h"
 #include "hair/lab/run/film.h"
 #include "hair/lab/run/run_record.h"
 #include "hair/mass_spring/force_parts.h"
@@ -142,7 +143,7 @@ void explain_clearance(const Scene& scene, bool render, std::size_t strands, Par
 // How many guides are not simulated, if the exercise that finds it is written.
 std::string guides_left_out(const Scene& scene) {
   try {
-    const std::size_t idle = idle_guides(scene, SceneDrawing(scene, {})).size();
+    const std::size_t idle = idle_guides(scene, SceneDrawing(scene, {}, cache_folder())).size();
     return idle > 0 ? counted(idle, "guide") + " that no picture shows" : "";
   } catch (const NotImplemented&) {
     return "";
@@ -153,7 +154,7 @@ std::string guides_left_out(const Scene& scene) {
 std::string dense_out_of_view(const Scene& scene) {
   try {
     const Playback playback(scene);
-    const SceneDrawing drawing(scene, playback.strands());
+    const SceneDrawing drawing(scene, playback.strands(), cache_folder());
     drawing.at(playback.centre_lines(playback.state()), playback.obstacles(), 0);
     return std::to_string(drawing.synthesised().children_out_of_view) + " of them out of view at the start";
   } catch (const NotImplemented&) {

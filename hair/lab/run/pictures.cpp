@@ -2,8 +2,9 @@
 
 namespace hair {
 
-Pictures::Pictures(const Scene& scene, const std::vector<int>& strands)
-    : drawing_(scene, strands), renderer_(drawing_.settings()) {
+Pictures::Pictures(const Scene& scene, const std::vector<int>& strands,
+                   const std::optional<std::filesystem::path>& cache)
+    : drawing_(scene, strands, cache), renderer_(drawing_.settings()) {
   renderer_.measure(true);
 }
 

@@ -11,8 +11,9 @@ namespace hair {
 
 class Pictures {
  public:
-  // strands: as SceneDrawing has them. The scene must have a look and outlive this object. Throws NoOpenGl.
-  Pictures(const Scene& scene, const std::vector<int>& strands);
+  // strands, cache: as SceneDrawing has them. The scene must have a look and outlive this object. Throws NoOpenGl.
+  Pictures(const Scene& scene, const std::vector<int>& strands,
+           const std::optional<std::filesystem::path>& cache);
 
   // As SceneDrawing::at.
   Image draw(const particles::State& state, const std::vector<Obstacle>& obstacles, double time,

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "hair/io/files/bad_input.h"
+#include "hair/io/files/cache_folder.h"
 #include "hair/io/image/png.h"
 #include "hair/lab/run/film.h"
 #include "hair/lab/run/output_file.h"
@@ -10,6 +11,7 @@
 #include "hair/lab/run/pictures.h"
 #include "hair/lab/run/states_csv.h"
 #include "hair/lab/run/states_file.h"
+#include "hair/lab/run/strip_pushes.h"
 #include "hair/render/idle_guides.h"
 #include "hair/scene/playback.h"
 #include "solver/timing.h"
@@ -35,7 +37,7 @@ std::unique_ptr<Pictures> prepare_pictures(const Scene& scene, const RunSettings
     record.no_pictures = "--no-render";
   } else {
     try {
-      auto pictures = std::make_unique<Pictures>(scene, record.strands);
+      auto pictures = std::make_unique<Pictures>(scene, record.strands, cache_folder());
       record.opengl = pictures->about();
       return pictures;
     } catch (const NoOpenGl& error) {
@@ -64,8 +66,10 @@ class FrameWriter {
   // Where the playback is now.
   void add() {
     Seconds& seconds = record_.seconds;
+    const timing::Stopwatch reading;
     const particles::State state = playback_.state(), lines = playback_.centre_lines(state);
     const int frame = static_cast<int>(record_.frames.size());
+    seconds.measure += reading.seconds();
     {
       const timing::AddsTime watch(seconds.measure);
       record_.frames.push_back({playback_.time(), playback_.measure(state), playback_.work()});
@@ -76,12 +80,21 @@ class FrameWriter {
       csv_.add(playback_.time(), lines);
     }
     if (!pictures_) return;
+    const timing::Stopwatch picture;
+    const double rendered = rendering();
     const Image image =
         pictures_->draw(lines, playback_.obstacles(), playback_.time(), playback_.mesh_record());
+    seconds.lay_out += picture.seconds() - (rendering() - rendered);
     if (dense_) record_.dense = pictures_->synthesised();
     record_.moved_out = pictures_->moved_out();
     const timing::AddsTime watch(seconds.png);
     write_whole(folder_, frame_name(frame), encode_png(image));
+  }
+
+  // s, of all pictures so far.
+  double rendering() const {
+    const RenderTimes& times = pictures_->times();
+    return times.upload + times.shadow + times.draw + times.read_back;
   }
 
   void close() {
@@ -128,19 +141,31 @@ void play(Playback& playback, FrameWriter& frames, RunRecord& record, const std:
 
 RunResult run_scene(const Scene& scene, const RunSettings& settings, const std::atomic<bool>& interrupted,
                     std::ostream& notes, std::ostream* progress) {
+  const timing::Stopwatch run;
   OutputFolder folder(settings.out);
   RunRecord record;
   record.frames_asked = settings.frames.value_or(scene.frames);
+  Seconds& seconds = record.seconds;
+  seconds.read = settings.read_seconds;
 
-  const auto playback = assemble(scene);
-  record.strands = playback->strands();
-  record.particles = static_cast<int>(playback->centre_lines(playback->state()).x.size() / 3);
-  const auto pictures = prepare_pictures(scene, settings, record, notes);
-  if (pictures && !scene.dense.empty()) {
-    const std::vector<int> idle = idle_guides(scene, pictures->drawing());
-    record.guides_left_out = idle.size();
-    playback->leave_out(idle);
+  std::unique_ptr<Playback> playback;
+  {
+    const timing::AddsTime watch(seconds.assemble);
+    playback = assemble(scene);
+    record.strands = playback->strands();
+    record.particles = static_cast<int>(playback->centre_lines(playback->state()).x.size() / 3);
   }
+  std::unique_ptr<Pictures> pictures;
+  {
+    const timing::AddsTime watch(seconds.prepare);
+    pictures = prepare_pictures(scene, settings, record, notes);
+    if (pictures && !scene.dense.empty()) {
+      const std::vector<int> idle = idle_guides(scene, pictures->drawing());
+      record.guides_left_out = idle.size();
+      playback->leave_out(idle);
+    }
+  }
+  if (const auto slow = too_thick_strips(scene)) notes << scene.name << ": " << *slow << std::endl;
   FrameWriter frames(scene, folder, *playback, pictures.get(), record);
   play(*playback, frames, record, interrupted, progress);
   if (const MeshRecord* mesh = playback->mesh_record()) {
@@ -149,19 +174,20 @@ RunResult run_scene(const Scene& scene, const RunSettings& settings, const std::
     record.worn_off = mesh->worn_off;
   }
   frames.close();
-  record.warnings = playback->watch().warnings();
+  record.warnings = playback->warnings();
   if (pictures) {
     const RenderTimes& times = pictures->times();
-    record.seconds.upload = times.upload;
-    record.seconds.shadow = times.shadow;
-    record.seconds.draw = times.draw;
-    record.seconds.read_back = times.read_back;
+    seconds.upload = times.upload;
+    seconds.shadow = times.shadow;
+    seconds.draw = times.draw;
+    seconds.read_back = times.read_back;
     if (progress) *progress << "\rfilm                       " << std::flush;
-    const timing::AddsTime watch(record.seconds.film);
+    const timing::AddsTime watch(seconds.film);
     record.no_film = make_film(folder.now(""), scene.frames_per_second);
     if (record.no_film) notes << (progress ? "\r" : "") << "no film: " << *record.no_film << "\n";
   }
   if (progress) *progress << "\r                           \r" << std::flush;
+  seconds.total = seconds.read + run.seconds();
   write_whole(folder, "run.json", run_json(scene, record));
   folder.keep();
   return {std::move(record), folder.path()};

@@ -17,6 +17,7 @@ struct RunSettings {
   std::filesystem::path out;
   std::optional<int> frames;  // after the first one; overrides the scene's number
   bool render = true;         // if the scene has a look
+  double read_seconds = 0;    // what it took to read the scene
 };
 
 struct RunResult {

@@ -13,6 +13,10 @@ std::string text_of(const Vector3d& vector) {
   return json_list({json_text(vector.x()), json_text(vector.y()), json_text(vector.z())});
 }
 
+std::string text_or_null(const std::string& text) {
+  return text.empty() ? "null" : json_text(text);
+}
+
 const char* name_of(Ending ending) {
   switch (ending) {
     case Ending::finished:
@@ -30,6 +34,7 @@ std::string text_of(const Work& work) {
                       {"solver_steps", json_text(work.solver_steps)},
                       {"plain_solves", json_text(work.plain_solves)},
                       {"correction_steps", json_text(work.correction_steps)},
+                      {"solves", json_text(work.solves)},
                       {"unconverged", json_text(work.unconverged)},
                       {"contacts", json_text(work.contacts)},
                       {"unmended", json_text(work.unmended)},
@@ -55,31 +60,34 @@ std::string text_of(long k, const FrameRecord& frame, const Work& before) {
 std::string text_of(const std::vector<Warning>& warnings) {
   std::string text;
   for (const Warning& one : warnings)
-    text +=
-        (text.empty() ? "\n    " : ",\n    ") + json_object({{"concern", json_text(one.concern->id)},
-                                                             {"strand", json_text(one.strand)},
-                                                             {"step", json_text(one.step)},
-                                                             {"strands", json_text(one.strands)},
-                                                             {"size", json_text(one.size)},
-                                                             {"bound", json_text(one.concern->bound)},
-                                                             {"measure", json_text(one.concern->measure)}});
+    text += (text.empty() ? "\n    " : ",\n    ") +
+            json_object({{"concern", json_text(one.concern->id)},
+                         {"body", json_text(std::string(one.body))},
+                         {"strand", json_text(one.strand)},
+                         {"step", json_text(one.step)},
+                         {"strands", json_text(one.strands)},
+                         {"size", json_text(one.size)},
+                         {"bound", json_text(one.concern->bound)},
+                         {"measure", json_text(one.concern->measure)},
+                         {"solver", text_or_null(std::string(one.solver))}});
   return text.empty() ? "[]" : "[" + text + "\n  ]";
 }
 
 std::string text_of(const Seconds& seconds) {
-  return json_object({{"simulate", json_text(seconds.simulate)},
+  return json_object({{"read", json_text(seconds.read)},
+                      {"assemble", json_text(seconds.assemble)},
+                      {"prepare", json_text(seconds.prepare)},
+                      {"simulate", json_text(seconds.simulate)},
                       {"measure", json_text(seconds.measure)},
                       {"write", json_text(seconds.write)},
+                      {"lay_out", json_text(seconds.lay_out)},
                       {"upload", json_text(seconds.upload)},
                       {"shadow", json_text(seconds.shadow)},
                       {"draw", json_text(seconds.draw)},
                       {"read_back", json_text(seconds.read_back)},
                       {"png", json_text(seconds.png)},
-                      {"film", json_text(seconds.film)}});
-}
-
-std::string text_or_null(const std::string& text) {
-  return text.empty() ? "null" : json_text(text);
+                      {"film", json_text(seconds.film)},
+                      {"total", json_text(seconds.total)}});
 }
 
 std::string dense_text(const RunRecord& record) {
@@ -110,10 +118,11 @@ std::string warning_text(const std::vector<Warning>& warnings) {
   text.precision(3);
   const char* between = "";
   for (const Warning& one : warnings) {
-    text << between << "strand " << one.strand;
+    text << between << one.body << " " << one.strand;
     if (one.strands > 1) text << " (the first of " << one.strands << ")";
     text << " " << one.concern->says << ", from step " << one.step << " on: " << one.size << " "
          << one.concern->measure;
+    if (!one.solver.empty()) text << " (" << one.solver << " asks, and ConjGrad of S1 solves)";
     between = "; ";
   }
   return text.str();

@@ -20,11 +20,14 @@ struct FrameRecord {
   Work work;  // from the start to this frame
 };
 
-// The duration of each stage, s.
+// The duration of each stage, s. Together they are `total`, but for some thousandths.
 struct Seconds {
-  double simulate = 0, measure = 0, write = 0;                      // states
-  double upload = 0, shadow = 0, draw = 0, read_back = 0, png = 0;  // pictures
+  double read = 0, assemble = 0, prepare = 0;   // the scene; what moves; what draws it
+  double simulate = 0, measure = 0, write = 0;  // states
+  double lay_out = 0;                           // what a picture has: dense hair, out of obstacles
+  double upload = 0, shadow = 0, draw = 0, read_back = 0, png = 0;
   double film = 0;
+  double total = 0;
 };
 
 struct RunRecord {

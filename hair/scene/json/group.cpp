@@ -70,8 +70,9 @@ void keys_of(Keys& keys, GroupText& group) {
   keys.part({.name = "material", .otherwise = "human hair"}, group.fibre);
   keys.flag(
       {.name = "clamped",
-       .what = "a clamped strand leaves its root in the root's direction; else the root is a hinge. Wavy "
-               "and curly hair must be clamped"},
+       .what = "a clamped strand leaves its root in the root's direction, a wave or curl along its own "
+               "tangent there, and only its axis has that direction; else the root is a hinge. Wavy and "
+               "curly hair must be clamped"},
       group.clamped);
   keys.part({.name = "start", .otherwise = "at rest", .what = "how it is held at the start"}, group.start);
   keys.vector({.name = "root_velocity", .unit = "m/s", .what = "of the roots, all the time"},

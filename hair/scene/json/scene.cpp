@@ -26,6 +26,7 @@ void keys_of_hair(Keys& keys, Description& hair) {
   std::vector<std::string_view> names;
   for (const MethodRow& row : methods()) names.emplace_back(row.id);
   keys.word({.name = "method",
+             .otherwise = "predictor_corrector; of rigid links, super-helices and linked hair implicit_euler",
              .what = "how hair moves: P1's, H4's or H6's; newton_euler: H4's equation solved to "
                      "convergence, for studies"},
             names, hair.method);
@@ -111,6 +112,14 @@ void set_step(const JsonValue& object, const std::optional<double>& step, Scene&
   scene.hair.step = 1 / (scene.frames_per_second * scene.steps_per_frame);
 }
 
+// Of a scene that names none.
+void set_usual_method(bool linked, Description& hair) {
+  if (!hair.modelled.empty())
+    hair.method = hair.modelled.front().model->usual_method;
+  else if (linked)
+    hair.method = Method::implicit_euler;
+}
+
 // What has nothing that it could be for.
 void check_use(const JsonValue& object, const Reading& reading) {
   if (reading.particles == 0) object.fail("there is nothing that moves; give \"hair\" or \"toys\"");
@@ -154,6 +163,7 @@ Scene scene_of(const JsonDocument& document, const std::filesystem::path& file, 
   if (text.motions) add_motions(*text.motions, reading);
   if (text.obstacles) add_obstacles(*text.obstacles, reading);
   if (text.hair) add_hair(*text.hair, reading);
+  if (!object.has("method")) set_usual_method(text.links.has_value(), scene.hair);
   if (text.links) add_links(object["links"], *text.links, reading);
   if (text.toys) add_toys(*text.toys, reading);
   if (text.still_hair) add_still_hair(*text.still_hair, reading);

@@ -168,7 +168,7 @@ TEST(BadScene, HairThatCantBeLinkedSaysWhy) {
   EXPECT_EQ(
       complaint(linked_scene("\"clamped\": true", "\"clamped\": false")),
       "a.json: links: links are for clamped hair, whose roots have frames; leave out \"clamped\": false");
-  EXPECT_EQ(complaint(linked_scene("\"method\": \"implicit_euler\",", "")),
+  EXPECT_EQ(complaint(linked_scene("\"method\": \"implicit_euler\"", "\"method\": \"predictor_corrector\"")),
             "a.json: links: linked hair moves by implicit Euler; write \"method\": \"implicit_euler\"");
   std::string links = linked_scene("\"clamped\": true", "\"model\": \"super_helix\"");
   links.replace(

@@ -149,5 +149,22 @@ TEST(ReadScene, CombedHairGrowsOutOfItsHead) {
   }
 }
 
+// A scene that names no method plays with that of its hair.
+TEST(ReadScene, HairWithoutAMethodMovesByItsOwn) {
+  const auto method_of = [](const std::string& model, const std::string& more) {
+    return hair::parse_scene(R"({"shows": "a hair", "frames": 1, "hair": [{"model": ")" + model +
+                                 R"(", "segments": 3, "length": 0.1, "roots": {"line": {"from": [0, 0, 0],
+                                 "to": [0.1, 0, 0], "count": 2}}}])" +
+                                 more + "}",
+                             "scene")
+        .hair.method;
+  };
+  EXPECT_EQ(method_of("mass_spring", ""), hair::Method::predictor_corrector);
+  EXPECT_EQ(method_of("mass_spring", R"(, "links": {"stiffness": 1})"), hair::Method::implicit_euler);
+  EXPECT_EQ(method_of("rigid_links", ""), hair::Method::implicit_euler);
+  EXPECT_EQ(method_of("super_helix", ""), hair::Method::implicit_euler);
+  EXPECT_EQ(method_of("rigid_links", R"(, "method": "runge_kutta_4")"), hair::Method::runge_kutta_4);
+}
+
 }  // namespace
 }  // namespace reference_tests

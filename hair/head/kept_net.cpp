@@ -1,0 +1,98 @@
+#include "hair/head/kept_net.h"
+
+#include <cstring>
+#include <string>
+#include <string_view>
+
+#include "hair/io/digest.h"
+#include "hair/io/files/bad_input.h"
+#include "hair/io/files/read_file.h"
+#include "hair/io/files/write_file.h"
+#include "hair/strand/variation.h"
+
+namespace hair {
+
+namespace {
+
+constexpr std::size_t kLargestFile = 1 << 28;
+constexpr std::size_t kDigest = 16;
+
+// The solid at random places of its box.
+std::string key_of(const Solid& solid, int cells) {
+  constexpr int kLooks = 2000;
+  const Eigen::AlignedBox3d box = solid.box();
+  Digest digest;
+  digest.add(Vector3d(box.min())).add(Vector3d(box.max())).add(cells);
+  Variation variation(1);
+  for (int look = 0; look < kLooks; ++look) {
+    Vector3d at;
+    for (int k = 0; k < 3; ++k) at[k] = variation.uniform(box.min()[k], box.max()[k]);
+    const Surface surface = solid.surface_at(at);
+    digest.add(surface.distance).add(surface.normal);
+  }
+  return "hairlab: a surface net, format 1, of " + digest.text() + "\n";
+}
+
+// Numbers as this machine has them.
+template <class T>
+void put(const std::vector<T>& values, std::string& bytes) {
+  const std::uint64_t count = values.size();
+  bytes.append(reinterpret_cast<const char*>(&count), sizeof count);
+  bytes.append(reinterpret_cast<const char*>(values.data()), sizeof(T) * values.size());
+}
+
+template <class T>
+bool take(std::string_view& bytes, std::vector<T>& values) {
+  std::uint64_t count = 0;
+  if (bytes.size() < sizeof count) return false;
+  std::memcpy(&count, bytes.data(), sizeof count);
+  bytes.remove_prefix(sizeof count);
+  if (count > bytes.size() / sizeof(T)) return false;
+  values.resize(count);
+  std::memcpy(static_cast<void*>(values.data()), bytes.data(), sizeof(T) * count);
+  bytes.remove_prefix(sizeof(T) * count);
+  return true;
+}
+
+std::optional<SurfaceMesh> find(const std::filesystem::path& file, const std::string& key) {
+  std::string bytes;
+  try {
+    bytes = read_file(file, kLargestFile, "a net that was kept");
+  } catch (const BadInput&) {
+    return {};
+  }
+  std::string_view rest = bytes;
+  if (rest.size() < key.size() + kDigest || !rest.starts_with(key)) return {};
+  const std::string_view digest = rest.substr(rest.size() - kDigest);
+  rest.remove_suffix(kDigest);
+  if (digest != Digest().add(rest).text()) return {};
+  rest.remove_prefix(key.size());
+  SurfaceMesh mesh;
+  if (!take(rest, mesh.points) || !take(rest, mesh.normals) || !take(rest, mesh.triangles) || !rest.empty())
+    return {};
+  return mesh;
+}
+
+}  // namespace
+
+SurfaceMesh kept_surface_net(const Solid& solid, int cells,
+                             const std::optional<std::filesystem::path>& folder) {
+  if (!folder) return surface_net(solid, cells);
+  const std::string key = key_of(solid, cells);
+  const std::filesystem::path file = *folder / (Digest().add(std::string_view(key)).text() + ".net");
+  if (std::optional<SurfaceMesh> kept = find(file, key)) return std::move(*kept);
+  SurfaceMesh mesh = surface_net(solid, cells);
+  std::string bytes = key;
+  put(mesh.points, bytes);
+  put(mesh.normals, bytes);
+  put(mesh.triangles, bytes);
+  bytes += Digest().add(std::string_view(bytes)).text();
+  try {
+    write_file(file, bytes);
+  } catch (const BadInput&) {
+    // The next run makes it again.
+  }
+  return mesh;
+}
+
+}  // namespace hair

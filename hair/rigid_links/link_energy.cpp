@@ -1,0 +1,102 @@
+#include "hair/rigid_links/link_energy.h"
+
+#include "hair/strand/turns.h"
+
+namespace hair {
+
+using Eigen::Quaterniond;
+
+namespace {
+
+double mass_of(const LinkTree& tree) {
+  double sum = 0;
+  for (const LinkShape& shape : tree.shapes()) sum += shape.mass;
+  return sum;
+}
+
+}  // namespace
+
+LinkEnergy::LinkEnergy(const LinkStrand& strand, bool implicit)
+    : strand_(strand),
+      implicit_(implicit),
+      rates_before_(strand.rates),
+      mass_(mass_of(strand.tree)),
+      watch_(mass_, strand.length.sum(), strand.forces.gravity.norm()) {}
+
+// Of the strand as it is, beside its base.
+void LinkEnergy::read() {
+  energies_ = {};
+  momentum_.setZero();
+  Vector3d x = Vector3d::Zero(), v = Vector3d::Zero(), omega = strand_.base.velocity.angular;
+  Quaterniond axes = strand_.base.orientation;
+  for (Eigen::Index i = 1; i <= strand_.length.size(); ++i) {
+    const LinkShape& shape = strand_.tree.shapes()[static_cast<std::size_t>(i)];
+    const Quaterniond joint(strand_.q.segment<4>(4 * i - 4));
+    axes = axes * shape.rest * joint;
+    omega += strand_.rates.segment<3>(3 * i - 3);
+    const Vector3d half = strand_.length[i - 1] / 2 * (axes * Vector3d::UnitZ());
+    const Vector3d centre = x + half, velocity = v + omega.cross(half), spin = axes.conjugate() * omega;
+    energies_.kinetic += (shape.mass * velocity.squaredNorm() + spin.cwiseAbs2().dot(shape.moments)) / 2;
+    energies_.weight -= shape.mass * strand_.forces.gravity.dot(centre);
+    energies_.elastic += strand_.forces.springs[static_cast<std::size_t>(i)].energy(turn_of(joint));
+    momentum_ += shape.mass * velocity;
+    x = centre + half;
+    v = velocity + omega.cross(half);
+  }
+}
+
+void LinkEnergy::before_step(const SpatialMotion& base) {
+  rates_before_ = strand_.rates;
+  base_before_ = strand_.base.velocity;
+  base_ = base;
+  const bool begins = !watch_.begun();
+  if (begins) read();
+  const Vector3d change = base.linear - base_before_.linear;
+  energies_.kinetic += mass_ / 2 * change.squaredNorm() - momentum_.dot(change);
+  if (begins)
+    watch_.begin(energies_);
+  else if (change != Vector3d::Zero())
+    watch_.root_moved(energies_);
+}
+
+void LinkEnergy::after_step(const TreeMotion& motion, double h, const ContactWork* contacts) {
+  read();
+  const LinkPass& root = motion.passes.front();
+  const Vector3d torque = (root.inertia * root.a + root.bias).torque;
+  double work = h / 2 * torque.dot(base_before_.angular + base_.angular);
+  if (strand_.forces.drag > 0) work += drag_work(motion, h);
+  work += damping_work(motion, h);
+  if (contacts) work += contacts->seen_from(base_.linear);
+  watch_.after_step(energies_, work, contacts != nullptr);
+}
+
+double LinkEnergy::drag_work(const TreeMotion& motion, double h) const {
+  double power = 0;
+  for (std::size_t i = 1; i < motion.passes.size(); ++i) {
+    const SpatialMotion& before = motion.passes[i].v;
+    const SpatialMotion after = before + h * motion.passes[i].a, &feels = implicit_ ? after : before;
+    const Vector3d e = motion.frames()[i].axes * strand_.forces.rods[i];
+    const double squared = e.squaredNorm(), c = strand_.forces.drag * std::sqrt(squared);
+    const Vector3d turning = squared * feels.angular - e.dot(feels.angular) * e;
+    power -= c * (feels.linear - strand_.forces.wind).dot((before.linear + after.linear) / 2 - base_.linear) +
+             c / 12 * turning.dot(before.angular + after.angular) / 2;
+  }
+  return h * power;
+}
+
+double LinkEnergy::damping_work(const TreeMotion& motion, double h) const {
+  double power = 0;
+  for (std::size_t i = 1; i < motion.passes.size(); ++i) {
+    const Matrix3d& damping = strand_.forces.springs[i].damping;
+    if (damping.isZero(0)) continue;
+    const Quaterniond back = motion.frames()[i].joint_axes.conjugate();
+    const Eigen::Index first = motion.links[i].first;
+    const Vector3d before = back * Vector3d(rates_before_.segment<3>(first));
+    const Vector3d after = back * Vector3d(strand_.rates.segment<3>(first));
+    const Vector3d mean = (before + after) / 2;
+    power -= mean.dot(damping * (implicit_ ? after : mean));
+  }
+  return h * power;
+}
+
+}  // namespace hair

@@ -1,0 +1,46 @@
+// The energy of a strand of rigid links in the frame that moves with its root, for the watch (hair/strand/energy_watch.h):
+//
+//   E = sum over links of m |v - V|^2 / 2 + omega^T I omega / 2 - m g . (x - x_0) + joints' springs and limits      J, V the root's velocity
+//
+// A step's work is that of drag and of dampers, force(1) . ((v0 + v1) / 2 - V) h, that of contacts, and that of a root that
+// turns: the torque that it gives, which H7's second pass finds, times its turn.
+#pragma once
+
+#include "hair/rigid_links/link_strand.h"
+#include "hair/rigid_links/tree_motion.h"
+#include "hair/strand/energy_watch.h"
+
+namespace hair {
+
+class LinkEnergy {
+ public:
+  // Keeps a reference to the strand. implicit: forces are those at the end of a step.
+  LinkEnergy(const LinkStrand& strand, bool implicit);
+
+  const EnergyWatch& watch() const { return watch_; }
+
+  // The next step begins anew, from where the strand is then.
+  void restart() { watch_.restart(); }
+
+  // Before a step that gives the base this velocity.
+  void before_step(const SpatialMotion& base);
+
+  // After it, when the base has that. `motion` is as the step's passes left it.
+  void after_step(const TreeMotion& motion, double h, const ContactWork* contacts);
+
+ private:
+  void read();
+  double drag_work(const TreeMotion& motion, double h) const;
+  double damping_work(const TreeMotion& motion, double h) const;
+
+  const LinkStrand& strand_;
+  bool implicit_;
+  SpatialMotion base_, base_before_;
+  Eigen::VectorXd rates_before_;
+  Energies energies_;
+  Vector3d momentum_ = Vector3d::Zero();  // kg m/s, in the root's frame
+  double mass_ = 0;
+  EnergyWatch watch_;
+};
+
+}  // namespace hair

@@ -1,0 +1,243 @@
+// STAFF ONLY. The books of energy, of each model and method: what comes in by roots, frames, drag and obstacles is no gain, and what drag and
+// dampers take is no loss; what comes from nowhere, or goes there, is.
+#include "hair/strand/energy_watch.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <ostream>
+
+#include "hair/simulation/models.h"
+#include "hair/simulation/simulation.h"
+#include "hair/strand/tests/bodies.h"
+
+namespace hair {
+namespace {
+
+constexpr double kG = 9.81, kLength = 0.1;
+constexpr double kStep = 1e-4;
+
+// Methods of order one may be off by a few h of a second's motion: what these books may be off where nothing is wrong.
+constexpr double kOrderOne = 0.02;
+
+TEST(EnergyWatch, AGainDoesNotHideBehindALoss) {
+  EnergyWatch watch(1, 1, 1);
+  const double all = 1 + 5e-7;  // m g L, and 1 mm/s
+  watch.begin({});
+  watch.after_step({.weight = -0.5}, 0, false);
+  watch.after_step({.kinetic = 0.1, .weight = -0.5}, 0, false);
+  watch.after_step({.kinetic = 0.1, .weight = -0.6}, 0, false);
+  EXPECT_DOUBLE_EQ(watch.gain(), 0.1 / all);
+  EXPECT_DOUBLE_EQ(watch.loss(), 0.5 / all);
+  EXPECT_EQ(watch.contact_gain(), 0);
+}
+
+TEST(EnergyWatch, WorkIsNoGainAndIsPartOfTheWhole) {
+  EnergyWatch watch(1, 1, 1);
+  watch.begin({});
+  watch.after_step({.kinetic = 1}, 1, false);
+  watch.root_moved({.kinetic = 3});
+  EXPECT_EQ(watch.gain(), 0);
+  watch.after_step({.kinetic = 4}, 0, true);
+  EXPECT_EQ(watch.gain(), 0);
+  EXPECT_DOUBLE_EQ(watch.contact_gain(), 1 / (4 + 5e-7));
+  watch.after_step({.kinetic = 1}, -3, true);
+  EXPECT_EQ(watch.loss(), 0);
+}
+
+// Stretching that the books leave out moves the strand later: what there was at the start is no gain.
+TEST(EnergyWatch, WhatIsAsideAtTheStartMayComeIn) {
+  EnergyWatch watch(1, 1, 1);
+  watch.begin({.aside = 2});
+  watch.after_step({.kinetic = 1.5}, 0, false);
+  EXPECT_EQ(watch.gain(), 0);
+  watch.after_step({.kinetic = 3}, 0, false);
+  EXPECT_DOUBLE_EQ(watch.gain(), 1 / (3 + 5e-7));
+}
+
+struct Row {
+  const char* model;
+  Method method;
+};
+const Row kRows[] = {{"mass_spring", Method::implicit_euler},
+                     {"mass_spring", Method::predictor_corrector},
+                     {"rigid_links", Method::implicit_euler},
+                     {"super_helix", Method::implicit_euler}};
+
+void PrintTo(const Row& row, std::ostream* out) {
+  *out << row.model << " by " << row_of(row.method).id;
+}
+
+class EnergyOfModels : public testing::TestWithParam<Row> {
+ protected:
+  // Hair of ten elements, level, under gravity.
+  EnergyOfModels() {
+    spec_ = straight_hair(10, kLength);
+    spec_.root.axis = Vector3d::UnitX();
+    spec_.root.side = -Vector3d::UnitY();
+    spec_.fibre.bend_factor = spec_.fibre.twist_factor = 1;
+    description_.method = row_.method;
+    description_.step = kStep;
+  }
+
+  Simulation simulation() const {
+    Description description = description_;
+    description.modelled = {{find_model(row_.model), spec_}};
+    return Simulation(std::move(description));
+  }
+
+  double weight() const { return spec_.fibre.material.line_density() * kLength * kG * kLength; }
+  static double energy_of(const Simulation& simulation) { return energy(simulation.body(0)); }
+
+  // The root goes on to the frame that turns by this angle about the vertical.
+  static void lead(Simulation& simulation, double h, const Vector3d& velocity, double angle, double spin) {
+    const Vector3d tangent(std::cos(angle), std::sin(angle), 0), up = Vector3d::UnitZ();
+    simulation.set_root(0, {simulation.body(0).root_position() + h * velocity, tangent,
+                            tangent.cross(up).normalized(), velocity, spin * up});
+  }
+
+  static void expect_balanced(const Simulation& simulation, double bound) {
+    for (const Concern concern : {Concern::energy, Concern::contact_energy})
+      EXPECT_LE(simulation.watch().worst(concern), bound) << "gained";
+    EXPECT_LE(simulation.watch().worst(Concern::loss), bound) << "lost";
+  }
+
+  const Row row_ = GetParam();
+  StrandSpec spec_;
+  Description description_;
+};
+
+INSTANTIATE_TEST_SUITE_P(, EnergyOfModels, testing::ValuesIn(kRows), [](const auto& row) {
+  return std::string(row.param.model) + "_" + row_of(row.param.method).id;
+});
+
+// A root that is shaken at half a metre a second gives the strand its energy.
+TEST_P(EnergyOfModels, AShakenRootGivesNoGain) {
+  Simulation shaken = simulation();
+  double most = 0;
+  for (int k = 0; k < 4000; ++k) {
+    const double phase = 0.005 * k;
+    lead(shaken, kStep, 0.5 * Vector3d(std::sin(phase), std::cos(2 * phase), std::cos(phase)), 0, 0);
+    ASSERT_FALSE(shaken.step());
+    most = std::max(most, energy_of(shaken));
+  }
+  EXPECT_GT(most, 0.1 * weight());
+  EXPECT_LE(shaken.watch().worst(Concern::energy), kOrderOne);
+}
+
+// The same in a frame that moves: who is at rest does not matter.
+TEST_P(EnergyOfModels, AreTheSameInAFrameThatMoves) {
+  description_.step = 1.0 / 30;
+  description_.gravity *= 100;  // gains energy
+  const auto gain = [&](const Vector3d& velocity) {
+    spec_.root_velocity = velocity;
+    Simulation moving = simulation();
+    if (row_.model == std::string("mass_spring")) {
+      Eigen::VectorXd x(moving.body(0).size()), v(x.size());
+      moving.body(0).read(x, v);
+      moving.body(0).write(x, velocity.replicate(x.size() / 3, 1));
+    }
+    moving.advance(20);
+    return moving.watch().worst(Concern::energy) + moving.watch().worst(Concern::loss);
+  };
+  const double at_rest = gain(Vector3d::Zero());
+  EXPECT_GT(at_rest, 1e-3);
+}
+
+TEST_P(EnergyOfModels, WindAndAFrameThatTurnsGiveNoGain) {
+  description_.drag = 1e-3;
+  description_.wind = Vector3d(0, 5, 0);
+  Simulation turned = simulation();
+  for (int k = 1; k <= 4000; ++k) {
+    lead(turned, kStep, Vector3d::Zero(), 0.001 * k, 10);
+    ASSERT_FALSE(turned.step());
+  }
+  EXPECT_LE(turned.watch().worst(Concern::energy), kOrderOne);
+}
+
+// Without weight a stiff strand that is turned faster and faster has energy from its root alone.
+TEST_P(EnergyOfModels, ARootThatSpinsUpGivesNoGain) {
+  spec_.fibre.bend_factor = 100;
+  if (row_.model != std::string("mass_spring")) spec_.fibre.twist_factor = 100;
+  description_.gravity.setZero();
+  Simulation spun = simulation();
+  double angle = 0;
+  for (int k = 1; k <= 4000; ++k) {
+    const double spin = 0.005 * k;
+    angle += kStep * spin;
+    lead(spun, kStep, Vector3d::Zero(), angle, spin);
+    ASSERT_FALSE(spun.step());
+  }
+  // A rod at 20 rad/s: m (L w)^2 / 6, which is 0.68 m g L.
+  EXPECT_GT(energy_of(spun) / weight(), 0.6);
+  EXPECT_LE(spun.watch().worst(Concern::energy), kOrderOne);
+}
+
+// A ball hits hair at 2 m/s: what makes a part of it as fast comes from there.
+TEST_P(EnergyOfModels, AnObstacleGivesNoGain) {
+  description_.obstacles = {{Sphere{Vector3d(0.07, -0.021, 0), 0.02}, 0.3, Vector3d(0, 2, 0)}};
+  Simulation hit = simulation();
+  ASSERT_FALSE(hit.advance(600));
+  EXPECT_GT(hit.work().contacts, 5);
+  const BodyState state(hit.body(0));
+  EXPECT_GT(hit.body(0).measure(state.q, state.rate).kinetic, 0.15 * weight());
+  EXPECT_LE(hit.watch().worst(Concern::energy), kOrderOne);
+  EXPECT_LE(hit.watch().worst(Concern::contact_energy), kOrderOne);
+}
+
+// Where nothing happens, there are roundings alone.
+TEST_P(EnergyOfModels, RoundingIsNeither) {
+  description_.gravity.setZero();
+  description_.step = 1.0 / 240;
+  spec_.root.axis = Vector3d(0.6, 0.8, 0);
+  spec_.root.side = Vector3d::UnitZ();
+  Simulation still = simulation();
+  ASSERT_FALSE(still.advance(100));
+  EXPECT_TRUE(still.watch().warnings().empty());
+  expect_balanced(still, 1e-9);
+}
+
+// In thick air all energy goes by right.
+TEST_P(EnergyOfModels, DragTakesNoLoss) {
+  description_.drag = 1e-2;
+  Simulation slow = simulation();
+  ASSERT_FALSE(slow.advance(1000));
+  EXPECT_LT(energy_of(slow), -0.005 * weight());
+  expect_balanced(slow, kOrderOne);
+}
+
+// So it does by dampers.
+TEST_P(EnergyOfModels, RelaxationTakesNoLoss) {
+  if (row_.model == std::string("mass_spring")) GTEST_SKIP() << "masses and springs have no dampers";
+  spec_.fibre.relaxation_time = 1;
+  spec_.fibre.bend_factor = 1;
+  Simulation slow = simulation();
+  ASSERT_FALSE(slow.advance(1000));
+  EXPECT_LT(energy_of(slow), 0);
+  expect_balanced(slow, kOrderOne);
+}
+
+// Who is thrown by a hand between two steps starts anew; and who is not watched is not asked.
+TEST_P(EnergyOfModels, BeginAnewWithAnotherState) {
+  Simulation thrown = simulation();
+  ASSERT_FALSE(thrown.advance(10));
+  BodyState state(thrown.body(0));
+  state.rate.tail<3>() += Vector3d(0, 10, 0);
+  thrown.body(0).write(state.q, state.rate);
+  ASSERT_FALSE(thrown.advance(1));
+  EXPECT_LE(thrown.watch().worst(Concern::energy), kOrderOne);
+
+  description_.gravity *= 1e5;
+  description_.step = 1.0 / 240;
+  Simulation watched = simulation();
+  watched.advance(20);
+  EXPECT_FALSE(watched.watch().warnings().empty());
+  description_.watched = false;
+  Simulation unwatched = simulation();
+  unwatched.advance(20);
+  EXPECT_TRUE(unwatched.watch().warnings().empty());
+  EXPECT_EQ(BodyState(watched.body(0)).q, BodyState(unwatched.body(0)).q);
+}
+
+}  // namespace
+}  // namespace hair

@@ -1,0 +1,45 @@
+#include "hair/strand/energy_watch.h"
+
+namespace hair {
+
+namespace {
+
+// m/s. The energy of a body that moves as slowly counts as had: rounding alone is far below it, and is no gain.
+constexpr double kUnseen = 1e-3;
+
+}  // namespace
+
+EnergyWatch::EnergyWatch(double mass, double length, double gravity)
+    : unit_(mass * (gravity * length + kUnseen * kUnseen / 2)) {}
+
+void EnergyWatch::begin(const Energies& now) {
+  begun_ = true;
+  now_ = now;
+  spare_ = now.aside;
+  scale_ = unit_ + now.kinetic + now.elastic + now.aside;
+}
+
+void EnergyWatch::root_moved(const Energies& now) {
+  come_in(now.kept() - now_.kept());
+  now_ = now;
+}
+
+void EnergyWatch::after_step(const Energies& now, double work, bool in_contact) {
+  come_in(work);
+  double gained = now.kept() - now_.kept() - work;
+  const double spared = std::clamp(gained, 0.0, spare_);
+  spare_ -= spared;
+  last_ = gained -= spared;
+  now_ = now;
+  (in_contact ? in_contact_ : free_).add(gained);
+  aside_ += now.aside / scale_;
+  unmoved_ += now.unmoved;
+  moving_ += now.kinetic;
+  ++steps_;
+  gain_ = std::max(gain_, free_.risen() / scale_);
+  contact_gain_ = std::max(contact_gain_, in_contact_.risen() / scale_);
+  // What wind has put into stretching is not lost.
+  loss_ = std::max(loss_, (free_.fallen() - std::min(now.aside, came_in_)) / scale_);
+}
+
+}  // namespace hair

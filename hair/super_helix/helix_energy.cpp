@@ -1,0 +1,74 @@
+#include "hair/super_helix/helix_energy.h"
+
+#include "hair/super_helix/helix_forces.h"
+
+namespace hair {
+
+HelixEnergy::HelixEnergy(const HelixStrand& strand, const HelixSurroundings& surroundings)
+    : surroundings_(surroundings),
+      mass_(strand.line_density * strand.lengths.sum()),
+      watch_(mass_, strand.lengths.sum(), surroundings.gravity.norm()) {}
+
+Energies HelixEnergy::read(const HelixMotion& motion, Input q) {
+  const HelixStrand& strand = motion.strand();
+  Energies now{.elastic = elastic_energy(strand, q)};
+  Vector3d moment = Vector3d::Zero();
+  momentum_.setZero();
+  for (std::size_t j = 0; j < motion.points.size(); ++j) {
+    const double mass = strand.line_density * motion.weights[j];
+    const Vector3d v = motion.velocities[j] - root_velocity_;
+    now.kinetic += mass / 2 * v.squaredNorm();
+    momentum_ += mass * v;
+    moment += mass * (motion.points[j].position - motion.elements.front().start.position);
+  }
+  now.weight = -surroundings_.gravity.dot(moment);
+  return now;
+}
+
+void HelixEnergy::before_step(const HelixMotion& motion, Input q, const Vector3d& velocity) {
+  const Vector3d change = velocity - root_velocity_;
+  if (!watch_.begun()) {
+    root_velocity_ = velocity;
+    watch_.begin(read(motion, q));
+  } else if (change != Vector3d::Zero()) {
+    Energies now = watch_.now();
+    now.kinetic += mass_ / 2 * change.squaredNorm() - momentum_.dot(change);
+    root_velocity_ = velocity;
+    watch_.root_moved(now);
+  }
+}
+
+void HelixEnergy::moved(const HelixMotion& motion) {
+  velocities_ = motion.velocities;
+}
+
+void HelixEnergy::found(const HelixMotion& motion, double h, const Vector3d& spin, Input rates, Input change,
+                        const ContactWork* contacts) {
+  const HelixStrand& strand = motion.strand();
+  const double drag = surroundings_.drag;
+  Vector3d torque = Vector3d::Zero();
+  work_ = contacts ? contacts->seen_from(root_velocity_) : 0;
+  in_contact_ = contacts != nullptr;
+  for (std::size_t j = 0; j < motion.points.size(); ++j) {
+    const HelixPoint& point = motion.points[j];
+    const Vector3d &before = velocities_[j], &dv = motion.velocities[j];
+    const Vector3d arm = point.position - motion.elements.front().start.position;
+    torque += arm.cross(point.inertia * dv - h * point.force);
+    if (drag > 0)
+      work_ -= h * drag * motion.weights[j] *
+               (before + dv - surroundings_.wind).dot(before + dv / 2 - root_velocity_);
+  }
+  work_ += torque.dot(spin);
+  for (int i = 0; i < strand.elements(); ++i) {
+    const Vector3d after = rates.segment<3>(3 * i), mean = after - change.segment<3>(3 * i) / 2;
+    work_ -= h * surroundings_.relaxation_time * strand.lengths[i] *
+             (strand.bend_rigidity * after.head<2>().dot(mean.head<2>()) +
+              strand.twist_rigidity * after[2] * mean[2]);
+  }
+}
+
+void HelixEnergy::after_step(const HelixMotion& motion, Input q) {
+  watch_.after_step(read(motion, q), work_, in_contact_);
+}
+
+}  // namespace hair

@@ -1,0 +1,60 @@
+// The energy of a super-helix in the frame that moves with its root, for the watch (hair/strand/energy_watch.h):
+//
+//   E = sum over points of m |v - V|^2 / 2 - m g . (x - x_0) + strain energy      J, V the root's velocity
+//
+// A step's work is that of drag and of damping, force(1) . ((v0 + v1) / 2 - V) h, that of contacts, and that of a root that turns:
+// the torque that it gives, times its turn. The strand's own forces have no torque about the root. So the root's is what moves the points
+// beside all other force,
+//
+//   h torque = sum over points of (x - x_0) x (inertia dv - h force)              dv: what the step adds to the velocity
+#pragma once
+
+#include "hair/strand/energy_watch.h"
+#include "hair/super_helix/helix_motion.h"
+
+namespace hair {
+
+// What acts on a strand beside its own stiffness.
+struct HelixSurroundings {
+  Vector3d gravity = Vector3d::Zero();  // m/s^2
+  double drag = 0;                      // N s/m^2: for each metre
+  Vector3d wind = Vector3d::Zero();     // m/s, of the air
+  double relaxation_time = 0;           // s: bends and twists also resist their rates, with this times K
+};
+
+class HelixEnergy {
+ public:
+  HelixEnergy(const HelixStrand& strand, const HelixSurroundings& surroundings);
+
+  const EnergyWatch& watch() const { return watch_; }
+
+  // The next step begins anew, from where the strand is then.
+  void restart() { watch_.restart(); }
+
+  // Before a step, with the strand placed and moved as it was after the last one, if it begins, and with the root's velocity in the step.
+  void before_step(const HelixMotion& motion, Input q, const Vector3d& velocity);
+
+  // Within the step: velocities as they are with the rates that it begins with.
+  void moved(const HelixMotion& motion);
+
+  // What the step found, with the strand still placed as it was and `motion`'s velocities those that `change` adds to it; spin: the mean of
+  // the root's before and in the step.
+  void found(const HelixMotion& motion, double h, const Vector3d& spin, Input rates, Input change,
+             const ContactWork* contacts);
+
+  // After the step, with the strand placed and moved.
+  void after_step(const HelixMotion& motion, Input q);
+
+ private:
+  Energies read(const HelixMotion& motion, Input q);
+
+  HelixSurroundings surroundings_;
+  Vector3d root_velocity_ = Vector3d::Zero();
+  std::vector<Vector3d> velocities_;      // at the start of a step
+  Vector3d momentum_ = Vector3d::Zero();  // kg m/s, in the root's frame
+  double mass_, work_ = 0;                // kg, J
+  bool in_contact_ = false;
+  EnergyWatch watch_;
+};
+
+}  // namespace hair
