@@ -41,7 +41,8 @@ constexpr std::array<Wording, 11> wordings{{
      "The code asked for more memory than it was given. A few vectors of length n are all that is needed; "
      "free what you allocate."},
     {Status::broke_rules, "broke the rules",
-     "The code did something that an exercise may not do, such as starting a program (system(\"pause\") does), "
+     "The code did something that an exercise may not do, such as starting a program (system(\"pause\") "
+     "does), "
      "or opening files or connections. It needs only to compute and return."},
     {Status::unreadable, "can't be read",
      "What you handed in could not be read, so nothing in it was graded. Pack the exercise files into a .zip "
