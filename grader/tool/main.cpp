@@ -12,6 +12,7 @@
 #include <atomic>
 #include <cstdlib>
 #include <iostream>
+#include <string_view>
 #include <thread>
 
 #include "grader/course/course.h"
@@ -255,6 +256,7 @@ int run(int argc, char* argv[]) {
 }  // namespace
 
 int main(int argc, char* argv[]) {
-  set_what_is_inherited(argv);
+  // Other commands start no student's code, and keep the limits that whoever starts them has set.
+  if (argc > 1 && std::string_view(argv[1]) == "grade") set_what_is_inherited(argv);
   return hair::finish_output("hairgrade", run(argc, argv));
 }

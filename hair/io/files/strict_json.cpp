@@ -196,15 +196,15 @@ std::vector<JsonValue> JsonValue::items() const {
 }
 
 std::string JsonValue::text() const {
-  if (any_text().empty()) fail("is empty; write some text");
-  return any_text();
+  const std::string text = any_text();
+  if (text.empty()) fail("is empty; write some text");
+  // As a file's name it would end there.
+  if (text.find('\0') != std::string::npos) fail(shown() + " has a character U+0000; leave it out");
+  return text;
 }
 
 std::string JsonValue::any_text() const {
   if (!value_->is_string()) fail(shown() + " is not text; write \"...\"");
-  // As a file's name it would end there.
-  if (value_->get_ref<const std::string&>().find('\0') != std::string::npos)
-    fail(shown() + " has a character U+0000; leave it out");
   return value_->get<std::string>();
 }
 

@@ -42,6 +42,7 @@ TEST(StrictJson, AByte0IsNotTheEnd) {
   const JsonDocument text = parse_document(R"(["a\u0000b", "ab"])", "a.json");
   const std::vector<JsonValue> items = JsonValue(*text, "a.json").items();
   EXPECT_THROW(items[0].text(), BadInput);
+  EXPECT_EQ(items[0].any_text(), std::string("a\0b", 3)) << "what a stranger's program printed";
   EXPECT_EQ(items[1].text(), "ab");
 }
 
