@@ -22,7 +22,7 @@ TEST(Allocations, AreFilledHoweverMemoryIsTaken) {
         void* memory = nullptr;
         return posix_memalign(&memory, 64, size) == 0 ? memory : nullptr;
       }};
-  for (const std::size_t size : {std::size_t{64}, std::size_t{4096}, std::size_t{1} << 20})
+  for (const std::size_t size : {std::size_t{64}, std::size_t{4096}, std::size_t{1} << 19})
     for (const auto& take : ways)
       for (int again = 0; again < 3; ++again) {
         void* const memory = take(size);
@@ -31,6 +31,18 @@ TEST(Allocations, AreFilledHoweverMemoryIsTaken) {
         std::memset(memory, 7, size);
         std::free(memory);
       }
+}
+
+// Fresh from the kernel each time, also where one of that size was freed before.
+TEST(Allocations, HoldZerosWhereTheyAreLarge) {
+  constexpr std::size_t kSize = std::size_t{4} << 20;
+  for (int again = 0; again < 3; ++again) {
+    auto* const memory = static_cast<unsigned char*>(std::malloc(kSize));
+    ASSERT_NE(memory, nullptr);
+    EXPECT_TRUE(std::all_of(memory, memory + kSize, [](unsigned char byte) { return byte == 0; }));
+    std::memset(memory, 7, kSize);
+    std::free(memory);
+  }
 }
 
 TEST(Allocations, GrowByWhatIsFilled) {
