@@ -17,7 +17,7 @@ Vector3d between(Input vector, const Rod& rod) {
 }
 
 // The loosest relative tolerance that is tried where constraints contradict each other a little.
-constexpr double kLoosestTolerance = 1e-6;
+constexpr double kLoosestReach = 1e-6;
 
 // accelerations = W f, in place.
 void divide_by_mass(const Particles& particles, Output f) {
@@ -114,13 +114,13 @@ ConstraintReport solve_constraints(const Constraints& constraints, const Particl
   const double norm = rhs.norm();
   const int most = std::max(100, 20 * rows);
   ConstraintReport report{0, 0};
-  for (double reach = 1e-10;; reach = std::min(100 * reach, kLoosestTolerance)) {
+  for (double reach = 1e-10;; reach = std::min(100 * reach, kLoosestReach)) {
     const double tolerance = reach * norm;
     int steps = most;
     report.residual =
         std::sqrt(ConjGrad(rows, &matrix, lambda.data(), rhs.data(), tolerance * tolerance, &steps));
     report.steps += steps;
-    if (steps < most || report.residual <= tolerance || reach >= kLoosestTolerance) break;
+    if (steps < most || report.residual <= tolerance || reach >= kLoosestReach) break;
   }
   return report;
 }

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. The order, table and JSON of compared pictures.
 #include "grader/compare/comparison.h"
 
 #include <algorithm>

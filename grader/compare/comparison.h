@@ -21,7 +21,7 @@ struct Comparison {
   std::vector<std::string> only_in_reference, only_in_test;
 };
 
-// Whether every picture of either folder was compared.
+// True if every picture of both folders was compared.
 bool is_complete(const Comparison& comparison);
 
 // A pair that could not be compared is worse than all others. Then by FLIP's mean, its maximum, and the name.

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Finds the pictures of two folders that belong together.
 #include "grader/compare/pairs.h"
 
 #include <algorithm>

@@ -91,7 +91,7 @@ TEST_F(CompilerTest, WarningsAreKeptWithTheObject) {
   EXPECT_EQ(again.log, first.log);
 }
 
-// What compilers say is cut, from its middle; what they made is not.
+// Long compiler output loses its middle, and the object stays whole.
 TEST_F(CompilerTest, AFileWithALotOfWarningsCompiles) {
   const Exercise& exercise = *course_.find("S1");
   std::string warnings;

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Asks addr2line for the line of an address, in a cage.
 #include "grader/compile/lines.h"
 
 #include <charconv>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Picks a student's lines out of what compiler and linker print.
 #include "grader/compile/messages.h"
 
 #include <algorithm>

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What CMake says as it configures a project in a folder of this name; empty if it does.
+// Configures and builds a project in a folder of this name. Returns CMake's complaint, empty if there is none.
 std::string configuring(const std::string& name) {
   const hair::TemporaryFolder temporary("folder-names");
   const fs::path folder = temporary.path() / name, errors = temporary.path() / "errors";

@@ -16,7 +16,7 @@ namespace grader {
 
 namespace {
 
-// Whether the list /proc/self/uid_map or gid_map has the sandbox's user or group: lines of "first, first outside, count".
+// True if the list /proc/self/uid_map or gid_map has the sandbox's user or group: lines of "first, first outside, count".
 bool has_sandbox_user(const char* map) {
   std::ifstream in(map);
   if (!in) return true;  // no namespaces

@@ -16,7 +16,7 @@ namespace grader {
 // same arguments. Without the right to do so it ends the process with a line and exit code 1.
 void set_what_is_inherited(char* argv[]);
 
-// What hard limits must leave. Only root may raise them.
+// Hard limits must leave this much. Only root may raise them.
 struct Needs {
   bool sanitizers = true;  // their runtime reserves addresses for a shadow of all memory
   int jobs = 1;            // submissions at a time
@@ -26,7 +26,7 @@ struct Needs {
 // Throws std::runtime_error, in a line with both numbers, if a hard limit is below what is needed.
 void require_hard_limits(const Needs& needs);
 
-// Whether whoever started us wants a signal ignored.
+// True if whoever started us wants a signal ignored.
 bool is_ignored(int signal);
 
 }  // namespace grader

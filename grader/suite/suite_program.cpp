@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Reads a job, runs it and writes what it found.
 #include "grader/suite/suite_program.h"
 
 #include <signal.h>
