@@ -81,8 +81,9 @@ void SpringEnergy::moved(double h, particles::Input x_before) {
   double twice = 0;
   for (int i = 1; i < moving_.strand.count(); ++i) {
     const Vector3d velocity = v.segment<3>(3 * i);
-    twice += moving_.strand.mass[i] *
-             velocity.dot(velocity - (x.segment<3>(3 * i) - x_before.segment<3>(3 * i)) / h);
+    twice +=
+        moving_.strand.mass[i] *
+        (velocity - root_velocity_).dot(velocity - (x.segment<3>(3 * i) - x_before.segment<3>(3 * i)) / h);
   }
   unmoved_ = std::max(twice / 2, 0.0);
 }

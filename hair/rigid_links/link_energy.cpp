@@ -20,8 +20,7 @@ LinkEnergy::LinkEnergy(const LinkStrand& strand, bool implicit)
     : strand_(strand),
       implicit_(implicit),
       rates_before_(strand.rates),
-      mass_(mass_of(strand.tree)),
-      watch_(mass_, strand.length.sum(), strand.forces.gravity.norm()) {}
+      watch_(mass_of(strand.tree), strand.length.sum(), strand.forces.gravity.norm()) {}
 
 // Of the strand as it is, beside its base.
 void LinkEnergy::read() {
@@ -49,14 +48,12 @@ void LinkEnergy::before_step(const SpatialMotion& base) {
   rates_before_ = strand_.rates;
   base_before_ = strand_.base.velocity;
   base_ = base;
-  const bool begins = !watch_.begun();
-  if (begins) read();
-  const Vector3d change = base.linear - base_before_.linear;
-  energies_.kinetic += mass_ / 2 * change.squaredNorm() - momentum_.dot(change);
-  if (begins)
+  root_velocity_ = (base_before_.linear + base.linear) / 2;
+  if (!watch_.begun()) {
+    read();
     watch_.begin(energies_);
-  else if (change != Vector3d::Zero())
-    watch_.root_moved(energies_);
+  }
+  momentum_before_ = momentum_;
 }
 
 void LinkEnergy::after_step(const TreeMotion& motion, double h, const ContactWork* contacts) {
@@ -66,7 +63,8 @@ void LinkEnergy::after_step(const TreeMotion& motion, double h, const ContactWor
   double work = h / 2 * torque.dot(base_before_.angular + base_.angular);
   if (strand_.forces.drag > 0) work += drag_work(motion, h);
   work += damping_work(motion, h);
-  if (contacts) work += contacts->seen_from(base_.linear);
+  if (contacts) work += contacts->seen_from(root_velocity_);
+  work -= (base_.linear - base_before_.linear).dot(momentum_before_ + momentum_) / 2;
   watch_.after_step(energies_, work, contacts != nullptr);
 }
 
@@ -78,8 +76,9 @@ double LinkEnergy::drag_work(const TreeMotion& motion, double h) const {
     const Vector3d e = motion.frames()[i].axes * strand_.forces.rods[i];
     const double squared = e.squaredNorm(), c = strand_.forces.drag * std::sqrt(squared);
     const Vector3d turning = squared * feels.angular - e.dot(feels.angular) * e;
-    power -= c * (feels.linear - strand_.forces.wind).dot((before.linear + after.linear) / 2 - base_.linear) +
-             c / 12 * turning.dot(before.angular + after.angular) / 2;
+    power -=
+        c * (feels.linear - strand_.forces.wind).dot((before.linear + after.linear) / 2 - root_velocity_) +
+        c / 12 * turning.dot(before.angular + after.angular) / 2;
   }
   return h * power;
 }

@@ -2,8 +2,9 @@
 //
 //   E = sum over links of m |v - V|^2 / 2 + omega^T I omega / 2 - m g . (x - x_0) + joints' springs and limits      J, V the root's velocity
 //
-// A step's work is that of drag and of dampers, force(1) . ((v0 + v1) / 2 - V) h, that of contacts, and that of a root that
-// turns: the torque that it gives, which H7's second pass finds, times its turn.
+// A step's work is that of drag and of dampers, force(1) . ((v0 + v1) / 2 - V) h, that of contacts, that of a root that turns:
+// the torque that it gives, which H7's second pass finds, times its turn, and that of a root that goes faster by dV. All mass feels this,
+// -dV . (p0 + p1) / 2, p the momentum in the frame of its time; V is the mean of the root's velocities then.
 #pragma once
 
 #include "hair/rigid_links/link_strand.h"
@@ -36,10 +37,10 @@ class LinkEnergy {
   const LinkStrand& strand_;
   bool implicit_;
   SpatialMotion base_, base_before_;
+  Vector3d root_velocity_ = Vector3d::Zero();  // the mean in the step
   Eigen::VectorXd rates_before_;
   Energies energies_;
-  Vector3d momentum_ = Vector3d::Zero();  // kg m/s, in the root's frame
-  double mass_ = 0;
+  Vector3d momentum_ = Vector3d::Zero(), momentum_before_ = Vector3d::Zero();  // kg m/s, in the root's frame
   EnergyWatch watch_;
 };
 

@@ -6,17 +6,16 @@ namespace hair {
 
 HelixEnergy::HelixEnergy(const HelixStrand& strand, const HelixSurroundings& surroundings)
     : surroundings_(surroundings),
-      mass_(strand.line_density * strand.lengths.sum()),
-      watch_(mass_, strand.lengths.sum(), surroundings.gravity.norm()) {}
+      watch_(strand.line_density * strand.lengths.sum(), strand.lengths.sum(), surroundings.gravity.norm()) {}
 
-Energies HelixEnergy::read(const HelixMotion& motion, Input q) {
+Energies HelixEnergy::read(const HelixMotion& motion, Input q, const Vector3d& root_velocity) {
   const HelixStrand& strand = motion.strand();
   Energies now{.elastic = elastic_energy(strand, q)};
   Vector3d moment = Vector3d::Zero();
   momentum_.setZero();
   for (std::size_t j = 0; j < motion.points.size(); ++j) {
     const double mass = strand.line_density * motion.weights[j];
-    const Vector3d v = motion.velocities[j] - root_velocity_;
+    const Vector3d v = motion.velocities[j] - root_velocity;
     now.kinetic += mass / 2 * v.squaredNorm();
     momentum_ += mass * v;
     moment += mass * (motion.points[j].position - motion.elements.front().start.position);
@@ -25,17 +24,11 @@ Energies HelixEnergy::read(const HelixMotion& motion, Input q) {
   return now;
 }
 
-void HelixEnergy::before_step(const HelixMotion& motion, Input q, const Vector3d& velocity) {
-  const Vector3d change = velocity - root_velocity_;
-  if (!watch_.begun()) {
-    root_velocity_ = velocity;
-    watch_.begin(read(motion, q));
-  } else if (change != Vector3d::Zero()) {
-    Energies now = watch_.now();
-    now.kinetic += mass_ / 2 * change.squaredNorm() - momentum_.dot(change);
-    root_velocity_ = velocity;
-    watch_.root_moved(now);
-  }
+void HelixEnergy::before_step(const HelixMotion& motion, Input q, const Vector3d& before,
+                              const Vector3d& after) {
+  before_ = before;
+  after_ = after;
+  if (!watch_.begun()) watch_.begin(read(motion, q, before));
 }
 
 void HelixEnergy::moved(const HelixMotion& motion) {
@@ -47,7 +40,8 @@ void HelixEnergy::found(const HelixMotion& motion, double h, const Vector3d& spi
   const HelixStrand& strand = motion.strand();
   const double drag = surroundings_.drag;
   Vector3d torque = Vector3d::Zero();
-  work_ = contacts ? contacts->seen_from(root_velocity_) : 0;
+  const Vector3d root_velocity = (before_ + after_) / 2;
+  work_ = contacts ? contacts->seen_from(root_velocity) : 0;
   in_contact_ = contacts != nullptr;
   for (std::size_t j = 0; j < motion.points.size(); ++j) {
     const HelixPoint& point = motion.points[j];
@@ -56,7 +50,7 @@ void HelixEnergy::found(const HelixMotion& motion, double h, const Vector3d& spi
     torque += arm.cross(point.inertia * dv - h * point.force);
     if (drag > 0)
       work_ -= h * drag * motion.weights[j] *
-               (before + dv - surroundings_.wind).dot(before + dv / 2 - root_velocity_);
+               (before + dv - surroundings_.wind).dot(before + dv / 2 - root_velocity);
   }
   work_ += torque.dot(spin);
   for (int i = 0; i < strand.elements(); ++i) {
@@ -68,7 +62,9 @@ void HelixEnergy::found(const HelixMotion& motion, double h, const Vector3d& spi
 }
 
 void HelixEnergy::after_step(const HelixMotion& motion, Input q) {
-  watch_.after_step(read(motion, q), work_, in_contact_);
+  const Vector3d momentum_before = momentum_;
+  const Energies now = read(motion, q, after_);
+  watch_.after_step(now, work_ - (after_ - before_).dot(momentum_before + momentum_) / 2, in_contact_);
 }
 
 }  // namespace hair

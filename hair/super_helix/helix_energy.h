@@ -2,8 +2,8 @@
 //
 //   E = sum over points of m |v - V|^2 / 2 - m g . (x - x_0) + strain energy      J, V the root's velocity
 //
-// A step's work is that of drag and of damping, force(1) . ((v0 + v1) / 2 - V) h, that of contacts, and that of a root that turns:
-// the torque that it gives, times its turn. The strand's own forces have no torque about the root. So the root's is what moves the points
+// A step's work is that of drag and of damping, force(1) . ((v0 + v1) / 2 - V) h, that of contacts, that of a root that goes faster
+// (hair/rigid_links/link_energy.h), and that of a root that turns: the torque that it gives, times its turn. The strand's own forces have no torque about the root. So the root's is what moves the points
 // beside all other force,
 //
 //   h torque = sum over points of (x - x_0) x (inertia dv - h force)              dv: what the step adds to the velocity
@@ -31,8 +31,9 @@ class HelixEnergy {
   // The next step begins anew, from where the strand is then.
   void restart() { watch_.restart(); }
 
-  // Before a step, with the strand placed and moved as it was after the last one, if it begins, and with the root's velocity in the step.
-  void before_step(const HelixMotion& motion, Input q, const Vector3d& velocity);
+  // Before a step, with the strand placed and moved as it was after the last one, if it begins, and with the root's velocities before and in
+  // the step.
+  void before_step(const HelixMotion& motion, Input q, const Vector3d& before, const Vector3d& after);
 
   // Within the step: velocities as they are with the rates that it begins with.
   void moved(const HelixMotion& motion);
@@ -46,13 +47,13 @@ class HelixEnergy {
   void after_step(const HelixMotion& motion, Input q);
 
  private:
-  Energies read(const HelixMotion& motion, Input q);
+  Energies read(const HelixMotion& motion, Input q, const Vector3d& root_velocity);
 
   HelixSurroundings surroundings_;
-  Vector3d root_velocity_ = Vector3d::Zero();
-  std::vector<Vector3d> velocities_;      // at the start of a step
-  Vector3d momentum_ = Vector3d::Zero();  // kg m/s, in the root's frame
-  double mass_, work_ = 0;                // kg, J
+  Vector3d before_ = Vector3d::Zero(), after_ = Vector3d::Zero();  // m/s, of the root
+  std::vector<Vector3d> velocities_;                               // at the start of a step
+  Vector3d momentum_ = Vector3d::Zero();                           // kg m/s, in the root's frame
+  double work_ = 0;                                                // J
   bool in_contact_ = false;
   EnergyWatch watch_;
 };

@@ -72,7 +72,7 @@ std::optional<Stage> SuperHelixBody::step(const BodyStep& step, const particles:
   placed_ = false;
   if (energy_) {
     if (!energy_->watch().begun()) motion_.move(root_, rates_);
-    energy_->before_step(motion_, q_, goal_.velocity);
+    energy_->before_step(motion_, q_, root_.velocity, goal_.velocity);
   }
   if (has_momentum_) {
     root_.velocity = goal_.velocity;
