@@ -36,17 +36,19 @@ class Stopwatch {
   double start_ = wall_seconds();
 };
 
-// Adds the wall time of its own life to a sum.
-class AddsTime {
+// The wall time of stages, one after the other, without gaps: together they are the whole.
+class Laps {
  public:
-  explicit AddsTime(double& sum) : sum_(sum) {}
-  ~AddsTime() { sum_ += watch_.seconds(); }
-  AddsTime(const AddsTime&) = delete;
-  AddsTime& operator=(const AddsTime&) = delete;
+  // Adds the time since the last one, or since the start, to a sum.
+  void book(double& stage) {
+    const double now = wall_seconds();
+    stage += now - last_;
+    last_ = now;
+  }
+  double whole() const { return last_ - start_; }
 
  private:
-  double& sum_;
-  Stopwatch watch_;
+  double start_ = wall_seconds(), last_ = start_;
 };
 
 // The median; for an even number of values the mean of the two in the middle; 0 if there are none.

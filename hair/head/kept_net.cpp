@@ -6,16 +6,14 @@
 
 #include "hair/io/digest.h"
 #include "hair/io/files/bad_input.h"
-#include "hair/io/files/read_file.h"
-#include "hair/io/files/write_file.h"
+#include "hair/io/files/kept_file.h"
 #include "hair/strand/variation.h"
 
 namespace hair {
 
 namespace {
 
-constexpr std::size_t kLargestFile = 1 << 28;
-constexpr std::size_t kDigest = 16;
+constexpr KeptKind kKind{"hairlab: a surface net, format 2", ".net"};
 
 // The solid at random places of its box.
 std::string key_of(const Solid& solid, int cells) {
@@ -30,7 +28,7 @@ std::string key_of(const Solid& solid, int cells) {
     const Surface surface = solid.surface_at(at);
     digest.add(surface.distance).add(surface.normal);
   }
-  return "hairlab: a surface net, format 1, of " + digest.text() + "\n";
+  return digest.text();
 }
 
 // Numbers as this machine has them.
@@ -54,21 +52,10 @@ bool take(std::string_view& bytes, std::vector<T>& values) {
   return true;
 }
 
-std::optional<SurfaceMesh> find(const std::filesystem::path& file, const std::string& key) {
-  std::string bytes;
-  try {
-    bytes = read_file(file, kLargestFile, "a net that was kept");
-  } catch (const BadInput&) {
-    return {};
-  }
-  std::string_view rest = bytes;
-  if (rest.size() < key.size() + kDigest || !rest.starts_with(key)) return {};
-  const std::string_view digest = rest.substr(rest.size() - kDigest);
-  rest.remove_suffix(kDigest);
-  if (digest != Digest().add(rest).text()) return {};
-  rest.remove_prefix(key.size());
+std::optional<SurfaceMesh> mesh_of(std::string_view bytes) {
   SurfaceMesh mesh;
-  if (!take(rest, mesh.points) || !take(rest, mesh.normals) || !take(rest, mesh.triangles) || !rest.empty())
+  if (!take(bytes, mesh.points) || !take(bytes, mesh.normals) || !take(bytes, mesh.triangles) ||
+      !bytes.empty())
     return {};
   return mesh;
 }
@@ -79,16 +66,15 @@ SurfaceMesh kept_surface_net(const Solid& solid, int cells,
                              const std::optional<std::filesystem::path>& folder) {
   if (!folder) return surface_net(solid, cells);
   const std::string key = key_of(solid, cells);
-  const std::filesystem::path file = *folder / (Digest().add(std::string_view(key)).text() + ".net");
-  if (std::optional<SurfaceMesh> kept = find(file, key)) return std::move(*kept);
+  if (const auto bytes = find_kept(*folder, kKind, key))
+    if (std::optional<SurfaceMesh> kept = mesh_of(*bytes)) return std::move(*kept);
   SurfaceMesh mesh = surface_net(solid, cells);
-  std::string bytes = key;
+  std::string bytes;
   put(mesh.points, bytes);
   put(mesh.normals, bytes);
   put(mesh.triangles, bytes);
-  bytes += Digest().add(std::string_view(bytes)).text();
   try {
-    write_file(file, bytes);
+    keep(*folder, kKind, key, bytes);
   } catch (const BadInput&) {
     // The next run makes it again.
   }

@@ -21,7 +21,8 @@ MassSpringBody::MassSpringBody(const StrandStart& start, const StepMethod& metho
       root_normal_(start.root_normal),
       collides_(collides) {
   add_forces(options, start, method.needs_definite_force, moving_);
-  if (watched) energy_.emplace(moving_, options.gravity, !method.goes_straight_on, method.read_every);
+  if (watched)
+    energy_.emplace(moving_, options.gravity, options.drag, !method.goes_straight_on, method.read_every);
 }
 
 void MassSpringBody::restart(const StrandStart& start) {

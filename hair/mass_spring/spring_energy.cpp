@@ -14,13 +14,13 @@ double energy(const std::vector<const particles::Force*>& parts, const Eigen::Ve
 
 }  // namespace
 
-SpringEnergy::SpringEnergy(const MovingStrand& moving, const Vector3d& gravity, bool with_stretching,
-                           int every)
+SpringEnergy::SpringEnergy(const MovingStrand& moving, const Vector3d& gravity, double drag,
+                           bool with_stretching, int every)
     : moving_(moving),
       gravity_(gravity),
       with_stretching_(with_stretching),
       every_(every),
-      watch_(moving.strand.mass.sum(), moving.strand.rest_length.sum(), gravity.norm()) {}
+      watch_(moving.strand.mass.sum(), moving.strand.rest_length.sum(), gravity.norm(), drag) {}
 
 double SpringEnergy::kinetic() const {
   const Eigen::VectorXd& v = moving_.state.v;
@@ -52,7 +52,7 @@ Energies SpringEnergy::read() {
 void SpringEnergy::restart() {
   watch_.restart();
   open_ = 0;
-  work_ = 0;
+  work_ = time_ = 0;
   in_contact_ = false;
 }
 
@@ -94,13 +94,14 @@ void SpringEnergy::after_step(double h, particles::Input v_before, const Contact
     work_ += contacts->seen_from(root_velocity_);
     in_contact_ = true;
   }
+  time_ += h;
   if (++open_ == every_) close();
 }
 
 void SpringEnergy::close() {
-  watch_.after_step(read(), work_, in_contact_);
+  watch_.after_step(read(), work_, in_contact_, time_);
   open_ = 0;
-  work_ = 0;
+  work_ = time_ = 0;
   in_contact_ = false;
 }
 

@@ -20,7 +20,8 @@ class SpringEnergy {
  public:
   // `with_stretching`: see above. `every`: so many steps are read as one, where a step costs no more than reading. Keeps a
   // reference to the strand.
-  SpringEnergy(const MovingStrand& moving, const Vector3d& gravity, bool with_stretching, int every);
+  SpringEnergy(const MovingStrand& moving, const Vector3d& gravity, double drag, bool with_stretching,
+               int every);
 
   const EnergyWatch& watch() const { return watch_; }
 
@@ -45,8 +46,8 @@ class SpringEnergy {
   const MovingStrand& moving_;
   Vector3d gravity_;
   bool with_stretching_, turned_ = false;
-  int every_, open_ = 0;  // steps that are not read yet,
-  double work_ = 0;       // what came in there,
+  int every_, open_ = 0;        // steps that are not read yet,
+  double work_ = 0, time_ = 0;  // what came in there, and their seconds,
   bool in_contact_ = false;
   Vector3d root_velocity_ = Vector3d::Zero();
   double bending_ = 0, unmoved_ = 0;

@@ -20,7 +20,7 @@ LinkEnergy::LinkEnergy(const LinkStrand& strand, bool implicit)
     : strand_(strand),
       implicit_(implicit),
       rates_before_(strand.rates),
-      watch_(mass_of(strand.tree), strand.length.sum(), strand.forces.gravity.norm()) {}
+      watch_(mass_of(strand.tree), strand.length.sum(), strand.forces.gravity.norm(), strand.forces.drag) {}
 
 // Of the strand as it is, beside its base.
 void LinkEnergy::read() {
@@ -65,7 +65,7 @@ void LinkEnergy::after_step(const TreeMotion& motion, double h, const ContactWor
   work += damping_work(motion, h);
   if (contacts) work += contacts->seen_from(root_velocity_);
   work -= (base_.linear - base_before_.linear).dot(momentum_before_ + momentum_) / 2;
-  watch_.after_step(energies_, work, contacts != nullptr);
+  watch_.after_step(energies_, work, contacts != nullptr, h);
 }
 
 double LinkEnergy::drag_work(const TreeMotion& motion, double h) const {

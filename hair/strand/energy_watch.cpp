@@ -1,5 +1,7 @@
 #include "hair/strand/energy_watch.h"
 
+#include <cmath>
+
 namespace hair {
 
 namespace {
@@ -9,8 +11,8 @@ constexpr double kUnseen = 1e-3;
 
 }  // namespace
 
-EnergyWatch::EnergyWatch(double mass, double length, double gravity)
-    : unit_(mass * (gravity * length + kUnseen * kUnseen / 2)) {}
+EnergyWatch::EnergyWatch(double mass, double length, double gravity, double drag)
+    : EnergyWatch(mass * (gravity * length + kUnseen * kUnseen / 2), 2 * drag * length / mass) {}
 
 void EnergyWatch::begin(const Energies& now) {
   begun_ = true;
@@ -24,14 +26,16 @@ void EnergyWatch::root_moved(const Energies& now) {
   now_ = now;
 }
 
-void EnergyWatch::after_step(const Energies& now, double work, bool in_contact) {
+void EnergyWatch::after_step(const Energies& now, double work, bool in_contact, double h) {
   come_in(work);
   double gained = now.kept() - now_.kept() - work;
   const double spared = std::clamp(gained, 0.0, spare_);
   spare_ -= spared;
   last_ = gained -= spared;
   now_ = now;
-  (in_contact ? in_contact_ : free_).add(gained);
+  const double left = std::exp(-fading_ * h);
+  free_.add(in_contact ? 0 : gained, left);
+  in_contact_.add(in_contact ? gained : 0);
   aside_ += now.aside / scale_;
   unmoved_ += now.unmoved;
   moving_ += now.kinetic;

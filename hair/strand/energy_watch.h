@@ -6,7 +6,8 @@
 //
 // The latter is summed in two rows: of steps without contacts, and of steps with them. A gain is how far a row has risen above its
 // lowest point, so that no gain hides behind an earlier loss. A loss is how far the first row has fallen below its highest: contacts
-// may take energy by right.
+// may take energy by right. Drag takes energy, too, at the rate 2 c / mu (c: its coefficient, mu: mass, both of a metre). So the air would
+// soon have had what a method lost, and a loss fades at this rate.
 //
 // Gains and losses are relative to all that there was to lose: E at the start, m |g| L, and all work that came in since. Two bounds
 // follow (hair/strand/watch.cpp). A gain of 0.05 lifts a hair's middle by a twentieth of its length, which is seen. And hair that is let go
@@ -43,30 +44,30 @@ struct ContactWork {
   double seen_from(const Eigen::Vector3d& velocity) const { return work - impulse.dot(velocity); }
 };
 
-// A sum, and how far it has risen and fallen.
+// How far a sum has risen above its lowest point, and fallen below its highest.
 class EnergyRow {
  public:
-  void add(double amount) {
-    sum_ += amount;
-    lowest_ = std::min(lowest_, sum_);
-    highest_ = std::max(highest_, sum_);
+  // left: of how far it has fallen before.
+  void add(double amount, double left = 1) {
+    risen_ = std::max(risen_ + amount, 0.0);
+    fallen_ = std::max(left * fallen_ - amount, 0.0);
   }
-  double risen() const { return sum_ - lowest_; }
-  double fallen() const { return highest_ - sum_; }
+  double risen() const { return risen_; }
+  double fallen() const { return fallen_; }
 
  private:
-  double sum_ = 0, lowest_ = 0, highest_ = 0;
+  double risen_ = 0, fallen_ = 0;
 };
 
 class EnergyWatch {
  public:
-  // Of a body of this mass, kg, and length, m, under the weight |g|, m/s^2.
-  EnergyWatch(double mass, double length, double gravity);
+  // Of a body of this mass, kg, and length, m, under the weight |g|, m/s^2, with this drag, N s/m^2, for each metre.
+  EnergyWatch(double mass, double length, double gravity, double drag = 0);
 
   bool begun() const { return begun_; }
 
   // The next step begins anew, from where the body is then.
-  void restart() { *this = EnergyWatch(unit_); }
+  void restart() { *this = EnergyWatch(unit_, fading_); }
 
   // Before the first step. What is aside then may move the body later.
   void begin(const Energies& now);
@@ -74,8 +75,8 @@ class EnergyWatch {
   // Before another step: the root has changed its velocity or its frame, so that E is another one. That is work that came in.
   void root_moved(const Energies& now);
 
-  // After a step, in which this work came in, J.
-  void after_step(const Energies& now, double work, bool in_contact);
+  // After a step of h seconds, in which this work came in, J.
+  void after_step(const Energies& now, double work, bool in_contact, double h = 0);
 
   // The largest so far, relative to what there was to lose.
   double gain() const { return gain_; }
@@ -94,13 +95,13 @@ class EnergyWatch {
   const Energies& now() const { return now_; }
 
  private:
-  explicit EnergyWatch(double unit) : unit_(unit) {}
+  EnergyWatch(double unit, double fading) : unit_(unit), fading_(fading) {}
   void come_in(double work) {
     came_in_ += std::max(work, 0.0);
     scale_ += std::max(work, 0.0);
   }
 
-  double unit_;  // J
+  double unit_, fading_;  // J, 1/s
   bool begun_ = false;
   Energies now_;
   EnergyRow free_, in_contact_;

@@ -6,7 +6,8 @@ namespace hair {
 
 HelixEnergy::HelixEnergy(const HelixStrand& strand, const HelixSurroundings& surroundings)
     : surroundings_(surroundings),
-      watch_(strand.line_density * strand.lengths.sum(), strand.lengths.sum(), surroundings.gravity.norm()) {}
+      watch_(strand.line_density * strand.lengths.sum(), strand.lengths.sum(), surroundings.gravity.norm(),
+             surroundings.drag) {}
 
 Energies HelixEnergy::read(const HelixMotion& motion, Input q, const Vector3d& root_velocity) {
   const HelixStrand& strand = motion.strand();
@@ -61,10 +62,10 @@ void HelixEnergy::found(const HelixMotion& motion, double h, const Vector3d& spi
   }
 }
 
-void HelixEnergy::after_step(const HelixMotion& motion, Input q) {
+void HelixEnergy::after_step(const HelixMotion& motion, Input q, double h) {
   const Vector3d momentum_before = momentum_;
   const Energies now = read(motion, q, after_);
-  watch_.after_step(now, work_ - (after_ - before_).dot(momentum_before + momentum_) / 2, in_contact_);
+  watch_.after_step(now, work_ - (after_ - before_).dot(momentum_before + momentum_) / 2, in_contact_, h);
 }
 
 }  // namespace hair

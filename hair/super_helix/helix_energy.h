@@ -44,7 +44,7 @@ class HelixEnergy {
              const ContactWork* contacts);
 
   // After the step, with the strand placed and moved.
-  void after_step(const HelixMotion& motion, Input q);
+  void after_step(const HelixMotion& motion, Input q, double h);
 
  private:
   Energies read(const HelixMotion& motion, Input q, const Vector3d& root_velocity);

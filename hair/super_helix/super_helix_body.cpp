@@ -109,7 +109,7 @@ std::optional<Stage> SuperHelixBody::step(const BodyStep& step, const particles:
     motion_.place(root_.frame, q_);
     placed_ = true;
     motion_.move(root_, rates_);
-    energy_->after_step(motion_, q_);
+    energy_->after_step(motion_, q_, h);
   }
   return {};
 }

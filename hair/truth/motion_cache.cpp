@@ -6,9 +6,7 @@
 #include <string_view>
 
 #include "hair/io/digest.h"
-#include "hair/io/files/bad_input.h"
-#include "hair/io/files/read_file.h"
-#include "hair/io/files/write_file.h"
+#include "hair/io/files/kept_file.h"
 #include "hair/strand/variation.h"
 #include "hair/truth/content.h"
 
@@ -16,8 +14,7 @@ namespace hair {
 
 namespace {
 
-constexpr std::size_t kLargestFile = 1 << 28;
-constexpr std::string_view kKind = "hairlab: an accurate motion, format 1";
+constexpr KeptKind kKind{"hairlab: an accurate motion, format 1", ".motion"};
 
 // f at the start, and at states a hundredth of their scales from it, at other times.
 std::string forces_of(const Problem& problem, Ode& ode) {
@@ -33,10 +30,6 @@ std::string forces_of(const Problem& problem, Ode& ode) {
     for (Eigen::Index i = 0; i < y.size(); ++i) y[i] = start[i] + variation.uniform(-0.01, 0.01) * scales[i];
   }
   return digest.text();
-}
-
-std::filesystem::path file_of(const std::filesystem::path& folder, const std::string& key) {
-  return folder / (Digest().add(std::string_view(key)).text() + ".motion");
 }
 
 // Numbers as their bits: what is read back is what was written, on any machine.
@@ -99,19 +92,9 @@ std::string motion_key(const Problem& problem, Ode& ode, const std::string& meth
 }
 
 std::optional<AccurateMotion> find_motion(const std::filesystem::path& folder, const std::string& key) {
-  std::string bytes;
-  try {
-    bytes = read_file(file_of(folder, key), kLargestFile, "a motion that was kept");
-  } catch (const BadInput&) {
-    return {};
-  }
-  constexpr std::size_t kDigest = 16;
-  if (bytes.size() < kDigest) return {};
-  const std::string_view all = bytes, text = all.substr(0, all.size() - kDigest);
-  if (all.substr(text.size()) != Digest().add(text).text()) return {};
-
-  Rest rest(text);
-  if (rest.line() != kKind || rest.line() != key) return {};
+  const std::optional<std::string> text = find_kept(folder, kKind, key);
+  if (!text) return {};
+  Rest rest(*text);
   AccurateMotion motion;
   motion.method = rest.line();
   motion.agreement = rest.real();
@@ -120,7 +103,7 @@ std::optional<AccurateMotion> find_motion(const std::filesystem::path& folder, c
   motion.evaluations = static_cast<long>(rest.number());
   const std::uint64_t states = rest.number(), size = rest.number();
   // Each number takes two bytes at least.
-  if (states > text.size() || size > text.size() || states * size > text.size()) return {};
+  if (states > text->size() || size > text->size() || states * size > text->size()) return {};
   for (std::uint64_t k = 0; k < states; ++k) {
     Eigen::VectorXd x = rest.reals(static_cast<Eigen::Index>(size));
     Eigen::VectorXd v = rest.reals(static_cast<Eigen::Index>(size));
@@ -132,8 +115,7 @@ std::optional<AccurateMotion> find_motion(const std::filesystem::path& folder, c
 }
 
 void keep_motion(const std::filesystem::path& folder, const std::string& key, const AccurateMotion& motion) {
-  std::string text(kKind);
-  text += '\n' + key + '\n' + motion.method + '\n';
+  std::string text = motion.method + '\n';
   put(text, std::bit_cast<std::uint64_t>(motion.agreement));
   put(text, static_cast<std::uint64_t>(motion.inextensible));
   put(text, std::bit_cast<std::uint64_t>(motion.cpu_seconds));
@@ -144,8 +126,7 @@ void keep_motion(const std::filesystem::path& folder, const std::string& key, co
     put(text, state.x);
     put(text, state.v);
   }
-  text += Digest().add(std::string_view(text)).text();
-  write_file(file_of(folder, key), text);
+  keep(folder, kKind, key, text);
 }
 
 }  // namespace hair

@@ -1,5 +1,4 @@
-// A cache of accurate motions: a folder with one file for each. A file contains its full key and ends with a
-// digest of itself. A file with another key, or one that is cut short or changed, is ignored.
+// A cache of accurate motions: files that are kept (hair/io/files/kept_file.h).
 #pragma once
 
 #include <filesystem>

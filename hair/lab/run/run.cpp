@@ -53,11 +53,12 @@ std::unique_ptr<Pictures> prepare_pictures(const Scene& scene, const RunSettings
 class FrameWriter {
  public:
   FrameWriter(const Scene& scene, const OutputFolder& folder, const Playback& playback, Pictures* pictures,
-              RunRecord& record)
+              RunRecord& record, timing::Laps& laps)
       : folder_(folder),
         playback_(playback),
         pictures_(pictures),
         record_(record),
+        laps_(laps),
         dense_(!scene.dense.empty()),
         binary_(folder.now("states.bin"), folder.then("states.bin"), playback.sizes(),
                 static_cast<int>(playback.state().x.size() / 3), playback.coordinates().front()),
@@ -66,29 +67,23 @@ class FrameWriter {
   // Where the playback is now.
   void add() {
     Seconds& seconds = record_.seconds;
-    const timing::Stopwatch reading;
     const particles::State state = playback_.state(), lines = playback_.centre_lines(state);
     const int frame = static_cast<int>(record_.frames.size());
-    seconds.measure += reading.seconds();
-    {
-      const timing::AddsTime watch(seconds.measure);
-      record_.frames.push_back({playback_.time(), playback_.measure(state), playback_.work()});
-    }
-    {
-      const timing::AddsTime watch(seconds.write);
-      binary_.add(playback_.time(), state);
-      csv_.add(playback_.time(), lines);
-    }
+    record_.frames.push_back({playback_.time(), playback_.measure(state), playback_.work()});
+    laps_.book(seconds.measure);
+    binary_.add(playback_.time(), state);
+    csv_.add(playback_.time(), lines);
+    laps_.book(seconds.write);
     if (!pictures_) return;
-    const timing::Stopwatch picture;
     const double rendered = rendering();
     const Image image =
         pictures_->draw(lines, playback_.obstacles(), playback_.time(), playback_.mesh_record());
-    seconds.lay_out += picture.seconds() - (rendering() - rendered);
+    laps_.book(seconds.lay_out);
+    seconds.lay_out -= rendering() - rendered;
     if (dense_) record_.dense = pictures_->synthesised();
     record_.moved_out = pictures_->moved_out();
-    const timing::AddsTime watch(seconds.png);
     write_whole(folder_, frame_name(frame), encode_png(image));
+    laps_.book(seconds.png);
   }
 
   // s, of all pictures so far.
@@ -98,10 +93,10 @@ class FrameWriter {
   }
 
   void close() {
-    const timing::AddsTime watch(record_.seconds.write);
     if (record_.links) binary_.add(*record_.links);
     binary_.close();
     csv_.close();
+    laps_.book(record_.seconds.write);
   }
 
  private:
@@ -109,13 +104,14 @@ class FrameWriter {
   const Playback& playback_;
   Pictures* pictures_;
   RunRecord& record_;
+  timing::Laps& laps_;
   bool dense_;
   StatesWriter binary_;
   CsvWriter csv_;
 };
 
-void play(Playback& playback, FrameWriter& frames, RunRecord& record, const std::atomic<bool>& interrupted,
-          std::ostream* progress) {
+void play(Playback& playback, FrameWriter& frames, RunRecord& record, timing::Laps& laps,
+          const std::atomic<bool>& interrupted, std::ostream* progress) {
   frames.add();
   for (int k = 1; k <= record.frames_asked; ++k) {
     if (interrupted) {
@@ -123,11 +119,8 @@ void play(Playback& playback, FrameWriter& frames, RunRecord& record, const std:
       return;
     }
     if (progress) *progress << "\rframe " << k << " of " << record.frames_asked << std::flush;
-    std::optional<std::string> trouble;
-    {
-      const timing::AddsTime watch(record.seconds.simulate);
-      trouble = playback.advance();
-    }
+    const std::optional<std::string> trouble = playback.advance();
+    laps.book(record.seconds.simulate);
     if (trouble) {
       record.ending = Ending::blow_up;
       record.blow_up = *trouble;
@@ -141,33 +134,27 @@ void play(Playback& playback, FrameWriter& frames, RunRecord& record, const std:
 
 RunResult run_scene(const Scene& scene, const RunSettings& settings, const std::atomic<bool>& interrupted,
                     std::ostream& notes, std::ostream* progress) {
-  const timing::Stopwatch run;
+  timing::Laps laps;
   OutputFolder folder(settings.out);
   RunRecord record;
   record.frames_asked = settings.frames.value_or(scene.frames);
   Seconds& seconds = record.seconds;
   seconds.read = settings.read_seconds;
 
-  std::unique_ptr<Playback> playback;
-  {
-    const timing::AddsTime watch(seconds.assemble);
-    playback = assemble(scene);
-    record.strands = playback->strands();
-    record.particles = static_cast<int>(playback->centre_lines(playback->state()).x.size() / 3);
-  }
-  std::unique_ptr<Pictures> pictures;
-  {
-    const timing::AddsTime watch(seconds.prepare);
-    pictures = prepare_pictures(scene, settings, record, notes);
-    if (pictures && !scene.dense.empty()) {
-      const std::vector<int> idle = idle_guides(scene, pictures->drawing());
-      record.guides_left_out = idle.size();
-      playback->leave_out(idle);
-    }
-  }
+  const std::unique_ptr<Playback> playback = assemble(scene);
+  record.strands = playback->strands();
+  record.particles = static_cast<int>(playback->centre_lines(playback->state()).x.size() / 3);
   if (const auto slow = too_thick_strips(scene)) notes << scene.name << ": " << *slow << std::endl;
-  FrameWriter frames(scene, folder, *playback, pictures.get(), record);
-  play(*playback, frames, record, interrupted, progress);
+  laps.book(seconds.assemble);
+  const std::unique_ptr<Pictures> pictures = prepare_pictures(scene, settings, record, notes);
+  if (pictures && !scene.dense.empty()) {
+    const std::vector<int> idle = idle_guides(scene, pictures->drawing());
+    record.guides_left_out = idle.size();
+    playback->leave_out(idle);
+  }
+  FrameWriter frames(scene, folder, *playback, pictures.get(), record, laps);
+  laps.book(seconds.prepare);
+  play(*playback, frames, record, laps, interrupted, progress);
   if (const MeshRecord* mesh = playback->mesh_record()) {
     record.links = LinksFile{{}, mesh->broken};
     for (const StaticLink& link : scene.hair.mesh->links) record.links->particles.push_back({link.a, link.b});
@@ -182,12 +169,13 @@ RunResult run_scene(const Scene& scene, const RunSettings& settings, const std::
     seconds.draw = times.draw;
     seconds.read_back = times.read_back;
     if (progress) *progress << "\rfilm                       " << std::flush;
-    const timing::AddsTime watch(seconds.film);
     record.no_film = make_film(folder.now(""), scene.frames_per_second);
     if (record.no_film) notes << (progress ? "\r" : "") << "no film: " << *record.no_film << "\n";
+    laps.book(seconds.film);
   }
   if (progress) *progress << "\r                           \r" << std::flush;
-  seconds.total = seconds.read + run.seconds();
+  laps.book(seconds.write);
+  seconds.total = seconds.read + laps.whole();
   write_whole(folder, "run.json", run_json(scene, record));
   folder.keep();
   return {std::move(record), folder.path()};

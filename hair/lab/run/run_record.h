@@ -20,7 +20,7 @@ struct FrameRecord {
   Work work;  // from the start to this frame
 };
 
-// The duration of each stage, s. Together they are `total`, but for some thousandths.
+// The duration of each stage, s. Together they are `total`.
 struct Seconds {
   double read = 0, assemble = 0, prepare = 0;   // the scene; what moves; what draws it
   double simulate = 0, measure = 0, write = 0;  // states

@@ -45,7 +45,8 @@ Watch play(const Scene& scene) {
 
 // Scenes that warn, and shall: what their rows in hair/scenes/README.md say.
 bool shall_warn(const std::string& scene, Concern concern) {
-  if (scene == "extreme") return concern == Concern::loss || concern == Concern::unmoved;
+  if (scene == "extreme")
+    return concern == Concern::loss || concern == Concern::unmoved || concern == Concern::energy;
   return scene == "pendulum" && concern == Concern::energy;
 }
 

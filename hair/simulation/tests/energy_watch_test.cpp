@@ -56,6 +56,18 @@ TEST(EnergyWatch, WhatIsAsideAtTheStartMayComeIn) {
   EXPECT_DOUBLE_EQ(watch.gain(), 1 / (3 + 5e-7));
 }
 
+// The air would take what is lost: of two losses a while apart it leaves the second.
+TEST(EnergyWatch, LossesFadeWhereAirDrags) {
+  EnergyWatch watch(1, 1, 1, 0.5);  // e^-1 is left after a second
+  watch.begin({});
+  watch.after_step({.weight = -0.25}, 0, false, 1);
+  watch.after_step({.weight = -0.5}, 0, false, 1);
+  EXPECT_DOUBLE_EQ(watch.loss(), 0.25 * (1 + std::exp(-1)) / (1 + 5e-7));
+  watch.after_step({.weight = -0.5}, 0, false, 100);
+  watch.after_step({.weight = -0.75}, 0, false, 1);
+  EXPECT_DOUBLE_EQ(watch.loss(), 0.25 * (1 + std::exp(-1)) / (1 + 5e-7));
+}
+
 struct Row {
   const char* model;
   Method method;
