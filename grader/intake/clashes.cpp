@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "grader/intake/names.h"
+#include "grader/intake/origin.h"
 
 namespace grader {
 namespace {
@@ -17,8 +18,9 @@ bool comes_before(const Draft& a, const Draft& b) {
 // A draft and another one of its name.
 void mark(Draft& draft, const std::string& name, const Draft& other, std::vector<std::string>& notices) {
   const std::string both = " are both the submission \"" + name + "\"";
+  draft.submission.origin.clear();  // the name of its row is made of a path, and of no student
   draft.refuse(Refused(draft.shown + " and " + other.shown + both +
-                       ", so neither of them was graded. One of them needs another name."));
+                       ", so this one was not graded. One of them needs another name."));
   notices.push_back(draft.origin + " and " + other.origin + both + "; rename one of them. This one is \"" +
                     draft.submission.name + "\" for now, and not graded");
 }
@@ -44,7 +46,13 @@ void resolve_clashes(std::vector<Draft>& drafts, std::vector<std::string>& notic
     const std::string name = drafts[begin].submission.name;
     while (end < drafts.size() && drafts[end].submission.name == name) ++end;
     if (end - begin == 1) continue;
-    for (std::size_t i = begin; i < end; ++i) {
+    // A person names arguments, and anybody what lies in them: one argument of a name stands, whatever classes hold.
+    const auto is_hand_in = [](const Draft& draft) { return !is_of_a_class(draft.submission.origin); };
+    const auto first = drafts.begin() + static_cast<std::ptrdiff_t>(begin);
+    const auto last = drafts.begin() + static_cast<std::ptrdiff_t>(end);
+    const bool one_stands = std::count_if(first, last, is_hand_in) == 1;
+    if (one_stands) std::iter_swap(first, std::find_if(first, last, is_hand_in));
+    for (std::size_t i = one_stands ? begin + 1 : begin; i < end; ++i) {
       std::string own = name_among_equals(name, drafts[i].path);
       while (!taken.insert(own).second) own += 'x';
       drafts[i].submission.name = own;

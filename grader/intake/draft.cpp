@@ -27,6 +27,20 @@ void Draft::refuse(const Refused& why) {
     notices.push_back(origin + ": " + unreadable->failure());
 }
 
+void LeftOut::add(const std::string& entry_and_reason) {
+  if (count++ == 0) first = entry_and_reason;
+}
+
+std::vector<std::string> Draft::all_notices() const {
+  std::vector<std::string> all = notices;
+  for (const LeftOut* left : {&shut, &outdated}) {
+    if (left->count == 0) continue;
+    const std::string more = left->count > 1 ? ", and " + std::to_string(left->count - 1) + " more" : "";
+    all.push_back(origin + ": " + left->first + more);
+  }
+  return all;
+}
+
 std::string problem_of(const Entry& entry, const std::string& shown) {
   switch (entry.kind) {
     case Entry::Kind::symbolic_link:

@@ -26,6 +26,14 @@ class IntakeBudget {
   std::size_t entries_ = 0;
 };
 
+// Entries of a submission that were left out for one reason: the first is named, the others are counted.
+struct LeftOut {
+  std::string first;
+  std::size_t count = 0;
+
+  void add(const std::string& entry_and_reason);
+};
+
 struct Draft {
   Submission submission;
   std::string origin;  // for staff: which argument, and where in it
@@ -34,9 +42,11 @@ struct Draft {
   IntakeBudget budget;
   std::map<std::string, std::string> first_paths = {};  // where each exercise file was found first
   std::size_t archives = 0;                             // opened in it
+  LeftOut shut = {}, outdated = {};                     // archives that were not opened, older versions
   std::vector<std::string> notices = {};
 
   void refuse(const Refused& why);
+  std::vector<std::string> all_notices() const;
   bool refused() const { return !submission.problem.empty(); }
 };
 

@@ -25,6 +25,13 @@ std::string submission_name(std::string_view name) {
   return safe;
 }
 
+std::string some_of(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 10;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i) list += (i > 0 ? ", " : "") + names[i];
+  return list + (names.size() > kMost ? " and " + std::to_string(names.size() - kMost) + " more" : "");
+}
+
 std::string name_among_equals(const std::string& name, std::string_view path) {
   constexpr char digits[] = "0123456789abcdef";
   std::uint64_t hash = 0xcbf29ce484222325;  // FNV-1a

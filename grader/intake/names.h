@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace grader {
 
@@ -14,5 +15,8 @@ std::string submission_name(std::string_view name);
 
 // A name for one of several submissions that are called `name`. It depends on its path alone.
 std::string name_among_equals(const std::string& name, std::string_view path);
+
+// "alice, bob and 178 more": of many names the first ten.
+std::string some_of(const std::vector<std::string>& names);
 
 }  // namespace grader

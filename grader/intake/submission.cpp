@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <numeric>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -15,6 +16,8 @@
 #include "grader/intake/folder.h"
 #include "grader/intake/layout.h"
 #include "grader/intake/names.h"
+#include "grader/intake/origin.h"
+#include "grader/intake/several_people.h"
 
 namespace grader {
 namespace {
@@ -26,10 +29,17 @@ constexpr std::size_t most_archives = 20;
 constexpr std::size_t class_entries_factor = 50;
 constexpr std::uintmax_t most_shrinking = 20;
 
+std::vector<std::string> names_in(const std::vector<Draft>& drafts) {
+  std::vector<std::string> names;
+  for (const Draft& draft : drafts) names.push_back(draft.submission.name);
+  return names;
+}
+
 class ClassReader {
  public:
-  ClassReader(const Course& course, const OpenArchive& open_archive, const IntakeLimits& limits)
-      : open_archive_(open_archive), limits_(limits) {
+  ClassReader(const Course& course, const OpenArchive& open_archive, const IntakeLimits& limits,
+              const Arguments& arguments)
+      : open_archive_(open_archive), limits_(limits), arguments_(arguments) {
     for (const Exercise& exercise : course.exercises) {
       if (exercise.role != Role::absent) files_.insert(exercise.file);
     }
@@ -39,6 +49,9 @@ class ClassReader {
   Intake finish();
 
  private:
+  struct Named {
+    std::string origin, path, name, shown;
+  };
   // What of a container belongs to a draft.
   struct Share {
     Draft* draft;
@@ -52,9 +65,6 @@ class ClassReader {
   };
   using Plan = std::map<std::size_t, Wanted>;
 
-  struct Named {
-    std::string origin, path, name, shown;
-  };
   static Named named(const fs::path& argument);
   Draft new_draft(const std::string& name, const Named& argument, const std::string& below) const;
   std::unique_ptr<Container> open(const fs::path& argument, const Named& named, bool on_disk) const;
@@ -70,9 +80,10 @@ class ClassReader {
 
   const OpenArchive& open_archive_;
   IntakeLimits limits_;
+  Arguments arguments_;
   FileNames files_;
   std::vector<Draft> drafts_;
-  std::vector<std::string> notices_;
+  std::vector<std::string> notices_, taken_for_;
 };
 
 std::string ClassReader::file_names() const {
@@ -99,11 +110,11 @@ void ClassReader::plan_files(const std::vector<Entry>& list, const Takings& taki
     }
   }
   for (const std::size_t i : takings.outdated)
-    draft.notices.push_back(draft.origin + ": " + printable(prefix + list[i].shown) +
-                            " is older than another one of its kind, and was left out");
+    draft.outdated.add(printable(prefix + list[i].shown) +
+                       " is older than another one of its kind, and was left out");
   for (const std::size_t i : takings.left_shut)
-    draft.notices.push_back(draft.origin + ": " + printable(prefix + list[i].shown) +
-                            " was not opened, since there are exercise files beside it");
+    draft.shut.add(printable(prefix + list[i].shown) +
+                   " was not opened, since there are exercise files beside it");
 }
 
 ClassReader::Plan ClassReader::plan_share(const std::vector<Entry>& list, const Share& share,
@@ -124,8 +135,7 @@ ClassReader::Plan ClassReader::plan_share(const std::vector<Entry>& list, const 
   for (const std::size_t i : takings.archives) {
     const std::string shown = printable(prefix + list[i].shown);
     if (depth == deepest_nesting) {
-      draft.notices.push_back(draft.origin + ": " + shown + " was not opened: it is an archive in " +
-                              std::to_string(depth) + " others");
+      draft.shut.add(shown + " was not opened: it is an archive in " + std::to_string(depth) + " others");
       continue;
     }
     if (list[i].encrypted) throw Unreadable(shown + " is encrypted. Pack it again without a password.");
@@ -193,8 +203,11 @@ ClassReader::Named ClassReader::named(const fs::path& argument) {
 }
 
 Draft ClassReader::new_draft(const std::string& name, const Named& argument, const std::string& below) const {
-  Draft draft{
-      {submission_name(name), {}, {}}, argument.origin, argument.path, argument.shown, IntakeBudget(limits_)};
+  Draft draft{{submission_name(name), origin_text(kHandIn, printable(argument.path, 4096)), {}, {}},
+              argument.origin,
+              argument.path,
+              argument.shown,
+              IntakeBudget(limits_)};
   if (!below.empty()) {
     draft.origin += "/" + printable(below, 4096);
     draft.path += "/" + below;
@@ -237,10 +250,19 @@ void ClassReader::read_argument(const fs::path& argument) {
     drafts_.push_back(std::move(drafts.front()));
     return;
   }
-  const Layout layout = layout_of(list, files_, on_disk);
+  // A folder with one archive among several arguments is a student's.
+  const Layout layout = layout_of(list, files_, on_disk && arguments_.may_be_class());
   if (!layout.found && on_disk) {
     throw BadInput(origin + ": there is no exercise file (" + file_names() +
                    ") and no archive in this folder; give a submission or a folder of them");
+  }
+  if (const std::string why = why_no_class(layout, argument_name.name, arguments_); !why.empty()) {
+    if (!arguments_.several) throw BadInput(origin + ": " + why);
+    notices_.push_back(origin + ": " + why);
+    drafts.front().refuse(
+        Refused("There are folders or archives of several people in it. Hand in only your own files."));
+    drafts_.push_back(std::move(drafts.front()));
+    return;
   }
   for (const std::string& stray : layout.strays)
     notices_.push_back(
@@ -249,14 +271,21 @@ void ClassReader::read_argument(const fs::path& argument) {
   for (const auto& [files, archive] : layout.of_one_student)
     notices_.push_back(origin + "/" + printable(files) + " and " + printable(archive) +
                        " are of one student of Canvas's, and two submissions here");
-  if (layout.is_class) drafts.clear();
   std::vector<Share> shares;
+  const std::string_view kind = has_names_of_a_learning_system(layout) ? kLearningSystem : kClass;
+  if (layout.is_class) drafts.clear();
   for (const Member& member : layout.members) {
-    if (layout.is_class)
+    if (layout.is_class) {
       drafts.push_back(new_draft(fs::path(member.path).filename().string(), argument_name, member.path));
+      drafts.back().submission.origin = origin_text(kind, printable(argument_name.path, 4096));
+    }
     shares.push_back({nullptr, member});
   }
   for (std::size_t i = 0; i < drafts.size(); ++i) shares[i].draft = &drafts[i];
+  if (layout.is_class)
+    taken_for_.push_back(origin + ": taken for a " + std::string(kind) + ": " + some_of(names_in(drafts)));
+  else if (!arguments_.several)
+    taken_for_.push_back(origin + ": taken for a hand-in of one student, " + drafts.front().submission.name);
   try {
     take(*container, list, shares, "", 0);
   } catch (const Refused& why) {
@@ -267,6 +296,7 @@ void ClassReader::read_argument(const fs::path& argument) {
 
 Intake ClassReader::finish() {
   Intake intake;
+  intake.taken_for = std::move(taken_for_);
   for (Draft& draft : drafts_) {
     if (!draft.refused() && draft.submission.files.empty()) {
       draft.refuse(Refused("None of the exercise files is in it (" + file_names() +
@@ -275,7 +305,8 @@ Intake ClassReader::finish() {
   }
   resolve_clashes(drafts_, notices_);
   for (Draft& draft : drafts_) {
-    intake.notices.insert(intake.notices.end(), draft.notices.begin(), draft.notices.end());
+    const std::vector<std::string> notices = draft.all_notices();
+    intake.notices.insert(intake.notices.end(), notices.begin(), notices.end());
     intake.submissions.push_back(std::move(draft.submission));
   }
   intake.notices.insert(intake.notices.end(), notices_.begin(), notices_.end());
@@ -285,8 +316,10 @@ Intake ClassReader::finish() {
 }  // namespace
 
 Intake read_submissions(const std::vector<fs::path>& arguments, const Course& course,
-                        const OpenArchive& open_archive, const IntakeLimits& limits) {
-  ClassReader reader(course, open_archive, limits);
+                        const OpenArchive& open_archive, const IntakeLimits& limits, bool classes) {
+  std::set<fs::path> different;
+  for (const fs::path& argument : arguments) different.insert(fs::absolute(argument).lexically_normal());
+  ClassReader reader(course, open_archive, limits, {different.size() > 1, classes});
   for (const fs::path& argument : arguments) reader.read_argument(argument);
   return reader.finish();
 }

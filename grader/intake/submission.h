@@ -10,6 +10,10 @@
 //   class.zip with alice_12_34_conj_grad.cpp, ...  a class, as Canvas exports single files (canvas.h)
 //   alice.zip with project/student/conj_grad.cpp   one submission with a whole project
 //
+// Of several arguments each is a hand-in of one student: a hand-in can look like a class, and must not speak for others. One that
+// looks so is refused, unless somebody says that there are classes, or its names are a learning system's. A lone argument is refused
+// if it holds several people's folders or archives, and one of them has its own name.
+//
 // Nobody gets lost: an archive, or a document in the place of one, always gives a submission, and what is
 // left out has a notice.
 #pragma once
@@ -31,6 +35,7 @@ struct SourceFile {
 
 struct Submission {
   std::string name;                         // see names.h
+  std::string origin;                       // see origin.h; "": a name that clashes
   std::map<std::string, SourceFile> files;  // by exercise file ("conj_grad.cpp"); only handed-in files
   std::string problem;      // not empty: why the whole submission is rejected, for the student
   bool unreadable = false;  // it has a problem: it is no archive that we read, or a damaged or encrypted one
@@ -38,6 +43,8 @@ struct Submission {
 
 struct Intake {
   std::vector<Submission> submissions;  // sorted by name; each has a name of its own
+  // For staff, a line for each argument: a hand-in or a class. Of several arguments only for classes.
+  std::vector<std::string> taken_for;
   // For staff, a line each: files that belong to nobody, archives that stayed shut, names that clash.
   std::vector<std::string> notices;
 };
@@ -53,8 +60,9 @@ struct IntakeLimits {
 
 // Files of absent exercises are ignored. An error in one submission is reported in it and does not affect
 // others. Throws BadInput for an argument that does not exist, or that is neither an archive nor a folder with
-// an exercise file or an archive in it.
+// an exercise file or an archive in it. `classes`: each of several arguments may be a class.
 Intake read_submissions(const std::vector<std::filesystem::path>& arguments, const Course& course,
-                        const OpenArchive& open_archive, const IntakeLimits& limits = {});
+                        const OpenArchive& open_archive, const IntakeLimits& limits = {},
+                        bool classes = false);
 
 }  // namespace grader

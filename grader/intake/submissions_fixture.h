@@ -56,8 +56,9 @@ class Submissions : public testing::Test {
     std::ofstream(dir_ / name, std::ios::binary) << bytes;
     return dir_ / name;
   }
-  static Intake take(const std::vector<fs::path>& arguments, const IntakeLimits& limits = {}) {
-    return read_submissions(arguments, two_exercises(), opener(), limits);
+  static Intake take(const std::vector<fs::path>& arguments, const IntakeLimits& limits = {},
+                     bool classes = false) {
+    return read_submissions(arguments, two_exercises(), opener(), limits, classes);
   }
   static std::vector<Submission> read(const std::vector<fs::path>& arguments,
                                       const IntakeLimits& limits = {}) {

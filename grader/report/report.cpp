@@ -2,6 +2,7 @@
 #include "grader/report/report.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
 
@@ -96,6 +97,13 @@ std::optional<SubmissionResult> read_results(const fs::path& dir, const std::str
   } catch (const BadInput&) {  // damaged, or one of its pictures
   }
   return {};
+}
+
+std::string read_origin(const fs::path& dir, const std::string& name) {
+  check_name(name);
+  const auto record = nlohmann::json::parse(hair::bytes_of(record_of(dir, name)), nullptr, false);
+  const auto found = record.find("origin");
+  return found != record.end() && found->is_string() ? found->get<std::string>() : "";
 }
 
 std::vector<std::string> submissions_in(const fs::path& dir) {

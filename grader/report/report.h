@@ -40,6 +40,9 @@ void write_class_reports(const std::filesystem::path& dir, const std::vector<Sub
 // Nothing if a file of it is missing or can't be read, or if a picture is damaged.
 std::optional<SubmissionResult> read_results(const std::filesystem::path& dir, const std::string& name);
 
+// Its origin alone, without reading the rest; "" if there is none.
+std::string read_origin(const std::filesystem::path& dir, const std::string& name);
+
 // The names of the submissions that have reports in `dir`, sorted: this batch's and all others. Who has been
 // deleted is who has no folder any more.
 std::vector<std::string> submissions_in(const std::filesystem::path& dir);

@@ -94,6 +94,7 @@ struct RunResult {
 
 struct SubmissionResult {
   std::string name;
+  std::string origin;  // what it came in, see grader/intake/origin.h; for staff
   std::vector<ExerciseResult> exercises;
   std::vector<RunResult> runs;
   std::string note;         // not empty: an error of the whole submission, for the student

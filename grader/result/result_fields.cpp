@@ -68,6 +68,7 @@ const Rows<SubmissionResult>& Fields<SubmissionResult>::rows() {
   using T = SubmissionResult;
   static const Rows<T> all = {
       field("name", &T::name),
+      field("origin", &T::origin),
       field("fingerprint", &T::fingerprint),
       field("isolated", &T::isolated),
       field("images", &T::images),

@@ -269,6 +269,39 @@ TEST_F(Hairgrade, RefusesAMachineWhoseHardLimitsAreBelowTheNeed) {
   EXPECT_FALSE(fs::exists(out()));
 }
 
+// Of one student, whose archive looks like a class.
+TEST_F(Hairgrade, ReplacesNobodysRowByAnotherOriginsWithoutAWordAndAFlag) {
+  earlier_run();
+  const string before = hair::bytes_of(fs::path(out()) / "grades.csv");
+  for (const char* name : {"mallory", "other-order", "zoe"}) {
+    fs::create_directories(folder_ / "mallory" / name);
+    std::ofstream(folder_ / "mallory" / name / "conj_grad.cpp") << "int wrong;\n";
+  }
+  fs::create_directory_symlink("mallory", folder_ / "zoes-class");
+  const string mallory = (folder_ / "mallory").string(), another_name = (folder_ / "zoes-class").string();
+  const auto refused = [&](std::vector<string> arguments, const string& flag) {
+    arguments.insert(arguments.end(), {"--out", out()});
+    const ProgramRun run = grade(arguments);
+    EXPECT_EQ(run.code, 2) << run.errors;
+    EXPECT_NE(run.errors.find(flag), string::npos) << run.errors;
+    EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 1) << run.errors;
+    EXPECT_EQ(hair::bytes_of(fs::path(out()) / "grades.csv"), before);
+  };
+  refused({mallory}, "--class");
+  refused({mallory, "--class"}, "--replace");
+  refused({another_name}, "--replace");
+  const ProgramRun together = grade({sample("other-order"), mallory, "--out", out()});
+  EXPECT_EQ(together.code, 1) << together.errors;
+  EXPECT_NE(together.errors.find("--class"), string::npos) << together.errors;
+  EXPECT_EQ(points(read_results(out(), "other-order").value()), 52);
+  EXPECT_EQ(points(read_results(out(), "mallory").value()), 0);
+
+  const ProgramRun replaced = grade({another_name, "--replace", "--out", out()});
+  EXPECT_EQ(replaced.code, 0) << replaced.errors;
+  EXPECT_NE(replaced.errors.find("other-order is there of the hand-in"), string::npos) << replaced.errors;
+  EXPECT_EQ(points(read_results(out(), "other-order").value()), 0);
+}
+
 TEST_F(Hairgrade, ResumesWhatHasNotChanged) {
   earlier_run();
   const auto before = fs::last_write_time(fs::path(out()) / "other-order" / "results.json");
@@ -278,7 +311,8 @@ TEST_F(Hairgrade, ResumesWhatHasNotChanged) {
   // The same name with other bytes.
   fs::create_directory(folder_ / "other-order");
   std::ofstream(folder_ / "other-order" / "conj_grad.cpp") << code_of("entry-test-inverted", "conj_grad.cpp");
-  const ProgramRun other = grade({(folder_ / "other-order").string(), "--out", out(), "--resume"});
+  const ProgramRun other =
+      grade({(folder_ / "other-order").string(), "--out", out(), "--resume", "--replace"});
   EXPECT_NE(other.output.find("1 graded"), string::npos) << other.output;
 }
 

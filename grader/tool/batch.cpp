@@ -13,6 +13,7 @@
 #include "grader/report/report.h"
 #include "grader/report/text.h"
 #include "grader/tool/folder_of_grades.h"
+#include "grader/tool/origins.h"
 #include "grader/tool/progress.h"
 #include "grader/tool/timing.h"
 
@@ -73,8 +74,8 @@ void add_what_else_is_there(Batch& batch, const std::filesystem::path& folder) {
 
 }  // namespace
 
-Batch grade_batch(const Grading& grading, const std::vector<Submission>& submissions,
-                  const BatchSettings& settings, const std::atomic<bool>& interrupted) {
+Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, const BatchSettings& settings,
+                  const std::atomic<bool>& interrupted) {
   if (settings.only && std::none_of(submissions.begin(), submissions.end(),
                                     [&](const Submission& s) { return s.name == *settings.only; }))
     throw BadInput("--only " + *settings.only + ": no submission has that name; there are " +
@@ -87,6 +88,8 @@ Batch grade_batch(const Grading& grading, const std::vector<Submission>& submiss
     batch.began = false;
     return batch;
   }
+  for (const std::string& line : settle_origins(settings.out, submissions, settings.only, settings.replace))
+    std::cerr << "hairgrade: " << line << "\n";
   const auto start = std::chrono::steady_clock::now();
   batch.problems = grading.reference().problems;
   Timing timing(settings.out, grading.reference().timing, settings.merge);
@@ -102,7 +105,8 @@ Batch grade_batch(const Grading& grading, const std::vector<Submission>& submiss
     if (settings.resume) {
       std::optional<SubmissionResult> earlier = read_results(settings.out, submission.name);
       const bool complete = earlier && (earlier->studied || !grading.reference().study);
-      if (complete && earlier->fingerprint == grading.fingerprint(submission)) {
+      if (complete && earlier->origin == submission.origin &&
+          earlier->fingerprint == grading.fingerprint(submission)) {
         const std::lock_guard lock(shared);
         progress.step(in_a_line(*earlier));
         batch.results.push_back(std::move(*earlier));

@@ -20,6 +20,7 @@ struct BatchSettings {
   int jobs = 1;
   bool resume = false;              // keep results whose fingerprint has not changed
   std::optional<std::string> only;  // grade only this submission
+  bool replace = false;             // rows of another origin may be replaced
   bool merge = false;               // only one exercise is graded: keep the earlier results of the others
 };
 
@@ -34,9 +35,9 @@ struct Batch {
 };
 
 // Waits while another process grades into the same folder. When `interrupted` is set from outside (Ctrl-C), the
-// batch starts nothing new and ends. Throws BadInput for an `only` that names none of the submissions, and as
-// FolderOfGrades::open does.
-Batch grade_batch(const Grading& grading, const std::vector<Submission>& submissions,
-                  const BatchSettings& settings, const std::atomic<bool>& interrupted);
+// batch starts nothing new and ends. Throws BadInput for an `only` that names none of the submissions, as
+// FolderOfGrades::open does, and as settle_origins does.
+Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, const BatchSettings& settings,
+                  const std::atomic<bool>& interrupted);
 
 }  // namespace grader

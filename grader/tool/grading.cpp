@@ -118,6 +118,7 @@ std::string Grading::fingerprint(const Submission& submission) const {
 Graded Grading::grade(const Submission& submission) const {
   Graded graded;
   graded.result.name = submission.name;
+  graded.result.origin = submission.origin;
   graded.result.note = submission.problem;
   graded.result.fingerprint = fingerprint(submission);
   graded.result.isolated = settings_.isolated;

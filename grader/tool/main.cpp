@@ -27,6 +27,7 @@
 #include "grader/tool/comparing.h"
 #include "grader/tool/folder_of_grades.h"
 #include "grader/tool/grading.h"
+#include "grader/tool/origins.h"
 #include "grader/tool/secret.h"
 #include "hair/io/files/finish_output.h"
 
@@ -42,7 +43,7 @@ struct GradeOptions {
   std::vector<fs::path> submissions;
   std::optional<fs::path> course, secret, cache;
   std::optional<std::string> exercise;
-  bool unsafe = false, no_images = false, study = false;
+  bool unsafe = false, no_images = false, study = false, classes = false;
   BatchSettings batch;
 };
 
@@ -109,12 +110,14 @@ int grade(const GradeOptions& options) {
     check_isolation(settings);  // whoever has no sandbox hears of that, and not of archives
     reader.emplace(HAIR_READER);
   }
-  const Intake intake =
-      read_submissions(options.submissions, settings.course, reader ? reader->opener() : open_here);
+  Intake intake = read_submissions(options.submissions, settings.course,
+                                   reader ? reader->opener() : open_here, {}, options.classes);
   settings.cache = options.cache ? *options.cache : default_cache();
   settings.secret = read_secret(options.secret);
 
   check_made_by(options.batch.out, made_by(settings));  // before the reference takes its seconds
+  settle_origins(options.batch.out, intake.submissions, options.batch.only, options.batch.replace);
+  for (const std::string& line : intake.taken_for) std::cout << line << "\n" << std::flush;
   note_interruptions();
   const Grading grading(std::move(settings));
   BatchSettings batch_settings = options.batch;
@@ -179,6 +182,10 @@ int run(int argc, char* argv[]) {
       ->check(CLI::Range(1, 256));
   grade_command->add_flag("--resume", grading.batch.resume,
                           "Keep results whose submission and suite have not changed");
+  grade_command->add_flag("--class", grading.classes,
+                          "Each of several arguments may be a class; else each is one student's hand-in");
+  grade_command->add_flag("--replace", grading.batch.replace,
+                          "Replace rows of another origin: of another class, or of a hand-in from elsewhere");
   grade_command->add_option("--only", grading.batch.only, "Grade the submission of this name alone");
   grade_command->add_option("--exercise", grading.exercise, "Grade this exercise alone");
   grade_command->add_option("--course", grading.course, "The course file: roles and points of the exercises");

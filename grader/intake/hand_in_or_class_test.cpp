@@ -1,0 +1,105 @@
+// STAFF ONLY. One student's archive speaks for nobody else, though it may look like a class.
+#include "grader/intake/origin.h"
+#include "grader/intake/submissions_fixture.h"
+
+namespace grader {
+namespace {
+
+std::string folders(const Names& paths) {
+  ArchiveBuilder builder(Packing::zip);
+  for (const std::string& path : paths) builder.file(path, "of " + path);
+  return builder.bytes();
+}
+
+TEST_F(Submissions, OfSeveralArgumentsEachIsAHandIn) {
+  const fs::path alice = write("alice.zip", zip("conj_grad.cpp", "a")),
+                 bob = write("bob.zip", zip("conj_grad.cpp", "b"));
+  const fs::path mallory =
+      write("mallory.zip",
+            folders({"alice/conj_grad.cpp", "bob/conj_grad.cpp", "mallory/conj_grad.cpp", "notes.txt"}));
+  const Intake intake = take({alice, bob, mallory});
+  ASSERT_EQ(names(intake.submissions), (Names{"alice", "bob", "mallory"}));
+  EXPECT_EQ(intake.submissions[0].files.at("conj_grad.cpp").text, "a");
+  EXPECT_EQ(intake.submissions[0].origin, "hand-in " + alice.string());
+  EXPECT_EQ(intake.submissions[1].files.at("conj_grad.cpp").text, "b");
+  EXPECT_TRUE(says(intake.submissions[2].problem, "of several people"));
+  EXPECT_EQ(intake.notices.size(), 1U);
+  EXPECT_TRUE(has_notice(intake, {"mallory.zip: ", "(alice, bob, mallory)", "one of several", "--class"}));
+  EXPECT_EQ(intake.taken_for, Names{});
+}
+
+TEST_F(Submissions, OfSeveralArgumentsEachMayBeAClassIfSomebodySaysSo) {
+  const fs::path first = write("1.zip", folders({"alice/conj_grad.cpp", "bob/conj_grad.cpp"}));
+  const fs::path second = write("2.zip", folders({"carol/conj_grad.cpp", "dave/conj_grad.cpp"}));
+  const Intake intake = take({first, second}, {}, true);
+  EXPECT_EQ(names(intake.submissions), (Names{"alice", "bob", "carol", "dave"}));
+  EXPECT_EQ(intake.submissions[3].origin, "class " + second.string());
+  EXPECT_EQ(intake.notices, Names{});
+  EXPECT_EQ(intake.taken_for, (Names{first.string() + ": taken for a class: alice, bob",
+                                     second.string() + ": taken for a class: carol, dave"}));
+}
+
+TEST_F(Submissions, OfSeveralArgumentsDownloadsAreClasses) {
+  const std::vector<Names> downloads = {{"doe_12_34_conj_grad.cpp", "roe_13_35_conj_grad.cpp"},
+                                        {"Jane Doe_4711_assignsubmission_file_/conj_grad.cpp",
+                                         "Jo Poe_4712_assignsubmission_file/conj_grad.cpp"},
+                                        {"5917-716031 - Jane Doe - May 18, 2025 1224 PM/conj_grad.cpp",
+                                         "5918-716031 - Jo Poe - May 18, 2025 1225 PM/conj_grad.cpp"}};
+  for (const Names& paths : downloads) {
+    SCOPED_TRACE(paths[0]);
+    const Intake intake =
+        take({write("x/1.zip", folders(paths)), write("x/alice.zip", zip("conj_grad.cpp"))});
+    EXPECT_EQ(intake.submissions.size(), 3U);
+    EXPECT_EQ(intake.notices, Names{});
+    EXPECT_EQ(std::ranges::count_if(
+                  intake.submissions,
+                  [](const Submission& one) { return kind_of_origin(one.origin) == kLearningSystem; }),
+              2);
+    EXPECT_EQ(intake.taken_for.size(), 1U);
+    // The same names in what a learning system calls a hand-in.
+    const Intake nested =
+        take({write("x/foe_9_8_x.zip", folders(paths)), write("x/alice.zip", zip("conj_grad.cpp"))});
+    EXPECT_EQ(names(nested.submissions), (Names{"alice", "foe_9_8_x"}));
+    EXPECT_TRUE(has_notice(nested, {"foe_9_8_x.zip: ", "--class"}));
+  }
+}
+
+TEST_F(Submissions, ALoneArgumentIsAClassUnlessItIsCalledAsOneInIt) {
+  const std::string bytes = folders({"alice/conj_grad.cpp", "bob/conj_grad.cpp", "mallory/conj_grad.cpp"});
+  const fs::path everybody = write("class.zip", bytes), mallory = write("mallory.zip", bytes);
+  EXPECT_EQ(take({everybody}).taken_for,
+            Names{everybody.string() + ": taken for a class: alice, bob, mallory"});
+  EXPECT_TRUE(says(bad_input({mallory}), "is called as one of them"));
+  EXPECT_TRUE(says(bad_input({mallory}), "--class"));
+  EXPECT_EQ(names(take({mallory}, {}, true).submissions), (Names{"alice", "bob", "mallory"}));
+  EXPECT_EQ(names(take({everybody, everybody}).submissions), (Names{"alice", "bob", "mallory"}))
+      << "the same one twice";
+}
+
+TEST_F(Submissions, ALoneHandInIsTakenForOne) {
+  const fs::path alice = write("alice.zip", zip("conj_grad.cpp"));
+  EXPECT_EQ(take({alice}).taken_for, Names{alice.string() + ": taken for a hand-in of one student, alice"});
+}
+
+// As their names are an argument's, and anybody's in a class.
+TEST_F(Submissions, AnArgumentStandsBesideItsNameInAClass) {
+  const fs::path alice = write("alice_1_2_x.zip", zip("conj_grad.cpp", "a"));
+  const fs::path other = write("other.zip", folders({"alice_1_2_x.zip", "mallory_3_4_x.zip"}));
+  const Intake intake = take({other, alice});
+  ASSERT_EQ(intake.submissions.size(), 3U);
+  EXPECT_EQ(intake.submissions[0].name, "alice_1_2_x");
+  EXPECT_EQ(intake.submissions[0].files.at("conj_grad.cpp").text, "a");
+  EXPECT_TRUE(intake.submissions[1].name.starts_with("alice_1_2_x-"));
+  EXPECT_TRUE(says(intake.submissions[1].problem, "are both the submission"));
+}
+
+TEST_F(Submissions, FoldersWithOneArchiveAmongSeveralArgumentsAreTheirStudents) {
+  write("alice/handin.zip", zip("conj_grad.cpp", "a"));
+  write("bob/handin.zip", zip("conj_grad.cpp", "b"));
+  const Intake intake = take({dir_ / "alice", dir_ / "bob"});
+  ASSERT_EQ(names(intake.submissions), (Names{"alice", "bob"}));
+  EXPECT_EQ(intake.submissions[1].files.at("conj_grad.cpp").text, "b");
+}
+
+}  // namespace
+}  // namespace grader

@@ -1,0 +1,25 @@
+// STAFF ONLY. An origin of a submission: the argument that it is itself, or the class that it came in. In a folder of grades no
+// row is replaced by one of another origin unless somebody says so: the content of a hand-in must not reach the rows of others.
+//
+//   "hand-in /home/ta/alice.zip", "class /home/ta/class.zip", "class of a learning system /home/ta/export.zip"
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace grader {
+
+inline constexpr std::string_view kHandIn = "hand-in", kClass = "class",
+                                  kLearningSystem = "class of a learning system";
+
+inline std::string origin_text(std::string_view kind, const std::string& absolute_path) {
+  return std::string(kind) + " " + absolute_path;
+}
+inline std::string_view kind_of_origin(std::string_view origin) {
+  return origin.substr(0, origin.find(" /"));
+}
+inline bool is_of_a_class(std::string_view origin) {
+  return origin.starts_with(kClass);
+}
+
+}  // namespace grader
