@@ -265,6 +265,27 @@ TEST(SolveConstraints, SharesTheForceOfARodThatIsThereTwice) {
                 "the force on a pendulum with the same rod twice", "the tolerance, 1e-10, with room");
 }
 
+TEST(SolveConstraints, LeavesAlonePartsThatNothingPullsApart) {
+  // A braced rectangle of 0.375 by 0.5 m: six rods, one more than hold its shape in its plane. All particles move at the
+  // same speed, and all fall alike: each term of the right-hand side is exactly 0 in these numbers.
+  Example falling;
+  falling.particles = {Eigen::Vector4d(1, 0.5, 2, 0.25), {0, 0, 0, 0}};
+  falling.state = {VectorXd(12), Vector3d(1, -2, 0.5).replicate(4, 1)};
+  falling.state.x << 0, 0, 0, 0.375, 0, 0, 0.375, 0, -0.5, 0, 0, -0.5;
+  falling.f = VectorXd::Zero(12);
+  for (int i = 0; i < 4; ++i) falling.f[3 * i + 2] = -8 * falling.particles.mass[i];
+  falling.constraints.rods = {{0, 1, 0.375}, {1, 2, 0.5},   {2, 3, 0.375},
+                              {3, 0, 0.5},   {0, 2, 0.625}, {1, 3, 0.625}};
+  falling.constraints.stiffness = 400;
+  falling.constraints.damping = 40;
+  VectorXd lambda = VectorXd::Constant(6, 1e3);
+  const ConstraintReport report =
+      solve_constraints(falling.constraints, falling.particles, falling.state, falling.f, lambda);
+  expect_vector(lambda, VectorXd::Zero(6), 0,
+                "lambda of a braced rectangle that falls, where nothing is to be done", "0 is exact");
+  EXPECT_EQ(report.residual, 0);
+}
+
 TEST(SolveConstraints, ReportsHowFarItCame) {
   const Example system = tangle();
   VectorXd lambda(8);
