@@ -8,6 +8,8 @@
 #include "grader/compile/encoding.h"
 #include "grader/compile/hash.h"
 #include "grader/compile/messages.h"
+#include "grader/compile/switched_off.h"
+#include "grader/compile/symbols.h"
 #include "grader/course/input.h"
 #include "grader/sandbox/identity.h"
 #include "hair/io/files/read_file.h"
@@ -16,11 +18,12 @@ namespace grader {
 
 namespace fs = std::filesystem;
 
-Compiler::Compiler(const StagedKit& kit, fs::path cache, bool isolated)
+Compiler::Compiler(const StagedKit& kit, fs::path cache, bool isolated, std::uintmax_t cache_bytes)
     : toolchain_(kit, isolated),
       precompiled_(toolchain_, cache, Build::ordinary),
       precompiled_sanitised_(toolchain_, cache, Build::sanitised),
-      cache_(std::move(cache)) {
+      cache_(std::move(cache)),
+      cache_bytes_(cache_bytes) {
   std::error_code error;
   fs::create_directories(cache_, error);
   if (error) throw BadInput(cache_.string() + ": can't keep compiled objects there: " + error.message());
@@ -29,29 +32,38 @@ Compiler::Compiler(const StagedKit& kit, fs::path cache, bool isolated)
 Compiled Compiler::compile(const Exercise& exercise, const std::string& source, const fs::path& job,
                            double cpu_seconds, Build build) const {
   const fs::path object = job / (exercise.id + ".so");
-  const std::string hash = key(exercise, source, build), kept = (cache_ / hash).string();
+  const std::string hash = key(exercise, source, build);
+  const fs::path kept = cache_ / (hash + ".object");
   const Turns::Turn turn(turns_, hash);
-  std::error_code error;
   // What was compiled without a cage may hold anything, and is not kept.
-  if (toolchain_.isolated() && fs::copy_file(kept + ".so", object, error)) {
-    fs::permissions(object, fs::perms(0755));
-    const std::string log = hair::bytes_of(kept + ".log");
-    return {object, own_warnings(log, exercise.file), log};
-  }
+  if (toolchain_.isolated())
+    if (const std::optional<KeptObject> found = read_kept(kept)) {
+      mark_as_used(kept);
+      std::ofstream(object, std::ios::binary) << found->object;
+      fs::permissions(object, fs::perms(0755));
+      return {object, own_warnings(found->log, exercise.file), found->log};
+    }
 
-  const Compiled first = run_compiler(exercise, source, job, cpu_seconds, build);
+  double before = 0;
+  if (build == Build::sanitised && may_switch_off(source)) {
+    Compiled looked = look_for_switches(exercise, source, job, cpu_seconds);
+    if (!looked.messages.empty() || !looked.switched_off.empty()) return looked;
+    before = looked.cpu_seconds;
+  }
+  Compiled first = run_compiler(exercise, source, job, cpu_seconds - before, build);
+  first.cpu_seconds += before;
   if (first.object.empty()) return first;
   Compiled compiled = run_linker(exercise, job, cpu_seconds - first.cpu_seconds, build);
   compiled.log = first.log + compiled.log;
   if (!compiled.object.empty()) compiled.messages = own_warnings(compiled.log, exercise.file);
   compiled.cpu_seconds += first.cpu_seconds;
   if (toolchain_.isolated() && !compiled.object.empty()) {
-    // Its warnings are there whenever it is.
-    if (!compiled.log.empty()) {
-      std::ofstream(job / "log", std::ios::binary) << compiled.log;
-      keep_copy(job / "log", kept + ".log");
-    }
-    keep_copy(compiled.object, kept + ".so");
+    const fs::path file = job / "to-keep";
+    std::ofstream(file, std::ios::binary) << text_of({hair::bytes_of(compiled.object), compiled.log});
+    keep_copy(file, kept);
+    std::error_code ignored;
+    fs::remove(file, ignored);
+    shrink_cache(cache_, cache_bytes_);
   }
   return compiled;
 }
@@ -94,7 +106,14 @@ Compiled Compiler::run_compiler(const Exercise& exercise, const std::string& sou
 
   Compiled compiled{{}, own_messages(found.output, exercise.file), found.output, taken};
   if (found.ending.well()) {
-    compiled.object = out / "object.o";
+    const std::optional<std::string> object = read_written(out / "object.o", cage.limits.file_bytes);
+    const std::optional<std::string> symbol = defined_sanitizer_symbol(object ? *object : "");
+    if (!symbol) {
+      compiled.object = out / "object.o";
+      return compiled;
+    }
+    compiled.messages += "the file defines " + printable(*symbol, 100) +
+                         ", a name of the sanitizers that look for memory errors; no exercise needs it\n";
     return compiled;
   }
   toolchain_.prove_it_compiles(cage);
@@ -106,6 +125,37 @@ Compiled Compiler::run_compiler(const Exercise& exercise, const std::string& sou
     compiled.messages = found.limited
                             ? "the compiler gave up on the file: it takes more time or memory than there is\n"
                             : "the compiler gave up on the file, with no word about its own lines\n";
+  return compiled;
+}
+
+// Preprocesses the file. Messages without an object: that met a limit, or failed.
+Compiled Compiler::look_for_switches(const Exercise& exercise, const std::string& source, const fs::path& job,
+                                     double cpu_seconds) const {
+  constexpr std::size_t kMostText = 64 << 20;
+  const fs::path in = job / "to-preprocess", out = writable_folder(job / "preprocessed");
+  fs::create_directory(in);
+  share_with_sandbox(in, false);
+  std::ofstream(in / exercise.file, std::ios::binary) << source;
+  fs::permissions(in / exercise.file, fs::perms(0644));
+  Cage cage = toolchain_.compiling(exercise.libraries, cpu_seconds);
+  cage.mounts.push_back({in, kStudentFolder});
+  cage.mounts.push_back({out, "/out", true});
+  cage.folder = kStudentFolder;
+  std::vector<std::string> command = toolchain_.compile_command(exercise.libraries, Build::sanitised);
+  command.insert(command.end(), {"-E", exercise.file, "-o", "/out/text"});
+  const Toolchain::Run found = toolchain_.run(cage, command, exercise.file);
+  Compiled compiled{{}, {}, found.output, found.cpu_seconds};
+  const std::optional<std::string> text =
+      found.ending.well() ? read_written(out / "text", kMostText) : std::nullopt;
+  if (!text) {
+    compiled.messages = "the file could not be preprocessed\n";
+  } else if (const auto found_switch = find_switch(source, *text, exercise.file)) {
+    const std::string place = found_switch->line > 0
+                                  ? "Line " + std::to_string(found_switch->line) + " of " + exercise.file
+                                  : "A macro in " + exercise.file;
+    compiled.switched_off = place + " keeps parts of the code from the look for memory errors, by \"" +
+                            printable(found_switch->word, 40) + "\", so there is no point for it.";
+  }
   return compiled;
 }
 

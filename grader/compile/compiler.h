@@ -6,9 +6,11 @@
 // What does not compile is compiled by each, in turn. Without a sandbox nothing is kept.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
+#include "grader/compile/cache.h"
 #include "grader/compile/kit.h"
 #include "grader/compile/precompiled.h"
 #include "grader/compile/toolchain.h"
@@ -22,13 +24,17 @@ struct Compiled {
   std::string messages;          // for the student: what compiler and linker say of the student's own lines
   std::string log;               // for staff: the whole output of compiler and linker
   double cpu_seconds = 0;        // what it took; 0 if the object was cached
+  std::string switched_off =
+      {};  // with sanitizers: how the file keeps them from a look, for the student; then there is no object
 };
 
 class Compiler {
  public:
-  // `cache`: a folder for shared objects, made if it is missing. Throws BadInput if there is no compiler or
+  // `cache`: a folder for shared objects, made if it is missing; of its files those that were used last stay, `cache_bytes` in
+  // all. Throws BadInput if there is no compiler or
   // no cache.
-  Compiler(const StagedKit& kit, std::filesystem::path cache, bool isolated);
+  Compiler(const StagedKit& kit, std::filesystem::path cache, bool isolated,
+           std::uintmax_t cache_bytes = kCacheBytes);
 
   // From any thread. `job` is one of the kit's folders, for this file only; the object is written into it as <id>.so.
   // `cpu_seconds`: what compiler and linker may take. Throws std::runtime_error if the machine fails.
@@ -41,12 +47,15 @@ class Compiler {
   std::string key(const Exercise& exercise, const std::string& source, Build build) const;
   Compiled run_compiler(const Exercise& exercise, const std::string& source, const std::filesystem::path& job,
                         double cpu_seconds, Build build) const;
+  Compiled look_for_switches(const Exercise& exercise, const std::string& source,
+                             const std::filesystem::path& job, double cpu_seconds) const;
   Compiled run_linker(const Exercise& exercise, const std::filesystem::path& job, double cpu_seconds,
                       Build build) const;
 
   Toolchain toolchain_;
   PrecompiledHeader precompiled_, precompiled_sanitised_;
   std::filesystem::path cache_;
+  std::uintmax_t cache_bytes_;
   mutable Turns turns_;  // by the object's key
 };
 

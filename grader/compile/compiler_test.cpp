@@ -25,7 +25,7 @@ class CompilerTest : public testing::Test {
   static void forget_objects() {
     std::error_code none;
     for (const auto& entry : fs::directory_iterator(kCache, none))
-      if (entry.path().extension() == ".so" || entry.path().extension() == ".log") fs::remove(entry.path());
+      if (entry.path().extension() == ".object") fs::remove(entry.path());
   }
 
   std::string reference(const Exercise& exercise) const {

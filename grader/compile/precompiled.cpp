@@ -57,6 +57,7 @@ void PrecompiledHeader::make() const {
       keep_copy(file, cached);
     }
   }
+  mark_as_used(cached);
   fs::permissions(file, fs::perms(0644));
   folder_ = folder;
 }

@@ -2,7 +2,8 @@
 // AddressSanitizer and UndefinedBehaviorSanitizer, until it tells of an error.
 //
 // The point is lost for an error, and for a program that ends where the other one went on: then memory that nobody
-// wrote decides what it does. It is not lost for what is slow or takes much memory, since the sanitizers make it so.
+// wrote decides what it does. It is not lost for what is slow or takes much memory, since the sanitizers make it so; but
+// for a file that does not become an object with them.
 // Where nothing else is right, there is no code to speak of, and no point.
 //
 // This worker pays from the exercise's share of the budget, as the others do. It comes last: so it takes what they have
@@ -30,7 +31,7 @@ void pay_for_memory_errors(std::vector<Category>& cases, std::vector<Category>& 
 
 class MemoryErrors {
  public:
-  // `worker`: of the cases, `object`: the student's, with sanitizers; empty: the compiler met a limit with them.
+  // `worker`: of the cases, `object`: the student's, with sanitizers; empty: there is none, and no point.
   // `earlier`: the exercise's other workers, which are finished first.
   MemoryErrors(const WorkerSetup& worker, std::filesystem::path object, std::vector<Student*> earlier,
                const Recording& recording, std::function<bool()> anything_right);

@@ -107,8 +107,10 @@ void grade_exercise(const SuiteJobs& jobs, const Compiler& compiler, const Exerc
     timing.compile_seconds += once_more.seconds();
     compiler_cpu_seconds += checked.cpu_seconds;
     if (checked.object.empty())
-      result.staff_log +=
-          "memory errors were not looked for, since it does not compile with sanitizers:\n" + checked.log;
+      result.staff_log += "memory errors were not looked for: " +
+                          (checked.switched_off.empty()
+                               ? "it does not compile with sanitizers:\n" + checked.messages + checked.log
+                               : checked.switched_off + "\n");
   }
   timing.spent.compiler_cpu_seconds = compiler_cpu_seconds;
 
@@ -146,6 +148,10 @@ void run_cases(const SuiteJobs& jobs, const Exercise& exercise, const std::strin
     for (CaseResult& one : found.cases)
       if (one.name == kMemoryTitle) one.memory_error = one.feedback = message;
   }
+  if (sanitised && !sanitised->compiled.switched_off.empty())
+    for (CaseResult& one : found.cases)
+      if (one.name == kMemoryTitle && one.status != Status::passed)
+        one.feedback = sanitised->compiled.switched_off;
   result.allocations = found.allocations;
   result.cases = std::move(found.cases);
   result.pictures = std::move(found.pictures);

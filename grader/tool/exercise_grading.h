@@ -25,7 +25,7 @@ void grade_exercise(const SuiteJobs& jobs, const Compiler& compiler, const Exerc
 // A file, compiled once more with the sanitizers that find memory errors.
 struct Sanitised {
   const Toolchain& toolchain;  // which knows an object's lines
-  Compiled compiled;           // without an object: the compiler met a limit with them
+  Compiled compiled;           // without an object: it met a limit with them, or the file switches them off
   int lines = 0;               // of the file
 };
 Sanitised compile_with_sanitizers(const Compiler& compiler, const Exercise& exercise,

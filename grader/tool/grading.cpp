@@ -100,7 +100,7 @@ Grading::Grading(GradingSettings settings)
     : settings_(std::move(settings)),
       made_by_(grader::made_by(settings_)),
       kit_(settings_.kit, settings_.course),
-      compiler_(kit_, settings_.cache, settings_.isolated),
+      compiler_(kit_, settings_.cache, settings_.isolated, settings_.cache_bytes),
       jobs_(checked(settings_, kit_), kit_),
       base_fingerprint_(jobs_.fingerprint()),
       reference_(grade_reference(jobs_, compiler_)) {

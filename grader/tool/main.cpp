@@ -44,6 +44,7 @@ struct GradeOptions {
   std::optional<fs::path> course, secret, cache;
   std::optional<std::string> exercise;
   bool unsafe = false, no_images = false, study = false, classes = false;
+  std::uintmax_t cache_megabytes = kCacheBytes / 1'000'000;
   BatchSettings batch;
 };
 
@@ -113,6 +114,7 @@ int grade(const GradeOptions& options) {
   Intake intake = read_submissions(options.submissions, settings.course,
                                    reader ? reader->opener() : open_here, {}, options.classes);
   settings.cache = options.cache ? *options.cache : default_cache();
+  settings.cache_bytes = 1'000'000 * options.cache_megabytes;
   settings.secret = read_secret(options.secret);
 
   check_made_by(options.batch.out, made_by(settings));  // before the reference takes its seconds
@@ -193,6 +195,10 @@ int run(int argc, char* argv[]) {
                             "A file with the staff's secret (default: ~/.config/hairgrade/secret)");
   grade_command->add_option("--cache", grading.cache,
                             "A folder for compiled objects (default: ~/.cache/hairgrade)");
+  grade_command
+      ->add_option("--cache-size", grading.cache_megabytes,
+                   "How many MB of compiled objects are kept; the oldest ones go (default: 2000)")
+      ->check(CLI::Range(std::uintmax_t{1}, std::uintmax_t{1'000'000}));
   grade_command->add_flag("--unsafe-no-sandbox", grading.unsafe,
                           "Run student code unprotected; every report says so");
   grade_command->add_flag("--no-images", grading.no_images,

@@ -244,6 +244,34 @@ TEST_F(MemoryErrorsTest, CostAPointThatNothingElseCosts) {
   EXPECT_DOUBLE_EQ(most, most_unseen);
 }
 
+// A file that sees to it that nobody looks gets no point for that, and a sentence.
+TEST_F(MemoryErrorsTest, GiveNoPointWhereNobodyCanLook) {
+  const std::string right = hair::bytes_of(kProject / "grader/samples/solutions/plain/conj_grad.cpp");
+  const double without = s1_.points * (31 - kMemoryPoints) / 31;
+  const ExerciseResult off =
+      grade(right + "[[gnu::no_sanitize_address]] void unused() {}\n", true, "switched-off");
+  EXPECT_DOUBLE_EQ(off.points, without);
+  const auto lines = std::count(right.begin(), right.end(), '\n') + 1;
+  EXPECT_EQ(memory_case(off)->feedback,
+            "Line " + std::to_string(lines) +
+                " of conj_grad.cpp keeps parts of the code from the look for memory errors, by "
+                "\"no_sanitize_address\", so there is no point for it.");
+
+  const ExerciseResult refused = grade(right + "extern \"C\" void __asan_load8(void*) {}\n", true, "defines");
+  EXPECT_EQ(refused.status, Status::does_not_compile);
+  EXPECT_NE(refused.compiler_messages.find("defines __asan_load8"), std::string::npos)
+      << refused.compiler_messages;
+
+  // As if the build with sanitizers met a limit.
+  const fs::path job = kit_.new_job("no-object");
+  const SuiteJobs jobs(settings_, kit_);
+  ExerciseResult limited = describe(s1_);
+  ExerciseTiming timing;
+  run_cases(jobs, s1_, "somebody", compiler_.compile(s1_, right, job, 200).object, job,
+            Sanitised{compiler_.toolchain(), {}, 1}, limited, timing);
+  EXPECT_DOUBLE_EQ(limited.points, without);
+}
+
 // The look comes last, and has what the others have left of the share.
 TEST_F(MemoryErrorsTest, AreLookedForAtNoOthersCost) {
   std::string source = hair::bytes_of(kProject / "grader/samples/solutions/plain/conj_grad.cpp");

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "grader/compile/cache.h"
 #include "grader/compile/kit.h"
 #include "grader/course/course.h"
 #include "grader/result/costs.h"
@@ -20,6 +21,7 @@ struct GradingSettings {
   Course course;
   std::optional<std::string> exercise;  // grade only this one
   std::filesystem::path kit, suite, study_program, players, scenes, cache;
+  std::uintmax_t cache_bytes = kCacheBytes;
   std::filesystem::path reference;  // its sources
   std::string secret;
   bool isolated = true;
