@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <locale>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -11,6 +12,7 @@ namespace particles {
 void require(bool holds, std::string_view what, double value, std::string_view bound) {
   if (holds) return;
   std::ostringstream message;
+  message.imbue(std::locale::classic());
   message.precision(17);
   message << what << " is " << value << "; it must be " << bound;
   throw std::invalid_argument(message.str());
@@ -27,6 +29,7 @@ void require_positive(std::string_view what, double value) {
 void require_at_least(std::string_view what, double value, double bound) {
   if (std::isfinite(value) && value >= bound) return;
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text.precision(17);
   text << "finite and at least " << bound;
   require(false, what, value, text.str());

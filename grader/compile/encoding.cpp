@@ -45,8 +45,11 @@ double share_of_ascii(std::string_view bytes, const Encoding& encoding) {
 std::optional<Encoding> wide_encoding_of(std::string_view bytes) {
   for (const Encoding& encoding : kEncodings)
     if (bytes.starts_with(encoding.mark)) return encoding;
+  // From the first letter on: what was added later to a file in UTF-8 is a stray part of it.
   for (const Encoding& encoding : kEncodings)
-    if (share_of_ascii(bytes, encoding) > 0.3) return encoding;
+    if (share_of_ascii(bytes.substr(0, encoding.unit), encoding) == 1 &&
+        share_of_ascii(bytes, encoding) > 0.3)
+      return encoding;
   return {};
 }
 
@@ -60,7 +63,10 @@ std::size_t letter_at(std::string_view bytes) {
   if (byte(0) < 0xc2 || byte(0) > 0xf4 || bytes.size() < size) return 0;
   for (std::size_t i = 1; i < size; ++i)
     if (byte(i) < 0x80 || byte(i) > 0xbf) return 0;
-  return size;
+  // A letter that has a shorter form, half a letter of UTF-16's, and what is beyond the last letter.
+  const bool none = (byte(0) == 0xe0 && byte(1) < 0xa0) || (byte(0) == 0xed && byte(1) > 0x9f) ||
+                    (byte(0) == 0xf0 && byte(1) < 0x90) || (byte(0) == 0xf4 && byte(1) > 0x8f);
+  return none ? 0 : size;
 }
 
 }  // namespace

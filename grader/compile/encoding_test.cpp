@@ -41,9 +41,10 @@ TEST(Encoding, NamesUtf16AndUtf32) {
 }
 
 TEST(Encoding, TextIsText) {
-  for (const string text :
-       {"", "int x;\r\n\tint y;\f\v\n", "\xef\xbb\xbfint x;  // a mark, and L\xc3\xb6sung\n",
-        "// \xe8\xa7\xa3\xe3\x81\x8f \xf0\x9f\x99\x82\n"}) {
+  for (const string text : {"", "x", "int x;\r\n\tint y;\f\v\n", "// a line end of old\rint x;\r",
+                            "// \xe0\xa0\x80 \xed\x9f\xbf \xf0\x90\x80\x80 \xf4\x8f\xbf\xbf\n",
+                            "\xef\xbb\xbfint x;  // a mark, and L\xc3\xb6sung\n",
+                            "// \xe8\xa7\xa3\xe3\x81\x8f \xf0\x9f\x99\x82\n"}) {
     EXPECT_EQ(told_if_wide(text, "x.cpp"), "");
     EXPECT_EQ(told_of_stray_byte(text, "x.cpp"), "");
   }
@@ -54,14 +55,20 @@ TEST(Encoding, TellsTheFirstStrayByte) {
     string bytes;
     int line, byte;
   };
-  const Stray strays[] = {{"int x;\n\n// L\xf6sung\n", 3, 0xf6},   // Latin-1
-                          {"int x;\n\xe8\xa7", 2, 0xe8},           // a letter that is cut
-                          {"int \xc0\x80;", 1, 0xc0},              // a NUL in two bytes
-                          {string("int x;\0\0\0\0\n", 11), 1, 0},  // a disk that was full
-                          {"int x;\n\x1a", 2, 0x1a},               // the end of a file for DOS
-                          {"\x7f"
-                           "ELF\x02\x01\x01",
-                           1, 2}};
+  const Stray strays[] = {
+      {"int x;\n\n// L\xf6sung\n", 3, 0xf6},            // Latin-1
+      {"int x;\n\xe8\xa7", 2, 0xe8},                    // a letter that is cut
+      {"int \xc0\x80;", 1, 0xc0},                       // a NUL in two bytes
+      {"// \xe0\x9f\xbf\n", 1, 0xe0},                   // a letter in a byte more than it needs
+      {"// \xf0\x8f\xbf\xbf\n", 1, 0xf0},               // so, too
+      {"// \xed\xa0\x80\n", 1, 0xed},                   // half a letter of UTF-16's
+      {"// \xf4\x90\x80\x80\n", 1, 0xf4},               // beyond the last letter
+      {"int x;\n" + as_bytes(kSource, 2, true), 2, 0},  // as Windows' shell adds to a file
+      {string("int x;\0\0\0\0\n", 11), 1, 0},           // a disk that was full
+      {"int x;\n\x1a", 2, 0x1a},                        // the end of a file for DOS
+      {"\x7f"
+       "ELF\x02\x01\x01",
+       1, 2}};
   for (const Stray& stray : strays) {
     EXPECT_EQ(told_if_wide(stray.bytes, "x.cpp"), "");
     const string told = told_of_stray_byte(stray.bytes, "x.cpp");

@@ -46,6 +46,8 @@ TEST_F(Inherited, IsTheSameWhoeverStartsIt) {
   for (const char* script : {
            "ulimit -S -v 8000000 -d 500000 -s 512 -m 1000",
            "ulimit -S -s unlimited -c unlimited",
+           // Nothing else asks for another start.
+           "ulimit -S -s 512; exec env -i ${HOME:+HOME=\"$HOME\"} TMPDIR=/tmp \"$0\" \"$@\"",
            "ulimit -S -t 1000 -f 1000 -n 20 -u 200 -l 0 -i 5 -q 0 -x 7",
            "umask 777",
            "trap '' CHLD PIPE ALRM USR1 XCPU XFSZ SYS TERM INT QUIT",

@@ -294,6 +294,15 @@ TEST_F(Comparing, ResultsThatAreLostAreNotASuccess) {
   }
 }
 
+TEST_F(Comparing, AClosedStandardOutputIsNotASuccess) {
+  const ProgramRun run =
+      run_hairgrade({"compare", put("a.png", frame(0)), put("b.png", frame(3))}, {}, "exec 0<&- >&-");
+  EXPECT_EQ(run.code, 2);
+  EXPECT_TRUE(run.errors.starts_with(
+      "hairgrade: the standard output can't be written (Bad file descriptor), so that results are lost"))
+      << run.errors;
+}
+
 TEST_F(Comparing, InterruptedItLeavesNothing) {
   for (int i = 0; i < 200; ++i) {
     const string name = "frame-" + std::to_string(i) + ".png";

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -63,9 +64,10 @@ class HomeAndGrading : public testing::Test {
     return run("cmake --build '" + (both_->handout / "build").string() + "' --target " + target + "_" + id);
   }
 
-  static Compiled in_grading(const std::string& id, const std::string& source) {
+  static Compiled in_grading(const std::string& id, const std::string& source,
+                             Build build = Build::ordinary) {
     return both_->compiler.compile(exercise(id), source, both_->kit.new_job(std::to_string(both_->jobs += 1)),
-                                   200);
+                                   200, build);
   }
 
   static void builds_in_both(const std::string& id, const std::string& source) {
@@ -190,6 +192,37 @@ TEST_F(HomeAndGrading, WhatNoLibraryHasIsNamed) {
       "ConjGrad(int, implicitMatrix*, double*, double*, double, int*)");
 }
 
+// Constants among them, by which solutions size their memory.
+TEST_F(HomeAndGrading, EachHeaderHasTheSameBytesInBoth) {
+  const auto headers_of = [](const fs::path& top) {
+    std::map<std::string, std::string> headers;
+    for (const char* folder : {"solver", "particles", "hair", "given"})
+      for (const auto& entry : fs::recursive_directory_iterator(top / folder))
+        if (entry.path().extension() == ".h")
+          headers[fs::relative(entry.path(), top).string()] = hair::bytes_of(entry.path());
+    return headers;
+  };
+  const auto home = headers_of(handout()), graded = headers_of(fs::path(HAIR_KIT_DIR) / "handout");
+  EXPECT_GT(home.size(), 100u);
+  for (const auto& [name, bytes] : home)
+    EXPECT_TRUE(graded.contains(name) && graded.at(name) == bytes) << name;
+  EXPECT_EQ(graded.size(), home.size());
+}
+
+// What code may ask of the compiler's options. An assert holds in both or in neither.
+TEST_F(HomeAndGrading, TheCompilerIsAskedForTheSame) {
+  const std::string source =
+      "#if defined NDEBUG || !defined __OPTIMIZE__ || !defined __PIC__ || !defined __STRICT_ANSI__ || "
+      "__cplusplus != 202002L || defined _GLIBCXX_ASSERTIONS || defined __FAST_MATH__ || defined __FMA__ || "
+      "defined _FORTIFY_SOURCE || defined __SANITIZE_ADDRESS__\n#error \"built otherwise\"\n#endif\n" +
+      reference("S1");
+  builds_in_both("S1", source);
+  const Ran checked = at_home("S1", source, "checked");
+  EXPECT_TRUE(checked.well) << checked.output;
+  const Compiled sanitised = in_grading("S1", source, Build::sanitised);
+  EXPECT_FALSE(sanitised.object.empty()) << sanitised.messages << sanitised.log;
+}
+
 // What S1's file returns that forgets to set its result, and what the compiler says of it.
 TEST_F(HomeAndGrading, AVariableThatNobodySetsHoldsTheSameInBoth) {
   const std::string source =
@@ -219,6 +252,29 @@ TEST_F(HomeAndGrading, AVariableThatNobodySetsHoldsTheSameInBoth) {
     for (const unsigned char byte : bytes) EXPECT_EQ(byte, 0xfe) << object;
     dlclose(loaded);
   }
+}
+
+// In the lecture's first program, which prints x and the steps. A worker's memory is worker_allocations_test's.
+TEST_F(HomeAndGrading, AProgramAtHomeFillsMemoryAsTheWorkerDoes) {
+  const std::string source =
+      "#include \"solver/linearSolver.h\"\n#include <vector>\n"
+      "double ConjGrad(int, implicitMatrix*, double x[], double[], double, int* steps) {\n"
+      "  int* fresh = new int[10];\n  *steps = fresh[5];\n  delete[] fresh;\n"
+      "  for (int i = 0; i < 100; ++i) std::vector<double>(20, 1.5);\n"
+      "  double* again = new double[20];\n  x[0] = again[0];\n  x[1] = again[19];\n  delete[] again;\n"
+      "  return 0;\n}\n";
+  ASSERT_TRUE(at_home("S1", source).well);
+  const Ran built = run("cmake --build '" + (handout() / "build").string() + "' --target student_example1");
+  ASSERT_TRUE(built.well) << built.output;
+  double number;
+  int steps;
+  std::memset(&number, 0xfe, sizeof number);
+  std::memset(&steps, 0xfe, sizeof steps);
+  char expected[1000];
+  snprintf(expected, sizeof expected, "Solved in %i steps with error 0.000000.\nA1 * [%f %f]^T", steps,
+           number, number);
+  const Ran ran = run((handout() / "build/student_example1").string());
+  EXPECT_TRUE(ran.output.starts_with(expected)) << ran.output << "\nexpected:\n" << expected;
 }
 
 }  // namespace

@@ -5,9 +5,8 @@
 #include <string>
 
 #include "grader/compile/compiler.h"
-#include "grader/exercise/S1/calls.h"
 #include "grader/sandbox/control_group.h"
-#include "grader/suite/student.h"
+#include "grader/tool/ask_conj_grad.h"
 #include "grader/tool/settings_for_tests.h"
 
 namespace grader {
@@ -139,22 +138,11 @@ class HowItEnds : public testing::Test {
 
   Answer ask(const std::filesystem::path& object, int way, bool sanitised) const {
     WorkerSetup setup;
-    setup.kit = kit_.folder();
-    setup.exercise = "S1";
-    setup.objects = {object};
     setup.log = "/dev/null";
     setup.sanitised = sanitised;
     setup.cpu_seconds = 1;
     setup.allowance->limit.idle_seconds = 1;
-    Student student(setup);
-    const std::vector<double> values = {1, 2, 3, 4};
-    MessageWriter request;
-    request.put(s1::Calls::number_of<s1::conj_grad>()).put(0).put(4).put(4);  // operator 0 and its size
-    request.put(std::span<const double>(values)).put(std::span<const double>(values)).put(1e-10).put(way);
-    return student.ask(request, [](int, const std::vector<double>& v, std::vector<double>& y) {
-      y = v;
-      return true;
-    });
+    return ask_conj_grad(setup, kit_, object, way);
   }
 
   template <std::size_t n>

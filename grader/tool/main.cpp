@@ -269,6 +269,7 @@ int run(int argc, char* argv[]) {
 }  // namespace
 
 int main(int argc, char* argv[]) {
+  hair::begin_output();
   // Other commands start no student's code, and keep the limits that whoever starts them has set.
   if (argc > 1 && std::string_view(argv[1]) == "grade") set_what_is_inherited(argv);
   return hair::finish_output("hairgrade", run(argc, argv));

@@ -8,12 +8,11 @@
 
 #include "grader/compile/compiler.h"
 #include "grader/compile/lines.h"
-#include "grader/exercise/S1/calls.h"
 #include "grader/report/student_view.h"
 #include "grader/sandbox/control_group.h"
 #include "grader/sandbox/identity.h"
 #include "grader/suite/memory_points.h"
-#include "grader/suite/student.h"
+#include "grader/tool/ask_conj_grad.h"
 #include "grader/tool/exercise_grading.h"
 #include "grader/tool/grading.h"
 #include "grader/tool/settings_for_tests.h"
@@ -57,22 +56,11 @@ class MemoryErrorsTest : public testing::Test {
   // What a worker with this object answers to a request with n = 4.
   Answer ask(const fs::path& object) const {
     WorkerSetup setup;
-    setup.kit = kit_.folder();
-    setup.exercise = "S1";
-    setup.objects = {object};
     setup.log = kit_.folder().parent_path() / "log";
     setup.sanitised = true;
     setup.cpu_seconds = 1000;  // to touch all memory takes a slow machine long
     setup.allowance->limit.worker_cpu_seconds = 1000;
-    Student student(setup);
-    const std::vector<double> values = {1, 2, 3, 4};
-    MessageWriter request;
-    request.put(s1::Calls::number_of<s1::conj_grad>()).put(0).put(4).put(4);  // operator 0 and its size
-    request.put(std::span<const double>(values)).put(std::span<const double>(values)).put(1e-10).put(4);
-    return student.ask(request, [](int, const std::vector<double>& v, std::vector<double>& y) {
-      y = v;
-      return true;
-    });
+    return ask_conj_grad(setup, kit_, object, 4);
   }
 
   struct Found {

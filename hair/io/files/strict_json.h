@@ -18,7 +18,7 @@ inline constexpr std::size_t kMostJsonBytes = 64 << 20;
 inline constexpr int kMostJsonDepth = 64;
 
 // A file's JSON. Throws BadInput with file, line and column. Errors are also: the same key twice in an
-// object, a file of more than kMostJsonBytes, and a value nested deeper than kMostJsonDepth.
+// object, a byte 0, a file of more than kMostJsonBytes, and a value nested deeper than kMostJsonDepth.
 nlohmann::json read_json(const std::filesystem::path& file);
 
 // The same for a text; errors name it `name`.
@@ -51,11 +51,12 @@ class JsonValue {
 
   std::vector<std::string> keys() const;   // of an object
   std::vector<JsonValue> items() const;    // of an array
-  std::string text() const;                // a non-empty string
+  std::string text() const;                // a non-empty string without U+0000
   std::string any_text() const;            // a string
   std::vector<std::string> texts() const;  // an array of such strings, all different
   double number(double lowest, double highest) const;
-  long whole_number(long lowest, long highest) const;                        // also written as 3.0 or 3e2
+  // Also written as 3.0 or 3e2, below 2^53: above, such a number may be another one than was written.
+  long whole_number(long lowest, long highest) const;
   std::array<double, 3> three_numbers(double lowest, double highest) const;  // an array of three
   bool boolean() const;
   std::size_t word(std::initializer_list<std::string_view> words) const;  // the index of the value in `words`

@@ -10,7 +10,6 @@
 #include <thread>
 
 #include "hair/io/files/bad_input.h"
-#include "hair/io/files/check_folder.h"
 #include "hair/io/files/printable.h"
 
 namespace hair {

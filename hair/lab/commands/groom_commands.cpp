@@ -11,8 +11,8 @@
 #include "hair/head/grow.h"
 #include "hair/head/resample.h"
 #include "hair/io/files/bad_input.h"
-#include "hair/io/files/check_folder.h"
 #include "hair/io/files/printable.h"
+#include "hair/io/files/write_file.h"
 #include "hair/lab/commands/groom_info.h"
 
 namespace hair {

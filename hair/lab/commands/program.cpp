@@ -52,6 +52,7 @@ int run_command(CLI::App& app, const std::vector<Command>& commands, int argc, c
 }  // namespace
 
 int run_program(CLI::App& app, const std::vector<Command>& commands, int argc, char* argv[]) {
+  begin_output();
   const solver::DecimalPoint point;  // an exercise may call setlocale
   return finish_output("hairlab", run_command(app, commands, argc, argv));
 }

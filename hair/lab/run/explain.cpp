@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <locale>
 
 #include "hair/io/files/cache_folder.h"
 #include "hair/lab/run/film.h"
@@ -22,6 +23,7 @@ std::string counted(std::size_t count, const std::string& one) {
 
 std::string shown(const Vector3d& vector) {
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text << "(" << vector.x() << ", " << vector.y() << ", " << vector.z() << ")";
   return text.str();
 }
@@ -29,6 +31,7 @@ std::string shown(const Vector3d& vector) {
 template <class Number>
 std::string shown(Number number) {
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text << number;
   return text.str();
 }

@@ -1,6 +1,7 @@
 #include "hair/lab/run/run_record.h"
 
 #include <iterator>
+#include <locale>
 #include <sstream>
 
 #include "hair/io/files/json_text.h"
@@ -115,6 +116,7 @@ std::string links_text(const RunRecord& record) {
 
 std::string warning_text(const std::vector<Warning>& warnings) {
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text.precision(3);
   const char* between = "";
   for (const Warning& one : warnings) {

@@ -1,5 +1,6 @@
 #include "hair/lab/run/strip_pushes.h"
 
+#include <locale>
 #include <sstream>
 #include <vector>
 
@@ -24,6 +25,7 @@ std::optional<std::string> too_thick_strips(const Scene& scene) {
   const std::size_t pushes = contacts.all().size();
   if (pushes <= static_cast<std::size_t>(first.back())) return {};
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text << "warning: strips " << mesh.law.thickness << " m thick push " << first.back() << " particles at "
        << pushes
        << " places before anything moves, and a frame may take seconds; \"thickness\" should be less than "

@@ -5,6 +5,9 @@
 
 #include <map>
 
+#include "hair/lab/run/run_record.h"
+#include "solver/tests/comma_locale.h"
+
 namespace hair {
 namespace {
 
@@ -39,6 +42,21 @@ std::string names(const std::map<std::string, Part>& parts, bool used) {
 }
 
 const std::string kRoots = R"("roots": {"list": [{"position": [0, 0, 0]}]})";
+
+// An exercise may set C++'s locale.
+TEST(Explain, AndWarningsHaveADecimalPointWhateverTheLocale) {
+  const solver::CommaLocale comma(testing::TempDir());
+  EXPECT_EQ(
+      parts_of(
+          R"({"shows": "x", "frames": 1, "gravity": [0, 0, -1234.5], "hair": [{"segments": 3, "length": 0.1, )" +
+          kRoots + "}]}")
+          .at("gravity")
+          .why,
+      "(0, 0, -1234.5) m/s^2");
+  const std::string text = warning_text({{&concerns()[0], 1234, 5678, 9012, 3.45}});
+  EXPECT_NE(text.find("strand 1234 (the first of 9012) "), std::string::npos) << text;
+  EXPECT_NE(text.find(", from step 5678 on: 3.45 "), std::string::npos) << text;
+}
 
 TEST(Explain, LeavesOutOfALimpHairAllButStretchingGravityAndWhatSolves) {
   const auto parts = parts_of(R"({"shows": "x", "frames": 1, "hair": [{"segments": 3, "length": 0.1,

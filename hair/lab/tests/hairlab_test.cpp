@@ -396,6 +396,20 @@ TEST_F(Hairlab, ResultsThatAreLostAreNotASuccess) {
         "hairlab: the standard output can't be written (No space left on device), so that results are lost");
 }
 
+// Nor is written into a file that it opens.
+TEST_F(Hairlab, AClosedStandardOutputIsNotASuccess) {
+  const std::vector<std::string> run = {
+      "run", folder_.write("scene.json", kSwing), "--no-render", "--frames", "1", "--out", out_.string()};
+  ASSERT_EQ(run_hairlab(run).code, 0);
+  const std::string states = bytes_of(out_ / "states.bin");
+  fs::remove_all(out_);
+  std::vector<std::string> words = {"-c", "exec \"$0\" \"$@\" 0<&- >&-", HAIRLAB};
+  words.insert(words.end(), run.begin(), run.end());
+  expect_refused(run_hairlab(words, {.program = "/usr/bin/bash"}), 2,
+                 "hairlab: the standard output can't be written (Bad file descriptor)");
+  EXPECT_EQ(bytes_of(out_ / "states.bin"), states);
+}
+
 TEST_F(Hairlab, ExplainsWithoutRunning) {
   const std::string scene = folder_.write("scene.json", kSwing);
   const ProgramRun run = run_hairlab({"run", scene, "--explain"});
