@@ -12,6 +12,7 @@ constexpr BudgetField kFields[] = {
     {"restarts", "restarts", "Restarts", &Budget::restarts},
     {"messages", "messages", "Messages", &Budget::messages},
     {"megabytes", "bytes of messages", "MB", &Budget::megabytes},
+    {"wall_seconds", "time by the clock", "Clock", &Budget::wall_seconds},
 };
 
 }  // namespace

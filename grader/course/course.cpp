@@ -2,6 +2,9 @@
 #include "grader/course/course.h"
 
 #include <nlohmann/json.hpp>
+#include <span>
+#include <string_view>
+#include <vector>
 
 #include "grader/course/input.h"
 
@@ -10,8 +13,9 @@ namespace {
 
 void read_budget(Budget& budget, const JsonValue& json) {
   constexpr double kLeast = 1, kMost = 1e9;
-  json.check_keys({}, {"idle_seconds", "worker_cpu_seconds", "compiler_cpu_seconds", "suite_cpu_seconds",
-                       "restarts", "messages", "megabytes"});
+  std::vector<std::string_view> known;
+  for (const BudgetField& field : budget_fields()) known.emplace_back(field.key);
+  json.check_keys(std::span<const std::string_view>(), known);
   for (const BudgetField& field : budget_fields())
     if (json.has(field.key)) budget.*field.value = json[field.key].number(kLeast, kMost);
 }

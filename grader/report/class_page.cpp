@@ -99,6 +99,16 @@ Html to_look_at(const Results& results) {
     notes += html("<li>{}: {}</li>\n", {staff_link(result, "", result.name), result.note});
   }
   groups += list_of(html("<span class=\"badge bad\">could not be taken</span>"), with_note, notes, "notes");
+  Html by_the_clock;
+  std::size_t not_final = 0;
+  for (const SubmissionResult& result : results) {
+    if (result.ended_by_the_clock.empty()) continue;
+    ++not_final;
+    by_the_clock +=
+        html("<li>{}: {}</li>\n", {staff_link(result, "", result.name), in_a_row(result.ended_by_the_clock)});
+  }
+  groups += list_of(html("<span class=\"badge bad\">not final: ended by the clock, grade again</span>"),
+                    not_final, by_the_clock, "notes");
   for (const Status status :
        {Status::unreadable, Status::broke_rules, Status::crashed, Status::out_of_memory, Status::timed_out,
         Status::does_not_compile, Status::wrong, Status::missing, Status::not_implemented}) {

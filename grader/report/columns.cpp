@@ -62,6 +62,12 @@ std::string in_short(const ExerciseResult& exercise) {
   return short_points(exercise.points) + (to_its_end ? "" : "!");
 }
 
+std::string in_a_row(const std::vector<std::string>& words) {
+  std::string row;
+  for (const std::string& word : words) row += (row.empty() ? "" : ", ") + word;
+  return row;
+}
+
 bool all_isolated(const std::vector<SubmissionResult>& results) {
   return std::all_of(results.begin(), results.end(),
                      [](const SubmissionResult& result) { return result.isolated; });

@@ -22,6 +22,8 @@ const ExerciseResult* find_exercise(const SubmissionResult& result,
 // ran into a limit or broke the rules.
 std::string in_short(const ExerciseResult& exercise);
 
+std::string in_a_row(const std::vector<std::string>& words);  // "S1, H4"
+
 bool all_isolated(const std::vector<SubmissionResult>& results);
 bool all_with_images(const std::vector<SubmissionResult>& results);
 

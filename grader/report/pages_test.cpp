@@ -50,6 +50,15 @@ TEST(Pages, HostileTextBecomesNoMarkup) {
   }
 }
 
+TEST(Pages, OfTheClassListWhatTheClockEnded) {
+  std::vector<SubmissionResult> results = class_of_ten_exercises(3);
+  EXPECT_EQ(count(class_page(results), "ended by the clock"), 0U);
+  results[1].ended_by_the_clock = {"S1", "H4"};
+  const std::string page = class_page(results);
+  EXPECT_EQ(count(page, "not final: ended by the clock, grade again"), 1U);
+  EXPECT_EQ(count(page, results[1].name + "</a>: S1, H4</li>"), 1U);
+}
+
 // Every element is closed, in order: a browser would repair a page without a word.
 TEST(Pages, AStrictParserReadsThem) {
   std::vector<SubmissionResult> results = class_of_ten_exercises(30);

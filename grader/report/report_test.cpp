@@ -415,6 +415,7 @@ TEST(Table, IsAlignedAndAscii) {
       "b\x1b[31m";
   results[2].isolated = false;
   results[3].images = false;
+  results[0].ended_by_the_clock = {"S1", "runs"};
   std::ostringstream out;
   print_table(out, results);
   for (const char c : out.str()) EXPECT_TRUE(c == '\n' || (c >= 0x20 && c < 0x7f));
@@ -426,6 +427,7 @@ carol                 30   10!  wrong     40
 dave                stub    10   stub     10
 mean of 4           18.8  12.5    1.9   33.1
 ! points from before or after a crash or a limit
+NOT FINAL, ended by the clock: alice: S1, runs
 GRADED WITHOUT A SANDBOX
 GRADED WITHOUT PICTURES
 )");

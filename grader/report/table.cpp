@@ -86,6 +86,10 @@ void print_table(std::ostream& out, const std::vector<SubmissionResult>& results
         std::any_of(row.begin() + 1, row.end(), [](const auto& cell) { return cell.ends_with('!'); });
   }
   if (any_ended) out << "! points from before or after a crash or a limit\n";
+  for (const SubmissionResult& result : results)
+    if (!result.ended_by_the_clock.empty())
+      out << "NOT FINAL, ended by the clock: " << printable(result.name) << ": "
+          << in_a_row(result.ended_by_the_clock) << '\n';
   if (!all_isolated(results)) out << "GRADED WITHOUT A SANDBOX\n";
   if (!all_with_images(results)) out << "GRADED WITHOUT PICTURES\n";
 }

@@ -86,6 +86,8 @@ const Rows<ClassCosts>& Fields<ClassCosts>::rows() {
   using T = ClassCosts;
   static const Rows<T> all = {
       field("reference", &T::reference), field("submissions", &T::submissions),
+      field<T>("ended_by_the_clock", &T::ended_by_the_clock,
+               [](const T& costs) { return !costs.ended_by_the_clock.empty(); }),
       field<T>("last_run", &T::last_run, [](const T& costs) { return costs.last_run.has_value(); })};
   return all;
 }

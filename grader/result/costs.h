@@ -38,7 +38,9 @@ struct LastRun {
 struct ClassCosts {
   TimingByExercise reference;
   std::map<std::string, TimingByExercise> submissions;  // by name
-  std::optional<LastRun> last_run;                      // nothing: it has not finished
+  // By submission: exercises that the clock on the wall ended. A person looks at them.
+  std::map<std::string, std::vector<std::string>> ended_by_the_clock = {};
+  std::optional<LastRun> last_run;  // nothing: it has not finished
 
   bool operator==(const ClassCosts&) const = default;
 };

@@ -64,6 +64,8 @@ SubmissionResult submission() {
   result.fingerprint = "abc";
   result.isolated = result.images = false;
   result.studied = true;
+  result.origin = "hand-in /home/ta/alice.zip";
+  result.ended_by_the_clock = {"S1", "runs"};
   return result;
 }
 
@@ -132,6 +134,7 @@ ClassCosts costs() {
   timing.picture_cpu_seconds = 7;
   return {.reference = {{"S1", timing}},
           .submissions = {{"alice", {{"S1", timing}, {"runs", {}}}}, {"bob", {}}},
+          .ended_by_the_clock = {{"alice", {"S1", "runs"}}},
           .last_run = LastRun{.wall_seconds = 30, .graded = 2, .jobs = 4}};
 }
 
@@ -145,8 +148,8 @@ bool may_be_missing(const std::string& place) {
   const std::string key = place.substr(place.rfind('/') + 1);
   if (place.find("/points/") != place.npos)
     return key == "note" || key == "error" || key == "solver_steps" || key == "correction_steps";
-  return key == "studied" || key == "last_run" || key == "alice" || key == "bob" || key == "S1" ||
-         key == "runs";
+  return key == "studied" || key == "ended_by_the_clock" || key == "last_run" || key == "alice" ||
+         key == "bob" || key == "S1" || key == "runs";
 }
 
 template <class T>
@@ -283,8 +286,8 @@ TEST(CostsTable, HasAColumnForEachFieldInTheRowsOrder) {
   const Costs table = costs_table(costs());
   ASSERT_EQ(table.columns.size(), Fields<ExerciseTiming>::rows().size());
   EXPECT_EQ(table.columns.front().heading, "Compiler");
-  EXPECT_EQ(table.columns.back().heading, "MB");
-  const std::vector<double> expected{1, 2, 3, 4, 5, 6, 7, 1.1, 2.1, 3.1, 4.1, 5.1, 6.1, 7.1};
+  EXPECT_EQ(table.columns.back().heading, "Clock");
+  const std::vector<double> expected{1, 2, 3, 4, 5, 6, 7, 1.1, 2.1, 3.1, 4.1, 5.1, 6.1, 7.1, 8.1};
   EXPECT_EQ(table.reference.at("S1"), expected);
   EXPECT_EQ(table.submissions.at("alice").at("runs"), std::vector<double>(expected.size()));
 }

@@ -101,7 +101,9 @@ struct SubmissionResult {
   std::string fingerprint;  // of the submission's bytes and of the suite, in hexadecimal
   bool isolated = true;     // false: graded without a sandbox; every page says so
   bool images = true;       // false: graded without pictures; every page says so
-  bool studied = false;     // there is a study.html, to which pages link
+  // Exercises, or "runs", that the clock on the wall ended: their points are not final, and a person looks.
+  std::vector<std::string> ended_by_the_clock = {};
+  bool studied = false;  // there is a study.html, to which pages link
 
   bool operator==(const SubmissionResult&) const = default;
 };

@@ -75,6 +75,8 @@ const Rows<SubmissionResult>& Fields<SubmissionResult>::rows() {
       field("note", &T::note),
       field("exercises", &T::exercises),
       field("runs", &T::runs),
+      field<T>("ended_by_the_clock", &T::ended_by_the_clock,
+               [](const T& result) { return !result.ended_by_the_clock.empty(); }),
       field<T>("studied", &T::studied, [](const T& result) { return result.studied; })};
   return all;
 }

@@ -11,19 +11,7 @@
 namespace grader {
 namespace {
 
-// What threads have computed and waited for a processor between two looks. Threads that have ended in between have
-// computed, too: the process's own clock knows.
-CagedProcess::Activity::Busy busy_between(const CagedProcess::Activity& last,
-                                          const CagedProcess::Activity& now) {
-  CagedProcess::Activity::Busy sum;
-  for (const auto& [thread, busy] : now.busy) {
-    const auto before = last.busy.find(thread);
-    sum.computed += busy.computed - (before == last.busy.end() ? 0 : before->second.computed);
-    sum.queued += busy.queued - (before == last.busy.end() ? 0 : before->second.queued);
-  }
-  sum.computed = std::max(sum.computed, now.cpu_seconds - last.cpu_seconds);
-  return sum;
-}
+constexpr double kWindow = 0.25, kWindowAtTheEnd = 0.05;
 
 // What it takes at most, on each answer, until a process that sleeps runs again, its and ours. It is in no clock of the kernel's.
 constexpr double kWakeUp = 50e-6;
@@ -44,6 +32,18 @@ double own_delay_seconds() {
 }
 
 }  // namespace
+
+CagedProcess::Activity::Busy busy_between(const CagedProcess::Activity& last,
+                                          const CagedProcess::Activity& now) {
+  CagedProcess::Activity::Busy sum;
+  for (const auto& [thread, busy] : now.busy) {
+    const auto before = last.busy.find(thread);
+    sum.computed += busy.computed - (before == last.busy.end() ? 0 : before->second.computed);
+    sum.queued = std::max(sum.queued, busy.queued - (before == last.busy.end() ? 0 : before->second.queued));
+  }
+  sum.computed = std::max(sum.computed, now.cpu_seconds - last.cpu_seconds);
+  return sum;
+}
 
 Watchdog::Watchdog(const CagedProcess& process, Patience patience)
     : process_(process), patience_(patience), own_delay_(own_delay_seconds()) {}
@@ -82,21 +82,37 @@ double Watchdog::most_cpu_seconds() const {
 }
 
 bool Watchdog::wait_for(int descriptor, short events) {
-  constexpr double kWindow = 0.25;
+  return wait(descriptor, events, kWindow, patience_.wall_seconds);
+}
+
+void Watchdog::wait_for_end(double seconds) {
+  look();
+  if (seconds <= 0) return;
+  const Descriptor handle = process_.handle();
+  wait(handle.get(), POLLIN, kWindowAtTheEnd, seconds);
+}
+
+bool Watchdog::wait(int descriptor, short events, double window, double most_seconds) {
   pollfd wanted{descriptor, events, 0};
-  while (why_ == nullptr) {
+  const double most = all_waited_ + most_seconds;
+  while (why_ == nullptr && all_waited_ <= most) {
     const Clock::time_point start = Clock::now();
     const int ready =
-        poll(&wanted, 1, static_cast<int>(1000 * std::max(0.001, postponed_ + kWindow - waited_)));
+        poll(&wanted, 1, static_cast<int>(1000 * std::max(0.001, postponed_ + window - waited_)));
     const Clock::time_point now = Clock::now();
     const double waited = std::chrono::duration<double>(now - start).count();
     waited_ += waited;
-    if (ready > 0) woken_ += std::min(waited, kWakeUp);
+    all_waited_ += waited;
+    if (ready > 0 && asked_ && (wanted.revents & POLLIN) != 0) {
+      const double waking = std::min({waited, kWakeUp, patience_.wakeup_seconds - forgiven_});
+      woken_ += waking;
+      forgiven_ += waking;
+      asked_ = false;
+    }
     if (ready < 0 && errno != EINTR) return false;
     if (ready > 0 && (wanted.revents & POLLIN) != 0) greets();
-    if (waited_ >= postponed_ + kWindow) look();
-    if (why_ == nullptr && std::chrono::duration<double>(now - start_).count() > patience_.wall_seconds)
-      why_ = "out of time";
+    if (waited_ >= postponed_ + window) look();
+    if (why_ == nullptr && all_waited_ > patience_.wall_seconds) why_ = "out of time";
     if (ready > 0 && why_ == nullptr) return true;
   }
   return false;

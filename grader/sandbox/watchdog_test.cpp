@@ -108,6 +108,7 @@ TEST(Watchdog, LeavesAloneWhatAnswersQuicklyOnABusyMachine) {
     }
     char letter = 'a';
     ASSERT_EQ(write(to.write_end.get(), &letter, 1), 1);
+    watchdog.asked();
     ASSERT_TRUE(watchdog.wait_for(from.read_end.get(), POLLIN));
     ASSERT_EQ(read(from.read_end.get(), &letter, 1), 1);
   }
@@ -128,11 +129,62 @@ TEST(Watchdog, TakesNoWakingUpForIdling) {
   for (int i = 0; i < kAnswers; ++i) {
     char letter = 'a';
     ASSERT_EQ(write(to.write_end.get(), &letter, 1), 1);
+    watchdog.asked();
     ASSERT_TRUE(watchdog.wait_for(from.read_end.get(), POLLIN));
     ASSERT_EQ(read(from.read_end.get(), &letter, 1), 1);
   }
   watchdog.look();
   EXPECT_LT(watchdog.idle_seconds(), 5e-6 * kAnswers);
+}
+
+// It says something that nobody asked for, after a nap of 50 us each.
+TEST(Watchdog, ForgivesNoWakingUpForMessagesThatAnswerNothing) {
+  Cage cage;
+  cage.isolated = false;
+  Pipe from = make_pipe();
+  CagedProcess chatters(cage, {HAIR_IDLER, "chatters"}, -1, from.write_end.get(), -1);
+  Watchdog watchdog(chatters, {.idle_seconds = 0.2, .cpu_seconds = 10, .wall_seconds = 200});
+  char letter;
+  while (watchdog.wait_for(from.read_end.get(), POLLIN)) ASSERT_EQ(read(from.read_end.get(), &letter, 1), 1);
+  EXPECT_STREQ(watchdog.why(), "asleep");
+  EXPECT_EQ(watchdog.wakeup_seconds(), 0);
+}
+
+TEST(Watchdog, ForgivesWakingUpWithinABound) {
+  Cage cage;
+  cage.isolated = false;
+  Pipe from = make_pipe();
+  CagedProcess chatters(cage, {HAIR_IDLER, "chatters"}, -1, from.write_end.get(), -1);
+  Watchdog watchdog(chatters,
+                    {.idle_seconds = 0.2, .cpu_seconds = 10, .wakeup_seconds = 0.1, .wall_seconds = 200});
+  char letter;
+  while (watchdog.asked(), watchdog.wait_for(from.read_end.get(), POLLIN))
+    ASSERT_EQ(read(from.read_end.get(), &letter, 1), 1);
+  EXPECT_STREQ(watchdog.why(), "asleep");
+  EXPECT_LE(watchdog.wakeup_seconds(), 0.1);
+}
+
+// Thirty threads that wake up together queue behind each other: the sum of these waits is many times the time that passes.
+TEST(Watchdog, CountsWaitsOfThirtyThreadsOnce) {
+  CagedProcess::Activity before{.alive = true, .started = true}, after = before;
+  for (int thread = 1; thread <= 30; ++thread) {
+    before.busy[thread] = {.computed = 1, .queued = 2};
+    after.busy[thread] = {.computed = 1.001, .queued = 2 + 0.01 * thread};
+  }
+  after.busy[31] = {.computed = 0.002, .queued = 0.1};  // it began in between
+  const CagedProcess::Activity::Busy busy = busy_between(before, after);
+  EXPECT_NEAR(busy.computed, 0.032, 1e-12) << "on several processors at once";
+  EXPECT_NEAR(busy.queued, 0.3, 1e-12);
+}
+
+TEST(Watchdog, CountsWhatIdlesBeforeItsEnd) {
+  Cage cage;
+  cage.mounts = toolchain_mounts();
+  cage.isolated = false;
+  CagedProcess leaving(cage, {"/usr/bin/sleep", "0.7"}, -1, -1, -1);
+  Watchdog watchdog(leaving, {.idle_seconds = 5, .cpu_seconds = 10, .wall_seconds = 200});
+  watchdog.wait_for_end(1);
+  EXPECT_GT(watchdog.idle_seconds(), 0.5);
 }
 
 // Whatever the kernel counts, at some time it is enough.

@@ -16,6 +16,11 @@ struct Allowance {
   double idle_seconds_of_a_worker() const {
     return std::min(limit.idle_seconds - spent.idle_seconds, limit.idle_seconds / 2);
   }
+  double wakeup_seconds = 0;  // that watchdogs have forgiven
+
+  // As much as there is idle time.
+  double wakeup_seconds_left() const { return std::max(0.0, limit.idle_seconds - wakeup_seconds); }
+  double wall_seconds_left() const { return std::max(0.0, limit.wall_seconds - spent.wall_seconds); }
   double cpu_seconds_left() const { return limit.worker_cpu_seconds - spent.worker_cpu_seconds; }
 };
 

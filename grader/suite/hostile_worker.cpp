@@ -46,6 +46,17 @@ void answer(Channel& channel, const std::string& way, std::uint64_t nonce) {
       channel.send(Kind::allocated, nonce, message.put(often).bytes());
     }
     channel.send(Kind::done, nonce);
+  } else if (way == "naps-and-boasts") {
+    MessageWriter message;
+    message.put(1);
+    for (;;) {
+      usleep(1);
+      channel.send(Kind::allocated, nonce, message.bytes());
+    }
+  } else if (way == "leaves-late") {
+    channel.send(Kind::done, nonce);
+    usleep(600000);
+    _exit(0);
   } else if (way == "crashes") {
     _exit(3);
   } else if (way == "naps-and-crashes") {

@@ -82,6 +82,7 @@ void MemoryErrors::look(Trial& trial) {
     trial.fail(Status::wrong,
                "nothing was looked for, since the file does not become an object with sanitizers", {});
   setup_.allowance->limit = rest_of(*paying_);
+  setup_.allowance->wakeup_seconds = paying_->wakeup_seconds;
   ask_all(trial);
 }
 

@@ -70,6 +70,8 @@ Watchdog::Patience patience(const WorkerSetup& setup) {
   Watchdog::Patience patience;
   patience.idle_seconds = setup.allowance->idle_seconds_of_a_worker();
   patience.cpu_seconds = std::min(1.0 * setup.cpu_seconds, setup.allowance->cpu_seconds_left());
+  patience.wakeup_seconds = setup.allowance->wakeup_seconds_left();
+  patience.wall_seconds = setup.allowance->wall_seconds_left();
   return patience;
 }
 
@@ -121,14 +123,20 @@ std::optional<Answer> Student::give_up_if_used_up() {
 // Ends the worker, which has `grace_seconds` to leave by itself, and charges what it took.
 Ending Student::end(double grace_seconds) {
   Budget& spent = setup_.allowance->spent;
-  worker_->watchdog.look();
-  const timing::Stopwatch waiting;
-  const Ending ending = worker_->process.wait(grace_seconds);
-  spent.idle_seconds += worker_->watchdog.idle_seconds() + (ending.timed_out ? waiting.seconds() : 0);
+  worker_->watchdog.wait_for_end(grace_seconds);
+  const Ending ending = worker_->process.wait(0);
+  spent.idle_seconds += worker_->watchdog.idle_seconds();
+  setup_.allowance->wakeup_seconds += worker_->watchdog.wakeup_seconds();
   spent.worker_cpu_seconds += worker_->watchdog.cpu_seconds();
   cpu_seconds_ += worker_->watchdog.cpu_seconds();
   worker_.reset();
   return ending;
+}
+
+bool Student::tell(Kind kind, std::uint64_t nonce, std::span<const std::byte> body) {
+  const bool sent = worker_->channel.send(kind, nonce, body);
+  worker_->watchdog.asked();
+  return sent;
 }
 
 // The next message. What it costs is charged, and a worker that has used up the allowance is not listened to.
@@ -178,7 +186,9 @@ struct Student::Conversation {
   std::uint64_t nonce;
   const Products& products;
   double spent_before;
+  double wall_before;
   double cpu_before = timing::process_cpu_seconds();
+  timing::Stopwatch watch = {};
   bool stopping = false;
   int depth = 0;
 };
@@ -197,7 +207,8 @@ Answer Student::ask(const MessageWriter& request, const Products& products) {
 }
 
 Answer Student::ask_worker(const MessageWriter& request, const Products& products) {
-  Conversation conversation{random_nonce(), products, setup_.allowance->spent.suite_cpu_seconds};
+  Conversation conversation{random_nonce(), products, setup_.allowance->spent.suite_cpu_seconds,
+                            setup_.allowance->spent.wall_seconds};
   auto answer = [&]() -> Answer {
     if (gave_up_) return *gave_up_;
     if (!worker_)
@@ -215,6 +226,7 @@ Answer Student::ask_worker(const MessageWriter& request, const Products& product
 void Student::charge(const Conversation& conversation) {
   setup_.allowance->spent.suite_cpu_seconds =
       conversation.spent_before + timing::process_cpu_seconds() - conversation.cpu_before;
+  setup_.allowance->spent.wall_seconds = conversation.wall_before + conversation.watch.seconds();
 }
 
 // A worker that does not keep to the protocol is not asked again; a new one may be.
@@ -230,8 +242,7 @@ struct Student::Over {
 };
 
 Answer Student::converse(const MessageWriter& request, Conversation& conversation) {
-  if (!worker_->channel.send(Kind::request, conversation.nonce, request.bytes()))
-    return ended("before the request");
+  if (!tell(Kind::request, conversation.nonce, request.bytes())) return ended("before the request");
   try {
     return {Outcome::done, listen(conversation, Kind::done), {}};
   } catch (Over& over) {
@@ -297,8 +308,7 @@ void Student::serve_product(Conversation& conversation, MessageReader& asked) {
   conversation.stopping = !conversation.products(which, x, y);
   MessageWriter result;
   result.put(std::span<const double>(y));
-  if (!worker_->channel.send(conversation.stopping ? Kind::stop : Kind::product_result, conversation.nonce,
-                             result.bytes()))
+  if (!tell(conversation.stopping ? Kind::stop : Kind::product_result, conversation.nonce, result.bytes()))
     throw Over{ended("during a product")};
 }
 
@@ -307,7 +317,7 @@ void Student::serve_call(Conversation& conversation, MessageReader call) {
   if (conversation.stopping) throw MalformedMessage("a call after the request was stopped");
   if (conversation.depth == kMostCalls) throw MalformedMessage("calls within calls");
   const auto send = [&](Kind kind, const MessageWriter& body) {
-    if (!worker_->channel.send(kind, conversation.nonce, body.bytes())) throw Over{ended("during a call")};
+    if (!tell(kind, conversation.nonce, body.bytes())) throw Over{ended("during a call")};
   };
   const Products callback = [&](int which, const std::vector<double>& x, std::vector<double>& y) {
     MessageWriter question;
@@ -342,8 +352,7 @@ Answer Student::left(const std::string& during, int code) {
 // The worker is gone, or not worth waiting for. Says how, and gives up after too many.
 Answer Student::ended(const std::string& during) {
   // A worker that has closed its pipes may still run, or wait for a processor to leave by. Once it is gone nobody sees how it idled.
-  worker_->watchdog.look();
-  worker_->watchdog.wait_for(worker_->process.handle().get(), POLLIN);
+  worker_->watchdog.wait_for_end(setup_.allowance->wall_seconds_left());
   const char* why = worker_->watchdog.why();
   const bool may_be_out_of_cpu_time = worker_->watchdog.most_cpu_seconds() >= worker_->cpu_seconds;
   const Ending ending = end(0);
@@ -376,8 +385,10 @@ std::optional<double> Student::worker_cpu_seconds() const {
 
 void Student::finish() {
   if (!worker_) return;
+  const timing::Stopwatch watch;
   worker_->requests.write_end.close();
   end(1);
+  setup_.allowance->spent.wall_seconds += watch.seconds();
 }
 
 }  // namespace grader

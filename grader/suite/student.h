@@ -102,6 +102,7 @@ class Student {
   Answer left(const std::string& during, int code);
   std::optional<Answer> give_up_if_used_up();
   Ending end(double grace_seconds);
+  bool tell(Kind kind, std::uint64_t nonce, std::span<const std::byte> body);
 
   WorkerSetup setup_;
   Recording* recording_ = nullptr;

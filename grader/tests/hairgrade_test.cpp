@@ -302,6 +302,28 @@ TEST_F(Hairgrade, ReplacesNobodysRowByAnotherOriginsWithoutAWordAndAFlag) {
   EXPECT_EQ(points(read_results(out(), "other-order").value()), 0);
 }
 
+// The clock is no judge: a person is told, and asked to grade again.
+TEST_F(Hairgrade, ListsWhatTheClockEnded) {
+  nlohmann::json course = two_exercises();
+  // A third each; the reference takes a second.
+  course["budget"] = {{"idle_seconds", 10000}, {"wall_seconds", 75}};
+  fs::create_directories(folder_ / "sleeper");
+  std::ofstream(folder_ / "sleeper" / "conj_grad.cpp")
+      << "#include \"solver/linearSolver.h\"\n#include <unistd.h>\n"
+         "double ConjGrad(int, implicitMatrix*, double*, double*, double, int*) { for (;;) sleep(1); }\n";
+  const std::vector<string> words = {
+      (folder_ / "sleeper").string(),      "--out",      out(), "--exercise", "S1", "--course",
+      write("course.json", course.dump()), "--no-images"};
+  const ProgramRun run = grade(words);
+  EXPECT_EQ(run.code, 3) << run.errors;
+  EXPECT_NE(run.errors.find("not final, since the clock ended them: sleeper;"), string::npos) << run.errors;
+  EXPECT_NE(run.output.find("NOT FINAL, ended by the clock: sleeper: S1"), string::npos) << run.output;
+  const SubmissionResult result = read_results(out(), "sleeper").value();
+  EXPECT_EQ(result.ended_by_the_clock, std::vector<string>{"S1"});
+  EXPECT_EQ(result.fingerprint, "") << "the next run would keep it";
+  EXPECT_NE(result.exercises.at(0).feedback.find("not final"), string::npos);
+}
+
 TEST_F(Hairgrade, ResumesWhatHasNotChanged) {
   earlier_run();
   const auto before = fs::last_write_time(fs::path(out()) / "other-order" / "results.json");

@@ -39,6 +39,8 @@ void keep_other_exercises(SubmissionResult& result, const std::optional<Submissi
                      [&](const ExerciseResult& one) { return one.id == old.id; })) {
       result.exercises.push_back(old);
       result.fingerprint.clear();
+      if (std::ranges::count(earlier->ended_by_the_clock, old.id) > 0)
+        result.ended_by_the_clock.push_back(old.id);
     }
   const auto place = [&](const ExerciseResult& one) { return course.find(one.id); };
   std::sort(result.exercises.begin(), result.exercises.end(),

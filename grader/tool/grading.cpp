@@ -43,6 +43,10 @@ const GradingSettings& checked(const GradingSettings& settings, const StagedKit&
   return settings;
 }
 
+constexpr const char* kNotFinal =
+    "It took too long by the clock on the wall, so these points are not final: the staff look at it and "
+    "grade it again.";
+
 // Why an exercise of a submission is not called in scenes that run end to end; nothing if it is.
 std::string why_not_called(Status status) {
   switch (status) {
@@ -135,6 +139,10 @@ Graded Grading::grade(const Submission& submission) const {
       ExerciseTiming& timing = graded.timing[exercise.id];
       grade_exercise(jobs_, compiler_, exercise, submission, folder, compiler_seconds, result, timing);
       compiler_seconds = std::max(0.0, compiler_seconds - timing.spent.compiler_cpu_seconds);
+      if (jobs_.ended_by_the_clock(timing)) {
+        graded.result.ended_by_the_clock.push_back(exercise.id);
+        result.feedback += std::string(" ") + kNotFinal;
+      }
     } catch (const std::exception& problem) {  // ours, not the student's; and it stops no other submission
       result = describe(exercise);
       result.status = Status::crashed;
@@ -154,6 +162,7 @@ Graded Grading::grade(const Submission& submission) const {
       graded.problems.push_back(submission.name + ": end to end: " + problem.what());
     }
   }
+  if (!graded.result.ended_by_the_clock.empty()) graded.result.fingerprint.clear();  // to be graded again
   std::error_code ignored;
   fs::remove_all(job, ignored);
   return graded;
@@ -162,6 +171,7 @@ Graded Grading::grade(const Submission& submission) const {
 void Grading::run_end_to_end(const fs::path& job, Graded& graded) const {
   const SuiteJob runs = end_to_end_job(jobs_, job, graded.result);
   graded.result.runs = jobs_.run(runs, graded.timing[kRuns]).runs;
+  if (jobs_.ended_by_the_clock(graded.timing[kRuns])) graded.result.ended_by_the_clock.emplace_back(kRuns);
   if (!reference_.study) return;
   try {
     graded.study = jobs_.run_study(jobs_.study(runs), graded.timing[kStudy]).study.value();

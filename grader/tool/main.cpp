@@ -1,8 +1,8 @@
 // STAFF ONLY. hairgrade: grades submissions, compares pictures, makes the handout, and tells of the samples.
 //
 // Exit code 0: all submissions have results (or the handout is written). 1: the grader itself failed, intake
-// left something out (a line each, all else is graded), or a gate of the handout closed. 2: bad input or usage. 3: a picture is missing or
-// could not be compared. 130: interrupted; what was finished is kept, and --resume goes on.
+// left something out (a line each, all else is graded), or a gate of the handout closed. 2: bad input or usage. 3: a person must look: the
+// clock on the wall ended a submission, or a picture is missing or could not be compared. 130: interrupted; what was finished is kept, and --resume goes on.
 #include <locale.h>
 #include <signal.h>
 #include <sodium.h>
@@ -144,7 +144,16 @@ int grade(const GradeOptions& options) {
               << ": its reports are not whole, so the class's files leave it out; grade " << name
               << " again\n";
   for (const std::string& notice : intake.notices) std::cerr << "hairgrade: " << notice << "\n";
-  if (!batch.interrupted) return batch.problems.empty() && intake.notices.empty() ? 0 : 1;
+  std::string not_final;
+  for (const SubmissionResult& result : batch.results)
+    if (!result.ended_by_the_clock.empty()) not_final += (not_final.empty() ? "" : ", ") + result.name;
+  if (!not_final.empty())
+    std::cerr << "hairgrade: not final, since the clock ended them: " << not_final
+              << "; look at them, and grade them again (--resume grades no others)\n";
+  if (!batch.interrupted) {
+    if (!batch.problems.empty() || !intake.notices.empty()) return 1;
+    return not_final.empty() ? 0 : 3;
+  }
   std::cerr << "hairgrade: interrupted after " << batch.finished << " of " << intake.submissions.size()
             << " submissions; the same command with --resume goes on\n";
   return 130;

@@ -98,6 +98,10 @@ SuiteJob SuiteJobs::job(const std::string& exercise, const fs::path& folder) con
   return suite;
 }
 
+bool SuiteJobs::ended_by_the_clock(const ExerciseTiming& timing) const {
+  return timing.spent.wall_seconds > allowance().wall_seconds;
+}
+
 Budget SuiteJobs::allowance() const {
   int parts = 1;  // the end-to-end runs
   for (const Exercise& exercise : settings_.course.exercises) parts += asked_for(exercise) ? 1 : 0;

@@ -56,6 +56,7 @@ class SuiteJobs {
 
   // What an exercise may take of the course's budget, also if others are not selected.
   Budget allowance() const;
+  bool ended_by_the_clock(const ExerciseTiming& timing) const;
 
   // The cases of an exercise and its whole run, against an object; the suite provides its prerequisites.
   SuiteJob cases(const Exercise& exercise, const std::string& student, const std::filesystem::path& object,

@@ -41,6 +41,10 @@ void Timing::finish(const std::vector<SubmissionResult>& results, const LastRun&
     return std::none_of(results.begin(), results.end(),
                         [&](const SubmissionResult& result) { return result.name == one.first; });
   });
+  costs_.ended_by_the_clock.clear();
+  for (const SubmissionResult& result : results)
+    if (!result.ended_by_the_clock.empty())
+      costs_.ended_by_the_clock[result.name] = result.ended_by_the_clock;
   costs_.last_run = run;
   write();
   write_file(folder_ / "costs.html", costs_page(costs_table(costs_)));

@@ -47,6 +47,16 @@ TEST_F(TimingOfAFolder, IsWrittenWithEachSubmissionAndKeptByTheNextRun) {
   EXPECT_EQ(file()["last_run"]["submissions_per_minute"], 6);
 }
 
+TEST_F(TimingOfAFolder, ListsWhatTheClockEnded) {
+  Timing timing(folder(), cost({"S1", "S2"}, 1), false);
+  std::vector<SubmissionResult> both = results({"alice", "bob"});
+  timing.finish(both, {});
+  EXPECT_FALSE(file().contains("ended_by_the_clock"));
+  both[1].ended_by_the_clock = {"S2", "runs"};
+  timing.finish(both, {});
+  EXPECT_EQ(file()["ended_by_the_clock"].dump(), R"({"bob":["S2","runs"]})");
+}
+
 TEST_F(TimingOfAFolder, OfOneExerciseKeepsThoseOfTheOthers) {
   Timing all(folder(), cost({"S1", "S2"}, 1), false);
   all.add("alice", cost({"S1", "S2"}, 2));

@@ -1,5 +1,7 @@
 // STAFF ONLY. Error against time of a submission's code, as a program that takes the job of the end-to-end runs with the reference's
 // objects beside it: links the reference, and never a student's code.
+#include <limits>
+
 #include "grader/sandbox/inherited.h"
 #include "grader/suite/study/submission_study.h"
 #include "grader/suite/suite_program.h"
@@ -14,6 +16,7 @@ SuiteResult run(const SuiteJob& job) {
   // Asked for by the instructor, beside the submission's budget.
   grader::Budget& limit = worker.allowance->limit;
   limit.worker_cpu_seconds = limit.suite_cpu_seconds = worker.cpu_seconds;
+  limit.wall_seconds = std::numeric_limits<double>::infinity();  // a study has a clock of its own
 
   grader::WorkerSetup of_reference = worker;
   of_reference.objects = job.reference_objects;
