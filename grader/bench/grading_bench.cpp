@@ -130,7 +130,8 @@ void time_parts(const Course& course, const Exercise& exercise, const fs::path& 
 
   Cage toolchain;
   toolchain.mounts = toolchain_mounts();
-  for (const Mount& mount : header_mounts(kit.empty_folder())) toolchain.mounts.push_back(mount);
+  for (const Mount& mount : header_mounts(Isolation::namespaces, kit.empty_folder()))
+    toolchain.mounts.push_back(mount);
   toolchain.tmp_bytes = 64 << 20;
   toolchain.syscalls = Syscalls::toolchain;
 

@@ -45,7 +45,7 @@ Played play_object(const Exercise& exercise, const fs::path& object, const Hidde
   setup.provided = exercise.prerequisites;
   setup.objects = {object};
   setup.log = fs::path(HAIR_KEPT) / "worker.log";
-  setup.isolated = false;
+  setup.isolation = Isolation::none;
   setup.cpu_seconds = 100;  // what is not optimised takes its time
   Student student(setup);
   Trial trial(student, Random("", ""));

@@ -40,7 +40,7 @@ Cost cost_of(const Exercise& exercise, const hair::Scene& scene, const fs::path&
   setup.provided = exercise.prerequisites;
   setup.objects = {setup.kit / "lib" / (exercise.id + ".so")};
   setup.log = log;
-  setup.isolated = false;
+  setup.isolation = Isolation::none;
   const PlayFunction play = load_player(fs::path(HAIR_PLAYERS) / (exercise.id + ".so"));
   Student student(setup);
   Trial trial(student, Random("", ""));

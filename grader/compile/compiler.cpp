@@ -18,8 +18,8 @@ namespace grader {
 
 namespace fs = std::filesystem;
 
-Compiler::Compiler(const StagedKit& kit, fs::path cache, bool isolated, std::uintmax_t cache_bytes)
-    : toolchain_(kit, isolated),
+Compiler::Compiler(const StagedKit& kit, fs::path cache, Isolation isolation, std::uintmax_t cache_bytes)
+    : toolchain_(kit, isolation),
       precompiled_(toolchain_, cache, Build::ordinary),
       precompiled_sanitised_(toolchain_, cache, Build::sanitised),
       cache_(std::move(cache)),

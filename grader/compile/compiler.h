@@ -33,7 +33,7 @@ class Compiler {
   // `cache`: a folder for shared objects, made if it is missing; of its files those that were used last stay, `cache_bytes` in
   // all. Throws BadInput if there is no compiler or
   // no cache.
-  Compiler(const StagedKit& kit, std::filesystem::path cache, bool isolated,
+  Compiler(const StagedKit& kit, std::filesystem::path cache, Isolation isolation,
            std::uintmax_t cache_bytes = kCacheBytes);
 
   // From any thread. `job` is one of the kit's folders, for this file only; the object is written into it as <id>.so.

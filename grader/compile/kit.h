@@ -6,21 +6,22 @@
 #include <string>
 
 #include "grader/course/course.h"
-#include "grader/sandbox/descriptor.h"
+#include "grader/sandbox/staging_folder.h"
 
 namespace grader {
 
 class StagedKit {
  public:
-  // Makes a new folder in the system's folder for temporary files. Throws BadInput if the kit is missing or
-  // incomplete.
+  // Throws BadInput if the kit is missing or incomplete.
   StagedKit(const std::filesystem::path& kit, const Course& course);
   StagedKit(const StagedKit&) = delete;
   StagedKit& operator=(const StagedKit&) = delete;
-  ~StagedKit();  // removes the folder
 
-  std::filesystem::path folder() const { return root_ / "kit"; }
-  std::filesystem::path empty_folder() const { return root_ / "empty"; }
+  std::filesystem::path folder() const { return root_.path() / "kit"; }
+  std::filesystem::path empty_folder() const { return root_.path() / "empty"; }
+  std::filesystem::path roots() const {
+    return root_.path() / "roots";
+  }  // see grader/sandbox/container_root.h
 
   // A new folder beside it for one job; the sandbox's user can read it.
   std::filesystem::path new_job(const std::string& name) const;
@@ -29,8 +30,7 @@ class StagedKit {
   const std::string& hash() const { return hash_; }
 
  private:
-  std::filesystem::path root_;
-  Descriptor lock_;  // held while the folder is in use
+  StagingFolder root_;
   std::string hash_;
 };
 

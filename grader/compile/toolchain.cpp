@@ -13,7 +13,7 @@
 #include "grader/compile/hash.h"
 #include "grader/course/input.h"
 #include "grader/sandbox/identity.h"
-#include "solver/timing.h"
+#include "grader/sandbox/system_mounts.h"
 
 namespace grader {
 namespace {
@@ -21,6 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kMostOutput = 64 << 10;  // of what compilers say
+constexpr double kLeastSeconds = 0.05;         // what is left of a share may be nothing
 
 const std::vector<std::string> kCompile = {"-std=c++20", "-O2", "-fPIC", "-ffp-contract=off", "-pipe",
                                            "--param=ggc-min-heapsize=524288",  // kB: collects no garbage
@@ -47,12 +48,6 @@ const std::string kStrip = "-s";
 const std::vector<std::string> kLink = {"-shared", "-fno-lto", "-fno-use-linker-plugin", "-Wl,-z,defs",
                                         "-Wl,-z,now"};
 
-std::string find_compiler() {
-  for (const char* name : {"/usr/bin/g++", "/usr/bin/c++", "/usr/bin/clang++"})
-    if (fs::exists(name)) return fs::canonical(name).string();
-  throw BadInput("no C++ compiler in /usr/bin; install g++");
-}
-
 // Where its headers are, below /usr/include.
 std::string folder_of(const std::string& library) {
   return library == "eigen" ? "eigen3" : library;
@@ -72,8 +67,8 @@ bool tool_says(const std::string& log, const std::string& student_file,
 
 }  // namespace
 
-Toolchain::Toolchain(const StagedKit& kit, bool isolated)
-    : kit_(kit), isolated_(isolated), program_(find_compiler()) {
+Toolchain::Toolchain(const StagedKit& kit, Isolation isolation)
+    : kit_(kit), isolation_(isolation), program_(system_compiler()), system_(toolchain_mounts(isolation)) {
   std::string all = sha256_of(program_);
   for (const auto* words : {&kCompile, &kSanitise, &kLink, &kLinkSanitised})
     for (const std::string& word : *words) all += '\0' + word;
@@ -82,25 +77,23 @@ Toolchain::Toolchain(const StagedKit& kit, bool isolated)
 
 Toolchain::Run Toolchain::run(const Cage& cage, const std::vector<std::string>& command,
                               const std::string& file) const {
-  const timing::Stopwatch running;
   Pipe output = make_pipe();
-  const std::vector<std::string> limited = cage.isolated ? with_inner_limits(cage.limits, command) : command;
+  const std::vector<std::string> limited = isolated() ? with_inner_limits(cage.limits, command) : command;
   CagedProcess process(cage, limited, -1, -1, output.write_end.get());
   output.write_end.close();
   Run run{{}, read_both_ends(output.read_end, kMostOutput, cage.limits.wall_seconds)};
   run.ending = process.wait(1);
-  // Of what we have ended ourselves the CPU time is unknown.
-  run.cpu_seconds =
-      run.ending.timed_out ? std::max(running.seconds(), run.ending.cpu_seconds) : run.ending.cpu_seconds;
+  run.cpu_seconds = run.ending.cpu_seconds;
   run.limited =
-      run.ending.timed_out || run.ending.out_of_memory || run.cpu_seconds >= cage.limits.cpu_seconds ||
+      run.ending.timed_out || run.ending.out_of_memory || run.cpu_seconds >= cage.limits.cpu_seconds_of_all ||
       tool_says(run.output, file, {"Killed signal", "memory exhausted", "out of memory", "CPU time limit"});
   // Which limit a bomb meets first differs from run to run; that it met one does not.
   if (run.limited && !run.ending.well()) run.output = "a limit on time or memory was reached\n";
   return run;
 }
 
-void Toolchain::prove(const Cage& cage, const std::vector<std::string>& command) const {
+void Toolchain::prove(Cage cage, const std::vector<std::string>& command) const {
+  cage.limits.cpu_seconds_of_all = cage.limits.cpu_seconds = 10;  // whatever was left for the file
   const Run control = run(cage, command, "/dev/null");
   if (!control.ending.well())
     throw std::runtime_error("the compiler could not run: " + printable(control.output.substr(0, 500)));
@@ -109,26 +102,27 @@ void Toolchain::prove(const Cage& cage, const std::vector<std::string>& command)
 void Toolchain::prove_it_compiles(const Cage& cage) const {
   std::vector<std::string> command = {program_};
   command.insert(command.end(), kCompile.begin(), kCompile.end());
-  command.insert(command.end(), {"-x", "c++", "-c", "/dev/null", "-o", "/dev/null"});
+  command.insert(command.end(), {"-x", "c++", "-c", "-", "-o", "/tmp/nothing.o"});
   prove(cage, command);
 }
 
 void Toolchain::prove_it_links(const Cage& cage) const {
   std::vector<std::string> command = link_command();
-  command.insert(command.end(), {"-nostdlib", "-o", "/dev/null", "-Wl,--version"});
+  command.insert(command.end(), {"-nostdlib", "-o", "/tmp/nothing.so", "-Wl,--version"});
   prove(cage, command);
 }
 
 Cage Toolchain::linking(double cpu_seconds) const {
   Cage cage;
-  cage.mounts = toolchain_mounts();
+  cage.mounts = system_;
   cage.tmp_bytes = 64 << 20;
   cage.syscalls = Syscalls::toolchain;
   cage.limits.memory_bytes = std::size_t{2} << 30;
-  cage.limits.cpu_seconds = static_cast<int>(std::ceil(std::max(1.0, cpu_seconds)));
+  cage.limits.cpu_seconds_of_all = std::max(kLeastSeconds, cpu_seconds);
+  cage.limits.cpu_seconds = static_cast<int>(std::ceil(cage.limits.cpu_seconds_of_all));
   cage.limits.wall_seconds = 600;  // compilers do not sleep, but machines are busy
-  cage.as_first_process = true;
-  cage.isolated = isolated_;
+  cage.isolation = isolation_;
+  cage.roots = kit_.roots();
   return cage;
 }
 
@@ -136,7 +130,8 @@ Cage Toolchain::compiling(const std::vector<std::string>& libraries, double cpu_
   Cage cage = linking(cpu_seconds);
   std::vector<std::string> folders;
   for (const std::string& library : libraries) folders.push_back(folder_of(library));
-  for (const Mount& mount : header_mounts(kit_.empty_folder(), folders)) cage.mounts.push_back(mount);
+  for (const Mount& mount : header_mounts(isolation_, kit_.empty_folder(), folders))
+    cage.mounts.push_back(mount);
   cage.mounts.push_back({kit_.folder() / "handout", "/handout"});
   return cage;
 }

@@ -20,7 +20,7 @@ inline constexpr const char* kStudentFolder = "/handout/student";
 class Toolchain {
  public:
   // Throws BadInput if there is no compiler.
-  Toolchain(const StagedKit& kit, bool isolated);
+  Toolchain(const StagedKit& kit, Isolation isolation);
 
   struct Run {
     Ending ending;
@@ -48,15 +48,16 @@ class Toolchain {
   std::vector<std::string> link_command(Build build = Build::ordinary) const;
 
   const StagedKit& kit() const { return kit_; }
-  bool isolated() const { return isolated_; }
+  bool isolated() const { return isolation_ != Isolation::none; }
   const std::string& version() const { return version_; }  // changes with the compiler and its options
 
  private:
-  void prove(const Cage& cage, const std::vector<std::string>& command) const;
+  void prove(Cage cage, const std::vector<std::string>& command) const;
 
   const StagedKit& kit_;
-  bool isolated_;
+  Isolation isolation_;
   std::string program_, version_;
+  std::vector<Mount> system_;  // compiler and linker
 };
 
 // A new folder that the sandbox's user may write to.

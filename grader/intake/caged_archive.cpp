@@ -15,6 +15,7 @@
 #include "grader/course/input.h"
 #include "grader/intake/archive_service.h"
 #include "grader/sandbox/identity.h"
+#include "grader/sandbox/system_mounts.h"
 #include "grader/sandbox/watchdog.h"
 #include "grader/wire/channel.h"
 #include "grader/wire/message.h"
@@ -74,13 +75,12 @@ Pipe make_conversation() {
 
 class CagedArchive : public Container {
  public:
-  CagedArchive(const fs::path& program, const ArchiveSource& source, std::string shown, ArchiveLimits limits)
+  CagedArchive(const Cage& cage, const ArchiveSource& source, std::string shown, ArchiveLimits limits)
       : shown_(std::move(shown)),
         limits_(limits),
         archive_(opened(source, shown_)),
         conversation_(make_conversation()),
-        process_(reader_cage(program), command(), archive_.get(), conversation_.write_end.get(),
-                 said_.write_end.get()),
+        process_(cage, command(), archive_.get(), conversation_.write_end.get(), said_.write_end.get()),
         watchdog_(process_, patience(limits, archive_.get())),
         channel_(conversation_.read_end.get(), conversation_.read_end.get(),
                  [this](int descriptor, short events) { return watchdog_.wait_for(descriptor, events); }) {
@@ -187,25 +187,27 @@ class CagedArchive : public Container {
 
 }  // namespace
 
-Cage reader_cage(const fs::path& program) {
+Cage reader_cage(const fs::path& program, Isolation isolation) {
   Cage cage;
-  cage.mounts = library_mounts();
+  cage.isolation = isolation;
+  cage.roots = program.parent_path() / "roots";
+  cage.mounts = library_mounts(isolation, {program});
   cage.mounts.push_back({program, std::string("/") + kProgram});
   cage.limits.memory_bytes = kMemory;
   cage.limits.processes = 4;
   return cage;
 }
 
-CagedReader::CagedReader(const fs::path& program) : folder_(kProgram) {
+CagedReader::CagedReader(const fs::path& program, Isolation isolation) {
   if (!fs::exists(program)) throw BadInput(program.string() + " is missing; build the target grading");
-  share_with_sandbox(folder_.path(), false);
   fs::copy_file(program, folder_.path() / kProgram);
   fs::permissions(folder_.path() / kProgram, fs::perms(0755));
+  cage_ = reader_cage(folder_.path() / kProgram, isolation);
 }
 
 std::unique_ptr<Container> CagedReader::open(const ArchiveSource& source, const std::string& shown,
                                              ArchiveLimits limits) const {
-  return std::make_unique<CagedArchive>(folder_.path() / kProgram, source, shown, limits);
+  return std::make_unique<CagedArchive>(cage_, source, shown, limits);
 }
 
 OpenArchive CagedReader::opener() const {

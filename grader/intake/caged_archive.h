@@ -12,7 +12,7 @@
 
 #include "grader/intake/archive.h"
 #include "grader/sandbox/cage.h"
-#include "hair/io/files/temporary_folder.h"
+#include "grader/sandbox/staging_folder.h"
 
 namespace grader {
 
@@ -20,7 +20,7 @@ class CagedReader {
  public:
   // `program`: hairintake. It is copied to where the sandbox's user can read it. The process that uses this
   // must ignore SIGPIPE: a reader may end at any time.
-  explicit CagedReader(const std::filesystem::path& program);
+  explicit CagedReader(const std::filesystem::path& program, Isolation isolation = Isolation::namespaces);
 
   // Throws Unreadable for a file that can't be opened, and std::runtime_error if no reader starts at all. What
   // it returns must not outlive this, and may be visited once. A reader that breaks down, takes too much time
@@ -31,10 +31,11 @@ class CagedReader {
   OpenArchive opener() const;
 
  private:
-  hair::TemporaryFolder folder_;
+  StagingFolder folder_;
+  Cage cage_;
 };
 
 // The cage of a reader, whose program is the file `program`.
-Cage reader_cage(const std::filesystem::path& program);
+Cage reader_cage(const std::filesystem::path& program, Isolation isolation);
 
 }  // namespace grader

@@ -25,7 +25,7 @@ Judging::Judging(GradingSettings settings)
     : settings_(std::move(settings)),
       exercise_(exercise_of(settings_)),
       kit_(settings_.kit, settings_.course),
-      compiler_(kit_, settings_.cache, settings_.isolated),
+      compiler_(kit_, settings_.cache, settings_.isolation),
       jobs_(settings_, kit_) {
   jobs_.limit_by(grade_reference(jobs_, compiler_).timing);
 }

@@ -223,7 +223,7 @@ std::string class_page(const Results& results) {
   }
   const Html pictures = pictures_by_distance(results, {"staff/pictures"});
   const Html link_to_pictures = pictures.text.empty() ? Html() : html("<a href=\"#pictures\">Pictures</a> ");
-  Html body = stamps(all_isolated(results), all_with_images(results));
+  Html body = stamps(least_isolation(results), all_with_images(results));
   body += html(
       "<header>\n<h1>Grades of the class</h1>\n<p class=\"total\"><strong>{}</strong> of {} points on "
       "average, median {}, {} submissions</p>\n"

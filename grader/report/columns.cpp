@@ -68,9 +68,11 @@ std::string in_a_row(const std::vector<std::string>& words) {
   return row;
 }
 
-bool all_isolated(const std::vector<SubmissionResult>& results) {
-  return std::all_of(results.begin(), results.end(),
-                     [](const SubmissionResult& result) { return result.isolated; });
+Isolation least_isolation(const std::vector<SubmissionResult>& results) {
+  Isolation least = Isolation::namespaces;
+  for (const SubmissionResult& result : results)
+    if (least != Isolation::none && result.isolation != Isolation::namespaces) least = result.isolation;
+  return least;
 }
 
 bool all_with_images(const std::vector<SubmissionResult>& results) {

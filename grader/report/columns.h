@@ -24,7 +24,7 @@ std::string in_short(const ExerciseResult& exercise);
 
 std::string in_a_row(const std::vector<std::string>& words);  // "S1, H4"
 
-bool all_isolated(const std::vector<SubmissionResult>& results);
+Isolation least_isolation(const std::vector<SubmissionResult>& results);
 bool all_with_images(const std::vector<SubmissionResult>& results);
 
 }  // namespace grader

@@ -25,6 +25,18 @@ std::string line(const std::vector<std::string>& cells) {
   return text + "\r\n";
 }
 
+std::string sandbox_cell(Isolation kind) {
+  switch (kind) {
+    case Isolation::none:
+      return "no";
+    case Isolation::namespaces:
+      return "yes";
+    case Isolation::container:
+      return "container";
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string grades_csv(const std::vector<SubmissionResult>& results) {
@@ -38,7 +50,7 @@ std::string grades_csv(const std::vector<SubmissionResult>& results) {
   std::string text = line(head);
   for (const SubmissionResult& result : results) {
     std::vector<std::string> cells{result.name, shown_points(points(result)),
-                                   shown_points(max_points(result)), result.isolated ? "yes" : "no",
+                                   shown_points(max_points(result)), sandbox_cell(result.isolation),
                                    result.images ? "yes" : "no"};
     for (const Column& column : columns) {
       const ExerciseResult* exercise = find_exercise(result, column.id);

@@ -80,15 +80,15 @@ std::string suite_of(const SubmissionResult& result) {
 
 std::string junit_xml(const std::vector<SubmissionResult>& results) {
   std::string suites;
-  bool isolated = true, images = true;
+  bool images = true;
   for (const SubmissionResult& result : results) {
     suites += suite_of(result);
-    isolated = isolated && result.isolated;
     images = images && result.images;
   }
+  const std::string said = said_of(least_isolation(results));
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"" + std::string("hairgrade") +
-         (isolated ? "" : " (graded without a sandbox)") + (images ? "" : " (graded without pictures)") +
-         "\">\n" + suites + "</testsuites>\n";
+         (said.empty() ? "" : " (" + said + ")") + (images ? "" : " (graded without pictures)") + "\">\n" +
+         suites + "</testsuites>\n";
 }
 
 }  // namespace grader

@@ -28,7 +28,7 @@ Html sort_script();
 const char* look_of(Status status);  // the status as a class of the style sheet
 Html badge(Status status);           // the status in words, coloured
 
-// The warning of every page with results that were graded without a sandbox, or without pictures.
-Html stamps(bool isolated, bool images);
+// The warning of every page with results that were graded without namespaces, or without pictures.
+Html stamps(Isolation isolation, bool images);
 
 }  // namespace grader

@@ -63,7 +63,7 @@ TEST(Pages, OfTheClassListWhatTheClockEnded) {
 TEST(Pages, AStrictParserReadsThem) {
   std::vector<SubmissionResult> results = class_of_ten_exercises(30);
   results.push_back(submission_full_of(hostile));
-  results[1].isolated = false;
+  results[1].isolation = Isolation::none;
   results[2].images = false;
   const ComparedPair pair{"<x>.png", 8, 8, {0.1, 0.2, 0.3, false}};
   const ComparedPair uncompared{.name = "<y>.png", .distance = {}, .obstacle = "<cut> off & \"small\""};
@@ -135,12 +135,12 @@ TEST(Pages, WithoutASandboxEveryPageSaysSo) {
   EXPECT_EQ(
       count(class_page(results) + student_page(results[0]) + staff_page(results[0]), "without a sandbox"),
       0u);
-  results[1].isolated = false;
+  results[1].isolation = Isolation::none;
   for (const std::string& page : {class_page(results), student_page(results[1]), staff_page(results[1])}) {
     EXPECT_EQ(count(page, "Graded without a sandbox"), 1u);
   }
   EXPECT_EQ(count(student_json(results[1]), "Graded without a sandbox"), 1u);
-  EXPECT_EQ(count(junit_xml(results), "graded without a sandbox"), 1u);
+  EXPECT_EQ(count(junit_xml(results), "Graded without a sandbox"), 1u);
   EXPECT_EQ(count(grades_csv(results), ",no,"), 1u);
 }
 

@@ -413,7 +413,7 @@ TEST(Table, IsAlignedAndAscii) {
   results[1].name =
       "b\xc3\xb6"
       "b\x1b[31m";
-  results[2].isolated = false;
+  results[2].isolation = Isolation::none;
   results[3].images = false;
   results[0].ended_by_the_clock = {"S1", "runs"};
   std::ostringstream out;

@@ -69,8 +69,9 @@ std::string student_json(const SubmissionResult& whole) {
   }
   for (std::size_t i = 0; i < result.runs.size(); ++i)
     tests.push_back(run_test(result.runs[i], "runs." + std::to_string(i + 1)));
-  const std::string stamp = joined(result.isolated ? "" : "Graded without a sandbox.",
-                                   result.images ? "" : "Graded without pictures.");
+  const std::string said = said_of(result.isolation);
+  const std::string stamp =
+      joined(said.empty() ? "" : said + ".", result.images ? "" : "Graded without pictures.");
   const Json all = {
       {"score", rounded_points(points(result))},
       {"output", joined(stamp, hair::readable(result.note))},
@@ -78,7 +79,8 @@ std::string student_json(const SubmissionResult& whole) {
       {"visibility", "visible"},
       {"stdout_visibility", "hidden"},
       {"tests", tests},
-      {"extra_data", {{"exercises", exercises}, {"isolated", result.isolated}, {"images", result.images}}}};
+      {"extra_data",
+       {{"exercises", exercises}, {"isolation", to_string(result.isolation)}, {"images", result.images}}}};
   return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

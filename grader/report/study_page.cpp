@@ -223,7 +223,7 @@ Html summary_of(const SubmissionStudy& study) {
 
 std::string study_page(const SubmissionResult& result, const SubmissionStudy& study,
                        const SubmissionStudy& beside_itself) {
-  Html body = stamps(result.isolated, true);
+  Html body = stamps(result.isolation, true);
   body += html(R"(<header>
 <h1>Error against run time: {}</h1>
 <p class="quiet"><a href="report.html">The report</a> &#183; <a href="study.json">study.json</a></p>

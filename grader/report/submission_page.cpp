@@ -143,7 +143,7 @@ Html total_line(const SubmissionResult& result) {
 }
 
 Html body_of(const SubmissionResult& result, Reader reader) {
-  Html body = stamps(result.isolated, result.images);
+  Html body = stamps(result.isolation, result.images);
   body += html("<header>\n<h1>{}</h1>\n", {result.name});
   body += total_line(result);
   if (reader == Reader::staff) {
@@ -176,12 +176,17 @@ const char* look_of(Status status) {
   }
 }
 
-Html stamps(bool isolated, bool images) {
+Html stamps(Isolation isolation, bool images) {
   Html all;
-  if (!isolated)
+  const std::string said = said_of(isolation);
+  if (isolation == Isolation::none)
     all += html(
-        "<p class=\"stamp\" role=\"note\">Graded without a sandbox. These results are not protected against "
-        "what the code may have done.</p>\n");
+        "<p class=\"stamp\" role=\"note\">{}. These results are not protected against what the code may have "
+        "done.</p>\n",
+        {said});
+  if (isolation == Isolation::container)
+    all += html("<p class=\"stamp\" role=\"note\">{}: each program had a user and a folder of its own.</p>\n",
+                {said});
   if (!images)
     all += html(
         "<p class=\"stamp\" role=\"note\">Graded without pictures. What these "

@@ -90,7 +90,9 @@ void print_table(std::ostream& out, const std::vector<SubmissionResult>& results
     if (!result.ended_by_the_clock.empty())
       out << "NOT FINAL, ended by the clock: " << printable(result.name) << ": "
           << in_a_row(result.ended_by_the_clock) << '\n';
-  if (!all_isolated(results)) out << "GRADED WITHOUT A SANDBOX\n";
+  std::string said = said_of(least_isolation(results));
+  std::ranges::transform(said, said.begin(), [](unsigned char c) { return std::toupper(c); });
+  if (!said.empty()) out << said << "\n";
   if (!all_with_images(results)) out << "GRADED WITHOUT PICTURES\n";
 }
 

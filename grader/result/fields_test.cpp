@@ -62,7 +62,8 @@ SubmissionResult submission() {
   result.runs = {kRun};
   result.note = "a note";
   result.fingerprint = "abc";
-  result.isolated = result.images = false;
+  result.isolation = Isolation::container;
+  result.images = false;
   result.studied = true;
   result.origin = "hand-in /home/ta/alice.zip";
   result.ended_by_the_clock = {"S1", "runs"};

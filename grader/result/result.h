@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "grader/course/isolation.h"
+
 namespace grader {
 
 enum class Status {
@@ -99,7 +101,7 @@ struct SubmissionResult {
   std::vector<RunResult> runs;
   std::string note;         // not empty: an error of the whole submission, for the student
   std::string fingerprint;  // of the submission's bytes and of the suite, in hexadecimal
-  bool isolated = true;     // false: graded without a sandbox; every page says so
+  Isolation isolation = Isolation::namespaces;  // every page says if it is another
   bool images = true;       // false: graded without pictures; every page says so
   // Exercises, or "runs", that the clock on the wall ended: their points are not final, and a person looks.
   std::vector<std::string> ended_by_the_clock = {};

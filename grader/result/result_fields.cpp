@@ -70,7 +70,7 @@ const Rows<SubmissionResult>& Fields<SubmissionResult>::rows() {
       field("name", &T::name),
       field("origin", &T::origin),
       field("fingerprint", &T::fingerprint),
-      field("isolated", &T::isolated),
+      field("isolation", &T::isolation),
       field("images", &T::images),
       field("note", &T::note),
       field("exercises", &T::exercises),

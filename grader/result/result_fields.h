@@ -19,6 +19,8 @@ inline constexpr Status kLast<Status> = Status::unreadable;
 template <>
 inline constexpr RunOutcome kLast<RunOutcome> = RunOutcome::not_run;
 template <>
+inline constexpr Isolation kLast<Isolation> = Isolation::container;
+template <>
 inline constexpr StudyEnd kLast<StudyEnd> = StudyEnd::broke;
 
 template <>

@@ -1,11 +1,9 @@
-// STAFF ONLY. Starts bubblewrap around a command, and reads from the kernel what the command does.
+// STAFF ONLY. Starts a command in a cage of either kind, and reads from the kernel what the command does.
 #include "grader/sandbox/cage.h"
 
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <sys/resource.h>
-#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -18,12 +16,14 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "grader/sandbox/bubblewrap.h"
+#include "grader/sandbox/container_root.h"
 #include "grader/sandbox/identity.h"
+#include "grader/sandbox/launch.h"
+#include "grader/sandbox/warden.h"
 
 namespace grader {
 namespace {
-
-enum : int { kRequests = 3, kReplies = 4, kInfo = 5, kFilter = 6 };
 
 // A word of a command with the path in it that some mount puts there replaced by the path out here; the
 // longest such path counts.
@@ -42,52 +42,11 @@ std::string outside(const Cage& cage, const std::string& word) {
   return word.substr(0, place) + found->source.string() + word.substr(place + found->target.size());
 }
 
-std::vector<std::string> bwrap_command(const Cage& cage, const std::vector<std::string>& command,
-                                       bool filtered) {
-  std::vector<std::string> all = {"/usr/bin/bwrap",
-                                  "--unshare-user",
-                                  "--unshare-pid",
-                                  "--unshare-net",
-                                  "--unshare-ipc",
-                                  "--unshare-uts",
-                                  "--unshare-cgroup-try",
-                                  "--disable-userns",
-                                  "--die-with-parent",
-                                  "--new-session",
-                                  "--clearenv",
-                                  "--hostname",
-                                  "cage",
-                                  "--info-fd",
-                                  std::to_string(kInfo)};
-  auto append = [&all](std::initializer_list<std::string> words) { all.insert(all.end(), words); };
-  if (filtered) append({"--seccomp", std::to_string(kFilter)});
-  if (cage.tmp_bytes > 0)
-    append({"--size", std::to_string(cage.tmp_bytes), "--tmpfs", "/tmp", "--dev-bind", "/dev/null",
-            "/dev/null"});
-  for (const Mount& mount : cage.mounts) {
-    std::error_code error;
-    if (std::filesystem::is_symlink(mount.source, error) && mount.source == mount.target)
-      append({"--symlink", std::filesystem::read_symlink(mount.source).string(), mount.target});
-    else
-      append({mount.writable ? "--bind" : "--ro-bind", mount.source.string(), mount.target});
-  }
-  // The same bytes whenever it is compiled: __DATE__ and __TIME__ are those of this second.
-  append({"--setenv", "PATH", "/usr/bin", "--setenv", "LC_ALL", "C", "--setenv", "SOURCE_DATE_EPOCH", "1"});
-  if (cage.as_first_process) append({"--as-pid-1"});
-  append({"--remount-ro", "/", "--chdir", cage.folder, "--"});
-  all.insert(all.end(), command.begin(), command.end());
-  return all;
-}
-
 std::vector<char*> as_argv(const std::vector<std::string>& words) {
   std::vector<char*> argv;
   for (const std::string& word : words) argv.push_back(const_cast<char*>(word.c_str()));
   argv.push_back(nullptr);
   return argv;
-}
-
-double seconds_of(const timeval& time) {
-  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
 }
 
 // Of each thread of a process: what it has computed and waited for a processor, the first two numbers of
@@ -110,107 +69,87 @@ void add_busy(pid_t process, std::map<pid_t, CagedProcess::Activity::Busy>& busy
   }
 }
 
-// What happens between fork and exec: system calls only, for other threads may have held any lock.
-struct Child {
-  std::vector<char*> argv, environment;
-  std::vector<int> joins;  // open cgroup.procs files
-  const char* folder;      // null: stay
-  int requests, replies, output, info, filter;
-  Identity identity;
-
-  [[noreturn]] void exec() const {
-    for (int group : joins)
-      if (write(group, "0", 1) != 1) _exit(126);
-    int sources[] = {output, output, requests, replies, info, filter};
-    const int targets[] = {1, 2, kRequests, kReplies, kInfo, kFilter};
-    for (int& source : sources)
-      if (source >= 0 && (source = fcntl(source, F_DUPFD_CLOEXEC, 32)) < 0)
-        _exit(126);  // out of the targets' way
-    if (syscall(SYS_close_range, 3, ~0U, 4U /* CLOSE_RANGE_CLOEXEC */) != 0) _exit(126);
-    for (int i = 0; i < 6; ++i)
-      if (sources[i] >= 0 && dup2(sources[i], targets[i]) < 0) _exit(126);
-    const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
-    if (dup2(nothing, 0) < 0) _exit(126);
-    if (output < 0 && (dup2(nothing, 1) < 0 || dup2(nothing, 2) < 0)) _exit(126);
-    if (!become(identity)) _exit(126);
-    if (folder != nullptr && chdir(folder) != 0) _exit(126);
-    execve(argv[0], argv.data(), environment.data());
-    _exit(127);
-  }
-};
+std::string program_of(pid_t process) {
+  std::string name;
+  std::ifstream("/proc/" + std::to_string(process) + "/comm") >> name;
+  return name;
+}
 
 }  // namespace
 
 CagedProcess::CagedProcess(const Cage& cage, const std::vector<std::string>& command, int requests,
                            int replies, int output)
-    : isolated_(cage.isolated),
+    : isolation_(cage.isolation),
       group_(ControlGroup::create(cage.limits.memory_bytes, cage.limits.processes + 4 /* bwrap's own */)) {
-  if (cage.limits.memory_of_group && !(group_ && group_->bounds_memory()))
+  const bool bounded = group_ && group_->bounds_memory();
+  if (cage.limits.memory_of_group && !bounded && isolation_ != Isolation::container)
     throw std::runtime_error("no control group bounds the memory of a program with sanitizers");
-  std::vector<std::string> words, environment;
-  std::string folder;
+  std::vector<std::string> words = command,
+                           environment = {"PATH=/usr/bin", "LC_ALL=C", "SOURCE_DATE_EPOCH=1"};
+  std::string folder = cage.folder;
+  RunLimits limits{.cpu_seconds = cage.limits.cpu_seconds_of_all};
   Descriptor filter;
   Pipe info = make_pipe();
-  if (cage.isolated) {
-    if (cage.syscalls) filter = Descriptor(syscall_filter_descriptor(*cage.syscalls));
-    words = bwrap_command(cage, command, cage.syscalls.has_value());
-  } else {
-    for (const std::string& word : command) words.push_back(outside(cage, word));
-    folder = outside(cage, cage.folder);
-    environment = {"PATH=/usr/bin", "LC_ALL=C", "SOURCE_DATE_EPOCH=1"};
+  Launch launch;
+  launch.requests = requests;
+  launch.replies = replies;
+  launch.output = output;
+  switch (isolation_) {
+    case Isolation::namespaces:
+      if (cage.syscalls) filter = Descriptor(syscall_filter_descriptor(*cage.syscalls));
+      launch.filter_file = filter.get();
+      launch.info = info.write_end.get();
+      words = bubblewrap_command(cage, command, cage.syscalls.has_value());
+      environment.clear();
+      folder.clear();
+      launch.identity = sandbox_identity();
+      break;
+    case Isolation::container:
+      launch.identity = identity_of_a_run();
+      root_ = std::make_unique<ContainerRoot>(cage, launch.identity);
+      launch.root = root_->path().c_str();
+      if (cage.syscalls) launch.filter = syscall_filter(*cage.syscalls);
+      launch.own_session = true;
+      limits.user = launch.identity.user;
+      if (!bounded) limits.resident_bytes = cage.limits.memory_bytes;
+      break;
+    case Isolation::none:
+      for (std::string& word : words) word = outside(cage, word);
+      folder = outside(cage, folder);
+      launch.identity = sandbox_identity();
+      break;
   }
-
+  launch.argv = as_argv(words);
+  launch.environment = as_argv(environment);
+  if (!folder.empty()) launch.folder = folder.c_str();
   std::vector<Descriptor> joins;
   if (group_)
-    for (const auto& file : group_->join_files())
+    for (const auto& file : group_->join_files()) {
       joins.emplace_back(open(file.c_str(), O_WRONLY | O_CLOEXEC));
-
-  Child child{as_argv(words),
-              as_argv(environment),
-              {},
-              folder.empty() ? nullptr : folder.c_str(),
-              requests,
-              replies,
-              output,
-              cage.isolated ? info.write_end.get() : -1,
-              filter.get(),
-              sandbox_identity()};
-  for (const Descriptor& join : joins)
-    if (join) child.joins.push_back(join.get());
-
-  process_ = fork();
-  if (process_ < 0) throw std::system_error(errno, std::generic_category(), "fork");
-  if (process_ == 0) child.exec();
+      if (joins.back()) launch.joins.push_back(joins.back().get());
+    }
+  run_ = std::make_unique<Warden>(launch, limits);
   info_ = std::move(info.read_end);
 }
 
-CagedProcess::CagedProcess(CagedProcess&& other) noexcept
-    : process_(std::exchange(other.process_, -1)),
-      isolated_(other.isolated_),
-      info_(std::move(other.info_)),
-      init_(other.init_),
-      group_(std::move(other.group_)),
-      ending_(other.ending_) {
-  other.group_.reset();
-}
+CagedProcess::CagedProcess(CagedProcess&&) noexcept = default;
 
 CagedProcess::~CagedProcess() {
-  if (process_ > 0) wait(0);
+  if (run_) wait(0);
 }
 
 void CagedProcess::kill() {
-  if (process_ > 0 && !ending_) ::kill(process_, SIGKILL);
+  if (run_) run_->end();
 }
 
-Descriptor CagedProcess::handle() const {
-  return Descriptor(static_cast<int>(syscall(SYS_pidfd_open, process_, 0)));
+int CagedProcess::handle() const {
+  return run_->ended().get();
 }
 
 Ending CagedProcess::wait(double seconds) {
   if (ending_) return *ending_;
   Ending ending;
-  const Descriptor ended = handle();
-  pollfd wanted{ended.get(), POLLIN, 0};
+  pollfd wanted{handle(), POLLIN, 0};
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
   int ready = 0;
   do {
@@ -221,28 +160,26 @@ Ending CagedProcess::wait(double seconds) {
     kill();
     ending.timed_out = true;
   }
-  int status = 0;
-  rusage used{};
-  while (wait4(process_, &status, 0, &used) < 0 && errno == EINTR) {
-  }
-  ending.cpu_seconds = seconds_of(used.ru_utime) + seconds_of(used.ru_stime);
-  if (WIFSIGNALED(status)) {
-    ending.signal = WTERMSIG(status);
-  } else if (WEXITSTATUS(status) > 128 && isolated_) {
-    ending.signal = WEXITSTATUS(status) - 128;  // as bwrap and shells report it
+  const Warden::Report report = run_->wait();
+  ending.cpu_seconds = report.cpu_seconds;
+  if (WIFSIGNALED(report.status)) {
+    ending.signal = WTERMSIG(report.status);
+  } else if (WEXITSTATUS(report.status) > 128 && isolation_ == Isolation::namespaces) {
+    ending.signal = WEXITSTATUS(report.status) - 128;  // as bwrap and shells report it
   } else {
-    ending.code = WEXITSTATUS(status);
+    ending.code = WEXITSTATUS(report.status);
   }
-  ending.out_of_memory = group_ && group_->ran_out_of_memory();
+  ending.out_of_memory = report.over_memory || (group_ && group_->ran_out_of_memory());
   // The soft limit on CPU time. SIGKILL may be the hard one, a second later, for a process that ignores the first; or anybody's.
-  ending.timed_out |= ending.signal == SIGXCPU;
+  ending.timed_out |= report.over_cpu || ending.signal == SIGXCPU;
   ending_ = ending;
   group_.reset();
+  root_.reset();
   return ending;
 }
 
 pid_t CagedProcess::inner_process() const {
-  if (!isolated_) return process_;
+  if (isolation_ != Isolation::namespaces) return run_->process();
   if (init_ < 0) {
     std::string text;
     char letter;
@@ -251,10 +188,22 @@ pid_t CagedProcess::inner_process() const {
     const std::size_t at = text.find(key);
     init_ = at == std::string::npos ? 0 : std::atoi(text.c_str() + at + key.size());
   }
-  if (init_ == 0) return process_;
+  if (init_ == 0) return run_->process();
   std::ifstream children("/proc/" + std::to_string(init_) + "/task/" + std::to_string(init_) + "/children");
   pid_t worker = 0;
   return children >> worker ? worker : init_;
+}
+
+bool CagedProcess::has_started(pid_t process) const {
+  switch (isolation_) {
+    case Isolation::none:
+      return true;
+    case Isolation::namespaces:
+      return process != run_->process() && process != init_ && program_of(process) != "bwrap";
+    case Isolation::container:
+      return program_of(process) != program_of(getpid());
+  }
+  return false;
 }
 
 CagedProcess::Activity CagedProcess::activity() const {
@@ -263,12 +212,10 @@ CagedProcess::Activity CagedProcess::activity() const {
   clockid_t clock;
   timespec used{};
   now.alive = clock_getcpuclockid(process, &clock) == 0 && clock_gettime(clock, &used) == 0;
-  std::string program;
-  std::ifstream("/proc/" + std::to_string(process) + "/comm") >> program;
-  now.started = now.alive && (!isolated_ || (process != process_ && process != init_ && program != "bwrap"));
+  now.started = now.alive && has_started(process);
   if (now.alive)
     now.cpu_seconds = static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
-  for (const pid_t one : {process_, init_, process})
+  for (const pid_t one : {run_->process(), init_, process})
     if (one > 0) add_busy(one, now.busy);
   return now;
 }

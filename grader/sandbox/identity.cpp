@@ -1,14 +1,18 @@
-// STAFF ONLY.
+// STAFF ONLY. Users that run student code, and what they may read.
 #include "grader/sandbox/identity.h"
 
 #include <grp.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cstdint>
 #include <fstream>
+#include <random>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "hair/io/files/bad_input.h"
 
@@ -16,25 +20,55 @@ namespace grader {
 
 namespace {
 
-// True if the list /proc/self/uid_map or gid_map has the sandbox's user or group: lines of "first, first outside, count".
-bool has_sandbox_user(const char* map) {
+struct Range {
+  std::uint64_t first = 0, end = 0;
+  bool holds(std::uint64_t number) const { return first <= number && number < end; }
+};
+
+// The ranges of the list /proc/self/uid_map or gid_map: lines of "first, first outside, count".
+std::vector<Range> ranges_of(const char* map) {
   std::ifstream in(map);
-  if (!in) return true;  // no namespaces
-  for (unsigned long first = 0, outside = 0, count = 0; in >> first >> outside >> count;)
-    if (kSandboxUser >= first && kSandboxUser - first < count) return true;
-  return false;
+  if (!in) return {{0, UINT32_MAX}};  // no namespaces
+  std::vector<Range> ranges;
+  for (std::uint64_t first = 0, outside = 0, count = 0; in >> first >> outside >> count;)
+    ranges.push_back({first, first + count});
+  return ranges;
+}
+
+bool has_number(const char* map, std::uint64_t number) {
+  const std::vector<Range> ranges = ranges_of(map);
+  return std::ranges::any_of(ranges, [&](const Range& range) { return range.holds(number); });
 }
 
 }  // namespace
 
 Identity sandbox_identity() {
   if (geteuid() != 0) return {geteuid(), getegid(), false};
-  if (!has_sandbox_user("/proc/self/uid_map") || !has_sandbox_user("/proc/self/gid_map"))
+  if (!has_number("/proc/self/uid_map", kSandboxUser) || !has_number("/proc/self/gid_map", kSandboxUser))
     throw hair::BadInput(
         "this root belongs to a user namespace without the user and group " + std::to_string(kSandboxUser) +
         ", who run student code (unshare -Ur makes such a root); run hairgrade as an ordinary user, or as "
         "root of the machine");
   return {kSandboxUser, kSandboxUser, true};
+}
+
+Identity identity_of_a_run() {
+  if (geteuid() != 0) throw hair::BadInput("only root can give each run a user of its own");
+  // Accounts have lower numbers, and those above are negative for some programs.
+  constexpr std::uint64_t kFirst = 1U << 30, kEnd = (1U << 31) - 2;
+  // Where a container has few numbers: above those that Debian gives to accounts and services.
+  constexpr std::uint64_t kFirstOfFew = 60'000, kEndOfFew = 65'500;
+  for (const Range wanted : {Range{kFirst, kEnd}, Range{kFirstOfFew, kEndOfFew}}) {
+    std::random_device device;
+    const auto number = static_cast<uid_t>(
+        std::uniform_int_distribution<std::uint64_t>(wanted.first, wanted.end - 1)(device) &
+        ~std::uint64_t{1});
+    // Its neighbour ends what it leaves: see warden.cpp.
+    if (has_number("/proc/self/uid_map", number) && has_number("/proc/self/uid_map", number + 1) &&
+        has_number("/proc/self/gid_map", number))
+      return {number, number, true};
+  }
+  throw hair::BadInput("this root has no numbers of users to give to runs (see /proc/self/uid_map)");
 }
 
 bool become(const Identity& identity) {

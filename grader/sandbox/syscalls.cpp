@@ -180,6 +180,16 @@ int syscall_filter_descriptor(Syscalls kept) {
   return file;
 }
 
+std::vector<sock_filter> syscall_filter(Syscalls kept) {
+  const int file = syscall_filter_descriptor(kept);
+  std::vector<sock_filter> filter(static_cast<std::size_t>(lseek(file, 0, SEEK_END)) / sizeof(sock_filter));
+  const std::size_t bytes = filter.size() * sizeof(sock_filter);
+  const bool whole = pread(file, filter.data(), bytes, 0) == static_cast<ssize_t>(bytes);
+  close(file);
+  if (!whole) throw std::runtime_error("seccomp: can't read the filter");
+  return filter;
+}
+
 const char* denied_syscall(int number) {
   for (const Denied& denied : kDenied)
     for (const char* name : denied.names)

@@ -2,6 +2,10 @@
 // ENOSYS, so that the C library falls back to clone, whose flags a filter can inspect.
 #pragma once
 
+#include <linux/filter.h>
+
+#include <vector>
+
 namespace grader {
 
 enum class Syscalls {
@@ -21,6 +25,9 @@ void restrict_syscalls(Syscalls kept);
 
 // The filter program on a descriptor, for bwrap's --seccomp (close-on-exec; the caller closes it).
 int syscall_filter_descriptor(Syscalls kept);
+
+// The same as instructions, for the system call `seccomp`.
+std::vector<sock_filter> syscall_filter(Syscalls kept);
 
 // A phrase for the intention of a system call, as in "to open a network connection".
 const char* denied_syscall(int number);

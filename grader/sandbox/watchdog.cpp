@@ -88,8 +88,8 @@ bool Watchdog::wait_for(int descriptor, short events) {
 void Watchdog::wait_for_end(double seconds) {
   look();
   if (seconds <= 0) return;
-  const Descriptor handle = process_.handle();
-  wait(handle.get(), POLLIN, kWindowAtTheEnd, seconds);
+  const int handle = process_.handle();
+  wait(handle, POLLIN, kWindowAtTheEnd, seconds);
 }
 
 bool Watchdog::wait(int descriptor, short events, double window, double most_seconds) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "grader/sandbox/descriptor.h"
+#include "grader/sandbox/system_mounts.h"
 #include "solver/timing.h"
 
 namespace grader {
@@ -17,8 +18,9 @@ namespace {
 // A process that never answers, and a watchdog that waits for it.
 class Waiting {
  public:
-  explicit Waiting(const std::vector<std::string>& command, Watchdog::Patience patience, bool isolated = true)
-      : process_(cage(isolated), command, -1, -1, -1), watchdog_(process_, patience) {}
+  explicit Waiting(const std::vector<std::string>& command, Watchdog::Patience patience,
+                   Isolation isolation = Isolation::namespaces)
+      : process_(cage(isolation), command, -1, -1, -1), watchdog_(process_, patience) {}
 
   // Until the patience is used up.
   const Watchdog& wait() {
@@ -27,10 +29,10 @@ class Waiting {
   }
 
  private:
-  static Cage cage(bool isolated) {
+  static Cage cage(Isolation isolation) {
     Cage cage;
     cage.mounts = toolchain_mounts();
-    cage.isolated = isolated;
+    cage.isolation = isolation;
     return cage;
   }
 
@@ -51,12 +53,13 @@ TEST(Watchdog, EndsWhatSleeps) {
 // The kernel calls this state D, as if it waited for a disk.
 TEST(Watchdog, EndsWhatWaitsForAChildThatSharesItsMemory) {
   Waiting waiting({HAIR_IDLER, "vfork"}, {.idle_seconds = 0.6, .cpu_seconds = 10, .wall_seconds = 200},
-                  false);
+                  Isolation::none);
   EXPECT_STREQ(waiting.wait().why(), "asleep");
 }
 
 TEST(Watchdog, EndsWhatSleepsInShortNaps) {
-  Waiting naps({HAIR_IDLER, "naps"}, {.idle_seconds = 0.6, .cpu_seconds = 10, .wall_seconds = 200}, false);
+  Waiting naps({HAIR_IDLER, "naps"}, {.idle_seconds = 0.6, .cpu_seconds = 10, .wall_seconds = 200},
+               Isolation::none);
   EXPECT_STREQ(naps.wait().why(), "asleep");
 }
 
@@ -97,7 +100,7 @@ TEST(Watchdog, LeavesAloneWhatAnswersQuicklyOnABusyMachine) {
   const BusyMachine busy;
   Cage cage;
   cage.mounts = toolchain_mounts();
-  cage.isolated = false;
+  cage.isolation = Isolation::none;
   Pipe to = make_pipe(), from = make_pipe();
   CagedProcess echo(cage, {"/usr/bin/bash", "-c", "exec cat <&3 >&4"}, to.read_end.get(),
                     from.write_end.get(), -1);
@@ -121,7 +124,7 @@ TEST(Watchdog, TakesNoWakingUpForIdling) {
   constexpr int kAnswers = 20000;
   Cage cage;
   cage.mounts = toolchain_mounts();
-  cage.isolated = false;
+  cage.isolation = Isolation::none;
   Pipe to = make_pipe(), from = make_pipe();
   CagedProcess echo(cage, {"/usr/bin/bash", "-c", "exec cat <&3 >&4"}, to.read_end.get(),
                     from.write_end.get(), -1);
@@ -140,7 +143,7 @@ TEST(Watchdog, TakesNoWakingUpForIdling) {
 // It says something that nobody asked for, after a nap of 50 us each.
 TEST(Watchdog, ForgivesNoWakingUpForMessagesThatAnswerNothing) {
   Cage cage;
-  cage.isolated = false;
+  cage.isolation = Isolation::none;
   Pipe from = make_pipe();
   CagedProcess chatters(cage, {HAIR_IDLER, "chatters"}, -1, from.write_end.get(), -1);
   Watchdog watchdog(chatters, {.idle_seconds = 0.2, .cpu_seconds = 10, .wall_seconds = 200});
@@ -152,7 +155,7 @@ TEST(Watchdog, ForgivesNoWakingUpForMessagesThatAnswerNothing) {
 
 TEST(Watchdog, ForgivesWakingUpWithinABound) {
   Cage cage;
-  cage.isolated = false;
+  cage.isolation = Isolation::none;
   Pipe from = make_pipe();
   CagedProcess chatters(cage, {HAIR_IDLER, "chatters"}, -1, from.write_end.get(), -1);
   Watchdog watchdog(chatters,
@@ -180,7 +183,7 @@ TEST(Watchdog, CountsWaitsOfThirtyThreadsOnce) {
 TEST(Watchdog, CountsWhatIdlesBeforeItsEnd) {
   Cage cage;
   cage.mounts = toolchain_mounts();
-  cage.isolated = false;
+  cage.isolation = Isolation::none;
   CagedProcess leaving(cage, {"/usr/bin/sleep", "0.7"}, -1, -1, -1);
   Watchdog watchdog(leaving, {.idle_seconds = 5, .cpu_seconds = 10, .wall_seconds = 200});
   watchdog.wait_for_end(1);

@@ -19,7 +19,7 @@ class Allocations : public testing::TestWithParam<std::string> {
     setup.provided = read_course(HAIR_EXERCISES_JSON).find(GetParam())->prerequisites;
     setup.objects = {object};
     setup.log = "/dev/null";
-    setup.isolated = false;
+    setup.isolation = Isolation::none;
     setup.cpu_seconds = 60;
     setup.allowance->limit = share_of(Budget(), 30);
     return Student(setup);

@@ -30,7 +30,7 @@ std::optional<CaseCount> counted(const std::function<void(Trial&)>& run) {
   setup.exercise = "S1";
   setup.objects = {setup.kit / "lib/S1.so"};
   setup.log = "/dev/null";
-  setup.isolated = false;
+  setup.isolation = Isolation::none;
   setup.allowance->limit = share_of(Budget(), 10);
   Student student(setup);
   return count_of({"Name", "Title", 1, run}, student, Random("seed", "count"));

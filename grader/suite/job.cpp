@@ -25,7 +25,7 @@ struct Fields<SuiteJob> {
                                 field("provided", &T::provided),
                                 field("objects", &T::objects),
                                 field("log", &T::log),
-                                field("isolated", &T::isolated),
+                                field("isolation", &T::isolation),
                                 field("cpu_seconds", &T::cpu_seconds),
                                 field("allowance", &T::allowance),
                                 field("count_cases", &T::count_cases),

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "grader/course/isolation.h"
 #include "grader/course/budget.h"
 
 namespace grader {
@@ -30,7 +31,7 @@ struct SuiteJob {
   std::vector<std::string> provided;           // exercises whose functions the suite provides (provided.h)
   std::vector<std::filesystem::path> objects;  // in loading order
   std::filesystem::path log;
-  bool isolated = true;
+  Isolation isolation = Isolation::namespaces;
   int cpu_seconds = 10;
   Budget allowance = {};
   bool count_cases =

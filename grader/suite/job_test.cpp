@@ -19,7 +19,7 @@ SuiteJob job() {
   job.provided = {"S1", "P1"};
   job.objects = {"/tmp/a b/H4.so", "/tmp/\xc3\xb6.so"};
   job.log = "/tmp/log";
-  job.isolated = false;
+  job.isolation = Isolation::none;
   job.cpu_seconds = 7;
   job.allowance = {1, 2, 3, 4, 5, 6, 7};
   job.count_cases = false;

@@ -39,7 +39,7 @@ class Provided : public testing::Test {
     setup.provided = {"S1", "H5"};
     setup.objects = {folder_ / (how + ".so")};
     setup.log = folder_ / "log";
-    setup.isolated = false;
+    setup.isolation = Isolation::none;
     setup.allowance->limit.messages = 2000;
     std::ofstream(setup.objects[0]) << "";
     Student student(setup);

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cmath>
 
+#include "grader/sandbox/system_mounts.h"
 #include "grader/suite/provided.h"
 #include "grader/suite/recording.h"
 #include "solver/timing.h"
@@ -60,7 +61,8 @@ Cage worker_cage(const WorkerSetup& setup) {
   cage.mounts.push_back({setup.kit / "serve" / (setup.exercise + ".so"), "/server.so"});
   for (const auto& object : all_objects(setup))
     cage.mounts.push_back({object, "/objects/" + object.filename().string()});
-  cage.isolated = setup.isolated;
+  cage.isolation = setup.isolation;
+  cage.roots = setup.kit.parent_path() / "roots";
   cage.limits.cpu_seconds = static_cast<int>(
       std::ceil(std::clamp(setup.allowance->cpu_seconds_left(), 1.0, 1.0 * setup.cpu_seconds)));
   return cage;
@@ -77,9 +79,10 @@ Watchdog::Patience patience(const WorkerSetup& setup) {
 
 // 0 is no limit. The kernel counts all threads of a user in a user name space: with no cage, those of his other programs, too.
 std::vector<std::string> worker_command(const WorkerSetup& setup, const Limits& limits) {
-  std::vector<std::string> command = {"/worker", std::to_string(limits.cpu_seconds),
-                                      limits.memory_of_group ? "0" : std::to_string(limits.memory_bytes),
-                                      setup.isolated ? std::to_string(limits.processes) : "0"};
+  std::vector<std::string> command = {
+      "/worker", std::to_string(limits.cpu_seconds),
+      limits.memory_of_group ? "0" : std::to_string(limits.memory_bytes),
+      setup.isolation != Isolation::none ? std::to_string(limits.processes) : "0"};
   for (const auto& object : all_objects(setup)) command.push_back("/objects/" + object.filename().string());
   command.push_back("/server.so");
   return command;

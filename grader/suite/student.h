@@ -28,7 +28,7 @@ struct WorkerSetup {
   std::vector<std::string> provided;  // prerequisites whose functions the suite provides, see provided.h
   std::vector<std::filesystem::path> objects;  // in loading order; the student's last
   std::filesystem::path log;                   // the worker's output is appended here
-  bool isolated = true;
+  Isolation isolation = Isolation::namespaces;
   bool sanitised = false;  // with the sanitizers' runtime; only where a control group bounds its memory
   int cpu_seconds = 10;    // of one worker
   // Workers that share it may be copies of one setup.

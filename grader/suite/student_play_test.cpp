@@ -55,7 +55,7 @@ class StudentPlay : public testing::TestWithParam<std::string> {
     setup_.exercise = id();
     setup_.objects = {object()};
     setup_.log = folder_ / "log";
-    setup_.isolated = false;
+    setup_.isolation = Isolation::none;
   }
   ~StudentPlay() override { fs::remove_all(folder_); }
 

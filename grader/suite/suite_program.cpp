@@ -22,7 +22,7 @@ WorkerSetup worker_of(const SuiteJob& job) {
   worker.provided = job.provided;
   worker.objects = job.objects;
   worker.log = job.log;
-  worker.isolated = job.isolated;
+  worker.isolation = job.isolation;
   worker.cpu_seconds = job.cpu_seconds;
   worker.allowance->limit = job.allowance;
   return worker;

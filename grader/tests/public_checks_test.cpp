@@ -99,7 +99,7 @@ class PublicChecks : public testing::Test {
     const Compiled compiled = compiler.compile(exercise, source, job, 600, build);
     if (compiled.object.empty()) return {false, false, compiled.log};
     Cage cage;
-    cage.mounts = library_mounts();
+    cage.mounts = library_mounts(cage.isolation, {});
     cage.mounts.push_back({"/usr/bin/prlimit", "/usr/bin/prlimit"});
     cage.mounts.push_back({checks_ / (build == Build::sanitised ? "sanitised" : "ordinary"), "/check"});
     cage.mounts.push_back({checks_ / "golden", HAIR_GOLDEN_DIR});

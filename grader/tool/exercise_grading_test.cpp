@@ -37,7 +37,8 @@ class PartialPoints : public testing::Test {
     settings.course.partial = partial;
     settings.cache = HAIR_TEST_CACHE;
     settings.secret = "a secret for tests alone";
-    settings.images = settings.memory_errors = settings.isolated = false;
+    settings.images = settings.memory_errors = false;
+    settings.isolation = Isolation::none;
     const Exercise& s1 = *settings.course.find("S1");
     const StagedKit kit(settings.kit, settings.course);
     const Compiler compiler(kit, settings.cache, false);

@@ -7,45 +7,12 @@
 
 #include "grader/compile/hash.h"
 #include "grader/course/input.h"
-#include "grader/sandbox/cage.h"
 #include "grader/tool/exercise_grading.h"
 
 namespace grader {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Tests whether this machine can isolate student code, by doing it: empty if a caged worker starts; otherwise the reason and a remedy.
-std::string why_not_isolated(const StagedKit& kit) {
-  if (!fs::exists("/usr/bin/bwrap")) return "bubblewrap is not installed; install the package bubblewrap";
-  Cage cage;
-  cage.mounts = runtime_library_mounts();
-  cage.mounts.push_back({kit.folder() / "worker", "/worker"});
-  Pipe output = make_pipe();
-  CagedProcess process(cage, {"/worker"}, -1, -1, output.write_end.get());
-  output.write_end.close();
-  const std::string text = read_all(output.read_end, 1000, 10);
-  const Ending ending = process.wait(10);
-  constexpr int kWorkerWithoutArguments = 2;
-  if (ending.code == kWorkerWithoutArguments) return {};
-  return "a caged program does not start: " + (text.empty() ? "no reason given\n" : text) +
-         "It needs bubblewrap 0.8 or later and unprivileged user namespaces (sysctl "
-         "kernel.unprivileged_userns_clone=1, "
-         "user.max_user_namespaces > 0; on Ubuntu kernel.apparmor_restrict_unprivileged_userns=0)";
-}
-
-// The settings, if this machine can do as they say.
-const GradingSettings& checked(const GradingSettings& settings, const StagedKit& kit) {
-  if (!settings.isolated) return settings;
-  if (const std::string why = why_not_isolated(kit); !why.empty())
-    throw BadInput("this machine can't isolate student code: " + why +
-                   "; --unsafe-no-sandbox runs it all the same, and stamps the report");
-  return settings;
-}
-
-constexpr const char* kNotFinal =
-    "It took too long by the clock on the wall, so these points are not final: the staff look at it and "
-    "grade it again.";
 
 // Why an exercise of a submission is not called in scenes that run end to end; nothing if it is.
 std::string why_not_called(Status status) {
@@ -96,16 +63,12 @@ SuiteJob end_to_end_job(const SuiteJobs& jobs, const fs::path& job, const Submis
 
 }  // namespace
 
-void check_isolation(const GradingSettings& settings) {
-  checked(settings, StagedKit(settings.kit, settings.course));
-}
-
 Grading::Grading(GradingSettings settings)
     : settings_(std::move(settings)),
       made_by_(grader::made_by(settings_)),
       kit_(settings_.kit, settings_.course),
-      compiler_(kit_, settings_.cache, settings_.isolated, settings_.cache_bytes),
-      jobs_(checked(settings_, kit_), kit_),
+      compiler_(kit_, settings_.cache, settings_.isolation, settings_.cache_bytes),
+      jobs_(settings_, kit_),
       base_fingerprint_(jobs_.fingerprint()),
       reference_(grade_reference(jobs_, compiler_)) {
   jobs_.limit_by(reference_.timing);
@@ -125,7 +88,7 @@ Graded Grading::grade(const Submission& submission) const {
   graded.result.origin = submission.origin;
   graded.result.note = submission.problem;
   graded.result.fingerprint = fingerprint(submission);
-  graded.result.isolated = settings_.isolated;
+  graded.result.isolation = settings_.isolation;
   graded.result.images = settings_.images;
   const fs::path job = kit_.new_job("submission-" + submission.name);
   // Honest files take very different times: what earlier ones leave of their shares, later ones may take.

@@ -26,13 +26,9 @@ struct Graded {
   std::vector<std::string> problems;  // on our side: what prevented grading, a line each
 };
 
-// Throws BadInput if `isolated` is set and this machine can't isolate student code.
-void check_isolation(const GradingSettings& settings);
-
 class Grading {
  public:
-  // Throws BadInput if `isolated` is set and this machine can't isolate student code, if `images` is set and
-  // it can't draw, or if the reference does not get full points.
+  // Throws BadInput if `images` is set and this machine can't draw, or if the reference does not get full points.
   explicit Grading(GradingSettings settings);
 
   // Errors on our side are in the result, which then has no fingerprint.
@@ -42,6 +38,8 @@ class Grading {
   std::string fingerprint(const Submission& submission) const;
 
   const Course& course() const { return settings_.course; }
+  Isolation isolation() const { return settings_.isolation; }
+  bool looks_for_memory_errors() const { return settings_.memory_errors; }
   const MadeBy& made_by() const { return made_by_; }
 
   const ReferenceGraded& reference() const { return reference_; }  // in an identical worker

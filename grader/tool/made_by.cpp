@@ -71,6 +71,11 @@ std::string course_difference(const MadeBy& there, const MadeBy& here) {
   return all;
 }
 
+std::string way_to(Isolation kind) {
+  return kind == Isolation::none ? "add --unsafe-no-sandbox"
+                                 : std::string("grade with --isolation ") + to_string(kind);
+}
+
 }  // namespace
 
 MadeBy made_by(const GradingSettings& settings) {
@@ -81,7 +86,7 @@ MadeBy made_by(const GradingSettings& settings) {
     made.budget[field.key] = shown_points(settings.course.budget.*field.value);
   made.suite = sha256(sha256_of(settings.kit) + sha256_of(settings.suite) + sha256_of(settings.scenes));
   made.secret = hmac_sha256(settings.secret, "which secret made a folder of grades").substr(0, 16);
-  made.isolated = settings.isolated;
+  made.isolation = settings.isolation;
   made.images = settings.images;
   made.partial = settings.course.partial;
   return made;
@@ -93,10 +98,10 @@ std::string to_json(const MadeBy& made_by) {
     exercises[rule.id]["role"] = to_string(rule.role);
     if (asked_for(rule.role)) exercises[rule.id]["points"] = rule.points;
   }
-  const OrderedJson all = {{"exercises", exercises},       {"budget", OrderedJson(made_by.budget)},
-                           {"suite", made_by.suite},       {"secret", made_by.secret},
-                           {"isolated", made_by.isolated}, {"images", made_by.images},
-                           {"partial", made_by.partial}};
+  const OrderedJson all = {
+      {"exercises", exercises},    {"budget", OrderedJson(made_by.budget)},     {"suite", made_by.suite},
+      {"secret", made_by.secret},  {"isolation", to_string(made_by.isolation)}, {"images", made_by.images},
+      {"partial", made_by.partial}};
   return all.dump(1) + "\n";
 }
 
@@ -112,7 +117,9 @@ std::optional<MadeBy> made_by_from_json(const std::string& text) {
     made.budget = all.at("budget").get<std::map<std::string, std::string>>();
     made.suite = all.at("suite");
     made.secret = all.at("secret");
-    made.isolated = all.at("isolated");
+    const std::optional<Isolation> isolation = isolation_from(all.at("isolation").get<std::string>());
+    if (!isolation) return {};
+    made.isolation = *isolation;
     made.images = all.at("images");
     made.partial = all.at("partial");
     return made;
@@ -129,9 +136,10 @@ std::vector<Difference> differences(const MadeBy& there, const MadeBy& here) {
     all.push_back({"another suite: other hidden cases or another build of the grader",
                    "use the hairgrade that made it"});
   if (there.secret != here.secret) all.push_back({"another secret", "use the secret that made it"});
-  if (there.isolated != here.isolated)
-    all.push_back(there.isolated ? Difference{"a sandbox, and here is none", "leave out --unsafe-no-sandbox"}
-                                 : Difference{"no sandbox, and here is one", "add --unsafe-no-sandbox"});
+  if (there.isolation != here.isolation)
+    all.push_back({std::string("another sandbox: ") + to_string(there.isolation) + " there and " +
+                       to_string(here.isolation) + " here",
+                   way_to(there.isolation)});
   if (there.images != here.images)
     all.push_back(there.images ? Difference{"pictures, and here are none", "leave out --no-images"}
                                : Difference{"no pictures, and here are some", "add --no-images"});

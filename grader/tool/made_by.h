@@ -22,7 +22,8 @@ struct MadeBy {
   std::map<std::string, std::string> budget;  // the course's limits by their names; empty: it sets none
   std::string suite;                          // a hash of all that asks and judges
   std::string secret;  // an HMAC whose key is the secret: it tells two secrets apart, and nothing else
-  bool isolated = true, images = true;
+  Isolation isolation = Isolation::namespaces;
+  bool images = true;
   bool partial = false;  // the course's
 
   bool operator==(const MadeBy&) const = default;

@@ -37,7 +37,7 @@ using Told = std::pair<std::string, std::string>;
 TEST(MadeBy, ComesBackWhole) {
   MadeBy made = three_exercises();
   made.budget = {{"seconds", "20"}};
-  made.isolated = false;
+  made.isolation = Isolation::none;
   EXPECT_EQ(made_by_from_json(to_json(made)), made);
   made.images = false;
   made.partial = true;
@@ -103,7 +103,7 @@ TEST(MadeBy, TellsSuiteSecretSandboxAndPictures) {
   here.secret = "hash of another";
   EXPECT_EQ(told(there, here), Told("another secret. ", "use the secret that made it. "));
   here = there;
-  here.isolated = false;
+  here.isolation = Isolation::none;
   EXPECT_EQ(told(there, here).second, "leave out --unsafe-no-sandbox. ");
   EXPECT_EQ(told(here, there).second, "add --unsafe-no-sandbox. ");
   here = there;
@@ -138,7 +138,7 @@ TEST(MadeBy, SeesEverySettingThatChangesPoints) {
   EXPECT_EQ(differs([](auto& s) { s.course.exercises[1].role = Role::absent; }), 1U);
   EXPECT_EQ(differs([](auto& s) { s.course.exercises[1].points = 33; }), 0U) << "nobody is asked for it";
   EXPECT_EQ(differs([](auto& s) { s.course.partial = true; }), 1U);
-  EXPECT_EQ(differs([](auto& s) { s.isolated = false; }), 1U);
+  EXPECT_EQ(differs([](auto& s) { s.isolation = Isolation::none; }), 1U);
   EXPECT_EQ(differs([](auto& s) { s.images = false; }), 1U);
   EXPECT_EQ(differs([](auto& s) { s.secret += "."; }), 1U);
   EXPECT_EQ(differs([](auto& s) { s.exercise = "S1"; }), 0U);

@@ -27,6 +27,7 @@
 #include "grader/tool/comparing.h"
 #include "grader/tool/folder_of_grades.h"
 #include "grader/tool/grading.h"
+#include "grader/tool/isolation_here.h"
 #include "grader/tool/origins.h"
 #include "grader/tool/secret.h"
 #include "hair/io/files/finish_output.h"
@@ -43,8 +44,9 @@ struct GradeOptions {
   std::vector<fs::path> submissions;
   std::optional<fs::path> course, secret, cache;
   std::optional<std::string> exercise;
-  bool unsafe = false, no_images = false, study = false, classes = false;
+  bool no_images = false, study = false, classes = false;
   std::uintmax_t cache_megabytes = kCacheBytes / 1'000'000;
+  std::optional<Isolation> isolation;  // nothing: what this machine can give
   BatchSettings batch;
 };
 
@@ -98,19 +100,18 @@ int grade(const GradeOptions& options) {
   settings.players = HAIR_PLAYERS;
   settings.scenes = HAIR_HIDDEN_SCENES;
   settings.reference = fs::path(HAIR_SOURCE_DIR) / "reference";
-  settings.isolated = !options.unsafe;
   settings.images = !options.no_images;
   settings.study = options.study;
   const Budget& budget = settings.course.budget;
+  // Whoever has no sandbox hears of that, and not of archives.
+  settings.isolation = isolation_here(StagedKit(settings.kit, settings.course), options.isolation);
+  settings.memory_errors |= settings.isolation == Isolation::container;
   require_hard_limits({.sanitizers = settings.memory_errors,
                        .jobs = options.batch.jobs,
                        .cpu_seconds = std::max({budget.worker_cpu_seconds, budget.compiler_cpu_seconds,
                                                 budget.suite_cpu_seconds})});
   std::optional<CagedReader> reader;
-  if (settings.isolated) {
-    check_isolation(settings);  // whoever has no sandbox hears of that, and not of archives
-    reader.emplace(HAIR_READER);
-  }
+  if (settings.isolation != Isolation::none) reader.emplace(HAIR_READER, settings.isolation);
   Intake intake = read_submissions(options.submissions, settings.course,
                                    reader ? reader->opener() : open_here, {}, options.classes);
   settings.cache = options.cache ? *options.cache : default_cache();
@@ -132,9 +133,10 @@ int grade(const GradeOptions& options) {
   print_table(std::cout, batch.results);
   std::cout << "\n" << batch.graded << " graded";
   if (batch.kept > 0) std::cout << ", " << batch.kept << " kept from before";
-  if (options.unsafe) std::cout << ", without a sandbox";
+  if (grading.isolation() == Isolation::none) std::cout << ", without a sandbox";
+  if (grading.isolation() == Isolation::container) std::cout << ", with a container's sandbox";
   if (options.no_images) std::cout << ", without pictures";
-  if (!memory_can_be_bounded())
+  if (!grading.looks_for_memory_errors())
     std::cout << ", without a look for memory errors (no control group bounds memory)";
   std::cout << "\n" << fs::absolute(options.batch.out / "index.html").lexically_normal().string() << "\n";
   for (const std::string& problem : batch.problems)
@@ -208,8 +210,15 @@ int run(int argc, char* argv[]) {
       ->add_option("--cache-size", grading.cache_megabytes,
                    "How many MB of compiled objects are kept; the oldest ones go (default: 2000)")
       ->check(CLI::Range(std::uintmax_t{1}, std::uintmax_t{1'000'000}));
-  grade_command->add_flag("--unsafe-no-sandbox", grading.unsafe,
-                          "Run student code unprotected; every report says so");
+  grade_command
+      ->add_option_function<std::string>(
+          "--isolation", [&grading](const std::string& word) { grading.isolation = isolation_from(word); },
+          "How student code is isolated: by namespaces, or as a container's root can (default: what works "
+          "here)")
+      ->check(CLI::IsMember({to_string(Isolation::namespaces), to_string(Isolation::container)}));
+  grade_command->add_flag_callback(
+      "--unsafe-no-sandbox", [&grading] { grading.isolation = Isolation::none; },
+      "Run student code unprotected; every report says so");
   grade_command->add_flag("--no-images", grading.no_images,
                           "Draw nothing, where there is no OpenGL: the pictures' points go to the other "
                           "categories, and every report says so");

@@ -314,7 +314,7 @@ TEST_F(MemoryErrorsTest, AreNotLookedForWithoutAControlGroup) {
     const std::optional<ControlGroup> group = ControlGroup::create(std::size_t{1} << 30, 8);
     if (group && group->bounds_memory()) _exit(4);
     Cage cage;
-    cage.isolated = false;
+    cage.isolation = Isolation::none;
     cage.limits.memory_of_group = true;
     try {
       CagedProcess process(cage, {"/bin/true"}, -1, -1, -1);

@@ -71,7 +71,7 @@ SuiteJobs::SuiteJobs(const GradingSettings& settings, const StagedKit& kit)
 
 std::string SuiteJobs::fingerprint() const {
   std::string all = kit_.hash() + suite_hash_ + sha256_of(settings_.scenes) + sha256(settings_.secret) +
-                    (settings_.isolated ? "" : "unsafe") + (settings_.images ? drawn_ : "no images") +
+                    to_string(settings_.isolation) + (settings_.images ? drawn_ : "no images") +
                     (settings_.memory_errors ? "" : "no sanitizers") +
                     (settings_.course.partial ? "partial" : "");
   for (const BudgetField& field : budget_fields())
@@ -90,7 +90,7 @@ SuiteJob SuiteJobs::job(const std::string& exercise, const fs::path& folder) con
   suite.exercise = exercise;
   suite.kit = kit_.folder();
   suite.log = folder / kLog;
-  suite.isolated = settings_.isolated;
+  suite.isolation = settings_.isolation;
   suite.cpu_seconds = kLeastCpuSeconds;
   suite.allowance = allowance();
   if (const auto reference = reference_.find(exercise); reference != reference_.end())

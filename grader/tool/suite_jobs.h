@@ -24,7 +24,7 @@ struct GradingSettings {
   std::uintmax_t cache_bytes = kCacheBytes;
   std::filesystem::path reference;  // its sources
   std::string secret;
-  bool isolated = true;
+  Isolation isolation = Isolation::namespaces;
   bool images = true;                            // draw whole runs
   bool memory_errors = memory_can_be_bounded();  // look for them, once more with sanitizers
   bool study = false;  // error against time, beside the reference: shown, but not scored

@@ -1,0 +1,46 @@
+// STAFF ONLY. The words of bubblewrap's command.
+#include "grader/sandbox/bubblewrap.h"
+
+#include <system_error>
+
+#include "grader/sandbox/launch.h"
+
+namespace grader {
+
+std::vector<std::string> bubblewrap_command(const Cage& cage, const std::vector<std::string>& command,
+                                            bool filtered) {
+  std::vector<std::string> all = {"/usr/bin/bwrap",
+                                  "--unshare-user",
+                                  "--unshare-pid",
+                                  "--unshare-net",
+                                  "--unshare-ipc",
+                                  "--unshare-uts",
+                                  "--unshare-cgroup-try",
+                                  "--disable-userns",
+                                  "--die-with-parent",
+                                  "--new-session",
+                                  "--clearenv",
+                                  "--hostname",
+                                  "cage",
+                                  "--info-fd",
+                                  std::to_string(Launch::kInfo)};
+  auto append = [&all](std::initializer_list<std::string> words) { all.insert(all.end(), words); };
+  if (filtered) append({"--seccomp", std::to_string(Launch::kFilter)});
+  if (cage.tmp_bytes > 0)
+    append({"--size", std::to_string(cage.tmp_bytes), "--tmpfs", "/tmp", "--dev-bind", "/dev/null",
+            "/dev/null"});
+  for (const Mount& mount : cage.mounts) {
+    std::error_code error;
+    if (std::filesystem::is_symlink(mount.source, error) && mount.source == mount.target)
+      append({"--symlink", std::filesystem::read_symlink(mount.source).string(), mount.target});
+    else
+      append({mount.writable ? "--bind" : "--ro-bind", mount.source.string(), mount.target});
+  }
+  // The same bytes whenever it is compiled: __DATE__ and __TIME__ are those of this second.
+  append({"--setenv", "PATH", "/usr/bin", "--setenv", "LC_ALL", "C", "--setenv", "SOURCE_DATE_EPOCH", "1"});
+  append({"--remount-ro", "/", "--chdir", cage.folder, "--"});
+  all.insert(all.end(), command.begin(), command.end());
+  return all;
+}
+
+}  // namespace grader

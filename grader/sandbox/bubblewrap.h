@@ -1,0 +1,15 @@
+// STAFF ONLY. The command that starts another one in bubblewrap's namespaces.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "grader/sandbox/cage.h"
+
+namespace grader {
+
+// `filtered`: a filter of system calls is on Launch::kFilter.
+std::vector<std::string> bubblewrap_command(const Cage& cage, const std::vector<std::string>& command,
+                                            bool filtered);
+
+}  // namespace grader

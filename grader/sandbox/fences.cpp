@@ -1,0 +1,73 @@
+// STAFF ONLY. Runs hairprobe in cages.
+#include "grader/sandbox/fences.h"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <optional>
+#include <vector>
+
+#include "grader/sandbox/staging_folder.h"
+
+namespace grader {
+namespace {
+
+constexpr double kMostSeconds = 60;
+
+struct Tried {
+  Ending ending;
+  std::string said;
+};
+
+Tried tries(const Cage& cage, const std::vector<std::string>& arguments) {
+  std::vector<std::string> command = {"/probe"};
+  command.insert(command.end(), arguments.begin(), arguments.end());
+  Pipe output = make_pipe();
+  CagedProcess process(cage, command, -1, -1, output.write_end.get());
+  output.write_end.close();
+  std::string said = read_all(output.read_end, 1000, kMostSeconds);
+  return {process.wait(kMostSeconds), said};
+}
+
+// A process that the probe has left behind, by the number that it has out here, if it has one.
+bool lives(const std::string& number) {
+  pid_t process = 0;
+  std::from_chars(number.data(), number.data() + number.size(), process);
+  return process > 1 && (kill(process, 0) == 0 || errno == EPERM);
+}
+
+}  // namespace
+
+std::string open_fence(const Cage& cage) {
+  // The probe exits with 0 if what it tries is stopped, and says why if it is not.
+  const Tried starts = tries(cage, {"start"});
+  if (!starts.ending.well())
+    return "no program starts in it: " + (starts.said.empty() ? "no reason is given\n" : starts.said);
+
+  const StagingFolder staff;
+  const std::vector<std::string> attempts[] = {
+      {"files", staff.path()}, {"processes", std::to_string(getpid())}, {"rights"}};
+  Cage open = cage;
+  open.syscalls.reset();  // each fence alone
+  for (const auto& arguments : attempts)
+    if (const Tried tried = tries(open, arguments); !tried.ending.well()) return "student code " + tried.said;
+
+  Cage filtered = cage;
+  filtered.syscalls = Syscalls::toolchain;
+  if (const Tried tried = tries(filtered, {"network"}); !tried.ending.well())
+    return "student code " + tried.said;
+
+  if (cage.isolation == Isolation::container) {  // elsewhere a process has another number inside
+    if (const Tried tried = tries(open, {"stay"}); lives(tried.said))
+      return "a process of student code outlives its run";
+    Cage small = open;
+    small.limits.memory_bytes = std::size_t{64} << 20;
+    if (!tries(small, {"memory", std::to_string(std::size_t{512} << 20)}).ending.out_of_memory)
+      return "student code can take more memory than it may";
+  }
+  return {};
+}
+
+}  // namespace grader

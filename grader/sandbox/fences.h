@@ -1,0 +1,15 @@
+// STAFF ONLY. Tries the fences of a cage, from inside, before anybody's code is in it.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "grader/sandbox/cage.h"
+
+namespace grader {
+
+// Empty if each fence holds; otherwise a phrase for the first one that does not: "student code can reach the network". `probe` is the
+// program hairprobe, and `cage` holds it as /probe, with the libraries that it needs. Throws std::system_error if no cage can be made.
+std::string open_fence(const Cage& cage);
+
+}  // namespace grader

@@ -1,0 +1,47 @@
+// STAFF ONLY. The process between the grader and a run. It starts the run's first process, counts what all processes of the run
+// take, ends them all and takes leave of each: a grader may be a container's first process, or below one that takes leave of nobody.
+// If the grader is gone, it ends the run, too.
+#pragma once
+
+#include <sys/types.h>
+
+#include <optional>
+
+#include "grader/sandbox/descriptor.h"
+#include "grader/sandbox/launch.h"
+
+namespace grader {
+
+// Of all processes of a run together; 0: no limit.
+struct RunLimits {
+  double cpu_seconds = 0;
+  std::size_t resident_bytes = 0;
+  uid_t user = 0;  // all processes of this user belong to the run; 0: it shares its user with others
+};
+
+class Warden {
+ public:
+  // Throws std::system_error if no process can be started.
+  Warden(const Launch& launch, const RunLimits& limits);
+  ~Warden();  // ends the run
+  Warden(const Warden&) = delete;
+  Warden& operator=(const Warden&) = delete;
+
+  pid_t process() const { return process_; }           // the run's first
+  const Descriptor& ended() const { return report_; }  // readable once nothing of the run is left
+  void end() { control_.close(); }
+
+  struct Report {
+    int status = 0;  // of the first process, as waitpid tells it
+    double cpu_seconds = 0;
+    bool over_cpu = false, over_memory = false;
+  };
+  Report wait();  // until it has ended
+
+ private:
+  Descriptor control_, report_;
+  pid_t warden_ = -1, process_ = -1;
+  std::optional<Report> told_;
+};
+
+}  // namespace grader
