@@ -111,7 +111,7 @@ void time_batches(const Course& course, const fs::path& scratch, int count) {
 // The parts of grading one exercise.
 void time_parts(const Course& course, const Exercise& exercise, const fs::path& scratch) {
   const StagedKit kit(HAIR_KIT_DIR, course);
-  const Compiler compiler(kit, scratch / "parts", true);
+  const Compiler compiler(kit, scratch / "parts", Isolation::namespaces);
   const std::string id = exercise.id,
                     source = hair::bytes_of(fs::path(HAIR_PROJECT) / "reference" / exercise.file);
   const std::string file = (scratch / exercise.file).string(), object = (scratch / (id + ".o")).string();

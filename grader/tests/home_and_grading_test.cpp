@@ -95,7 +95,7 @@ class HomeAndGrading : public testing::Test {
     const hair::TemporaryFolder temporary{"hair-both"};
     const fs::path handout = temporary.path() / "hair-assignment";
     const StagedKit kit{HAIR_KIT_DIR, course};
-    const Compiler compiler{kit, temporary.path() / "cache", true};
+    const Compiler compiler{kit, temporary.path() / "cache", Isolation::namespaces};
     int jobs = 0;
   };
   static inline Both* both_ = nullptr;

@@ -80,8 +80,8 @@ class PublicChecks : public testing::Test {
   const std::string id_ = environment("HAIR_EXERCISE", "");
   const StagedKit kit_{HAIR_KIT_DIR, course_};
   // Where the class or mutants were graded here, they have the same files.
-  const Compiler compiler_{kit_, fs::path(HAIR_GRADED) / "class-cache", true};
-  const Compiler mutants_{kit_, fs::path(HAIR_GRADED) / "mutants", true};
+  const Compiler compiler_{kit_, fs::path(HAIR_GRADED) / "class-cache", Isolation::namespaces};
+  const Compiler mutants_{kit_, fs::path(HAIR_GRADED) / "mutants", Isolation::namespaces};
   // Copied, for the sandbox's user may not read where the project lies.
   const fs::path checks_ = kit_.new_job("checks");
 

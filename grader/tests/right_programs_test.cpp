@@ -87,7 +87,7 @@ class RightPrograms : public testing::TestWithParam<std::string> {
   const Course course_ = read_course(kProject / "handout/exercises.json");
   const Exercise& exercise_ = *course_.find(GetParam());
   const StagedKit kit_{HAIR_KIT_DIR, course_};
-  const Toolchain toolchain_{kit_, false};
+  const Toolchain toolchain_{kit_, Isolation::none};
   const std::string suite_ = sha256_of(HAIRSEEDS), given_ = sha256_of(kit_.folder() / "handout");
   const fs::path folder_ = kKept / GetParam();
 

@@ -41,7 +41,7 @@ class PartialPoints : public testing::Test {
     settings.isolation = Isolation::none;
     const Exercise& s1 = *settings.course.find("S1");
     const StagedKit kit(settings.kit, settings.course);
-    const Compiler compiler(kit, settings.cache, false);
+    const Compiler compiler(kit, settings.cache, Isolation::none);
     const SuiteJobs jobs(settings, kit);
     Submission submission;
     submission.name = "somebody";

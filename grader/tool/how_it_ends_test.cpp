@@ -159,7 +159,7 @@ class HowItEnds : public testing::Test {
   GradingSettings settings_ = settings_for_tests();
   const Exercise& s1_ = *settings_.course.find("S1");
   const StagedKit kit_{settings_.kit, settings_.course};
-  const Compiler compiler_{kit_, HAIR_TEST_CACHE, true};
+  const Compiler compiler_{kit_, HAIR_TEST_CACHE, Isolation::namespaces};
   mutable int jobs_ = 0;
 };
 

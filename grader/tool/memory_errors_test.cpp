@@ -107,7 +107,7 @@ class MemoryErrorsTest : public testing::Test {
   GradingSettings settings_ = settings_without_images();
   const Exercise& s1_ = *settings_.course.find("S1");
   const StagedKit kit_{settings_.kit, settings_.course};
-  const Compiler compiler_{kit_, settings_.cache, true};
+  const Compiler compiler_{kit_, settings_.cache, Isolation::namespaces};
 };
 
 struct Mistake {
