@@ -71,9 +71,10 @@ std::string course_difference(const MadeBy& there, const MadeBy& here) {
   return all;
 }
 
-std::string way_to(Isolation kind) {
-  return kind == Isolation::none ? "add --unsafe-no-sandbox"
-                                 : std::string("grade with --isolation ") + to_string(kind);
+std::string way_from(Isolation here, Isolation there) {
+  if (there == Isolation::none) return "add --unsafe-no-sandbox";
+  if (here == Isolation::none) return "leave out --unsafe-no-sandbox";
+  return std::string("grade with --isolation ") + to_string(there);
 }
 
 }  // namespace
@@ -139,7 +140,7 @@ std::vector<Difference> differences(const MadeBy& there, const MadeBy& here) {
   if (there.isolation != here.isolation)
     all.push_back({std::string("another sandbox: ") + to_string(there.isolation) + " there and " +
                        to_string(here.isolation) + " here",
-                   way_to(there.isolation)});
+                   way_from(here.isolation, there.isolation)});
   if (there.images != here.images)
     all.push_back(there.images ? Difference{"pictures, and here are none", "leave out --no-images"}
                                : Difference{"no pictures, and here are some", "add --no-images"});

@@ -106,6 +106,9 @@ TEST(MadeBy, TellsSuiteSecretSandboxAndPictures) {
   here.isolation = Isolation::none;
   EXPECT_EQ(told(there, here).second, "leave out --unsafe-no-sandbox. ");
   EXPECT_EQ(told(here, there).second, "add --unsafe-no-sandbox. ");
+  here.isolation = Isolation::container;
+  EXPECT_EQ(told(there, here), Told("another sandbox: namespaces there and container here. ",
+                                    "grade with --isolation namespaces. "));
   here = there;
   here.images = false;
   EXPECT_EQ(told(there, here).second, "leave out --no-images. ");
