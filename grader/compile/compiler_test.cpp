@@ -37,7 +37,7 @@ class CompilerTest : public testing::Test {
   const Course course_ = read_course(fs::path(HAIR_PROJECT) / "handout/exercises.json");
   const Exercise& with_eigen_ = *course_.find("H1");
   const StagedKit kit_{HAIR_KIT_DIR, course_};
-  const Compiler compiler_{kit_, kCache, true};
+  const Compiler compiler_{kit_, kCache, Isolation::namespaces};
 };
 
 TEST_F(CompilerTest, WhatMustComeBeforeEigenMayComeBeforeEigen) {
@@ -196,7 +196,7 @@ TEST_F(CompilerTest, IsNotToldByTheFileThatTheMachineFails) {
 }
 
 TEST_F(CompilerTest, ProvesThatTheMachineFails) {
-  const Toolchain toolchain(kit_, true);
+  const Toolchain toolchain(kit_, Isolation::namespaces);
   Cage cage = toolchain.compiling({}, 5);
   EXPECT_NO_THROW(toolchain.prove_it_compiles(cage));
   EXPECT_NO_THROW(toolchain.prove_it_links(toolchain.linking(5)));

@@ -33,7 +33,7 @@ class SwitchedOffTest : public testing::Test {
 
   const Course course_ = read_course(std::filesystem::path(HAIR_PROJECT) / "handout/exercises.json");
   const StagedKit kit_{HAIR_KIT_DIR, course_};
-  const Compiler compiler_{kit_, HAIR_TEST_CACHE, true};
+  const Compiler compiler_{kit_, HAIR_TEST_CACHE, Isolation::namespaces};
   int jobs_ = 0;
 };
 

@@ -102,7 +102,7 @@ struct SubmissionResult {
   std::string note;         // not empty: an error of the whole submission, for the student
   std::string fingerprint;  // of the submission's bytes and of the suite, in hexadecimal
   Isolation isolation = Isolation::namespaces;  // every page says if it is another
-  bool images = true;       // false: graded without pictures; every page says so
+  bool images = true;                           // false: graded without pictures; every page says so
   // Exercises, or "runs", that the clock on the wall ended: their points are not final, and a person looks.
   std::vector<std::string> ended_by_the_clock = {};
   bool studied = false;  // there is a study.html, to which pages link

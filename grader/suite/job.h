@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "grader/course/isolation.h"
 #include "grader/course/budget.h"
+#include "grader/course/isolation.h"
 
 namespace grader {
 
