@@ -161,7 +161,7 @@ TEST_F(OneFolder, IsNotMixedWithOtherRules) {
        {"--course", course("points.json", R"("H6": {"role": "absent"}, "S2": {"points": 15})")}},
       {"H6 is left out there and assigned here", {"--course", course("role.json", "")}},
       {"another secret", {"--secret", write("other", "another secret for this test")}},
-      {"a sandbox, and here is none", {"--unsafe-no-sandbox"}},
+      {"another sandbox: namespaces there and none here", {"--unsafe-no-sandbox"}},
       {"no pictures, and here are some", {"--with-images"}}};
   for (const auto& [words, options] : refused) {
     const ProgramRun run = grade({"other-order"}, out_, options);
