@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Keeps files, says which are of use, and removes the others.
 #include "grader/compile/cache.h"
 
 #include <fcntl.h>

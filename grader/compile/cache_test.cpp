@@ -63,7 +63,7 @@ TEST_F(Cache, GivesBackWhatWasKept) {
   EXPECT_FALSE(read_kept(dir_ / "nobody"));
 }
 
-// Of two graders one keeps, and makes room; the other reads.
+// One of two graders keeps, and makes room; the other reads.
 TEST_F(Cache, IsReadWholeWhileAnotherWrites) {
   constexpr std::size_t kBytes = 1 << 20;
   hair::TemporaryFolder elsewhere("elsewhere");

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Looks for words in sources and in what the preprocessor makes of them.
 #include "grader/compile/switched_off.h"
 
 #include <algorithm>

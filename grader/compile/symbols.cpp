@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Reads the tables of symbols of an object, whose numbers may be anything.
 #include "grader/compile/symbols.h"
 
 #include <elf.h>

@@ -37,7 +37,7 @@ class Toolchain {
   void prove_it_compiles(const Cage& cage) const;
   void prove_it_links(const Cage& cage) const;
 
-  // A cage for `cpu_seconds` of each tool, with the given headers and the libraries' headers, and the command to compile in it. The caller
+  // A cage for `cpu_seconds` of all tools, with the given headers and the libraries' headers, and the command to compile in it. The caller
   // adds the input, the output, and the mounts for both.
   Cage compiling(const std::vector<std::string>& libraries, double cpu_seconds) const;
   std::vector<std::string> compile_command(const std::vector<std::string>& libraries,

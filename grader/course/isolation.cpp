@@ -1,36 +1,29 @@
-// STAFF ONLY. Names of the kinds of isolation.
+// STAFF ONLY. Words for the kinds of isolation.
 #include "grader/course/isolation.h"
 
 namespace grader {
+namespace {
 
-constexpr Isolation kAll[] = {Isolation::none, Isolation::namespaces, Isolation::container};
+struct Words {
+  const char *name, *said;
+};
+
+constexpr Words kWords[] = {{"none", "Graded without a sandbox"},
+                            {"namespaces", ""},
+                            {"container", "Graded with a container's sandbox"}};
+
+}  // namespace
 
 const char* to_string(Isolation kind) {
-  switch (kind) {
-    case Isolation::none:
-      return "none";
-    case Isolation::namespaces:
-      return "namespaces";
-    case Isolation::container:
-      return "container";
-  }
-  return "";
+  return kWords[static_cast<int>(kind)].name;
 }
 
 const char* said_of(Isolation kind) {
-  switch (kind) {
-    case Isolation::none:
-      return "Graded without a sandbox";
-    case Isolation::namespaces:
-      return "";
-    case Isolation::container:
-      return "Graded with a container's sandbox";
-  }
-  return "";
+  return kWords[static_cast<int>(kind)].said;
 }
 
 std::optional<Isolation> isolation_from(std::string_view word) {
-  for (const Isolation kind : kAll)
+  for (const Isolation kind : {Isolation::none, Isolation::namespaces, Isolation::container})
     if (word == to_string(kind)) return kind;
   return {};
 }

@@ -18,7 +18,7 @@ enum class Isolation {
 const char* to_string(Isolation kind);  // "none", "namespaces", "container"
 std::optional<Isolation> isolation_from(std::string_view word);
 
-// What every page and file of results says of it, without a full stop; nothing of namespaces.
+// Every page and file of results says this of it, without a full stop. Of namespaces none says anything.
 const char* said_of(Isolation kind);
 
 }  // namespace grader

@@ -10,7 +10,7 @@
 //   class.zip with alice_12_34_conj_grad.cpp, ...  a class, as Canvas exports single files (canvas.h)
 //   alice.zip with project/student/conj_grad.cpp   one submission with a whole project
 //
-// Of several arguments each is a hand-in of one student: a hand-in can look like a class, and must not speak for others. One that
+// Each of several arguments is a hand-in of one student: a hand-in can look like a class, and must not speak for others. One that
 // looks so is refused, unless somebody says that there are classes, or its names are a learning system's. A lone argument is refused
 // if it holds several people's folders or archives, and one of them has its own name.
 //

@@ -1,5 +1,6 @@
 // STAFF ONLY.
 #include <algorithm>
+#include <cctype>
 #include <ostream>
 
 #include "grader/course/input.h"

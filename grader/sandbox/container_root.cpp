@@ -74,7 +74,7 @@ fs::path system_copy(const fs::path& roots, const fs::path& source) {
   return copy;
 }
 
-// What a run has written, as root's: regular files that have one name, and folders.
+// Makes what a run has written root's: regular files that have one name, and folders. All else goes.
 void take_over(const fs::path& path) {
   struct stat status = {};
   if (lstat(path.c_str(), &status) != 0) return;
@@ -92,7 +92,7 @@ void take_over(const fs::path& path) {
 }  // namespace
 
 ContainerRoot::ContainerRoot(const Cage& cage, const Identity& user) : roots_(cage.roots) {
-  // What lies beside the roots is the grader's own, and its files may be linked to.
+  // All beside the roots is the grader's own, and its files may be linked to.
   const fs::path own = roots_.parent_path();
   std::vector<Mount> lasting;
   for (const Mount& mount : cage.mounts)

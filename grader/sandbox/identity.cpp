@@ -56,7 +56,7 @@ Identity identity_of_a_run() {
   if (geteuid() != 0) throw hair::BadInput("only root can give each run a user of its own");
   // Accounts have lower numbers, and those above are negative for some programs.
   constexpr std::uint64_t kFirst = 1U << 30, kEnd = (1U << 31) - 2;
-  // Where a container has few numbers: above those that Debian gives to accounts and services.
+  // A container may have few numbers: these are above those that Debian gives to accounts and services.
   constexpr std::uint64_t kFirstOfFew = 60'000, kEndOfFew = 65'500;
   for (const Range wanted : {Range{kFirst, kEnd}, Range{kFirstOfFew, kEndOfFew}}) {
     std::random_device device;

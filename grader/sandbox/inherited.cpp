@@ -1,7 +1,6 @@
 // STAFF ONLY. Sets what is inherited, and asks whether hard limits leave enough.
 #include "grader/sandbox/inherited.h"
 
-#include <fcntl.h>
 #include <signal.h>
 #include <sys/personality.h>
 #include <sys/resource.h>
@@ -20,6 +19,7 @@
 #include <vector>
 
 #include "grader/sandbox/cage.h"
+#include "hair/io/files/finish_output.h"
 
 namespace grader {
 namespace {
@@ -109,11 +109,6 @@ void set_signals() {
   sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-void open_standard_descriptors() {
-  for (int number = 0; number < 3; ++number)
-    if (fcntl(number, F_GETFD) < 0 && errno == EBADF) open("/dev/null", O_RDWR);  // the lowest that is free
-}
-
 // True: a process that starts now has another one. Where asking is denied, nobody has changed it, or nobody can.
 bool set_personality() {
   constexpr unsigned long kAsk = 0xffffffff;
@@ -144,7 +139,7 @@ bool is_ignored(int signal) {
 }
 
 void set_what_is_inherited(char* argv[]) {
-  open_standard_descriptors();
+  hair::begin_output();
   set_signals();
   umask(umask(0) & 077);
   const bool other_stack = set_limits(), other_personality = set_personality();

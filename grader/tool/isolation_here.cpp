@@ -22,8 +22,8 @@ void require_threads() {
   if (syscall(SYS_clone3, nullptr, 0) == -1 && errno == EPERM)
     throw BadInput(
         "this machine forbids the system call clone3 with EPERM, as Docker before 20.10.10 does, so that "
-        "programs can't start "
-        "threads; update Docker, or start the container with --security-opt seccomp=unconfined");
+        "programs can't start threads; update Docker, or start the container with --security-opt "
+        "seccomp=unconfined");
 }
 
 // Empty if its fences hold; otherwise the reason.
