@@ -160,7 +160,7 @@ Ending CagedProcess::wait(double seconds) {
     kill();
     ending.timed_out = true;
   }
-  const Warden::Report report = run_->wait();
+  const RunReport report = run_->wait();
   ending.cpu_seconds = report.cpu_seconds;
   if (WIFSIGNALED(report.status)) {
     ending.signal = WTERMSIG(report.status);

@@ -115,7 +115,7 @@ struct Watch {
     (void)!write(report, &run, sizeof run);
     if (run < 0) _exit(1);
     keep_only_ours();
-    Warden::Report found = wait_for(run);
+    RunReport found = wait_for(run);
     take_leave_of_all(limits.user);
     rusage used{};
     getrusage(RUSAGE_CHILDREN, &used);
@@ -136,7 +136,7 @@ struct Watch {
     for (int standard = 0; standard < 3; ++standard) close(standard);
   }
 
-  bool over_a_limit(pid_t run, Warden::Report& found) const {
+  bool over_a_limit(pid_t run, RunReport& found) const {
     constexpr int kDeepest = 16;
     Taken taken;
     add_taken(run, kDeepest, taken);
@@ -145,10 +145,10 @@ struct Watch {
     return found.over_cpu || found.over_memory;
   }
 
-  Warden::Report wait_for(pid_t run) const {
+  RunReport wait_for(pid_t run) const {
     // Memory fills at a gigabyte a second, or faster.
     const int patience = limits.resident_bytes > 0 ? 10 : limits.cpu_seconds > 0 ? 50 : -1;
-    Warden::Report found;
+    RunReport found;
     pollfd wanted[] = {{static_cast<int>(syscall(SYS_pidfd_open, run, 0)), POLLIN, 0}, {kControl, POLLIN, 0}};
     while ((wanted[0].revents | wanted[1].revents) == 0)
       if (poll(wanted, 2, patience) == 0 && over_a_limit(run, found)) break;
@@ -183,9 +183,9 @@ Warden::~Warden() {
   wait();
 }
 
-Warden::Report Warden::wait() {
+RunReport Warden::wait() {
   if (told_) return *told_;
-  Report& told = told_.emplace();
+  RunReport& told = told_.emplace();
   ssize_t size;
   do size = read(report_.get(), &told, sizeof told);
   while (size < 0 && errno == EINTR);

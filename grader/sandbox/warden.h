@@ -19,6 +19,13 @@ struct RunLimits {
   uid_t user = 0;  // all processes of this user belong to the run; 0: it shares its user with others
 };
 
+// How a run ended.
+struct RunReport {
+  int status = 0;  // of the first process, as waitpid tells it
+  double cpu_seconds = 0;
+  bool over_cpu = false, over_memory = false;
+};
+
 class Warden {
  public:
   // Throws std::system_error if no process can be started.
@@ -31,17 +38,12 @@ class Warden {
   const Descriptor& ended() const { return report_; }  // readable once nothing of the run is left
   void end() { control_.close(); }
 
-  struct Report {
-    int status = 0;  // of the first process, as waitpid tells it
-    double cpu_seconds = 0;
-    bool over_cpu = false, over_memory = false;
-  };
-  Report wait();  // until it has ended
+  RunReport wait();  // until it has ended
 
  private:
   Descriptor control_, report_;
   pid_t warden_ = -1, process_ = -1;
-  std::optional<Report> told_;
+  std::optional<RunReport> told_;
 };
 
 }  // namespace grader

@@ -33,7 +33,7 @@ grader::Student uncaged(const std::string& exercise, const std::string& kit,
     if (object.parent_path().filename() == "provided") setup.provided.push_back(object.stem());
   }
   setup.log = "/dev/null";
-  setup.isolation = Isolation::none;
+  setup.isolation = grader::Isolation::none;
   setup.cpu_seconds = 1'000'000;
   for (const grader::BudgetField& field : grader::budget_fields())
     setup.allowance->limit.*field.value = std::numeric_limits<double>::infinity();
