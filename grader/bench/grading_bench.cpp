@@ -19,6 +19,7 @@
 #include <stdexcept>
 
 #include "grader/bench/cost.h"
+#include "grader/sandbox/system_mounts.h"
 #include "grader/suite/student.h"
 #include "grader/tool/batch.h"
 #include "grader/tool/grading.h"

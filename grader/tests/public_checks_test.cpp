@@ -19,6 +19,7 @@
 #include "grader/compile/compiler.h"
 #include "grader/samples/sample.h"
 #include "grader/samples/solution_files.h"
+#include "grader/sandbox/system_mounts.h"
 #include "grader/tests/mutants_found.h"
 #include "grader/tests/run_program.h"
 #include "grader/tests/side_by_side.h"
