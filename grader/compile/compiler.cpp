@@ -25,7 +25,7 @@ Compiler::Compiler(const StagedKit& kit, fs::path cache, Isolation isolation, st
       cache_(std::move(cache)),
       cache_bytes_(cache_bytes) {
   std::error_code error;
-  fs::create_directories(cache_, error);
+  if (fs::create_directories(cache_, error)) fs::permissions(cache_, fs::perms::owner_all);
   if (error) throw BadInput(cache_.string() + ": can't keep compiled objects there: " + error.message());
 }
 

@@ -127,7 +127,11 @@ class Hairgrade : public testing::Test {
 TEST_F(Hairgrade, RefusesBadUsageInOneLine) {
   expect_refused(run_hairgrade({}), {"--help"});
   expect_refused(run_hairgrade({"grade"}), {"SUBMISSION", "--help"});
-  expect_refused(run_hairgrade({"degrade"}), {"degrade", "grade, compare, handout and samples"});
+  const string gone = (folder_ / "gone").string();
+  expect_refused(
+      grade({sample("stubs"), "--out", "grades"}, {}, "mkdir " + gone + "; cd " + gone + "; rmdir " + gone),
+      {"the folder that it was started in is gone"});
+  expect_refused(run_hairgrade({"degrade"}), {"degrade", "grade, compare, handout, secret and samples"});
   expect_refused(grade({sample("other-order")}), {"--out"});
   expect_refused(grade({sample("other-order"), "--out", out(), "--quickly"}), {"--quickly"});
   for (const char* jobs : {"0", "-1", "many", "1e9"})

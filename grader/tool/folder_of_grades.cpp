@@ -71,7 +71,8 @@ void check_made_by(const fs::path& folder, const MadeBy& mine) {
 std::optional<FolderOfGrades> FolderOfGrades::open(const fs::path& folder, const MadeBy& mine,
                                                    const std::atomic<bool>& interrupted, std::ostream& says) {
   std::error_code error;
-  fs::create_directories(folder, error);
+  if (fs::create_directories(folder, error))
+    fs::permissions(folder, fs::perms::owner_all);  // it holds everybody's grades
   if (error) can_not_write(folder, error.message());
   if (access(folder.c_str(), W_OK) != 0) can_not_write(folder, std::generic_category().message(errno));
   // No program that we start inherits it, so a killed hairgrade's lock does not live on in its workers.

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Tells, keeps and compares what a folder of grades was made with.
 #include "grader/tool/made_by.h"
 
 #include <algorithm>
@@ -7,6 +7,7 @@
 
 #include "grader/compile/hash.h"
 #include "grader/report/text.h"
+#include "grader/tool/secret.h"
 
 namespace grader {
 namespace {
@@ -86,7 +87,7 @@ MadeBy made_by(const GradingSettings& settings) {
   for (const BudgetField& field : budget_fields())
     made.budget[field.key] = shown_points(settings.course.budget.*field.value);
   made.suite = sha256(sha256_of(settings.kit) + sha256_of(settings.suite) + sha256_of(settings.scenes));
-  made.secret = hmac_sha256(settings.secret, "which secret made a folder of grades").substr(0, 16);
+  made.secret = fingerprint(settings.secret);
   made.isolation = settings.isolation;
   made.images = settings.images;
   made.partial = settings.course.partial;
@@ -136,7 +137,10 @@ std::vector<Difference> differences(const MadeBy& there, const MadeBy& here) {
   if (there.suite != here.suite)
     all.push_back({"another suite: other hidden cases or another build of the grader",
                    "use the hairgrade that made it"});
-  if (there.secret != here.secret) all.push_back({"another secret", "use the secret that made it"});
+  if (there.secret != here.secret)
+    all.push_back(
+        {"another secret: its fingerprint is " + there.secret + " there and " + here.secret + " here",
+         "use the secret that made it, with --secret or by hairgrade secret import"});
   if (there.isolation != here.isolation)
     all.push_back({std::string("another sandbox: ") + to_string(there.isolation) + " there and " +
                        to_string(here.isolation) + " here",

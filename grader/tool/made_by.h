@@ -21,7 +21,7 @@ struct MadeBy {
   std::vector<Rule> exercises;                // all that there are, in the course's order
   std::map<std::string, std::string> budget;  // the course's limits by their names; empty: it sets none
   std::string suite;                          // a hash of all that asks and judges
-  std::string secret;  // an HMAC whose key is the secret: it tells two secrets apart, and nothing else
+  std::string secret;                         // its fingerprint
   Isolation isolation = Isolation::namespaces;
   bool images = true;
   bool partial = false;  // the course's

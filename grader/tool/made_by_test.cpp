@@ -101,7 +101,9 @@ TEST(MadeBy, TellsSuiteSecretSandboxAndPictures) {
   EXPECT_EQ(told(there, here).second, "use the hairgrade that made it. ");
   here = there;
   here.secret = "hash of another";
-  EXPECT_EQ(told(there, here), Told("another secret. ", "use the secret that made it. "));
+  EXPECT_EQ(told(there, here),
+            Told("another secret: its fingerprint is hash of a secret there and hash of another here. ",
+                 "use the secret that made it, with --secret or by hairgrade secret import. "));
   here = there;
   here.isolation = Isolation::none;
   EXPECT_EQ(told(there, here).second, "leave out --unsafe-no-sandbox. ");

@@ -23,6 +23,7 @@
 #include "grader/report/report.h"
 #include "grader/samples/table.h"
 #include "grader/sandbox/inherited.h"
+#include "grader/tool/at_rest.h"
 #include "grader/tool/batch.h"
 #include "grader/tool/comparing.h"
 #include "grader/tool/folder_of_grades.h"
@@ -80,6 +81,16 @@ void note_interruptions() {
   if (!is_ignored(SIGHUP)) sigaction(SIGHUP, &action, nullptr);  // by nohup
 }
 
+std::vector<StaffPlace> staff_places(const GradingSettings& settings, const GradeOptions& options) {
+  const fs::path source = HAIR_SOURCE_DIR, secret = options.secret ? *options.secret : default_secret_file();
+  return {{"the reference", settings.reference, source},
+          {"the suite", settings.suite, source},
+          {"the kit", settings.kit, source},
+          {"the secret", secret, secret},
+          {"what is cached", settings.cache, settings.cache},
+          {"the grades", options.batch.out, options.batch.out}};
+}
+
 int grade(const GradeOptions& options) {
   GradingSettings settings;
   settings.course = read_course(HAIR_EXERCISES_JSON, options.course);
@@ -122,6 +133,7 @@ int grade(const GradeOptions& options) {
   settle_origins(options.batch.out, intake.submissions, options.batch.only, options.batch.replace);
   for (const std::string& line : intake.taken_for) std::cout << line << "\n" << std::flush;
   note_interruptions();
+  const std::string open_to_others = readable_by_others(staff_places(settings, options));
   const Grading grading(std::move(settings));
   BatchSettings batch_settings = options.batch;
   batch_settings.merge = options.exercise.has_value();
@@ -152,6 +164,7 @@ int grade(const GradeOptions& options) {
   if (!not_final.empty())
     std::cerr << "hairgrade: not final, since the clock ended them: " << not_final
               << "; look at them, and grade them again (--resume grades no others)\n";
+  if (!open_to_others.empty()) std::cerr << "hairgrade: " << open_to_others << "\n";
   if (!batch.interrupted) {
     if (!batch.problems.empty() || !intake.notices.empty()) return 1;
     return not_final.empty() ? 0 : 3;
@@ -245,6 +258,15 @@ int run(int argc, char* argv[]) {
                               "A folder for heat maps, pictures side by side and a page of the worst");
   compare_command->add_flag("--json", comparing.json, "Print JSON in place of a table");
 
+  fs::path secret_copy;
+  CLI::App* secret_command = app.add_subcommand(
+      "secret", "Move the staff's secret, from which every student's inputs are drawn, to another machine");
+  secret_command->require_subcommand(1);
+  CLI::App* export_command = secret_command->add_subcommand("export", "Write it to a new file");
+  CLI::App* import_command = secret_command->add_subcommand("import", "Take it from a file");
+  export_command->add_option("FILE", secret_copy, "The new file, which its owner alone can read")->required();
+  import_command->add_option("FILE", secret_copy, "A file that secret export has written")->required();
+
   CLI::App* samples_command = app.add_subcommand("samples", "Tell of the sample class and the attacks");
   bool table = false;
   samples_command->add_flag("--table", table, "Print what each sample shows and gets, as Markdown")
@@ -258,12 +280,15 @@ int run(int argc, char* argv[]) {
     const bool without_command = argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty();
     std::cerr << "hairgrade: "
               << (without_command
-                      ? std::string(argv[1]) + " is no command; there are grade, compare, handout and samples"
+                      ? std::string(argv[1]) +
+                            " is no command; there are grade, compare, handout, secret and samples"
                       : error.what())
               << "; see hairgrade --help\n";
     return 2;
   }
   try {
+    if (std::error_code gone; fs::current_path(gone).empty())
+      throw BadInput("the folder that it was started in is gone; start it in another one");
     if (*compare_command) {
       note_interruptions();
       const int code = compare(comparing, std::cout, interrupted);
@@ -272,6 +297,11 @@ int run(int argc, char* argv[]) {
     }
     if (*samples_command) {
       std::cout << table_of(read_samples(HAIR_SOURCE_DIR));
+      return 0;
+    }
+    if (*secret_command) {
+      const std::string told = *export_command ? export_secret(secret_copy) : import_secret(secret_copy);
+      std::cout << "the secret has the fingerprint " << told << "\n";
       return 0;
     }
     return *grade_command ? grade(grading) : handout(handing_out);

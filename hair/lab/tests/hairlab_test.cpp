@@ -439,6 +439,29 @@ TEST_F(Hairlab, ExplainsHowMuchDenseHairTheFirstPictureLeavesOut) {
       << run.output;
 }
 
+// Two rows of eight straight guides, 2 cm apart. Thicker strips touch all 15 particles of each guide of the other row but its root: the
+// inner guides stand on an edge of two strips, the outer ones on one of one.
+TEST_F(Hairlab, TellsOfThickStripsBeforeItBegins) {
+  const auto row = [](double z) {
+    return Json{
+        {"segments", 15},
+        {"length", 0.15},
+        {"roots",
+         {{"line", {{"from", {0, 0, z}}, {"to", {0.1, 0, z}}, {"count", 8}, {"direction", {0, 1, 0}}}}}}};
+  };
+  Json scene = {
+      {"shows", "two rows"}, {"frames", 1}, {"method", "implicit_euler"}, {"hair", {row(0), row(0.02)}}};
+  for (const double thickness : {0.005, 0.019, 0.021, 0.2}) {
+    scene["links"] = {{"stiffness", 10},
+                      {"strips", {{"thickness", thickness}, {"stiffness", 1}, {"friction", 0.3}}}};
+    const ProgramRun run = play(scene.dump().c_str(), {"--no-render", "--frames", "0"});
+    EXPECT_EQ(run.code, 0) << run.errors;
+    const std::string all = run.errors + run.output, pushes = std::to_string(2 * 15 * (6 * 2 + 2));
+    EXPECT_EQ(has(all, "push 256 particles at " + pushes + " places"), thickness > 0.02) << thickness << all;
+    EXPECT_EQ(has(all, "strips"), thickness > 0.02) << all;
+  }
+}
+
 TEST_F(Hairlab, ListsTheScenesThatComeAlong) {
   const ProgramRun run = run_hairlab({"scenes"});
   EXPECT_EQ(run.code, 0) << run.errors;
