@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "grader/course/course.h"
+#include "grader/sandbox/isolation_for_tests.h"
 #include "hair/io/files/read_file.h"
 
 namespace grader {
@@ -37,7 +38,7 @@ class CompilerTest : public testing::Test {
   const Course course_ = read_course(fs::path(HAIR_PROJECT) / "handout/exercises.json");
   const Exercise& with_eigen_ = *course_.find("H1");
   const StagedKit kit_{HAIR_KIT_DIR, course_};
-  const Compiler compiler_{kit_, kCache, Isolation::namespaces};
+  const Compiler compiler_{kit_, kCache, isolation_for_tests()};
 };
 
 TEST_F(CompilerTest, WhatMustComeBeforeEigenMayComeBeforeEigen) {
@@ -196,7 +197,7 @@ TEST_F(CompilerTest, IsNotToldByTheFileThatTheMachineFails) {
 }
 
 TEST_F(CompilerTest, ProvesThatTheMachineFails) {
-  const Toolchain toolchain(kit_, Isolation::namespaces);
+  const Toolchain toolchain(kit_, isolation_for_tests());
   Cage cage = toolchain.compiling({}, 5);
   EXPECT_NO_THROW(toolchain.prove_it_compiles(cage));
   EXPECT_NO_THROW(toolchain.prove_it_links(toolchain.linking(5)));

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "grader/compile/compiler.h"
+#include "grader/sandbox/isolation_for_tests.h"
 
 namespace grader {
 namespace {
@@ -33,7 +34,7 @@ class SwitchedOffTest : public testing::Test {
 
   const Course course_ = read_course(std::filesystem::path(HAIR_PROJECT) / "handout/exercises.json");
   const StagedKit kit_{HAIR_KIT_DIR, course_};
-  const Compiler compiler_{kit_, HAIR_TEST_CACHE, Isolation::namespaces};
+  const Compiler compiler_{kit_, HAIR_TEST_CACHE, isolation_for_tests()};
   int jobs_ = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <signal.h>
 
 #include "grader/intake/submissions_fixture.h"
+#include "grader/sandbox/isolation_for_tests.h"
 
 namespace grader {
 namespace {
@@ -22,7 +23,7 @@ class CagedReading : public Submissions {
     return intake_.submissions.at(0);
   }
 
-  CagedReader hostile_{HAIR_HOSTILE_READER};
+  CagedReader hostile_{HAIR_HOSTILE_READER, isolation_for_tests()};
   IntakeLimits limits_;
   Intake intake_;
 };
@@ -108,13 +109,13 @@ TEST_F(CagedReading, ReadsWhatOnlyItsCallerMay) {
   const fs::path archive = write("closed/alice.zip", zip("conj_grad.cpp", "a"));
   fs::permissions(archive, fs::perms::owner_read);
   fs::permissions(archive.parent_path(), fs::perms::owner_all);
-  const CagedReader reader(HAIR_READER);
+  const CagedReader reader(HAIR_READER, isolation_for_tests());
   const Intake intake = read_submissions({archive}, two_exercises(), reader.opener());
   EXPECT_EQ(intake.submissions.at(0).files.at("conj_grad.cpp").text, "a");
 }
 
 TEST_F(CagedReading, ThatDoesNotStartIsNoStudentsFault) {
-  const CagedReader none(write("no_reader", "#!/no/such/program"));
+  const CagedReader none(write("no_reader", "#!/no/such/program"), isolation_for_tests());
   EXPECT_THROW(read_submissions({write("alice.zip", zip("conj_grad.cpp"))}, two_exercises(), none.opener()),
                std::runtime_error);
 }

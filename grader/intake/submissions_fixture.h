@@ -17,6 +17,7 @@
 #include "grader/intake/archive_builder.h"
 #include "grader/intake/caged_archive.h"
 #include "grader/intake/submission.h"
+#include "grader/sandbox/isolation_for_tests.h"
 #include "hair/io/files/temporary_folder.h"
 
 namespace grader {
@@ -42,7 +43,7 @@ inline std::string zip(const std::string& path, const std::string& text = "int x
 inline const OpenArchive& opener() {
   static const char* program = std::getenv("HAIR_READER");
   static const std::unique_ptr<CagedReader> reader =
-      program == nullptr ? nullptr : std::make_unique<CagedReader>(program);
+      program == nullptr ? nullptr : std::make_unique<CagedReader>(program, isolation_for_tests());
   static const OpenArchive open = reader ? reader->opener() : OpenArchive(open_here);
   return open;
 }

@@ -20,6 +20,7 @@
 #include "grader/sandbox/container_root.h"
 #include "grader/sandbox/identity.h"
 #include "grader/sandbox/launch.h"
+#include "grader/sandbox/own_groups.h"
 #include "grader/sandbox/warden.h"
 
 namespace grader {
@@ -69,6 +70,13 @@ void add_busy(pid_t process, std::map<pid_t, CagedProcess::Activity::Busy>& busy
   }
 }
 
+// We and the suite hold the rest: the kernel shall end no run that the warden could have ended.
+std::size_t most_memory_of_a_run() {
+  constexpr std::size_t kOurs = std::size_t{128} << 20;
+  static const std::size_t usable = usable_memory_bytes();
+  return usable > 2 * kOurs ? usable - kOurs : kOurs;
+}
+
 std::string program_of(pid_t process) {
   std::string name;
   std::ifstream("/proc/" + std::to_string(process) + "/comm") >> name;
@@ -79,6 +87,10 @@ std::string program_of(pid_t process) {
 
 CagedProcess::CagedProcess(const Cage& cage, const std::vector<std::string>& command, int requests,
                            int replies, int output)
+    : CagedProcess(cage, command, requests, replies, output, [](Launch&, RunLimits&) {}) {}
+
+CagedProcess::CagedProcess(const Cage& cage, const std::vector<std::string>& command, int requests,
+                           int replies, int output, const LeaveOut& leave_out)
     : isolation_(cage.isolation),
       group_(ControlGroup::create(cage.limits.memory_bytes, cage.limits.processes + 4 /* bwrap's own */)) {
   const bool bounded = group_ && group_->bounds_memory();
@@ -111,7 +123,10 @@ CagedProcess::CagedProcess(const Cage& cage, const std::vector<std::string>& com
       if (cage.syscalls) launch.filter = syscall_filter(*cage.syscalls);
       launch.own_session = true;
       limits.user = launch.identity.user;
-      if (!bounded) limits.resident_bytes = cage.limits.memory_bytes;
+      if (!bounded) {
+        limits.resident_bytes = std::min(cage.limits.memory_bytes, most_memory_of_a_run());
+        ended_for_memory_before_ = ended_for_memory();
+      }
       break;
     case Isolation::none:
       for (std::string& word : words) word = outside(cage, word);
@@ -128,6 +143,7 @@ CagedProcess::CagedProcess(const Cage& cage, const std::vector<std::string>& com
       joins.emplace_back(open(file.c_str(), O_WRONLY | O_CLOEXEC));
       if (joins.back()) launch.joins.push_back(joins.back().get());
     }
+  leave_out(launch, limits);
   run_ = std::make_unique<Warden>(launch, limits);
   info_ = std::move(info.read_end);
 }
@@ -170,6 +186,9 @@ Ending CagedProcess::wait(double seconds) {
     ending.code = WEXITSTATUS(report.status);
   }
   ending.out_of_memory = report.over_memory || (group_ && group_->ran_out_of_memory());
+  // The kernel ends runs first where a container's memory runs out.
+  if (!ending.well() && ended_for_memory_before_ && ended_for_memory() > *ended_for_memory_before_)
+    ending.out_of_memory = true;
   // The soft limit on CPU time. SIGKILL may be the hard one, a second later, for a process that ignores the first; or anybody's.
   ending.timed_out |= report.over_cpu || ending.signal == SIGXCPU;
   ending_ = ending;

@@ -9,6 +9,7 @@
 #include <sys/types.h>
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -23,6 +24,8 @@
 namespace grader {
 
 class ContainerRoot;
+struct Launch;
+struct RunLimits;
 class Warden;
 
 struct Mount {
@@ -70,6 +73,10 @@ class CagedProcess {
   // be started.
   CagedProcess(const Cage& cage, const std::vector<std::string>& command, int requests, int replies,
                int output);
+  // For tests, which show what a fence is there for: `leave_out` takes it away before the start.
+  using LeaveOut = std::function<void(Launch&, RunLimits&)>;
+  CagedProcess(const Cage& cage, const std::vector<std::string>& command, int requests, int replies,
+               int output, const LeaveOut& leave_out);
   CagedProcess(CagedProcess&&) noexcept;
   CagedProcess& operator=(CagedProcess&&) = delete;
   ~CagedProcess();  // kills it
@@ -102,6 +109,7 @@ class CagedProcess {
   Descriptor info_;  // bwrap writes its child's process id here
   mutable pid_t init_ = -1;
   std::optional<ControlGroup> group_;
+  std::optional<long> ended_for_memory_before_;  // where no group of its own bounds memory
   std::unique_ptr<ContainerRoot> root_;
   std::unique_ptr<Warden> run_;
   std::optional<Ending> ending_;

@@ -1,15 +1,17 @@
-// STAFF ONLY.
+// STAFF ONLY. Makes groups below our own and removes them, and what killed graders left.
 #include "grader/sandbox/control_group.h"
 
 #include <signal.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <fstream>
 #include <random>
-#include <sstream>
 #include <string>
 #include <thread>
+
+#include "grader/sandbox/own_groups.h"
 
 namespace grader {
 namespace {
@@ -20,36 +22,6 @@ bool write_value(const fs::path& file, const std::string& value) {
   std::ofstream out(file);
   out << value << std::flush;
   return static_cast<bool>(out);
-}
-
-// Mount points by hierarchy: v1 controllers by name, v2 as "".
-std::optional<fs::path> mount_point(const std::string& controller) {
-  std::ifstream mounts("/proc/self/mounts");
-  std::string device, folder, type, options, rest;
-  while (mounts >> device >> folder >> type >> options && std::getline(mounts, rest)) {
-    if (controller.empty()
-            ? type == "cgroup2"
-            : type == "cgroup" && ("," + options + ",").find("," + controller + ",") != std::string::npos)
-      return folder;
-  }
-  return {};
-}
-
-// This process's own group in a hierarchy, relative to its mount point.
-fs::path own_group(const std::string& controller) {
-  std::ifstream groups("/proc/self/cgroup");
-  std::string line;
-  while (std::getline(groups, line)) {
-    std::istringstream fields(line);
-    std::string number, controllers, path;
-    std::getline(fields, number, ':');
-    std::getline(fields, controllers, ':');
-    std::getline(fields, path);
-    if (controller.empty() ? controllers.empty()
-                           : ("," + controllers + ",").find("," + controller + ",") != std::string::npos)
-      return fs::path(path).relative_path();
-  }
-  return {};
 }
 
 constexpr const char* kPrefix =
@@ -72,9 +44,9 @@ using Settings = std::vector<std::pair<std::string, std::string>>;
 // A new group with these settings, below our own group or else at the top of the hierarchy.
 std::optional<fs::path> make_group(const std::string& controller, const std::string& name,
                                    const Settings& settings) {
-  const std::optional<fs::path> top = mount_point(controller);
-  if (!top) return {};
-  for (const fs::path& parent : {*top / own_group(controller), *top}) {
+  const std::vector<fs::path> groups = own_groups(controller);
+  if (groups.empty()) return {};
+  for (const fs::path& parent : {groups.front(), groups.back()}) {
     remove_stale(parent);
     const fs::path folder = parent / name;
     std::error_code error;
@@ -133,14 +105,7 @@ std::vector<fs::path> ControlGroup::join_files() const {
 }
 
 bool ControlGroup::ran_out_of_memory() const {
-  for (const fs::path& folder : folders_)
-    for (const char* file : {"memory.events", "memory.oom_control"}) {
-      std::ifstream events(folder / file);
-      std::string key;
-      for (long value; events >> key >> value;)
-        if (key == "oom_kill" && value > 0) return true;
-    }
-  return false;
+  return std::ranges::any_of(folders_, [](const fs::path& folder) { return ended_for_memory(folder) > 0; });
 }
 
 }  // namespace grader

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Opens, closes and reads descriptors.
 #include "grader/sandbox/descriptor.h"
 
 #include <fcntl.h>

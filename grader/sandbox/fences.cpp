@@ -21,11 +21,12 @@ struct Tried {
   std::string said;
 };
 
-Tried tries(const Cage& cage, const std::vector<std::string>& arguments) {
+Tried tries(const Cage& cage, const std::vector<std::string>& arguments,
+            const CagedProcess::LeaveOut& leave_out) {
   std::vector<std::string> command = {"/probe"};
   command.insert(command.end(), arguments.begin(), arguments.end());
   Pipe output = make_pipe();
-  CagedProcess process(cage, command, -1, -1, output.write_end.get());
+  CagedProcess process(cage, command, -1, -1, output.write_end.get(), leave_out);
   output.write_end.close();
   std::string said = read_all(output.read_end, 1000, kMostSeconds);
   return {process.wait(kMostSeconds), said};
@@ -41,30 +42,35 @@ bool lives(const std::string& number) {
 }  // namespace
 
 std::string open_fence(const Cage& cage) {
+  return open_fence(cage, [](Launch&, RunLimits&) {});
+}
+
+std::string open_fence(const Cage& cage, const CagedProcess::LeaveOut& leave_out) {
   // The probe exits with 0 if what it tries is stopped, and says why if it is not.
-  const Tried starts = tries(cage, {"start"});
+  const Tried starts = tries(cage, {"start"}, leave_out);
   if (!starts.ending.well())
     return "no program starts in it: " + (starts.said.empty() ? "no reason is given\n" : starts.said);
 
   const StagingFolder staff;
   const std::vector<std::string> attempts[] = {
-      {"files", staff.path()}, {"processes", std::to_string(getpid())}, {"rights"}};
+      {"processes", std::to_string(getpid())}, {"files", staff.path()}, {"rights"}};
   Cage open = cage;
   open.syscalls.reset();  // each fence alone
   for (const auto& arguments : attempts)
-    if (const Tried tried = tries(open, arguments); !tried.ending.well()) return "student code " + tried.said;
+    if (const Tried tried = tries(open, arguments, leave_out); !tried.ending.well())
+      return "student code " + tried.said;
 
   Cage filtered = cage;
   filtered.syscalls = Syscalls::toolchain;
-  if (const Tried tried = tries(filtered, {"network"}); !tried.ending.well())
+  if (const Tried tried = tries(filtered, {"network"}, leave_out); !tried.ending.well())
     return "student code " + tried.said;
 
   if (cage.isolation == Isolation::container) {  // elsewhere a process has another number inside
-    if (const Tried tried = tries(open, {"stay"}); lives(tried.said))
+    if (const Tried tried = tries(open, {"stay"}, leave_out); lives(tried.said))
       return "a process of student code outlives its run";
     Cage small = open;
     small.limits.memory_bytes = std::size_t{64} << 20;
-    if (!tries(small, {"memory", std::to_string(std::size_t{512} << 20)}).ending.out_of_memory)
+    if (!tries(small, {"memory", std::to_string(std::size_t{512} << 20)}, leave_out).ending.out_of_memory)
       return "student code can take more memory than it may";
   }
   return {};

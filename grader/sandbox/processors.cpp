@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Counts who holds which processor.
 #include "grader/sandbox/processors.h"
 
 #include <algorithm>

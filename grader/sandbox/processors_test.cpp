@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Threads are bound to processors, and set free.
 #include "grader/sandbox/processors.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. The lists of system calls, and the filters that libseccomp makes of them.
 #include "grader/sandbox/syscalls.h"
 
 #include <fcntl.h>

@@ -164,7 +164,7 @@ struct Watch {
 
 }  // namespace
 
-Warden::Warden(const Launch& launch, const RunLimits& limits) {
+Warden::Warden(const Launch& launch, const RunLimits& limits) : user_(limits.user) {
   Pipe control = make_pipe(), report = make_pipe();
   warden_ = fork();
   if (warden_ < 0) throw std::system_error(errno, std::generic_category(), "fork");
@@ -192,7 +192,10 @@ RunReport Warden::wait() {
   ssize_t size;
   do size = read(report_.get(), &told, sizeof told);
   while (size < 0 && errno == EINTR);
-  if (size != sizeof told) told.status = SIGKILL;  // somebody has ended the warden
+  if (size != sizeof told) {  // somebody has ended the warden
+    told.status = SIGKILL;
+    if (user_ != 0) end_all_of(user_);
+  }
   while (waitpid(warden_, nullptr, 0) < 0 && errno == EINTR) {
   }
   return told;

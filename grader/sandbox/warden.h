@@ -43,6 +43,7 @@ class Warden {
  private:
   Descriptor control_, report_;
   pid_t warden_ = -1, process_ = -1;
+  uid_t user_;
   std::optional<RunReport> told_;
 };
 

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Looks at a worker while it waits, and sums up how long it idles.
 #include "grader/sandbox/watchdog.h"
 
 #include <poll.h>

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "grader/sandbox/descriptor.h"
+#include "grader/sandbox/isolation_for_tests.h"
+#include "grader/sandbox/staging_folder.h"
 #include "grader/sandbox/system_mounts.h"
 #include "solver/timing.h"
 
@@ -19,7 +21,7 @@ namespace {
 class Waiting {
  public:
   explicit Waiting(const std::vector<std::string>& command, Watchdog::Patience patience,
-                   Isolation isolation = Isolation::namespaces)
+                   Isolation isolation = isolation_for_tests())
       : process_(cage(isolation), command, -1, -1, -1), watchdog_(process_, patience) {}
 
   // Until the patience is used up.
@@ -31,8 +33,11 @@ class Waiting {
  private:
   static Cage cage(Isolation isolation) {
     Cage cage;
-    cage.mounts = toolchain_mounts();
+    static const StagingFolder folder;
+    static const std::vector<Mount> programs = program_mounts({"/usr/bin/bash", "/usr/bin/sleep"});
+    cage.mounts = programs;
     cage.isolation = isolation;
+    cage.roots = folder.path() / "roots";
     return cage;
   }
 

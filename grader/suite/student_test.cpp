@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "grader/sandbox/identity.h"
+#include "grader/sandbox/isolation_for_tests.h"
 #include "hair/io/files/temporary_folder.h"
 
 namespace grader {
@@ -29,6 +30,7 @@ class StudentTest : public testing::Test {
     std::ofstream(folder_ / (way + ".so")) << "nothing";
     fs::permissions(folder_ / (way + ".so"), fs::perms(0755));
     WorkerSetup setup;
+    setup.isolation = isolation_for_tests();
     setup.kit = folder_;
     setup.exercise = "X";
     setup.objects = {folder_ / (way + ".so")};

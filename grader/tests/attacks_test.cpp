@@ -1,5 +1,5 @@
 // STAFF ONLY. The attack corpus, graded place by place: what each attack gets and costs, and that it reaches nobody. The
-// environment's HAIR_PLACE names the place. What was graded is kept: a test that was interrupted goes on where it was, as
+// environment's HAIR_PLACE names the place, and HAIR_ISOLATION the kind of isolation. What was graded is kept: a test that was interrupted goes on where it was, as
 // long as hairgrade and its suite are the same.
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -28,6 +28,7 @@
 #include "grader/result/base64.h"
 #include "grader/result/result.h"
 #include "grader/samples/sample.h"
+#include "grader/sandbox/isolation_for_tests.h"
 #include "grader/tests/run_program.h"
 #include "grader/tests/submission_name.h"
 #include "grader/tests/traces.h"
@@ -42,14 +43,23 @@ using nlohmann::json;
 // What attacks print, throw or claim in a worker.
 const std::string kMarker = "hair-attack-says";
 
+std::string set_in(const char* variable, const char* such_as) {
+  const char* word = std::getenv(variable);
+  if (word == nullptr)
+    throw std::runtime_error(std::string(variable) + " is not set: name one, such as " + such_as);
+  return word;
+}
+
 std::string place() {
-  const char* name = std::getenv("HAIR_PLACE");
-  if (name == nullptr) throw std::runtime_error("HAIR_PLACE is not set: name a place, such as run");
-  return name;
+  return set_in("HAIR_PLACE", "run");
+}
+
+std::string isolation() {
+  return set_in("HAIR_ISOLATION", to_string(Isolation::namespaces));
 }
 
 fs::path folder() {
-  return fs::path(HAIR_GRADED) / "attacks" / place();
+  return fs::path(HAIR_GRADED) / "attacks" / isolation() / place();
 }
 
 fs::path grades() {
@@ -129,18 +139,28 @@ std::string version() {
 class AttackCorpus : public testing::Test {
  protected:
   static void SetUpTestSuite() {
+    if (!skipped().empty()) return;
     if (hair::bytes_of(folder() / "version") != version()) fs::remove_all(folder());
     fs::create_directories(folder());
     std::ofstream(folder() / "version") << version();
     std::vector<std::string> words = {
-        "grade",    (fs::path(HAIR_ATTACKS) / place()).string(),
-        "--out",    grades().string(),
-        "--cache",  (folder() / "cache").string(),
-        "--secret", HAIR_TEST_SECRET,
-        "--course", HAIR_ATTACKS_COURSE,  // with less of a budget: it takes minutes
+        "grade",       (fs::path(HAIR_ATTACKS) / place()).string(),
+        "--out",       grades().string(),
+        "--cache",     (folder() / "cache").string(),
+        "--isolation", isolation(),
+        "--secret",    HAIR_TEST_SECRET,
+        "--course",    HAIR_ATTACKS_COURSE,  // with less of a budget: it takes minutes
         "--resume"};
     run_ = run_shard(words, folder() / "terminal");
     timing_ = json::parse(hair::bytes_of(grades() / "timing.json"), nullptr, false);
+  }
+
+  // A container's kind never skips.
+  static std::string skipped() {
+    return isolation() == to_string(Isolation::namespaces) ? why_not(Isolation::namespaces) : "";
+  }
+  void SetUp() override {
+    if (!skipped().empty()) GTEST_SKIP() << skipped();
   }
 
   static SubmissionResult result_of(const Sample& sample) {

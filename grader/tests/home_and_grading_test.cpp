@@ -13,6 +13,7 @@
 
 #include "grader/compile/compiler.h"
 #include "grader/package/handout.h"
+#include "grader/sandbox/isolation_for_tests.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 
@@ -95,7 +96,7 @@ class HomeAndGrading : public testing::Test {
     const hair::TemporaryFolder temporary{"hair-both"};
     const fs::path handout = temporary.path() / "hair-assignment";
     const StagedKit kit{HAIR_KIT_DIR, course};
-    const Compiler compiler{kit, temporary.path() / "cache", Isolation::namespaces};
+    const Compiler compiler{kit, temporary.path() / "cache", isolation_for_tests()};
     int jobs = 0;
   };
   static inline Both* both_ = nullptr;

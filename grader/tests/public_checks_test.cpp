@@ -19,6 +19,7 @@
 #include "grader/compile/compiler.h"
 #include "grader/samples/sample.h"
 #include "grader/samples/solution_files.h"
+#include "grader/sandbox/isolation_for_tests.h"
 #include "grader/sandbox/system_mounts.h"
 #include "grader/tests/mutants_found.h"
 #include "grader/tests/run_program.h"
@@ -81,8 +82,8 @@ class PublicChecks : public testing::Test {
   const std::string id_ = environment("HAIR_EXERCISE", "");
   const StagedKit kit_{HAIR_KIT_DIR, course_};
   // Where the class or mutants were graded here, they have the same files.
-  const Compiler compiler_{kit_, fs::path(HAIR_GRADED) / "class-cache", Isolation::namespaces};
-  const Compiler mutants_{kit_, fs::path(HAIR_GRADED) / "mutants", Isolation::namespaces};
+  const Compiler compiler_{kit_, fs::path(HAIR_GRADED) / "class-cache", isolation_for_tests()};
+  const Compiler mutants_{kit_, fs::path(HAIR_GRADED) / "mutants", isolation_for_tests()};
   // Copied, for the sandbox's user may not read where the project lies.
   const fs::path checks_ = kit_.new_job("checks");
 
@@ -100,6 +101,8 @@ class PublicChecks : public testing::Test {
     const Compiled compiled = compiler.compile(exercise, source, job, 600, build);
     if (compiled.object.empty()) return {false, false, compiled.log};
     Cage cage;
+    cage.isolation = isolation_for_tests();
+    cage.roots = kit_.roots();
     cage.mounts = library_mounts(cage.isolation, {});
     cage.mounts.push_back({"/usr/bin/prlimit", "/usr/bin/prlimit"});
     cage.mounts.push_back({checks_ / (build == Build::sanitised ? "sanitised" : "ordinary"), "/check"});

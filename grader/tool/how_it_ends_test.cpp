@@ -6,6 +6,7 @@
 
 #include "grader/compile/compiler.h"
 #include "grader/sandbox/control_group.h"
+#include "grader/sandbox/isolation_for_tests.h"
 #include "grader/tool/ask_conj_grad.h"
 #include "grader/tool/settings_for_tests.h"
 
@@ -138,6 +139,7 @@ class HowItEnds : public testing::Test {
 
   Answer ask(const std::filesystem::path& object, int way, bool sanitised) const {
     WorkerSetup setup;
+    setup.isolation = isolation_for_tests();
     setup.log = "/dev/null";
     setup.sanitised = sanitised;
     setup.cpu_seconds = 1;
@@ -159,7 +161,7 @@ class HowItEnds : public testing::Test {
   GradingSettings settings_ = settings_for_tests();
   const Exercise& s1_ = *settings_.course.find("S1");
   const StagedKit kit_{settings_.kit, settings_.course};
-  const Compiler compiler_{kit_, HAIR_TEST_CACHE, Isolation::namespaces};
+  const Compiler compiler_{kit_, HAIR_TEST_CACHE, isolation_for_tests()};
   mutable int jobs_ = 0;
 };
 

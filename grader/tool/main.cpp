@@ -13,7 +13,6 @@
 #include <cstdlib>
 #include <iostream>
 #include <string_view>
-#include <thread>
 
 #include "grader/course/course.h"
 #include "grader/course/input.h"
@@ -23,6 +22,7 @@
 #include "grader/report/report.h"
 #include "grader/samples/table.h"
 #include "grader/sandbox/inherited.h"
+#include "grader/sandbox/own_groups.h"
 #include "grader/tool/at_rest.h"
 #include "grader/tool/batch.h"
 #include "grader/tool/comparing.h"
@@ -197,14 +197,16 @@ int run(int argc, char* argv[]) {
   app.require_subcommand(1);
 
   GradeOptions grading;
-  grading.batch.jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  grading.batch.jobs = usable_jobs();
   CLI::App* grade_command = app.add_subcommand("grade", "Grade submissions and write reports");
   grade_command
       ->add_option("SUBMISSION", grading.submissions,
                    "An archive (.zip, .tar.gz), a folder, or either of these holding many")
       ->required();
   grade_command->add_option("--out", grading.batch.out, "The folder for reports")->required();
-  grade_command->add_option("-j", grading.batch.jobs, "How many at a time (default: one per core)")
+  grade_command
+      ->add_option("-j", grading.batch.jobs,
+                   "How many at a time (default: as many as processors and memory allow)")
       ->check(CLI::Range(1, 256));
   grade_command->add_flag("--resume", grading.batch.resume,
                           "Keep results whose submission and suite have not changed");

@@ -56,6 +56,7 @@ class MemoryErrorsTest : public testing::Test {
   // What a worker with this object answers to a request with n = 4.
   Answer ask(const fs::path& object) const {
     WorkerSetup setup;
+    setup.isolation = settings_.isolation;
     setup.log = kit_.folder().parent_path() / "log";
     setup.sanitised = true;
     setup.cpu_seconds = 1000;  // to touch all memory takes a slow machine long
@@ -107,7 +108,7 @@ class MemoryErrorsTest : public testing::Test {
   GradingSettings settings_ = settings_without_images();
   const Exercise& s1_ = *settings_.course.find("S1");
   const StagedKit kit_{settings_.kit, settings_.course};
-  const Compiler compiler_{kit_, settings_.cache, Isolation::namespaces};
+  const Compiler compiler_{kit_, settings_.cache, settings_.isolation};
 };
 
 struct Mistake {

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "grader/sandbox/isolation_for_tests.h"
 #include "grader/tool/suite_jobs.h"
 
 namespace grader {
@@ -16,6 +17,8 @@ inline GradingSettings settings_for_tests() {
   settings.suite = HAIR_SUITE;
   settings.players = HAIR_PLAYERS;
   settings.scenes = HAIR_HIDDEN_SCENES;
+  settings.isolation = isolation_for_tests();
+  settings.memory_errors |= settings.isolation == Isolation::container;
   settings.reference = std::filesystem::path(HAIR_PROJECT) / "reference";
   return settings;
 }

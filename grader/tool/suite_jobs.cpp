@@ -19,6 +19,7 @@ constexpr int kLeastCpuSeconds = 2;
 constexpr int kLeastRunCpuSeconds =
     3;  // a run has a bound of its own, of questions: see grader/play/player.cpp
 constexpr double kTimesReference = 20;  // a student's code may take this many times the reference's CPU time
+constexpr double kReferenceWallSeconds = 1e6;  // a busy machine is slow, and fit to grade
 
 // What a worker may take, of the reference's.
 int cpu_limit(double reference) {
@@ -95,6 +96,7 @@ SuiteJob SuiteJobs::job(const std::string& exercise, const fs::path& folder) con
   suite.allowance = allowance();
   if (const auto reference = reference_.find(exercise); reference != reference_.end())
     suite.cpu_seconds = cpu_limit(reference->second.worker_cpu_seconds);
+  if (reference_.empty()) suite.allowance.wall_seconds = kReferenceWallSeconds;
   return suite;
 }
 

@@ -1,0 +1,94 @@
+// STAFF ONLY. A shell in a cage, for tests of either kind.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "grader/sandbox/cage.h"
+#include "grader/sandbox/identity.h"
+#include "grader/sandbox/isolation_for_tests.h"
+#include "grader/sandbox/staging_folder.h"
+#include "grader/sandbox/system_mounts.h"
+
+namespace grader {
+
+class Caged {
+ protected:
+  explicit Caged(Isolation kind) {
+    static const StagingFolder all;  // root folders last from one test to the next
+    static int number = 0;
+    folder_ = all.path() / std::to_string(number++);
+    std::filesystem::create_directory(folder_);
+    share_with_sandbox(folder_, false);
+    std::filesystem::create_directory(folder_ / "empty");
+    chmod((folder_ / "empty").c_str(), 0755);
+    cage_.isolation = kind;
+    cage_.roots = all.path() / "roots";
+    static const std::map<Isolation, std::vector<Mount>> toolchains = {
+        {Isolation::namespaces, toolchain_mounts(Isolation::namespaces)},
+        {Isolation::container, toolchain_mounts(Isolation::container)}};
+    cage_.mounts = toolchains.at(kind);
+    for (const Mount& mount : header_mounts(kind, folder_ / "empty")) cage_.mounts.push_back(mount);
+    if (kind == Isolation::container) {
+      static const std::vector<Mount> programs = program_mounts(
+          {"/usr/bin/bash", "/usr/bin/cat", "/usr/bin/head", "/usr/bin/id", "/usr/bin/ls", "/usr/bin/seq",
+           "/usr/bin/setsid", "/usr/bin/sleep", "/usr/bin/tr", "/usr/bin/true", "/usr/bin/unshare"});
+      cage_.mounts.insert(cage_.mounts.end(), programs.begin(), programs.end());
+    }
+    cage_.tmp_bytes = 1 << 20;
+    cage_.syscalls = Syscalls::toolchain;
+    cage_.limits.wall_seconds = 200;
+    cage_.limits.cpu_seconds = 5;
+    cage_.limits.memory_bytes = std::size_t{256} << 20;
+  }
+
+  struct Said {
+    Ending ending;
+    std::string output;
+  };
+  Said shell(const std::string& script) {
+    Pipe output = make_pipe();
+    CagedProcess process(cage_, with_inner_limits(cage_.limits, {"/usr/bin/bash", "-c", script}), -1, -1,
+                         output.write_end.get());
+    output.write_end.close();
+    std::string text = read_all(output.read_end, 1 << 16, cage_.limits.wall_seconds);
+    return {process.wait(cage_.limits.wall_seconds), text};
+  }
+
+  std::filesystem::path folder_;
+  Cage cage_;
+};
+
+class CageTest : public Caged, public testing::TestWithParam<Isolation> {
+ protected:
+  CageTest() : Caged(GetParam()) {}
+  void SetUp() override {
+    if (const std::string why = why_not(GetParam()); !why.empty()) GTEST_SKIP() << why;
+  }
+};
+
+class ContainerTest : public Caged, public testing::Test {
+ protected:
+  ContainerTest() : Caged(Isolation::container) {}
+};
+
+// All processes below one, itself left out, parents first.
+inline std::vector<pid_t> descendants(pid_t process) {
+  std::vector<pid_t> all;
+  const std::string number = std::to_string(process);
+  std::ifstream children("/proc/" + number + "/task/" + number + "/children");
+  for (pid_t child = 0; children >> child;) {
+    all.push_back(child);
+    const std::vector<pid_t> below = descendants(child);
+    all.insert(all.end(), below.begin(), below.end());
+  }
+  return all;
+}
+
+}  // namespace grader
