@@ -36,7 +36,7 @@ Entry header_of(const ArchiveEntry& from) {
   Entry entry(archive_entry_new());
   archive_entry_set_pathname(entry.get(), from.path.c_str());
   archive_entry_set_mtime(entry.get(), mtime, 0);
-  archive_entry_set_perm(entry.get(), 0644);
+  archive_entry_set_perm(entry.get(), static_cast<mode_t>(from.mode));
   if (from.link.empty()) {
     archive_entry_set_filetype(entry.get(), AE_IFREG);
     archive_entry_set_size(entry.get(), static_cast<la_int64_t>(from.bytes.size() + from.zeros));

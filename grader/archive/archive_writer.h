@@ -15,6 +15,7 @@ struct ArchiveEntry {
   std::string bytes;        // a file's content
   std::string link;         // not empty: a symbolic link with this target
   std::uint64_t zeros = 0;  // this many zero bytes follow `bytes`
+  unsigned mode = 0644;     // who may read, write and start it
 };
 
 // Both throw std::runtime_error with the path and the reason.

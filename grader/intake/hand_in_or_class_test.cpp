@@ -101,5 +101,23 @@ TEST_F(Submissions, FoldersWithOneArchiveAmongSeveralArgumentsAreTheirStudents) 
   EXPECT_EQ(intake.submissions[1].files.at("conj_grad.cpp").text, "b");
 }
 
+TEST_F(Submissions, AFolderThatIsSaidToBeOneHandInIsNeverAClass) {
+  const auto only_one = [&](const fs::path& folder) {
+    const Intake intake = read_hand_in(folder, "4711", two_exercises(), opener());
+    EXPECT_EQ(names(intake.submissions), Names{"4711"});
+    return intake.submissions.at(0);
+  };
+  write("x/alice/conj_grad.cpp", "a");
+  EXPECT_EQ(only_one(write("x/bob/normal_equations.cpp", "b").parent_path().parent_path()).files.size(), 2U);
+  // Canvas's names say nothing of who it is, and an archive inside is opened.
+  EXPECT_TRUE(says(only_one(write("y/doe_12_34_conj_grad.cpp", "a").parent_path()).problem,
+                   "None of the exercise files"));
+  EXPECT_EQ(
+      only_one(write("z/alice.zip", zip("conj_grad.cpp", "a")).parent_path()).files.at("conj_grad.cpp").text,
+      "a");
+  EXPECT_TRUE(
+      says(only_one(write("nothing/notes.txt", "").parent_path()).problem, "None of the exercise files"));
+}
+
 }  // namespace
 }  // namespace grader

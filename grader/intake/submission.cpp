@@ -35,6 +35,14 @@ std::vector<std::string> names_in(const std::vector<Draft>& drafts) {
   return names;
 }
 
+// All that is counted, as one submission.
+Member whole_of(const std::vector<Entry>& list) {
+  Member member;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (!is_ignored(list[i].path)) member.entries.push_back(i);
+  return member;
+}
+
 class ClassReader {
  public:
   ClassReader(const Course& course, const OpenArchive& open_archive, const IntakeLimits& limits,
@@ -46,6 +54,7 @@ class ClassReader {
   }
 
   void read_argument(const fs::path& argument);
+  void read_hand_in(const fs::path& folder, const std::string& name);
   Intake finish();
 
  private:
@@ -154,11 +163,7 @@ void ClassReader::take_archive(Draft& draft, std::string bytes, const std::strin
   const std::unique_ptr<Container> archive =
       open_archive_(std::move(bytes), shown, draft.budget.for_archive());
   const std::vector<Entry> list = archive->list();
-  Member member;
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    if (!is_ignored(list[i].path)) member.entries.push_back(i);
-  }
-  take(*archive, list, {{&draft, member}}, shown + "/", depth);
+  take(*archive, list, {{&draft, whole_of(list)}}, shown + "/", depth);
 }
 
 void ClassReader::take(Container& container, const std::vector<Entry>& list, const std::vector<Share>& shares,
@@ -294,6 +299,19 @@ void ClassReader::read_argument(const fs::path& argument) {
   std::move(drafts.begin(), drafts.end(), std::back_inserter(drafts_));
 }
 
+void ClassReader::read_hand_in(const fs::path& folder, const std::string& name) {
+  const Named argument = named(folder);
+  drafts_.push_back(new_draft(name, argument, ""));
+  Draft& draft = drafts_.back();
+  try {
+    const std::unique_ptr<Container> container = open(folder, argument, true);
+    const std::vector<Entry> list = container->list();
+    take(*container, list, {{&draft, whole_of(list)}}, "", 0);
+  } catch (const Refused& why) {
+    draft.refuse(why);
+  }
+}
+
 Intake ClassReader::finish() {
   Intake intake;
   intake.taken_for = std::move(taken_for_);
@@ -321,6 +339,13 @@ Intake read_submissions(const std::vector<fs::path>& arguments, const Course& co
   for (const fs::path& argument : arguments) different.insert(fs::absolute(argument).lexically_normal());
   ClassReader reader(course, open_archive, limits, {different.size() > 1, classes});
   for (const fs::path& argument : arguments) reader.read_argument(argument);
+  return reader.finish();
+}
+
+Intake read_hand_in(const fs::path& folder, const std::string& name, const Course& course,
+                    const OpenArchive& open_archive, const IntakeLimits& limits) {
+  ClassReader reader(course, open_archive, limits, {});
+  reader.read_hand_in(folder, name);
   return reader.finish();
 }
 

@@ -65,4 +65,9 @@ Intake read_submissions(const std::vector<std::filesystem::path>& arguments, con
                         const OpenArchive& open_archive, const IntakeLimits& limits = {},
                         bool classes = false);
 
+// The folder of one student, who is called `name` whatever is in it: never a class. A folder without any exercise file is a submission
+// with a problem.
+Intake read_hand_in(const std::filesystem::path& folder, const std::string& name, const Course& course,
+                    const OpenArchive& open_archive, const IntakeLimits& limits = {});
+
 }  // namespace grader

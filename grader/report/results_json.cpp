@@ -1,53 +1,103 @@
-// STAFF ONLY.
+// STAFF ONLY. Writes results.json.
 #include "grader/report/results_json.h"
 
 #include <nlohmann/json.hpp>
 
+#include "grader/compare/montage.h"
+#include "grader/compare/palette.h"
 #include "grader/report/student_view.h"
 #include "grader/report/text.h"
+#include "grader/result/base64.h"
+#include "hair/io/image/read_png.h"
+#include "hair/io/plot/html.h"
 #include "hair/io/plot/readable.h"
 
 namespace grader {
 namespace {
 
+using hair::Html, hair::html;
 using Json = nlohmann::ordered_json;
+
+// Of a test's text. ASCII takes three bytes for one at most (\u00e9 for two). Long texts are compilers', one for each exercise: of the
+// whole course's fourteen they take 0.7 MB at most.
+constexpr std::size_t kMostText = 16 << 10;
+constexpr const char* kOfPublicChecks =
+    "These are the public checks, compiled as for grading. They give no points: the hidden ones do, after "
+    "the deadline.";
+constexpr int kPictureWidth = 240;  // half
+constexpr std::size_t kPictureColors = 32;
 
 std::string joined(const std::string& first, const std::string& second) {
   return first.empty() || second.empty() ? first + second : first + "\n\n" + second;
 }
 
+std::string text_of(const std::string& text) {
+  const std::string shown = hair::readable(text);
+  return shown.size() <= kMostText
+             ? shown
+             : hair::valid_utf8(shown.substr(0, kMostText)) + "\n(the rest is left out)";
+}
+
+Html picture(const std::string& png, const std::string& shows) {
+  if (png.empty()) return {};
+  const hair::Image small = shrunk(hair::decode_png(png, "a picture"), kPictureWidth);
+  return html(
+      "<img width=\"{}\" alt=\"{}\" src=\"data:image/png;base64,{}\">\n",
+      {std::size_t{kPictureWidth}, shows, base64(encode_palette_png(in_few_colors(small, kPictureColors)))});
+}
+
+Html moments(const std::vector<PictureResult>& pictures) {
+  Html all;
+  for (const PictureResult& one : pictures) {
+    const bool same = one.heat.empty();
+    all += html(
+        "<p>{}: {}</p>\n<p>{}{}{}</p>\n",
+        {one.name,
+         same ? "yours and the reference's are the same" : "yours, the reference's, and where they differ",
+         picture(one.student, "Yours"), picture(same ? "" : one.reference, "The reference's"),
+         picture(one.heat, "Where they differ")});
+  }
+  return all;
+}
+
+// A test's output: a text, or with pictures a page's part.
+void put_output(Json& test, const std::string& text, const std::vector<PictureResult>& pictures) {
+  const Html shown = moments(pictures);
+  test["output"] = shown.text.empty() ? text_of(text) : html("<p>{}</p>\n{}", {text_of(text), shown}).text;
+  test["output_format"] = shown.text.empty() ? "text" : "html";
+}
+
 Json test(const ExerciseResult& exercise, const std::string& number, const std::string& name, Status status,
-          double points, double max_points, const std::string& output) {
-  return {{"name", hair::readable(name)},
-          {"number", number},
-          {"score", rounded_points(points)},
-          {"max_score", rounded_points(max_points)},
-          {"status", status == Status::passed ? "passed" : "failed"},
-          {"output", hair::readable(output)},
-          {"output_format", "text"},
-          {"tags", Json::array({exercise.id})},
-          {"visibility", "visible"},
-          {"extra_data", {{"exercise", exercise.id}, {"status", to_string(status)}}}};
+          double points, double max_points, const std::string& output,
+          const std::vector<PictureResult>& pictures = {}) {
+  Json test = {{"name", text_of(name)},
+               {"number", number},
+               {"score", rounded_points(points)},
+               {"max_score", rounded_points(max_points)},
+               {"status", status == Status::passed ? "passed" : "failed"}};
+  put_output(test, output, pictures);
+  test.update(Json{{"tags", Json::array({exercise.id})},
+                   {"visibility", "visible"},
+                   {"extra_data", {{"exercise", exercise.id}, {"status", to_string(status)}}}});
+  return test;
 }
 
 // Gradescope shows it; it changes no score.
-Json run_test(const RunResult& run, const std::string& number) {
-  return {{"name", "End to end: " + hair::readable(run.shows)},
-          {"number", number},
-          {"score", 0},
-          {"max_score", 0},
-          {"status", run.outcome == RunOutcome::same ? "passed" : "failed"},
-          {"output", hair::readable(to_string(run.outcome) + ": " + run.feedback)},
-          {"output_format", "text"},
-          {"tags", Json::array({"runs"})},
-          {"visibility", "visible"},
-          {"extra_data", {{"run", hair::readable(run.name)}, {"outcome", to_string(run.outcome)}}}};
+Json run_test(const RunResult& run, const std::string& number, bool pictures) {
+  Json test = {{"name", "End to end: " + text_of(run.shows)},
+               {"number", number},
+               {"score", 0},
+               {"max_score", 0},
+               {"status", run.outcome == RunOutcome::same ? "passed" : "failed"}};
+  put_output(test, to_string(run.outcome) + ": " + run.feedback,
+             pictures ? run.pictures : std::vector<PictureResult>{});
+  test.update(Json{{"tags", Json::array({"runs"})},
+                   {"visibility", "visible"},
+                   {"extra_data", {{"run", text_of(run.name)}, {"outcome", to_string(run.outcome)}}}});
+  return test;
 }
 
-}  // namespace
-
-std::string student_json(const SubmissionResult& whole) {
-  const SubmissionResult result = for_student(whole);
+Json json_of(const SubmissionResult& result, const ResultsOptions& options) {
   Json tests = Json::array();
   Json exercises = Json::object();
   for (const ExerciseResult& exercise : result.exercises) {
@@ -57,31 +107,49 @@ std::string student_json(const SubmissionResult& whole) {
     }
     for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
       const CaseResult& one = exercise.cases[i];
+      const bool shows = options.pictures && one.name == kPicturesTitle;
       tests.push_back(test(exercise, exercise.id + "." + std::to_string(i + 1), one.name, one.status,
                            one.points, one.max_points,
-                           joined(one.feedback, i == 0 ? exercise.compiler_messages : "")));
+                           joined(one.feedback, i == 0 ? exercise.compiler_messages : ""),
+                           shows ? exercise.pictures : std::vector<PictureResult>{}));
     }
     exercises[exercise.id] = {{"status", to_string(exercise.status)},
                               {"score", rounded_points(exercise.points)},
                               {"max_score", rounded_points(exercise.max_points)},
                               {"extra_credit", exercise.extra_credit},
-                              {"output", hair::readable(exercise.feedback)}};
+                              {"output", text_of(exercise.feedback)}};
   }
   for (std::size_t i = 0; i < result.runs.size(); ++i)
-    tests.push_back(run_test(result.runs[i], "runs." + std::to_string(i + 1)));
+    tests.push_back(run_test(result.runs[i], "runs." + std::to_string(i + 1), options.pictures));
   const std::string said = said_of(result.isolation);
   const std::string stamp =
       joined(said.empty() ? "" : said + ".", result.images ? "" : "Graded without pictures.");
-  const Json all = {
-      {"score", rounded_points(points(result))},
-      {"output", joined(stamp, hair::readable(result.note))},
+  const double score = rounded_points(points(result));
+  Json all = {
+      {"score", score},
+      {"output", joined(options.public_checks ? kOfPublicChecks : stamp, text_of(result.note))},
       {"output_format", "text"},
       {"visibility", "visible"},
       {"stdout_visibility", "hidden"},
       {"tests", tests},
       {"extra_data",
        {{"exercises", exercises}, {"isolation", to_string(result.isolation)}, {"images", result.images}}}};
-  return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+  if (options.leaderboard)
+    all["leaderboard"] = Json::array({Json{{"name", "Points"}, {"value", score}, {"order", "desc"}}});
+  if (!options.student.empty()) all["extra_data"]["student"] = options.student;
+  if (!options.handed_in.empty()) all["extra_data"]["handed_in"] = options.handed_in;
+  return all;
+}
+
+}  // namespace
+
+std::string student_json(const SubmissionResult& whole, const ResultsOptions& options) {
+  const SubmissionResult result = options.public_checks ? whole : for_student(whole);
+  const std::string text = json_of(result, options).dump(1, ' ', true, Json::error_handler_t::replace) + "\n";
+  if (!options.pictures || text.size() <= kMostResultsBytes) return text;
+  ResultsOptions without = options;
+  without.pictures = false;
+  return student_json(whole, without);
 }
 
 }  // namespace grader

@@ -86,7 +86,7 @@ std::string Grading::fingerprint(const Submission& submission) const {
   return sha256(all);
 }
 
-Graded Grading::grade(const Submission& submission) const {
+Graded Grading::grade(const Submission& submission, const AfterEach& after_each) const {
   Graded graded;
   graded.result.name = submission.name;
   graded.result.origin = submission.origin;
@@ -120,6 +120,7 @@ Graded Grading::grade(const Submission& submission) const {
       graded.problems.push_back(submission.name + ": " + exercise.id + ": " + problem.what());
     }
     graded.result.exercises.push_back(std::move(result));
+    if (after_each) after_each(graded.result);
   }
   if (!settings_.exercise) {
     try {

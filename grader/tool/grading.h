@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,8 +32,9 @@ class Grading {
   // Throws BadInput if `images` is set and this machine can't draw, or if the reference does not get full points.
   explicit Grading(GradingSettings settings);
 
-  // Errors on our side are in the result, which then has no fingerprint.
-  Graded grade(const Submission& submission) const;
+  // Errors on our side are in the result, which then has no fingerprint. `after_each` sees the result so far after each exercise.
+  using AfterEach = std::function<void(const SubmissionResult&)>;
+  Graded grade(const Submission& submission, const AfterEach& after_each = {}) const;
 
   // A hash of the submission's bytes, and of everything else that its result depends on.
   std::string fingerprint(const Submission& submission) const;

@@ -1,4 +1,5 @@
-// STAFF ONLY. hairgrade: grades submissions, compares pictures, makes the handout, and tells of the samples.
+// STAFF ONLY. hairgrade: grades submissions, also where Gradescope puts them, compares pictures, makes the handout and the package for
+// Gradescope, and tells of the samples.
 //
 // Exit code 0: all submissions have results (or the handout is written). 1: the grader itself failed, intake
 // left something out (a line each, all else is graded), or a gate of the handout closed. 2: bad input or usage. 3: a person must look: the
@@ -10,7 +11,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
-#include <cstdlib>
 #include <iostream>
 #include <string_view>
 
@@ -18,6 +18,7 @@
 #include "grader/course/input.h"
 #include "grader/intake/caged_archive.h"
 #include "grader/intake/submission.h"
+#include "grader/package/gradescope_package.h"
 #include "grader/package/handout.h"
 #include "grader/report/report.h"
 #include "grader/samples/table.h"
@@ -27,8 +28,9 @@
 #include "grader/tool/batch.h"
 #include "grader/tool/comparing.h"
 #include "grader/tool/folder_of_grades.h"
+#include "grader/tool/grade_settings.h"
+#include "grader/tool/gradescope.h"
 #include "grader/tool/grading.h"
-#include "grader/tool/isolation_here.h"
 #include "grader/tool/origins.h"
 #include "grader/tool/secret.h"
 #include "hair/io/files/finish_output.h"
@@ -43,12 +45,15 @@ std::atomic<bool> interrupted = false;
 
 struct GradeOptions {
   std::vector<fs::path> submissions;
-  std::optional<fs::path> course, secret, cache;
-  std::optional<std::string> exercise;
-  bool no_images = false, study = false, classes = false;
-  std::uintmax_t cache_megabytes = kCacheBytes / 1'000'000;
-  std::optional<Isolation> isolation;  // nothing: what this machine can give
+  bool classes = false;
+  GradeSettings settings;
   BatchSettings batch;
+};
+
+struct GradescopeOptions {
+  fs::path folder;
+  bool leaderboard = false;
+  GradeSettings settings;
 };
 
 struct HandoutOptions {
@@ -56,22 +61,6 @@ struct HandoutOptions {
   std::optional<fs::path> course;
   bool accept = false;
 };
-
-fs::path default_cache() {
-  if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache != nullptr && *cache != '\0')
-    return fs::path(cache) / "hairgrade";
-  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0')
-    return fs::path(home) / ".cache" / "hairgrade";
-  throw BadInput("HOME is not set, so there is no place for compiled objects; name a folder with --cache");
-}
-
-std::string asked_for(const Course& course) {
-  std::string ids;
-  for (const Exercise& exercise : course.exercises)
-    if (exercise.role == Role::assigned || exercise.role == Role::optional)
-      ids += (ids.empty() ? "" : ", ") + exercise.id;
-  return ids;
-}
 
 void note_interruptions() {
   struct sigaction action = {};
@@ -82,7 +71,8 @@ void note_interruptions() {
 }
 
 std::vector<StaffPlace> staff_places(const GradingSettings& settings, const GradeOptions& options) {
-  const fs::path source = HAIR_SOURCE_DIR, secret = options.secret ? *options.secret : default_secret_file();
+  const fs::path source = HAIR_SOURCE_DIR,
+                 secret = options.settings.secret ? *options.settings.secret : default_secret_file();
   return {{"the reference", settings.reference, source},
           {"the suite", settings.suite, source},
           {"the kit", settings.kit, source},
@@ -91,43 +81,13 @@ std::vector<StaffPlace> staff_places(const GradingSettings& settings, const Grad
           {"the grades", options.batch.out, options.batch.out}};
 }
 
-int grade(const GradeOptions& options) {
-  GradingSettings settings;
-  settings.course = read_course(HAIR_EXERCISES_JSON, options.course);
-  if (options.exercise) {
-    const Exercise* exercise = settings.course.find(*options.exercise);
-    if (exercise == nullptr || exercise->role == Role::given || exercise->role == Role::absent)
-      throw BadInput("--exercise " + *options.exercise + ": the course does not ask for it; it asks for " +
-                     asked_for(settings.course));
-  }
-  if (options.study && options.exercise)
-    throw BadInput("--study: it needs all exercises; leave out --exercise " + *options.exercise);
-  if (options.study && !std::filesystem::exists(HAIR_STUDY))
-    throw BadInput("--study: hairstudy is not built; ./grader/grade builds it for --study");
-  settings.exercise = options.exercise;
-  settings.kit = HAIR_KIT_DIR;
-  settings.suite = HAIR_SUITE;
-  settings.study_program = HAIR_STUDY;
-  settings.players = HAIR_PLAYERS;
-  settings.scenes = HAIR_HIDDEN_SCENES;
-  settings.reference = fs::path(HAIR_SOURCE_DIR) / "reference";
-  settings.images = !options.no_images;
-  settings.study = options.study;
-  const Budget& budget = settings.course.budget;
-  // Whoever has no sandbox hears of that, and not of archives.
-  settings.isolation = isolation_here(StagedKit(settings.kit, settings.course), options.isolation);
-  settings.memory_errors |= settings.isolation == Isolation::container;
-  require_hard_limits({.sanitizers = settings.memory_errors,
-                       .jobs = options.batch.jobs,
-                       .cpu_seconds = std::max({budget.worker_cpu_seconds, budget.compiler_cpu_seconds,
-                                                budget.suite_cpu_seconds})});
+int grade(GradeOptions options) {
+  options.settings.jobs = options.batch.jobs;
+  GradingSettings settings = settings_of(options.settings);
   std::optional<CagedReader> reader;
   if (settings.isolation != Isolation::none) reader.emplace(HAIR_READER, settings.isolation);
   Intake intake = read_submissions(options.submissions, settings.course,
                                    reader ? reader->opener() : open_here, {}, options.classes);
-  settings.cache = options.cache ? *options.cache : default_cache();
-  settings.cache_bytes = 1'000'000 * options.cache_megabytes;
-  settings.secret = read_secret(options.secret);
 
   check_made_by(options.batch.out, made_by(settings));  // before the reference takes its seconds
   settle_origins(options.batch.out, intake.submissions, options.batch.only, options.batch.replace);
@@ -136,7 +96,7 @@ int grade(const GradeOptions& options) {
   const std::string open_to_others = readable_by_others(staff_places(settings, options));
   const Grading grading(std::move(settings));
   BatchSettings batch_settings = options.batch;
-  batch_settings.merge = options.exercise.has_value();
+  batch_settings.merge = options.settings.exercise.has_value();
   const Batch batch = grade_batch(grading, intake.submissions, batch_settings, interrupted);
   if (!batch.began) {
     std::cerr << "hairgrade: interrupted while it waited; nothing was written\n";
@@ -147,7 +107,7 @@ int grade(const GradeOptions& options) {
   if (batch.kept > 0) std::cout << ", " << batch.kept << " kept from before";
   if (grading.isolation() == Isolation::none) std::cout << ", without a sandbox";
   if (grading.isolation() == Isolation::container) std::cout << ", with a container's sandbox";
-  if (options.no_images) std::cout << ", without pictures";
+  if (options.settings.no_images) std::cout << ", without pictures";
   if (!grading.looks_for_memory_errors())
     std::cout << ", without a look for memory errors (no control group bounds memory)";
   std::cout << "\n" << fs::absolute(options.batch.out / "index.html").lexically_normal().string() << "\n";
@@ -172,6 +132,42 @@ int grade(const GradeOptions& options) {
   std::cerr << "hairgrade: interrupted after " << batch.finished << " of " << intake.submissions.size()
             << " submissions; the same command with --resume goes on\n";
   return 130;
+}
+
+int grade_on_gradescope(const GradescopeOptions& options) {
+  const Course course = read_course(HAIR_EXERCISES_JSON, options.settings.course);
+  GradescopeResults results(options.folder, course, {.pictures = true, .leaderboard = options.leaderboard});
+  try {
+    const Metadata metadata = read_metadata(options.folder / "submission_metadata.json");
+    results.belong_to(metadata);
+    GradingSettings settings = settings_of(options.settings);
+    const CagedReader reader(HAIR_READER, settings.isolation);
+    const Intake intake =
+        read_hand_in(options.folder / "submission", metadata.student, course, reader.opener());
+    for (const std::string& notice : intake.notices) std::cerr << "hairgrade: " << notice << "\n";
+    const Grading grading(std::move(settings));
+    const Graded graded = grading.grade(intake.submissions.front(),
+                                        [&](const SubmissionResult& so_far) { results.write(so_far); });
+    results.write(graded.result);
+    for (const std::string& problem : graded.problems)
+      std::cerr << "hairgrade: could not grade " << printable(problem, 2000) << "\n";
+    print_table(std::cout, {graded.result});
+    return graded.problems.empty() ? 0 : 1;
+  } catch (const std::exception&) {
+    results.could_not_grade();
+    throw;
+  }
+}
+
+int package(const GradescopePackage& options) {
+  if (options.out.extension() != ".zip")
+    throw BadInput("--out " + options.out.string() + ": Gradescope takes a .zip; give it such a name");
+  const Course course = read_course(HAIR_EXERCISES_JSON, options.course);
+  const HandoutSources sources{HAIR_SOURCE_DIR, HAIR_GOLDEN_DIR};
+  write_gradescope_package(sources, options.checks_only ? "" : read_secret(options.secret), course, options);
+  std::cout << options.out.string() << "\n";
+  if (!options.checks_only) std::cout << advice_for_gradescope(course, options.minutes) << "\n";
+  return 0;
 }
 
 int handout(const HandoutOptions& options) {
@@ -215,32 +211,64 @@ int run(int argc, char* argv[]) {
   grade_command->add_flag("--replace", grading.batch.replace,
                           "Replace rows of another origin: of another class, or of a hand-in from elsewhere");
   grade_command->add_option("--only", grading.batch.only, "Grade the submission of this name alone");
-  grade_command->add_option("--exercise", grading.exercise, "Grade this exercise alone");
-  grade_command->add_option("--course", grading.course, "The course file: roles and points of the exercises");
-  grade_command->add_option("--secret", grading.secret,
+  grade_command->add_option("--exercise", grading.settings.exercise, "Grade this exercise alone");
+  grade_command->add_option("--course", grading.settings.course,
+                            "The course file: roles and points of the exercises");
+  grade_command->add_option("--secret", grading.settings.secret,
                             "A file with the staff's secret (default: ~/.config/hairgrade/secret)");
-  grade_command->add_option("--cache", grading.cache,
+  grade_command->add_option("--cache", grading.settings.cache,
                             "A folder for compiled objects (default: ~/.cache/hairgrade)");
   grade_command
-      ->add_option("--cache-size", grading.cache_megabytes,
+      ->add_option("--cache-size", grading.settings.cache_megabytes,
                    "How many MB of compiled objects are kept; the oldest ones go (default: 2000)")
       ->check(CLI::Range(std::uintmax_t{1}, std::uintmax_t{1'000'000}));
   grade_command
       ->add_option_function<std::string>(
-          "--isolation", [&grading](const std::string& word) { grading.isolation = isolation_from(word); },
+          "--isolation",
+          [&grading](const std::string& word) { grading.settings.isolation = isolation_from(word); },
           "How student code is isolated: by namespaces, or as a container's root can (default: what works "
           "here)")
       ->check(CLI::IsMember({to_string(Isolation::namespaces), to_string(Isolation::container)}));
   grade_command->add_flag_callback(
-      "--unsafe-no-sandbox", [&grading] { grading.isolation = Isolation::none; },
+      "--unsafe-no-sandbox", [&grading] { grading.settings.isolation = Isolation::none; },
       "Run student code unprotected; every report says so");
-  grade_command->add_flag("--no-images", grading.no_images,
+  grade_command->add_flag("--no-images", grading.settings.no_images,
                           "Draw nothing, where there is no OpenGL: the pictures' points go to the other "
                           "categories, and every report says so");
   grade_command->add_flag(
-      "--study", grading.study,
+      "--study", grading.settings.study,
       "Show error against run time beside the reference's, in study.html; gives no points and "
       "takes none, but some seconds of CPU time for each submission");
+
+  GradescopeOptions on_gradescope;
+  CLI::App* gradescope_command = app.add_subcommand(
+      "gradescope", "Grade one hand-in inside Gradescope's container (run_autograder does)");
+  gradescope_command->add_option("FOLDER", on_gradescope.folder, "The folder with submission/ and results/")
+      ->required();
+  gradescope_command->add_option("--secret", on_gradescope.settings.secret, "A file with the staff's secret")
+      ->required();
+  gradescope_command->add_option("--course", on_gradescope.settings.course, "The course file");
+  gradescope_command->add_option("--cache", on_gradescope.settings.cache, "A folder for compiled objects");
+  gradescope_command->add_flag("--leaderboard", on_gradescope.leaderboard,
+                               "Show the points on a leaderboard");
+
+  CLI::App* package_command = app.add_subcommand("package", "Make what a platform grades with");
+  package_command->require_subcommand(1);
+  GradescopePackage packing;
+  CLI::App* pack_gradescope =
+      package_command->add_subcommand("gradescope", "Make Gradescope's autograder.zip");
+  pack_gradescope->add_option("--out", packing.out, "The archive, a .zip")->required();
+  pack_gradescope->add_option("--course", packing.course,
+                              "The course file: roles and points of the exercises");
+  pack_gradescope->add_option("--secret", packing.secret,
+                              "A file with the staff's secret (default: ~/.config/hairgrade/secret)");
+  pack_gradescope
+      ->add_option("--minutes", packing.minutes, "The time limit that is set on Gradescope (default: 10)")
+      ->check(CLI::Range(2, 40));
+  pack_gradescope->add_flag(
+      "--checks-only", packing.checks_only,
+      "For the days before the deadline: the public checks, without points, secret and reference");
+  pack_gradescope->add_flag("--leaderboard", packing.leaderboard, "Show the points on a leaderboard");
 
   HandoutOptions handing_out;
   CLI::App* handout_command = app.add_subcommand("handout", "Make the archive that students get");
@@ -281,10 +309,10 @@ int run(int argc, char* argv[]) {
   } catch (const CLI::ParseError& error) {
     const bool without_command = argc > 1 && argv[1][0] != '-' && app.get_subcommands().empty();
     std::cerr << "hairgrade: "
-              << (without_command
-                      ? std::string(argv[1]) +
-                            " is no command; there are grade, compare, handout, secret and samples"
-                      : error.what())
+              << (without_command ? std::string(argv[1]) +
+                                        " is no command; there are grade, compare, handout, package, "
+                                        "gradescope, secret and samples"
+                                  : error.what())
               << "; see hairgrade --help\n";
     return 2;
   }
@@ -306,6 +334,8 @@ int run(int argc, char* argv[]) {
       std::cout << "the secret has the fingerprint " << told << "\n";
       return 0;
     }
+    if (*gradescope_command) return grade_on_gradescope(on_gradescope);
+    if (*package_command) return package(packing);
     return *grade_command ? grade(grading) : handout(handing_out);
   } catch (const BadInput& error) {
     std::cerr << "hairgrade: " << error.what() << "\n";
@@ -321,6 +351,6 @@ int run(int argc, char* argv[]) {
 int main(int argc, char* argv[]) {
   hair::begin_output();
   // Other commands start no student's code, and keep the limits that whoever starts them has set.
-  if (argc > 1 && std::string_view(argv[1]) == "grade") set_what_is_inherited(argv);
+  if (argc > 1 && std::string_view(argv[1]).starts_with("grade")) set_what_is_inherited(argv);
   return hair::finish_output("hairgrade", run(argc, argv));
 }

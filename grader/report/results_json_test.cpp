@@ -1,0 +1,120 @@
+// STAFF ONLY. results.json keeps Gradescope's rules, whatever is in it, and our checker of these rules sees what breaks them.
+#include "grader/report/results_json.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "grader/report/gradescope_rules.h"
+#include "grader/report/sample_results.h"
+
+namespace grader {
+namespace {
+
+using Json = nlohmann::json;
+
+const ResultsOptions kAllOptions{
+    .pictures = true, .leaderboard = true, .student = "4711", .handed_in = "2026-03-04"};
+
+std::string in_words(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
+TEST(ResultsJson, KeepsThePlatformsRules) {
+  std::vector<SubmissionResult> results = sample_class(30);
+  for (const SubmissionResult& one : class_of_ten_exercises(10)) results.push_back(one);
+  results.push_back({});
+  for (const SubmissionResult& result : results)
+    for (const ResultsOptions& options : {ResultsOptions{}, kAllOptions})
+      EXPECT_EQ(in_words(broken_rules(student_json(result, options))), "") << result.name;
+}
+
+TEST(ResultsJson, AnySlipIsSeen) {
+  const std::string right = student_json(sample_class(1).front(), kAllOptions);
+  struct Slip {
+    const char* rule;  // its beginning
+    std::function<void(Json&)> make;
+  };
+  const Slip slips[] = {
+      {"specs.md: the whole has no points", [](Json& all) { all["points"] = 1; }},
+      {"specs.md: the whole: score is", [](Json& all) { all["score"] = "1"; }},
+      {"specs.md: the whole: output_format", [](Json& all) { all["output_format"] = "markdown"; }},
+      {"specs.md: the whole: stdout_visibility", [](Json& all) { all["stdout_visibility"] = "staff"; }},
+      {"specs.md: score or tests", [](Json& all) { all.erase("score"), all.erase("tests"); }},
+      {"specs.md: score, which counts", [](Json& all) { all["score"] = 1.0 + all["score"].get<double>(); }},
+      {"specs.md: results that are not visible", [](Json& all) { all["visibility"] = "after_due_date"; }},
+      {"ours: students don't see", [](Json& all) { all["stdout_visibility"] = "visible"; }},
+      {"specs.md: tests[0] is an object", [](Json& all) { all["tests"][0] = "S1"; }},
+      {"specs.md: tests[0] has no points", [](Json& all) { all["tests"][0]["points"] = 1; }},
+      {"specs.md: tests[0]: number", [](Json& all) { all["tests"][0]["number"] = 1.1; }},
+      {"specs.md: tests[0]: status", [](Json& all) { all["tests"][0]["status"] = "crashed"; }},
+      {"specs.md: tests[0]: tags", [](Json& all) { all["tests"][0]["tags"] = "S1"; }},
+      {"specs.md: a test that is not visible", [](Json& all) { all["tests"][0]["visibility"] = "hidden"; }},
+      {"ours: tests[0] has between", [](Json& all) { all["tests"][0]["max_score"] = 0; }},
+      {"specs.md: HTML is filtered",
+       [](Json& all) {
+         all["tests"][0]["output_format"] = "html";
+         all["tests"][0]["output"] = "<p><img src=\"https://example.org/x.png\"></p>";
+       }},
+      {"specs.md: leaderboard: order", [](Json& all) { all["leaderboard"][0]["order"] = "down"; }},
+      {"specs.md: a leaderboard's row", [](Json& all) { all["leaderboard"][0].erase("value"); }},
+  };
+  for (const auto& [rule, make] : slips) {
+    Json all = Json::parse(right);
+    make(all);
+    EXPECT_NE(in_words(broken_rules(all.dump(1, ' ', true) + "\n")).find(rule), std::string::npos)
+        << rule << ": " << in_words(broken_rules(all.dump(1, ' ', true)));
+  }
+  EXPECT_NE(in_words(broken_rules(right + "\r\n")).find("ours: it is ASCII"), std::string::npos);
+  EXPECT_NE(in_words(broken_rules(right + "}")).find("specs.md: it is JSON"), std::string::npos);
+  EXPECT_NE(in_words(broken_rules(right + std::string(kMostResultsBytes, ' '))).find("ours: it has a bound"),
+            std::string::npos);
+}
+
+// Of each exercise; a hundred of them don't fit.
+SubmissionResult with_pictures(int of_each) {
+  const PictureResult picture = sample_picture("0.50 s", 5, 0.001);
+  SubmissionResult result = class_of_ten_exercises(1).front();
+  for (ExerciseResult& exercise : result.exercises) {
+    exercise.pictures.assign(of_each, picture);
+    CaseResult of_pictures;
+    of_pictures.name = kPicturesTitle;
+    exercise.cases = {of_pictures};
+    exercise.points = 0;
+  }
+  return result;
+}
+
+TEST(ResultsJson, PicturesAreInsideAndTheTextStandsWithoutThem) {
+  const std::string with = student_json(with_pictures(3), kAllOptions);
+  EXPECT_NE(with.find("data:image/png;base64,"), std::string::npos);
+  EXPECT_EQ(student_json(with_pictures(3)).find("data:image"), std::string::npos);
+  EXPECT_EQ(in_words(broken_rules(with)), "");
+}
+
+TEST(ResultsJson, PicturesGoWhereTheyWouldBreakTheBound) {
+  ResultsOptions without = kAllOptions;
+  without.pictures = false;
+  const SubmissionResult many = with_pictures(100);
+  EXPECT_EQ(student_json(many, kAllOptions), student_json(many, without));
+}
+
+// What compilers say of one file is 64 KiB at most; in ASCII a letter of two bytes takes six.
+TEST(ResultsJson, TextsOfAnyLengthKeepTheBound) {
+  std::string long_text;
+  while (long_text.size() < (64 << 10)) long_text += "é\n\"<";
+  SubmissionResult result;
+  for (int i = 0; i < 14; ++i) {
+    ExerciseResult exercise = sample_class(1).front().exercises.front();
+    exercise.id = "H" + std::to_string(i);
+    exercise.compiler_messages = long_text;
+    result.exercises.push_back(exercise);
+  }
+  EXPECT_EQ(in_words(broken_rules(student_json(result, kAllOptions))), "");
+}
+
+}  // namespace
+}  // namespace grader

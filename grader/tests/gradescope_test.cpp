@@ -1,0 +1,135 @@
+// STAFF ONLY. The package for Gradescope: it is made and unpacked, and its run_autograder grades a sample with this build's hairgrade.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "grader/course/course.h"
+#include "grader/report/gradescope_rules.h"
+#include "grader/report/report.h"
+#include "grader/tests/run_program.h"
+#include "hair/io/files/read_file.h"
+#include "hair/io/files/start_program.h"
+#include "hair/io/files/temporary_folder.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using std::string;
+
+int run(const std::vector<string>& words, const fs::path& folder = {}) {
+  return hair::exit_code_of(hair::start_program({.words = words, .folder = folder})).value_or(-1);
+}
+
+void unpack(const fs::path& archive, const fs::path& folder) {
+  fs::create_directories(folder);
+  ASSERT_EQ(run({"/usr/bin/cmake", "-E", "tar", "xf", archive}, folder), 0);
+}
+
+class GradescopePackage : public testing::Test {
+ protected:
+  GradescopePackage() {
+    Json roles;
+    for (const Exercise& exercise : read_course(fs::path(HAIR_PROJECT) / "handout/exercises.json").exercises)
+      if (exercise.id != "S1") roles[exercise.id] = {{"role", "given"}};
+    std::ofstream(folder_.path() / "course.json") << Json{{"exercises", roles}};
+    std::ofstream(folder_.path() / "secret") << "a secret for this test";
+  }
+
+  void pack(std::vector<string> more = {}) {
+    const string zip = folder_.path() / "autograder.zip";
+    std::vector<string> words = {"package",  "gradescope",
+                                 "--out",    zip,
+                                 "--course", folder_.path() / "course.json",
+                                 "--secret", folder_.path() / "secret"};
+    words.insert(words.end(), more.begin(), more.end());
+    const ProgramRun packed = run_hairgrade(words);
+    ASSERT_EQ(packed.code, 0) << packed.errors;
+    EXPECT_NE(packed.output.find("0.5 CPU"), string::npos) << packed.output;
+    unpack(zip, place_ / "source");
+  }
+
+  // A sample that loses some points. Who may have a class takes its two folders for one.
+  void put_sample() const {
+    unpack(fs::path(HAIR_SAMPLE_CLASS) / "starts-from-x.zip", place_ / "submission/some folder");
+    fs::create_directories(place_ / "submission/other folder");
+    std::ofstream(place_ / "submission/other folder/normal_equations.cpp") << "\n";
+  }
+
+  // As the platform starts it, but for the places.
+  int run_autograder() const {
+    string script = hair::bytes_of(place_ / "source/run_autograder");
+    const auto replace = [&](const string& what, const string& by) {
+      const std::size_t at = script.find(what);
+      ASSERT_NE(at, string::npos) << what;
+      script.replace(at, what.size(), by);
+    };
+    replace("$source/hair/build/release/grader/tool/hairgrade", HAIRGRADE);
+    replace("source=/autograder", "source=" + place_.string());
+    return run({"/bin/sh", "-c", script, "run_autograder", place_});
+  }
+
+  Json results() const {
+    const string text = hair::bytes_of(place_ / "results/results.json");
+    EXPECT_EQ(broken_rules(text), std::vector<string>{});
+    return Json::parse(text);
+  }
+
+  const hair::TemporaryFolder folder_{"gradescope-package"};
+  const fs::path place_ = folder_.path() / "autograder";
+};
+
+TEST_F(GradescopePackage, HoldsSourcesAndTwoScriptsAndNothingThatWasBuilt) {
+  pack();
+  const fs::path source = place_ / "source";
+  for (const char* script : {"setup.sh", "run_autograder"})
+    EXPECT_TRUE((fs::status(source / script).permissions() & fs::perms::owner_exec) != fs::perms::none)
+        << script;
+  EXPECT_EQ(fs::status(source / "secret").permissions(), fs::perms(0600));
+  EXPECT_EQ(fs::status(folder_.path() / "autograder.zip").permissions(), fs::perms(0600));
+  EXPECT_TRUE(fs::exists(source / "hair/grader/setup.sh"));
+  EXPECT_FALSE(fs::exists(source / "hair/build"));
+  for (const char* script : {"setup.sh", "run_autograder"})
+    for (const char* left : {"$PROGRAM", "$OPTIONS", "$PARTS", "$SECONDS"})
+      EXPECT_EQ(hair::bytes_of(source / script).find(left), string::npos) << left;
+  EXPECT_EQ(hair::bytes_of(source / "run_autograder").find("--leaderboard"), string::npos);
+}
+
+// The place where the platform lays a hand-in is one student's, whatever folders are in it.
+TEST_F(GradescopePackage, RunAutograderGivesTheStudentsPoints) {
+  pack({"--leaderboard"});
+  put_sample();
+  std::ofstream(place_ / "submission_metadata.json")
+      << R"({"created_at": "2026-03-04T10:15:00.0-08:00", "users": [{"id": 12}, {"id": 7}]})";
+  EXPECT_EQ(run_autograder(), 0);
+  EXPECT_EQ(results()["extra_data"]["student"], "7");
+  EXPECT_EQ(results()["output"].get<string>().find("Not graded"), string::npos) << results()["output"];
+
+  // The same file as the submission "7" of a class.
+  fs::create_directories(folder_.path() / "7");
+  fs::copy_file(place_ / "submission/some folder/conj_grad.cpp", folder_.path() / "7/conj_grad.cpp");
+  const ProgramRun graded = run_hairgrade({"grade", folder_.path() / "7", "--out", folder_.path() / "grades",
+                                           "--course", folder_.path() / "course.json", "--secret",
+                                           folder_.path() / "secret", "--cache", place_ / "source/cache"});
+  ASSERT_EQ(graded.code, 0) << graded.errors;
+  const Json other = Json::parse(hair::bytes_of(folder_.path() / "grades/7/results.json"));
+  EXPECT_EQ(results()["score"], other["score"]);
+  EXPECT_EQ(results()["leaderboard"][0]["value"], other["score"]);
+  EXPECT_GT(other["score"], 0);
+  ASSERT_EQ(results()["tests"].size(), other["tests"].size());
+  for (std::size_t i = 0; i < other["tests"].size(); ++i)
+    for (const char* key : {"number", "name", "score", "max_score", "status"})
+      EXPECT_EQ(results()["tests"][i][key], other["tests"][i][key]) << i;
+
+  std::ofstream(place_ / "submission_metadata.json") << R"({"created_at": "t", "users": []})";
+  EXPECT_EQ(run_autograder(), 0);
+  EXPECT_NE(results()["output"].get<string>().find("not your fault"), string::npos);
+  EXPECT_EQ(results()["score"], 0);
+}
+
+}  // namespace
+}  // namespace grader

@@ -1,0 +1,46 @@
+// STAFF ONLY. A hand-in where Gradescope has put it: FOLDER/submission, with FOLDER/submission_metadata.json beside it. What is
+// found goes to FOLDER/results/results.json, which is whole at each moment: who is ended by the platform's time keeps the
+// exercises that were done, and reads which were not.
+//
+// The student is a number of Gradescope's, and the inputs are drawn from it: of a group the smallest of its members', whoever of
+// them hands in.
+//
+// Where nothing can be graded (odd metadata, no isolation, a fault of ours), results.json gives no points, and says in a line that this
+// is not the student's fault. The reason is for the staff, who read hairgrade's output on the platform; students don't.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "grader/course/course.h"
+#include "grader/report/results_json.h"
+
+namespace grader {
+
+struct Metadata {
+  std::string student;     // "4711"
+  std::string created_at;  // "2026-03-04T10:15:00.000000-08:00": the time of the hand-in
+};
+
+// Throws BadInput with the file, the JSON path and what would be right.
+Metadata read_metadata(const std::filesystem::path& file);
+
+class GradescopeResults {
+ public:
+  // Writes results.json, in which nothing is graded yet.
+  GradescopeResults(const std::filesystem::path& folder, const Course& course, ResultsOptions options);
+
+  void belong_to(const Metadata& metadata);
+  // A result so far: names the exercises that it lacks.
+  void write(SubmissionResult result) const;
+  void could_not_grade() const;
+
+ private:
+  void write_with_note(SubmissionResult result, const std::string& note) const;
+
+  std::filesystem::path file_;
+  const Course& course_;
+  ResultsOptions options_;
+};
+
+}  // namespace grader

@@ -1,0 +1,182 @@
+// STAFF ONLY. Compiles a hand-in, and runs the public checks' programs with its objects.
+#include "grader/tool/public_checks.h"
+
+#include <fcntl.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "grader/sandbox/system_mounts.h"
+#include "grader/tool/exercise_grading.h"
+#include "hair/io/files/read_file.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kCompilerSeconds = 20;  // twice its share in grading: it is not yet late
+constexpr int kCpuSeconds = 20;          // right programs take one or two
+constexpr std::size_t kMostSaid = 64 << 10;
+constexpr std::size_t kMostOfOne = 3000;  // of what a check says
+constexpr const char* kPrlimit = "/usr/bin/prlimit";
+constexpr const char* kMemory = "No memory errors in the checks";
+
+const char* folder_of(Build build) {
+  return build == Build::sanitised ? "sanitised" : "ordinary";
+}
+
+std::string beginning(const std::string& text) {
+  return text.size() <= kMostOfOne ? text : text.substr(0, kMostOfOne) + "\n...";
+}
+
+// From where a sanitizer speaks; "": none does.
+std::string memory_error_in(const std::string& output) {
+  const std::size_t address = output.find("ERROR: AddressSanitizer"), other = output.find("runtime error:");
+  const std::size_t at = std::min(address, other);
+  if (at == std::string::npos) return "";
+  const std::size_t line = output.rfind('\n', at);
+  return output.substr(line == std::string::npos ? 0 : line + 1);
+}
+
+CaseResult category(const std::string& name, Status status, const std::string& says) {
+  CaseResult one;
+  one.name = name;
+  one.status = status;
+  one.feedback = beginning(says);
+  return one;
+}
+
+}  // namespace
+
+std::vector<CaseResult> checks_in(const std::string& output, bool ended_well) {
+  const std::string run = "[ RUN      ] ", passed = "[       OK ] ", failed = "[  FAILED  ] ";
+  std::vector<CaseResult> checks;
+  std::string says;
+  bool inside = false, any_failed = false;
+  std::istringstream lines(output);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with(run)) {
+      checks.push_back(category(line.substr(run.size()), Status::crashed, ""));
+      says.clear();
+      inside = true;
+    } else if (inside && (line.starts_with(passed) || line.starts_with(failed))) {
+      const bool well = line.starts_with(passed);
+      any_failed |= !well;
+      checks.back() = category(checks.back().name, well ? Status::passed : Status::wrong, well ? "" : says);
+      says.clear();
+      inside = false;
+    } else if (!line.starts_with("[---") && !line.starts_with("[===")) {
+      says += line + "\n";
+    }
+  }
+  if (inside) checks.back() = category(checks.back().name, Status::crashed, "It broke off here.\n" + says);
+  if (!inside && !any_failed && !ended_well) checks.push_back(category("All checks", Status::wrong, says));
+  return checks;
+}
+
+PublicChecks::PublicChecks(const Compiler& compiler, const fs::path& programs, const fs::path& golden,
+                           fs::path golden_inside, Isolation isolation)
+    : compiler_(compiler),
+      kit_(compiler.toolchain().kit()),
+      staged_(kit_.new_job("checks")),
+      golden_inside_(std::move(golden_inside)),
+      isolation_(isolation) {
+  fs::copy(programs, staged_ / "programs", fs::copy_options::recursive);
+  fs::copy(golden, staged_ / "golden", fs::copy_options::recursive);
+  for (const auto& entry : fs::recursive_directory_iterator(staged_))
+    fs::permissions(entry.path(), fs::perms(0755));
+}
+
+PublicChecks::Ran PublicChecks::run(const Exercise& exercise, Build build, const fs::path& job) const {
+  const fs::path program = staged_ / "programs" / folder_of(build) / exercise.id;
+  Cage cage;
+  cage.isolation = isolation_;
+  cage.roots = kit_.roots();
+  cage.mounts = library_mounts(isolation_, {program, kPrlimit});
+  cage.mounts.push_back({kPrlimit, kPrlimit});
+  cage.mounts.push_back({program, "/check"});
+  cage.mounts.push_back({staged_ / "golden", golden_inside_});
+  cage.mounts.push_back(
+      {job / exercise.id / folder_of(build) / (exercise.id + ".so"), "/objects/" + exercise.id + ".so"});
+  for (const std::string& id : exercise.prerequisites) {
+    const fs::path own = job / id / folder_of(Build::ordinary) / (id + ".so");
+    cage.mounts.push_back(
+        {fs::exists(own) ? own : kit_.folder() / "stub" / (id + ".so"), "/objects/" + id + ".so"});
+  }
+  cage.syscalls = Syscalls::toolchain;  // prlimit starts it
+  cage.limits.cpu_seconds = kCpuSeconds;
+  cage.limits.wall_seconds = 10 * kCpuSeconds;
+  Limits inner = cage.limits;
+  if (build == Build::sanitised) {
+    for (const auto& library : fs::directory_iterator(kit_.folder() / "sanitised/lib"))
+      cage.mounts.push_back({library.path(), "/sanitised/" + library.path().filename().string()});
+    cage.limits.memory_of_group = true;
+    inner.memory_bytes = std::size_t{1} << 46;  // of addresses
+  }
+  Pipe output = make_pipe();
+  CagedProcess process(cage, with_inner_limits(inner, {"/check"}), -1, -1, output.write_end.get());
+  output.write_end.close();
+  Ran ran;
+  ran.output = read_both_ends(output.read_end, kMostSaid, cage.limits.wall_seconds);
+  const Ending ending = process.wait(1);
+  ran.well = ending.well();
+  if (ending.timed_out) ran.output += "\nIt takes more than " + std::to_string(kCpuSeconds) + " seconds.\n";
+  if (ending.out_of_memory) ran.output += "\nIt takes too much memory.\n";
+  return ran;
+}
+
+ExerciseResult PublicChecks::check_exercise(const Exercise& exercise, const Submission& submission,
+                                            const fs::path& job) const {
+  ExerciseResult result = describe(exercise);
+  result.max_points = 0;
+  const auto file = submission.files.find(exercise.file);
+  if (!submission.problem.empty() || file == submission.files.end() || !file->second.problem.empty()) {
+    result.status = Status::missing;
+    result.feedback = !submission.problem.empty()      ? submission.problem
+                      : file == submission.files.end() ? sentence_for(Status::missing)
+                                                       : file->second.problem;
+    return result;
+  }
+  const std::string relative = job.filename().string() + "/" + exercise.id;
+  kit_.new_job(relative);
+  const auto compile = [&](Build build) {
+    return compiler_.compile(exercise, file->second.text, kit_.new_job(relative + "/" + folder_of(build)),
+                             kCompilerSeconds, build);
+  };
+  const Compiled compiled = compile(Build::ordinary);
+  result.compiler_messages = compiled.messages;
+  if (compiled.object.empty()) {
+    result.status = Status::does_not_compile;
+    result.feedback = sentence_for(Status::does_not_compile);
+    return result;
+  }
+  const Ran ordinary = run(exercise, Build::ordinary, job);
+  result.cases = checks_in(ordinary.output, ordinary.well);
+  const Compiled sanitised = compile(Build::sanitised);
+  const std::string error = !sanitised.switched_off.empty() ? sanitised.switched_off
+                            : sanitised.object.empty()
+                                ? "It does not compile with sanitizers."
+                                : memory_error_in(run(exercise, Build::sanitised, job).output);
+  result.cases.push_back(category(kMemory, error.empty() ? Status::passed : Status::wrong, error));
+  result.status = overall_status(result.cases);
+  return result;
+}
+
+SubmissionResult PublicChecks::check(const Course& course, const Submission& submission,
+                                     const Grading::AfterEach& after_each) const {
+  SubmissionResult result;
+  result.name = submission.name;
+  result.isolation = isolation_;
+  const fs::path job = kit_.new_job("submission-" + submission.name);
+  for (const Exercise& exercise : course.exercises) {
+    if (exercise.role != Role::assigned && exercise.role != Role::optional) continue;
+    result.exercises.push_back(check_exercise(exercise, submission, job));
+    after_each(result);
+  }
+  std::error_code ignored;
+  fs::remove_all(job, ignored);
+  return result;
+}
+
+}  // namespace grader

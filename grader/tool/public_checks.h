@@ -1,0 +1,44 @@
+// STAFF ONLY. The public checks of a hand-in, as a platform shows them before the deadline: each file is compiled as in grading, with the
+// same messages, and its checks run in a cage with the student's own prerequisites, as at home. They give no points. There is no
+// secret and no reference in it; which check passed the student's process says of itself.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "grader/compile/compiler.h"
+#include "grader/intake/submission.h"
+#include "grader/tool/grading.h"
+
+namespace grader {
+
+class PublicChecks {
+ public:
+  // `programs` has folders ordinary/ and sanitised/ with a program for each exercise, which looks for objects in /objects; `golden`
+  // is the data that they compare with, and look for in `golden_inside`. Keeps references.
+  PublicChecks(const Compiler& compiler, const std::filesystem::path& programs,
+               const std::filesystem::path& golden, std::filesystem::path golden_inside, Isolation isolation);
+
+  SubmissionResult check(const Course& course, const Submission& submission,
+                         const Grading::AfterEach& after_each) const;
+
+ private:
+  struct Ran {
+    bool well = false;
+    std::string output;
+  };
+  ExerciseResult check_exercise(const Exercise& exercise, const Submission& submission,
+                                const std::filesystem::path& job) const;
+  Ran run(const Exercise& exercise, Build build, const std::filesystem::path& job) const;
+
+  const Compiler& compiler_;
+  const StagedKit& kit_;
+  std::filesystem::path staged_, golden_inside_;
+  Isolation isolation_;
+};
+
+// The checks of a program's output, each a category without points; and one that says how it ended if none of them does.
+std::vector<CaseResult> checks_in(const std::string& output, bool ended_well);
+
+}  // namespace grader
