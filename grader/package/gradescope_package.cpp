@@ -131,8 +131,9 @@ void write_gradescope_package(const HandoutSources& sources, const std::string& 
                        .mode = is_program(project / path) ? 0755U : 0644U});
   const fs::path part = package.out.string() + ".part";
   try {
+    write_file(part, "");
+    fs::permissions(part, fs::perms(0600));  // before the secret is in it
     write_zip(part, entries);
-    fs::permissions(part, fs::perms(0600));  // the secret is in it
     fs::rename(part, package.out);
   } catch (const std::runtime_error& problem) {
     std::error_code ignored;

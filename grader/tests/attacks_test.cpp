@@ -1,6 +1,6 @@
 // STAFF ONLY. The attack corpus, graded place by place: what each attack gets and costs, and that it reaches nobody. The
-// environment's HAIR_PLACE names the place, and HAIR_ISOLATION the kind of isolation. What was graded is kept: a test that was interrupted goes on where it was, as
-// long as hairgrade and its suite are the same.
+// environment's HAIR_PLACE names the place, and HAIR_ISOLATION the kind of isolation. What was graded is kept: a test that was
+// interrupted goes on where it was, as long as hairgrade and its suite are the same.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
