@@ -387,7 +387,9 @@ TEST(ComputeFilter, KnowsNoClone3) {
   const Call call{"clone3", {0, 0}};
   for (const Syscalls kept : {Syscalls::compute, Syscalls::toolchain})
     EXPECT_EQ(attempt(call, kept), failed(ENOSYS));
-  EXPECT_EQ(attempt(call, {}), failed(EINVAL));
+  const Tried free = attempt(call, {});
+  if (free == failed(ENOSYS)) GTEST_SKIP() << "the filter of a container around us knows none, either";
+  EXPECT_EQ(free, failed(EINVAL));
 }
 
 #if defined(__x86_64__)
