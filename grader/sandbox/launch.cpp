@@ -8,6 +8,8 @@
 
 #include <linux/seccomp.h>
 
+#include <cstring>
+
 namespace grader {
 namespace {
 
@@ -50,6 +52,8 @@ void Launch::exec() const {
       _exit(kNotReady);
   }
   execve(argv[0], argv.data(), environment.data());
+  for (const char* text : {static_cast<const char*>(argv[0]), " can't be started\n"})
+    (void)!write(STDERR_FILENO, text, std::strlen(text));
   _exit(kNotFound);
 }
 
