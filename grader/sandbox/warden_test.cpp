@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "grader/sandbox/caged_for_tests.h"
+#include "grader/sandbox/launch.h"
 #include "hair/io/files/read_file.h"
 
 namespace grader {
@@ -47,10 +48,11 @@ bool dies(pid_t process) {
   return is_dead(process);
 }
 
+// Without a control group, which would end all that is in it.
 TEST_P(WardenTest, EndsWhatAKilledWardenLeaves) {
   Pipe output = make_pipe();
   CagedProcess process(cage_, {"/usr/bin/bash", "-c", "sleep 1000 & echo inside; wait"}, -1, -1,
-                       output.write_end.get());
+                       output.write_end.get(), [](Launch& launch, RunLimits&) { launch.joins.clear(); });
   char letter;
   ASSERT_EQ(read(output.read_end.get(), &letter, 1), 1);
   const std::vector<pid_t> all = descendants(getpid());
