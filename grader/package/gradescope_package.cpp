@@ -63,14 +63,12 @@ bool is_below(const std::string& path, std::initializer_list<const char*> folder
 // What the public checks' package leaves out: hidden cases, the engine, right and wrong solutions, and whatever tests them.
 bool is_hidden(const std::string& path) {
   const fs::path file(path);
-  const auto has_part = [&](const char* part) {
-    return std::ranges::find(file, fs::path(part)) != file.end();
-  };
   const bool of_an_exercise =
       path.starts_with("grader/exercise/") && std::distance(file.begin(), file.end()) > 3;
-  return has_part("tests") || has_part("bench") || file.stem().string().ends_with("_test") ||
-         is_below(path, {"reference/engine/", "grader/samples/solutions/"}) ||
-         file.extension() == ".samples" ||
+  const bool tests = path.starts_with("grader/") && file.stem().string().ends_with("_test");
+  return tests || file.extension() == ".samples" ||
+         is_below(path, {"grader/bench/", "grader/samples/solutions/", "grader/tests/", "reference/engine/",
+                         "reference/tests/"}) ||
          (of_an_exercise && (file.extension() != ".h" || file.filename() == "cases.h"));
 }
 

@@ -21,6 +21,8 @@ namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using std::string;
 
+constexpr const char* kSecret = "a secret for this test";
+
 int run(const std::vector<string>& words, const fs::path& folder = {}) {
   return hair::exit_code_of(hair::start_program({.words = words, .folder = folder})).value_or(-1);
 }
@@ -37,7 +39,7 @@ class GradescopePackage : public testing::Test {
     for (const Exercise& exercise : read_course(fs::path(HAIR_PROJECT) / "handout/exercises.json").exercises)
       if (exercise.id != "S1") roles[exercise.id] = {{"role", "given"}};
     std::ofstream(folder_.path() / "course.json") << Json{{"exercises", roles}};
-    std::ofstream(folder_.path() / "secret") << "a secret for this test";
+    std::ofstream(folder_.path() / "secret") << kSecret;
   }
 
   void pack(std::vector<string> more = {}) {
@@ -49,7 +51,6 @@ class GradescopePackage : public testing::Test {
     words.insert(words.end(), more.begin(), more.end());
     const ProgramRun packed = run_hairgrade(words);
     ASSERT_EQ(packed.code, 0) << packed.errors;
-    EXPECT_NE(packed.output.find("0.5 CPU"), string::npos) << packed.output;
     unpack(zip, place_ / "source");
   }
 
@@ -97,6 +98,29 @@ TEST_F(GradescopePackage, HoldsSourcesAndTwoScriptsAndNothingThatWasBuilt) {
     for (const char* left : {"$PROGRAM", "$OPTIONS", "$PARTS", "$SECONDS"})
       EXPECT_EQ(hair::bytes_of(source / script).find(left), string::npos) << left;
   EXPECT_EQ(hair::bytes_of(source / "run_autograder").find("--leaderboard"), string::npos);
+}
+
+// Before the deadline there is nothing in it that a student could take out.
+TEST_F(GradescopePackage, OfThePublicChecksHoldsNeitherSecretNorReference) {
+  pack({"--checks-only"});
+  const fs::path source = place_ / "source", project = HAIR_PROJECT;
+  EXPECT_FALSE(fs::exists(source / "secret"));
+  for (const Exercise& exercise : read_course(project / "handout/exercises.json").exercises) {
+    // S1 alone is asked for; students have the others, solved.
+    const char* from = exercise.id == "S1" ? "handout/student" : "reference";
+    EXPECT_EQ(hair::bytes_of(source / "hair/reference" / exercise.file),
+              hair::bytes_of(project / from / exercise.file));
+    EXPECT_FALSE(fs::exists(source / "hair/grader/exercise" / exercise.id / "cases.cpp"));
+  }
+  for (const auto& file : fs::recursive_directory_iterator(source)) {
+    for (const char* hidden : {"scene.json", ".samples", "full_head.cpp"})
+      EXPECT_EQ(file.path().string().find(hidden), string::npos) << file.path();
+    if (file.is_regular_file()) {
+      EXPECT_EQ(hair::bytes_of(file.path()).find(kSecret), string::npos) << file.path();
+    }
+  }
+  EXPECT_TRUE(fs::exists(source / "hair/handout/checks/golden/S1.txt"));
+  EXPECT_NE(hair::bytes_of(source / "run_autograder").find("hairchecks\""), string::npos);
 }
 
 // The place where the platform lays a hand-in is one student's, whatever folders are in it.

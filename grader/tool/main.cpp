@@ -18,7 +18,6 @@
 #include "grader/course/input.h"
 #include "grader/intake/caged_archive.h"
 #include "grader/intake/submission.h"
-#include "grader/package/gradescope_package.h"
 #include "grader/package/handout.h"
 #include "grader/report/report.h"
 #include "grader/samples/table.h"
@@ -29,7 +28,7 @@
 #include "grader/tool/comparing.h"
 #include "grader/tool/folder_of_grades.h"
 #include "grader/tool/grade_settings.h"
-#include "grader/tool/gradescope.h"
+#include "grader/tool/gradescope_command.h"
 #include "grader/tool/grading.h"
 #include "grader/tool/origins.h"
 #include "grader/tool/secret.h"
@@ -48,12 +47,6 @@ struct GradeOptions {
   bool classes = false;
   GradeSettings settings;
   BatchSettings batch;
-};
-
-struct GradescopeOptions {
-  fs::path folder;
-  bool leaderboard = false;
-  GradeSettings settings;
 };
 
 struct HandoutOptions {
@@ -132,42 +125,6 @@ int grade(GradeOptions options) {
   std::cerr << "hairgrade: interrupted after " << batch.finished << " of " << intake.submissions.size()
             << " submissions; the same command with --resume goes on\n";
   return 130;
-}
-
-int grade_on_gradescope(const GradescopeOptions& options) {
-  const Course course = read_course(HAIR_EXERCISES_JSON, options.settings.course);
-  GradescopeResults results(options.folder, course, {.pictures = true, .leaderboard = options.leaderboard});
-  try {
-    const Metadata metadata = read_metadata(options.folder / "submission_metadata.json");
-    results.belong_to(metadata);
-    GradingSettings settings = settings_of(options.settings);
-    const CagedReader reader(HAIR_READER, settings.isolation);
-    const Intake intake =
-        read_hand_in(options.folder / "submission", metadata.student, course, reader.opener());
-    for (const std::string& notice : intake.notices) std::cerr << "hairgrade: " << notice << "\n";
-    const Grading grading(std::move(settings));
-    const Graded graded = grading.grade(intake.submissions.front(),
-                                        [&](const SubmissionResult& so_far) { results.write(so_far); });
-    results.write(graded.result);
-    for (const std::string& problem : graded.problems)
-      std::cerr << "hairgrade: could not grade " << printable(problem, 2000) << "\n";
-    print_table(std::cout, {graded.result});
-    return graded.problems.empty() ? 0 : 1;
-  } catch (const std::exception&) {
-    results.could_not_grade();
-    throw;
-  }
-}
-
-int package(const GradescopePackage& options) {
-  if (options.out.extension() != ".zip")
-    throw BadInput("--out " + options.out.string() + ": Gradescope takes a .zip; give it such a name");
-  const Course course = read_course(HAIR_EXERCISES_JSON, options.course);
-  const HandoutSources sources{HAIR_SOURCE_DIR, HAIR_GOLDEN_DIR};
-  write_gradescope_package(sources, options.checks_only ? "" : read_secret(options.secret), course, options);
-  std::cout << options.out.string() << "\n";
-  if (!options.checks_only) std::cout << advice_for_gradescope(course, options.minutes) << "\n";
-  return 0;
 }
 
 int handout(const HandoutOptions& options) {
@@ -335,7 +292,7 @@ int run(int argc, char* argv[]) {
       return 0;
     }
     if (*gradescope_command) return grade_on_gradescope(on_gradescope);
-    if (*package_command) return package(packing);
+    if (*package_command) return package_for_gradescope(packing);
     return *grade_command ? grade(grading) : handout(handing_out);
   } catch (const BadInput& error) {
     std::cerr << "hairgrade: " << error.what() << "\n";
