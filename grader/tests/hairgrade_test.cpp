@@ -242,7 +242,8 @@ TEST_F(Hairgrade, GivesTheSameBytesAgain) {
   const string other_shell =
       "ulimit -S -v 8000000 -d 4000000 -s 512 -t 900 -n 40; umask 777; trap '' CHLD XCPU PIPE ALRM;\n"
       "export TMPDIR=/nowhere GTEST_FILTER=-* LC_ALL=C.UTF-8 OMP_NUM_THREADS=1 MALLOC_PERTURB_=7;\n"
-      "exec setarch -R \"$0\" \"$@\"";
+      "if setarch -R true 2>/dev/null; then exec setarch -R \"$0\" \"$@\"; fi\n"  // most containers forbid it
+      "exec \"$0\" \"$@\"";
   const std::vector<string> class_of_four = {sample("other-order"), sample("stubs"), sample("prints-success"),
                                              sample("segfault")};
   auto once = [&](const string& where, const char* jobs, const string& script) {
