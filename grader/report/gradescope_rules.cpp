@@ -13,28 +13,28 @@
 namespace grader {
 namespace {
 
-using Json = nlohmann::json;
+using nlohmann::json;
 using Words = std::set<std::string>;
-using Check = std::function<bool(const Json&)>;
+using Check = std::function<bool(const json&)>;
 
-bool is_text(const Json& value) {
+bool is_text(const json& value) {
   return value.is_string();
 }
 
-bool is_number(const Json& value) {
+bool is_number(const json& value) {
   return value.is_number();
 }
 
-bool is_object(const Json& value) {
+bool is_object(const json& value) {
   return value.is_object();
 }
 
-bool are_texts(const Json& value) {
+bool are_texts(const json& value) {
   return value.is_array() && std::ranges::all_of(value, is_text);
 }
 
 Check one_of(const Words& words) {
-  return [words](const Json& value) { return value.is_string() && words.contains(value.get<std::string>()); };
+  return [words](const json& value) { return value.is_string() && words.contains(value.get<std::string>()); };
 }
 
 const Check kFormat = one_of({"text", "html", "simple_format", "md", "ansi"});
@@ -51,8 +51,8 @@ const Keys kTop = {{"score", is_number},
                    {"visibility", kVisibility},
                    {"stdout_visibility", kVisibility},
                    {"extra_data", is_object},
-                   {"tests", [](const Json& value) { return value.is_array(); }},
-                   {"leaderboard", [](const Json& value) { return value.is_array(); }}};
+                   {"tests", [](const json& value) { return value.is_array(); }},
+                   {"leaderboard", [](const json& value) { return value.is_array(); }}};
 
 const Keys kTest = {
     {"score", is_number},        {"max_score", is_number},   {"status", one_of({"passed", "failed"})},
@@ -62,7 +62,7 @@ const Keys kTest = {
 
 const Keys kLeaderboard = {
     {"name", is_text},
-    {"value", [](const Json& value) { return value.is_number() || value.is_string(); }},
+    {"value", [](const json& value) { return value.is_number() || value.is_string(); }},
     {"order", one_of({"asc", "desc"})}};
 
 class Rules {
@@ -71,7 +71,7 @@ class Rules {
     if (!holds) broken.push_back(rule);
   }
 
-  void ask_keys(const Json& object, const Keys& keys, const std::string& where) {
+  void ask_keys(const json& object, const Keys& keys, const std::string& where) {
     ask(object.is_object(), "specs.md: " + where + " is an object");
     if (!object.is_object()) return;
     for (const auto& [key, value] : object.items()) {
@@ -85,12 +85,12 @@ class Rules {
   std::vector<std::string> broken;
 };
 
-double number_or_0(const Json& object, const char* key) {
+double number_or_0(const json& object, const char* key) {
   return object.is_object() && object.contains(key) && object[key].is_number() ? object[key].get<double>()
                                                                                : 0;
 }
 
-std::string text_of(const Json& object, const char* key) {
+std::string text_of(const json& object, const char* key) {
   return object.is_object() && object.contains(key) && object[key].is_string()
              ? object[key].get<std::string>()
              : "";
@@ -108,7 +108,7 @@ bool is_plain_html(const std::string& text) {
   return true;
 }
 
-void ask_test(Rules& rules, const Json& test, const std::string& where) {
+void ask_test(Rules& rules, const json& test, const std::string& where) {
   rules.ask_keys(test, kTest, where);
   rules.ask(text_of(test, "visibility") == "visible" || !test.contains("visibility"),
             "specs.md: a test that is not visible hides the student's total: " + where);
@@ -125,7 +125,7 @@ std::vector<std::string> broken_rules(const std::string& text) {
   rules.ask(text.size() <= kMostResultsBytes, "ours: it has a bound");
   rules.ask(std::ranges::all_of(text, [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }),
             "ours: it is ASCII, with lines that end with \\n alone");
-  const Json all = Json::parse(text, nullptr, false);
+  const json all = json::parse(text, nullptr, false);
   rules.ask(!all.is_discarded(), "specs.md: it is JSON");
   if (!all.is_object()) return rules.broken;
   rules.ask_keys(all, kTop, "the whole");
@@ -137,7 +137,7 @@ std::vector<std::string> broken_rules(const std::string& text) {
   double sum = 0;
   std::size_t count = 0;
   if (all.contains("tests") && all["tests"].is_array())
-    for (const Json& test : all["tests"]) {
+    for (const json& test : all["tests"]) {
       ask_test(rules, test, "tests[" + std::to_string(count++) + "]");
       sum += number_or_0(test, "score");
     }
@@ -146,7 +146,7 @@ std::vector<std::string> broken_rules(const std::string& text) {
                 !all.contains("score"),
             "specs.md: score, which counts, is the tests' sum");
   if (all.contains("leaderboard") && all["leaderboard"].is_array())
-    for (const Json& row : all["leaderboard"]) {
+    for (const json& row : all["leaderboard"]) {
       rules.ask_keys(row, kLeaderboard, "leaderboard");
       rules.ask(row.is_object() && row.contains("name") && row.contains("value"),
                 "specs.md: a leaderboard's row has name and value");

@@ -100,8 +100,8 @@ std::size_t usable_memory_bytes(const fs::path& root) {
 }
 
 int usable_jobs(const fs::path& root) {
-  const auto fit = static_cast<double>(usable_memory_bytes(root) / kMemoryOfAJob);
-  return std::max(1, static_cast<int>(std::min(std::ceil(usable_processors(root)), fit)));
+  const auto fit = static_cast<int>(usable_memory_bytes(root) / kMemoryOfAJob);
+  return std::max(1, std::min(static_cast<int>(std::ceil(usable_processors(root))), fit));
 }
 
 long ended_for_memory(const fs::path& group) {

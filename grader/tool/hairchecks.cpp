@@ -49,7 +49,7 @@ void check(const Options& options) {
   }
 }
 
-int run(int argc, char* argv[]) {
+int run_checks(int argc, char* argv[]) {
   setlocale(LC_CTYPE, "C.UTF-8");
   signal(SIGPIPE, SIG_IGN);
   if (sodium_init() < 0) {
@@ -84,5 +84,5 @@ int run(int argc, char* argv[]) {
 int main(int argc, char* argv[]) {
   hair::begin_output();
   set_what_is_inherited(argv);
-  return hair::finish_output("hairchecks", run(argc, argv));
+  return hair::finish_output("hairchecks", run_checks(argc, argv));
 }
