@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Writes archives by libarchive.
 #include "grader/archive/archive_writer.h"
 
 #include <archive.h>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Reads hand-ins and classes out of folders and archives.
 #include "grader/intake/submission.h"
 
 #include <algorithm>

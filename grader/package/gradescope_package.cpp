@@ -60,7 +60,7 @@ bool is_below(const std::string& path, std::initializer_list<const char*> folder
   return std::ranges::any_of(folders, [&](const char* folder) { return path.starts_with(folder); });
 }
 
-// What the public checks' package leaves out: hidden cases, the engine, right and wrong solutions, and whatever tests them.
+// The public checks' package leaves these out: hidden cases, the engine, right and wrong solutions, and the tests of all that.
 bool is_hidden(const std::string& path) {
   const fs::path file(path);
   const bool of_an_exercise =

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Writes the class's files of points.
 #include "grader/report/gradebook.h"
 
 #include "grader/report/columns.h"

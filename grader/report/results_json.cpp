@@ -18,7 +18,7 @@ namespace {
 using hair::Html, hair::html;
 using Json = nlohmann::ordered_json;
 
-// Of a test's text. ASCII takes three bytes for one at most (\u00e9 for two). Long texts are compilers', one for each exercise: of the
+// A test's text has so many bytes. ASCII takes three bytes for one at most (\u00e9 for two). Long texts are compilers', one for each exercise: of the
 // whole course's fourteen they take 0.7 MB at most.
 constexpr std::size_t kMostText = 16 << 10;
 constexpr const char* kOfPublicChecks =

@@ -16,7 +16,7 @@ struct ResultsOptions {
   bool leaderboard = false;  // with the points
   // It is of the public checks, which hide nothing: students see all that it says.
   bool public_checks = false;
-  // Who handed in, and when, as the platform says it; "": not known.
+  // As the platform says it; "": not known.
   std::string student = "", handed_in = "";
 };
 

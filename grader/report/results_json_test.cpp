@@ -74,7 +74,7 @@ TEST(ResultsJson, AnySlipIsSeen) {
             std::string::npos);
 }
 
-// Of each exercise; a hundred of them don't fit.
+// Each exercise has one; a hundred of them don't fit.
 SubmissionResult with_pictures(int of_each) {
   const PictureResult picture = sample_picture("0.50 s", 5, 0.001);
   SubmissionResult result = class_of_ten_exercises(1).front();
@@ -102,7 +102,7 @@ TEST(ResultsJson, PicturesGoWhereTheyWouldBreakTheBound) {
   EXPECT_EQ(student_json(many, kAllOptions), student_json(many, without));
 }
 
-// What compilers say of one file is 64 KiB at most; in ASCII a letter of two bytes takes six.
+// A compiler's messages on one file are 64 KiB at most; in ASCII a letter of two bytes takes six.
 TEST(ResultsJson, TextsOfAnyLengthKeepTheBound) {
   std::string long_text;
   while (long_text.size() < (64 << 10)) long_text += "é\n\"<";

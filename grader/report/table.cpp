@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Prints the class's table on a terminal.
 #include <algorithm>
 #include <cctype>
 #include <ostream>

@@ -22,7 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of bwrap's command.
+// They are words of bwrap's command.
 void leave_out_words(Launch& launch, std::string_view first, int count = 1) {
   const auto at =
       std::ranges::find_if(launch.argv, [&](const char* word) { return word != nullptr && word == first; });

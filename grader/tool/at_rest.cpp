@@ -2,6 +2,8 @@
 #include "grader/tool/at_rest.h"
 
 #include <algorithm>
+#include <cctype>
+#include <string_view>
 #include <system_error>
 
 #include "grader/course/input.h"
