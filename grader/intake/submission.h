@@ -25,6 +25,7 @@
 
 #include "grader/course/course.h"
 #include "grader/intake/archive.h"
+#include "grader/intake/owner.h"
 
 namespace grader {
 
@@ -39,6 +40,10 @@ struct Submission {
   std::map<std::string, SourceFile> files;  // by exercise file ("conj_grad.cpp"); only handed-in files
   std::string problem;      // not empty: why the whole submission is rejected, for the student
   bool unreadable = false;  // it has a problem: it is no archive that we read, or a damaged or encrypted one
+  Owner owner = {};
+  std::string system = {};     // the layout's name, as --from takes it: "canvas", "folders"
+  std::string handed_in = {};  // "2025-03-04 10:15:22", as the download says it; "": it has no time
+  bool marked_late = false;    // by the learning system
 };
 
 struct Intake {
