@@ -1,18 +1,27 @@
-// STAFF ONLY. Grades one hand-in as Gradescope lays it down, and packs the grader.
-#include "grader/tool/gradescope_command.h"
-
+// STAFF ONLY. `hairgrade gradescope`: grades one hand-in as Gradescope lays it down.
+#include <CLI/CLI.hpp>
 #include <iostream>
+#include <memory>
 
 #include "grader/course/input.h"
 #include "grader/intake/caged_archive.h"
 #include "grader/intake/submission.h"
 #include "grader/report/report.h"
+#include "grader/tool/commands/command.h"
+#include "grader/tool/grade_settings.h"
 #include "grader/tool/gradescope.h"
 #include "grader/tool/grading.h"
-#include "grader/tool/secret.h"
 
 namespace grader {
+namespace {
 
+struct GradescopeOptions {
+  std::filesystem::path folder;
+  bool leaderboard = false;
+  GradeSettings settings;
+};
+
+// Leaves results.json whatever happens, and throws what has happened.
 int grade_on_gradescope(const GradescopeOptions& options) {
   const Course course = read_course(HAIR_EXERCISES_JSON, options.settings.course);
   GradescopeResults results(options.folder, course, {.pictures = true, .leaderboard = options.leaderboard});
@@ -38,15 +47,18 @@ int grade_on_gradescope(const GradescopeOptions& options) {
   }
 }
 
-int package_for_gradescope(const GradescopePackage& options) {
-  if (options.out.extension() != ".zip")
-    throw BadInput("--out " + options.out.string() + ": Gradescope takes a .zip; give it such a name");
-  const Course course = read_course(HAIR_EXERCISES_JSON, options.course);
-  const HandoutSources sources{HAIR_SOURCE_DIR, HAIR_GOLDEN_DIR};
-  write_gradescope_package(sources, options.checks_only ? "" : read_secret(options.secret), course, options);
-  std::cout << options.out.string() << "\n";
-  if (!options.checks_only) std::cout << advice_for_gradescope(course, options.minutes) << "\n";
-  return 0;
+}  // namespace
+
+Command add_gradescope(CLI::App& hairgrade) {
+  const auto options = std::make_shared<GradescopeOptions>();
+  CLI::App* command = hairgrade.add_subcommand(
+      "gradescope", "Grade one hand-in inside Gradescope's container (run_autograder does)");
+  command->add_option("FOLDER", options->folder, "The folder with submission/ and results/")->required();
+  command->add_option("--secret", options->settings.secret, "A file with the staff's secret")->required();
+  command->add_option("--course", options->settings.course, "The course file");
+  command->add_option("--cache", options->settings.cache, "A folder for compiled objects");
+  command->add_flag("--leaderboard", options->leaderboard, "Show the points on a leaderboard");
+  return {command, [options] { return grade_on_gradescope(*options); }};
 }
 
 }  // namespace grader

@@ -1,0 +1,35 @@
+// STAFF ONLY. The commands of hairgrade, a file each. A new one is a file here, a line below and a row in kCommands.
+#pragma once
+
+#include <atomic>
+#include <functional>
+
+namespace CLI {
+class App;
+}
+
+namespace grader {
+
+// A command declares its options when it is added; `run` reads them, does the work and returns hairgrade's exit code. It throws
+// BadInput for input that is wrong (2), and any other exception for a fault of the grader (1).
+struct Command {
+  CLI::App* options;
+  std::function<int()> run;
+};
+using AddCommand = Command (*)(CLI::App& hairgrade);
+
+Command add_grade(CLI::App& hairgrade);
+Command add_compare(CLI::App& hairgrade);
+Command add_handout(CLI::App& hairgrade);
+Command add_package(CLI::App& hairgrade);
+Command add_gradescope(CLI::App& hairgrade);
+Command add_secret(CLI::App& hairgrade);
+Command add_samples(CLI::App& hairgrade);
+
+inline constexpr AddCommand kCommands[] = {add_grade,      add_compare, add_handout, add_package,
+                                           add_gradescope, add_secret,  add_samples};
+
+// Is set from the first call on when somebody ends this process by Ctrl-C, SIGTERM or SIGHUP (unless nohup has started it).
+const std::atomic<bool>& note_interruptions();
+
+}  // namespace grader

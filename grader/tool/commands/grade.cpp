@@ -1,0 +1,150 @@
+// STAFF ONLY. `hairgrade grade`: grades submissions and writes reports.
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "grader/course/course.h"
+#include "grader/course/input.h"
+#include "grader/intake/caged_archive.h"
+#include "grader/intake/submission.h"
+#include "grader/report/report.h"
+#include "grader/sandbox/own_groups.h"
+#include "grader/tool/at_rest.h"
+#include "grader/tool/batch.h"
+#include "grader/tool/commands/command.h"
+#include "grader/tool/folder_of_grades.h"
+#include "grader/tool/grade_settings.h"
+#include "grader/tool/grading.h"
+#include "grader/tool/origins.h"
+#include "grader/tool/secret.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct GradeOptions {
+  std::vector<fs::path> submissions;
+  bool classes = false;
+  GradeSettings settings;
+  BatchSettings batch;
+};
+
+std::vector<StaffPlace> staff_places(const GradingSettings& settings, const GradeOptions& options) {
+  const fs::path source = HAIR_SOURCE_DIR,
+                 secret = options.settings.secret ? *options.settings.secret : default_secret_file();
+  return {{"the reference", settings.reference, source},
+          {"the suite", settings.suite, source},
+          {"the kit", settings.kit, source},
+          {"the secret", secret, secret},
+          {"what is cached", settings.cache, settings.cache},
+          {"the grades", options.batch.out, options.batch.out}};
+}
+
+int grade(GradeOptions options) {
+  options.settings.jobs = options.batch.jobs;
+  GradingSettings settings = settings_of(options.settings);
+  std::optional<CagedReader> reader;
+  if (settings.isolation != Isolation::none) reader.emplace(HAIR_READER, settings.isolation);
+  Intake intake = read_submissions(options.submissions, settings.course,
+                                   reader ? reader->opener() : open_here, {}, options.classes);
+
+  check_made_by(options.batch.out, made_by(settings));  // before the reference takes its seconds
+  settle_origins(options.batch.out, intake.submissions, options.batch.only, options.batch.replace);
+  for (const std::string& line : intake.taken_for) std::cout << line << "\n" << std::flush;
+  const std::atomic<bool>& interrupted = note_interruptions();
+  const std::string open_to_others = readable_by_others(staff_places(settings, options));
+  const Grading grading(std::move(settings));
+  BatchSettings batch_settings = options.batch;
+  batch_settings.merge = options.settings.exercise.has_value();
+  const Batch batch = grade_batch(grading, intake.submissions, batch_settings, interrupted);
+  if (!batch.began) {
+    std::cerr << "hairgrade: interrupted while it waited; nothing was written\n";
+    return 130;
+  }
+  print_table(std::cout, batch.results);
+  std::cout << "\n" << batch.graded << " graded";
+  if (batch.kept > 0) std::cout << ", " << batch.kept << " kept from before";
+  if (grading.isolation() == Isolation::none) std::cout << ", without a sandbox";
+  if (grading.isolation() == Isolation::container) std::cout << ", with a container's sandbox";
+  if (options.settings.no_images) std::cout << ", without pictures";
+  if (!grading.looks_for_memory_errors())
+    std::cout << ", without a look for memory errors (no control group bounds memory)";
+  std::cout << "\n" << fs::absolute(options.batch.out / "index.html").lexically_normal().string() << "\n";
+  for (const std::string& problem : batch.problems)
+    std::cerr << "hairgrade: could not grade " << printable(problem, 2000) << "\n";
+  for (const std::string& name : batch.unreadable)
+    std::cerr << "hairgrade: " << (options.batch.out / name).string()
+              << ": its reports are not whole, so the class's files leave it out; grade " << name
+              << " again\n";
+  for (const std::string& notice : intake.notices) std::cerr << "hairgrade: " << notice << "\n";
+  std::string not_final;
+  for (const SubmissionResult& result : batch.results)
+    if (!result.ended_by_the_clock.empty()) not_final += (not_final.empty() ? "" : ", ") + result.name;
+  if (!not_final.empty())
+    std::cerr << "hairgrade: not final, since the clock ended them: " << not_final
+              << "; look at them, and grade them again (--resume grades no others)\n";
+  if (!open_to_others.empty()) std::cerr << "hairgrade: " << open_to_others << "\n";
+  if (!batch.interrupted) {
+    if (!batch.problems.empty() || !intake.notices.empty()) return 1;
+    return not_final.empty() ? 0 : 3;
+  }
+  std::cerr << "hairgrade: interrupted after " << batch.finished << " of " << intake.submissions.size()
+            << " submissions; the same command with --resume goes on\n";
+  return 130;
+}
+
+}  // namespace
+
+Command add_grade(CLI::App& hairgrade) {
+  const auto options = std::make_shared<GradeOptions>();
+  options->batch.jobs = usable_jobs();
+  CLI::App* command = hairgrade.add_subcommand("grade", "Grade submissions and write reports");
+  command
+      ->add_option("SUBMISSION", options->submissions,
+                   "An archive (.zip, .tar.gz), a folder, or either of these holding many")
+      ->required();
+  command->add_option("--out", options->batch.out, "The folder for reports")->required();
+  command
+      ->add_option("-j", options->batch.jobs,
+                   "How many at a time (default: as many as processors and memory allow)")
+      ->check(CLI::Range(1, 256));
+  command->add_flag("--resume", options->batch.resume,
+                    "Keep results whose submission and suite have not changed");
+  command->add_flag("--class", options->classes,
+                    "Each of several arguments may be a class; else each is one student's hand-in");
+  command->add_flag("--replace", options->batch.replace,
+                    "Replace rows of another origin: of another class, or of a hand-in from elsewhere");
+  command->add_option("--only", options->batch.only, "Grade the submission of this name alone");
+  command->add_option("--exercise", options->settings.exercise, "Grade this exercise alone");
+  command->add_option("--course", options->settings.course,
+                      "The course file: roles and points of the exercises");
+  command->add_option("--secret", options->settings.secret,
+                      "A file with the staff's secret (default: ~/.config/hairgrade/secret)");
+  command->add_option("--cache", options->settings.cache,
+                      "A folder for compiled objects (default: ~/.cache/hairgrade)");
+  command
+      ->add_option("--cache-size", options->settings.cache_megabytes,
+                   "How many MB of compiled objects are kept; the oldest ones go (default: 2000)")
+      ->check(CLI::Range(std::uintmax_t{1}, std::uintmax_t{1'000'000}));
+  command
+      ->add_option_function<std::string>(
+          "--isolation",
+          [options](const std::string& word) { options->settings.isolation = isolation_from(word); },
+          "How student code is isolated: by namespaces, or as a container's root can (default: what works "
+          "here)")
+      ->check(CLI::IsMember({to_string(Isolation::namespaces), to_string(Isolation::container)}));
+  command->add_flag_callback(
+      "--unsafe-no-sandbox", [options] { options->settings.isolation = Isolation::none; },
+      "Run student code unprotected; every report says so");
+  command->add_flag("--no-images", options->settings.no_images,
+                    "Draw nothing, where there is no OpenGL: the pictures' points go to the other "
+                    "categories, and every report says so");
+  command->add_flag("--study", options->settings.study,
+                    "Show error against run time beside the reference's, in study.html; gives no points and "
+                    "takes none, but some seconds of CPU time for each submission");
+  return {command, [options] { return grade(*options); }};
+}
+
+}  // namespace grader

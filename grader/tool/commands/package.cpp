@@ -1,0 +1,49 @@
+// STAFF ONLY. `hairgrade package`: packs the grader for a platform.
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+
+#include "grader/course/course.h"
+#include "grader/course/input.h"
+#include "grader/package/gradescope_package.h"
+#include "grader/package/handout.h"
+#include "grader/tool/commands/command.h"
+#include "grader/tool/gradescope.h"
+#include "grader/tool/secret.h"
+
+namespace grader {
+namespace {
+
+int package_for_gradescope(const GradescopePackage& options) {
+  if (options.out.extension() != ".zip")
+    throw BadInput("--out " + options.out.string() + ": Gradescope takes a .zip; give it such a name");
+  const Course course = read_course(HAIR_EXERCISES_JSON, options.course);
+  const HandoutSources sources{HAIR_SOURCE_DIR, HAIR_GOLDEN_DIR};
+  write_gradescope_package(sources, options.checks_only ? "" : read_secret(options.secret), course, options);
+  std::cout << options.out.string() << "\n";
+  if (!options.checks_only) std::cout << advice_for_gradescope(course, options.minutes) << "\n";
+  return 0;
+}
+
+}  // namespace
+
+Command add_package(CLI::App& hairgrade) {
+  const auto options = std::make_shared<GradescopePackage>();
+  CLI::App* command = hairgrade.add_subcommand("package", "Make what a platform grades with");
+  command->require_subcommand(1);
+  CLI::App* gradescope = command->add_subcommand("gradescope", "Make Gradescope's autograder.zip");
+  gradescope->add_option("--out", options->out, "The archive, a .zip")->required();
+  gradescope->add_option("--course", options->course, "The course file: roles and points of the exercises");
+  gradescope->add_option("--secret", options->secret,
+                         "A file with the staff's secret (default: ~/.config/hairgrade/secret)");
+  gradescope
+      ->add_option("--minutes", options->minutes, "The time limit that is set on Gradescope (default: 10)")
+      ->check(CLI::Range(2, 40));
+  gradescope->add_flag(
+      "--checks-only", options->checks_only,
+      "For the days before the deadline: the public checks, without points, secret and reference");
+  gradescope->add_flag("--leaderboard", options->leaderboard, "Show the points on a leaderboard");
+  return {command, [options] { return package_for_gradescope(*options); }};
+}
+
+}  // namespace grader

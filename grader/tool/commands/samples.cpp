@@ -1,0 +1,22 @@
+// STAFF ONLY. `hairgrade samples`: tells of the sample class and the attacks.
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "grader/samples/table.h"
+#include "grader/tool/commands/command.h"
+
+namespace grader {
+
+Command add_samples(CLI::App& hairgrade) {
+  CLI::App* command = hairgrade.add_subcommand("samples", "Tell of the sample class and the attacks");
+  command
+      ->add_flag_callback(
+          "--table", [] {}, "Print what each sample shows and gets, as Markdown")
+      ->required();
+  return {command, [] {
+            std::cout << table_of(read_samples(HAIR_SOURCE_DIR));
+            return 0;
+          }};
+}
+
+}  // namespace grader
