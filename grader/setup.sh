@@ -19,6 +19,7 @@ nlohmann-json3-dev   # JSON: exercises, courses, results
 libcli11-dev         # the command line of hairgrade
 libarchive-dev       # reads and writes .zip and .tar.gz
 libpng-dev           # reads pictures, and packs those of reports
+libsqlite3-dev       # the record of a class
 libseccomp-dev       # the sandbox's system call filter
 libsodium-dev        # seeds and fingerprints: HMAC, hashes
 bubblewrap           # the sandbox

@@ -21,7 +21,8 @@ std::string submission_name(std::string_view name) {
   }
   if (safe.empty() || std::string_view("-_.").find(safe.front()) != std::string_view::npos)
     safe.insert(0, "x");
-  if (std::find(taken.begin(), taken.end(), safe) != taken.end()) safe += '_';
+  if (safe.starts_with("class.sqlite") || std::find(taken.begin(), taken.end(), safe) != taken.end())
+    safe += '_';
   return safe;
 }
 

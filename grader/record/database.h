@@ -1,0 +1,90 @@
+// STAFF ONLY. A small face of SQLite: a file that several processes may use at once, and statements with values.
+//
+// On a local file system the journal is a write-ahead log, else a rollback journal: write-ahead logs need shared memory, which
+// network file systems don't have; on some of them databases were damaged without a word.
+//
+// The process must never open and close the database's file by other means: that drops SQLite's locks.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <initializer_list>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <variant>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace grader {
+
+enum class Journal { best, rollback };  // best: a write-ahead log where the file system is known to allow it
+
+// Whether a file system with this f_type (statfs) has shared memory for all that use it. Unknown ones are taken for remote.
+bool is_local_file_system(std::uint64_t kind);
+
+struct Blob {
+  std::string_view bytes;
+};
+using Value = std::variant<std::nullptr_t, std::int64_t, double, std::string_view, Blob>;
+
+// A row of an answer, valid until the next one.
+class DatabaseRow {
+ public:
+  explicit DatabaseRow(sqlite3_stmt* statement) : statement_(statement) {}
+
+  std::string text(int column) const;  // also bytes; "" for null
+  std::int64_t number(int column) const;
+  double real(int column) const;
+  bool is_null(int column) const;
+
+ private:
+  sqlite3_stmt* statement_;
+};
+
+class Database {
+ public:
+  // Makes the file if it is not there; nobody else can read it. All errors are BadInput, a line that names the file.
+  explicit Database(std::filesystem::path file, Journal journal = Journal::best);
+
+  void run(std::string_view sql, std::initializer_list<Value> values = {});
+  void run_all(const std::string& sql);  // several statements
+  void each(std::string_view sql, std::initializer_list<Value> values,
+            const std::function<void(const DatabaseRow&)>& take);
+  std::int64_t number(std::string_view sql, std::initializer_list<Value> values = {});  // 0 without a row
+  std::string text(std::string_view sql, std::initializer_list<Value> values = {});     // "" without a row
+
+  // Leaves no byte of deleted rows in the file, nor in its journal. False if a reader held the log meanwhile.
+  bool shred();
+
+  const std::filesystem::path& file() const { return file_; }
+
+ private:
+  struct Close {
+    void operator()(sqlite3* connection) const;
+  };
+
+  void choose_journal(Journal journal);
+  [[noreturn]] void fail(int code) const;
+
+  std::filesystem::path file_;
+  std::unique_ptr<sqlite3, Close> connection_;
+};
+
+// All or nothing: without commit() all of it is taken back. One that writes has the right to it from its begin on.
+class Transaction {
+ public:
+  enum Kind { writes, reads };  // reads: sees one state of the file, and needs no commit
+  explicit Transaction(Database& database, Kind kind = writes);
+  Transaction(const Transaction&) = delete;
+  ~Transaction();
+  void commit();
+
+ private:
+  Database& database_;
+  bool open_ = true;
+};
+
+}  // namespace grader

@@ -1,0 +1,232 @@
+// STAFF ONLY. Reads and writes a class's record.
+#include "grader/record/record.h"
+
+#include <pwd.h>
+#include <unistd.h>
+
+#include <utility>
+
+#include "grader/compile/hash.h"
+#include "grader/course/input.h"
+#include "grader/record/points_then.h"
+#include "grader/record/schema.h"
+#include "grader/result/result_fields.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string user() {
+  const passwd* entry = getpwuid(geteuid());
+  return entry ? entry->pw_name : std::to_string(geteuid());
+}
+
+// The digests stand for pictures in the text; the pictures are in a table of their own.
+std::string text_of(const SubmissionResult& result, std::map<std::string, std::string>& pictures) {
+  return json_text(result, -1,
+                   {[&](const std::string& png) {
+                      std::string digest = png.empty() ? "" : sha256(png);
+                      if (!png.empty()) pictures.emplace(digest, png);
+                      return digest;
+                    },
+                    {}});
+}
+
+template <class T>
+std::string compact(const T& value) {
+  return json_text(value, -1);
+}
+
+}  // namespace
+
+bool Record::is_in(const fs::path& folder) {
+  std::error_code none;
+  return fs::exists(folder / kRecordFile, none);
+}
+
+Record::Record(const fs::path& folder, Journal journal) : database_(folder / kRecordFile, journal) {
+  migrate(database_);
+}
+
+std::int64_t Record::assignment() {
+  return database_.number("SELECT id FROM assignments WHERE name = ''");
+}
+
+std::int64_t Record::known_person(const std::string& name) {
+  const std::int64_t id = database_.number("SELECT id FROM people WHERE name = ?", {name});
+  if (id == 0)
+    throw BadInput(printable(name) + ": nobody in " + printable(database_.file().string(), 4096) +
+                   " has this name; the names are those of the folders beside it");
+  return id;
+}
+
+std::int64_t Record::person(const std::string& name) {
+  database_.run("INSERT OR IGNORE INTO people (name, drawn_from) VALUES (?, ?)", {name, name});
+  return known_person(name);
+}
+
+void Record::add_to_log(std::optional<std::int64_t> person, const std::string& did,
+                        const std::string& detail) {
+  database_.run(
+      "INSERT INTO log (at, who, assignment, person, did, detail) VALUES (strftime('%Y-%m-%d %H:%M:%S', "
+      "'now'), ?, ?, ?, ?, ?)",
+      {user(), assignment(), person ? Value(*person) : Value(nullptr), did, detail});
+}
+
+std::string Record::made_by() {
+  const std::lock_guard lock(one_at_a_time_);
+  return database_.text("SELECT made_by FROM assignments WHERE name = ''");
+}
+
+void Record::set_made_by(const std::string& json) {
+  const std::lock_guard lock(one_at_a_time_);
+  Transaction transaction(database_);
+  database_.run("UPDATE assignments SET made_by = ? WHERE name = ''", {json});
+  transaction.commit();
+}
+
+std::string Record::drawn_from(const std::string& name, const std::string& at_first) {
+  const std::lock_guard lock(one_at_a_time_);
+  Transaction transaction(database_);
+  database_.run("INSERT OR IGNORE INTO people (name, drawn_from) VALUES (?, ?)", {name, at_first});
+  std::string found = database_.text("SELECT drawn_from FROM people WHERE name = ?", {name});
+  transaction.commit();
+  return found;
+}
+
+void Record::put(const Recorded& one, const std::string& handed_in) {
+  const SubmissionResult& result = one.result;
+  std::map<std::string, std::string> pictures;
+  const std::string text = text_of(result, pictures), study = one.study ? compact(one.study->own) : "",
+                    beside = one.study ? compact(one.study->beside_itself) : "", costs = compact(one.costs);
+  const std::lock_guard lock(one_at_a_time_);
+  Transaction transaction(database_);
+  const std::int64_t id = person(result.name), assignment = this->assignment();
+  database_.run("INSERT OR REPLACE INTO results VALUES (?, ?, ?, ?, ?, ?, ?)",
+                {assignment, id, result.origin, text, study, beside, costs});
+  database_.run(
+      "INSERT OR IGNORE INTO hand_ins (assignment, person, origin, fingerprint, handed_in) VALUES "
+      "(?, ?, ?, ?, ?)",
+      {assignment, id, result.origin, result.fingerprint, handed_in});
+  database_.run("DELETE FROM shown WHERE assignment = ? AND person = ?", {assignment, id});
+  for (const auto& [digest, png] : pictures) {
+    database_.run("INSERT OR IGNORE INTO pictures VALUES (?, ?)", {digest, Blob{png}});
+    database_.run("INSERT INTO shown VALUES (?, ?, ?)", {assignment, id, digest});
+  }
+  remove_pictures_that_none_shows();
+  add_to_log(id, "graded", compact(points_then(result)));
+  transaction.commit();
+}
+
+void Record::remove_pictures_that_none_shows() {
+  database_.run(
+      "DELETE FROM pictures WHERE NOT EXISTS (SELECT 1 FROM shown WHERE shown.digest = pictures.digest)");
+}
+
+std::vector<std::string> Record::names() {
+  std::vector<std::string> all;
+  for (const auto& [name, origin] : origins()) all.push_back(name);
+  return all;
+}
+
+std::map<std::string, std::string> Record::origins() {
+  const std::lock_guard lock(one_at_a_time_);
+  std::map<std::string, std::string> all;
+  database_.each("SELECT name, origin FROM results JOIN people ON people.id = person", {},
+                 [&](const DatabaseRow& row) { all[row.text(0)] = row.text(1); });
+  return all;
+}
+
+std::string Record::picture(const std::string& digest) {
+  if (digest.empty()) return "";
+  std::string png = database_.text("SELECT png FROM pictures WHERE digest = ?", {digest});
+  if (sha256(png) != digest) throw BadInput("its picture " + printable(digest) + " is damaged");
+  return png;
+}
+
+std::optional<Recorded> Record::find(const std::string& name) {
+  const std::lock_guard lock(one_at_a_time_);
+  std::string text, study, beside, costs;
+  const std::string where = printable(database_.file().string(), 4096) + ": the result of " + name;
+  const Transaction one_state(database_, Transaction::reads);
+  database_.each(
+      "SELECT result, study, beside_itself, costs FROM results JOIN people ON people.id = person WHERE name "
+      "= ?",
+      {name}, [&](const DatabaseRow& row) {
+        text = row.text(0);
+        study = row.text(1);
+        beside = row.text(2);
+        costs = row.text(3);
+      });
+  if (text.empty()) return {};
+  Recorded one{from_json_text<SubmissionResult>(
+      text, where, {{}, [this](const std::string& digest) { return picture(digest); }})};
+  one.costs = from_json_text<TimingByExercise>(costs, where);
+  if (!study.empty())
+    one.study = {from_json_text<SubmissionStudy>(study, where),
+                 from_json_text<SubmissionStudy>(beside, where)};
+  return one;
+}
+
+void Record::set_run(const TimingByExercise& reference, const std::optional<LastRun>& run) {
+  const std::lock_guard lock(one_at_a_time_);
+  Transaction transaction(database_);
+  database_.run("UPDATE assignments SET reference_costs = ?, last_run = ? WHERE name = ''",
+                {compact(reference), compact(run)});
+  transaction.commit();
+}
+
+ClassCosts Record::costs() {
+  const std::lock_guard lock(one_at_a_time_);
+  const std::string where = printable(database_.file().string(), 4096) + ": costs";
+  ClassCosts all;
+  database_.each("SELECT reference_costs, last_run FROM assignments WHERE name = ''", {},
+                 [&](const DatabaseRow& row) {
+                   if (const std::string text = row.text(0); !text.empty())
+                     all.reference = from_json_text<TimingByExercise>(text, where);
+                   if (const std::string text = row.text(1); !text.empty())
+                     all.last_run = from_json_text<std::optional<LastRun>>(text, where);
+                 });
+  database_.each("SELECT name, costs FROM results JOIN people ON people.id = person", {},
+                 [&](const DatabaseRow& row) {
+                   all.submissions[row.text(0)] = from_json_text<TimingByExercise>(row.text(1), where);
+                 });
+  return all;
+}
+
+std::vector<LogEntry> Record::log(const std::string& name) {
+  const std::lock_guard lock(one_at_a_time_);
+  std::vector<LogEntry> all;
+  database_.each("SELECT at, who, did, detail FROM log WHERE person = ? ORDER BY id", {known_person(name)},
+                 [&](const DatabaseRow& row) {
+                   all.push_back({row.text(0), row.text(1), row.text(2), row.text(3)});
+                 });
+  return all;
+}
+
+void Record::forget(const std::string& name) {
+  const std::lock_guard lock(one_at_a_time_);
+  {
+    Transaction transaction(database_);
+    database_.run("DELETE FROM people WHERE name = ?", {name});
+    if (database_.number("SELECT changes()") > 0) add_to_log({}, "forgot somebody", "");
+    remove_pictures_that_none_shows();
+    transaction.commit();
+  }
+  // An earlier call may have come so far, too.
+  if (!database_.shred())
+    throw BadInput(
+        printable(database_.file().string(), 4096) +
+        ": another program reads it, so its journal still holds what was deleted; end that one, and "
+        "forget " +
+        printable(name) + " again");
+}
+
+std::optional<SubmissionResult> recorded_result(const fs::path& folder, const std::string& name) {
+  if (!Record::is_in(folder)) return {};
+  std::optional<Recorded> found = Record(folder).find(name);
+  return found ? std::optional(std::move(found->result)) : std::nullopt;
+}
+
+}  // namespace grader

@@ -1,0 +1,85 @@
+// STAFF ONLY. The record of a class: one file, class.sqlite, that holds what can't be made again or must agree: results, costs,
+// hand-ins, what a student's inputs are drawn from, decisions of people, and who did what and when. Pages, CSV and JSON are made
+// from it, and never read back.
+//
+// Several processes and threads may use it at once. Each change is one transaction: a process that is killed leaves all of it or
+// nothing.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grader/record/database.h"
+#include "grader/result/costs.h"
+#include "grader/result/result.h"
+#include "grader/result/study.h"
+
+namespace grader {
+
+inline constexpr const char* kRecordFile = "class.sqlite";  // no submission is called so
+
+struct StudyPair {
+  SubmissionStudy own, beside_itself;  // the student's, and the reference's in the same run
+};
+
+struct Recorded {
+  SubmissionResult result;
+  std::optional<StudyPair> study = {};
+  TimingByExercise costs = {};
+};
+
+struct LogEntry {
+  std::string at, who, did, detail;  // "2025-03-04 10:15:22" (UTC), "ada", "graded"; detail: JSON
+};
+
+class Record {
+ public:
+  static bool is_in(const std::filesystem::path& folder);
+
+  // Makes it if it is not there; the folder is. Throws BadInput as Database and migrate do.
+  explicit Record(const std::filesystem::path& folder, Journal journal = Journal::best);
+
+  // JSON of tool/made_by.h; "": nothing was graded.
+  std::string made_by();
+  void set_made_by(const std::string& json);
+
+  // The name that a student's inputs are drawn from: that of the first call.
+  std::string drawn_from(const std::string& name, const std::string& at_first);
+
+  // Replaces the earlier result of this student; the log has both. `handed_in` is a time as a download says it, or "".
+  void put(const Recorded& one, const std::string& handed_in = "");
+
+  std::vector<std::string> names();                       // of those with a result, sorted
+  std::map<std::string, std::string> origins();           // by name
+  std::optional<Recorded> find(const std::string& name);  // throws BadInput if it is damaged
+
+  void set_run(const TimingByExercise& reference, const std::optional<LastRun>& run);
+  ClassCosts costs();
+
+  // Oldest first; throws BadInput for a name that the record does not have.
+  std::vector<LogEntry> log(const std::string& name);
+
+  // Removes all of a person, also from free pages and the journal; nobody of this name: only the latter. Throws BadInput if another
+  // process reads for a minute meanwhile, after which another call finishes it.
+  void forget(const std::string& name);
+
+ private:
+  std::int64_t assignment();
+  std::int64_t person(const std::string& name);  // makes it
+  std::int64_t known_person(const std::string& name);
+  void add_to_log(std::optional<std::int64_t> person, const std::string& did, const std::string& detail);
+  std::string picture(const std::string& digest);
+  void remove_pictures_that_none_shows();
+
+  std::mutex one_at_a_time_;
+  Database database_;
+};
+
+// The result of `name` in the record of a folder; nothing without one.
+std::optional<SubmissionResult> recorded_result(const std::filesystem::path& folder, const std::string& name);
+
+}  // namespace grader

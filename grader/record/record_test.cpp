@@ -1,0 +1,169 @@
+// STAFF ONLY. A record gives back what was put into it, and keeps nothing of whom it forgets.
+#include "grader/record/record.h"
+
+#include <gtest/gtest.h>
+#include <linux/magic.h>
+#include <sys/wait.h>
+
+#include <fstream>
+
+#include "grader/course/input.h"
+#include "grader/record/schema.h"
+#include "grader/report/sample_results.h"
+#include "grader/result/result_fields.h"
+#include "hair/io/files/temporary_folder.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+class RecordOfAClass : public testing::TestWithParam<Journal> {
+ protected:
+  Record record() const { return Record(dir_, GetParam()); }
+  static std::string refusal(const std::function<void()>& act) {
+    try {
+      act();
+    } catch (const BadInput& line) {
+      EXPECT_EQ(std::string(line.what()).find('\n'), std::string::npos) << line.what();
+      return line.what();
+    }
+    return "";
+  }
+
+  hair::TemporaryFolder temporary_{"record"};
+  fs::path dir_ = temporary_.path(), file_ = dir_ / kRecordFile;
+};
+INSTANTIATE_TEST_SUITE_P(WithEachJournal, RecordOfAClass, testing::Values(Journal::best, Journal::rollback));
+
+TEST_P(RecordOfAClass, GivesResultsBackWhole) {
+  std::vector<SubmissionResult> results = sample_class(20);
+  results.push_back(submission_full_of(std::string("\0\xff\x1b[31m<\"", 9)));
+  results.back().name = "full";
+  Record record(dir_, GetParam());
+  for (const SubmissionResult& result : results) record.put({result});
+  Record again(dir_, GetParam());
+  EXPECT_EQ(again.names().size(), results.size());
+  for (const SubmissionResult& result : results)
+    EXPECT_EQ(json_text(again.find(result.name).value().result, 1), json_text(result, 1));
+  EXPECT_FALSE(again.find("nobody"));
+}
+
+TEST_P(RecordOfAClass, ReplacesAResultAndLogsBoth) {
+  SubmissionResult result = sample_class(1).front();
+  Record record(dir_, GetParam());
+  record.put({result, {}, {{"S1", {1}}}});
+  result.exercises[0].points = 0;
+  const SubmissionStudy study{};
+  record.put({result, StudyPair{study, study}, {{"S1", {2}}}});
+  const Recorded found = record.find("alice").value();
+  EXPECT_EQ(found.result, result);
+  EXPECT_TRUE(found.study);
+  EXPECT_EQ(found.costs.at("S1").compile_seconds, 2);
+  EXPECT_EQ(record.log("alice").size(), 2U);
+  EXPECT_EQ(record.log("alice").front().did, "graded");
+  EXPECT_THROW(record.log("nobody"), BadInput);
+}
+
+TEST_P(RecordOfAClass, NeverChangesAStudentsInputs) {
+  Record record(dir_, GetParam());
+  EXPECT_EQ(record.drawn_from("alice", "alice"), "alice");
+  EXPECT_EQ(record.drawn_from("alice", "another"), "alice");
+  EXPECT_EQ(Record(dir_, GetParam()).drawn_from("alice", "another"), "alice");
+}
+
+TEST_P(RecordOfAClass, IsClosedToOthers) {
+  umask(0);
+  Record record(dir_, GetParam());
+  record.put({sample_class(1).front()});
+  for (const auto& entry : fs::directory_iterator(dir_))
+    EXPECT_EQ(entry.status().permissions(), fs::perms::owner_read | fs::perms::owner_write) << entry.path();
+}
+
+// Another process looks: this one must not open the file beside SQLite.
+bool holds(const fs::path& folder, const std::string& bytes) {
+  const std::string command = "grep -rqaF '" + bytes + "' '" + folder.string() + "'";
+  const int status = std::system(command.c_str());
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) < 2) << command;
+  return WEXITSTATUS(status) == 0;
+}
+
+TEST_P(RecordOfAClass, ForgetsEveryByte) {
+  std::vector<SubmissionResult> results = sample_class(3);
+  SubmissionResult& bob = results[1];
+  bob.name = "bobwillgo";
+  bob.origin = "hand-in /bobwillgo-origin.zip";
+  bob.exercises[0].staff_log = "bobwillgo-log" + std::string(50'000, 'x');  // on pages of its own
+  bob.exercises[0].pictures = {{"1 s", 0, 0, "bobwillgo-picture", "reference-picture", ""}};
+  results[0].exercises[0].pictures = {{"1 s", 0, 0, "alice-picture", "reference-picture", ""}};
+  Record record(dir_, GetParam());
+  for (const SubmissionResult& result : results) record.put({result}, "2025-03-04 10:15:22");
+  bob.exercises[0].staff_log = "bobwillgo-other-log";
+  record.put({bob});
+  EXPECT_TRUE(holds(dir_, "bobwillgo"));
+  record.forget("bobwillgo");
+  EXPECT_FALSE(holds(dir_, "bobwillgo"));
+  EXPECT_TRUE(holds(dir_, "alice-picture"));
+  EXPECT_TRUE(record.find("alice").value().result == results[0]) << "a picture that both show is kept";
+  EXPECT_FALSE(record.find("bobwillgo"));
+  EXPECT_EQ(record.names().size(), 2U);
+}
+
+TEST_P(RecordOfAClass, IsNoOtherFile) {
+  std::ofstream(file_) << std::string(5000, 'x');
+  EXPECT_NE(refusal([&] { record(); }).find("class.sqlite: is damaged"), std::string::npos)
+      << refusal([&] { record(); });
+  fs::remove(file_);
+  Database(file_, GetParam()).run("CREATE TABLE bookmarks (id)");
+  EXPECT_NE(refusal([&] { record(); }).find("no record of grades"), std::string::npos);
+}
+
+TEST_P(RecordOfAClass, OfANewerVersionIsRefused) {
+  record();
+  Database(file_, GetParam()).run_all("PRAGMA user_version = 99");
+  EXPECT_NE(refusal([&] { record(); }).find("has version 99, and this hairgrade knows"), std::string::npos);
+}
+
+TEST_P(RecordOfAClass, OfAnOlderVersionIsBroughtOn) {
+  record().put({sample_class(1).front()});
+  std::vector<std::string> steps = migrations();
+  const auto now = static_cast<std::int64_t>(steps.size());
+  steps.push_back("ALTER TABLE people ADD COLUMN section TEXT NOT NULL DEFAULT 'A'");
+  steps.push_back("ALTER TABLE people ADD COLUMN broken; this is no SQL");
+  {
+    Database database(file_, GetParam());
+    EXPECT_THROW(migrate(database, steps), BadInput);
+    EXPECT_EQ(database.number("PRAGMA user_version"), now + 1) << "each step is whole or taken back";
+    EXPECT_EQ(database.text("SELECT section FROM people"), "A");
+    EXPECT_EQ(database.number("SELECT count(*) FROM migrations"), now + 1);
+  }
+}
+
+TEST_P(RecordOfAClass, HasAPictureThatIsDamaged) {
+  SubmissionResult alice = sample_class(1).front();
+  alice.exercises[0].pictures = {{"1 s", 0, 0, "student", "reference", ""}};
+  record().put({alice});
+  Database(file_, GetParam()).run("UPDATE pictures SET png = x'00'");
+  EXPECT_NE(refusal([&] { record().find("alice"); }).find("is damaged"), std::string::npos);
+}
+
+TEST(Journals, AreRollbackJournalsWhereMemoryMayNotBeShared) {
+  EXPECT_TRUE(is_local_file_system(EXT4_SUPER_MAGIC));
+  EXPECT_TRUE(is_local_file_system(OVERLAYFS_SUPER_MAGIC));
+  for (const std::uint64_t remote : {std::uint64_t{NFS_SUPER_MAGIC}, std::uint64_t{SMB2_SUPER_MAGIC},
+                                     std::uint64_t{FUSE_SUPER_MAGIC}, std::uint64_t{0x0bd00bd0} /* Lustre */})
+    EXPECT_FALSE(is_local_file_system(remote)) << remote;
+}
+
+// As a record that is moved from a local disk to a network home.
+TEST(Journals, ARecordChangesItsJournalWithItsPlace) {
+  const hair::TemporaryFolder folder("journals");
+  const fs::path file = folder.path() / kRecordFile;
+  const auto journal = [&](Journal wanted) { return Database(file, wanted).text("PRAGMA journal_mode"); };
+  EXPECT_EQ(journal(Journal::best), "wal");
+  EXPECT_EQ(journal(Journal::rollback), "delete");
+  EXPECT_EQ(journal(Journal::best), "wal");
+}
+
+}  // namespace
+}  // namespace grader

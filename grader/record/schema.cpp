@@ -1,0 +1,109 @@
+// STAFF ONLY. The tables of a record.
+#include "grader/record/schema.h"
+
+#include "grader/course/input.h"
+
+namespace grader {
+namespace {
+
+constexpr std::int64_t kApplication = 0x68616972;  // "hair"
+
+// Whoever leaves `people` leaves all other tables, but for pictures, which several may share.
+constexpr const char* kFirst = R"(
+CREATE TABLE migrations (version INTEGER PRIMARY KEY, at TEXT NOT NULL) STRICT;
+CREATE TABLE assignments (
+  id INTEGER PRIMARY KEY,
+  name TEXT NOT NULL UNIQUE,      -- '' in a record of one assignment
+  made_by TEXT NOT NULL DEFAULT '',         -- JSON, see tool/made_by.h
+  reference_costs TEXT NOT NULL DEFAULT '', -- JSON
+  last_run TEXT NOT NULL DEFAULT ''         -- JSON
+) STRICT;
+INSERT INTO assignments (name) VALUES ('');
+CREATE TABLE people (
+  id INTEGER PRIMARY KEY,
+  name TEXT NOT NULL UNIQUE,      -- of files and folders
+  drawn_from TEXT NOT NULL        -- their inputs are; stored at first sight, never changed
+) STRICT;
+CREATE TABLE hand_ins (
+  id INTEGER PRIMARY KEY,
+  assignment INTEGER NOT NULL REFERENCES assignments,
+  person INTEGER NOT NULL REFERENCES people ON DELETE CASCADE,
+  origin TEXT NOT NULL,
+  fingerprint TEXT NOT NULL,
+  handed_in TEXT NOT NULL,        -- as the download says it; '' if it does not
+  UNIQUE (assignment, person, origin, fingerprint, handed_in)
+) STRICT;
+CREATE TABLE results (
+  assignment INTEGER NOT NULL REFERENCES assignments,
+  person INTEGER NOT NULL REFERENCES people ON DELETE CASCADE,
+  origin TEXT NOT NULL,
+  result TEXT NOT NULL,           -- JSON, pictures by digest
+  study TEXT NOT NULL,            -- JSON of it and of the reference's in the same run; '' without
+  beside_itself TEXT NOT NULL,
+  costs TEXT NOT NULL,            -- JSON
+  PRIMARY KEY (assignment, person)
+) STRICT, WITHOUT ROWID;
+CREATE TABLE pictures (digest TEXT PRIMARY KEY, png BLOB NOT NULL) STRICT, WITHOUT ROWID;
+CREATE TABLE shown (
+  assignment INTEGER NOT NULL REFERENCES assignments,
+  person INTEGER NOT NULL REFERENCES people ON DELETE CASCADE,
+  digest TEXT NOT NULL REFERENCES pictures,
+  PRIMARY KEY (assignment, person, digest)
+) STRICT, WITHOUT ROWID;
+CREATE INDEX shown_of_picture ON shown (digest);
+CREATE TABLE decisions (
+  assignment INTEGER NOT NULL REFERENCES assignments,
+  person INTEGER NOT NULL REFERENCES people ON DELETE CASCADE,
+  kind TEXT NOT NULL,
+  place TEXT NOT NULL,            -- 'H2.3', 'H2', or '' for the whole
+  number REAL NOT NULL,           -- points or days
+  computed REAL NOT NULL,         -- the points that it was decided against
+  why TEXT NOT NULL,
+  who TEXT NOT NULL,
+  at TEXT NOT NULL,
+  PRIMARY KEY (assignment, person, kind, place)
+) STRICT, WITHOUT ROWID;
+CREATE TABLE log (
+  id INTEGER PRIMARY KEY,
+  at TEXT NOT NULL,
+  who TEXT NOT NULL,
+  assignment INTEGER REFERENCES assignments,
+  person INTEGER REFERENCES people ON DELETE CASCADE,
+  did TEXT NOT NULL,
+  detail TEXT NOT NULL
+) STRICT;
+CREATE INDEX log_of_person ON log (person);
+)";
+
+}  // namespace
+
+const std::vector<std::string>& migrations() {
+  static const std::vector<std::string> all = {kFirst};
+  return all;
+}
+
+void migrate(Database& database, const std::vector<std::string>& steps) {
+  const auto version = [&] { return database.number("PRAGMA user_version"); };
+  const std::string where = printable(database.file().string(), 4096);
+  // One statement sees one state of the file, whoever makes it at this moment.
+  if (database.number("SELECT application_id <> ? AND (application_id <> 0 OR (SELECT count(*) FROM "
+                      "sqlite_master) <> 0) FROM pragma_application_id",
+                      {kApplication}) != 0)
+    throw BadInput(where + ": is a database, but no record of grades; name another folder with --out");
+  const auto last = static_cast<std::int64_t>(steps.size());
+  if (version() > last)
+    throw BadInput(where + ": has version " + std::to_string(version()) + ", and this hairgrade knows " +
+                   std::to_string(last) + " at most; use the newer hairgrade that made it");
+  while (version() < last) {
+    Transaction transaction(database);
+    const std::int64_t next = version() + 1;  // another process may have been here
+    if (next > last) return;
+    database.run_all(steps[static_cast<std::size_t>(next - 1)]);
+    database.run("INSERT INTO migrations VALUES (?, strftime('%Y-%m-%d %H:%M:%S', 'now'))", {next});
+    database.run_all("PRAGMA application_id = " + std::to_string(kApplication) +
+                     "; PRAGMA user_version = " + std::to_string(next) + ";");
+    transaction.commit();
+  }
+}
+
+}  // namespace grader

@@ -1,0 +1,18 @@
+// STAFF ONLY. The tables of a record, and how those of older versions become them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "grader/record/database.h"
+
+namespace grader {
+
+// The SQL that makes version i + 1 of version i, from an empty file on. Entries are never changed, only added: records have them.
+const std::vector<std::string>& migrations();
+
+// Brings the file to the last version, each step in a transaction of its own. Throws BadInput for a file of a newer version, and for
+// a database that is no record.
+void migrate(Database& database, const std::vector<std::string>& steps = migrations());
+
+}  // namespace grader
