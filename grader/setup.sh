@@ -10,7 +10,7 @@ to_grade() {
 g++                  # compiles the project, and submissions
 cmake                # the build,
 ninja-build          #   and what runs it
-pkg-config           # finds libseccomp and libsodium
+pkg-config           # finds libseccomp, libsodium and libutf8proc
 libeigen3-dev        # Eigen: linear algebra
 libgtest-dev         # GoogleTest: tests, public checks, grading suite
 libstb-dev           # writes pictures
@@ -22,6 +22,7 @@ libpng-dev           # reads pictures, and packs those of reports
 libsqlite3-dev       # the record of a class
 libseccomp-dev       # the sandbox's system call filter
 libsodium-dev        # seeds and fingerprints: HMAC, hashes
+libutf8proc-dev      # letters of names: one form for each, lower case
 bubblewrap           # the sandbox
 LIST
 }

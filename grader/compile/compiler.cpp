@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "grader/compile/cache.h"
-#include "grader/compile/encoding.h"
+#include "grader/text/encoding.h"
 #include "grader/compile/hash.h"
 #include "grader/compile/messages.h"
 #include "grader/compile/switched_off.h"

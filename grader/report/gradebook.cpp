@@ -3,27 +3,10 @@
 
 #include "grader/report/columns.h"
 #include "grader/report/text.h"
-#include "hair/io/plot/readable.h"
+#include "grader/text/csv.h"
 
 namespace grader {
 namespace {
-
-std::string cell(const std::string& bytes) {
-  std::string text = hair::valid_utf8(bytes);
-  if (!text.empty() && std::string_view("=+-@\t\r\n").find(text.front()) != std::string_view::npos) {
-    text.insert(text.begin(), '\'');
-  }
-  if (text.find_first_of("\",\r\n\t") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
-std::string line(const std::vector<std::string>& cells) {
-  std::string text;
-  for (std::size_t i = 0; i < cells.size(); ++i) text += (i > 0 ? "," : "") + cell(cells[i]);
-  return text + "\r\n";
-}
 
 std::string sandbox_cell(Isolation kind) {
   if (kind == Isolation::container) return to_string(kind);
@@ -40,7 +23,7 @@ std::string grades_csv(const std::vector<SubmissionResult>& results) {
     head.push_back(column.id + " status");
   }
   head.push_back("note");
-  std::string text = line(head);
+  std::string text = csv_line(head);
   for (const SubmissionResult& result : results) {
     std::vector<std::string> cells{result.name, shown_points(points(result)),
                                    shown_points(max_points(result)), sandbox_cell(result.isolation),
@@ -51,7 +34,7 @@ std::string grades_csv(const std::vector<SubmissionResult>& results) {
       cells.push_back(exercise ? to_string(exercise->status) : "");
     }
     cells.push_back(result.note);
-    text += line(cells);
+    text += csv_line(cells);
   }
   return text;
 }

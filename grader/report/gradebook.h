@@ -11,7 +11,7 @@ namespace grader {
 
 // RFC 4180. A line for each submission: name, total, maximum without extra credit, whether it ran in a
 // sandbox, whether its pictures were graded, then points and status of each exercise, then the note on the
-// whole submission. A cell that a spreadsheet would run as a formula gets a leading '.
+// whole submission. No spreadsheet runs a cell as a formula, see grader/text/csv.h.
 std::string grades_csv(const std::vector<SubmissionResult>& results);
 
 // A suite for each submission, a case for each category; only "S1" for an exercise without categories. An

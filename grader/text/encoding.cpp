@@ -1,10 +1,15 @@
 // STAFF ONLY. Tells encodings apart.
-#include "grader/compile/encoding.h"
+#include "grader/text/encoding.h"
+
+#include <utf8proc.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
+
+#include "grader/course/input.h"
+#include "hair/io/plot/readable.h"
 
 namespace grader {
 namespace {
@@ -15,6 +20,8 @@ constexpr const char* kHowToSave =
     "Save it as UTF-8: in Visual Studio with File > Save As > Save with Encoding, in VS Code with a click on "
     "the encoding in "
     "the status bar, in Notepad with Encoding in Save As";
+
+constexpr std::string_view kUtf8Mark = "\xef\xbb\xbf";
 
 struct Encoding {
   const char* name;
@@ -69,7 +76,67 @@ std::size_t letter_at(std::string_view bytes) {
   return none ? 0 : size;
 }
 
+void append(std::string& text, char32_t letter) {
+  std::array<utf8proc_uint8_t, 4> bytes;
+  const auto size = utf8proc_encode_char(static_cast<utf8proc_int32_t>(letter), bytes.data());
+  text.append(bytes.begin(), bytes.begin() + size);
+}
+
+// Half a pair becomes U+FFFD.
+std::string from_utf16(std::string_view bytes, bool little_endian) {
+  std::string text;
+  const auto unit = [&](std::size_t i) {
+    const auto byte = [&](std::size_t j) { return static_cast<std::uint8_t>(bytes[j]); };
+    return static_cast<char32_t>(little_endian ? byte(i + 1) << 8 | byte(i) : byte(i) << 8 | byte(i + 1));
+  };
+  for (std::size_t i = 0; i < bytes.size(); i += 2) {
+    char32_t letter = unit(i);
+    const bool first = letter >= 0xd800 && letter < 0xdc00, second = letter >= 0xdc00 && letter < 0xe000;
+    if (first && i + 3 < bytes.size() && unit(i + 2) >= 0xdc00 && unit(i + 2) < 0xe000) {
+      letter = 0x10000 + ((letter - 0xd800) << 10) + (unit(i + 2) - 0xdc00);
+      i += 2;
+    } else if (first || second) {
+      letter = 0xfffd;
+    }
+    append(text, letter);
+  }
+  return text;
+}
+
+// Windows-1252 is Latin-1 but for these; five bytes have no letter.
+constexpr std::u32string_view kFrom0x80 =
+    U"\u20ac\ufffd\u201a\u0192\u201e\u2026\u2020\u2021\u02c6\u2030\u0160\u2039\u0152\ufffd\u017d\ufffd"
+    U"\ufffd\u2018\u2019\u201c\u201d\u2022\u2013\u2014\u02dc\u2122\u0161\u203a\u0153\ufffd\u017e\u0178";
+
+std::string from_windows_1252(std::string_view bytes) {
+  std::string text;
+  for (const char c : bytes) {
+    const auto byte = static_cast<std::uint8_t>(c);
+    append(text, byte >= 0x80 && byte < 0xa0 ? kFrom0x80[byte - 0x80] : byte);
+  }
+  return text;
+}
+
 }  // namespace
+
+Decoded decoded(std::string_view bytes, const std::string& file) {
+  if (bytes.starts_with(kUtf8Mark)) {
+    Decoded rest = decoded(bytes.substr(kUtf8Mark.size()), file);
+    rest.said.insert(rest.said.begin(), file + ": a byte order mark is passed over");
+    return rest;
+  }
+  if (const std::optional<Encoding> wide = wide_encoding_of(bytes)) {
+    if (wide->unit == 4) throw BadInput(file + ": is UTF-32; save it as UTF-8");
+    if (bytes.starts_with(wide->mark)) bytes.remove_prefix(wide->mark.size());
+    if (bytes.size() % 2 != 0)
+      throw BadInput(file + ": is UTF-16 and ends within a letter; save it as UTF-8");
+    return {from_utf16(bytes, wide->little_endian),
+            {file + ": is read as UTF-16 (" + (wide->little_endian ? "little" : "big") + "-endian)"}};
+  }
+  if (hair::valid_utf8(bytes) == bytes) return {std::string(bytes)};
+  return {from_windows_1252(bytes),
+          {file + ": is no UTF-8 and is read as Windows-1252, a guess; look at names that are not ASCII"}};
+}
 
 std::string told_if_wide(std::string_view bytes, const std::string& file) {
   const std::optional<Encoding> wide = wide_encoding_of(bytes);

@@ -1,5 +1,5 @@
 // STAFF ONLY. Encodings that compilers do not read are told by their names.
-#include "grader/compile/encoding.h"
+#include "grader/text/encoding.h"
 
 #include <gtest/gtest.h>
 

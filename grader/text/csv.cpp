@@ -1,0 +1,148 @@
+// STAFF ONLY. Reads tables.
+#include "grader/text/csv.h"
+
+#include <algorithm>
+#include <array>
+
+#include "grader/course/input.h"
+#include "grader/text/encoding.h"
+#include "grader/text/letters.h"
+#include "hair/io/files/read_file.h"
+
+namespace grader {
+namespace {
+
+// A million people with all that is known of each.
+constexpr std::size_t kMostBytes = std::size_t{1} << 28;
+constexpr std::size_t kRowsToCompare = 4;
+
+class Reader {
+ public:
+  Reader(std::string_view text, char separator, const std::string& file)
+      : text_(text), separator_(separator), file_(file) {}
+
+  bool at_end() const { return at_ == text_.size(); }
+
+  Csv::Row row() {
+    Csv::Row row{{}, line_, {}};
+    const std::size_t begin = at_;
+    for (bool more = true; more;) {
+      row.cells.push_back(at_ < text_.size() && text_[at_] == '"' ? quoted() : plain());
+      more = at_ < text_.size() && text_[at_] == separator_;
+      at_ += more;
+    }
+    row.bytes = text_.substr(begin, at_ - begin);
+    if (at_ < text_.size() && text_[at_] == '\r') ++at_;
+    if (at_ < text_.size() && text_[at_] == '\n') ++at_;
+    ++line_;
+    return row;
+  }
+
+ private:
+  std::string plain() {
+    const std::size_t begin = at_;
+    while (at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\r' && text_[at_] != '\n') ++at_;
+    return std::string(text_.substr(begin, at_ - begin));
+  }
+
+  std::string quoted() {
+    std::string cell;
+    const std::size_t begins = line_;
+    for (++at_;; ++at_) {
+      const std::size_t end = std::min(text_.find('"', at_), text_.size());
+      const std::string_view part = text_.substr(at_, end - at_);
+      line_ += static_cast<std::size_t>(std::ranges::count(part, '\n'));
+      cell += part;
+      if (end == text_.size()) fail(begins, "a quote begins here and never ends");
+      at_ = end + 1;
+      if (at_ == text_.size() || text_[at_] != '"') break;
+      cell += '"';
+    }
+    if (at_ < text_.size() && text_[at_] != separator_ && text_[at_] != '\r' && text_[at_] != '\n')
+      fail(line_, "text stands between the end of a quote and the separator; a quote within a cell is two");
+    return cell;
+  }
+
+  [[noreturn]] void fail(std::size_t line, const std::string& why) const {
+    throw BadInput(file_ + ", line " + std::to_string(line) + ": " + why);
+  }
+
+  std::string_view text_;
+  char separator_;
+  const std::string& file_;
+  std::size_t at_ = 0, line_ = 1;
+};
+
+bool is_empty(const Csv::Row& row) {
+  return row.cells.size() == 1 && row.cells[0].empty();
+}
+
+// In the head and the rows below it: the more columns the better, if the rows have as many as the head.
+char separator_of(std::string_view text, const std::string& file) {
+  char best = ',';
+  std::size_t most = 1;
+  for (const char separator : {',', ';', '\t'}) {
+    std::vector<std::size_t> counts;
+    try {
+      Reader reader(text, separator, file);
+      while (!reader.at_end() && counts.size() < kRowsToCompare)
+        if (const Csv::Row row = reader.row(); !is_empty(row)) counts.push_back(row.cells.size());
+    } catch (
+        const BadInput&) {  // a quote that another separator explains; what none explains is told by the reader
+      continue;
+    }
+    const std::size_t columns = counts.empty()                                                ? 0
+                                : std::ranges::count(counts, counts[0]) == std::ssize(counts) ? 2 * counts[0]
+                                                                                              : counts[0];
+    if (!counts.empty() && counts[0] > 1 && columns > most) {
+      best = separator;
+      most = columns;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+Csv parse_csv(std::string_view bytes, const std::string& file) {
+  Csv table;
+  table.file = file;
+  Decoded decoded_text = decoded(bytes, file);
+  table.said = std::move(decoded_text.said);
+  table.text = std::make_shared<const std::string>(std::move(decoded_text.text));
+  const std::string_view text = *table.text;
+  if (const std::size_t nul = text.find('\0'); nul != text.npos)
+    throw BadInput(file + ", line " + std::to_string(1 + std::ranges::count(text.substr(0, nul), '\n')) +
+                   ": a NUL byte is no text; save the table as CSV in UTF-8");
+  table.separator = separator_of(text, file);
+  if (table.separator != ',')
+    table.said.push_back(file + ": its separator is " + (table.separator == ';' ? "a semicolon" : "a tab"));
+  const std::size_t end = text.find('\n');
+  if (end != text.npos && (end == 0 || text[end - 1] != '\r')) table.end_of_line = "\n";
+  Reader reader(text, table.separator, file);
+  while (!reader.at_end())
+    if (Csv::Row row = reader.row(); !is_empty(row)) table.rows.push_back(std::move(row));
+  if (table.rows.empty()) throw BadInput(file + ": is empty; a table with a row of titles is needed");
+  return table;
+}
+
+Csv read_csv(const std::filesystem::path& file) {
+  return parse_csv(hair::read_file(file, kMostBytes, "a table, a CSV file"), printable(file.string(), 4096));
+}
+
+std::size_t column_of(const Csv& table, const std::string& title) {
+  const auto same = [wanted = squeezed(title)](const std::string& cell) { return squeezed(cell) == wanted; };
+  const Cells& head = table.rows.front().cells;
+  const auto found = std::ranges::find_if(head, same);
+  if (found == head.end()) return kNoColumn;
+  if (std::find_if(found + 1, head.end(), same) != head.end())
+    throw BadInput(place_of(table, table.rows.front()) + ": two columns are called \"" + composed(title) +
+                   "\"; rename one");
+  return static_cast<std::size_t>(found - head.begin());
+}
+
+std::string place_of(const Csv& table, const Csv::Row& row) {
+  return table.file + ", line " + std::to_string(row.line);
+}
+
+}  // namespace grader

@@ -1,0 +1,26 @@
+// STAFF ONLY. The encodings of text that others wrote. Source code must be UTF-8, of which ASCII is a part: other files are told to
+// their author in a sentence, with how to save them. Tables are decoded.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace grader {
+
+// UTF-16 and UTF-32, with a byte order mark and without. Empty if it is neither.
+std::string told_if_wide(std::string_view bytes, const std::string& file);
+
+// The first byte that is no text in UTF-8, as of a name in Latin-1, or a NUL. Empty if there is none.
+std::string told_of_stray_byte(std::string_view bytes, const std::string& file);
+
+struct Decoded {
+  std::string text;                 // well-formed UTF-8 without a byte order mark; a NUL may be in it
+  std::vector<std::string> said{};  // a line each: what it was decoded from, if it was no plain UTF-8
+};
+
+// UTF-8 and UTF-16, with a byte order mark and without. Windows-1252 is the guess for what is neither: spreadsheets in the west write
+// it. UTF-32 and half a UTF-16 unit throw BadInput with `file`.
+Decoded decoded(std::string_view bytes, const std::string& file);
+
+}  // namespace grader
