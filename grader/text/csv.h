@@ -17,6 +17,9 @@ struct Csv {
     Cells cells;             // UTF-8; as they are, blanks too
     std::size_t line = 0;    // in the file, from 1: where it begins
     std::string_view bytes;  // as it stands in `text`, without its end
+
+    // "" beyond the row's end, also for kNoColumn.
+    std::string at(std::size_t column) const { return column < cells.size() ? cells[column] : ""; }
   };
   std::string file;  // for messages
   char separator = ',';
@@ -39,7 +42,7 @@ std::size_t column_of(const Csv& table, const std::string& title);
 // "roster.csv, line 7"
 std::string place_of(const Csv& table, const Csv::Row& row);
 
-// A spreadsheet would run it: it begins, blanks aside, with = + - or @, also in their wide forms, and is no number.
+// A spreadsheet would run it: it begins, blanks aside, with = + - or @, also in their wide forms, has more than that, and is no number.
 bool starts_formula(std::string_view cell);
 
 // A cell that would be run begins with U+2060 instead, which nobody sees and which is no blank. A number keeps its sign. What is no

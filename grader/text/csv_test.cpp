@@ -50,6 +50,13 @@ TEST(Csv, ReadsEverySeparatorEndOfLineAndEncoding) {
     }
 }
 
+TEST(Csv, LettersOfUtf16BeyondItsFirstPlaneAreOne) {
+  const string text =
+      "\x61\0\x2c\0\xac\x20\x3d\xd8\x00\xde\n\0\x62\0\x2c\0\x3d\xd8\n\0"s;  // a, euro, a face; b, half a face
+  const Csv table = parse_csv("\xff\xfe" + text, "r.csv");
+  EXPECT_EQ(cells_of(table), (std::vector<Cells>{{"a", "€😀"}, {"b", "\ufffd"}}));
+}
+
 TEST(Csv, SaysItsSeparatorAndItsGuess) {
   EXPECT_EQ(parse_csv("a;b\n1,5;2\n", "r.csv").said, Cells{"r.csv: its separator is a semicolon"});
   EXPECT_EQ(parse_csv("a\tb\n1\t2\n", "r.csv").said, Cells{"r.csv: its separator is a tab"});
@@ -67,6 +74,7 @@ TEST(Csv, SaysItsSeparatorAndItsGuess) {
 TEST(Csv, ASeparatorMayStandInCells) {
   EXPECT_EQ(cells_of(parse_csv("Student;ID\nDoe, Jane, Dr., Prof.;1\nRoe, R, R, R;2\n", "r.csv"))[1],
             (Cells{"Doe, Jane, Dr., Prof.", "1"}));
+  EXPECT_EQ(cells_of(parse_csv("a, b, c;id\nx;1\n", "r.csv"))[1], (Cells{"x", "1"}));
   EXPECT_EQ(cells_of(parse_csv("name,mail\n\"a;b;c\",x\n", "r.csv"))[1], (Cells{"a;b;c", "x"}));
   EXPECT_EQ(cells_of(parse_csv("id\n1\n\n2\n", "r.csv")), (std::vector<Cells>{{"id"}, {"1"}, {"2"}}));
 }
@@ -101,13 +109,13 @@ TEST(Csv, AMillionRowsAreRead) {
 // OWASP, "CSV Injection": = + - @, tab and carriage return in front, and their wide forms.
 TEST(CsvWriter, NoCellStartsAFormula) {
   for (const char* cell : {"=1+1", "+1+1", "-1+1", "-a", "@SUM(A1)", "\t=1", "\r=1", "\n=1", " =1", "＝1",
-                           "＠a", "-", "-1,2,3", "\xc2\xa0=1", "+49 89 1"}) {
+                           "＠a", "-1,2,3", "\xc2\xa0=1", "\u3000=1", "+49 89 1"}) {
     EXPECT_TRUE(starts_formula(cell)) << cell;
     const Csv::Row row = parse_csv(csv_line({"a", cell}), "r.csv").rows[0];
     EXPECT_EQ(row.cells[1], string("\u2060") + cell);  // no apostrophe, and all of it
   }
   for (const char* cell :
-       {"-1", "-0.5", "-7,5", "+3", "-10%", "a=1", "", "'=1", "12", "a@b.de", "\u2060=1"}) {
+       {"-1", "-0.5", "-7,5", "+3", "-10%", "-", "a=1", "", "'=1", "12", "a@b.de", "\u2060=1"}) {
     EXPECT_FALSE(starts_formula(cell)) << cell;
     EXPECT_EQ(parse_csv(csv_line({"a", cell}), "r.csv").rows[0].cells[1], cell);
   }

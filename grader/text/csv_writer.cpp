@@ -44,7 +44,7 @@ bool starts_formula(std::string_view cell) {
       break;
   }
   for (const std::string_view begin : {"=", "+", "-", "@", "\uff1d", "\uff0b", "\uff0d", "\uff20", "\u2212"})
-    if (cell.starts_with(begin)) return !is_number(cell);
+    if (cell.starts_with(begin)) return cell.size() > begin.size() && !is_number(cell);
   return false;
 }
 

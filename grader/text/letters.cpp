@@ -69,4 +69,10 @@ std::string squeezed(std::string_view name) {
   return text;
 }
 
+std::string lowered(std::string_view name) {
+  std::string text;
+  each_letter(composed(name), [&](utf8proc_int32_t letter) { append(text, utf8proc_tolower(letter)); });
+  return text;
+}
+
 }  // namespace grader

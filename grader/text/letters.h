@@ -14,4 +14,7 @@ std::string composed(std::string_view name);
 // As Canvas writes a sortable name: lower case, only letters, digits and their marks.
 std::string squeezed(std::string_view name);
 
+// Composed, in lower case: e-mail addresses and GitHub's logins are one in any case.
+std::string lowered(std::string_view name);
+
 }  // namespace grader

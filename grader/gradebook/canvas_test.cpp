@@ -1,0 +1,190 @@
+// STAFF ONLY. Canvas's importer takes what is filled in, and nothing else changes.
+#include "grader/gradebook/canvas.h"
+
+#include <gtest/gtest.h>
+
+#include "grader/course/input.h"
+#include "grader/gradebook/importers.h"
+#include "grader/gradebook/said_for_tests.h"
+
+namespace grader {
+namespace {
+
+using std::string;
+using Scores = std::map<string, string>;
+
+const string kExport =
+    "Student,ID,SIS Login ID,Section,\"Quiz, first (77)\",Lab 3 (8801),Final Score\n"
+    ",,,,Manual Posting,,\n"
+    "    Points Possible,,,,5,10,(read only)\n"
+    "\"O'Brien, Seán\",4712,so12,Lab A,4.00,,80.0\n"
+    "\"Müller-Lüdenscheidt, Jörg\",4711,jm07,Lab A,,7.50,\n"
+    "\"Doe, Jane\",4713,jd,Lab B,,EX,\n"
+    "\"Roe, Rick\",4714,rr,Lab B,,3.00,\n"
+    "=1+1,4715,x,Lab B,,,\n";
+
+Grade grade_of(const string& id, double points, double of = 10) {
+  return {.hand_in = "hand_in_" + id,
+          .owner = {"", id, ""},
+          .system = "canvas",
+          .points = points,
+          .max_points = of};
+}
+
+Gradebook fill(const string& text, const std::vector<Grade>& grades, const FillOptions& options = {}) {
+  return fill_canvas(parse_csv(text, "export.csv"), grades, options);
+}
+
+string error_of(const string& text, const std::vector<Grade>& grades, const FillOptions& options = {}) {
+  try {
+    fill(text, grades, options);
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(CanvasGradebook, ImportsTheGradesAndNothingElse) {
+  const std::vector<Grade> grades{grade_of("4712", 9.125), grade_of("4711", 0), grade_of("4713", 5),
+                                  grade_of("4715", 10)};
+  const Gradebook book = fill(kExport, grades, {.column = "8801"});
+  const Imported imported = import_into_canvas(book.csv, kExport, "8801");
+  EXPECT_EQ(imported.scores, (Scores{{"4712", "9.12"}, {"4711", "0"}, {"4715", "10"}}));
+  EXPECT_EQ(imported.refused, Cells{});
+  EXPECT_EQ(imported.new_assignments, Cells{});
+  EXPECT_EQ(imported.new_people, Cells{});
+  EXPECT_EQ(book.written, 3u);
+  const std::size_t rows_of_titles = kExport.find("\"O'Brien");
+  EXPECT_EQ(book.csv.substr(0, rows_of_titles), kExport.substr(0, rows_of_titles));
+  EXPECT_TRUE(says(
+      book, "line 6: EX stays in the column \"Lab 3 (8801)\", and hand_in_4713's points are not entered"));
+  EXPECT_TRUE(says(book, "1 person has no grade here"));
+  for (const Csv::Row& row : parse_csv(book.csv, "x").rows)
+    for (const string& cell : row.cells) EXPECT_FALSE(starts_formula(cell)) << cell;
+}
+
+TEST(CanvasGradebook, FindsTheColumnByNumberOrTitle) {
+  for (const char* column : {"8801", "(8801)", "Lab 3", "Lab 3 (8801)"})
+    EXPECT_EQ(
+        import_into_canvas(fill(kExport, {grade_of("4712", 1)}, {.column = column}).csv, kExport, "8801")
+            .scores,
+        (Scores{{"4712", "1"}}))
+        << column;
+  EXPECT_EQ(error_of(kExport, {grade_of("4712", 1)}),
+            "export.csv, line 1: has several assignments; give --column with one of \"Quiz, first (77)\", "
+            "\"Lab 3 (8801)\"");
+  EXPECT_EQ(error_of(kExport, {grade_of("4712", 1)}, {.column = "Lab 4"}),
+            "export.csv, line 1: no column is \"Lab 4\"; give --column with one of \"Quiz, first (77)\", "
+            "\"Lab 3 (8801)\"");
+  const string one = "Student,ID,SIS Login ID,Section,Lab 3 (8801)\n\"O'Brien, Seán\",4712,so12,Lab A,\n";
+  const Gradebook book = fill(one, {grade_of("4712", 1)});
+  EXPECT_EQ(import_into_canvas(book.csv, one, "8801").scores, (Scores{{"4712", "1"}}));
+  EXPECT_TRUE(says(book, "has no points possible"));
+}
+
+TEST(CanvasGradebook, ExcusedIsAWord) {
+  Grade excused = grade_of("4712", 3);
+  excused.excused = true;
+  EXPECT_EQ(import_into_canvas(fill(kExport, {excused}, {.column = "8801"}).csv, kExport, "8801").scores,
+            (Scores{{"4712", "EX"}}));
+}
+
+TEST(CanvasGradebook, SpreadsheetsMayHaveWrittenItAgain) {
+  string semicolons = kExport;
+  semicolons.replace(semicolons.find("\"Quiz, first (77)\""), 18, "Quiz (77)");
+  std::ranges::replace(semicolons, ',', ';');
+  for (const char* pair : {"O'Brien; Seán", "Müller-Lüdenscheidt; Jörg", "Doe; Jane", "Roe; Rick"}) {
+    string comma = pair;
+    std::ranges::replace(comma, ';', ',');
+    semicolons.replace(semicolons.find(pair), comma.size(), comma);
+  }
+  const std::size_t score = semicolons.find("7.50");
+  semicolons.replace(score, 4, "7,50");
+  const Gradebook book =
+      fill("\xef\xbb\xbf" + semicolons, {grade_of("4712", 1234.5, 10)}, {.column = "8801"});
+  EXPECT_EQ(import_into_canvas(book.csv, semicolons, "8801").scores, (Scores{{"4712", "1234.5"}}));
+  EXPECT_TRUE(import_into_canvas(book.csv, semicolons, "8801").refused.empty());
+  EXPECT_NE(book.csv.find(";7.50;"), string::npos) << book.csv;
+  string tabs =
+      "Student\tID\tSection\tx (1)\n    Points Possible\t\t\t10\n\"Doe, Jane\"\t1\tA\t\"1,234\"\n\"Roe, "
+      "R\"\t2\tA\t\n";
+  const Gradebook commas = fill(tabs, {grade_of("2", 7)});
+  EXPECT_EQ(commas.csv,
+            "Student,ID,Section,x (1)\n    Points Possible,,,10\n\"Doe, Jane\",1,A,\n\"Roe, R\",2,A,7\n");
+  EXPECT_TRUE(says(commas, "line 3: Canvas would read 1,234 with a decimal comma"));
+}
+
+TEST(CanvasGradebook, AnotherMaximumIsNoAccident) {
+  EXPECT_EQ(error_of(kExport, {grade_of("4712", 150, 200)}, {.column = "8801"}),
+            "the column \"Lab 3 (8801)\": is out of 10 points, and the grades are out of 200; change it "
+            "there, or give --scale for shares of its points");
+  EXPECT_EQ(
+      import_into_canvas(fill(kExport, {grade_of("4712", 150, 200)}, {.column = "8801", .scale = true}).csv,
+                         kExport, "8801")
+          .scores,
+      (Scores{{"4712", "7.5"}}));
+}
+
+TEST(CanvasGradebook, NobodyGetsAnothersGrade) {
+  const Gradebook book = fill(kExport,
+                              {grade_of("4712", 1),
+                               grade_of("4712", 2),
+                               grade_of("9999", 3),
+                               {.hand_in = "team",
+                                .owner = {.name = "T",
+                                          .id = "5",
+                                          .email = "",
+                                          .group = true,
+                                          .members = {{"", "4711", ""}, {"", "4714", ""}}},
+                                .system = "canvas",
+                                .points = 4,
+                                .max_points = 10}},
+                              {.column = "8801"});
+  EXPECT_EQ(import_into_canvas(book.csv, kExport, "8801").scores, (Scores{{"4711", "4"}, {"4714", "4"}}));
+  EXPECT_TRUE(says(book, "line 4: left as it is, for hand_in_4712 and hand_in_4712 are both this person's"));
+  EXPECT_TRUE(says(book, "hand_in_9999: has no row in export.csv, its id is on no roster"));
+}
+
+TEST(CanvasGradebook, HandInsOfAnotherSystemComeByTheRoster) {
+  const Roster roster(parse_csv("identifier,github_username,login\nx,SeanOB,so12\n", "roster.csv"));
+  const Grade grade{
+      .hand_in = "seanob", .owner = {"", "seanob", ""}, .system = "classroom", .points = 6, .max_points = 10};
+  EXPECT_EQ(
+      import_into_canvas(fill(kExport, {grade}, {.column = "8801", .roster = &roster}).csv, kExport, "8801")
+          .scores,
+      (Scores{{"4712", "6"}}));
+}
+
+TEST(CanvasGradebook, UncertainRulesWarn) {
+  const string final_lab = "Student,ID,Section,Final lab (1)\n    Points Possible,,,10\n\"Doe, J\",1,A,\n";
+  EXPECT_TRUE(says(fill(final_lab, {grade_of("1", 5)}),
+                   "not certain: Canvas was seen to ignore a column with \"final\""));
+  const string complete =
+      "Student,ID,Section,Lab (1),Seen (2)\n    Points Possible,,,10,1\n\"Doe, J\",1,A,,complete\n";
+  EXPECT_TRUE(says(fill(complete, {grade_of("1", 5)}, {.column = "1"}),
+                   "not certain: Canvas was seen to drop scores beside"));
+}
+
+TEST(CanvasGradebook, SaysWhatIsNoExport) {
+  const std::vector<Grade> grades{grade_of("1", 5)};
+  EXPECT_NE(error_of("id,name\n1,A\n", grades).find("export.csv, line 1: is no gradebook of Canvas"),
+            string::npos);
+  EXPECT_NE(error_of("Student,ID,SIS Login ID,x (1)\nA,1,a,\n", grades).find("no title is Section"),
+            string::npos);
+  EXPECT_NE(error_of("Student,ID,Section,x\nA,1,a,\n", grades).find("has no assignment's column"),
+            string::npos);
+  EXPECT_NE(error_of("Student,ID,Section,x (1)\n    Points Possible,,,(read only)\nA,1,a,\n", grades)
+                .find("is read only"),
+            string::npos);
+  EXPECT_NE(error_of("Student,ID,Section,=x (1)\nA,1,a,\n", grades).find("would run the title \"=x (1)\""),
+            string::npos);
+  EXPECT_NE(error_of("Student,ID,Section,x (1)\nA,1,a,3,4\n", grades)
+                .find("line 2: has 5 cells, and there are 4 titles"),
+            string::npos);
+  EXPECT_NE(error_of("Student,ID,Section,x (1),x (1)\nA,1,a,,\n", grades, {.column = "1"})
+                .find("several columns are \"1\""),
+            string::npos);
+}
+
+}  // namespace
+}  // namespace grader

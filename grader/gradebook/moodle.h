@@ -1,0 +1,12 @@
+// STAFF ONLY. Moodle's grading worksheet, filled in as it was downloaded.
+#pragma once
+
+#include "grader/gradebook/filling.h"
+
+namespace grader {
+
+// Titles are in the language of whoever downloads: `options.column` names the one of grades where it is not "Grade". Rows that Moodle
+// locks, and grades beyond its maximum, are left as they are and said.
+Gradebook fill_moodle(const Csv& worksheet, const std::vector<Grade>& grades, const FillOptions& options);
+
+}  // namespace grader

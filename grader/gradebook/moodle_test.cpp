@@ -1,0 +1,119 @@
+// STAFF ONLY. Moodle's importer takes what is filled in.
+#include "grader/gradebook/moodle.h"
+
+#include <gtest/gtest.h>
+
+#include "grader/course/input.h"
+#include "grader/gradebook/importers.h"
+#include "grader/gradebook/said_for_tests.h"
+
+namespace grader {
+namespace {
+
+using std::string;
+using Scores = std::map<string, string>;
+
+const string kTitles =
+    "Identifier,Full name,Status,Grade,Maximum grade,Grade can be changed,Last modified (submission),Last "
+    "modified (grade),Feedback comments\n";
+const string kWorksheet =
+    kTitles +
+    "Participant 4711,Jörg Müller-Lüdenscheidt,Submitted for grading,7.50,10.00,Yes,\"Tuesday, 4 March 2025, "
+    "10:15 AM\",-,<p>3 tests failed</p>\n"
+    "Participant 4712,Seán O'Brien,Submitted for grading,,10.00,Yes,-,-,\n"
+    "Participant 4713,=1+1,Submitted for grading,,10.00,No,-,-,\n"
+    "Participant 4714,Ann Oh,No submission,,10.00,Yes,-,-,\n";
+const Scores kParticipants{{"4711", "7.50"}, {"4712", ""}, {"4713", ""}, {"4714", ""}};
+
+Grade moodle_grade(const string& id, double points, double of = 10) {
+  return {.hand_in = "hand_in_" + id,
+          .owner = {"", id, ""},
+          .system = "moodle",
+          .points = points,
+          .max_points = of};
+}
+
+Gradebook fill_sheet(const string& text, const std::vector<Grade>& grades, const FillOptions& options = {}) {
+  return fill_moodle(parse_csv(text, "sheet.csv"), grades, options);
+}
+
+string sheet_error_of(const string& text, const FillOptions& options = {}) {
+  try {
+    fill_sheet(text, {moodle_grade("4711", 5)}, options);
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(MoodleWorksheet, ImportsTheGrades) {
+  const Gradebook book =
+      fill_sheet(kWorksheet, {moodle_grade("4711", 9.125), moodle_grade("4712", 0), moodle_grade("4713", 5)});
+  const Imported imported = import_into_moodle(book.csv, kParticipants, false);
+  EXPECT_EQ(imported.scores, (Scores{{"4711", "9.12"}, {"4712", "0"}}));
+  EXPECT_EQ(imported.refused, Cells{});
+  EXPECT_EQ(book.written, 2u);
+  EXPECT_TRUE(says(book, "line 4: hand_in_4713's grade is not entered: Moodle has locked it"));
+  EXPECT_TRUE(says(book, "1 person has no grade here"));
+  EXPECT_NE(book.csv.find("<p>3 tests failed</p>\n"), string::npos);
+  for (const Csv::Row& row : parse_csv(book.csv, "x").rows)
+    for (const string& cell : row.cells) EXPECT_FALSE(starts_formula(cell)) << cell;
+}
+
+TEST(MoodleWorksheet, LeavesWhatMoodleWouldPassOver) {
+  Grade excused = moodle_grade("4712", 3);
+  excused.excused = true;
+  const Gradebook book = fill_sheet(kWorksheet, {moodle_grade("4711", 10.5), excused});
+  EXPECT_EQ(import_into_moodle(book.csv, kParticipants, false).refused, Cells{});
+  EXPECT_EQ(import_into_moodle(book.csv, kParticipants, false).scores, Scores{});
+  EXPECT_TRUE(says(book, "10.5 is more than the maximum of 10.00"));
+  EXPECT_TRUE(says(book, "it is excused"));
+}
+
+TEST(MoodleWorksheet, DecimalsAreTheWorksheets) {
+  string commas = kWorksheet;
+  for (std::size_t at = 0; (at = commas.find("10.00", at)) != string::npos;)
+    commas.replace(at, 5, "\"10,00\"");
+  commas.replace(commas.find("7.50"), 4, "\"7,50\"");
+  const Gradebook book = fill_sheet(commas, {moodle_grade("4711", 9.5)});
+  EXPECT_EQ(import_into_moodle(book.csv, kParticipants, true).scores, (Scores{{"4711", "9.5"}}));
+  EXPECT_NE(book.csv.find("\"9,5\""), string::npos);
+  EXPECT_TRUE(says(book, "not certain: decimals have a comma"));
+}
+
+TEST(MoodleWorksheet, AnotherMaximumIsNoAccident) {
+  EXPECT_NE(sheet_error_of(kTitles + "Participant 4711,A,S,,5.00,Yes,-,-,\n")
+                .find("is out of 5 points, and the grades are out of 10"),
+            string::npos);
+  const Gradebook book =
+      fill_sheet(kWorksheet, {moodle_grade("4711", 150, 200)}, {.column = "", .scale = true});
+  EXPECT_EQ(import_into_moodle(book.csv, kParticipants, false).scores.at("4711"), "7.5");
+}
+
+TEST(MoodleWorksheet, ATeamIsNobody) {
+  Grade team = moodle_grade("4711", 5);
+  team.owner.group = true;
+  const Gradebook book = fill_sheet(kWorksheet, {team});
+  EXPECT_EQ(import_into_moodle(book.csv, kParticipants, false).scores, Scores{});
+  EXPECT_TRUE(says(book, "a group is nobody on the roster"));
+}
+
+TEST(MoodleWorksheet, SaysWhatIsNoWorksheet) {
+  EXPECT_NE(sheet_error_of("id,name\n1,A\n").find("sheet.csv, line 1: no title is \"Identifier\""),
+            string::npos);
+  EXPECT_NE(sheet_error_of("Identifier,Bewertung,x\nTeilnehmer/in 4711,,-\n")
+                .find("give --column with the title of the grades"),
+            string::npos);
+  EXPECT_NE(sheet_error_of("Identifier,Grade,x\nParticipant 4711,,-\n")
+                .find("no title is \"Last modified (grade)\""),
+            string::npos);
+  EXPECT_NE(
+      sheet_error_of(kTitles + "Participant 4711,A,S\n").find("line 2: has 3 cells, and there are 9 titles"),
+      string::npos);
+  EXPECT_NE(sheet_error_of(kTitles + "Participant 4711,A,S,,\"Good, Bad\",Yes,-,-,\n")
+                .find("\"Good, Bad\" is a scale of words"),
+            string::npos);
+}
+
+}  // namespace
+}  // namespace grader

@@ -1,0 +1,33 @@
+// STAFF ONLY. Everybody on the roster has a row, and every hand-in is somebody's or a stranger's.
+#include "grader/roster/class_list.h"
+
+#include <gtest/gtest.h>
+
+namespace grader {
+namespace {
+
+using Names = std::vector<std::string>;
+
+TEST(ClassList, HasEverybodyAndListsStrangersApart) {
+  const Roster roster(parse_csv("id,name\n1,A\n2,B\n3,C\n", "r.csv"));
+  const Owner team{.name = "Team 7",
+                   .id = "70",
+                   .email = "",
+                   .group = true,
+                   .members = {{"A", "1", ""}, {"", "2", ""}, {"X", "9", ""}}};
+  const ClassList list = class_list(
+      roster,
+      {{"team7", team, "canvas"}, {"b_2", {"", "2", ""}, "canvas"}, {"z_8", {"Z", "8", ""}, "canvas"}});
+  ASSERT_EQ(list.rows.size(), 3u);
+  EXPECT_EQ(list.rows[0].hand_ins, Names{"team7"});
+  EXPECT_EQ(list.rows[1].hand_ins, (Names{"team7", "b_2"}));
+  ASSERT_EQ(list.absent().size(), 1u);
+  EXPECT_EQ(list.absent()[0]->name, "C");
+  ASSERT_EQ(list.strangers.size(), 2u);
+  EXPECT_EQ(list.strangers[0].hand_in, "team7, X");
+  EXPECT_EQ(list.strangers[1].hand_in, "z_8");
+  EXPECT_EQ(list.said, Names{"B: has two hand-ins, team7 and b_2"});
+}
+
+}  // namespace
+}  // namespace grader

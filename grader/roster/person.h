@@ -1,0 +1,40 @@
+// STAFF ONLY. Somebody who is on a roster.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace grader {
+
+// Ids of one kind are compared with each other alone: Moodle's participant 4711 is not Canvas's user 4711.
+enum class IdKind { id, sis, login, org_defined, participant, github_id, github_login, email };
+inline constexpr std::size_t kIdKinds = 8;
+
+const char* title_of(IdKind kind);  // for messages: "SIS user id"
+
+// Names as they are compared: letters and digits in lower case. Canvas names files by "Doe, Jane", other systems by "Jane Doe".
+struct NameKeys {
+  std::string as_spoken, as_sorted;  // "janedoe", "doejane"
+  bool operator==(const NameKeys&) const = default;
+};
+
+// "Doe, Jane" or "Jane Doe"; without a comma the last word is the family name.
+NameKeys keys_of(const std::string& name);
+
+struct Person {
+  std::string name;     // for people, NFC; as the table writes it, or "First Last" of two columns
+  std::string section;  // "" or several, as the table writes them
+  std::array<std::string, kIdKinds> ids{};  // "" where the table has none
+  NameKeys keys{};                          // of the name
+  std::size_t line = 0;                     // of the table
+
+  const std::string& id(IdKind kind) const { return ids[static_cast<std::size_t>(kind)]; }
+  std::string& id(IdKind kind) { return ids[static_cast<std::size_t>(kind)]; }
+  const std::string& email() const { return id(IdKind::email); }
+  // A word that stands for the person where ids are shown: the first that there is.
+  const std::string& shown_id() const;
+};
+
+}  // namespace grader

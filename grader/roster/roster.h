@@ -1,0 +1,55 @@
+// STAFF ONLY. The people of a class, from a table with a row for each, as Canvas (gradebook), Moodle (worksheet, participants),
+// Gradescope, GitHub Classroom and Brightspace export them, or a plain one: id, name, e-mail, section, further ids. A spreadsheet may have
+// written it again.
+//
+// People are found by ids, then by e-mail, then by a name that nobody else bears.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grader/intake/owner.h"
+#include "grader/roster/person.h"
+#include "grader/text/csv.h"
+
+namespace grader {
+
+class Roster {
+ public:
+  // Throws BadInput with the row: no column of ids, e-mails or names, nobody below the titles, an id that two people have, two ids of
+  // one row that name different people.
+  explicit Roster(const Csv& table);
+
+  const std::vector<Person>& people() const { return people_; }
+  const std::vector<std::string>& said() const {
+    return said_;
+  }  // for staff, a line each: guesses, and ids that a spreadsheet changed
+
+  struct Match {
+    std::optional<std::size_t> person;  // of people()
+    std::string told;                   // for staff: how it was found if that is not plain, or why nobody was
+  };
+  // `system` is the layout of the download, as --from takes it: it says which ids its hand-ins carry. A group is nobody; its members may
+  // be.
+  Match find(const Owner& owner, const std::string& system) const;
+  // Somebody of another table, by the ids that both have.
+  Match find(const Person& person) const;
+
+ private:
+  using Places = std::map<std::string, std::vector<std::size_t>, std::less<>>;
+
+  void add(const Csv& table, const Csv::Row& row, Person person);
+  std::vector<std::size_t> with_id(IdKind kind, const std::string& id, std::string& told) const;
+
+  std::vector<Person> people_;
+  std::vector<std::string> said_;
+  std::array<Places, kIdKinds> by_id_, by_id_without_zeros_;
+  Places by_spoken_, by_sorted_;
+};
+
+Roster read_roster(const std::filesystem::path& file);
+
+}  // namespace grader
