@@ -78,6 +78,9 @@ svg { display: block; margin: 1rem 0 1.5rem; max-width: 100%; height: auto; back
 nav ul { margin: .4rem 0; padding-left: 1.25rem; } .text { text-align: left; }
 .scale { display: inline-block; width: 5rem; height: .6rem; margin: 0 .35rem; border-radius: .125rem; }
 .small { display: block; width: 10rem; height: auto; border-radius: .25rem; }
+.beside { display: grid; grid-template-columns: repeat(auto-fit, minmax(24rem, 1fr)); gap: 0 1.5rem; } body:has(.beside) { max-width: 110rem; }
+.source { font: .8125rem/1.45 ui-monospace, "SFMono-Regular", Menlo, Consolas, "DejaVu Sans Mono", monospace; padding-left: 3.5rem; white-space: pre-wrap; overflow-wrap: anywhere; }
+.source li { min-height: 1.45em; margin: 0; } .source li::marker { color: var(--quiet); } .source .shared { background: var(--part-soft); } .source .given { opacity: .5; }
 @media (max-width: 40rem) {
 .overview th, .overview td { padding-right: .5rem; }
 .wide .cases, .wide .runs { min-width: 0; } .cases thead, .runs thead { display: none; } .cases, .cases tbody, .runs, .runs tbody { display: block; }

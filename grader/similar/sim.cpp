@@ -1,0 +1,107 @@
+// STAFF ONLY. Starts sim, and reads what it prints.
+#include "grader/similar/sim.h"
+
+#include <regex>
+#include <sstream>
+#include <stdexcept>
+
+#include "grader/course/input.h"
+#include "grader/sandbox/descriptor.h"
+#include "grader/sandbox/system_mounts.h"
+#include "hair/io/files/write_file.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kProgram = "/usr/bin/sim_c++";
+constexpr std::size_t kMostOutput = std::size_t{1} << 28;
+
+std::size_t number(const std::string& digits) {
+  return static_cast<std::size_t>(std::stoul(digits));
+}
+
+Lines lines(const std::string& first, const std::string& last) {
+  return {std::stoi(first), std::stoi(last)};
+}
+
+// "File 3: 522 tokens, 65 lines" and "3: line 5-20  |7: line 8-23[114]"; all else is no news.
+Matches read(const std::string& output, std::size_t texts) {
+  static const std::regex kFile(R"(File (\d+): (\d+) tokens.*)");
+  static const std::regex kRun(R"((\d+): line (\d+)-(\d+) *\|(\d+): line (\d+)-(\d+) *\[(\d+)\])");
+  Matches found;
+  found.tokens.assign(texts, -1);
+  std::istringstream in(output);
+  std::smatch part;
+  for (std::string line; std::getline(in, line);) {
+    if (std::regex_match(line, part, kFile)) {
+      if (const std::size_t text = number(part[1]); text < texts) found.tokens[text] = std::stoi(part[2]);
+    } else if (std::regex_match(line, part, kRun)) {
+      found.all.push_back({number(part[1]), number(part[4]), lines(part[2], part[3]), lines(part[5], part[6]),
+                           std::stoi(part[7])});
+    }
+  }
+  return found;
+}
+
+}  // namespace
+
+Sim::Sim(Isolation isolation) {
+  if (!fs::exists(kProgram))
+    throw BadInput(std::string(kProgram) +
+                   " is missing; install Debian's package similarity-tester, which grader/setup.sh does");
+  fs::create_directory(folder_.path() / "in");
+  cage_.isolation = isolation;
+  cage_.roots = folder_.path() / "roots";
+  cage_.mounts = library_mounts(isolation, {kProgram});
+  cage_.mounts.push_back({kProgram, "/sim"});
+  cage_.mounts.push_back({folder_.path() / "in", "/in"});
+  cage_.folder = "/in";
+  cage_.syscalls = Syscalls::toolchain;
+  cage_.limits.cpu_seconds = 600;
+  cage_.limits.cpu_seconds_of_all = 600;
+  cage_.limits.wall_seconds = 3600;
+}
+
+std::string Sim::output_of(const std::vector<std::string>& options, std::size_t texts, std::size_t given,
+                           bool& well) const {
+  std::vector<std::string> command{"/sim", "-n", "-e", "-w", "80"};
+  command.insert(command.end(), options.begin(), options.end());
+  for (std::size_t i = 0; i < texts; ++i) command.push_back(std::to_string(i));
+  if (given > 0) command.emplace_back("/");
+  for (std::size_t i = texts; i < texts + given; ++i) command.push_back(std::to_string(i));
+  Pipe output = make_pipe();
+  CagedProcess process(cage_, command, -1, -1, output.write_end.get());
+  output.write_end.close();
+  std::string text = read_all(output.read_end, kMostOutput, cage_.limits.wall_seconds);
+  well = process.wait(1).well() && text.size() < kMostOutput;
+  return text;
+}
+
+Matches Sim::matches(const std::vector<std::string>& texts, const std::vector<std::string>& given,
+                     int least) const {
+  if (texts.empty()) return {};
+  std::size_t name = 0;
+  for (const std::vector<std::string>* some : {&texts, &given})
+    for (const std::string& text : *some) {
+      const fs::path file = folder_.path() / "in" / std::to_string(name++);
+      hair::write_file(file, text);
+      fs::permissions(file, fs::perms(0644));
+    }
+  bool well = false;
+  const std::string output =
+      output_of(given.empty() ? std::vector<std::string>{"-r", std::to_string(least), "-a", "-s"}
+                              : std::vector<std::string>{"-r", std::to_string(least), "-S"},
+                texts.size(), given.size(), well);
+  if (!well)
+    throw std::runtime_error(
+        "sim did not come to an end: " +
+        printable(output.substr(output.size() - std::min<std::size_t>(output.size(), 300))));
+  Matches found = read(output, texts.size());
+  for (Match& match : found.all)
+    if (!given.empty()) match.other -= texts.size();
+  return found;
+}
+
+}  // namespace grader

@@ -1,0 +1,48 @@
+// STAFF ONLY. Finds runs of equal tokens in C++ sources with sim, Debian's similarity-tester. To sim all names are equal, and so are
+// all numbers and all texts; layout and comments don't exist. It reads what strangers have written, so it runs in a cage.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "grader/course/isolation.h"
+#include "grader/sandbox/cage.h"
+#include "grader/sandbox/staging_folder.h"
+
+namespace grader {
+
+struct Lines {
+  int first = 0, last = 0;  // from 1 on; both belong to it
+};
+
+// A run of tokens of one text that stands in another one, too. The runs of a text in one other text don't overlap.
+struct Match {
+  std::size_t text = 0, other = 0;
+  Lines lines, other_lines;
+  int tokens = 0;
+};
+
+struct Matches {
+  std::vector<int> tokens;  // of each text; -1: sim could not read it
+  std::vector<Match> all;   // between two texts in both directions
+};
+
+class Sim {
+ public:
+  explicit Sim(Isolation isolation);  // throws BadInput if sim is not installed
+
+  // Compares each text with each other one, or, if there are `given` texts, with each of those alone: then Match::other counts
+  // these. A run has `least` tokens at least. Throws std::runtime_error if sim does not come to an end.
+  Matches matches(const std::vector<std::string>& texts, const std::vector<std::string>& given,
+                  int least) const;
+
+ private:
+  std::string output_of(const std::vector<std::string>& options, std::size_t texts, std::size_t given,
+                        bool& well) const;
+
+  StagingFolder folder_;
+  Cage cage_;
+};
+
+}  // namespace grader

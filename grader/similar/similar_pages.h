@@ -1,0 +1,25 @@
+// STAFF ONLY. What hand-ins share, as pages for staff: OUT/index.html, and OUT/S1-alice-bob.html with both sources side by side.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "grader/similar/shared_code.h"
+
+namespace grader {
+
+struct SimilarExercise {
+  std::string id, file;  // "S1", "conj_grad.cpp"
+  std::vector<SimilarFile> files;
+  SharedCode shared;
+};
+
+// So many pairs of an exercise are shown; further ones are counted. Who is in a pair is in a group, or shown.
+inline constexpr std::size_t kMostPairs = 100;
+
+// Throws BadInput if they can't be written.
+void write_similar_pages(const std::filesystem::path& out, const std::vector<SimilarExercise>& exercises,
+                         const SimilarRules& rules);
+
+}  // namespace grader

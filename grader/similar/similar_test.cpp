@@ -1,0 +1,196 @@
+// STAFF ONLY. Copies that are renamed, laid out anew and put in another order are found; others' own solutions are not; what was given
+// counts nowhere; what many share is told, and so is who was not compared.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "grader/sandbox/isolation_for_tests.h"
+#include "grader/similar/shared_code.h"
+#include "hair/io/files/read_file.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kProject = HAIR_PROJECT;
+
+std::string stub_of(const std::string& file) {
+  return hair::bytes_of(kProject / "handout/student" / file);
+}
+
+// Right solutions that differ, by exercise file: the reference and the samples'.
+std::map<std::string, std::vector<SimilarFile>> honest_files() {
+  std::map<std::string, std::vector<SimilarFile>> files;
+  std::vector<fs::path> paths;
+  for (const fs::path& folder : {kProject / "reference", kProject / "grader/samples/solutions"})
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) paths.push_back(entry.path());
+  std::sort(paths.begin(), paths.end());
+  for (const fs::path& path : paths) {
+    const std::string file = path.filename().string(), who = path.parent_path().filename().string();
+    if (path.extension() == ".cpp" && fs::exists(kProject / "handout/student" / file) &&
+        who != "includes-reference")
+      files[file].push_back({who, hair::bytes_of(path)});
+  }
+  return files;
+}
+
+// A copyist's work: every name that is not the language's gets another one, all comments go, and each line is cut in other places.
+std::string renamed_and_laid_out(const std::string& text) {
+  static const std::set<std::string> kept{"int",  "float",  "double", "const",   "for",       "if",
+                                          "else", "return", "while",  "include", "namespace", "std",
+                                          "void", "static", "struct", "auto",    "bool"};
+  const std::string bare = std::regex_replace(text, std::regex("//[^\n]*"), "");
+  std::map<std::string, std::string> names;
+  std::string out;
+  static const std::regex kWord("[A-Za-z_][A-Za-z_0-9]*|\n");
+  auto at = bare.cbegin();
+  bool directive = false;
+  for (std::sregex_iterator word(bare.begin(), bare.end(), kWord), end; word != end; ++word) {
+    const std::string gap(at, bare.cbegin() + word->position());
+    if (gap.find('#') != std::string::npos) directive = true;
+    out += gap;
+    at = bare.cbegin() + word->position() + word->length();
+    if (word->str() == "\n") {
+      out += directive ? "\n" : " ";
+      directive = false;
+    } else if (directive || kept.contains(word->str())) {
+      out += word->str();
+    } else {
+      std::string& name = names[word->str()];
+      if (name.empty()) name = "v" + std::to_string(names.size());
+      out += name;
+    }
+    if (!directive && gap.find(';') != std::string::npos) out += "\n  ";
+  }
+  return out.append(at, bare.cend());
+}
+
+// Functions and other pieces at the outermost level, in the opposite order.
+std::string in_another_order(const std::string& text) {
+  std::vector<std::string> pieces(1);
+  int depth = 0;
+  for (const char c : text) {
+    pieces.back() += c;
+    depth += c == '{' ? 1 : c == '}' ? -1 : 0;
+    if (depth <= 1 && c == '}') pieces.emplace_back();
+  }
+  std::string out;
+  for (auto piece = pieces.rbegin(); piece != pieces.rend(); ++piece) out += *piece + "\n";
+  return out;
+}
+
+class Similar : public testing::Test {
+ protected:
+  Sim sim_{isolation_for_tests()};
+};
+
+const SharedPair* pair_of(const SharedCode& shared, const std::vector<SimilarFile>& files,
+                          const std::string& one, const std::string& other) {
+  const auto found = std::find_if(shared.pairs.begin(), shared.pairs.end(), [&](const SharedPair& pair) {
+    const std::set<std::string> names{files[pair.one].name, files[pair.other].name};
+    return names == std::set<std::string>{one, other};
+  });
+  return found == shared.pairs.end() ? nullptr : &*found;
+}
+
+// Ten copies among all honest files that there are. Samples that began as one text are told, too: they are copies. One honest pair is
+// accused: the four integrators are four short loops, which the contract dictates.
+TEST_F(Similar, FindsTenCopiesAmongHonestFiles) {
+  const std::set<std::set<std::string>> began_as_one{
+      {"expanded", "plain"}, {"expanded", "other-sweep"}, {"reference", "same-names"}};
+  const std::set<std::string> accused_wrongly{"explicit_integrators.cpp", "plain", "reference"};
+  std::map<std::string, std::vector<SimilarFile>> honest = honest_files();
+  std::size_t files = 0, planted = 0, found = 0;
+  for (auto& [file, all] : honest) {
+    files += all.size();
+    const std::string victim = all.back().name;
+    const std::size_t honest_ones = all.size();
+    if (planted < 10) {
+      const std::string copy = renamed_and_laid_out(all.back().text);
+      all.push_back({"copyist", planted % 2 == 0 ? copy : in_another_order(copy)});
+      ++planted;
+    }
+    const SharedCode shared = shared_code(sim_, all, {stub_of(file)});
+    if (all.size() > honest_ones) {
+      const SharedPair* pair = pair_of(shared, all, "copyist", victim);
+      found += pair != nullptr;
+      EXPECT_NE(pair, nullptr) << file << ": " << victim;
+    }
+    for (const SharedPair& pair : shared.pairs) {
+      const std::set<std::string> names{all[pair.one].name, all[pair.other].name};
+      if (names.contains("copyist")) continue;
+      RecordProperty((file + " " + all[pair.one].name + " " + all[pair.other].name).c_str(),
+                     std::to_string(pair.part));
+      EXPECT_TRUE(began_as_one.contains(names))
+          << file << ": " << all[pair.one].name << " " << all[pair.other].name << " " << pair.part;
+    }
+  }
+  EXPECT_GE(files, 50U);
+  EXPECT_EQ(planted, 10U);
+  EXPECT_EQ(found, 10U);
+}
+
+// A template that students edit matches again, and left in the denominator it would keep identical work below 100 %.
+TEST_F(Similar, TakesOffWhatWasGiven) {
+  const std::string stub = stub_of("conj_grad.cpp"), work = honest_files()["conj_grad.cpp"].front().text;
+  const std::vector<SimilarFile> files{{"a", stub + work}, {"b", work + stub}, {"c", stub}, {"d", stub}};
+  const SharedCode shared = shared_code(sim_, files, {stub});
+  ASSERT_EQ(shared.pairs.size(), 1U);
+  EXPECT_GT(shared.pairs.front().part, 0.95);
+  ASSERT_EQ(shared.not_compared.size(), 2U);
+  EXPECT_NE(shared.not_compared.front().why.find("too few"), std::string::npos)
+      << shared.not_compared.front().why;
+  EXPECT_TRUE(shared_code(sim_, files, {work}).pairs.empty());
+}
+
+// Six copies are a group, a piece of many, and fifteen pairs.
+TEST_F(Similar, TellsWhatManyShare) {
+  const std::string work = honest_files()["conj_grad.cpp"].front().text;
+  std::vector<SimilarFile> files;
+  for (const char* name : {"a", "b", "c", "d", "e", "f"}) files.push_back({name, work});
+  const SharedCode shared = shared_code(sim_, files, {});
+  EXPECT_EQ(shared.pairs.size(), 15U);
+  for (const SharedPair& pair : shared.pairs) EXPECT_EQ(pair.of_many, pair.tokens);
+  const auto groups = groups_of(shared, files.size());
+  ASSERT_EQ(groups.size(), 1U);
+  EXPECT_EQ(groups.front().size(), 6U);
+  ASSERT_FALSE(shared.common.empty());
+  EXPECT_EQ(shared.common.front().owners.size(), 6U);
+}
+
+// A padded copy is one: the part is that of the shorter text.
+TEST_F(Similar, FindsACopyInALongerFile) {
+  const std::map<std::string, std::vector<SimilarFile>> honest = honest_files();
+  const std::string work = honest.at("conj_grad.cpp").front().text,
+                    padding = honest.at("super_helix.cpp").front().text;
+  const SharedCode shared = shared_code(sim_, {{"a", padding + work}, {"b", work}}, {});
+  ASSERT_EQ(shared.pairs.size(), 1U);
+  EXPECT_EQ(shared.pairs.front().one, 1U);
+}
+
+TEST_F(Similar, HostileFilesStopNobodyElse) {
+  const std::string work = honest_files()["conj_grad.cpp"].front().text;
+  std::string huge;
+  for (int i = 0; i < 100000; ++i) huge += "a+b;";
+  const std::vector<SimilarFile> files{{"a", work},
+                                       {"b", work},
+                                       {"bytes", std::string("\0\xff\xfe\"'/*", 7)},
+                                       {"open", "/* \" ' R\"(" + std::string(100000, '(')},
+                                       {"huge", huge},
+                                       {"empty", ""}};
+  const SharedCode shared = shared_code(sim_, files, {});
+  EXPECT_NE(pair_of(shared, files, "a", "b"), nullptr);
+  std::set<std::string> left_out;
+  for (const NotCompared& one : shared.not_compared) left_out.insert(files[one.file].name);
+  EXPECT_EQ(left_out, (std::set<std::string>{"bytes", "open", "huge", "empty"}));
+}
+
+}  // namespace
+}  // namespace grader

@@ -1,0 +1,85 @@
+// STAFF ONLY. `hairgrade similar`: shows pairs of hand-ins that share code beyond what everybody was given.
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+
+#include "grader/course/course.h"
+#include "grader/course/input.h"
+#include "grader/intake/caged_archive.h"
+#include "grader/intake/submission.h"
+#include "grader/similar/similar_pages.h"
+#include "grader/tool/commands/command.h"
+#include "grader/tool/isolation_here.h"
+#include "hair/io/files/read_file.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct SimilarOptions {
+  std::vector<fs::path> submissions, given;
+  std::optional<fs::path> course;
+  fs::path out;
+  int per_cent = 60;
+  bool classes = false;
+};
+
+int similar(const SimilarOptions& options) {
+  const Course course = read_course(HAIR_EXERCISES_JSON, options.course);
+  const Isolation isolation = isolation_here(StagedKit(HAIR_KIT_DIR, course), {});
+  const CagedReader reader(HAIR_READER, isolation);
+  const Intake intake = read_submissions(options.submissions, course, reader.opener(), {}, options.classes);
+  const Sim sim(isolation);
+  SimilarRules rules;
+  rules.least_part = options.per_cent / 100.0;
+  std::error_code error;
+  if (fs::create_directories(options.out, error)) fs::permissions(options.out, fs::perms::owner_all);
+
+  std::vector<SimilarExercise> exercises;
+  for (const Exercise& exercise : course.exercises) {
+    SimilarExercise one{exercise.id, exercise.file, {}, {}};
+    for (const Submission& submission : intake.submissions)
+      if (const auto file = submission.files.find(exercise.file);
+          file != submission.files.end() && file->second.problem.empty())
+        one.files.push_back({submission.name, file->second.text});
+    if (one.files.size() < 2) continue;
+    std::vector<std::string> given{
+        hair::bytes_of(fs::path(HAIR_SOURCE_DIR) / "handout/student" / exercise.file)};
+    for (const fs::path& folder : options.given)
+      if (std::string text = hair::bytes_of(folder / exercise.file); !text.empty())
+        given.push_back(std::move(text));
+    one.shared = shared_code(sim, one.files, given, rules);
+    std::cout << exercise.id << ": " << one.files.size() << " files, " << one.shared.pairs.size()
+              << " pairs above " << options.per_cent << " %, " << one.shared.not_compared.size()
+              << " not compared\n"
+              << std::flush;
+    exercises.push_back(std::move(one));
+  }
+  if (exercises.empty()) throw BadInput("there are no two hand-ins with a file of the same exercise");
+  write_similar_pages(options.out, exercises, rules);
+  std::cout << fs::absolute(options.out / "index.html").lexically_normal().string() << "\n";
+  for (const std::string& notice : intake.notices) std::cerr << "hairgrade: " << notice << "\n";
+  return 0;
+}
+
+}  // namespace
+
+Command add_similar(CLI::App& hairgrade) {
+  const auto options = std::make_shared<SimilarOptions>();
+  CLI::App* command =
+      hairgrade.add_subcommand("similar", "Show pairs of hand-ins that share code beyond the handout's");
+  command->add_option("SUBMISSION", options->submissions, "As for grade")->required();
+  command->add_option("--out", options->out, "A folder for the pages, which are for staff alone")->required();
+  command->add_option("--course", options->course, "The course file: which exercises there are");
+  command->add_option("--given", options->given,
+                      "A folder with exercise files that students may use, as an earlier year's sample; the "
+                      "handout's stubs are always taken off");
+  command
+      ->add_option("--least", options->per_cent, "The least part of a pair that is shown, in per cent (60)")
+      ->check(CLI::Range(1, 100));
+  command->add_flag("--class", options->classes, "Each of several arguments may be a class");
+  return {command, [options] { return similar(*options); }};
+}
+
+}  // namespace grader
