@@ -44,7 +44,12 @@ struct Submission {
   std::string system = {};     // the layout's name, as --from takes it: "canvas", "folders"
   std::string handed_in = {};  // "2025-03-04 10:15:22", as the download says it; "": it has no time
   bool marked_late = false;    // by the learning system
+  std::string drawn_from =
+      {};  // the name that its inputs are drawn from, as the class's record has it; "": `name`
 };
+inline const std::string& drawn_from(const Submission& submission) {
+  return submission.drawn_from.empty() ? submission.name : submission.drawn_from;
+}
 
 struct Intake {
   std::vector<Submission> submissions;  // sorted by name; each has a name of its own

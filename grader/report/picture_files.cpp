@@ -49,13 +49,6 @@ void write_pictures(const fs::path& folder, const SubmissionResult& result) {
   for (const RunResult& run : result.runs) write_pictures_of(folder, run.pictures);
 }
 
-std::string read_picture(const fs::path& folder, const std::string& name) {
-  if (name.empty()) return "";
-  if (is_picture_name(name))
-    if (std::string png = hair::bytes_of(folder / name); picture_name(png) == name) return png;
-  throw BadInput((folder / printable(name)).string() + ": is missing or damaged; grade the submission again");
-}
-
 void remove_unshown_pictures(const fs::path& dir) {
   constexpr std::string_view link = "src=\"pictures/";
   std::set<std::string, std::less<>> shown;

@@ -13,11 +13,8 @@ std::filesystem::path pictures_folder(const std::filesystem::path& dir);
 
 std::string picture_name(const std::string& png);  // "HASH.png"; "" for no picture
 
-// Writes all pictures of a result. Call it before writing the page and the record that name them.
+// Writes all pictures of a result. Call it before writing the page and the JSON that name them.
 void write_pictures(const std::filesystem::path& folder, const SubmissionResult& result);
-
-// The bytes of the picture with this name, "" for "". Throws BadInput if they are missing or damaged.
-std::string read_picture(const std::filesystem::path& folder, const std::string& name);
 
 // Removes pictures that no staff/NAME.html shows any more. It looks at the pages, not at this batch's
 // results, because `dir` may hold reports of other submissions too.

@@ -5,7 +5,7 @@
 //   DIR/NAME/results.json  Gradescope's schema, for the student
 //   DIR/NAME/report.html   for the student
 //   DIR/staff/NAME.html    for staff: inputs, expected and actual values, output of compiler and worker
-//   DIR/staff/NAME.json    the whole result, which --resume reads
+//   DIR/staff/NAME.json    the whole result
 //   DIR/staff/pictures/    the pictures of these two, each stored once for the class; see picture_files.h
 //   DIR/NAME/study.html, study.json  only with studies: error against time; the only files here with times
 //   DIR/grades.csv, index.html, junit.xml  the class
@@ -16,7 +16,6 @@
 
 #include <filesystem>
 #include <iosfwd>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,16 +35,8 @@ void remove_study(const std::filesystem::path& dir, const SubmissionResult& resu
 
 void write_class_reports(const std::filesystem::path& dir, const std::vector<SubmissionResult>& results);
 
-// Reads back the result that write_submission_reports wrote for `name` in `dir`, including the staff's part.
-// Nothing if a file of it is missing or can't be read, or if a picture is damaged.
-std::optional<SubmissionResult> read_results(const std::filesystem::path& dir, const std::string& name);
-
-// Its origin alone, without reading the rest; "" if there is none.
-std::string read_origin(const std::filesystem::path& dir, const std::string& name);
-
-// The names of the submissions that have reports in `dir`, sorted: this batch's and all others. Who has been
-// deleted is who has no folder any more.
-std::vector<std::string> submissions_in(const std::filesystem::path& dir);
+// All files of a student in `dir`, but for pictures: remove_unshown_pictures follows.
+void remove_reports(const std::filesystem::path& dir, const std::string& name);
 
 // The class as a table for a terminal: a line for each submission, a column for each exercise. ASCII, no
 // colours.

@@ -61,72 +61,8 @@ TEST_F(Reports, TheSameResultsGiveTheSameBytes) {
   std::vector<SubmissionResult> results = sample_class(20);
   results.push_back(submission_full_of(std::string("\0\xff\x1b[31m<\"", 9)));
   write_all(dir_ / "first", results);
-  std::vector<SubmissionResult> read_back;
-  for (const SubmissionResult& result : results)
-    read_back.push_back(read_results(dir_ / "first", result.name).value());
-  write_all(dir_ / "second", read_back);
+  write_all(dir_ / "second", results);
   EXPECT_EQ(files_in(dir_ / "first"), files_in(dir_ / "second"));
-}
-
-TEST_F(Reports, ResultsComeBackWhole) {
-  const SubmissionResult result = sample_class(7).back();
-  write_submission_reports(dir_, result);
-  const SubmissionResult read = read_results(dir_, result.name).value();
-  EXPECT_EQ(read.fingerprint, result.fingerprint);
-  EXPECT_EQ(points(read), points(result));
-  ASSERT_EQ(read.exercises.size(), result.exercises.size());
-  for (std::size_t i = 0; i < read.exercises.size(); ++i) {
-    EXPECT_EQ(read.exercises[i].status, result.exercises[i].status);
-    EXPECT_EQ(read.exercises[i].staff_log, result.exercises[i].staff_log);
-    EXPECT_EQ(read.exercises[i].extra_credit, result.exercises[i].extra_credit);
-    ASSERT_EQ(read.exercises[i].cases.size(), result.exercises[i].cases.size());
-    for (std::size_t j = 0; j < read.exercises[i].cases.size(); ++j) {
-      EXPECT_EQ(read.exercises[i].cases[j].detail, result.exercises[i].cases[j].detail);
-      EXPECT_EQ(read.exercises[i].cases[j].points, result.exercises[i].cases[j].points);
-    }
-  }
-}
-
-TEST_F(Reports, RunsComeBackWhole) {
-  const SubmissionResult result = sample_class(1).front();
-  write_submission_reports(dir_, result);
-  const SubmissionResult read = read_results(dir_, result.name).value();
-  ASSERT_EQ(read.runs.size(), result.runs.size());
-  for (std::size_t i = 0; i < read.runs.size(); ++i) {
-    EXPECT_EQ(read.runs[i].name, result.runs[i].name);
-    EXPECT_EQ(read.runs[i].shows, result.runs[i].shows);
-    EXPECT_EQ(read.runs[i].outcome, result.runs[i].outcome);
-    EXPECT_EQ(read.runs[i].feedback, result.runs[i].feedback);
-    EXPECT_EQ(read.runs[i].detail, result.runs[i].detail);
-  }
-}
-
-TEST_F(Reports, PicturesComeBackWhole) {
-  SubmissionResult result = sample_class(1).front();
-  std::string all_bytes;
-  for (int byte = 0; byte < 256; ++byte) all_bytes += static_cast<char>(byte);
-  result.exercises[0].pictures = {{"0.50 s", 0.125, 1e-17 / 3, all_bytes, "r", "", 0.01, 0.02}};
-  result.runs[0].pictures = {{"1 s", 0, 1, "s", all_bytes + "x", "heat"}};
-  result.images = false;
-  write_submission_reports(dir_, result);
-  const SubmissionResult read = read_results(dir_, result.name).value();
-  EXPECT_FALSE(read.images);
-  const auto expect_same = [](const std::vector<PictureResult>& found,
-                              const std::vector<PictureResult>& written) {
-    ASSERT_EQ(found.size(), written.size());
-    for (std::size_t i = 0; i < found.size(); ++i) {
-      EXPECT_EQ(found[i].name, written[i].name);
-      EXPECT_EQ(found[i].blurred_rmse, written[i].blurred_rmse);
-      EXPECT_EQ(found[i].flip, written[i].flip);
-      EXPECT_EQ(found[i].student, written[i].student);
-      EXPECT_EQ(found[i].reference, written[i].reference);
-      EXPECT_EQ(found[i].heat, written[i].heat);
-      EXPECT_EQ(found[i].blurred_rmse_limit, written[i].blurred_rmse_limit);
-      EXPECT_EQ(found[i].flip_limit, written[i].flip_limit);
-    }
-  };
-  expect_same(read.exercises[0].pictures, result.exercises[0].pictures);
-  expect_same(read.runs[0].pictures, result.runs[0].pictures);
 }
 
 // A picture's bytes, as a file and as a part of a page, in all files below a folder.
@@ -215,41 +151,6 @@ TEST_F(Reports, StudentsPagesLeadToNothingOfTheStaffs) {
   EXPECT_EQ(staff, fs::perms::owner_all);
 }
 
-TEST_F(Reports, AResultWithADamagedOrMissingPictureIsNotRead) {
-  const SubmissionResult alice = submission_with_all_pictures("alice");
-  const PictureResult &graded = alice.exercises[1].pictures[2], &shown = alice.runs[0].pictures[0];
-  for (const std::string& png : {graded.student, graded.reference, graded.heat, shown.student}) {
-    const fs::path file = dir_ / "staff/pictures" / picture_name(png);
-    std::string other = png;
-    other[3] ^= 1;
-    for (const std::string& damaged : {other, png.substr(1), png + "x", std::string()}) {
-      write_submission_reports(dir_, alice);
-      ASSERT_TRUE(read_results(dir_, "alice"));
-      write_file(file, damaged);
-      EXPECT_FALSE(read_results(dir_, "alice")) << damaged;
-    }
-    write_submission_reports(dir_, alice);
-    EXPECT_TRUE(read_results(dir_, "alice")) << "graded again, it is whole";
-    fs::remove(file);
-    EXPECT_FALSE(read_results(dir_, "alice"));
-  }
-}
-
-// Names of pictures come from a record, which may be damaged.
-TEST_F(Reports, ARecordThatNamesAnotherFileIsNotRead) {
-  const SubmissionResult alice = submission_with_all_pictures("alice");
-  write_submission_reports(dir_, alice);
-  const std::string record = files_in(dir_).at("staff/alice.json"),
-                    name = picture_name(alice.runs[0].pictures[0].heat);
-  write_file(dir_ / "staff/pictures/heat.png", alice.runs[0].pictures[0].heat);
-  for (const char* other : {"heat.png", "../alice.json", "0", ".png", "/dev/zero"}) {
-    std::string changed = record;
-    changed.replace(changed.find(name), name.size(), other);
-    write_file(dir_ / "staff/alice.json", changed);
-    EXPECT_FALSE(read_results(dir_, "alice")) << other;
-  }
-}
-
 TEST_F(Reports, PicturesThatNoPageShowsAreRemoved) {
   const SubmissionResult before = submission_with_all_pictures("alice"),
                          bob = submission_with_all_pictures("bob");
@@ -258,7 +159,9 @@ TEST_F(Reports, PicturesThatNoPageShowsAreRemoved) {
   write_submission_reports(dir_, before);
   write_submission_reports(dir_, bob);
   remove_unshown_pictures(dir_);
-  EXPECT_TRUE(read_results(dir_, "alice") && read_results(dir_, "bob"));
+  const Files both = files_in(dir_);
+  remove_unshown_pictures(dir_);
+  EXPECT_EQ(files_in(dir_), both);
 
   write_file(dir_ / "staff/pictures/notes.txt", "not ours");
   write_submission_reports(dir_, after);
@@ -266,7 +169,6 @@ TEST_F(Reports, PicturesThatNoPageShowsAreRemoved) {
   EXPECT_EQ(expected.erase("staff/pictures/" + picture_name(before.exercises[0].pictures[0].student)), 1u);
   remove_unshown_pictures(dir_);
   EXPECT_EQ(files_in(dir_), expected);
-  EXPECT_TRUE(read_results(dir_, "alice") && read_results(dir_, "bob"));
 }
 
 // Submissions are graded side by side, and share the reference's pictures.
@@ -297,67 +199,14 @@ TEST_F(Reports, PicturesThatSeveralWriteAtATimeAreWhole) {
   }
 }
 
-TEST_F(Reports, WhatIsNotWholeIsNotRead) {
-  SubmissionResult alice = sample_class(1).front();
-  for (ExerciseResult& exercise : alice.exercises) exercise.pictures.clear();
-  alice.runs[1].pictures = {{"1 s", 0.1, 0.2, "student", "reference", "heat", 0.3}};
-  EXPECT_FALSE(read_results(dir_, "alice"));
-  for (const char* file :
-       {"alice/results.json", "alice/report.html", "staff/alice.html", "staff/alice.json"}) {
-    write_submission_reports(dir_, alice);
-    ASSERT_TRUE(read_results(dir_, "alice"));
-    fs::remove(dir_ / file);
-    EXPECT_FALSE(read_results(dir_, "alice")) << file;
-  }
-  write_submission_reports(dir_, alice);
-  const std::string whole = files_in(dir_).at("staff/alice.json");
-  for (std::size_t size = 0; size + 2 < whole.size(); size += 97) {
-    write_file(dir_ / "staff/alice.json", whole.substr(0, size));
-    EXPECT_FALSE(read_results(dir_, "alice")) << size;
-  }
-  for (const char* text : {"[]", "{}", "null", "{\"name\": 3}"}) {
-    write_file(dir_ / "staff/alice.json", text);
-    EXPECT_FALSE(read_results(dir_, "alice")) << text;
-  }
-}
-
-TEST_F(Reports, AreOfAllWhoHaveAFolder) {
-  write_all(dir_, sample_class(3));
-  SubmissionResult named_results = sample_class(1).front();
-  named_results.name = "results";  // its record is staff/results.json
-  write_submission_reports(dir_, named_results);
-  write_file(dir_ / ".trash" / "results.json", "{}");
-  write_file(dir_ / "notes" / "of-the-staff.txt", "x");
-  EXPECT_EQ(submissions_in(dir_), (std::vector<std::string>{"alice", "bob", "carol", "results"}));
-  fs::remove_all(dir_ / "bob");
-  EXPECT_EQ(submissions_in(dir_), (std::vector<std::string>{"alice", "carol", "results"}));
-  EXPECT_TRUE(submissions_in(dir_ / "not" / "there").empty());
-}
-
-// A grader may be killed between any two files.
-TEST_F(Reports, AStudyThatChangesTakesTheRecordAwayFirst) {
-  const SubmissionResult result = sample_class(1).front();
-  write_submission_reports(dir_, result);
-  EXPECT_TRUE(read_results(dir_, result.name));
-  remove_study(dir_, result);
-  EXPECT_FALSE(read_results(dir_, result.name));
-  write_submission_reports(dir_, result);
-  write_study(dir_, result, {}, {});
-  EXPECT_FALSE(read_results(dir_, result.name));
-}
-
-TEST_F(Reports, AReportThatIsHalfReplacedIsNoResult) {
-  const SubmissionResult result = sample_class(1).front();
-  write_submission_reports(dir_, result);
-  const fs::path report = dir_ / result.name / "report.html";
-  fs::rename(report, dir_ / "aside");
-  fs::create_directory(report);  // the second file that is written
-  EXPECT_THROW(write_submission_reports(dir_, result), BadInput);
-  fs::remove(report);
-  fs::rename(dir_ / "aside", report);
-  EXPECT_FALSE(read_results(dir_, result.name));
-  write_submission_reports(dir_, result);
-  EXPECT_TRUE(read_results(dir_, result.name));
+TEST_F(Reports, OfOneAreRemovedAlone) {
+  write_all(dir_, sample_class(1));
+  const Files alone = files_in(dir_);
+  write_all(dir_, sample_class(2));
+  remove_reports(dir_, "bob");
+  remove_unshown_pictures(dir_);
+  write_class_reports(dir_, sample_class(1));
+  EXPECT_EQ(files_in(dir_), alone);
 }
 
 TEST_F(Reports, NamesThatLeadElsewhereAreRefused) {

@@ -24,7 +24,7 @@
 
 #include "grader/course/course.h"
 #include "grader/course/input.h"
-#include "grader/report/report.h"
+#include "grader/record/record.h"
 #include "grader/result/base64.h"
 #include "grader/result/result.h"
 #include "grader/samples/sample.h"
@@ -164,7 +164,7 @@ class AttackCorpus : public testing::Test {
   }
 
   static SubmissionResult result_of(const Sample& sample) {
-    std::optional<SubmissionResult> result = read_results(grades(), submission_name(sample.name));
+    std::optional<SubmissionResult> result = recorded_result(grades(), submission_name(sample.name));
     if (!result) throw std::runtime_error("no result for " + sample.name);
     return *result;
   }

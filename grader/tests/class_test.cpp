@@ -12,8 +12,8 @@
 #include <set>
 
 #include "grader/intake/names.h"
+#include "grader/record/record.h"
 #include "grader/report/picture_files.h"
-#include "grader/report/report.h"
 #include "grader/result/result.h"
 #include "grader/samples/sample.h"
 #include "grader/tests/broken_links.h"
@@ -44,7 +44,7 @@ std::vector<Sample> samples() {
 }
 
 SubmissionResult result_of(const std::string& name) {
-  std::optional<SubmissionResult> result = read_results(graded(), name);
+  std::optional<SubmissionResult> result = recorded_result(graded(), name);
   if (!result) throw std::runtime_error("no result for " + name);
   return *result;
 }
@@ -281,8 +281,7 @@ TEST(SampleClass, TimesStandInTwoFilesAlone) {
   EXPECT_GT(timing.at("submissions").at("perfect").at("S1").at("worker_cpu_seconds"), 0);
   for (const auto& entry : fs::recursive_directory_iterator(graded()))
     if (entry.is_regular_file() && entry.path().filename() != "timing.json" &&
-        entry.path().filename() != "costs.html" &&
-        entry.path().filename() != "made-by.json") {  // a limit is no time
+        entry.path().filename() != "costs.html" && entry.path().filename() != kRecordFile) {
       EXPECT_EQ(hair::bytes_of(entry.path()).find("cpu_seconds"), std::string::npos) << entry.path();
     }
 }

@@ -15,6 +15,7 @@
 
 #include "grader/course/course.h"
 #include "grader/intake/submission.h"
+#include "grader/record/record.h"
 #include "grader/report/picture_files.h"
 #include "grader/report/report.h"
 #include "grader/result/base64.h"
@@ -115,7 +116,7 @@ class Hairgrade : public testing::Test {
   std::map<string, string> files(const fs::path& folder) const {
     std::map<string, string> all;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
-      if (entry.is_regular_file())
+      if (entry.is_regular_file() && entry.path().filename() != kRecordFile)
         all[fs::relative(entry.path(), folder).string()] = hair::bytes_of(entry.path());
     return all;
   }
@@ -167,8 +168,8 @@ TEST_F(Hairgrade, GradesAClassWithStraysAndClashes) {
         "hairgrade: " + (everybody / "x_1").string() + " and " + (everybody / "x 1").string() + " are both"})
     EXPECT_NE(run.errors.find(line), string::npos) << line << "\nnot in: " << run.errors;
 
-  EXPECT_EQ(points(read_results(out(), "alice").value()), 32);
-  const SubmissionResult bob = read_results(out(), "bob").value();
+  EXPECT_EQ(points(recorded_result(out(), "alice").value()), 32);
+  const SubmissionResult bob = recorded_result(out(), "bob").value();
   EXPECT_EQ(points(bob), 0);
   for (const ExerciseResult& exercise : bob.exercises) EXPECT_EQ(exercise.status, Status::unreadable);
   EXPECT_NE(hair::bytes_of(fs::path(out()) / "bob" / "report.html").find("bob.rar is a RAR archive"),
@@ -299,13 +300,13 @@ TEST_F(Hairgrade, ReplacesNobodysRowByAnotherOriginsWithoutAWordAndAFlag) {
   const ProgramRun together = grade({sample("other-order"), mallory, "--out", out()});
   EXPECT_EQ(together.code, 1) << together.errors;
   EXPECT_NE(together.errors.find("--class"), string::npos) << together.errors;
-  EXPECT_EQ(points(read_results(out(), "other-order").value()), 52);
-  EXPECT_EQ(points(read_results(out(), "mallory").value()), 0);
+  EXPECT_EQ(points(recorded_result(out(), "other-order").value()), 52);
+  EXPECT_EQ(points(recorded_result(out(), "mallory").value()), 0);
 
   const ProgramRun replaced = grade({another_name, "--replace", "--out", out()});
   EXPECT_EQ(replaced.code, 0) << replaced.errors;
   EXPECT_NE(replaced.errors.find("other-order is there of the hand-in"), string::npos) << replaced.errors;
-  EXPECT_EQ(points(read_results(out(), "other-order").value()), 0);
+  EXPECT_EQ(points(recorded_result(out(), "other-order").value()), 0);
 }
 
 // The clock is no judge: a person is told, and asked to grade again. It does not end the reference, which takes a second.
@@ -323,7 +324,7 @@ TEST_F(Hairgrade, ListsWhatTheClockEnded) {
   EXPECT_EQ(run.code, 3) << run.errors;
   EXPECT_NE(run.errors.find("not final, since the clock ended them: sleeper;"), string::npos) << run.errors;
   EXPECT_NE(run.output.find("NOT FINAL, ended by the clock: sleeper: S1"), string::npos) << run.output;
-  const SubmissionResult result = read_results(out(), "sleeper").value();
+  const SubmissionResult result = recorded_result(out(), "sleeper").value();
   EXPECT_EQ(result.ended_by_the_clock, std::vector<string>{"S1"});
   EXPECT_EQ(result.fingerprint, "") << "the next run would keep it";
   EXPECT_NE(result.exercises.at(0).feedback.find("not final"), string::npos);
@@ -343,7 +344,7 @@ TEST_F(Hairgrade, ResumesWhatHasNotChanged) {
   EXPECT_NE(other.output.find("1 graded"), string::npos) << other.output;
 }
 
-TEST_F(Hairgrade, GradesAgainWhatHasADamagedPicture) {
+TEST_F(Hairgrade, MakesDamagedFilesAgainFromTheRecord) {
   const std::vector<string> submission = {sample("other-order.tar.gz"), "--out", out()};
   ASSERT_EQ(grade(submission).code, 0);
   const std::map<string, string> first = files(out());
@@ -351,9 +352,13 @@ TEST_F(Hairgrade, GradesAgainWhatHasADamagedPicture) {
   resume.push_back("--resume");
   const fs::path picture = fs::directory_iterator(fs::path(out()) / "staff" / "pictures")->path();
   write("grades/staff/pictures/" + picture.filename().string(), "damaged");
-  EXPECT_NE(grade(resume).output.find("1 graded"), string::npos);
-  EXPECT_EQ(hair::bytes_of(picture), first.at("staff/pictures/" + picture.filename().string()));
+  write("grades/other-order/results.json", R"({"score": 100})");
+  fs::remove(fs::path(out()) / "staff" / "other-order.json");
   EXPECT_NE(grade(resume).output.find("0 graded, 1 kept"), string::npos);
+  std::map<string, string> again = files(out()), expected = first;
+  for (const char* times : {"timing.json", "costs.html"})
+    EXPECT_EQ(again.erase(times) + expected.erase(times), 2U);
+  EXPECT_EQ(again, expected);
 }
 
 TEST_F(Hairgrade, KeepsPicturesOfOthersAndNoneThatNobodyHas) {
@@ -392,7 +397,7 @@ TEST_F(Hairgrade, TakesLessThanAMegabyteForASubmissionWithAllPictures) {
   std::ofstream(all_exercises) << R"({"exercises": {}})";
   ASSERT_EQ(grade({(folder_ / "wrong").string(), "--out", out(), "--course", all_exercises}).code, 0);
 
-  const SubmissionResult result = read_results(out(), "wrong").value();
+  const SubmissionResult result = recorded_result(out(), "wrong").value();
   std::vector<PictureResult> pictures;
   for (const ExerciseResult& exercise : result.exercises)
     pictures.insert(pictures.end(), exercise.pictures.begin(), exercise.pictures.end());

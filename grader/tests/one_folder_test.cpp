@@ -14,6 +14,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "grader/record/record.h"
 #include "grader/sandbox/descriptor.h"
 #include "grader/tests/run_program.h"
 #include "hair/io/files/read_file.h"
@@ -69,11 +70,11 @@ class OneFolder : public testing::Test {
     words.insert(words.end(), options.begin(), options.end());
     return run_hairgrade(words, meanwhile);
   }
-  // All but times.
+  // All but times and the record, which has times, too.
   static std::map<string, string> files(const fs::path& folder) {
     std::map<string, string> all;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
-      if (entry.is_regular_file())
+      if (entry.is_regular_file() && entry.path().filename() != kRecordFile)
         all[fs::relative(entry.path(), folder).string()] = hair::bytes_of(entry.path());
     EXPECT_EQ(all.erase("timing.json") + all.erase("costs.html"), 2U);
     return all;
@@ -174,13 +175,24 @@ TEST_F(OneFolder, IsNotMixedWithOtherRules) {
   EXPECT_EQ(files(out_), before);
 }
 
-TEST_F(OneFolder, NamesWhoHasNoWholeResult) {
+// As of a grader that was killed between the record and the files.
+TEST_F(OneFolder, HasTheFilesOfEverybodyAgainAfterAnyRun) {
   ASSERT_EQ(grade({"stubs", "other-order"}, out_).code, 0);
-  fs::remove(out_ / "staff" / "stubs.json");  // as of a grader that was killed while it graded it again
-  const ProgramRun run = grade({"stubs", "other-order"}, out_, {"--only", "other-order"});
-  EXPECT_EQ(run.code, 0);
-  EXPECT_NE(run.errors.find("grades/stubs: its reports are not whole"), string::npos) << run.errors;
-  EXPECT_EQ(hair::bytes_of(out_ / "grades.csv").find("stubs"), string::npos);
+  const std::map<string, string> before = files(out_);
+  fs::remove(out_ / "staff" / "stubs.json");
+  fs::remove_all(out_ / "stubs");
+  EXPECT_EQ(grade({"stubs", "other-order"}, out_, {"--only", "other-order"}).code, 0);
+  EXPECT_EQ(files(out_), before);
+}
+
+TEST_F(OneFolder, OfAnOlderVersionIsRefusedInOneLine) {
+  fs::create_directories(out_);
+  std::ofstream(out_ / "made-by.json") << "{}";
+  const ProgramRun run = grade({"stubs"}, out_);
+  EXPECT_EQ(run.code, 2);
+  EXPECT_EQ(lines_with(run.errors, "\n"), 1) << run.errors;
+  EXPECT_NE(run.errors.find("and no class.sqlite; name another folder with --out"), string::npos)
+      << run.errors;
 }
 
 }  // namespace

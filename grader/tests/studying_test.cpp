@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "grader/record/record.h"
 #include "grader/tests/broken_links.h"
 #include "grader/tests/run_program.h"
 #include "hair/io/files/read_file.h"
@@ -75,7 +76,7 @@ TEST_F(Studying, ChangesNothingButThatThereIsALink) {
   int files = 0, links = 0;
   for (const auto& entry : fs::recursive_directory_iterator(folder_ / "without")) {
     if (!entry.is_regular_file() || entry.path().filename() == "timing.json" ||
-        entry.path().filename() == "costs.html")
+        entry.path().filename() == "costs.html" || entry.path().filename() == kRecordFile)
       continue;
     ++files;
     const fs::path name = fs::relative(entry.path(), folder_ / "without");
@@ -83,7 +84,7 @@ TEST_F(Studying, ChangesNothingButThatThereIsALink) {
     const bool student =
         name.filename() == "results.json" || name.extension() == ".csv" || name.extension() == ".xml";
     EXPECT_TRUE(!student || after == before) << name;
-    // Of pages, a line that leads to the study; of the staff's record, that there is one.
+    // Of pages, a line that leads to the study; of the staff's JSON, that there is one.
     string stripped = after;
     const string owner = name.stem().string();
     for (const string& place : {string(), "../" + owner + "/"})
@@ -96,9 +97,9 @@ TEST_F(Studying, ChangesNothingButThatThereIsALink) {
     EXPECT_EQ(stripped, before) << name;
     links += after != before;
   }
-  // Of each: two pages, two records. Of the class: index.html, grades.csv, junit.xml, made-by.json, .lock.
-  EXPECT_EQ(files, 3 * 4 + 5);
-  EXPECT_EQ(links, 3 * 3 + 1);  // both pages and the record of each, and the class's
+  // Of each: two pages, two files of JSON. Of the class: index.html, grades.csv, junit.xml, .lock.
+  EXPECT_EQ(files, 3 * 4 + 4);
+  EXPECT_EQ(links, 3 * 3 + 1);  // both pages and the staff's JSON of each, and the class's
   EXPECT_EQ(broken_links(folder_ / "with"), std::vector<string>());
 }
 

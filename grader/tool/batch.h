@@ -1,6 +1,6 @@
-// STAFF ONLY. Grades many submissions in parallel. Each one's reports are written as soon as it is graded, so
-// that an interrupted batch leaves the finished ones. A failure in one submission does not affect others. The
-// class's pages are made from all results in the folder, whoever graded them.
+// STAFF ONLY. Grades many submissions in parallel. Each result goes into the class's record as soon as it is there, so
+// that an interrupted batch leaves the finished ones. A failure in one submission does not affect others. All files are made from
+// the record, whoever graded.
 #pragma once
 
 #include <atomic>
@@ -25,11 +25,10 @@ struct BatchSettings {
 };
 
 struct Batch {
-  std::vector<SubmissionResult> results;  // all that the folder holds, sorted by name
+  std::vector<SubmissionResult> results;  // all that the record holds, sorted by name
   int graded = 0, kept = 0;               // by this batch; from before
   std::size_t finished = 0;               // of the submissions that were asked for: how many have a result
   std::vector<std::string> problems;      // on our side: what could not be graded, a line each
-  std::vector<std::string> unreadable;    // submissions whose reports in the folder are not whole
   bool interrupted = false;
   bool began = true;  // false: interrupted while another process had the folder
 };

@@ -114,7 +114,7 @@ void grade_exercise(const SuiteJobs& jobs, const Compiler& compiler, const Exerc
   }
   timing.spent.compiler_cpu_seconds = compiler_cpu_seconds;
 
-  run_cases(jobs, exercise, submission.name, compiled.object, job, sanitised, result, timing);
+  run_cases(jobs, exercise, drawn_from(submission), compiled.object, job, sanitised, result, timing);
 }
 
 void run_cases(const SuiteJobs& jobs, const Exercise& exercise, const std::string& student,

@@ -13,8 +13,6 @@
 #include <vector>
 
 #include "grader/course/input.h"
-#include "grader/report/report.h"
-#include "hair/io/files/read_file.h"
 
 namespace grader {
 namespace {
@@ -49,6 +47,15 @@ void remove_half_written(const fs::path& folder) {
   for (const fs::path& file : left) fs::remove(file, ignored);
 }
 
+// Versions without a record kept these files.
+bool has_older_grades(const fs::path& folder) {
+  std::error_code none;
+  if (fs::exists(folder / "made-by.json", none)) return true;
+  for (const auto& entry : fs::directory_iterator(folder, none))
+    if (fs::exists(entry.path() / "results.json", none)) return true;
+  return false;
+}
+
 [[noreturn]] void can_not_write(const fs::path& folder, const std::string& why) {
   throw BadInput(printable(folder.string(), 4096) + ": reports can't be written there: " + why +
                  "; name a folder that can be written with --out");
@@ -57,14 +64,16 @@ void remove_half_written(const fs::path& folder) {
 }  // namespace
 
 void check_made_by(const fs::path& folder, const MadeBy& mine) {
-  // In this order: another hairgrade may write made-by.json and its first result just now.
-  if (submissions_in(folder).empty()) return;
-  const std::string text = hair::bytes_of(folder / kMadeBy);
-  if (text.empty())
-    refuse(folder, "it has grades, but no " + std::string(kMadeBy) + " that tells what they were made with",
-           "");
-  const std::optional<MadeBy> there = made_by_from_json(text);
-  if (!there) refuse(folder, std::string(kMadeBy) + " in it is damaged", "");
+  if (!Record::is_in(folder)) {
+    if (has_older_grades(folder))
+      refuse(folder, "it has grades of an older hairgrade, and no " + std::string(kRecordFile), "");
+    return;
+  }
+  Record record(folder);
+  // In this order: another hairgrade may write how it grades and its first result just now.
+  if (record.names().empty()) return;
+  const std::optional<MadeBy> there = made_by_from_json(record.made_by());
+  if (!there) refuse(folder, std::string(kRecordFile) + " in it does not say what they were made with", "");
   if (const std::vector<Difference> found = differences(*there, mine); !found.empty()) refuse(folder, found);
 }
 
@@ -91,9 +100,9 @@ std::optional<FolderOfGrades> FolderOfGrades::open(const fs::path& folder, const
   }
   check_made_by(folder, mine);
   remove_half_written(folder);
-  if (const std::string text = to_json(mine); hair::bytes_of(folder / kMadeBy) != text)
-    write_file(folder / kMadeBy, text);
-  return FolderOfGrades(std::move(lock));
+  FolderOfGrades opened(std::move(lock), folder);
+  opened.record().set_made_by(to_json(mine));
+  return opened;
 }
 
 }  // namespace grader

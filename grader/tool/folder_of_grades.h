@@ -5,22 +5,22 @@
 #include <atomic>
 #include <filesystem>
 #include <iosfwd>
+#include <memory>
 #include <optional>
 
+#include "grader/record/record.h"
 #include "grader/sandbox/descriptor.h"
 #include "grader/tool/made_by.h"
 
 namespace grader {
 
-// Names in the folder. No submission is called so.
-inline constexpr const char* kMadeBy = "made-by.json";
-inline constexpr const char* kFolderLock = ".lock";
+inline constexpr const char* kFolderLock = ".lock";  // no submission is called so
 
-// Throws BadInput if the folder has results that were made otherwise, or that don't say how they were made. It
-// writes nothing, and needs no lock: made-by.json is there before the first result.
+// Throws BadInput if the folder has results that were made otherwise, or that are of an older version and in no record. It needs no
+// lock: the record says how its results are made before the first one is there.
 void check_made_by(const std::filesystem::path& folder, const MadeBy& mine);
 
-// The right to write to a folder, until the end of this object's life or of the process, however that ends.
+// The right to write to a folder, and its record, until the end of this object's life or of the process, however that ends.
 class FolderOfGrades {
  public:
   // Makes the folder if it is not there. While another process has it, waits, and says so once on `says`.
@@ -29,10 +29,14 @@ class FolderOfGrades {
   static std::optional<FolderOfGrades> open(const std::filesystem::path& folder, const MadeBy& mine,
                                             const std::atomic<bool>& interrupted, std::ostream& says);
 
+  Record& record() const { return *record_; }
+
  private:
-  explicit FolderOfGrades(Descriptor lock) : lock_(std::move(lock)) {}
+  FolderOfGrades(Descriptor lock, const std::filesystem::path& folder)
+      : lock_(std::move(lock)), record_(std::make_unique<Record>(folder)) {}
 
   Descriptor lock_;  // the kernel releases it when it is closed
+  std::unique_ptr<Record> record_;
 };
 
 }  // namespace grader

@@ -30,9 +30,13 @@ class Folder : public testing::Test {
   std::optional<FolderOfGrades> open(const MadeBy& made_by) {
     return FolderOfGrades::open(grades_, made_by, interrupted_, said_);
   }
-  void add_result(const std::string& name) const { write_file(grades_ / name / "results.json", "{}"); }
+  void add_result(const std::string& name) const {
+    SubmissionResult result;
+    result.name = name;
+    Record(grades_).put({result});
+  }
   std::string said() const { return hair::bytes_of(said_file_); }
-  std::string memory() const { return hair::bytes_of(grades_ / kMadeBy); }
+  std::string memory() const { return Record(grades_).made_by(); }
   // The line with which the folder refuses; "" if it does not.
   std::string refusal(const MadeBy& made_by) {
     std::string checked, opened;
@@ -91,11 +95,23 @@ TEST_F(Folder, WithoutResultsIsForAnybody) {
 }
 
 TEST_F(Folder, OfAnOlderVersionIsNotMixedWith) {
+  const std::string line = grades_.string() +
+                           ": it has grades of an older hairgrade, and no class.sqlite; name another folder "
+                           "with --out, or move this one away to grade all again";
+  write_file(grades_ / "made-by.json", "{}");
+  EXPECT_EQ(refusal(mine_), line);
+  fs::remove(grades_ / "made-by.json");
+  write_file(grades_ / "alice" / "results.json", "{}");
+  EXPECT_EQ(refusal(mine_), line);
+  EXPECT_FALSE(Record::is_in(grades_));
+}
+
+TEST_F(Folder, WithResultsThatDoNotSayHowTheyWereMadeIsRefused) {
+  open(mine_);
   add_result("alice");
-  EXPECT_NE(refusal(mine_).find("no made-by.json"), std::string::npos) << refusal(mine_);
-  EXPECT_EQ(memory(), "");
-  write_file(grades_ / kMadeBy, "{");
-  EXPECT_NE(refusal(mine_).find("damaged"), std::string::npos) << refusal(mine_);
+  Record(grades_).set_made_by("{");
+  EXPECT_NE(refusal(mine_).find("does not say what they were made with"), std::string::npos)
+      << refusal(mine_);
   EXPECT_EQ(memory(), "{");
 }
 
@@ -173,7 +189,7 @@ TEST_F(Folder, LosesWhatAKilledHairgradeHadHalfWritten) {
   for (const fs::path& file : half) write_file(file, "hal");
   open(mine_);
   for (const fs::path& file : half) EXPECT_FALSE(fs::exists(file)) << file;
-  EXPECT_TRUE(fs::exists(grades_ / "alice" / "results.json"));
+  EXPECT_EQ(Record(grades_).names(), std::vector<std::string>{"alice"});
 }
 
 TEST_F(Folder, ThatCanNotBeWrittenIsRefused) {

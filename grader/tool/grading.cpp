@@ -79,7 +79,7 @@ Grading::Grading(GradingSettings settings)
 }
 
 std::string Grading::fingerprint(const Submission& submission) const {
-  std::string all = base_fingerprint_ + "\n" + submission.name + "\n" + submission.problem + "\n" +
+  std::string all = base_fingerprint_ + "\n" + drawn_from(submission) + "\n" + submission.problem + "\n" +
                     (submission.unreadable ? "unreadable\n" : "");
   for (const auto& [name, file] : submission.files)
     all += name + "\n" + sha256(file.text) + "\n" + file.problem + "\n";

@@ -8,14 +8,14 @@
 #include "grader/course/input.h"
 #include "grader/intake/names.h"
 #include "grader/intake/origin.h"
-#include "grader/report/report.h"
+#include "grader/record/record.h"
 
 namespace grader {
 namespace {
 
 using Names = std::set<std::string>;
 
-// Rows without an origin are of names that clashed, or damaged: they protect nothing.
+// Rows without an origin are of names that clashed: they protect nothing.
 std::map<std::string, Names> names_by_origin(const std::map<std::string, std::string>& rows) {
   std::map<std::string, Names> names;
   for (const auto& [name, origin] : rows)
@@ -44,7 +44,7 @@ std::vector<std::string> settle_origins(const std::filesystem::path& folder,
                                         std::vector<Submission>& submissions,
                                         const std::optional<std::string>& only, bool replace) {
   std::map<std::string, std::string> rows, mine, settled;
-  for (const std::string& name : submissions_in(folder)) rows[name] = read_origin(folder, name);
+  if (Record::is_in(folder)) rows = Record(folder).origins();
   for (const Submission& submission : submissions) mine[submission.name] = submission.origin;
   const std::map<std::string, Names> there = names_by_origin(rows);
   for (const auto& [origin, names] : names_by_origin(mine))

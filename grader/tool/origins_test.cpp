@@ -5,7 +5,7 @@
 
 #include "grader/course/input.h"
 #include "grader/intake/origin.h"
-#include "grader/report/report.h"
+#include "grader/record/record.h"
 #include "hair/io/files/temporary_folder.h"
 
 namespace grader {
@@ -23,7 +23,7 @@ class Origins : public testing::Test {
       SubmissionResult result;
       result.name = name;
       result.origin = origin;
-      write_submission_reports(dir_, result);
+      Record(dir_).put({result});
     }
   }
   static std::vector<Submission> from(const std::string& origin, const Names& names) {

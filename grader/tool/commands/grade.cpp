@@ -74,10 +74,6 @@ int grade(GradeOptions options) {
   std::cout << "\n" << fs::absolute(options.batch.out / "index.html").lexically_normal().string() << "\n";
   for (const std::string& problem : batch.problems)
     std::cerr << "hairgrade: could not grade " << printable(problem, 2000) << "\n";
-  for (const std::string& name : batch.unreadable)
-    std::cerr << "hairgrade: " << (options.batch.out / name).string()
-              << ": its reports are not whole, so the class's files leave it out; grade " << name
-              << " again\n";
   for (const std::string& notice : intake.notices) std::cerr << "hairgrade: " << notice << "\n";
   std::string not_final;
   for (const SubmissionResult& result : batch.results)

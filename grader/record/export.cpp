@@ -1,0 +1,65 @@
+// STAFF ONLY. A record as JSON, for other programs.
+#include "grader/record/record.h"
+#include "grader/result/fields.h"
+
+namespace grader {
+namespace {
+
+// Texts that students shape may hold any bytes.
+std::string text(const DatabaseRow& row, int column) {
+  return hair::valid_utf8(row.text(column));
+}
+
+OrderedJson json_or_null(const std::string& stored) {
+  return stored.empty() ? OrderedJson() : OrderedJson::parse(stored);
+}
+
+}  // namespace
+
+std::string Record::export_json() {
+  const std::lock_guard lock(one_at_a_time_);
+  const Transaction one_state(database_, Transaction::reads);
+  OrderedJson people = OrderedJson::object();
+  database_.each("SELECT name, drawn_from FROM people ORDER BY name", {}, [&](const DatabaseRow& row) {
+    people[text(row, 0)] = {{"drawn_from", text(row, 1)},        {"hand_ins", OrderedJson::array()},
+                            {"result", OrderedJson()},           {"costs", OrderedJson()},
+                            {"decisions", OrderedJson::array()}, {"log", OrderedJson::array()}};
+  });
+  database_.each(
+      "SELECT name, origin, fingerprint, handed_in FROM hand_ins JOIN people ON people.id = person "
+      "ORDER BY hand_ins.id",
+      {}, [&](const DatabaseRow& row) {
+        people[text(row, 0)]["hand_ins"].push_back(
+            {{"origin", text(row, 1)}, {"fingerprint", text(row, 2)}, {"handed_in", text(row, 3)}});
+      });
+  database_.each("SELECT name, result, costs FROM results JOIN people ON people.id = person", {},
+                 [&](const DatabaseRow& row) {
+                   people[text(row, 0)]["result"] = json_or_null(row.text(1));
+                   people[text(row, 0)]["costs"] = json_or_null(row.text(2));
+                 });
+  database_.each(
+      "SELECT name, kind, place, number, computed, why, who, at FROM decisions JOIN people ON "
+      "people.id = person ORDER BY kind, place",
+      {}, [&](const DatabaseRow& row) {
+        people[text(row, 0)]["decisions"].push_back({{"kind", text(row, 1)},
+                                                     {"place", text(row, 2)},
+                                                     {"number", row.real(3)},
+                                                     {"computed", row.real(4)},
+                                                     {"why", text(row, 5)},
+                                                     {"who", text(row, 6)},
+                                                     {"at", text(row, 7)}});
+      });
+  database_.each(
+      "SELECT name, at, who, did, detail FROM log JOIN people ON people.id = person ORDER BY log.id", {},
+      [&](const DatabaseRow& row) {
+        people[text(row, 0)]["log"].push_back(
+            {{"at", text(row, 1)}, {"who", text(row, 2)}, {"did", text(row, 3)}, {"detail", text(row, 4)}});
+      });
+  const OrderedJson all = {
+      {"version", database_.number("PRAGMA user_version")},
+      {"made_by", json_or_null(database_.text("SELECT made_by FROM assignments WHERE name = ''"))},
+      {"people", people}};
+  return all.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+}
+
+}  // namespace grader

@@ -1,0 +1,68 @@
+// STAFF ONLY. The decisions of people in a record.
+#include "grader/course/input.h"
+#include "grader/record/record.h"
+
+namespace grader {
+
+std::vector<Decision> Record::decisions_of(const std::string& name) {
+  std::vector<Decision> all;
+  database_.each(
+      "SELECT kind, place, number, computed, why, who, at FROM decisions JOIN people ON people.id = person "
+      "WHERE name = ? ORDER BY kind, place",
+      {name}, [&](const DatabaseRow& row) {
+        const std::optional<DecisionKind> kind = decision_kind_from(row.text(0));
+        if (!kind) throw BadInput("a decision about " + name + " is \"" + printable(row.text(0)) + "\"");
+        all.push_back({*kind, row.text(1), row.real(2), row.real(3), row.text(4), row.text(5), row.text(6)});
+      });
+  return all;
+}
+
+std::vector<Decision> Record::decisions(const std::string& name) {
+  const std::lock_guard lock(one_at_a_time_);
+  return decisions_of(name);
+}
+
+std::optional<Recorded> Record::find_decided(const std::string& name) {
+  const std::lock_guard lock(one_at_a_time_);
+  const Transaction one_state(database_, Transaction::reads);
+  std::optional<Recorded> found = read(name);
+  if (found) found->result = decided(std::move(found->result), decisions_of(name));
+  return found;
+}
+
+void Record::decide(const std::string& name, Decision decision) {
+  const std::lock_guard lock(one_at_a_time_);
+  Transaction transaction(database_);
+  const std::int64_t id = known_person(name);
+  const std::optional<Recorded> found = read(name);
+  check(decision, found ? found->result : SubmissionResult{.name = name});
+  database_.run(
+      "INSERT OR REPLACE INTO decisions VALUES (?, ?, ?, ?, ?, ?, ?, ?, strftime('%Y-%m-%d %H:%M:%S', "
+      "'now'))",
+      {assignment(), id, to_string(decision.kind), decision.place, decision.number, decision.computed,
+       decision.why, user()});
+  add_to_log(id, "decided", decision_text(decision));
+  transaction.commit();
+}
+
+void Record::undo(const std::string& name, DecisionKind kind, const std::string& place) {
+  const std::lock_guard lock(one_at_a_time_);
+  Transaction transaction(database_);
+  const std::int64_t id = known_person(name);
+  for (const Decision& decision : decisions_of(name))
+    if (decision.kind == kind && decision.place == place) {
+      database_.run("DELETE FROM decisions WHERE assignment = ? AND person = ? AND kind = ? AND place = ?",
+                    {assignment(), id, to_string(kind), place});
+      add_to_log(id, "took back", decision_text(decision));
+      transaction.commit();
+      return;
+    }
+  std::string there;
+  for (const Decision& one : decisions_of(name))
+    there += (there.empty() ? "" : ", ") + to_string(one.kind) + (one.place.empty() ? "" : " " + one.place);
+  throw BadInput(name + ": nobody decided about " + to_string(kind) +
+                 (place.empty() ? "" : " of " + printable(place)) + "; there is " +
+                 (there.empty() ? "nothing" : there));
+}
+
+}  // namespace grader

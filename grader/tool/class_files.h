@@ -1,0 +1,21 @@
+// STAFF ONLY. The files of a folder of grades, made from its record and never read back: those of students, and those of the class,
+// with timing.json (the cost of everything, beside the reference in an identical worker) and costs.html, the page that shows it.
+// The same record gives the same bytes, but for times.
+#pragma once
+
+#include <filesystem>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "grader/record/record.h"
+
+namespace grader {
+
+void write_student_files(const std::filesystem::path& folder, const Recorded& one);
+
+// All files of all students, but of those who are `written`, and of the class. Returns everybody's result, sorted by name.
+std::vector<SubmissionResult> write_class_files(const std::filesystem::path& folder, Record& record,
+                                                const std::set<std::string>& written = {});
+
+}  // namespace grader
