@@ -22,6 +22,12 @@ std::string study_page(const SubmissionResult& result, const SubmissionStudy& st
 
 std::string class_page(const std::vector<SubmissionResult>& results);  // index.html
 
+// Its parts that count people (class_statistics.h).
+Html exercises_part(const std::vector<SubmissionResult>& results);
+Html distribution_part(const std::vector<SubmissionResult>& results);
+Html categories_part(const std::vector<SubmissionResult>& results);
+Html alike_part(const std::vector<SubmissionResult>& results);  // nothing if nobody does
+
 // Lets a reader sort a table of class "class" by its columns with data-sort, "text" or "number".
 Html sort_script();
 

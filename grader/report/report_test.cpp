@@ -292,6 +292,17 @@ TEST(Table, FitsTenExercisesIn100Columns) {
   EXPECT_NE(out.str().find("a-student-with-a-..."), std::string::npos);
 }
 
+// Names from a learning system begin alike, and end with the number.
+TEST(Table, KeepsRowsApart) {
+  std::vector<SubmissionResult> results = class_of_ten_exercises(3);
+  for (std::size_t i = 0; i < 3; ++i)
+    results[i].name = "mueller-luedenscheidt-joerg_471" + std::to_string(i) + "_9000";
+  std::ostringstream out;
+  print_table(out, results);
+  for (const char* name : {"joerg_4710...", "joerg_4711...", "joerg_4712..."})
+    EXPECT_NE(out.str().find(name), std::string::npos) << out.str();
+}
+
 TEST(PictureDistance, IsTheLargestOfTheGradedOnes) {
   SubmissionResult result = sample_class(1).front();
   for (ExerciseResult& exercise : result.exercises) exercise.pictures.clear();

@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <cctype>
 #include <ostream>
+#include <set>
+#include <string_view>
 
 #include "grader/course/input.h"
 #include "grader/report/columns.h"
@@ -13,7 +15,28 @@ namespace {
 
 // Fourteen exercises stand side by side in 112 columns.
 constexpr std::size_t kLongestName = 20;
+constexpr std::string_view kCut = "...";
 using Cells = std::vector<std::string>;
+
+std::string cut(const std::string& name, std::size_t longest) {
+  return name.size() <= longest ? name : name.substr(0, longest - kCut.size()) + std::string(kCut);
+}
+
+// Long names are cut, but never so that two rows have the same.
+std::vector<std::string> names_of(const std::vector<SubmissionResult>& results) {
+  std::size_t longest = kLongestName, longest_of_all = 0;
+  for (const SubmissionResult& result : results)
+    longest_of_all = std::max(longest_of_all, result.name.size());
+  std::vector<std::string> names;
+  for (;; ++longest) {
+    names.clear();
+    for (const SubmissionResult& result : results) names.push_back(cut(result.name, longest));
+    const std::set<std::string> different(names.begin(), names.end());
+    if (different.size() == names.size() || longest >= longest_of_all) break;
+  }
+  for (std::string& name : names) name = printable(name);
+  return names;
+}
 
 Cells ids(const std::vector<Column>& columns) {
   Cells row{"submission"};
@@ -32,9 +55,8 @@ Cells reachable(const std::vector<Column>& columns, const std::vector<Submission
   return row;
 }
 
-Cells row_of(const SubmissionResult& result, const std::vector<Column>& columns) {
-  Cells row{result.name.size() > kLongestName ? printable(result.name, kLongestName - 3)
-                                              : printable(result.name)};
+Cells row_of(const std::string& name, const SubmissionResult& result, const std::vector<Column>& columns) {
+  Cells row{name};
   for (const Column& column : columns) {
     const ExerciseResult* exercise = find_exercise(result, column.id);
     row.push_back(exercise ? in_short(*exercise) : "");
@@ -74,7 +96,8 @@ void print_table(std::ostream& out, const std::vector<SubmissionResult>& results
   if (results.empty()) return;
   const std::vector<Column> columns = columns_of(results);
   std::vector<Cells> rows{ids(columns), reachable(columns, results)};
-  for (const SubmissionResult& result : results) rows.push_back(row_of(result, columns));
+  const std::vector<std::string> names = names_of(results);
+  for (std::size_t i = 0; i < results.size(); ++i) rows.push_back(row_of(names[i], results[i], columns));
   rows.push_back(means(columns, results));
 
   std::vector<std::size_t> widths(columns.size() + 2);

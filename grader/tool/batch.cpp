@@ -100,7 +100,7 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
       if (complete && earlier->result.origin == submission.origin &&
           earlier->result.fingerprint == grading.fingerprint(submission)) {
         const std::lock_guard lock(shared);
-        progress.step(in_a_line(earlier->result));
+        progress.step(in_a_line(earlier->result), false);
         return;
       }
     }

@@ -59,6 +59,7 @@ tfoot th, tfoot td { border-bottom: 0; color: var(--quiet); }
 .bars .range { padding-top: .25rem; border-top: 1px solid var(--line); }
 .share { display: flex; height: .5rem; min-width: 8rem; overflow: hidden; border-radius: .25rem;
   background: var(--none-soft); margin-top: .45rem; }
+.tenths { display: flex; align-items: flex-end; gap: 1px; height: 1.75rem; width: 8rem; } .tenths span { flex: 1; min-height: 1px; background: var(--link); opacity: .75; }
 .share span { background: var(--link); opacity: .75; }
 details { margin: .35rem 0; } summary { cursor: pointer; } details ul { margin: .4rem 0; padding-left: 1.25rem; }
 .category { width: 27%; } .status { width: 9rem; } .saw { width: 40%; }
