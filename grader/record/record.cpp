@@ -8,6 +8,7 @@
 
 #include "grader/compile/hash.h"
 #include "grader/course/input.h"
+#include "grader/record/owners.h"
 #include "grader/record/points_then.h"
 #include "grader/record/schema.h"
 #include "grader/result/result_fields.h"
@@ -207,6 +208,7 @@ std::vector<LogEntry> Record::log(const std::string& name) {
 
 void Record::forget(const std::string& name) {
   const std::lock_guard lock(one_at_a_time_);
+  forget_on_roster(database_.file().parent_path(), name);
   {
     Transaction transaction(database_);
     database_.run("DELETE FROM people WHERE name = ?", {name});

@@ -75,10 +75,19 @@ CREATE TABLE log (
 CREATE INDEX log_of_person ON log (person);
 )";
 
+constexpr const char* kOwners = R"(
+CREATE TABLE owners (
+  person INTEGER PRIMARY KEY REFERENCES people ON DELETE CASCADE,
+  system TEXT NOT NULL,           -- the layout that the hand-in came in
+  owner TEXT NOT NULL             -- JSON
+) STRICT;
+CREATE TABLE roster (place INTEGER PRIMARY KEY, person TEXT NOT NULL) STRICT;  -- JSON
+)";
+
 }  // namespace
 
 const std::vector<std::string>& migrations() {
-  static const std::vector<std::string> all = {kFirst};
+  static const std::vector<std::string> all = {kFirst, kOwners};
   return all;
 }
 

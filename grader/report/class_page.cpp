@@ -106,7 +106,7 @@ Html class_table(const Results& results, const std::vector<Column>& columns) {
 
 }  // namespace
 
-std::string class_page(const Results& results) {
+std::string class_page(const Results& results, const std::vector<ClassLine>& people) {
   const std::vector<Column> columns = columns_of(results);
   std::vector<double> totals;
   double reachable = 0;
@@ -128,6 +128,7 @@ std::string class_page(const Results& results) {
       "href=\"#categories\">Categories</a></nav>\n</header>\n<main>\n",
       {shown_points(mean(totals)), shown_points(reachable), shown_points(timing::median(totals)),
        results.size(), link_to_pictures});
+  body += people_section(people);
   body += to_look_at(results);
   body += class_table(results, columns);
   body += pictures;

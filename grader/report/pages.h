@@ -6,6 +6,7 @@
 
 #include "grader/result/result.h"
 #include "grader/result/study.h"
+#include "grader/roster/class_list.h"
 #include "hair/io/plot/html.h"
 
 namespace grader {
@@ -20,7 +21,11 @@ std::string staff_page(const SubmissionResult& result);  // staff/NAME.html
 std::string study_page(const SubmissionResult& result, const SubmissionStudy& study,
                        const SubmissionStudy& beside_itself);
 
-std::string class_page(const std::vector<SubmissionResult>& results);  // index.html
+std::string class_page(const std::vector<SubmissionResult>& results,
+                       const std::vector<ClassLine>& people = {});  // index.html
+
+// Who is missing, and who is on no roster; empty if nobody is.
+Html people_section(const std::vector<ClassLine>& people);
 
 // Its parts that count people (class_statistics.h).
 Html exercises_part(const std::vector<SubmissionResult>& results);

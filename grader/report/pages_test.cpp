@@ -380,6 +380,33 @@ TEST(GradesCsv, HasALineASubmissionAndSameColumnsInEach) {
   EXPECT_NE(csv.find("alice,50,50,yes,yes,30,passed,20,passed,,,\r\n"), std::string::npos) << csv;
 }
 
+TEST(GradesCsv, HasALineAPersonWithARoster) {
+  const std::vector<SubmissionResult> results = sample_class(2);
+  const std::vector<ClassLine> people{{results[0].name, "Jörg, J.", "1", "j@u.de", "A", ""},
+                                      {results[0].name, "=1+1", "2", "", "", "its id is on no roster"},
+                                      {"", "Zoë", "007", "", "B", "nothing handed in"}};
+  const std::string csv = grades_csv(results, people);
+  EXPECT_EQ(count(csv, "\r\n"), 5u);
+  EXPECT_NE(csv.find(",\"Jörg, J.\",1,j@u.de,A,\r\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find(",\u2060=1+1,2,,,its id is on no roster\r\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\r\n,,,,,,,,,,,,Zoë,007,,B,nothing handed in\r\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\r\n" + results[1].name + ","), std::string::npos) << csv;
+}
+
+TEST(ClassPage, SaysWhoIsMissingAndWhoIsOnNoRoster) {
+  const std::vector<SubmissionResult> results = sample_class(2);
+  const std::string page =
+      class_page(results, {{results[0].name, "<b>J", "1", "", "A", "its id is on no roster"},
+                           {"", "Zoë", "007", "", "B", "nothing handed in"},
+                           {results[1].name, "Ann", "3", "", "A", ""}});
+  EXPECT_NE(page.find("nothing handed in</span> 1</summary>"), std::string::npos);
+  EXPECT_NE(page.find("<li>Zoë <span class=\"quiet\">007</span></li>"), std::string::npos);
+  EXPECT_NE(page.find("on no roster</span> 1</summary>"), std::string::npos);
+  EXPECT_NE(page.find("&lt;b&gt;J</a>"), std::string::npos);
+  EXPECT_EQ(count(page, "Ann"), 0u);
+  EXPECT_EQ(count(class_page(results), "id=\"people\""), 0u);
+}
+
 TEST(Junit, CountsWhatItLists) {
   const std::string junit = junit_xml(sample_class(10));
   EXPECT_EQ(count(junit, "<testsuite "), 10u);

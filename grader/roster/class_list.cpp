@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "grader/text/letters.h"
+
 namespace grader {
 
 std::vector<const Person*> ClassList::absent() const {
@@ -23,7 +25,7 @@ ClassList class_list(const Roster& roster, const std::vector<HandIn>& hand_ins) 
       const std::string who =
           members ? hand_in.name + ", " + (owner.name.empty() ? owner.id : owner.name) : hand_in.name;
       if (!match.person) {
-        list.strangers.push_back({who, match.told});
+        list.strangers.push_back({hand_in.name, owner, match.told});
         continue;
       }
       if (!match.told.empty()) list.said.push_back(who + ": " + match.told);
@@ -35,6 +37,33 @@ ClassList class_list(const Roster& roster, const std::vector<HandIn>& hand_ins) 
     }
   }
   return list;
+}
+
+std::vector<ClassLine> lines_of(const std::optional<ClassList>& list, const std::vector<HandIn>& hand_ins) {
+  std::vector<ClassLine> lines;
+  const auto line_of = [](const std::string& hand_in, const Owner& owner, const std::string& note) {
+    return ClassLine{hand_in, composed(owner.name), owner.id, owner.email, "", note};
+  };
+  if (!list) {
+    for (const HandIn& hand_in : hand_ins) {
+      const Owner& owner = hand_in.owner;
+      for (const Owner& member : owner.members) lines.push_back(line_of(hand_in.name, member, ""));
+      if (owner.members.empty() && !(owner.name.empty() && owner.id.empty() && owner.email.empty()))
+        lines.push_back(line_of(hand_in.name, owner, ""));
+    }
+    return lines;
+  }
+  for (const ClassList::Row& row : list->rows) {
+    const Person& person = row.person;
+    const auto line = [&](const std::string& hand_in, const std::string& note) {
+      return ClassLine{hand_in, person.name, person.shown_id(), person.email(), person.section, note};
+    };
+    for (const std::string& hand_in : row.hand_ins) lines.push_back(line(hand_in, ""));
+    if (row.hand_ins.empty()) lines.push_back(line("", "nothing handed in"));
+  }
+  for (const ClassList::Stranger& stranger : list->strangers)
+    lines.push_back(line_of(stranger.hand_in, stranger.owner, stranger.why));
+  return lines;
 }
 
 }  // namespace grader

@@ -2,6 +2,7 @@
 // who are on no roster.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,7 +23,9 @@ struct ClassList {
         hand_ins;  // their names; of a group's each member has one. Empty: nothing handed in
   };
   struct Stranger {
-    std::string hand_in, why;
+    std::string hand_in;
+    Owner owner;  // of a group's, one member
+    std::string why;
   };
   std::vector<Row> rows;            // in the roster's order
   std::vector<Stranger> strangers;  // graded all the same
@@ -30,6 +33,16 @@ struct ClassList {
 
   std::vector<const Person*> absent() const;
 };
+
+// A line of the class for tables: of a group's hand-in each member has one.
+struct ClassLine {
+  std::string hand_in;  // "": nothing handed in
+  std::string name, id, email, section;
+  std::string note;  // "nothing handed in", or why somebody is on no roster
+};
+
+// With a roster everybody on it, in its order, and then strangers; without one the owners of the hand-ins, if any is known.
+std::vector<ClassLine> lines_of(const std::optional<ClassList>& list, const std::vector<HandIn>& hand_ins);
 
 ClassList class_list(const Roster& roster, const std::vector<HandIn>& hand_ins);
 

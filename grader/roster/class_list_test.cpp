@@ -24,9 +24,34 @@ TEST(ClassList, HasEverybodyAndListsStrangersApart) {
   ASSERT_EQ(list.absent().size(), 1u);
   EXPECT_EQ(list.absent()[0]->name, "C");
   ASSERT_EQ(list.strangers.size(), 2u);
-  EXPECT_EQ(list.strangers[0].hand_in, "team7, X");
+  EXPECT_EQ(list.strangers[0].hand_in, "team7");
+  EXPECT_EQ(list.strangers[0].owner.name, "X");
   EXPECT_EQ(list.strangers[1].hand_in, "z_8");
   EXPECT_EQ(list.said, Names{"B: has two hand-ins, team7 and b_2"});
+}
+
+std::vector<Names> cells_of(const std::vector<ClassLine>& lines) {
+  std::vector<Names> cells;
+  for (const ClassLine& line : lines)
+    cells.push_back({line.hand_in, line.name, line.id, line.section, line.note});
+  return cells;
+}
+
+TEST(ClassList, GivesEverybodyALine) {
+  const Roster roster(parse_csv("id,name,section\n1,A,x\n3,C,y\n", "r.csv"));
+  const Owner team{
+      .name = "Team 7", .id = "70", .email = "", .group = true, .members = {{"A", "1", ""}, {"X", "9", ""}}};
+  const std::vector<HandIn> hand_ins{
+      {"team7", team, "canvas"}, {"z_8", {"Z", "8", ""}, "canvas"}, {"old", {}, ""}};
+  EXPECT_EQ(cells_of(lines_of(class_list(roster, hand_ins), hand_ins)),
+            (std::vector<Names>{{"team7", "A", "1", "x", ""},
+                                {"", "C", "3", "y", "nothing handed in"},
+                                {"team7", "X", "9", "", "its name is on no roster"},
+                                {"z_8", "Z", "8", "", "its name is on no roster"},
+                                {"old", "", "", "", "its id is on no roster"}}));
+  EXPECT_EQ(cells_of(lines_of({}, hand_ins)),
+            (std::vector<Names>{
+                {"team7", "A", "1", "", ""}, {"team7", "X", "9", "", ""}, {"z_8", "Z", "8", "", ""}}));
 }
 
 }  // namespace

@@ -45,6 +45,10 @@ Roster::Roster(const Csv& table) : said_(table.said) {
     throw BadInput(table.file + ": nobody stands below the titles; a roster has a row for each person");
 }
 
+Roster::Roster(std::vector<Person> people) {
+  for (Person& person : people) add(std::move(person));
+}
+
 void Roster::add(const Csv& table, const Csv::Row& row, Person person) {
   std::optional<std::size_t> known;
   IdKind by = IdKind::id;
@@ -78,6 +82,10 @@ void Roster::add(const Csv& table, const Csv::Row& row, Person person) {
                       " again and counts once");
     return;
   }
+  add(std::move(person));
+}
+
+void Roster::add(Person person) {
   const std::size_t place = people_.size();
   for (std::size_t i = 0; i < kIdKinds; ++i) {
     if (person.ids[i].empty()) continue;
@@ -147,7 +155,7 @@ Roster::Match Roster::find(const Owner& owner, const std::string& system) const 
   if (const auto at = places.find(keys.as_spoken); at != places.end())
     found.insert(at->second.begin(), at->second.end());
   if (found.size() > 1) return {{}, count_of(found.size()) + " bear its name"};
-  if (found.empty()) return {{}, "it is on no roster"};
+  if (found.empty()) return {{}, "its name is on no roster"};
   // An id that the roster has for somebody of the name, and another one, is another person.
   const Person& person = people_[*found.begin()];
   for (const IdKind kind : kinds_of(system)) {

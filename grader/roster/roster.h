@@ -23,6 +23,9 @@ class Roster {
   // one row that name different people.
   explicit Roster(const Csv& table);
 
+  // People of an earlier roster.
+  explicit Roster(std::vector<Person> people);
+
   const std::vector<Person>& people() const { return people_; }
   const std::vector<std::string>& said() const {
     return said_;
@@ -42,6 +45,7 @@ class Roster {
   using Places = std::map<std::string, std::vector<std::size_t>, std::less<>>;
 
   void add(const Csv& table, const Csv::Row& row, Person person);
+  void add(Person person);
   std::vector<std::size_t> with_id(IdKind kind, const std::string& id, std::string& told) const;
 
   std::vector<Person> people_;

@@ -1,0 +1,34 @@
+// STAFF ONLY. Reads grades from a record.
+#include "grader/gradebook/recorded_grades.h"
+
+#include "grader/course/input.h"
+#include "grader/record/owners.h"
+#include "grader/record/record.h"
+
+namespace grader {
+
+std::vector<Grade> recorded_grades(const std::filesystem::path& folder) {
+  const std::string where = printable(folder.string(), 4096);
+  if (!Record::is_in(folder))
+    throw BadInput(where + ": has no " + kRecordFile + "; give the folder of hairgrade grade --out");
+  Record record(folder);
+  std::vector<Grade> grades;
+  for (const HandIn& hand_in : recorded_hand_ins(folder)) {
+    const std::optional<Recorded> found = record.find(hand_in.name);
+    if (!found) continue;
+    const SubmissionResult& result = found->result;
+    Grade grade{.hand_in = hand_in.name,
+                .owner = hand_in.owner,
+                .system = hand_in.system,
+                .points = points(result),
+                .max_points = max_points(result),
+                .not_final = !result.ended_by_the_clock.empty()};
+    for (const ExerciseResult& exercise : result.exercises)
+      grade.exercises.emplace_back(exercise.id, exercise.points);
+    grades.push_back(std::move(grade));
+  }
+  if (grades.empty()) throw BadInput(where + ": its record has no grades yet; grade first");
+  return grades;
+}
+
+}  // namespace grader

@@ -1,0 +1,114 @@
+// STAFF ONLY. `hairgrade feedback`: reports in an archive that a learning system hands out.
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+
+#include "grader/course/input.h"
+#include "grader/gradebook/feedback.h"
+#include "grader/gradebook/recorded_grades.h"
+#include "grader/intake/archive.h"
+#include "grader/intake/submission.h"
+#include "grader/record/record.h"
+#include "grader/report/student_view.h"
+#include "grader/report/text.h"
+#include "grader/tool/commands/command.h"
+#include "hair/io/files/read_file.h"
+#include "hair/io/plot/readable.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct FeedbackOptions {
+  std::string system;
+  fs::path table, grades, out;
+};
+
+std::vector<std::string> files_in(const fs::path& download) {
+  std::vector<std::string> files;
+  if (fs::is_directory(download)) {
+    for (const auto& entry : fs::recursive_directory_iterator(download))
+      if (entry.is_regular_file()) files.push_back(entry.path().filename().string());
+    return files;
+  }
+  if (!fs::exists(download))
+    throw BadInput(printable(download.string(), 4096) + ": is not there; give the download that was graded");
+  const IntakeLimits limits;
+  const auto archive = open_here(download, download.filename().string(),
+                                 {.unpacked_bytes = limits.unpacked_bytes, .entries = 50 * limits.entries});
+  try {
+    for (const Entry& entry : archive->list()) files.push_back(entry.path);
+  } catch (const std::exception& problem) {
+    throw BadInput(printable(download.string(), 4096) + ": can't be read (" + problem.what() +
+                   "); give the download that was graded");
+  }
+  return files;
+}
+
+// The report as text: what its author sees, and nothing else.
+std::string text_of(const SubmissionResult& whole) {
+  const SubmissionResult result = for_student(whole);
+  std::string text = shown_points(points(result)) + " of " + shown_points(max_points(result)) + " points\n";
+  if (!result.note.empty()) text += hair::readable(result.note) + "\n";
+  for (const ExerciseResult& exercise : result.exercises) {
+    text += "\n" + exercise.id + " " + exercise.title + ": " + shown_points(exercise.points) + " of " +
+            shown_points(exercise.max_points) + ", " + to_string(exercise.status) + "\n";
+    if (!exercise.feedback.empty()) text += hair::readable(exercise.feedback) + "\n";
+    if (!exercise.compiler_messages.empty()) text += hair::readable(exercise.compiler_messages) + "\n";
+    std::size_t number = 0;
+    for (const CaseResult& one : exercise.cases) {
+      text += "  " + exercise.id + "." + std::to_string(++number) + " " + one.name + ": " +
+              shown_points(one.points) + " of " + shown_points(one.max_points) + ", " +
+              to_string(one.status) + "\n";
+      for (const std::string& words : {one.feedback, one.memory_error})
+        if (!words.empty()) text += "    " + hair::readable(words) + "\n";
+    }
+  }
+  return text;
+}
+
+int write_feedback(const FeedbackOptions& options) {
+  if (options.out.extension() != ".zip")
+    throw BadInput("--out " + printable(options.out.string(), 4096) +
+                   ": the archive is a .zip; give it such a name");
+  const std::vector<Grade> grades = recorded_grades(options.grades);
+  Record record(options.grades);
+  const ReportOf report = [&](const std::string& hand_in) {
+    const fs::path page = options.grades / hand_in / "report.html";
+    std::string bytes = hair::bytes_of(page);
+    if (bytes.empty())
+      throw BadInput(printable(page.string(), 4096) + ": is not there; grade again, which writes it");
+    return ReportOfStudent{std::move(bytes), text_of(record.find(hand_in)->result)};
+  };
+  const Feedback feedback = options.system == "canvas"
+                                ? feedback_for_canvas(files_in(options.table), grades, report)
+                                : feedback_for_moodle(read_csv(options.table), grades, report);
+  for (const std::string& line : feedback.said) std::cerr << "hairgrade: " << line << "\n";
+  if (feedback.entries.empty())
+    throw BadInput(printable(options.table.string(), 4096) +
+                   ": nobody in it gets feedback; give the one that these hand-ins came with");
+  write_zip(options.out, feedback.entries);
+  std::cout << feedback.entries.size() << " reports in " << options.out.string() << "\n";
+  return 0;
+}
+
+}  // namespace
+
+Command add_feedback(CLI::App& hairgrade) {
+  const auto options = std::make_shared<FeedbackOptions>();
+  CLI::App* command = hairgrade.add_subcommand(
+      "feedback", "Pack the reports into an archive that a learning system hands out");
+  command->add_option("SYSTEM", options->system, "canvas or moodle")
+      ->required()
+      ->check(CLI::IsMember({"canvas", "moodle"}));
+  command
+      ->add_option("TABLE", options->table,
+                   "canvas: the download that was graded. moodle: the grading worksheet")
+      ->required();
+  command->add_option("--grades", options->grades, "The folder of hairgrade grade --out")->required();
+  command->add_option("--out", options->out, "The archive, a .zip")->required();
+  return {command, [options] { return write_feedback(*options); }};
+}
+
+}  // namespace grader

@@ -1,0 +1,92 @@
+// STAFF ONLY. `hairgrade gradebook`: grades for a learning system's import.
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+
+#include "grader/course/input.h"
+#include "grader/gradebook/canvas.h"
+#include "grader/gradebook/moodle.h"
+#include "grader/gradebook/recorded_grades.h"
+#include "grader/gradebook/rows.h"
+#include "grader/tool/commands/command.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct GradebookOptions {
+  std::string system, column;
+  fs::path grades, out;
+  std::optional<fs::path> fill, roster;
+  bool scale = false;
+  std::vector<std::string> problems;
+};
+
+Gradebook gradebook_of(const GradebookOptions& options) {
+  const std::vector<Grade> grades = recorded_grades(options.grades);
+  std::optional<Roster> roster;
+  if (options.roster) roster = read_roster(*options.roster);
+  const FillOptions filling{options.column, options.scale, roster ? &*roster : nullptr};
+  const std::string& system = options.system;
+  if (system == "autolab") {
+    if (options.fill)
+      throw BadInput(
+          "gradebook autolab: takes no --fill, for its rows are whole; give --roster for e-mail addresses");
+    std::vector<std::string> problems = options.problems;
+    if (problems.empty())
+      for (const auto& [id, points] : grades.front().exercises) problems.push_back(id);
+    return autolab_rows(grades, problems, filling.roster);
+  }
+  std::optional<Csv> exported;
+  if (options.fill) exported = read_csv(*options.fill);
+  if (system == "gradescope" || system == "blackboard")
+    return plain_rows(system, exported ? &*exported : nullptr, grades, filling);
+  if (!exported)
+    throw BadInput("gradebook " + system + ": needs --fill with the table that " + system +
+                   " exports: grades are filled into it");
+  if (system == "canvas") return fill_canvas(*exported, grades, filling);
+  if (system == "moodle") return fill_moodle(*exported, grades, filling);
+  return fill_brightspace(*exported, grades, filling);
+}
+
+int write_gradebook(const GradebookOptions& options) {
+  std::error_code none;
+  if (options.fill && fs::equivalent(*options.fill, options.out, none))
+    throw BadInput("--out " + printable(options.out.string(), 4096) +
+                   ": is the exported table itself; name a new file");
+  const Gradebook book = gradebook_of(options);
+  write_file(options.out, book.csv);
+  for (const std::string& line : book.said) std::cerr << "hairgrade: " << line << "\n";
+  std::cout << book.written << " grades in " << options.out.string() << "\n";
+  return 0;
+}
+
+}  // namespace
+
+Command add_gradebook(CLI::App& hairgrade) {
+  const auto options = std::make_shared<GradebookOptions>();
+  CLI::App* command =
+      hairgrade.add_subcommand("gradebook", "Fill grades into a table that a learning system imports");
+  command
+      ->add_option("SYSTEM", options->system,
+                   "canvas, moodle, brightspace, autolab, gradescope or blackboard")
+      ->required()
+      ->check(CLI::IsMember({"canvas", "moodle", "brightspace", "autolab", "gradescope", "blackboard"}));
+  command->add_option("--grades", options->grades, "The folder of hairgrade grade --out")->required();
+  command->add_option("--fill", options->fill,
+                      "The table that the system exports: gradebook, worksheet, or class list");
+  command->add_option("--out", options->out, "The new table, a .csv")->required();
+  command->add_option("--column", options->column,
+                      "The assignment's column, by title, in Canvas also by number");
+  command->add_flag("--scale", options->scale, "Give shares of the column's points, if it is out of others");
+  command->add_option("--roster", options->roster,
+                      "A table of people, for hand-ins that came by another system");
+  command
+      ->add_option("--problems", options->problems,
+                   "autolab: exercises, or total, in the order of the lab's problems")
+      ->delimiter(',');
+  return {command, [options] { return write_gradebook(*options); }};
+}
+
+}  // namespace grader
