@@ -59,10 +59,11 @@ void remove_study(const fs::path& dir, const SubmissionResult& result) {
   for (const char* file : {"study.html", "study.json"}) fs::remove(dir / result.name / file, not_there);
 }
 
-void write_class_reports(const fs::path& dir, const std::vector<SubmissionResult>& results) {
-  put_file(dir / "grades.csv", grades_csv(results));
+void write_class_reports(const fs::path& dir, const std::vector<SubmissionResult>& results,
+                         const std::vector<ClassLine>& people) {
+  put_file(dir / "grades.csv", grades_csv(results, people));
   put_file(dir / "junit.xml", junit_xml(results));
-  put_file(dir / "index.html", class_page(results));
+  put_file(dir / "index.html", class_page(results, people));
 }
 
 void remove_reports(const fs::path& dir, const std::string& name) {

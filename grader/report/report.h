@@ -21,6 +21,7 @@
 
 #include "grader/result/result.h"
 #include "grader/result/study.h"
+#include "grader/roster/class_list.h"
 
 namespace grader {
 
@@ -33,7 +34,9 @@ void write_study(const std::filesystem::path& dir, const SubmissionResult& resul
                  const SubmissionStudy& study, const SubmissionStudy& beside_itself);
 void remove_study(const std::filesystem::path& dir, const SubmissionResult& result);
 
-void write_class_reports(const std::filesystem::path& dir, const std::vector<SubmissionResult>& results);
+// `people`: see grades_csv.
+void write_class_reports(const std::filesystem::path& dir, const std::vector<SubmissionResult>& results,
+                         const std::vector<ClassLine>& people = {});
 
 // All files of a student in `dir`, but for pictures: remove_unshown_pictures follows.
 void remove_reports(const std::filesystem::path& dir, const std::string& name);

@@ -47,6 +47,7 @@ std::vector<ClassLine> lines_of(const std::optional<ClassList>& list, const std:
   if (!list) {
     for (const HandIn& hand_in : hand_ins) {
       const Owner& owner = hand_in.owner;
+      if (hand_in.system == "folders") continue;  // its name says it all
       for (const Owner& member : owner.members) lines.push_back(line_of(hand_in.name, member, ""));
       if (owner.members.empty() && !(owner.name.empty() && owner.id.empty() && owner.email.empty()))
         lines.push_back(line_of(hand_in.name, owner, ""));

@@ -41,7 +41,8 @@ struct ClassLine {
   std::string note;  // "nothing handed in", or why somebody is on no roster
 };
 
-// With a roster everybody on it, in its order, and then strangers; without one the owners of the hand-ins, if any is known.
+// With a roster everybody on it, in its order, and then strangers; without one the owners of
+// hand-ins that a learning system named.
 std::vector<ClassLine> lines_of(const std::optional<ClassList>& list, const std::vector<HandIn>& hand_ins);
 
 ClassList class_list(const Roster& roster, const std::vector<HandIn>& hand_ins);

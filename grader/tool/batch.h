@@ -11,6 +11,7 @@
 
 #include "grader/intake/submission.h"
 #include "grader/result/result.h"
+#include "grader/roster/roster.h"
 #include "grader/tool/grading.h"
 
 namespace grader {
@@ -21,6 +22,7 @@ struct BatchSettings {
   bool resume = false;              // keep results whose fingerprint has not changed
   std::optional<std::string> only;  // grade only this submission
   bool replace = false;             // rows of another origin may be replaced
+  std::optional<Roster> roster;     // replaces the record's
   bool merge = false;               // only one exercise is graded: keep the earlier results of the others
 };
 

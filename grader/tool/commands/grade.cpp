@@ -8,6 +8,7 @@
 #include "grader/course/input.h"
 #include "grader/intake/caged_archive.h"
 #include "grader/intake/submission.h"
+#include "grader/record/owners.h"
 #include "grader/report/report.h"
 #include "grader/sandbox/own_groups.h"
 #include "grader/tool/at_rest.h"
@@ -27,6 +28,7 @@ namespace fs = std::filesystem;
 struct GradeOptions {
   std::vector<fs::path> submissions;
   bool classes = false;
+  std::optional<fs::path> roster;
   GradeSettings settings;
   BatchSettings batch;
 };
@@ -42,7 +44,22 @@ std::vector<StaffPlace> staff_places(const GradingSettings& settings, const Grad
           {"the grades", options.batch.out, options.batch.out}};
 }
 
+// Who is missing, who is on no roster, and how people were found where that is not plain.
+void say_people(const fs::path& out, const std::optional<Roster>& roster) {
+  const std::optional<ClassList> list = recorded_class_list(out);
+  if (!list) return;
+  const std::size_t absent = list->absent().size();
+  std::cout << "roster: " << list->rows.size() - absent << " of " << list->rows.size() << " handed in\n";
+  if (roster)
+    for (const std::string& line : roster->said()) std::cerr << "hairgrade: " << line << "\n";
+  for (const std::string& line : list->said) std::cerr << "hairgrade: " << line << "\n";
+  for (const ClassList::Stranger& stranger : list->strangers)
+    std::cerr << "hairgrade: " << stranger.hand_in << ": is on no roster (" << stranger.why
+              << "), and graded all the same\n";
+}
+
 int grade(GradeOptions options) {
+  if (options.roster) options.batch.roster = read_roster(*options.roster);
   options.settings.jobs = options.batch.jobs;
   GradingSettings settings = settings_of(options.settings);
   std::optional<CagedReader> reader;
@@ -74,6 +91,7 @@ int grade(GradeOptions options) {
   std::cout << "\n" << fs::absolute(options.batch.out / "index.html").lexically_normal().string() << "\n";
   for (const std::string& problem : batch.problems)
     std::cerr << "hairgrade: could not grade " << printable(problem, 2000) << "\n";
+  say_people(options.batch.out, options.batch.roster);
   for (const std::string& notice : intake.notices) std::cerr << "hairgrade: " << notice << "\n";
   std::string not_final;
   for (const SubmissionResult& result : batch.results)
@@ -110,6 +128,9 @@ Command add_grade(CLI::App& hairgrade) {
                     "Keep results whose submission and suite have not changed");
   command->add_flag("--class", options->classes,
                     "Each of several arguments may be a class; else each is one student's hand-in");
+  command->add_option(
+      "--roster", options->roster,
+      "A table of people: who handed in nothing, and who is on no roster, is shown; the record keeps it");
   command->add_flag("--replace", options->batch.replace,
                     "Replace rows of another origin: of another class, or of a hand-in from elsewhere");
   command->add_option("--only", options->batch.only, "Grade the submission of this name alone");
