@@ -10,7 +10,7 @@ to_grade() {
 g++                  # compiles the project, and submissions
 cmake                # the build,
 ninja-build          #   and what runs it
-pkg-config           # finds libseccomp, libsodium and libutf8proc
+pkg-config           # finds libseccomp, libsodium, libutf8proc and yaml-cpp
 libeigen3-dev        # Eigen: linear algebra
 libgtest-dev         # GoogleTest: tests, public checks, grading suite
 libstb-dev           # writes pictures
@@ -20,6 +20,7 @@ libcli11-dev         # the command line of hairgrade
 libarchive-dev       # reads and writes .zip and .tar.gz
 libpng-dev           # reads pictures, and packs those of reports
 libsqlite3-dev       # the record of a class
+libyaml-cpp-dev      # reads Gradescope's export
 libseccomp-dev       # the sandbox's system call filter
 libsodium-dev        # seeds and fingerprints: HMAC, hashes
 libutf8proc-dev      # letters of names: one form for each, lower case

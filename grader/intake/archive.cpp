@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Reads archives by libarchive.
 #include "grader/intake/archive.h"
 
 #include <archive.h>
@@ -10,11 +10,14 @@
 #include <cerrno>
 #include <fstream>
 #include <memory>
+#include <optional>
 #include <system_error>
 #include <utility>
 
 #include "grader/course/input.h"
 #include "grader/intake/archive_format.h"
+#include "grader/intake/ignored.h"
+#include "grader/intake/zip_flags.h"
 
 namespace grader {
 namespace {
@@ -40,15 +43,29 @@ std::string first_bytes(const ArchiveSource& source) {
   return head;
 }
 
-// How many entries a zip's directory claims. The library keeps all of them in memory, so they are counted
-// before.
+// How many entries a zip's directory claims, but for those that are passed over. The library keeps all of them in memory, so they are
+// counted before.
 std::size_t count_zip_entries(std::string_view bytes) {
+  constexpr std::size_t kHeader = 46, kNameSize = 28;
   std::size_t count = 0;
   for (std::size_t at = bytes.find("PK\x01\x02"); at != std::string_view::npos;
        at = bytes.find("PK\x01\x02", at + 4)) {
-    ++count;
+    std::string_view name;
+    if (bytes.size() - at > kHeader) {
+      const auto low = static_cast<unsigned char>(bytes[at + kNameSize]),
+                 high = static_cast<unsigned char>(bytes[at + kNameSize + 1]);
+      name = bytes.substr(at + kHeader, low + 256U * high);
+    }
+    if (!is_ignored(entry_at(std::string(name)).path)) ++count;
   }
   return count;
+}
+
+// As it stands, in whatever code page; "" if the library can't say it.
+std::string name_in(archive_entry* entry) {
+  const char* path = archive_entry_pathname(entry);
+  if (!path) path = archive_entry_pathname_utf8(entry);
+  return path ? path : "";
 }
 
 // One reading of an archive from its first entry on. A gzip is unpacked by a reader of its own whose output
@@ -66,7 +83,7 @@ class Reading {
       const auto* bytes = std::get_if<std::string>(&source);
       if (bytes && count_zip_entries(*bytes) > limits.entries) refuse_entries();
       archive_read_support_format_zip_seekable(entries_.get());
-      open(entries_, source);
+      open_zip(source);
     } else if (is_gzip(head)) {
       stream_.reset(archive_read_new());
       archive_read_append_filter(stream_.get(), ARCHIVE_FILTER_GZIP);
@@ -74,6 +91,7 @@ class Reading {
       open(stream_, source);
       archive_entry* only = nullptr;
       if (archive_read_next_header(stream_.get(), &only) < ARCHIVE_WARN) refuse_damaged();
+      unpack_head();
       read_tar(&Reading::next_unpacked);
     } else if (is_tar(head)) {
       archive_read_support_format_tar(entries_.get());
@@ -88,12 +106,16 @@ class Reading {
 
   // Null at the end.
   archive_entry* next() {
-    archive_entry* entry = nullptr;
-    const int result = archive_read_next_header(entries_.get(), &entry);
-    if (result == ARCHIVE_EOF) return nullptr;
-    if (result < ARCHIVE_WARN) refuse();
-    if (++count_ > limits_.entries) refuse_entries();
-    return entry;
+    for (;;) {
+      archive_entry* entry = nullptr;
+      const int result = archive_read_next_header(entries_.get(), &entry);
+      if (result == ARCHIVE_EOF) return nullptr;
+      if (result < ARCHIVE_WARN) refuse();
+      // What systems leave behind is passed over here, so that it uses up no limit.
+      if (is_ignored(entry_at(name_in(entry)).path)) continue;
+      if (++count_ > limits_.entries) refuse_entries();
+      return entry;
+    }
   }
 
   std::string data(const std::string& path, std::size_t most) {
@@ -120,6 +142,35 @@ class Reading {
   }
 
  private:
+  void open_zip(const ArchiveSource& source) {
+    if (const auto* bytes = std::get_if<std::string>(&source)) {
+      zip_.emplace(
+          [bytes](std::uint64_t offset, char* block, std::size_t size) {
+            return offset < bytes->size() ? bytes->copy(block, size, static_cast<std::size_t>(offset)) : 0;
+          },
+          bytes->size());
+    } else if (const auto* open_file = std::get_if<OpenFile>(&source)) {
+      const int descriptor = open_file->descriptor;
+      zip_.emplace(
+          [descriptor](std::uint64_t offset, char* block, std::size_t size) {
+            return static_cast<std::size_t>(
+                std::max<ssize_t>(pread(descriptor, block, size, static_cast<off_t>(offset)), 0));
+          },
+          static_cast<std::uint64_t>(std::max<off_t>(lseek(descriptor, 0, SEEK_END), 0)));
+    } else {
+      file_.open(std::get<std::filesystem::path>(source), std::ios::binary | std::ios::ate);
+      zip_.emplace(
+          [this](std::uint64_t offset, char* block, std::size_t size) {
+            file_.clear();
+            file_.seekg(static_cast<std::streamoff>(offset));
+            file_.read(block, static_cast<std::streamsize>(size));
+            return static_cast<std::size_t>(std::max<std::streamsize>(file_.gcount(), 0));
+          },
+          static_cast<std::uint64_t>(std::max<std::streamoff>(file_.tellg(), 0)));
+    }
+    if (zip_->open(entries_.get()) < ARCHIVE_WARN) refuse_damaged();
+  }
+
   void open(Handle& handle, const ArchiveSource& source) {
     constexpr std::size_t block = 65536;
     int result = ARCHIVE_FATAL;
@@ -149,9 +200,26 @@ class Reading {
     if (archive_read_open(entries_.get(), this, nullptr, read, nullptr) < ARCHIVE_WARN) refuse();
   }
 
+  // The first block of what a gzip holds: it may be one file, and no tar.
+  void unpack_head() {
+    while (head_ < kHeadBytes) {
+      const la_ssize_t size = archive_read_data(stream_.get(), block_.data() + head_, block_.size() - head_);
+      if (size < 0) refuse_damaged();
+      if (size == 0) break;
+      head_ += static_cast<std::size_t>(size);
+    }
+    const std::string_view head(block_.data(), std::min(head_, kHeadBytes));
+    if (head_ > 0 && head.front() != '\0' && !is_tar(head))
+      throw Unreadable(
+          shown_ +
+          " is one file that is packed with gzip, and no tar.gz. Hand in a .zip or .tar.gz archive.");
+    left_ -= std::min(left_, head_);
+  }
+
   static la_ssize_t next_unpacked(archive*, void* self, const void** block) {
     auto& reading = *static_cast<Reading*>(self);
     *block = reading.block_.data();
+    if (reading.head_ > 0) return static_cast<la_ssize_t>(std::exchange(reading.head_, 0));
     const la_ssize_t size =
         archive_read_data(reading.stream_.get(), reading.block_.data(), reading.block_.size());
     if (size < 0) return ARCHIVE_FATAL;
@@ -179,14 +247,15 @@ class Reading {
   bool too_much_ = false;
   std::size_t count_ = 0;
   std::array<char, 65536> block_;
+  std::size_t head_ = 0;  // bytes in the block that were unpacked to look at them
+  std::ifstream file_;
+  std::optional<ZipSource> zip_;
   Handle stream_;   // a gzip's only content
   Handle entries_;  // destroyed before the stream that it reads
 };
 
 Entry described(archive_entry* entry) {
-  const char* path = archive_entry_pathname(entry);
-  if (!path) path = archive_entry_pathname_utf8(entry);
-  Entry result = entry_at(path ? path : "");
+  Entry result = entry_at(name_in(entry));
   result.bytes = static_cast<std::uintmax_t>(std::max<la_int64_t>(archive_entry_size(entry), 0));
   result.encrypted = archive_entry_is_encrypted(entry) != 0;
   const auto type = archive_entry_filetype(entry);

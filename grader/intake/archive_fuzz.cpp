@@ -118,7 +118,7 @@ class MemoryFile {
 
 void try_intake(std::string_view bytes) {
   static const grader::Course course = two_exercises();
-  const grader::IntakeLimits limits{kMostOfAFile, kMostUnpacked, kMostEntries};
+  const grader::IntakeLimits limits{kMostOfAFile, kMostUnpacked, kMostUnpacked, kMostEntries};
   const MemoryFile file(bytes);
   try {
     for (const grader::Submission& submission :

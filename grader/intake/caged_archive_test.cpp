@@ -12,14 +12,14 @@ namespace {
 // Classes that are read by a hostile reader (hostile_reader.cpp).
 class CagedReading : public Submissions {
  protected:
-  CagedReading() { limits_.unpacked_bytes = 1 << 20; }  // so that it has 5 s
+  CagedReading() { limits_.unpacked_bytes = limits_.stream_bytes = 1 << 20; }  // so that it has 5 s
 
   Intake read_hostile(const fs::path& argument) const {
     return read_submissions({argument}, two_exercises(), hostile_.opener(), limits_);
   }
   // The one submission that is an archive of these bytes.
   Submission attacked(const std::string& bytes) {
-    intake_ = read_hostile(write("alice.zip", bytes));
+    intake_ = read_hostile(write("only/alice.zip", bytes).parent_path());
     return intake_.submissions.at(0);
   }
 
@@ -41,7 +41,7 @@ TEST_F(CagedReading, OpensNoSocketStartsNoProcessAndWritesNoFile) {
     const Submission alice = attacked(how);
     EXPECT_TRUE(alice.unreadable);
     EXPECT_TRUE(says(alice.problem, "alice.zip can't be read")) << how;
-    EXPECT_TRUE(has_notice(intake_, {"alice.zip: the reader of alice.zip ended by signal 31"})) << how;
+    EXPECT_TRUE(has_remark(intake_, {"alice.zip: the reader of alice.zip ended by signal 31"})) << how;
   }
 }
 
@@ -67,8 +67,8 @@ TEST_F(CagedReading, BreaksDownForItselfAlone) {
     EXPECT_EQ(intake.submissions[2].files.at("conj_grad.cpp").text, "z");
     EXPECT_TRUE(intake.submissions[1].unreadable);
     EXPECT_TRUE(says(intake.submissions[1].problem, "mallory.zip can't be read"));
-    EXPECT_EQ(intake.notices.size(), 1u);
-    EXPECT_TRUE(has_notice(intake, {"class/mallory.zip: the reader of mallory.zip " + end}));
+    EXPECT_EQ(intake.notices, Names{});
+    EXPECT_TRUE(has_remark(intake, {"class/mallory.zip: the reader of mallory.zip " + end}));
   }
 }
 
@@ -85,13 +85,13 @@ TEST_F(CagedReading, BreaksDownForItselfAloneInAnArchiveOfAClass) {
   EXPECT_EQ(intake.submissions[2].files.at("conj_grad.cpp").text, "z");
 }
 
-// Whoever it had named is still there.
+// Nobody gets a 0 for a class that can't be read whole.
 TEST_F(CagedReading, MayBreakDownHalfway) {
-  const Intake intake = read_hostile(write("class.zip", "evil-half"));
-  ASSERT_EQ(names(intake.submissions), (Names{"alice", "bob"}));
-  for (const Submission& one : intake.submissions) {
-    EXPECT_TRUE(one.unreadable);
-    EXPECT_TRUE(one.files.empty());
+  try {
+    read_hostile(write("class.zip", "evil-half"));
+    FAIL() << "nothing was said";
+  } catch (const BadInput& error) {
+    EXPECT_TRUE(says(error.what(), "class.zip: nothing was graded: "));
   }
 }
 

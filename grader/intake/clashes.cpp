@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Keeps submissions of one name apart.
 #include "grader/intake/clashes.h"
 
 #include <algorithm>
@@ -52,10 +52,17 @@ void resolve_clashes(std::vector<Draft>& drafts, std::vector<std::string>& notic
     const auto last = drafts.begin() + static_cast<std::ptrdiff_t>(end);
     const bool one_stands = std::count_if(first, last, is_hand_in) == 1;
     if (one_stands) std::iter_swap(first, std::find_if(first, last, is_hand_in));
+    const auto whose = [](const Draft& draft) {
+      return draft.submission.owner.name + "\n" + draft.submission.owner.id;
+    };
     for (std::size_t i = one_stands ? begin + 1 : begin; i < end; ++i) {
-      std::string own = name_among_equals(name, drafts[i].path);
+      const bool alone = std::count_if(first, last, [&](const Draft& other) {
+                           return whose(other) == whose(drafts[i]);
+                         }) == 1;
+      std::string own = name_among_equals(name, alone ? whose(drafts[i]) : drafts[i].path);
       while (!taken.insert(own).second) own += 'x';
       drafts[i].submission.name = own;
+      if (alone) continue;  // "x 1" and "x_1" are two people
       mark(drafts[i], name, drafts[i == begin ? begin + 1 : begin], notices);
     }
   }

@@ -1,27 +1,65 @@
 // STAFF ONLY.
 #include "grader/intake/container.h"
 
+#include <map>
 #include <utility>
+
+#include "grader/intake/code_page.h"
+#include "grader/intake/letters.h"
 
 namespace grader {
 
 Entry entry_at(std::string shown) {
   Entry entry;
-  entry.leads_outside = !shown.empty() && (shown.front() == '/' || shown.front() == '\\');
+  entry.lost_root = !shown.empty() && (shown.front() == '/' || shown.front() == '\\');
+  std::vector<std::string_view> parts;
   std::string_view rest = shown;
   while (!rest.empty()) {
     const std::size_t end = rest.find_first_of("/\\");
     const std::string_view part = rest.substr(0, end);
     rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
-    const bool drive = entry.path.empty() && part.size() == 2 && part[1] == ':';
-    if (part == ".." || drive) {
+    const bool drive = parts.empty() && part.size() == 2 && part[1] == ':';
+    if (drive || (part == ".." && parts.empty())) {
+      entry.lost_root = true;
+    } else if (part == "..") {
       entry.leads_outside = true;
     } else if (!part.empty() && part != ".") {
-      entry.path += (entry.path.empty() ? "" : "/") + std::string(part);
+      parts.push_back(part);
     }
   }
+  const bool of_all_users = parts.size() > 2 && (parts[0] == "Users" || parts[0] == "home");
+  for (std::size_t i = entry.lost_root && of_all_users ? 1 : 0; i < parts.size(); ++i)
+    entry.path += (entry.path.empty() ? "" : "/") + std::string(parts[i]);
   entry.shown = std::move(shown);
   return entry;
+}
+
+std::vector<std::string> settle_names(std::vector<Entry>& list, const std::string& shown) {
+  std::vector<std::string> names, said;
+  for (const Entry& entry : list) names.push_back(entry.shown);
+  if (const std::string page = decode_names(names); !page.empty())
+    said.push_back(shown + ": names in it are no UTF-8; they were read as " + page + ", which is a guess");
+  const Entry* first_root = nullptr;
+  std::size_t roots = 0;
+  std::map<std::string_view, Entry*> last;
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const Entry named = entry_at(composed_path(names[i]));
+    Entry& entry = list[i];
+    entry.shown = named.shown;
+    entry.path = named.path;
+    entry.leads_outside = named.leads_outside;
+    entry.lost_root = named.lost_root;
+    if (entry.kind == Entry::Kind::folder) continue;
+    if (entry.path.empty()) entry.path = entry.shown = "entry " + std::to_string(i + 1);
+    if (entry.lost_root && roots++ == 0) first_root = &entry;
+    Entry*& latest = last[entry.path];
+    if (latest) latest->replaced = true;
+    latest = &entry;
+  }
+  if (roots > 0)
+    said.push_back(shown + ": " + legible(first_root->shown) + " begins at a root, which was left away" +
+                   (roots > 1 ? ", as in " + std::to_string(roots - 1) + " more" : ""));
+  return said;
 }
 
 std::string_view name_of(const Entry& entry) {

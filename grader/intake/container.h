@@ -38,14 +38,20 @@ struct Entry {
   std::string path;   // folders and name separated by '/', without ".", ".." and a root
   Kind kind = Kind::file;
   std::uintmax_t bytes = 0;    // as the container states it
-  bool leads_outside = false;  // an absolute path, or one with ".."
+  bool leads_outside = false;  // ".." behind a folder
+  bool lost_root = false;      // it began at a root, as "/" or "C:\\", or with "..", and does no more
+  bool replaced = false;       // another entry of this path comes later, and counts
   bool encrypted = false;
   bool closed = false;  // a folder that can't be listed
 };
 
-// Derives `path` and `leads_outside` from `shown`. '\' also separates, because some Windows programs write
-// it.
+// Derives `path`, `leads_outside` and `lost_root` from `shown`. '\' also separates, because some Windows programs write it. A root is
+// left away, with the folder of all users in it: "C:\Users\bob\x" is "bob/x".
 Entry entry_at(std::string shown);
+
+// Names as people read them: decoded (code_page.h), composed, and a path for what has none, "entry 17". Marks what is replaced. Returns
+// what was guessed and left away, a line each, which `shown` begins.
+std::vector<std::string> settle_names(std::vector<Entry>& list, const std::string& shown);
 
 std::string_view name_of(const Entry& entry);  // the last part of its path
 

@@ -7,6 +7,7 @@
 
 #include "grader/intake/archive.h"
 #include "grader/intake/container.h"
+#include "grader/intake/exercise_names.h"
 #include "grader/intake/submission.h"
 
 namespace grader {
@@ -15,10 +16,12 @@ class IntakeBudget {
  public:
   explicit IntakeBudget(const IntakeLimits& limits) : limits_(limits), bytes_left_(limits.unpacked_bytes) {}
 
-  // Sizes are those that the container states; reading is limited again by what really comes. Throws Refused.
-  void charge(const std::vector<Entry>& list, const std::vector<std::size_t>& entries);
+  // So many more files and folders. Throws Refused, as the next one.
+  void charge_entries(std::size_t count);
+  // What will be read; sizes are those that the container states, and reading is limited again by what really comes.
+  void charge_bytes(std::uintmax_t bytes);
 
-  ArchiveLimits for_archive() const { return {limits_.unpacked_bytes, limits_.entries}; }
+  ArchiveLimits for_archive() const { return {limits_.stream_bytes, limits_.entries}; }
 
  private:
   IntakeLimits limits_;
@@ -26,12 +29,10 @@ class IntakeBudget {
   std::size_t entries_ = 0;
 };
 
-// Entries of a submission that were left out for one reason: the first is named, the others are counted.
-struct LeftOut {
-  std::string first;
-  std::size_t count = 0;
-
-  void add(const std::string& entry_and_reason);
+// What was found of an exercise file in a submission.
+struct Found {
+  std::string shown;     // where the one that is taken lies
+  bool renamed = false;  // under a name that copies get
 };
 
 struct Draft {
@@ -40,14 +41,23 @@ struct Draft {
   std::string path;    // the same from the root of the disk on, whatever the argument was
   std::string shown;   // for students: its own part of the path, with the folder or archive around it
   IntakeBudget budget;
-  std::map<std::string, std::string> first_paths = {};  // where each exercise file was found first
-  std::size_t archives = 0;                             // opened in it
-  LeftOut shut = {}, outdated = {};                     // archives that were not opened, older versions
-  std::vector<std::string> notices = {};
+  std::map<std::string, Found> found = {};       // by exercise file
+  std::size_t archives = 0;                      // opened in it
+  std::vector<std::string> seen = {};            // names of other files in it, the first ones
+  std::map<std::string, std::string> near = {};  // by exercise file: a file that looks like it
+  std::vector<std::string> shut = {};  // archives in it that can't be read: sentences for the student
+  std::vector<std::string> notices = {}, remarks = {};  // for staff: to look at, to know
+  std::vector<Accounted> accounted = {};
 
   void refuse(const Refused& why);
-  std::vector<std::string> all_notices() const;
   bool refused() const { return !submission.problem.empty(); }
+
+  // A file was read, or can't be. Identical bytes count once; a file's own name counts before a copy's.
+  void offer(const std::string& exercise_file, const Found& where, SourceFile file);
+  void see(std::string_view name);
+
+  // Says what is missing; `exercise_files` are all of the course.
+  void finish(const FileNames& exercise_files);
 };
 
 // Why an entry that should be a file is none, or must not be taken; "" if all is well.

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "grader/course/input.h"
-#include "grader/intake/layout.h"
+#include "grader/intake/ignored.h"
 
 namespace grader {
 namespace {

@@ -1,5 +1,5 @@
 // STAFF ONLY. A folder on disk as a container. Links are listed as links and never followed. Paths that
-// layout.h ignores are not listed.
+// ignored.h names are not listed.
 #pragma once
 
 #include <filesystem>

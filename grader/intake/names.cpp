@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Names of submissions.
 #include "grader/intake/names.h"
 
 #include <algorithm>
@@ -6,13 +6,15 @@
 #include <cstdint>
 
 #include "grader/intake/archive_format.h"
+#include "grader/intake/letters.h"
 
 namespace grader {
 
 std::string submission_name(std::string_view name) {
   constexpr std::size_t longest = 150;
-  constexpr std::array<std::string_view, 7> taken{"staff",       "grades.csv", "index.html",  "junit.xml",
-                                                  "timing.json", "costs.html", "made-by.json"};
+  constexpr std::array<std::string_view, 8> taken{"staff",        "grades.csv",    "index.html",
+                                                  "junit.xml",    "timing.json",   "costs.html",
+                                                  "made-by.json", "left-over.json"};
   std::string safe(without_archive_ending(name).substr(0, longest));
   for (char& c : safe) {
     const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
@@ -24,6 +26,22 @@ std::string submission_name(std::string_view name) {
   if (safe.starts_with("class.sqlite") || std::find(taken.begin(), taken.end(), safe) != taken.end())
     safe += '_';
   return safe;
+}
+
+std::string name_of_owner(const Owner& owner) {
+  constexpr std::size_t kLongestName = 80, kLongestId = 60;
+  const auto is_ascii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
+  std::string name = without_marks(owner.name);
+  const bool lost = !std::ranges::all_of(name, is_ascii);
+  if (lost && !owner.id.empty()) std::erase_if(name, [&](char c) { return !is_ascii(c); });
+  if (owner.anonymous && !owner.id.empty() && name.empty()) name = "anon";
+  std::string id = owner.id;
+  if (id.size() > kLongestId) id = name_among_equals(id.substr(0, kLongestId), id);
+  if (!id.empty() && name.size() > kLongestName) name.resize(kLongestName);
+  while (!id.empty() && !name.empty() && name.back() == ' ') name.pop_back();
+  if (!name.empty() && !id.empty()) name += '_';
+  const std::string safe = submission_name(name + id);
+  return lost && owner.id.empty() ? name_among_equals(safe, owner.name) : safe;
 }
 
 std::string some_of(const std::vector<std::string>& names) {

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "grader/intake/canvas.h"
-
 namespace grader {
 namespace {
 
@@ -42,37 +40,20 @@ TEST(SubmissionName, AmongEqualsDependsOnThePathAlone) {
   EXPECT_EQ(name, submission_name(name)) << "it is a safe name";
 }
 
-const FileNames exercise_names{"conj_grad.cpp", "normal_equations.cpp"};
-
-// "doe_12 conj_grad.cpp 1": what a name says; "" if it is not Canvas's.
-std::string canvas(std::string_view name) {
-  const auto found = canvas_name(name, exercise_names);
-  if (!found) return "";
-  return found->student + " " + found->file +
-         (found->version > 0 ? " " + std::to_string(found->version) : "");
+TEST(NameOfAnOwner, HasItsIdWhole) {
+  EXPECT_EQ(name_of_owner({.name = "doejane", .id = "4711"}), "doejane_4711");
+  EXPECT_EQ(name_of_owner({.name = "J\xc3\xb6rg M\xc3\xbcller", .id = "4711"}), "Jorg_Muller_4711");
+  EXPECT_EQ(name_of_owner({.name = "\xe7\x8e\x8b\xe4\xbc\x9f", .id = "4711"}), "4711");
+  EXPECT_EQ(name_of_owner({.id = "so12"}), "so12");
+  EXPECT_EQ(name_of_owner({.id = "aB3dE", .anonymous = true}), "anon_aB3dE");
+  EXPECT_TRUE(name_of_owner({.name = std::string(300, 'x'), .id = "4711"}).ends_with("x_4711"));
 }
 
-TEST(CanvasName, HasAStudentAndAFile) {
-  EXPECT_EQ(canvas("doe_12347_678901_conj_grad.cpp"), "doe_12347 conj_grad.cpp");
-  EXPECT_EQ(canvas("doe_LATE_12347_678901_conj_grad.cpp"), "doe_12347 conj_grad.cpp");
-  EXPECT_EQ(canvas("doe_jane-mary_12347_678901_conj_grad.cpp"), "doe_jane-mary_12347 conj_grad.cpp");
-  EXPECT_EQ(canvas("doe_2_12347_678901_conj_grad.cpp"), "doe_2_12347 conj_grad.cpp");
-  EXPECT_EQ(canvas("doe_12347_678901_my_handin.zip"), "doe_12347 my_handin.zip");
-}
-
-TEST(CanvasName, CountsLaterHandIns) {
-  EXPECT_EQ(canvas("doe_12347_678901_conj_grad-1.cpp"), "doe_12347 conj_grad.cpp 1");
-  EXPECT_EQ(canvas("doe_12347_678901_conj_grad-12.cpp"), "doe_12347 conj_grad.cpp 12");
-  EXPECT_EQ(canvas("doe_12347_678901_conj_grad-x.cpp"), "doe_12347 conj_grad-x.cpp");
-  EXPECT_EQ(canvas("doe_12347_678901_conj_grad-99999999999.cpp"), "doe_12347 conj_grad-99999999999.cpp");
-  EXPECT_EQ(canvas("doe_12347_678901_handin-1.zip"), "doe_12347 handin-1.zip");
-}
-
-TEST(CanvasName, IsNoOther) {
-  for (const char* name :
-       {"conj_grad.cpp", "doe_conj_grad.cpp", "doe_12347_conj_grad.cpp", "_12_34_conj_grad.cpp",
-        "_LATE_12_34_conj_grad.cpp", "doe_12_34_", "doe_12_34", "doe__34_conj_grad.cpp", "", "_"})
-    EXPECT_EQ(canvas(name), "") << name;
+TEST(NameOfAnOwner, TellsNamesWithoutAsciiApart) {
+  const std::string one = name_of_owner({.name = "\xe7\x8e\x8b\xe4\xbc\x9f"}),
+                    other = name_of_owner({.name = "\xe6\x9d\x8e\xe5\xa8\x9c"});
+  EXPECT_NE(one, other);
+  EXPECT_EQ(one, submission_name(one)) << "it is a safe name";
 }
 
 }  // namespace

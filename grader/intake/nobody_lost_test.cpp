@@ -1,4 +1,6 @@
 // STAFF ONLY. Intake loses nobody: strays, clashes, wrong types and Canvas's single files.
+#include <set>
+
 #include "grader/intake/submissions_fixture.h"
 
 namespace grader {
@@ -37,8 +39,8 @@ TEST_F(Submissions, WhatLiesOutsideOfTheRootIsReported) {
   write("class/notes.txt", "");
   const Intake intake = take({dir_ / "class"});
   EXPECT_EQ(names(intake.submissions), (Names{"alice", "bob"}));
-  EXPECT_EQ(intake.notices.size(), 2u);
-  EXPECT_TRUE(has_notice(intake, {"class/carol: ", "belongs to nobody"}));
+  EXPECT_EQ(intake.notices.size(), 3u);
+  EXPECT_TRUE(has_notice(intake, {"class/carol/main.cpp: ", "belongs to nobody"}));
   EXPECT_TRUE(has_notice(intake, {"class/notes.txt: "}));
 }
 
@@ -54,12 +56,13 @@ TEST_F(Submissions, WhatSystemsLeaveInFoldersIsNotReported) {
 
 TEST_F(Submissions, ArchivesThatStayShutAreReported) {
   write("class/alice/conj_grad.cpp", "");
-  write("class/alice/build/handin.zip", zip("conj_grad.cpp"));
+  write("class/alice/build/handin.zip", zip("conj_grad.cpp"));  // the handout's own build writes it
+  write("class/alice/old/handin.zip", zip("conj_grad.cpp"));
   write("class/bob.zip", zip("conj_grad.cpp"));
   const Intake intake = take({dir_ / "class"});
   EXPECT_EQ(intake.submissions.at(0).problem, "");
   EXPECT_EQ(intake.notices.size(), 1u);
-  EXPECT_TRUE(has_notice(intake, {"class/alice: ", "alice/build/handin.zip was not opened"}));
+  EXPECT_TRUE(has_notice(intake, {"class/alice: ", "alice/old/handin.zip was not opened"}));
 
   const Intake nested = take({write(
       "dave.zip",
@@ -85,31 +88,41 @@ TEST_F(Submissions, ArchivesThatLieTooDeepAreReported) {
       has_notice(take({write("alice.zip", bytes)}), {"alice.zip: x.zip/x.zip/x.zip/x.zip was not opened"}));
 }
 
+TEST_F(Submissions, NamesThatDifferStayApart) {
+  for (const char* name : {"x 1", "x_1", "O'Brien", "O_Brien", "J\xc3\xb6rg", "Jorg",
+                           "\xe7\x8e\x8b\xe4\xbc\x9f", "\xe6\x9d\x8e\xe5\xa8\x9c", "z"})
+    write(std::string("class/") + name + "/conj_grad.cpp", name);
+  const Intake intake = take({dir_ / "class"});
+  ASSERT_EQ(intake.submissions.size(), 9u);
+  std::set<std::string> all;
+  for (const Submission& one : intake.submissions) {
+    EXPECT_EQ(one.files.at("conj_grad.cpp").text, one.owner.name);
+    all.insert(one.name);
+  }
+  EXPECT_EQ(all.size(), 9u);
+  EXPECT_EQ(intake.notices, Names{});
+}
+
 TEST_F(Submissions, ClashesAreMarkedAndTheRestIsRead) {
-  write("class/x 1/conj_grad.cpp", "");
-  write("class/x_1/conj_grad.cpp", "");
   write("class/y.zip", zip("conj_grad.cpp"));
   write("class/y.tar.gz", ArchiveBuilder(Packing::tar_gz).file("conj_grad.cpp").bytes());
   write("class/z.zip", zip("conj_grad.cpp", "fine"));
   const Intake intake = take({dir_ / "class"});
-  ASSERT_EQ(intake.submissions.size(), 5u);
-  for (std::size_t i = 0; i < 4; ++i) {
+  ASSERT_EQ(intake.submissions.size(), 3u);
+  for (std::size_t i = 0; i < 2; ++i) {
     const Submission& one = intake.submissions[i];
-    EXPECT_TRUE(one.name.starts_with(i < 2 ? "x_1-" : "y-")) << one.name;
+    EXPECT_TRUE(one.name.starts_with("y-")) << one.name;
     EXPECT_TRUE(one.files.empty());
     EXPECT_FALSE(one.unreadable);
-    EXPECT_TRUE(
-        says(one.problem, i < 2 ? "are both the submission \"x_1\"" : "are both the submission \"y\""));
-    for (const char* path :
-         i < 2 ? std::array{"class/x 1", "class/x_1"} : std::array{"class/y.zip", "class/y.tar.gz"})
-      EXPECT_TRUE(says(one.problem, path));
+    EXPECT_TRUE(says(one.problem, "are both the submission \"y\""));
+    for (const char* path : {"class/y.zip", "class/y.tar.gz"}) EXPECT_TRUE(says(one.problem, path));
     EXPECT_EQ(one.problem.find(dir_.string()), std::string::npos) << "students see it: " << one.problem;
     EXPECT_TRUE(has_notice(intake, {"rename one of them", "\"" + one.name + "\""}));
   }
   EXPECT_NE(intake.submissions[0].name, intake.submissions[1].name);
-  EXPECT_EQ(intake.notices.size(), 4u);
-  EXPECT_EQ(intake.submissions[4].name, "z");
-  EXPECT_EQ(intake.submissions[4].files.at("conj_grad.cpp").text, "fine");
+  EXPECT_EQ(intake.notices.size(), 2u);
+  EXPECT_EQ(intake.submissions[2].name, "z");
+  EXPECT_EQ(intake.submissions[2].files.at("conj_grad.cpp").text, "fine");
 }
 
 TEST_F(Submissions, ClashingNamesAreTheSameInAnyOrder) {
@@ -163,9 +176,8 @@ TEST_F(Submissions, WrongTypesAreNamedAndUnreadable) {
   EXPECT_FALSE(intake.submissions[8].unreadable) << "it could be read";
   EXPECT_EQ(intake.submissions[9].files.at("conj_grad.cpp").text, "fine");
   EXPECT_EQ(intake.notices, Names{});
-  const Submission alone = read({dir_ / "class/dave.pdf"}).front();
-  EXPECT_EQ(alone.name, "dave");
-  EXPECT_TRUE(alone.unreadable);
+  for (const char* alone : {"dave.pdf", "frank.zip", "grace.zip", "bob.7z"})
+    EXPECT_TRUE(says(bad_input({dir_ / "class" / alone}), "nothing was graded")) << "it may be a whole class";
 }
 
 TEST_F(Submissions, FilesOfCanvasBelongToTheirStudents) {
@@ -182,30 +194,90 @@ TEST_F(Submissions, FilesOfCanvasBelongToTheirStudents) {
   EXPECT_EQ(intake.submissions[0].files.at("conj_grad.cpp").text, "jane 1");
   EXPECT_EQ(intake.submissions[0].files.at("normal_equations.cpp").text, "jane 2");
   EXPECT_TRUE(says(intake.submissions[1].problem, "None of the exercise files"));
-  EXPECT_TRUE(says(intake.submissions[2].problem, "None of the exercise files"));
+  EXPECT_TRUE(says(intake.submissions[1].problem, "It holds report.pdf."));
+  EXPECT_TRUE(says(intake.submissions[2].problem, "It holds main.cpp."));
+  EXPECT_TRUE(has_remark(intake, {"poe_7_8_main.cpp: ", "no exercise file is in it; it holds main.cpp"}));
   EXPECT_EQ(intake.submissions[3].files.at("conj_grad.cpp").text, "newest");
-  EXPECT_EQ(intake.notices.size(), 2u);
-  EXPECT_TRUE(has_notice(intake, {"roe_99: ", "roe_99_6_conj_grad-1.cpp is older", ", and 1 more"}));
+  EXPECT_TRUE(intake.submissions[3].marked_late);
+  EXPECT_EQ(intake.submissions[3].owner.id, "99");
+  EXPECT_EQ(intake.submissions[3].system, "canvas");
+  EXPECT_EQ(std::ranges::count(intake.accounted, Accounted::As::older, &Accounted::as), 2);
+  EXPECT_EQ(intake.notices.size(), 1u);
   EXPECT_TRUE(has_notice(intake, {"class/conj_grad.cpp: ", "belongs to nobody"}));
 }
 
-TEST_F(Submissions, FilesOfCanvasAreFoundInAnArchiveToo) {
+TEST_F(Submissions, OneStudentsArchivesAndFilesOfCanvasAreOneHandIn) {
   const std::string bytes = ArchiveBuilder(Packing::zip)
                                 .file("doe_1_2_conj_grad.cpp", "a")
-                                .file("roe_2_3_conj_grad.cpp", "b")
-                                .file("roe_2_4_conj_grad.cpp", "also")
+                                .file("doe_1_9_handin.zip", zip("normal_equations.cpp", "d"))
+                                .file("roe_2_3_s1.zip", zip("conj_grad.cpp", "b"))
+                                .file("roe_2_4_s2.zip", zip("normal_equations.cpp", "e"))
                                 .file("poe_3_4_handin.zip", zip("conj_grad.cpp", "c"))
-                                .file("doe_1_9_handin.zip", zip("conj_grad.cpp", "d"))
+                                .file("poe_3_5_copy.zip", zip("conj_grad.cpp", "also"))
                                 .bytes();
   const Intake intake = take({write("submissions.zip", bytes)});
-  ASSERT_EQ(names(intake.submissions), (Names{"doe_1", "doe_1_9_handin", "poe_3_4_handin", "roe_2"}));
+  ASSERT_EQ(names(intake.submissions), (Names{"doe_1", "poe_3", "roe_2"}));
   EXPECT_EQ(intake.submissions[0].files.at("conj_grad.cpp").text, "a");
-  EXPECT_EQ(intake.submissions[1].files.at("conj_grad.cpp").text, "d");
+  EXPECT_EQ(intake.submissions[0].files.at("normal_equations.cpp").text, "d");
+  EXPECT_TRUE(says(
+      intake.submissions[1].files.at("conj_grad.cpp").problem,
+      "more than one conj_grad.cpp: poe_3_4_handin.zip/conj_grad.cpp and poe_3_5_copy.zip/conj_grad.cpp"));
+  EXPECT_EQ(intake.submissions[2].files.at("conj_grad.cpp").text, "b");
+  EXPECT_EQ(intake.submissions[2].files.at("normal_equations.cpp").text, "e");
+  EXPECT_EQ(intake.notices, Names{});
+}
+
+TEST_F(Submissions, ALaterHandInHasTheSameName) {
+  for (const char* file :
+       {"mullersofia_12347_678900_handin.zip", "mullersofia_LATE_12347_679555_handin-1.zip"}) {
+    const hair::TemporaryFolder folder("later");
+    dir_ = folder.path();
+    write("in/adams_1_2_conj_grad.cpp", "a");
+    const fs::path alone = write(std::string("in/") + file, zip("conj_grad.cpp"));
+    EXPECT_EQ(names(read({dir_ / "in"})), (Names{"adams_1", "mullersofia_12347"}));
+    EXPECT_EQ(names(read({alone})), Names{"mullersofia_12347"}) << "also where the file is the argument";
+  }
+}
+
+TEST_F(Submissions, NearNamesAreNamed) {
+  write("in/a_1_2_conj_grad (1).cpp", "a");
+  write("in/b_3_4_ConjGrad.cpp", "b");
+  write("in/c_5_6_CONJ_GRAD.CPP", "c");
+  write("in/d_7_8_conj_grad.txt", "d");
+  write("in/f_8_8_conj_grad (1).cpp", "older");
+  write("in/f_8_9_conj_grad.cpp", "f");
+  write("in/g_9_1_normal_equations.cpp", "g");
+  write("in/g_9_2_conj_grad_final.cpp", "g");
+  const Intake intake = take({dir_ / "in"});
+  ASSERT_EQ(names(intake.submissions), (Names{"a_1", "b_3", "c_5", "d_7", "f_8", "g_9"}));
+  EXPECT_EQ(intake.submissions[0].files.at("conj_grad.cpp").text, "a");
+  EXPECT_TRUE(has_remark(intake, {"conj_grad (1).cpp was taken for conj_grad.cpp"}));
+  EXPECT_TRUE(says(intake.submissions[1].problem, "ConjGrad.cpp looks like conj_grad.cpp."));
   EXPECT_EQ(intake.submissions[2].files.at("conj_grad.cpp").text, "c");
-  EXPECT_TRUE(says(intake.submissions[3].files.at("conj_grad.cpp").problem,
-                   "more than one conj_grad.cpp: roe_2_3_conj_grad.cpp and roe_2_4_conj_grad.cpp"));
-  EXPECT_EQ(intake.notices.size(), 1u);
-  EXPECT_TRUE(has_notice(intake, {"submissions.zip/doe_1 and doe_1_9_handin.zip are of one student"}));
+  EXPECT_TRUE(says(intake.submissions[3].problem, "conj_grad.txt looks like conj_grad.cpp."));
+  EXPECT_EQ(intake.submissions[4].files.at("conj_grad.cpp").text, "f");
+  EXPECT_TRUE(has_remark(intake, {"conj_grad (1).cpp was not taken, since ", "conj_grad.cpp is there"}));
+  EXPECT_TRUE(says(
+      intake.submissions[5].files.at("conj_grad.cpp").problem,
+      "conj_grad.cpp is missing, and conj_grad_final.cpp looks like it. Give it the name conj_grad.cpp"));
+  EXPECT_EQ(intake.notices, Names{});
+}
+
+TEST_F(Submissions, NothingRecognisedIsBadInput) {
+  EXPECT_TRUE(says(bad_input({write("class.zip", zip("main.cpp"))}), "no learning system's names"));
+  EXPECT_EQ(read_submissions({write("x/a.zip", zip("main.cpp")), write("x/b.zip", zip("conj_grad.cpp"))},
+                             two_exercises(), opener())
+                .submissions.size(),
+            2U)
+      << "among several arguments it is one student's";
+  const fs::path canvas = write("canvas.zip", zip("doe_1_2_conj_grad.cpp"));
+  try {
+    read_submissions({canvas}, two_exercises(), opener(), {}, {.classes = false, .from = "moodle"});
+    FAIL() << "nothing was said";
+  } catch (const BadInput& error) {
+    EXPECT_TRUE(
+        says(error.what(), "holds no name that Moodle gives, as Jane Doe_4711_assignsubmission_file/"));
+  }
 }
 
 }  // namespace

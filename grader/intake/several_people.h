@@ -4,13 +4,9 @@
 
 #include <string>
 #include <string_view>
-
-#include "grader/intake/layout.h"
+#include <vector>
 
 namespace grader {
-
-// Every member of the class is named as learning systems do.
-bool has_names_of_a_learning_system(const Layout& layout);
 
 struct Arguments {
   bool several = false;  // then each is a hand-in of one student
@@ -18,7 +14,13 @@ struct Arguments {
   bool may_be_class() const { return classes || !several; }
 };
 
-// Why an argument of this name is no class, as a part of a sentence for staff. Empty: its layout stands.
-std::string why_no_class(const Layout& layout, std::string_view name, const Arguments& arguments);
+// What looks like a class.
+struct Crowd {
+  std::vector<std::string> names;  // of its submissions
+  bool of_a_system = false;        // they are in a learning system's download
+};
+
+// Why an argument of this name is no class, as a part of a sentence for staff. Empty: it is one.
+std::string why_no_class(const Crowd& crowd, std::string_view name, const Arguments& arguments);
 
 }  // namespace grader

@@ -7,6 +7,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <set>
 
 #include "grader/intake/submissions_fixture.h"
 
@@ -102,24 +103,43 @@ TEST_F(Submissions, TwoFilesOfOneNameAreBothNamedAndNoneIsTaken) {
   const Submission alice = only(ArchiveBuilder(Packing::zip)
                                     .file("CMakeLists.txt")
                                     .file("solver/x.h")
-                                    .file("a/conj_grad.cpp")
-                                    .file("b/conj_grad.cpp")
+                                    .file("a/conj_grad.cpp", "1")
+                                    .file("b/conj_grad.cpp", "2")
                                     .file("b/normal_equations.cpp", "fine")
                                     .bytes());
   const SourceFile& file = alice.files.at("conj_grad.cpp");
   EXPECT_EQ(file.text, "");
-  EXPECT_TRUE(says(file.problem, "more than one conj_grad.cpp: a/conj_grad.cpp and b/conj_grad.cpp."));
+  EXPECT_TRUE(says(file.problem,
+                   "more than one conj_grad.cpp: alice.zip/a/conj_grad.cpp and alice.zip/b/conj_grad.cpp."));
   EXPECT_EQ(alice.files.at("normal_equations.cpp").text, "fine");
   EXPECT_EQ(alice.problem, "");
 
   const Submission nested = only(ArchiveBuilder(Packing::zip)
                                      .file("CMakeLists.txt")
                                      .file("solver/x.h")
-                                     .file("1.zip", zip("conj_grad.cpp"))
-                                     .file("2.zip", zip("conj_grad.cpp"))
+                                     .file("1.zip", zip("conj_grad.cpp", "1"))
+                                     .file("2.zip", zip("conj_grad.cpp", "2"))
                                      .bytes());
   EXPECT_EQ(nested.files.at("conj_grad.cpp").text, "");
-  EXPECT_TRUE(says(nested.files.at("conj_grad.cpp").problem, "1.zip/conj_grad.cpp and 2.zip/conj_grad.cpp"));
+  EXPECT_TRUE(says(nested.files.at("conj_grad.cpp").problem,
+                   "alice.zip/1.zip/conj_grad.cpp and alice.zip/2.zip/conj_grad.cpp"));
+}
+
+TEST_F(Submissions, IdenticalFilesCountOnceAndTheLastEntryOfAPath) {
+  for (const Packing packing : {Packing::zip, Packing::tar_gz}) {
+    const Intake copies = take({write("h.zip", ArchiveBuilder(packing)
+                                                   .file("hw/student/conj_grad.cpp", "same")
+                                                   .file("hw - Copy/student/conj_grad.cpp", "same")
+                                                   .bytes())});
+    ASSERT_EQ(names(copies.submissions), Names{"h"});
+    EXPECT_EQ(copies.submissions[0].files.at("conj_grad.cpp").text, "same");
+    const Submission twice = only(ArchiveBuilder(packing)
+                                      .file("conj_grad.cpp", "first")
+                                      .file("b.cpp")
+                                      .file("conj_grad.cpp", "last")
+                                      .bytes());
+    EXPECT_EQ(twice.files.at("conj_grad.cpp").text, "last");
+  }
 }
 
 TEST_F(Submissions, LinksAndDevicesAreNotTaken) {
@@ -142,17 +162,31 @@ TEST_F(Submissions, LinksAndDevicesAreNotTaken) {
 }
 
 TEST_F(Submissions, PathsThatLeadOutsideAreNotTakenAndTouchNothing) {
-  for (const char* path :
-       {"../../conj_grad.cpp", "a/../../conj_grad.cpp", "/tmp/conj_grad.cpp", "C:\\conj_grad.cpp"}) {
-    for (const Packing packing : {Packing::zip, Packing::tar_gz}) {
-      const Submission alice =
-          only(ArchiveBuilder(packing).file(path).file("normal_equations.cpp", "fine").bytes());
-      EXPECT_EQ(alice.files.at("conj_grad.cpp").text, "") << path;
-      EXPECT_TRUE(says(alice.files.at("conj_grad.cpp").problem, "leads out of the archive")) << path;
-      EXPECT_EQ(alice.files.at("normal_equations.cpp").text, "fine") << path;
-    }
+  for (const Packing packing : {Packing::zip, Packing::tar_gz}) {
+    const Submission alice = only(
+        ArchiveBuilder(packing).file("a/../../conj_grad.cpp").file("normal_equations.cpp", "fine").bytes());
+    EXPECT_EQ(alice.files.at("conj_grad.cpp").text, "");
+    EXPECT_TRUE(says(alice.files.at("conj_grad.cpp").problem, "leads out of the archive"));
+    EXPECT_EQ(alice.files.at("normal_equations.cpp").text, "fine");
   }
-  EXPECT_EQ(std::distance(fs::directory_iterator(dir_), {}), 1) << "only the archive itself may be there";
+  EXPECT_EQ(std::distance(fs::recursive_directory_iterator(dir_), {}), 2)
+      << "only the archive itself may be there";
+}
+
+TEST_F(Submissions, PathsLoseTheirRootAndTouchNothing) {
+  for (const char* path : {"../../conj_grad.cpp", "/tmp/conj_grad.cpp", "C:\\conj_grad.cpp"}) {
+    const Intake intake = take({write("only/alice.zip", zip(path, "text")).parent_path()});
+    EXPECT_EQ(intake.submissions.at(0).files.at("conj_grad.cpp").text, "text") << path;
+    EXPECT_TRUE(has_remark(intake, {"alice.zip: ", "conj_grad.cpp begins at a root, which was left away"}));
+    EXPECT_EQ(intake.notices, Names{});
+  }
+  const std::string bytes = ArchiveBuilder(Packing::zip)
+                                .file("/ann/conj_grad.cpp")
+                                .file("C:\\Users\\bob\\conj_grad.cpp")
+                                .file("../cy/conj_grad.cpp")
+                                .bytes();
+  EXPECT_EQ(names(read({write("class.zip", bytes)})), (Names{"ann", "bob", "cy"}));
+  EXPECT_FALSE(fs::exists("/tmp/conj_grad.cpp"));
 }
 
 TEST_F(Submissions, LinksOnDiskAreNotFollowed) {
@@ -222,7 +256,9 @@ TEST_F(Submissions, DamageIsSaidAndStaysWithItsSubmission) {
   EXPECT_EQ(all[2].files.at("conj_grad.cpp").text, "fine");
   EXPECT_TRUE(says(all[3].problem, "dave.rar is a RAR archive"));
   EXPECT_TRUE(says(all[4].problem, "erin.zip can't be read"));
-  EXPECT_EQ(names(read({dir_ / "class/alice.tar.gz"})), Names{"alice"}) << "also alone it is a submission";
+  EXPECT_TRUE(
+      says(bad_input({dir_ / "class/alice.tar.gz"}), "nothing was graded: alice.tar.gz can't be read"))
+      << "alone it may be a whole class";
 }
 
 TEST_F(Submissions, EncryptionIsSaid) {
@@ -244,53 +280,61 @@ TEST_F(Submissions, AFileThatIsTooLongIsNotTaken) {
   }
 }
 
+// A zip's files are found by its directory, and a folder's too. A tar's stream is read from its begin.
 TEST_F(Submissions, MoreThanTheLimitsIsRefusedWhereverItLies) {
   IntakeLimits limits;
-  limits.unpacked_bytes = 1 << 20;
+  limits.unpacked_bytes = limits.stream_bytes = 1 << 20;
+  limits.file_bytes = limits.unpacked_bytes;
   limits.entries = 5;
   const std::size_t much = (1 << 20) + 1;
   const std::string fine = zip("conj_grad.cpp", "fine");
   for (const Packing packing : {Packing::zip, Packing::tar_gz}) {
-    for (const char* path : {"conj_grad.cpp", "data.bin"}) {
-      const std::string bytes = ArchiveBuilder(packing).zeros(path, much).file("a/conj_grad.cpp").bytes();
-      EXPECT_TRUE(says(only(bytes, limits).problem, "unpacks to more than 1 MiB"));
-      EXPECT_TRUE(only(bytes, limits).files.empty());
-      const std::vector<Submission> all =
-          read({write("c.zip",
-                      ArchiveBuilder(Packing::zip).file("alice.zip", bytes).file("bob.zip", fine).bytes())},
-               limits);
+    EXPECT_TRUE(says(only(ArchiveBuilder(packing).zeros("handin.zip", much).bytes(), limits).problem,
+                     "unpacks to more than 1 MiB"));
+    const std::string bytes =
+        ArchiveBuilder(packing).zeros("data.bin", much).file("a/conj_grad.cpp", "x").bytes();
+    const std::vector<Submission> all = read(
+        {write("c.zip", ArchiveBuilder(Packing::zip).file("alice.zip", bytes).file("bob.zip", fine).bytes())},
+        limits);
+    if (packing == Packing::zip) {
+      EXPECT_EQ(all.at(0).files.at("conj_grad.cpp").text, "x") << "the rest is not read";
+    } else {
       EXPECT_TRUE(says(all.at(0).problem, "unpacks to more than 1 MiB"));
-      EXPECT_EQ(all.at(1).files.at("conj_grad.cpp").text, "fine");
     }
+    EXPECT_EQ(all.at(1).files.at("conj_grad.cpp").text, "fine");
     ArchiveBuilder many(packing);
     for (int i = 0; i < 6; ++i) many.file("d/f" + std::to_string(i), "");
     many.file("conj_grad.cpp");
     EXPECT_TRUE(says(only(many.bytes(), limits).problem, "ore than 5 files and folders"));
   }
-  write("big/conj_grad.cpp", "");
+  write("big/conj_grad.cpp", "x");
   write("big/data", std::string(much, 'x'));
-  EXPECT_TRUE(says(read({dir_ / "big"}, limits).front().problem, "unpacks to more than 1 MiB"));
+  EXPECT_EQ(read({dir_ / "big"}, limits).front().files.at("conj_grad.cpp").text, "x")
+      << "the rest is not read";
 }
 
 TEST_F(Submissions, WhatIsIgnoredUsesNothingUp) {
   IntakeLimits limits;
   limits.unpacked_bytes = 1 << 20;
-  limits.entries = 1;
-  const std::string bytes =
-      ArchiveBuilder(Packing::zip).zeros(".git/pack", 2 << 20).file("a/conj_grad.cpp", "fine").bytes();
-  EXPECT_EQ(only(bytes, limits).files.at("conj_grad.cpp").text, "fine");
   limits.entries = 2;
+  ArchiveBuilder builder(Packing::zip);
+  builder.zeros(".git/pack", 2 << 20);
+  for (const char* name : {"__MACOSX/a/._x", "a/.vs/x", "a/Icon\r", "a/~$x.docx", "a/x.cpp:Zone.Identifier",
+                           "@eaDir/x", "Thumbs.db"})
+    builder.file(name, "x");
+  for (int i = 0; i < 100; ++i) builder.file(".git/objects/" + std::to_string(i));
+  const std::string bytes = builder.file("a/conj_grad.cpp", "fine").bytes();
+  EXPECT_EQ(only(bytes, limits).files.at("conj_grad.cpp").text, "fine");
+  EXPECT_EQ(read({write("x.zip", bytes)}, limits).front().files.at("conj_grad.cpp").text, "fine");
+  limits.entries = 3;
   EXPECT_EQ(only(zip("handin.zip", bytes), limits).files.at("conj_grad.cpp").text, "fine");
 }
 
 TEST_F(Submissions, TooMuchOfOneInAnArchivesFolderStaysWithIt) {
   IntakeLimits limits;
   limits.unpacked_bytes = 1 << 20;
-  const std::string bytes = ArchiveBuilder(Packing::zip)
-                                .zeros("alice/data", 2 << 20)
-                                .file("alice/conj_grad.cpp")
-                                .file("bob/conj_grad.cpp", "fine")
-                                .bytes();
+  const std::string bytes =
+      ArchiveBuilder(Packing::zip).zeros("alice/data.zip", 2 << 20).file("bob/conj_grad.cpp", "fine").bytes();
   const std::vector<Submission> all = read({write("class.zip", bytes)}, limits);
   EXPECT_TRUE(says(all.at(0).problem, "unpacks to more than 1 MiB"));
   EXPECT_EQ(all.at(1).files.at("conj_grad.cpp").text, "fine");
@@ -318,6 +362,44 @@ TEST_F(Submissions, ArgumentsThatAreNoneAreBadInput) {
       says(bad_input({dir_ / "empty"}), "there is no exercise file (conj_grad.cpp, normal_equations.cpp)"));
 }
 
+TEST_F(Submissions, NamesThatAreNoUtf8LoseNobody) {
+  const std::vector<std::pair<std::string, std::string>> pages{
+      {"M\xfcller", "M\xc3\xbcller"},                    // Latin-1
+      {"M\x81ller", "M\xc3\xbcller"},                    // CP437
+      {"\xcd\xf5\xce\xb0", "\xe7\x8e\x8b\xe4\xbc\x9f"},  // GB18030
+  };
+  for (const auto& [bytes, text] : pages) {
+    for (const bool flagged : {false, true}) {
+      SCOPED_TRACE(text + (flagged ? ", with the flag of UTF-8" : ""));
+      std::string packed = ArchiveBuilder(Packing::zip, "zip:compression=store")
+                               .file("ann/conj_grad.cpp", "a")
+                               .file(bytes + "/conj_grad.cpp", "b")
+                               .file(bytes + " 2/conj_grad.cpp", "c")
+                               .bytes();
+      if (flagged) {
+        for (std::size_t at = packed.find("PK\x03\x04"); at != std::string::npos;
+             at = packed.find("PK\x03\x04", at + 4))
+          packed[at + 7] = static_cast<char>(packed[at + 7] | 8);
+        for (std::size_t at = packed.find("PK\x01\x02"); at != std::string::npos;
+             at = packed.find("PK\x01\x02", at + 4))
+          packed[at + 9] = static_cast<char>(packed[at + 9] | 8);
+      }
+      const Intake intake = take({write("class.zip", packed)});
+      ASSERT_EQ(intake.submissions.size(), 3u);
+      std::set<std::string> owners;
+      for (const Submission& one : intake.submissions) owners.insert(one.owner.name);
+      EXPECT_EQ(owners, (std::set<std::string>{"ann", text, text + " 2"}));
+      EXPECT_TRUE(has_remark(intake, {"class.zip: names in it are no UTF-8", "which is a guess"}));
+    }
+  }
+}
+
+TEST_F(Submissions, AGzipOfOneFileIsCalledSo) {
+  write("class/alice.gz", gzip("int x;"));
+  write("class/bob.zip", zip("conj_grad.cpp"));
+  EXPECT_TRUE(says(read({dir_ / "class"}).at(0).problem, "alice.gz is one file that is packed with gzip"));
+}
+
 TEST_F(Submissions, AnArchiveIsKnownByItsContentToo) {
   EXPECT_EQ(read({write("handed_in", zip("conj_grad.cpp", "x"))}).front().files.at("conj_grad.cpp").text,
             "x");
@@ -342,15 +424,18 @@ TEST_F(Submissions, OfTenGigabytesOfZerosNoMoreIsReadThanMayBe) {
   std::string bomb = gzip(header);
   for (int i = 0; i < 5; ++i) bomb += zeros;
 
+  IntakeLimits limits;
+  limits.stream_bytes = 4 * chunk;
   const std::string zip_bomb = ArchiveBuilder(Packing::zip).zeros("conj_grad.cpp", 5 * chunk).bytes();
-  for (const std::string& bytes : {bomb, zip_bomb}) {
-    EXPECT_TRUE(says(only(bytes).problem, "unpacks to more than 256 MiB"));
-    const auto nested = read({write(
-        "c.zip",
-        ArchiveBuilder(Packing::zip).file("a.zip", bytes).file("b.zip", zip("conj_grad.cpp")).bytes())});
-    EXPECT_TRUE(says(nested.at(0).problem, "unpacks to more than 256 MiB"));
-    EXPECT_EQ(nested.at(1).problem, "");
-  }
+  const auto all = read({write("class.zip", ArchiveBuilder(Packing::zip)
+                                                .file("a.zip", bomb)
+                                                .file("b.zip", zip("conj_grad.cpp"))
+                                                .file("c.zip", zip_bomb)
+                                                .bytes())},
+                        limits);
+  EXPECT_TRUE(says(all.at(0).problem, "unpacks to more than 256 MiB"));
+  EXPECT_EQ(all.at(1).problem, "");
+  EXPECT_TRUE(says(all.at(2).files.at("conj_grad.cpp").problem, "conj_grad.cpp is larger than 1 MiB"));
 }
 
 }  // namespace

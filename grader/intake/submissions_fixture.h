@@ -59,25 +59,31 @@ class Submissions : public testing::Test {
   }
   static Intake take(const std::vector<fs::path>& arguments, const IntakeLimits& limits = {},
                      bool classes = false) {
-    return read_submissions(arguments, two_exercises(), opener(), limits, classes);
+    return read_submissions(arguments, two_exercises(), opener(), limits, {classes, {}});
   }
   static std::vector<Submission> read(const std::vector<fs::path>& arguments,
                                       const IntakeLimits& limits = {}) {
     return take(arguments, limits).submissions;
   }
   static testing::AssertionResult has_notice(const Intake& intake, const std::vector<std::string>& parts) {
-    for (const std::string& notice : intake.notices) {
+    return has_line(intake.notices, parts);
+  }
+  static testing::AssertionResult has_remark(const Intake& intake, const std::vector<std::string>& parts) {
+    return has_line(intake.remarks, parts);
+  }
+  static testing::AssertionResult has_line(const Names& lines, const std::vector<std::string>& parts) {
+    for (const std::string& notice : lines) {
       const bool one_line = notice.find('\n') == std::string::npos;
       if (one_line && std::all_of(parts.begin(), parts.end(), [&](const std::string& part) {
             return notice.find(part) != std::string::npos;
           }))
         return testing::AssertionSuccess();
     }
-    return testing::AssertionFailure() << "no such notice in: " << testing::PrintToString(intake.notices);
+    return testing::AssertionFailure() << "no such line in: " << testing::PrintToString(lines);
   }
-  // The one submission in an archive of these bytes.
+  // The one submission in an archive of these bytes, as a class holds it.
   Submission only(const std::string& bytes, const IntakeLimits& limits = {}) const {
-    const std::vector<Submission> all = read({write("alice.zip", bytes)}, limits);
+    const std::vector<Submission> all = read({write("only/alice.zip", bytes).parent_path()}, limits);
     if (all.size() != 1) throw std::runtime_error("expected one submission");
     return all.front();
   }

@@ -146,26 +146,33 @@ TEST_F(Hairgrade, RefusesSubmissionsThatAreNone) {
   expect_refused(grade({write("notes.txt", "hello"), "--out", out()}), {"notes.txt"});
   fs::create_directory(folder_ / "empty");
   expect_refused(grade({(folder_ / "empty").string(), "--out", out()}), {"empty"});
+  // It may be a whole class, and then nobody gets a 0.
+  expect_refused(grade({write("class.zip", "<html>Log in</html>"), "--out", out()}),
+                 {"class.zip", "nothing was graded"});
+  expect_refused(grade({sample("other-order"), "--from", "myspace", "--out", out()}), {"--from", "canvas"});
+  expect_refused(grade({sample("other-order"), "--from", "canvas", "--out", out()}),
+                 {"Canvas", "doejane_4711_90001_main.cpp"});
 }
 
-// Strays, names that clash and archives beside exercise files: a line each, exit code 1, and all else is graded.
+// Strays, names that clash and archives beside exercise files: a line each, exit code 3, and all else is graded.
 TEST_F(Hairgrade, GradesAClassWithStraysAndClashes) {
   const fs::path everybody = folder_ / "class";
-  for (const char* name : {"x 1", "x_1", "alice"}) {
+  for (const char* name : {"x", "alice"}) {
     fs::create_directories(everybody / name);
     std::ofstream(everybody / name / "conj_grad.cpp") << code_of("perfect", "conj_grad.cpp");
   }
+  std::ofstream(everybody / "x.zip") << "";
   std::ofstream(everybody / "alice" / "old.zip") << "";
   std::ofstream(everybody / "bob.rar") << "Rar!";
   std::ofstream(everybody / "conj_grad.cpp") << "";
   const ProgramRun run = grade({everybody.string(), "--out", out()});
-  EXPECT_EQ(run.code, 1) << run.errors;
+  EXPECT_EQ(run.code, 3) << run.errors;
   EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 4) << run.errors;
   for (const string& line :
        {"hairgrade: " + (everybody / "conj_grad.cpp").string() + ": was not graded",
         "hairgrade: " + (everybody / "alice").string() + ": alice/old.zip was not opened",
-        "hairgrade: " + (everybody / "x 1").string() + " and " + (everybody / "x_1").string() + " are both",
-        "hairgrade: " + (everybody / "x_1").string() + " and " + (everybody / "x 1").string() + " are both"})
+        "hairgrade: " + (everybody / "x").string() + " and " + (everybody / "x.zip").string() + " are both",
+        "hairgrade: " + (everybody / "x.zip").string() + " and " + (everybody / "x").string() + " are both"})
     EXPECT_NE(run.errors.find(line), string::npos) << line << "\nnot in: " << run.errors;
 
   EXPECT_EQ(points(recorded_result(out(), "alice").value()), 32);
@@ -175,7 +182,11 @@ TEST_F(Hairgrade, GradesAClassWithStraysAndClashes) {
   EXPECT_NE(hair::bytes_of(fs::path(out()) / "bob" / "report.html").find("bob.rar is a RAR archive"),
             string::npos);
   const string gradebook = hair::bytes_of(fs::path(out()) / "grades.csv");
-  EXPECT_NE(gradebook.find("\nx_1-"), string::npos) << gradebook;
+  EXPECT_NE(gradebook.find("\nx-"), string::npos) << gradebook;
+  const auto left_over =
+      nlohmann::json::parse(hair::bytes_of(fs::path(out()) / "left-over.json")).at("left_over");
+  ASSERT_EQ(left_over.size(), 1U);
+  EXPECT_EQ(left_over[0].at("path"), (everybody / "conj_grad.cpp").string());
   EXPECT_EQ(std::count(gradebook.begin(), gradebook.end(), '\n'), 5) << gradebook;
 }
 
@@ -184,7 +195,7 @@ TEST_F(Hairgrade, MarksTwoSubmissionsOfOneName) {
   const string late = (folder_ / "late" / "other-order.tar.gz").string();
   fs::copy_file(sample("other-order"), late);
   const ProgramRun run = grade({sample("other-order"), late, sample("stubs"), "--out", out()});
-  EXPECT_EQ(run.code, 1) << run.errors;
+  EXPECT_EQ(run.code, 3) << run.errors;
   for (const string& word : {sample("other-order"), late})
     EXPECT_NE(run.errors.find(word), string::npos) << run.errors;
   EXPECT_NE(run.output.find("3 graded"), string::npos) << run.output;
@@ -298,7 +309,7 @@ TEST_F(Hairgrade, ReplacesNobodysRowByAnotherOriginsWithoutAWordAndAFlag) {
   refused({mallory, "--class"}, "--replace");
   refused({another_name}, "--replace");
   const ProgramRun together = grade({sample("other-order"), mallory, "--out", out()});
-  EXPECT_EQ(together.code, 1) << together.errors;
+  EXPECT_EQ(together.code, 3) << together.errors;
   EXPECT_NE(together.errors.find("--class"), string::npos) << together.errors;
   EXPECT_EQ(points(recorded_result(out(), "other-order").value()), 52);
   EXPECT_EQ(points(recorded_result(out(), "mallory").value()), 0);

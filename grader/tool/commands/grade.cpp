@@ -7,6 +7,8 @@
 #include "grader/course/course.h"
 #include "grader/course/input.h"
 #include "grader/intake/caged_archive.h"
+#include "grader/intake/layouts/system.h"
+#include "grader/intake/left_over.h"
 #include "grader/intake/submission.h"
 #include "grader/record/owners.h"
 #include "grader/report/report.h"
@@ -27,8 +29,8 @@ namespace fs = std::filesystem;
 
 struct GradeOptions {
   std::vector<fs::path> submissions;
-  bool classes = false;
   std::optional<fs::path> roster;
+  IntakeChoices choices;
   GradeSettings settings;
   BatchSettings batch;
 };
@@ -65,7 +67,7 @@ int grade(GradeOptions options) {
   std::optional<CagedReader> reader;
   if (settings.isolation != Isolation::none) reader.emplace(HAIR_READER, settings.isolation);
   Intake intake = read_submissions(options.submissions, settings.course,
-                                   reader ? reader->opener() : open_here, {}, options.classes);
+                                   reader ? reader->opener() : open_here, {}, options.choices);
 
   check_made_by(options.batch.out, made_by(settings));  // before the reference takes its seconds
   settle_origins(options.batch.out, intake.submissions, options.batch.only, options.batch.replace);
@@ -80,6 +82,7 @@ int grade(GradeOptions options) {
     std::cerr << "hairgrade: interrupted while it waited; nothing was written\n";
     return 130;
   }
+  write_file(options.batch.out / kLeftOver, left_over_json(intake));
   print_table(std::cout, batch.results);
   std::cout << "\n" << batch.graded << " graded";
   if (batch.kept > 0) std::cout << ", " << batch.kept << " kept from before";
@@ -92,6 +95,7 @@ int grade(GradeOptions options) {
   for (const std::string& problem : batch.problems)
     std::cerr << "hairgrade: could not grade " << printable(problem, 2000) << "\n";
   say_people(options.batch.out, options.batch.roster);
+  for (const std::string& remark : intake.remarks) std::cerr << "hairgrade: " << remark << "\n";
   for (const std::string& notice : intake.notices) std::cerr << "hairgrade: " << notice << "\n";
   std::string not_final;
   for (const SubmissionResult& result : batch.results)
@@ -101,8 +105,8 @@ int grade(GradeOptions options) {
               << "; look at them, and grade them again (--resume grades no others)\n";
   if (!open_to_others.empty()) std::cerr << "hairgrade: " << open_to_others << "\n";
   if (!batch.interrupted) {
-    if (!batch.problems.empty() || !intake.notices.empty()) return 1;
-    return not_final.empty() ? 0 : 3;
+    if (!batch.problems.empty()) return 1;
+    return not_final.empty() && intake.notices.empty() ? 0 : 3;
   }
   std::cerr << "hairgrade: interrupted after " << batch.finished << " of " << intake.submissions.size()
             << " submissions; the same command with --resume goes on\n";
@@ -126,11 +130,15 @@ Command add_grade(CLI::App& hairgrade) {
       ->check(CLI::Range(1, 256));
   command->add_flag("--resume", options->batch.resume,
                     "Keep results whose submission and suite have not changed");
-  command->add_flag("--class", options->classes,
+  command->add_flag("--class", options->choices.classes,
                     "Each of several arguments may be a class; else each is one student's hand-in");
   command->add_option(
       "--roster", options->roster,
       "A table of people: who handed in nothing, and who is on no roster, is shown; the record keeps it");
+  command
+      ->add_option("--from", options->choices.from,
+                   "The learning system that a class comes from (default: it is guessed, and said)")
+      ->check(CLI::IsMember(layout_names()));
   command->add_flag("--replace", options->batch.replace,
                     "Replace rows of another origin: of another class, or of a hand-in from elsewhere");
   command->add_option("--only", options->batch.only, "Grade the submission of this name alone");

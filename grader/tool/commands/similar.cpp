@@ -6,6 +6,7 @@
 #include "grader/course/course.h"
 #include "grader/course/input.h"
 #include "grader/intake/caged_archive.h"
+#include "grader/intake/layouts/system.h"
 #include "grader/intake/submission.h"
 #include "grader/similar/similar_pages.h"
 #include "grader/tool/commands/command.h"
@@ -22,14 +23,14 @@ struct SimilarOptions {
   std::optional<fs::path> course;
   fs::path out;
   int per_cent = 60;
-  bool classes = false;
+  IntakeChoices choices;
 };
 
 int similar(const SimilarOptions& options) {
   const Course course = read_course(HAIR_EXERCISES_JSON, options.course);
   const Isolation isolation = isolation_here(StagedKit(HAIR_KIT_DIR, course), {});
   const CagedReader reader(HAIR_READER, isolation);
-  const Intake intake = read_submissions(options.submissions, course, reader.opener(), {}, options.classes);
+  const Intake intake = read_submissions(options.submissions, course, reader.opener(), {}, options.choices);
   const Sim sim(isolation);
   SimilarRules rules;
   rules.least_part = options.per_cent / 100.0;
@@ -78,7 +79,11 @@ Command add_similar(CLI::App& hairgrade) {
   command
       ->add_option("--least", options->per_cent, "The least part of a pair that is shown, in per cent (60)")
       ->check(CLI::Range(1, 100));
-  command->add_flag("--class", options->classes, "Each of several arguments may be a class");
+  command->add_flag("--class", options->choices.classes, "Each of several arguments may be a class");
+  command
+      ->add_option("--from", options->choices.from,
+                   "The learning system that a class comes from (default: it is guessed)")
+      ->check(CLI::IsMember(layout_names()));
   return {command, [options] { return similar(*options); }};
 }
 

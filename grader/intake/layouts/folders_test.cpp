@@ -1,5 +1,5 @@
-// STAFF ONLY.
-#include "grader/intake/layout.h"
+// STAFF ONLY. Folders and archives are one submission or a class.
+#include "grader/intake/layouts/folders.h"
 
 #include <gtest/gtest.h>
 
@@ -86,18 +86,6 @@ TEST(Layout, DocumentsInAClassAreSubmissions) {
   EXPECT_EQ(members({"conj_grad.cpp", "report.pdf"}, true), Names{"one"});
 }
 
-TEST(Layout, FilesOfCanvasInTheRootAreAClass) {
-  EXPECT_EQ(members({"doe_1_2_conj_grad.cpp"}), Names{"doe_1"});
-  EXPECT_EQ(
-      members({"c/doe_1_2_conj_grad.cpp", "c/doe_1_3_normal_equations.cpp", "c/roe_LATE_2_4_conj_grad-1.cpp",
-               "c/poe_3_5_handin.zip", "c/notes_1_2_x.txt", "c/x.txt"}),
-      (Names{"c/doe_1", "c/notes_1", "c/poe_3_5_handin.zip", "c/roe_2", "? c/x.txt"}));
-  EXPECT_EQ(members({"alice.zip", "bob.zip", "notes_1_2_x.txt"}),
-            (Names{"alice.zip", "bob.zip", "? notes_1_2_x.txt"}))
-      << "nothing else is Canvas's";
-  EXPECT_EQ(members({"alice/conj_grad.cpp", "bob/doe_1_2_conj_grad.cpp"}), (Names{"alice", "bob"}));
-}
-
 TEST(Layout, AProjectIsOneSubmission) {
   EXPECT_EQ(members({"CMakeLists.txt", "student/conj_grad.cpp", "build/handin.tar.gz", "solver/x.h"}),
             Names{"one"});
@@ -149,27 +137,25 @@ TEST(Layout, NothingToLookAtIsSaid) {
   EXPECT_EQ(members({"main.cpp", "notes/"}), Names{"nothing"});
 }
 
-TEST(Layout, ArchivesAreTakenOnlyWhereNoExerciseFileLies) {
-  const std::vector<Entry> with{entry_at("student/conj_grad.cpp"), entry_at("build/handin.zip")};
-  const std::vector<Entry> without{entry_at("main.cpp"), entry_at("build/handin.zip")};
-  const Member all{"", Member::Kind::whole, {0, 1}};
-  EXPECT_EQ(takings_of(with, all, files).files.at(0).index, 0u);
-  EXPECT_EQ(takings_of(with, all, files).files.at(0).name, "conj_grad.cpp");
-  EXPECT_TRUE(takings_of(with, all, files).archives.empty());
-  EXPECT_EQ(takings_of(with, all, files).left_shut, std::vector<std::size_t>{1});
-  EXPECT_EQ(takings_of(without, all, files).archives, std::vector<std::size_t>{1});
-  EXPECT_TRUE(takings_of(without, all, files).left_shut.empty());
-}
-
 TEST(EntryPath, IsCleanedAndWhatLeadsOutsideIsNoted) {
   EXPECT_EQ(entry_at("./a//b/conj_grad.cpp").path, "a/b/conj_grad.cpp");
   EXPECT_FALSE(entry_at("./a//b/conj_grad.cpp").leads_outside);
   EXPECT_EQ(entry_at("a\\b\\conj_grad.cpp").path, "a/b/conj_grad.cpp");
-  for (const char* path : {"../x", "a/../x", "/x", "\\x", "C:\\x", "a\\..\\x"}) {
+  for (const char* path : {"a/../x", "a\\..\\x", "a/../../../x"}) {
     EXPECT_TRUE(entry_at(path).leads_outside) << path;
     EXPECT_EQ(name_of(entry_at(path)), "x") << path;
   }
   EXPECT_FALSE(entry_at("a/..x").leads_outside);
+}
+
+TEST(EntryPath, LosesItsRoot) {
+  for (const char* path :
+       {"/bob/x", "\\bob\\x", "C:\\bob\\x", "C:\\Users\\bob\\x", "/home/bob/x", "../../bob/x"}) {
+    EXPECT_TRUE(entry_at(path).lost_root) << path;
+    EXPECT_FALSE(entry_at(path).leads_outside) << path;
+    EXPECT_EQ(entry_at(path).path, "bob/x") << path;
+  }
+  EXPECT_EQ(entry_at("Users/bob/x").path, "Users/bob/x");
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// STAFF ONLY.
-#include "grader/intake/layout.h"
+// STAFF ONLY. One submission, or a class of folders and archives.
+#include "grader/intake/layouts/folders.h"
 
 #include <algorithm>
 #include <array>
@@ -7,6 +7,7 @@
 #include <set>
 
 #include "grader/intake/archive_format.h"
+#include "grader/intake/ignored.h"
 
 namespace grader {
 namespace {
@@ -14,10 +15,6 @@ namespace {
 std::string_view parent_of(std::string_view path) {
   const std::size_t slash = path.rfind('/');
   return slash == std::string_view::npos ? std::string_view() : path.substr(0, slash);
-}
-
-std::string_view without_folders(std::string_view path) {
-  return path.substr(path.rfind('/') + 1);
 }
 
 bool lies_in(std::string_view path, std::string_view folder) {
@@ -30,30 +27,37 @@ std::string_view child_of(std::string_view folder, std::string_view path) {
 }
 
 bool is_exercise_file(const Entry& entry, const FileNames& exercise_files) {
-  return entry.kind != Entry::Kind::folder && exercise_files.count(name_of(entry)) > 0;
+  if (entry.kind == Entry::Kind::folder) return false;
+  const auto likeness = exercise_file(name_of(entry), exercise_files);
+  return likeness && likeness->degree != Likeness::Degree::like;
 }
 
 bool is_archive(const Entry& entry) {
   return entry.kind != Entry::Kind::folder && has_archive_ending(name_of(entry));
 }
 
-bool is_canvas_file(const Entry& entry, const FileNames& exercise_files) {
-  return entry.kind != Entry::Kind::folder &&
-         canvas_exercise_file(name_of(entry), exercise_files).has_value();
+// "hw - Copy", "hw (1)", "hw 2": the folder that it copies.
+std::string_view copied(std::string_view name) {
+  static constexpr std::array<std::string_view, 4> kCopies{" - Copy", " copy", " - Kopie", "_copy"};
+  std::string_view rest = name;
+  if (rest.ends_with(')') && rest.rfind(" (") != std::string_view::npos) {
+    const std::string_view number = rest.substr(rest.rfind(" (") + 2);
+    if (number.find_first_not_of("0123456789") == number.size() - 1) rest = rest.substr(0, rest.rfind(" ("));
+  }
+  for (const std::string_view copy : kCopies)
+    if (rest.ends_with(copy)) rest.remove_suffix(copy.size());
+  return rest;
 }
 
 // What one argument holds, while its layout is found.
 class Finder {
  public:
-  Finder(const std::vector<Entry>& entries, const FileNames& exercise_files)
-      : entries_(entries), exercise_files_(exercise_files) {
+  Finder(const std::vector<Entry>& entries, const FileNames& exercise_files) : entries_(entries) {
     for (std::size_t i = 0; i < entries.size(); ++i) {
       if (is_ignored(entries[i].path)) continue;
       counted_.push_back(i);
       const Entry& entry = entries[i];
-      if (is_exercise_file(entry, exercise_files) || is_archive(entry) ||
-          is_canvas_file(entry, exercise_files))
-        items_.push_back(&entry);
+      if (is_exercise_file(entry, exercise_files) || is_archive(entry)) items_.push_back(&entry);
     }
     if (!items_.empty()) root_ = parent_of(items_.front()->path);
     for (const Entry* item : items_) {
@@ -69,8 +73,7 @@ class Finder {
     std::set<std::string_view> holding;
     for (const Entry* item : items_) {
       const bool bare = parent_of(item->path) == root_;
-      if (bare && is_canvas_file(*item, exercise_files_)) return true;
-      if (!bare || is_archive(*item)) holding.insert(child_of(root_, item->path));
+      if (!bare || is_archive(*item)) holding.insert(copied(child_of(root_, item->path)));
     }
     const bool lone_archive = items_.size() == 1 && root_.empty() && is_archive(*items_.front()) &&
                               parent_of(items_.front()->path).empty();
@@ -81,13 +84,8 @@ class Finder {
 
  private:
   bool is_project() const;
-  bool from_canvas() const;
-  std::string in_root(const std::string& name) const {
-    return root_.empty() ? name : std::string(root_) + "/" + name;
-  }
 
   const std::vector<Entry>& entries_;
-  const FileNames& exercise_files_;
   std::vector<std::size_t> counted_;
   std::vector<const Entry*> items_;
   std::string_view root_;
@@ -112,15 +110,7 @@ bool Finder::is_project() const {
   });
 }
 
-// Then a file in the root that Canvas named for a student is that student's, whatever it is.
-bool Finder::from_canvas() const {
-  return std::any_of(items_.begin(), items_.end(), [&](const Entry* item) {
-    return parent_of(item->path) == root_ && canvas_name(name_of(*item), exercise_files_);
-  });
-}
-
 void Finder::divide(Layout& layout) const {
-  const bool canvas = from_canvas();
   std::map<std::pair<std::string, Member::Kind>, Member> members;
   std::set<std::string> strays;
   auto add = [&](const std::string& path, Member::Kind kind, std::size_t entry) {
@@ -144,8 +134,6 @@ void Finder::divide(Layout& layout) const {
       add(child, Member::Kind::folder, i);
     } else if (is_archive(entry)) {
       add(child, Member::Kind::archive, i);
-    } else if (const auto found = canvas_name(name, exercise_files_); found && canvas) {
-      add(in_root(found->student), Member::Kind::canvas, i);
     } else if (has_document_ending(name)) {
       add(child, Member::Kind::document, i);
     } else {
@@ -153,29 +141,11 @@ void Finder::divide(Layout& layout) const {
     }
   }
   layout.members.clear();
-  for (auto& [key, member] : members) {
-    if (const auto name = canvas_name(without_folders(member.path), exercise_files_);
-        name && member.kind == Member::Kind::archive) {
-      const std::string files = in_root(name->student);
-      if (members.count({files, Member::Kind::canvas}) > 0)
-        layout.of_one_student.emplace_back(files, member.path);
-    }
-    layout.members.push_back(member);
-  }
+  for (auto& [key, member] : members) layout.members.push_back(member);
   layout.strays.assign(strays.begin(), strays.end());
 }
 
 }  // namespace
-
-bool is_ignored(std::string_view path) {
-  while (!path.empty()) {
-    const std::string_view part = path.substr(0, path.find('/'));
-    if (part == "__MACOSX" || part == "Thumbs.db" || part == "desktop.ini" || part.starts_with('.'))
-      return true;
-    path.remove_prefix(std::min(part.size() + 1, path.size()));
-  }
-  return false;
-}
 
 Layout layout_of(const std::vector<Entry>& entries, const FileNames& exercise_files, bool on_disk) {
   const Finder finder(entries, exercise_files);
@@ -185,32 +155,6 @@ Layout layout_of(const std::vector<Entry>& entries, const FileNames& exercise_fi
   layout.is_class = layout.found && finder.is_class(on_disk);
   if (layout.is_class) finder.divide(layout);
   return layout;
-}
-
-Takings takings_of(const std::vector<Entry>& list, const Member& member, const FileNames& exercise_files) {
-  Takings takings;
-  std::map<std::string, int> latest;
-  const bool canvas = member.kind == Member::Kind::canvas;
-  if (canvas) {
-    for (const std::size_t i : member.entries) {
-      const auto found = canvas_exercise_file(name_of(list[i]), exercise_files);
-      if (found) latest[found->file] = std::max(latest[found->file], found->version);
-    }
-  }
-  for (const std::size_t i : member.entries) {
-    if (const auto found = canvas_exercise_file(name_of(list[i]), exercise_files); canvas && found) {
-      if (found->version == latest.at(found->file))
-        takings.files.push_back({i, found->file});
-      else
-        takings.outdated.push_back(i);
-    } else if (is_exercise_file(list[i], exercise_files)) {
-      takings.files.push_back({i, std::string(name_of(list[i]))});
-    } else if (is_archive(list[i])) {
-      takings.archives.push_back(i);
-    }
-  }
-  if (!takings.files.empty()) takings.left_shut.swap(takings.archives);
-  return takings;
 }
 
 }  // namespace grader

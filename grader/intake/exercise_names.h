@@ -1,0 +1,26 @@
+// STAFF ONLY. Which exercise file a name means.
+//
+//   conj_grad.cpp                                        the file itself
+//   conj_grad (1).cpp, conj_grad-1.cpp, CONJ_GRAD.CPP    a copy that browsers and systems rename: taken if it is the only one, and said
+//   ConjGrad.cpp, conj_grad.txt, conj_grad_final.cc      like it: never taken, but named to student and staff
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace grader {
+
+using FileNames = std::set<std::string, std::less<>>;
+
+struct Likeness {
+  enum class Degree { itself, renamed, like };
+  std::string file;  // the exercise's
+  Degree degree;
+};
+
+std::optional<Likeness> exercise_file(std::string_view name, const FileNames& exercise_files);
+
+}  // namespace grader

@@ -1,0 +1,153 @@
+// STAFF ONLY. Takes the exercise files out of containers.
+#include "grader/intake/hand_in_reader.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+#include "grader/intake/archive_format.h"
+#include "grader/intake/ignored.h"
+#include "grader/intake/letters.h"
+
+namespace grader {
+namespace {
+
+constexpr std::size_t kDeepestNesting = 3;  // class.zip, Alice_1.zip in it, handin.tar.gz in that
+constexpr std::size_t kMostArchives = 20;
+
+// Archives that the handout's own build leaves beside the files in them.
+bool lies_in_a_build(std::string_view path) {
+  while (path.find('/') != std::string_view::npos) {
+    if (path.starts_with("build") || path.starts_with("cmake-build")) return true;
+    path.remove_prefix(path.find('/') + 1);
+  }
+  return false;
+}
+
+}  // namespace
+
+HandInReader::Plan HandInReader::plan_share(const std::vector<Entry>& list, const Share& share,
+                                            const std::string& prefix, std::size_t depth) {
+  Draft& draft = *share.draft;
+  draft.budget.charge_entries(share.entries.size());
+  Plan plan;
+  std::vector<std::size_t> archives;
+  bool has_files = false;
+  for (const std::size_t i : share.entries) {
+    const Entry& entry = list[i];
+    const std::string shown = legible(prefix + entry.shown);
+    if (entry.closed) throw Unreadable("The folder " + shown + " can't be read.");
+    if (entry.kind == Entry::Kind::folder || entry.replaced) continue;
+    const std::string_view name = name_of(entry);
+    const auto likeness = exercise_file(name, files_);
+    if (!likeness || likeness->degree == Likeness::Degree::like) {
+      if (has_archive_ending(name)) archives.push_back(i);
+      draft.see(name);
+      if (likeness) draft.near.try_emplace(likeness->file, legible(name));
+      continue;
+    }
+    has_files = true;
+    const Found where{shown, likeness->degree == Likeness::Degree::renamed};
+    if (entry.encrypted) throw Unreadable(shown + " is encrypted. Pack it again without a password.");
+    std::string problem = problem_of(entry, shown);
+    if (!problem.empty()) {
+      draft.offer(likeness->file, where, {"", std::move(problem)});
+      continue;
+    }
+    draft.budget.charge_bytes(std::min<std::uintmax_t>(entry.bytes, limits_.file_bytes));
+    plan[i] = {&draft, likeness->file, where.shown, where.renamed};
+  }
+  if (share.is_document) {
+    throw Unreadable(legible(name_of(list[share.entries.front()])) +
+                     " is no archive. Hand in a .zip or .tar.gz archive with the exercise files.");
+  }
+  if (share.is_attached || !has_files) {
+    plan_archives(list, share, archives, prefix, depth, plan);
+    return plan;
+  }
+  std::string shut;
+  std::size_t count = 0;
+  for (const std::size_t i : archives) {
+    if (lies_in_a_build(list[i].path)) continue;
+    if (count++ == 0) shut = legible(prefix + list[i].shown);
+  }
+  if (count > 0)
+    draft.notices.push_back(draft.origin + ": " + shut +
+                            " was not opened, since there are exercise files beside it" +
+                            (count > 1 ? ", and " + std::to_string(count - 1) + " more" : ""));
+  return plan;
+}
+
+void HandInReader::plan_archives(const std::vector<Entry>& list, const Share& share,
+                                 const std::vector<std::size_t>& archives, const std::string& prefix,
+                                 std::size_t depth, Plan& plan) {
+  Draft& draft = *share.draft;
+  for (const std::size_t i : archives) {
+    const Entry& entry = list[i];
+    const std::string shown = legible(prefix + entry.shown);
+    if (depth == kDeepestNesting) {
+      draft.notices.push_back(draft.origin + ": " + shown + " was not opened: it is an archive in " +
+                              std::to_string(depth) + " others");
+      continue;
+    }
+    if (entry.encrypted) throw Unreadable(shown + " is encrypted. Pack it again without a password.");
+    if (const std::string problem = problem_of(entry, shown); !problem.empty()) throw Refused(problem);
+    draft.budget.charge_bytes(entry.bytes);
+    // A submission's own archive is named without the class around it.
+    plan[i] = {&draft, "", share.is_archive ? legible(name_of(entry)) : shown};
+  }
+}
+
+void HandInReader::take_archive(Draft& draft, std::string bytes, const std::string& shown,
+                                std::size_t depth) {
+  if (++draft.archives > kMostArchives) {
+    throw Refused("More than " + std::to_string(kMostArchives) + " archives were handed in. Hand in one.");
+  }
+  const std::unique_ptr<Container> archive =
+      open_archive_(std::move(bytes), shown, draft.budget.for_archive());
+  std::vector<Entry> list = archive->list();
+  for (std::string& line : settle_names(list, draft.origin)) draft.remarks.push_back(std::move(line));
+  Share all{&draft, {}};
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (!is_ignored(list[i].path)) all.entries.push_back(i);
+  take(*archive, list, {all}, shown + "/", depth);
+}
+
+void HandInReader::take(Container& container, const std::vector<Entry>& list,
+                        const std::vector<Share>& shares, const std::string& prefix, std::size_t depth) {
+  Plan plan;
+  for (const Share& share : shares) {
+    try {
+      plan.merge(plan_share(list, share, prefix, depth));
+    } catch (const Refused& why) {
+      share.draft->refuse(why);
+    }
+  }
+  std::vector<std::size_t> indices;
+  for (const auto& [index, wanted] : plan) indices.push_back(index);
+  container.visit(indices, [&](std::size_t index, const Container::Read& read) {
+    const Wanted& wanted = plan.at(index);
+    Draft& draft = *wanted.draft;
+    if (draft.refused()) return;
+    if (!wanted.file.empty()) {
+      SourceFile file;
+      try {
+        file.text = read(limits_.file_bytes);
+      } catch (const Refused& why) {
+        file.problem = why.what();
+      }
+      draft.offer(wanted.file, {wanted.shown, wanted.renamed}, std::move(file));
+      return;
+    }
+    try {
+      take_archive(draft, read(limits_.unpacked_bytes), wanted.shown, depth + 1);
+    } catch (const Unreadable& why) {
+      draft.shut.emplace_back(why.what());  // others in it may be read
+      if (!why.failure().empty()) draft.remarks.push_back(draft.origin + ": " + why.failure());
+    } catch (const Refused& why) {
+      draft.refuse(why);
+    }
+  });
+}
+
+}  // namespace grader

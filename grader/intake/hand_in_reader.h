@@ -1,0 +1,55 @@
+// STAFF ONLY. Takes the exercise files out of containers, also out of archives in them, for the submissions that share them.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "grader/intake/archive.h"
+#include "grader/intake/container.h"
+#include "grader/intake/draft.h"
+#include "grader/intake/exercise_names.h"
+
+namespace grader {
+
+// A draft's part of a container.
+struct Share {
+  Draft* draft;
+  std::vector<std::size_t> entries;  // all that is counted; of an archive or a document only itself
+  bool is_archive = false;           // then its name is the submission's own
+  bool is_document = false;          // in the place of an archive
+  bool is_attached = false;  // single files of one hand-in: archives beside exercise files are opened, too
+};
+
+class HandInReader {
+ public:
+  HandInReader(const OpenArchive& open_archive, const IntakeLimits& limits, const FileNames& files)
+      : open_archive_(open_archive), limits_(limits), files_(files) {}
+
+  // `prefix` stands before names in messages; `depth` counts the archives around.
+  void take(Container& container, const std::vector<Entry>& list, const std::vector<Share>& shares,
+            const std::string& prefix = "", std::size_t depth = 0);
+
+ private:
+  // A file or an archive that is to be read.
+  struct Wanted {
+    Draft* draft;
+    std::string file;   // the exercise file that it is; "": an archive
+    std::string shown;  // its name in messages
+    bool renamed = false;
+  };
+  using Plan = std::map<std::size_t, Wanted>;
+
+  Plan plan_share(const std::vector<Entry>& list, const Share& share, const std::string& prefix,
+                  std::size_t depth);
+  void plan_archives(const std::vector<Entry>& list, const Share& share,
+                     const std::vector<std::size_t>& archives, const std::string& prefix, std::size_t depth,
+                     Plan& plan);
+  void take_archive(Draft& draft, std::string bytes, const std::string& shown, std::size_t depth);
+
+  const OpenArchive& open_archive_;
+  IntakeLimits limits_;
+  const FileNames& files_;
+};
+
+}  // namespace grader

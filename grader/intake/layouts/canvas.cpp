@@ -1,0 +1,71 @@
+// STAFF ONLY. Canvas's download, flat files (instructure/canvas-lms, lib/content_zipper.rb):
+//
+//   doejane_4711_90001_main.cpp          a name, the student's number, the file's number; its name
+//   doejane_LATE_4711_90017_main-1.cpp   handed in late; "-1": a file of this name was handed in before
+//   doejane_4711_text.html, ..._link.html   typed text, a link
+//   LATE_anon_aB3dE_90021_main.cpp       anonymous
+//
+// A group whose name ends with "_12" looks like the student 12. The first reading stands, since what follows may be a student's own
+// words: nobody can give a file the number of somebody else.
+#include <map>
+#include <set>
+
+#include "grader/intake/layouts/match.h"
+#include "grader/intake/layouts/system.h"
+
+namespace grader {
+namespace {
+
+// "main-1.cpp" was handed in after "main.cpp": Canvas gives such a number to a name that it has already.
+void take_canvas_version(Named& named) {
+  static const std::regex kNumbered("(.+)-([0-9]{1,6})(\\.[^.]+|\\.tar\\.[a-z0-9]+)");
+  if (const auto parts = groups_of(named.inside, kNumbered)) {
+    named.inside = parts->at(1) + parts->at(3);
+    named.version = std::stoi(parts->at(2));
+  }
+}
+
+}  // namespace
+
+std::optional<Named> read_canvas(std::string_view name, bool is_folder, const Around&) {
+  static const std::regex kName(
+      "(?:(.+?)_)?"
+      "?(?:(LATE)_)?(?:([0-9]+)|anon_([^_]+))_(?:([0-9]+)_(.+)|(text|link)\\.html)");
+  if (is_folder) return {};
+  const auto parts = groups_of(name, kName);
+  if (!parts) return {};
+  Named named;
+  named.owner.name = parts->at(1);
+  named.late = !parts->at(2).empty();
+  named.owner.anonymous = parts->at(3).empty();
+  named.owner.id = parts->at(3) + parts->at(4);
+  named.stem = parts->at(5);
+  named.inside = parts->at(6);
+  if (!parts->at(7).empty()) named.kind = Named::Kind::text;
+  take_canvas_version(named);
+  return named;
+}
+
+void settle_canvas(std::vector<Named*>& names) {
+  // A file's number is one file's. If two names share it, it is a student's number, and the name has digits at its end.
+  static const std::regex kShifted("([0-9]+)_(.+)");
+  std::map<std::string, int> files_with_number;
+  for (const Named* named : names)
+    if (named->kind == Named::Kind::hand_in) ++files_with_number[named->stem];
+  for (Named* named : names) {
+    if (named->kind != Named::Kind::hand_in || named->owner.anonymous) continue;
+    const auto parts = groups_of(named->inside, kShifted);
+    if (!parts) continue;
+    if (files_with_number.at(named->stem) > 1) {
+      named->owner.name += (named->owner.name.empty() ? "" : "_") + named->owner.id;
+      named->owner.id = named->stem;
+      named->inside = parts->at(2);
+      named->owner.group = true;
+    } else {
+      named->doubt = "may be of a group whose name ends with _" + named->owner.id + ", and of number " +
+                     named->stem + "; it was taken for number " + named->owner.id + "'s";
+    }
+  }
+}
+
+}  // namespace grader

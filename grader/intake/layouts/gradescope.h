@@ -1,0 +1,30 @@
+// STAFF ONLY. The owners in Gradescope's export: submission_metadata.yml beside the folders submission_31415926/ (a Ruby program writes
+// it, so keys have a colon in front). Text of students' own names: untrusted.
+//
+//   submission_31415926:
+//     :submitters:
+//     - :name: Jörg Müller
+//       :sid: "4711"
+//       :email: jm@u.de
+//     :created_at: 2025-03-04 10:15:22.000000000 Z
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "grader/intake/owner.h"
+
+namespace grader {
+
+inline constexpr const char* kGradescopeMetadata = "submission_metadata.yml";
+
+struct GradescopeRow {
+  Owner owner;
+  std::string handed_in;
+};
+
+// By the folder's name. Throws BadInput for what is no such YAML; `file` is for the message.
+std::map<std::string, GradescopeRow> read_gradescope_metadata(const std::string& yaml,
+                                                              const std::string& file);
+
+}  // namespace grader

@@ -1,0 +1,23 @@
+// STAFF ONLY. A name taken apart by a regular expression.
+#pragma once
+
+#include <optional>
+#include <regex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace grader {
+
+// The groups of `pattern`, counted from 1 as in it. std::regex takes stack for each letter, so a name longer than file systems allow is
+// none.
+inline std::optional<std::vector<std::string>> groups_of(std::string_view name, const std::regex& pattern) {
+  constexpr std::size_t kLongest = 600;
+  std::match_results<std::string_view::const_iterator> found;
+  if (name.size() > kLongest || !std::regex_match(name.begin(), name.end(), found, pattern)) return {};
+  std::vector<std::string> groups;
+  for (const auto& group : found) groups.push_back(group.str());
+  return groups;
+}
+
+}  // namespace grader

@@ -1,0 +1,75 @@
+// STAFF ONLY. A learning system's names: what it says about a hand-in stands in the names of the files and folders directly in a
+// download. Each system is a row (table.cpp), and has a file of its own. Students choose the last part of a flat name, and all that
+// is below a folder; nothing there may say whose a hand-in is.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "grader/intake/owner.h"
+
+namespace grader {
+
+// A name directly in a download.
+struct Named {
+  enum class Kind {
+    hand_in,
+    text,  // what was typed into the system, or its note of a hand-in: its owner has handed in, and it holds no file of ours
+    made,  // by the system, of nobody: an index
+  };
+  Kind kind = Kind::hand_in;
+  Owner owner = {};
+  std::string inside = {};     // of a flat name: the file's own name
+  std::string handed_in = {};  // "2025-03-04 10:15:22"
+  int version = 0;             // the highest of a time counts
+  bool late = false;
+  std::string doubt = {};  // not empty: why a person should look whose it is
+  std::string stem = {};   // of a flat name: all before the student's part, for a rule about all names
+};
+
+struct Around {
+  std::string folder;    // the name of the folder or archive that the names stand in
+  bool is_said = false;  // by --from: nothing is guessed
+};
+
+struct System {
+  std::string_view name;     // for --from
+  std::string_view shown;    // for people
+  std::string_view example;  // a name as it gives it
+  std::optional<Named> (*read)(std::string_view name, bool is_folder, const Around& around);
+  void (*settle)(std::vector<Named*>& names) = nullptr;  // by what all names say together
+};
+
+// In the order in which they are guessed.
+const std::vector<System>& systems();
+
+// What --from takes: "canvas", ..., "folders".
+std::vector<std::string> layout_names();
+
+// Null if no system has this name.
+const System* system_called(std::string_view name);
+
+// What the first system that knows the name of one file or folder says.
+struct Told {
+  const System* system;
+  Named named;
+};
+std::optional<Told> told_by_name(std::string_view name, bool is_folder);
+
+std::optional<Named> read_canvas(std::string_view name, bool is_folder, const Around& around);
+std::optional<Named> read_moodle(std::string_view name, bool is_folder, const Around& around);
+std::optional<Named> read_brightspace(std::string_view name, bool is_folder, const Around& around);
+std::optional<Named> read_blackboard(std::string_view name, bool is_folder, const Around& around);
+std::optional<Named> read_classroom(std::string_view name, bool is_folder, const Around& around);
+std::optional<Named> read_gradescope(std::string_view name, bool is_folder, const Around& around);
+std::optional<Named> read_autolab(std::string_view name, bool is_folder, const Around& around);
+
+void settle_canvas(std::vector<Named*>& names);
+void settle_moodle(std::vector<Named*>& names);
+void settle_brightspace(std::vector<Named*>& names);
+void settle_blackboard(std::vector<Named*>& names);
+void settle_classroom(std::vector<Named*>& names);
+
+}  // namespace grader

@@ -1,0 +1,78 @@
+// STAFF ONLY. Letters in names, by utf8proc.
+#include "grader/intake/letters.h"
+
+#include <utf8proc.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <memory>
+
+namespace grader {
+namespace {
+
+const utf8proc_uint8_t* bytes_of(std::string_view text) {
+  return reinterpret_cast<const utf8proc_uint8_t*>(text.data());
+}
+
+bool is_ascii(std::string_view text) {
+  return std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+}
+
+std::string mapped(std::string_view text, int options) {
+  utf8proc_uint8_t* result = nullptr;
+  const utf8proc_ssize_t size = utf8proc_map(bytes_of(text), static_cast<utf8proc_ssize_t>(text.size()),
+                                             &result, static_cast<utf8proc_option_t>(options));
+  const std::unique_ptr<utf8proc_uint8_t, decltype(&std::free)> owner(result, &std::free);
+  if (size < 0) return std::string(text);
+  return {reinterpret_cast<const char*>(result), static_cast<std::size_t>(size)};
+}
+
+}  // namespace
+
+bool is_utf8(std::string_view bytes) {
+  while (!bytes.empty()) {
+    utf8proc_int32_t letter = 0;
+    const utf8proc_ssize_t size =
+        utf8proc_iterate(bytes_of(bytes), static_cast<utf8proc_ssize_t>(bytes.size()), &letter);
+    if (size <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(size));
+  }
+  return true;
+}
+
+std::string composed_path(std::string_view path) {
+  return is_ascii(path) ? std::string(path) : mapped(path, UTF8PROC_STABLE | UTF8PROC_COMPOSE);
+}
+
+std::string without_marks(std::string_view name) {
+  if (is_ascii(name)) return std::string(name);
+  return mapped(mapped(name, UTF8PROC_STABLE | UTF8PROC_DECOMPOSE | UTF8PROC_STRIPMARK),
+                UTF8PROC_STABLE | UTF8PROC_COMPOSE);
+}
+
+std::string legible(std::string_view text, std::size_t most) {
+  constexpr char digits[] = "0123456789abcdef";
+  std::string line;
+  while (!text.empty()) {
+    if (line.size() >= most) return line + "...";
+    utf8proc_int32_t letter = 0;
+    const utf8proc_ssize_t size =
+        utf8proc_iterate(bytes_of(text), static_cast<utf8proc_ssize_t>(text.size()), &letter);
+    const utf8proc_category_t kind = size > 0 ? utf8proc_category(letter) : UTF8PROC_CATEGORY_CN;
+    const bool seen = kind != UTF8PROC_CATEGORY_CC && kind != UTF8PROC_CATEGORY_CF &&
+                      kind != UTF8PROC_CATEGORY_CS && kind != UTF8PROC_CATEGORY_CN &&
+                      kind != UTF8PROC_CATEGORY_CO && kind != UTF8PROC_CATEGORY_ZL &&
+                      kind != UTF8PROC_CATEGORY_ZP;
+    const auto bytes = static_cast<std::size_t>(std::max<utf8proc_ssize_t>(size, 1));
+    for (const char c : text.substr(0, bytes)) {
+      if (seen)
+        line += c;
+      else
+        line += {'\\', 'x', digits[static_cast<unsigned char>(c) >> 4], digits[c & 15]};
+    }
+    text.remove_prefix(bytes);
+  }
+  return line;
+}
+
+}  // namespace grader

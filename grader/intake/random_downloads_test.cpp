@@ -1,0 +1,220 @@
+// STAFF ONLY. Random downloads of all learning systems, by a generator that is written from the systems' own sources and uses nothing of
+// intake: every student has one row with the newest file, and every file of the input is accounted for.
+#include <cstdlib>
+#include <map>
+#include <random>
+
+#include "grader/intake/submissions_fixture.h"
+
+namespace grader {
+namespace {
+
+struct Student {
+  std::string name, id;
+  std::string newest = {};  // the conj_grad.cpp that counts; "": none
+  bool has_files = false;
+};
+
+struct Download {
+  std::vector<std::pair<std::string, std::string>> files = {};  // path, content
+  std::vector<Student> students = {};
+  std::string system = {}, root = {};
+};
+
+class Generator {
+ public:
+  explicit Generator(unsigned seed) : random_(seed) {}
+
+  Download make() {
+    static const std::vector<void (Generator::*)()> all{
+        &Generator::canvas,     &Generator::moodle,  &Generator::moodle_flat, &Generator::brightspace,
+        &Generator::blackboard, &Generator::autolab, &Generator::classroom,   &Generator::gradescope};
+    download_.root = chance(3) ? "wrapped/" : "";
+    const int count = below(9) + 2;
+    for (int i = 0; i < count; ++i) download_.students.push_back({any_name(i), std::to_string(4000 + 7 * i)});
+    (this->*all[static_cast<std::size_t>(below(static_cast<int>(all.size())))])();
+    return download_;
+  }
+
+ private:
+  int below(int end) { return static_cast<int>(random_() % static_cast<unsigned>(end)); }
+  bool chance(int of) { return below(of) == 0; }
+  std::string any_name(int i) {
+    static const std::vector<std::string> kFirst{
+        "Ann",        "J\xc3\xb6rg", "O'Brien",     "Mary-Lou",  "\xe7\x8e\x8b\xe4\xbc\x9f",
+        "de la Cruz", "LATE",        "Se\xc3\xa1n", "Zo\xc3\xab"};
+    return kFirst[static_cast<std::size_t>(below(static_cast<int>(kFirst.size())))] + " " +
+           std::string(1, static_cast<char>('A' + i)) + "son";
+  }
+  static std::string squeezed(
+      const std::string& name) {  // as Canvas does: no blanks, hyphens, apostrophes; lower case
+    std::string text;
+    for (const char c : name)
+      if (c != ' ' && c != '-' && c != '\'') text += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    return text;
+  }
+  std::string stamp(int attempt) const { return "of attempt " + std::to_string(attempt); }
+  void add(const std::string& path, const std::string& text) {
+    download_.files.emplace_back(download_.root + path, text);
+  }
+
+  // The files of an attempt, by `place`. One of five students hands in another file alone.
+  template <class Place>
+  void attempt(Student& student, int number, Place place) {
+    const bool has = !chance(5);
+    const std::string text = student.id + stamp(number);
+    student.has_files = true;
+    student.newest = has ? text : "";
+    if (has && chance(4))
+      add(place("handin.zip"), zip("hw/conj_grad.cpp", text));
+    else if (has)
+      add(place("conj_grad.cpp"), text);
+    if (!has || chance(3)) add(place("report.pdf"), "%PDF");
+  }
+
+  void canvas() {
+    download_.system = "canvas";
+    int file = 90000;
+    for (Student& one : download_.students) {
+      const std::string stem = squeezed(one.name) + (chance(4) ? "_LATE_" : "_") + one.id + "_";
+      if (chance(6)) {
+        add(stem + (chance(2) ? "text.html" : "link.html"), "<p>");
+        continue;
+      }
+      attempt(one, 1, [&](const std::string& name) { return stem + std::to_string(file++) + "_" + name; });
+    }
+  }
+  static std::string clean(const std::string& name) {  // as Moodle's clean_filename: no apostrophes
+    std::string text;
+    for (const char c : name)
+      if (c != '\'') text += c;
+    return text;
+  }
+  void moodle() {
+    download_.system = "moodle";
+    const char* end = chance(2) ? "_" : "";
+    for (Student& one : download_.students) {
+      const std::string stem = clean(one.name) + "_" + one.id + "_assignsubmission_";
+      if (chance(3))
+        add(stem + "onlinetext" + end + "/onlinetext.html", "<p>");
+      else
+        attempt(one, 1, [&](const std::string& name) {
+          return stem + "file" + end + (chance(4) ? "/src/" : "/") + name;
+        });
+    }
+  }
+  void moodle_flat() {
+    download_.system = "moodle";
+    for (Student& one : download_.students)
+      attempt(one, 1, [&](const std::string& name) {
+        return clean(one.name) + "_" + one.id + "_assignsubmission_file_" + name;
+      });
+  }
+  void brightspace() {
+    download_.system = "brightspace";
+    const bool flat = chance(2);
+    add("index.html", "<html>");
+    for (Student& one : download_.students)
+      for (int number = 1; number <= 1 + below(3); ++number) {
+        const std::string stem = one.id + "-99 - " + one.name + " - May " + std::to_string(number + 8) +
+                                 ", 2025 1" + std::to_string(below(3)) + "24 PM";
+        attempt(one, number, [&](const std::string& name) { return stem + (flat ? " - " : "/") + name; });
+      }
+  }
+  void blackboard() {
+    download_.system = "blackboard";
+    for (Student& one : download_.students) {
+      one.id = "user" + one.id;
+      for (int number = 1; number <= 1 + below(3); ++number) {
+        const std::string stem =
+            "Lab_3 b_" + one.id + "_attempt_2025-03-0" + std::to_string(number) + "-10-15-22";
+        add(stem + ".txt", "Name");
+        attempt(one, number, [&](const std::string& name) { return stem + "_" + name; });
+      }
+    }
+  }
+  void autolab() {
+    download_.system = "autolab";
+    for (Student& one : download_.students) {
+      one.id = "u_" + one.id + "@u.de";
+      const int last = 1 + below(12);
+      for (int number = 1; number <= last; ++number) {
+        one.newest = one.id + stamp(number);
+        one.has_files = true;
+        add(one.id + "_" + std::to_string(number) + "_conj_grad.cpp", one.newest);
+      }
+    }
+  }
+  void classroom() {
+    download_.system = "classroom";
+    download_.root = "lab3-submissions/";
+    for (Student& one : download_.students) {
+      one.id = "login-" + one.id;
+      attempt(one, 1, [&](const std::string& name) { return "lab3-" + one.id + "/" + name; });
+    }
+  }
+  void gradescope() {
+    download_.system = "gradescope";
+    std::string yaml = "---\n";
+    for (Student& one : download_.students) {
+      const std::string folder = "submission_" + std::to_string(below(1000000)) + one.id;
+      yaml += folder + ":\n  :submitters:\n  - :name: \"" + one.name + "\"\n    :sid: '" + one.id +
+              "'\n    :email: x@u.de\n  :created_at: 2025-03-04 10:15:22 Z\n";
+      attempt(one, 1, [&](const std::string& name) { return folder + "/" + name; });
+    }
+    add("submission_metadata.yml", yaml);
+  }
+
+  std::mt19937 random_;
+  Download download_;
+};
+
+class RandomDownloads : public Submissions {};
+
+TEST_F(RandomDownloads, LoseNobodyAndNoFile) {
+  const char* asked = std::getenv("HAIR_RANDOM_DOWNLOADS");
+  const unsigned count = asked ? static_cast<unsigned>(std::atoi(asked)) : 400;
+  std::map<std::string, int> of_system;
+  for (unsigned seed = 0; seed < count; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Download download = Generator(seed).make();
+    ++of_system[download.system];
+    fs::path argument;
+    if (seed % 4 == 0) {
+      argument = dir_ / std::to_string(seed);
+      for (const auto& [path, text] : download.files) write(std::to_string(seed) + "/" + path, text);
+    } else {
+      ArchiveBuilder builder(seed % 4 == 1 ? Packing::tar_gz : Packing::zip);
+      for (const auto& [path, text] : download.files) builder.file(path, text);
+      argument = write("download.zip", builder.bytes());
+    }
+    const Intake intake = take({argument});
+    ASSERT_EQ(intake.submissions.size(), download.students.size())
+        << testing::PrintToString(names(intake.submissions));
+    EXPECT_EQ(intake.accounted.size(), download.files.size());
+    EXPECT_EQ(intake.notices, Names{});
+    std::map<std::string, const Submission*> by_id;
+    for (const Submission& one : intake.submissions) by_id[one.owner.id] = &one;
+    for (const Student& student : download.students) {
+      SCOPED_TRACE(student.id);
+      ASSERT_TRUE(by_id.contains(student.id)) << testing::PrintToString(names(intake.submissions));
+      const Submission& one = *by_id.at(student.id);
+      EXPECT_EQ(one.system, download.system);
+      if (student.newest.empty()) {
+        EXPECT_TRUE(says(one.problem, "None of the exercise files"));
+        EXPECT_EQ(student.has_files, one.problem.find("It holds") != std::string::npos) << one.problem;
+      } else {
+        ASSERT_TRUE(one.files.contains("conj_grad.cpp")) << one.problem;
+        EXPECT_EQ(one.files.at("conj_grad.cpp").text, student.newest);
+      }
+    }
+    for (const Accounted& file : intake.accounted)
+      EXPECT_TRUE(file.as == Accounted::As::made || !file.whose.empty()) << file.path;
+    fs::remove_all(argument);
+    if (HasFailure()) break;
+  }
+  EXPECT_GE(of_system.size(), std::min<std::size_t>(7, count / 20)) << "all systems were tried";
+}
+
+}  // namespace
+}  // namespace grader
