@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "grader/course/input.h"
+#include "grader/record/shown_number.h"
 
 namespace grader {
 namespace {
@@ -19,7 +20,12 @@ struct Place {
 
   double points() const { return category ? category->points : exercise->points; }
   double max_points() const { return category ? category->max_points : exercise->max_points; }
-  std::string& feedback() const { return category ? category->feedback : exercise->feedback; }
+  // A category's feedback is made anew for students, so its exercise has the sentence.
+  void tell(const std::string& sentence) const {
+    std::string& text = exercise->feedback;
+    if (text.empty()) text = sentence_for(exercise->status);
+    text += " " + (category ? category->name + ": " : "") + sentence;
+  }
 };
 
 Place find(SubmissionResult& result, const std::string& place) {
@@ -31,32 +37,21 @@ Place find(SubmissionResult& result, const std::string& place) {
   return {};
 }
 
-std::string number(double points) {
-  std::string text = std::to_string(std::round(points * 100) / 100);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text;
-}
-
-void say(std::string& text, const std::string& more) {
-  text += (text.empty() ? "" : " ") + more;
-}
-
 std::string with_reason(const std::string& what, const Decision& decision) {
   return what + (decision.why.empty() ? "" : ": " + decision.why);
 }
 
 void set_points(const Place& place, const Decision& decision) {
-  say(place.feedback(),
-      with_reason("The staff gave " + number(decision.number) + " of " + number(place.max_points()) +
-                      " points here, where " + number(place.points()) + " had been computed",
-                  decision));
+  place.tell(with_reason("The staff gave " + shown_number(decision.number) + " of " +
+                             shown_number(place.max_points()) + " points here, where " +
+                             shown_number(place.points()) + " had been computed",
+                         decision));
   place.exercise->points += decision.number - place.points();
   if (place.category) place.category->points = decision.number;
 }
 
 void excuse(ExerciseResult& exercise, const Decision& decision) {
-  say(exercise.feedback,
+  Place{&exercise, nullptr}.tell(
       with_reason("The staff excused you from this exercise: it does not count", decision));
   exercise.points = exercise.max_points = 0;
   for (CaseResult& one : exercise.cases) one.points = one.max_points = 0;
@@ -69,7 +64,7 @@ void apply(SubmissionResult& result, const Decision& decision) {
     case DecisionKind::points:
       return set_points(place, decision);
     case DecisionKind::comment:
-      if (place.exercise) return say(place.feedback(), "The staff say: " + decision.why);
+      if (place.exercise) return place.tell("The staff say: " + decision.why);
       result.remarks.push_back("The staff say: " + decision.why);
       return;
     case DecisionKind::excuse:
@@ -78,7 +73,7 @@ void apply(SubmissionResult& result, const Decision& decision) {
       return;
     case DecisionKind::late_days:
       result.remarks.push_back(
-          with_reason("The staff gave you " + number(decision.number) + " more days", decision));
+          with_reason("The staff gave you " + shown_number(decision.number) + " more days", decision));
   }
 }
 
@@ -120,11 +115,11 @@ void check(Decision& decision, const SubmissionResult& computed) {
   if (decision.kind == DecisionKind::points) {
     if (!place.exercise) throw BadInput("points need a place; there are " + places_of(result));
     if (!(decision.number >= 0 && decision.number <= place.max_points() + kSamePoints))
-      throw BadInput(number(decision.number) + " points: " + decision.place + " is worth " +
-                     number(place.max_points()) + "; write a number from 0 to that");
+      throw BadInput(shown_number(decision.number) + " points: " + decision.place + " is worth " +
+                     shown_number(place.max_points()) + "; write a number from 0 to that");
   }
   if (decision.kind == DecisionKind::late_days && !(decision.number >= 0 && decision.number <= 366))
-    throw BadInput(number(decision.number) + " days: write a number from 0 to 366");
+    throw BadInput(shown_number(decision.number) + " days: write a number from 0 to 366");
   decision.computed = place.exercise ? place.points() : points(computed);
 }
 
@@ -141,8 +136,8 @@ SubmissionResult decided(SubmissionResult computed, const std::vector<Decision>&
 std::string decision_text(const Decision& decision) {
   std::string text = to_string(decision.kind) + (decision.place.empty() ? "" : " " + decision.place);
   if (decision.kind == DecisionKind::points)
-    text += ": " + number(decision.number) + " (computed: " + number(decision.computed) + ")";
-  if (decision.kind == DecisionKind::late_days) text += ": " + number(decision.number);
+    text += ": " + shown_number(decision.number) + " (computed: " + shown_number(decision.computed) + ")";
+  if (decision.kind == DecisionKind::late_days) text += ": " + shown_number(decision.number);
   return text + ": " + decision.why;
 }
 
@@ -153,12 +148,13 @@ std::vector<std::string> conflicts(const SubmissionResult& computed, const std::
     if (decision.kind != DecisionKind::points) continue;
     const Place place = find(result, decision.place);
     const std::string begin = result.name + ": " + decision.who + " set " + decision.place + " to " +
-                              number(decision.number) + " where " + number(decision.computed) +
+                              shown_number(decision.number) + " where " + shown_number(decision.computed) +
                               " points had been computed";
     if (!place.exercise)
       lines.push_back(begin + ", and now there is no " + decision.place + "; unset it, or set another place");
     else if (std::abs(place.points() - decision.computed) > kSamePoints)
-      lines.push_back(begin + ", and now it is " + number(place.points()) + "; set it again, or unset it");
+      lines.push_back(begin + ", and now it is " + shown_number(place.points()) +
+                      "; set it again, or unset it");
   }
   return lines;
 }

@@ -12,10 +12,17 @@ namespace grader {
 namespace {
 
 SubmissionResult alice(double second_category = 1.5) {
-  ExerciseResult one{.id = "S1", .title = "One", .points = 4, .max_points = 5};
-  ExerciseResult two{.id = "H2", .title = "Two", .points = 3 + second_category, .max_points = 8};
-  two.cases = {{"Easy", Status::passed, 3, 3, "All right."},
-               {"Hard", Status::partly, second_category, 5, "Not yet."}};
+  ExerciseResult one, two;
+  one.id = "S1";
+  one.title = "One";
+  one.points = 4;
+  one.max_points = 5;
+  two.id = "H2";
+  two.title = "Two";
+  two.points = 3 + second_category;
+  two.max_points = 8;
+  two.cases = {{"Easy", Status::passed, 3, 3, "All right.", ""},
+               {"Hard", Status::partly, second_category, 5, "Not yet.", ""}};
   SubmissionResult result;
   result.name = "alice";
   result.exercises = {one, two};
@@ -51,8 +58,9 @@ TEST_F(Decisions, SetPointsAndTellTheStudentWhy) {
   EXPECT_EQ(result.exercises[1].points, 7);
   EXPECT_EQ(points(result), 11);
   EXPECT_EQ(
-      result.exercises[1].cases[1].feedback,
-      "Not yet. The staff gave 4 of 5 points here, where 1.5 had been computed: the reference was wrong");
+      result.exercises[1].feedback,
+      sentence_for(Status::missing) +
+          " Hard: The staff gave 4 of 5 points here, where 1.5 had been computed: the reference was wrong");
   EXPECT_EQ(record_.find("alice").value().result, alice()) << "what was computed stays";
 }
 
@@ -104,7 +112,7 @@ TEST_F(Decisions, CommentAPlaceOrTheWhole) {
   decide(DecisionKind::comment, "S1", 0, "nicely short");
   decide(DecisionKind::comment, "", 0, "well done");
   decide(DecisionKind::late_days, "", 2, "ill");
-  EXPECT_EQ(now().exercises[0].feedback, "The staff say: nicely short");
+  EXPECT_EQ(now().exercises[0].feedback, sentence_for(Status::missing) + " The staff say: nicely short");
   EXPECT_EQ(now().remarks,
             (std::vector<std::string>{"The staff say: well done", "The staff gave you 2 more days: ill"}));
   EXPECT_EQ(points(now()), points(alice()));
@@ -125,6 +133,27 @@ TEST_F(Decisions, ThatCanNotBeAreRefusedInOneLine) {
   EXPECT_THROW(record_.decide("nobody", {DecisionKind::excuse, "", 0, 0, "because"}), BadInput);
   EXPECT_THROW(record_.undo("alice", DecisionKind::points, "H2.2"), BadInput);
   EXPECT_EQ(record_.log("alice").size(), 1U) << "the log has what was done alone";
+}
+
+TEST_F(Decisions, ApplyBeforeTheRulesOfTheHandIn) {
+  HandInRules rules;
+  rules.due = "2025-03-04 23:59";
+  rules.late_per_cent_a_day = 10;
+  record_.put({alice()}, "2025-03-06 10:00:00");
+  record_.set_rules(rules);
+  EXPECT_EQ(record_.rules(), rules);
+  decide(DecisionKind::points, "H2.2", 3);
+  EXPECT_EQ(points(now()), 10 - 2);
+  decide(DecisionKind::late_days, "", 1, "ill");
+  EXPECT_EQ(points(now()), 10 - 1);
+  record_.put({alice()}, "2025-03-04 10:00:00");
+  EXPECT_EQ(points(now()), 10) << "the hand-in that was graded last counts";
+  record_.put({alice()}, "2025-03-06 10:00:00");
+  EXPECT_EQ(points(now()), 10 - 1) << "also if it was there before";
+  rules.late_per_cent_a_day = 50;
+  const auto half_of_h2 = [](SubmissionResult& result) { result.exercises[1].points /= 2; };
+  EXPECT_EQ(points(record_.find_under("alice", rules, half_of_h2).value()), 3.5) << "half of 4 + 6 / 2";
+  EXPECT_EQ(points(now()), 10 - 1) << "nothing was changed by the question";
 }
 
 TEST_F(Decisions, StandInTheLogAndInTheExport) {

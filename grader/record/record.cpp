@@ -18,11 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string user() {
-  const passwd* entry = getpwuid(geteuid());
-  return entry ? entry->pw_name : std::to_string(geteuid());
-}
-
 // The digests stand for pictures in the text; the pictures are in a table of their own.
 std::string text_of(const SubmissionResult& result, std::map<std::string, std::string>& pictures) {
   return json_text(result, -1,
@@ -40,6 +35,11 @@ std::string compact(const T& value) {
 }
 
 }  // namespace
+
+std::string user() {
+  const passwd* entry = getpwuid(geteuid());
+  return entry ? entry->pw_name : std::to_string(geteuid());
+}
 
 bool Record::is_in(const fs::path& folder) {
   std::error_code none;
@@ -107,7 +107,7 @@ void Record::put(const Recorded& one, const std::string& handed_in) {
   database_.run("INSERT OR REPLACE INTO results VALUES (?, ?, ?, ?, ?, ?, ?)",
                 {assignment, id, result.origin, text, study, beside, costs});
   database_.run(
-      "INSERT OR IGNORE INTO hand_ins (assignment, person, origin, fingerprint, handed_in) VALUES "
+      "INSERT OR REPLACE INTO hand_ins (assignment, person, origin, fingerprint, handed_in) VALUES "
       "(?, ?, ?, ?, ?)",
       {assignment, id, result.origin, result.fingerprint, handed_in});
   database_.run("DELETE FROM shown WHERE assignment = ? AND person = ?", {assignment, id});
@@ -148,9 +148,13 @@ std::string Record::picture(const std::string& digest) {
 
 std::optional<Recorded> Record::find(const std::string& name) {
   const std::lock_guard lock(one_at_a_time_);
+  const Transaction one_state(database_, Transaction::reads);
+  return read(name);
+}
+
+std::optional<Recorded> Record::read(const std::string& name) {
   std::string text, study, beside, costs;
   const std::string where = printable(database_.file().string(), 4096) + ": the result of " + name;
-  const Transaction one_state(database_, Transaction::reads);
   database_.each(
       "SELECT result, study, beside_itself, costs FROM results JOIN people ON people.id = person WHERE name "
       "= ?",
@@ -209,20 +213,20 @@ std::vector<LogEntry> Record::log(const std::string& name) {
 void Record::forget(const std::string& name) {
   const std::lock_guard lock(one_at_a_time_);
   forget_on_roster(database_.file().parent_path(), name);
-  {
-    Transaction transaction(database_);
-    database_.run("DELETE FROM people WHERE name = ?", {name});
-    if (database_.number("SELECT changes()") > 0) add_to_log({}, "forgot somebody", "");
-    remove_pictures_that_none_shows();
-    transaction.commit();
-  }
-  // An earlier call may have come so far, too.
+  Transaction transaction(database_);
+  database_.run("DELETE FROM people WHERE id = ?", {known_person(name)});
+  remove_pictures_that_none_shows();
+  add_to_log({}, "forgot somebody", "");
+  transaction.commit();
+}
+
+void Record::shred() {
+  const std::lock_guard lock(one_at_a_time_);
   if (!database_.shred())
     throw BadInput(
         printable(database_.file().string(), 4096) +
         ": another program reads it, so its journal still holds what was deleted; end that one, and "
-        "forget " +
-        printable(name) + " again");
+        "run hairgrade forget without a name");
 }
 
 std::optional<SubmissionResult> recorded_result(const fs::path& folder, const std::string& name) {

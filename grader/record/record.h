@@ -14,6 +14,8 @@
 #include <vector>
 
 #include "grader/record/database.h"
+#include "grader/record/decisions.h"
+#include "grader/record/rules.h"
 #include "grader/result/costs.h"
 #include "grader/result/result.h"
 #include "grader/result/study.h"
@@ -53,9 +55,25 @@ class Record {
   // Replaces the earlier result of this student; the log has both. `handed_in` is a time as a download says it, or "".
   void put(const Recorded& one, const std::string& handed_in = "");
 
-  std::vector<std::string> names();                       // of those with a result, sorted
-  std::map<std::string, std::string> origins();           // by name
-  std::optional<Recorded> find(const std::string& name);  // throws BadInput if it is damaged
+  std::vector<std::string> names();              // of those with a result, sorted
+  std::map<std::string, std::string> origins();  // by name
+  // As it was computed; and with the decisions of people, under the rules of the hand-in. Throw BadInput if it is damaged.
+  std::optional<Recorded> find(const std::string& name);
+  std::optional<Recorded> find_decided(const std::string& name);
+
+  // Under other rules; `change` may change points before these apply.
+  using ChangePoints = std::function<void(SubmissionResult&)>;
+  std::optional<SubmissionResult> find_under(const std::string& name, const HandInRules& rules,
+                                             const ChangePoints& change);
+
+  HandInRules rules();
+  void set_rules(const HandInRules& rules);
+
+  std::vector<Decision> decisions(const std::string& name);
+  // Replaces an earlier one of this kind and place. Throws BadInput as check does, and for an unknown name; undo does so, too, if
+  // there is no such decision.
+  void decide(const std::string& name, Decision decision);
+  void undo(const std::string& name, DecisionKind kind, const std::string& place);
 
   void set_run(const TimingByExercise& reference, const std::optional<LastRun>& run);
   ClassCosts costs();
@@ -63,14 +81,21 @@ class Record {
   // Oldest first; throws BadInput for a name that the record does not have.
   std::vector<LogEntry> log(const std::string& name);
 
-  // Removes all of a person, also from free pages and the journal; nobody of this name: only the latter. Throws BadInput if another
-  // process reads for a minute meanwhile, after which another call finishes it.
+  // Removes all of a person. Throws BadInput for an unknown name. Then shred() clears free pages and journal of all bytes that were
+  // deleted; it throws BadInput if another process reads for a minute meanwhile.
   void forget(const std::string& name);
+  void shred();
+
+  std::string export_json();  // all that it holds, but for pictures' bytes
 
  private:
   std::int64_t assignment();
   std::int64_t person(const std::string& name);  // makes it
   std::int64_t known_person(const std::string& name);
+  std::optional<Recorded> read(const std::string& name);
+  HandInRules stored_rules();
+  SubmissionResult under_rules(SubmissionResult result, const HandInRules& rules, const ChangePoints& change);
+  std::vector<Decision> decisions_of(const std::string& name);
   void add_to_log(std::optional<std::int64_t> person, const std::string& did, const std::string& detail);
   std::string picture(const std::string& digest);
   void remove_pictures_that_none_shows();
@@ -79,7 +104,9 @@ class Record {
   Database database_;
 };
 
-// The result of `name` in the record of a folder; nothing without one.
+std::string user();  // who runs this process: for the log
+
+// The result of `name` in the record of a folder, as it was computed; nothing without one.
 std::optional<SubmissionResult> recorded_result(const std::filesystem::path& folder, const std::string& name);
 
 }  // namespace grader

@@ -1,6 +1,7 @@
 // STAFF ONLY. The decisions of people in a record.
 #include "grader/course/input.h"
 #include "grader/record/record.h"
+#include "grader/record/rules.h"
 
 namespace grader {
 
@@ -22,12 +23,59 @@ std::vector<Decision> Record::decisions(const std::string& name) {
   return decisions_of(name);
 }
 
+HandInRules Record::stored_rules() {
+  const std::string text = database_.text("SELECT rules FROM assignments WHERE name = ''");
+  return text.empty()
+             ? HandInRules{}
+             : from_json_text<HandInRules>(text, printable(database_.file().string(), 4096) + ": rules");
+}
+
+HandInRules Record::rules() {
+  const std::lock_guard lock(one_at_a_time_);
+  return stored_rules();
+}
+
+void Record::set_rules(const HandInRules& rules) {
+  const std::lock_guard lock(one_at_a_time_);
+  Transaction transaction(database_);
+  if (stored_rules() == rules) return;
+  const std::string text = json_text(rules, -1);
+  database_.run("UPDATE assignments SET rules = ? WHERE name = ''", {text});
+  add_to_log({}, "set rules", text);
+  transaction.commit();
+}
+
+SubmissionResult Record::under_rules(SubmissionResult result, const HandInRules& rules,
+                                     const ChangePoints& change) {
+  const std::vector<Decision> decisions = decisions_of(result.name);
+  double more_days = 0;
+  for (const Decision& one : decisions)
+    if (one.kind == DecisionKind::late_days) more_days = one.number;
+  const std::string handed_in = database_.text(
+      "SELECT handed_in FROM hand_ins JOIN people ON people.id = person WHERE name = ? ORDER BY hand_ins.id "
+      "DESC "
+      "LIMIT 1",
+      {result.name});
+  result = decided(std::move(result), decisions);
+  if (change) change(result);
+  return under(rules, std::move(result), handed_in, more_days);
+}
+
 std::optional<Recorded> Record::find_decided(const std::string& name) {
   const std::lock_guard lock(one_at_a_time_);
   const Transaction one_state(database_, Transaction::reads);
   std::optional<Recorded> found = read(name);
-  if (found) found->result = decided(std::move(found->result), decisions_of(name));
+  if (found) found->result = under_rules(std::move(found->result), stored_rules(), {});
   return found;
+}
+
+std::optional<SubmissionResult> Record::find_under(const std::string& name, const HandInRules& rules,
+                                                   const ChangePoints& change) {
+  const std::lock_guard lock(one_at_a_time_);
+  const Transaction one_state(database_, Transaction::reads);
+  const std::optional<Recorded> found = read(name);
+  if (!found) return {};
+  return under_rules(found->result, rules, change);
 }
 
 void Record::decide(const std::string& name, Decision decision) {
@@ -35,7 +83,10 @@ void Record::decide(const std::string& name, Decision decision) {
   Transaction transaction(database_);
   const std::int64_t id = known_person(name);
   const std::optional<Recorded> found = read(name);
-  check(decision, found ? found->result : SubmissionResult{.name = name});
+  SubmissionResult computed;
+  computed.name = name;
+  if (found) computed = found->result;
+  check(decision, computed);
   database_.run(
       "INSERT OR REPLACE INTO decisions VALUES (?, ?, ?, ?, ?, ?, ?, ?, strftime('%Y-%m-%d %H:%M:%S', "
       "'now'))",

@@ -102,6 +102,7 @@ TEST_P(RecordOfAClass, ForgetsEveryByte) {
   record.put({bob});
   EXPECT_TRUE(holds(dir_, "bobwillgo"));
   record.forget("bobwillgo");
+  record.shred();
   EXPECT_FALSE(holds(dir_, "bobwillgo"));
   EXPECT_TRUE(holds(dir_, "alice-picture"));
   EXPECT_TRUE(record.find("alice").value().result == results[0]) << "a picture that both show is kept";

@@ -84,10 +84,14 @@ CREATE TABLE owners (
 CREATE TABLE roster (place INTEGER PRIMARY KEY, person TEXT NOT NULL) STRICT;  -- JSON
 )";
 
+constexpr const char* kRules = R"(
+ALTER TABLE assignments ADD COLUMN rules TEXT NOT NULL DEFAULT ''; -- JSON, see rules.h
+)";
+
 }  // namespace
 
 const std::vector<std::string>& migrations() {
-  static const std::vector<std::string> all = {kFirst, kOwners};
+  static const std::vector<std::string> all = {kFirst, kOwners, kRules};
   return all;
 }
 

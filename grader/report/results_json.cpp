@@ -97,6 +97,15 @@ Json run_test(const RunResult& run, const std::string& number, bool pictures) {
   return test;
 }
 
+// The error of the whole submission, what changes its total, and remarks of the staff.
+std::string said_of_the_whole(const SubmissionResult& result) {
+  std::string all = result.note;
+  for (const Adjustment& adjustment : result.adjustments)
+    all = joined(all, adjustment.reason + ": " + shown_points(adjustment.points) + " points.");
+  for (const std::string& remark : result.remarks) all = joined(all, remark);
+  return all;
+}
+
 Json json_of(const SubmissionResult& result, const ResultsOptions& options) {
   Json tests = Json::array();
   Json exercises = Json::object();
@@ -127,13 +136,16 @@ Json json_of(const SubmissionResult& result, const ResultsOptions& options) {
   const double score = rounded_points(points(result));
   Json all = {
       {"score", score},
-      {"output", joined(options.public_checks ? kOfPublicChecks : stamp, text_of(result.note))},
+      {"output", joined(options.public_checks ? kOfPublicChecks : stamp, text_of(said_of_the_whole(result)))},
       {"output_format", "text"},
       {"visibility", "visible"},
       {"stdout_visibility", "hidden"},
       {"tests", tests},
       {"extra_data",
        {{"exercises", exercises}, {"isolation", to_string(result.isolation)}, {"images", result.images}}}};
+  for (const Adjustment& adjustment : result.adjustments)
+    all["extra_data"]["adjustments"].push_back(
+        {{"reason", text_of(adjustment.reason)}, {"points", rounded_points(adjustment.points)}});
   if (options.leaderboard)
     all["leaderboard"] = Json::array({Json{{"name", "Points"}, {"value", score}, {"order", "desc"}}});
   if (!options.student.empty()) all["extra_data"]["student"] = options.student;

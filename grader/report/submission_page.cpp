@@ -137,9 +137,13 @@ Html total_line(const SubmissionResult& result) {
   double extra = 0;
   for (const ExerciseResult& exercise : result.exercises)
     extra += exercise.extra_credit ? exercise.points : 0;
-  return html("<p class=\"total\"><strong>{}</strong> of {} points{}</p>\n",
-              {shown_points(points(result)), shown_points(max_points(result)),
-               extra > 0 ? ", " + shown_points(extra) + " of them extra credit" : ""});
+  Html all = html("<p class=\"total\"><strong>{}</strong> of {} points{}</p>\n",
+                  {shown_points(points(result)), shown_points(max_points(result)),
+                   extra > 0 ? ", " + shown_points(extra) + " of them extra credit" : ""});
+  for (const Adjustment& adjustment : result.adjustments)
+    all += html("<p class=\"adjustment\">{}: {} points</p>\n",
+                {adjustment.reason, shown_points(adjustment.points)});
+  return all;
 }
 
 Html body_of(const SubmissionResult& result, Reader reader) {
@@ -154,6 +158,7 @@ Html body_of(const SubmissionResult& result, Reader reader) {
   }
   body += html("</header>\n<main>\n");
   if (!result.note.empty()) body += html("<p class=\"note\">{}</p>\n", {result.note});
+  for (const std::string& remark : result.remarks) body += html("<p class=\"note\">{}</p>\n", {remark});
   body += overview(result);
   for (const ExerciseResult& exercise : result.exercises) body += exercise_section(exercise, reader);
   body += runs_section(result, reader);

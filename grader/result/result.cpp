@@ -74,8 +74,10 @@ std::string to_string(RunOutcome outcome) {
 }
 
 double points(const SubmissionResult& result) {
-  return std::accumulate(result.exercises.begin(), result.exercises.end(), 0.0,
-                         [](double sum, const ExerciseResult& exercise) { return sum + exercise.points; });
+  double sum = 0;
+  for (const ExerciseResult& exercise : result.exercises) sum += exercise.points;
+  for (const Adjustment& adjustment : result.adjustments) sum += adjustment.points;
+  return sum;
 }
 
 double max_points(const SubmissionResult& result) {

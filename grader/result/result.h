@@ -94,6 +94,14 @@ struct RunResult {
   bool operator==(const RunResult&) const = default;
 };
 
+// A change of the total that no exercise makes, such as lateness: a line of its own.
+struct Adjustment {
+  std::string reason;  // for the student: "Late by 2 days: 10 per cent of the points a day"
+  double points = 0;   // below 0: taken off
+
+  bool operator==(const Adjustment&) const = default;
+};
+
 struct SubmissionResult {
   std::string name;
   std::string origin;  // what it came in, see grader/intake/origin.h; for staff
@@ -106,6 +114,8 @@ struct SubmissionResult {
   // Exercises, or "runs", that the clock on the wall ended: their points are not final, and a person looks.
   std::vector<std::string> ended_by_the_clock = {};
   bool studied = false;  // there is a study.html, to which pages link
+  std::vector<Adjustment> adjustments = {};
+  std::vector<std::string> remarks = {};  // of the staff, for the student
 
   bool operator==(const SubmissionResult&) const = default;
 };
@@ -116,7 +126,7 @@ bool too_far(const PictureResult&);  // over a limit
 bool run_breaks_off(const ExerciseResult&);
 bool run_breaks_off(const RunResult&);
 
-double points(const SubmissionResult&);
+double points(const SubmissionResult&);      // with adjustments
 double max_points(const SubmissionResult&);  // without extra credit
 
 // The largest FLIP of the exercises' pictures; nothing if there are none.

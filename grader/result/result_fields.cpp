@@ -64,6 +64,12 @@ const Rows<RunResult>& Fields<RunResult>::rows() {
   return all;
 }
 
+const Rows<Adjustment>& Fields<Adjustment>::rows() {
+  using T = Adjustment;
+  static const Rows<T> all = {field("reason", &T::reason), field("points", &T::points)};
+  return all;
+}
+
 const Rows<SubmissionResult>& Fields<SubmissionResult>::rows() {
   using T = SubmissionResult;
   static const Rows<T> all = {
@@ -77,7 +83,9 @@ const Rows<SubmissionResult>& Fields<SubmissionResult>::rows() {
       field("runs", &T::runs),
       field<T>("ended_by_the_clock", &T::ended_by_the_clock,
                [](const T& result) { return !result.ended_by_the_clock.empty(); }),
-      field<T>("studied", &T::studied, [](const T& result) { return result.studied; })};
+      field<T>("studied", &T::studied, [](const T& result) { return result.studied; }),
+      field<T>("adjustments", &T::adjustments, [](const T& result) { return !result.adjustments.empty(); }),
+      field<T>("remarks", &T::remarks, [](const T& result) { return !result.remarks.empty(); })};
   return all;
 }
 

@@ -40,6 +40,10 @@ struct Fields<RunResult> {
   static const Rows<RunResult>& rows();
 };
 template <>
+struct Fields<Adjustment> {
+  static const Rows<Adjustment>& rows();
+};
+template <>
 struct Fields<SubmissionResult> {
   static const Rows<SubmissionResult>& rows();
 };

@@ -98,6 +98,7 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
   TimingByExercise reference = grading.reference().timing;
   if (settings.merge) reference.merge(record.costs().reference);
   record.set_run(reference, {});
+  record.set_rules(settings.rules);
   std::string failure;
   std::set<std::string> written;
   Progress progress(settings.only ? 1 : submissions.size());
@@ -126,6 +127,7 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
     one.result.studied = graded.study.has_value();
     if (graded.study) one.study = {*graded.study, *grading.reference().study};
     record.put(one, submission.handed_in);
+    if (std::optional<Recorded> now = record.find_decided(submission.name)) one = std::move(*now);
     write_student_files(settings.out, one);
     const std::lock_guard lock(shared);
     progress.step(in_a_line(one.result));
@@ -153,6 +155,10 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   record.set_run(reference, LastRun{seconds, batch.graded, settings.jobs});
   batch.results = write_class_files(settings.out, record, written);
+  for (const std::string& name : record.names())
+    if (const std::vector<Decision> decisions = record.decisions(name); !decisions.empty())
+      for (std::string& line : conflicts(record.find(name).value_or(Recorded{}).result, decisions))
+        batch.conflicts.push_back(std::move(line));
   batch.kept = static_cast<int>(batch.results.size()) - batch.graded;
   for (const Submission& submission : submissions) batch.finished += has(batch.results, submission.name);
   return batch;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "grader/intake/submission.h"
+#include "grader/record/rules.h"
 #include "grader/result/result.h"
 #include "grader/roster/roster.h"
 #include "grader/tool/grading.h"
@@ -23,6 +24,7 @@ struct BatchSettings {
   std::optional<std::string> only;  // grade only this submission
   bool replace = false;             // rows of another origin may be replaced
   std::optional<Roster> roster;     // replaces the record's
+  HandInRules rules = {};           // of the course file: lateness, and how much extra credit counts
   bool merge = false;               // only one exercise is graded: keep the earlier results of the others
 };
 
@@ -31,6 +33,7 @@ struct Batch {
   int graded = 0, kept = 0;               // by this batch; from before
   std::size_t finished = 0;               // of the submissions that were asked for: how many have a result
   std::vector<std::string> problems;      // on our side: what could not be graded, a line each
+  std::vector<std::string> conflicts;     // decisions of people against other points than now, a line each
   bool interrupted = false;
   bool began = true;  // false: interrupted while another process had the folder
 };

@@ -24,7 +24,7 @@ std::vector<SubmissionResult> write_class_files(const std::filesystem::path& fol
   std::vector<SubmissionResult> results;
   ClassCosts costs = record.costs();
   for (const std::string& name : record.names()) {
-    std::optional<Recorded> one = record.find(name);
+    std::optional<Recorded> one = record.find_decided(name);
     if (!one) continue;  // somebody has been forgotten just now
     if (!written.contains(name)) write_student_files(folder, *one);
     if (!one->result.ended_by_the_clock.empty())

@@ -1,15 +1,10 @@
 // STAFF ONLY.
 #include "grader/tool/folder_of_grades.h"
 
-#include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <chrono>
-#include <ostream>
 #include <system_error>
-#include <thread>
 #include <vector>
 
 #include "grader/course/input.h"
@@ -18,8 +13,6 @@ namespace grader {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::chrono::milliseconds kBetweenLooks{100};
 
 [[noreturn]] void refuse(const fs::path& folder, const std::string& why, const std::string& way) {
   throw BadInput(printable(folder.string(), 4096) + ": " + why + "; " + way +
@@ -56,11 +49,6 @@ bool has_older_grades(const fs::path& folder) {
   return false;
 }
 
-[[noreturn]] void can_not_write(const fs::path& folder, const std::string& why) {
-  throw BadInput(printable(folder.string(), 4096) + ": reports can't be written there: " + why +
-                 "; name a folder that can be written with --out");
-}
-
 }  // namespace
 
 void check_made_by(const fs::path& folder, const MadeBy& mine) {
@@ -84,23 +72,11 @@ std::optional<FolderOfGrades> FolderOfGrades::open(const fs::path& folder, const
     fs::permissions(folder, fs::perms::owner_all);  // it holds everybody's grades
   if (error) can_not_write(folder, error.message());
   if (access(folder.c_str(), W_OK) != 0) can_not_write(folder, std::generic_category().message(errno));
-  // No program that we start inherits it, so a killed hairgrade's lock does not live on in its workers.
-  Descriptor lock(::open((folder / kFolderLock).c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0644));
-  if (!lock) can_not_write(folder, std::generic_category().message(errno));
-  bool said = false;
-  while (flock(lock.get(), LOCK_EX | LOCK_NB) != 0) {
-    if (errno != EWOULDBLOCK && errno != EINTR) can_not_write(folder, std::generic_category().message(errno));
-    if (interrupted) return {};
-    if (!said)
-      says << "hairgrade: " << printable(folder.string(), 4096)
-           << " is in use by another hairgrade; waiting until it has finished\n"
-           << std::flush;
-    said = true;
-    std::this_thread::sleep_for(kBetweenLooks);
-  }
+  std::optional<FolderLock> lock = FolderLock::take(folder, interrupted, says);
+  if (!lock) return {};
   check_made_by(folder, mine);
   remove_half_written(folder);
-  FolderOfGrades opened(std::move(lock), folder);
+  FolderOfGrades opened(std::move(*lock), folder);
   opened.record().set_made_by(to_json(mine));
   return opened;
 }

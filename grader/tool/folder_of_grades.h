@@ -9,12 +9,10 @@
 #include <optional>
 
 #include "grader/record/record.h"
-#include "grader/sandbox/descriptor.h"
+#include "grader/tool/folder_lock.h"
 #include "grader/tool/made_by.h"
 
 namespace grader {
-
-inline constexpr const char* kFolderLock = ".lock";  // no submission is called so
 
 // Throws BadInput if the folder has results that were made otherwise, or that are of an older version and in no record. It needs no
 // lock: the record says how its results are made before the first one is there.
@@ -32,10 +30,10 @@ class FolderOfGrades {
   Record& record() const { return *record_; }
 
  private:
-  FolderOfGrades(Descriptor lock, const std::filesystem::path& folder)
+  FolderOfGrades(FolderLock lock, const std::filesystem::path& folder)
       : lock_(std::move(lock)), record_(std::make_unique<Record>(folder)) {}
 
-  Descriptor lock_;  // the kernel releases it when it is closed
+  FolderLock lock_;
   std::unique_ptr<Record> record_;
 };
 

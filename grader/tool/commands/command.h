@@ -25,13 +25,24 @@ Command add_package(CLI::App& hairgrade);
 Command add_gradescope(CLI::App& hairgrade);
 Command add_secret(CLI::App& hairgrade);
 Command add_samples(CLI::App& hairgrade);
+Command add_log(CLI::App& hairgrade);
+Command add_diff(CLI::App& hairgrade);
+Command add_export(CLI::App& hairgrade);
+Command add_forget(CLI::App& hairgrade);
+Command add_set(CLI::App& hairgrade);
+Command add_excuse(CLI::App& hairgrade);
+Command add_comment(CLI::App& hairgrade);
+Command add_late_days(CLI::App& hairgrade);
+Command add_unset(CLI::App& hairgrade);
+Command add_whatif(CLI::App& hairgrade);
 Command add_similar(CLI::App& hairgrade);
 Command add_gradebook(CLI::App& hairgrade);
 Command add_feedback(CLI::App& hairgrade);
 
-inline constexpr AddCommand kCommands[] = {add_grade,      add_compare, add_handout, add_package,
-                                           add_gradescope, add_secret,  add_samples, add_similar,
-                                           add_gradebook,  add_feedback};
+inline constexpr AddCommand kCommands[] = {
+    add_grade,   add_compare, add_handout, add_package,   add_gradescope, add_secret,
+    add_samples, add_similar, add_log,     add_diff,      add_export,     add_forget,
+    add_set,     add_excuse,  add_comment, add_late_days, add_unset,      add_whatif, add_gradebook, add_feedback};
 
 // Is set from the first call on when somebody ends this process by Ctrl-C, SIGTERM or SIGHUP (unless nohup has started it).
 const std::atomic<bool>& note_interruptions();

@@ -9,6 +9,7 @@
 #include "grader/intake/caged_archive.h"
 #include "grader/intake/layouts/system.h"
 #include "grader/intake/left_over.h"
+#include "grader/intake/names.h"
 #include "grader/intake/submission.h"
 #include "grader/record/owners.h"
 #include "grader/report/report.h"
@@ -60,9 +61,17 @@ void say_people(const fs::path& out, const std::optional<Roster>& roster) {
               << "), and graded all the same\n";
 }
 
+std::string without_time(const std::vector<Submission>& submissions) {
+  std::vector<std::string> names;
+  for (const Submission& one : submissions)
+    if (one.handed_in.empty()) names.push_back(one.name);
+  return names.empty() ? "" : some_of(names);
+}
+
 int grade(GradeOptions options) {
   if (options.roster) options.batch.roster = read_roster(*options.roster);
   options.settings.jobs = options.batch.jobs;
+  const HandInRules rules = read_rules(options.settings.course);
   GradingSettings settings = settings_of(options.settings);
   std::optional<CagedReader> reader;
   if (settings.isolation != Isolation::none) reader.emplace(HAIR_READER, settings.isolation);
@@ -76,6 +85,7 @@ int grade(GradeOptions options) {
   const std::string open_to_others = readable_by_others(staff_places(settings, options));
   const Grading grading(std::move(settings));
   BatchSettings batch_settings = options.batch;
+  batch_settings.rules = rules;
   batch_settings.merge = options.settings.exercise.has_value();
   const Batch batch = grade_batch(grading, intake.submissions, batch_settings, interrupted);
   if (!batch.began) {
@@ -97,6 +107,12 @@ int grade(GradeOptions options) {
   say_people(options.batch.out, options.batch.roster);
   for (const std::string& remark : intake.remarks) std::cerr << "hairgrade: " << remark << "\n";
   for (const std::string& notice : intake.notices) std::cerr << "hairgrade: " << notice << "\n";
+  if (const std::string names = without_time(intake.submissions); !rules.due.empty() && !names.empty())
+    std::cerr << "hairgrade: nobody knows whether these are late, for the download has no time of them: "
+              << names
+              << "; grade one that has times (Gradescope, Brightspace, Blackboard), or look in the learning "
+                 "system\n";
+  for (const std::string& conflict : batch.conflicts) std::cerr << "hairgrade: " << conflict << "\n";
   std::string not_final;
   for (const SubmissionResult& result : batch.results)
     if (!result.ended_by_the_clock.empty()) not_final += (not_final.empty() ? "" : ", ") + result.name;
@@ -106,7 +122,7 @@ int grade(GradeOptions options) {
   if (!open_to_others.empty()) std::cerr << "hairgrade: " << open_to_others << "\n";
   if (!batch.interrupted) {
     if (!batch.problems.empty()) return 1;
-    return not_final.empty() && intake.notices.empty() ? 0 : 3;
+    return not_final.empty() && intake.notices.empty() && batch.conflicts.empty() ? 0 : 3;
   }
   std::cerr << "hairgrade: interrupted after " << batch.finished << " of " << intake.submissions.size()
             << " submissions; the same command with --resume goes on\n";

@@ -1,0 +1,123 @@
+// STAFF ONLY. Reads the rules of a hand-in, and applies them to a total.
+#include "grader/record/rules.h"
+
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+
+#include "grader/course/input.h"
+#include "grader/record/shown_number.h"
+
+namespace grader {
+namespace {
+
+constexpr int kMinutesADay = 24 * 60;
+
+// Minutes of the calendar since 1970, "2025-03-04 23:59" or with seconds, which are left out.
+std::optional<std::int64_t> minutes_of(const std::string& text) {
+  const std::string form = "dddd-dd-dd dd:dd";
+  if (text.size() < form.size()) return {};
+  for (std::size_t i = 0; i < form.size(); ++i)
+    if (form[i] == 'd' ? text[i] < '0' || text[i] > '9' : text[i] != form[i] && !(i == 10 && text[i] == 'T'))
+      return {};
+  const auto number = [&](std::size_t at, std::size_t digits) {
+    int value = 0;
+    std::from_chars(text.data() + at, text.data() + at + digits, value);
+    return value;
+  };
+  const std::chrono::year_month_day day{std::chrono::year(number(0, 4)),
+                                        std::chrono::month(static_cast<unsigned>(number(5, 2))),
+                                        std::chrono::day(static_cast<unsigned>(number(8, 2)))};
+  if (!day.ok() || number(11, 2) > 23 || number(14, 2) > 59) return {};
+  return std::int64_t{std::chrono::sys_days(day).time_since_epoch().count()} * kMinutesADay +
+         number(11, 2) * 60 + number(14, 2);
+}
+
+std::string days(double count) {
+  return shown_number(count) + (count == 1 ? " day" : " days");
+}
+
+void cap(const HandInRules& rules, SubmissionResult& result) {
+  const double most = max_points(result) * rules.total_per_cent_at_most / 100, total = points(result);
+  if (total <= most || max_points(result) <= 0) return;
+  result.adjustments.push_back({"With extra credit the total counts up to " +
+                                    shown_number(rules.total_per_cent_at_most) + " per cent of " +
+                                    shown_number(max_points(result)) + " points",
+                                most - total});
+}
+
+void take_off_for_lateness(const HandInRules& rules, SubmissionResult& result, const std::string& handed_in,
+                           double more_days) {
+  const int late = late_days(rules, handed_in).value_or(0);
+  if (late == 0) return;
+  const double free = rules.free_days + more_days, counted = std::max(0.0, late - free);
+  const double per_cent = std::min(rules.late_per_cent_at_most, counted * rules.late_per_cent_a_day);
+  const double base = rules.late_of == LateOf::reached ? points(result) : max_points(result);
+  std::string reason = "Late by " + days(late) + ", handed in " + handed_in + ", due " + rules.due;
+  if (free > 0) reason += ", " + days(std::min<double>(free, late)) + " of them free";
+  reason += "; " + shown_number(per_cent) + " per cent of the points " + to_string(rules.late_of) +
+            " are taken off";
+  result.adjustments.push_back({reason, -std::min(points(result), base * per_cent / 100)});
+}
+
+}  // namespace
+
+std::string to_string(LateOf of) {
+  return of == LateOf::reached ? "reached" : "reachable";
+}
+
+const Rows<HandInRules>& Fields<HandInRules>::rows() {
+  using T = HandInRules;
+  const auto changed = [](auto member) {
+    return [member](const T& rules) { return rules.*member != T{}.*member; };
+  };
+  static const Rows<T> all = {
+      field<T>("due", &T::due, changed(&T::due)),
+      field<T>("grace_minutes", &T::grace_minutes, changed(&T::grace_minutes)),
+      field<T>("free_days", &T::free_days, changed(&T::free_days)),
+      field<T>("late_per_cent_a_day", &T::late_per_cent_a_day, changed(&T::late_per_cent_a_day)),
+      field<T>("late_of", &T::late_of, changed(&T::late_of)),
+      field<T>("late_per_cent_at_most", &T::late_per_cent_at_most, changed(&T::late_per_cent_at_most)),
+      field<T>("total_per_cent_at_most", &T::total_per_cent_at_most, changed(&T::total_per_cent_at_most))};
+  return all;
+}
+
+HandInRules read_rules(const std::optional<std::filesystem::path>& course_json) {
+  HandInRules rules;
+  if (!course_json) return rules;
+  const nlohmann::json document = read_json(*course_json);
+  const JsonValue course(document, *course_json);
+  if (!course.has("hand_in")) return rules;
+  const JsonValue json = course["hand_in"];
+  from_json_value(rules, json, {});
+  const auto expect = [&](const char* key, double value, double most) {
+    if (!(value >= 0 && value <= most))
+      json[key].fail(json[key].shown() + " is not right; write a number from 0 to " + shown_number(most));
+  };
+  if (!rules.due.empty() && (!minutes_of(rules.due) || rules.due.size() != 16))
+    json["due"].fail(json["due"].shown() + " is no time; write one such as \"2025-03-04 23:59\"");
+  expect("grace_minutes", rules.grace_minutes, kMinutesADay);
+  expect("free_days", rules.free_days, 366);
+  expect("late_per_cent_a_day", rules.late_per_cent_a_day, 100);
+  expect("late_per_cent_at_most", rules.late_per_cent_at_most, 100);
+  expect("total_per_cent_at_most", rules.total_per_cent_at_most, 1000);
+  return rules;
+}
+
+std::optional<int> late_days(const HandInRules& rules, const std::string& handed_in) {
+  const std::optional<std::int64_t> due = minutes_of(rules.due), then = minutes_of(handed_in);
+  if (!due || !then) return {};
+  const std::int64_t late = *then - *due;
+  if (late <= rules.grace_minutes) return 0;
+  return static_cast<int>((late + kMinutesADay - 1) / kMinutesADay);
+}
+
+SubmissionResult under(const HandInRules& rules, SubmissionResult result, const std::string& handed_in,
+                       double more_days) {
+  cap(rules, result);
+  take_off_for_lateness(rules, result, handed_in, more_days);
+  return result;
+}
+
+}  // namespace grader

@@ -1,0 +1,131 @@
+// STAFF ONLY. Commands that read and change the record of a class, from outside.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "grader/record/record.h"
+#include "grader/tests/run_program.h"
+#include "hair/io/files/read_file.h"
+#include "hair/io/files/temporary_folder.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+using std::string;
+
+// Everything that names a student names this one by a word that stands nowhere else.
+SubmissionResult result_of(const string& name, double points) {
+  SubmissionResult result;
+  result.name = name;
+  result.origin = "hand-in /" + name + ".zip";
+  ExerciseResult exercise;
+  exercise.id = "H2";
+  exercise.title = "Two";
+  exercise.points = points;
+  exercise.max_points = 8;
+  exercise.cases = {{"Easy", Status::passed, points, 8, "Feedback for " + name + ".", ""}};
+  exercise.staff_log = "log of " + name;
+  exercise.pictures = {{"1 s", 0, 0, "picture of " + name, "the reference's", ""}};
+  result.exercises = {exercise};
+  return result;
+}
+
+class RecordCommands : public testing::Test {
+ protected:
+  RecordCommands() {
+    for (const char* name : {"alice", "bobwillgo", "carol", "dave"}) Record(out_).put({result_of(name, 2)});
+    EXPECT_EQ(run({"comment", "alice", "x"}).code, 0);  // makes the files
+    EXPECT_EQ(run({"unset", "alice", "--kind", "comment"}).code, 0);
+  }
+  ProgramRun run(std::vector<string> words) const {
+    words.insert(words.end(), {"--out", out_.string()});
+    return run_hairgrade(words);
+  }
+  std::map<string, string> files() const {
+    std::map<string, string> all;
+    for (const auto& entry : fs::recursive_directory_iterator(out_))
+      if (entry.is_regular_file() && !entry.path().filename().string().starts_with(kRecordFile))
+        all[fs::relative(entry.path(), out_).string()] = hair::bytes_of(entry.path());
+    return all;
+  }
+  void expect_refused(const std::vector<string>& words, const string& because) const {
+    const ProgramRun refused = run(words);
+    EXPECT_EQ(refused.code, 2) << refused.errors;
+    EXPECT_NE(refused.errors.find(because), string::npos) << refused.errors;
+    EXPECT_EQ(refused.errors.find('\n') + 1, refused.errors.size()) << refused.errors;
+  }
+
+  hair::TemporaryFolder temporary_{"commands"};
+  const fs::path out_ = temporary_.path();
+};
+
+TEST_F(RecordCommands, ADecisionIsOnAllPagesAndCanBeTakenBack) {
+  const std::map<string, string> before = files();
+  ASSERT_EQ(run({"set", "alice", "H2.1", "7.5", "--why", "the test <was> wrong"}).code, 0);
+  EXPECT_NE(files().at("alice/report.html").find("the test &lt;was&gt; wrong"), string::npos);
+  EXPECT_EQ(nlohmann::json::parse(files().at("alice/results.json")).at("score"), 7.5);
+  EXPECT_NE(files().at("grades.csv").find("alice,7.5,8"), string::npos) << files().at("grades.csv");
+  Record(out_).put({result_of("alice", 3)});
+  ASSERT_EQ(run({"comment", "carol", "well done", "--at", "H2"}).code, 0);
+  EXPECT_NE(files().at("grades.csv").find("alice,7.5,8"), string::npos) << "graded again";
+  const ProgramRun log = run({"log", "alice"});
+  EXPECT_NE(log.output.find("points H2.1: 7.5 (computed: 2): the test <was> wrong"), string::npos)
+      << log.output;
+  EXPECT_NE(log.output.find("3 points computed"), string::npos) << log.output;
+  EXPECT_NE(run({"diff"}).output.find("alice  H2.1  2 -> 3  Easy"), string::npos) << run({"diff"}).output;
+  Record(out_).put({result_of("alice", 2)});
+  ASSERT_EQ(run({"unset", "alice", "H2.1"}).code, 0);
+  ASSERT_EQ(run({"unset", "carol", "H2", "--kind", "comment"}).code, 0);
+  EXPECT_EQ(files(), before);
+}
+
+TEST_F(RecordCommands, SayWhatIsWrongInOneLine) {
+  const std::map<string, string> before = files();
+  expect_refused({"set", "nobody", "H2", "1", "--why", "x"}, "nobody in ");
+  expect_refused({"set", "alice", "H9", "1", "--why", "x"}, "there are H2 (H2.1 to H2.1)");
+  expect_refused({"set", "alice", "H2", "1"}, "--why");
+  expect_refused({"unset", "alice", "H2"}, "there is nothing");
+  expect_refused({"log", "nobody"}, "nobody in ");
+  expect_refused({"forget", "../alice"}, "nobody in ");
+  expect_refused({"diff", "--since", "yesterday"}, "2025-03-04 10:15:00");
+  EXPECT_EQ(files(), before);
+  const ProgramRun elsewhere = run_hairgrade({"export", "--out", (out_ / "staff").string()});
+  EXPECT_EQ(elsewhere.code, 2);
+  EXPECT_FALSE(Record::is_in(out_ / "staff"));
+}
+
+TEST_F(RecordCommands, AForgottenStudentLeavesNoByte) {
+  const auto someone_holds = [&] {
+    return std::system(("grep -rqaF bobwillgo '" + out_.string() + "'").c_str()) == 0 ||
+           std::system(("find '" + out_.string() + "' | grep -q bobwillgo").c_str()) == 0;
+  };
+  ASSERT_EQ(run({"set", "bobwillgo", "H2", "1", "--why", "bobwillgo"}).code, 0);
+  const std::map<string, string> before = files();
+  EXPECT_TRUE(someone_holds());
+  ASSERT_EQ(run({"forget", "bobwillgo"}).code, 0);
+  EXPECT_FALSE(someone_holds());
+  for (const auto& [name, bytes] : files())
+    if (name.starts_with("alice/") || name.starts_with("staff/alice")) {
+      EXPECT_EQ(bytes, before.at(name));
+    }
+  EXPECT_EQ(run({"forget"}).code, 0);
+  EXPECT_EQ(nlohmann::json::parse(run({"export"}).output).at("people").size(), 3U);
+}
+
+TEST_F(RecordCommands, FourAtOnceLoseNothing) {
+  const std::vector<string> names = {"alice", "bobwillgo", "carol", "dave"};
+  {
+    std::vector<std::jthread> people;
+    for (const string& name : names)
+      people.emplace_back([&, name] { EXPECT_EQ(run({"set", name, "H2", "5", "--why", "all"}).code, 0); });
+  }
+  for (const string& name : names)
+    EXPECT_NE(files().at("grades.csv").find(name + ",5,8"), string::npos) << files().at("grades.csv");
+}
+
+}  // namespace
+}  // namespace grader

@@ -1,0 +1,45 @@
+// STAFF ONLY. `hairgrade forget`: removes all of a student from record, pages and pictures.
+#include <iostream>
+
+#include "grader/report/report.h"
+#include "grader/tool/class_files.h"
+#include "grader/tool/commands/command.h"
+#include "grader/tool/commands/of_a_record.h"
+#include "grader/tool/folder_lock.h"
+
+namespace grader {
+namespace {
+
+int forget(const OfARecord& options) {
+  const std::unique_ptr<Record> record = open_record(options.folder);
+  const std::optional<FolderLock> lock = FolderLock::take(options.folder, note_interruptions(), std::cerr);
+  if (!lock) {
+    std::cerr << "hairgrade: interrupted while it waited; nothing was removed\n";
+    return 130;
+  }
+  if (!options.name.empty()) {
+    record->forget(options.name);
+    remove_reports(options.folder, options.name);
+  }
+  write_class_files(options.folder, *record);
+  record->shred();
+  std::cout
+      << "record, pages and pictures hold nothing of "
+      << (options.name.empty() ? "those who were forgotten" : options.name)
+      << " any more; archives, copies of this folder and the cache of compiled objects are yours to delete\n";
+  return 0;
+}
+
+}  // namespace
+
+Command add_forget(CLI::App& hairgrade) {
+  const auto options = std::make_shared<OfARecord>();
+  CLI::App* command =
+      hairgrade.add_subcommand("forget", "Remove all of a student from record, pages and pictures");
+  command->add_option("NAME", options->name,
+                      "The student; without one, what an interrupted forget has left is cleared");
+  add_folder(*command, *options);
+  return {command, [options] { return forget(*options); }};
+}
+
+}  // namespace grader

@@ -1,0 +1,40 @@
+// STAFF ONLY. `hairgrade log`: tells who did what with a student's grades, and when.
+#include <iostream>
+
+#include "grader/course/input.h"
+#include "grader/record/points_then.h"
+#include "grader/report/text.h"
+#include "grader/tool/commands/command.h"
+#include "grader/tool/commands/of_a_record.h"
+
+namespace grader {
+namespace {
+
+// "graded" has points by category, too many for a line.
+std::string in_short(const LogEntry& entry) {
+  if (entry.did != "graded") return entry.detail;
+  double sum = 0;
+  for (const PointsThen& one : from_json_text<std::vector<PointsThen>>(entry.detail, "the log"))
+    sum += one.points;
+  return shown_points(sum) + " points computed";
+}
+
+int log(const OfARecord& options) {
+  for (const LogEntry& entry : open_record(options.folder)->log(options.name))
+    std::cout << entry.at << "  " << printable(entry.who) << "  " << entry.did << "  "
+              << printable(in_short(entry), 2000) << "\n";
+  return 0;
+}
+
+}  // namespace
+
+Command add_log(CLI::App& hairgrade) {
+  const auto options = std::make_shared<OfARecord>();
+  CLI::App* command =
+      hairgrade.add_subcommand("log", "Tell who did what with a student's grades, and when (UTC)");
+  add_name(*command, *options);
+  add_folder(*command, *options);
+  return {command, [options] { return log(*options); }};
+}
+
+}  // namespace grader
