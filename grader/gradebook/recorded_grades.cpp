@@ -1,6 +1,8 @@
 // STAFF ONLY. Reads grades from a record.
 #include "grader/gradebook/recorded_grades.h"
 
+#include <algorithm>
+
 #include "grader/course/input.h"
 #include "grader/record/owners.h"
 #include "grader/record/record.h"
@@ -14,7 +16,7 @@ std::vector<Grade> recorded_grades(const std::filesystem::path& folder) {
   Record record(folder);
   std::vector<Grade> grades;
   for (const HandIn& hand_in : recorded_hand_ins(folder)) {
-    const std::optional<Recorded> found = record.find(hand_in.name);
+    const std::optional<Recorded> found = record.find_decided(hand_in.name);
     if (!found) continue;
     const SubmissionResult& result = found->result;
     Grade grade{.hand_in = hand_in.name,
@@ -22,6 +24,10 @@ std::vector<Grade> recorded_grades(const std::filesystem::path& folder) {
                 .system = hand_in.system,
                 .points = points(result),
                 .max_points = max_points(result),
+                .excused = std::ranges::any_of(record.decisions(hand_in.name),
+                                               [](const Decision& one) {
+                                                 return one.kind == DecisionKind::excuse && one.place.empty();
+                                               }),
                 .not_final = !result.ended_by_the_clock.empty()};
     for (const ExerciseResult& exercise : result.exercises)
       grade.exercises.emplace_back(exercise.id, exercise.points);

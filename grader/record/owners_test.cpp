@@ -49,7 +49,9 @@ TEST(OwnersInTheRecord, ComeBackAndMakeTheClass) {
   EXPECT_EQ(list->absent()[0]->section, "y");
   EXPECT_EQ(list->strangers.size(), 2u);
 
-  Record(folder.path()).forget("team");
+  Record record(folder.path());
+  record.forget("team");
+  record.shred();
   EXPECT_EQ(recorded_class_list(folder.path())->rows.size(), 1u);
   for (const auto& file : std::filesystem::directory_iterator(folder.path()))
     EXPECT_EQ(hair::bytes_of(file.path()).find("a@u.de"), std::string::npos) << file.path();

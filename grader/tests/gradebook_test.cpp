@@ -74,6 +74,18 @@ TEST_F(GradesGoBack, EverybodyOnTheRosterHasARowAndGradesAreFilledIn) {
             "Student,ID,SIS Login ID,Section,S2 (7)\n    Points Possible,,,,20\n\"Müller, "
             "Jörg\",4711,perfect,A,20\n\"Z, Zoë\",4712,gone,A,3\n");
   EXPECT_EQ(filled.output.find("1 grades in "), 0u) << filled.output;
+
+  // What people decide is what goes back.
+  const auto cell_after = [&](const std::vector<string>& decision) {
+    EXPECT_EQ(run_hairgrade(decision).code, 0) << decision.front();
+    run_hairgrade({"gradebook", "canvas", "--grades", path("grades"), "--fill", exported, "--out",
+                   path("decided.csv")});
+    const string decided = read("decided.csv"), before = "4711,perfect,A,";
+    const std::size_t at = decided.find(before) + before.size();
+    return decided.substr(at, decided.find('\n', at) - at);
+  };
+  EXPECT_EQ(cell_after({"set", "perfect", "S2", "12.5", "--why", "a talk", "--out", path("grades")}), "12.5");
+  EXPECT_EQ(cell_after({"excuse", "perfect", "--why", "ill", "--out", path("grades")}), "EX");
 }
 
 TEST_F(GradesGoBack, BadInputIsALine) {
