@@ -5,13 +5,13 @@
 #include <sstream>
 
 #include "grader/compile/cache.h"
-#include "grader/text/encoding.h"
 #include "grader/compile/hash.h"
 #include "grader/compile/messages.h"
 #include "grader/compile/switched_off.h"
 #include "grader/compile/symbols.h"
 #include "grader/course/input.h"
 #include "grader/sandbox/identity.h"
+#include "grader/text/encoding.h"
 #include "hair/io/files/read_file.h"
 
 namespace grader {

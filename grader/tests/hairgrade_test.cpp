@@ -132,8 +132,7 @@ TEST_F(Hairgrade, RefusesBadUsageInOneLine) {
   expect_refused(
       grade({sample("stubs"), "--out", "grades"}, {}, "mkdir " + gone + "; cd " + gone + "; rmdir " + gone),
       {"the folder that it was started in is gone"});
-  expect_refused(run_hairgrade({"degrade"}),
-                 {"degrade", "is no command; there are grade, compare, "});
+  expect_refused(run_hairgrade({"degrade"}), {"degrade", "is no command; there are grade, compare, "});
   expect_refused(grade({sample("other-order")}), {"--out"});
   expect_refused(grade({sample("other-order"), "--out", out(), "--quickly"}), {"--quickly"});
   for (const char* jobs : {"0", "-1", "many", "1e9"})

@@ -188,7 +188,8 @@ TEST_F(CourseFiles, ComplaintsCarryNoControlCharacters) {
 TEST_F(CourseFiles, WhatTheCourseHasIsNotAbsent) {
   const fs::path exercises = write("exercises.json", list(exercise("S1") + "," + exercise("S2", "[\"S1\"]")));
   const fs::path file =
-      write("course.json", R"({"exercises": {"S2": {"role": "absent"}}, "budget": {}, "hand_in": {}, "partial": true})");
+      write("course.json",
+            R"({"exercises": {"S2": {"role": "absent"}}, "budget": {}, "hand_in": {}, "partial": true})");
   const Course course = read_course(exercises, file);
   EXPECT_TRUE(course.has("S1"));
   EXPECT_FALSE(course.has("S2") || course.has("none"));
