@@ -79,7 +79,9 @@ class Reading {
     }
     const std::string head = first_bytes(source);
     entries_.reset(archive_read_new());
-    if (is_zip(head)) {
+    if (is_empty_zip(head)) {
+      empty_ = true;  // the library takes it for a damaged one
+    } else if (is_zip(head)) {
       const auto* bytes = std::get_if<std::string>(&source);
       if (bytes && count_zip_entries(*bytes) > limits.entries) refuse_entries();
       archive_read_support_format_zip_seekable(entries_.get());
@@ -106,6 +108,7 @@ class Reading {
 
   // Null at the end.
   archive_entry* next() {
+    if (empty_) return nullptr;
     for (;;) {
       archive_entry* entry = nullptr;
       const int result = archive_read_next_header(entries_.get(), &entry);
@@ -244,7 +247,7 @@ class Reading {
   std::string shown_;
   ArchiveLimits limits_;
   std::size_t left_;
-  bool too_much_ = false;
+  bool too_much_ = false, empty_ = false;
   std::size_t count_ = 0;
   std::array<char, 65536> block_;
   std::size_t head_ = 0;  // bytes in the block that were unpacked to look at them

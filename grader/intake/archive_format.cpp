@@ -33,6 +33,16 @@ bool is_zip(std::string_view head) {
   return head.starts_with("PK\x03\x04") || head.starts_with("PK\x05\x06");
 }
 
+bool is_empty_zip(std::string_view head) {
+  constexpr std::size_t kEndRecord = 22;  // and a comment, whose length stands in its last two bytes
+  if (!head.starts_with("PK\x05\x06") || head.size() < kEndRecord || head.size() >= kHeadBytes) return false;
+  const auto byte = [&](std::size_t at) {
+    return static_cast<std::size_t>(static_cast<unsigned char>(head[at]));
+  };
+  return head.substr(8, 4) == std::string_view("\0\0\0\0", 4) &&
+         head.size() == kEndRecord + byte(20) + 256 * byte(21);
+}
+
 bool is_gzip(std::string_view head) {
   return head.starts_with("\x1f\x8b");
 }

@@ -8,6 +8,7 @@ namespace grader {
 inline constexpr std::size_t kHeadBytes = 512;  // a tar's header; all that the functions below look at
 
 bool is_zip(std::string_view head);
+bool is_empty_zip(std::string_view head);  // no entry, and nothing else
 bool is_gzip(std::string_view head);
 bool is_tar(std::string_view head);
 

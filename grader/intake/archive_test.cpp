@@ -50,6 +50,18 @@ TEST_P(EveryPacking, WhatWasPackedComesBack) {
   EXPECT_EQ(texts, (std::vector<std::string>{"text", binary, ""}));
 }
 
+// Nothing is in it, and nothing is wrong with it. With bytes that its end record does not know of it may be anything.
+TEST_P(EveryPacking, AnEmptyOneIsNotDamaged) {
+  if (GetParam() == Packing::tar) GTEST_SKIP() << "an empty tar is zeros: nothing says what they are";
+  const std::string bytes = ArchiveBuilder(GetParam()).bytes();
+  Archive archive(bytes, "x", kLimits);
+  EXPECT_TRUE(archive.list().empty());
+  if (GetParam() != Packing::zip) return;
+  EXPECT_TRUE(is_empty_zip(bytes));
+  EXPECT_FALSE(is_empty_zip(bytes + "x"));
+  EXPECT_FALSE(is_empty_zip(std::string_view(bytes).substr(1)));
+}
+
 TEST_P(EveryPacking, NamesOutsideAsciiAreTaken) {
   Archive archive(ArchiveBuilder(GetParam())
                       .file("\xc3\x9c"

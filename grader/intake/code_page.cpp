@@ -5,6 +5,7 @@
 #include <utf8proc.h>
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
@@ -23,9 +24,7 @@ class Converter {
   Converter& operator=(const Converter&) = delete;
 
   // False where the system has no such table.
-  bool there() const {
-    return handle_ != reinterpret_cast<iconv_t>(-1);
-  }  // NOLINT: iconv's own sign of failure
+  bool there() const { return reinterpret_cast<std::intptr_t>(handle_) != -1; }
 
   std::optional<std::string> convert(std::string bytes) {
     std::string text(bytes.size() * 4, '\0');

@@ -481,7 +481,8 @@ TEST_F(Hairgrade, KeepsNoObjectThatWasCompiledWithoutASandbox) {
 TEST_F(Hairgrade, TakesPointsAndRolesFromTheCourse) {
   nlohmann::json points = two_exercises();
   points.merge_patch(nlohmann::json::parse(
-      R"({"exercises": {"S1": {"points": 60}, "S2": {"role": "optional", "points": 5}}})"));
+      R"({"exercises": {"S1": {"points": 60}, "S2": {"role": "optional", "points": 5}},
+          "hand_in": {"total_per_cent_at_most": 110}})"));
   const string course = write("course.json", points.dump());
   ASSERT_EQ(grade({sample("other-order"), "--out", out(), "--course", course}).code, 0);
   EXPECT_EQ(
