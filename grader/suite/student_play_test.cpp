@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "grader/course/course.h"
+#include "grader/sandbox/isolation_for_tests.h"
 #include "grader/sandbox/processors.h"
 #include "grader/suite/hidden_scene.h"
 #include "grader/suite/played.h"
@@ -147,6 +148,8 @@ std::set<std::string> mapped_by_runs() {
 }
 
 TEST_P(StudentPlay, LeavesNoReferenceInTheStudentsProcess) {
+  if (const std::string why = why_not(Isolation::namespaces); !why.empty())
+    GTEST_SKIP() << why << "; a container's root may not ask which files another user's process has mapped";
   std::set<std::string> expected = {kKit / "worker", kKit / "serve" / (id() + ".so"), object()};
   for (const std::string& one : setup_.provided) expected.insert(kKit / "provided" / (one + ".so"));
   int looks = 0;
