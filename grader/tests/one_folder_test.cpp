@@ -16,6 +16,7 @@
 
 #include "grader/record/record.h"
 #include "grader/sandbox/descriptor.h"
+#include "grader/sandbox/isolation_for_tests.h"
 #include "grader/tests/run_program.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
@@ -162,7 +163,8 @@ TEST_F(OneFolder, IsNotMixedWithOtherRules) {
        {"--course", course("points.json", R"("H6": {"role": "absent"}, "S2": {"points": 15})")}},
       {"H6 is left out there and assigned here", {"--course", course("role.json", "")}},
       {"another secret", {"--secret", write("other", "another secret for this test")}},
-      {"another sandbox: namespaces there and none here", {"--unsafe-no-sandbox"}},
+      {"another sandbox: " + string(to_string(isolation_for_tests())) + " there and none here",
+       {"--unsafe-no-sandbox"}},
       {"no pictures, and here are some", {"--with-images"}}};
   for (const auto& [words, options] : refused) {
     const ProgramRun run = grade({"other-order"}, out_, options);
