@@ -114,7 +114,7 @@ class Reading {
       const int result = archive_read_next_header(entries_.get(), &entry);
       if (result == ARCHIVE_EOF) return nullptr;
       if (result < ARCHIVE_WARN) refuse();
-      // What systems leave behind is passed over here, so that it uses up no limit.
+      // Files that systems leave behind are passed over here, so that they use up no limit.
       if (is_ignored(entry_at(name_in(entry)).path)) continue;
       if (++count_ > limits_.entries) refuse_entries();
       return entry;

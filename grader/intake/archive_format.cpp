@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Tells formats by first bytes, and kinds by endings.
 #include "grader/intake/archive_format.h"
 
 #include <algorithm>

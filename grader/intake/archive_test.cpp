@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Archives come back as they were packed; hostile ones are refused within limits.
 #include "grader/intake/archive.h"
 
 #include <gtest/gtest.h>

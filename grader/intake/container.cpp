@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Cleans the paths of entries.
 #include "grader/intake/container.h"
 
 #include <map>

@@ -18,7 +18,7 @@ class IntakeBudget {
 
   // So many more files and folders. Throws Refused, as the next one.
   void charge_entries(std::size_t count);
-  // What will be read; sizes are those that the container states, and reading is limited again by what really comes.
+  // Counts entries that will be read. Sizes are those that the container states; reading is limited again by what really comes.
   void charge_bytes(std::uintmax_t bytes);
 
   ArchiveLimits for_archive() const { return {limits_.stream_bytes, limits_.entries}; }
@@ -29,7 +29,7 @@ class IntakeBudget {
   std::size_t entries_ = 0;
 };
 
-// What was found of an exercise file in a submission.
+// An exercise file as a submission has it.
 struct Found {
   std::string shown;     // where the one that is taken lies
   bool renamed = false;  // under a name that copies get

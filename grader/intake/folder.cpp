@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Lists and reads a folder on disk, and follows no link.
 #include "grader/intake/folder.h"
 
 #include <fcntl.h>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Names are safe for files, pages and command lines, and stay apart.
 #include "grader/intake/names.h"
 
 #include <gtest/gtest.h>

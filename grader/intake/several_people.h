@@ -14,7 +14,7 @@ struct Arguments {
   bool may_be_class() const { return classes || !several; }
 };
 
-// What looks like a class.
+// Inputs that look like a class.
 struct Crowd {
   std::vector<std::string> names;  // of its submissions
   bool of_a_system = false;        // they are in a learning system's download

@@ -162,7 +162,7 @@ std::optional<Planned> ClassReader::by_system(std::vector<Entry>& list, const Na
   const std::string name(without_archive_ending(argument.name));
   std::optional<Division> division = divide(list, name, system_called(from_));
   if (!division) return {};
-  // What one student hands in can hold one folder of somebody else's name.
+  // A student's hand-in can hold one folder of somebody else's name.
   if (!arguments_.may_be_class() && !argument.on_disk && division->hand_ins.size() < 2) return {};
   add_gradescope_owners(*division, list, argument);
   Planned planned{.is_class = true, .system = division->system};

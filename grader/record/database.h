@@ -22,7 +22,7 @@ namespace grader {
 
 enum class Journal { best, rollback };  // best: a write-ahead log where the file system is known to allow it
 
-// Whether a file system with this f_type (statfs) has shared memory for all that use it. Unknown ones are taken for remote.
+// Tells whether a file system with this f_type (statfs) has shared memory for all that use it. Unknown ones are taken for remote.
 bool is_local_file_system(std::uint64_t kind);
 
 struct Blob {

@@ -43,7 +43,7 @@ struct Fields<HandInRules> {
   static const Rows<HandInRules>& rows();
 };
 
-// Of a course file; the default ones without "hand_in". Throws BadInput, a line that names the place and what would be right.
+// Reads those of a course file; the default ones without "hand_in". Throws BadInput, a line that names the place and what would be right.
 HandInRules read_rules(const std::optional<std::filesystem::path>& course_json);
 
 // How many days of the calendar `handed_in` ("2025-03-05 10:15:22") is late; 0: it is not. Nothing without both times.

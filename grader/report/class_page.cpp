@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Puts the class on a page.
 #include <algorithm>
 #include <utility>
 
@@ -25,7 +25,7 @@ Html list_of(const Html& heading, std::size_t count, const Html& items, const ch
               {heading, count, look, items});
 }
 
-// What an instructor looks at first: what went wrong in the worst way comes first. People are counted, with all their exercises.
+// An instructor looks here first: results that went wrong in the worst way come first. People are counted, with all their exercises.
 Html to_look_at(const Results& results) {
   Html groups, notes;
   std::size_t with_note = 0;

@@ -107,7 +107,7 @@ std::vector<FailAlike> who_fail_alike(const Results& results) {
       std::vector<std::string> lost;
       for (std::size_t i = 0; i < exercise.cases.size(); ++i)
         if (exercise.cases[i].status != Status::passed) lost.push_back(number(exercise, i));
-      // Who loses all has no code that works: that says nothing of how it was written.
+      // Nothing works of somebody who loses all, and that says nothing of how it was written.
       if (lost.size() >= kFewestLost && lost.size() < exercise.cases.size())
         found[{exercise.id, std::move(lost)}].push_back(result.name);
     }

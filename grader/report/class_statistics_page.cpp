@@ -76,7 +76,7 @@ Html distribution_part(const std::vector<SubmissionResult>& results) {
       {bars_of(tenths_of_totals(results))});
 }
 
-// What to explain again in class comes first: the categories in which most points are lost.
+// The categories in which most points are lost come first: a lecturer explains them again.
 Html categories_part(const std::vector<SubmissionResult>& results) {
   Html table = html(R"(<section id="categories">
 <h2>Categories, hardest first</h2>

@@ -31,7 +31,7 @@ SubmissionResult person(const std::string& name, std::vector<bool> passes) {
   return result;
 }
 
-// Of eleven people 0.27 * 11 = 2.97, so three, are strong, and three are weak.
+// 0.27 * 11 = 2.97: three of eleven people are strong, and three are weak.
 TEST(ClassStatistics, CategoriesTellStrongFromWeakPeople) {
   std::vector<SubmissionResult> results;
   for (int i = 0; i < 11; ++i) {
@@ -59,7 +59,7 @@ TEST(ClassStatistics, EachPersonCountsOnce) {
   EXPECT_EQ(std::accumulate(exercises[0].points.begin(), exercises[0].points.end(), 0.0), 4);
 }
 
-// Who loses one category, or all, says nothing; two people are no group.
+// Somebody who loses one category, or all, says nothing; two people are no group.
 TEST(ClassStatistics, WhoFailAlikeIsNamed) {
   std::vector<SubmissionResult> results;
   for (const char* name : {"a", "b", "c"}) results.push_back(person(name, {true, false, false}));

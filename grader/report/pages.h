@@ -24,7 +24,7 @@ std::string study_page(const SubmissionResult& result, const SubmissionStudy& st
 std::string class_page(const std::vector<SubmissionResult>& results,
                        const std::vector<ClassLine>& people = {});  // index.html
 
-// Who is missing, and who is on no roster; empty if nobody is.
+// Lists people who are missing, or on no roster; empty if nobody is.
 Html people_section(const std::vector<ClassLine>& people);
 
 // Its parts that count people (class_statistics.h).

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Pages say what results say, and escape what strangers wrote.
 #include "grader/report/pages.h"
 
 #include <gtest/gtest.h>

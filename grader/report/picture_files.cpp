@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Stores each picture once.
 #include "grader/report/picture_files.h"
 
 #include <algorithm>

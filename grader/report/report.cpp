@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Writes the files of students and of the class.
 #include "grader/report/report.h"
 
 #include <stdexcept>

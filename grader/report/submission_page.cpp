@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Puts one submission on a page, for the student or for staff.
 #include "grader/report/pages.h"
 #include "grader/report/pictures.h"
 #include "grader/report/student_view.h"

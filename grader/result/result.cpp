@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Sums points, and puts statuses into words.
 #include "grader/result/result.h"
 
 #include <algorithm>

@@ -32,7 +32,7 @@ std::string readable(std::string text) {
   return text;
 }
 
-// What a file has of its own. Given runs of one file in several given texts may overlap: a line counts once.
+// Leaves what a file has of its own. Given runs of one file in several given texts may overlap: a line counts once.
 void blank_given(const Sim& sim, std::vector<std::string>& texts, const std::vector<std::string>& given,
                  int least) {
   if (given.empty()) return;

@@ -75,7 +75,7 @@ TEST_F(GradesGoBack, EverybodyOnTheRosterHasARowAndGradesAreFilledIn) {
             "Jörg\",4711,perfect,A,20\n\"Z, Zoë\",4712,gone,A,3\n");
   EXPECT_EQ(filled.output.find("1 grades in "), 0u) << filled.output;
 
-  // What people decide is what goes back.
+  // Grades go back as people decided them.
   const auto cell_after = [&](const std::vector<string>& decision) {
     EXPECT_EQ(run_hairgrade(decision).code, 0) << decision.front();
     run_hairgrade({"gradebook", "canvas", "--grades", path("grades"), "--fill", exported, "--out",

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Grades submissions by several threads, and puts each result into the record.
 #include "grader/tool/batch.h"
 
 #include <algorithm>

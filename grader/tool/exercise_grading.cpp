@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Compiles an exercise and runs its cases.
 #include "grader/tool/exercise_grading.h"
 
 #include <algorithm>

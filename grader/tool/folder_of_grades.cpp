@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Opens a folder of grades, and compares what its grades were made with.
 #include "grader/tool/folder_of_grades.h"
 
 #include <unistd.h>

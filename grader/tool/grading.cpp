@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Grades a submission, exercise by exercise and as a whole.
 #include "grader/tool/grading.h"
 
 #include <algorithm>

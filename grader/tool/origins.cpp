@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Compares origins of rows.
 #include "grader/tool/origins.h"
 
 #include <algorithm>

@@ -153,7 +153,7 @@ std::optional<Division> divide(std::vector<Entry>& list, const std::string& cont
     if (best.known > 0 && (said || 2 * best.known > best.children)) {
       read_names(children, *best.system, around);
       Divider(list, root, children, best).divide();
-      // What lies beside the folders around the download.
+      // A file may lie beside the folders around the download.
       const std::string prefix = root.empty() ? "" : root + "/";
       for (std::size_t i = 0; i < list.size(); ++i) {
         if (list[i].kind == Entry::Kind::folder || is_ignored(list[i].path) ||

@@ -69,7 +69,7 @@ TEST(Layouts, OfCanvasAreNoWordsOfStudents) {
   EXPECT_EQ(told({"1-9 - Mal - May 18, 2025 1224 PM - 2-9 - Bob - May 18, 2025 1224 PM - a.cpp"}),
             (Lines{"brightspace", "Mal|1|2025-05-18 12:24:00|: 2-9 - Bob - May 18, 2025 1224 PM - a.cpp"}));
   EXPECT_EQ(told({"mal@u.de_1_bob@u.de_2_a.cpp"}), (Lines{"autolab", "|mal@u.de||: bob@u.de_2_a.cpp"}));
-  // Of a group "Lab 3_12": two names share what would be one file's number.
+  // A group may be called "Lab 3_12": then two names share what would be one file's number.
   EXPECT_EQ(told({"lab3_12_4713_90020_a.cpp", "lab3_12_4713_90021_b.cpp"}),
             (Lines{"canvas", "lab3_12|4713||group: a.cpp b.cpp"}));
 }

@@ -45,13 +45,13 @@ struct System {
 // In the order in which they are guessed.
 const std::vector<System>& systems();
 
-// What --from takes: "canvas", ..., "folders".
+// The word that --from takes: "canvas", ..., "folders".
 std::vector<std::string> layout_names();
 
 // Null if no system has this name.
 const System* system_called(std::string_view name);
 
-// What the first system that knows the name of one file or folder says.
+// The answer of the first system that knows the name of one file or folder.
 struct Told {
   const System* system;
   Named named;

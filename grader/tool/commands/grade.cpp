@@ -47,7 +47,7 @@ std::vector<StaffPlace> staff_places(const GradingSettings& settings, const Grad
           {"the grades", options.batch.out, options.batch.out}};
 }
 
-// Who is missing, who is on no roster, and how people were found where that is not plain.
+// Says who is missing, who is on no roster, and how people were found where that is not plain.
 void say_people(const fs::path& out, const std::optional<Roster>& roster) {
   const std::optional<ClassList> list = recorded_class_list(out);
   if (!list) return;
