@@ -9,7 +9,7 @@
 #include <optional>
 #include <string_view>
 
-#include "grader/intake/letters.h"
+#include "grader/text/letters.h"
 
 namespace grader {
 namespace {

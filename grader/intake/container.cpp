@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "grader/intake/code_page.h"
-#include "grader/intake/letters.h"
+#include "grader/text/letters.h"
 
 namespace grader {
 

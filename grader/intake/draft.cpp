@@ -4,7 +4,7 @@
 #include <numeric>
 #include <utility>
 
-#include "grader/intake/letters.h"
+#include "grader/text/letters.h"
 
 namespace grader {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "grader/intake/archive_format.h"
 #include "grader/intake/ignored.h"
-#include "grader/intake/letters.h"
+#include "grader/text/letters.h"
 
 namespace grader {
 namespace {

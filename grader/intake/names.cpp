@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "grader/intake/archive_format.h"
-#include "grader/intake/letters.h"
+#include "grader/text/letters.h"
 
 namespace grader {
 

@@ -16,10 +16,10 @@
 #include "grader/intake/layouts/division.h"
 #include "grader/intake/layouts/folders.h"
 #include "grader/intake/layouts/gradescope.h"
-#include "grader/intake/letters.h"
 #include "grader/intake/names.h"
 #include "grader/intake/origin.h"
 #include "grader/intake/several_people.h"
+#include "grader/text/letters.h"
 
 namespace grader {
 namespace {

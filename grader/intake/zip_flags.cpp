@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <string_view>
 
-#include "grader/intake/letters.h"
+#include "grader/text/letters.h"
 
 namespace grader {
 namespace {

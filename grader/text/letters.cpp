@@ -3,6 +3,7 @@
 
 #include <utf8proc.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdlib>
 #include <functional>
@@ -13,9 +14,26 @@
 namespace grader {
 namespace {
 
+const utf8proc_uint8_t* bytes_of(std::string_view text) {
+  return reinterpret_cast<const utf8proc_uint8_t*>(text.data());
+}
+
+bool is_ascii(std::string_view text) {
+  return std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; });
+}
+
+std::string mapped(std::string_view text, int options) {
+  utf8proc_uint8_t* result = nullptr;
+  const utf8proc_ssize_t size = utf8proc_map(bytes_of(text), static_cast<utf8proc_ssize_t>(text.size()),
+                                             &result, static_cast<utf8proc_option_t>(options));
+  const std::unique_ptr<utf8proc_uint8_t, decltype(&std::free)> owner(result, &std::free);
+  if (size < 0) return std::string(text);
+  return {reinterpret_cast<const char*>(result), static_cast<std::size_t>(size)};
+}
+
 // `text` is well-formed.
 void each_letter(const std::string& text, const std::function<void(utf8proc_int32_t)>& take) {
-  const auto* bytes = reinterpret_cast<const utf8proc_uint8_t*>(text.data());
+  const utf8proc_uint8_t* bytes = bytes_of(text);
   for (std::size_t at = 0; at < text.size();) {
     utf8proc_int32_t letter = 0;
     const utf8proc_ssize_t size =
@@ -56,9 +74,7 @@ std::string composed(std::string_view name) {
     blank = false;
     append(line, letter);
   });
-  const std::unique_ptr<utf8proc_uint8_t, decltype(&std::free)> form(
-      utf8proc_NFC(reinterpret_cast<const utf8proc_uint8_t*>(line.c_str())), &std::free);
-  return form ? reinterpret_cast<const char*>(form.get()) : line;
+  return mapped(line, UTF8PROC_STABLE | UTF8PROC_COMPOSE);
 }
 
 std::string squeezed(std::string_view name) {
@@ -73,6 +89,52 @@ std::string lowered(std::string_view name) {
   std::string text;
   each_letter(composed(name), [&](utf8proc_int32_t letter) { append(text, utf8proc_tolower(letter)); });
   return text;
+}
+
+bool is_utf8(std::string_view bytes) {
+  while (!bytes.empty()) {
+    utf8proc_int32_t letter = 0;
+    const utf8proc_ssize_t size =
+        utf8proc_iterate(bytes_of(bytes), static_cast<utf8proc_ssize_t>(bytes.size()), &letter);
+    if (size <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(size));
+  }
+  return true;
+}
+
+std::string composed_path(std::string_view path) {
+  return is_ascii(path) ? std::string(path) : mapped(path, UTF8PROC_STABLE | UTF8PROC_COMPOSE);
+}
+
+std::string without_marks(std::string_view name) {
+  if (is_ascii(name)) return std::string(name);
+  return mapped(mapped(name, UTF8PROC_STABLE | UTF8PROC_DECOMPOSE | UTF8PROC_STRIPMARK),
+                UTF8PROC_STABLE | UTF8PROC_COMPOSE);
+}
+
+std::string legible(std::string_view text, std::size_t most) {
+  constexpr char digits[] = "0123456789abcdef";
+  std::string line;
+  while (!text.empty()) {
+    if (line.size() >= most) return line + "...";
+    utf8proc_int32_t letter = 0;
+    const utf8proc_ssize_t size =
+        utf8proc_iterate(bytes_of(text), static_cast<utf8proc_ssize_t>(text.size()), &letter);
+    const utf8proc_category_t kind = size > 0 ? utf8proc_category(letter) : UTF8PROC_CATEGORY_CN;
+    const bool seen = kind != UTF8PROC_CATEGORY_CC && kind != UTF8PROC_CATEGORY_CF &&
+                      kind != UTF8PROC_CATEGORY_CS && kind != UTF8PROC_CATEGORY_CN &&
+                      kind != UTF8PROC_CATEGORY_CO && kind != UTF8PROC_CATEGORY_ZL &&
+                      kind != UTF8PROC_CATEGORY_ZP;
+    const auto bytes = static_cast<std::size_t>(std::max<utf8proc_ssize_t>(size, 1));
+    for (const char c : text.substr(0, bytes)) {
+      if (seen)
+        line += c;
+      else
+        line += {'\\', 'x', digits[static_cast<unsigned char>(c) >> 4], digits[c & 15]};
+    }
+    text.remove_prefix(bytes);
+  }
+  return line;
 }
 
 }  // namespace grader

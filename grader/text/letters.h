@@ -1,5 +1,5 @@
-// STAFF ONLY. Letters of names. One name has several spellings as bytes: "ö" is one code point or two, and learning systems write
-// names in lower case without spaces into names of files.
+// STAFF ONLY. Letters of names, of people and of files. One name has several spellings as bytes: "ö" is one code point or two, and
+// learning systems write names in lower case without spaces into names of files.
 #pragma once
 
 #include <string>
@@ -16,5 +16,17 @@ std::string squeezed(std::string_view name);
 
 // Composed, in lower case: e-mail addresses and GitHub's logins are one in any case.
 std::string lowered(std::string_view name);
+
+bool is_utf8(std::string_view bytes);
+
+// The composed form (NFC), else unchanged: folders stay folders. Bytes that are no UTF-8 stay as they are.
+std::string composed_path(std::string_view path);
+
+// "Müller" as "Muller": letters that are one of ASCII with marks lose these. Others stay.
+std::string without_marks(std::string_view name);
+
+// One line that is safe to print and keeps its letters: control characters, bytes that are no UTF-8 and letters that change the
+// direction of others become \xNN. Cuts after about `most` bytes.
+std::string legible(std::string_view text, std::size_t most = 200);
 
 }  // namespace grader
