@@ -3,15 +3,17 @@
 #include <iostream>
 #include <memory>
 
+#include "grader/course/course.h"
 #include "grader/course/input.h"
 #include "grader/gradebook/feedback.h"
 #include "grader/gradebook/recorded_grades.h"
-#include "grader/intake/archive.h"
+#include "grader/intake/caged_archive.h"
 #include "grader/intake/submission.h"
 #include "grader/record/record.h"
 #include "grader/report/student_view.h"
 #include "grader/report/text.h"
 #include "grader/tool/commands/command.h"
+#include "grader/tool/isolation_here.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/plot/readable.h"
 
@@ -35,9 +37,12 @@ std::vector<std::string> files_in(const fs::path& download) {
   if (!fs::exists(download))
     throw BadInput(printable(download.string(), 4096) + ": is not there; give the download that was graded");
   const IntakeLimits limits;
-  const auto archive = open_here(download, download.filename().string(),
-                                 {.unpacked_bytes = limits.unpacked_bytes, .entries = 50 * limits.entries});
+  const StagedKit kit(HAIR_KIT_DIR, read_course(HAIR_EXERCISES_JSON));
+  const CagedReader reader(HAIR_READER, isolation_here(kit, {}));
   try {
+    const auto archive =
+        reader.open(download, download.filename().string(),
+                    {.unpacked_bytes = limits.unpacked_bytes, .entries = 50 * limits.entries});
     for (const Entry& entry : archive->list()) files.push_back(entry.path);
   } catch (const std::exception& problem) {
     throw BadInput(printable(download.string(), 4096) + ": can't be read (" + problem.what() +
@@ -79,7 +84,7 @@ int write_feedback(const FeedbackOptions& options) {
     std::string bytes = hair::bytes_of(page);
     if (bytes.empty())
       throw BadInput(printable(page.string(), 4096) + ": is not there; grade again, which writes it");
-    return ReportOfStudent{std::move(bytes), text_of(record.find(hand_in)->result)};
+    return ReportOfStudent{std::move(bytes), text_of(record.find_decided(hand_in)->result)};
   };
   const Feedback feedback = options.system == "canvas"
                                 ? feedback_for_canvas(files_in(options.table), grades, report)
