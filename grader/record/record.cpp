@@ -115,7 +115,6 @@ void Record::put(const Recorded& one, const std::string& handed_in) {
     database_.run("INSERT OR IGNORE INTO pictures VALUES (?, ?)", {digest, Blob{png}});
     database_.run("INSERT INTO shown VALUES (?, ?, ?)", {assignment, id, digest});
   }
-  remove_pictures_that_none_shows();
   add_to_log(id, "graded", compact(points_then(result)));
   transaction.commit();
 }
@@ -179,6 +178,7 @@ void Record::set_run(const TimingByExercise& reference, const std::optional<Last
   Transaction transaction(database_);
   database_.run("UPDATE assignments SET reference_costs = ?, last_run = ? WHERE name = ''",
                 {compact(reference), compact(run)});
+  remove_pictures_that_none_shows();  // of results that were replaced; once a run, for it looks at all pictures
   transaction.commit();
 }
 
