@@ -110,11 +110,20 @@ void Record::put(const Recorded& one, const std::string& handed_in) {
       "INSERT OR REPLACE INTO hand_ins (assignment, person, origin, fingerprint, handed_in) VALUES "
       "(?, ?, ?, ?, ?)",
       {assignment, id, result.origin, result.fingerprint, handed_in});
+  std::vector<std::string>
+      earlier;  // nobody may show these any more; to look at all pictures would take long
+  database_.each("SELECT digest FROM shown WHERE assignment = ? AND person = ?", {assignment, id},
+                 [&](const DatabaseRow& row) { earlier.push_back(row.text(0)); });
   database_.run("DELETE FROM shown WHERE assignment = ? AND person = ?", {assignment, id});
   for (const auto& [digest, png] : pictures) {
     database_.run("INSERT OR IGNORE INTO pictures VALUES (?, ?)", {digest, Blob{png}});
     database_.run("INSERT INTO shown VALUES (?, ?, ?)", {assignment, id, digest});
   }
+  for (const std::string& digest : earlier)
+    database_.run(
+        "DELETE FROM pictures WHERE digest = ? AND NOT EXISTS (SELECT 1 FROM shown WHERE shown.digest = "
+        "pictures.digest)",
+        {digest});
   add_to_log(id, "graded", compact(points_then(result)));
   transaction.commit();
 }
@@ -178,7 +187,6 @@ void Record::set_run(const TimingByExercise& reference, const std::optional<Last
   Transaction transaction(database_);
   database_.run("UPDATE assignments SET reference_costs = ?, last_run = ? WHERE name = ''",
                 {compact(reference), compact(run)});
-  remove_pictures_that_none_shows();  // of results that were replaced; once a run, for it looks at all pictures
   transaction.commit();
 }
 
