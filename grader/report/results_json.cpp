@@ -141,8 +141,9 @@ Json json_of(const SubmissionResult& result, const ResultsOptions& options) {
       {"visibility", "visible"},
       {"stdout_visibility", "hidden"},
       {"tests", tests},
-      {"extra_data",
-       {{"exercises", exercises}, {"isolation", to_string(result.isolation)}, {"images", result.images}}}};
+      {"extra_data", {{"exercises", exercises}, {"images", result.images}}}};
+  if (!result.exercises.empty())
+    all["extra_data"]["isolation"] = to_string(result.isolation);  // nothing ran before
   for (const Adjustment& adjustment : result.adjustments)
     all["extra_data"]["adjustments"].push_back(
         {{"reason", text_of(adjustment.reason)}, {"points", rounded_points(adjustment.points)}});

@@ -1,22 +1,21 @@
 // STAFF ONLY. What a cage keeps from the process inside, tried from inside with a shell.
 #include "grader/sandbox/cage.h"
 
-#include <arpa/inet.h>
 #include <fcntl.h>
 #include <gtest/gtest.h>
-#include <netinet/in.h>
 #include <sched.h>
 #include <signal.h>
 #include <stdlib.h>
-#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <fstream>
 #include <functional>
-#include <system_error>
 
 #include "grader/sandbox/caged_for_tests.h"
+#include "grader/sandbox/launch.h"
+#include "grader/sandbox/listener.h"
+#include "grader/sandbox/warden.h"
 #include "hair/io/files/bad_input.h"
 #include "solver/timing.h"
 
@@ -100,42 +99,23 @@ TEST_F(NamespacesTest, ItsTmpHasASize) {
             std::string::npos);
 }
 
-// A server of ours, on a port that the machine chooses.
-class Server {
- public:
-  Server() : socket_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof(address);
-    auto* plain = reinterpret_cast<sockaddr*>(&address);
-    if (bind(socket_.get(), plain, size) != 0 || listen(socket_.get(), 8) != 0 ||
-        getsockname(socket_.get(), plain, &size) != 0)
-      throw std::system_error(errno, std::generic_category(), "a server on the loopback");
-    port_ = ntohs(address.sin_port);
-  }
-  std::string connecting() const {
-    return "exec 9<>/dev/tcp/127.0.0.1/" + std::to_string(port_) + " && echo connected";
-  }
-
- private:
-  Descriptor socket_;
-  int port_;
-};
+std::string connecting_to(const Listener& listener) {
+  return "exec 9<>/dev/tcp/127.0.0.1/" + std::to_string(listener.port()) + " && echo connected";
+}
 
 // Two fences keep the network away. Each is tried without the other.
 TEST_P(CageTest, ItsCallFilterAllowsNoSockets) {
-  const Said run = shell(Server().connecting());
+  const Said run = shell(connecting_to(Listener()));
   EXPECT_EQ(run.output.find("connected"), std::string::npos) << run.output;
   EXPECT_NE(run.output.find("Operation not permitted"), std::string::npos) << run.output;
 }
 
 TEST_F(NamespacesTest, ItsNetworkIsNotOurs) {
-  const Server server;
+  const Listener listener;
   cage_.syscalls.reset();
-  EXPECT_EQ(shell(server.connecting()).output.find("connected"), std::string::npos);
+  EXPECT_EQ(shell(connecting_to(listener)).output.find("connected"), std::string::npos);
   cage_.isolation = Isolation::none;
-  EXPECT_EQ(shell(server.connecting()).output, "connected\n") << "the server does not answer at all";
+  EXPECT_EQ(shell(connecting_to(listener)).output, "connected\n") << "the server does not answer at all";
 }
 
 TEST_F(NamespacesTest, SharesNoNamespaceWithUs) {
@@ -199,6 +179,34 @@ TEST_P(CageTest, LimitsMemory) {
   EXPECT_EQ(shell(takes).output, "104857600\n");
   cage_.limits.memory_bytes = std::size_t{64} << 20;
   EXPECT_EQ(shell(takes).output.find("104857600"), std::string::npos);
+}
+
+// Two fences bound processes, its own limit and a control group. Each is tried without the other, and none.
+TEST_P(CageTest, LimitsProcesses) {
+  fs::copy_file(HAIR_PROBE, folder_ / "probe");
+  fs::permissions(folder_ / "probe", fs::perms(0755));
+  cage_.mounts.push_back({folder_ / "probe", "/probe"});
+  cage_.limits.processes = 16;
+  const std::vector<std::string> starts = {"/probe", "fork", "40"};
+  const std::string succeeds = "can start 40 processes\n";
+  const auto said = [&](const std::vector<std::string>& command, bool in_group) {
+    Pipe output = make_pipe();
+    CagedProcess process(cage_, command, -1, -1, output.write_end.get(),
+                         [in_group](Launch& launch, RunLimits&) {
+                           if (!in_group) launch.joins.clear();
+                         });
+    output.write_end.close();
+    const std::string text = read_all(output.read_end, 1000, cage_.limits.wall_seconds);
+    process.kill();
+    process.wait(cage_.limits.wall_seconds);
+    return text;
+  };
+  EXPECT_EQ(said(starts, false), succeeds);
+  EXPECT_EQ(said(with_inner_limits(cage_.limits, starts), false), "");
+  const std::string in_group = said(starts, true);
+  if (ControlGroup::create(cage_.limits.memory_bytes, cage_.limits.processes)) {
+    EXPECT_EQ(in_group, "");
+  }
 }
 
 TEST_P(CageTest, LimitsTheSizeOfFiles) {

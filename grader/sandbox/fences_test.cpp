@@ -85,6 +85,9 @@ const LeftOut kFences[] = {
        if (launch.filter_file >= 0) leave_out_words(launch, "--seccomp", 2);
      },
      "student code can reach the network\n"},
+    {"Network", Isolation::namespaces,
+     [](Launch& launch, RunLimits&) { leave_out_words(launch, "--unshare-net"); },
+     "student code can reach servers of this machine\n"},
     {"Nothing", Isolation::container, [](Launch&, RunLimits&) {}, ""},
     {"User", Isolation::container, [](Launch& launch, RunLimits&) { launch.identity = {}; },
      "student code can signal the staff's processes\n"},

@@ -1,8 +1,10 @@
 // STAFF ONLY. Tries from inside of a cage what student code could try. Exit code 0: it was stopped. 1: it succeeded, and standard
 // output says with what, as "can ...".
 //
-//   hairprobe start | files STAFF_FOLDER | processes STAFF_PROCESS | rights | network | memory BYTES | stay
+//   hairprobe start | files STAFF_FOLDER | processes STAFF_PROCESS | rights | network | reach PORT | fork COUNT | memory BYTES | stay
+#include <arpa/inet.h>
 #include <fcntl.h>
+#include <netinet/in.h>
 #include <sched.h>
 #include <signal.h>
 #include <sys/mount.h>
@@ -60,6 +62,32 @@ bool network() {
          did(socket(AF_UNIX, SOCK_STREAM, 0) >= 0, "reach services of this machine");
 }
 
+bool reach(int port) {
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<in_port_t>(port));
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  const int to = socket(AF_INET, SOCK_STREAM, 0);
+  return did(to >= 0 && connect(to, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0,
+             "reach servers of this machine");
+}
+
+// They last until the cage ends, or a minute.
+bool start_processes(int count) {
+  constexpr unsigned kSeconds = 60;
+  for (int i = 0; i < count; ++i) {
+    const pid_t child = fork();
+    if (child < 0) return false;
+    if (child == 0) {
+      close(STDOUT_FILENO);
+      close(STDERR_FILENO);
+      sleep(kSeconds);
+      _exit(0);
+    }
+  }
+  return did(true, "start " + std::to_string(count) + " processes");
+}
+
 bool memory(std::size_t bytes) {
   constexpr std::size_t kPage = 4096;
   auto* taken = static_cast<volatile char*>(std::malloc(bytes));
@@ -88,6 +116,8 @@ int main(int count, char* arguments[]) {
   if (what == "processes") return processes(std::atoi(argument.c_str())) ? 1 : 0;
   if (what == "rights") return rights() ? 1 : 0;
   if (what == "network") return network() ? 1 : 0;
+  if (what == "reach") return reach(std::atoi(argument.c_str())) ? 1 : 0;
+  if (what == "fork") return start_processes(std::atoi(argument.c_str())) ? 1 : 0;
   if (what == "memory") return memory(std::strtoull(argument.c_str(), nullptr, 10)) ? 1 : 0;
   if (what == "stay") return stay() ? 1 : 0;
   return 2;

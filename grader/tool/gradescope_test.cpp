@@ -69,6 +69,7 @@ TEST_F(Gradescope, ResultsAreWholeFromTheBeginningAndNameWhatIsNotGradedYet) {
   GradescopeResults file(folder_.path(), course_, {});
   EXPECT_EQ(results()["score"], 0);
   EXPECT_NE(results()["output"].get<std::string>().find("S1, S2, P1"), std::string::npos) << results();
+  EXPECT_FALSE(results()["extra_data"].contains("isolation")) << "nothing ran so far";
 
   file.belong_to({"4711", "2026-03-04"});
   const auto names = [&](const std::string& id) {
@@ -91,6 +92,7 @@ TEST_F(Gradescope, ResultsAreWholeFromTheBeginningAndNameWhatIsNotGradedYet) {
   EXPECT_EQ(results()["output"], "");
   EXPECT_EQ(results()["extra_data"]["student"], "4711");
   EXPECT_EQ(results()["extra_data"]["handed_in"], "2026-03-04");
+  EXPECT_EQ(results()["extra_data"]["isolation"], "namespaces");
   EXPECT_FALSE(results().contains("leaderboard"));
 }
 
