@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "grader/course/input.h"
-#include "grader/record/owners.h"
 #include "grader/record/record.h"
 
 namespace grader {
@@ -15,7 +14,7 @@ std::vector<Grade> recorded_grades(const std::filesystem::path& folder) {
     throw BadInput(where + ": has no " + kRecordFile + "; give the folder of hairgrade grade --out");
   Record record(folder);
   std::vector<Grade> grades;
-  for (const HandIn& hand_in : recorded_hand_ins(folder)) {
+  for (const HandIn& hand_in : record.hand_ins()) {
     const std::optional<Recorded> found = record.find_decided(hand_in.name);
     if (!found) continue;
     const SubmissionResult& result = found->result;

@@ -8,7 +8,6 @@
 
 #include "grader/compile/hash.h"
 #include "grader/course/input.h"
-#include "grader/record/owners.h"
 #include "grader/record/points_then.h"
 #include "grader/record/schema.h"
 #include "grader/result/result_fields.h"
@@ -62,8 +61,8 @@ std::int64_t Record::known_person(const std::string& name) {
   return id;
 }
 
-std::int64_t Record::person(const std::string& name) {
-  database_.run("INSERT OR IGNORE INTO people (name, drawn_from) VALUES (?, ?)", {name, name});
+std::int64_t Record::person(const std::string& name, const std::string& drawn_from) {
+  database_.run("INSERT OR IGNORE INTO people (name, drawn_from) VALUES (?, ?)", {name, drawn_from});
   return known_person(name);
 }
 
@@ -90,8 +89,7 @@ void Record::set_made_by(const std::string& json) {
 std::string Record::drawn_from(const std::string& name, const std::string& at_first) {
   const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
-  database_.run("INSERT OR IGNORE INTO people (name, drawn_from) VALUES (?, ?)", {name, at_first});
-  std::string found = database_.text("SELECT drawn_from FROM people WHERE name = ?", {name});
+  std::string found = database_.text("SELECT drawn_from FROM people WHERE id = ?", {person(name, at_first)});
   transaction.commit();
   return found;
 }
@@ -103,7 +101,7 @@ void Record::put(const Recorded& one, const std::string& handed_in) {
                     beside = one.study ? compact(one.study->beside_itself) : "", costs = compact(one.costs);
   const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
-  const std::int64_t id = person(result.name), assignment = this->assignment();
+  const std::int64_t id = person(result.name, result.name), assignment = this->assignment();
   database_.run("INSERT OR REPLACE INTO results VALUES (?, ?, ?, ?, ?, ?, ?)",
                 {assignment, id, result.origin, text, study, beside, costs});
   database_.run(
@@ -220,8 +218,8 @@ std::vector<LogEntry> Record::log(const std::string& name) {
 
 void Record::forget(const std::string& name) {
   const std::lock_guard lock(one_at_a_time_);
-  forget_on_roster(database_.file().parent_path(), name);
   Transaction transaction(database_);
+  forget_on_roster(name);
   database_.run("DELETE FROM people WHERE id = ?", {known_person(name)});
   remove_pictures_that_none_shows();
   add_to_log({}, "forgot somebody", "");

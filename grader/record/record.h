@@ -19,6 +19,7 @@
 #include "grader/result/costs.h"
 #include "grader/result/result.h"
 #include "grader/result/study.h"
+#include "grader/roster/class_list.h"
 
 namespace grader {
 
@@ -55,6 +56,13 @@ class Record {
   // Replaces the earlier result of this student; the log has both. `handed_in` is a time as a download says it, or "".
   void put(const Recorded& one, const std::string& handed_in = "");
 
+  // Owners of hand-ins that were there before stay if they are not named again. A roster replaces the earlier one.
+  void put_people(const std::vector<HandIn>& hand_ins, const std::optional<std::vector<Person>>& roster = {});
+  // With a result, by name. One without an owner, of an older record, has none here.
+  std::vector<HandIn> hand_ins();
+  // Nothing if no roster was given so far.
+  std::optional<ClassList> class_list();
+
   std::vector<std::string> names();              // of those with a result, sorted
   std::map<std::string, std::string> origins();  // by name
   // As it was computed; and with the decisions of people, under the rules of the hand-in. Throw BadInput if it is damaged.
@@ -81,7 +89,7 @@ class Record {
   // Oldest first; throws BadInput for a name that the record does not have.
   std::vector<LogEntry> log(const std::string& name);
 
-  // Removes all of a person. Throws BadInput for an unknown name. Then shred() clears free pages and journal of all bytes that were
+  // Removes all of a person, on the roster, too. Throws BadInput for an unknown name. Then shred() clears free pages and journal of all bytes that were
   // deleted; it throws BadInput if another process reads for a minute meanwhile.
   void forget(const std::string& name);
   void shred();
@@ -90,12 +98,16 @@ class Record {
 
  private:
   std::int64_t assignment();
-  std::int64_t person(const std::string& name);  // makes it
+  std::int64_t person(const std::string& name, const std::string& drawn_from);  // makes it
   std::int64_t known_person(const std::string& name);
   std::optional<Recorded> read(const std::string& name);
   HandInRules stored_rules();
   SubmissionResult under_rules(SubmissionResult result, const HandInRules& rules, const ChangePoints& change);
   std::vector<Decision> decisions_of(const std::string& name);
+  std::vector<HandIn> read_hand_ins();
+  void put_roster(const std::vector<Person>& roster);
+  std::optional<ClassList> read_class_list();
+  void forget_on_roster(const std::string& hand_in);
   void add_to_log(std::optional<std::int64_t> person, const std::string& did, const std::string& detail);
   std::string picture(const std::string& digest);
   void remove_pictures_that_none_shows();

@@ -9,7 +9,6 @@
 #include <thread>
 
 #include "grader/course/input.h"
-#include "grader/record/owners.h"
 #include "grader/report/columns.h"
 #include "grader/report/text.h"
 #include "grader/tool/class_files.h"
@@ -61,7 +60,8 @@ std::string in_a_line(const SubmissionResult& result) {
   return line + "  of " + shown_points(max_points(result)) + ": " + short_points(points(result));
 }
 
-void record_owners(const std::vector<Submission>& submissions, const BatchSettings& settings) {
+void record_owners(Record& record, const std::vector<Submission>& submissions,
+                   const BatchSettings& settings) {
   std::vector<HandIn> hand_ins;
   for (const Submission& one : submissions) {
     if (settings.only && *settings.only != one.name) continue;
@@ -69,8 +69,7 @@ void record_owners(const std::vector<Submission>& submissions, const BatchSettin
     if (owner.name.empty() && owner.id.empty() && owner.email.empty()) owner.name = one.name;
     hand_ins.push_back({one.name, owner, one.system.empty() ? "folders" : one.system});
   }
-  record_people(settings.out, hand_ins,
-                settings.roster ? std::optional(settings.roster->people()) : std::nullopt);
+  record.put_people(hand_ins, settings.roster ? std::optional(settings.roster->people()) : std::nullopt);
 }
 
 }  // namespace
@@ -92,7 +91,7 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
   Record& record = folder->record();
   for (const std::string& line : settle_origins(settings.out, submissions, settings.only, settings.replace))
     std::cerr << "hairgrade: " << line << "\n";
-  record_owners(submissions, settings);
+  record_owners(record, submissions, settings);
   const auto start = std::chrono::steady_clock::now();
   batch.problems = grading.reference().problems;
   TimingByExercise reference = grading.reference().timing;

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "grader/course/input.h"
-#include "grader/record/owners.h"
 #include "grader/report/costs_page.h"
 #include "grader/report/picture_files.h"
 #include "grader/report/report.h"
@@ -31,7 +30,7 @@ std::vector<SubmissionResult> write_class_files(const std::filesystem::path& fol
       costs.ended_by_the_clock[name] = one->result.ended_by_the_clock;
     results.push_back(std::move(one->result));
   }
-  write_class_reports(folder, results, lines_of(recorded_class_list(folder), recorded_hand_ins(folder)));
+  write_class_reports(folder, results, lines_of(record.class_list(), record.hand_ins()));
   remove_unshown_pictures(folder);
   write_file(folder / "timing.json", to_json(costs));
   write_file(folder / "costs.html", costs_page(costs_table(costs)));

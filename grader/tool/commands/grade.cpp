@@ -11,7 +11,7 @@
 #include "grader/intake/left_over.h"
 #include "grader/intake/names.h"
 #include "grader/intake/submission.h"
-#include "grader/record/owners.h"
+#include "grader/record/record.h"
 #include "grader/report/report.h"
 #include "grader/sandbox/own_groups.h"
 #include "grader/tool/at_rest.h"
@@ -49,7 +49,7 @@ std::vector<StaffPlace> staff_places(const GradingSettings& settings, const Grad
 
 // Says who is missing, who is on no roster, and how people were found where that is not plain.
 void say_people(const fs::path& out, const std::optional<Roster>& roster) {
-  const std::optional<ClassList> list = recorded_class_list(out);
+  const std::optional<ClassList> list = Record(out).class_list();
   if (!list) return;
   const std::size_t absent = list->absent().size();
   std::cout << "roster: " << list->rows.size() - absent << " of " << list->rows.size() << " handed in\n";

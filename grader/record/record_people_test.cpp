@@ -1,16 +1,16 @@
 // STAFF ONLY. A record knows whose its hand-ins are and who is missing, and forgets both.
-#include "grader/record/owners.h"
+#include "grader/record/record.h"
 
 #include <gtest/gtest.h>
 
-#include "grader/record/record.h"
+#include "grader/course/input.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 
 namespace grader {
 namespace {
 
-TEST(OwnersInTheRecord, ComeBackAndMakeTheClass) {
+TEST(PeopleInTheRecord, ComeBackAndMakeTheClass) {
   const hair::TemporaryFolder folder("owners");
   const Owner team{.name = "Teäm",
                    .id = "7",
@@ -22,17 +22,18 @@ TEST(OwnersInTheRecord, ComeBackAndMakeTheClass) {
   const Roster roster(parse_csv("id,name,email,section\n1,A,a@u.de,x\n3,Zoë,,y\n", "r.csv"));
   {
     Record record(folder.path());
-    EXPECT_FALSE(recorded_class_list(folder.path()));
-    record_people(folder.path(), hand_ins, roster.people());
-    EXPECT_TRUE(recorded_hand_ins(folder.path()).empty());  // nothing is graded
+    EXPECT_FALSE(record.class_list());
+    record.put_people(hand_ins, roster.people());
+    EXPECT_TRUE(record.hand_ins().empty());  // nothing is graded
     for (const HandIn& one : hand_ins) {
       Recorded graded;
       graded.result.name = one.name;
       record.put(graded);
     }
   }
-  record_people(folder.path(), {hand_ins[1]});  // the others stay
-  const std::vector<HandIn> found = recorded_hand_ins(folder.path());
+  Record record(folder.path());
+  record.put_people({hand_ins[1]});  // the others stay
+  const std::vector<HandIn> found = record.hand_ins();
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].owner.id, "x");
   EXPECT_TRUE(found[0].owner.anonymous);
@@ -41,7 +42,7 @@ TEST(OwnersInTheRecord, ComeBackAndMakeTheClass) {
   ASSERT_EQ(found[1].owner.members.size(), 2u);
   EXPECT_EQ(found[1].owner.members[0].email, "a@u.de");
 
-  const std::optional<ClassList> list = recorded_class_list(folder.path());
+  const std::optional<ClassList> list = record.class_list();
   ASSERT_TRUE(list && list->rows.size() == 2);
   EXPECT_EQ(list->rows[0].hand_ins, std::vector<std::string>{"team"});
   ASSERT_EQ(list->absent().size(), 1u);
@@ -49,12 +50,28 @@ TEST(OwnersInTheRecord, ComeBackAndMakeTheClass) {
   EXPECT_EQ(list->absent()[0]->section, "y");
   EXPECT_EQ(list->strangers.size(), 2u);
 
-  Record record(folder.path());
   record.forget("team");
   record.shred();
-  EXPECT_EQ(recorded_class_list(folder.path())->rows.size(), 1u);
+  EXPECT_EQ(record.class_list()->rows.size(), 1u);
   for (const auto& file : std::filesystem::directory_iterator(folder.path()))
     EXPECT_EQ(hair::bytes_of(file.path()).find("a@u.de"), std::string::npos) << file.path();
+}
+
+TEST(PeopleInTheRecord, ADamagedOneIsNamed) {
+  const hair::TemporaryFolder folder("damaged owner");
+  Record record(folder.path());
+  Recorded graded;
+  graded.result.name = "doe";
+  record.put(graded);
+  record.put_people({{"doe", {.name = "Doe"}, "canvas"}});
+  Database(folder.path() / kRecordFile).run("UPDATE owners SET owner = replace(owner, 'false', '0')");
+  try {
+    record.hand_ins();
+    FAIL() << "nothing was said";
+  } catch (const BadInput& error) {
+    const std::string said = error.what();
+    EXPECT_NE(said.find("class.sqlite: the owner of doe: anonymous: "), std::string::npos) << said;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,19 @@
+// STAFF ONLY. People as JSON (grader/result/fields.h): whose a hand-in is, and who is on a roster.
+#pragma once
+
+#include "grader/intake/owner.h"
+#include "grader/result/fields.h"
+#include "grader/roster/person.h"
+
+namespace grader {
+
+template <>
+struct Fields<Owner> {
+  static const Rows<Owner>& rows();
+};
+template <>
+struct Fields<Person> {
+  static const Rows<Person>& rows();
+};
+
+}  // namespace grader

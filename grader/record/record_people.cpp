@@ -1,0 +1,71 @@
+// STAFF ONLY. Owners and the roster in the record. What the class looks like is found anew from both each time.
+#include <algorithm>
+
+#include "grader/course/input.h"
+#include "grader/record/people_fields.h"
+#include "grader/record/record.h"
+
+namespace grader {
+
+void Record::put_people(const std::vector<HandIn>& hand_ins,
+                        const std::optional<std::vector<Person>>& roster) {
+  const std::lock_guard lock(one_at_a_time_);
+  Transaction transaction(database_);
+  for (const HandIn& hand_in : hand_ins)
+    database_.run("INSERT OR REPLACE INTO owners VALUES (?, ?, ?)",
+                  {person(hand_in.name, hand_in.name), hand_in.system, json_text(hand_in.owner, -1)});
+  if (roster) put_roster(*roster);
+  transaction.commit();
+}
+
+void Record::put_roster(const std::vector<Person>& roster) {
+  database_.run("DELETE FROM roster");
+  for (const Person& one : roster)
+    database_.run("INSERT INTO roster (person) VALUES (?)", {json_text(one, -1)});
+}
+
+std::vector<HandIn> Record::hand_ins() {
+  const std::lock_guard lock(one_at_a_time_);
+  return read_hand_ins();
+}
+
+std::vector<HandIn> Record::read_hand_ins() {
+  const std::string where = printable(database_.file().string(), 4096) + ": the owner of ";
+  std::vector<HandIn> all;
+  database_.each(
+      "SELECT name, owner, system FROM people JOIN results ON results.person = people.id LEFT JOIN owners ON "
+      "owners.person = people.id ORDER BY name",
+      {}, [&](const DatabaseRow& row) {
+        const std::string name = row.text(0);
+        all.push_back(
+            {name, row.is_null(1) ? Owner{} : from_json_text<Owner>(row.text(1), where + name), row.text(2)});
+      });
+  return all;
+}
+
+std::optional<ClassList> Record::class_list() {
+  const std::lock_guard lock(one_at_a_time_);
+  const Transaction one_state(database_, Transaction::reads);
+  return read_class_list();
+}
+
+std::optional<ClassList> Record::read_class_list() {
+  const std::string where = printable(database_.file().string(), 4096) + ": the roster";
+  std::vector<Person> people;
+  database_.each("SELECT person FROM roster ORDER BY place", {}, [&](const DatabaseRow& row) {
+    people.push_back(from_json_text<Person>(row.text(0), where));
+  });
+  if (people.empty()) return {};
+  return grader::class_list(Roster(std::move(people)), read_hand_ins());
+}
+
+void Record::forget_on_roster(const std::string& hand_in) {
+  const std::optional<ClassList> list = read_class_list();
+  if (!list) return;
+  std::vector<Person> people;
+  for (const ClassList::Row& row : list->rows)
+    if (std::ranges::count(row.hand_ins, hand_in) == 0) people.push_back(row.person);
+  if (people.size() < list->rows.size()) put_roster(people);
+}
+
+}  // namespace grader
