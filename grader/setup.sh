@@ -24,6 +24,7 @@ libyaml-cpp-dev      # reads Gradescope's export
 libseccomp-dev       # the sandbox's system call filter
 libsodium-dev        # seeds and fingerprints: HMAC, hashes
 libutf8proc-dev      # letters of names: one form for each, lower case
+libhowardhinnant-date-dev # clocks of time zones
 bubblewrap           # the sandbox
 similarity-tester    # sim: pairs of hand-ins that share code
 LIST

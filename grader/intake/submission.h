@@ -43,7 +43,7 @@ struct Submission {
   bool unreadable = false;   // it has a problem: it is no archive that we read, or a damaged or encrypted one
   Owner owner = {};
   std::string system = {};     // the layout's name, as --from takes it: "canvas", "folders"
-  std::string handed_in = {};  // "2025-03-04 10:15:22", as the download says it; "": it has no time
+  std::string handed_in = {};  // as the download says it (text/time_text.h); "": it has no time
   bool marked_late = false;    // by the learning system
   std::string drawn_from =
       {};  // the name that its inputs are drawn from, as the class's record has it; "": `name`

@@ -2,36 +2,22 @@
 #include "grader/record/rules.h"
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 
 #include "grader/course/input.h"
 #include "grader/record/shown_number.h"
+#include "grader/record/zone.h"
+#include "grader/text/time_text.h"
 
 namespace grader {
 namespace {
 
 constexpr int kMinutesADay = 24 * 60;
+constexpr std::size_t kDueLength = std::size("2025-03-04 23:59") - 1;
 
-// Minutes of the calendar since 1970, "2025-03-04 23:59" or with seconds, which are left out.
-std::optional<std::int64_t> minutes_of(const std::string& text) {
-  const std::string form = "dddd-dd-dd dd:dd";
-  if (text.size() < form.size()) return {};
-  for (std::size_t i = 0; i < form.size(); ++i)
-    if (form[i] == 'd' ? text[i] < '0' || text[i] > '9' : text[i] != form[i] && !(i == 10 && text[i] == 'T'))
-      return {};
-  const auto number = [&](std::size_t at, std::size_t digits) {
-    int value = 0;
-    std::from_chars(text.data() + at, text.data() + at + digits, value);
-    return value;
-  };
-  const std::chrono::year_month_day day{std::chrono::year(number(0, 4)),
-                                        std::chrono::month(static_cast<unsigned>(number(5, 2))),
-                                        std::chrono::day(static_cast<unsigned>(number(8, 2)))};
-  if (!day.ok() || number(11, 2) > 23 || number(14, 2) > 59) return {};
-  return std::int64_t{std::chrono::sys_days(day).time_since_epoch().count()} * kMinutesADay +
-         number(11, 2) * 60 + number(14, 2);
+std::chrono::minutes minutes_of(std::chrono::seconds time) {
+  return std::chrono::floor<std::chrono::minutes>(time);
 }
 
 std::string days(double count) {
@@ -54,7 +40,8 @@ void take_off_for_lateness(const HandInRules& rules, SubmissionResult& result, c
   const double free = rules.free_days + more_days, counted = std::max(0.0, late - free);
   const double per_cent = std::min(rules.late_per_cent_at_most, counted * rules.late_per_cent_a_day);
   const double base = rules.late_of == LateOf::reached ? points(result) : max_points(result);
-  std::string reason = "Late by " + days(late) + ", handed in " + handed_in + ", due " + rules.due;
+  std::string reason = "Late by " + days(late) + ", handed in " +
+                       shown_on_clock_of(*read_time(handed_in), rules.zone) + ", due " + rules.due;
   if (free > 0) reason += ", " + days(std::min<double>(free, late)) + " of them free";
   reason += "; " + shown_number(per_cent) + " per cent of the points " + to_string(rules.late_of) +
             " are taken off";
@@ -74,6 +61,7 @@ const Rows<HandInRules>& Fields<HandInRules>::rows() {
   };
   static const Rows<T> all = {
       field<T>("due", &T::due, changed(&T::due)),
+      field<T>("zone", &T::zone, changed(&T::zone)),
       field<T>("grace_minutes", &T::grace_minutes, changed(&T::grace_minutes)),
       field<T>("free_days", &T::free_days, changed(&T::free_days)),
       field<T>("late_per_cent_a_day", &T::late_per_cent_a_day, changed(&T::late_per_cent_a_day)),
@@ -95,8 +83,10 @@ HandInRules read_rules(const std::optional<std::filesystem::path>& course_json) 
     if (!(value >= 0 && value <= most))
       json[key].fail(json[key].shown() + " is not right; write a number from 0 to " + shown_number(most));
   };
-  if (!rules.due.empty() && (!minutes_of(rules.due) || rules.due.size() != 16))
+  if (!rules.due.empty() && (!read_time(rules.due) || rules.due.size() != kDueLength))
     json["due"].fail(json["due"].shown() + " is no time; write one such as \"2025-03-04 23:59\"");
+  if (json.has("zone") && !is_zone(rules.zone))
+    json["zone"].fail(json["zone"].shown() + " is no time zone; write its name, such as \"Europe/Berlin\"");
   expect("grace_minutes", rules.grace_minutes, kMinutesADay);
   expect("free_days", rules.free_days, 366);
   expect("late_per_cent_a_day", rules.late_per_cent_a_day, 100);
@@ -106,11 +96,16 @@ HandInRules read_rules(const std::optional<std::filesystem::path>& course_json) 
 }
 
 std::optional<int> late_days(const HandInRules& rules, const std::string& handed_in) {
-  const std::optional<std::int64_t> due = minutes_of(rules.due), then = minutes_of(handed_in);
+  const std::optional<TimeText> due = read_time(rules.due), then = read_time(handed_in);
   if (!due || !then) return {};
-  const std::int64_t late = *then - *due;
-  if (late <= rules.grace_minutes) return 0;
-  return static_cast<int>((late + kMinutesADay - 1) / kMinutesADay);
+  const auto minute = [&](const TimeText& time, Twice twice) {
+    return minutes_of(moment_of(time, rules.zone, twice).time_since_epoch());
+  };
+  if (minute(*then, Twice::earlier) - minute(*due, Twice::later) <= std::chrono::minutes(rules.grace_minutes))
+    return 0;
+  const auto on_clock = [&](const TimeText& time) { return minutes_of(on_clock_of(time, rules.zone)); };
+  const std::int64_t late = (on_clock(*then) - on_clock(*due)).count();
+  return std::max(1, static_cast<int>((late + kMinutesADay - 1) / kMinutesADay));
 }
 
 SubmissionResult under(const HandInRules& rules, SubmissionResult result, const std::string& handed_in,

@@ -71,7 +71,7 @@ std::map<std::string, GradescopeRow> read_gradescope_metadata(const std::string&
     for (const auto& row : all) {  // a pair with bases of its own: no structured binding
       if (!row.first.IsScalar()) continue;
       const std::string folder = row.first.Scalar();
-      rows[folder] = {gradescope_owner(row.second, folder), text_at(row.second, "created_at").substr(0, 19)};
+      rows[folder] = {gradescope_owner(row.second, folder), text_at(row.second, "created_at")};
     }
     return rows;
   } catch (const YAML::Exception& error) {

@@ -14,6 +14,7 @@
 #include "grader/record/record.h"
 #include "grader/report/report.h"
 #include "grader/sandbox/own_groups.h"
+#include "grader/text/time_text.h"
 #include "grader/tool/at_rest.h"
 #include "grader/tool/batch.h"
 #include "grader/tool/commands/command.h"
@@ -64,8 +65,19 @@ void say_people(const fs::path& out, const std::optional<Roster>& roster) {
 std::string without_time(const std::vector<Submission>& submissions) {
   std::vector<std::string> names;
   for (const Submission& one : submissions)
-    if (one.handed_in.empty()) names.push_back(one.name);
+    if (!read_time(one.handed_in)) names.push_back(one.name);
   return names.empty() ? "" : some_of(names);
+}
+
+// An offset says nothing about lateness where nobody knows the offset of the due date.
+void check_zone(const HandInRules& rules, const std::vector<Submission>& submissions) {
+  if (rules.due.empty() || !rules.zone.empty()) return;
+  for (const Submission& one : submissions)
+    if (const std::optional<TimeText> time = read_time(one.handed_in); time && time->offset)
+      throw BadInput(printable(one.name) + ": was handed in at " + printable(one.handed_in) +
+                     ", and nobody knows the offset of the due date " + rules.due +
+                     "; write the course's zone beside it in the course file, such as \"zone\": "
+                     "\"Europe/Berlin\"");
 }
 
 int grade(GradeOptions options) {
@@ -78,6 +90,7 @@ int grade(GradeOptions options) {
   Intake intake = read_submissions(options.submissions, settings.course,
                                    reader ? reader->opener() : open_here, {}, options.choices);
 
+  check_zone(rules, intake.submissions);
   check_made_by(options.batch.out, made_by(settings));  // before the reference takes its seconds
   settle_origins(options.batch.out, intake.submissions, options.batch.only, options.batch.replace);
   for (const std::string& line : intake.taken_for) std::cout << line << "\n" << std::flush;

@@ -1,0 +1,26 @@
+// STAFF ONLY. A time as others write it, on some clock and perhaps with that clock's offset:
+//
+//   2025-03-04 10:15, 2025-03-04 10:15:22                 Blackboard, Brightspace (once its layout has read the name), people
+//   2025-03-04 10:15:22 -0800, 2025-03-04 10:15:22.0 Z    Gradescope's tables and its export
+//   2025-03-04T10:15:22Z, 2025-03-04T10:15:22+01:00       ISO 8601: Canvas, GitHub Classroom
+//   May 18, 2025 1224 PM                                  Brightspace
+//   Tuesday, 4 March 2025, 10:15 AM                       Moodle in English; the day's name is not read
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string_view>
+
+namespace grader {
+
+struct TimeText {
+  std::chrono::seconds clock{};                     // what it showed, since 1970-01-01 00:00 on it
+  std::optional<std::chrono::minutes> offset = {};  // clock - offset is UTC
+
+  bool operator==(const TimeText&) const = default;
+};
+
+// Nothing for any other form, and for a day or an hour that there is not. Parts of a second are left out.
+std::optional<TimeText> read_time(std::string_view text);
+
+}  // namespace grader
