@@ -86,12 +86,9 @@ void Record::set_made_by(const std::string& json) {
   transaction.commit();
 }
 
-std::string Record::drawn_from(const std::string& name, const std::string& at_first) {
+std::string Record::drawn_from(const std::string& name) {
   const std::lock_guard lock(one_at_a_time_);
-  Transaction transaction(database_);
-  std::string found = database_.text("SELECT drawn_from FROM people WHERE id = ?", {person(name, at_first)});
-  transaction.commit();
-  return found;
+  return database_.text("SELECT drawn_from FROM people WHERE id = ?", {known_person(name)});
 }
 
 void Record::put(const Recorded& one, const std::string& handed_in) {

@@ -16,6 +16,7 @@
 #include "grader/record/database.h"
 #include "grader/record/decisions.h"
 #include "grader/record/rules.h"
+#include "grader/record/same_people.h"
 #include "grader/result/costs.h"
 #include "grader/result/result.h"
 #include "grader/result/study.h"
@@ -50,14 +51,16 @@ class Record {
   std::string made_by();
   void set_made_by(const std::string& json);
 
-  // The name that a student's inputs are drawn from: that of the first call.
-  std::string drawn_from(const std::string& name, const std::string& at_first);
+  // What the inputs of a hand-in are drawn from: stored at first sight (same_people.h). put_people comes first.
+  std::string drawn_from(const std::string& name);
 
   // Replaces the earlier result of this student; the log has both. `handed_in` is a time as a download says it, or "".
   void put(const Recorded& one, const std::string& handed_in = "");
 
-  // Owners of hand-ins that were there before stay if they are not named again. A roster replaces the earlier one.
-  void put_people(const std::vector<HandIn>& hand_ins, const std::optional<std::vector<Person>>& roster = {});
+  // Owners of hand-ins that were there before stay if they are not named again. A roster replaces the earlier one. With `only` one
+  // owner is stored; all tell whose earlier hand-ins are.
+  void put_people(const std::vector<HandIn>& hand_ins, const std::optional<std::vector<Person>>& roster = {},
+                  const std::optional<std::string>& only = {});
   // With a result, by name. One without an owner, of an older record, has none here.
   std::vector<HandIn> hand_ins();
   // Nothing if no roster was given so far.
@@ -104,7 +107,9 @@ class Record {
   HandInRules stored_rules();
   SubmissionResult under_rules(SubmissionResult result, const HandInRules& rules, const ChangePoints& change);
   std::vector<Decision> decisions_of(const std::string& name);
+  HandIn hand_in_of(const DatabaseRow& row) const;
   std::vector<HandIn> read_hand_ins();
+  std::vector<Drawn> read_drawn();
   void put_roster(const std::vector<Person>& roster);
   std::optional<ClassList> read_class_list();
   void forget_on_roster(const std::string& hand_in);

@@ -4,16 +4,25 @@
 #include "grader/course/input.h"
 #include "grader/record/people_fields.h"
 #include "grader/record/record.h"
+#include "grader/record/same_people.h"
 
 namespace grader {
 
-void Record::put_people(const std::vector<HandIn>& hand_ins,
-                        const std::optional<std::vector<Person>>& roster) {
+void Record::put_people(const std::vector<HandIn>& hand_ins, const std::optional<std::vector<Person>>& roster,
+                        const std::optional<std::string>& only) {
   const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
-  for (const HandIn& hand_in : hand_ins)
+  const std::vector<std::string> from = grader::drawn_from(read_drawn(), hand_ins);
+  for (std::size_t i = 0; i < hand_ins.size(); ++i) {
+    const HandIn& hand_in = hand_ins[i];
+    if (only && *only != hand_in.name) continue;
+    const std::int64_t id = person(hand_in.name, from[i]);
+    // Another group may have taken the name of this row.
+    database_.run("UPDATE people SET drawn_from = ? WHERE id = ? AND drawn_from <> ?",
+                  {from[i], id, from[i]});
     database_.run("INSERT OR REPLACE INTO owners VALUES (?, ?, ?)",
-                  {person(hand_in.name, hand_in.name), hand_in.system, json_text(hand_in.owner, -1)});
+                  {id, hand_in.system, json_text(hand_in.owner, -1)});
+  }
   if (roster) put_roster(*roster);
   transaction.commit();
 }
@@ -29,16 +38,29 @@ std::vector<HandIn> Record::hand_ins() {
   return read_hand_ins();
 }
 
+// Of a row with name, owner and system.
+HandIn Record::hand_in_of(const DatabaseRow& row) const {
+  const std::string name = row.text(0),
+                    where = printable(database_.file().string(), 4096) + ": the owner of " + name;
+  return {name, row.is_null(1) ? Owner{} : from_json_text<Owner>(row.text(1), where), row.text(2)};
+}
+
 std::vector<HandIn> Record::read_hand_ins() {
-  const std::string where = printable(database_.file().string(), 4096) + ": the owner of ";
   std::vector<HandIn> all;
   database_.each(
       "SELECT name, owner, system FROM people JOIN results ON results.person = people.id LEFT JOIN owners ON "
       "owners.person = people.id ORDER BY name",
+      {}, [&](const DatabaseRow& row) { all.push_back(hand_in_of(row)); });
+  return all;
+}
+
+std::vector<Drawn> Record::read_drawn() {
+  std::vector<Drawn> all;
+  database_.each(
+      "SELECT name, owner, system, drawn_from FROM people LEFT JOIN owners ON owners.person = people.id "
+      "ORDER BY name",
       {}, [&](const DatabaseRow& row) {
-        const std::string name = row.text(0);
-        all.push_back(
-            {name, row.is_null(1) ? Owner{} : from_json_text<Owner>(row.text(1), where + name), row.text(2)});
+        all.push_back({hand_in_of(row), row.text(3)});
       });
   return all;
 }

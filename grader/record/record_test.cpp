@@ -67,9 +67,19 @@ TEST_P(RecordOfAClass, ReplacesAResultAndLogsBoth) {
 
 TEST_P(RecordOfAClass, NeverChangesAStudentsInputs) {
   Record record(dir_, GetParam());
-  EXPECT_EQ(record.drawn_from("alice", "alice"), "alice");
-  EXPECT_EQ(record.drawn_from("alice", "another"), "alice");
-  EXPECT_EQ(Record(dir_, GetParam()).drawn_from("alice", "another"), "alice");
+  const Owner pair{.name = "pair", .group = true, .members = {{.id = "1"}, {.id = "2"}}};
+  record.put_people({{"alice", {.name = "alice"}, "folders"}, {"pair", pair, "gradescope"}});
+  record.put({sample_class(1).front()});
+  // The group has another name, and the group that takes its old name draws other inputs.
+  const Owner others{.name = "pair", .group = true, .members = {{.id = "3"}, {.id = "4"}}};
+  record.put_people({{"alice", {.name = "Alice", .id = "1"}, "canvas"},
+                     {"renamed", pair, "gradescope"},
+                     {"pair", others, "gradescope"}});
+  Record again(dir_, GetParam());
+  EXPECT_EQ(again.drawn_from("alice"), "alice");
+  EXPECT_EQ(again.drawn_from("renamed"), "pair");
+  EXPECT_NE(again.drawn_from("pair"), "pair");
+  EXPECT_EQ(refusal([&] { again.drawn_from("nobody"); }).find("nobody: "), 0U);
 }
 
 TEST_P(RecordOfAClass, IsClosedToOthers) {

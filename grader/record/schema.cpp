@@ -22,7 +22,7 @@ INSERT INTO assignments (name) VALUES ('');
 CREATE TABLE people (
   id INTEGER PRIMARY KEY,
   name TEXT NOT NULL UNIQUE,      -- of files and folders
-  drawn_from TEXT NOT NULL        -- their inputs are; stored at first sight, never changed
+  drawn_from TEXT NOT NULL        -- their inputs are; stored at first sight (same_people.h)
 ) STRICT;
 CREATE TABLE hand_ins (
   id INTEGER PRIMARY KEY,

@@ -64,12 +64,12 @@ void record_owners(Record& record, const std::vector<Submission>& submissions,
                    const BatchSettings& settings) {
   std::vector<HandIn> hand_ins;
   for (const Submission& one : submissions) {
-    if (settings.only && *settings.only != one.name) continue;
     Owner owner = one.owner;
     if (owner.name.empty() && owner.id.empty() && owner.email.empty()) owner.name = one.name;
     hand_ins.push_back({one.name, owner, one.system.empty() ? "folders" : one.system});
   }
-  record.put_people(hand_ins, settings.roster ? std::optional(settings.roster->people()) : std::nullopt);
+  record.put_people(hand_ins, settings.roster ? std::optional(settings.roster->people()) : std::nullopt,
+                    settings.only);
 }
 
 }  // namespace
@@ -106,7 +106,7 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
 
   auto grade_one = [&](Submission& submission) {
     if (settings.only && *settings.only != submission.name) return;
-    submission.drawn_from = record.drawn_from(submission.name, submission.name);
+    submission.drawn_from = record.drawn_from(submission.name);
     const std::optional<Recorded> earlier =
         settings.resume || settings.merge ? record.find(submission.name) : std::nullopt;
     if (settings.resume && earlier) {

@@ -1,0 +1,84 @@
+// STAFF ONLY. Finds hand-ins of the same people.
+#include "grader/record/same_people.h"
+
+#include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "grader/intake/names.h"
+
+namespace grader {
+namespace {
+
+// A group whose members nobody knows has none.
+std::vector<Owner> people_of(const Owner& owner) {
+  return owner.members.empty() && !owner.group ? std::vector{owner} : owner.members;
+}
+
+// A name says little: it counts where there is nothing else.
+bool same_person(const Owner& a, const Owner& b, bool same_system) {
+  if (same_system && !a.id.empty() && !b.id.empty()) return a.id == b.id;
+  if (!a.email.empty() && !b.email.empty()) return a.email == b.email;
+  return (a.id + a.email + b.id + b.email).empty() && !a.name.empty() && keys_of(a.name) == keys_of(b.name);
+}
+
+// 0: others. The share of people in both among those in either; an id of the group says more, and an own row of one person all.
+double sameness(const HandIn& a, const HandIn& b) {
+  constexpr double kById = 2, kByName = 3;
+  const bool same_system = a.system == b.system, groups = a.owner.group && b.owner.group;
+  if (a.system.empty() || (!a.owner.group && !b.owner.group && a.name == b.name))
+    return a.name == b.name ? kByName : 0;
+  const bool ids = groups && same_system && !a.owner.id.empty() && !b.owner.id.empty();
+  if (ids && a.owner.id == b.owner.id) return kById;
+  const std::vector<Owner> these = people_of(a.owner), those = people_of(b.owner);
+  if (these.empty() || those.empty()) return !ids && a.name == b.name ? 1 : 0;
+  const auto both = static_cast<double>(std::ranges::count_if(these, [&](const Owner& one) {
+    return std::ranges::any_of(those,
+                               [&](const Owner& other) { return same_person(one, other, same_system); });
+  }));
+  return both / (static_cast<double>(these.size() + those.size()) - both);
+}
+
+std::string ids_of(const Owner& owner) {
+  std::string all = owner.id;
+  std::set<std::string> members;
+  for (const Owner& one : owner.members) members.insert(one.id + " " + one.email + " " + one.name);
+  for (const std::string& one : members) all += "\n" + one;
+  return all;
+}
+
+}  // namespace
+
+std::vector<std::string> drawn_from(const std::vector<Drawn>& before, const std::vector<HandIn>& now) {
+  struct Pair {
+    double sameness;
+    std::size_t before, now;
+  };
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < before.size(); ++i)
+    for (std::size_t j = 0; j < now.size(); ++j)
+      if (const double share = sameness(before[i].hand_in, now[j]); share > 0) pairs.push_back({share, i, j});
+  const auto order = [&](const Pair& pair) {
+    const std::string &was = before[pair.before].hand_in.name, &is = now[pair.now].name;
+    return std::tuple(-pair.sameness, was != is, was, is);
+  };
+  std::ranges::sort(pairs, {}, order);
+
+  std::vector<std::string> from(now.size());
+  std::vector<bool> found(before.size());
+  for (const Pair& pair : pairs) {
+    if (found[pair.before] || !from[pair.now].empty()) continue;
+    found[pair.before] = true;
+    from[pair.now] = before[pair.before].from;
+  }
+  std::set<std::string> taken;
+  for (const Drawn& one : before) taken.insert(one.from);
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    if (!from[i].empty()) continue;
+    from[i] = now[i].name;
+    if (!taken.insert(from[i]).second) from[i] = name_among_equals(from[i], ids_of(now[i].owner));
+  }
+  return from;
+}
+
+}  // namespace grader

@@ -1,0 +1,104 @@
+// STAFF ONLY. Groups that change keep what their inputs are drawn from, and no two draw from the same.
+#include "grader/record/same_people.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+namespace grader {
+namespace {
+
+HandIn group(const std::string& name, const std::string& id, const std::vector<std::string>& members) {
+  HandIn one{name, {.name = name, .id = id, .group = true}, "gradescope"};
+  for (const std::string& member : members) one.owner.members.push_back({.name = "M" + member, .id = member});
+  return one;
+}
+
+std::vector<Drawn> at_first(const std::vector<HandIn>& hand_ins) {
+  const std::vector<std::string> from = drawn_from({}, hand_ins);
+  std::vector<Drawn> all;
+  for (std::size_t i = 0; i < hand_ins.size(); ++i) all.push_back({hand_ins[i], from[i]});
+  return all;
+}
+
+TEST(DrawnFrom, TheNameAtFirstSight) {
+  const HandIn doe{"doe_1", {.name = "Doe", .id = "1"}, "canvas"};
+  EXPECT_EQ(drawn_from({}, {doe}), std::vector<std::string>{"doe_1"});
+  // The same number under another name, as after a marriage; the same number elsewhere is another's.
+  EXPECT_EQ(drawn_from({{doe, "x"}}, {{"roe_1", {.name = "Roe", .id = "1"}, "canvas"}}),
+            std::vector<std::string>{"x"});
+  EXPECT_EQ(drawn_from({{doe, "x"}}, {{"roe_1", {.name = "Roe", .id = "1"}, "moodle"}}),
+            std::vector<std::string>{"roe_1"});
+}
+
+TEST(DrawnFrom, OfAGroupItsIdDecidesWhereItHasOne) {
+  const std::vector<Drawn> before = at_first({group("a", "7", {"1", "2"}), group("b", "8", {"3", "4"})});
+  // Names and members are exchanged, ids stay.
+  EXPECT_EQ(drawn_from(before, {group("b", "7", {"3", "4"}), group("a", "8", {"1", "2"})}),
+            (std::vector<std::string>{"a", "b"}));
+  // Moodle does not say who is in a team.
+  const std::vector<Drawn> teams = at_first({group("a", "7", {}), group("b", "8", {})});
+  EXPECT_EQ(drawn_from(teams, {group("c", "8", {}), group("b", "9", {})})[0], "b");
+  EXPECT_NE(drawn_from(teams, {group("c", "8", {}), group("b", "9", {})})[1], "b");
+}
+
+TEST(DrawnFrom, ANameThatAnotherGroupTakesIsNotItsId) {
+  const std::vector<Drawn> before = at_first({group("a", "", {"1", "2"})});
+  const std::vector<HandIn> now{group("a", "", {"3", "4"}), group("b", "", {"1", "2"})};
+  const std::vector<std::string> from = drawn_from(before, now);
+  EXPECT_EQ(from[1], "a");
+  EXPECT_NE(from[0], "a");
+  EXPECT_EQ(drawn_from(before, {now[0]})[0], from[0]);  // also if the first group hands in nothing any more
+}
+
+TEST(DrawnFrom, WhoIsLeftAloneKeepsTheGroups) {
+  const std::vector<Drawn> before = at_first({group("a", "", {"1", "2"})});
+  const HandIn alone{"M1_1", {.name = "M1", .id = "1"}, "gradescope"};
+  EXPECT_EQ(drawn_from(before, {alone})[0], "a");
+}
+
+// Groups of two to four are renamed at random, in any order; in each at most one member leaves and one, of nobody else, joins: of two
+// or more at least one stays, and nobody is in two groups.
+TEST(DrawnFrom, StaysOverRandomChangesOfGroups) {
+  for (unsigned seed = 0; seed < 500; ++seed) {
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    const auto below = [&](unsigned n) { return random() % n; };
+    const unsigned count = 1 + below(12);
+    const bool with_id = below(2) == 0;
+    std::vector<std::vector<std::string>> members(count);
+    unsigned next = 0;
+    for (auto& group : members)
+      for (unsigned i = 0, n = 2 + below(3); i < n; ++i) group.push_back(std::to_string(next++));
+    std::vector<HandIn> hand_ins;
+    for (unsigned i = 0; i < count; ++i)
+      hand_ins.push_back(group("team" + std::to_string(i), "", members[i]));
+    std::vector<Drawn> record = at_first(hand_ins);
+
+    for (int round = 0; round < 5; ++round) {
+      std::vector<unsigned> names(count);
+      for (unsigned i = 0; i < count; ++i) names[i] = i;
+      std::ranges::shuffle(names, random);
+      std::vector<HandIn> now;
+      for (unsigned i = 0; i < count; ++i) {
+        if (below(2) == 0 && members[i].size() > 1) members[i].erase(members[i].begin() + below(2));
+        if (below(2) == 0) members[i].push_back(std::to_string(next++));
+        std::ranges::shuffle(members[i], random);
+        std::string id;  // as Gradescope's groups have one, of their members'
+        if (with_id)
+          for (const std::string& member : members[i]) id += member + "_";
+        now.push_back(group("team" + std::to_string(names[i]), id, members[i]));
+      }
+      std::vector<std::string> wanted;
+      for (const Drawn& one : record) wanted.push_back(one.from);
+      ASSERT_EQ(drawn_from(record, now), wanted);
+      EXPECT_EQ(std::set<std::string>(wanted.begin(), wanted.end()).size(), count);
+      for (unsigned i = 0; i < count; ++i) record[i].hand_in = now[i];
+    }
+  }
+}
+
+}  // namespace
+}  // namespace grader
