@@ -5,6 +5,7 @@
 #include "grader/course/input.h"
 #include "grader/gradebook/feedback.h"
 #include "grader/roster/roster.h"
+#include "grader/roster/worksheet.h"
 #include "grader/text/letters.h"
 
 namespace grader {
@@ -18,11 +19,14 @@ std::string word_of(const std::string& identifier) {
 }  // namespace
 
 Feedback feedback_for_moodle(const Csv& worksheet, const std::vector<Grade>& grades, const ReportOf& report) {
-  const std::size_t identifier = column_of(worksheet, "Identifier");
+  std::size_t identifier = column_of(worksheet, "Identifier");
   if (identifier == kNoColumn)
-    throw BadInput(place_of(worksheet, worksheet.rows.front()) +
-                   ": no title is \"Identifier\"; download the grading worksheet of the assignment, with "
-                   "Moodle in English");
+    if (const std::optional<Worksheet> sheet = worksheet_by_form(worksheet)) identifier = sheet->identifier;
+  if (identifier == kNoColumn)
+    throw BadInput(
+        place_of(worksheet, worksheet.rows.front()) +
+        ": no title is \"Identifier\", and the table has not the form of a worksheet, which begins with "
+        "\"Participant 4711\"; download the grading worksheet of the assignment");
   const Roster roster(worksheet);
   std::map<std::size_t, std::string> words;
   for (const Csv::Row& row : worksheet.rows) words[row.line] = word_of(composed(row.at(identifier)));

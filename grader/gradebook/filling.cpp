@@ -2,8 +2,6 @@
 #include "grader/gradebook/filling.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 
 #include "grader/course/input.h"
 #include "grader/report/text.h"
@@ -70,22 +68,6 @@ std::vector<std::string> Filling::said(std::size_t rows_without) const {
     all.push_back(std::to_string(rows_without) + (rows_without == 1 ? " person has" : " people have") +
                   " no grade here; their cells stay as they were");
   return all;
-}
-
-std::optional<double> number_in(const std::string& cell) {
-  std::string digits = composed(cell);
-  const std::size_t last = digits.find_last_of(".,");
-  std::string plain;
-  for (std::size_t i = 0; i < digits.size(); ++i)
-    if (digits[i] != '.' && digits[i] != ',')
-      plain += digits[i];
-    else if (i == last)
-      plain += '.';
-  double value = 0;
-  const auto [end, error] = std::from_chars(plain.data(), plain.data() + plain.size(), value);
-  if (plain.empty() || error != std::errc() || end != plain.data() + plain.size() || !std::isfinite(value))
-    return {};
-  return value;
 }
 
 }  // namespace grader

@@ -8,6 +8,7 @@
 #include "grader/gradebook/grade.h"
 #include "grader/roster/roster.h"
 #include "grader/text/csv.h"
+#include "grader/text/number.h"
 
 namespace grader {
 
@@ -39,8 +40,5 @@ class Filling {
   std::vector<std::string> said_;
   bool scale_;
 };
-
-// "10", "10.00", "10,00"; nothing for what is no number.
-std::optional<double> number_in(const std::string& cell);
 
 }  // namespace grader

@@ -4,16 +4,68 @@
 #include <algorithm>
 
 #include "grader/course/input.h"
+#include "grader/roster/worksheet.h"
 #include "grader/text/letters.h"
 
 namespace grader {
 namespace {
 
-std::size_t required(const Csv& table, const std::string& title, const std::string& advice) {
-  const std::size_t column = column_of(table, title);
-  if (column == kNoColumn)
-    throw BadInput(place_of(table, table.rows.front()) + ": no title is \"" + title + "\"; " + advice);
-  return column;
+constexpr const char* kGradedAt = "Last modified (grade)";
+
+[[noreturn]] void fail(const Csv& table, const std::string& why) {
+  throw BadInput(place_of(table, table.rows.front()) + ": " + why);
+}
+
+// By English titles.
+Worksheet columns_by_title(const Csv& table, const std::string& grades) {
+  Worksheet sheet{.identifier = column_of(table, "Identifier"),
+                  .grade = column_of(table, grades.empty() ? "Grade" : grades),
+                  .maximum = column_of(table, "Maximum grade"),
+                  .may_change = column_of(table, "Grade can be changed")};
+  if (sheet.identifier == kNoColumn)
+    fail(table,
+         "no title is \"Identifier\", and the table has not the form of a worksheet, which begins with "
+         "\"Participant 4711\"; download the grading worksheet of the assignment");
+  if (sheet.grade == kNoColumn)
+    fail(table, "no title is \"" + composed(grades.empty() ? "Grade" : grades) +
+                    "\"; give --column with the title of the grades");
+  if (column_of(table, kGradedAt) == kNoColumn)
+    fail(table, "no title is \"" + std::string(kGradedAt) +
+                    "\", which Moodle's import asks for; download the worksheet again");
+  return sheet;
+}
+
+std::string titles_of(const std::vector<std::string>& titles) {
+  std::string all;
+  for (const std::string& title : titles) all += (all.empty() ? "\"" : ", \"") + title + "\"";
+  return all;
+}
+
+// By place and form, where titles are in another language; says so.
+Worksheet columns_by_form(const Csv& table, const Worksheet& sheet, const std::string& grades,
+                          std::vector<std::string>& said) {
+  const Cells& titles = table.rows.front().cells;
+  const auto title = [&](std::size_t column) { return "\"" + composed(titles[column]) + "\""; };
+  if (sheet.grade == kNoColumn)
+    fail(table,
+         (!grades.empty()             ? "no title is \"" + composed(grades) + "\""
+          : sheet.like_grades.empty() ? std::string("no column looks like grades with a maximum behind it")
+                                      : std::string("several columns look like grades")) +
+             "; give --column with " +
+             (sheet.like_grades.empty() ? "the title of the grades"
+                                        : "one of " + titles_of(sheet.like_grades)));
+  std::string taken =
+      title(sheet.identifier) + " has the numbers of participants, " + title(sheet.grade) + " the grades";
+  if (sheet.maximum != kNoColumn) taken += ", " + title(sheet.maximum) + " the maximum";
+  if (sheet.may_change != kNoColumn) taken += ", " + title(sheet.may_change) + " says which are locked";
+  said.push_back("not certain: the titles are not English, so columns were found by their cells: " + taken +
+                 "; if that is wrong, give --column with the title of the grades");
+  if (sheet.may_change == kNoColumn)
+    said.emplace_back(
+        "not certain: nothing says which grades Moodle has locked; its import passes over these");
+  said.emplace_back(
+      "Moodle's import knows these titles in their own language alone: upload with Moodle in that language");
+  return sheet;
 }
 
 }  // namespace
@@ -21,18 +73,13 @@ std::size_t required(const Csv& table, const std::string& title, const std::stri
 Gradebook fill_moodle(const Csv& worksheet, const std::vector<Grade>& grades, const FillOptions& options) {
   const std::string& file = worksheet.file;
   const std::size_t titles = worksheet.rows.front().cells.size();
-  required(worksheet, "Identifier",
-           "download the grading worksheet of the assignment, with Moodle in English");
-  const std::size_t column = required(worksheet, options.column.empty() ? "Grade" : options.column,
-                                      "give --column with the title of the grades");
-  const std::size_t of = column_of(worksheet, "Maximum grade"),
-                    may_change = column_of(worksheet, "Grade can be changed");
+  std::optional<Worksheet> by_form;
+  if (column_of(worksheet, "Identifier") == kNoColumn) by_form = worksheet_by_form(worksheet, options.column);
   Gradebook book;
   std::vector<std::string> notes;
-  if (column_of(worksheet, "Last modified (grade)") == kNoColumn)
-    throw BadInput(place_of(worksheet, worksheet.rows.front()) +
-                   ": no title is \"Last modified (grade)\", which Moodle's import asks for; download the "
-                   "worksheet with Moodle in English");
+  const Worksheet sheet = by_form ? columns_by_form(worksheet, *by_form, options.column, notes)
+                                  : columns_by_title(worksheet, options.column);
+  const std::size_t column = sheet.grade, of = sheet.maximum;
   for (const Csv::Row& row : worksheet.rows)  // one such row stops the import of older versions
     if (row.cells.size() != titles)
       throw BadInput(place_of(worksheet, row) + ": has " + std::to_string(row.cells.size()) +
@@ -56,7 +103,7 @@ Gradebook fill_moodle(const Csv& worksheet, const std::vector<Grade>& grades, co
       ++without;
     } else if (grade->excused) {
       leave("it is excused, which Moodle's worksheet has no word for");
-    } else if (lowered(row.at(may_change)) == "no") {
+    } else if (says_no(row.at(sheet.may_change))) {
       leave("Moodle has locked it");
     } else {
       std::optional<double> maximum;

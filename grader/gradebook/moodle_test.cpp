@@ -98,8 +98,93 @@ TEST(MoodleWorksheet, ATeamIsNobody) {
   EXPECT_TRUE(says(book, "a group is nobody on the roster"));
 }
 
+// The English worksheet in another language: titles, the word for participants, "Yes" and "No".
+struct Language {
+  string titles, participant, yes, no;
+};
+const std::vector<Language> kLanguages{
+    {"ID,Vollständiger Name,Status,Bewertung,Bestwertung,Bewertung kann geändert werden,Zuletzt geändert "
+     "(Abgabe),Zuletzt geändert (Bewertung),Feedback als Kommentar\n",
+     "Teilnehmer/in ", "Ja", "Nein"},
+    {"Identifiant,Nom complet,Statut,Note,Note maximale,La note peut être modifiée,Dernière modification "
+     "(travail remis),Dernière modification (note),Feedback par commentaires\n",
+     "Participant ", "Oui", "Non"},
+    {"Identificador,Nombre completo,Estado,Calificación,Calificación máxima,La calificación puede ser "
+     "cambiada,Última modificación (entrega),Última modificación (calificación),Comentarios\n",
+     "Participante ", "Sí", "No"},
+    {"識別子,氏名,ステータス,評定,最大評定,評定変更可,最終更新日時 (提出),最終更新日時 "
+     "(評定),フィードバックコメント\n",
+     "参加者", "はい", "いいえ"}};
+
+string replaced(string text, const string& from, const string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+string in_language(const Language& language) {
+  const string rows = replaced(kWorksheet.substr(kTitles.size()), "Participant ", language.participant);
+  return language.titles +
+         replaced(replaced(rows, ",Yes,", "," + language.yes + ","), ",No,", "," + language.no + ",");
+}
+
+// As Moodle in that language reads it.
+string in_english(const Language& language, const string& csv) {
+  EXPECT_EQ(csv.find(language.titles), 0u) << "titles stay as they are";
+  return kTitles + replaced(csv.substr(language.titles.size()), language.participant, "Participant ");
+}
+
+TEST(MoodleWorksheet, InAnotherLanguageIsKnownByItsForm) {
+  for (const Language& language : kLanguages) {
+    const Gradebook book =
+        fill_sheet(in_language(language),
+                   {moodle_grade("4711", 9.125), moodle_grade("4712", 0), moodle_grade("4713", 5)});
+    const Imported imported = import_into_moodle(in_english(language, book.csv), kParticipants, false);
+    EXPECT_EQ(imported.scores, (Scores{{"4711", "9.12"}, {"4712", "0"}})) << language.titles;
+    EXPECT_EQ(imported.refused, Cells{});
+    EXPECT_TRUE(says(book, "line 4: hand_in_4713's grade is not entered: Moodle has locked it"));
+    EXPECT_TRUE(says(book, "not certain: the titles are not English"));
+    EXPECT_TRUE(says(book, "upload with Moodle in that language"));
+  }
+}
+
+TEST(MoodleWorksheet, InAnotherLanguageHasTheGradesThatAPersonNames) {
+  const string unclear =
+      replaced(replaced(in_language(kLanguages[0]), "Vollständiger Name,", "Vollständiger Name,Alt,Von,"),
+               "Submitted for grading,", "3,20,Submitted for grading,");
+  const string two = replaced(unclear, "Ann Oh,", "Ann Oh,,20,");
+  EXPECT_NE(sheet_error_of(two).find(
+                "several columns look like grades; give --column with one of \"Alt\", \"Bewertung\""),
+            string::npos)
+      << sheet_error_of(two);
+  const Gradebook book = fill_sheet(two, {moodle_grade("4711", 9)}, {.column = "bewertung"});
+  EXPECT_NE(
+      book.csv.find("Teilnehmer/in 4711,Jörg Müller-Lüdenscheidt,3,20,Submitted for grading,9,10.00,Ja"),
+      string::npos)
+      << book.csv;
+  EXPECT_NE(sheet_error_of(in_language(kLanguages[0]), {.column = "Note"}).find("no title is \"Note\""),
+            string::npos);
+  const string words =
+      replaced(replaced(in_language(kLanguages[0]), "10.00", "\"Gut, Schlecht\""), "7.50", "");
+  EXPECT_NE(
+      sheet_error_of(words).find(
+          "no column looks like grades with a maximum behind it; give --column with the title of the grades"),
+      string::npos);
+  EXPECT_NE(sheet_error_of(words, {.column = "Bewertung"}).find("is a scale of words"), string::npos);
+}
+
+TEST(MoodleWorksheet, InAnotherLanguageMayBeBlind) {
+  string blind = kLanguages[0].titles;
+  blind = replaced(blind, "Vollständiger Name,", "");
+  for (const char* id : {"4711", "4712", "4713"})
+    blind += "Teilnehmer/in " + string(id) +
+             ",Zur Bewertung abgegeben,,\"10,00\",Ja,\"Dienstag, 4. März 2025, 10:15\",-,\n";
+  const Gradebook book = fill_sheet(blind, {moodle_grade("4712", 9.5)});
+  EXPECT_NE(book.csv.find("4712,Zur Bewertung abgegeben,\"9,5\",\"10,00\""), string::npos) << book.csv;
+}
+
 TEST(MoodleWorksheet, SaysWhatIsNoWorksheet) {
-  EXPECT_NE(sheet_error_of("id,name\n1,A\n").find("sheet.csv, line 1: no title is \"Identifier\""),
+  EXPECT_NE(sheet_error_of("id,name\n1,A\n").find("sheet.csv, line 1: no title is \"Identifier\", and"),
             string::npos);
   EXPECT_NE(sheet_error_of("Identifier,Bewertung,x\nTeilnehmer/in 4711,,-\n")
                 .find("give --column with the title of the grades"),

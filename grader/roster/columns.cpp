@@ -5,6 +5,7 @@
 #include <cctype>
 
 #include "grader/course/input.h"
+#include "grader/roster/worksheet.h"
 #include "grader/text/letters.h"
 
 namespace grader {
@@ -87,6 +88,14 @@ RosterColumns::RosterColumns(const Csv& table) {
     if (id == kNoColumn) id = participant;
     participant = kNoColumn;
   }
+  if (participant == kNoColumn)
+    if (const std::optional<Worksheet> sheet = worksheet_by_form(table)) {
+      participant = sheet->identifier;
+      if (id == participant) id = kNoColumn;
+      name_ = sheet->name;
+      std::size_t& email = ids_[static_cast<std::size_t>(IdKind::email)];
+      if (email == kNoColumn) email = sheet->email;
+    }
   const bool any_id = std::ranges::any_of(ids_, [](std::size_t column) { return column != kNoColumn; });
   if (!any_id && name_ == kNoColumn && last_name_ == kNoColumn)
     throw BadInput(place_of(table, table.rows.front()) +
