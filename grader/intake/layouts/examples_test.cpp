@@ -1,5 +1,12 @@
 // STAFF ONLY. Each system's names, as its own source or its users give them, are read as what they say.
+//
+// With the environment's HAIR_LAYOUTS a row of a table for each: the first path, what it was taken for, how many files it has, whose they
+// are, and how many are older, the system's, and left over.
 #include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <map>
 
 #include "grader/intake/layouts/division.h"
 #include "grader/intake/layouts/gradescope.h"
@@ -16,10 +23,25 @@ Division divided(const Lines& paths, std::vector<Entry>& list, const char* said 
   return divide(list, container, said ? system_called(said) : nullptr).value_or(Division{});
 }
 
+// A row of the table in MEASURED.md.
+void print_row(const Division& division, const std::vector<Entry>& list) {
+  std::string hand_ins;
+  std::map<Accounted::As, int> aside;
+  for (const HandIn& one : division.hand_ins)
+    hand_ins += (hand_ins.empty() ? "" : ", ") + (one.owner.id.empty() ? one.owner.name : one.owner.id) +
+                " " + std::to_string(one.entries.size());
+  for (const Division::Aside& one : division.aside) ++aside[one.as];
+  using enum Accounted::As;
+  std::cout << "| `" << list.front().shown << "` | " << (division.system ? division.system->shown : "folders")
+            << " | " << list.size() << " | " << hand_ins << " | " << aside[older] << " | " << aside[made]
+            << " | " << aside[left_over] << " |\n";
+}
+
 // A line for each hand-in, "NAME|ID|TIME|MARKS: FILES", and for each file aside, "? NAME", "= NAME" if the system made it, "- NAME" if it is older.
 Lines told(const Lines& paths, const char* said = nullptr, const char* container = "download") {
   std::vector<Entry> list;
   const Division division = divided(paths, list, said, container);
+  if (std::getenv("HAIR_LAYOUTS")) print_row(division, list);
   if (!division.system) return {"unknown"};
   Lines lines{std::string(division.system->name)};
   for (const HandIn& one : division.hand_ins) {
@@ -157,7 +179,7 @@ TEST(Layouts, OfGradescope) {
       "m.yml");
   EXPECT_EQ(rows.at("submission_31415926").owner.id, "00471") << "a text stays one";
   EXPECT_EQ(rows.at("submission_31415926").owner.email, "jm@u.de");
-  EXPECT_EQ(rows.at("submission_31415926").handed_in, "2025-03-04 10:15:22");
+  EXPECT_EQ(rows.at("submission_31415926").handed_in, "2025-03-04 10:15:22.123456000 Z");
   const Owner& pair = rows.at("submission_2").owner;
   EXPECT_TRUE(pair.group);
   ASSERT_EQ(pair.members.size(), 2U);

@@ -49,6 +49,13 @@ std::string_view copied(std::string_view name) {
   return rest;
 }
 
+// A folder that builds are made in is no person, whatever it holds.
+bool is_build(std::string_view path) {
+  const std::string_view name = path.substr(path.rfind('/') + 1);
+  return name == "build" || name.starts_with("build-") || name.starts_with("build_") ||
+         name.starts_with("cmake-build");
+}
+
 // What one argument holds, while its layout is found.
 class Finder {
  public:
@@ -73,7 +80,8 @@ class Finder {
     std::set<std::string_view> holding;
     for (const Entry* item : items_) {
       const bool bare = parent_of(item->path) == root_;
-      if (!bare || is_archive(*item)) holding.insert(copied(child_of(root_, item->path)));
+      const std::string_view child = child_of(root_, item->path);
+      if (bare ? is_archive(*item) : !is_build(child)) holding.insert(copied(child));
     }
     const bool lone_archive = items_.size() == 1 && root_.empty() && is_archive(*items_.front()) &&
                               parent_of(items_.front()->path).empty();

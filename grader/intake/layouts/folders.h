@@ -9,7 +9,7 @@
 //   1. A student's project is one submission: the root, or a folder around it, has a CMakeLists.txt and beside
 //      it a folder of the handout (solver, particles, hair or student).
 //   2. Two or more folders and archives in the root make a class, if each of them is or contains an item. Folders that are copies of
-//      each other by their names ("hw", "hw - Copy", "hw (1)") are one student's.
+//      each other by their names ("hw", "hw - Copy", "hw (1)") are one student's. Folders of builds ("build", "cmake-build-debug") are nobody's.
 //   3. A folder on disk whose only item is one archive directly in it is a class of one: the archive's name
 //      then stays the same when others are added.
 //   4. Everything else is one submission.

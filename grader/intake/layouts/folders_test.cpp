@@ -61,6 +61,13 @@ TEST(Layout, AnExerciseFileAtTheRootMakesOneSubmissionWithAtMostOneFolderOrArchi
   EXPECT_EQ(members({"conj_grad.cpp", "handin.zip"}, true), Names{"one"});
 }
 
+TEST(Layout, ABuildIsNoPerson) {
+  EXPECT_EQ(members({"hw/student/conj_grad.cpp", "hw/build/handin.zip"}), Names{"one"});
+  EXPECT_EQ(members({"student/conj_grad.cpp", "cmake-build-debug/conj_grad.cpp", "build-1/handin.zip"}),
+            Names{"one"});
+  EXPECT_EQ(members({"alice/conj_grad.cpp", "buildsmith/conj_grad.cpp"}), (Names{"alice", "buildsmith"}));
+}
+
 TEST(Layout, BareFilesBesideAClassAreStrays) {
   EXPECT_EQ(members({"alice.zip", "bob.zip", "conj_grad.cpp"}),
             (Names{"alice.zip", "bob.zip", "? conj_grad.cpp"}));
