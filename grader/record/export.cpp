@@ -20,11 +20,20 @@ std::string Record::export_json() {
   const std::lock_guard lock(one_at_a_time_);
   const Transaction one_state(database_, Transaction::reads);
   OrderedJson people = OrderedJson::object();
-  database_.each("SELECT name, drawn_from FROM people ORDER BY name", {}, [&](const DatabaseRow& row) {
-    people[text(row, 0)] = {{"drawn_from", text(row, 1)},        {"hand_ins", OrderedJson::array()},
-                            {"result", OrderedJson()},           {"costs", OrderedJson()},
-                            {"decisions", OrderedJson::array()}, {"log", OrderedJson::array()}};
-  });
+  const bool blind = read_is_blind();
+  database_.each(
+      "SELECT name, drawn_from, system, owner FROM people LEFT JOIN owners ON owners.person = people.id "
+      "ORDER BY name",
+      {}, [&](const DatabaseRow& row) {
+        people[text(row, 0)] = {{"drawn_from", blind ? OrderedJson() : OrderedJson(text(row, 1))},
+                                {"system", text(row, 2)},
+                                {"owner", blind ? OrderedJson() : json_or_null(row.text(3))},
+                                {"hand_ins", OrderedJson::array()},
+                                {"result", OrderedJson()},
+                                {"costs", OrderedJson()},
+                                {"decisions", OrderedJson::array()},
+                                {"log", OrderedJson::array()}};
+      });
   database_.each(
       "SELECT name, origin, fingerprint, handed_in FROM hand_ins JOIN people ON people.id = person "
       "ORDER BY hand_ins.id",

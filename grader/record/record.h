@@ -21,6 +21,7 @@
 #include "grader/result/result.h"
 #include "grader/result/study.h"
 #include "grader/roster/class_list.h"
+#include "grader/roster/hidden_names.h"
 
 namespace grader {
 
@@ -61,6 +62,15 @@ class Record {
   // owner is stored; all tell whose earlier hand-ins are.
   void put_people(const std::vector<HandIn>& hand_ins, const std::optional<std::vector<Person>>& roster = {},
                   const std::optional<std::string>& only = {});
+  // By hand-in, of all that have an owner; nothing where grading is blind.
+  NamesForPeople names_for_people();
+
+  // Blind grading: names are codes from the first result on. set_blind throws BadInput if there are results under names.
+  bool is_blind();
+  void set_blind();
+  std::map<std::string, std::string> codes();  // by the name that intake found
+  std::optional<HiddenNames> hidden_names();   // nothing if grading is not blind
+
   // With a result, by name. One without an owner, of an older record, has none here.
   std::vector<HandIn> hand_ins();
   // Nothing if no roster was given so far.
@@ -111,7 +121,9 @@ class Record {
   std::vector<HandIn> read_hand_ins();
   std::vector<Drawn> read_drawn();
   void put_roster(const std::vector<Person>& roster);
-  std::optional<ClassList> read_class_list();
+  std::optional<ClassList> read_class_list(const std::vector<HandIn>& hand_ins);
+  std::vector<HandIn> read_owned();
+  bool read_is_blind();
   void forget_on_roster(const std::string& hand_in);
   void add_to_log(std::optional<std::int64_t> person, const std::string& did, const std::string& detail);
   std::string picture(const std::string& digest);

@@ -20,6 +20,7 @@ void Record::put_people(const std::vector<HandIn>& hand_ins, const std::optional
     // Another group may have taken the name of this row.
     database_.run("UPDATE people SET drawn_from = ? WHERE id = ? AND drawn_from <> ?",
                   {from[i], id, from[i]});
+    database_.run("UPDATE people SET known_as = ? WHERE id = ?", {hand_in.known_as, id});
     database_.run("INSERT OR REPLACE INTO owners VALUES (?, ?, ?)",
                   {id, hand_in.system, json_text(hand_in.owner, -1)});
   }
@@ -38,17 +39,19 @@ std::vector<HandIn> Record::hand_ins() {
   return read_hand_ins();
 }
 
-// Of a row with name, owner and system.
+// Of a row with name, owner, system, and the name that intake found.
 HandIn Record::hand_in_of(const DatabaseRow& row) const {
   const std::string name = row.text(0),
                     where = printable(database_.file().string(), 4096) + ": the owner of " + name;
-  return {name, row.is_null(1) ? Owner{} : from_json_text<Owner>(row.text(1), where), row.text(2)};
+  return {name, row.is_null(1) ? Owner{} : from_json_text<Owner>(row.text(1), where), row.text(2),
+          row.text(3)};
 }
 
 std::vector<HandIn> Record::read_hand_ins() {
   std::vector<HandIn> all;
   database_.each(
-      "SELECT name, owner, system FROM people JOIN results ON results.person = people.id LEFT JOIN owners ON "
+      "SELECT name, owner, system, known_as FROM people JOIN results ON results.person = people.id LEFT JOIN "
+      "owners ON "
       "owners.person = people.id ORDER BY name",
       {}, [&](const DatabaseRow& row) { all.push_back(hand_in_of(row)); });
   return all;
@@ -57,32 +60,84 @@ std::vector<HandIn> Record::read_hand_ins() {
 std::vector<Drawn> Record::read_drawn() {
   std::vector<Drawn> all;
   database_.each(
-      "SELECT name, owner, system, drawn_from FROM people LEFT JOIN owners ON owners.person = people.id "
+      "SELECT name, owner, system, known_as, drawn_from FROM people LEFT JOIN owners ON owners.person = "
+      "people.id "
       "ORDER BY name",
       {}, [&](const DatabaseRow& row) {
-        all.push_back({hand_in_of(row), row.text(3)});
+        all.push_back({hand_in_of(row), row.text(4)});
       });
+  return all;
+}
+
+std::vector<HandIn> Record::read_owned() {
+  std::vector<HandIn> all;
+  for (Drawn& one : read_drawn()) all.push_back(std::move(one.hand_in));
   return all;
 }
 
 std::optional<ClassList> Record::class_list() {
   const std::lock_guard lock(one_at_a_time_);
   const Transaction one_state(database_, Transaction::reads);
-  return read_class_list();
+  return read_class_list(read_hand_ins());
 }
 
-std::optional<ClassList> Record::read_class_list() {
+std::optional<ClassList> Record::read_class_list(const std::vector<HandIn>& hand_ins) {
   const std::string where = printable(database_.file().string(), 4096) + ": the roster";
   std::vector<Person> people;
   database_.each("SELECT person FROM roster ORDER BY place", {}, [&](const DatabaseRow& row) {
     people.push_back(from_json_text<Person>(row.text(0), where));
   });
   if (people.empty()) return {};
-  return grader::class_list(Roster(std::move(people)), read_hand_ins());
+  return grader::class_list(Roster(std::move(people)), hand_ins);
+}
+
+NamesForPeople Record::names_for_people() {
+  const std::lock_guard lock(one_at_a_time_);
+  const Transaction one_state(database_, Transaction::reads);
+  if (read_is_blind()) return {};
+  const std::vector<HandIn> all = read_owned();
+  return grader::names_for_people(read_class_list(all), all);
+}
+
+std::optional<HiddenNames> Record::hidden_names() {
+  const std::lock_guard lock(one_at_a_time_);
+  const Transaction one_state(database_, Transaction::reads);
+  if (!read_is_blind()) return {};
+  const std::vector<HandIn> all = read_owned();
+  return HiddenNames(all, read_class_list(all));
+}
+
+bool Record::read_is_blind() {
+  return database_.number("SELECT blind FROM class") != 0;
+}
+
+bool Record::is_blind() {
+  const std::lock_guard lock(one_at_a_time_);
+  return read_is_blind();
+}
+
+void Record::set_blind() {
+  const std::lock_guard lock(one_at_a_time_);
+  Transaction transaction(database_);
+  if (read_is_blind()) return;
+  if (database_.number("SELECT count(*) FROM results") != 0)
+    throw BadInput(printable(database_.file().string(), 4096) +
+                   ": its grades have names already; for blind grading name another folder with --out");
+  database_.run("UPDATE class SET blind = 1");
+  add_to_log({}, "chose blind grading", "");
+  transaction.commit();
+}
+
+std::map<std::string, std::string> Record::codes() {
+  const std::lock_guard lock(one_at_a_time_);
+  std::map<std::string, std::string> all;
+  database_.each("SELECT known_as, name FROM people WHERE known_as <> ''", {},
+                 [&](const DatabaseRow& row) { all[row.text(0)] = row.text(1); });
+  return all;
 }
 
 void Record::forget_on_roster(const std::string& hand_in) {
-  const std::optional<ClassList> list = read_class_list();
+  const std::optional<ClassList> list = read_class_list(read_hand_ins());
   if (!list) return;
   std::vector<Person> people;
   for (const ClassList::Row& row : list->rows)

@@ -75,7 +75,7 @@ std::vector<std::string> drawn_from(const std::vector<Drawn>& before, const std:
   for (const Drawn& one : before) taken.insert(one.from);
   for (std::size_t i = 0; i < now.size(); ++i) {
     if (!from[i].empty()) continue;
-    from[i] = now[i].name;
+    from[i] = now[i].known_as.empty() ? now[i].name : now[i].known_as;
     if (!taken.insert(from[i]).second) from[i] = name_among_equals(from[i], ids_of(now[i].owner));
   }
   return from;

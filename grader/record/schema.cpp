@@ -88,10 +88,16 @@ constexpr const char* kRules = R"(
 ALTER TABLE assignments ADD COLUMN rules TEXT NOT NULL DEFAULT ''; -- JSON, see rules.h
 )";
 
+constexpr const char* kBlind = R"(
+CREATE TABLE class (blind INTEGER NOT NULL) STRICT;  -- one row; 1: names of people are codes
+INSERT INTO class VALUES (0);
+ALTER TABLE people ADD COLUMN known_as TEXT NOT NULL DEFAULT ''; -- where name is a code: the name that intake found
+)";
+
 }  // namespace
 
 const std::vector<std::string>& migrations() {
-  static const std::vector<std::string> all = {kFirst, kOwners, kRules};
+  static const std::vector<std::string> all = {kFirst, kOwners, kRules, kBlind};
   return all;
 }
 

@@ -19,6 +19,16 @@ Html staff_link(const SubmissionResult& result, const std::string& exercise, con
               {result.name, exercise.empty() ? "" : "#", exercise, text});
 }
 
+// Commands take the folder's name.
+Html folder_beside(const SubmissionResult& result, const NamesForPeople& people) {
+  return people.contains(result.name) ? html(" <code class=\"quiet\">{}</code>", {result.name}) : Html();
+}
+
+Html person_link(const SubmissionResult& result, const NamesForPeople& people) {
+  Html link = staff_link(result, "", shown_name(result.name, people));
+  return link += folder_beside(result, people);
+}
+
 Html list_of(const Html& heading, std::size_t count, const Html& items, const char* look) {
   if (count == 0) return {};
   return html("<details><summary>{} {}</summary><ul class=\"{}\">\n{}</ul></details>\n",
@@ -26,13 +36,13 @@ Html list_of(const Html& heading, std::size_t count, const Html& items, const ch
 }
 
 // An instructor looks here first: results that went wrong in the worst way come first. People are counted, with all their exercises.
-Html to_look_at(const Results& results) {
+Html to_look_at(const Results& results, const NamesForPeople& people) {
   Html groups, notes;
   std::size_t with_note = 0;
   for (const SubmissionResult& result : results) {
     if (result.note.empty()) continue;
     ++with_note;
-    notes += html("<li>{}: {}</li>\n", {staff_link(result, "", result.name), result.note});
+    notes += html("<li>{}: {}</li>\n", {person_link(result, people), result.note});
   }
   groups += list_of(html("<span class=\"badge bad\">could not be taken</span>"), with_note, notes, "notes");
   Html by_the_clock;
@@ -41,7 +51,7 @@ Html to_look_at(const Results& results) {
     if (result.ended_by_the_clock.empty()) continue;
     ++not_final;
     by_the_clock +=
-        html("<li>{}: {}</li>\n", {staff_link(result, "", result.name), in_a_row(result.ended_by_the_clock)});
+        html("<li>{}: {}</li>\n", {person_link(result, people), in_a_row(result.ended_by_the_clock)});
   }
   groups += list_of(html("<span class=\"badge bad\">not final: ended by the clock, grade again</span>"),
                     not_final, by_the_clock, "notes");
@@ -49,7 +59,7 @@ Html to_look_at(const Results& results) {
        {Status::unreadable, Status::broke_rules, Status::crashed, Status::out_of_memory, Status::timed_out,
         Status::does_not_compile, Status::wrong, Status::missing, Status::not_implemented}) {
     Html items;
-    std::size_t people = 0;
+    std::size_t count = 0;
     for (const SubmissionResult& result : results) {
       if (!result.note.empty()) continue;  // it stands above, whatever became of its exercises
       Html exercises;
@@ -57,20 +67,22 @@ Html to_look_at(const Results& results) {
         if (exercise.status == status)
           exercises += html(" {}", {staff_link(result, exercise.id, exercise.id)});
       if (exercises.text.empty()) continue;
-      ++people;
-      items += html("<li>{}:{}</li>\n", {result.name, exercises});
+      ++count;
+      items += html("<li>{}{}:{}</li>\n",
+                    {shown_name(result.name, people), folder_beside(result, people), exercises});
     }
-    groups += list_of(badge(status), people, items, "who");
+    groups += list_of(badge(status), count, items, "who");
   }
   if (groups.text.empty()) groups = html("<p>Nothing stands out: all passed, at least in part.</p>\n");
   return html("<section id=\"look\">\n<h2>Worth a look</h2>\n{}</section>\n", {groups});
 }
 
-Html class_row(const SubmissionResult& result, const std::vector<Column>& columns) {
+Html class_row(const SubmissionResult& result, const std::vector<Column>& columns,
+               const NamesForPeople& people) {
   Html row = html(
       "<tr><th scope=\"row\" data-value=\"{}\">{}</th><td class=\"number\" "
       "data-value=\"{}\"><strong>{}</strong></td>",
-      {result.name, staff_link(result, "", result.name), shown_points(points(result)),
+      {shown_name(result.name, people), person_link(result, people), shown_points(points(result)),
        shown_points(points(result))});
   for (const Column& column : columns) {
     const ExerciseResult* exercise = find_exercise(result, column.id);
@@ -89,7 +101,7 @@ Html class_row(const SubmissionResult& result, const std::vector<Column>& column
                       result.studied ? html(" <a href=\"{}/study.html\">study</a>", {result.name}) : Html()});
 }
 
-Html class_table(const Results& results, const std::vector<Column>& columns) {
+Html class_table(const Results& results, const std::vector<Column>& columns, const NamesForPeople& people) {
   Html table = html(R"(<section id="submissions">
 <h2>Submissions</h2>
 <div class="wide"><table class="class">
@@ -100,13 +112,14 @@ Html class_table(const Results& results, const std::vector<Column>& columns) {
                    column.extra_credit ? "+" : "of ", shown_points(column.max_points)});
   }
   table += html("<th scope=\"col\">Student&#39;s</th></tr></thead>\n<tbody>\n");
-  for (const SubmissionResult& result : results) table += class_row(result, columns);
+  for (const SubmissionResult& result : results) table += class_row(result, columns, people);
   return table += html("</tbody>\n</table></div>\n</section>\n");
 }
 
 }  // namespace
 
-std::string class_page(const Results& results, const std::vector<ClassLine>& people) {
+std::string class_page(const Results& results, const std::vector<ClassLine>& lines,
+                       const NamesForPeople& people) {
   const std::vector<Column> columns = columns_of(results);
   std::vector<double> totals;
   double reachable = 0;
@@ -114,7 +127,7 @@ std::string class_page(const Results& results, const std::vector<ClassLine>& peo
     totals.push_back(points(result));
     reachable = std::max(reachable, max_points(result));
   }
-  const Html pictures = pictures_by_distance(results, {"staff/pictures"});
+  const Html pictures = pictures_by_distance(results, {"staff/pictures"}, people);
   const Html link_to_pictures = pictures.text.empty() ? Html() : html("<a href=\"#pictures\">Pictures</a> ");
   Html body = stamps(least_isolation(results), all_with_images(results));
   body += html(
@@ -128,14 +141,14 @@ std::string class_page(const Results& results, const std::vector<ClassLine>& peo
       "href=\"#categories\">Categories</a></nav>\n</header>\n<main>\n",
       {shown_points(mean(totals)), shown_points(reachable), shown_points(timing::median(totals)),
        results.size(), link_to_pictures});
-  body += people_section(people);
-  body += to_look_at(results);
-  body += class_table(results, columns);
+  body += people_section(lines);
+  body += to_look_at(results, people);
+  body += class_table(results, columns, people);
   body += pictures;
   body += exercises_part(results);
   body += distribution_part(results);
   body += categories_part(results);
-  body += alike_part(results);
+  body += alike_part(results, people);
   body += html("</main>\n");
   body += sort_script();
   return html_page("Grades of the class", body, Scripts::on, Pictures::beside);

@@ -98,11 +98,14 @@ Html categories_part(const std::vector<SubmissionResult>& results) {
   return table += html("</tbody>\n</table></div>\n</section>\n");
 }
 
-Html alike_part(const std::vector<SubmissionResult>& results) {
+Html alike_part(const std::vector<SubmissionResult>& results, const NamesForPeople& people) {
   Html items;
-  for (const FailAlike& group : who_fail_alike(results))
+  for (const FailAlike& group : who_fail_alike(results)) {
+    std::vector<std::string> names;
+    for (const std::string& name : group.people) names.push_back(called(name, people));
     items += html("<li>{} people lose {}: {}</li>\n",
-                  {group.people.size(), in_a_row(group.categories), in_a_row(group.people)});
+                  {group.people.size(), in_a_row(group.categories), in_a_row(names)});
+  }
   if (items.text.empty()) return {};
   return html(
       "<section id=\"alike\">\n<h2>Who fail alike</h2>\n<p class=\"quiet\">The same categories of an "

@@ -151,17 +151,22 @@ Html most_in(const CostsByPart& parts, const std::vector<CostColumn>& columns) {
   return html("<td>{}, {} %</td>", {most->first, shown_cost(share, CostKind::count)});
 }
 
-Html by_submission(const Costs& costs, double whole) {
+Html by_submission(const Costs& costs, double whole, const NamesForPeople& people) {
   std::vector<Named> order;
   for (const auto& [name, parts] : costs.submissions)
     order.emplace_back(name, sum_of(parts, costs.columns.size()));
   sort_by_cost(order, costs.columns);
   Html rows;
-  for (const auto& [name, values] : order)
-    rows += html(
-        "<tr><th scope=\"row\" data-value=\"{}\"><a href=\"staff/{}.html\">{}</a></th>{}{}{}</tr>\n",
-        {name, name, name, numbers(values, costs.columns), most_in(costs.submissions.at(name), costs.columns),
-         share(seconds_of(values, costs.columns), whole)});
+  for (const auto& [name, values] : order) {
+    const auto person = people.find(name);
+    const bool known = person != people.end();
+    const std::string& shown = known ? person->second : name;
+    rows +=
+        html("<tr><th scope=\"row\" data-value=\"{}\"><a href=\"staff/{}.html\">{}</a>{}</th>{}{}{}</tr>\n",
+             {shown, name, shown, known ? html(" <code class=\"quiet\">{}</code>", {name}) : Html(),
+              numbers(values, costs.columns), most_in(costs.submissions.at(name), costs.columns),
+              share(seconds_of(values, costs.columns), whole)});
+  }
   const Html more = html(
       "<th scope=\"col\">Most of it in</th><th scope=\"col\" class=\"number\">Of all</th><th "
       "scope=\"col\"></th>");
@@ -171,7 +176,7 @@ Html by_submission(const Costs& costs, double whole) {
 
 }  // namespace
 
-std::string costs_page(const Costs& costs) {
+std::string costs_page(const Costs& costs, const NamesForPeople& people) {
   Values all(costs.columns.size());
   for (const auto& [name, parts] : costs.submissions) add_to(all, sum_of(parts, costs.columns.size()));
   const double whole = seconds_of(all, costs.columns);
@@ -186,7 +191,7 @@ std::string costs_page(const Costs& costs) {
       {shown_cost(whole, CostKind::count), costs.submissions.size()});
   body += in_all(costs, all);
   body += by_part(costs);
-  body += by_submission(costs, whole);
+  body += by_submission(costs, whole, people);
   body += html("</main>\n");
   body += sort_script();
   return html_page("What grading cost", body, Scripts::on);

@@ -5,9 +5,10 @@
 #include <string>
 
 #include "grader/result/costs.h"
+#include "grader/roster/class_list.h"
 
 namespace grader {
 
-std::string costs_page(const Costs& costs);
+std::string costs_page(const Costs& costs, const NamesForPeople& people = {});
 
 }  // namespace grader

@@ -14,15 +14,16 @@ namespace grader {
 using hair::Html, hair::html, hair::html_page, hair::Pictures, hair::Scripts;
 
 std::string student_page(
-    const SubmissionResult& result);                     // NAME/report.html: contains nothing of the staff's
-std::string staff_page(const SubmissionResult& result);  // staff/NAME.html
+    const SubmissionResult& result,
+    const NamesForPeople& people = {});  // NAME/report.html: contains nothing of the staff's
+std::string staff_page(const SubmissionResult& result, const NamesForPeople& people = {});  // staff/NAME.html
 
 // NAME/study.html, for students and staff. `beside_itself` is the reference's study, which shows the noise.
 std::string study_page(const SubmissionResult& result, const SubmissionStudy& study,
-                       const SubmissionStudy& beside_itself);
+                       const SubmissionStudy& beside_itself, const NamesForPeople& people = {});
 
-std::string class_page(const std::vector<SubmissionResult>& results,
-                       const std::vector<ClassLine>& people = {});  // index.html
+std::string class_page(const std::vector<SubmissionResult>& results, const std::vector<ClassLine>& lines = {},
+                       const NamesForPeople& people = {});  // index.html
 
 // Lists people who are missing, or on no roster; empty if nobody is.
 Html people_section(const std::vector<ClassLine>& people);
@@ -31,7 +32,8 @@ Html people_section(const std::vector<ClassLine>& people);
 Html exercises_part(const std::vector<SubmissionResult>& results);
 Html distribution_part(const std::vector<SubmissionResult>& results);
 Html categories_part(const std::vector<SubmissionResult>& results);
-Html alike_part(const std::vector<SubmissionResult>& results);  // nothing if nobody does
+Html alike_part(const std::vector<SubmissionResult>& results,
+                const NamesForPeople& people = {});  // nothing if nobody does
 
 // Lets a reader sort a table of class "class" by its columns with data-sort, "text" or "number".
 Html sort_script();

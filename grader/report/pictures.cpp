@@ -77,7 +77,7 @@ std::vector<Worst> worst_first(const std::vector<SubmissionResult>& results) {
   return all;
 }
 
-Html row(const Worst& worst, bool with_pictures, const PicturePlace& place) {
+Html row(const Worst& worst, bool with_pictures, const PicturePlace& place, const NamesForPeople& people) {
   const PictureResult* picture = worst.picture;
   const std::string at = worst.exercise->id + (picture ? " at " + picture->name : "");
   const auto small = [&](const std::string& png, const std::string& alt) {
@@ -87,14 +87,15 @@ Html row(const Worst& worst, bool with_pictures, const PicturePlace& place) {
   if (with_pictures && picture)
     pictures =
         html("<td>{}</td><td>{}</td><td>{}</td>",
-             {small(picture->student, worst.result->name + ", " + at),
+             {small(picture->student, shown_name(worst.result->name, people) + ", " + at),
               small(picture->reference, "The reference, " + at), small(picture->heat, "Difference, " + at)});
   const std::string flip = worst.breaks_off ? "breaks off" : shown_distance(picture->flip);
   const std::string blurred = worst.breaks_off ? "" : shown_distance(picture->blurred_rmse);
   return html(
       "<tr><th scope=\"row\"><a href=\"staff/{}.html#{}\">{}</a></th><td class=\"number\">{}</td><td "
       "class=\"number\">{}</td><td>{}</td>{}</tr>\n",
-      {worst.result->name, worst.exercise->id, worst.result->name, flip, blurred, at, pictures});
+      {worst.result->name, worst.exercise->id, shown_name(worst.result->name, people), flip, blurred, at,
+       pictures});
 }
 
 }  // namespace
@@ -149,14 +150,15 @@ Html moments(const std::vector<PictureResult>& pictures, const std::string& head
        rows});
 }
 
-Html pictures_by_distance(const std::vector<SubmissionResult>& results, const PicturePlace& place) {
+Html pictures_by_distance(const std::vector<SubmissionResult>& results, const PicturePlace& place,
+                          const NamesForPeople& people) {
   const std::vector<Worst> all = worst_first(results);
   if (all.empty()) return {};
   std::size_t same = 0;
   Html rows;
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].breaks_off || all[i].flip() > 0)
-      rows += row(all[i], i < kMostSmallPictures, place);
+      rows += row(all[i], i < kMostSmallPictures, place, people);
     else
       ++same;
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "grader/result/result.h"
+#include "grader/roster/class_list.h"
 #include "hair/io/plot/html.h"
 
 namespace grader {
@@ -36,7 +37,8 @@ Html moments(const std::vector<PictureResult>& pictures, const std::string& head
 
 // A section of the class page: submissions sorted by the distance of their pictures from the reference's,
 // worst first, with small pictures of the worst.
-Html pictures_by_distance(const std::vector<SubmissionResult>& results, const PicturePlace& place);
+Html pictures_by_distance(const std::vector<SubmissionResult>& results, const PicturePlace& place,
+                          const NamesForPeople& people = {});
 
 std::string shown_distance(double distance);  // "0.0123"
 

@@ -33,24 +33,31 @@ void put_file(const fs::path& file, const std::string& text) {
   if (hair::bytes_of(file) != text) write_file(file, text);
 }
 
+std::string json_with_person(const SubmissionResult& result, const NamesForPeople& people) {
+  OrderedJson json = to_json_value(result, {picture_name, {}});
+  if (people.contains(result.name)) json["person"] = hair::valid_utf8(people.at(result.name));
+  return json.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
+}
+
 }  // namespace
 
-void write_submission_reports(const fs::path& dir, const SubmissionResult& result) {
+void write_submission_reports(const fs::path& dir, const SubmissionResult& result,
+                              const NamesForPeople& people) {
   check_name(result.name);
   fs::create_directories(dir / "staff");
   fs::permissions(dir / "staff", fs::perms::owner_all);  // hidden inputs and expected values
   put_file(dir / result.name / "results.json", student_json(result));
-  put_file(dir / result.name / "report.html", student_page(result));
+  put_file(dir / result.name / "report.html", student_page(result, people));
   write_pictures(pictures_folder(dir), result);
-  put_file(dir / "staff" / (result.name + ".html"), staff_page(result));
-  put_file(dir / "staff" / (result.name + ".json"), json_text(result, 1, {picture_name, {}}));
+  put_file(dir / "staff" / (result.name + ".html"), staff_page(result, people));
+  put_file(dir / "staff" / (result.name + ".json"), json_with_person(result, people));
 }
 
 void write_study(const fs::path& dir, const SubmissionResult& result, const SubmissionStudy& study,
-                 const SubmissionStudy& beside_itself) {
+                 const SubmissionStudy& beside_itself, const NamesForPeople& people) {
   check_name(result.name);
   put_file(dir / result.name / "study.json", json_text(study, 1));
-  put_file(dir / result.name / "study.html", study_page(result, study, beside_itself));
+  put_file(dir / result.name / "study.html", study_page(result, study, beside_itself, people));
 }
 
 void remove_study(const fs::path& dir, const SubmissionResult& result) {
@@ -60,10 +67,10 @@ void remove_study(const fs::path& dir, const SubmissionResult& result) {
 }
 
 void write_class_reports(const fs::path& dir, const std::vector<SubmissionResult>& results,
-                         const std::vector<ClassLine>& people) {
-  put_file(dir / "grades.csv", grades_csv(results, people));
+                         const std::vector<ClassLine>& lines, const NamesForPeople& people) {
+  put_file(dir / "grades.csv", grades_csv(results, lines));
   put_file(dir / "junit.xml", junit_xml(results));
-  put_file(dir / "index.html", class_page(results, people));
+  put_file(dir / "index.html", class_page(results, lines, people));
 }
 
 void remove_reports(const fs::path& dir, const std::string& name) {

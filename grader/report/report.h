@@ -27,22 +27,27 @@ namespace grader {
 
 // Throws std::invalid_argument for a name that intake never gives: empty, with '/', with a leading dot, or
 // "staff".
-void write_submission_reports(const std::filesystem::path& dir, const SubmissionResult& result);
+// People read `people` where a hand-in is in it, with the folder's name beside it for staff.
+void write_submission_reports(const std::filesystem::path& dir, const SubmissionResult& result,
+                              const NamesForPeople& people = {});
 // write_study writes the pages of a study, before the reports, which link to them if result.studied.
 // remove_study removes them.
 void write_study(const std::filesystem::path& dir, const SubmissionResult& result,
-                 const SubmissionStudy& study, const SubmissionStudy& beside_itself);
+                 const SubmissionStudy& study, const SubmissionStudy& beside_itself,
+                 const NamesForPeople& people = {});
 void remove_study(const std::filesystem::path& dir, const SubmissionResult& result);
 
-// `people`: see grades_csv.
+// `lines`: see grades_csv.
 void write_class_reports(const std::filesystem::path& dir, const std::vector<SubmissionResult>& results,
-                         const std::vector<ClassLine>& people = {});
+                         const std::vector<ClassLine>& lines = {}, const NamesForPeople& people = {});
 
 // All files of a student in `dir`, but for pictures: remove_unshown_pictures follows.
 void remove_reports(const std::filesystem::path& dir, const std::string& name);
 
-// The class as a table for a terminal: a line for each submission, a column for each exercise. ASCII, no
-// colours.
-void print_table(std::ostream& out, const std::vector<SubmissionResult>& results);
+// The class as a table for a terminal: a line for each submission, a column for each exercise. No colours;
+// nothing but ASCII, but for letters of people's names. Long names are cut, so that rows stay apart; with `people` the folder's name ends
+// the line.
+void print_table(std::ostream& out, const std::vector<SubmissionResult>& results,
+                 const NamesForPeople& people = {});
 
 }  // namespace grader

@@ -292,6 +292,23 @@ TEST(Table, FitsTenExercisesIn100Columns) {
   EXPECT_NE(out.str().find("a-student-with-a-..."), std::string::npos);
 }
 
+TEST(Table, NamesPeopleInTheirLettersAndEndsWithTheFolder) {
+  const std::vector<SubmissionResult> results = sample_class(4);
+  const NamesForPeople people{
+      {"alice", "Müller, Jörg"}, {"bob", "李伟 with a long, long name"}, {"carol", "X\x1b[31m"}};
+  std::ostringstream out;
+  print_table(out, results, people);
+  EXPECT_EQ(out.str(), R"(submission              S1    S2     P1  total  folder
+of                      30    20     +5     50
+Müller, Jörg            30    20      5     55  alice
+李伟 with a long,...    15    10    2.5   27.5  bob
+X\x1b[31m               30   10!  wrong     40  carol
+dave                  stub    10   stub     10  dave
+mean of 4             18.8  12.5    1.9   33.1
+! points from before or after a crash or a limit
+)");
+}
+
 // Names from a learning system begin alike, and end with the number.
 TEST(Table, KeepsRowsApart) {
   std::vector<SubmissionResult> results = class_of_ten_exercises(3);

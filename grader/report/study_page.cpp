@@ -222,7 +222,7 @@ Html summary_of(const SubmissionStudy& study) {
 }  // namespace
 
 std::string study_page(const SubmissionResult& result, const SubmissionStudy& study,
-                       const SubmissionStudy& beside_itself) {
+                       const SubmissionStudy& beside_itself, const NamesForPeople& people) {
   Html body = stamps(result.isolation, true);
   body += html(R"(<header>
 <h1>Error against run time: {}</h1>
@@ -241,7 +241,7 @@ steps are what the code itself reports, and code that keeps its answers takes no
 again. So the tables have what first plays took, too (the scene&#39;s own steps were played once before, to warm up).
 Code that works before it is asked is charged for it in another play.</p>
 )",
-               {result.name});
+               {shown_name(result.name, people)});
   body += noise_of(beside_itself);
   body += summary_of(study);
   for (std::size_t i = 0; i < study.scenes.size(); ++i) {
@@ -253,7 +253,7 @@ Code that works before it is asked is charged for it in another play.</p>
     body += html("</section>\n");
   }
   body += html("</main>\n");
-  return html_page("Error against run time: " + result.name, body);
+  return html_page("Error against run time: " + shown_name(result.name, people), body);
 }
 
 }  // namespace grader

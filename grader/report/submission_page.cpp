@@ -146,15 +146,16 @@ Html total_line(const SubmissionResult& result) {
   return all;
 }
 
-Html body_of(const SubmissionResult& result, Reader reader) {
+Html body_of(const SubmissionResult& result, Reader reader, const NamesForPeople& people) {
   Html body = stamps(result.isolation, result.images);
-  body += html("<header>\n<h1>{}</h1>\n", {result.name});
+  body += html("<header>\n<h1>{}</h1>\n", {shown_name(result.name, people)});
   body += total_line(result);
   if (reader == Reader::staff) {
     body += html(
-        "<p class=\"quiet\"><a href=\"../index.html\">The class</a> &#183; <a "
+        "<p class=\"quiet\">{}<a href=\"../index.html\">The class</a> &#183; <a "
         "href=\"../{}/report.html\">The student&#39;s report</a> &#183; fingerprint <code>{}</code></p>\n",
-        {result.name, result.fingerprint.substr(0, 16)});
+        {people.contains(result.name) ? html("<code>{}</code> &#183; ", {result.name}) : Html(), result.name,
+         result.fingerprint.substr(0, 16)});
   }
   body += html("</header>\n<main>\n");
   if (!result.note.empty()) body += html("<p class=\"note\">{}</p>\n", {result.note});
@@ -203,12 +204,14 @@ Html badge(Status status) {
   return html("<span class=\"badge {}\">{}</span>", {look_of(status), to_string(status)});
 }
 
-std::string student_page(const SubmissionResult& result) {
-  return html_page("Report for " + result.name, body_of(for_student(result), Reader::student));
+std::string student_page(const SubmissionResult& result, const NamesForPeople& people) {
+  return html_page("Report for " + shown_name(result.name, people),
+                   body_of(for_student(result), Reader::student, people));
 }
 
-std::string staff_page(const SubmissionResult& result) {
-  return html_page(result.name + " (staff)", body_of(result, Reader::staff), Scripts::off, Pictures::beside);
+std::string staff_page(const SubmissionResult& result, const NamesForPeople& people) {
+  return html_page(shown_name(result.name, people) + " (staff)", body_of(result, Reader::staff, people),
+                   Scripts::off, Pictures::beside);
 }
 
 }  // namespace grader

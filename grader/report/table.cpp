@@ -9,6 +9,7 @@
 #include "grader/report/columns.h"
 #include "grader/report/report.h"
 #include "grader/report/text.h"
+#include "grader/text/letters.h"
 
 namespace grader {
 namespace {
@@ -19,23 +20,28 @@ constexpr std::string_view kCut = "...";
 using Cells = std::vector<std::string>;
 
 std::string cut(const std::string& name, std::size_t longest) {
-  return name.size() <= longest ? name : name.substr(0, longest - kCut.size()) + std::string(kCut);
+  if (terminal_columns(name) <= longest) return name;
+  return first_columns(name, longest - kCut.size()) + std::string(kCut);
 }
 
-// Long names are cut, but never so that two rows have the same.
-std::vector<std::string> names_of(const std::vector<SubmissionResult>& results) {
+// Long names are cut, but never so that two people have the same who had not.
+std::vector<std::string> names_of(const std::vector<SubmissionResult>& results,
+                                  const NamesForPeople& people) {
+  constexpr std::size_t kMostBytes = 1000;
+  std::vector<std::string> whole;
   std::size_t longest = kLongestName, longest_of_all = 0;
-  for (const SubmissionResult& result : results)
-    longest_of_all = std::max(longest_of_all, result.name.size());
-  std::vector<std::string> names;
-  for (;; ++longest) {
-    names.clear();
-    for (const SubmissionResult& result : results) names.push_back(cut(result.name, longest));
-    const std::set<std::string> different(names.begin(), names.end());
-    if (different.size() == names.size() || longest >= longest_of_all) break;
+  for (const SubmissionResult& result : results) {
+    whole.push_back(people.contains(result.name) ? legible(people.at(result.name), kMostBytes)
+                                                 : printable(result.name));
+    longest_of_all = std::max(longest_of_all, terminal_columns(whole.back()));
   }
-  for (std::string& name : names) name = printable(name);
-  return names;
+  const std::size_t apart = std::set<std::string>(whole.begin(), whole.end()).size();
+  for (;; ++longest) {
+    std::vector<std::string> names;
+    for (const std::string& name : whole) names.push_back(cut(name, longest));
+    const std::set<std::string> different(names.begin(), names.end());
+    if (different.size() == apart || longest >= longest_of_all) return names;
+  }
 }
 
 Cells ids(const std::vector<Column>& columns) {
@@ -84,35 +90,45 @@ Cells means(const std::vector<Column>& columns, const std::vector<SubmissionResu
 }
 
 void print_row(std::ostream& out, const Cells& row, const std::vector<std::size_t>& widths) {
-  std::string line = row[0] + std::string(widths[0] - row[0].size(), ' ');
-  for (std::size_t i = 1; i < row.size(); ++i)
+  std::string line = row[0] + std::string(widths[0] - terminal_columns(row[0]), ' ');
+  for (std::size_t i = 1; i < widths.size(); ++i)
     line += std::string(2 + widths[i] - row[i].size(), ' ') + row[i];
+  if (row.size() > widths.size()) line += "  " + row.back();  // a folder's name, as long as it is
   out << line << '\n';
 }
 
 }  // namespace
 
-void print_table(std::ostream& out, const std::vector<SubmissionResult>& results) {
+void print_table(std::ostream& out, const std::vector<SubmissionResult>& results,
+                 const NamesForPeople& people) {
   if (results.empty()) return;
   const std::vector<Column> columns = columns_of(results);
   std::vector<Cells> rows{ids(columns), reachable(columns, results)};
-  const std::vector<std::string> names = names_of(results);
-  for (std::size_t i = 0; i < results.size(); ++i) rows.push_back(row_of(names[i], results[i], columns));
+  const std::vector<std::string> names = names_of(results, people);
+  const bool with_people = std::ranges::any_of(
+      results, [&](const SubmissionResult& result) { return people.contains(result.name); });
+  if (with_people) rows.front().emplace_back("folder");
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    rows.push_back(row_of(names[i], results[i], columns));
+    if (with_people) rows.back().push_back(printable(results[i].name));
+  }
   rows.push_back(means(columns, results));
 
   std::vector<std::size_t> widths(columns.size() + 2);
   for (const Cells& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+    for (std::size_t i = 0; i < widths.size(); ++i)
+      widths[i] = std::max(widths[i], i == 0 ? terminal_columns(row[i]) : row[i].size());
   bool any_ended = false;
   for (const Cells& row : rows) {
     print_row(out, row, widths);
-    any_ended |=
-        std::any_of(row.begin() + 1, row.end(), [](const auto& cell) { return cell.ends_with('!'); });
+    any_ended |= std::any_of(row.begin() + 1, row.begin() + static_cast<std::ptrdiff_t>(widths.size()),
+                             [](const auto& cell) { return cell.ends_with('!'); });
   }
   if (any_ended) out << "! points from before or after a crash or a limit\n";
   for (const SubmissionResult& result : results)
     if (!result.ended_by_the_clock.empty())
-      out << "NOT FINAL, ended by the clock: " << printable(result.name) << ": "
+      out << "NOT FINAL, ended by the clock: "
+          << (people.contains(result.name) ? called(result.name, people) : printable(result.name)) << ": "
           << in_a_row(result.ended_by_the_clock) << '\n';
   std::string said = said_of(least_isolation(results));
   std::ranges::transform(said, said.begin(), [](unsigned char c) { return std::toupper(c); });

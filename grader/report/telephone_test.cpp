@@ -52,7 +52,10 @@ TEST(Telephone, ShowsAllOfAPageWithoutScrollingSideways) {
   if (std::system("command -v chromium >/dev/null 2>&1") != 0)
     GTEST_SKIP() << "no chromium on PATH: pages are not opened in a browser";
   const SubmissionResult result = class_of_ten_exercises(2)[1];
-  for (const std::string& page : {student_page(result), staff_page(result)}) {
+  const NamesForPeople long_name{
+      {result.name, "Wolfeschlegelsteinhausenbergerdorff, " + std::string(60, 'a')}};
+  for (const std::string& page : {student_page(result), staff_page(result), student_page(result, long_name),
+                                  staff_page(result, long_name)}) {
     const std::string seen = dump(measuring_page(page));
     EXPECT_NE(seen.find("<body>seen, outside: |"), std::string::npos)
         << seen.substr(std::min(seen.find("<body>"), seen.size()), 2000);

@@ -67,4 +67,32 @@ std::vector<ClassLine> lines_of(const std::optional<ClassList>& list, const std:
   return lines;
 }
 
+const std::string& shown_name(const std::string& hand_in, const NamesForPeople& people) {
+  const auto person = people.find(hand_in);
+  return person == people.end() ? hand_in : person->second;
+}
+
+std::string called(const std::string& hand_in, const NamesForPeople& people) {
+  return people.contains(hand_in) ? legible(people.at(hand_in)) + " (" + hand_in + ")" : hand_in;
+}
+
+NamesForPeople names_for_people(const std::optional<ClassList>& list, const std::vector<HandIn>& hand_ins) {
+  NamesForPeople names;
+  for (const ClassLine& line : lines_of(list, hand_ins)) {
+    if (line.hand_in.empty() || line.name.empty()) continue;
+    std::string& name = names[line.hand_in];
+    name += (name.empty() ? "" : "; ") + line.name;  // "Doe, Jane; Roe, Richard"
+  }
+  for (const HandIn& hand_in : hand_ins) {
+    std::string joined;  // where a group has no name of its own
+    for (const Owner& member : hand_in.owner.members) joined += (joined.empty() ? "" : ", ") + member.name;
+    if (const auto found = names.find(hand_in.name); found != names.end() && !joined.empty() &&
+                                                     !hand_in.owner.name.empty() &&
+                                                     hand_in.owner.name != joined)
+      found->second = composed(hand_in.owner.name) + " (" + found->second + ")";
+  }
+  std::erase_if(names, [](const auto& one) { return one.first == one.second; });
+  return names;
+}
+
 }  // namespace grader

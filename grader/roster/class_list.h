@@ -2,6 +2,7 @@
 // who are on no roster.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@ struct HandIn {
   std::string name;  // of the submission and its folder
   Owner owner;
   std::string system;
+  std::string known_as = {};  // where `name` is a code: the name that intake found
 };
 
 struct ClassList {
@@ -44,6 +46,15 @@ struct ClassLine {
 // With a roster everybody on it, in its order, and then strangers; without one the owners of
 // hand-ins that a learning system named.
 std::vector<ClassLine> lines_of(const std::optional<ClassList>& list, const std::vector<HandIn>& hand_ins);
+
+// By hand-in: the name that people read, of a group the members'. Those whose folder has the same name are left out.
+using NamesForPeople = std::map<std::string, std::string>;
+NamesForPeople names_for_people(const std::optional<ClassList>& list, const std::vector<HandIn>& hand_ins);
+
+// The person, else the hand-in's name.
+const std::string& shown_name(const std::string& hand_in, const NamesForPeople& people);
+// "Müller, Jörg (mueller_4711)", one line that is safe to print; else the hand-in's name.
+std::string called(const std::string& hand_in, const NamesForPeople& people);
 
 ClassList class_list(const Roster& roster, const std::vector<HandIn>& hand_ins);
 

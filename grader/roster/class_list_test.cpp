@@ -54,5 +54,23 @@ TEST(ClassList, GivesEverybodyALine) {
                 {"team7", "A", "1", "", ""}, {"team7", "X", "9", "", ""}, {"z_8", "Z", "8", "", ""}}));
 }
 
+TEST(ClassList, NamesPeopleAsTheyAreReadAndNobodyTwice) {
+  const Roster roster(parse_csv("id,name\n1,\"Mu\xcc\x88ller, A\"\n2,B\n", "r.csv"));
+  const Owner team{.name = "Team 7", .group = true, .members = {{.id = "1"}, {.name = "B", .id = "2"}}};
+  const Owner joined{.name = "A, B", .group = true, .members = {{.name = "A"}, {.name = "B"}}};
+  const std::vector<HandIn> hand_ins{{"mullera_1", {.name = "müllera", .id = "1"}, "canvas"},
+                                     {"team7", team, "canvas"},
+                                     {"pair", joined, "gradescope"},
+                                     {"x", {.name = "x"}, "canvas"},
+                                     {"folder", {.name = "folder"}, "folders"}};
+  EXPECT_EQ(
+      names_for_people(class_list(roster, hand_ins), hand_ins),
+      (NamesForPeople{{"mullera_1", "Müller, A"}, {"team7", "Team 7 (Müller, A; B)"}, {"pair", "B; A"}}));
+  const NamesForPeople without = names_for_people({}, hand_ins);
+  EXPECT_EQ(without.at("mullera_1"), "müllera");
+  EXPECT_EQ(called("mullera_1", without), "müllera (mullera_1)");
+  EXPECT_EQ(called("folder", without), "folder");
+}
+
 }  // namespace
 }  // namespace grader

@@ -14,6 +14,7 @@ namespace grader {
 
 struct SimilarFile {
   std::string name, text;  // whose, and their file
+  std::string shown = {};  // as people read the name; "": as it is
 };
 
 struct SimilarRules {

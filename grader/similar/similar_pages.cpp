@@ -17,6 +17,10 @@ std::string per_cent(double part) {
   return std::to_string(std::lround(100 * part)) + " %";
 }
 
+const std::string& who(const SimilarFile& file) {
+  return file.shown.empty() ? file.name : file.shown;
+}
+
 std::string page_of(const SimilarExercise& exercise, const SharedPair& pair) {
   return exercise.id + "-" + exercise.files[pair.one].name + "-" + exercise.files[pair.other].name + ".html";
 }
@@ -61,7 +65,7 @@ std::string pair_page(const SimilarExercise& exercise, const SharedPair& pair) {
                    {lines_of(block.lines), lines_of(block.other_lines), std::to_string(block.tokens)});
   }
   return html_page(
-      exercise.id + ": " + one.name + " and " + other.name,
+      exercise.id + ": " + who(one) + " and " + who(other),
       html("<h1>{}: {} and {}</h1>\n<p>{} of what {} wrote stands in {}'s file, too: {} tokens. Names, "
            "numbers, "
            "layout and comments are not compared. Marked lines are shared, pale ones were given to "
@@ -69,9 +73,9 @@ std::string pair_page(const SimilarExercise& exercise, const SharedPair& pair) {
            "<section><h2>{}</h2>\n{}</section>\n<section><h2>{}</h2>\n{}</section>\n</div>\n"
            "<table>\n<thead><tr><th>Lines of {}</th><th>Lines of {}</th><th>Tokens</th></tr></thead>\n"
            "<tbody>\n{}</tbody></table>\n",
-           {exercise.file, one.name, other.name, per_cent(pair.part), one.name, other.name,
-            std::to_string(pair.tokens), one.name, source(one.text, exercise.shared.own[pair.one], mine),
-            other.name, source(other.text, exercise.shared.own[pair.other], theirs), one.name, other.name,
+           {exercise.file, who(one), who(other), per_cent(pair.part), who(one), who(other),
+            std::to_string(pair.tokens), who(one), source(one.text, exercise.shared.own[pair.one], mine),
+            who(other), source(other.text, exercise.shared.own[pair.other], theirs), who(one), who(other),
             blocks}));
 }
 
@@ -82,7 +86,7 @@ Html pairs_table(const SimilarExercise& exercise) {
     rows += html(
         "<tr><th scope=\"row\">{}</th><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{}</td><td "
         "class=\"number\">{}</td><td><a href=\"{}\">side by side</a></td></tr>\n",
-        {exercise.files[pairs[i].one].name, exercise.files[pairs[i].other].name, per_cent(pairs[i].part),
+        {who(exercise.files[pairs[i].one]), who(exercise.files[pairs[i].other]), per_cent(pairs[i].part),
          std::to_string(pairs[i].tokens), std::to_string(pairs[i].of_many), page_of(exercise, pairs[i])});
   if (rows.text.empty()) return html("<p class=\"quiet\">No pair.</p>\n");
   if (pairs.size() > kMostPairs)
@@ -96,7 +100,7 @@ Html pairs_table(const SimilarExercise& exercise) {
 
 std::string names(const SimilarExercise& exercise, const std::vector<std::size_t>& files) {
   std::string list;
-  for (const std::size_t file : files) list += (list.empty() ? "" : ", ") + exercise.files[file].name;
+  for (const std::size_t file : files) list += (list.empty() ? "" : ", ") + who(exercise.files[file]);
   return list;
 }
 
@@ -105,7 +109,7 @@ Html common_code(const SimilarExercise& exercise) {
   for (const CommonPiece& piece : exercise.shared.common) {
     const SimilarFile& first = exercise.files[piece.owners.front()];
     list += html("<li>{} people, as in lines {} of {}: {}</li>\n",
-                 {piece.owners.size(), lines_of(piece.lines), first.name, names(exercise, piece.owners)});
+                 {piece.owners.size(), lines_of(piece.lines), who(first), names(exercise, piece.owners)});
   }
   if (list.text.empty()) return {};
   return html("<details><summary>Code that many share: {} pieces</summary>\n<ul>\n{}</ul>\n</details>\n",
@@ -120,7 +124,7 @@ Html part_of(const SimilarExercise& exercise) {
   part += common_code(exercise);
   Html left_out;
   for (const NotCompared& one : exercise.shared.not_compared)
-    left_out += html("<li>{}: {}</li>\n", {exercise.files[one.file].name, one.why});
+    left_out += html("<li>{}: {}</li>\n", {who(exercise.files[one.file]), one.why});
   if (!left_out.text.empty())
     part += html("<details><summary>Not compared: {}</summary>\n<ul>\n{}</ul>\n</details>\n",
                  {exercise.shared.not_compared.size(), left_out});

@@ -112,6 +112,22 @@ std::string without_marks(std::string_view name) {
                 UTF8PROC_STABLE | UTF8PROC_COMPOSE);
 }
 
+namespace {
+
+struct Letter {
+  std::size_t bytes, columns;
+};
+
+Letter first_letter(std::string_view text) {
+  utf8proc_int32_t letter = 0;
+  const utf8proc_ssize_t size =
+      utf8proc_iterate(bytes_of(text), static_cast<utf8proc_ssize_t>(text.size()), &letter);
+  if (size <= 0) return {1, 1};
+  return {static_cast<std::size_t>(size), static_cast<std::size_t>(utf8proc_charwidth(letter))};
+}
+
+}  // namespace
+
 std::string legible(std::string_view text, std::size_t most) {
   constexpr char digits[] = "0123456789abcdef";
   std::string line;
@@ -135,6 +151,27 @@ std::string legible(std::string_view text, std::size_t most) {
     text.remove_prefix(bytes);
   }
   return line;
+}
+
+std::size_t terminal_columns(std::string_view text) {
+  std::size_t columns = 0;
+  while (!text.empty()) {
+    const auto [bytes, wide] = first_letter(text);
+    columns += wide;
+    text.remove_prefix(bytes);
+  }
+  return columns;
+}
+
+std::string first_columns(std::string_view text, std::size_t most) {
+  std::size_t columns = 0, length = 0;
+  while (length < text.size()) {
+    const auto [bytes, wide] = first_letter(text.substr(length));
+    if (columns + wide > most) break;
+    columns += wide;
+    length += bytes;
+  }
+  return std::string(text.substr(0, length));
 }
 
 }  // namespace grader

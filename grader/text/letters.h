@@ -29,4 +29,9 @@ std::string without_marks(std::string_view name);
 // direction of others become \xNN. Cuts after about `most` bytes.
 std::string legible(std::string_view text, std::size_t most = 200);
 
+// Columns of a terminal that a legible text takes: a Chinese letter has two, a mark none.
+std::size_t terminal_columns(std::string_view text);
+// Its beginning in so many columns at most, with whole letters.
+std::string first_columns(std::string_view text, std::size_t most);
+
 }  // namespace grader

@@ -24,5 +24,24 @@ TEST(Letters, AreSqueezedAsCanvasDoes) {
   EXPECT_EQ(squeezed("-, '"), "");
 }
 
+TEST(Letters, LoseTheirMarksWhereAsciiHasThem) {
+  EXPECT_EQ(without_marks("Müller-Lüdenscheidt, Jo\xcc\x88rg"), "Muller-Ludenscheidt, Jorg");
+  EXPECT_EQ(without_marks("Øst 李"), "Øst 李");
+}
+
+TEST(Letters, AreLegibleInALine) {
+  EXPECT_EQ(legible("Jörg\n\x1b[31m\xff\u202e"), "Jörg\\x0a\\x1b[31m\\xff\\xe2\\x80\\xae");
+  EXPECT_EQ(legible("李伟李伟", 6), "李伟...");
+}
+
+TEST(Letters, TakeColumnsOfATerminal) {
+  EXPECT_EQ(terminal_columns("Jörg"), 4U);
+  EXPECT_EQ(terminal_columns("Jo\xcc\x88rg"), 4U);
+  EXPECT_EQ(terminal_columns("李伟"), 4U);
+  EXPECT_EQ(first_columns("李伟", 3), "李");
+  EXPECT_EQ(first_columns("Jo\xcc\x88rg", 2), "Jo\xcc\x88");
+  EXPECT_EQ(first_columns("Jörg", 9), "Jörg");
+}
+
 }  // namespace
 }  // namespace grader

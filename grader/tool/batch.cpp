@@ -11,6 +11,7 @@
 #include "grader/course/input.h"
 #include "grader/report/columns.h"
 #include "grader/report/text.h"
+#include "grader/tool/blind.h"
 #include "grader/tool/class_files.h"
 #include "grader/tool/folder_of_grades.h"
 #include "grader/tool/origins.h"
@@ -53,23 +54,11 @@ bool has(const std::vector<SubmissionResult>& results, const std::string& name) 
 }
 
 // A submission's row, as it appears before the table is there: "alice  S1 32  S2 crashed  of 52: 32".
-std::string in_a_line(const SubmissionResult& result) {
-  std::string line = printable(result.name);
+std::string in_a_line(const SubmissionResult& result, const NamesForPeople& people) {
+  std::string line = people.contains(result.name) ? called(result.name, people) : printable(result.name);
   for (const ExerciseResult& exercise : result.exercises)
     line += "  " + exercise.id + " " + in_short(exercise);
   return line + "  of " + shown_points(max_points(result)) + ": " + short_points(points(result));
-}
-
-void record_owners(Record& record, const std::vector<Submission>& submissions,
-                   const BatchSettings& settings) {
-  std::vector<HandIn> hand_ins;
-  for (const Submission& one : submissions) {
-    Owner owner = one.owner;
-    if (owner.name.empty() && owner.id.empty() && owner.email.empty()) owner.name = one.name;
-    hand_ins.push_back({one.name, owner, one.system.empty() ? "folders" : one.system});
-  }
-  record.put_people(hand_ins, settings.roster ? std::optional(settings.roster->people()) : std::nullopt,
-                    settings.only);
 }
 
 }  // namespace
@@ -89,9 +78,14 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
     return batch;
   }
   Record& record = folder->record();
+  if (settings.blind) record.set_blind();
+  if (record.is_blind()) give_codes(submissions, record.codes());
   for (const std::string& line : settle_origins(settings.out, submissions, settings.only, settings.replace))
     std::cerr << "hairgrade: " << line << "\n";
-  record_owners(record, submissions, settings);
+  record.put_people(hand_ins_of(submissions),
+                    settings.roster ? std::optional(settings.roster->people()) : std::nullopt, settings.only);
+  const NamesForPeople people = record.names_for_people();
+  const std::optional<HiddenNames> hidden = record.hidden_names();
   const auto start = std::chrono::steady_clock::now();
   batch.problems = grading.reference().problems;
   TimingByExercise reference = grading.reference().timing;
@@ -114,7 +108,7 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
       if (complete && earlier->result.origin == submission.origin &&
           earlier->result.fingerprint == grading.fingerprint(submission)) {
         const std::lock_guard lock(shared);
-        progress.step(in_a_line(earlier->result), false);
+        progress.step(in_a_line(earlier->result, people), false);
         return;
       }
     }
@@ -127,9 +121,10 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
     if (graded.study) one.study = {*graded.study, *grading.reference().study};
     record.put(one, submission.handed_in);
     if (std::optional<Recorded> now = record.find_decided(submission.name)) one = std::move(*now);
-    write_student_files(settings.out, one);
+    if (hidden) hide(*hidden, one.result);
+    write_student_files(settings.out, one, people);
     const std::lock_guard lock(shared);
-    progress.step(in_a_line(one.result));
+    progress.step(in_a_line(one.result, people));
     written.insert(submission.name);
     batch.problems.insert(batch.problems.end(), graded.problems.begin(), graded.problems.end());
     ++batch.graded;

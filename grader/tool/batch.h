@@ -24,6 +24,7 @@ struct BatchSettings {
   std::optional<std::string> only;  // grade only this submission
   bool replace = false;             // rows of another origin may be replaced
   std::optional<Roster> roster;     // replaces the record's
+  bool blind = false;               // names are codes; a record that began so stays so
   HandInRules rules = {};           // of the course file: lateness, and how much extra credit counts
   bool merge = false;               // only one exercise is graded: keep the earlier results of the others
 };

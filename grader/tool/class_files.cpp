@@ -7,33 +7,39 @@
 #include "grader/report/costs_page.h"
 #include "grader/report/picture_files.h"
 #include "grader/report/report.h"
+#include "grader/tool/blind.h"
 
 namespace grader {
 
-void write_student_files(const std::filesystem::path& folder, const Recorded& one) {
+void write_student_files(const std::filesystem::path& folder, const Recorded& one,
+                         const NamesForPeople& people) {
   if (one.study)
-    write_study(folder, one.result, one.study->own, one.study->beside_itself);
+    write_study(folder, one.result, one.study->own, one.study->beside_itself, people);
   else
     remove_study(folder, one.result);
-  write_submission_reports(folder, one.result);
+  write_submission_reports(folder, one.result, people);
 }
 
 std::vector<SubmissionResult> write_class_files(const std::filesystem::path& folder, Record& record,
                                                 const std::set<std::string>& written) {
   std::vector<SubmissionResult> results;
   ClassCosts costs = record.costs();
+  const NamesForPeople people = record.names_for_people();
+  const std::optional<HiddenNames> hidden = record.hidden_names();
   for (const std::string& name : record.names()) {
     std::optional<Recorded> one = record.find_decided(name);
     if (!one) continue;  // somebody has been forgotten just now
-    if (!written.contains(name)) write_student_files(folder, *one);
+    if (hidden) hide(*hidden, one->result);
+    if (!written.contains(name)) write_student_files(folder, *one, people);
     if (!one->result.ended_by_the_clock.empty())
       costs.ended_by_the_clock[name] = one->result.ended_by_the_clock;
     results.push_back(std::move(one->result));
   }
-  write_class_reports(folder, results, lines_of(record.class_list(), record.hand_ins()));
+  const std::vector<ClassLine> lines = lines_of(record.class_list(), record.hand_ins());
+  write_class_reports(folder, results, hidden ? blind(lines) : lines, people);
   remove_unshown_pictures(folder);
   write_file(folder / "timing.json", to_json(costs));
-  write_file(folder / "costs.html", costs_page(costs_table(costs)));
+  write_file(folder / "costs.html", costs_page(costs_table(costs), people));
   return results;
 }
 

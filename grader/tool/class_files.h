@@ -12,7 +12,8 @@
 
 namespace grader {
 
-void write_student_files(const std::filesystem::path& folder, const Recorded& one);
+void write_student_files(const std::filesystem::path& folder, const Recorded& one,
+                         const NamesForPeople& people);
 
 // All files of all students, but of those who are `written`, and of the class. Returns everybody's result, sorted by name.
 std::vector<SubmissionResult> write_class_files(const std::filesystem::path& folder, Record& record,

@@ -16,13 +16,15 @@ std::string shown(const std::optional<double>& points) {
 
 int diff(const OfARecord& options, const std::string& since) {
   const std::unique_ptr<Record> record = open_record(options.folder);
+  const NamesForPeople people = record->names_for_people();
   int students = 0;
   for (const std::string& name : record->names()) {
     const std::vector<PointsChange> all = changes(record->log(name), since);
     students += !all.empty();
+    const std::string who = called(name, people);
     for (const PointsChange& one : all)
-      std::cout << name << "  " << one.place << "  " << shown(one.before) << " -> " << shown(one.after)
-                << "  " << printable(one.title) << "\n";
+      std::cout << who << "  " << one.place << "  " << shown(one.before) << " -> " << shown(one.after) << "  "
+                << printable(one.title) << "\n";
   }
   std::cout << (students == 0 ? "nobody's"
                               : std::to_string(students) + (students == 1 ? " student's" : " students'"))

@@ -17,6 +17,7 @@
 #include "grader/text/time_text.h"
 #include "grader/tool/at_rest.h"
 #include "grader/tool/batch.h"
+#include "grader/tool/blind.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/folder_of_grades.h"
 #include "grader/tool/grade_settings.h"
@@ -50,16 +51,20 @@ std::vector<StaffPlace> staff_places(const GradingSettings& settings, const Grad
 
 // Says who is missing, who is on no roster, and how people were found where that is not plain.
 void say_people(const fs::path& out, const std::optional<Roster>& roster) {
-  const std::optional<ClassList> list = Record(out).class_list();
+  Record record(out);
+  const std::optional<ClassList> list = record.class_list();
   if (!list) return;
+  const std::optional<HiddenNames> hidden = record.hidden_names();
+  const auto say = [&](const std::string& line) {
+    std::cerr << "hairgrade: " << (hidden ? hidden->in(line) : line) << "\n";
+  };
   const std::size_t absent = list->absent().size();
   std::cout << "roster: " << list->rows.size() - absent << " of " << list->rows.size() << " handed in\n";
   if (roster)
-    for (const std::string& line : roster->said()) std::cerr << "hairgrade: " << line << "\n";
-  for (const std::string& line : list->said) std::cerr << "hairgrade: " << line << "\n";
+    for (const std::string& line : roster->said()) say(line);
+  for (const std::string& line : list->said) say(line);
   for (const ClassList::Stranger& stranger : list->strangers)
-    std::cerr << "hairgrade: " << stranger.hand_in << ": is on no roster (" << stranger.why
-              << "), and graded all the same\n";
+    say(stranger.hand_in + ": is on no roster (" + stranger.why + "), and graded all the same");
 }
 
 std::string without_time(const std::vector<Submission>& submissions) {
@@ -91,6 +96,13 @@ int grade(GradeOptions options) {
                                    reader ? reader->opener() : open_here, {}, options.choices);
 
   check_zone(rules, intake.submissions);
+  if (options.batch.blind || (Record::is_in(options.batch.out) && Record(options.batch.out).is_blind())) {
+    give_codes(intake.submissions, Record::is_in(options.batch.out) ? Record(options.batch.out).codes()
+                                                                    : std::map<std::string, std::string>());
+    const std::vector<HandIn> hand_ins = hand_ins_of(intake.submissions);
+    const std::optional<Roster>& roster = options.batch.roster;
+    hide(HiddenNames(hand_ins, roster ? std::optional(class_list(*roster, hand_ins)) : std::nullopt), intake);
+  }
   check_made_by(options.batch.out, made_by(settings));  // before the reference takes its seconds
   settle_origins(options.batch.out, intake.submissions, options.batch.only, options.batch.replace);
   for (const std::string& line : intake.taken_for) std::cout << line << "\n" << std::flush;
@@ -106,7 +118,8 @@ int grade(GradeOptions options) {
     return 130;
   }
   write_file(options.batch.out / kLeftOver, left_over_json(intake));
-  print_table(std::cout, batch.results);
+  const NamesForPeople people = Record(options.batch.out).names_for_people();
+  print_table(std::cout, batch.results, people);
   std::cout << "\n" << batch.graded << " graded";
   if (batch.kept > 0) std::cout << ", " << batch.kept << " kept from before";
   if (grading.isolation() == Isolation::none) std::cout << ", without a sandbox";
@@ -128,7 +141,8 @@ int grade(GradeOptions options) {
   for (const std::string& conflict : batch.conflicts) std::cerr << "hairgrade: " << conflict << "\n";
   std::string not_final;
   for (const SubmissionResult& result : batch.results)
-    if (!result.ended_by_the_clock.empty()) not_final += (not_final.empty() ? "" : ", ") + result.name;
+    if (!result.ended_by_the_clock.empty())
+      not_final += (not_final.empty() ? "" : ", ") + called(result.name, people);
   if (!not_final.empty())
     std::cerr << "hairgrade: not final, since the clock ended them: " << not_final
               << "; look at them, and grade them again (--resume grades no others)\n";
@@ -168,6 +182,9 @@ Command add_grade(CLI::App& hairgrade) {
       ->add_option("--from", options->choices.from,
                    "The learning system that a class comes from (default: it is guessed, and said)")
       ->check(CLI::IsMember(layout_names()));
+  command->add_flag(
+      "--anonymous", options->batch.blind,
+      "Show codes in place of names, to staff, too; the record keeps whose they are, and that it is so");
   command->add_flag("--replace", options->batch.replace,
                     "Replace rows of another origin: of another class, or of a hand-in from elsewhere");
   command->add_option("--only", options->batch.only, "Grade the submission of this name alone");

@@ -20,7 +20,11 @@ std::string in_short(const LogEntry& entry) {
 }
 
 int log(const OfARecord& options) {
-  for (const LogEntry& entry : open_record(options.folder)->log(options.name))
+  const std::unique_ptr<Record> record = open_record(options.folder);
+  const std::vector<LogEntry> entries = record->log(options.name);
+  if (const NamesForPeople people = record->names_for_people(); people.contains(options.name))
+    std::cout << called(options.name, people) << "\n";
+  for (const LogEntry& entry : entries)
     std::cout << entry.at << "  " << printable(entry.who) << "  " << entry.did << "  "
               << printable(in_short(entry), 2000) << "\n";
   return 0;

@@ -9,7 +9,9 @@
 #include "grader/intake/layouts/system.h"
 #include "grader/intake/submission.h"
 #include "grader/similar/similar_pages.h"
+#include "grader/tool/blind.h"
 #include "grader/tool/commands/command.h"
+#include "grader/tool/commands/of_a_record.h"
 #include "grader/tool/isolation_here.h"
 #include "hair/io/files/read_file.h"
 
@@ -20,7 +22,7 @@ namespace fs = std::filesystem;
 
 struct SimilarOptions {
   std::vector<fs::path> submissions, given;
-  std::optional<fs::path> course;
+  std::optional<fs::path> course, grades;
   fs::path out;
   int per_cent = 60;
   IntakeChoices choices;
@@ -30,7 +32,16 @@ int similar(const SimilarOptions& options) {
   const Course course = read_course(HAIR_EXERCISES_JSON, options.course);
   const Isolation isolation = isolation_here(StagedKit(HAIR_KIT_DIR, course), {});
   const CagedReader reader(HAIR_READER, isolation);
-  const Intake intake = read_submissions(options.submissions, course, reader.opener(), {}, options.choices);
+  Intake intake = read_submissions(options.submissions, course, reader.opener(), {}, options.choices);
+  NamesForPeople people = names_for_people({}, hand_ins_of(intake.submissions));
+  std::optional<HiddenNames> hidden;
+  if (options.grades) {
+    const std::unique_ptr<Record> record = open_record(*options.grades);
+    people = record->names_for_people();
+    hidden = record->hidden_names();
+    if (hidden) give_codes(intake.submissions, record->codes());
+    if (hidden) hide(*hidden, intake);
+  }
   const Sim sim(isolation);
   SimilarRules rules;
   rules.least_part = options.per_cent / 100.0;
@@ -43,7 +54,9 @@ int similar(const SimilarOptions& options) {
     for (const Submission& submission : intake.submissions)
       if (const auto file = submission.files.find(exercise.file);
           file != submission.files.end() && file->second.problem.empty())
-        one.files.push_back({submission.name, file->second.text});
+        one.files.push_back({submission.name,
+                             hidden ? hidden->in_own(file->second.text, submission.name) : file->second.text,
+                             called(submission.name, people)});
     if (one.files.size() < 2) continue;
     std::vector<std::string> given{
         hair::bytes_of(fs::path(HAIR_SOURCE_DIR) / "handout/student" / exercise.file)};
@@ -73,6 +86,8 @@ Command add_similar(CLI::App& hairgrade) {
   command->add_option("SUBMISSION", options->submissions, "As for grade")->required();
   command->add_option("--out", options->out, "A folder for the pages, which are for staff alone")->required();
   command->add_option("--course", options->course, "The course file: which exercises there are");
+  command->add_option("--grades", options->grades,
+                      "A folder of grades: names are as staff read them there, or codes");
   command->add_option("--given", options->given,
                       "A folder with exercise files that students may use, as an earlier year's sample; the "
                       "handout's stubs are always taken off");
