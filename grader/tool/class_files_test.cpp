@@ -62,7 +62,7 @@ TEST_F(ClassFiles, AreTheSameBeforeAndAfterTheRecord) {
   SubmissionResult full = submission_full_of(std::string("\0\xff\x1b[31m<\"", 9));
   full.name = "full";
   record_.put({full});
-  write_student_files(folder_, {full});
+  write_student_files(folder_, {full}, {});
   const std::map<std::string, std::string> made = files();
   write();
   for (const auto& [name, bytes] : made) EXPECT_TRUE(files().at(name) == bytes) << name;
