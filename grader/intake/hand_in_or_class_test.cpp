@@ -84,7 +84,8 @@ TEST_F(Submissions, ALoneHandInIsTakenForOne) {
 // As their names are an argument's, and anybody's in a class.
 TEST_F(Submissions, AnArgumentStandsBesideItsNameInAClass) {
   const fs::path alice = write("alice_1_2_x.zip", zip("conj_grad.cpp", "a"));
-  const fs::path other = write("other.zip", folders({"alice_1_2_x.zip", "mallory_3_4_x.zip"}));
+  const fs::path other =
+      write("a.zip", folders({"alice_1_2_x.zip", "mallory_3_4_x.zip"}));  // its path comes first
   const Intake intake = take({other, alice});
   ASSERT_EQ(intake.submissions.size(), 3U);
   EXPECT_EQ(intake.submissions[0].name, "alice_1");
