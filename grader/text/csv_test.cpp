@@ -92,6 +92,13 @@ TEST(Csv, SaysWhatIsWrongAndWhere) {
   EXPECT_EQ(error_of("\xff\xfei\0d"s), "r.csv: is UTF-16 and ends within a letter; save it as UTF-8");
 }
 
+TEST(Csv, LinesWithinACellCount) {
+  const Csv table = parse_csv("a,b\n\"x\ny\",1\n2,3\n", "t.csv");
+  ASSERT_EQ(table.rows.size(), 3u);
+  EXPECT_EQ(place_of(table, table.rows[1]), "t.csv, line 2");
+  EXPECT_EQ(place_of(table, table.rows[2]), "t.csv, line 4");
+}
+
 TEST(Csv, FindsAColumnOnce) {
   const Csv table = parse_csv("SIS Login ID, name ,Name 2,e,E\n", "r.csv");
   EXPECT_EQ(column_of(table, "sis login id"), 0u);
