@@ -90,6 +90,12 @@ nav ul { margin: .4rem 0; padding-left: 1.25rem; } .text { text-align: left; }
 .cases tr > *, .runs tr > * { border: 0; padding: 0; } .cases td:nth-child(1) { grid-area: no; } .cases th { grid-area: name; } .cases td:nth-child(3) { grid-area: badge; }
 .cases td:nth-child(4) { grid-area: points; } .cases td:nth-child(5) { grid-area: saw; } .cases pre { white-space: pre-wrap; }
 }
+.view #picture { display: block; width: 100%; aspect-ratio: 16 / 9; max-height: 62vh; border-radius: .375rem; touch-action: none; cursor: grab; }
+.view #picture:focus-visible { outline: 2px solid var(--link); outline-offset: 2px; } .view #note:empty { display: none; } body:has(.view) { max-width: 72rem; }
+.controls { display: flex; flex-wrap: wrap; gap: .5rem 1rem; align-items: center; margin: .6rem 0; } .controls input[type=range] { flex: 1 1 12rem; min-width: 8rem; }
+.controls button { min-width: 4.5rem; } .controls label { white-space: nowrap; } .controls button, .controls select { font: inherit; } .controls select { max-width: 14rem; }
+#moment { max-width: none; font-variant-numeric: tabular-nums; } #plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(19rem, 1fr)); gap: .5rem 1.5rem; }
+.plot canvas { display: block; width: 100%; height: 9rem; border: 0 solid var(--line); cursor: crosshair; touch-action: pan-y; }
 @media print { body { max-width: none; padding: 0; } figure, tr { break-inside: avoid; } h2 { break-after: avoid; } .badge, .note, .stamp { border: 1px solid; } }
 )css";
 

@@ -30,5 +30,6 @@ Command add_stability_command(CLI::App& program);
 Command add_study_command(CLI::App& program);
 Command add_study_head_command(CLI::App& study);  // a command of the command `study`
 Command add_validate_command(CLI::App& program);
+Command add_view_command(CLI::App& program);
 
 }  // namespace hair

@@ -26,7 +26,10 @@ int play_scene(const PlayOptions& options, const Course& course) {
   const double read_seconds = reading.seconds();
   scene.hair.jobs =
       options.jobs > 0 ? options.jobs : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const RunSettings settings{options.out, options.frames, !options.no_render, read_seconds};
+  const RunSettings settings{.out = options.out,
+                             .frames = options.frames,
+                             .render = !options.no_render,
+                             .read_seconds = read_seconds};
   if (options.explain) {
     std::cout << scene.name << ": " << printable(scene.shows, 200) << "\n"
               << explanation(explain(scene, settings.render, course)) << std::flush;

@@ -88,7 +88,7 @@ const OutputKind& run_output() {
   static const OutputKind kind{"hairlab run",
                                "run.json",
                                std::string(kRunRecordBegin),
-                               {"film.mp4", "states.bin", "states.csv"},
+                               {"film.mp4", "motion.json", "states.bin", "states.csv", "view.html"},
                                true};
   return kind;
 }

@@ -6,13 +6,15 @@
 #include "hair/io/files/cache_folder.h"
 #include "hair/io/image/png.h"
 #include "hair/lab/run/film.h"
+#include "hair/lab/run/motion_of_run.h"
 #include "hair/lab/run/output_file.h"
 #include "hair/lab/run/output_folder.h"
-#include "hair/lab/run/pictures.h"
 #include "hair/lab/run/states_csv.h"
 #include "hair/lab/run/states_file.h"
 #include "hair/lab/run/strip_pushes.h"
 #include "hair/render/idle_guides.h"
+#include "hair/render/renderer.h"
+#include "hair/render/scene_drawing.h"
 #include "hair/scene/playback.h"
 #include "solver/timing.h"
 
@@ -28,8 +30,10 @@ std::unique_ptr<Playback> assemble(const Scene& scene) {
   }
 }
 
-// Pictures if they are asked for and this machine can draw; else why there are none.
-std::unique_ptr<Pictures> prepare_pictures(const Scene& scene, const RunSettings& settings, RunRecord& record,
+// A renderer if pictures are asked for and this machine can draw; else why there are none. It loads the OpenGL libraries, so runs without
+// pictures don't.
+std::unique_ptr<Renderer> prepare_renderer(const Scene& scene, const RunSettings& settings,
+                                           const SceneDrawing& drawing, RunRecord& record,
                                            std::ostream& notes) {
   if (!scene.look) {
     record.no_pictures = "the scene has no \"render\"";
@@ -37,9 +41,10 @@ std::unique_ptr<Pictures> prepare_pictures(const Scene& scene, const RunSettings
     record.no_pictures = "--no-render";
   } else {
     try {
-      auto pictures = std::make_unique<Pictures>(scene, record.strands, cache_folder());
-      record.opengl = pictures->about();
-      return pictures;
+      auto renderer = std::make_unique<Renderer>(drawing.settings());
+      renderer->measure(true);
+      record.opengl = renderer->about();
+      return renderer;
     } catch (const NoOpenGl& error) {
       record.no_pictures = error.what();
       notes << "no pictures: " << error.what() << "\n";
@@ -49,20 +54,30 @@ std::unique_ptr<Pictures> prepare_pictures(const Scene& scene, const RunSettings
   return {};
 }
 
+// As the scene is drawn where nobody asks for its dense hair: H10 is not called.
+Scene without_dense_hair(Scene scene) {
+  scene.dense.clear();
+  scene.still.clear();
+  return scene;
+}
+
 // Where frames go.
 class FrameWriter {
  public:
-  FrameWriter(const Scene& scene, const OutputFolder& folder, const Playback& playback, Pictures* pictures,
-              RunRecord& record, timing::Laps& laps)
-      : folder_(folder),
+  FrameWriter(const Scene& scene, const OutputFolder& folder, const Playback& playback,
+              const SceneDrawing& drawing, Renderer* renderer, RunRecord& record, timing::Laps& laps)
+      : scene_(scene),
+        folder_(folder),
         playback_(playback),
-        pictures_(pictures),
+        drawing_(drawing),
+        renderer_(renderer),
         record_(record),
         laps_(laps),
         dense_(!scene.dense.empty()),
         binary_(folder.now("states.bin"), folder.then("states.bin"), playback.sizes(),
                 static_cast<int>(playback.state().x.size() / 3), playback.coordinates().front()),
-        csv_(folder.now("states.csv"), folder.then("states.csv"), record.strands) {}
+        csv_(folder.now("states.csv"), folder.then("states.csv"), record.strands),
+        motion_(record.frames_asked + 1) {}
 
   // Where the playback is now.
   void add() {
@@ -74,21 +89,24 @@ class FrameWriter {
     binary_.add(playback_.time(), state);
     csv_.add(playback_.time(), lines);
     laps_.book(seconds.write);
-    if (!pictures_) return;
+    const Drawing drawing =
+        drawing_.at(lines, playback_.obstacles(), playback_.time(), playback_.mesh_record());
+    motion_.add(drawing);
+    laps_.book(seconds.lay_out);
+    if (!renderer_) return;
     const double rendered = rendering();
-    const Image image =
-        pictures_->draw(lines, playback_.obstacles(), playback_.time(), playback_.mesh_record());
+    const Image image = renderer_->draw(drawing, drawing_.camera());
     laps_.book(seconds.lay_out);
     seconds.lay_out -= rendering() - rendered;
-    if (dense_) record_.dense = pictures_->synthesised();
-    record_.moved_out = pictures_->moved_out();
+    if (dense_) record_.dense = drawing_.synthesised();
+    record_.moved_out = drawing_.moved_out();
     write_whole(folder_, frame_name(frame), encode_png(image));
     laps_.book(seconds.png);
   }
 
   // s, of all pictures so far.
   double rendering() const {
-    const RenderTimes& times = pictures_->times();
+    const RenderTimes& times = renderer_->times();
     return times.upload + times.shadow + times.draw + times.read_back;
   }
 
@@ -96,18 +114,22 @@ class FrameWriter {
     if (record_.links) binary_.add(*record_.links);
     binary_.close();
     csv_.close();
+    write_whole(folder_, kMotionFile, motion_json(scene_, record_, drawing_.camera(), motion_));
     laps_.book(record_.seconds.write);
   }
 
  private:
+  const Scene& scene_;
   const OutputFolder& folder_;
   const Playback& playback_;
-  Pictures* pictures_;
+  const SceneDrawing& drawing_;
+  Renderer* renderer_;
   RunRecord& record_;
   timing::Laps& laps_;
   bool dense_;
   StatesWriter binary_;
   CsvWriter csv_;
+  MotionFrames motion_;
 };
 
 void play(Playback& playback, FrameWriter& frames, RunRecord& record, timing::Laps& laps,
@@ -146,13 +168,16 @@ RunResult run_scene(const Scene& scene, const RunSettings& settings, const std::
   record.particles = static_cast<int>(playback->centre_lines(playback->state()).x.size() / 3);
   if (const auto slow = too_thick_strips(scene)) notes << scene.name << ": " << *slow << std::endl;
   laps.book(seconds.assemble);
-  const std::unique_ptr<Pictures> pictures = prepare_pictures(scene, settings, record, notes);
-  if (pictures && !scene.dense.empty()) {
-    const std::vector<int> idle = idle_guides(scene, pictures->drawing());
+  const bool draws = settings.draws || (settings.render && scene.look);
+  const Scene bare = draws ? Scene() : without_dense_hair(scene);
+  const SceneDrawing drawing(draws ? scene : bare, record.strands, cache_folder());
+  const std::unique_ptr<Renderer> renderer = prepare_renderer(scene, settings, drawing, record, notes);
+  if (renderer && !scene.dense.empty()) {
+    const std::vector<int> idle = idle_guides(scene, drawing);
     record.guides_left_out = idle.size();
     playback->leave_out(idle);
   }
-  FrameWriter frames(scene, folder, *playback, pictures.get(), record, laps);
+  FrameWriter frames(scene, folder, *playback, drawing, renderer.get(), record, laps);
   laps.book(seconds.prepare);
   play(*playback, frames, record, laps, interrupted, progress);
   if (const MeshRecord* mesh = playback->mesh_record()) {
@@ -160,10 +185,10 @@ RunResult run_scene(const Scene& scene, const RunSettings& settings, const std::
     for (const StaticLink& link : scene.hair.mesh->links) record.links->particles.push_back({link.a, link.b});
     record.worn_off = mesh->worn_off;
   }
-  frames.close();
   record.warnings = playback->warnings();
-  if (pictures) {
-    const RenderTimes& times = pictures->times();
+  frames.close();
+  if (renderer) {
+    const RenderTimes& times = renderer->times();
     seconds.upload = times.upload;
     seconds.shadow = times.shadow;
     seconds.draw = times.draw;

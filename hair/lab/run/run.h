@@ -17,7 +17,9 @@ struct RunSettings {
   std::filesystem::path out;
   std::optional<int> frames;  // after the first one; overrides the scene's number
   bool render = true;         // if the scene has a look
-  double read_seconds = 0;    // what it took to read the scene
+  bool draws =
+      false;  // without pictures, too, the page shows dense hair, which needs H10; `render` says so as well
+  double read_seconds = 0;  // what it took to read the scene
 };
 
 struct RunResult {

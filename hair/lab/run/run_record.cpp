@@ -18,18 +18,6 @@ std::string text_or_null(const std::string& text) {
   return text.empty() ? "null" : json_text(text);
 }
 
-const char* name_of(Ending ending) {
-  switch (ending) {
-    case Ending::finished:
-      return "finished";
-    case Ending::interrupted:
-      return "interrupted";
-    case Ending::blow_up:
-      return "blow-up";
-  }
-  return "";
-}
-
 std::string text_of(const Work& work) {
   return json_object({{"strand_steps", json_text(work.strand_steps)},
                       {"solver_steps", json_text(work.solver_steps)},
@@ -113,6 +101,18 @@ std::string links_text(const RunRecord& record) {
 }
 
 }  // namespace
+
+const char* name_of(Ending ending) {
+  switch (ending) {
+    case Ending::finished:
+      return "finished";
+    case Ending::interrupted:
+      return "interrupted";
+    case Ending::blow_up:
+      return "blow-up";
+  }
+  return "";
+}
 
 std::string warning_text(const std::vector<Warning>& warnings) {
   std::ostringstream text;

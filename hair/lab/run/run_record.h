@@ -13,6 +13,7 @@
 namespace hair {
 
 enum class Ending { finished, interrupted, blow_up };
+const char* name_of(Ending ending);  // "finished", "interrupted", "blow-up"
 
 struct FrameRecord {
   double time = 0;  // s

@@ -82,7 +82,8 @@ TEST_F(Hairlab, WritesStatesMeasuresAndNothingElseWithoutPictures) {
   EXPECT_EQ(run.errors, "");
   EXPECT_EQ(run.output, out_.string() + ": 5 frames, no pictures\n");
   EXPECT_EQ(folder_.names(), (std::vector<std::string>{"out", "scene.json"}));
-  EXPECT_EQ(folder_.names("out"), (std::vector<std::string>{"run.json", "states.bin", "states.csv"}));
+  EXPECT_EQ(folder_.names("out"),
+            (std::vector<std::string>{"motion.json", "run.json", "states.bin", "states.csv"}));
 
   const StatesFile states = read_states(out_ / "states.bin");
   EXPECT_EQ(states.strands, std::vector<int>{7});
@@ -207,7 +208,8 @@ TEST_F(Hairlab, WritesAllButPicturesWithoutOpenGl) {
   EXPECT_TRUE(has(run.errors, "no pictures: ")) << run.errors;
   EXPECT_TRUE(has(run.errors, "libosmesa6")) << run.errors;
   EXPECT_EQ(lines_of(run.errors), 1) << run.errors;
-  EXPECT_EQ(folder_.names("out"), (std::vector<std::string>{"run.json", "states.bin", "states.csv"}));
+  EXPECT_EQ(folder_.names("out"),
+            (std::vector<std::string>{"motion.json", "run.json", "states.bin", "states.csv"}));
   EXPECT_TRUE(has(read_run(out_)["no_pictures"], "libosmesa6"));
 }
 
