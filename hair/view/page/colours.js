@@ -37,7 +37,11 @@ function distance(motion, frame, i, j) {
 // The largest part by which a segment is longer or shorter than in the first frame.
 const STRETCH_SHOWN = 0.1;
 
-// Four bytes a point: its colour, and 255 where a segment begins at it, or 0 at a strand's tip. `other`: the other run's motion, or null.
+// Strands that stay when all are too many: the last share.
+const SHARES = 3;
+
+// Four bytes a point: its colour, and its strand's share, in steps of 255 / SHARES; 0 at a tip, where no segment begins. `other`: the other run's
+// motion, or null.
 function colourPoints(bytes, motion, k, way, run, other) {
   const starts = strandStarts(motion), now = motion.frame(k), first = motion.frame(0);
   const broken = motion.blow_up && k >= motion.frames - 2 ? motion.blow_up.strand : -1;
@@ -58,7 +62,7 @@ function colourPoints(bytes, motion, k, way, run, other) {
       }
       colour = colour || motion.root.map((c, axis) => c + (motion.tip[axis] - c) * along);
       for (let axis = 0; axis < 3; ++axis) bytes[4 * i + axis] = Math.round(255 * colour[axis]);
-      bytes[4 * i + 3] = last ? 0 : 255;
+      bytes[4 * i + 3] = last ? 0 : (255 / SHARES) * (1 + (s % SHARES));
     }
   }
 }

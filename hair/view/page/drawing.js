@@ -95,8 +95,7 @@ function makeDrawing(canvas) {
     });
   };
 
-  // one of `every` strands
-  const ribbons = (held, scene, between, every) => {
+  const ribbons = (held, scene, between, few) => {
     const { motion } = held, at = use(programs.ribbons);
     gl.uniformMatrix4fv(at.camera, false, scene.camera);
     gl.uniform3fv(at.low, motion.low);
@@ -106,17 +105,16 @@ function makeDrawing(canvas) {
     gl.uniform1f(at.width, motion.width / 2);
     gl.uniform1f(at.thin, (motion.strands.length > 300 ? 0.5 : 1) * scene.pixels);
     gl.uniform1f(at.focal, (canvas.height / 2) / Math.tan(scene.fieldOfView / 2));
-    const draw = (first, count) => {
-      const from = first * BYTES_OF_POINT;
-      attribute(0, held.now, 3, gl.UNSIGNED_SHORT, true, BYTES_OF_POINT, from, 1);
-      attribute(1, held.now, 3, gl.UNSIGNED_SHORT, true, BYTES_OF_POINT, from + BYTES_OF_POINT, 1);
-      attribute(2, held.next, 3, gl.UNSIGNED_SHORT, true, BYTES_OF_POINT, from, 1);
-      attribute(3, held.next, 3, gl.UNSIGNED_SHORT, true, BYTES_OF_POINT, from + BYTES_OF_POINT, 1);
-      attribute(4, held.colours, 4, gl.UNSIGNED_BYTE, true, 4, 4 * first, 1);
-      attribute(5, held.colours, 4, gl.UNSIGNED_BYTE, true, 4, 4 * first + 4, 1);
-      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, count);
-    };
-    if (held.strandPoints > 1) draw(0, Math.floor((held.strandPoints - 1) / every));
+    gl.uniform1f(at.least, (few ? SHARES - 0.5 : 0.5) / SHARES);
+    if (held.strandPoints > 1) {
+      attribute(0, held.now, 3, gl.UNSIGNED_SHORT, true, BYTES_OF_POINT, 0, 1);
+      attribute(1, held.now, 3, gl.UNSIGNED_SHORT, true, BYTES_OF_POINT, BYTES_OF_POINT, 1);
+      attribute(2, held.next, 3, gl.UNSIGNED_SHORT, true, BYTES_OF_POINT, 0, 1);
+      attribute(3, held.next, 3, gl.UNSIGNED_SHORT, true, BYTES_OF_POINT, BYTES_OF_POINT, 1);
+      attribute(4, held.colours, 4, gl.UNSIGNED_BYTE, true, 4, 0, 1);
+      attribute(5, held.colours, 4, gl.UNSIGNED_BYTE, true, 4, 4, 1);
+      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, held.strandPoints - 1);
+    }
     noAttributes();
   };
 
@@ -194,8 +192,8 @@ function makeDrawing(canvas) {
   return {
     upload: (motion) => uploadMotion(gl, motion),
     // scene: camera, eye, target, fieldOfView, pixels (of the screen for one of the page), background; runs: held, k, between, and `tint`, which
-    // names the colours and writes them
-    draw(scene, runs, every) {
+    // names the colours and writes them. few: of many strands a share is drawn
+    draw(scene, runs, few) {
       gl.viewport(0, 0, canvas.width, canvas.height);
       gl.clearColor(...scene.background, 1);
       gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
@@ -210,7 +208,7 @@ function makeDrawing(canvas) {
         }
         surfaces(held, scene, k, between);
         rods(held, scene, k, between);
-        ribbons(held, scene, between, every);
+        ribbons(held, scene, between, few);
       }
       for (const { held, k } of runs) planes(held, scene, k);
     },

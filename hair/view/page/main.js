@@ -30,7 +30,7 @@ function show() {
   const clock = makeClock(duration), orbit = makeOrbit(runs[0].camera);
   let canvas = $("picture"), drawing = chooseDrawing(canvas), held = runs.map(drawing.upload);
   const shown = runs.map(() => true);
-  let seconds = 0, dirty = true;
+  let seconds = 0, dirty = true; // seconds: from a picture of all strands to the next one
 
   const again = () => { dirty = true; };
   const seek = (time) => { clock.seek(time); again(); };
@@ -127,23 +127,25 @@ function show() {
     };
     const now = runs.map((run, i) => ({ held: held[i], run: i, ...frameAt(run, time) })).filter((one) => shown[one.run]);
     for (const one of now) one.tint = tint(one.run, one.k);
-    const begin = performance.now();
-    drawing.draw(scene, now, moves && seconds > SLOW ? 3 : 1);
-    if (!moves) seconds = (performance.now() - begin) / 1000;
+    const few = moves && seconds > SLOW;
+    drawing.draw(scene, now, few);
     for (const plot of plots) plot.draw(time);
     const { k } = frameAt(runs[0], time);
     $("time").value = k;
     $("time").setAttribute("aria-valuetext", wordsOfMoment(runs[0], k));
     told("play", clock.playing ? "Stop" : "Play");
     const broken = runs.find((run) => run.blow_up && time >= run.duration);
-    told("moment", wordsOfMoment(runs[0], k) + (broken ? `. ${broken.name} broke here: ${broken.blow_up.text}` : ""));
+    told("moment", wordsOfMoment(runs[0], k) + (broken ? `. ${broken.name} broke here: ${broken.blow_up.text}` : "") + (few ? ". While the view moves, a third of the strands is shown" : ""));
     canvas.setAttribute("aria-label", `${runs.map((run) => run.name).join(" and ")}. ${wordsOfMoment(runs[0], k)}. ${WORDS_OF_KEYS}`);
     return moves;
   };
 
-  let moved = true;
+  let moved = true, last = 0; // last: when it drew, ms; 0: it did not in the last turn
   const loop = (at) => {
-    if (dirty || clock.playing || moved || at - orbit.moved < 400) {
+    const draws = dirty || clock.playing || moved || at - orbit.moved < 400;
+    if (draws && last > 0 && !moved) seconds = (at - last) / 1000;
+    last = draws ? at : 0;
+    if (draws) {
       dirty = false;
       moved = draw(at);
       ++window.hairView.pictures;

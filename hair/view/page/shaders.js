@@ -8,17 +8,17 @@ layout(location = 0) in vec3 a0; // a segment's ends, in this frame
 layout(location = 1) in vec3 b0;
 layout(location = 2) in vec3 a1; // and in the next one
 layout(location = 3) in vec3 b1;
-layout(location = 4) in vec4 colourA; // its last number: 0 at a strand's tip, where no segment begins
+layout(location = 4) in vec4 colourA; // its last number: 0 at a strand's tip, where no segment begins; else its strand's share
 layout(location = 5) in vec4 colourB;
 uniform mat4 camera;
 uniform vec3 low, size;
 uniform vec2 half_picture; // pixels
-uniform float between, width, thin, focal; // m and pixels are halves of a ribbon's
+uniform float between, width, thin, focal, least; // m and pixels are halves of a ribbon's
 out vec3 colour;
 void main() {
   vec3 a = low + size * mix(a0, a1, between), b = low + size * mix(b0, b1, between);
   vec4 p = camera * vec4(a, 1.0), q = camera * vec4(b, 1.0);
-  if (colourA.a < 0.5 || p.w <= 0.0 || q.w <= 0.0) {
+  if (colourA.a < least || p.w <= 0.0 || q.w <= 0.0) {
     gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
     return;
   }
