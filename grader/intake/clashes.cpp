@@ -16,13 +16,14 @@ bool comes_before(const Draft& a, const Draft& b) {
 }
 
 // A draft and another one of its name.
-void mark(Draft& draft, const std::string& name, const Draft& other, std::vector<std::string>& notices) {
+void mark(Draft& draft, const std::string& name, const Draft& other) {
   const std::string both = " are both the submission \"" + name + "\"";
   draft.submission.origin.clear();  // the name of its row is made of a path, and of no student
   draft.refuse(Refused(draft.shown + " and " + other.shown + both +
                        ", so this one was not graded. One of them needs another name."));
-  notices.push_back(draft.origin + " and " + other.origin + both + "; rename one of them. This one is \"" +
-                    draft.submission.name + "\" for now, and not graded");
+  draft.notices.push_back(draft.origin + " and " + other.origin + both +
+                          "; rename one of them. This one is \"" + draft.submission.name +
+                          "\" for now, and not graded");
 }
 
 }  // namespace
@@ -63,7 +64,7 @@ void resolve_clashes(std::vector<Draft>& drafts, std::vector<std::string>& notic
       while (!taken.insert(own).second) own += 'x';
       drafts[i].submission.name = own;
       if (alone) continue;  // "x 1" and "x_1" are two people
-      mark(drafts[i], name, drafts[i == begin ? begin + 1 : begin], notices);
+      mark(drafts[i], name, drafts[i == begin ? begin + 1 : begin]);
     }
   }
   std::sort(drafts.begin(), drafts.end(), comes_before);

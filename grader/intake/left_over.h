@@ -1,7 +1,8 @@
-// STAFF ONLY. The files of the input that reached no hand-in that counts, as JSON for pages and programs: DIR/left-over.json.
+// STAFF ONLY. The files of the input that reached no hand-in that counts, for the record, pages and programs: DIR/left-over.json.
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "grader/intake/submission.h"
 
@@ -9,7 +10,13 @@ namespace grader {
 
 inline constexpr const char* kLeftOver = "left-over.json";
 
+// The line for staff about a file that is left over.
+std::string line_about(const Accounted& left_over);
+
+// All files but those of hand-ins, and the notices that are about none of these.
+std::vector<Accounted> listed(const Intake& intake);
+
 // An object: "left_over", "older" and "made", each a list of {"path", "reason", "whose"}; and "notices", lines for staff.
-std::string left_over_json(const Intake& intake);
+std::string left_over_json(const std::vector<Accounted>& listed);
 
 }  // namespace grader

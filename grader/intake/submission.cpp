@@ -16,6 +16,7 @@
 #include "grader/intake/layouts/division.h"
 #include "grader/intake/layouts/folders.h"
 #include "grader/intake/layouts/gradescope.h"
+#include "grader/intake/left_over.h"
 #include "grader/intake/names.h"
 #include "grader/intake/origin.h"
 #include "grader/intake/several_people.h"
@@ -324,13 +325,13 @@ void ClassReader::read_hand_in(const fs::path& folder, const std::string& name) 
 
 Intake ClassReader::finish() {
   for (const Accounted& file : intake_.accounted)
-    if (file.as == Accounted::As::left_over)
-      intake_.notices.push_back(file.path + ": was not graded, since it " + file.reason);
+    if (file.as == Accounted::As::left_over) intake_.notices.push_back(line_about(file));
   for (Draft& draft : drafts_) draft.finish(files_);
   resolve_clashes(drafts_, intake_.notices);
   for (Draft& draft : drafts_) {
     for (Accounted& file : draft.accounted) file.whose = draft.submission.name;
     std::ranges::move(draft.accounted, std::back_inserter(intake_.accounted));
+    for (const std::string& notice : draft.notices) intake_.whose_notice[notice] = draft.submission.name;
     std::ranges::move(draft.notices, std::back_inserter(intake_.notices));
     std::ranges::move(draft.remarks, std::back_inserter(intake_.remarks));
     intake_.submissions.push_back(std::move(draft.submission));

@@ -59,6 +59,8 @@ struct Intake {
   std::vector<std::string> taken_for;
   // For staff, a line each that a person must look at: files that belong to nobody, archives that stayed shut, names that clash.
   std::vector<std::string> notices;
+  std::map<std::string, std::string> whose_notice =
+      {};  // by notice: the submission that it is about, if it is about one
   // For staff, a line each that is good to know: names that were guessed, files taken under other names, who has handed in nothing
   // that counts.
   std::vector<std::string> remarks;

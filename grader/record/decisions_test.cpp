@@ -146,7 +146,9 @@ TEST_F(Decisions, ApplyBeforeTheRulesOfTheHandIn) {
   EXPECT_EQ(points(now()), 10 - 2);
   decide(DecisionKind::late_days, "", 1, "ill");
   EXPECT_EQ(points(now()), 10 - 1);
+  EXPECT_EQ(record_.find_decided("alice").value().late, (Lateness{"2025-03-06 10:00:00", 2, 1, 1}));
   record_.put({alice()}, "2025-03-04 10:00:00");
+  EXPECT_EQ(record_.find_decided("alice").value().late, (Lateness{"2025-03-04 10:00:00", 0, 0, 0}));
   EXPECT_EQ(points(now()), 10) << "the hand-in that was graded last counts";
   record_.put({alice()}, "2025-03-06 10:00:00");
   EXPECT_EQ(points(now()), 10 - 1) << "also if it was there before";

@@ -64,10 +64,22 @@ std::string Record::export_json() {
         people[text(row, 0)]["log"].push_back(
             {{"at", text(row, 1)}, {"who", text(row, 2)}, {"did", text(row, 3)}, {"detail", text(row, 4)}});
       });
+  OrderedJson files = OrderedJson::array();
+  database_.each(
+      "SELECT listed_as, path, reason, coalesce(name, '') FROM listed_files LEFT JOIN people ON people.id = "
+      "person "
+      "ORDER BY place",
+      {}, [&](const DatabaseRow& row) {
+        files.push_back({{"as", text(row, 0)},
+                         {"path", text(row, 1)},
+                         {"reason", text(row, 2)},
+                         {"whose", text(row, 3)}});
+      });
   const OrderedJson all = {
       {"version", database_.number("PRAGMA user_version")},
       {"made_by", json_or_null(database_.text("SELECT made_by FROM assignments WHERE name = ''"))},
-      {"people", people}};
+      {"people", people},
+      {"listed_files", files}};
   return all.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 

@@ -74,6 +74,11 @@ void Record::add_to_log(std::optional<std::int64_t> person, const std::string& d
       {user(), assignment(), person ? Value(*person) : Value(nullptr), did, detail});
 }
 
+std::string Record::now() {
+  const std::lock_guard lock(one_at_a_time_);
+  return database_.text("SELECT strftime('%Y-%m-%d %H:%M:%S', 'now')");
+}
+
 std::string Record::made_by() {
   const std::lock_guard lock(one_at_a_time_);
   return database_.text("SELECT made_by FROM assignments WHERE name = ''");
@@ -216,6 +221,13 @@ std::vector<LogEntry> Record::log(const std::string& name) {
 void Record::forget(const std::string& name) {
   const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
+  // Paths of files that are nobody's may name them all the same.
+  database_.run(
+      "DELETE FROM listed_files WHERE person IS NULL AND EXISTS (SELECT 1 FROM people LEFT JOIN owners ON "
+      "owners.person = people.id WHERE people.name = ? AND (instr(path || reason, people.name) OR instr(path "
+      "|| "
+      "reason, nullif(json_extract(owner, '$.name'), ''))))",
+      {name});
   forget_on_roster(name);
   database_.run("DELETE FROM people WHERE id = ?", {known_person(name)});
   remove_pictures_that_none_shows();

@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "grader/intake/accounted.h"
 #include "grader/record/database.h"
 #include "grader/record/decisions.h"
 #include "grader/record/rules.h"
@@ -35,6 +36,7 @@ struct Recorded {
   SubmissionResult result;
   std::optional<StudyPair> study = {};
   TimingByExercise costs = {};
+  Lateness late = {};  // of find_decided
 };
 
 struct LogEntry {
@@ -98,6 +100,12 @@ class Record {
 
   void set_run(const TimingByExercise& reference, const std::optional<LastRun>& run);
   ClassCosts costs();
+  std::string now();  // "2025-03-04 10:15:22" (UTC)
+
+  // Files of the last run's input that reached no hand-in, and notices. Replaces those of an earlier run; leaves out those of people
+  // whom it does not know.
+  void set_listed(const std::vector<Accounted>& listed);
+  std::vector<Accounted> listed();
 
   // Oldest first; throws BadInput for a name that the record does not have.
   std::vector<LogEntry> log(const std::string& name);
@@ -115,7 +123,8 @@ class Record {
   std::int64_t known_person(const std::string& name);
   std::optional<Recorded> read(const std::string& name);
   HandInRules stored_rules();
-  SubmissionResult under_rules(SubmissionResult result, const HandInRules& rules, const ChangePoints& change);
+  SubmissionResult under_rules(SubmissionResult result, const HandInRules& rules, const ChangePoints& change,
+                               Lateness* late = nullptr);
   std::vector<Decision> decisions_of(const std::string& name);
   HandIn hand_in_of(const DatabaseRow& row) const;
   std::vector<HandIn> read_hand_ins();

@@ -46,7 +46,7 @@ void Record::set_rules(const HandInRules& rules) {
 }
 
 SubmissionResult Record::under_rules(SubmissionResult result, const HandInRules& rules,
-                                     const ChangePoints& change) {
+                                     const ChangePoints& change, Lateness* late) {
   const std::vector<Decision> decisions = decisions_of(result.name);
   double more_days = 0;
   for (const Decision& one : decisions)
@@ -58,6 +58,7 @@ SubmissionResult Record::under_rules(SubmissionResult result, const HandInRules&
       {result.name});
   result = decided(std::move(result), decisions);
   if (change) change(result);
+  if (late) *late = lateness(rules, result, handed_in, more_days);
   return under(rules, std::move(result), handed_in, more_days);
 }
 
@@ -65,7 +66,7 @@ std::optional<Recorded> Record::find_decided(const std::string& name) {
   const std::lock_guard lock(one_at_a_time_);
   const Transaction one_state(database_, Transaction::reads);
   std::optional<Recorded> found = read(name);
-  if (found) found->result = under_rules(std::move(found->result), stored_rules(), {});
+  if (found) found->result = under_rules(std::move(found->result), stored_rules(), {}, &found->late);
   return found;
 }
 

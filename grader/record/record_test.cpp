@@ -120,6 +120,37 @@ TEST_P(RecordOfAClass, ForgetsEveryByte) {
   EXPECT_EQ(record.names().size(), 2U);
 }
 
+TEST_P(RecordOfAClass, ListsTheLastRunsFilesAndForgetsWhoTheyAreOf) {
+  using enum Accounted::As;
+  Record record(dir_, GetParam());
+  record.put_people({{"bob", {}, "folders"}, {"carol", {}, "folders"}});
+  record.set_listed({{"an/earlier/run", left_over, "is gone", ""}});
+  const std::vector<Accounted> all{{"c/bob/a.cpp", older, "a newer one counts", "bob"},
+                                   {"c/x.cpp", left_over, "belongs to nobody", ""},
+                                   {"c/bob.rtf", left_over, "belongs to nobody", ""},
+                                   {"", notice, "c/carol: stayed shut", "carol"},
+                                   {"c/dave/a.cpp", older, "is of one whom nobody asked for", "dave"},
+                                   {"c/i.html", made, "is the system's", ""}};
+  record.set_listed(all);
+  const auto told = [&] {
+    std::string text;
+    for (const Accounted& file : Record(dir_, GetParam()).listed())
+      text += to_string(file.as) + " " + file.path + " " + file.reason + " " + file.whose + "\n";
+    return text;
+  };
+  EXPECT_EQ(told(),
+            "older c/bob/a.cpp a newer one counts bob\nleft_over c/x.cpp belongs to nobody \nleft_over "
+            "c/bob.rtf belongs "
+            "to nobody \nnotice  c/carol: stayed shut carol\nmade c/i.html is the system's \n");
+  EXPECT_NE(record.export_json().find("c/carol: stayed shut"), std::string::npos);
+  record.forget("bob");
+  record.shred();
+  EXPECT_EQ(told(),
+            "left_over c/x.cpp belongs to nobody \nnotice  c/carol: stayed shut carol\nmade c/i.html is the "
+            "system's \n");
+  EXPECT_FALSE(holds(dir_, "bob"));
+}
+
 TEST_P(RecordOfAClass, IsNoOtherFile) {
   std::ofstream(file_) << std::string(5000, 'x');
   EXPECT_NE(refusal([&] { record(); }).find("class.sqlite: is damaged"), std::string::npos)

@@ -33,19 +33,32 @@ void cap(const HandInRules& rules, SubmissionResult& result) {
                                 most - total});
 }
 
+double per_cent_of(const HandInRules& rules, const Lateness& late) {
+  return std::min(rules.late_per_cent_at_most, (late.days - late.free_days) * rules.late_per_cent_a_day);
+}
+
+// Of a result whose extra credit is capped.
+Lateness lateness_of(const HandInRules& rules, const SubmissionResult& capped, const std::string& handed_in,
+                     double more_days) {
+  const std::optional<TimeText> time = read_time(handed_in);
+  Lateness late{.handed_in = time ? shown_on_clock_of(*time, rules.zone) : handed_in,
+                .days = late_days(rules, handed_in).value_or(0)};
+  late.free_days = std::min<double>(rules.free_days + more_days, late.days);
+  const double per_cent = per_cent_of(rules, late);
+  const double base = rules.late_of == LateOf::reached ? points(capped) : max_points(capped);
+  late.taken = std::min(points(capped), base * per_cent / 100);
+  return late;
+}
+
 void take_off_for_lateness(const HandInRules& rules, SubmissionResult& result, const std::string& handed_in,
                            double more_days) {
-  const int late = late_days(rules, handed_in).value_or(0);
-  if (late == 0) return;
-  const double free = rules.free_days + more_days, counted = std::max(0.0, late - free);
-  const double per_cent = std::min(rules.late_per_cent_at_most, counted * rules.late_per_cent_a_day);
-  const double base = rules.late_of == LateOf::reached ? points(result) : max_points(result);
-  std::string reason = "Late by " + days(late) + ", handed in " +
-                       shown_on_clock_of(*read_time(handed_in), rules.zone) + ", due " + rules.due;
-  if (free > 0) reason += ", " + days(std::min<double>(free, late)) + " of them free";
-  reason += "; " + shown_number(per_cent) + " per cent of the points " + to_string(rules.late_of) +
-            " are taken off";
-  result.adjustments.push_back({reason, -std::min(points(result), base * per_cent / 100)});
+  const Lateness late = lateness_of(rules, result, handed_in, more_days);
+  if (late.days == 0) return;
+  std::string reason = "Late by " + days(late.days) + ", handed in " + late.handed_in + ", due " + rules.due;
+  if (late.free_days > 0) reason += ", " + days(late.free_days) + " of them free";
+  reason += "; " + shown_number(per_cent_of(rules, late)) + " per cent of the points " +
+            to_string(rules.late_of) + " are taken off";
+  result.adjustments.push_back({reason, -late.taken});
 }
 
 }  // namespace
@@ -106,6 +119,12 @@ std::optional<int> late_days(const HandInRules& rules, const std::string& handed
   const auto on_clock = [&](const TimeText& time) { return minutes_of(on_clock_of(time, rules.zone)); };
   const std::int64_t late = (on_clock(*then) - on_clock(*due)).count();
   return std::max(1, static_cast<int>((late + kMinutesADay - 1) / kMinutesADay));
+}
+
+Lateness lateness(const HandInRules& rules, SubmissionResult result, const std::string& handed_in,
+                  double more_days) {
+  cap(rules, result);
+  return lateness_of(rules, result, handed_in, more_days);
 }
 
 SubmissionResult under(const HandInRules& rules, SubmissionResult result, const std::string& handed_in,

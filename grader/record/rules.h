@@ -18,6 +18,7 @@
 #include <string>
 
 #include "grader/result/fields.h"
+#include "grader/result/lateness.h"
 #include "grader/result/result.h"
 
 namespace grader {
@@ -49,6 +50,10 @@ HandInRules read_rules(const std::optional<std::filesystem::path>& course_json);
 
 // How many days of the calendar `handed_in` (grader/text/time_text.h) is late; 0: it is not. Nothing without both times.
 std::optional<int> late_days(const HandInRules& rules, const std::string& handed_in);
+
+// Of a result before any rule.
+Lateness lateness(const HandInRules& rules, SubmissionResult result, const std::string& handed_in,
+                  double more_days);
 
 // The result with a line for each rule that changes its total. `more_days`: what a person has given.
 SubmissionResult under(const HandInRules& rules, SubmissionResult result, const std::string& handed_in,

@@ -94,10 +94,21 @@ INSERT INTO class VALUES (0);
 ALTER TABLE people ADD COLUMN known_as TEXT NOT NULL DEFAULT ''; -- where name is a code: the name that intake found
 )";
 
+constexpr const char* kListedFiles = R"(
+CREATE TABLE listed_files (
+  place INTEGER PRIMARY KEY,
+  assignment INTEGER NOT NULL REFERENCES assignments,
+  person INTEGER REFERENCES people ON DELETE CASCADE,  -- null: nobody's
+  listed_as TEXT NOT NULL,        -- see intake/accounted.h
+  path TEXT NOT NULL,
+  reason TEXT NOT NULL
+) STRICT;
+)";
+
 }  // namespace
 
 const std::vector<std::string>& migrations() {
-  static const std::vector<std::string> all = {kFirst, kOwners, kRules, kBlind};
+  static const std::vector<std::string> all = {kFirst, kOwners, kRules, kBlind, kListedFiles};
   return all;
 }
 

@@ -118,8 +118,7 @@ Html class_table(const Results& results, const std::vector<Column>& columns, con
 
 }  // namespace
 
-std::string class_page(const Results& results, const std::vector<ClassLine>& lines,
-                       const NamesForPeople& people) {
+std::string class_page(const Results& results, const ClassFacts& facts, const NamesForPeople& people) {
   const std::vector<Column> columns = columns_of(results);
   std::vector<double> totals;
   double reachable = 0;
@@ -130,6 +129,7 @@ std::string class_page(const Results& results, const std::vector<ClassLine>& lin
   const Html pictures = pictures_by_distance(results, {"staff/pictures"}, people);
   const Html link_to_pictures = pictures.text.empty() ? Html() : html("<a href=\"#pictures\">Pictures</a> ");
   Html body = stamps(least_isolation(results), all_with_images(results));
+  body += run_section(facts.run);
   body += html(
       "<header>\n<h1>Grades of the class</h1>\n<p class=\"total\"><strong>{}</strong> of {} points on "
       "average, median {}, {} people</p>\n"
@@ -141,12 +141,15 @@ std::string class_page(const Results& results, const std::vector<ClassLine>& lin
       "href=\"#categories\">Categories</a></nav>\n</header>\n<main>\n",
       {shown_points(mean(totals)), shown_points(reachable), shown_points(timing::median(totals)),
        results.size(), link_to_pictures});
-  body += people_section(lines);
+  body += people_section(facts.people);
+  body += left_over_section(facts.listed);
+  body += late_section(facts);
   body += to_look_at(results, people);
   body += class_table(results, columns, people);
   body += pictures;
   body += exercises_part(results);
   body += distribution_part(results);
+  body += sections_part(results, facts.people);
   body += categories_part(results);
   body += alike_part(results, people);
   body += html("</main>\n");

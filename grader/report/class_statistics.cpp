@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <map>
 #include <utility>
 
@@ -98,6 +99,41 @@ std::vector<CategoryStatistics> category_statistics(const Results& results) {
   std::stable_sort(categories.begin(), categories.end(),
                    [](const auto& a, const auto& b) { return a.share() < b.share(); });
   return categories;
+}
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  std::sort(values.begin(), values.end());
+  const double place = share * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const double above = values[std::min(below + 1, values.size() - 1)];
+  return std::lerp(values[below], above, place - static_cast<double>(below));
+}
+
+std::vector<SectionStatistics> section_statistics(const Results& results,
+                                                  const std::vector<ClassLine>& people) {
+  if (std::ranges::all_of(people, [](const ClassLine& line) { return line.section.empty(); })) return {};
+  std::map<std::string, double> points_of;
+  for (const SubmissionResult& result : results) points_of[result.name] = points(result);
+  const auto by_number = [](const std::string& a, const std::string& b) {
+    return strverscmp(a.c_str(), b.c_str()) < 0;
+  };
+  using IdAndName = std::pair<std::string, std::string>;
+  std::map<std::string, std::map<IdAndName, std::optional<double>>, decltype(by_number)> sections(by_number);
+  for (const ClassLine& line : people) {
+    std::optional<double>& best = sections[line.section][{line.id, line.name}];
+    if (const auto found = points_of.find(line.hand_in); found != points_of.end())
+      best = std::max(best.value_or(found->second), found->second);
+  }
+  std::vector<SectionStatistics> all;
+  for (const auto& [name, members] : sections) {
+    std::vector<double> reached;
+    for (const auto& [person, best] : members)
+      if (best) reached.push_back(*best);
+    all.push_back({name, members.size(), reached.size(), quantile(reached, 0.25), quantile(reached, 0.5),
+                   quantile(reached, 0.75)});
+  }
+  return all;
 }
 
 std::vector<FailAlike> who_fail_alike(const Results& results) {

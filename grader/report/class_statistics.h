@@ -9,6 +9,7 @@
 
 #include "grader/report/columns.h"
 #include "grader/result/result.h"
+#include "grader/roster/class_list.h"
 
 namespace grader {
 
@@ -40,11 +41,23 @@ struct FailAlike {
   std::vector<std::string> categories, people;
 };
 
+// A section of the roster. Each person counts once, with the best of their hand-ins; quartiles are of those who handed in.
+struct SectionStatistics {
+  std::string name;  // "" for people without one
+  std::size_t people = 0, handed_in = 0;
+  double first_quartile = 0, median = 0, third_quartile = 0;
+};
+
 double mean(const std::vector<double>& values);  // 0 of none
 Tenths tenths_of_totals(const std::vector<SubmissionResult>& results);
 std::vector<ExerciseStatistics> exercise_statistics(const std::vector<SubmissionResult>& results);
 std::vector<CategoryStatistics> category_statistics(
     const std::vector<SubmissionResult>& results);  // hardest first
+// By name, "2" before "10". Nothing if nobody has a section.
+std::vector<SectionStatistics> section_statistics(const std::vector<SubmissionResult>& results,
+                                                  const std::vector<ClassLine>& people);
+// The value below which `share` of them are, between two of them in proportion; 0 of none.
+double quantile(std::vector<double> values, double share);
 std::vector<FailAlike> who_fail_alike(
     const std::vector<SubmissionResult>& results);  // three people and more; most first
 

@@ -76,6 +76,31 @@ Html distribution_part(const std::vector<SubmissionResult>& results) {
       {bars_of(tenths_of_totals(results))});
 }
 
+Html sections_part(const std::vector<SubmissionResult>& results, const std::vector<ClassLine>& people) {
+  Html rows;
+  for (const SectionStatistics& one : section_statistics(results, people))
+    rows += html(
+        "<tr><th scope=\"row\">{}</th><td class=\"number\">{}</td><td class=\"number\">{}</td><td "
+        "class=\"number\">{}</td><td "
+        "class=\"number\">{}</td><td class=\"number\">{}</td></tr>\n",
+        {one.name.empty() ? "without a section" : one.name, one.people, one.handed_in,
+         one.handed_in > 0 ? shown_points(one.first_quartile) : "",
+         one.handed_in > 0 ? shown_points(one.median) : "",
+         one.handed_in > 0 ? shown_points(one.third_quartile) : ""});
+  if (rows.text.empty()) return {};
+  return html(R"(<section id="sections">
+<h2>Sections</h2>
+<p class="quiet">Points of those who handed in.</p>
+<div class="wide"><table>
+<thead><tr><th scope="col">Section</th><th scope="col" class="number">People</th><th scope="col" class="number">Handed in</th><th scope="col" class="number">First quartile</th><th scope="col" class="number">Median</th><th scope="col" class="number">Third quartile</th></tr></thead>
+<tbody>
+{}</tbody>
+</table></div>
+</section>
+)",
+              {rows});
+}
+
 // The categories in which most points are lost come first: a lecturer explains them again.
 Html categories_part(const std::vector<SubmissionResult>& results) {
   Html table = html(R"(<section id="categories">

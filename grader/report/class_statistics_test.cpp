@@ -59,6 +59,46 @@ TEST(ClassStatistics, EachPersonCountsOnce) {
   EXPECT_EQ(std::accumulate(exercises[0].points.begin(), exercises[0].points.end(), 0.0), 4);
 }
 
+TEST(ClassStatistics, QuartilesLieBetweenPeopleInProportion) {
+  EXPECT_EQ(quantile({}, 0.5), 0);
+  EXPECT_EQ(quantile({7}, 0.25), 7);
+  EXPECT_EQ(quantile({4, 0, 2}, 0.5), 2);
+  EXPECT_EQ(quantile({4, 0, 2}, 0.25), 1);
+  EXPECT_EQ(quantile({0, 2, 4, 6}, 0.75), 4.5);
+  EXPECT_EQ(quantile({0, 2, 4, 6}, 1), 6);
+}
+
+TEST(ClassStatistics, SectionsCountEachOfTheirPeopleOnce) {
+  std::vector<SubmissionResult> results;
+  for (int i = 0; i < 5; ++i) {
+    std::vector<bool> passes(4, false);
+    std::fill_n(passes.begin(), i, true);
+    results.push_back(person("p" + std::to_string(i), passes));
+  }
+  const std::vector<ClassLine> people{
+      {"p0", "Ann", "1", "", "Tutorial 10", ""},       {"p2", "Bo", "2", "", "Tutorial 10", ""},
+      {"p3", "Cy", "3", "", "Tutorial 2", ""},         {"p1", "Cy", "3", "", "Tutorial 2", ""},
+      {"p3", "Di", "4", "", "Tutorial 2", ""},         {"", "Ed", "5", "", "Tutorial 2", "nothing handed in"},
+      {"", "Flo", "6", "", "<b>", "nothing handed in"}};
+  const std::vector<SectionStatistics> sections = section_statistics(results, people);
+  ASSERT_EQ(sections.size(), 3U);
+  EXPECT_EQ(sections[1].name, "Tutorial 2") << "numbers count as such";
+  EXPECT_EQ(sections[1].people, 3U);
+  EXPECT_EQ(sections[1].handed_in, 2U) << "two hand-ins of one person; of a group's each member has one";
+  EXPECT_EQ(sections[1].median, 3) << "the better one";
+  EXPECT_EQ(sections[2].name, "Tutorial 10");
+  EXPECT_EQ(sections[2].first_quartile, 0.5);
+  EXPECT_EQ(sections[2].third_quartile, 1.5);
+  const std::string page = class_page(results, {.people = people});
+  EXPECT_NE(
+      page.find(
+          "<tr><th scope=\"row\">&lt;b&gt;</th><td class=\"number\">1</td><td class=\"number\">0</td><td "
+          "class=\"number\"></td>"),
+      std::string::npos);
+  EXPECT_TRUE(section_statistics(results, {{"p0", "Ann", "1", "", "", ""}}).empty());
+  EXPECT_EQ(class_page(results, {}).find("id=\"sections\""), std::string::npos);
+}
+
 // Somebody who loses one category, or all, says nothing; two people are no group.
 TEST(ClassStatistics, WhoFailAlikeIsNamed) {
   std::vector<SubmissionResult> results;

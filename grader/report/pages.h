@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "grader/report/class_facts.h"
 #include "grader/result/result.h"
 #include "grader/result/study.h"
-#include "grader/roster/class_list.h"
 #include "hair/io/plot/html.h"
 
 namespace grader {
@@ -22,16 +22,27 @@ std::string staff_page(const SubmissionResult& result, const NamesForPeople& peo
 std::string study_page(const SubmissionResult& result, const SubmissionStudy& study,
                        const SubmissionStudy& beside_itself, const NamesForPeople& people = {});
 
-std::string class_page(const std::vector<SubmissionResult>& results, const std::vector<ClassLine>& lines = {},
+std::string class_page(const std::vector<SubmissionResult>& results, const ClassFacts& facts = {},
                        const NamesForPeople& people = {});  // index.html
 
 // Lists people who are missing, or on no roster; empty if nobody is.
 Html people_section(const std::vector<ClassLine>& people);
 
+// Lists files; empty if there are none.
+Html left_over_section(const std::vector<Accounted>& listed);
+
+// Who was late, where there is a date.
+Html late_section(const ClassFacts& facts);
+
+// Says that the last run is not whole; else empty.
+Html run_section(const std::optional<LastRun>& run);
+
 // Its parts that count people (class_statistics.h).
 Html exercises_part(const std::vector<SubmissionResult>& results);
 Html distribution_part(const std::vector<SubmissionResult>& results);
 Html categories_part(const std::vector<SubmissionResult>& results);
+Html sections_part(const std::vector<SubmissionResult>& results,
+                   const std::vector<ClassLine>& people);  // nothing without sections
 Html alike_part(const std::vector<SubmissionResult>& results,
                 const NamesForPeople& people = {});  // nothing if nobody does
 

@@ -396,15 +396,85 @@ TEST(GradesCsv, HasALineAPersonWithARoster) {
 TEST(ClassPage, SaysWhoIsMissingAndWhoIsOnNoRoster) {
   const std::vector<SubmissionResult> results = sample_class(2);
   const std::string page =
-      class_page(results, {{results[0].name, "<b>J", "1", "", "A", "its id is on no roster"},
-                           {"", "Zoë", "007", "", "B", "nothing handed in"},
-                           {results[1].name, "Ann", "3", "", "A", ""}});
+      class_page(results, {.people = {{results[0].name, "<b>J", "1", "", "A", "its id is on no roster"},
+                                      {"", "Zoë", "007", "", "B", "nothing handed in"},
+                                      {results[1].name, "Ann", "3", "", "A", ""}}});
   EXPECT_NE(page.find("nothing handed in</span> 1</summary>"), std::string::npos);
   EXPECT_NE(page.find("<li>Zoë <span class=\"quiet\">007</span></li>"), std::string::npos);
   EXPECT_NE(page.find("on no roster</span> 1</summary>"), std::string::npos);
   EXPECT_NE(page.find("&lt;b&gt;J</a>"), std::string::npos);
   EXPECT_EQ(count(page, "Ann"), 0u);
   EXPECT_EQ(count(class_page(results), "id=\"people\""), 0u);
+}
+
+TEST(ClassPage, ListsFilesThatReachedNoHandIn) {
+  using enum Accounted::As;
+  const std::vector<SubmissionResult> results = sample_class(2);
+  std::vector<Accounted> listed{{"c.zip/index.html", made, "is the system's", ""},
+                                {"c.zip/<b>.cpp", left_over, "belongs to nobody", ""},
+                                {"c.zip/1/a.zip", older, "a newer one counts", "alice"},
+                                {"", notice, "c.zip/2: <i> stayed shut", "bob"}};
+  std::string page = class_page(results, {.listed = listed});
+  EXPECT_EQ(
+      count(page,
+            "<tr><th scope=\"row\">c.zip/&lt;b&gt;.cpp</th><td>nobody&#39;s</td><td>belongs to nobody</td>"),
+      1u);
+  EXPECT_EQ(count(page, "<tr><th scope=\"row\">c.zip/1/a.zip</th><td>alice</td><td>a newer one counts</td>"),
+            1u);
+  EXPECT_EQ(count(page, "<li>c.zip/2: &lt;i&gt; stayed shut</li>"), 1u);
+  EXPECT_EQ(count(page, "c.zip/index.html"), 0u);
+  EXPECT_EQ(count(page, "<details open="), 3u);
+  EXPECT_NO_THROW(hair::plot::parse(page));
+  listed.insert(listed.end(), 10, listed[1]);
+  page = class_page(results, {.listed = listed});
+  EXPECT_EQ(count(page, "<details open="), 2u) << "a long list is folded";
+  EXPECT_EQ(count(page, "not graded</span> 11</summary>"), 1u);
+  EXPECT_EQ(count(class_page(results, {.listed = {listed[0]}}), "id=\"left-over\""), 0u);
+}
+
+TEST(ClassPage, SaysWhoWasLateAndWhatItCost) {
+  const std::vector<SubmissionResult> results = sample_class(4);
+  ClassFacts facts{.late = {{"alice", {"2025-03-05 10:00:00", 1, 0, 1.5}},
+                            {"bob", {"2025-03-04 10:00:00", 0, 0, 0}},
+                            {"carol", {"2025-03-09 10:00:00", 5, 2, 12}},
+                            {"dave", {}}}};
+  EXPECT_EQ(count(class_page(results, facts), "id=\"late\""), 0u) << "nothing is due";
+  facts.due = "2025-03-04 23:59";
+  const std::string page = class_page(results, facts);
+  const std::size_t first = page.find(
+      "carol</a></th><td>2025-03-09 10:00:00</td><td class=\"number\">5 days</td><td "
+      "class=\"number\">2 days</td><td class=\"number\">12</td>");
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_NE(page.find("alice</a></th><td>2025-03-05 10:00:00</td><td class=\"number\">1 day</td><td "
+                      "class=\"number\"></td><td class=\"number\">1.5</td>",
+                      first),
+            std::string::npos)
+      << "the latest first";
+  EXPECT_EQ(count(page, "2025-03-04 10:00:00"), 0u);
+  EXPECT_EQ(count(page, "Nobody knows when 1 of 4 were handed in"), 1u);
+  EXPECT_NO_THROW(hair::plot::parse(page));
+  facts.late.erase("alice");
+  facts.late.erase("carol");
+  EXPECT_EQ(count(class_page(results, facts), "Nobody is known to be late"), 1u);
+}
+
+TEST(ClassPage, SaysThatARunIsNotWhole) {
+  const auto said = [](const LastRun& run) { return class_page(sample_class(2), {.run = run}); };
+  LastRun run{.wall_seconds = 9, .graded = 2, .jobs = 1};
+  EXPECT_EQ(count(said(run), "--resume"), 0u) << "of a record that knows no more";
+  run.began = "2025-03-04 10:15:22";
+  run.asked = 180;
+  run.done = 12;
+  EXPECT_EQ(count(said(run), "began at 2025-03-04 10:15:22 (UTC) and has not ended: 12 of 180 hand-ins"), 1u);
+  EXPECT_NO_THROW(hair::plot::parse(said(run)));
+  run.ended = "2025-03-04 10:20:00";
+  EXPECT_EQ(
+      count(said(run), "12 of 180 hand-ins were done when the run was interrupted at 2025-03-04 10:20:00"),
+      1u);
+  run.done = 180;
+  EXPECT_EQ(count(said(run), "--resume"), 0u);
+  run.ended = "";
+  EXPECT_EQ(count(said(run), "has not ended: 180 of 180"), 1u);
 }
 
 TEST(Junit, CountsWhatItLists) {

@@ -67,10 +67,10 @@ void remove_study(const fs::path& dir, const SubmissionResult& result) {
 }
 
 void write_class_reports(const fs::path& dir, const std::vector<SubmissionResult>& results,
-                         const std::vector<ClassLine>& lines, const NamesForPeople& people) {
-  put_file(dir / "grades.csv", grades_csv(results, lines));
+                         const ClassFacts& facts, const NamesForPeople& people) {
+  put_file(dir / "grades.csv", grades_csv(results, facts.people));
   put_file(dir / "junit.xml", junit_xml(results));
-  put_file(dir / "index.html", class_page(results, lines, people));
+  put_file(dir / "index.html", class_page(results, facts, people));
 }
 
 void remove_reports(const fs::path& dir, const std::string& name) {

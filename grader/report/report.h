@@ -19,9 +19,9 @@
 #include <string>
 #include <vector>
 
+#include "grader/report/class_facts.h"
 #include "grader/result/result.h"
 #include "grader/result/study.h"
-#include "grader/roster/class_list.h"
 
 namespace grader {
 
@@ -37,9 +37,8 @@ void write_study(const std::filesystem::path& dir, const SubmissionResult& resul
                  const NamesForPeople& people = {});
 void remove_study(const std::filesystem::path& dir, const SubmissionResult& result);
 
-// `lines`: see grades_csv.
 void write_class_reports(const std::filesystem::path& dir, const std::vector<SubmissionResult>& results,
-                         const std::vector<ClassLine>& lines = {}, const NamesForPeople& people = {});
+                         const ClassFacts& facts = {}, const NamesForPeople& people = {});
 
 // All files of a student in `dir`, but for pictures: remove_unshown_pictures follows.
 void remove_reports(const std::filesystem::path& dir, const std::string& name);

@@ -74,11 +74,16 @@ const Rows<ExerciseTiming>& Fields<ExerciseTiming>::rows() {
 
 const Rows<LastRun>& Fields<LastRun>::rows() {
   using T = LastRun;
-  static const Rows<T> all = {field("wall_seconds", &T::wall_seconds), field("graded", &T::graded),
-                              field("jobs", &T::jobs),
-                              computed<T>("submissions_per_minute", [](const T& run) {
-                                return run.wall_seconds > 0 ? 60 * run.graded / run.wall_seconds : 0;
-                              })};
+  static const Rows<T> all = {
+      field("wall_seconds", &T::wall_seconds),
+      field("graded", &T::graded),
+      field("jobs", &T::jobs),
+      computed<T>("submissions_per_minute",
+                  [](const T& run) { return run.wall_seconds > 0 ? 60 * run.graded / run.wall_seconds : 0; }),
+      field<T>("began", &T::began, [](const T& run) { return !run.began.empty(); }),
+      field<T>("ended", &T::ended, [](const T& run) { return !run.ended.empty(); }),
+      field<T>("asked", &T::asked, [](const T& run) { return run.asked > 0; }),
+      field<T>("done", &T::done, [](const T& run) { return run.done > 0; })};
   return all;
 }
 

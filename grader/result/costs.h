@@ -31,6 +31,10 @@ using TimingByExercise = std::map<std::string, ExerciseTiming>;
 struct LastRun {
   double wall_seconds = 0;
   int graded = 0, jobs = 0;
+  std::string began = {}, ended = {};  // "2025-03-04 10:15:22" (UTC); ended "": it is at work, or was killed
+  int asked = 0, done = 0;             // hand-ins; done: graded, or found done
+
+  bool is_whole() const { return done >= asked && (began.empty() || !ended.empty()); }
 
   bool operator==(const LastRun&) const = default;
 };
@@ -40,7 +44,7 @@ struct ClassCosts {
   std::map<std::string, TimingByExercise> submissions;  // by name
   // By submission: exercises that the clock on the wall ended. A person looks at them.
   std::map<std::string, std::vector<std::string>> ended_by_the_clock = {};
-  std::optional<LastRun> last_run;  // nothing: it has not finished
+  std::optional<LastRun> last_run;
 
   bool operator==(const ClassCosts&) const = default;
 };

@@ -186,6 +186,10 @@ TEST_F(Hairgrade, GradesAClassWithStraysAndClashes) {
       nlohmann::json::parse(hair::bytes_of(fs::path(out()) / "left-over.json")).at("left_over");
   ASSERT_EQ(left_over.size(), 1U);
   EXPECT_EQ(left_over[0].at("path"), (everybody / "conj_grad.cpp").string());
+  const string page = hair::bytes_of(fs::path(out()) / "index.html");
+  EXPECT_NE(page.find(">" + (everybody / "conj_grad.cpp").string() + "</th><td>nobody&#39;s</td>"),
+            string::npos);
+  EXPECT_NE(page.find("alice/old.zip was not opened"), string::npos);
   EXPECT_EQ(std::count(gradebook.begin(), gradebook.end(), '\n'), 5) << gradebook;
 }
 
@@ -505,13 +509,19 @@ TEST_F(Hairgrade, KeepsWhatIsFinishedWhenInterrupted) {
   std::ofstream(folder_ / "class" / "sleeps" / "conj_grad.cpp")
       << "#include <unistd.h>\nstruct Sleep { Sleep() { sleep(100); } } now;\n"
       << code_of("perfect", "conj_grad.cpp");
-  const fs::path first = fs::path(out()) / "other-order" / "results.json";
+  const fs::path first = fs::path(out()) / "other-order" / "results.json",
+                 page = fs::path(out()) / "index.html";
+  EXPECT_EQ(hair::bytes_of(page).find("--resume"), string::npos);
   const ProgramRun run = grade({everybody, "--out", out(), "-j", "1"}, [&](const RunningProgram& grades) {
     EXPECT_TRUE(grades.wait_until([&] { return fs::exists(first); }));
+    EXPECT_NE(hair::bytes_of(page).find("(UTC) and has not ended: 0 of 3 hand-ins are done"), string::npos);
     kill(-grades.process, SIGINT);  // as Ctrl-C does, to all that runs
   });
   EXPECT_EQ(run.code, 130) << run.errors;
+  EXPECT_NE(run.errors.find("interrupted after 1 of 3"), string::npos) << run.errors;
   EXPECT_NE(run.errors.find("--resume"), string::npos) << run.errors;
+  EXPECT_NE(hair::bytes_of(page).find("1 of 3 hand-ins were done when the run was interrupted at 20"),
+            string::npos);
   EXPECT_EQ(nlohmann::json::parse(hair::bytes_of(first)).at("score"), 52);
   EXPECT_FALSE(fs::exists(fs::path(out()) / "sleeps"));
   const string gradebook = hair::bytes_of(fs::path(out()) / "grades.csv");

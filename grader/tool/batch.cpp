@@ -48,11 +48,6 @@ void keep_other_exercises(Recorded& one, const Recorded& earlier, const Course& 
   one.costs.insert(earlier.costs.begin(), earlier.costs.end());
 }
 
-bool has(const std::vector<SubmissionResult>& results, const std::string& name) {
-  return std::any_of(results.begin(), results.end(),
-                     [&](const SubmissionResult& result) { return result.name == name; });
-}
-
 // A submission's row, as it appears before the table is there: "alice  S1 32  S2 crashed  of 52: 32".
 std::string in_a_line(const SubmissionResult& result, const NamesForPeople& people) {
   std::string line = people.contains(result.name) ? called(result.name, people) : printable(result.name);
@@ -90,11 +85,21 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
   batch.problems = grading.reference().problems;
   TimingByExercise reference = grading.reference().timing;
   if (settings.merge) reference.merge(record.costs().reference);
-  record.set_run(reference, {});
+  const std::size_t asked = settings.only ? 1 : submissions.size();
+  LastRun run{.jobs = settings.jobs, .began = record.now(), .asked = static_cast<int>(asked)};
+  // One hand-in more leaves an interrupted run as it is.
+  const std::optional<LastRun> before = record.costs().last_run;
+  const bool is_part = settings.only && before && !before->is_whole();
+  if (is_part) run = *before;
+  record.set_run(reference, run);
+  record.set_listed(settings.listed);
   record.set_rules(settings.rules);
+  if (const std::vector<std::string> there = record.names();
+      !there.empty())  // pages of an earlier run say that this one is at work
+    write_class_files(settings.out, record, {there.begin(), there.end()});
   std::string failure;
   std::set<std::string> written;
-  Progress progress(settings.only ? 1 : submissions.size());
+  Progress progress(asked);
   std::mutex shared;  // guards all of the above, but for the record, which does so itself
   std::atomic<std::size_t> next = 0;
 
@@ -108,6 +113,7 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
       if (complete && earlier->result.origin == submission.origin &&
           earlier->result.fingerprint == grading.fingerprint(submission)) {
         const std::lock_guard lock(shared);
+        ++batch.done;
         progress.step(in_a_line(earlier->result, people), false);
         return;
       }
@@ -128,6 +134,10 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
     written.insert(submission.name);
     batch.problems.insert(batch.problems.end(), graded.problems.begin(), graded.problems.end());
     ++batch.graded;
+    ++batch.done;
+    if (is_part) return;
+    run.done = static_cast<int>(batch.done);
+    record.set_run(reference, run);  // whoever looks after this process was killed knows
   };
   auto work = [&] {
     for (std::size_t i = next++; i < submissions.size() && !interrupted; i = next++) {
@@ -147,14 +157,19 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
 
   batch.interrupted = interrupted;
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  record.set_run(reference, LastRun{seconds, batch.graded, settings.jobs});
+  run.wall_seconds = seconds;
+  run.graded = batch.graded;
+  if (!is_part) {
+    run.done = static_cast<int>(batch.done);
+    run.ended = record.now();
+  }
+  record.set_run(reference, run);
   batch.results = write_class_files(settings.out, record, written);
   for (const std::string& name : record.names())
     if (const std::vector<Decision> decisions = record.decisions(name); !decisions.empty())
       for (std::string& line : conflicts(record.find(name).value_or(Recorded{}).result, decisions))
         batch.conflicts.push_back(std::move(line));
   batch.kept = static_cast<int>(batch.results.size()) - batch.graded;
-  for (const Submission& submission : submissions) batch.finished += has(batch.results, submission.name);
   return batch;
 }
 

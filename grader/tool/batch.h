@@ -20,19 +20,20 @@ namespace grader {
 struct BatchSettings {
   std::filesystem::path out;
   int jobs = 1;
-  bool resume = false;              // keep results whose fingerprint has not changed
-  std::optional<std::string> only;  // grade only this submission
-  bool replace = false;             // rows of another origin may be replaced
-  std::optional<Roster> roster;     // replaces the record's
-  bool blind = false;               // names are codes; a record that began so stays so
-  HandInRules rules = {};           // of the course file: lateness, and how much extra credit counts
-  bool merge = false;               // only one exercise is graded: keep the earlier results of the others
+  bool resume = false;                 // keep results whose fingerprint has not changed
+  std::optional<std::string> only;     // grade only this submission
+  bool replace = false;                // rows of another origin may be replaced
+  std::optional<Roster> roster;        // replaces the record's
+  bool blind = false;                  // names are codes; a record that began so stays so
+  std::vector<Accounted> listed = {};  // files of the input that reached no hand-in
+  HandInRules rules = {};              // of the course file: lateness, and how much extra credit counts
+  bool merge = false;                  // only one exercise is graded: keep the earlier results of the others
 };
 
 struct Batch {
   std::vector<SubmissionResult> results;  // all that the record holds, sorted by name
   int graded = 0, kept = 0;               // by this batch; from before
-  std::size_t finished = 0;               // of the submissions that were asked for: how many have a result
+  std::size_t done = 0;                   // of the submissions that were asked for: graded, or found done
   std::vector<std::string> problems;      // on our side: what could not be graded, a line each
   std::vector<std::string> conflicts;     // decisions of people against other points than now, a line each
   bool interrupted = false;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "grader/course/input.h"
+#include "grader/intake/left_over.h"
 #include "grader/report/costs_page.h"
 #include "grader/report/picture_files.h"
 #include "grader/report/report.h"
@@ -26,6 +27,7 @@ std::vector<SubmissionResult> write_class_files(const std::filesystem::path& fol
   ClassCosts costs = record.costs();
   const NamesForPeople people = record.names_for_people();
   const std::optional<HiddenNames> hidden = record.hidden_names();
+  std::map<std::string, Lateness> late;
   for (const std::string& name : record.names()) {
     std::optional<Recorded> one = record.find_decided(name);
     if (!one) continue;  // somebody has been forgotten just now
@@ -33,10 +35,15 @@ std::vector<SubmissionResult> write_class_files(const std::filesystem::path& fol
     if (!written.contains(name)) write_student_files(folder, *one, people);
     if (!one->result.ended_by_the_clock.empty())
       costs.ended_by_the_clock[name] = one->result.ended_by_the_clock;
+    late[name] = one->late;
     results.push_back(std::move(one->result));
   }
   const std::vector<ClassLine> lines = lines_of(record.class_list(), record.hand_ins());
-  write_class_reports(folder, results, hidden ? blind(lines) : lines, people);
+  const std::vector<Accounted> listed = record.listed();
+  write_class_reports(folder, results,
+                      {hidden ? blind(lines) : lines, listed, costs.last_run, record.rules().due, late},
+                      people);
+  write_file(folder / kLeftOver, left_over_json(listed));
   remove_unshown_pictures(folder);
   write_file(folder / "timing.json", to_json(costs));
   write_file(folder / "costs.html", costs_page(costs_table(costs), people));

@@ -1,5 +1,5 @@
 // STAFF ONLY. The files of a folder of grades, made from its record and never read back: those of students, and those of the class,
-// with timing.json (the cost of everything, beside the reference in an identical worker) and costs.html, the page that shows it.
+// with timing.json (the cost of everything, beside the reference in an identical worker) and costs.html, the page that shows it, and left-over.json.
 // The same record gives the same bytes, but for times.
 #pragma once
 

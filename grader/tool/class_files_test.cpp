@@ -99,5 +99,20 @@ TEST_F(ClassFiles, TellTheCostsOfEverybodyAndWhoseTheClockEnded) {
   EXPECT_NE(files().at("costs.html").find("staff/bob.html"), std::string::npos);
 }
 
+TEST_F(ClassFiles, SayWhichFilesWereLeftOverAndThatARunWasKilled) {
+  record_.put({sample_class(1).front()});
+  record_.set_listed({{"c.zip/x.cpp", Accounted::As::left_over, "belongs to nobody", ""},
+                      {"c.zip/old.cpp", Accounted::As::older, "a newer one counts", "alice"}});
+  record_.set_run(cost(4), LastRun{.jobs = 1, .began = record_.now(), .asked = 2, .done = 1});
+  write();
+  const auto json = nlohmann::json::parse(files().at("left-over.json"));
+  EXPECT_EQ(json["left_over"].dump(), R"([{"path":"c.zip/x.cpp","reason":"belongs to nobody","whose":""}])");
+  EXPECT_EQ(json["older"][0]["whose"], "alice");
+  EXPECT_EQ(json["notices"].dump(), R"(["c.zip/x.cpp: was not graded, since it belongs to nobody"])");
+  const std::string page = files().at("index.html");
+  EXPECT_NE(page.find("c.zip/x.cpp"), std::string::npos);
+  EXPECT_NE(page.find("has not ended: 1 of 2"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace grader

@@ -111,13 +111,13 @@ int grade(GradeOptions options) {
   const Grading grading(std::move(settings));
   BatchSettings batch_settings = options.batch;
   batch_settings.rules = rules;
+  batch_settings.listed = listed(intake);
   batch_settings.merge = options.settings.exercise.has_value();
   const Batch batch = grade_batch(grading, intake.submissions, batch_settings, interrupted);
   if (!batch.began) {
     std::cerr << "hairgrade: interrupted while it waited; nothing was written\n";
     return 130;
   }
-  write_file(options.batch.out / kLeftOver, left_over_json(intake));
   const NamesForPeople people = Record(options.batch.out).names_for_people();
   print_table(std::cout, batch.results, people);
   std::cout << "\n" << batch.graded << " graded";
@@ -151,7 +151,8 @@ int grade(GradeOptions options) {
     if (!batch.problems.empty()) return 1;
     return not_final.empty() && intake.notices.empty() && batch.conflicts.empty() ? 0 : 3;
   }
-  std::cerr << "hairgrade: interrupted after " << batch.finished << " of " << intake.submissions.size()
+  std::cerr << "hairgrade: interrupted after " << batch.done << " of "
+            << (options.batch.only ? 1 : intake.submissions.size())
             << " submissions; the same command with --resume goes on\n";
   return 130;
 }

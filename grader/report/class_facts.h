@@ -1,0 +1,25 @@
+// STAFF ONLY. What a class's page says beside results: who should be there, which files were left over,
+// how the last run ended, who was late.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grader/intake/accounted.h"
+#include "grader/result/costs.h"
+#include "grader/result/lateness.h"
+#include "grader/roster/class_list.h"
+
+namespace grader {
+
+struct ClassFacts {
+  std::vector<ClassLine> people = {};  // see grades_csv
+  std::vector<Accounted> listed = {};
+  std::optional<LastRun> run = {};
+  std::string due = {};                       // "": there is no date
+  std::map<std::string, Lateness> late = {};  // of each hand-in, by name
+};
+
+}  // namespace grader

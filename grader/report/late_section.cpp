@@ -1,0 +1,59 @@
+// STAFF ONLY. The class's page says who was late, and what the course's rules took for it.
+#include <algorithm>
+#include <utility>
+
+#include "grader/report/pages.h"
+#include "grader/report/text.h"
+
+namespace grader {
+namespace {
+
+using Late = std::pair<std::string, Lateness>;
+
+std::string days(double count) {
+  return shown_points(count) + (count == 1 ? " day" : " days");
+}
+
+}  // namespace
+
+Html late_section(const ClassFacts& facts) {
+  std::vector<Late> late;
+  std::size_t without_time = 0;
+  for (const auto& [name, how] : facts.late) {
+    without_time += how.handed_in.empty();
+    if (how.days > 0) late.emplace_back(name, how);
+  }
+  if (facts.due.empty()) return {};
+  std::stable_sort(late.begin(), late.end(),
+                   [](const Late& a, const Late& b) { return a.second.days > b.second.days; });
+  Html rows;
+  for (const auto& [name, how] : late)
+    rows += html(
+        "<tr><th scope=\"row\"><a href=\"staff/{}.html\">{}</a></th><td>{}</td><td "
+        "class=\"number\">{}</td><td "
+        "class=\"number\">{}</td><td class=\"number\">{}</td></tr>\n",
+        {name, name, how.handed_in, days(how.days), how.free_days > 0 ? days(how.free_days) : "",
+         shown_points(how.taken)});
+  const Html table = late.empty()
+                         ? html("<p>Nobody is known to be late.</p>\n")
+                         : html(
+                               "<div class=\"wide\"><table>\n<thead><tr><th scope=\"col\">Hand-in</th><th "
+                               "scope=\"col\">Handed in</th><th scope=\"col\" class=\"number\">Late "
+                               "by</th><th scope=\"col\" "
+                               "class=\"number\">Free</th><th scope=\"col\" class=\"number\">Points "
+                               "taken</th></tr></thead>\n"
+                               "<tbody>\n{}</tbody>\n</table></div>\n",
+                               {rows});
+  const Html unknown =
+      without_time == 0
+          ? Html()
+          : html("<p>Nobody knows when {} of {} were handed in: their download has no time.</p>\n",
+                 {without_time, facts.late.size()});
+  return html(
+      "<section id=\"late\">\n<h2>Late</h2>\n<p class=\"quiet\">Due {}. Days are those of the "
+      "calendar.</p>\n{}{}"
+      "</section>\n",
+      {facts.due, table, unknown});
+}
+
+}  // namespace grader
