@@ -41,11 +41,11 @@ class NamesAndCodes : public testing::Test {
       if (exercise.id != "S1") roles[exercise.id] = {{"role", "given"}};
     std::ofstream(root_ / "course.json") << nlohmann::json{{"exercises", roles}};
     std::ofstream(root_ / "secret") << "a secret for this test";
-    std::ofstream(root_ / "class/mustermannerika_4711_90001_conj_grad.cpp")
+    std::ofstream(root_ / "class/mustermannerika_4711047110_90001_conj_grad.cpp")
         << "int mustermann = \"Erika\";  // Erika Mustermann, e.mustermann@u.de\n";
-    std::ofstream(root_ / "class/mustermannerika_4711_90002_erika_notes.txt") << "by Erika";
-    std::ofstream(root_ / "class/zuckerzoe_4712_90003_conj_grad.cpp") << "no\n";
-    std::ofstream(root_ / "class/fremdfritz_4713_90004_conj_grad.txt") << "no\n";
+    std::ofstream(root_ / "class/mustermannerika_4711047110_90002_erika_notes.txt") << "by Erika";
+    std::ofstream(root_ / "class/zuckerzoe_4712047120_90003_conj_grad.cpp") << "no\n";
+    std::ofstream(root_ / "class/fremdfritz_4713047130_90004_conj_grad.txt") << "no\n";
     std::ofstream(root_ / "roster.csv")
         << "ID,Student,SIS Login ID,Section\n4711,\"Mustermann, Erika\",em1234,A\n4712,\"Zucker, Zoë\",zz,B\n"
            "4714,\"Weg, Walter\",ww9999,A\n";
@@ -68,10 +68,10 @@ TEST_F(NamesAndCodes, PeopleReadNamesAndCommandsTakeFolders) {
   {
     Record record(out_);
     const Roster roster(parse_csv("id,name\n4711,\"Mu\xcc\x88ller, <b>\"\n", "r.csv"));
-    record.put_people({{"mueller_4711", {.name = "müllerb", .id = "4711"}, "canvas"},
+    record.put_people({{"mueller_4711047110", {.name = "müllerb", .id = "4711047110"}, "canvas"},
                        {"plain", {.name = "plain"}, "folders"}},
                       roster.people());
-    for (const char* name : {"mueller_4711", "plain"})
+    for (const char* name : {"mueller_4711047110", "plain"})
       for (const double points : {1., 2.}) {
         Recorded one;
         one.result.name = name;
@@ -83,25 +83,25 @@ TEST_F(NamesAndCodes, PeopleReadNamesAndCommandsTakeFolders) {
         record.put(one);
       }
   }
-  ASSERT_EQ(run({"comment", "mueller_4711", "x"}).code, 0);
+  ASSERT_EQ(run({"comment", "mueller_4711047110", "x"}).code, 0);
   std::map<string, string> all = files();
   const auto has = [](const string& text, const string& words) { return text.find(words) != string::npos; };
   const string name = "Müller, &lt;b&gt;";
-  for (const char* page : {"index.html", "staff/mueller_4711.html", "costs.html"}) {
+  for (const char* page : {"index.html", "staff/mueller_4711047110.html", "costs.html"}) {
     EXPECT_TRUE(has(all[page], name)) << page;
-    EXPECT_TRUE(has(all[page], "mueller_4711")) << page;
+    EXPECT_TRUE(has(all[page], "mueller_4711047110")) << page;
   }
-  EXPECT_TRUE(has(all["mueller_4711/report.html"], "<h1>" + name + "</h1>"));
+  EXPECT_TRUE(has(all["mueller_4711047110/report.html"], "<h1>" + name + "</h1>"));
   EXPECT_TRUE(has(all["plain/report.html"], "<h1>plain</h1>"));
   EXPECT_FALSE(has(all["staff/plain.html"], "<code>plain</code>"));
   EXPECT_TRUE(has(all["grades.csv"], "\"Müller, <b>\"")) << all["grades.csv"];
-  const nlohmann::json json = nlohmann::json::parse(all["staff/mueller_4711.json"]);
-  EXPECT_EQ(json["name"], "mueller_4711");
+  const nlohmann::json json = nlohmann::json::parse(all["staff/mueller_4711047110.json"]);
+  EXPECT_EQ(json["name"], "mueller_4711047110");
   EXPECT_EQ(json["person"], "Müller, <b>");
   EXPECT_FALSE(has(run({"export"}).output, "\"person\""));
   EXPECT_TRUE(has(run({"export"}).output, "\"müllerb\""));
-  EXPECT_TRUE(has(run({"diff"}).output, "Müller, <b> (mueller_4711)  H2  1 -> 2"));
-  EXPECT_TRUE(run({"log", "mueller_4711"}).output.starts_with("Müller, <b> (mueller_4711)\n"));
+  EXPECT_TRUE(has(run({"diff"}).output, "Müller, <b> (mueller_4711047110)  H2  1 -> 2"));
+  EXPECT_TRUE(run({"log", "mueller_4711047110"}).output.starts_with("Müller, <b> (mueller_4711047110)\n"));
 }
 
 TEST_F(NamesAndCodes, BlindGradingShowsNobodysName) {
@@ -110,8 +110,8 @@ TEST_F(NamesAndCodes, BlindGradingShowsNobodysName) {
   ASSERT_EQ(first.code, 0) << first.errors;
   const std::map<string, string> all = files();
   const auto look = [](const string& text, const string& where) {
-    for (const char* name : {"mustermann", "erika", "4711", "em1234", "zucker", "zoë", "zoe", "4712", "fremd",
-                             "fritz", "4713", "walter", "ww9999"})
+    for (const char* name : {"mustermann", "erika", "4711047110", "em1234", "zucker", "zoë", "zoe",
+                             "4712047120", "fremd", "fritz", "4713047130", "walter", "ww9999"})
       EXPECT_EQ(lowered(text).find(name), string::npos) << where << " has " << name << ": " << text;
   };
   look(first.output, "the terminal");
@@ -129,7 +129,8 @@ TEST_F(NamesAndCodes, BlindGradingShowsNobodysName) {
     names = record.names();
     ASSERT_EQ(names.size(), 3U);
     for (const string& name : names) EXPECT_TRUE(all.contains(name + "/report.html"));
-    EXPECT_EQ(record.drawn_from(record.codes().at("mustermannerika_4711")), "mustermannerika_4711");
+    EXPECT_EQ(record.drawn_from(record.codes().at("mustermannerika_4711047110")),
+              "mustermannerika_4711047110");
   }
   for (const char* file : {"class.sqlite", "index.html", "grades.csv"})
     EXPECT_TRUE(fs::exists(out_ / file)) << file;
@@ -152,7 +153,7 @@ TEST_F(NamesAndCodes, BlindGradingShowsNobodysName) {
       run_hairgrade({"gradebook", "gradescope", "--grades", out_.string(), "--roster",
                      (root_ / "roster.csv").string(), "--out", (root_ / "book.csv").string()});
   ASSERT_EQ(book.code, 0) << book.errors;
-  EXPECT_NE(hair::bytes_of(root_ / "book.csv").find("4711"), string::npos);
+  EXPECT_NE(hair::bytes_of(root_ / "book.csv").find("4711047110"), string::npos);
 }
 
 TEST_F(NamesAndCodes, AFolderWithNamesIsNotMadeBlind) {
