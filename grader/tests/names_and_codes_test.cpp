@@ -46,9 +46,9 @@ class NamesAndCodes : public testing::Test {
     std::ofstream(root_ / "class/mustermannerika_4711047110_90002_erika_notes.txt") << "by Erika";
     std::ofstream(root_ / "class/zuckerzoe_4712047120_90003_conj_grad.cpp") << "no\n";
     std::ofstream(root_ / "class/fremdfritz_4713047130_90004_conj_grad.txt") << "no\n";
-    std::ofstream(root_ / "roster.csv")
-        << "ID,Student,SIS Login ID,Section\n4711,\"Mustermann, Erika\",em1234,A\n4712,\"Zucker, Zoë\",zz,B\n"
-           "4714,\"Weg, Walter\",ww9999,A\n";
+    std::ofstream(root_ / "roster.csv") << "ID,Student,SIS Login ID,Section\n4711047110,\"Mustermann, "
+                                           "Erika\",em1234,A\n4712047120,\"Zucker, Zoë\",zz,B\n"
+                                           "4714047140,\"Weg, Walter\",ww9999,A\n";
   }
   // By path, but for the record's own.
   std::map<string, string> files() const {
@@ -67,7 +67,7 @@ TEST_F(NamesAndCodes, PeopleReadNamesAndCommandsTakeFolders) {
   fs::create_directory(out_);
   {
     Record record(out_);
-    const Roster roster(parse_csv("id,name\n4711,\"Mu\xcc\x88ller, <b>\"\n", "r.csv"));
+    const Roster roster(parse_csv("id,name\n4711047110,\"Mu\xcc\x88ller, <b>\"\n", "r.csv"));
     record.put_people({{"mueller_4711047110", {.name = "müllerb", .id = "4711047110"}, "canvas"},
                        {"plain", {.name = "plain"}, "folders"}},
                       roster.people());
