@@ -1,6 +1,7 @@
 // STAFF ONLY.
 #include "grader/course/course.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string_view>
@@ -21,6 +22,11 @@ void read_budget(Budget& budget, const JsonValue& json) {
 }
 
 }  // namespace
+
+bool Course::asks_for(const Exercise& exercise) const {
+  const bool in_it = of_hand_in.empty() || std::ranges::count(of_hand_in, exercise.id) > 0;
+  return in_it && (exercise.role == Role::assigned || exercise.role == Role::optional);
+}
 
 Course read_course(const std::filesystem::path& exercises_json,
                    const std::optional<std::filesystem::path>& course_json) {

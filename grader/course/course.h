@@ -13,8 +13,12 @@ namespace grader {
 using hair::Exercise, hair::Role, hair::to_string;
 
 struct Course : hair::Course {
-  Budget budget = {};    // of a submission
-  bool partial = false;  // a category gives a share of its points, in whole ones
+  Budget budget = {};                        // of a submission
+  bool partial = false;                      // a category gives a share of its points, in whole ones
+  std::vector<std::string> of_hand_in = {};  // the exercises of the hand-in that is graded; empty: all
+
+  // True for an exercise that students hand in, in the hand-in that is graded.
+  bool asks_for(const Exercise& exercise) const;
 };
 
 // Throws BadInput with the file and the JSON path.

@@ -8,11 +8,8 @@
 
 namespace grader {
 
-std::vector<Grade> recorded_grades(const std::filesystem::path& folder) {
+std::vector<Grade> recorded_grades(Record& record, const std::filesystem::path& folder) {
   const std::string where = printable(folder.string(), 4096);
-  if (!Record::is_in(folder))
-    throw BadInput(where + ": has no " + kRecordFile + "; give the folder of hairgrade grade --out");
-  Record record(folder);
   std::vector<Grade> grades;
   for (const HandIn& hand_in : record.hand_ins()) {
     const std::optional<Recorded> found = record.find_decided(hand_in.name);

@@ -5,10 +5,11 @@
 #include <vector>
 
 #include "grader/gradebook/grade.h"
+#include "grader/record/record.h"
 
 namespace grader {
 
-// Throws BadInput for a folder without a record, or with one that has no grades.
-std::vector<Grade> recorded_grades(const std::filesystem::path& folder);
+// The grades of the record's hand-in. Throws BadInput if there are none; `folder` is for the message.
+std::vector<Grade> recorded_grades(Record& record, const std::filesystem::path& folder);
 
 }  // namespace grader

@@ -98,6 +98,13 @@ Files without_reference(Files files, const HandoutSources& sources, const Course
   return files;
 }
 
+// As a shell reads it.
+std::string quoted(const std::string& word) {
+  std::string text = "'";
+  for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return text + "'";
+}
+
 }  // namespace
 
 void write_gradescope_package(const HandoutSources& sources, const std::string& secret, const Course& course,
@@ -106,6 +113,7 @@ void write_gradescope_package(const HandoutSources& sources, const std::string& 
   std::string options;
   if (!package.checks_only) options += " --secret \"$source/secret\"";
   if (package.course) options += " --course \"$source/course.json\"";
+  if (!package.hand_in.empty() && !package.checks_only) options += " --hand-in " + quoted(package.hand_in);
   if (package.leaderboard) options += " --leaderboard";
   std::vector<ArchiveEntry> entries;
   for (const char* script : {"setup.sh", "run_autograder"}) {
@@ -143,9 +151,8 @@ void write_gradescope_package(const HandoutSources& sources, const std::string& 
 std::string advice_for_gradescope(const Course& course, int minutes) {
   // A right hand-in's CPU seconds for an exercise, and for what comes before and after all of them: grader/MEASURED.md, "On Gradescope".
   constexpr double kForAnExercise = 7, kBesides = 20, kProcessor = 0.5, kSlower = 1.5;
-  const auto asked = std::ranges::count_if(course.exercises, [](const Exercise& exercise) {
-    return exercise.role == Role::assigned || exercise.role == Role::optional;
-  });
+  const auto asked = std::ranges::count_if(
+      course.exercises, [&](const Exercise& exercise) { return course.asks_for(exercise); });
   const double cpu_seconds = kForAnExercise * static_cast<double>(asked) + kBesides;
   const Budget& budget = course.budget;
   const double worst =

@@ -15,7 +15,8 @@ namespace grader {
 struct GradescopePackage {
   std::filesystem::path out;
   std::optional<std::filesystem::path> course, secret;
-  int minutes = 10;  // that the platform gives a hand-in
+  std::string hand_in;  // of a course with several
+  int minutes = 10;     // that the platform gives a hand-in
   bool leaderboard = false;
   // The public checks alone, for the days before the deadline: no secret, stubs in the reference's place, and no hidden cases.
   bool checks_only = false;

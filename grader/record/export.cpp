@@ -19,6 +19,7 @@ OrderedJson json_or_null(const std::string& stored) {
 std::string Record::export_json() {
   const std::lock_guard lock(one_at_a_time_);
   const Transaction one_state(database_, Transaction::reads);
+  const std::int64_t assignment = this->assignment();
   OrderedJson people = OrderedJson::object();
   const bool blind = read_is_blind();
   database_.each(
@@ -36,20 +37,21 @@ std::string Record::export_json() {
       });
   database_.each(
       "SELECT name, origin, fingerprint, handed_in FROM hand_ins JOIN people ON people.id = person "
-      "ORDER BY hand_ins.id",
-      {}, [&](const DatabaseRow& row) {
+      "WHERE assignment = ? ORDER BY hand_ins.id",
+      {assignment}, [&](const DatabaseRow& row) {
         people[text(row, 0)]["hand_ins"].push_back(
             {{"origin", text(row, 1)}, {"fingerprint", text(row, 2)}, {"handed_in", text(row, 3)}});
       });
-  database_.each("SELECT name, result, costs FROM results JOIN people ON people.id = person", {},
-                 [&](const DatabaseRow& row) {
-                   people[text(row, 0)]["result"] = json_or_null(row.text(1));
-                   people[text(row, 0)]["costs"] = json_or_null(row.text(2));
-                 });
+  database_.each(
+      "SELECT name, result, costs FROM results JOIN people ON people.id = person WHERE assignment = ?",
+      {assignment}, [&](const DatabaseRow& row) {
+        people[text(row, 0)]["result"] = json_or_null(row.text(1));
+        people[text(row, 0)]["costs"] = json_or_null(row.text(2));
+      });
   database_.each(
       "SELECT name, kind, place, number, computed, why, who, at FROM decisions JOIN people ON "
-      "people.id = person ORDER BY kind, place",
-      {}, [&](const DatabaseRow& row) {
+      "people.id = person WHERE assignment = ? ORDER BY kind, place",
+      {assignment}, [&](const DatabaseRow& row) {
         people[text(row, 0)]["decisions"].push_back({{"kind", text(row, 1)},
                                                      {"place", text(row, 2)},
                                                      {"number", row.real(3)},
@@ -68,18 +70,18 @@ std::string Record::export_json() {
   database_.each(
       "SELECT listed_as, path, reason, coalesce(name, '') FROM listed_files LEFT JOIN people ON people.id = "
       "person "
-      "ORDER BY place",
-      {}, [&](const DatabaseRow& row) {
+      "WHERE assignment = ? ORDER BY place",
+      {assignment}, [&](const DatabaseRow& row) {
         files.push_back({{"as", text(row, 0)},
                          {"path", text(row, 1)},
                          {"reason", text(row, 2)},
                          {"whose", text(row, 3)}});
       });
-  const OrderedJson all = {
-      {"version", database_.number("PRAGMA user_version")},
-      {"made_by", json_or_null(database_.text("SELECT made_by FROM assignments WHERE name = ''"))},
-      {"people", people},
-      {"listed_files", files}};
+  OrderedJson all = {{"version", database_.number("PRAGMA user_version")}};
+  if (!hand_in_.empty()) all["hand_in"] = hand_in_;
+  all["made_by"] = json_or_null(database_.text("SELECT made_by FROM assignments WHERE id = ?", {assignment}));
+  all["people"] = people;
+  all["listed_files"] = files;
   return all.dump(1, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 

@@ -7,6 +7,7 @@ namespace grader {
 void Record::set_listed(const std::vector<Accounted>& listed) {
   const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
+  make_assignment();
   const std::int64_t assignment = this->assignment();
   database_.run("DELETE FROM listed_files WHERE assignment = ?", {assignment});
   for (const Accounted& file : listed) {

@@ -8,6 +8,7 @@
 
 #include "grader/compile/hash.h"
 #include "grader/course/input.h"
+#include "grader/record/hand_ins.h"
 #include "grader/record/points_then.h"
 #include "grader/record/schema.h"
 #include "grader/result/result_fields.h"
@@ -45,12 +46,32 @@ bool Record::is_in(const fs::path& folder) {
   return fs::exists(folder / kRecordFile, none);
 }
 
-Record::Record(const fs::path& folder, Journal journal) : database_(folder / kRecordFile, journal) {
+Record::Record(const fs::path& folder, Journal journal) : Record(folder, "", journal) {}
+
+Record::Record(const fs::path& folder, std::string hand_in, Journal journal)
+    : hand_in_(std::move(hand_in)), database_(folder / kRecordFile, journal) {
   migrate(database_);
 }
 
+fs::path Record::pages() const {
+  const fs::path folder = database_.file().parent_path();
+  return hand_in_.empty() ? folder : folder / folder_of_hand_in(hand_in_);
+}
+
+// 0 as long as it is not there: then no row is its.
 std::int64_t Record::assignment() {
-  return database_.number("SELECT id FROM assignments WHERE name = ''");
+  return database_.number("SELECT id FROM assignments WHERE name = ?", {hand_in_});
+}
+
+void Record::make_assignment() {
+  if (assignment() != 0) return;
+  const std::string folder = folder_of_hand_in(hand_in_),
+                    other = database_.text("SELECT name FROM assignments WHERE folder = ? COLLATE NOCASE",
+                                           {folder});
+  if (!other.empty())
+    throw BadInput(printable(database_.file().string(), 4096) + ": has the folder " + folder + " for \"" +
+                   printable(other) + "\"; give \"" + printable(hand_in_) + "\" another name");
+  database_.run("INSERT INTO assignments (name, folder) VALUES (?, ?)", {hand_in_, folder});
 }
 
 std::int64_t Record::known_person(const std::string& name) {
@@ -81,13 +102,14 @@ std::string Record::now() {
 
 std::string Record::made_by() {
   const std::lock_guard lock(one_at_a_time_);
-  return database_.text("SELECT made_by FROM assignments WHERE name = ''");
+  return database_.text("SELECT made_by FROM assignments WHERE name = ?", {hand_in_});
 }
 
 void Record::set_made_by(const std::string& json) {
   const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
-  database_.run("UPDATE assignments SET made_by = ? WHERE name = ''", {json});
+  make_assignment();
+  database_.run("UPDATE assignments SET made_by = ? WHERE name = ?", {json, hand_in_});
   transaction.commit();
 }
 
@@ -103,6 +125,7 @@ void Record::put(const Recorded& one, const std::string& handed_in) {
                     beside = one.study ? compact(one.study->beside_itself) : "", costs = compact(one.costs);
   const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
+  make_assignment();
   const std::int64_t id = person(result.name, result.name), assignment = this->assignment();
   database_.run("INSERT OR REPLACE INTO results VALUES (?, ?, ?, ?, ?, ?, ?)",
                 {assignment, id, result.origin, text, study, beside, costs});
@@ -142,8 +165,8 @@ std::vector<std::string> Record::names() {
 std::map<std::string, std::string> Record::origins() {
   const std::lock_guard lock(one_at_a_time_);
   std::map<std::string, std::string> all;
-  database_.each("SELECT name, origin FROM results JOIN people ON people.id = person", {},
-                 [&](const DatabaseRow& row) { all[row.text(0)] = row.text(1); });
+  database_.each("SELECT name, origin FROM results JOIN people ON people.id = person WHERE assignment = ?",
+                 {assignment()}, [&](const DatabaseRow& row) { all[row.text(0)] = row.text(1); });
   return all;
 }
 
@@ -160,13 +183,13 @@ std::optional<Recorded> Record::find(const std::string& name) {
   return read(name);
 }
 
-std::optional<Recorded> Record::read(const std::string& name) {
+std::optional<Recorded> Record::read(const std::string& name, bool with_pictures) {
   std::string text, study, beside, costs;
   const std::string where = printable(database_.file().string(), 4096) + ": the result of " + name;
   database_.each(
-      "SELECT result, study, beside_itself, costs FROM results JOIN people ON people.id = person WHERE name "
-      "= ?",
-      {name}, [&](const DatabaseRow& row) {
+      "SELECT result, study, beside_itself, costs FROM results JOIN people ON people.id = person WHERE "
+      "assignment = ? AND name = ?",
+      {assignment(), name}, [&](const DatabaseRow& row) {
         text = row.text(0);
         study = row.text(1);
         beside = row.text(2);
@@ -174,7 +197,8 @@ std::optional<Recorded> Record::read(const std::string& name) {
       });
   if (text.empty()) return {};
   Recorded one{from_json_text<SubmissionResult>(
-      text, where, {{}, [this](const std::string& digest) { return picture(digest); }})};
+      text, where,
+      {{}, [&](const std::string& digest) { return with_pictures ? picture(digest) : std::string(); }})};
   one.costs = from_json_text<TimingByExercise>(costs, where);
   if (!study.empty())
     one.study = {from_json_text<SubmissionStudy>(study, where),
@@ -185,8 +209,9 @@ std::optional<Recorded> Record::read(const std::string& name) {
 void Record::set_run(const TimingByExercise& reference, const std::optional<LastRun>& run) {
   const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
-  database_.run("UPDATE assignments SET reference_costs = ?, last_run = ? WHERE name = ''",
-                {compact(reference), compact(run)});
+  make_assignment();
+  database_.run("UPDATE assignments SET reference_costs = ?, last_run = ? WHERE name = ?",
+                {compact(reference), compact(run), hand_in_});
   transaction.commit();
 }
 
@@ -194,15 +219,15 @@ ClassCosts Record::costs() {
   const std::lock_guard lock(one_at_a_time_);
   const std::string where = printable(database_.file().string(), 4096) + ": costs";
   ClassCosts all;
-  database_.each("SELECT reference_costs, last_run FROM assignments WHERE name = ''", {},
+  database_.each("SELECT reference_costs, last_run FROM assignments WHERE name = ?", {hand_in_},
                  [&](const DatabaseRow& row) {
                    if (const std::string text = row.text(0); !text.empty())
                      all.reference = from_json_text<TimingByExercise>(text, where);
                    if (const std::string text = row.text(1); !text.empty())
                      all.last_run = from_json_text<std::optional<LastRun>>(text, where);
                  });
-  database_.each("SELECT name, costs FROM results JOIN people ON people.id = person", {},
-                 [&](const DatabaseRow& row) {
+  database_.each("SELECT name, costs FROM results JOIN people ON people.id = person WHERE assignment = ?",
+                 {assignment()}, [&](const DatabaseRow& row) {
                    all.submissions[row.text(0)] = from_json_text<TimingByExercise>(row.text(1), where);
                  });
   return all;
@@ -211,8 +236,8 @@ ClassCosts Record::costs() {
 std::vector<LogEntry> Record::log(const std::string& name) {
   const std::lock_guard lock(one_at_a_time_);
   std::vector<LogEntry> all;
-  database_.each("SELECT at, who, did, detail FROM log WHERE person = ? ORDER BY id", {known_person(name)},
-                 [&](const DatabaseRow& row) {
+  database_.each("SELECT at, who, did, detail FROM log WHERE person = ? AND assignment = ? ORDER BY id",
+                 {known_person(name), assignment()}, [&](const DatabaseRow& row) {
                    all.push_back({row.text(0), row.text(1), row.text(2), row.text(3)});
                  });
   return all;

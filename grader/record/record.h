@@ -2,6 +2,9 @@
 // hand-ins, what a student's inputs are drawn from, decisions of people, and who did what and when. Pages, CSV and JSON are made
 // from it, and never read back.
 //
+// A course may have several hand-ins (hand_ins.h) in one record, which share people, roster and what inputs are drawn from. An object
+// of this class is about one of them, but where a comment says otherwise.
+//
 // Several processes and threads may use it at once. Each change is one transaction: a process that is killed leaves all of it or
 // nothing.
 #pragma once
@@ -48,7 +51,13 @@ class Record {
   static bool is_in(const std::filesystem::path& folder);
 
   // Makes it if it is not there; the folder is. Throws BadInput as Database and migrate do.
+  // `hand_in` is "" where the course has one without a name. One that is new is there from the first change on.
   explicit Record(const std::filesystem::path& folder, Journal journal = Journal::best);
+  Record(const std::filesystem::path& folder, std::string hand_in, Journal journal = Journal::best);
+
+  const std::string& hand_in() const { return hand_in_; }
+  std::filesystem::path pages() const;        // the folder of its pages: the record's, or one below
+  std::vector<std::string> named_hand_ins();  // of the record, in the order of their due dates
 
   // JSON of tool/made_by.h; "": nothing was graded.
   std::string made_by();
@@ -59,6 +68,9 @@ class Record {
 
   // Replaces the earlier result of this student; the log has both. `handed_in` is a time as a download says it, or "".
   void put(const Recorded& one, const std::string& handed_in = "");
+
+  // The time of the version that counts, if it was graded without one, or with another.
+  void set_handed_in(const std::string& name, const std::string& time);
 
   // Owners of hand-ins that were there before stay if they are not named again. A roster replaces the earlier one. With `only` one
   // owner is stored; all tell whose earlier hand-ins are.
@@ -74,9 +86,10 @@ class Record {
   std::optional<HiddenNames> hidden_names();   // nothing if grading is not blind
 
   // With a result, by name. One without an owner, of an older record, has none here.
-  std::vector<HandIn> hand_ins();
+  enum class Of { hand_in, course };
+  std::vector<HandIn> hand_ins(Of of = Of::hand_in);
   // Nothing if no roster was given so far.
-  std::optional<ClassList> class_list();
+  std::optional<ClassList> class_list(Of of = Of::hand_in);
 
   std::vector<std::string> names();              // of those with a result, sorted
   std::map<std::string, std::string> origins();  // by name
@@ -88,6 +101,12 @@ class Record {
   using ChangePoints = std::function<void(SubmissionResult&)>;
   std::optional<SubmissionResult> find_under(const std::string& name, const HandInRules& rules,
                                              const ChangePoints& change);
+
+  // Points as they count; of everybody with a result.
+  struct Total {
+    double points = 0, max_points = 0;
+  };
+  std::map<std::string, Total> totals();
 
   HandInRules rules();
   void set_rules(const HandInRules& rules);
@@ -110,7 +129,7 @@ class Record {
   // Oldest first; throws BadInput for a name that the record does not have.
   std::vector<LogEntry> log(const std::string& name);
 
-  // Removes all of a person, on the roster, too. Throws BadInput for an unknown name. Then shred() clears free pages and journal of all bytes that were
+  // Removes all of a person, of all hand-ins, and on the roster, too. Throws BadInput for an unknown name. Then shred() clears free pages and journal of all bytes that were
   // deleted; it throws BadInput if another process reads for a minute meanwhile.
   void forget(const std::string& name);
   void shred();
@@ -118,16 +137,24 @@ class Record {
   std::string export_json();  // all that it holds, but for pictures' bytes
 
  private:
+  struct Dated;  // another hand-in of the record, with a due date
+
   std::int64_t assignment();
+  void make_assignment();
   std::int64_t person(const std::string& name, const std::string& drawn_from);  // makes it
   std::int64_t known_person(const std::string& name);
-  std::optional<Recorded> read(const std::string& name);
+  std::optional<Recorded> read(const std::string& name, bool with_pictures = true);
   HandInRules stored_rules();
+  HandInRules rules_from(const std::string& text) const;
+  std::vector<Dated> dated();  // in the order of their due dates
+  std::string handed_in(std::int64_t assignment, const std::string& name);
+  double days_given(std::int64_t assignment, const std::string& name);
+  int free_days_left(const HandInRules& rules, const std::string& name);
   SubmissionResult under_rules(SubmissionResult result, const HandInRules& rules, const ChangePoints& change,
                                Lateness* late = nullptr);
   std::vector<Decision> decisions_of(const std::string& name);
   HandIn hand_in_of(const DatabaseRow& row) const;
-  std::vector<HandIn> read_hand_ins();
+  std::vector<HandIn> read_hand_ins(Of of);
   std::vector<Drawn> read_drawn();
   void put_roster(const std::vector<Person>& roster);
   std::optional<ClassList> read_class_list(const std::vector<HandIn>& hand_ins);
@@ -138,6 +165,7 @@ class Record {
   std::string picture(const std::string& digest);
   void remove_pictures_that_none_shows();
 
+  std::string hand_in_;
   std::mutex one_at_a_time_;
   Database database_;
 };

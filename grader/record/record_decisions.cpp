@@ -9,8 +9,8 @@ std::vector<Decision> Record::decisions_of(const std::string& name) {
   std::vector<Decision> all;
   database_.each(
       "SELECT kind, place, number, computed, why, who, at FROM decisions JOIN people ON people.id = person "
-      "WHERE name = ? ORDER BY kind, place",
-      {name}, [&](const DatabaseRow& row) {
+      "WHERE assignment = ? AND name = ? ORDER BY kind, place",
+      {assignment(), name}, [&](const DatabaseRow& row) {
         const std::optional<DecisionKind> kind = decision_kind_from(row.text(0));
         if (!kind) throw BadInput("a decision about " + name + " is \"" + printable(row.text(0)) + "\"");
         all.push_back({*kind, row.text(1), row.real(2), row.real(3), row.text(4), row.text(5), row.text(6)});
@@ -23,11 +23,14 @@ std::vector<Decision> Record::decisions(const std::string& name) {
   return decisions_of(name);
 }
 
-HandInRules Record::stored_rules() {
-  const std::string text = database_.text("SELECT rules FROM assignments WHERE name = ''");
+HandInRules Record::rules_from(const std::string& text) const {
   return text.empty()
              ? HandInRules{}
              : from_json_text<HandInRules>(text, printable(database_.file().string(), 4096) + ": rules");
+}
+
+HandInRules Record::stored_rules() {
+  return rules_from(database_.text("SELECT rules FROM assignments WHERE name = ?", {hand_in_}));
 }
 
 HandInRules Record::rules() {
@@ -39,27 +42,22 @@ void Record::set_rules(const HandInRules& rules) {
   const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
   if (stored_rules() == rules) return;
+  make_assignment();
   const std::string text = json_text(rules, -1);
-  database_.run("UPDATE assignments SET rules = ? WHERE name = ''", {text});
+  database_.run("UPDATE assignments SET rules = ? WHERE name = ?", {text, hand_in_});
   add_to_log({}, "set rules", text);
   transaction.commit();
 }
 
 SubmissionResult Record::under_rules(SubmissionResult result, const HandInRules& rules,
                                      const ChangePoints& change, Lateness* late) {
-  const std::vector<Decision> decisions = decisions_of(result.name);
-  double more_days = 0;
-  for (const Decision& one : decisions)
-    if (one.kind == DecisionKind::late_days) more_days = one.number;
-  const std::string handed_in = database_.text(
-      "SELECT handed_in FROM hand_ins JOIN people ON people.id = person WHERE name = ? ORDER BY hand_ins.id "
-      "DESC "
-      "LIMIT 1",
-      {result.name});
-  result = decided(std::move(result), decisions);
+  const std::int64_t here = assignment();
+  const MoreDays more{days_given(here, result.name), free_days_left(rules, result.name)};
+  result = decided(std::move(result), decisions_of(result.name));
   if (change) change(result);
-  if (late) *late = lateness(rules, result, handed_in, more_days);
-  return under(rules, std::move(result), handed_in, more_days);
+  const std::string name = result.name;
+  if (late) *late = lateness(rules, result, handed_in(here, name), more);
+  return under(rules, std::move(result), handed_in(here, name), more);
 }
 
 std::optional<Recorded> Record::find_decided(const std::string& name) {

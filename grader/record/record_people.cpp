@@ -34,9 +34,9 @@ void Record::put_roster(const std::vector<Person>& roster) {
     database_.run("INSERT INTO roster (person) VALUES (?)", {json_text(one, -1)});
 }
 
-std::vector<HandIn> Record::hand_ins() {
+std::vector<HandIn> Record::hand_ins(Of of) {
   const std::lock_guard lock(one_at_a_time_);
-  return read_hand_ins();
+  return read_hand_ins(of);
 }
 
 // Of a row with name, owner, system, and the name that intake found.
@@ -47,13 +47,14 @@ HandIn Record::hand_in_of(const DatabaseRow& row) const {
           row.text(3)};
 }
 
-std::vector<HandIn> Record::read_hand_ins() {
+std::vector<HandIn> Record::read_hand_ins(Of of) {
   std::vector<HandIn> all;
   database_.each(
-      "SELECT name, owner, system, known_as FROM people JOIN results ON results.person = people.id LEFT JOIN "
-      "owners ON "
-      "owners.person = people.id ORDER BY name",
-      {}, [&](const DatabaseRow& row) { all.push_back(hand_in_of(row)); });
+      "SELECT DISTINCT name, owner, system, known_as FROM people JOIN results ON results.person = people.id "
+      "LEFT JOIN "
+      "owners ON owners.person = people.id WHERE ? OR assignment = ? ORDER BY name",
+      {std::int64_t{of == Of::course}, assignment()},
+      [&](const DatabaseRow& row) { all.push_back(hand_in_of(row)); });
   return all;
 }
 
@@ -75,10 +76,10 @@ std::vector<HandIn> Record::read_owned() {
   return all;
 }
 
-std::optional<ClassList> Record::class_list() {
+std::optional<ClassList> Record::class_list(Of of) {
   const std::lock_guard lock(one_at_a_time_);
   const Transaction one_state(database_, Transaction::reads);
-  return read_class_list(read_hand_ins());
+  return read_class_list(read_hand_ins(of));
 }
 
 std::optional<ClassList> Record::read_class_list(const std::vector<HandIn>& hand_ins) {
@@ -137,7 +138,7 @@ std::map<std::string, std::string> Record::codes() {
 }
 
 void Record::forget_on_roster(const std::string& hand_in) {
-  const std::optional<ClassList> list = read_class_list(read_hand_ins());
+  const std::optional<ClassList> list = read_class_list(read_hand_ins(Of::course));
   if (!list) return;
   std::vector<Person> people;
   for (const ClassList::Row& row : list->rows)

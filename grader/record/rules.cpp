@@ -39,11 +39,12 @@ double per_cent_of(const HandInRules& rules, const Lateness& late) {
 
 // Of a result whose extra credit is capped.
 Lateness lateness_of(const HandInRules& rules, const SubmissionResult& capped, const std::string& handed_in,
-                     double more_days) {
+                     const MoreDays& more) {
   const std::optional<TimeText> time = read_time(handed_in);
   Lateness late{.handed_in = time ? shown_on_clock_of(*time, rules.zone) : handed_in,
                 .days = late_days(rules, handed_in).value_or(0)};
-  late.free_days = std::min<double>(rules.free_days + more_days, late.days);
+  late.free_days =
+      std::min<double>(rules.free_days + more.given + used_of_all(rules, late.days, more), late.days);
   const double per_cent = per_cent_of(rules, late);
   const double base = rules.late_of == LateOf::reached ? points(capped) : max_points(capped);
   late.taken = std::min(points(capped), base * per_cent / 100);
@@ -51,8 +52,13 @@ Lateness lateness_of(const HandInRules& rules, const SubmissionResult& capped, c
 }
 
 void take_off_for_lateness(const HandInRules& rules, SubmissionResult& result, const std::string& handed_in,
-                           double more_days) {
-  const Lateness late = lateness_of(rules, result, handed_in, more_days);
+                           const MoreDays& more) {
+  if (!late_days(rules, handed_in)) return;
+  const Lateness late = lateness_of(rules, result, handed_in, more);
+  if (rules.free_days_in_all > 0)
+    result.remarks.push_back(std::to_string(more.left_of_all - used_of_all(rules, late.days, more)) +
+                             " of the course's " + days(rules.free_days_in_all) +
+                             " without a deduction are left after this hand-in");
   if (late.days == 0) return;
   std::string reason = "Late by " + days(late.days) + ", handed in " + late.handed_in + ", due " + rules.due;
   if (late.free_days > 0) reason += ", " + days(late.free_days) + " of them free";
@@ -75,8 +81,11 @@ const Rows<HandInRules>& Fields<HandInRules>::rows() {
   static const Rows<T> all = {
       field<T>("due", &T::due, changed(&T::due)),
       field<T>("zone", &T::zone, changed(&T::zone)),
+      field<T>("exercises", &T::exercises, changed(&T::exercises)),
+      field<T>("column", &T::column, changed(&T::column)),
       field<T>("grace_minutes", &T::grace_minutes, changed(&T::grace_minutes)),
       field<T>("free_days", &T::free_days, changed(&T::free_days)),
+      field<T>("free_days_in_all", &T::free_days_in_all, changed(&T::free_days_in_all)),
       field<T>("late_per_cent_a_day", &T::late_per_cent_a_day, changed(&T::late_per_cent_a_day)),
       field<T>("late_of", &T::late_of, changed(&T::late_of)),
       field<T>("late_per_cent_at_most", &T::late_per_cent_at_most, changed(&T::late_per_cent_at_most)),
@@ -84,13 +93,7 @@ const Rows<HandInRules>& Fields<HandInRules>::rows() {
   return all;
 }
 
-HandInRules read_rules(const std::optional<std::filesystem::path>& course_json) {
-  HandInRules rules;
-  if (!course_json) return rules;
-  const nlohmann::json document = read_json(*course_json);
-  const JsonValue course(document, *course_json);
-  if (!course.has("hand_in")) return rules;
-  const JsonValue json = course["hand_in"];
+void read_rules(const JsonValue& json, HandInRules& rules) {
   from_json_value(rules, json, {});
   const auto expect = [&](const char* key, double value, double most) {
     if (!(value >= 0 && value <= most))
@@ -102,10 +105,10 @@ HandInRules read_rules(const std::optional<std::filesystem::path>& course_json) 
     json["zone"].fail(json["zone"].shown() + " is no time zone; write its name, such as \"Europe/Berlin\"");
   expect("grace_minutes", rules.grace_minutes, kMinutesADay);
   expect("free_days", rules.free_days, 366);
+  expect("free_days_in_all", rules.free_days_in_all, 366);
   expect("late_per_cent_a_day", rules.late_per_cent_a_day, 100);
   expect("late_per_cent_at_most", rules.late_per_cent_at_most, 100);
   expect("total_per_cent_at_most", rules.total_per_cent_at_most, 1000);
-  return rules;
 }
 
 std::optional<int> late_days(const HandInRules& rules, const std::string& handed_in) {
@@ -122,15 +125,20 @@ std::optional<int> late_days(const HandInRules& rules, const std::string& handed
 }
 
 Lateness lateness(const HandInRules& rules, SubmissionResult result, const std::string& handed_in,
-                  double more_days) {
+                  const MoreDays& more) {
   cap(rules, result);
-  return lateness_of(rules, result, handed_in, more_days);
+  return lateness_of(rules, result, handed_in, more);
+}
+
+int used_of_all(const HandInRules& rules, int late, const MoreDays& more) {
+  const double needed = std::ceil(late - rules.free_days - more.given);
+  return std::clamp(static_cast<int>(needed), 0, std::max(0, more.left_of_all));
 }
 
 SubmissionResult under(const HandInRules& rules, SubmissionResult result, const std::string& handed_in,
-                       double more_days) {
+                       const MoreDays& more) {
   cap(rules, result);
-  take_off_for_lateness(rules, result, handed_in, more_days);
+  take_off_for_lateness(rules, result, handed_in, more);
   return result;
 }
 

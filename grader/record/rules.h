@@ -13,9 +13,9 @@
 // a total beyond the full points would be refused or cut by most gradebooks.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "grader/result/fields.h"
 #include "grader/result/lateness.h"
@@ -30,7 +30,10 @@ std::string to_string(LateOf of);
 struct HandInRules {
   std::string due = {};   // "": there is no date, and nobody is late
   std::string zone = {};  // "": times are taken as they are shown, and offsets are not looked at
+  std::vector<std::string> exercises = {};  // of a hand-in with a name, else empty
+  std::string column = {};                  // in the learning system's gradebook
   int grace_minutes = 0, free_days = 0;
+  int free_days_in_all = 0;  // of the course: used by hand-ins in the order of their due dates
   double late_per_cent_a_day = 0, late_per_cent_at_most = 100;
   LateOf late_of = LateOf::reached;
   double total_per_cent_at_most = 100;
@@ -45,18 +48,27 @@ struct Fields<HandInRules> {
   static const Rows<HandInRules>& rows();
 };
 
-// Reads those of a course file; the default ones without "hand_in". Throws BadInput, a line that names the place and what would be right.
-HandInRules read_rules(const std::optional<std::filesystem::path>& course_json);
+// Reads the rules of an object like "hand_in" over `rules`. Throws BadInput, a line that names the place and what would be right.
+void read_rules(const JsonValue& json, HandInRules& rules);
 
 // How many days of the calendar `handed_in` (grader/text/time_text.h) is late; 0: it is not. Nothing without both times.
 std::optional<int> late_days(const HandInRules& rules, const std::string& handed_in);
 
+// Days for one student beyond the hand-in's own free ones.
+struct MoreDays {
+  double given = 0;     // by a person
+  int left_of_all = 0;  // of the course's free days, by earlier hand-ins
+};
+
+// How many of the course's free days are used for a hand-in that is so late.
+int used_of_all(const HandInRules& rules, int late, const MoreDays& more);
+
 // Of a result before any rule.
 Lateness lateness(const HandInRules& rules, SubmissionResult result, const std::string& handed_in,
-                  double more_days);
+                  const MoreDays& more);
 
-// The result with a line for each rule that changes its total. `more_days`: what a person has given.
+// The result with a line for each rule that changes its total.
 SubmissionResult under(const HandInRules& rules, SubmissionResult result, const std::string& handed_in,
-                       double more_days);
+                       const MoreDays& more);
 
 }  // namespace grader

@@ -3,10 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "grader/course/input.h"
-#include "hair/io/files/temporary_folder.h"
 
 namespace grader {
 namespace {
@@ -53,7 +50,7 @@ TEST(Lateness, IsCountedInDaysOfTheCalendar) {
 TEST(Lateness, TakesAShareOfWhatIsReachedOrReachable) {
   HandInRules rules = due_in_march();
   const auto total = [&](const char* handed_in, double more_days) {
-    return points(under(rules, with_points(60, 0), handed_in, more_days));
+    return points(under(rules, with_points(60, 0), handed_in, {.given = more_days}));
   };
   EXPECT_EQ(total("2025-03-29 23:59:30", 0), 60);
   EXPECT_EQ(total("2025-03-31 12:00:00", 0), 60 - 12);
@@ -66,42 +63,42 @@ TEST(Lateness, TakesAShareOfWhatIsReachedOrReachable) {
   EXPECT_EQ(total("2025-05-31 12:00:00", 0), 0) << "never below";
   rules.late_per_cent_at_most = 30;
   EXPECT_EQ(total("2025-05-31 12:00:00", 0), 60 - 30);
-  EXPECT_EQ(under(rules, with_points(60, 0), "2025-03-31 12:00:00", 0).adjustments.at(0).reason,
+  EXPECT_EQ(under(rules, with_points(60, 0), "2025-03-31 12:00:00", {}).adjustments.at(0).reason,
             "Late by 2 days, handed in 2025-03-31 12:00:00, due 2025-03-29 23:59, 1 day of them free; 10 per "
             "cent of "
             "the points reachable are taken off");
 }
 
 TEST(ExtraCredit, MakesUpForLostPointsAndNoMoreUnlessTheCourseSaysSo) {
-  EXPECT_EQ(points(under({}, with_points(70, 20), "", 0)), 90);
-  const SubmissionResult capped = under({}, with_points(70, 50), "", 0);
+  EXPECT_EQ(points(under({}, with_points(70, 20), "", {})), 90);
+  const SubmissionResult capped = under({}, with_points(70, 50), "", {});
   EXPECT_EQ(points(capped), 100);
   EXPECT_EQ(capped.adjustments.at(0).reason,
             "With extra credit the total counts up to 100 per cent of 100 points");
   HandInRules rules = due_in_march();
   rules.total_per_cent_at_most = 110;
-  EXPECT_EQ(points(under(rules, with_points(70, 50), "", 0)), 110);
-  EXPECT_EQ(points(under(rules, with_points(70, 50), "2025-03-30 12:00:00", 0)), 99)
+  EXPECT_EQ(points(under(rules, with_points(70, 50), "", {})), 110);
+  EXPECT_EQ(points(under(rules, with_points(70, 50), "2025-03-30 12:00:00", {})), 99)
       << "lateness is taken off last";
-  EXPECT_EQ(points(under({}, SubmissionResult{}, "", 0)), 0);
+  EXPECT_EQ(points(under({}, SubmissionResult{}, "", {})), 0);
 }
 
 TEST(Rules, AreReadFromTheCourseFile) {
-  const hair::TemporaryFolder folder("rules");
-  const std::filesystem::path file = folder.path() / "course.json";
-  const auto read = [&](const std::string& hand_in) {
-    std::ofstream(file) << R"({"exercises": {}, "hand_in": )" << hand_in << "}";
-    return read_rules(file);
+  const auto read = [](const std::string& hand_in) {
+    const nlohmann::json document =
+        hair::parse_json(R"({"exercises": {}, "hand_in": )" + hand_in + "}", "course.json");
+    HandInRules rules;
+    read_rules(JsonValue(document, "course.json")["hand_in"], rules);
+    return rules;
   };
-  EXPECT_EQ(read_rules({}), HandInRules{});
   EXPECT_EQ(read("{}"), HandInRules{});
   const HandInRules rules = read(R"({"due": "2025-03-29 23:59", "late_per_cent_a_day": 10})");
   EXPECT_EQ(rules, due_in_march());
   EXPECT_EQ(from_json_text<HandInRules>(json_text(rules, -1), "x"), rules);
   for (const char* bad :
        {R"({"due": "tomorrow"})", R"({"due": "2025-02-30 10:00"})", R"({"due": "2025-03-29 23:59:10"})",
-        R"({"late_per_cent_a_day": 101})", R"({"free_days": -1})", R"({"late_of": "all"})",
-        R"({"lateness": 1})", R"({"grace_minutes": "1"})", "3"}) {
+        R"({"zone": "Berlin"})", R"({"zone": ""})", R"({"late_per_cent_a_day": 101})", R"({"free_days": -1})",
+        R"({"late_of": "all"})", R"({"lateness": 1})", R"({"grace_minutes": "1"})", "3"}) {
     try {
       read(bad);
       ADD_FAILURE() << bad;

@@ -105,10 +105,16 @@ CREATE TABLE listed_files (
 ) STRICT;
 )";
 
+// The first tables had a place for several assignments; versions up to 4 know only '', and would mix their rows.
+constexpr const char* kNamedHandIns = R"(
+ALTER TABLE assignments ADD COLUMN folder TEXT NOT NULL DEFAULT ''; -- of its pages, below the record's
+CREATE UNIQUE INDEX folder_of_assignment ON assignments (folder COLLATE NOCASE);
+)";
+
 }  // namespace
 
 const std::vector<std::string>& migrations() {
-  static const std::vector<std::string> all = {kFirst, kOwners, kRules, kBlind, kListedFiles};
+  static const std::vector<std::string> all = {kFirst, kOwners, kRules, kBlind, kListedFiles, kNamedHandIns};
   return all;
 }
 

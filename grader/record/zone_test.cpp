@@ -95,7 +95,7 @@ TEST(Lateness, IsToldOnTheCoursesClock) {
   result.exercises.resize(1);
   result.exercises[0].points = result.exercises[0].max_points = 10;
   EXPECT_EQ(
-      under(rules, result, "2025-03-04 15:15:22 -0800", 0).adjustments.at(0).reason,
+      under(rules, result, "2025-03-04 15:15:22 -0800", {}).adjustments.at(0).reason,
       "Late by 1 day, handed in 2025-03-05 00:15:22, due 2025-03-04 23:59; 10 per cent of the points reached "
       "are taken off");
 }

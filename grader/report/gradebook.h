@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "grader/report/course_table.h"
 #include "grader/result/result.h"
 #include "grader/roster/class_list.h"
 
@@ -23,5 +24,8 @@ std::string grades_csv(const std::vector<SubmissionResult>& results,
 // exercise that was not handed in or not begun is skipped, a wrong answer is a failure, and a program that
 // ended early or a submission that can't be read is an error.
 std::string junit_xml(const std::vector<SubmissionResult>& results);
+
+// A course's: total and points of each hand-in.
+std::string course_csv(const CourseTable& course, const std::vector<ClassLine>& people);
 
 }  // namespace grader

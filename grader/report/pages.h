@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "grader/report/class_facts.h"
+#include "grader/report/course_table.h"
 #include "grader/result/result.h"
 #include "grader/result/study.h"
 #include "hair/io/plot/html.h"
@@ -24,6 +25,9 @@ std::string study_page(const SubmissionResult& result, const SubmissionStudy& st
 
 std::string class_page(const std::vector<SubmissionResult>& results, const ClassFacts& facts = {},
                        const NamesForPeople& people = {});  // index.html
+
+std::string course_page(const CourseTable& course,
+                        const std::vector<ClassLine>& people);  // index.html above several hand-ins
 
 // Lists people who are missing, or on no roster; empty if nobody is.
 Html people_section(const std::vector<ClassLine>& people);

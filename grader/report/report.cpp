@@ -73,6 +73,12 @@ void write_class_reports(const fs::path& dir, const std::vector<SubmissionResult
   put_file(dir / "index.html", class_page(results, facts, people));
 }
 
+void write_course_reports(const fs::path& dir, const CourseTable& course,
+                          const std::vector<ClassLine>& people) {
+  put_file(dir / "grades.csv", course_csv(course, people));
+  put_file(dir / "index.html", course_page(course, people));
+}
+
 void remove_reports(const fs::path& dir, const std::string& name) {
   check_name(name);
   fs::remove_all(dir / name);

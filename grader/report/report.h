@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "grader/report/class_facts.h"
+#include "grader/report/course_table.h"
 #include "grader/result/result.h"
 #include "grader/result/study.h"
 
@@ -39,6 +40,10 @@ void remove_study(const std::filesystem::path& dir, const SubmissionResult& resu
 
 void write_class_reports(const std::filesystem::path& dir, const std::vector<SubmissionResult>& results,
                          const ClassFacts& facts = {}, const NamesForPeople& people = {});
+
+// The course's grades.csv and index.html, above the folders of its hand-ins.
+void write_course_reports(const std::filesystem::path& dir, const CourseTable& course,
+                          const std::vector<ClassLine>& people);
 
 // All files of a student in `dir`, but for pictures: remove_unshown_pictures follows.
 void remove_reports(const std::filesystem::path& dir, const std::string& name);

@@ -66,7 +66,7 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
                    names_of(submissions));
   Batch batch;
   const std::optional<FolderOfGrades> folder =
-      FolderOfGrades::open(settings.out, grading.made_by(), interrupted, std::cerr);
+      FolderOfGrades::open(settings.out, grading.made_by(), interrupted, std::cerr, settings.hand_in);
   if (!folder) {
     batch.interrupted = true;
     batch.began = false;
@@ -75,7 +75,8 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
   Record& record = folder->record();
   if (settings.blind) record.set_blind();
   if (record.is_blind()) give_codes(submissions, record.codes());
-  for (const std::string& line : settle_origins(settings.out, submissions, settings.only, settings.replace))
+  for (const std::string& line :
+       settle_origins(settings.out, submissions, settings.only, settings.replace, settings.hand_in))
     std::cerr << "hairgrade: " << line << "\n";
   record.put_people(hand_ins_of(submissions),
                     settings.roster ? std::optional(settings.roster->people()) : std::nullopt, settings.only);
@@ -112,6 +113,7 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
       const bool complete = earlier->result.studied || !grading.reference().study;
       if (complete && earlier->result.origin == submission.origin &&
           earlier->result.fingerprint == grading.fingerprint(submission)) {
+        if (!submission.handed_in.empty()) record.set_handed_in(submission.name, submission.handed_in);
         const std::lock_guard lock(shared);
         ++batch.done;
         progress.step(in_a_line(earlier->result, people), false);
@@ -128,7 +130,7 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
     record.put(one, submission.handed_in);
     if (std::optional<Recorded> now = record.find_decided(submission.name)) one = std::move(*now);
     if (hidden) hide(*hidden, one.result);
-    write_student_files(settings.out, one, people);
+    write_student_files(record.pages(), one, people);
     const std::lock_guard lock(shared);
     progress.step(in_a_line(one.result, people));
     written.insert(submission.name);

@@ -26,6 +26,7 @@ struct BatchSettings {
   std::optional<Roster> roster;        // replaces the record's
   bool blind = false;                  // names are codes; a record that began so stays so
   std::vector<Accounted> listed = {};  // files of the input that reached no hand-in
+  std::string hand_in = {};            // its name in the record, "" where the course has one
   HandInRules rules = {};              // of the course file: lateness, and how much extra credit counts
   bool merge = false;                  // only one exercise is graded: keep the earlier results of the others
 };

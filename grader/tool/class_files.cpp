@@ -9,6 +9,7 @@
 #include "grader/report/picture_files.h"
 #include "grader/report/report.h"
 #include "grader/tool/blind.h"
+#include "grader/tool/course_files.h"
 
 namespace grader {
 
@@ -21,8 +22,10 @@ void write_student_files(const std::filesystem::path& folder, const Recorded& on
   write_submission_reports(folder, one.result, people);
 }
 
-std::vector<SubmissionResult> write_class_files(const std::filesystem::path& folder, Record& record,
-                                                const std::set<std::string>& written) {
+namespace {
+
+std::vector<SubmissionResult> write_files_of_hand_in(Record& record, const std::set<std::string>& written) {
+  const std::filesystem::path folder = record.pages();
   std::vector<SubmissionResult> results;
   ClassCosts costs = record.costs();
   const NamesForPeople people = record.names_for_people();
@@ -47,6 +50,20 @@ std::vector<SubmissionResult> write_class_files(const std::filesystem::path& fol
   remove_unshown_pictures(folder);
   write_file(folder / "timing.json", to_json(costs));
   write_file(folder / "costs.html", costs_page(costs_table(costs), people));
+  return results;
+}
+
+}  // namespace
+
+std::vector<SubmissionResult> write_class_files(const std::filesystem::path& folder, Record& record,
+                                                const std::set<std::string>& written) {
+  std::vector<SubmissionResult> results = write_files_of_hand_in(record, written);
+  if (record.hand_in().empty()) return results;
+  // Free days that one hand-in uses are gone for later ones.
+  if (record.rules().free_days_in_all > 0)
+    for (const std::string& name : record.named_hand_ins())
+      if (Record other(folder, name); name != record.hand_in()) write_files_of_hand_in(other, {});
+  write_course_files(folder);
   return results;
 }
 

@@ -15,7 +15,7 @@ namespace grader {
 void write_student_files(const std::filesystem::path& folder, const Recorded& one,
                          const NamesForPeople& people);
 
-// All files of all students, but of those who are `written`, and of the class. Returns everybody's result, sorted by name.
+// All files of all students of the record's hand-in, but of those who are `written`, of the class, and of the course (course_files.h). Returns everybody's result, sorted by name.
 std::vector<SubmissionResult> write_class_files(const std::filesystem::path& folder, Record& record,
                                                 const std::set<std::string>& written = {});
 

@@ -9,6 +9,7 @@
 
 #include "grader/course/input.h"
 #include "grader/report/sample_results.h"
+#include "grader/report/text.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/temporary_folder.h"
 
@@ -112,6 +113,35 @@ TEST_F(ClassFiles, SayWhichFilesWereLeftOverAndThatARunWasKilled) {
   const std::string page = files().at("index.html");
   EXPECT_NE(page.find("c.zip/x.cpp"), std::string::npos);
   EXPECT_NE(page.find("has not ended: 1 of 2"), std::string::npos);
+}
+
+// Week 2 lacks the free day that week 1 uses.
+TEST_F(ClassFiles, OfSeveralHandInsAreMadeWhereAnotherOneChangesThem) {
+  HandInRules rules;
+  rules.due = "2025-03-04 23:59";
+  rules.late_per_cent_a_day = 100;
+  rules.total_per_cent_at_most = 1000;
+  rules.free_days_in_all = 1;
+  Record first(folder_, "week 1"), second(folder_, "week 2");
+  first.set_rules(rules);
+  rules.due = "2025-03-11 23:59";
+  second.set_rules(rules);
+  const SubmissionResult alice = sample_class(1).front();
+  const std::string reached = shown_points(points(alice)), most = shown_points(max_points(alice));
+  second.put({alice}, "2025-03-12 12:00:00");
+  write_class_files(folder_, second);
+  const std::string head = "submission,total,of,week 1,week 1 of,week 2,week 2 of\r\n";
+  EXPECT_EQ(files().at("grades.csv"),
+            head + "alice," + reached + "," + most + ",,," + reached + "," + most + "\r\n");
+  const std::map<std::string, std::string> before = files();
+  first.put({alice}, "2025-03-05 12:00:00");
+  write_class_files(folder_, first);
+  EXPECT_NE(files().at("week_2/alice/report.html"), before.at("week_2/alice/report.html"));
+  EXPECT_NE(files().at("week_2/alice/report.html").find("Late by 1 day"), std::string::npos);
+  EXPECT_NE(files().at("grades.csv").find("," + reached + "," + most + ",0," + most), std::string::npos)
+      << files().at("grades.csv");
+  EXPECT_EQ(files().at("week_1/index.html").find("week_2"), std::string::npos);
+  EXPECT_NE(files().at("index.html").find("week_1/staff/alice.html"), std::string::npos);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "grader/course/input.h"
+#include "grader/record/hand_ins.h"
 
 namespace grader {
 namespace {
@@ -51,13 +52,20 @@ bool has_older_grades(const fs::path& folder) {
 
 }  // namespace
 
-void check_made_by(const fs::path& folder, const MadeBy& mine) {
+void check_made_by(const fs::path& folder, const MadeBy& mine, const std::string& hand_in) {
   if (!Record::is_in(folder)) {
     if (has_older_grades(folder))
       refuse(folder, "it has grades of an older hairgrade, and no " + std::string(kRecordFile), "");
     return;
   }
-  Record record(folder);
+  Record record(folder, hand_in);
+  if (hand_in.empty())
+    check_hand_in(hand_in, record.named_hand_ins(), printable(folder.string(), 4096));
+  else if (!Record(folder).names().empty())
+    refuse(
+        folder,
+        "its grades are of a course with one hand-in without a name, not of \"" + printable(hand_in) + "\"",
+        "");
   // In this order: another hairgrade may write how it grades and its first result just now.
   if (record.names().empty()) return;
   const std::optional<MadeBy> there = made_by_from_json(record.made_by());
@@ -66,7 +74,8 @@ void check_made_by(const fs::path& folder, const MadeBy& mine) {
 }
 
 std::optional<FolderOfGrades> FolderOfGrades::open(const fs::path& folder, const MadeBy& mine,
-                                                   const std::atomic<bool>& interrupted, std::ostream& says) {
+                                                   const std::atomic<bool>& interrupted, std::ostream& says,
+                                                   const std::string& hand_in) {
   std::error_code error;
   if (fs::create_directories(folder, error))
     fs::permissions(folder, fs::perms::owner_all);  // it holds everybody's grades
@@ -74,9 +83,9 @@ std::optional<FolderOfGrades> FolderOfGrades::open(const fs::path& folder, const
   if (access(folder.c_str(), W_OK) != 0) can_not_write(folder, std::generic_category().message(errno));
   std::optional<FolderLock> lock = FolderLock::take(folder, interrupted, says);
   if (!lock) return {};
-  check_made_by(folder, mine);
+  check_made_by(folder, mine, hand_in);
   remove_half_written(folder);
-  FolderOfGrades opened(std::move(*lock), folder);
+  FolderOfGrades opened(std::move(*lock), folder, hand_in);
   opened.record().set_made_by(to_json(mine));
   return opened;
 }

@@ -14,9 +14,10 @@
 
 namespace grader {
 
-// Throws BadInput if the folder has results that were made otherwise, or that are of an older version and in no record. It needs no
+// Throws BadInput if the folder has results of this hand-in that were made otherwise, or that are of an older version and in no record;
+// and if a hand-in has a name here and none there. It needs no
 // lock: the record says how its results are made before the first one is there.
-void check_made_by(const std::filesystem::path& folder, const MadeBy& mine);
+void check_made_by(const std::filesystem::path& folder, const MadeBy& mine, const std::string& hand_in = "");
 
 // The right to write to a folder, and its record, until the end of this object's life or of the process, however that ends.
 class FolderOfGrades {
@@ -25,13 +26,14 @@ class FolderOfGrades {
   // Nothing if `interrupted` was set meanwhile. Throws BadInput as check_made_by does, and for a folder that can't
   // be written.
   static std::optional<FolderOfGrades> open(const std::filesystem::path& folder, const MadeBy& mine,
-                                            const std::atomic<bool>& interrupted, std::ostream& says);
+                                            const std::atomic<bool>& interrupted, std::ostream& says,
+                                            const std::string& hand_in = "");
 
   Record& record() const { return *record_; }
 
  private:
-  FolderOfGrades(FolderLock lock, const std::filesystem::path& folder)
-      : lock_(std::move(lock)), record_(std::make_unique<Record>(folder)) {}
+  FolderOfGrades(FolderLock lock, const std::filesystem::path& folder, const std::string& hand_in)
+      : lock_(std::move(lock)), record_(std::make_unique<Record>(folder, hand_in)) {}
 
   FolderLock lock_;
   std::unique_ptr<Record> record_;

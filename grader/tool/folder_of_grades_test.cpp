@@ -88,6 +88,26 @@ TEST_F(Folder, WithResultsRefusesWhatWasMadeOtherwise) {
       << refusal(other_);
 }
 
+TEST_F(Folder, OfSeveralHandInsComparesEachWithItself) {
+  const auto refusal_of = [&](const MadeBy& made_by, const std::string& hand_in) -> std::string {
+    try {
+      check_made_by(grades_, made_by, hand_in);
+    } catch (const BadInput& line) {
+      return line.what();
+    }
+    return "";
+  };
+  SubmissionResult result;
+  result.name = "alice";
+  FolderOfGrades::open(grades_, mine_, interrupted_, said_, "week 1")->record().put({result});
+  EXPECT_EQ(refusal_of(other_, "week 2"), "");
+  FolderOfGrades::open(grades_, other_, interrupted_, said_, "week 2")->record().put({result});
+  EXPECT_EQ(refusal_of(mine_, "week 1") + refusal_of(other_, "week 2"), "");
+  EXPECT_NE(refusal_of(other_, "week 1").find("S2 is worth 20 points there and 15 here"), std::string::npos);
+  EXPECT_NE(refusal_of(mine_, "week 2").find("S2 is worth 15 points there and 20 here"), std::string::npos);
+  EXPECT_NE(refusal_of(mine_, "").find("name one by --hand-in: \"week 1\", \"week 2\""), std::string::npos);
+}
+
 TEST_F(Folder, WithoutResultsIsForAnybody) {
   open(mine_);
   EXPECT_EQ(refusal(other_), "");

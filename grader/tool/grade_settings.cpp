@@ -25,8 +25,7 @@ fs::path default_cache() {
 std::string asked_for(const Course& course) {
   std::string ids;
   for (const Exercise& exercise : course.exercises)
-    if (exercise.role == Role::assigned || exercise.role == Role::optional)
-      ids += (ids.empty() ? "" : ", ") + exercise.id;
+    if (course.asks_for(exercise)) ids += (ids.empty() ? "" : ", ") + exercise.id;
   return ids;
 }
 
@@ -35,9 +34,10 @@ std::string asked_for(const Course& course) {
 GradingSettings settings_of(const GradeSettings& options) {
   GradingSettings settings;
   settings.course = read_course(HAIR_EXERCISES_JSON, options.course);
+  settings.course.of_hand_in = options.of_hand_in;
   if (options.exercise) {
     const Exercise* exercise = settings.course.find(*options.exercise);
-    if (exercise == nullptr || exercise->role == Role::given || exercise->role == Role::absent)
+    if (exercise == nullptr || !settings.course.asks_for(*exercise))
       throw BadInput("--exercise " + *options.exercise + ": the course does not ask for it; it asks for " +
                      asked_for(settings.course));
   }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "grader/compile/cache.h"
 #include "grader/course/isolation.h"
@@ -14,6 +15,7 @@ namespace grader {
 struct GradeSettings {
   std::optional<std::filesystem::path> course, secret, cache;
   std::optional<std::string> exercise;
+  std::vector<std::string> of_hand_in;  // its exercises; empty: all
   bool no_images = false, study = false;
   std::uintmax_t cache_megabytes = kCacheBytes / 1'000'000;
   std::optional<Isolation> isolation;  // nothing: what this machine can give

@@ -44,7 +44,7 @@ void GradescopeResults::belong_to(const Metadata& metadata) {
 void GradescopeResults::write(SubmissionResult result) const {
   std::string left;
   for (const Exercise& exercise : course_.exercises)
-    if ((exercise.role == Role::assigned || exercise.role == Role::optional) &&
+    if (course_.asks_for(exercise) &&
         std::ranges::find(result.exercises, exercise.id, &ExerciseResult::id) == result.exercises.end())
       left += (left.empty() ? "" : ", ") + exercise.id;
   if (!left.empty())

@@ -49,7 +49,9 @@ SuiteJob end_to_end_job(const SuiteJobs& jobs, const fs::path& job, const Submis
   for (const Exercise& exercise : jobs.settings().course.exercises) {
     const std::string file = exercise.id + ".so";
     fs::path object = kit.folder() / (exercise.role == Role::given ? "lib" : "stub") / file;
-    if (exercise.role == Role::absent) suite.left_out.insert(exercise.id);
+    // The reference's object of an exercise that is due later would be there to be read.
+    if (exercise.role != Role::given && !jobs.settings().course.asks_for(exercise))
+      suite.left_out.insert(exercise.id);
     for (const ExerciseResult& graded : result.exercises) {
       if (graded.id != exercise.id) continue;
       const fs::path compiled = job / exercise.id / file;

@@ -82,8 +82,12 @@ std::string way_from(Isolation here, Isolation there) {
 
 MadeBy made_by(const GradingSettings& settings) {
   MadeBy made;
-  for (const Exercise& exercise : settings.course.exercises)
-    made.exercises.push_back({exercise.id, exercise.role, asked_for(exercise.role) ? exercise.points : 0});
+  for (const Exercise& exercise : settings.course.exercises) {
+    const bool elsewhere =
+        asked_for(exercise.role) && !settings.course.asks_for(exercise);  // another hand-in's
+    const Role role = elsewhere ? Role::absent : exercise.role;
+    made.exercises.push_back({exercise.id, role, asked_for(role) ? exercise.points : 0});
+  }
   for (const BudgetField& field : budget_fields())
     made.budget[field.key] = shown_points(settings.course.budget.*field.value);
   made.suite = sha256(sha256_of(settings.kit) + sha256_of(settings.suite) + sha256_of(settings.scenes));

@@ -53,6 +53,28 @@ TEST(MadeBy, IsNotReadFromOtherTexts) {
   EXPECT_FALSE(made_by_from_json(unknown.replace(unknown.find("assigned"), 8, "homework")));
 }
 
+TEST(MadeBy, OfAHandInHasTheExercisesOfOthersAsLeftOut) {
+  const hair::TemporaryFolder folder("made-by");
+  std::ofstream(folder.path() / "file") << "x";
+  GradingSettings settings;
+  settings.kit = settings.suite = settings.scenes = folder.path() / "file";
+  settings.secret = std::string(32, 's');
+  for (const MadeBy::Rule& rule : three_exercises().exercises) {
+    Exercise exercise;
+    exercise.id = rule.id;
+    exercise.role = rule.role;
+    exercise.points = rule.points;
+    settings.course.exercises.push_back(exercise);
+  }
+  EXPECT_EQ(made_by(settings).exercises, three_exercises().exercises);
+  settings.course.of_hand_in = {"S1"};
+  const MadeBy week = made_by(settings);
+  settings.course.exercises[1].points = 99;
+  EXPECT_EQ(made_by(settings), week) << "S2 is another hand-in's";
+  settings.course.exercises[0].points = 99;
+  EXPECT_NE(made_by(settings), week);
+}
+
 TEST(MadeBy, TellsWhichExercisesDiffer) {
   const MadeBy there = three_exercises();
   MadeBy here = there;

@@ -42,9 +42,10 @@ std::string earlier_download(const std::string& origin, const Names& names,
 
 std::vector<std::string> settle_origins(const std::filesystem::path& folder,
                                         std::vector<Submission>& submissions,
-                                        const std::optional<std::string>& only, bool replace) {
+                                        const std::optional<std::string>& only, bool replace,
+                                        const std::string& hand_in) {
   std::map<std::string, std::string> rows, mine, settled;
-  if (Record::is_in(folder)) rows = Record(folder).origins();
+  if (Record::is_in(folder)) rows = Record(folder, hand_in).origins();
   for (const Submission& submission : submissions) mine[submission.name] = submission.origin;
   const std::map<std::string, Names> there = names_by_origin(rows);
   for (const auto& [origin, names] : names_by_origin(mine))

@@ -18,6 +18,7 @@ namespace grader {
 // row would be replaced by one of another origin and `replace` is false. If it is true, such rows are told, a line each.
 std::vector<std::string> settle_origins(const std::filesystem::path& folder,
                                         std::vector<Submission>& submissions,
-                                        const std::optional<std::string>& only, bool replace);
+                                        const std::optional<std::string>& only, bool replace,
+                                        const std::string& hand_in = "");
 
 }  // namespace grader

@@ -83,7 +83,7 @@ std::string SuiteJobs::fingerprint() const {
 }
 
 bool SuiteJobs::selected(const Exercise& exercise) const {
-  return asked_for(exercise) && (!settings_.exercise || *settings_.exercise == exercise.id);
+  return settings_.course.asks_for(exercise) && (!settings_.exercise || *settings_.exercise == exercise.id);
 }
 
 SuiteJob SuiteJobs::job(const std::string& exercise, const fs::path& folder) const {

@@ -158,7 +158,7 @@ Course read_course(const std::filesystem::path& exercises_json,
   if (course_json) {
     const nlohmann::json changes = read_json(*course_json);
     const JsonValue changes_top(changes, *course_json);
-    changes_top.check_keys({"exercises"}, {"budget", "hand_in", "partial"});
+    changes_top.check_keys({"exercises"}, {"budget", "hand_in", "hand_ins", "partial"});
     change_exercises(course, changes_top["exercises"]);
     check_prerequisites(course, changes_top);
   }

@@ -5,7 +5,7 @@
 //
 //   {"exercises": {"S1": {"role": "given"}, "S2": {"role": "optional", "points": 5}, "H3": {"role": "absent"}}}
 //
-// Its "budget", "hand_in" and "partial" are the grader's alone, and are not read here.
+// Its "budget", "hand_in", "hand_ins" and "partial" are the grader's alone, and are not read here.
 #pragma once
 
 #include <algorithm>

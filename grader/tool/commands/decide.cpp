@@ -14,8 +14,7 @@ struct DecideOptions : OfARecord {
 };
 
 int decide(const DecideOptions& options) {
-  return change_record(options.folder,
-                       [&](Record& record) { record.decide(options.name, options.decision); });
+  return change_record(options, [&](Record& record) { record.decide(options.name, options.decision); });
 }
 
 CLI::App* add(CLI::App& hairgrade, const char* name, const char* help, DecisionKind kind,
@@ -85,7 +84,7 @@ Command add_unset(CLI::App& hairgrade) {
   command->add_option("--kind", options->kind, "points (the default), excuse, comment or late-days")
       ->check(CLI::IsMember({"points", "excuse", "comment", "late-days"}));
   return {command, [options] {
-            return change_record(options->folder, [&](Record& record) {
+            return change_record(*options, [&](Record& record) {
               record.undo(options->name, *decision_kind_from(options->kind), options->decision.place);
             });
           }};

@@ -15,7 +15,7 @@ std::string shown(const std::optional<double>& points) {
 }
 
 int diff(const OfARecord& options, const std::string& since) {
-  const std::unique_ptr<Record> record = open_record(options.folder);
+  const std::unique_ptr<Record> record = open_record(options.folder, options.hand_in);
   const NamesForPeople people = record->names_for_people();
   int students = 0;
   for (const std::string& name : record->names()) {

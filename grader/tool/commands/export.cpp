@@ -12,7 +12,7 @@ Command add_export(CLI::App& hairgrade) {
       hairgrade.add_subcommand("export", "Print the record of a class as JSON, without pictures");
   add_folder(*command, *options);
   return {command, [options] {
-            std::cout << open_record(options->folder)->export_json();
+            std::cout << open_record(options->folder, options->hand_in)->export_json();
             return 0;
           }};
 }

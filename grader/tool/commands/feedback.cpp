@@ -13,6 +13,7 @@
 #include "grader/report/student_view.h"
 #include "grader/report/text.h"
 #include "grader/tool/commands/command.h"
+#include "grader/tool/commands/of_a_record.h"
 #include "grader/tool/isolation_here.h"
 #include "hair/io/files/read_file.h"
 #include "hair/io/plot/readable.h"
@@ -23,7 +24,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct FeedbackOptions {
-  std::string system;
+  std::string system, hand_in;
   fs::path table, grades, out;
 };
 
@@ -77,14 +78,14 @@ int write_feedback(const FeedbackOptions& options) {
   if (options.out.extension() != ".zip")
     throw BadInput("--out " + printable(options.out.string(), 4096) +
                    ": the archive is a .zip; give it such a name");
-  const std::vector<Grade> grades = recorded_grades(options.grades);
-  Record record(options.grades);
+  const std::unique_ptr<Record> record = open_record(options.grades, options.hand_in);
+  const std::vector<Grade> grades = recorded_grades(*record, options.grades);
   const ReportOf report = [&](const std::string& hand_in) {
-    const fs::path page = options.grades / hand_in / "report.html";
+    const fs::path page = record->pages() / hand_in / "report.html";
     std::string bytes = hair::bytes_of(page);
     if (bytes.empty())
       throw BadInput(printable(page.string(), 4096) + ": is not there; grade again, which writes it");
-    return ReportOfStudent{std::move(bytes), text_of(record.find_decided(hand_in)->result)};
+    return ReportOfStudent{std::move(bytes), text_of(record->find_decided(hand_in)->result)};
   };
   const Feedback feedback = options.system == "canvas"
                                 ? feedback_for_canvas(files_in(options.table), grades, report)
@@ -112,6 +113,7 @@ Command add_feedback(CLI::App& hairgrade) {
                    "canvas: the download that was graded. moodle: the grading worksheet")
       ->required();
   command->add_option("--grades", options->grades, "The folder of hairgrade grade --out")->required();
+  add_hand_in(*command, options->hand_in);
   command->add_option("--out", options->out, "The archive, a .zip")->required();
   return {command, [options] { return write_feedback(*options); }};
 }

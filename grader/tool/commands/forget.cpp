@@ -11,18 +11,18 @@ namespace grader {
 namespace {
 
 int forget(const OfARecord& options) {
-  const std::unique_ptr<Record> record = open_record(options.folder);
+  const std::vector<std::unique_ptr<Record>> hand_ins = open_hand_ins(options.folder);
   const std::optional<FolderLock> lock = FolderLock::take(options.folder, note_interruptions(), std::cerr);
   if (!lock) {
     std::cerr << "hairgrade: interrupted while it waited; nothing was removed\n";
     return 130;
   }
   if (!options.name.empty()) {
-    record->forget(options.name);
-    remove_reports(options.folder, options.name);
+    hand_ins.front()->forget(options.name);
+    for (const std::unique_ptr<Record>& one : hand_ins) remove_reports(one->pages(), options.name);
   }
-  write_class_files(options.folder, *record);
-  record->shred();
+  for (const std::unique_ptr<Record>& one : hand_ins) write_class_files(options.folder, *one);
+  hand_ins.front()->shred();
   std::cout
       << "record, pages and pictures hold nothing of "
       << (options.name.empty() ? "those who were forgotten" : options.name)
@@ -38,7 +38,9 @@ Command add_forget(CLI::App& hairgrade) {
       hairgrade.add_subcommand("forget", "Remove all of a student from record, pages and pictures");
   command->add_option("NAME", options->name,
                       "The student; without one, what an interrupted forget has left is cleared");
-  add_folder(*command, *options);
+  command
+      ->add_option("--out", options->folder, "The folder of grades; all of its hand-ins are looked through")
+      ->required();
   return {command, [options] { return forget(*options); }};
 }
 

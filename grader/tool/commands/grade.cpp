@@ -11,8 +11,10 @@
 #include "grader/intake/left_over.h"
 #include "grader/intake/names.h"
 #include "grader/intake/submission.h"
+#include "grader/record/hand_ins.h"
 #include "grader/record/record.h"
 #include "grader/report/report.h"
+#include "grader/roster/times.h"
 #include "grader/sandbox/own_groups.h"
 #include "grader/text/time_text.h"
 #include "grader/tool/at_rest.h"
@@ -32,7 +34,7 @@ namespace fs = std::filesystem;
 
 struct GradeOptions {
   std::vector<fs::path> submissions;
-  std::optional<fs::path> roster;
+  std::optional<fs::path> roster, times;
   IntakeChoices choices;
   GradeSettings settings;
   BatchSettings batch;
@@ -50,8 +52,7 @@ std::vector<StaffPlace> staff_places(const GradingSettings& settings, const Grad
 }
 
 // Says who is missing, who is on no roster, and how people were found where that is not plain.
-void say_people(const fs::path& out, const std::optional<Roster>& roster) {
-  Record record(out);
+void say_people(Record& record, const std::optional<Roster>& roster) {
   const std::optional<ClassList> list = record.class_list();
   if (!list) return;
   const std::optional<HiddenNames> hidden = record.hidden_names();
@@ -87,24 +88,34 @@ void check_zone(const HandInRules& rules, const std::vector<Submission>& submiss
 
 int grade(GradeOptions options) {
   if (options.roster) options.batch.roster = read_roster(*options.roster);
+  std::optional<Times> times;
+  if (options.times) times = read_times(*options.times);
   options.settings.jobs = options.batch.jobs;
-  const HandInRules rules = read_rules(options.settings.course);
+  const std::string& hand_in = options.batch.hand_in;
+  const HandInRules rules = read_hand_in(read_course(HAIR_EXERCISES_JSON, options.settings.course),
+                                         options.settings.course, hand_in)
+                                .rules;
+  options.settings.of_hand_in = rules.exercises;
   GradingSettings settings = settings_of(options.settings);
   std::optional<CagedReader> reader;
   if (settings.isolation != Isolation::none) reader.emplace(HAIR_READER, settings.isolation);
   Intake intake = read_submissions(options.submissions, settings.course,
                                    reader ? reader->opener() : open_here, {}, options.choices);
 
-  check_zone(rules, intake.submissions);
+  const Roster* roster = options.batch.roster ? &*options.batch.roster : nullptr;
+  if (times)
+    for (Submission& one : intake.submissions)
+      if (const std::string time = times->find(one.name, one.owner, one.system, roster); !time.empty())
+        one.handed_in = time;
   if (options.batch.blind || (Record::is_in(options.batch.out) && Record(options.batch.out).is_blind())) {
     give_codes(intake.submissions, Record::is_in(options.batch.out) ? Record(options.batch.out).codes()
                                                                     : std::map<std::string, std::string>());
     const std::vector<HandIn> hand_ins = hand_ins_of(intake.submissions);
-    const std::optional<Roster>& roster = options.batch.roster;
     hide(HiddenNames(hand_ins, roster ? std::optional(class_list(*roster, hand_ins)) : std::nullopt), intake);
   }
-  check_made_by(options.batch.out, made_by(settings));  // before the reference takes its seconds
-  settle_origins(options.batch.out, intake.submissions, options.batch.only, options.batch.replace);
+  check_zone(rules, intake.submissions);
+  check_made_by(options.batch.out, made_by(settings), hand_in);  // before the reference takes its seconds
+  settle_origins(options.batch.out, intake.submissions, options.batch.only, options.batch.replace, hand_in);
   for (const std::string& line : intake.taken_for) std::cout << line << "\n" << std::flush;
   const std::atomic<bool>& interrupted = note_interruptions();
   const std::string open_to_others = readable_by_others(staff_places(settings, options));
@@ -118,7 +129,9 @@ int grade(GradeOptions options) {
     std::cerr << "hairgrade: interrupted while it waited; nothing was written\n";
     return 130;
   }
-  const NamesForPeople people = Record(options.batch.out).names_for_people();
+  Record record(options.batch.out, hand_in);
+  const NamesForPeople people = record.names_for_people();
+  const std::optional<HiddenNames> hidden = record.hidden_names();
   print_table(std::cout, batch.results, people);
   std::cout << "\n" << batch.graded << " graded";
   if (batch.kept > 0) std::cout << ", " << batch.kept << " kept from before";
@@ -127,17 +140,18 @@ int grade(GradeOptions options) {
   if (options.settings.no_images) std::cout << ", without pictures";
   if (!grading.looks_for_memory_errors())
     std::cout << ", without a look for memory errors (no control group bounds memory)";
-  std::cout << "\n" << fs::absolute(options.batch.out / "index.html").lexically_normal().string() << "\n";
+  std::cout << "\n" << fs::absolute(record.pages() / "index.html").lexically_normal().string() << "\n";
   for (const std::string& problem : batch.problems)
     std::cerr << "hairgrade: could not grade " << printable(problem, 2000) << "\n";
-  say_people(options.batch.out, options.batch.roster);
+  say_people(record, options.batch.roster);
+  if (times)
+    for (const std::string& line : times->said())
+      std::cerr << "hairgrade: " << (hidden ? hidden->in(line) : line) << "\n";
   for (const std::string& remark : intake.remarks) std::cerr << "hairgrade: " << remark << "\n";
   for (const std::string& notice : intake.notices) std::cerr << "hairgrade: " << notice << "\n";
   if (const std::string names = without_time(intake.submissions); !rules.due.empty() && !names.empty())
     std::cerr << "hairgrade: nobody knows whether these are late, for the download has no time of them: "
-              << names
-              << "; grade one that has times (Gradescope, Brightspace, Blackboard), or look in the learning "
-                 "system\n";
+              << names << "; give their times by --times\n";
   for (const std::string& conflict : batch.conflicts) std::cerr << "hairgrade: " << conflict << "\n";
   std::string not_final;
   for (const SubmissionResult& result : batch.results)
@@ -179,6 +193,8 @@ Command add_grade(CLI::App& hairgrade) {
   command->add_option(
       "--roster", options->roster,
       "A table of people: who handed in nothing, and who is on no roster, is shown; the record keeps it");
+  command->add_option("--times", options->times,
+                      "A table of people and the times of their hand-ins, for downloads that have none");
   command
       ->add_option("--from", options->choices.from,
                    "The learning system that a class comes from (default: it is guessed, and said)")
@@ -192,6 +208,8 @@ Command add_grade(CLI::App& hairgrade) {
   command->add_option("--exercise", options->settings.exercise, "Grade this exercise alone");
   command->add_option("--course", options->settings.course,
                       "The course file: roles and points of the exercises");
+  command->add_option("--hand-in", options->batch.hand_in,
+                      "The hand-in of the course file's \"hand_ins\" that is graded");
   command->add_option("--secret", options->settings.secret,
                       "A file with the staff's secret (default: ~/.config/hairgrade/secret)");
   command->add_option("--cache", options->settings.cache,

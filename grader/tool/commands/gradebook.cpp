@@ -9,6 +9,7 @@
 #include "grader/gradebook/recorded_grades.h"
 #include "grader/gradebook/rows.h"
 #include "grader/tool/commands/command.h"
+#include "grader/tool/commands/of_a_record.h"
 
 namespace grader {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct GradebookOptions {
-  std::string system, column;
+  std::string system, column, hand_in;
   fs::path grades, out;
   std::optional<fs::path> fill, roster;
   bool scale = false;
@@ -24,10 +25,12 @@ struct GradebookOptions {
 };
 
 Gradebook gradebook_of(const GradebookOptions& options) {
-  const std::vector<Grade> grades = recorded_grades(options.grades);
+  const std::unique_ptr<Record> record = open_record(options.grades, options.hand_in);
+  const std::vector<Grade> grades = recorded_grades(*record, options.grades);
   std::optional<Roster> roster;
   if (options.roster) roster = read_roster(*options.roster);
-  const FillOptions filling{options.column, options.scale, roster ? &*roster : nullptr};
+  const FillOptions filling{options.column.empty() ? record->rules().column : options.column, options.scale,
+                            roster ? &*roster : nullptr};
   const std::string& system = options.system;
   if (system == "autolab") {
     if (options.fill)
@@ -77,8 +80,10 @@ Command add_gradebook(CLI::App& hairgrade) {
   command->add_option("--fill", options->fill,
                       "The table that the system exports: gradebook, worksheet, or class list");
   command->add_option("--out", options->out, "The new table, a .csv")->required();
-  command->add_option("--column", options->column,
-                      "The assignment's column, by title, in Canvas also by number");
+  command->add_option(
+      "--column", options->column,
+      "The assignment's column, by title, in Canvas also by number (default: the course file's)");
+  add_hand_in(*command, options->hand_in);
   command->add_flag("--scale", options->scale, "Give shares of the column's points, if it is out of others");
   command->add_option("--roster", options->roster,
                       "A table of people, for hand-ins that came by another system");

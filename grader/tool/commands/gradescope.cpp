@@ -6,6 +6,7 @@
 #include "grader/course/input.h"
 #include "grader/intake/caged_archive.h"
 #include "grader/intake/submission.h"
+#include "grader/record/hand_ins.h"
 #include "grader/report/report.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/grade_settings.h"
@@ -18,12 +19,15 @@ namespace {
 struct GradescopeOptions {
   std::filesystem::path folder;
   bool leaderboard = false;
+  std::string hand_in;
   GradeSettings settings;
 };
 
 // Leaves results.json whatever happens, and throws what has happened.
-int grade_on_gradescope(const GradescopeOptions& options) {
-  const Course course = read_course(HAIR_EXERCISES_JSON, options.settings.course);
+int grade_on_gradescope(GradescopeOptions options) {
+  Course course = read_course(HAIR_EXERCISES_JSON, options.settings.course);
+  course.of_hand_in = read_hand_in(course, options.settings.course, options.hand_in).rules.exercises;
+  options.settings.of_hand_in = course.of_hand_in;
   GradescopeResults results(options.folder, course, {.pictures = true, .leaderboard = options.leaderboard});
   try {
     const Metadata metadata = read_metadata(options.folder / "submission_metadata.json");
@@ -56,6 +60,7 @@ Command add_gradescope(CLI::App& hairgrade) {
   command->add_option("FOLDER", options->folder, "The folder with submission/ and results/")->required();
   command->add_option("--secret", options->settings.secret, "A file with the staff's secret")->required();
   command->add_option("--course", options->settings.course, "The course file");
+  command->add_option("--hand-in", options->hand_in, "The course file's hand-in");
   command->add_option("--cache", options->settings.cache, "A folder for compiled objects");
   command->add_flag("--leaderboard", options->leaderboard, "Show the points on a leaderboard");
   return {command, [options] { return grade_on_gradescope(*options); }};

@@ -20,7 +20,7 @@ std::string in_short(const LogEntry& entry) {
 }
 
 int log(const OfARecord& options) {
-  const std::unique_ptr<Record> record = open_record(options.folder);
+  const std::unique_ptr<Record> record = open_record(options.folder, options.hand_in);
   const std::vector<LogEntry> entries = record->log(options.name);
   if (const NamesForPeople people = record->names_for_people(); people.contains(options.name))
     std::cout << called(options.name, people) << "\n";

@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "grader/course/input.h"
+#include "grader/record/hand_ins.h"
 #include "grader/tool/class_files.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/folder_of_grades.h"
@@ -12,29 +13,53 @@ namespace grader {
 
 void add_folder(CLI::App& command, OfARecord& options) {
   command.add_option("--out", options.folder, "The folder of grades")->required();
+  add_hand_in(command, options.hand_in);
+}
+
+void add_hand_in(CLI::App& command, std::string& hand_in) {
+  command.add_option("--hand-in", hand_in, "Of a course with several hand-ins: the name of this one");
 }
 
 void add_name(CLI::App& command, OfARecord& options) {
   command.add_option("NAME", options.name, "A student, as the folders of reports are called")->required();
 }
 
-std::unique_ptr<Record> open_record(const std::filesystem::path& folder) {
+namespace {
+
+void check_record(const std::filesystem::path& folder) {
   if (!Record::is_in(folder))
     throw BadInput(printable(folder.string(), 4096) + ": has no " + kRecordFile +
                    "; name a folder that hairgrade grade has written, with --out");
-  return std::make_unique<Record>(folder);
 }
 
-int change_record(const std::filesystem::path& folder, const std::function<void(Record&)>& change) {
-  const std::unique_ptr<Record> record = open_record(folder);
+}  // namespace
+
+std::unique_ptr<Record> open_record(const std::filesystem::path& folder, const std::string& hand_in) {
+  check_record(folder);
+  auto record = std::make_unique<Record>(folder, hand_in);
+  check_hand_in(hand_in, record->named_hand_ins(), printable(folder.string(), 4096));
+  return record;
+}
+
+std::vector<std::unique_ptr<Record>> open_hand_ins(const std::filesystem::path& folder) {
+  check_record(folder);
+  std::vector<std::unique_ptr<Record>> all;
+  for (const std::string& name : Record(folder).named_hand_ins())
+    all.push_back(std::make_unique<Record>(folder, name));
+  if (all.empty()) all.push_back(std::make_unique<Record>(folder));
+  return all;
+}
+
+int change_record(const OfARecord& options, const std::function<void(Record&)>& change) {
+  const std::unique_ptr<Record> record = open_record(options.folder, options.hand_in);
   change(*record);
-  const std::optional<FolderLock> lock = FolderLock::take(folder, note_interruptions(), std::cerr);
+  const std::optional<FolderLock> lock = FolderLock::take(options.folder, note_interruptions(), std::cerr);
   if (!lock) {
     std::cerr
         << "hairgrade: interrupted while it waited; the change is kept, and the next run writes the files\n";
     return 130;
   }
-  write_class_files(folder, *record);
+  write_class_files(options.folder, *record);
   return 0;
 }
 

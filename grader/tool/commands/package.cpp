@@ -7,6 +7,7 @@
 #include "grader/course/input.h"
 #include "grader/package/gradescope_package.h"
 #include "grader/package/handout.h"
+#include "grader/record/hand_ins.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/gradescope.h"
 #include "grader/tool/secret.h"
@@ -17,7 +18,9 @@ namespace {
 int package_for_gradescope(const GradescopePackage& options) {
   if (options.out.extension() != ".zip")
     throw BadInput("--out " + options.out.string() + ": Gradescope takes a .zip; give it such a name");
-  const Course course = read_course(HAIR_EXERCISES_JSON, options.course);
+  Course course = read_course(HAIR_EXERCISES_JSON, options.course);
+  if (!options.checks_only || !options.hand_in.empty())
+    course.of_hand_in = read_hand_in(course, options.course, options.hand_in).rules.exercises;
   const HandoutSources sources{HAIR_SOURCE_DIR, HAIR_GOLDEN_DIR};
   write_gradescope_package(sources, options.checks_only ? "" : read_secret(options.secret), course, options);
   std::cout << options.out.string() << "\n";
@@ -34,6 +37,8 @@ Command add_package(CLI::App& hairgrade) {
   CLI::App* gradescope = command->add_subcommand("gradescope", "Make Gradescope's autograder.zip");
   gradescope->add_option("--out", options->out, "The archive, a .zip")->required();
   gradescope->add_option("--course", options->course, "The course file: roles and points of the exercises");
+  gradescope->add_option("--hand-in", options->hand_in,
+                         "The hand-in of the course file's \"hand_ins\" that is graded there");
   gradescope->add_option("--secret", options->secret,
                          "A file with the staff's secret (default: ~/.config/hairgrade/secret)");
   gradescope

@@ -8,6 +8,7 @@
 #include "grader/intake/caged_archive.h"
 #include "grader/intake/layouts/system.h"
 #include "grader/intake/submission.h"
+#include "grader/record/hand_ins.h"
 #include "grader/similar/similar_pages.h"
 #include "grader/tool/blind.h"
 #include "grader/tool/commands/command.h"
@@ -24,19 +25,22 @@ struct SimilarOptions {
   std::vector<fs::path> submissions, given;
   std::optional<fs::path> course, grades;
   fs::path out;
+  std::string hand_in;
   int per_cent = 60;
   IntakeChoices choices;
 };
 
 int similar(const SimilarOptions& options) {
-  const Course course = read_course(HAIR_EXERCISES_JSON, options.course);
+  Course course = read_course(HAIR_EXERCISES_JSON, options.course);
+  if (!options.hand_in.empty())
+    course.of_hand_in = read_hand_in(course, options.course, options.hand_in).rules.exercises;
   const Isolation isolation = isolation_here(StagedKit(HAIR_KIT_DIR, course), {});
   const CagedReader reader(HAIR_READER, isolation);
   Intake intake = read_submissions(options.submissions, course, reader.opener(), {}, options.choices);
   NamesForPeople people = names_for_people({}, hand_ins_of(intake.submissions));
   std::optional<HiddenNames> hidden;
   if (options.grades) {
-    const std::unique_ptr<Record> record = open_record(*options.grades);
+    const std::unique_ptr<Record> record = open_record(*options.grades, options.hand_in);
     people = record->names_for_people();
     hidden = record->hidden_names();
     if (hidden) give_codes(intake.submissions, record->codes());
@@ -50,6 +54,7 @@ int similar(const SimilarOptions& options) {
 
   std::vector<SimilarExercise> exercises;
   for (const Exercise& exercise : course.exercises) {
+    if (!course.of_hand_in.empty() && !course.asks_for(exercise)) continue;
     SimilarExercise one{exercise.id, exercise.file, {}, {}};
     for (const Submission& submission : intake.submissions)
       if (const auto file = submission.files.find(exercise.file);
@@ -88,6 +93,8 @@ Command add_similar(CLI::App& hairgrade) {
   command->add_option("--course", options->course, "The course file: which exercises there are");
   command->add_option("--grades", options->grades,
                       "A folder of grades: names are as staff read them there, or codes");
+  command->add_option("--hand-in", options->hand_in,
+                      "Of a course with several hand-ins: the exercises of this one alone");
   command->add_option("--given", options->given,
                       "A folder with exercise files that students may use, as an earlier year's sample; the "
                       "handout's stubs are always taken off");

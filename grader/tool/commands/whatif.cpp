@@ -4,6 +4,7 @@
 
 #include "grader/course/course.h"
 #include "grader/course/input.h"
+#include "grader/record/hand_ins.h"
 #include "grader/report/text.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/of_a_record.h"
@@ -19,8 +20,7 @@ struct WhatIf : OfARecord {
 void weigh(const Course& course, SubmissionResult& result) {
   const auto asked_for = [&](const std::string& id) {
     const auto found = std::ranges::find(course.exercises, id, &Exercise::id);
-    const bool there =
-        found != course.exercises.end() && (found->role == Role::assigned || found->role == Role::optional);
+    const bool there = found != course.exercises.end() && course.asks_for(*found);
     return there ? &*found : nullptr;
   };
   std::erase_if(result.exercises, [&](const ExerciseResult& one) { return !asked_for(one.id); });
@@ -34,9 +34,10 @@ void weigh(const Course& course, SubmissionResult& result) {
 }
 
 int what_if(const WhatIf& options) {
-  const Course course = read_course(HAIR_EXERCISES_JSON, options.course);
-  const HandInRules rules = read_rules(options.course);
-  const std::unique_ptr<Record> record = open_record(options.folder);
+  Course course = read_course(HAIR_EXERCISES_JSON, options.course);
+  const HandInRules rules = read_hand_in(course, options.course, options.hand_in).rules;
+  course.of_hand_in = rules.exercises;
+  const std::unique_ptr<Record> record = open_record(options.folder, options.hand_in);
   double before = 0, after = 0;
   std::size_t changed = 0;
   const std::vector<std::string> names = record->names();

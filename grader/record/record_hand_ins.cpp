@@ -1,0 +1,94 @@
+// STAFF ONLY. What the hand-ins of one record have in common: their order, the course's free days, and totals.
+#include <algorithm>
+
+#include "grader/record/record.h"
+#include "grader/record/zone.h"
+
+namespace grader {
+
+struct Record::Dated {
+  std::int64_t id = 0;
+  std::string name;
+  HandInRules rules;
+  std::chrono::sys_seconds due{};
+};
+
+std::vector<Record::Dated> Record::dated() {
+  std::vector<Dated> all;
+  database_.each("SELECT id, name, rules FROM assignments ORDER BY name", {}, [&](const DatabaseRow& row) {
+    Dated one{row.number(0), row.text(1), rules_from(row.text(2))};
+    const std::optional<TimeText> due = read_time(one.rules.due);
+    one.due = due ? moment_of(*due, one.rules.zone, Twice::later) : std::chrono::sys_seconds::max();
+    all.push_back(std::move(one));
+  });
+  std::ranges::stable_sort(all, {}, &Dated::due);
+  return all;
+}
+
+std::vector<std::string> Record::named_hand_ins() {
+  const std::lock_guard lock(one_at_a_time_);
+  std::vector<std::string> names;
+  for (const Dated& one : dated())
+    if (!one.name.empty()) names.push_back(one.name);
+  return names;
+}
+
+std::string Record::handed_in(std::int64_t assignment, const std::string& name) {
+  return database_.text(
+      "SELECT handed_in FROM hand_ins JOIN people ON people.id = person WHERE assignment = ? AND name = ? "
+      "ORDER BY hand_ins.id DESC LIMIT 1",
+      {assignment, name});
+}
+
+void Record::set_handed_in(const std::string& name, const std::string& time) {
+  const std::lock_guard lock(one_at_a_time_);
+  Transaction transaction(database_);
+  const std::int64_t here = assignment(), id = known_person(name);
+  if (handed_in(here, name) == time) return;
+  database_.run(
+      "UPDATE OR REPLACE hand_ins SET handed_in = ? WHERE id = (SELECT max(id) FROM hand_ins WHERE "
+      "assignment = ? AND "
+      "person = ?)",
+      {time, here, id});
+  add_to_log(id, "was handed in", time);
+  transaction.commit();
+}
+
+double Record::days_given(std::int64_t assignment, const std::string& name) {
+  double days = 0;
+  database_.each(
+      "SELECT number FROM decisions JOIN people ON people.id = person WHERE assignment = ? AND name = ? AND "
+      "kind = ?",
+      {assignment, name, to_string(DecisionKind::late_days)},
+      [&](const DatabaseRow& row) { days = row.real(0); });
+  return days;
+}
+
+// Earlier hand-ins have used the rest, whatever was graded first.
+int Record::free_days_left(const HandInRules& rules, const std::string& name) {
+  int left = rules.free_days_in_all;
+  if (left == 0) return 0;
+  for (const Dated& other : dated()) {
+    if (other.name == hand_in_) break;
+    if (other.rules.due.empty()) continue;
+    const int late = late_days(other.rules, handed_in(other.id, name)).value_or(0);
+    left -= used_of_all(other.rules, late, {days_given(other.id, name), left});
+  }
+  return left;
+}
+
+std::map<std::string, Record::Total> Record::totals() {
+  const std::vector<std::string> all = names();
+  const std::lock_guard lock(one_at_a_time_);
+  const Transaction one_state(database_, Transaction::reads);
+  const HandInRules rules = stored_rules();
+  std::map<std::string, Total> totals;
+  for (const std::string& name : all)
+    if (std::optional<Recorded> found = read(name, false)) {
+      const SubmissionResult result = under_rules(std::move(found->result), rules, {});
+      totals[name] = {points(result), max_points(result)};
+    }
+  return totals;
+}
+
+}  // namespace grader

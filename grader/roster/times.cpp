@@ -1,0 +1,99 @@
+// STAFF ONLY. Finds times of hand-ins in a table.
+#include "grader/roster/times.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "grader/course/input.h"
+#include "grader/text/letters.h"
+#include "grader/text/time_text.h"
+
+namespace grader {
+namespace {
+
+// Moodle: Last modified (submission). Gradescope: Submission Time. Classroom: submission_timestamp. Canvas's API: submitted_at.
+constexpr std::array<const char*, 9> kTitles{"Time",
+                                             "Handed in",
+                                             "Submitted",
+                                             "Submitted at",
+                                             "submitted_at",
+                                             "Submission time",
+                                             "Submission date",
+                                             "submission_timestamp",
+                                             "Last modified (submission)"};
+
+std::size_t column_of_times(const Csv& table) {
+  std::string titles;
+  for (const char* title : kTitles) {
+    if (const std::size_t column = column_of(table, title); column != kNoColumn) return column;
+    titles += (titles.empty() ? "\"" : "\", \"") + std::string(title);
+  }
+  throw BadInput(place_of(table, table.rows.front()) + ": no column has times; give it one of the titles " +
+                 titles + "\"");
+}
+
+}  // namespace
+
+Times::Times(Csv table)
+    : table_(std::move(table)),
+      column_(column_of_times(table_)),
+      people_(table_),
+      found_(people_.people().size()),
+      said_(people_.said()) {}
+
+std::string Times::time_of(std::size_t person) {
+  found_[person] = true;
+  const std::size_t line = people_.people()[person].line;
+  const auto row = std::ranges::find(table_.rows, line, &Csv::Row::line);
+  const std::string cell = composed(row->at(column_));
+  if (cell.empty() || cell == "-" || read_time(cell)) return cell == "-" ? "" : cell;
+  std::string told =
+      place_of(table_, *row) + ": \"" + legible(cell) +
+      "\" is no time that is read; write one such as 2025-03-04 10:15, or export the table in English";
+  if (std::ranges::count(said_, told) == 0) said_.push_back(std::move(told));
+  return "";
+}
+
+std::string Times::find(const std::string& hand_in, const Owner& owner, const std::string& system,
+                        const Roster* roster) {
+  std::string latest;
+  std::chrono::sys_seconds latest_moment{};
+  const bool members = !owner.members.empty();
+  for (const Owner& one : members ? owner.members : std::vector{owner}) {
+    Roster::Match match = people_.find(one, system);
+    if (!match.person && roster)
+      if (const Roster::Match on_roster = roster->find(one, system); on_roster.person)
+        match = people_.find(roster->people()[*on_roster.person]);
+    if (!match.told.empty()) said_.push_back(hand_in + ": in " + table_.file + ": " + match.told);
+    if (!match.person) continue;
+    const std::string time = time_of(*match.person);
+    const std::optional<TimeText> read = read_time(time);
+    if (!read) continue;
+    const std::chrono::sys_seconds moment(read->clock - read->offset.value_or(std::chrono::minutes(0)));
+    if (latest.empty() || moment > latest_moment) {
+      latest = time;
+      latest_moment = moment;
+    }
+  }
+  return latest;
+}
+
+std::vector<std::string> Times::said() const {
+  std::vector<std::string> lines = said_;
+  for (std::size_t i = 0; i < found_.size(); ++i) {
+    const Person& person = people_.people()[i];
+    const auto row = std::ranges::find(table_.rows, person.line, &Csv::Row::line);
+    const std::string cell = composed(row->at(column_));
+    if (!found_[i] && !cell.empty() && cell != "-")
+      lines.push_back(place_of(table_, *row) + ": " +
+                      (person.name.empty() ? person.shown_id() : person.name) +
+                      " has a time, and no hand-in here");
+  }
+  return lines;
+}
+
+Times read_times(const std::filesystem::path& file) {
+  return Times(read_csv(file));
+}
+
+}  // namespace grader

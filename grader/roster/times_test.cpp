@@ -1,0 +1,64 @@
+// STAFF ONLY. Times of hand-ins are found as people are on a roster, and what is not found or not read is said.
+#include "grader/roster/times.h"
+
+#include <gtest/gtest.h>
+
+#include "grader/course/input.h"
+
+namespace grader {
+namespace {
+
+Times times(const std::string& text) {
+  return Times(parse_csv(text, "times.csv"));
+}
+
+bool says(const Times& times, const std::string& what) {
+  for (const std::string& line : times.said())
+    if (line.find(what) != std::string::npos) return true;
+  return false;
+}
+
+TEST(Times, AreFoundByIdOrByANameThatOnePersonBears) {
+  Times list = times(
+      "id,name,time\n4711,Jane Doe,2025-03-04 10:15\n4712,Sam Lee,2025-03-05T01:00:00Z\n4713,Sam "
+      "Lee,2025-03-04 "
+      "09:00\n4714,Ann Poe,\n");
+  EXPECT_EQ(list.find("a", {.name = "Doe Jane", .id = "4711"}, "canvas", nullptr), "2025-03-04 10:15");
+  EXPECT_EQ(list.find("b", {.id = "4712"}, "folders", nullptr), "2025-03-05T01:00:00Z");
+  EXPECT_EQ(list.find("c", {.name = "Sam Lee"}, "folders", nullptr), "");
+  EXPECT_TRUE(says(list, "c: in times.csv: 2 people on the roster bear its name"));
+  EXPECT_EQ(list.find("d", {.id = "4714"}, "folders", nullptr), "");
+  EXPECT_TRUE(says(list, "line 4: Sam Lee has a time, and no hand-in here"));
+  EXPECT_FALSE(says(list, "Ann Poe"));
+}
+
+TEST(Times, OfMoodlesWorksheetAreRead) {
+  Times list = times(
+      "Identifier,Full name,Status,\"Last modified (submission)\"\n"
+      "Participant 4711,Jane Doe,x,\"Tuesday, 4 March 2025, 10:15 AM\"\n"
+      "Participant 4712,Sam Lee,x,\"Dienstag, 4. März 2025, 10:15\"\nParticipant 4713,Ann Poe,x,-\n");
+  EXPECT_EQ(list.find("a", {.name = "Jane Doe", .id = "4711"}, "moodle", nullptr),
+            "Tuesday, 4 March 2025, 10:15 AM");
+  EXPECT_EQ(list.find("b", {.name = "Sam Lee", .id = "4712"}, "moodle", nullptr), "");
+  EXPECT_EQ(list.find("c", {.name = "Ann Poe", .id = "4713"}, "moodle", nullptr), "");
+  ASSERT_EQ(list.said().size(), 1U);
+  EXPECT_TRUE(says(list, "times.csv, line 3: \"Dienstag, 4. März 2025, 10:15\" is no time that is read"));
+}
+
+TEST(Times, OfAGroupAreTheLatestOfItsMembersAndARosterLinksIds) {
+  Times list = times("email,time\na@u.de,2025-03-04 10:15:00 -0800\nb@u.de,2025-03-04 11:00:00 Z\n");
+  const Owner a{.email = "a@u.de"}, b{.email = "b@u.de"};
+  EXPECT_EQ(list.find("team", {.group = true, .members = {a, b}}, "gradescope", nullptr),
+            "2025-03-04 10:15:00 -0800");
+  const Roster roster(parse_csv("id,email\n4711,b@u.de\n", "roster.csv"));
+  EXPECT_EQ(list.find("x", {.id = "4711"}, "canvas", &roster), "2025-03-04 11:00:00 Z");
+  EXPECT_EQ(list.find("y", {.id = "4711"}, "canvas", nullptr), "");
+}
+
+TEST(Times, NeedAColumn) {
+  EXPECT_THROW(times("id,when\n4711,2025-03-04 10:15\n"), BadInput);
+  EXPECT_THROW(times("time\n2025-03-04 10:15\n"), BadInput);
+}
+
+}  // namespace
+}  // namespace grader
