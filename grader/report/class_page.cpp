@@ -19,14 +19,9 @@ Html staff_link(const SubmissionResult& result, const std::string& exercise, con
               {result.name, exercise.empty() ? "" : "#", exercise, text});
 }
 
-// Commands take the folder's name.
-Html folder_beside(const SubmissionResult& result, const NamesForPeople& people) {
-  return people.contains(result.name) ? html(" <code class=\"quiet\">{}</code>", {result.name}) : Html();
-}
-
 Html person_link(const SubmissionResult& result, const NamesForPeople& people) {
   Html link = staff_link(result, "", shown_name(result.name, people));
-  return link += folder_beside(result, people);
+  return link += folder_beside(result.name, people);
 }
 
 Html list_of(const Html& heading, std::size_t count, const Html& items, const char* look) {
@@ -69,7 +64,7 @@ Html to_look_at(const Results& results, const NamesForPeople& people) {
       if (exercises.text.empty()) continue;
       ++count;
       items += html("<li>{}{}:{}</li>\n",
-                    {shown_name(result.name, people), folder_beside(result, people), exercises});
+                    {shown_name(result.name, people), folder_beside(result.name, people), exercises});
     }
     groups += list_of(badge(status), count, items, "who");
   }
@@ -118,6 +113,10 @@ Html class_table(const Results& results, const std::vector<Column>& columns, con
 
 }  // namespace
 
+Html folder_beside(const std::string& name, const NamesForPeople& people) {
+  return people.contains(name) ? html(" <code class=\"quiet\">{}</code>", {name}) : Html();
+}
+
 std::string class_page(const Results& results, const ClassFacts& facts, const NamesForPeople& people) {
   const std::vector<Column> columns = columns_of(results);
   std::vector<double> totals;
@@ -142,8 +141,8 @@ std::string class_page(const Results& results, const ClassFacts& facts, const Na
       {shown_points(mean(totals)), shown_points(reachable), shown_points(timing::median(totals)),
        results.size(), link_to_pictures});
   body += people_section(facts.people);
-  body += left_over_section(facts.listed);
-  body += late_section(facts);
+  body += left_over_section(facts.listed, people);
+  body += late_section(facts, people);
   body += to_look_at(results, people);
   body += class_table(results, columns, people);
   body += pictures;

@@ -13,14 +13,14 @@ Html cell_of(const CourseTable::HandIn& hand_in, const std::string& name,
               {shown_points(cell->points), hand_in.folder, name, shown_points(cell->points)});
 }
 
-Html row_of(const CourseTable& course, const CourseTable::Row& row) {
+Html row_of(const CourseTable& course, const CourseTable::Row& row, const NamesForPeople& people) {
   const CourseTable::Cell total = course.total(row);
   Html line = html(
-      "<tr><th scope=\"row\" data-value=\"{}\">{}</th><td class=\"number\" "
+      "<tr><th scope=\"row\" data-value=\"{}\">{}{}</th><td class=\"number\" "
       "data-value=\"{}\"><strong>{}</strong> of "
       "{}</td>",
-      {row.name, row.name, shown_points(total.points), shown_points(total.points),
-       shown_points(total.max_points)});
+      {shown_name(row.name, people), shown_name(row.name, people), folder_beside(row.name, people),
+       shown_points(total.points), shown_points(total.points), shown_points(total.max_points)});
   for (std::size_t i = 0; i < course.hand_ins.size(); ++i)
     line += cell_of(course.hand_ins[i], row.name, row.cells[i]);
   return line += html("</tr>\n");
@@ -37,9 +37,10 @@ CourseTable::Cell CourseTable::total(const Row& row) const {
   return sum;
 }
 
-std::string course_page(const CourseTable& course, const std::vector<ClassLine>& people) {
+std::string course_page(const CourseTable& course, const std::vector<ClassLine>& lines,
+                        const NamesForPeople& people) {
   std::vector<ClassLine> absent;  // who is on no roster stands on the pages of the hand-ins
-  for (const ClassLine& line : people)
+  for (const ClassLine& line : lines)
     if (line.hand_in.empty()) absent.push_back(line);
   Html body = html(
       "<header>\n<h1>Grades of the course</h1>\n<p class=\"total\">{} hand-ins, {} people</p>\n<p "
@@ -57,7 +58,7 @@ std::string course_page(const CourseTable& course, const std::vector<ClassLine>&
         "{}</th>",
         {hand_in.folder, hand_in.name, shown_points(hand_in.max_points)});
   body += html("</tr></thead>\n<tbody>\n");
-  for (const CourseTable::Row& row : course.rows) body += row_of(course, row);
+  for (const CourseTable::Row& row : course.rows) body += row_of(course, row, people);
   body += html("</tbody>\n</table></div>\n</section>\n</main>\n");
   body += sort_script();
   return html_page("Grades of the course", body, Scripts::on, Pictures::beside);

@@ -16,7 +16,7 @@ std::string days(double count) {
 
 }  // namespace
 
-Html late_section(const ClassFacts& facts) {
+Html late_section(const ClassFacts& facts, const NamesForPeople& people) {
   std::vector<Late> late;
   std::size_t without_time = 0;
   for (const auto& [name, how] : facts.late) {
@@ -32,8 +32,8 @@ Html late_section(const ClassFacts& facts) {
         "<tr><th scope=\"row\"><a href=\"staff/{}.html\">{}</a></th><td>{}</td><td "
         "class=\"number\">{}</td><td "
         "class=\"number\">{}</td><td class=\"number\">{}</td></tr>\n",
-        {name, name, how.handed_in, days(how.days), how.free_days > 0 ? days(how.free_days) : "",
-         shown_points(how.taken)});
+        {name, shown_name(name, people), how.handed_in, days(how.days),
+         how.free_days > 0 ? days(how.free_days) : "", shown_points(how.taken)});
   const Html table = late.empty()
                          ? html("<p>Nobody is known to be late.</p>\n")
                          : html(

@@ -18,31 +18,34 @@ Html folded(const Html& heading, std::size_t count, const Html& content) {
               {count > kMostUnfolded ? Html() : html(" open=\"\""), heading, count, content});
 }
 
-Html table_of(const std::vector<Accounted>& listed, Accounted::As as, const Html& heading) {
+Html table_of(const std::vector<Accounted>& listed, Accounted::As as, const NamesForPeople& people,
+              const Html& heading) {
   Html rows;
   for (const Accounted& file : listed)
     if (file.as == as)
-      rows += html("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td></tr>\n",
-                   {file.path, file.whose.empty() ? "nobody's" : file.whose, file.reason});
+      rows +=
+          html("<tr><th scope=\"row\">{}</th><td>{}</td><td>{}</td></tr>\n",
+               {file.path, file.whose.empty() ? "nobody's" : shown_name(file.whose, people), file.reason});
   return folded(heading, how_many(listed, as),
                 html("<div class=\"wide\"><table>\n<thead><tr><th scope=\"col\">File</th><th "
-                     "scope=\"col\">Whose</th><th scope=\"col\">It</th></tr></thead>\n<tbody>\n{}</tbody>\n"
+                     "scope=\"col\">Whose</th><th scope=\"col\">Why</th></tr></thead>\n<tbody>\n{}</tbody>\n"
                      "</table></div>\n",
                      {rows}));
 }
 
 }  // namespace
 
-Html left_over_section(const std::vector<Accounted>& listed) {
+Html left_over_section(const std::vector<Accounted>& listed, const NamesForPeople& people) {
   using enum Accounted::As;
   Html lines;
   for (const Accounted& line : listed)
     if (line.as == notice) lines += html("<li>{}</li>\n", {line.reason});
   const Html parts = html(
-      "{}{}{}", {table_of(listed, left_over, html("<span class=\"badge bad\">not graded</span>")),
-                 folded(html("<span class=\"badge bad\">to look at</span>"), how_many(listed, notice),
-                        html("<ul class=\"notes\">\n{}</ul>\n", {lines})),
-                 table_of(listed, older, html("<span class=\"badge quiet\">older, does not count</span>"))});
+      "{}{}{}",
+      {table_of(listed, left_over, people, html("<span class=\"badge bad\">not graded</span>")),
+       folded(html("<span class=\"badge bad\">to look at</span>"), how_many(listed, notice),
+              html("<ul class=\"notes\">\n{}</ul>\n", {lines})),
+       table_of(listed, older, people, html("<span class=\"badge quiet\">older, does not count</span>"))});
   if (parts.text.empty()) return {};
   return html(
       "<section id=\"left-over\">\n<h2>Left over</h2>\n<p class=\"quiet\">Files of the last run's input "

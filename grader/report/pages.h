@@ -26,17 +26,20 @@ std::string study_page(const SubmissionResult& result, const SubmissionStudy& st
 std::string class_page(const std::vector<SubmissionResult>& results, const ClassFacts& facts = {},
                        const NamesForPeople& people = {});  // index.html
 
-std::string course_page(const CourseTable& course,
-                        const std::vector<ClassLine>& people);  // index.html above several hand-ins
+std::string course_page(const CourseTable& course, const std::vector<ClassLine>& lines,
+                        const NamesForPeople& people = {});  // index.html above several hand-ins
+
+// Behind a person's name: the folder's, which commands take.
+Html folder_beside(const std::string& name, const NamesForPeople& people);
 
 // Lists people who are missing, or on no roster; empty if nobody is.
 Html people_section(const std::vector<ClassLine>& people);
 
 // Lists files; empty if there are none.
-Html left_over_section(const std::vector<Accounted>& listed);
+Html left_over_section(const std::vector<Accounted>& listed, const NamesForPeople& people = {});
 
 // Who was late, where there is a date.
-Html late_section(const ClassFacts& facts);
+Html late_section(const ClassFacts& facts, const NamesForPeople& people = {});
 
 // Says that the last run is not whole; else empty.
 Html run_section(const std::optional<LastRun>& run);

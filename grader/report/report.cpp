@@ -73,10 +73,10 @@ void write_class_reports(const fs::path& dir, const std::vector<SubmissionResult
   put_file(dir / "index.html", class_page(results, facts, people));
 }
 
-void write_course_reports(const fs::path& dir, const CourseTable& course,
-                          const std::vector<ClassLine>& people) {
-  put_file(dir / "grades.csv", course_csv(course, people));
-  put_file(dir / "index.html", course_page(course, people));
+void write_course_reports(const fs::path& dir, const CourseTable& course, const std::vector<ClassLine>& lines,
+                          const NamesForPeople& people) {
+  put_file(dir / "grades.csv", course_csv(course, lines));
+  put_file(dir / "index.html", course_page(course, lines, people));
 }
 
 void remove_reports(const fs::path& dir, const std::string& name) {

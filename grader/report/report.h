@@ -43,7 +43,7 @@ void write_class_reports(const std::filesystem::path& dir, const std::vector<Sub
 
 // The course's grades.csv and index.html, above the folders of its hand-ins.
 void write_course_reports(const std::filesystem::path& dir, const CourseTable& course,
-                          const std::vector<ClassLine>& people);
+                          const std::vector<ClassLine>& lines, const NamesForPeople& people = {});
 
 // All files of a student in `dir`, but for pictures: remove_unshown_pictures follows.
 void remove_reports(const std::filesystem::path& dir, const std::string& name);

@@ -28,9 +28,13 @@ void write_course_files(const std::filesystem::path& folder) {
     }
   }
   for (auto& [name, row] : rows) course.rows.push_back(std::move(row));
-  const std::vector<ClassLine> lines =
-      lines_of(record.class_list(Record::Of::course), record.hand_ins(Record::Of::course));
-  write_course_reports(folder, course, record.is_blind() ? blind(lines) : lines);
+  const std::optional<ClassList> list = record.class_list(Record::Of::course);
+  const std::vector<HandIn> hand_ins = record.hand_ins(Record::Of::course);
+  const std::vector<ClassLine> lines = lines_of(list, hand_ins);
+  if (record.is_blind())
+    write_course_reports(folder, course, blind(lines));
+  else
+    write_course_reports(folder, course, lines, names_for_people(list, hand_ins));
 }
 
 }  // namespace grader
