@@ -40,7 +40,7 @@ struct Found {
   long ended_by_kernel = 0;
 };
 
-// Of a run that takes this much in a group of 400 MB and may take a gigabyte.
+// The end of a run that takes this much in a group of 400 MB and may take a gigabyte.
 Found run_in_a_small_container(std::size_t takes, const CagedProcess::LeaveOut& leave_out) {
   const StagingFolder folder;
   fs::copy_file(HAIR_PROBE, folder.path() / "probe");

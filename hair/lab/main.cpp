@@ -9,7 +9,7 @@ int main(int argc, char* argv[]) {
   if (other) return hair::hand_over(other->program, other->name, argv);
   CLI::App app("hairlab: plays scenes of hair with your code");
   const std::vector<hair::Command> commands = {hair::add_run_command(app), hair::add_scenes_command(app),
-                                              hair::add_view_command(app)};
+                                               hair::add_view_command(app)};
   for (const hair::OtherCommand& one : hair::kOtherCommands) app.add_subcommand(one.name, one.what);
   try {
     return hair::run_program(app, commands, argc, argv);

@@ -1,4 +1,4 @@
-// What `hairlab view` does, without its command line (play.h says why).
+// `hairlab view` without its command line (play.h says why).
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// What colour a point of a strand has: its own, its strand's, by how far its segment is stretched, or by how far it is from the other run's.
+// A point of a strand has a colour: its own, its strand's, by how far its segment is stretched, or by how far it is from the other run's.
 
 const RUNS = [[0.0, 0.45, 0.7], [0.84, 0.37, 0.0]]; // of two runs, for readers who are colour-blind, too
 const BROKEN = [0.85, 0.1, 0.1];

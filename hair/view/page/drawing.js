@@ -37,7 +37,7 @@ function makeBuffer(gl, kind, data, usage) {
   return buffer;
 }
 
-// What the card holds of one run.
+// The card holds this of one run.
 function uploadMotion(gl, motion) {
   const bytes = motion.points * BYTES_OF_POINT, strandPoints = motion.strands.reduce((sum, size) => sum + size, 0);
   return {
