@@ -52,12 +52,12 @@ void Record::set_rules(const HandInRules& rules) {
 SubmissionResult Record::under_rules(SubmissionResult result, const HandInRules& rules,
                                      const ChangePoints& change, Lateness* late) {
   const std::int64_t here = assignment();
-  const MoreDays more{days_given(here, result.name), free_days_left(rules, result.name)};
-  result = decided(std::move(result), decisions_of(result.name));
+  const std::string name = result.name, time = handed_in(here, name);
+  const MoreDays more{days_given(here, name), free_days_left(rules, name)};
+  result = decided(std::move(result), decisions_of(name));
   if (change) change(result);
-  const std::string name = result.name;
-  if (late) *late = lateness(rules, result, handed_in(here, name), more);
-  return under(rules, std::move(result), handed_in(here, name), more);
+  if (late) *late = lateness(rules, result, time, more);
+  return under(rules, std::move(result), time, more);
 }
 
 std::optional<Recorded> Record::find_decided(const std::string& name) {
