@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Reads a course file.
 #include "grader/course/course.h"
 
 #include <algorithm>

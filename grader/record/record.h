@@ -63,7 +63,7 @@ class Record {
   std::string made_by();
   void set_made_by(const std::string& json);
 
-  // What the inputs of a hand-in are drawn from: stored at first sight (same_people.h). put_people comes first.
+  // The name that a hand-in's inputs are drawn from is stored at first sight (same_people.h). put_people comes first.
   std::string drawn_from(const std::string& name);
 
   // Replaces the earlier result of this student; the log has both. `handed_in` is a time as a download says it, or "".

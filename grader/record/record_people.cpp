@@ -39,7 +39,7 @@ std::vector<HandIn> Record::hand_ins(Of of) {
   return read_hand_ins(of);
 }
 
-// Of a row with name, owner, system, and the name that intake found.
+// The row has name, owner, system, and the name that intake found.
 HandIn Record::hand_in_of(const DatabaseRow& row) const {
   const std::string name = row.text(0),
                     where = printable(database_.file().string(), 4096) + ": the owner of " + name;

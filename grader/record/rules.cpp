@@ -37,7 +37,7 @@ double per_cent_of(const HandInRules& rules, const Lateness& late) {
   return std::min(rules.late_per_cent_at_most, (late.days - late.free_days) * rules.late_per_cent_a_day);
 }
 
-// Of a result whose extra credit is capped.
+// The result's extra credit is capped already.
 Lateness lateness_of(const HandInRules& rules, const SubmissionResult& capped, const std::string& handed_in,
                      const MoreDays& more) {
   const std::optional<TimeText> time = read_time(handed_in);

@@ -63,7 +63,7 @@ struct MoreDays {
 // How many of the course's free days are used for a hand-in that is so late.
 int used_of_all(const HandInRules& rules, int late, const MoreDays& more);
 
-// Of a result before any rule.
+// The result is one before any rule.
 Lateness lateness(const HandInRules& rules, SubmissionResult result, const std::string& handed_in,
                   const MoreDays& more);
 

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Puts the cost of grading on a page.
 #include "grader/report/costs_page.h"
 
 #include <algorithm>

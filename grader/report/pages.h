@@ -38,7 +38,7 @@ Html people_section(const std::vector<ClassLine>& people);
 // Lists files; empty if there are none.
 Html left_over_section(const std::vector<Accounted>& listed, const NamesForPeople& people = {});
 
-// Who was late, where there is a date.
+// Lists those who were late, where there is a date.
 Html late_section(const ClassFacts& facts, const NamesForPeople& people = {});
 
 // Says that the last run is not whole; else empty.

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Shows pictures of graded runs beside the reference's.
 #include "grader/report/pictures.h"
 
 #include <algorithm>

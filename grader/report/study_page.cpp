@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Puts a study on a page.
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -148,7 +148,7 @@ TEST_F(NamesAndCodes, BlindGradingShowsNobodysName) {
     look(told.output + told.errors, words.front());
   }
 
-  // What leaves for the learning system is for people.
+  // Gradebooks and feedback are for people, and have their names.
   const ProgramRun book =
       run_hairgrade({"gradebook", "gradescope", "--grades", out_.string(), "--roster",
                      (root_ / "roster.csv").string(), "--out", (root_ / "book.csv").string()});

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Writes the jobs that hairsuite takes.
 #include "grader/tool/suite_jobs.h"
 
 #include <algorithm>
