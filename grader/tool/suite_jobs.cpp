@@ -1,4 +1,4 @@
-// STAFF ONLY. Writes the jobs that hairsuite takes.
+// STAFF ONLY. Gives hidden suites their folders, seeds and limits.
 #include "grader/tool/suite_jobs.h"
 
 #include <algorithm>
