@@ -96,6 +96,7 @@ nav ul { margin: .4rem 0; padding-left: 1.25rem; } .text { text-align: left; }
 .controls button { min-width: 4.5rem; } .controls label { white-space: nowrap; } .controls button, .controls select { font: inherit; } .controls select { max-width: 14rem; }
 #moment { max-width: none; font-variant-numeric: tabular-nums; } #plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(19rem, 1fr)); gap: .5rem 1.5rem; }
 .plot canvas { display: block; width: 100%; height: 9rem; border: 0 solid var(--line); cursor: crosshair; touch-action: pan-y; }
+.plot div { position: relative; overflow: hidden; } .plot i { position: absolute; top: 8px; bottom: 20px; left: 0; border-left: 1px solid; pointer-events: none; }
 @media print { body { max-width: none; padding: 0; } figure, tr { break-inside: avoid; } h2 { break-after: avoid; } .badge, .note, .stamp { border: 1px solid; } }
 )css";
 

@@ -25,44 +25,55 @@ function ofStrand(index) {
   });
 }
 
-function distance(motion, frame, i, j) {
+// m, between point i of one frame and point j of another
+function distance(scale, frame, i, other, j) {
   let sum = 0;
   for (let axis = 0; axis < 3; ++axis) {
-    const d = (motion.size[axis] * (frame[3 * i + axis] - frame[3 * j + axis])) / STEPS;
+    const d = scale[axis] * (frame[3 * i + axis] - other[3 * j + axis]);
     sum += d * d;
   }
   return Math.sqrt(sum);
 }
 
-// The largest part by which a segment is longer or shorter than in the first frame.
-const STRETCH_SHOWN = 0.1;
+// The part by which a segment is longer or shorter than in the first frame, and the part of the scene by which two runs differ, that have the
+// last colour.
+const STRETCH_SHOWN = 0.1, DISTANCE_SHOWN = 0.1;
 
-// Strands that stay when all are too many: the last share.
-const SHARES = 3;
-
-// Four bytes a point: its colour, and its strand's share, in steps of 255 / SHARES; 0 at a tip, where no segment begins. `other`: the other run's
-// motion, or null.
+// Four bytes a point, the last of them for nothing. `other`: the other run's motion, or null.
 function colourPoints(bytes, motion, k, way, run, other) {
-  const starts = strandStarts(motion), now = motion.frame(k), first = motion.frame(0);
+  const { starts, scale } = motion, now = motion.frame(k), first = motion.frame(0);
   const broken = motion.blow_up && k >= motion.frames - 2 ? motion.blow_up.strand : -1;
+  const apart = way === "distance" && other ? distancesApart(motion, other, k) : null;
   const scene = length(motion.size);
   for (let s = 0; s + 1 < starts.length; ++s) {
-    const strand = way === "strand" ? ofStrand(s) : way === "run" ? RUNS[run] : null;
+    const strand = s === broken ? BROKEN : way === "strand" ? ofStrand(s) : way === "run" ? RUNS[run] : null;
     for (let i = starts[s]; i < starts[s + 1]; ++i) {
-      const last = i + 1 === starts[s + 1], along = (i - starts[s]) / Math.max(1, starts[s + 1] - starts[s] - 1);
       let colour = strand;
-      if (s === broken) {
-        colour = BROKEN;
-      } else if (way === "stretch") {
-        const a = last ? i - 1 : i, rest = a < starts[s] ? 0 : distance(motion, first, a, a + 1);
-        colour = divergent(rest > 0 ? (distance(motion, now, a, a + 1) / rest - 1) / STRETCH_SHOWN : 0);
-      } else if (way === "distance" && other) {
-        const theirs = other.point(Math.min(k, other.frames - 1), 0, i), mine = motion.point(k, 0, i);
-        colour = sequential(length(subtract(mine, theirs)) / (0.1 * scene));
+      if (!colour && way === "stretch") {
+        const a = i + 1 === starts[s + 1] ? i - 1 : i, rest = a < starts[s] ? 0 : distance(scale, first, a, first, a + 1);
+        colour = divergent(rest > 0 ? (distance(scale, now, a, now, a + 1) / rest - 1) / STRETCH_SHOWN : 0);
+      } else if (!colour && apart) {
+        colour = sequential(apart[i] / (DISTANCE_SHOWN * scene));
+      } else if (!colour) {
+        const along = (i - starts[s]) / Math.max(1, starts[s + 1] - starts[s] - 1);
+        colour = motion.root.map((c, axis) => c + (motion.tip[axis] - c) * along);
       }
-      colour = colour || motion.root.map((c, axis) => c + (motion.tip[axis] - c) * along);
-      for (let axis = 0; axis < 3; ++axis) bytes[4 * i + axis] = Math.round(255 * colour[axis]);
-      bytes[4 * i + 3] = last ? 0 : (255 / SHARES) * (1 + (s % SHARES));
+      for (let axis = 0; axis < 3; ++axis) bytes[4 * i + axis] = 255 * colour[axis];
     }
   }
+}
+
+// m, of each point in frame k, or in the other run's last one
+function distancesApart(motion, other, k) {
+  const mine = Float32Array.from(motion.places(k, 0)), theirs = other.places(Math.min(k, other.frames - 1), 0);
+  const all = new Float32Array(motion.points);
+  for (let i = 0; i < all.length; ++i) all[i] = distance([1, 1, 1], mine, i, theirs, i);
+  return all;
+}
+
+// tint: a name of colours, and `write`, which writes them.
+function recolour(held, tint) {
+  if (held.coloured === tint.name) return;
+  tint.write(held.colourBytes);
+  held.coloured = tint.name;
 }

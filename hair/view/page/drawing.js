@@ -1,7 +1,7 @@
-// Draws motions with WebGL2: strands as ribbons, and what is around them. Positions go to the card as they are in the file, a frame and
-// the next one; the card finds what is between.
+// Draws motions with WebGL2: strands as ribbons, and what is around them.
 
-const BYTES_OF_POINT = 6, POINTS_OF_POSE = 4;
+const POINTS_OF_POSE = 4;
+const SMOOTH_STRANDS = 300; // more of them have edges with steps where a program does the card's work
 
 function sphereMesh() {
   const around = 20, half = 8, down = 2 * half + 1, directions = [], triangles = [];
@@ -39,19 +39,23 @@ function makeBuffer(gl, kind, data, usage) {
 
 // The card holds this of one run.
 function uploadMotion(gl, motion) {
-  const bytes = motion.points * BYTES_OF_POINT, strandPoints = motion.strands.reduce((sum, size) => sum + size, 0);
+  const { triangles, share } = ribbonTriangles(motion.starts), ribbons = makeRibbons(motion.starts);
   return {
     motion,
-    strandPoints,
-    now: makeBuffer(gl, gl.ARRAY_BUFFER, bytes + BYTES_OF_POINT, gl.DYNAMIC_DRAW),
-    next: makeBuffer(gl, gl.ARRAY_BUFFER, bytes + BYTES_OF_POINT, gl.DYNAMIC_DRAW),
-    colours: makeBuffer(gl, gl.ARRAY_BUFFER, 4 * (strandPoints + 1), gl.DYNAMIC_DRAW),
-    colourBytes: new Uint8Array(4 * (strandPoints + 1)),
-    inBuffers: [-1, -1], // frames
+    ribbons,
+    count: triangles.length,
+    share, // of `count`: what one share of the strands has
+    corners: makeBuffer(gl, gl.ARRAY_BUFFER, ribbons.bytes, gl.DYNAMIC_DRAW),
+    triangles: makeBuffer(gl, gl.ELEMENT_ARRAY_BUFFER, triangles),
+    colourBytes: new Uint8Array(4 * motion.points),
     coloured: "",
     sheets: motion.sheets.map((sheet) => {
-      const triangles = sheetTriangles(sheet.rows, sheet.columns);
-      return { ...sheet, count: triangles.length, triangles: makeBuffer(gl, gl.ELEMENT_ARRAY_BUFFER, triangles) };
+      const triangles = sheetTriangles(sheet.rows, sheet.columns), points = sheet.rows * sheet.columns;
+      return {
+        ...sheet, points, count: triangles.length,
+        vertices: makeBuffer(gl, gl.ARRAY_BUFFER, new Float32Array(3 * points), gl.DYNAMIC_DRAW),
+        triangles: makeBuffer(gl, gl.ELEMENT_ARRAY_BUFFER, triangles),
+      };
     }),
     meshes: motion.meshes.map((mesh) => ({
       ...mesh,
@@ -62,9 +66,21 @@ function uploadMotion(gl, motion) {
   };
 }
 
+// Whether a program does the card's work.
+function drawnByProgram() {
+  const gl = document.createElement("canvas").getContext("webgl2");
+  if (!gl) return true;
+  const names = gl.getExtension("WEBGL_debug_renderer_info");
+  const name = gl.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : gl.RENDERER);
+  gl.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|basic render|software/i.test(name);
+}
+
 // Throws an Error where the browser has no WebGL2.
-function makeDrawing(canvas) {
-  const gl = canvas.getContext("webgl2", { antialias: true, alpha: false });
+function makeDrawing(canvas, strands) {
+  // Smooth edges take a program three times as long.
+  const smooth = strands <= SMOOTH_STRANDS || !drawnByProgram();
+  const gl = canvas.getContext("webgl2", { antialias: smooth, alpha: false });
   if (!gl) throw new Error("no WebGL2");
   const programs = { ribbons: makeProgram(gl, RIBBONS), rods: makeProgram(gl, RODS), surfaces: makeProgram(gl, SURFACES), planes: makeProgram(gl, PLANES) };
   const sphere = sphereMesh();
@@ -73,60 +89,37 @@ function makeDrawing(canvas) {
   const corners = makeBuffer(gl, gl.ARRAY_BUFFER, new Float32Array([-1, -1, 1, -1, -1, 1, 1, 1]));
 
   const use = (program) => { gl.useProgram(program.program); return program.at; };
-  const attribute = (location, buffer, count, kind, normalized, stride, offset, divisor) => {
+  const attribute = (location, buffer, count, kind, stride, offset) => {
     gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
     gl.enableVertexAttribArray(location);
-    gl.vertexAttribPointer(location, count, kind, normalized, stride, offset);
-    gl.vertexAttribDivisor(location, divisor);
+    gl.vertexAttribPointer(location, count, kind, true, stride, offset);
   };
-  const noAttributes = () => { for (let i = 0; i < 6; ++i) gl.disableVertexAttribArray(i); };
+  const noAttributes = () => { for (let i = 0; i < 2; ++i) gl.disableVertexAttribArray(i); };
+  const place = (places, index) => places.subarray(3 * index, 3 * index + 3);
 
-  const fill = (held, k) => {
-    const { motion } = held, frames = [k, Math.min(k + 1, motion.frames - 1)];
-    if (held.inBuffers[1] === frames[0] && held.inBuffers[0] !== frames[0]) {
-      [held.now, held.next] = [held.next, held.now];
-      held.inBuffers = [held.inBuffers[1], held.inBuffers[0]];
-    }
-    [held.now, held.next].forEach((buffer, i) => {
-      if (held.inBuffers[i] === frames[i]) return;
-      gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-      gl.bufferSubData(gl.ARRAY_BUFFER, 0, motion.frame(frames[i]));
-      held.inBuffers[i] = frames[i];
-    });
-  };
-
-  const ribbons = (held, scene, between, few) => {
-    const { motion } = held, at = use(programs.ribbons);
-    gl.uniformMatrix4fv(at.camera, false, scene.camera);
-    gl.uniform3fv(at.low, motion.low);
-    gl.uniform3fv(at.size, motion.size);
-    gl.uniform2f(at.half_picture, canvas.width / 2, canvas.height / 2);
-    gl.uniform1f(at.between, between);
-    gl.uniform1f(at.width, motion.width / 2);
-    gl.uniform1f(at.thin, (motion.strands.length > 300 ? 0.5 : 1) * scene.pixels);
-    gl.uniform1f(at.focal, (canvas.height / 2) / Math.tan(scene.fieldOfView / 2));
-    gl.uniform1f(at.least, (few ? SHARES - 0.5 : 0.5) / SHARES);
-    if (held.strandPoints > 1) {
-      attribute(0, held.now, 3, gl.UNSIGNED_SHORT, true, BYTES_OF_POINT, 0, 1);
-      attribute(1, held.now, 3, gl.UNSIGNED_SHORT, true, BYTES_OF_POINT, BYTES_OF_POINT, 1);
-      attribute(2, held.next, 3, gl.UNSIGNED_SHORT, true, BYTES_OF_POINT, 0, 1);
-      attribute(3, held.next, 3, gl.UNSIGNED_SHORT, true, BYTES_OF_POINT, BYTES_OF_POINT, 1);
-      attribute(4, held.colours, 4, gl.UNSIGNED_BYTE, true, 4, 0, 1);
-      attribute(5, held.colours, 4, gl.UNSIGNED_BYTE, true, 4, 4, 1);
-      gl.drawArraysInstanced(gl.TRIANGLE_STRIP, 0, 4, held.strandPoints - 1);
-    }
+  const ribbons = (held, scene, places, few) => {
+    if (held.count === 0) return;
+    const { motion } = held, focal = canvas.height / 2 / Math.tan(scene.fieldOfView / 2);
+    const thin = (motion.strands.length > SMOOTH_STRANDS ? 0.5 : 1) * scene.pixels;
+    held.ribbons.lay(places, scene.camera, (focal * motion.width) / 2, thin, canvas.width / 2, canvas.height / 2, held.colourBytes);
+    use(programs.ribbons);
+    attribute(0, held.corners, 3, gl.FLOAT, BYTES_OF_CORNER, 0);
+    gl.bufferSubData(gl.ARRAY_BUFFER, 0, held.ribbons.bytes);
+    attribute(1, held.corners, 3, gl.UNSIGNED_BYTE, BYTES_OF_CORNER, 12);
+    gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, held.triangles);
+    gl.drawElements(gl.TRIANGLES, few ? held.share : held.count, gl.UNSIGNED_INT, 0);
     noAttributes();
   };
 
-  const rods = (held, scene, k, between) => {
+  const rods = (held, scene, places) => {
     const { motion } = held, at = use(programs.rods);
     gl.uniformMatrix4fv(at.camera, false, scene.camera);
     gl.uniform3fv(at.eye, scene.eye);
-    attribute(0, directions, 3, gl.FLOAT, false, 0, 0, 0);
+    attribute(0, directions, 3, gl.FLOAT, 0, 0);
     gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, sphereTriangles);
     motion.rods.forEach((rod, i) => {
-      gl.uniform3fv(at.a, motion.point(k, between, motion.first_rod + 2 * i));
-      gl.uniform3fv(at.b, motion.point(k, between, motion.first_rod + 2 * i + 1));
+      gl.uniform3fv(at.a, place(places, motion.first_rod + 2 * i));
+      gl.uniform3fv(at.b, place(places, motion.first_rod + 2 * i + 1));
       gl.uniform1f(at.radius, rod.radius);
       gl.uniform3fv(at.paint, rod.colour);
       gl.drawElements(gl.TRIANGLES, sphere.triangles.length, gl.UNSIGNED_SHORT, 0);
@@ -135,31 +128,24 @@ function makeDrawing(canvas) {
   };
 
   const IDENTITY = new Float32Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
-  const surfaces = (held, scene, k, between) => {
-    const { motion } = held, at = use(programs.surfaces);
+  const surfaces = (held, scene, places) => {
+    const at = use(programs.surfaces);
     gl.uniformMatrix4fv(at.camera, false, scene.camera);
     gl.uniform3fv(at.eye, scene.eye);
     gl.uniformMatrix4fv(at.pose, false, IDENTITY);
-    gl.uniform3fv(at.low, motion.low);
-    gl.uniform3fv(at.size, motion.size);
-    gl.uniform1f(at.between, between);
     for (const sheet of held.sheets) {
-      attribute(0, held.now, 3, gl.UNSIGNED_SHORT, true, BYTES_OF_POINT, sheet.first * BYTES_OF_POINT, 0);
-      attribute(2, held.next, 3, gl.UNSIGNED_SHORT, true, BYTES_OF_POINT, sheet.first * BYTES_OF_POINT, 0);
+      attribute(0, sheet.vertices, 3, gl.FLOAT, 0, 0);
+      gl.bufferSubData(gl.ARRAY_BUFFER, 0, places.subarray(3 * sheet.first, 3 * (sheet.first + sheet.points)));
       gl.uniform3fv(at.paint, sheet.colour);
       gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, sheet.triangles);
       gl.drawElements(gl.TRIANGLES, sheet.count, gl.UNSIGNED_INT, 0);
     }
-    gl.uniform3f(at.low, 0, 0, 0);
-    gl.uniform3f(at.size, 1, 1, 1);
-    gl.uniform1f(at.between, 0);
     for (const mesh of held.meshes) {
-      const [origin, ...ends] = Array.from({ length: POINTS_OF_POSE }, (_, i) => motion.point(k, between, mesh.first + i));
+      const [origin, ...ends] = Array.from({ length: POINTS_OF_POSE }, (_, i) => place(places, mesh.first + i));
       const axes = ends.map((end) => scaled(1 / mesh.reach, subtract(end, origin)));
       gl.uniformMatrix4fv(at.pose, false, new Float32Array([...axes[0], 0, ...axes[1], 0, ...axes[2], 0, ...origin, 1]));
       gl.uniform3fv(at.paint, mesh.colour);
-      attribute(0, mesh.vertices, 3, gl.FLOAT, false, 0, 0, 0);
-      attribute(2, mesh.vertices, 3, gl.FLOAT, false, 0, 0, 0);
+      attribute(0, mesh.vertices, 3, gl.FLOAT, 0, 0);
       gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, mesh.triangles);
       gl.drawElements(gl.TRIANGLES, mesh.count, gl.UNSIGNED_INT, 0);
     }
@@ -172,7 +158,7 @@ function makeDrawing(canvas) {
     gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
     gl.depthMask(false);
     gl.uniformMatrix4fv(at.camera, false, scene.camera);
-    attribute(0, corners, 2, gl.FLOAT, false, 0, 0, 0);
+    attribute(0, corners, 2, gl.FLOAT, 0, 0);
     for (const plane of motion.planes) {
       const from = plane.points.length > 3 ? 3 * k : 0;
       const point = plane.points.slice(from, from + 3), normal = plane.normals.slice(from, from + 3);
@@ -199,16 +185,11 @@ function makeDrawing(canvas) {
       gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
       gl.enable(gl.DEPTH_TEST);
       for (const { held, k, between, tint } of runs) {
-        fill(held, k);
-        if (held.coloured !== tint.name) {
-          tint.write(held.colourBytes);
-          gl.bindBuffer(gl.ARRAY_BUFFER, held.colours);
-          gl.bufferSubData(gl.ARRAY_BUFFER, 0, held.colourBytes);
-          held.coloured = tint.name;
-        }
-        surfaces(held, scene, k, between);
-        rods(held, scene, k, between);
-        ribbons(held, scene, between, few);
+        recolour(held, tint); // it asks for other places
+        const places = held.motion.places(k, between);
+        surfaces(held, scene, places);
+        rods(held, scene, places);
+        ribbons(held, scene, places, few);
       }
       for (const { held, k } of runs) planes(held, scene, k);
     },

@@ -12,22 +12,20 @@ function makeFlatDrawing(canvas) {
     return [((x / w + 1) / 2) * canvas.width, ((1 - y / w) / 2) * canvas.height];
   };
   return {
-    upload: (motion) => ({ motion, coloured: "", colourBytes: new Uint8Array(4 * (motion.points + 1)) }),
+    upload: (motion) => ({ motion, coloured: "", colourBytes: new Uint8Array(4 * motion.points) }),
     draw(scene, runs) {
       pen.fillStyle = `rgb(${scene.background.map((c) => Math.round(255 * c)).join(" ")})`;
       pen.fillRect(0, 0, canvas.width, canvas.height);
       pen.lineWidth = 1.5 * scene.pixels;
       for (const { held, k, between, tint } of runs) {
-        const { motion } = held, starts = strandStarts(motion);
-        if (held.coloured !== tint.name) {
-          tint.write(held.colourBytes);
-          held.coloured = tint.name;
-        }
+        recolour(held, tint); // it asks for other places
+        const { motion } = held, { starts } = motion, places = motion.places(k, between);
+        const place = (i) => project(scene.camera, places.subarray(3 * i, 3 * i + 3));
         const every = Math.ceil(motion.strands.length / MOST_LINES);
         for (let s = 0; s + 1 < starts.length; s += every) {
           pen.beginPath();
           for (let i = starts[s]; i < starts[s + 1]; ++i) {
-            const at = project(scene.camera, motion.point(k, between, i));
+            const at = place(i);
             if (at) pen.lineTo(...at);
           }
           pen.strokeStyle = `rgb(${[...held.colourBytes.subarray(4 * starts[s], 4 * starts[s] + 3)].join(" ")})`;
@@ -35,7 +33,7 @@ function makeFlatDrawing(canvas) {
         }
         pen.strokeStyle = "rgb(128 128 128)";
         for (let i = 0; i < motion.rods.length; ++i) {
-          const [a, b] = [0, 1].map((end) => project(scene.camera, motion.point(k, between, motion.first_rod + 2 * i + end)));
+          const [a, b] = [0, 1].map((end) => place(motion.first_rod + 2 * i + end));
           if (!a || !b) continue;
           pen.beginPath();
           pen.moveTo(...a);

@@ -1,37 +1,15 @@
-// The programs that draw. A ribbon faces the eye, and is never thinner than `thin`.
+// The programs that draw. Ribbons come as the screen has them (ribbons.js).
 
 const HEAD = "#version 300 es\nprecision highp float;\n";
 
 const RIBBONS = {
   vertex: HEAD + `
-layout(location = 0) in vec3 a0; // a segment's ends, in this frame
-layout(location = 1) in vec3 b0;
-layout(location = 2) in vec3 a1; // and in the next one
-layout(location = 3) in vec3 b1;
-layout(location = 4) in vec4 colourA; // its last number: 0 at a strand's tip, where no segment begins; else its strand's share
-layout(location = 5) in vec4 colourB;
-uniform mat4 camera;
-uniform vec3 low, size;
-uniform vec2 half_picture; // pixels
-uniform float between, width, thin, focal, least; // m and pixels are halves of a ribbon's
+layout(location = 0) in vec3 corner;
+layout(location = 1) in vec3 paint;
 out vec3 colour;
 void main() {
-  vec3 a = low + size * mix(a0, a1, between), b = low + size * mix(b0, b1, between);
-  vec4 p = camera * vec4(a, 1.0), q = camera * vec4(b, 1.0);
-  if (colourA.a < least || p.w <= 0.0 || q.w <= 0.0) {
-    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
-    return;
-  }
-  vec2 way = (q.xy / q.w - p.xy / p.w) * half_picture;
-  float way_length = length(way);
-  vec2 across = way_length > 1e-6 ? vec2(-way.y, way.x) / way_length : vec2(1.0, 0.0);
-  bool at_b = gl_VertexID > 1;
-  vec4 end = at_b ? q : p;
-  float side = (gl_VertexID & 1) == 0 ? -1.0 : 1.0;
-  end.xy += side * max(thin, width * focal / end.w) * across / half_picture * end.w;
-  gl_Position = end;
-  float along = dot(normalize(b - a + 1e-12), vec3(0.48, -0.6, 0.64)); // light that falls along a hair is not seen
-  colour = (at_b ? colourB.rgb : colourA.rgb) * (0.55 + 0.45 * sqrt(max(0.0, 1.0 - along * along)));
+  colour = paint;
+  gl_Position = vec4(corner, 1.0);
 }`,
   fragment: HEAD + `
 in vec3 colour;
@@ -65,17 +43,14 @@ void main() {
 }`,
 };
 
-// Cloth, of two frames; and solids, which are turned by `pose`.
+// Cloth; and solids, which are turned by `pose`.
 const SURFACES = {
   vertex: HEAD + `
-layout(location = 0) in vec3 now;
-layout(location = 2) in vec3 next;
+layout(location = 0) in vec3 point;
 uniform mat4 camera, pose;
-uniform vec3 low, size;
-uniform float between;
 out vec3 place;
 void main() {
-  place = (pose * vec4(low + size * mix(now, next, between), 1.0)).xyz;
+  place = (pose * vec4(point, 1.0)).xyz;
   gl_Position = camera * vec4(place, 1.0);
 }`,
   // Each triangle has one brightness, by its direction.

@@ -1,0 +1,66 @@
+// The canvas: it draws with WebGL2, and where there is none, or the card is lost for good, with plain lines.
+
+const WAIT = 1000; // ms for a lost card to come back
+const PLAIN = "strands are drawn as plain lines.";
+
+// A canvas that had a context of one kind gives none of another: a new one takes its place.
+function replaceCanvas(canvas) {
+  const fresh = canvas.cloneNode(false);
+  canvas.replaceWith(fresh);
+  return fresh;
+}
+
+// motions: in the order of the runs; tell(text): a note for the reader; again(): asks for a picture.
+function makeStage(motions, orbit, tell, again) {
+  let canvas = document.getElementById("picture"), drawing = null, held = [], plain = false;
+  const hold = () => { held = motions.map(drawing.upload); again(); };
+  const strands = () => motions.reduce((sum, motion) => sum + motion.strands.length, 0);
+  const drawPlainly = (why) => {
+    plain = true;
+    drawing = makeFlatDrawing(canvas);
+    tell(`${why}: ${PLAIN}`);
+    hold();
+  };
+  const watch = () => {
+    followPointers(canvas, orbit);
+    new ResizeObserver(again).observe(canvas);
+    canvas.addEventListener("webglcontextlost", (event) => {
+      event.preventDefault();
+      const lost = canvas, wait = setTimeout(() => {
+        if (canvas !== lost) return;
+        canvas = replaceCanvas(lost);
+        watch();
+        drawPlainly("The graphics card was lost");
+      }, WAIT);
+      lost.addEventListener("webglcontextrestored", () => {
+        clearTimeout(wait);
+        drawing = makeDrawing(lost, strands());
+        hold();
+      }, { once: true });
+    });
+  };
+  try {
+    drawing = makeDrawing(canvas, strands());
+    hold();
+  } catch (error) {
+    drawPlainly("This browser shows no WebGL2");
+  }
+  watch();
+  return {
+    hold, // after a motion became another one
+    get plain() { return plain; },
+    label(text) { if (canvas.getAttribute("aria-label") !== text) canvas.setAttribute("aria-label", text); },
+    // now: run, k, between, tint; few: a share of the strands
+    draw(now, few, dark) {
+      const ratio = window.devicePixelRatio || 1;
+      const width = Math.round(canvas.clientWidth * ratio), height = Math.round(canvas.clientHeight * ratio);
+      if (width > 0 && (canvas.width !== width || canvas.height !== height)) { canvas.width = width; canvas.height = height; }
+      const aspect = canvas.width / canvas.height;
+      const scene = {
+        camera: orbit.matrix(aspect), eye: orbit.eye(), target: orbit.target,
+        fieldOfView: orbit.fieldOfView(aspect), pixels: ratio, background: dark ? [0.09, 0.1, 0.12] : [0.93, 0.94, 0.95],
+      };
+      drawing.draw(scene, now.map((one) => ({ ...one, held: held[one.run] })), few);
+    },
+  };
+}
