@@ -7,13 +7,17 @@
 
 #include "grader/intake/archive_format.h"
 #include "grader/intake/ignored.h"
+#include "grader/text/encoding.h"
 #include "grader/text/letters.h"
+#include "hair/io/plot/readable.h"
 
 namespace grader {
 namespace {
 
 constexpr std::size_t kDeepestNesting = 3;  // class.zip, Alice_1.zip in it, handin.tar.gz in that
 constexpr std::size_t kMostArchives = 20;
+const std::string kAboutFile = "about.txt";
+constexpr std::size_t kMostAboutBytes = std::size_t{16} << 10;
 
 // Archives that the handout's own build leaves beside the files in them.
 bool lies_in_a_build(std::string_view path) {
@@ -39,6 +43,14 @@ HandInReader::Plan HandInReader::plan_share(const std::vector<Entry>& list, cons
     if (entry.closed) throw Unreadable("The folder " + shown + " can't be read.");
     if (entry.kind == Entry::Kind::folder || entry.replaced) continue;
     const std::string_view name = name_of(entry);
+    if (const auto about = exercise_file(name, {kAboutFile});
+        about && about->degree != Likeness::Degree::like && !entry.encrypted &&
+        problem_of(entry, shown).empty()) {
+      draft.budget.charge_bytes(std::min<std::uintmax_t>(entry.bytes, kMostAboutBytes));
+      draft.see(name);
+      plan[i] = {&draft, kAboutFile, shown};
+      continue;
+    }
     const auto likeness = exercise_file(name, files_);
     if (!likeness || likeness->degree == Likeness::Degree::like) {
       if (has_archive_ending(name)) archives.push_back(i);
@@ -98,6 +110,21 @@ void HandInReader::plan_archives(const std::vector<Entry>& list, const Share& sh
   }
 }
 
+// It changes no points: one that can't be read is a remark.
+void HandInReader::take_about(Draft& draft, const std::string& shown, const Container::Read& read) {
+  try {
+    std::string text = decoded(read(kMostAboutBytes), shown).text;
+    std::erase(text, '\r');
+    text = hair::readable(text);
+    if (draft.submission.about.empty())
+      draft.submission.about = text;
+    else if (draft.submission.about != text)
+      draft.remarks.push_back(draft.origin + ": " + shown + " was not read, since there is another one");
+  } catch (const std::runtime_error& why) {  // Refused, or BadInput for its encoding
+    draft.remarks.push_back(draft.origin + ": " + shown + " was not read: " + why.what());
+  }
+}
+
 void HandInReader::take_archive(Draft& draft, std::string bytes, const std::string& shown,
                                 std::size_t depth) {
   if (++draft.archives > kMostArchives) {
@@ -129,6 +156,10 @@ void HandInReader::take(Container& container, const std::vector<Entry>& list,
     const Wanted& wanted = plan.at(index);
     Draft& draft = *wanted.draft;
     if (draft.refused()) return;
+    if (wanted.file == kAboutFile) {
+      take_about(draft, wanted.shown, read);
+      return;
+    }
     if (!wanted.file.empty()) {
       SourceFile file;
       try {

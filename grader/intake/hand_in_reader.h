@@ -34,7 +34,7 @@ class HandInReader {
   // A file or an archive that is to be read.
   struct Wanted {
     Draft* draft;
-    std::string file;   // the exercise file that it is; "": an archive
+    std::string file;   // the exercise file that it is, or kAboutFile; "": an archive
     std::string shown;  // its name in messages
     bool renamed = false;
   };
@@ -45,6 +45,7 @@ class HandInReader {
   void plan_archives(const std::vector<Entry>& list, const Share& share,
                      const std::vector<std::size_t>& archives, const std::string& prefix, std::size_t depth,
                      Plan& plan);
+  static void take_about(Draft& draft, const std::string& shown, const Container::Read& read);
   void take_archive(Draft& draft, std::string bytes, const std::string& shown, std::size_t depth);
 
   const OpenArchive& open_archive_;

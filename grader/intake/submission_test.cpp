@@ -30,6 +30,25 @@ TEST_F(Submissions, EveryPackingGivesItsFilesByteByByte) {
   }
 }
 
+// It comes along where exercise files are, and changes nothing else.
+TEST_F(Submissions, AnswersOfAStudentComeAlong) {
+  const auto with = [&](const char* name, const std::string& text) {
+    return only(ArchiveBuilder(Packing::zip).file("p/conj_grad.cpp", "c").file(name, text).bytes());
+  };
+  EXPECT_EQ(with("p/about.txt", "Hours: 3\r\n").about, "Hours: 3\n");
+  EXPECT_EQ(with("about (1).txt", "Hours: 3\n").about, "Hours: 3\n");
+  EXPECT_EQ(with("about.txt", std::string("\xff\xfeH\0i\0", 6)).about, "Hi") << "UTF-16";
+  EXPECT_EQ(with("about.txt", "a\x1b[31mb").about, "ab");
+  for (const char* other : {"about.md", "about-me.txt", "readme.txt"})
+    EXPECT_EQ(with(other, "text").about, "");
+
+  const Submission large = with("about.txt", std::string(100000, 'x'));
+  EXPECT_EQ(large.about, "");
+  EXPECT_EQ(large.problem, "");
+  EXPECT_EQ(large.files.at("conj_grad.cpp").text, "c");
+  EXPECT_NE(only(zip("about.txt", "Hours: 3")).problem, "") << "alone it is no hand-in";
+}
+
 TEST_F(Submissions, AFolderIsASubmissionUnderItsName) {
   write("alice/student/deep/er/conj_grad.cpp", "text");
   write("alice/build/normal_equations.cpp", "more");

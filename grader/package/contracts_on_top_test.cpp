@@ -6,6 +6,7 @@
 #include <regex>
 
 #include "grader/package/handout.h"
+#include "grader/package/manifest.h"
 
 namespace grader {
 namespace {
@@ -29,8 +30,7 @@ TEST(ContractsOnTop, AreThereAndNoOtherGivenCode) {
   std::vector<std::string> open = {"solver/lecture/linearSolver.h"};
   for (const Exercise& exercise : course.exercises) {
     open.push_back(exercise.header);
-    for (const std::string& header : included_by(files.at("student/" + exercise.file)))
-      open.push_back(header);
+    for (const std::string& header : included_by(files.at(stub_of(exercise)))) open.push_back(header);
   }
   Paths contracts;
   while (!open.empty()) {

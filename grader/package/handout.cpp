@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "grader/archive/archive_writer.h"
+#include "grader/compile/hash.h"
 #include "grader/course/input.h"
 #include "grader/intake/archive.h"
 #include "grader/package/course_texts.h"
@@ -17,6 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 const std::string top_folder = "hair-assignment/";
+// Eight letters that stand for all other files: hand-ins say which handout they were made with.
+const std::string kVersion = "version.txt";
 constexpr std::size_t most_bytes = std::size_t{64} << 20;
 
 std::string read_file(const fs::path& path, const std::string& where) {
@@ -30,7 +33,7 @@ std::string read_file(const fs::path& path, const std::string& where) {
 Paths solved_files(const Course& course) {
   Paths solved;
   for (const Exercise& exercise : course.exercises)
-    if (exercise.role == Role::given) solved.insert("student/" + exercise.file);
+    if (exercise.role == Role::given) solved.insert(stub_of(exercise));
   return solved;
 }
 
@@ -63,8 +66,7 @@ Paths whole_handout(const HandoutSources& sources, Course course) {
 // Without what exercises.json names: text, stub, checks and contract of each exercise.
 Paths without_exercises(Paths paths, const Course& course) {
   for (const Exercise& exercise : course.exercises)
-    for (const std::string& own :
-         {exercise.text, "student/" + exercise.file, exercise.checks, exercise.header})
+    for (const std::string& own : {exercise.text, stub_of(exercise), exercise.checks, exercise.header})
       paths.erase(own);
   return paths;
 }
@@ -120,7 +122,7 @@ Files read_archive(const fs::path& path) {
 void check_gates(const fs::path& archive, const HandoutSources& sources, const Course& course) {
   const Files handout = read_archive(archive);
   const Paths solved = solved_files(course);
-  Paths listed;
+  Paths listed{kVersion};
   for (const ManifestLine& line : lines_of(sources, course)) listed.insert(line.destination);
   check_listing(handout, listed);
   check_canary(handout, solved);
@@ -155,6 +157,9 @@ Files handout_files(const HandoutSources& sources, const Course& course) {
       bytes = course_text(bytes, line.destination, course, shipped, missing);
     files[line.destination] = bytes;
   }
+  std::string all;
+  for (const auto& [path, bytes] : files) all += path + "\n" + sha256(bytes) + "\n";
+  files[kVersion] = sha256(all).substr(0, 8) + "\n";
   return files;
 }
 

@@ -71,12 +71,17 @@ class Lines {
 void add_exercise(Lines& lines, const Exercise& exercise) {
   const std::string where = "exercises.json: " + exercise.id;
   const bool absent = exercise.role == Role::absent;
-  for (const std::string& file : {exercise.text, "student/" + exercise.file, exercise.checks})
+  for (const std::string& file : {exercise.text, exercise.checks})
     if (!file.empty()) lines.add({"handout/" + file, file, where}, absent);
+  lines.add({"handout/student/" + exercise.file, stub_of(exercise), where}, absent);
   if (!exercise.header.empty()) lines.add({exercise.header, exercise.header, where}, false);
 }
 
 }  // namespace
+
+std::string stub_of(const Exercise& exercise) {
+  return "stubs/" + exercise.file;
+}
 
 std::vector<ManifestLine> read_manifest(const fs::path& root, const Course& course) {
   const fs::path file = root / "handout/manifest.txt";

@@ -16,6 +16,9 @@ struct ManifestLine {
   std::string where;        // "handout/manifest.txt:12", for messages
 };
 
+// Where an exercise's file lies in the handout, which the handout's build copies to student/ if it is not there.
+std::string stub_of(const Exercise& exercise);
+
 // The files for this course: those of its exercises (exercises.json), and those that the lines of root/handout/manifest.txt and the
 // folders in it name. Throws BadInput with file and line for a line that can't be parsed, names an unknown exercise or a folder without
 // files, points outside the project or the handout, or repeats a destination; and HandoutError for a folder that does not ship as one.

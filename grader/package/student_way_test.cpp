@@ -64,6 +64,7 @@ class StudentsWay : public testing::Test {
   void pass_with_another_compiler(const std::string& exercise, int starts);
 
   void solve() const {
+    fs::create_directories(folder_ / "hair-assignment/student");
     for (const Exercise& exercise : course_.exercises)
       fs::copy_file(sources_.root / "reference" / exercise.file,
                     folder_ / "hair-assignment/student" / exercise.file,
@@ -109,6 +110,21 @@ TEST_F(StudentsWay, LeadsFromTheArchiveToTheHandIn) {
   for (const char* name : {"frame-0000.png", "frame-0002.png", "run.json", "states.bin", "states.csv"})
     EXPECT_TRUE(fs::exists(swing / name)) << name << "\n" << ran.output;
 
+  const fs::path own = folder_ / "hair-assignment/student";
+  std::ofstream(own / "about.txt") << "Hours: 12\nHardest: H6\nUnclear: nothing; [all] \"fine\"\n";
+  fs::copy_file(sources_.root / "handout/student/length_correction.cpp", own / "length_correction.cpp",
+                fs::copy_options::overwrite_existing);
+  std::ofstream(own / "bend_springs.cpp", std::ios::app) << "\n";
+  ASSERT_EQ(run("sh -c 'cd .. && cmake -E tar xf handout.tar.gz'").code, 0) << "a newer handout over it";
+  ran = run("cmake --build build --target handin");
+  ASSERT_EQ(ran.code, 0) << ran.output;
+  fs::copy_file(sources_.root / "reference/length_correction.cpp", own / "length_correction.cpp",
+                fs::copy_options::overwrite_existing);
+  for (const char* line :
+       {" public checks pass\n",
+        "bend_springs.cpp          not checked since its last change: build check-H3\n",
+        "length_correction.cpp     3 functions are not written yet\n", "your answers to three questions\n"})
+    EXPECT_NE(ran.output.find(line), std::string::npos) << line << ran.output;
   ran = run("cmake --build build --target handin");
   ASSERT_EQ(ran.code, 0) << ran.output;
   const fs::path archive = folder_ / "hair-assignment/build/ada.zip";
@@ -119,7 +135,10 @@ TEST_F(StudentsWay, LeadsFromTheArchiveToTheHandIn) {
   ASSERT_EQ(submissions[0].files.size(), course_.exercises.size());
   for (const Exercise& exercise : course_.exercises)
     EXPECT_EQ(submissions[0].files.at(exercise.file).text,
-              hair::bytes_of(sources_.root / "reference" / exercise.file));
+              hair::bytes_of(sources_.root / "reference" / exercise.file) +
+                  (exercise.file == "bend_springs.cpp" ? "\n" : ""));
+  EXPECT_EQ(submissions[0].about, "Hours: 12\nHardest: H6\nUnclear: nothing; [all] \"fine\"\n\nHandout: " +
+                                      handout_files(sources_, course_).at("version.txt"));
 }
 
 // hairlab names what is not written, and what only studies read is there, too.
@@ -239,7 +258,7 @@ TEST_F(StudentsWay, LeavesGivenExercisesOutOfTheHandIn) {
   std::string others;
   for (const Exercise& exercise : course_.exercises)
     if (exercise.role != Role::given) others += exercise.file + "\n";
-  EXPECT_EQ(listing.output, others);
+  EXPECT_EQ(listing.output, others + "about.txt\n");
 }
 
 // Its build has definitions in the place of what the course lacks, and links all given code.

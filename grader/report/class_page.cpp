@@ -151,6 +151,7 @@ std::string class_page(const Results& results, const ClassFacts& facts, const Na
   body += sections_part(results, facts.people);
   body += categories_part(results);
   body += alike_part(results, people);
+  body += about_section(results);
   body += html("</main>\n");
   body += sort_script();
   return html_page("Grades of the class", body, Scripts::on, Pictures::beside);

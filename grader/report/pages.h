@@ -53,6 +53,9 @@ Html sections_part(const std::vector<SubmissionResult>& results,
 Html alike_part(const std::vector<SubmissionResult>& results,
                 const NamesForPeople& people = {});  // nothing if nobody does
 
+// Answers of about.txt (about.h), without names; nothing if nobody answered.
+Html about_section(const std::vector<SubmissionResult>& results);
+
 // Lets a reader sort a table of class "class" by its columns with data-sort, "text" or "number".
 Html sort_script();
 

@@ -69,6 +69,7 @@ SubmissionResult submission() {
   result.ended_by_the_clock = {"S1", "runs"};
   result.adjustments = {{"late by 2 days", -1.5}};
   result.remarks = {"a remark"};
+  result.about = "Hours: 3\n";
   return result;
 }
 
@@ -158,8 +159,8 @@ bool may_be_missing(const std::string& place) {
   if (place.find("/points/") != place.npos)
     return key == "note" || key == "error" || key == "solver_steps" || key == "correction_steps";
   return key == "studied" || key == "ended_by_the_clock" || key == "adjustments" || key == "remarks" ||
-         key == "last_run" || key == "began" || key == "ended" || key == "asked" || key == "done" ||
-         key == "alice" || key == "bob" || key == "S1" || key == "runs";
+         key == "about" || key == "last_run" || key == "began" || key == "ended" || key == "asked" ||
+         key == "done" || key == "alice" || key == "bob" || key == "S1" || key == "runs";
 }
 
 template <class T>

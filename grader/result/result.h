@@ -116,6 +116,7 @@ struct SubmissionResult {
   bool studied = false;  // there is a study.html, to which pages link
   std::vector<Adjustment> adjustments = {};
   std::vector<std::string> remarks = {};  // of the staff, for the student
+  std::string about = {};  // the student's about.txt (report/about.h), for staff; readable text
 
   bool operator==(const SubmissionResult&) const = default;
 };

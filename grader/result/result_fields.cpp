@@ -85,7 +85,8 @@ const Rows<SubmissionResult>& Fields<SubmissionResult>::rows() {
                [](const T& result) { return !result.ended_by_the_clock.empty(); }),
       field<T>("studied", &T::studied, [](const T& result) { return result.studied; }),
       field<T>("adjustments", &T::adjustments, [](const T& result) { return !result.adjustments.empty(); }),
-      field<T>("remarks", &T::remarks, [](const T& result) { return !result.remarks.empty(); })};
+      field<T>("remarks", &T::remarks, [](const T& result) { return !result.remarks.empty(); }),
+      field<T>("about", &T::about, [](const T& result) { return !result.about.empty(); })};
   return all;
 }
 

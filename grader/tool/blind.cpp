@@ -62,6 +62,7 @@ void hide(const HiddenNames& names, SubmissionResult& result) {
   const auto cover = [&](std::string& text) { text = names.in_own(text, result.name); };
   result.origin.clear();
   cover(result.note);
+  cover(result.about);
   for (std::string& remark : result.remarks) cover(remark);
   for (ExerciseResult& exercise : result.exercises) {
     for (std::string* text : {&exercise.feedback, &exercise.compiler_messages, &exercise.staff_log})

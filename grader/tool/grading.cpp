@@ -85,6 +85,7 @@ std::string Grading::fingerprint(const Submission& submission) const {
                     (submission.unreadable ? "unreadable\n" : "");
   for (const auto& [name, file] : submission.files)
     all += name + "\n" + sha256(file.text) + "\n" + file.problem + "\n";
+  if (!submission.about.empty()) all += sha256(submission.about) + "\n";
   return sha256(all);
 }
 
@@ -93,6 +94,7 @@ Graded Grading::grade(const Submission& submission, const AfterEach& after_each)
   graded.result.name = submission.name;
   graded.result.origin = submission.origin;
   graded.result.note = submission.problem;
+  graded.result.about = submission.about;
   graded.result.fingerprint = fingerprint(submission);
   graded.result.isolation = settings_.isolation;
   graded.result.images = settings_.images;

@@ -6,7 +6,8 @@
 #   hair_sanitise(TARGET)
 #                       TARGET is compiled with the sanitizers that find memory errors, if HAIR_SANITIZED_CHECKS is on, and so are
 #                       the programs linked that use it
-#   hair_handin(DIR)    the target `handin`: the exercise files of DIR that are not given, in <build>/handin.zip
+#   HAIR_CHECKED_DIR    where a run of an exercise's checks leaves its result, for the target `handin`
+#   hair_handin(DIR)    the target `handin`: the exercise files of DIR that are not given, and about.txt, in <build>/handin.zip
 
 find_package(GTest QUIET)
 if(NOT GTest_FOUND)
@@ -104,26 +105,24 @@ function(hair_checks NAME)
   endforeach()
 endfunction()
 
+set(HAIR_CHECKED_DIR "${PROJECT_BINARY_DIR}/checked")
 function(hair_handin DIR)
   set(STUDENT "handin" CACHE STRING "The name of the archive that the target handin writes")
   if(NOT STUDENT MATCHES "^[A-Za-z0-9][A-Za-z0-9._-]*$")
     message(FATAL_ERROR "STUDENT is \"${STUDENT}\"; it may hold letters, digits, '.', '_' and '-', and names the archive")
   endif()
-  set(files)
+  set(exercises)
   foreach(id ${HAIR_EXERCISES})
     if(NOT HAIR_${id}_ROLE STREQUAL "given")
-      list(APPEND files "${HAIR_${id}_FILE}")
+      list(APPEND exercises "${id}=${HAIR_${id}_FILE}")
     endif()
   endforeach()
-  if(NOT files)
+  if(NOT exercises)
     return()
   endif()
-  set(archive "${PROJECT_BINARY_DIR}/${STUDENT}.zip")
-  list(JOIN files ", " names)
+  list(JOIN exercises "," exercises)
   add_custom_target(handin
-    COMMAND ${CMAKE_COMMAND} -E tar cf "${archive}.part" --format=zip -- ${files}
-    COMMAND ${CMAKE_COMMAND} -E rename "${archive}.part" "${archive}"
-    COMMAND ${CMAKE_COMMAND} -E echo "Wrote ${archive} with ${names}: hand in this file"
-    WORKING_DIRECTORY "${DIR}"
+    COMMAND ${CMAKE_COMMAND} "-DSTUDENT_DIR=${DIR}" "-DEXERCISES=${exercises}" "-DARCHIVE=${PROJECT_BINARY_DIR}/${STUDENT}.zip"
+            "-DCHECKED=${HAIR_CHECKED_DIR}" "-DVERSION_FILE=${HAIR_HANDOUT_DIR}/version.txt" -P "${HAIR_HANDOUT_DIR}/cmake/handin.cmake"
     VERBATIM)
 endfunction()
