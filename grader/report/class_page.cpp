@@ -86,10 +86,11 @@ Html class_row(const SubmissionResult& result, const std::vector<Column>& column
       continue;
     }
     row += html(
-        "<td class=\"number\" data-value=\"{}\"><a class=\"badge {}\" href=\"staff/{}.html#{}\" title=\"{}: "
+        "<td class=\"number\" data-id=\"{}\" data-value=\"{}\"><a class=\"badge {}\" "
+        "href=\"staff/{}.html#{}\" title=\"{}: "
         "{}\">{}</a></td>",
-        {shown_points(exercise->points), look_of(exercise->status), result.name, column.id, column.id,
-         to_string(exercise->status), in_short(*exercise)});
+        {column.id, shown_points(exercise->points), look_of(exercise->status), result.name, column.id,
+         column.id, to_string(exercise->status), in_short(*exercise)});
   }
   return row += html("<td><a href=\"{}/report.html\">report</a>{}</td></tr>\n",
                      {result.name,

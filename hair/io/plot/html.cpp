@@ -90,6 +90,12 @@ nav ul { margin: .4rem 0; padding-left: 1.25rem; } .text { text-align: left; }
 .cases tr > *, .runs tr > * { border: 0; padding: 0; } .cases td:nth-child(1) { grid-area: no; } .cases th { grid-area: name; } .cases td:nth-child(3) { grid-area: badge; }
 .cases td:nth-child(4) { grid-area: points; } .cases td:nth-child(5) { grid-area: saw; } .cases pre { white-space: pre-wrap; }
 }
+/* A row is a card: it fits a telephone and a sheet of paper. */
+@media (max-width: 40rem), print {
+.wide .class { min-width: 0; } .class thead { display: none; } .class, .class tbody { display: block; }
+.class tr { display: flex; flex-wrap: wrap; gap: .3rem .75rem; padding: .6rem 0; border-bottom: 1px solid var(--line); } .class tr > * { border: 0; padding: 0; }
+.class tbody th { flex: 1 0 70%; } .class td[data-id]::before { content: attr(data-id) " "; color: var(--quiet); font-size: .8125rem; } .class tbody a.badge { min-width: 3rem; }
+}
 .view #picture { display: block; width: 100%; aspect-ratio: 16 / 9; max-height: 62vh; border-radius: .375rem; touch-action: none; cursor: grab; }
 .view #picture:focus-visible { outline: 2px solid var(--link); outline-offset: 2px; } .view #note:empty { display: none; } body:has(.view) { max-width: 72rem; }
 .controls { display: flex; flex-wrap: wrap; gap: .5rem 1rem; align-items: center; margin: .6rem 0; } .controls input[type=range] { flex: 1 1 12rem; min-width: 8rem; }
