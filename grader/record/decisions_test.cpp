@@ -139,7 +139,7 @@ TEST_F(Decisions, ApplyBeforeTheRulesOfTheHandIn) {
   HandInRules rules;
   rules.due = "2025-03-04 23:59";
   rules.late_per_cent_a_day = 10;
-  record_.put({alice()}, "2025-03-06 10:00:00");
+  record_.put({alice()}, {"2025-03-06 10:00:00"});
   record_.set_rules(rules);
   EXPECT_EQ(record_.rules(), rules);
   decide(DecisionKind::points, "H2.2", 3);
@@ -147,10 +147,10 @@ TEST_F(Decisions, ApplyBeforeTheRulesOfTheHandIn) {
   decide(DecisionKind::late_days, "", 1, "ill");
   EXPECT_EQ(points(now()), 10 - 1);
   EXPECT_EQ(record_.find_decided("alice").value().late, (Lateness{"2025-03-06 10:00:00", 2, 1, 1}));
-  record_.put({alice()}, "2025-03-04 10:00:00");
+  record_.put({alice()}, {"2025-03-04 10:00:00"});
   EXPECT_EQ(record_.find_decided("alice").value().late, (Lateness{"2025-03-04 10:00:00", 0, 0, 0}));
   EXPECT_EQ(points(now()), 10) << "the hand-in that was graded last counts";
-  record_.put({alice()}, "2025-03-06 10:00:00");
+  record_.put({alice()}, {"2025-03-06 10:00:00"});
   EXPECT_EQ(points(now()), 10 - 1) << "also if it was there before";
   rules.late_per_cent_a_day = 50;
   const auto half_of_h2 = [](SubmissionResult& result) { result.exercises[1].points /= 2; };

@@ -23,9 +23,9 @@ std::string Record::export_json() {
   OrderedJson people = OrderedJson::object();
   const bool blind = read_is_blind();
   database_.each(
-      "SELECT name, drawn_from, system, owner FROM people LEFT JOIN owners ON owners.person = people.id "
-      "ORDER BY name",
-      {}, [&](const DatabaseRow& row) {
+      "SELECT name, drawn_from, system, owner FROM people LEFT JOIN owners ON owners.person = people.id AND "
+      "owners.assignment = ? ORDER BY name",
+      {assignment}, [&](const DatabaseRow& row) {
         people[text(row, 0)] = {{"drawn_from", blind ? OrderedJson() : OrderedJson(text(row, 1))},
                                 {"system", text(row, 2)},
                                 {"owner", blind ? OrderedJson() : json_or_null(row.text(3))},
@@ -36,11 +36,14 @@ std::string Record::export_json() {
                                 {"log", OrderedJson::array()}};
       });
   database_.each(
-      "SELECT name, origin, fingerprint, handed_in FROM hand_ins JOIN people ON people.id = person "
+      "SELECT name, origin, fingerprint, handed_in, marked_late FROM hand_ins JOIN people ON people.id = "
+      "person "
       "WHERE assignment = ? ORDER BY hand_ins.id",
       {assignment}, [&](const DatabaseRow& row) {
-        people[text(row, 0)]["hand_ins"].push_back(
-            {{"origin", text(row, 1)}, {"fingerprint", text(row, 2)}, {"handed_in", text(row, 3)}});
+        people[text(row, 0)]["hand_ins"].push_back({{"origin", text(row, 1)},
+                                                    {"fingerprint", text(row, 2)},
+                                                    {"handed_in", text(row, 3)},
+                                                    {"marked_late", row.number(4) != 0}});
       });
   database_.each(
       "SELECT name, result, costs FROM results JOIN people ON people.id = person WHERE assignment = ?",

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "grader/course/input.h"
+#include "grader/record/people_fields.h"
 #include "grader/record/record.h"
 #include "grader/record/schema.h"
 #include "grader/result/result_fields.h"
@@ -125,9 +126,9 @@ TEST_F(HandIns, HaveTheirOwnResultsAndDecisionsOfOnePerson) {
   second.put_people({{"alice", {.name = "alice"}, "folders"}, {"renamed", pair, "gradescope"}});
   EXPECT_EQ(second.drawn_from("alice"), "alice");
   EXPECT_EQ(second.drawn_from("renamed"), "pair") << "people have one seed in all hand-ins";
-  first.put({result_of("alice", "S1", 4)}, "2025-03-04 10:00:00");
-  second.put({result_of("alice", "H1", 7)}, "2025-03-11 10:00:00");
-  first.put({result_of("alice", "S1", 5)}, "2025-03-04 11:00:00");
+  first.put({result_of("alice", "S1", 4)}, {"2025-03-04 10:00:00"});
+  second.put({result_of("alice", "H1", 7)}, {"2025-03-11 10:00:00"});
+  first.put({result_of("alice", "S1", 5)}, {"2025-03-04 11:00:00"});
   first.put({result_of("bob", "S1", 1)});
   second.set_made_by("{\"2\": 2}");
   second.decide("alice", {DecisionKind::points, "H1", 9, 0, "why"});
@@ -151,13 +152,77 @@ TEST_F(HandIns, HaveTheirOwnResultsAndDecisionsOfOnePerson) {
   EXPECT_EQ(second.pages(), dir_ / "week_2");
   EXPECT_TRUE(Record(dir_).names().empty());
   EXPECT_EQ(Record(dir_).pages(), dir_);
-  first.set_handed_in("alice", "2025-03-05 10:00:00");
-  second.set_handed_in("alice", "2025-03-12 10:00:00");
+  first.set_handed_in("alice", {"2025-03-05 10:00:00"});
+  second.set_handed_in("alice", {"2025-03-12 10:00:00"});
   EXPECT_NE(first.export_json().find("\"handed_in\": \"2025-03-05 10:00:00\""), std::string::npos);
   EXPECT_NE(second.export_json().find("\"handed_in\": \"2025-03-12 10:00:00\""), std::string::npos);
   EXPECT_NE(
       refusal([&] { Record(dir_, "Week_2").put({result_of("x", "S1", 1)}); }).find("give \"Week_2\" another"),
       std::string::npos);
+}
+
+// A table of times is not given with each grading.
+TEST_F(HandIns, KeepTheTimeOfTheSameFiles) {
+  Record record(dir_, "week 1");
+  const auto put = [&](const HandedIn& handed_in) {
+    record.put({result_of("alice", "S1", 4)}, handed_in);
+    return record.handed_in("alice");
+  };
+  EXPECT_EQ(put({"", "files"}), "");
+  EXPECT_EQ(put({"2025-03-04 10:00:00", "files"}), "2025-03-04 10:00:00");
+  EXPECT_EQ(put({"", "files"}), "2025-03-04 10:00:00");
+  EXPECT_EQ(put({"", "others"}), "") << "another version";
+  EXPECT_EQ(put({"2025-03-05 10:00:00", "files"}), "2025-03-05 10:00:00");
+  EXPECT_EQ(put({"", ""}), "") << "nobody knows what was handed in";
+  EXPECT_EQ(put({"", "files"}), "2025-03-05 10:00:00") << "the first version again";
+  Record(dir_, "week 2").put({result_of("alice", "H1", 7)}, {"", "files"});
+  EXPECT_EQ(Record(dir_, "week 2").handed_in("alice"), "");
+  record.put({result_of("bob", "S1", 4)}, {"", "files"});
+  EXPECT_EQ(record.handed_in("bob"), "") << "alice's time";
+  record.set_handed_in("alice", {"", "files"});
+  EXPECT_EQ(record.handed_in("alice"), "2025-03-05 10:00:00");
+}
+
+TEST_F(HandIns, KnowWhatTheLearningSystemMarkedAsLate) {
+  Record record(dir_);
+  record.put({result_of("alice", "S1", 4)}, {"", "files", true});
+  record.put({result_of("bob", "S1", 4)}, {"", "files", false});
+  EXPECT_TRUE(record.find_decided("alice")->late.marked);
+  EXPECT_FALSE(record.find_decided("bob")->late.marked);
+  const std::string json = record.export_json();
+  EXPECT_LT(json.find("\"marked_late\": true"), json.find("\"bob\""));
+  EXPECT_NE(json.find("\"marked_late\": false"), std::string::npos);
+  // A later download of the same version, after the due date was moved.
+  record.set_handed_in("alice", {"", "files", false});
+  record.set_handed_in("bob", {"", "files", true});
+  EXPECT_FALSE(record.find_decided("alice")->late.marked);
+  EXPECT_TRUE(record.find_decided("bob")->late.marked);
+}
+
+TEST_F(HandIns, OfAGroupHaveThePeopleOfTheirTime) {
+  const auto pair = [](const std::vector<std::string>& ids) {
+    Owner owner{.name = "pair", .group = true};
+    for (const std::string& id : ids) owner.members.push_back({.name = "M" + id, .id = id});
+    return std::vector<HandIn>{{"pair", owner, "gradescope"}};
+  };
+  const Roster roster(parse_csv("id,name\n1,M1\n2,M2\n3,M3\n", "r.csv"));
+  Record first(dir_, "week 1"), second(dir_, "week 2");
+  first.put_people(pair({"1", "2"}), roster.people());
+  first.put({result_of("pair", "S1", 4)});
+  second.put_people(pair({"1", "3"}));
+  second.put({result_of("pair", "H1", 7)});
+  const auto absent = [](std::optional<ClassList> list) {
+    std::string names;
+    for (const Person* person : list->absent()) names += person->name;
+    return names;
+  };
+  EXPECT_EQ(absent(first.class_list()), "M3");
+  EXPECT_EQ(absent(second.class_list()), "M2");
+  EXPECT_EQ(absent(second.class_list(Record::Of::course)), "");
+  EXPECT_EQ(first.hand_ins()[0].owner.members[1].id, "2");
+  EXPECT_EQ(first.hand_ins(Record::Of::course).at(0).owner.members[1].id, "3") << "the latest";
+  EXPECT_EQ(first.names_for_people().at("pair"), "pair (M1; M2)");
+  EXPECT_EQ(second.names_for_people().at("pair"), "pair (M1; M3)");
 }
 
 // Due dates are in the other order than names.
@@ -174,10 +239,10 @@ TEST_F(HandIns, UseTheCoursesFreeDaysInTheOrderOfTheirDueDates) {
   a.set_rules(due("2025-03-11"));
   c.set_rules(due("2025-03-18"));
   EXPECT_EQ(a.named_hand_ins(), (std::vector<std::string>{"b", "a", "c"}));
-  c.put({result_of("alice", "H1", 10)}, "2025-03-19 12:00:00");  // a day late
+  c.put({result_of("alice", "H1", 10)}, {"2025-03-19 12:00:00"});  // a day late
   EXPECT_EQ(points(c.find_decided("alice")->result), 10) << "a free day";
-  a.put({result_of("alice", "S2", 10)}, "2025-03-13 12:00:00");  // two days
-  b.put({result_of("alice", "S1", 10)}, "2025-03-06 12:00:00");  // two days
+  a.put({result_of("alice", "S2", 10)}, {"2025-03-13 12:00:00"});  // two days
+  b.put({result_of("alice", "S1", 10)}, {"2025-03-06 12:00:00"});  // two days
   EXPECT_EQ(points(b.find_decided("alice")->result), 10) << "two of three";
   EXPECT_EQ(points(a.find_decided("alice")->result), 9) << "one was left, and one day costs";
   EXPECT_EQ(points(c.find_decided("alice")->result), 9) << "none was left";
@@ -187,17 +252,17 @@ TEST_F(HandIns, UseTheCoursesFreeDaysInTheOrderOfTheirDueDates) {
             "0 of the course's 3 days without a deduction are left after this hand-in");
   b.decide("alice", {DecisionKind::late_days, "", 1, 0, "ill"});
   EXPECT_EQ(points(a.find_decided("alice")->result), 10) << "a day that a person gave saves one";
-  b.put({result_of("alice", "S1", 10)}, "2025-03-04 12:00:00");
+  b.put({result_of("alice", "S1", 10)}, {"2025-03-04 12:00:00"});
   EXPECT_EQ(points(c.find_decided("alice")->result), 10) << "the latest version of each counts";
-  b.put({result_of("bob", "S1", 10)}, "2025-03-20 12:00:00");  // 16 days
-  c.put({result_of("bob", "H1", 10)}, "2025-03-18 12:00:00");
+  b.put({result_of("bob", "S1", 10)}, {"2025-03-20 12:00:00"});  // 16 days
+  c.put({result_of("bob", "H1", 10)}, {"2025-03-18 12:00:00"});
   EXPECT_EQ(points(c.find_decided("bob")->result), 10) << "who is not late needs none";
 }
 
 TEST_F(HandIns, ForgetEveryByteOfAPersonInAll) {
   Record first(dir_, "week 1"), second(dir_, "week 2");
   for (const char* name : {"alice", "bobwillgo"}) {
-    first.put({result_of(name, "S1", 4)}, "2025-03-04 10:00:00");
+    first.put({result_of(name, "S1", 4)}, {"2025-03-04 10:00:00"});
     second.put({result_of(name, "H1", 7)});
     second.decide(name, {DecisionKind::comment, "", 0, 0, std::string("for ") + name});
   }
@@ -209,6 +274,32 @@ TEST_F(HandIns, ForgetEveryByteOfAPersonInAll) {
   first.shred();
   EXPECT_FALSE(someone_holds());
   EXPECT_EQ(second.find("alice")->result, result_of("alice", "H1", 7));
+}
+
+// As version 6 left it: owners are of all hand-ins.
+TEST_F(HandIns, OfARecordOfVersion6HaveItsOwners) {
+  {
+    Database database(dir_ / kRecordFile);
+    migrate(database, std::vector<std::string>(migrations().begin(), migrations().begin() + 6));
+    database.run("INSERT INTO assignments (name, folder) VALUES ('week 1', 'a'), ('week 2', 'b')");
+    database.run("INSERT INTO people (name, drawn_from) VALUES ('doe', 'doe')");
+    database.run("INSERT INTO owners VALUES (1, 'canvas', ?)",
+                 {json_text(Owner{.name = "Doe", .id = "7"}, -1)});
+    database.run(
+        "INSERT INTO hand_ins (assignment, person, origin, fingerprint, handed_in) VALUES (2, 1, 'o', 'f', "
+        "'2025-03-05 12:00:00')");
+    for (const std::int64_t week : {2, 3})
+      database.run(
+          "INSERT INTO results VALUES (?, 1, 'o', ?, '', '', '{}')",
+          {week, json_text(result_of("doe", "S1", 4), -1, {[](const std::string&) { return ""; }, {}})});
+  }
+  for (const char* week : {"week 1", "week 2"}) {
+    Record record(dir_, week);
+    ASSERT_EQ(record.hand_ins().size(), 1U);
+    EXPECT_EQ(record.hand_ins()[0].owner.id, "7") << week;
+  }
+  EXPECT_EQ(Record(dir_, "week 1").handed_in("doe"), "2025-03-05 12:00:00");
+  EXPECT_FALSE(Record(dir_, "week 1").find_decided("doe")->late.marked);
 }
 
 // As version 3 left it, which has no folders of hand-ins.

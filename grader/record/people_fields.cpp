@@ -34,7 +34,13 @@ const Rows<Owner>& Fields<Owner>::rows() {
 
 const Rows<Person>& Fields<Person>::rows() {
   using T = Person;
-  static const Rows<T> all = {field("name", &T::name), field("section", &T::section), ids(),
+  static const std::function<bool(const T&)> has_group = [](const T& person) {
+    return !person.group.empty();
+  };
+  static const Rows<T> all = {field("name", &T::name),
+                              field("section", &T::section),
+                              field("group", &T::group, has_group),
+                              ids(),
                               field("spoken", &T::keys, &NameKeys::as_spoken),
                               field("sorted", &T::keys, &NameKeys::as_sorted)};
   return all;

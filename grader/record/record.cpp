@@ -118,7 +118,7 @@ std::string Record::drawn_from(const std::string& name) {
   return database_.text("SELECT drawn_from FROM people WHERE id = ?", {known_person(name)});
 }
 
-void Record::put(const Recorded& one, const std::string& handed_in) {
+void Record::put(const Recorded& one, const HandedIn& handed_in) {
   const SubmissionResult& result = one.result;
   std::map<std::string, std::string> pictures;
   const std::string text = text_of(result, pictures), study = one.study ? compact(one.study->own) : "",
@@ -129,10 +129,19 @@ void Record::put(const Recorded& one, const std::string& handed_in) {
   const std::int64_t id = person(result.name, result.name), assignment = this->assignment();
   database_.run("INSERT OR REPLACE INTO results VALUES (?, ?, ?, ?, ?, ?, ?)",
                 {assignment, id, result.origin, text, study, beside, costs});
+  // A table of times is not given each time.
+  const std::string time = !handed_in.time.empty() || handed_in.files.empty()
+                               ? handed_in.time
+                               : database_.text(
+                                     "SELECT handed_in FROM hand_ins WHERE assignment = ? AND person = ? AND "
+                                     "files = ? ORDER BY id "
+                                     "DESC LIMIT 1",
+                                     {assignment, id, handed_in.files});
   database_.run(
-      "INSERT OR REPLACE INTO hand_ins (assignment, person, origin, fingerprint, handed_in) VALUES "
-      "(?, ?, ?, ?, ?)",
-      {assignment, id, result.origin, result.fingerprint, handed_in});
+      "INSERT OR REPLACE INTO hand_ins (assignment, person, origin, fingerprint, handed_in, files, "
+      "marked_late) VALUES (?, ?, ?, ?, ?, ?, ?)",
+      {assignment, id, result.origin, result.fingerprint, time, handed_in.files,
+       std::int64_t{handed_in.marked_late}});
   std::vector<std::string>
       earlier;  // nobody may show these any more; to look at all pictures would take long
   database_.each("SELECT digest FROM shown WHERE assignment = ? AND person = ?", {assignment, id},

@@ -42,6 +42,15 @@ struct Recorded {
   Lateness late = {};  // of find_decided
 };
 
+// A version that was handed in, as its download says it.
+struct HandedIn {
+  std::string time = {};     // grader/text/time_text.h; "": it has none
+  std::string files = {};    // their hash: others are another version; "": nobody knows it
+  bool marked_late = false;  // by the learning system
+
+  bool operator==(const HandedIn&) const = default;
+};
+
 struct LogEntry {
   std::string at, who, did, detail;  // "2025-03-04 10:15:22" (UTC), "ada", "graded"; detail: JSON
 };
@@ -63,14 +72,18 @@ class Record {
   std::string made_by();
   void set_made_by(const std::string& json);
 
+  // The names of their rows, by whose they are (same_people.h).
+  std::vector<RowName> row_names(const std::vector<HandIn>& hand_ins);
+
   // The name that a hand-in's inputs are drawn from is stored at first sight (same_people.h). put_people comes first.
   std::string drawn_from(const std::string& name);
 
-  // Replaces the earlier result of this student; the log has both. `handed_in` is a time as a download says it, or "".
-  void put(const Recorded& one, const std::string& handed_in = "");
+  // Replaces the earlier result of this student; the log has both. Without a time, one that these files had before stays.
+  void put(const Recorded& one, const HandedIn& handed_in = {});
 
-  // The time of the version that counts, if it was graded without one, or with another.
-  void set_handed_in(const std::string& name, const std::string& time);
+  // Of the version that counts, if it was graded without a time or a mark, or with others. A time stays if there is no other.
+  void set_handed_in(const std::string& name, const HandedIn& handed_in);
+  std::string handed_in(const std::string& name);  // the time; "": nobody knows it
 
   // Owners of hand-ins that were there before stay if they are not named again. A roster replaces the earlier one. With `only` one
   // owner is stored; all tell whose earlier hand-ins are.
@@ -85,10 +98,12 @@ class Record {
   std::map<std::string, std::string> codes();  // by the name that intake found
   std::optional<HiddenNames> hidden_names();   // nothing if grading is not blind
 
-  // With a result, by name. One without an owner, of an older record, has none here.
+  // With a result, by name. One without an owner, of an older record, has none here. Of the course: the owner of the latest.
   enum class Of { hand_in, course };
   std::vector<HandIn> hand_ins(Of of = Of::hand_in);
   // Nothing if no roster was given so far.
+  std::optional<std::vector<Person>> roster();
+  // Likewise. Of the course: a group's row is of everybody who was in it.
   std::optional<ClassList> class_list(Of of = Of::hand_in);
 
   std::vector<std::string> names();              // of those with a result, sorted
@@ -147,7 +162,7 @@ class Record {
   HandInRules stored_rules();
   HandInRules rules_from(const std::string& text) const;
   std::vector<Dated> dated();  // in the order of their due dates
-  std::string handed_in(std::int64_t assignment, const std::string& name);
+  HandedIn handed_in(std::int64_t assignment, const std::string& name);
   double days_given(std::int64_t assignment, const std::string& name);
   int free_days_left(const HandInRules& rules, const std::string& name);
   SubmissionResult under_rules(SubmissionResult result, const HandInRules& rules, const ChangePoints& change,
@@ -157,6 +172,7 @@ class Record {
   std::vector<HandIn> read_hand_ins(Of of);
   std::vector<Drawn> read_drawn();
   void put_roster(const std::vector<Person>& roster);
+  std::optional<std::vector<Person>> read_roster();
   std::optional<ClassList> read_class_list(const std::vector<HandIn>& hand_ins);
   std::vector<HandIn> read_owned();
   bool read_is_blind();

@@ -52,11 +52,15 @@ void Record::set_rules(const HandInRules& rules) {
 SubmissionResult Record::under_rules(SubmissionResult result, const HandInRules& rules,
                                      const ChangePoints& change, Lateness* late) {
   const std::int64_t here = assignment();
-  const std::string name = result.name, time = handed_in(here, name);
+  const std::string name = result.name;
+  const auto [time, files, marked_late] = handed_in(here, name);
   const MoreDays more{days_given(here, name), free_days_left(rules, name)};
   result = decided(std::move(result), decisions_of(name));
   if (change) change(result);
-  if (late) *late = lateness(rules, result, time, more);
+  if (late) {
+    *late = lateness(rules, result, time, more);
+    late->marked = marked_late;
+  }
   return under(rules, std::move(result), time, more);
 }
 

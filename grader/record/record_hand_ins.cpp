@@ -33,24 +33,35 @@ std::vector<std::string> Record::named_hand_ins() {
   return names;
 }
 
-std::string Record::handed_in(std::int64_t assignment, const std::string& name) {
-  return database_.text(
-      "SELECT handed_in FROM hand_ins JOIN people ON people.id = person WHERE assignment = ? AND name = ? "
-      "ORDER BY hand_ins.id DESC LIMIT 1",
-      {assignment, name});
+HandedIn Record::handed_in(std::int64_t assignment, const std::string& name) {
+  HandedIn latest;
+  database_.each(
+      "SELECT handed_in, files, marked_late FROM hand_ins JOIN people ON people.id = person WHERE assignment "
+      "= ? AND name = ? ORDER BY hand_ins.id DESC LIMIT 1",
+      {assignment, name}, [&](const DatabaseRow& row) {
+        latest = {row.text(0), row.text(1), row.number(2) != 0};
+      });
+  return latest;
 }
 
-void Record::set_handed_in(const std::string& name, const std::string& time) {
+std::string Record::handed_in(const std::string& name) {
+  const std::lock_guard lock(one_at_a_time_);
+  return handed_in(assignment(), name).time;
+}
+
+void Record::set_handed_in(const std::string& name, const HandedIn& handed_in) {
   const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
   const std::int64_t here = assignment(), id = known_person(name);
-  if (handed_in(here, name) == time) return;
+  const HandedIn before = this->handed_in(here, name);
+  HandedIn now = handed_in;
+  if (now.time.empty()) now.time = before.time;
+  if (now == before) return;
   database_.run(
-      "UPDATE OR REPLACE hand_ins SET handed_in = ? WHERE id = (SELECT max(id) FROM hand_ins WHERE "
-      "assignment = ? AND "
-      "person = ?)",
-      {time, here, id});
-  add_to_log(id, "was handed in", time);
+      "UPDATE OR REPLACE hand_ins SET handed_in = ?, files = ?, marked_late = ? WHERE id = (SELECT max(id) "
+      "FROM hand_ins WHERE assignment = ? AND person = ?)",
+      {now.time, now.files, std::int64_t{now.marked_late}, here, id});
+  if (now.time != before.time) add_to_log(id, "was handed in", now.time);
   transaction.commit();
 }
 
@@ -71,7 +82,7 @@ int Record::free_days_left(const HandInRules& rules, const std::string& name) {
   for (const Dated& other : dated()) {
     if (other.name == hand_in_) break;
     if (other.rules.due.empty()) continue;
-    const int late = late_days(other.rules, handed_in(other.id, name)).value_or(0);
+    const int late = late_days(other.rules, handed_in(other.id, name).time).value_or(0);
     left -= used_of_all(other.rules, late, {days_given(other.id, name), left});
   }
   return left;

@@ -7,11 +7,26 @@
 #include "grader/record/same_people.h"
 
 namespace grader {
+namespace {
+
+// The last one of each name.
+std::vector<HandIn> with_one_owner(const std::vector<HandIn>& all) {
+  std::vector<HandIn> last;
+  for (const HandIn& one : all) {
+    if (!last.empty() && last.back().name == one.name) last.pop_back();
+    last.push_back(one);
+  }
+  return last;
+}
+
+}  // namespace
 
 void Record::put_people(const std::vector<HandIn>& hand_ins, const std::optional<std::vector<Person>>& roster,
                         const std::optional<std::string>& only) {
   const std::lock_guard lock(one_at_a_time_);
   Transaction transaction(database_);
+  make_assignment();
+  const std::int64_t here = assignment();
   const std::vector<std::string> from = grader::drawn_from(read_drawn(), hand_ins);
   for (std::size_t i = 0; i < hand_ins.size(); ++i) {
     const HandIn& hand_in = hand_ins[i];
@@ -21,8 +36,8 @@ void Record::put_people(const std::vector<HandIn>& hand_ins, const std::optional
     database_.run("UPDATE people SET drawn_from = ? WHERE id = ? AND drawn_from <> ?",
                   {from[i], id, from[i]});
     database_.run("UPDATE people SET known_as = ? WHERE id = ?", {hand_in.known_as, id});
-    database_.run("INSERT OR REPLACE INTO owners VALUES (?, ?, ?)",
-                  {id, hand_in.system, json_text(hand_in.owner, -1)});
+    database_.run("INSERT OR REPLACE INTO owners VALUES (?, ?, ?, ?)",
+                  {here, id, hand_in.system, json_text(hand_in.owner, -1)});
   }
   if (roster) put_roster(*roster);
   transaction.commit();
@@ -34,11 +49,6 @@ void Record::put_roster(const std::vector<Person>& roster) {
     database_.run("INSERT INTO roster (person) VALUES (?)", {json_text(one, -1)});
 }
 
-std::vector<HandIn> Record::hand_ins(Of of) {
-  const std::lock_guard lock(one_at_a_time_);
-  return read_hand_ins(of);
-}
-
 // The row has name, owner, system, and the name that intake found.
 HandIn Record::hand_in_of(const DatabaseRow& row) const {
   const std::string name = row.text(0),
@@ -47,24 +57,30 @@ HandIn Record::hand_in_of(const DatabaseRow& row) const {
           row.text(3)};
 }
 
+// Of the course one name may have several owners, the latest one last.
 std::vector<HandIn> Record::read_hand_ins(Of of) {
   std::vector<HandIn> all;
   database_.each(
-      "SELECT DISTINCT name, owner, system, known_as FROM people JOIN results ON results.person = people.id "
-      "LEFT JOIN "
-      "owners ON owners.person = people.id WHERE ? OR assignment = ? ORDER BY name",
+      "SELECT name, owner, system, known_as FROM people JOIN results ON results.person = people.id "
+      "LEFT JOIN owners ON owners.person = people.id AND owners.assignment = results.assignment "
+      "WHERE ? OR results.assignment = ? ORDER BY name, owners.rowid",
       {std::int64_t{of == Of::course}, assignment()},
       [&](const DatabaseRow& row) { all.push_back(hand_in_of(row)); });
   return all;
 }
 
+std::vector<HandIn> Record::hand_ins(Of of) {
+  const std::lock_guard lock(one_at_a_time_);
+  return with_one_owner(read_hand_ins(of));
+}
+
+// A name stands here with its owner of each hand-in; the one of this hand-in is the last, then the latest.
 std::vector<Drawn> Record::read_drawn() {
   std::vector<Drawn> all;
   database_.each(
       "SELECT name, owner, system, known_as, drawn_from FROM people LEFT JOIN owners ON owners.person = "
-      "people.id "
-      "ORDER BY name",
-      {}, [&](const DatabaseRow& row) {
+      "people.id ORDER BY name, owners.assignment = ?, owners.rowid",
+      {assignment()}, [&](const DatabaseRow& row) {
         all.push_back({hand_in_of(row), row.text(4)});
       });
   return all;
@@ -73,7 +89,27 @@ std::vector<Drawn> Record::read_drawn() {
 std::vector<HandIn> Record::read_owned() {
   std::vector<HandIn> all;
   for (Drawn& one : read_drawn()) all.push_back(std::move(one.hand_in));
-  return all;
+  return with_one_owner(all);
+}
+
+std::vector<RowName> Record::row_names(const std::vector<HandIn>& hand_ins) {
+  const std::lock_guard lock(one_at_a_time_);
+  return grader::row_names(read_drawn(), hand_ins);
+}
+
+std::optional<std::vector<Person>> Record::roster() {
+  const std::lock_guard lock(one_at_a_time_);
+  return read_roster();
+}
+
+std::optional<std::vector<Person>> Record::read_roster() {
+  const std::string where = printable(database_.file().string(), 4096) + ": the roster";
+  std::vector<Person> people;
+  database_.each("SELECT person FROM roster ORDER BY place", {}, [&](const DatabaseRow& row) {
+    people.push_back(from_json_text<Person>(row.text(0), where));
+  });
+  if (people.empty()) return {};
+  return people;
 }
 
 std::optional<ClassList> Record::class_list(Of of) {
@@ -83,13 +119,9 @@ std::optional<ClassList> Record::class_list(Of of) {
 }
 
 std::optional<ClassList> Record::read_class_list(const std::vector<HandIn>& hand_ins) {
-  const std::string where = printable(database_.file().string(), 4096) + ": the roster";
-  std::vector<Person> people;
-  database_.each("SELECT person FROM roster ORDER BY place", {}, [&](const DatabaseRow& row) {
-    people.push_back(from_json_text<Person>(row.text(0), where));
-  });
-  if (people.empty()) return {};
-  return grader::class_list(Roster(std::move(people)), hand_ins);
+  std::optional<std::vector<Person>> people = read_roster();
+  if (!people) return {};
+  return grader::class_list(Roster(std::move(*people)), hand_ins);
 }
 
 NamesForPeople Record::names_for_people() {

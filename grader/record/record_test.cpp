@@ -107,7 +107,7 @@ TEST_P(RecordOfAClass, ForgetsEveryByte) {
   bob.exercises[0].pictures = {{"1 s", 0, 0, "bobwillgo-picture", "reference-picture", ""}};
   results[0].exercises[0].pictures = {{"1 s", 0, 0, "alice-picture", "reference-picture", ""}};
   Record record(dir_, GetParam());
-  for (const SubmissionResult& result : results) record.put({result}, "2025-03-04 10:15:22");
+  for (const SubmissionResult& result : results) record.put({result}, {"2025-03-04 10:15:22"});
   bob.exercises[0].staff_log = "bobwillgo-other-log";
   record.put({bob});
   EXPECT_TRUE(holds(dir_, "bobwillgo"));

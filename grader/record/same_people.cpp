@@ -22,13 +22,20 @@ bool same_person(const Owner& a, const Owner& b, bool same_system) {
   return (a.id + a.email + b.id + b.email).empty() && !a.name.empty() && keys_of(a.name) == keys_of(b.name);
 }
 
+// Canvas's group has the number of whoever handed in: it counts where nobody knows the members.
+bool has_ids_of_groups(const HandIn& a, const HandIn& b) {
+  const bool members = !a.owner.members.empty() && !b.owner.members.empty();
+  return a.owner.group && b.owner.group && a.system == b.system && !a.owner.id.empty() &&
+         !b.owner.id.empty() && !(a.system == "canvas" && members);
+}
+
 // 0: others. The share of people in both among those in either; an id of the group says more, and an own row of one person all.
 double sameness(const HandIn& a, const HandIn& b) {
   constexpr double kById = 2, kByName = 3;
-  const bool same_system = a.system == b.system, groups = a.owner.group && b.owner.group;
+  const bool same_system = a.system == b.system;
   if (a.system.empty() || (!a.owner.group && !b.owner.group && a.name == b.name))
     return a.name == b.name ? kByName : 0;
-  const bool ids = groups && same_system && !a.owner.id.empty() && !b.owner.id.empty();
+  const bool ids = has_ids_of_groups(a, b);
   if (ids && a.owner.id == b.owner.id) return kById;
   const std::vector<Owner> these = people_of(a.owner), those = people_of(b.owner);
   if (these.empty() || those.empty()) return !ids && a.name == b.name ? 1 : 0;
@@ -47,9 +54,8 @@ std::string ids_of(const Owner& owner) {
   return all;
 }
 
-}  // namespace
-
-std::vector<std::string> drawn_from(const std::vector<Drawn>& before, const std::vector<HandIn>& now) {
+// For each of `now` the one of `before`; null for somebody new.
+std::vector<const Drawn*> found_again(const std::vector<Drawn>& before, const std::vector<HandIn>& now) {
   struct Pair {
     double sameness;
     std::size_t before, now;
@@ -63,22 +69,68 @@ std::vector<std::string> drawn_from(const std::vector<Drawn>& before, const std:
     return std::tuple(-pair.sameness, was != is, was, is);
   };
   std::ranges::sort(pairs, {}, order);
+  std::vector<const Drawn*> found(now.size());
+  std::set<std::string> rows;
+  for (const Pair& pair : pairs)
+    if (!found[pair.now] && rows.insert(before[pair.before].hand_in.name).second)
+      found[pair.now] = &before[pair.before];
+  return found;
+}
 
+bool keeps_its_row(const HandIn& before, const HandIn& now) {
+  if (before.owner.group != now.owner.group) return false;
+  if (has_ids_of_groups(before, now) && before.owner.id == now.owner.id) return true;
+  const std::vector<Owner> these = people_of(before.owner), those = people_of(now.owner);
+  return !these.empty() && std::ranges::all_of(these, [&](const Owner& one) {
+    const bool a_name_alone = !before.owner.group && one.id.empty() && one.email.empty();
+    return !a_name_alone && std::ranges::any_of(those, [&](const Owner& other) {
+      return same_person(one, other, before.system == now.system);
+    });
+  });
+}
+
+}  // namespace
+
+std::vector<std::string> drawn_from(const std::vector<Drawn>& before, const std::vector<HandIn>& now) {
+  const std::vector<const Drawn*> found = found_again(before, now);
   std::vector<std::string> from(now.size());
-  std::vector<bool> found(before.size());
-  for (const Pair& pair : pairs) {
-    if (found[pair.before] || !from[pair.now].empty()) continue;
-    found[pair.before] = true;
-    from[pair.now] = before[pair.before].from;
-  }
   std::set<std::string> taken;
   for (const Drawn& one : before) taken.insert(one.from);
   for (std::size_t i = 0; i < now.size(); ++i) {
-    if (!from[i].empty()) continue;
+    if (found[i]) {
+      from[i] = found[i]->from;
+      continue;
+    }
     from[i] = now[i].known_as.empty() ? now[i].name : now[i].known_as;
     if (!taken.insert(from[i]).second) from[i] = name_among_equals(from[i], ids_of(now[i].owner));
   }
   return from;
+}
+
+std::vector<RowName> row_names(const std::vector<Drawn>& before, const std::vector<HandIn>& now) {
+  const std::vector<const Drawn*> found = found_again(before, now);
+  std::set<std::string> rows;
+  for (const Drawn& one : before) rows.insert(one.hand_in.name);
+  std::vector<RowName> names;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const HandIn& hand_in = now[i];
+    RowName row{hand_in.name};
+    const std::string was = found[i] ? found[i]->hand_in.name : "";
+    if (found[i] && was != hand_in.name) {
+      if (keeps_its_row(found[i]->hand_in, hand_in)) {
+        row = {was, hand_in.name + ": is " + was + " under another name, and keeps its row"};
+      } else if (hand_in.owner.group && found[i]->hand_in.owner.group) {
+        row.told = hand_in.name + ": is " + was +
+                   " without somebody who was in it, and has a row of its own; " + "decisions about " + was +
+                   " stay there";
+      }
+    }
+    if (row.name == hand_in.name && was != hand_in.name && rows.contains(hand_in.name))
+      row = {name_among_equals(hand_in.name, ids_of(hand_in.owner)),
+             hand_in.name + ": other people have the row of this name; its own is called by a number, too"};
+    names.push_back(std::move(row));
+  }
+  return names;
 }
 
 }  // namespace grader

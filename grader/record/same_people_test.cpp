@@ -59,6 +59,68 @@ TEST(DrawnFrom, WhoIsLeftAloneKeepsTheGroups) {
   EXPECT_EQ(drawn_from(before, {alone})[0], "a");
 }
 
+std::vector<std::string> names_of(const std::vector<RowName>& rows) {
+  std::vector<std::string> names;
+  for (const RowName& row : rows) names.push_back(row.name);
+  return names;
+}
+
+TEST(RowNames, StayForTheSamePeople) {
+  const std::vector<Drawn> before = at_first({group("a", "", {"1", "2"}),
+                                              group("b", "", {"3", "4", "5"}),
+                                              {"doe_1", {.name = "Doe", .id = "9"}, "canvas"},
+                                              {"jane doe", {.name = "jane doe"}, "folders"}});
+  const auto rows = [&](const std::vector<HandIn>& now) { return row_names(before, now); };
+  // Renamed, and somebody more.
+  const std::vector<RowName> renamed =
+      rows({group("c", "", {"1", "2", "6"}), group("b", "", {"3", "4", "5"})});
+  EXPECT_EQ(names_of(renamed), (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(renamed[0].told, "c: is a under another name, and keeps its row");
+  EXPECT_EQ(renamed[1].told, "");
+  // Two groups exchange their names.
+  EXPECT_EQ(names_of(rows({group("b", "", {"1", "2"}), group("a", "", {"3", "4", "5"})})),
+            (std::vector<std::string>{"a", "b"}));
+  EXPECT_EQ(names_of(rows({{"roe_1", {.name = "Roe", .id = "9"}, "canvas"}})),
+            std::vector<std::string>{"doe_1"});
+  EXPECT_EQ(names_of(rows({{"Jane_Doe", {.name = "Jane_Doe"}, "folders"}})),
+            std::vector<std::string>{"Jane_Doe"})
+      << "a name alone is no evidence";
+  // The same name, and somebody who has left: it is the group of that name still.
+  EXPECT_EQ(names_of(rows({group("b", "", {"3", "4"})})), std::vector<std::string>{"b"});
+}
+
+TEST(RowNames, AreNewWhereSomebodyHasLeftOrOthersHaveTheName) {
+  const std::vector<Drawn> before = at_first({group("a", "", {"1", "2", "3"})});
+  const std::vector<RowName> left = row_names(before, {group("c", "", {"1", "2"})});
+  EXPECT_EQ(names_of(left), std::vector<std::string>{"c"});
+  EXPECT_EQ(left[0].told,
+            "c: is a without somebody who was in it, and has a row of its own; decisions about a stay there");
+  EXPECT_EQ(names_of(row_names(before, {{"M1_1", {.name = "M1", .id = "1"}, "gradescope"}})),
+            std::vector<std::string>{"M1_1"})
+      << "one alone has not what others were graded for";
+  // Others are called a now: decisions about the first group would become theirs.
+  const HandIn others = group("a", "", {"7", "8"});
+  const std::vector<RowName> taken = row_names(before, {others, group("b", "", {"1", "2", "3"})});
+  EXPECT_EQ(taken[1].name, "a");
+  ASSERT_NE(taken[0].name, "a");
+  EXPECT_TRUE(taken[0].name.starts_with("a-")) << taken[0].name;
+  EXPECT_NE(taken[0].told, "");
+  // It is the same name in the next download.
+  std::vector<Drawn> then = before;
+  then.push_back({others, "x"});
+  then.back().hand_in.name = taken[0].name;
+  EXPECT_EQ(names_of(row_names(then, {others})), std::vector<std::string>{taken[0].name});
+}
+
+TEST(RowNames, OfCanvasGroupsDontFollowWhoeverHandedIn) {
+  HandIn was = group("team7_1", "1", {"1", "2"}), now = group("rockets_1", "1", {"1", "3"});
+  was.system = now.system = "canvas";
+  EXPECT_EQ(names_of(row_names(at_first({was}), {now})), std::vector<std::string>{"rockets_1"});
+  now = group("rockets_2", "2", {"1", "2"});
+  now.system = "canvas";
+  EXPECT_EQ(names_of(row_names(at_first({was}), {now})), std::vector<std::string>{"team7_1"});
+}
+
 // Groups of two to four are renamed at random, in any order; in each at most one member leaves and one, of nobody else, joins: of two
 // or more at least one stays, and nobody is in two groups.
 TEST(DrawnFrom, StaysOverRandomChangesOfGroups) {

@@ -111,10 +111,27 @@ ALTER TABLE assignments ADD COLUMN folder TEXT NOT NULL DEFAULT ''; -- of its pa
 CREATE UNIQUE INDEX folder_of_assignment ON assignments (folder COLLATE NOCASE);
 )";
 
+// A group's members may differ from one hand-in to the next, and each keeps its own.
+constexpr const char* kOwnersOfHandIns = R"(
+ALTER TABLE owners RENAME TO owners_of_all;
+CREATE TABLE owners (
+  assignment INTEGER NOT NULL REFERENCES assignments,
+  person INTEGER NOT NULL REFERENCES people ON DELETE CASCADE,
+  system TEXT NOT NULL,           -- the layout that the hand-in came in
+  owner TEXT NOT NULL,            -- JSON
+  PRIMARY KEY (assignment, person)
+) STRICT;
+INSERT INTO owners SELECT assignments.id, person, system, owner FROM owners_of_all, assignments;
+DROP TABLE owners_of_all;
+ALTER TABLE hand_ins ADD COLUMN files TEXT NOT NULL DEFAULT '';  -- their hash; '' in older rows
+ALTER TABLE hand_ins ADD COLUMN marked_late INTEGER NOT NULL DEFAULT 0;  -- 1: by the learning system
+)";
+
 }  // namespace
 
 const std::vector<std::string>& migrations() {
-  static const std::vector<std::string> all = {kFirst, kOwners, kRules, kBlind, kListedFiles, kNamedHandIns};
+  static const std::vector<std::string> all = {kFirst,       kOwners,       kRules,          kBlind,
+                                               kListedFiles, kNamedHandIns, kOwnersOfHandIns};
   return all;
 }
 

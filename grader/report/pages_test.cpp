@@ -458,6 +458,28 @@ TEST(ClassPage, SaysWhoWasLateAndWhatItCost) {
   EXPECT_EQ(count(class_page(results, facts), "Nobody is known to be late"), 1u);
 }
 
+TEST(ClassPage, SaysWhoWasMarkedLateWhereNoTimeSaysIt) {
+  const std::vector<SubmissionResult> results = sample_class(3);
+  Lateness marked, in_time{"2025-03-04 10:00:00"};
+  marked.marked = in_time.marked = true;
+  ClassFacts facts{.late = {{"alice", marked}, {"bob", in_time}, {"carol", {}}}};
+  const auto row = [](const std::string& name, const std::string& time) {
+    return name + "</a></th><td>" + time + "</td><td colspan=\"3\">marked late by Canvas</td>";
+  };
+  std::string page = class_page(results, facts);
+  EXPECT_EQ(count(page, row("alice", "")), 1u);
+  EXPECT_EQ(count(page, row("bob", "2025-03-04 10:00:00")), 1u) << "nobody knows when it was due";
+  EXPECT_EQ(count(page, "marked late by"), 2u);
+  EXPECT_EQ(count(page, "has no due date"), 1u);
+  EXPECT_EQ(count(page, "Nobody"), 0u);
+  EXPECT_NO_THROW(hair::plot::parse(page));
+  facts.due = "2025-03-04 23:59";
+  page = class_page(results, facts);
+  EXPECT_EQ(count(page, row("alice", "")), 1u);
+  EXPECT_EQ(count(page, "marked late by"), 1u) << "the time says more than the mark";
+  EXPECT_EQ(count(page, "Due 2025-03-04 23:59"), 1u);
+}
+
 TEST(ClassPage, SaysThatARunIsNotWhole) {
   const auto said = [](const LastRun& run) { return class_page(sample_class(2), {.run = run}); };
   LastRun run{.wall_seconds = 9, .graded = 2, .jobs = 1};

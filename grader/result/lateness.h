@@ -10,6 +10,7 @@ struct Lateness {
   int days = 0;           // begun ones of the calendar; 0: not late, or nobody knows
   double free_days = 0;   // of these
   double taken = 0;       // points
+  bool marked = false;    // as late, by the learning system
 
   bool operator==(const Lateness&) const = default;
 };

@@ -15,15 +15,19 @@ using Titles = std::vector<const char*>;
 
 // Canvas: Student, ID, SIS User ID, SIS Login ID, Section. Moodle: Identifier, Full name, First name, Last name, ID number, Email address,
 // Groups. Gradescope: First Name, Last Name, SID, Email, Sections. Classroom: identifier, github_username, github_id, name.
-// Brightspace: OrgDefinedId, Username, First Name, Last Name, Email.
+// Brightspace: OrgDefinedId, Username, First Name, Last Name, Email. Canvas's export of a group set: name, canvas_user_id, user_id (the SIS
+// one), login_id, sections, group_name.
 const Titles kNames = {"Name", "Full name", "Student", "Student name"};
 const Titles kFirstNames = {"First name", "FirstName", "Given name"};
 const Titles kLastNames = {"Last name", "LastName", "Surname", "Family name"};
-const Titles kSections = {"Section", "Sections", "Group", "Groups", "Section name"};
+const Titles kSections = {"Section", "Sections", "Section name"};
+// Moodle's groups may be sections or teams: its participants have no other column.
+const Titles kGroups = {"group_name", "Group name", "Group", "Groups", "Team"};
 
 const Titles& titles(IdKind kind) {
   static const std::array<Titles, kIdKinds> all = {
-      Titles{"ID", "SID", "Student ID", "User ID", "student_id", "user_id", "Matriculation number"},
+      Titles{"canvas_user_id", "ID", "SID", "Student ID", "User ID", "student_id", "user_id",
+             "Matriculation number"},
       Titles{"SIS User ID", "SIS ID", "ID number", "sis_id", "sis_user_id"},
       Titles{"SIS Login ID", "Login ID", "Login", "Username", "User name", "login_id", "user_name"},
       Titles{"OrgDefinedId", "Org Defined ID"},
@@ -80,7 +84,11 @@ RosterColumns::RosterColumns(const Csv& table) {
   name_ = first_of(table, kNames);
   first_name_ = first_of(table, kFirstNames);
   last_name_ = first_of(table, kLastNames);
+  group_ = first_of(table, kGroups);
   section_ = first_of(table, kSections);
+  if (section_ == kNoColumn) section_ = group_;
+  std::size_t& sis = ids_[static_cast<std::size_t>(IdKind::sis)];
+  if (sis == kNoColumn && column_of(table, "canvas_user_id") != kNoColumn) sis = column_of(table, "user_id");
   // Classroom's identifier is the teacher's own.
   std::size_t& participant = ids_[static_cast<std::size_t>(IdKind::participant)];
   std::size_t& id = ids_[static_cast<std::size_t>(IdKind::id)];
@@ -109,6 +117,7 @@ std::optional<Person> RosterColumns::person(const Csv& table, const Csv::Row& ro
   Person person;
   person.line = row.line;
   person.section = cell_of(row, section_);
+  person.group = cell_of(row, group_);
   for (std::size_t i = 0; i < kIdKinds; ++i) {
     const auto kind = static_cast<IdKind>(i);
     std::string id = cell_of(row, ids_[i]);

@@ -19,7 +19,7 @@ class RosterColumns {
 
  private:
   std::array<std::size_t, kIdKinds> ids_;
-  std::size_t name_, first_name_, last_name_, section_;
+  std::size_t name_, first_name_, last_name_, section_, group_;
 };
 
 }  // namespace grader

@@ -24,8 +24,9 @@ struct NameKeys {
 NameKeys keys_of(const std::string& name);
 
 struct Person {
-  std::string name;     // for people, NFC; as the table writes it, or "First Last" of two columns
-  std::string section;  // "" or several, as the table writes them
+  std::string name;        // for people, NFC; as the table writes it, or "First Last" of two columns
+  std::string section;     // "" or several, as the table writes them
+  std::string group = {};  // likewise: those who hand in together
   std::array<std::string, kIdKinds> ids{};  // "" where the table has none
   NameKeys keys{};                          // of the name
   std::size_t line = 0;                     // of the table

@@ -75,11 +75,11 @@ void Roster::add(const Csv& table, const Csv::Row& row, Person person) {
     if (person.keys != before.keys)
       throw BadInput(place_of(table, row) + ": " + title_of(by) + " " + person.id(by) + " is line " +
                      std::to_string(before.line) + "'s, too, with another name; an id is one person's");
-    if (person.section != before.section)
-      before.section += (before.section.empty() ? "" : ", ") + person.section;
-    else
+    if (person.section == before.section && person.group == before.group)
       said_.push_back(place_of(table, row) + ": is line " + std::to_string(before.line) +
                       " again and counts once");
+    for (std::string Person::*cell : {&Person::section, &Person::group})
+      if (person.*cell != before.*cell) before.*cell += ((before.*cell).empty() ? "" : ", ") + person.*cell;
     return;
   }
   add(std::move(person));

@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "grader/course/input.h"
+#include "grader/roster/worksheet.h"
 #include "grader/text/letters.h"
 #include "grader/text/time_text.h"
 
@@ -22,12 +23,37 @@ constexpr std::array<const char*, 9> kTitles{"Time",
                                              "submission_timestamp",
                                              "Last modified (submission)"};
 
-std::size_t column_of_times(const Csv& table) {
-  std::string titles;
-  for (const char* title : kTitles) {
+std::optional<std::size_t> column_by_title(const Csv& table) {
+  for (const char* title : kTitles)
     if (const std::size_t column = column_of(table, title); column != kNoColumn) return column;
-    titles += (titles.empty() ? "\"" : "\", \"") + std::string(title);
+  return {};
+}
+
+std::string not_read_as_time(const Csv& table, const Csv::Row& row, std::size_t column) {
+  return place_of(table, row) + ": \"" + legible(composed(row.at(column))) +
+         "\" is no time that is read; write one such as 2025-03-04 10:15, or export the table in English";
+}
+
+// Moodle's worksheet in another language: times of hand-ins stand behind "Grade can be changed".
+std::optional<std::size_t> column_by_place(const Csv& table) {
+  const std::optional<Worksheet> sheet = worksheet_by_form(table);
+  if (!sheet || sheet->may_change == kNoColumn) return {};
+  const std::size_t column = sheet->may_change + 1;
+  const Csv::Row* not_read = nullptr;
+  for (std::size_t i = 1; i < table.rows.size(); ++i) {
+    const std::string cell = composed(table.rows[i].at(column));
+    if (read_time(cell)) return column;
+    if (!not_read && !cell.empty() && cell != "-") not_read = &table.rows[i];
   }
+  if (not_read) throw BadInput(not_read_as_time(table, *not_read, column));
+  return {};
+}
+
+std::size_t column_of_times(const Csv& table) {
+  if (const std::optional<std::size_t> column = column_by_title(table)) return *column;
+  if (const std::optional<std::size_t> column = column_by_place(table)) return *column;
+  std::string titles;
+  for (const char* title : kTitles) titles += (titles.empty() ? "\"" : "\", \"") + std::string(title);
   throw BadInput(place_of(table, table.rows.front()) + ": no column has times; give it one of the titles " +
                  titles + "\"");
 }
@@ -39,7 +65,11 @@ Times::Times(Csv table)
       column_(column_of_times(table_)),
       people_(table_),
       found_(people_.people().size()),
-      said_(people_.said()) {}
+      said_(people_.said()) {
+  if (!column_by_title(table_))
+    said_.push_back(table_.file + ": times are taken from the column \"" +
+                    legible(table_.rows.front().at(column_)) + "\", by its place in a grading worksheet");
+}
 
 std::string Times::time_of(std::size_t person) {
   found_[person] = true;
@@ -47,9 +77,7 @@ std::string Times::time_of(std::size_t person) {
   const auto row = std::ranges::find(table_.rows, line, &Csv::Row::line);
   const std::string cell = composed(row->at(column_));
   if (cell.empty() || cell == "-" || read_time(cell)) return cell == "-" ? "" : cell;
-  std::string told =
-      place_of(table_, *row) + ": \"" + legible(cell) +
-      "\" is no time that is read; write one such as 2025-03-04 10:15, or export the table in English";
+  std::string told = not_read_as_time(table_, *row, column_);
   if (std::ranges::count(said_, told) == 0) said_.push_back(std::move(told));
   return "";
 }

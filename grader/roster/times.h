@@ -1,5 +1,6 @@
 // STAFF ONLY. A table of times of hand-ins, for downloads that have none (Canvas, Moodle): a row for each person, as in a roster
-// (roster.h), and a column of times. Moodle's grading worksheet is such a table.
+// (roster.h), and a column of times. Moodle's grading worksheet is such a table, in any language whose
+// times are read (text/time_text.h).
 #pragma once
 
 #include <filesystem>
@@ -12,7 +13,7 @@ namespace grader {
 
 class Times {
  public:
-  // Throws BadInput as Roster does, and for a table without a column of times.
+  // Throws BadInput as Roster does, and for a table without a column of times or without one that is read.
   explicit Times(Csv table);
 
   // The time as the table has it, "" if it has none that can be read; of a group the latest of its members'. People are found as on a

@@ -18,6 +18,15 @@ bool says(const Times& times, const std::string& what) {
   return false;
 }
 
+std::string refusal(const std::string& text) {
+  try {
+    times(text);
+  } catch (const BadInput& error) {
+    return error.what();
+  }
+  return "";
+}
+
 TEST(Times, AreFoundByIdOrByANameThatOnePersonBears) {
   Times list = times(
       "id,name,time\n4711,Jane Doe,2025-03-04 10:15\n4712,Sam Lee,2025-03-05T01:00:00Z\n4713,Sam "
@@ -36,13 +45,42 @@ TEST(Times, OfMoodlesWorksheetAreRead) {
   Times list = times(
       "Identifier,Full name,Status,\"Last modified (submission)\"\n"
       "Participant 4711,Jane Doe,x,\"Tuesday, 4 March 2025, 10:15 AM\"\n"
-      "Participant 4712,Sam Lee,x,\"Dienstag, 4. März 2025, 10:15\"\nParticipant 4713,Ann Poe,x,-\n");
+      "Participant 4712,Sam Lee,x,\"wtorek, 4 marca 2025, 10:15\"\nParticipant 4713,Ann Poe,x,-\n");
   EXPECT_EQ(list.find("a", {.name = "Jane Doe", .id = "4711"}, "moodle", nullptr),
             "Tuesday, 4 March 2025, 10:15 AM");
   EXPECT_EQ(list.find("b", {.name = "Sam Lee", .id = "4712"}, "moodle", nullptr), "");
   EXPECT_EQ(list.find("c", {.name = "Ann Poe", .id = "4713"}, "moodle", nullptr), "");
   ASSERT_EQ(list.said().size(), 1U);
-  EXPECT_TRUE(says(list, "times.csv, line 3: \"Dienstag, 4. März 2025, 10:15\" is no time that is read"));
+  EXPECT_TRUE(says(list, "times.csv, line 3: \"wtorek, 4 marca 2025, 10:15\" is no time that is read"));
+}
+
+// A worksheet's row: what is behind the grade, as it is in any language.
+std::string worksheet(const std::string& titles, const std::string& word, const std::string& yes,
+                      const std::string& first, const std::string& second) {
+  const auto row = [&](const char* number, const char* name, const std::string& time) {
+    return word + " " + number + "," + name + ",x,,\"10,00\"," + yes + ",\"" + time + "\",-,\n";
+  };
+  return titles + "\n" + row("4711", "Jane Doe", first) + row("4712", "Sam Lee", second) +
+         row("4713", "Ann Poe", "-");
+}
+
+TEST(Times, OfAWorksheetInAnotherLanguageStandBehindWhetherItsGradeCanChange) {
+  const char* german =
+      "ID,Vollständiger Name,Status,Bewertung,Bestwertung,Bewertung kann geändert werden,Zuletzt geändert "
+      "(Abgabe),Zuletzt geändert (Bewertung),Feedback als Kommentar";
+  Times list = times(worksheet(german, "Teilnehmer/in", "Ja", "Dienstag, 4. März 2025, 10:15", "gestern"));
+  EXPECT_EQ(list.find("a", {.name = "Jane Doe", .id = "4711"}, "moodle", nullptr),
+            "Dienstag, 4. März 2025, 10:15");
+  EXPECT_EQ(list.find("b", {.name = "Sam Lee", .id = "4712"}, "moodle", nullptr), "");
+  EXPECT_EQ(list.find("c", {.name = "Ann Poe", .id = "4713"}, "moodle", nullptr), "");
+  ASSERT_EQ(list.said().size(), 2U);
+  EXPECT_TRUE(says(list, "times.csv: times are taken from the column \"Zuletzt geändert (Abgabe)\", by its"));
+  EXPECT_TRUE(says(list, "times.csv, line 3: \"gestern\" is no time that is read"));
+  // No time in it is read: nobody would have one.
+  EXPECT_EQ(refusal(worksheet("ID,Imię,Status,Ocena,Maks,Można zmienić,Zmieniono,Oceniono,Komentarz",
+                              "Uczestnik", "Tak", "wtorek, 4 marca 2025, 10:15", "-")),
+            "times.csv, line 2: \"wtorek, 4 marca 2025, 10:15\" is no time that is read; write one such as "
+            "2025-03-04 10:15, or export the table in English");
 }
 
 TEST(Times, OfAGroupAreTheLatestOfItsMembersAndARosterLinksIds) {
@@ -56,8 +94,9 @@ TEST(Times, OfAGroupAreTheLatestOfItsMembersAndARosterLinksIds) {
 }
 
 TEST(Times, NeedAColumn) {
-  EXPECT_THROW(times("id,when\n4711,2025-03-04 10:15\n"), BadInput);
-  EXPECT_THROW(times("time\n2025-03-04 10:15\n"), BadInput);
+  EXPECT_NE(refusal("id,when\n4711,2025-03-04 10:15\n").find("times.csv, line 1: no column has times"),
+            std::string::npos);
+  EXPECT_NE(refusal("time\n2025-03-04 10:15\n").find("no title is known"), std::string::npos);
 }
 
 }  // namespace

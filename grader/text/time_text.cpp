@@ -14,12 +14,22 @@ namespace {
 using namespace std::chrono;
 
 std::optional<unsigned> month_of(std::string name) {
-  constexpr std::array<std::string_view, 12> kMonths{"january",   "february", "march",    "april",
-                                                     "may",       "june",     "july",     "august",
-                                                     "september", "october",  "november", "december"};
+  using Names = std::array<std::string_view, 4>;  // English, German, French, Spanish
+  constexpr std::array<Names, 12> kMonths{Names{"january", "januar", "janvier", "enero"},
+                                          {"february", "februar", "février", "febrero"},
+                                          {"march", "märz", "mars", "marzo"},
+                                          {"april", "april", "avril", "abril"},
+                                          {"may", "mai", "mai", "mayo"},
+                                          {"june", "juni", "juin", "junio"},
+                                          {"july", "juli", "juillet", "julio"},
+                                          {"august", "august", "août", "agosto"},
+                                          {"september", "september", "septembre", "septiembre"},
+                                          {"october", "oktober", "octobre", "octubre"},
+                                          {"november", "november", "novembre", "noviembre"},
+                                          {"december", "dezember", "décembre", "diciembre"}};
   name = lowered(name);
   for (unsigned i = 0; i < kMonths.size(); ++i)
-    if (name == kMonths[i] || name == kMonths[i].substr(0, 3)) return i + 1;
+    if (std::ranges::count(kMonths[i], name) > 0 || name == kMonths[i][0].substr(0, 3)) return i + 1;
   return {};
 }
 
@@ -59,14 +69,13 @@ std::optional<TimeText> iso(const std::smatch& found) {
   return time;
 }
 
-std::optional<TimeText> in_words(const std::string& year, const std::string& month, const std::string& day,
-                                 const std::string& hour, const std::string& minute,
+std::optional<TimeText> in_words(const std::string& year, std::optional<unsigned> month,
+                                 const std::string& day, const std::string& hour, const std::string& minute,
                                  const std::string& half) {
-  const std::optional<unsigned> named = month_of(month);
   const std::optional<int> shown = hour_of(std::stoi(hour), half);
-  if (!named || !shown) return {};
+  if (!month || !shown) return {};
   const std::optional<seconds> clock =
-      Parts{std::stoi(year), *named, static_cast<unsigned>(std::stoi(day)), *shown, std::stoi(minute)}
+      Parts{std::stoi(year), *month, static_cast<unsigned>(std::stoi(day)), *shown, std::stoi(minute)}
           .clock();
   return clock ? std::optional(TimeText{*clock}) : std::nullopt;
 }
@@ -80,16 +89,22 @@ std::optional<TimeText> read_time(std::string_view text) {
   static const std::regex kMonthFirst(
       "([A-Za-z]{3,9}) (\\d{1,2}), (\\d{4}),? (\\d{1,2}):?(\\d\\d) ?([AaPp][Mm])");
   static const std::regex kDayFirst(
-      "(?:[^,]{1,30}, )?(\\d{1,2}) ([A-Za-z]{3,9}) (\\d{4}), (\\d{1,2}):(\\d\\d)(?: ?([AaPp][Mm]))?");
+      "(?:[^,\\d]{1,30},? )?(\\d{1,2})\\.? (?:de )?([^\\s\\d.,]{3,12}) (?:de )?(\\d{4}), "
+      "(\\d{1,2}):(\\d\\d)(?: ?([AaPp][Mm]))?");
+  static const std::regex kJapanese(
+      "(\\d{4})年 ?(\\d{1,2})月 ?(\\d{1,2})日 ?(?:\\((?:月|火|水|木|金|土|日)(?:曜日)?\\))? "
+      "(\\d{1,2}):(\\d\\d)");
   constexpr std::size_t kLongest = 100;
   if (text.size() > kLongest) return {};
   const std::string line = composed(text);
   std::smatch found;
   if (std::regex_match(line, found, kIso)) return iso(found);
   if (std::regex_match(line, found, kMonthFirst))
-    return in_words(found[3], found[1], found[2], found[4], found[5], found[6]);
+    return in_words(found[3], month_of(found[1]), found[2], found[4], found[5], found[6]);
   if (std::regex_match(line, found, kDayFirst))
-    return in_words(found[3], found[2], found[1], found[4], found[5], found[6]);
+    return in_words(found[3], month_of(found[2]), found[1], found[4], found[5], found[6]);
+  if (std::regex_match(line, found, kJapanese))
+    return in_words(found[1], static_cast<unsigned>(std::stoi(found[2])), found[3], found[4], found[5], "");
   return {};
 }
 

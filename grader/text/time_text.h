@@ -5,6 +5,12 @@
 //   2025-03-04T10:15:22Z, 2025-03-04T10:15:22+01:00       ISO 8601: Canvas, GitHub Classroom
 //   May 18, 2025 1224 PM                                  Brightspace
 //   Tuesday, 4 March 2025, 10:15 AM                       Moodle in English; the day's name is not read
+//   Dienstag, 4. März 2025, 10:15                         Moodle in German
+//   mardi 4 mars 2025, 10:15                              in French
+//   martes, 4 de marzo de 2025, 10:15                     in Spanish
+//   2025年 03月 4日(火曜日) 10:15                          in Japanese
+//
+// Other languages are not guessed: a word may be one month here and another one there ("listopad"), or say that an hour is past noon.
 #pragma once
 
 #include <chrono>

@@ -16,6 +16,7 @@
 #include "grader/tool/folder_of_grades.h"
 #include "grader/tool/origins.h"
 #include "grader/tool/progress.h"
+#include "grader/tool/rows.h"
 
 namespace grader {
 namespace {
@@ -75,6 +76,8 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
   Record& record = folder->record();
   if (settings.blind) record.set_blind();
   if (record.is_blind()) give_codes(submissions, record.codes());
+  std::vector<Accounted> listed = settings.listed;
+  keep_rows(submissions, listed, record);  // another process may have graded since they were read
   for (const std::string& line :
        settle_origins(settings.out, submissions, settings.only, settings.replace, settings.hand_in))
     std::cerr << "hairgrade: " << line << "\n";
@@ -93,7 +96,7 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
   const bool is_part = settings.only && before && !before->is_whole();
   if (is_part) run = *before;
   record.set_run(reference, run);
-  record.set_listed(settings.listed);
+  record.set_listed(listed);
   record.set_rules(settings.rules);
   if (const std::vector<std::string> there = record.names();
       !there.empty())  // pages of an earlier run say that this one is at work
@@ -107,13 +110,14 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
   auto grade_one = [&](Submission& submission) {
     if (settings.only && *settings.only != submission.name) return;
     submission.drawn_from = record.drawn_from(submission.name);
+    const HandedIn handed_in{submission.handed_in, hash_of_files(submission), submission.marked_late};
     const std::optional<Recorded> earlier =
         settings.resume || settings.merge ? record.find(submission.name) : std::nullopt;
     if (settings.resume && earlier) {
       const bool complete = earlier->result.studied || !grading.reference().study;
       if (complete && earlier->result.origin == submission.origin &&
           earlier->result.fingerprint == grading.fingerprint(submission)) {
-        if (!submission.handed_in.empty()) record.set_handed_in(submission.name, submission.handed_in);
+        record.set_handed_in(submission.name, handed_in);
         const std::lock_guard lock(shared);
         ++batch.done;
         progress.step(in_a_line(earlier->result, people), false);
@@ -127,7 +131,7 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
     if (settings.merge && earlier) keep_other_exercises(one, *earlier, grading.course());
     one.result.studied = graded.study.has_value();
     if (graded.study) one.study = {*graded.study, *grading.reference().study};
-    record.put(one, submission.handed_in);
+    record.put(one, handed_in);
     if (std::optional<Recorded> now = record.find_decided(submission.name)) one = std::move(*now);
     if (hidden) hide(*hidden, one.result);
     write_student_files(record.pages(), one, people);

@@ -51,10 +51,10 @@ void give_codes(std::vector<Submission>& submissions, const std::map<std::string
 void hide(const HiddenNames& names, Intake& intake) {
   for (auto* lines : {&intake.taken_for, &intake.notices, &intake.remarks})
     for (std::string& line : *lines) line = names.in(line);
-  std::map<std::string, std::string> whose;
-  for (const auto& [notice, name] : intake.whose_notice) whose[names.in(notice)] = names.in(name);
-  intake.whose_notice = std::move(whose);
-  for (Accounted& file : intake.accounted)
+}
+
+void hide(const HiddenNames& names, std::vector<Accounted>& listed) {
+  for (Accounted& file : listed)
     for (std::string* text : {&file.path, &file.reason, &file.whose}) *text = names.in(*text);
 }
 

@@ -18,7 +18,8 @@ std::vector<HandIn> hand_ins_of(const std::vector<Submission>& submissions);
 // Names submissions by their codes, `known` or new ones, and sorts them by these. The names that intake found are `known_as` then.
 void give_codes(std::vector<Submission>& submissions, const std::map<std::string, std::string>& known);
 
-void hide(const HiddenNames& names, Intake& intake);  // in all lines and paths
+void hide(const HiddenNames& names, Intake& intake);  // in all lines
+void hide(const HiddenNames& names, std::vector<Accounted>& listed);
 // In all that comes from the hand-in, and where that lay.
 void hide(const HiddenNames& names, SubmissionResult& result);
 

@@ -128,13 +128,13 @@ TEST_F(ClassFiles, OfSeveralHandInsAreMadeWhereAnotherOneChangesThem) {
   second.set_rules(rules);
   const SubmissionResult alice = sample_class(1).front();
   const std::string reached = shown_points(points(alice)), most = shown_points(max_points(alice));
-  second.put({alice}, "2025-03-12 12:00:00");
+  second.put({alice}, {"2025-03-12 12:00:00"});
   write_class_files(folder_, second);
   const std::string head = "submission,total,of,week 1,week 1 of,week 2,week 2 of\r\n";
   EXPECT_EQ(files().at("grades.csv"),
             head + "alice," + reached + "," + most + ",,," + reached + "," + most + "\r\n");
   const std::map<std::string, std::string> before = files();
-  first.put({alice}, "2025-03-05 12:00:00");
+  first.put({alice}, {"2025-03-05 12:00:00"});
   write_class_files(folder_, first);
   EXPECT_NE(files().at("week_2/alice/report.html"), before.at("week_2/alice/report.html"));
   EXPECT_NE(files().at("week_2/alice/report.html").find("Late by 1 day"), std::string::npos);

@@ -80,13 +80,16 @@ Grading::Grading(GradingSettings settings)
   jobs_.limit_by(reference_.timing);
 }
 
-std::string Grading::fingerprint(const Submission& submission) const {
-  std::string all = base_fingerprint_ + "\n" + drawn_from(submission) + "\n" + submission.problem + "\n" +
-                    (submission.unreadable ? "unreadable\n" : "");
+std::string hash_of_files(const Submission& submission) {
+  std::string all = submission.problem + "\n" + (submission.unreadable ? "unreadable\n" : "");
   for (const auto& [name, file] : submission.files)
     all += name + "\n" + sha256(file.text) + "\n" + file.problem + "\n";
   if (!submission.about.empty()) all += sha256(submission.about) + "\n";
   return sha256(all);
+}
+
+std::string Grading::fingerprint(const Submission& submission) const {
+  return sha256(base_fingerprint_ + "\n" + drawn_from(submission) + "\n" + hash_of_files(submission));
 }
 
 Graded Grading::grade(const Submission& submission, const AfterEach& after_each) const {

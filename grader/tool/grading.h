@@ -27,6 +27,9 @@ struct Graded {
   std::vector<std::string> problems;  // on our side: what prevented grading, a line each
 };
 
+// Of what was handed in, and of what is wrong with it.
+std::string hash_of_files(const Submission& submission);
+
 class Grading {
  public:
   // Throws BadInput if `images` is set and this machine can't draw, or if the reference does not get full points.

@@ -25,6 +25,7 @@
 #include "grader/tool/grade_settings.h"
 #include "grader/tool/grading.h"
 #include "grader/tool/origins.h"
+#include "grader/tool/rows.h"
 #include "grader/tool/secret.h"
 
 namespace grader {
@@ -68,10 +69,10 @@ void say_people(Record& record, const std::optional<Roster>& roster) {
     say(stranger.hand_in + ": is on no roster (" + stranger.why + "), and graded all the same");
 }
 
-std::string without_time(const std::vector<Submission>& submissions) {
+std::string without_time(const std::vector<Submission>& submissions, Record& record) {
   std::vector<std::string> names;
   for (const Submission& one : submissions)
-    if (!read_time(one.handed_in)) names.push_back(one.name);
+    if (!read_time(one.handed_in) && !read_time(record.handed_in(one.name))) names.push_back(one.name);
   return names.empty() ? "" : some_of(names);
 }
 
@@ -102,17 +103,31 @@ int grade(GradeOptions options) {
   Intake intake = read_submissions(options.submissions, settings.course,
                                    reader ? reader->opener() : open_here, {}, options.choices);
 
-  const Roster* roster = options.batch.roster ? &*options.batch.roster : nullptr;
+  BatchSettings batch_settings = options.batch;
+  std::optional<Record> before;
+  if (Record::is_in(options.batch.out)) before.emplace(options.batch.out, hand_in);
+  std::optional<Roster> roster = options.batch.roster;
+  if (!roster && before)
+    if (std::optional<std::vector<Person>> people = before->roster()) roster.emplace(std::move(*people));
+  if (roster) give_members(intake, *roster);
   if (times)
     for (Submission& one : intake.submissions)
-      if (const std::string time = times->find(one.name, one.owner, one.system, roster); !time.empty())
+      if (const std::string time = times->find(one.name, one.owner, one.system, roster ? &*roster : nullptr);
+          !time.empty())
         one.handed_in = time;
-  if (options.batch.blind || (Record::is_in(options.batch.out) && Record(options.batch.out).is_blind())) {
-    give_codes(intake.submissions, Record::is_in(options.batch.out) ? Record(options.batch.out).codes()
-                                                                    : std::map<std::string, std::string>());
+  const bool blind = options.batch.blind || (before && before->is_blind());
+  if (blind) give_codes(intake.submissions, before ? before->codes() : std::map<std::string, std::string>());
+  batch_settings.listed = listed(intake);
+  if (before)
+    for (std::string& line : keep_rows(intake.submissions, batch_settings.listed, *before))
+      intake.remarks.push_back(std::move(line));
+  if (blind) {
     const std::vector<HandIn> hand_ins = hand_ins_of(intake.submissions);
-    hide(HiddenNames(hand_ins, roster ? std::optional(class_list(*roster, hand_ins)) : std::nullopt), intake);
+    const HiddenNames names(hand_ins, roster ? std::optional(class_list(*roster, hand_ins)) : std::nullopt);
+    hide(names, intake);
+    hide(names, batch_settings.listed);
   }
+  before.reset();
   check_zone(rules, intake.submissions);
   check_made_by(options.batch.out, made_by(settings), hand_in);  // before the reference takes its seconds
   settle_origins(options.batch.out, intake.submissions, options.batch.only, options.batch.replace, hand_in);
@@ -120,9 +135,7 @@ int grade(GradeOptions options) {
   const std::atomic<bool>& interrupted = note_interruptions();
   const std::string open_to_others = readable_by_others(staff_places(settings, options));
   const Grading grading(std::move(settings));
-  BatchSettings batch_settings = options.batch;
   batch_settings.rules = rules;
-  batch_settings.listed = listed(intake);
   batch_settings.merge = options.settings.exercise.has_value();
   const Batch batch = grade_batch(grading, intake.submissions, batch_settings, interrupted);
   if (!batch.began) {
@@ -149,7 +162,8 @@ int grade(GradeOptions options) {
       std::cerr << "hairgrade: " << (hidden ? hidden->in(line) : line) << "\n";
   for (const std::string& remark : intake.remarks) std::cerr << "hairgrade: " << remark << "\n";
   for (const std::string& notice : intake.notices) std::cerr << "hairgrade: " << notice << "\n";
-  if (const std::string names = without_time(intake.submissions); !rules.due.empty() && !names.empty())
+  if (const std::string names = without_time(intake.submissions, record);
+      !rules.due.empty() && !names.empty())
     std::cerr << "hairgrade: nobody knows whether these are late, for the download has no time of them: "
               << names << "; give their times by --times\n";
   for (const std::string& conflict : batch.conflicts) std::cerr << "hairgrade: " << conflict << "\n";

@@ -1,0 +1,22 @@
+// STAFF ONLY. Groups that a download names without their members, as Canvas's and Moodle's do: the roster's groups have them.
+//
+//   team7_4713_90020_lab.zip          Canvas: the group's name, the number of the one who handed in
+//   Team 7_55_assignsubmission_file/  Moodle: the group's name and number
+//
+// A hand-in is a group's if it is called as a group of the roster, and as no person. In Canvas's download its number is a member's, too:
+// a section may have the same name.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "grader/roster/class_list.h"
+
+namespace grader {
+
+// Gives their owners the members. Two hand-ins that are called as one group are of single students, as Canvas has them where it grades
+// each member alone. Returns lines for staff: how many were found, and why a hand-in
+// is taken for none.
+std::vector<std::string> find_members(std::vector<HandIn>& hand_ins, const Roster& roster);
+
+}  // namespace grader

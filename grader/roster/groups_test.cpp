@@ -1,0 +1,100 @@
+// STAFF ONLY. A group that a download names alone gets its members from the roster, and nobody gets a grade by a name that is also
+// something else's.
+#include "grader/roster/groups.h"
+
+#include <gtest/gtest.h>
+
+namespace grader {
+namespace {
+
+// As Canvas exports a group set: with the people who are in no group.
+const char* kCanvas =
+    "name,canvas_user_id,user_id,login_id,sections,group_name,canvas_group_id,group_id\n"
+    "\"Doe, Jane\",4713,900,jd,Lab A,Team 7,55,\n"
+    "\"Lee, Sam\",4714,901,sl,Lab B,Team 7,55,\n"
+    "\"Poe, Ann\",4715,902,ap,Lab A,\"Hair, wet\",56,\n"
+    "\"Roe, Max\",4716,903,mr,Lab A,,,\n";
+
+Roster roster_with(const std::string& text) {
+  return Roster(parse_csv(text, "r.csv"));
+}
+
+std::string members(const HandIn& hand_in) {
+  std::string all;
+  for (const Owner& one : hand_in.owner.members) all += "[" + one.name + " " + one.id + "]";
+  return all;
+}
+
+TEST(Groups, OfCanvasHaveTheRostersMembers) {
+  const Roster roster = roster_with(kCanvas);
+  EXPECT_EQ(roster.people()[0].section, "Lab A");
+  EXPECT_EQ(roster.people()[0].id(IdKind::sis), "900");
+  std::vector<HandIn> all = {{"team7_4714", {.name = "team7", .id = "4714"}, "canvas"},
+                             {"hairwet_4715", {.name = "hairwet", .id = "4715"}, "canvas"},
+                             {"roemax_4716", {.name = "roemax", .id = "4716"}, "canvas"}};
+  const std::vector<std::string> said = find_members(all, roster);
+  EXPECT_TRUE(all[0].owner.group);
+  EXPECT_EQ(all[0].owner.name, "Team 7");
+  EXPECT_EQ(all[0].owner.id, "4714") << "feedback goes to this one's attachment";
+  EXPECT_EQ(members(all[0]), "[Doe, Jane 4713][Lee, Sam 4714]");
+  EXPECT_EQ(members(all[1]), "[Poe, Ann 4715]");
+  EXPECT_FALSE(all[2].owner.group);
+  EXPECT_EQ(said, std::vector<std::string>{
+                      "of the hand-ins 2 are called as groups of the roster, and count for 3 people"});
+
+  const ClassList list = class_list(roster, all);
+  EXPECT_EQ(list.rows[0].hand_ins, std::vector<std::string>{"team7_4714"});
+  EXPECT_EQ(list.rows[1].hand_ins, std::vector<std::string>{"team7_4714"});
+  EXPECT_TRUE(list.strangers.empty());
+  EXPECT_TRUE(list.absent().empty());
+}
+
+TEST(Groups, OfMoodleAreFoundWhateverTheirNumber) {
+  // 4713 is a participant's number, and the group's.
+  const Roster roster = roster_with(
+      "Identifier,Full name,Email address,Groups\nParticipant 4713,Max Roe,m@u.de,Lab A\n"
+      "Participant 4714,Jane Doe,j@u.de,\"Lab A, Team 7\"\nParticipant 4715,Sam Lee,s@u.de,\"Team 7, Lab "
+      "B\"\n");
+  std::vector<HandIn> all = {{"Team_7_4713", {.name = "Team 7", .id = "4713"}, "moodle"},
+                             {"Team_8_4714", {.name = "Team 8", .id = "4714", .group = true}, "moodle"}};
+  find_members(all, roster);
+  EXPECT_EQ(members(all[0]), "[Jane Doe 4714][Sam Lee 4715]");
+  EXPECT_EQ(members(all[1]), "");
+  EXPECT_EQ(roster.people()[1].section, "Lab A, Team 7") << "Moodle's groups may be sections";
+}
+
+TEST(Groups, ANameThatIsAlsoSomethingElsesFindsNobody) {
+  const auto said_of = [](const std::string& text, std::vector<HandIn> all) {
+    const std::vector<std::string> said = find_members(all, roster_with(text));
+    for (const HandIn& one : all) EXPECT_EQ(members(one), "") << one.name;
+    return said.empty() ? "" : said[0];
+  };
+  // A section of this name is not who handed in.
+  EXPECT_EQ(
+      said_of("id,name,group\n1,Jane Doe,Lab A\n2,Sam Lee,Lab B\n",
+              {{"laba_2", {.name = "laba", .id = "2"}, "canvas"}}),
+      "laba_2: is called as the group Lab A of the roster, and not taken for its: Sam Lee handed it in, who "
+      "is in another group of the roster or in none");
+  const char* named_as_a_person = "id,name,group\n1,Jane Doe,Jane Doe\n2,Sam Lee,Jane Doe\n";
+  for (const char* system : {"canvas", "folders"})
+    EXPECT_NE(said_of(named_as_a_person, {{"x", {.name = "Jane Doe", .id = "1"}, system}})
+                  .find("a person of the roster has this name, too"),
+              std::string::npos);
+  // Canvas, where each member is graded alone.
+  EXPECT_NE(said_of(kCanvas, {{"team7_4713", {.name = "team7", .id = "4713"}, "canvas"},
+                              {"team7_4714", {.name = "team7", .id = "4714"}, "canvas"}})
+                .find("other hand-ins have its name, too"),
+            std::string::npos);
+  EXPECT_EQ(said_of(kCanvas, {{"anon_x", {.name = "team7", .id = "x", .anonymous = true}, "canvas"}}), "");
+  EXPECT_EQ(said_of("id,name\n1,Jane Doe\n", {{"team7", {.name = ""}, "folders"}}), "");
+}
+
+TEST(Groups, MembersThatADownloadSaysStay) {
+  std::vector<HandIn> all = {
+      {"x", {.name = "Team 7", .group = true, .members = {{.name = "Y", .email = "y@u.de"}}}, "gradescope"}};
+  EXPECT_TRUE(find_members(all, roster_with(kCanvas)).empty());
+  EXPECT_EQ(members(all[0]), "[Y ]");
+}
+
+}  // namespace
+}  // namespace grader
