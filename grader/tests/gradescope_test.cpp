@@ -155,5 +155,39 @@ TEST_F(GradescopePackage, RunAutograderGivesTheStudentsPoints) {
   EXPECT_EQ(results()["score"], 0);
 }
 
+// The name of a hand-in goes through the shell.
+TEST_F(GradescopePackage, OfOneOfSeveralHandInsAsksForItsExercisesAlone) {
+  Json course = Json::parse(hair::bytes_of(folder_.path() / "course.json"));
+  course["exercises"]["S2"] = {{"role", "assigned"}};
+  course["hand_ins"] = {{"week 1's \"$x\"", {{"exercises", {"S1"}}}}, {"week 2", {{"exercises", {"S2"}}}}};
+  std::ofstream(folder_.path() / "course.json") << course;
+  const auto refused = [&](std::vector<string> more, const string& because) {
+    more.insert(more.begin(), {"package", "gradescope", "--out", folder_.path() / "x.zip", "--course",
+                               folder_.path() / "course.json", "--secret", folder_.path() / "secret"});
+    const ProgramRun run = run_hairgrade(more);
+    EXPECT_EQ(run.code, 2);
+    EXPECT_NE(run.errors.find(because), string::npos) << run.errors;
+    EXPECT_FALSE(fs::exists(folder_.path() / "x.zip"));
+  };
+  refused({}, "name one by --hand-in: \"week 1's");
+  refused({"--hand-in", "week 3"}, "has no hand-in \"week 3\"");
+  refused({"--hand-in", "week 3", "--checks-only"}, "has no hand-in \"week 3\"");
+
+  pack({"--hand-in", "week 1's \"$x\""});
+  put_sample();
+  std::ofstream(place_ / "submission_metadata.json")
+      << R"({"created_at": "2026-03-04T10:15:00.0-08:00", "users": [{"id": 7}]})";
+  EXPECT_EQ(run_autograder(), 0);
+  double most = 0;
+  const Json all = results();
+  for (const Json& test : all["tests"]) {
+    // Runs of scenes show all exercises, and give no points.
+    EXPECT_TRUE(test["number"].get<string>().starts_with("S1") || test["max_score"] == 0) << test["number"];
+    most += test["max_score"].get<double>();
+  }
+  EXPECT_EQ(most, 32);
+  EXPECT_GT(all["score"], 0);
+}
+
 }  // namespace
 }  // namespace grader

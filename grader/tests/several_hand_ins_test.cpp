@@ -97,6 +97,21 @@ TEST_F(SeveralHandIns, AreGradedIntoOneRecordWithATotalOnTheCoursesPage) {
   EXPECT_NE(std::system(("find '" + out_.string() + "' | grep -q other-order").c_str()), 0);
 }
 
+TEST_F(SeveralHandIns, AreLookedAtOneByOneForSharedCode) {
+  const auto similar = [&](std::vector<string> more) {
+    more.insert(more.begin(), {"similar", sample("perfect"), sample("other-order"), "--course",
+                               write("course.json", kCourse), "--least", "1"});
+    return run(more);
+  };
+  const ProgramRun all = similar({}), second = similar({"--hand-in", "week 2"});
+  EXPECT_NE(all.output.find("S1: 2 files"), string::npos) << all.output << all.errors;
+  EXPECT_NE(all.output.find("S2: 2 files"), string::npos) << all.output;
+  EXPECT_EQ(second.output.find("S1: "), string::npos) << second.output;
+  EXPECT_NE(second.output.find("S2: 2 files"), string::npos) << second.output << second.errors;
+  EXPECT_EQ(file("index.html").find("conj_grad.cpp"), string::npos);
+  expect_refused(similar({"--hand-in", "week 3"}), "has no hand-in \"week 3\"; there are \"week 1\"");
+}
+
 TEST_F(SeveralHandIns, AreNoneOfARecordOfOneWithoutAName) {
   SubmissionResult result;
   result.name = "alice";

@@ -14,6 +14,7 @@
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/of_a_record.h"
 #include "grader/tool/isolation_here.h"
+#include "grader/tool/rows.h"
 #include "hair/io/files/read_file.h"
 
 namespace grader {
@@ -43,7 +44,11 @@ int similar(const SimilarOptions& options) {
     const std::unique_ptr<Record> record = open_record(*options.grades, options.hand_in);
     people = record->names_for_people();
     hidden = record->hidden_names();
+    if (const std::optional<std::vector<Person>> roster = record->roster())
+      give_members(intake, Roster(*roster));
     if (hidden) give_codes(intake.submissions, record->codes());
+    std::vector<Accounted> none_listed;
+    keep_rows(intake.submissions, none_listed, *record);
     if (hidden) hide(*hidden, intake);
   }
   const Sim sim(isolation);
