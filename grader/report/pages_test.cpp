@@ -184,7 +184,7 @@ TEST(Pages, PicturesWithinTheirLimitAreThereToOpen) {
   result.runs.clear();
   result.exercises[1].pictures = {{"0.50 s", 0.009, 0.0456, "theirs", "ours", "heat", 0.01}};
   const std::string page = student_page(result);
-  EXPECT_EQ(count(page, "<details><summary>"), 1u);
+  EXPECT_EQ(count(page, "<details><summary>The whole run in pictures"), 1u);
   EXPECT_EQ(count(page, "close enough"), 1u);
   EXPECT_EQ(count(page, "too far"), 0u);
 }

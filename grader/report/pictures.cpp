@@ -30,6 +30,7 @@ Html moment(const PictureResult& picture, const std::string& whose, const Pictur
   };
   const bool scored = picture.blurred_rmse_limit > 0 || picture.flip_limit > 0;
   const bool far = too_far(picture);
+  const bool is_coarse = picture.far_off && place.folder.empty();
   return html(
       "<div class=\"moment\">\n<div class=\"line\"><strong>{}</strong>{}{}{}</div>\n<div "
       "class=\"pictures\">\n{}{}{}</div>\n</div>\n",
@@ -39,7 +40,8 @@ Html moment(const PictureResult& picture, const std::string& whose, const Pictur
               : Html{},
        measured("blurred RMSE", picture.blurred_rmse, picture.blurred_rmse_limit),
        measured("FLIP", picture.flip, picture.flip_limit),
-       figure(image(picture.student, whose + " at " + picture.name, place), html("{}", {whose})),
+       figure(image(picture.student, whose + " at " + picture.name, place),
+              html("{}{}", {whose, is_coarse ? ", shown coarsely: it is far from the reference's" : ""})),
        figure(image(picture.reference, "The reference's at " + picture.name, place),
               html("The reference&#39;s")),
        figure(image(picture.heat, "Where the two differ at " + picture.name, place),

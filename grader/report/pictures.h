@@ -14,7 +14,7 @@ namespace grader {
 using hair::Html, hair::html, hair::html_page, hair::Pictures, hair::Scripts;
 
 // Where a page's pictures are: inside the page, or in a folder of files (picture_files.h) at this relative
-// path.
+// path. Inside lie a student's: those that are far off are coarse there (student_view.h).
 struct PicturePlace {
   std::string folder = "";  // "pictures"; empty: inside the page
 };

@@ -40,8 +40,7 @@ std::string sentence_of(const CaseResult& one) {
     case Status::not_implemented:
       return "Not implemented yet.";
     case Status::wrong:
-      return how_many_hold(one) +
-             " The public checks show what a right one does, with inputs that you can see.";
+      return how_many_hold(one);
     default:
       return "It broke off: no answer, or none of the kind that was asked for.";
   }
@@ -50,6 +49,15 @@ std::string sentence_of(const CaseResult& one) {
 constexpr const char* kAllocates =
     " A hint, which takes no points: a function allocates memory that is to allocate nothing (the exercises' "
     "README.md says why).";
+
+// Once for an exercise: where to go on.
+std::string next_step(const ExerciseResult& exercise) {
+  if (exercise.status != Status::partly && exercise.status != Status::wrong) return "";
+  return " check-" + exercise.id +
+         " asks the same, with inputs that you can see. If all of it passes, compare your code with the "
+         "header's "
+         "sentences on what a category below names.";
+}
 
 std::string coarse(const std::string& png) {
   if (png.empty()) return png;
@@ -66,6 +74,8 @@ SubmissionResult for_student(const SubmissionResult& result) {
   SubmissionResult view = result;
   for (ExerciseResult& exercise : view.exercises) {
     exercise.staff_log.clear();
+    if (exercise.feedback.empty()) exercise.feedback = sentence_for(exercise.status);
+    exercise.feedback += next_step(exercise);
     if (exercise.allocations > 0) exercise.feedback += kAllocates;
     exercise.allocations = 0;
     const bool stub = is_stub(exercise);

@@ -36,9 +36,16 @@ Html block(const std::string& heading, const std::string& text) {
               {heading, text.substr(0, most_log), cut ? "\n... (cut here)" : ""});
 }
 
+// Students read of a category that it broke off, whatever it was: their exercise says how.
+Html badge_of(const CaseResult& one, Reader reader) {
+  if (reader == Reader::staff || one.status != Status::crashed) return badge(one.status);
+  return html("<span class=\"badge bad\">broke off</span>");
+}
+
 Html case_row(const std::string& number, const CaseResult& one, Reader reader) {
-  Html row = html("<tr><td>{}</td><th scope=\"row\">{}</th><td>{}</td><td class=\"number\">{}</td><td>{}",
-                  {number, one.name, badge(one.status), points_of(one.points, one.max_points), one.feedback});
+  Html row =
+      html("<tr><td>{}</td><th scope=\"row\">{}</th><td>{}</td><td class=\"number\">{}</td><td>{}",
+           {number, one.name, badge_of(one, reader), points_of(one.points, one.max_points), one.feedback});
   if (reader == Reader::staff && one.cases > 0)
     row += html("<br/><span class=\"quiet\">{} of {} cases hold</span>",
                 {std::to_string(one.held), std::to_string(one.cases)});
@@ -46,16 +53,32 @@ Html case_row(const std::string& number, const CaseResult& one, Reader reader) {
   return row += html("</td></tr>\n");
 }
 
-Html cases_table(const ExerciseResult& exercise, Reader reader) {
-  if (exercise.cases.empty()) return {};
-  Html table = html(R"(<div class="wide"><table class="cases">
+Html cases_table(const Html& rows) {
+  return html(R"(<div class="wide"><table class="cases">
 <thead><tr><th scope="col">No.</th><th scope="col" class="category">Category</th><th scope="col" class="status">Status</th><th scope="col" class="number">Points</th><th scope="col" class="saw">What we saw</th></tr></thead>
 <tbody>
-)");
+{}</tbody>
+</table></div>
+)",
+              {rows});
+}
+
+// Categories without a loss are folded: what is to be mended stands open.
+Html cases_of(const ExerciseResult& exercise, Reader reader) {
+  Html lost, passed;
+  std::size_t count = 0;
   for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
-    table += case_row(exercise.id + "." + std::to_string(i + 1), exercise.cases[i], reader);
+    const CaseResult& one = exercise.cases[i];
+    const bool is_passed = one.status == Status::passed;
+    count += is_passed ? 1 : 0;
+    (is_passed ? passed : lost) += case_row(exercise.id + "." + std::to_string(i + 1), one, reader);
   }
-  return table += html("</tbody>\n</table></div>\n");
+  Html all;
+  if (!lost.text.empty()) all += cases_table(lost);
+  if (count > 0)
+    all += html("<details><summary>{} of {} categories pass</summary>\n{}</details>\n",
+                {count, exercise.cases.size(), cases_table(passed)});
+  return all;
 }
 
 Html exercise_section(const ExerciseResult& exercise, Reader reader) {
@@ -75,9 +98,11 @@ Html exercise_section(const ExerciseResult& exercise, Reader reader) {
         "none. The worker says so of itself.</p>\n",
         {std::to_string(exercise.allocations)});
   section += block("What the compiler says", exercise.compiler_messages);
-  section += cases_table(exercise, reader);
+  section += cases_of(exercise, reader);
   section += moments(exercise.pictures, "The whole run in pictures", ending_of(exercise), whose(reader),
                      place_of(reader));
+  if (exercise.pictures.empty() && run_breaks_off(exercise))
+    section += html("<p class=\"quiet\">The whole run broke off before its first picture.</p>\n");
   if (reader == Reader::staff)
     section += block("What compiler, linker and worker printed", exercise.staff_log);
   return section += html("</section>\n");
@@ -137,9 +162,12 @@ Html total_line(const SubmissionResult& result) {
   double extra = 0;
   for (const ExerciseResult& exercise : result.exercises)
     extra += exercise.extra_credit ? exercise.points : 0;
-  Html all = html("<p class=\"total\"><strong>{}</strong> of {} points{}</p>\n",
-                  {shown_points(points(result)), shown_points(max_points(result)),
-                   extra > 0 ? ", " + shown_points(extra) + " of them extra credit" : ""});
+  const std::string total = shown_total(points(result), max_points(result));
+  const std::size_t blank = total.find(' ');
+  const bool in_part = extra > 0 && max_points(result) > 0;
+  Html all = html("<p class=\"total\"><strong>{}</strong>{}{}</p>\n",
+                  {total.substr(0, blank), total.substr(blank),
+                   in_part ? ", " + shown_points(extra) + " of them extra credit" : ""});
   for (const Adjustment& adjustment : result.adjustments)
     all += html("<p class=\"adjustment\">{}: {} points</p>\n",
                 {adjustment.reason, shown_points(adjustment.points)});
@@ -161,7 +189,10 @@ Html body_of(const SubmissionResult& result, Reader reader, const NamesForPeople
   if (!result.note.empty()) body += html("<p class=\"note\">{}</p>\n", {result.note});
   for (const std::string& remark : result.remarks) body += html("<p class=\"note\">{}</p>\n", {remark});
   body += overview(result);
-  for (const ExerciseResult& exercise : result.exercises) body += exercise_section(exercise, reader);
+  // The overview has the course's order; below it what lost points comes first.
+  for (const bool passed : {false, true})
+    for (const ExerciseResult& exercise : result.exercises)
+      if ((exercise.status == Status::passed) == passed) body += exercise_section(exercise, reader);
   body += runs_section(result, reader);
   return body += html("</main>\n");
 }

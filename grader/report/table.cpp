@@ -57,7 +57,7 @@ Cells reachable(const std::vector<Column>& columns, const std::vector<Submission
     row.push_back((column.extra_credit ? "+" : "") + shown_points(column.max_points));
   double most = 0;
   for (const SubmissionResult& result : results) most = std::max(most, max_points(result));
-  row.push_back(shown_points(most));
+  row.push_back(most > 0 ? shown_points(most) : "extra");
   return row;
 }
 

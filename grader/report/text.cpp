@@ -29,6 +29,11 @@ std::string short_points(double points) {
   return with_decimals(points, 1);
 }
 
+std::string shown_total(double points, double max_points) {
+  return shown_points(points) +
+         (max_points > 0 ? " of " + shown_points(max_points) + " points" : " points of extra credit");
+}
+
 double rounded_points(double points) {
   return std::round(points * 1e4) / 1e4;
 }

@@ -16,5 +16,10 @@ TEST(ShownPoints, HaveTwoDecimalsAtMost) {
   EXPECT_EQ(shown_points(-1e-9), "0");
 }
 
+TEST(ShownTotal, HasNoZeroToReach) {
+  EXPECT_EQ(shown_total(20, 200), "20 of 200 points");
+  EXPECT_EQ(shown_total(15, 0), "15 points of extra credit");
+}
+
 }  // namespace
 }  // namespace grader

@@ -54,7 +54,9 @@ std::string in_a_line(const SubmissionResult& result, const NamesForPeople& peop
   std::string line = people.contains(result.name) ? called(result.name, people) : printable(result.name);
   for (const ExerciseResult& exercise : result.exercises)
     line += "  " + exercise.id + " " + in_short(exercise);
-  return line + "  of " + shown_points(max_points(result)) + ": " + short_points(points(result));
+  const double most = max_points(result);
+  return line + (most > 0 ? "  of " + shown_points(most) : std::string("  extra credit")) + ": " +
+         short_points(points(result));
 }
 
 }  // namespace

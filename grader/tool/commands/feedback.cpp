@@ -55,7 +55,7 @@ std::vector<std::string> files_in(const fs::path& download) {
 // The report as text: what its author sees, and nothing else.
 std::string text_of(const SubmissionResult& whole) {
   const SubmissionResult result = for_student(whole);
-  std::string text = shown_points(points(result)) + " of " + shown_points(max_points(result)) + " points\n";
+  std::string text = shown_total(points(result), max_points(result)) + "\n";
   if (!result.note.empty()) text += hair::readable(result.note) + "\n";
   for (const ExerciseResult& exercise : result.exercises) {
     text += "\n" + exercise.id + " " + exercise.title + ": " + shown_points(exercise.points) + " of " +
