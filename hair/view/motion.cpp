@@ -6,6 +6,7 @@
 
 #include "hair/io/files/json_text.h"
 #include "hair/io/plot/page.h"
+#include "hair/view/base64.h"
 
 namespace hair {
 
@@ -53,21 +54,6 @@ double reach_of(const SurfaceMesh& mesh) {
   double reach = 0;
   for (const Vector3d& point : mesh.points) reach = std::max(reach, point.norm());
   return reach > 0 ? reach : 1;
-}
-
-// RFC 4648, section 4.
-std::string base64(const std::string& bytes) {
-  static constexpr char kLetters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    std::uint32_t three = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      three = three << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += i + k > bytes.size() ? '=' : kLetters[three >> (18 - 6 * k) & 63U];
-  }
-  return text;
 }
 
 std::string few_digits(double value) {

@@ -58,6 +58,11 @@ class MotionFrames {
   // first frame's size: that is at its border.
   std::string json(const MotionStory& story) const;
 
+  // The last frame alone, for a page that is open while it is computed: {"data", "planes"}, whose data are base64 of 3 x points floats of 32
+  // bits, m, the lowest byte first, and whose planes are as above. Call add first.
+  std::string last_json() const;
+  void keep_last();  // frames before it are not kept
+
  private:
   void begin(const Drawing& drawing);
   void put(std::size_t point, const Vector3d& at);

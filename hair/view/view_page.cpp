@@ -2,6 +2,7 @@
 
 #include "hair/io/plot/html.h"
 #include "hair/view/page_scripts.h"
+#include "hair/view/run_script.h"
 
 namespace hair {
 
@@ -48,7 +49,7 @@ std::string view_page(const std::vector<NamedMotion>& motions) {
 "use strict";
 {}</script>
 )",
-                         {title, data, Html{kPageScripts}});
+                         {title, data, Html{kPageScripts + kRunScript}});
   return html_page(title, body, Scripts::on);
 }
 

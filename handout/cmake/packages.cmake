@@ -11,6 +11,8 @@ set(HAIR_PACKAGES
   hairlab   libstb-dev          -
   hairlab   libosmesa6          -
   hairlab   ffmpeg              ffmpeg
+  live      libcpp-httplib-dev  cpp-httplib
+  live      pkg-config          pkgconf
   studies   libsundials-dev     sundials)
 
 function(hair_how_to_install OUT)

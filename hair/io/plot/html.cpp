@@ -132,7 +132,8 @@ std::string html_page(const std::string& title, const Html& body, Scripts script
   const std::string policy = std::string("default-src 'none'; img-src ") +
                              (pictures == Pictures::inside ? "data:" : "'self' file:") +
                              "; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'" +
-                             (scripts == Scripts::on ? "; script-src 'unsafe-inline'" : "");
+                             (scripts == Scripts::off ? "" : "; script-src 'unsafe-inline'") +
+                             (scripts == Scripts::on_and_asks_its_server ? "; connect-src 'self'" : "");
   return html(R"(<!DOCTYPE html>
 <html lang="en">
 <head>

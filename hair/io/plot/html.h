@@ -35,7 +35,7 @@ class HtmlPart {
 // Replaces each {} of the pattern by the next part. Throws std::invalid_argument if their numbers differ.
 Html html(std::string_view pattern, std::initializer_list<HtmlPart> parts = {});
 
-enum class Scripts { off, on };
+enum class Scripts { off, on, on_and_asks_its_server };
 enum class Pictures { inside, beside };
 
 // A whole page with its style inside. It may load only picture files, and those only with Pictures::beside.

@@ -14,6 +14,7 @@ struct OtherProgram {
 };
 inline constexpr OtherProgram kStudies = {"study", "studies"};
 inline constexpr OtherProgram kGrooms = {"groom", "grooms"};
+inline constexpr OtherProgram kLive = {"live", "live"};
 
 struct OtherCommand {
   const char* name;
@@ -38,9 +39,11 @@ inline constexpr OtherCommand kInfo = {"info", "Say what a groom is like, and wh
 inline constexpr OtherCommand kConvert = {"convert", "Write a groom in another format", kGrooms};
 inline constexpr OtherCommand kGroom = {"groom", "Let hair grow on a head, in a style", kGrooms};
 inline constexpr OtherCommand kDraw = {"draw", "Draw a groom as it is", kGrooms};
+inline constexpr OtherCommand kPlayLive = {"live", "Play a scene while it is computed, in a browser", kLive};
 
-inline constexpr std::array kOtherCommands = {
-    kInfo, kConvert, kGroom, kDraw, kErrorStudy, kModelsStudy, kSolverStudy, kStabilityStudy, kValidation};
+inline constexpr std::array kOtherCommands = {kPlayLive,       kInfo,       kConvert,     kGroom,
+                                              kDraw,           kErrorStudy, kModelsStudy, kSolverStudy,
+                                              kStabilityStudy, kValidation};
 
 // Null for a command of hairlab's own.
 const OtherCommand* other_command(std::string_view name);

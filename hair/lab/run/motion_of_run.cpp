@@ -4,9 +4,6 @@
 
 namespace hair {
 
-namespace {
-
-// "strand 3, step 17: filter" is of strand 3.
 int strand_of(const std::string& blow_up) {
   constexpr std::string_view kWord = "strand ";
   int strand = -1;
@@ -14,8 +11,6 @@ int strand_of(const std::string& blow_up) {
     std::from_chars(blow_up.data() + kWord.size(), blow_up.data() + blow_up.size(), strand);
   return strand;
 }
-
-}  // namespace
 
 std::string motion_json(const Scene& scene, const RunRecord& record, const Camera& camera,
                         const MotionFrames& frames) {

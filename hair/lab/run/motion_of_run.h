@@ -10,6 +10,9 @@ namespace hair {
 
 inline constexpr const char* kMotionFile = "motion.json";
 
+// "strand 3, step 17: filter" is of strand 3; -1: of none.
+int strand_of(const std::string& blow_up);
+
 std::string motion_json(const Scene& scene, const RunRecord& record, const Camera& camera,
                         const MotionFrames& frames);
 

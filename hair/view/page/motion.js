@@ -23,6 +23,7 @@ function makeMotion(told, low, scale, frameOf) {
     get frames() { return this.times.length; },
     get duration() { return this.times[this.times.length - 1]; },
     frame: frameOf,
+    forget() { filled = [-1, 0]; }, // places of frames that are others now
     // m, of all points at a time between two frames. The next call writes over it.
     places(k, between) {
       if (filled[0] === k && filled[1] === between) return places;

@@ -1,0 +1,45 @@
+// A process that plays (player.h), as its parent sees it. It may crash, or not come back.
+#pragma once
+
+#include <sys/types.h>
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hair/live/commands_in.h"
+
+namespace hair {
+
+class Child {
+ public:
+  // words: its program, then its arguments. Throws std::system_error if it can't be started.
+  Child(const std::vector<std::string>& words, const std::string& settings);
+  ~Child();  // ends it
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  void tell(const std::string& command);  // no effect on one that has ended
+
+  // The next message; nothing if there is none within the time.
+  std::optional<std::string> next(int milliseconds);
+
+  // How it ended, in a sentence, once it has; for one whose trouble is told already, an empty one.
+  std::optional<std::string> ended();
+
+  // Ends it if it was silent for `longest`; or, before its first message, six times as long. A sentence about that, once.
+  std::optional<std::string> stop_if_silent(std::chrono::seconds longest);
+
+ private:
+  std::string after() const;  // "after step 17"
+
+  int to_ = -1, from_ = -1;
+  std::optional<CommandsIn> messages_;
+  pid_t process_ = -1;  // -1: it has ended
+  long steps_ = 0;
+  bool has_begun_ = false, has_trouble_ = false, stopped_ = false;
+  std::chrono::steady_clock::time_point heard_;
+};
+
+}  // namespace hair

@@ -1,0 +1,29 @@
+// Requests that the live server answers. It listens on this machine alone, but any page in a browser and any user of the machine can send
+// something there: a page of another site names itself in Origin, a name that was made to point here stands in Host, and nobody else has the
+// token.
+#pragma once
+
+#include <string>
+
+namespace hair {
+
+struct LiveAddress {
+  std::string host;   // "127.0.0.1:41234"
+  std::string token;  // hexadecimal digits
+
+  std::string url() const { return "http://" + host + "/?token=" + token; }
+};
+
+struct LiveRequest {
+  std::string host, token;
+  bool has_origin = false, changes = false;  // changes: it is a POST
+  std::string origin = {};
+};
+
+// The reason why a request is refused; empty if it is not.
+std::string refusal(const LiveRequest& request, const LiveAddress& address);
+
+// 128 random bits from the system. Throws std::runtime_error if it gives none.
+std::string new_token();
+
+}  // namespace hair

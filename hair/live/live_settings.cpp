@@ -1,0 +1,105 @@
+#include "hair/live/live_settings.h"
+
+#include <algorithm>
+#include <sstream>
+
+#include "hair/io/files/bad_input.h"
+#include "hair/io/files/printable.h"
+#include "hair/simulation/models.h"
+
+namespace hair {
+
+namespace {
+
+bool moves(const MethodRow& method, const Scene& scene) {
+  const auto model_has = [&](const ModelRow& model) { return !model.calls_method || model.moves_by(method); };
+  const ModelRow& springs = models().front();
+  if (scene.hair.mesh) return method.method == scene.hair.method;
+  if (!scene.hair.strands.empty() && !model_has(springs)) return false;
+  if (!std::all_of(scene.hair.modelled.begin(), scene.hair.modelled.end(),
+                   [&](const ModelledStrand& strand) { return model_has(*strand.model); }))
+    return false;
+  if (has_strands(scene)) return true;
+  return method.toy && std::all_of(scene.toys.begin(), scene.toys.end(), [&](const Toy& toy) {
+           return method.toy != ToyMethod::implicit_euler || toy.constraints.rows() == 0;
+         });
+}
+
+bool has_choice(const Scene& scene) {
+  return !has_strands(scene) || !scene.hair.strands.empty() ||
+         std::any_of(scene.hair.modelled.begin(), scene.hair.modelled.end(),
+                     [](const ModelledStrand& strand) { return strand.model->calls_method; });
+}
+
+void check(const char* name, double value, double most) {
+  if (!(value >= 1 / most && value <= most))
+    throw BadInput(std::string("the ") + name + " is " + std::to_string(value) +
+                   " times the scene's; at most " + std::to_string(static_cast<int>(most)) +
+                   " times as large or as small is possible");
+}
+
+}  // namespace
+
+LiveSettings read_settings(const std::string& text) {
+  std::istringstream in(text);
+  LiveSettings settings;
+  if (!(in >> settings.step >> settings.stiffness))
+    throw BadInput("\"" + printable(text, 100) +
+                   "\" is no step, stiffness and method, such as \"1 0.5 midpoint\"");
+  in >> settings.method;
+  check("step", settings.step, kMostTimesStep);
+  check("stiffness", settings.stiffness, kMostTimesStiffness);
+  return settings;
+}
+
+std::vector<const MethodRow*> methods_for(const Scene& scene, const Course& course) {
+  std::vector<const MethodRow*> all;
+  if (!has_choice(scene)) return all;
+  for (const MethodRow& row : methods()) {
+    const bool taught = std::all_of(row.exercises.begin(), row.exercises.end(),
+                                    [&](std::string_view id) { return course.has(std::string(id)); });
+    if (taught && row.method != Method::newton_euler && moves(row, scene)) all.push_back(&row);
+  }
+  return all;
+}
+
+const MethodRow* method_of(const Scene& scene) {
+  if (has_strands(scene)) return &row_of(scene.hair.method);
+  if (scene.toys.empty()) return nullptr;
+  const ToyMethod first = scene.toys.front().method;
+  for (const Toy& toy : scene.toys)
+    if (toy.method != first) return nullptr;
+  for (const MethodRow& row : methods())
+    if (row.toy == first) return &row;
+  return nullptr;
+}
+
+void change(Scene& scene, const LiveSettings& settings, const Course& course) {
+  if (!settings.method.empty()) {
+    const std::vector<const MethodRow*> all = methods_for(scene, course);
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](const MethodRow* row) { return row->id == settings.method; });
+    if (found == all.end())
+      throw BadInput(scene.name + ": is not moved by the method \"" + printable(settings.method, 60) + "\"");
+    scene.hair.method = (*found)->method;
+    for (Toy& toy : scene.toys)
+      if ((*found)->toy && !has_strands(scene)) toy.method = *(*found)->toy;
+  }
+  for (StrandStart& start : scene.hair.strands) {
+    start.strand.stretch_rigidity *= settings.stiffness;
+    start.strand.bend_rigidity *= settings.stiffness;
+    start.strand.skip_rigidity *= settings.stiffness;
+  }
+  for (ModelledStrand& strand : scene.hair.modelled) {
+    strand.spec.fibre.stretch_factor *= settings.stiffness;
+    strand.spec.fibre.bend_factor *= settings.stiffness;
+    strand.spec.fibre.twist_factor *= settings.stiffness;
+  }
+  for (Toy& toy : scene.toys)
+    for (particles::Spring& spring : toy.springs) spring.stiffness *= settings.stiffness;
+  scene.hair.step *= settings.step;
+  scene.steps_per_frame = 1;
+  scene.frames_per_second = 1 / scene.hair.step;
+}
+
+}  // namespace hair

@@ -1,0 +1,32 @@
+// A scene that is played while somebody changes it: other steps, another stiffness, another method.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hair/course/course.h"
+#include "hair/scene/scene.h"
+
+namespace hair {
+
+inline constexpr double kMostTimesStep = 32, kMostTimesStiffness = 1000;
+
+struct LiveSettings {
+  double step = 1;       // times the scene's step: 1 / kMostTimesStep to kMostTimesStep
+  double stiffness = 1;  // times the scene's stiffness: 1 / kMostTimesStiffness to kMostTimesStiffness
+  std::string method;    // a method's id; empty: the scene's
+};
+
+// "2 0.5 implicit_euler"; "1 1" leaves the scene as it is. Throws BadInput for other texts, and for numbers out of bounds.
+LiveSettings read_settings(const std::string& text);
+
+// The methods that move what is in the scene, and whose exercises the course has.
+std::vector<const MethodRow*> methods_for(const Scene& scene, const Course& course);
+
+// The method that moves it; null if its toys have several.
+const MethodRow* method_of(const Scene& scene);
+
+// Afterwards each frame of the scene is one step. Throws BadInput for a method that is not one of `methods_for`.
+void change(Scene& scene, const LiveSettings& settings, const Course& course);
+
+}  // namespace hair

@@ -1,0 +1,41 @@
+// The messages of a run, in their order, for any number of readers. Each reader gets all of them, from the run's first one on; when a new run
+// begins, readers go on with that.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace hair {
+
+class MessageLog {
+ public:
+  using Message = std::shared_ptr<const std::string>;
+
+  // Where a reader is.
+  struct Place {
+    long run = 0;
+    std::size_t next = 0;
+  };
+
+  void begin(std::string first);
+  void add(std::string message);
+  void close();  // readers stop waiting
+  bool closed() const;
+
+  // The next message; null if there is none within the time, or if the log is closed.
+  Message next(Place& place, std::chrono::milliseconds wait) const;
+
+ private:
+  mutable std::mutex mutex_;
+  mutable std::condition_variable changed_;
+  std::vector<Message> messages_;
+  long run_ = 0;
+  bool closed_ = false;
+};
+
+}  // namespace hair

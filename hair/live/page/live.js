@@ -1,0 +1,124 @@
+// The live page: it shows what a process computes now (hair/live/player.h), and tells it how to go on.
+
+const NAMES_OF_ENDS = { finished: "It is over", blow_up: "It blew up" };
+
+// A motion that grows by a frame at a time.
+function makeLiveMotion(told) {
+  const frames = [], motion = makeMotion({ ...told, times: [], name: told.name }, [0, 0, 0], [1, 1, 1], (k) => frames[k]);
+  const series = told.series.map((one) => ({ ...one, values: [] }));
+  return Object.assign(motion, {
+    series,
+    add(frame) {
+      frames.push(new Float32Array(bytesOfBase64(frame.last.data).buffer));
+      motion.times.push(frame.time);
+      motion.planes = frame.last.planes;
+      series.forEach((one, i) => one.values.push(frame.values[i]));
+    },
+    clear() {
+      for (const list of [frames, motion.times, ...series.map((one) => one.values)]) list.length = 0;
+      motion.blow_up = null;
+      motion.forget();
+    },
+  });
+}
+
+function watchSimulation() {
+  const query = location.search, runs = [];
+  let orbit = null, stage = null, plots = [], going = true, dirty = false, whole = 0, usual = 0, shown = -1; // shown: a frame; -1: the newest
+  const again = () => { dirty = true; };
+  const state = (text) => told("state", text);
+  const send = (command) => fetch(`command${query}`, { method: "POST", body: command })
+    .then((answer) => { if (!answer.ok) state("The server refused a command."); }, () => state("hairlab live has ended."));
+
+  const settings = () => `${2 ** Number($("step-size").value)} ${10 ** Number($("stiffness").value)} ${$("method").value}`.trim();
+  const restart = () => send(`restart ${settings()}`);
+  const toggle = () => send(going ? "pause" : "go");
+  const step = () => send("step");
+  const say = () => {
+    told("step-words", usual > 0 ? `${few(usual * 2 ** Number($("step-size").value) * 1000)} ms` : "");
+    told("stiffness-words", `${few(10 ** Number($("stiffness").value))} times`);
+  };
+  $("play").addEventListener("click", toggle);
+  $("step").addEventListener("click", step);
+  $("restart").addEventListener("click", restart);
+  for (const id of ["step-size", "stiffness"]) $(id).addEventListener("input", say);
+  for (const id of ["step-size", "stiffness", "method"]) $(id).addEventListener("change", restart);
+  $("rate").addEventListener("change", () => send(`rate ${$("rate").value}`));
+  const show = (k) => { shown = k >= runs[0].frames - 1 ? -1 : k; again(); };
+  $("time").addEventListener("input", () => show(Number($("time").value)));
+
+  const begin = (message) => {
+    const { motion: now } = message;
+    if (runs.length === 0) {
+      runs.push(makeLiveMotion(now));
+      orbit = makeOrbit(now.camera);
+      stage = makeStage(runs, orbit, (text) => told("note", text), again);
+      plots = now.series.map((one) => makePlot(one.name, runs, (time) => show(frameAt(runs[0], time).k)));
+      $("plots").append(...plots.map((plot) => plot.figure));
+      offerColours(runs, again);
+      followKeys({ " ": toggle, ".": step, r: restart }, orbit);
+      for (const method of message.methods) $("method").add(new Option(method.name, method.id));
+      $("method").disabled = message.methods.length < 2;
+      requestAnimationFrame(loop);
+    } else if (runs[0].points !== now.points || runs[0].strands.length !== now.strands.length) {
+      location.reload();
+    } else {
+      runs[0].clear();
+    }
+    whole = message.whole;
+    shown = -1;
+    usual = message.step / 2 ** Number($("step-size").value);
+    $("method").value = message.method;
+    say();
+  };
+
+  const over = (message) => {
+    going = message.going;
+    told("play", going ? "Pause" : "Go on");
+    $("play").disabled = $("step").disabled = Boolean(message.ended);
+    Object.assign(runs[0], { blow_up: message.blow_up, ended: message.ended });
+    state(message.ended ? `${NAMES_OF_ENDS[message.ended]}${message.blow_up ? `: ${message.blow_up.text}` : ""}.` : going ? "running" : `paused after step ${message.steps}`);
+    if (message.ended) writeWords(runs);
+    again();
+  };
+
+  const hear = {
+    began(message) {
+      state(message.why ? `${message.why} Starting.` : "starting");
+      const [times, stiffness] = message.settings.split(" ").map(Number);
+      $("step-size").value = Math.log2(times);
+      $("stiffness").value = Math.log10(stiffness);
+    },
+    start: begin,
+    frame(message) { runs[0].add(message); again(); },
+    state: over,
+    trouble(message) { state(message.text); $("play").disabled = $("step").disabled = true; },
+  };
+  const events = new EventSource(`events${query}`);
+  events.addEventListener("message", (event) => { const message = JSON.parse(event.data); hear[message.kind](message); });
+  events.addEventListener("error", () => state(events.readyState === EventSource.CLOSED ? "The server refuses this page: too many of them are open, or the address is not whole." : "hairlab live does not answer: it has ended, or the machine is busy."));
+
+  const draw = (at) => {
+    const [run] = runs, k = shown < 0 ? run.frames - 1 : shown, dark = matchMedia("(prefers-color-scheme: dark)").matches;
+    stage.draw([{ run: 0, k, between: 0, tint: tintOf(runs, 0, k) }], false, dark);
+    for (const plot of plots) plot.draw(run.times[k], Math.max(whole, run.duration), dark);
+    $("time").max = run.frames - 1;
+    $("time").value = k;
+    const words = wordsOfMoment(run, k);
+    $("time").setAttribute("aria-valuetext", words);
+    told("moment", words + (shown < 0 ? "" : ". Newer frames are to its right"));
+    if (!going || at % 1000 < 20) stage.label(`${words}. ${WORDS_OF_KEYS}`);
+  };
+  const loop = (at) => {
+    if ((dirty || at - orbit.moved < 400) && runs[0].frames > 0) {
+      dirty = false;
+      draw(at);
+      ++window.hairView.pictures;
+    }
+    requestAnimationFrame(loop);
+  };
+  // For tests.
+  window.hairView = { runs, pictures: 0, get going() { return going; } };
+}
+
+watchSimulation();

@@ -1,0 +1,26 @@
+// A program's file that may be built anew while it is used.
+#pragma once
+
+#include <filesystem>
+
+namespace hair {
+
+class ProgramFile {
+ public:
+  explicit ProgramFile(std::filesystem::path path);
+
+  const std::filesystem::path& path() const { return path_; }
+
+  // Whether another file lies there than at the last time that this was true. A file that is still being written does not count: call it some
+  // times a second.
+  bool is_new();
+
+ private:
+  std::filesystem::file_time_type time_now() const;  // the earliest time if there is no program
+
+  std::filesystem::path path_;
+  std::filesystem::file_time_type known_, seen_;
+  int same_ = 0;  // how often it was seen like this
+};
+
+}  // namespace hair

@@ -1,0 +1,101 @@
+// Programs of the shell's stand for a scene's player: a child that crashes, ends, or does not come back.
+#include "hair/live/child.h"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+
+#include <cerrno>
+#include <thread>
+
+namespace hair {
+namespace {
+
+std::vector<std::string> shell(const std::string& script) {
+  return {"/bin/sh", "-c", script};
+}
+
+// What it says, until it has ended.
+struct Life {
+  std::vector<std::string> messages;
+  std::string end;
+};
+
+Life whole_life(Child& child) {
+  Life life;
+  for (;;) {
+    if (auto message = child.next(20)) life.messages.push_back(*message);
+    if (const auto end = child.ended()) {
+      life.end = *end;
+      return life;
+    }
+  }
+}
+
+class ChildTest : public testing::Test {
+ protected:
+  void SetUp() override { signal(SIGPIPE, SIG_IGN); }  // as catch_interruption does
+};
+
+TEST_F(ChildTest, GetsItsSettingsAndCommandsAndSaysItsMessages) {
+  Child child(shell("read a; read b; printf '{\"a\":\"%s %s\"}\\n' \"$a\" \"$b\""), "1 2");
+  child.tell("pause");
+  const Life life = whole_life(child);
+  EXPECT_EQ(life.messages, std::vector<std::string>{R"({"a":"1 2 pause"})"});
+  EXPECT_EQ(life.end, "The code ended the program before the first step was over, with exit code 0.");
+}
+
+TEST_F(ChildTest, NamesACrashAndTheStepsBefore) {
+  Child child(shell("echo '. 16'; echo '{\"kind\":\"frame\",\"time\":1,\"steps\":17}'; kill -SEGV $$"),
+              "1 1");
+  EXPECT_EQ(whole_life(child).end,
+            "The code crashed after step 17: a segmentation fault: the code read or wrote memory that is not "
+            "its own.");
+}
+
+TEST_F(ChildTest, NamesAnAbort) {
+  Child child(shell("kill -ABRT $$"), "1 1");
+  EXPECT_TRUE(
+      whole_life(child).end.starts_with("The code crashed before the first step was over: it was aborted"));
+}
+
+TEST_F(ChildTest, SaysNothingMoreAboutTroubleThatItHasTold) {
+  Child child(shell("echo '{\"kind\":\"trouble\",\"text\":\"H1\"}'; exit 3"), "1 1");
+  const Life life = whole_life(child);
+  EXPECT_EQ(life.messages.size(), 1U);
+  EXPECT_EQ(life.end, "");
+}
+
+TEST_F(ChildTest, EndsAnEndlessLoopAndNamesIt) {
+  Child child(shell("echo '. 5'; while :; do :; done"), "1 1");
+  std::optional<std::string> stopped;
+  while (!stopped) {
+    EXPECT_FALSE(child.next(20));
+    stopped = child.stop_if_silent(std::chrono::seconds(1));
+  }
+  EXPECT_EQ(*stopped, "The code did not come back after step 5, for 1 s, and was ended: an endless loop?");
+  EXPECT_EQ(whole_life(child).end, "") << "it is said once";
+}
+
+TEST_F(ChildTest, EndsWithItsOwner) {
+  pid_t process = 0;
+  {
+    Child child(shell("echo $$; while :; do :; done"), "1 1");
+    std::optional<std::string> line;
+    while (!line) line = child.next(20);
+    process = static_cast<pid_t>(std::stol(*line));
+    EXPECT_EQ(kill(process, 0), 0);
+  }
+  EXPECT_EQ(kill(process, 0), -1);
+  EXPECT_EQ(errno, ESRCH);
+}
+
+TEST_F(ChildTest, IsToldNothingAfterItsEnd) {
+  Child child(shell("exit 0"), "1 1");
+  whole_life(child);
+  child.tell("go");
+  EXPECT_FALSE(child.next(0));
+  EXPECT_FALSE(child.stop_if_silent(std::chrono::seconds(0)));
+}
+
+}  // namespace
+}  // namespace hair
