@@ -5,7 +5,7 @@
 
 #include <fstream>
 
-#include "grader/course/input.h"
+#include "grader/course/refusal_for_tests.h"
 #include "grader/record/people_fields.h"
 #include "grader/record/record.h"
 #include "grader/record/schema.h"
@@ -32,16 +32,6 @@ class HandIns : public testing::Test {
     std::ofstream(file_) << "{\"exercises\": {}, " << keys << "}";
     return read_hand_ins(course_, file_);
   }
-  static std::string refusal(const std::function<void()>& act) {
-    try {
-      act();
-    } catch (const BadInput& line) {
-      EXPECT_EQ(std::string(line.what()).find('\n'), std::string::npos) << line.what();
-      return line.what();
-    }
-    return "nothing is refused";
-  }
-
   hair::TemporaryFolder temporary_{"hand-ins"};
   const fs::path dir_ = temporary_.path(), file_ = dir_ / "course.json";
   Course course_;

@@ -7,7 +7,7 @@
 
 #include <fstream>
 
-#include "grader/course/input.h"
+#include "grader/course/refusal_for_tests.h"
 #include "grader/record/schema.h"
 #include "grader/report/sample_results.h"
 #include "grader/result/result_fields.h"
@@ -21,16 +21,6 @@ namespace fs = std::filesystem;
 class RecordOfAClass : public testing::TestWithParam<Journal> {
  protected:
   Record record() const { return Record(dir_, GetParam()); }
-  static std::string refusal(const std::function<void()>& act) {
-    try {
-      act();
-    } catch (const BadInput& line) {
-      EXPECT_EQ(std::string(line.what()).find('\n'), std::string::npos) << line.what();
-      return line.what();
-    }
-    return "";
-  }
-
   hair::TemporaryFolder temporary_{"record"};
   fs::path dir_ = temporary_.path(), file_ = dir_ / kRecordFile;
 };

@@ -57,7 +57,7 @@ TEST(Roster, ReadsWhatSystemsExport) {
        "Seán O'Brien"},
       {"gradescope",
        "First Name,Last Name,SID,Email,Sections\nSeán,O'Brien,so12,SO@u.ie,A\n",
-       {"", "", "so@u.ie"},
+       {"", "", "So@U.ie"},
        "Seán O'Brien"},
       {"classroom",
        "identifier,github_username,github_id,name\nso@u.ie,SeanOB,123,Seán\n",

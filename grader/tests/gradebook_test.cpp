@@ -15,12 +15,6 @@ namespace {
 namespace fs = std::filesystem;
 using std::string;
 
-string sample(const string& name) {
-  for (const char* ending : {"", ".zip", ".tar.gz"})
-    if (const fs::path path = fs::path(HAIR_SAMPLE_CLASS) / (name + ending); fs::exists(path)) return path;
-  throw std::runtime_error("the sample class has no " + name);
-}
-
 class GradesGoBack : public testing::Test {
  protected:
   string write(const string& name, const string& text) const {

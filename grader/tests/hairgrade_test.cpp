@@ -59,12 +59,6 @@ class Hairgrade : public testing::Test {
   Hairgrade() : folder_(new_folder()) {}
   ~Hairgrade() override { fs::remove_all(folder_); }
 
-  // Of the sample class, in whatever form it is there.
-  static string sample(const string& name) {
-    for (const char* ending : {"", ".zip", ".tar.gz"})
-      if (const fs::path path = fs::path(HAIR_SAMPLE_CLASS) / (name + ending); fs::exists(path)) return path;
-    throw std::runtime_error("the sample class has no " + name);
-  }
   string out() const { return (folder_ / "grades").string(); }
 
   static ProgramRun grade(std::vector<string> arguments,

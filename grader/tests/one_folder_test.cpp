@@ -29,12 +29,6 @@ using std::string;
 
 constexpr const char* kWaiting = " is in use by another hairgrade; waiting until it has finished\n";
 
-string sample(const string& name) {
-  for (const char* ending : {"", ".zip", ".tar.gz"})
-    if (const fs::path path = fs::path(HAIR_SAMPLE_CLASS) / (name + ending); fs::exists(path)) return path;
-  throw std::runtime_error("the sample class has no " + name);
-}
-
 int lines_with(const string& text, const string& words) {
   int lines = 0;
   for (std::size_t at = text.find(words); at != string::npos; at = text.find(words, at + 1)) ++lines;

@@ -3,6 +3,7 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <stdexcept>
 
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/start_program.h"
@@ -47,6 +48,14 @@ ProgramRun run_hairgrade(const std::vector<std::string>& arguments,
   if (run.code == 1 || run.code == -1)
     std::cout << HAIRGRADE << " ended with " << run.code << ": " << run.errors << "\n";
   return run;
+}
+
+std::string sample(const std::string& name) {
+  for (const char* ending : {"", ".zip", ".tar.gz"})
+    if (const std::filesystem::path path = std::filesystem::path(HAIR_SAMPLE_CLASS) / (name + ending);
+        std::filesystem::exists(path))
+      return path;
+  throw std::runtime_error("the sample class has no " + name);
 }
 
 std::string environment(const char* name, const std::string& otherwise) {

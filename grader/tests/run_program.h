@@ -28,6 +28,9 @@ ProgramRun run_hairgrade(const std::vector<std::string>& arguments,
                          const std::function<void(const RunningProgram&)>& meanwhile = {},
                          const std::string& script = "");
 
+// The path of a sample of the sample class, in whatever form it is there.
+std::string sample(const std::string& name);
+
 // A variable of the environment, or what stands for it.
 std::string environment(const char* name, const std::string& otherwise);
 

@@ -17,12 +17,6 @@ namespace {
 namespace fs = std::filesystem;
 using std::string;
 
-string sample(const string& name) {
-  for (const char* ending : {"", ".zip", ".tar.gz"})
-    if (const fs::path path = fs::path(HAIR_SAMPLE_CLASS) / (name + ending); fs::exists(path)) return path;
-  throw std::runtime_error("the sample class has no " + name);
-}
-
 constexpr const char* kCourse = R"({"exercises": {"H6": {"role": "absent"}},
   "hand_in": {"zone": "Europe/Berlin", "late_per_cent_a_day": 50},
   "hand_ins": {"week 1": {"exercises": ["S1"], "due": "2025-03-04 23:59"},

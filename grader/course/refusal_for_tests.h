@@ -1,0 +1,24 @@
+// STAFF ONLY. What bad input is told, for tests.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+
+#include "grader/course/input.h"
+
+namespace grader {
+
+// The line that `act` throws as BadInput. One line it must be.
+inline std::string refusal(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const BadInput& line) {
+    EXPECT_EQ(std::string(line.what()).find('\n'), std::string::npos) << line.what();
+    return line.what();
+  }
+  return "nothing is refused";
+}
+
+}  // namespace grader
