@@ -25,7 +25,11 @@ ClassList class_list(const Roster& roster, const std::vector<HandIn>& hand_ins) 
       const std::string who =
           members ? hand_in.name + ", " + (owner.name.empty() ? owner.id : owner.name) : hand_in.name;
       if (!match.person) {
-        list.strangers.push_back({hand_in.name, owner, match.told});
+        if (std::ranges::none_of(list.strangers, [&](const ClassList::Stranger& other) {
+              return other.hand_in == hand_in.name && other.owner.name == owner.name &&
+                     other.owner.id == owner.id && other.owner.email == owner.email;
+            }))
+          list.strangers.push_back({hand_in.name, owner, match.told});
         continue;
       }
       if (!match.told.empty()) list.said.push_back(who + ": " + match.told);

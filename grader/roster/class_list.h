@@ -56,6 +56,7 @@ const std::string& shown_name(const std::string& hand_in, const NamesForPeople& 
 // "Müller, Jörg (mueller_4711)", one line that is safe to print; else the hand-in's name.
 std::string called(const std::string& hand_in, const NamesForPeople& people);
 
+// A group's row may stand among `hand_ins` several times, with its people of each hand-in of the course.
 ClassList class_list(const Roster& roster, const std::vector<HandIn>& hand_ins);
 
 }  // namespace grader

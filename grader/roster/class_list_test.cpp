@@ -15,9 +15,10 @@ TEST(ClassList, HasEverybodyAndListsStrangersApart) {
                    .email = "",
                    .group = true,
                    .members = {{"A", "1", ""}, {"", "2", ""}, {"X", "9", ""}}};
-  const ClassList list = class_list(
-      roster,
-      {{"team7", team, "canvas"}, {"b_2", {"", "2", ""}, "canvas"}, {"z_8", {"Z", "8", ""}, "canvas"}});
+  const ClassList list = class_list(roster, {{"team7", team, "canvas"},
+                                             {"team7", team, "canvas"},  // as in another week
+                                             {"b_2", {"", "2", ""}, "canvas"},
+                                             {"z_8", {"Z", "8", ""}, "canvas"}});
   ASSERT_EQ(list.rows.size(), 3u);
   EXPECT_EQ(list.rows[0].hand_ins, Names{"team7"});
   EXPECT_EQ(list.rows[1].hand_ins, (Names{"team7", "b_2"}));
@@ -41,14 +42,17 @@ TEST(ClassList, GivesEverybodyALine) {
   const Roster roster(parse_csv("id,name,section\n1,A,x\n3,C,y\n", "r.csv"));
   const Owner team{
       .name = "Team 7", .id = "70", .email = "", .group = true, .members = {{"A", "1", ""}, {"X", "9", ""}}};
-  const std::vector<HandIn> hand_ins{
-      {"team7", team, "canvas"}, {"z_8", {"Z", "8", ""}, "canvas"}, {"old", {}, ""}};
+  const std::vector<HandIn> hand_ins{{"team7", team, "canvas"},
+                                     {"z_8", {"Z", "8", ""}, "canvas"},
+                                     {"old", {}, ""},
+                                     {"f", {.name = "F"}, "folders"}};
   EXPECT_EQ(cells_of(lines_of(class_list(roster, hand_ins), hand_ins)),
             (std::vector<Names>{{"team7", "A", "1", "x", ""},
                                 {"", "C", "3", "y", "nothing handed in"},
                                 {"team7", "X", "9", "", "its name is on no roster"},
                                 {"z_8", "Z", "8", "", "its name is on no roster"},
-                                {"old", "", "", "", "its id is on no roster"}}));
+                                {"old", "", "", "", "its id is on no roster"},
+                                {"f", "F", "", "", "its name is on no roster"}}));
   EXPECT_EQ(cells_of(lines_of({}, hand_ins)),
             (std::vector<Names>{
                 {"team7", "A", "1", "", ""}, {"team7", "X", "9", "", ""}, {"z_8", "Z", "8", "", ""}}));
