@@ -1,0 +1,161 @@
+// STAFF ONLY. Plans what is read of an argument.
+#include "grader/intake/plan.h"
+
+#include <set>
+
+#include "grader/course/input.h"
+#include "grader/intake/archive_format.h"
+#include "grader/intake/ignored.h"
+#include "grader/intake/layouts/division.h"
+#include "grader/intake/layouts/folders.h"
+#include "grader/intake/layouts/gradescope.h"
+#include "grader/intake/names.h"
+#include "grader/intake/origin.h"
+#include "grader/text/letters.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestPathShown = 4096;
+
+void add_gradescope_owners(Division& division, const std::vector<Entry>& list, const Argument& argument,
+                           const Planner& planner) {
+  if (division.system->name != "gradescope") return;
+  for (const Division::Aside& aside : division.aside) {
+    if (aside.as != Accounted::As::made) continue;
+    const std::string shown = argument.origin + "/" + legible(list[aside.entry].shown, kLongestPathShown);
+    std::string yaml;
+    const std::unique_ptr<Container> container = planner.opened();
+    container->list();
+    container->visit({aside.entry}, [&](std::size_t, const Container::Read& read) {
+      yaml = read(planner.limits.unpacked_bytes);
+    });
+    std::map<std::string, GradescopeRow> rows = read_gradescope_metadata(yaml, shown);
+    for (HandIn& hand_in : division.hand_ins) {
+      const auto row = rows.find(hand_in.path.substr(hand_in.path.rfind('/') + 1));
+      if (row == rows.end()) continue;
+      hand_in.owner = row->second.owner;
+      hand_in.handed_in = row->second.handed_in;
+    }
+  }
+}
+
+}  // namespace
+
+Argument argument_at(const fs::path& argument) {
+  fs::path path = fs::absolute(argument).lexically_normal();
+  if (!path.has_filename()) path = path.parent_path();
+  const std::string name = path.filename().string();
+  return {argument, legible(argument.string(), kLongestPathShown), path.string(), composed_path(name),
+          legible((path.parent_path().filename() / name).string())};
+}
+
+Argument checked_argument(const fs::path& argument) {
+  Argument found = argument_at(argument);
+  std::error_code error;
+  const fs::file_status status = fs::status(argument, error);
+  if (!fs::exists(status))
+    throw BadInput(found.origin + ": there is no such file or folder; give a submission or a class");
+  found.on_disk = fs::is_directory(status);
+  const bool may_be_one =
+      fs::is_regular_file(status) &&
+      (has_document_ending(found.name) || has_archive_ending(found.name) || has_archive_content(argument));
+  if (!found.on_disk && !may_be_one)
+    throw BadInput(found.origin + ": is neither an archive nor a folder; give a .zip, a .tar.gz or a folder");
+  return found;
+}
+
+Draft new_draft(const Owner& owner, const Argument& argument, const std::string& below,
+                const IntakeLimits& limits) {
+  Draft draft{.submission = {.name = name_of_owner(owner),
+                             .origin = origin_text(kHandIn, legible(argument.path, kLongestPathShown)),
+                             .owner = owner,
+                             .system = "folders"},
+              .origin = argument.origin,
+              .path = argument.path,
+              .shown = argument.shown,
+              .budget = IntakeBudget(limits)};
+  if (!below.empty()) {
+    draft.origin += "/" + legible(below, kLongestPathShown);
+    draft.path += "/" + below;
+    draft.shown = legible((fs::path(argument.name) / fs::path(below).filename()).string());
+  }
+  return draft;
+}
+
+std::optional<Planned> Planner::by_system(std::vector<Entry>& list, const Argument& argument) const {
+  if (from == "folders") return {};
+  const std::string name(without_archive_ending(argument.name));
+  std::optional<Division> division = divide(list, name, system_called(from));
+  if (!division) return {};
+  // A student's hand-in can hold one folder of somebody else's name.
+  if (!arguments.may_be_class() && !argument.on_disk && division->hand_ins.size() < 2) return {};
+  add_gradescope_owners(*division, list, argument, *this);
+  Planned planned{.is_class = true, .system = division->system};
+  for (HandIn& hand_in : division->hand_ins) {
+    Draft draft = new_draft(hand_in.owner, argument, hand_in.path, limits);
+    draft.submission.origin = origin_text(kLearningSystem, legible(argument.path, kLongestPathShown));
+    draft.submission.system = division->system->name;
+    draft.submission.handed_in = hand_in.handed_in;
+    draft.submission.marked_late = hand_in.late;
+    for (const std::string& doubt : hand_in.doubts)
+      draft.remarks.push_back(argument.origin + "/" + legible(doubt, kLongestPathShown));
+    planned.drafts.push_back(std::move(draft));
+    planned.shares.push_back({.draft = nullptr, .entries = std::move(hand_in.entries), .is_attached = true});
+  }
+  for (const Division::Aside& aside : division->aside) {
+    Accounted file{argument.origin + "/" + legible(list[aside.entry].shown, kLongestPathShown), aside.as,
+                   aside.reason, ""};
+    if (aside.hand_in == Division::kNobody)
+      planned.nobodys.push_back(std::move(file));
+    else
+      planned.drafts[aside.hand_in].accounted.push_back(std::move(file));
+  }
+  return planned;
+}
+
+Planned Planner::by_folders(const std::vector<Entry>& list, const Argument& argument) const {
+  // A folder with one archive among several arguments is a student's.
+  const Layout layout = layout_of(list, files, argument.on_disk && arguments.may_be_class());
+  if (!layout.found && (argument.on_disk || !arguments.several)) {
+    std::string names;
+    for (const std::string& file : files) names += (names.empty() ? "" : ", ") + file;
+    throw BadInput(
+        argument.origin + ": there is no exercise file (" + names +
+        ") and no archive in it, and no learning system's names; give a submission or a class of them");
+  }
+  Planned planned{.is_class = layout.is_class};
+  std::set<std::size_t> mine;
+  for (const Member& member : layout.members) {
+    const Told* told = nullptr;
+    std::optional<Told> by_name;
+    if (!layout.is_class) by_name = told_by_name(argument.name, argument.on_disk);
+    if (by_name) told = &*by_name;
+    const std::string below = layout.is_class ? fs::path(member.path).filename().string() : argument.name;
+    planned.drafts.push_back(
+        new_draft(told ? told->named.owner : Owner{.name = std::string(without_archive_ending(below))},
+                  argument, member.path, limits));
+    Submission& submission = planned.drafts.back().submission;
+    if (layout.is_class) submission.origin = origin_text(kClass, legible(argument.path, kLongestPathShown));
+    if (told) {
+      submission.system = told->system->name;
+      submission.handed_in = told->named.handed_in;
+      submission.marked_late = told->named.late;
+    }
+    mine.insert(member.entries.begin(), member.entries.end());
+    planned.shares.push_back({.draft = nullptr,
+                              .entries = member.entries,
+                              .is_archive = member.kind == Member::Kind::archive,
+                              .is_document = member.kind == Member::Kind::document});
+  }
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (list[i].kind != Entry::Kind::folder && !is_ignored(list[i].path) && !mine.contains(i))
+      planned.nobodys.push_back({argument.origin + "/" + legible(list[i].shown, kLongestPathShown),
+                                 Accounted::As::left_over,
+                                 "belongs to nobody: it lies beside the submissions of a class", ""});
+  return planned;
+}
+
+}  // namespace grader
