@@ -54,6 +54,7 @@ TEST_F(RealProject, MakesGoldenDataThatShipsAsAWhole) {
   Paths listed;
   for (const ManifestLine& line : read_manifest(root_, course_)) listed.insert(line.source);
   for (const fs::directory_entry& entry : fs::directory_iterator(sources_.golden)) {
+    if (entry.is_directory()) continue;  // runs of the scenes that ship
     const std::string source = "golden/" + entry.path().filename().string();
     EXPECT_TRUE(listed.contains(source)) << source << " is not in handout/manifest.txt";
   }
@@ -127,13 +128,30 @@ std::pair<double, double> points_in(const std::string& text) {
   return points;
 }
 
+// "2. P1, H1: your first hair, ..., `hairlab view limp-hair`.": the exercises play the scene, as golden/scenes.md has it.
+TEST_F(RealProject, NamesExercisesInTheOrderOfRewardThatPlayTheirScenes) {
+  const std::string scenes = hair::bytes_of(sources_.golden / "scenes.md");
+  std::istringstream readme(hair::bytes_of(root_ / "handout/README.md"));
+  static const std::regex item("[0-9]+\\. ([A-Z0-9, ]+): .*`hairlab view ([a-z-]+)`.*");
+  int items = 0;
+  std::smatch found;
+  for (std::string line; std::getline(readme, line);) {
+    if (!std::regex_match(line, found, item)) continue;
+    ++items;
+    const std::string row =
+        "| [" + found[2].str() + "](" + found[2].str() + ".json) | " + found[1].str() + " |";
+    EXPECT_NE(scenes.find(row), std::string::npos) << line;
+  }
+  EXPECT_GE(items, 5);
+}
+
 // Commands play scenes that are there, and nobody is asked to look at, study or copy another.
 void expect_scenes_to_play(const Files& files, const std::vector<ManifestLine>& all) {
   for (const ManifestLine& line : all) {
     if (!line.destination.starts_with("given/hair/scenes/") || !line.destination.ends_with(".json")) continue;
     if (files.contains(line.destination)) continue;
     const std::string scene = fs::path(line.destination).stem().string();
-    const std::regex plays("hairlab (run|study|stability)\\s+" + scene + "(?![a-z.-])|" + scene +
+    const std::regex plays("hairlab (run|view|study|stability)\\s+" + scene + "(?![a-z.-])|" + scene +
                            "\\.json|[a-z] (at|study)\\s+`" + scene + "`");
     for (const auto& [path, text] : files)
       EXPECT_FALSE(path.ends_with(".md") && std::regex_search(text, plays)) << path << " plays " << scene;
@@ -238,7 +256,7 @@ TEST_F(RealProject, PlaysOtherScenesWithoutH6) {
   const Files files = handout_files(sources_, course_);
   expect_scenes_to_play(files, all);
   const std::string& readme = files.at("README.md");
-  for (const char* line : {"\nbuild/hairlab run long-straight --out swing      # plays it\n",
+  for (const char* line : {"\nbuild/hairlab run long-straight --out swing      # plays it, and keeps numbers",
                            "\nbuild/hairlab run head-of-hair --jobs 2",
                            "\nbuild/hairlab study long-straight --out study            # error against run "
                            "time, of each method\n"})

@@ -14,7 +14,7 @@ namespace {
 // The name is the last group that is there.
 const std::regex& playing() {
   static const std::regex all(
-      "hairlab (?:run|study|stability)\\s+([a-z][a-z-]*)(?![a-z./-])|hair/scenes/([a-z-]+)\\.json"
+      "hairlab (?:run|view|study|stability)\\s+([a-z][a-z-]*)(?![a-z./-])|hair/scenes/([a-z-]+)\\.json"
       "|(?:look at|[Ss]tudy)\\s+`([a-z-]+)`");
   return all;
 }
@@ -40,7 +40,8 @@ std::optional<std::string> command_line(const std::string& line, const Paths& sh
   static constexpr std::array kStandIns{"long-straight", "wavy",        "skip-springs", "rigid-links",
                                         "pendulum",      "super-helix", "rod-pendulum", "cloth-patch"};
   constexpr std::size_t kWithStrands = 4;
-  const bool played = line.find("hairlab run ") != std::string::npos;
+  const bool played =
+      line.find("hairlab run ") != std::string::npos || line.find("hairlab view ") != std::string::npos;
   const auto end = played ? kStandIns.end() : kStandIns.begin() + kWithStrands;
   const auto other =
       std::find_if(kStandIns.begin(), end, [&](const char* name) { return shipped.contains(file_of(name)); });

@@ -44,6 +44,18 @@ fs::path source_of(const ManifestLine& line, const HandoutSources& sources) {
                                          : sources.root / line.source;
 }
 
+// Each scene that ships has the reference's run beside it, as the build made it.
+void add_motions(std::vector<ManifestLine>& lines) {
+  const std::string scenes = "hair/scenes/";
+  std::vector<ManifestLine> added;
+  for (const ManifestLine& line : lines)
+    if (line.source.starts_with(scenes) && line.source.ends_with(".json")) {
+      const std::string name = line.source.substr(scenes.size());
+      added.push_back({"golden/motions/" + name, "given/hair/motions/" + name, line.where});
+    }
+  lines.insert(lines.end(), added.begin(), added.end());
+}
+
 // The lines that ship. A scene ships if the course has all exercises that it calls.
 std::vector<ManifestLine> lines_of(const HandoutSources& sources, const Course& course) {
   std::vector<ManifestLine> lines = read_manifest(sources.root, course);
@@ -52,6 +64,7 @@ std::vector<ManifestLine> lines_of(const HandoutSources& sources, const Course& 
     if (line.source == "golden/scenes.md")
       absent = absent_scenes(read_file(source_of(line, sources), line.where), course);
   std::erase_if(lines, [&](const ManifestLine& line) { return absent.contains(line.source); });
+  add_motions(lines);
   return lines;
 }
 

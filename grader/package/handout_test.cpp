@@ -35,6 +35,8 @@ class SmallProject : public testing::Test {
     write("handout/assignment/README.md", "# Exercises\n" + std::string(kExerciseRows) + "\nGood luck\n");
     write("hair/scenes/one.json", "{}\n");
     write("hair/scenes/two.json", "{}\n");
+    write("build/golden/motions/one.json", "{}\n");
+    write("build/golden/motions/two.json", "{}\n");
     write("build/golden/scenes.md", "| [one](one.json) | E1 | x |\n| [two](two.json) | E1, E2 | x |\n");
     write("handout/assignment/E1.md", "# E1\n");
     write("handout/assignment/E2.md", "# E2\n");
@@ -110,6 +112,8 @@ TEST_F(SmallProject, LeavesOutAllButTheListsEntryOfAnAbsentExercise) {
   EXPECT_EQ(shipped.at("given/hair/scenes/scenes.md"), "| [one](one.json) | E1 | x |\n");
   EXPECT_TRUE(shipped.contains("given/hair/scenes/one.json"));
   EXPECT_FALSE(shipped.contains("given/hair/scenes/two.json"));
+  EXPECT_TRUE(shipped.contains("given/hair/motions/one.json"));
+  EXPECT_FALSE(shipped.contains("given/hair/motions/two.json"));
 }
 
 TEST_F(SmallProject, ShipsTheCoursesRolesAndPoints) {

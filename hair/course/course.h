@@ -32,6 +32,7 @@ struct Exercise {
   std::vector<std::string> libraries;      // allowed besides the standard library: "eigen"
   double points = 0;
   Role role = Role::assigned;
+  bool stub = false;  // none of its functions is written: a program that has them says so
 };
 
 struct Course {

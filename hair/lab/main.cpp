@@ -2,6 +2,7 @@
 // played, and to hairlab-groom, which reads grooms' files. Its exit codes are in hair/lab/commands/exit_codes.h.
 #include "hair/head/groom_file.h"
 #include "hair/lab/commands/hand_over.h"
+#include "hair/lab/commands/play.h"
 #include "hair/lab/commands/program.h"
 
 int main(int argc, char* argv[]) {
@@ -12,7 +13,7 @@ int main(int argc, char* argv[]) {
                                                hair::add_view_command(app)};
   for (const hair::OtherCommand& one : hair::kOtherCommands) app.add_subcommand(one.name, one.what);
   try {
-    return hair::run_program(app, commands, argc, argv);
+    return hair::run_program(app, commands, argc, argv, hair::show_overview);
   } catch (const hair::GroomFilesElsewhere& scene) {
     return hair::hand_over(hair::kGrooms, "the reader of " + scene.file, argv);
   }

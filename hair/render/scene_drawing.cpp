@@ -26,8 +26,6 @@ constexpr double kBall = 0.018, kTube = 0.005, kRing = 0.0035, kThread = 0.0006;
 
 constexpr std::uint32_t kFirstStillId = 1U << 30;  // beyond the numbers of what moves
 
-constexpr int kCells = 220;  // along a solid's longest side
-
 // The four sides of what the camera sees. With shadows those through which light falls into the picture are no limits:
 // what is beyond them may throw a shadow on what is seen.
 std::vector<Plane> seen_planes(const Camera& camera, double aspect, bool shadows) {
@@ -48,14 +46,14 @@ int last_guide(const DenseHair& dense) {
 }  // namespace
 
 SceneDrawing::SceneDrawing(const Scene& scene, std::vector<int> strands,
-                           const std::optional<std::filesystem::path>& cache)
+                           const std::optional<std::filesystem::path>& cache, int cells)
     : scene_(scene), strands_(std::move(strands)), look_(scene.look.value_or(Look())) {
   const double aspect = static_cast<double>(look_.image_width) / look_.image_height;
   camera_ = look_.frame ? frame_points(scene_outline(scene), aspect, look_.view)
                         : frame_camera(scene_bounds(scene), aspect, look_.view);
   for (const Obstacle& obstacle : scene.hair.obstacles)
     if (const auto* const placed = std::get_if<PlacedSolid>(&obstacle.shape))
-      meshes_.push_back(std::make_shared<SurfaceMesh>(kept_surface_net(*placed->solid, kCells, cache)));
+      meshes_.push_back(std::make_shared<SurfaceMesh>(kept_surface_net(*placed->solid, cells, cache)));
   const Vector3d target = look_.look_at.value_or(camera_.target);
   camera_.eye = target + (camera_.eye - camera_.target) / look_.zoom;
   camera_.target = target;

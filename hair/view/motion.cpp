@@ -129,8 +129,12 @@ void MotionFrames::begin(const Drawing& drawing) {
   strands_in_all_ = hair.sizes.size();
   const std::size_t wanted = hair.points.size() * static_cast<std::size_t>(std::max(1, frames_));
   const std::size_t every = std::max<std::size_t>(1, (wanted + most_points_ - 1) / most_points_);
-  for (std::size_t s = 0; s < hair.sizes.size(); s += every) {
+  for (std::size_t s = 0; s < hair.sizes.size(); ++s) {
     const std::uint32_t id = hair.ids.empty() ? static_cast<std::uint32_t>(s) : hair.ids[s];
+    if (s % every != 0) {
+      unseen_.push_back(static_cast<int>(id));
+      continue;
+    }
     first_point_[id] = points_;
     size_of_[id] = hair.sizes[s];
     strands_.push_back(hair.sizes[s]);

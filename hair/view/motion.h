@@ -31,6 +31,9 @@ namespace hair {
 // More points in all frames together leave strands out: a page of some 50 MB.
 inline constexpr std::size_t kMostPointsShown = 6'000'000;
 
+// The same of a run that comes along with the handout: half a megabyte at most.
+inline constexpr std::size_t kMostPointsShipped = 40'000;
+
 struct MotionSeries {
   std::string name, unit;
   std::vector<double> values = {};  // one a frame
@@ -54,6 +57,9 @@ class MotionFrames {
   // not finite stays, too.
   void add(const Drawing& drawing);
 
+  // The strands of the first drawing that are not shown, by their ids.
+  const std::vector<int>& unseen() const { return unseen_; }
+
   // A point's error is at most 1 / 131070 of the box, which is as large as all that was drawn, but for what flew further than ten times the
   // first frame's size: that is at its border.
   std::string json(const MotionStory& story) const;
@@ -72,7 +78,7 @@ class MotionFrames {
   std::size_t points_ = 0, first_rod_ = 0, strands_in_all_ = 0;
   std::map<std::uint32_t, std::size_t> first_point_;  // of each strand that is shown, by its id
   std::map<std::uint32_t, int> size_of_;
-  std::vector<int> strands_;
+  std::vector<int> strands_, unseen_;
   std::vector<double> rod_radii_;
   std::vector<Colour> rod_colours_;
   StrandsDrawing look_;  // without strands

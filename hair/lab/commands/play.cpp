@@ -42,8 +42,8 @@ int play_scene(const PlayOptions& options, const Course& course) {
   try {
     played = run_scene(scene, settings, interrupted, std::cerr, terminal ? &std::cerr : nullptr);
   } catch (const NotImplemented& stub) {
-    std::cerr << (terminal ? "\r" : "") << "hairlab: " << scene.name << " needs " << missing_part(stub)
-              << "\n";
+    std::cerr << (terminal ? "\r" : "") << "hairlab: " << scene.name << " needs "
+              << missing_parts(stub, exercises_of(scene), course) << "\n";
     return kNotWritten;
   }
   const RunResult& result = *played;
@@ -67,12 +67,34 @@ int play_scene(const PlayOptions& options, const Course& course) {
   return options.strict && !record.warnings.empty() ? kBroke : 0;
 }
 
+void show_overview(const Course& course) {
+  std::vector<std::string> all;
+  for (const Exercise& exercise : course.exercises)
+    if (exercise.role != Role::absent) all.push_back(exercise.id);
+  const std::string stubs = stubs_among(all, course);
+  if (stubs.empty()) return;
+  std::string playing;
+  for (const std::string& name : shipped_scenes(HAIR_SCENES_DIR)) try {
+      if (stubs_among(exercises_of(read_course_outline(name, course)), course).empty())
+        playing += (playing.empty() ? "" : ", ") + name;
+    } catch (const BadInput&) {  // the course lacks what it needs
+    }
+  std::cout << "Not written yet: " << stubs
+            << "\nScenes that play without them: " << (playing.empty() ? "none" : playing)
+            << "\nAll others, as the reference moves them: hairlab view SCENE" << std::endl;
+}
+
 int list_scenes(const Course& course) {
   for (const std::string& name : shipped_scenes(HAIR_SCENES_DIR)) try {
       const Scene scene = read_course_outline(name, course);
-      std::string exercises;
-      for (const std::string& id : exercises_of(scene)) exercises += (exercises.empty() ? "" : ", ") + id;
-      std::cout << name << ": " << printable(scene.shows, 200) << " (" << exercises << ")\n";
+      std::string exercises, stubs;
+      for (const std::string& id : exercises_of(scene)) {
+        exercises += (exercises.empty() ? "" : ", ") + id;
+        if (const Exercise* one = course.find(id); one && one->stub)
+          stubs += (stubs.empty() ? "" : ", ") + id;
+      }
+      std::cout << name << ": " << printable(scene.shows, 200) << " (" << exercises
+                << (stubs.empty() ? "" : "; stubs: " + stubs) << ")\n";
     } catch (const BadInput& error) {
       // One that needs what this course leaves out says so.
       std::cout << name << ": can't be played: " << error.what() << "\n";

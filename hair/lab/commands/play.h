@@ -1,4 +1,4 @@
-// What `hairlab run` and `hairlab scenes` do, without their command lines: the headers of scenes and those of
+// What `hairlab`, `hairlab run` and `hairlab scenes` do, without their command lines: the headers of scenes and those of
 // command lines take seconds to compile, so no file includes both.
 #pragma once
 
@@ -18,6 +18,9 @@ struct PlayOptions {
   int jobs = 1;         // threads; 0: as many as there are processors
   bool strict = false;  // warnings make the exit code kBroke
 };
+
+// For whoever starts hairlab alone: the exercises that are not written yet, and the scenes that play without them.
+void show_overview(const Course& course);
 
 // All return the program's exit code.
 int play_scene(const PlayOptions& options, const Course& course);

@@ -15,7 +15,14 @@ namespace hair {
 
 namespace {
 
-int run_command(CLI::App& app, const std::vector<Command>& commands, int argc, char* argv[]) {
+Course course_of_program(const std::optional<std::filesystem::path>& file) {
+  Course course = read_course(HAIR_EXERCISES_JSON, file);
+  mark_stubs(course, kStubs);
+  return course;
+}
+
+int run_command(CLI::App& app, const std::vector<Command>& commands, int argc, char* argv[],
+                const std::function<void(const Course&)>& overview) {
   std::optional<std::filesystem::path> course_file;
   for (const Command& command : commands)
     command.app->add_option("--course", course_file,
@@ -26,13 +33,14 @@ int run_command(CLI::App& app, const std::vector<Command>& commands, int argc, c
   } catch (const CLI::Success& help) {
     return app.exit(help);
   } catch (const CLI::ParseError& error) {
+    if (argc == 1 && overview) overview(course_of_program({}));
     std::cerr << "hairlab: " << error.what() << "; see hairlab --help\n";
     return kBadInput;
   }
   const auto asked =
       std::find_if(commands.begin(), commands.end(), [](const Command& one) { return one.app->parsed(); });
   try {
-    return asked->run(read_course(HAIR_EXERCISES_JSON, course_file));
+    return asked->run(course_of_program(course_file));
   } catch (const BadInput& error) {
     std::cerr << "hairlab: " << error.what() << "\n";
     return kBadInput;
@@ -51,10 +59,11 @@ int run_command(CLI::App& app, const std::vector<Command>& commands, int argc, c
 
 }  // namespace
 
-int run_program(CLI::App& app, const std::vector<Command>& commands, int argc, char* argv[]) {
+int run_program(CLI::App& app, const std::vector<Command>& commands, int argc, char* argv[],
+                const std::function<void(const Course&)>& overview) {
   begin_output();
   const solver::DecimalPoint point;  // an exercise may call setlocale
-  return finish_output("hairlab", run_command(app, commands, argc, argv));
+  return finish_output("hairlab", run_command(app, commands, argc, argv, overview));
 }
 
 }  // namespace hair

@@ -1,9 +1,11 @@
 #include "hair/lab/commands/view_runs.h"
 
 #include <iostream>
+#include <optional>
 
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/read_file.h"
+#include "hair/io/files/strict_json.h"
 #include "hair/io/files/temporary_folder.h"
 #include "hair/io/files/write_file.h"
 #include "hair/lab/commands/exit_codes.h"
@@ -29,13 +31,26 @@ NamedMotion of_folder(const fs::path& folder) {
   return {name, bytes_of(file)};
 }
 
-NamedMotion of_scene(const std::string& name, const Course& course) {
-  const Scene scene = read_course_scene(name, course);
+// The reference's run of a scene that ships.
+fs::path reference_file(const std::string& scene) {
+  return fs::path(HAIR_MOTIONS_DIR) / (fs::path(scene).filename().string() + ".json");
+}
+
+NamedMotion reference_of(const std::string& scene) {
+  const fs::path file = reference_file(scene);
+  if (!fs::exists(file))
+    throw BadInput(
+        scene + ": the reference's run does not come along; it does for scenes that `hairlab scenes` lists");
+  return {scene + " by the reference", bytes_of(file)};
+}
+
+NamedMotion played(const Scene& scene, std::size_t most_points) {
   const TemporaryFolder folder("hairlab-view");
   RunSettings settings;
   settings.out = folder.path() / "run";
   settings.render = false;
   settings.draws = true;
+  settings.most_points = most_points;
   const std::atomic<bool>& interrupted =
       catch_interruption("\nhairlab: finishing this frame; once more ends at once\n");
   const RunResult played = run_scene(scene, settings, interrupted, std::cerr, nullptr);
@@ -45,23 +60,54 @@ NamedMotion of_scene(const std::string& name, const Course& course) {
   return {scene.name, bytes_of(settings.out / kMotionFile)};
 }
 
+struct Shown {
+  NamedMotion motion;
+  std::string scene;
+  bool of_reference = false;
+};
+
+// A folder's run, or a scene's, which is the reference's where exercises are missing. Nothing if these are all that there is to show:
+// then they are named.
+std::optional<Shown> shown(const std::string& run, const Course& course, std::size_t most_points) {
+  if (fs::is_directory(run)) {
+    const NamedMotion motion = of_folder(run);
+    const fs::path file = fs::path(run) / "run.json";
+    return Shown{motion, JsonValue(*read_document(file), file)["scene"].text()};
+  }
+  const Scene scene = read_course_scene(run, course);
+  try {
+    return Shown{played(scene, most_points), scene.name};
+  } catch (const NotImplemented& stub) {
+    std::cerr << "hairlab: " << scene.name << " needs " << missing_parts(stub, exercises_of(scene), course);
+    const bool comes_along = fs::exists(reference_file(scene.name));
+    std::cerr << (comes_along ? "; the page shows the reference's run\n" : "\n");
+    if (!comes_along) return {};
+    return Shown{reference_of(scene.name), scene.name, true};
+  }
+}
+
 }  // namespace
 
-int view_runs(const ViewOptions& options, const Course& course) try {
-  const bool folder = fs::is_directory(options.run);
-  std::vector<NamedMotion> motions;
-  for (const std::string& one : {options.run, options.other})
-    if (!one.empty()) motions.push_back(fs::is_directory(one) ? of_folder(one) : of_scene(one, course));
+int view_runs(const ViewOptions& options, const Course& course) {
+  const bool folder = fs::is_directory(options.run), with_reference = options.other == kReference;
+  // The reference's has few strands: colours that compare two runs need the same ones.
+  const std::size_t most_points = with_reference ? kMostPointsShipped : kMostPointsShown;
+  const std::optional<Shown> one = shown(options.run, course, most_points);
+  if (!one) return kNotWritten;
+  std::vector<NamedMotion> motions = {one->motion};
+  if (with_reference && !one->of_reference) motions.push_back(reference_of(one->scene));
+  if (!with_reference && !options.other.empty()) {
+    const std::optional<Shown> other = shown(options.other, course, most_points);
+    if (!other) return kNotWritten;
+    motions.push_back(other->motion);
+  }
   if (motions.size() == 2 && motions[0].name == motions[1].name) motions[1].name += " (the other)";
   const fs::path out = !options.out.empty() ? options.out
                        : folder             ? fs::path(options.run) / "view.html"
-                                            : fs::path(motions.front().name + ".html");
+                                            : fs::path(one->scene + ".html");
   write_file(out, view_page(motions));
   std::cout << out.string() << ": open it in a browser\n";
   return 0;
-} catch (const NotImplemented& stub) {
-  std::cerr << "hairlab: " << options.run << " needs " << missing_part(stub) << "\n";
-  return kNotWritten;
 }
 
 }  // namespace hair

@@ -39,7 +39,10 @@ std::string shown(Number number) {
 class Parts {
  public:
   void add(const std::string& name, bool used, const std::string& as, const std::string& why_not) {
-    parts_.push_back({name, used, used ? as : why_not});
+    parts_.push_back({name, used, false, used ? as : why_not});
+  }
+  void add_stub(const std::string& name, const std::string& where) {
+    parts_.push_back({name, true, true, where});
   }
   std::vector<Part> take() { return std::move(parts_); }
 
@@ -196,10 +199,15 @@ void explain_still_hair(const Scene& scene, bool render, Parts& parts) {
 
 void explain_exercises(const Scene& scene, const Course& course, Parts& parts) {
   const std::vector<std::string> used = exercises_of(scene);
-  for (const Exercise& exercise : course.exercises)
-    if (exercise.role != Role::absent)
-      parts.add("exercise " + exercise.id, std::find(used.begin(), used.end(), exercise.id) != used.end(),
-                "student/" + exercise.file, "nothing in this scene calls it");
+  for (const Exercise& exercise : course.exercises) {
+    if (exercise.role == Role::absent) continue;
+    const bool called = std::find(used.begin(), used.end(), exercise.id) != used.end();
+    const std::string name = "exercise " + exercise.id, file = "student/" + exercise.file;
+    if (called && exercise.stub)
+      parts.add_stub(name, file + ", not written yet");
+    else
+      parts.add(name, called, file, "nothing in this scene calls it");
+  }
 }
 
 void explain_pictures(const Scene& scene, bool render, Parts& parts) {
@@ -236,7 +244,10 @@ std::string explanation(const std::vector<Part>& parts) {
   std::string text;
   for (const Part& part : parts)
     text += "  " + part.name + std::string(widest - part.name.size(), ' ') +
-            (part.used ? "  used      " : "  left out  ") + part.why + "\n";
+            (part.stub   ? "  stub      "
+             : part.used ? "  used      "
+                         : "  left out  ") +
+            part.why + "\n";
   return text;
 }
 

@@ -13,7 +13,7 @@ int strand_of(const std::string& blow_up) {
 }
 
 std::string motion_json(const Scene& scene, const RunRecord& record, const Camera& camera,
-                        const MotionFrames& frames) {
+                        const MotionFrames& frames, bool measured) {
   MotionStory story{.name = scene.name,
                     .shows = scene.shows,
                     .ended = name_of(record.ending),
@@ -40,6 +40,7 @@ std::string motion_json(const Scene& scene, const RunRecord& record, const Camer
   if (before.solver_steps > 0) story.series.push_back(solver);
   if (before.correction_steps > 0) story.series.push_back(corrections);
   if (before.contacts > 0) story.series.push_back(contacts);
+  if (!measured) story.series.clear();
   return frames.json(story);
 }
 

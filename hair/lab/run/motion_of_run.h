@@ -13,7 +13,8 @@ inline constexpr const char* kMotionFile = "motion.json";
 // "strand 3, step 17: filter" is of strand 3; -1: of none.
 int strand_of(const std::string& blow_up);
 
+// measured: with energies and so on, which are of all strands.
 std::string motion_json(const Scene& scene, const RunRecord& record, const Camera& camera,
-                        const MotionFrames& frames);
+                        const MotionFrames& frames, bool measured = true);
 
 }  // namespace hair

@@ -65,7 +65,8 @@ Scene without_dense_hair(Scene scene) {
 class FrameWriter {
  public:
   FrameWriter(const Scene& scene, const OutputFolder& folder, const Playback& playback,
-              const SceneDrawing& drawing, Renderer* renderer, RunRecord& record, timing::Laps& laps)
+              const SceneDrawing& drawing, Renderer* renderer, std::size_t most_points, RunRecord& record,
+              timing::Laps& laps)
       : scene_(scene),
         folder_(folder),
         playback_(playback),
@@ -77,7 +78,7 @@ class FrameWriter {
         binary_(folder.now("states.bin"), folder.then("states.bin"), playback.sizes(),
                 static_cast<int>(playback.state().x.size() / 3), playback.coordinates().front()),
         csv_(folder.now("states.csv"), folder.then("states.csv"), record.strands),
-        motion_(record.frames_asked + 1) {}
+        motion_(record.frames_asked + 1, most_points) {}
 
   // Where the playback is now.
   void add() {
@@ -110,11 +111,18 @@ class FrameWriter {
     return times.upload + times.shadow + times.draw + times.read_back;
   }
 
-  void close() {
+  // The simulated strands that the page does not show.
+  std::vector<int> unseen() const {
+    std::vector<int> unseen = motion_.unseen();
+    std::erase_if(unseen, [&](int strand) { return strand >= static_cast<int>(record_.strands.size()); });
+    return unseen;
+  }
+
+  void close(bool measured) {
     if (record_.links) binary_.add(*record_.links);
     binary_.close();
     csv_.close();
-    write_whole(folder_, kMotionFile, motion_json(scene_, record_, drawing_.camera(), motion_));
+    write_whole(folder_, kMotionFile, motion_json(scene_, record_, drawing_.camera(), motion_, measured));
     laps_.book(record_.seconds.write);
   }
 
@@ -134,7 +142,6 @@ class FrameWriter {
 
 void play(Playback& playback, FrameWriter& frames, RunRecord& record, timing::Laps& laps,
           const std::atomic<bool>& interrupted, std::ostream* progress) {
-  frames.add();
   for (int k = 1; k <= record.frames_asked; ++k) {
     if (interrupted) {
       record.ending = Ending::interrupted;
@@ -170,15 +177,21 @@ RunResult run_scene(const Scene& scene, const RunSettings& settings, const std::
   laps.book(seconds.assemble);
   const bool draws = settings.draws || (settings.render && scene.look);
   const Scene bare = draws ? Scene() : without_dense_hair(scene);
-  const SceneDrawing drawing(draws ? scene : bare, record.strands, cache_folder());
+  const bool pictures = settings.render && scene.look;
+  const SceneDrawing drawing(draws ? scene : bare, record.strands, cache_folder(),
+                             pictures ? kCellsOfPicture : kCellsOfPage);
   const std::unique_ptr<Renderer> renderer = prepare_renderer(scene, settings, drawing, record, notes);
   if (renderer && !scene.dense.empty()) {
     const std::vector<int> idle = idle_guides(scene, drawing);
     record.guides_left_out = idle.size();
     playback->leave_out(idle);
   }
-  FrameWriter frames(scene, folder, *playback, drawing, renderer.get(), record, laps);
+  FrameWriter frames(scene, folder, *playback, drawing, renderer.get(), settings.most_points, record, laps);
   laps.book(seconds.prepare);
+  frames.add();
+  std::vector<int> unseen;
+  if (settings.only_shown && scene.dense.empty() && !scene.hair.mesh) unseen = frames.unseen();
+  playback->leave_out(unseen);
   play(*playback, frames, record, laps, interrupted, progress);
   if (const MeshRecord* mesh = playback->mesh_record()) {
     record.links = LinksFile{{}, mesh->broken};
@@ -186,7 +199,7 @@ RunResult run_scene(const Scene& scene, const RunSettings& settings, const std::
     record.worn_off = mesh->worn_off;
   }
   record.warnings = playback->warnings();
-  frames.close();
+  frames.close(unseen.empty());
   if (renderer) {
     const RenderTimes& times = renderer->times();
     seconds.upload = times.upload;

@@ -10,6 +10,7 @@
 
 #include "hair/lab/run/run_record.h"
 #include "hair/scene/scene.h"
+#include "hair/view/motion.h"
 
 namespace hair {
 
@@ -19,6 +20,10 @@ struct RunSettings {
   bool render = true;         // if the scene has a look
   bool draws =
       false;  // without pictures, too, the page shows dense hair, which needs H10; `render` says so as well
+  std::size_t most_points = kMostPointsShown;  // of the page, in all frames: more leave strands out
+  // Strands that the page leaves out are not simulated, where none moves another or makes dense hair; energies, which would be of some
+  // strands alone, are left out, too.
+  bool only_shown = false;
   double read_seconds = 0;  // what it took to read the scene
 };
 

@@ -314,8 +314,11 @@ TEST_F(Hairlab, KeepsWhatIsFinishedWhenItIsInterrupted) {
 
 TEST_F(Hairlab, NamesTheExerciseThatAStubIsOf) {
   const ProgramSettings student{.program = STUDENT_HAIRLAB};
-  expect_refused(play(kSwing, {}, student), 3,
-                 "scene needs H1: student/stretch_springs.cpp, stretch_energy is not implemented yet");
+  expect_refused(
+      play(kSwing, {}, student), 3,
+      "scene needs H1: student/stretch_springs.cpp, stretch_energy is not implemented yet; nor are S1 "
+      "(student/conj_grad.cpp), H2 (student/angular_springs.cpp), H4 (student/implicit_euler.cpp), H5 "
+      "(student/length_correction.cpp), H6 (student/predictor_corrector.cpp)\n");
   expect_refused(play(kPendulum, {}, student), 3, "scene needs P1: student/explicit_integrators.cpp, ");
   EXPECT_FALSE(fs::exists(out_));
 
@@ -323,6 +326,46 @@ TEST_F(Hairlab, NamesTheExerciseThatAStubIsOf) {
   const std::string before = bytes_of(out_ / "run.json");
   EXPECT_EQ(play(kSwing, {}, student).code, 3);
   EXPECT_EQ(bytes_of(out_ / "run.json"), before) << "an earlier run is lost";
+}
+
+// Before anything is written, and with all.
+TEST_F(Hairlab, SaysWhichExercisesAreStubs) {
+  const ProgramSettings student{.program = STUDENT_HAIRLAB};
+  const std::string scene = folder_.write("scene.json", kPendulum);
+  const ProgramRun alone = run_hairlab({}, student);
+  EXPECT_EQ(alone.code, 2);
+  EXPECT_TRUE(has(alone.output, "Not written yet: S1 (student/conj_grad.cpp), S2 (")) << alone.output;
+  EXPECT_TRUE(has(alone.output, "Scenes that play without them: none\n")) << alone.output;
+  EXPECT_EQ(run_hairlab({}).output, "");
+  const std::string parts = run_hairlab({"run", scene, "--explain"}, student).output;
+  EXPECT_TRUE(
+      has(parts, "\n  exercise P1        stub      student/explicit_integrators.cpp, not written yet\n"))
+      << parts;
+  EXPECT_TRUE(has(parts, "\n  exercise H1        left out  ")) << parts;
+  EXPECT_FALSE(has(run_hairlab({"run", scene, "--explain"}).output, "stub"));
+  EXPECT_TRUE(has(run_hairlab({"scenes"}, student).output, "(P1; stubs: P1)\n"));
+  EXPECT_FALSE(has(run_hairlab({"scenes"}).output, "stubs"));
+}
+
+// The reference's run takes the place of one that stubs can't play, and stands beside one that is played.
+TEST_F(Hairlab, ViewsTheReferencesRunOfAScene) {
+  const ProgramSettings student{.program = STUDENT_HAIRLAB};
+  const fs::path page = folder_.path() / "page.html";
+  ProgramRun run = run_hairlab({"view", "pendulum", "--out", page.string()}, student);
+  EXPECT_EQ(run.code, 0) << run.errors;
+  EXPECT_TRUE(has(run.errors, "hairlab: pendulum needs P1: student/explicit_integrators.cpp, "))
+      << run.errors;
+  EXPECT_TRUE(has(run.errors, "; the page shows the reference's run\n")) << run.errors;
+  EXPECT_TRUE(has(bytes_of(page), "data-name=\"pendulum by the reference\""));
+
+  run = run_hairlab({"view", "pendulum", "--with", "reference", "--out", page.string()});
+  EXPECT_EQ(run.code, 0) << run.errors;
+  for (const char* name : {"data-name=\"pendulum\"", "data-name=\"pendulum by the reference\""})
+    EXPECT_TRUE(has(bytes_of(page), name)) << name;
+  const std::string own = folder_.write("own.json", kPendulum);
+  expect_refused(run_hairlab({"view", own, "--out", page.string()}, student), 3, "own needs P1: ");
+  expect_refused(run_hairlab({"view", own, "--with", "reference"}), 2,
+                 "own: the reference's run does not come along");
 }
 
 TEST_F(Hairlab, RefusesBadScenesWithTheirJsonPath) {

@@ -1,0 +1,51 @@
+// STAFF ONLY. Makes what the handout ships of a scene's run by the reference: make_motion SCENE.json OUT.json. It has positions alone, of few
+// strands where there are many (hair/view/motion.h), and hairlab's page plays it.
+#include <cstdio>
+#include <exception>
+#include <iostream>
+
+#include "hair/io/files/read_file.h"
+#include "hair/io/files/temporary_folder.h"
+#include "hair/io/files/write_file.h"
+#include "hair/lab/run/motion_of_run.h"
+#include "hair/lab/run/run.h"
+
+namespace {
+
+// Of dense hair as many strands as the page shows.
+hair::Scene thinned(hair::Scene scene) {
+  const std::size_t most = hair::kMostPointsShipped / static_cast<std::size_t>(scene.frames + 1);
+  for (hair::DenseHair& dense : scene.dense) {
+    auto& children = dense.description.children;
+    const std::size_t every = children.size() * static_cast<std::size_t>(dense.description.points) / most + 1;
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < children.size(); i += every) children[kept++] = children[i];
+    children.resize(kept);
+  }
+  return scene;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) try {
+  if (count != 3) {
+    std::fprintf(stderr, "make_motion SCENE.json OUT.json\n");
+    return 2;
+  }
+  const hair::TemporaryFolder folder("make-motion");
+  const hair::Scene scene = thinned(hair::read_scene(arguments[1]));
+  const std::filesystem::path run = folder.path() / "run";
+  hair::RunSettings settings;
+  settings.out = run;
+  settings.render = false;
+  settings.draws = settings.only_shown = true;
+  settings.most_points = hair::kMostPointsShipped;
+  const hair::RunResult played = hair::run_scene(scene, settings, false, std::cerr, nullptr);
+  if (played.record.ending != hair::Ending::finished)
+    throw std::runtime_error(scene.name + " broke: " + played.record.blow_up);
+  hair::write_file(arguments[2], hair::bytes_of(run / hair::kMotionFile));
+  return 0;
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "make_motion: %s\n", error.what());
+  return 1;
+}
