@@ -136,6 +136,57 @@ TEST(PredictorCorrector, MovesAStrandOfOneParticleWithItsRoot) {
   EXPECT_TRUE(report.filter.converged && report.correction.converged && report.second_filter.converged);
 }
 
+// The tolerance is that of the solves; step 3 has kLengthTolerance.
+TEST(PredictorCorrector, SolvesAsExactlyAsItIsAskedToAndKeepsItsLengths) {
+  Chain chain(0.1, 12);
+  Strand strand;
+  strand.mass = chain.particles.mass;
+  strand.rest_length = VectorXd::Constant(11, 0.01);
+  int steps[2];
+  for (const double tolerance : {1e-10, 1e-2}) {
+    State state = chain.state;
+    state.v = 0.1 * scattered_vector(36, 3);
+    MatrixXd scratch = MatrixXd::Constant(36, hair::kPredictorCorrectorScratch, 1e3);
+    const StepReport report =
+        predictor_corrector(particles::DampedSprings(chain.springs, particles::Products::definite),
+                            chain.particles, strand, kTick, tolerance, state, scratch);
+    steps[tolerance > 1e-5] = report.filter.steps;
+    for (int i = 0; i < 11; ++i)
+      EXPECT_NEAR((state.x.segment<3>(3 * i + 3) - state.x.segment<3>(3 * i)).norm() / 0.01, 1, 1e-10)
+          << "length " << i << " over its rest length, after solves to " << tolerance
+          << ": the correction has its own tolerance, kLengthTolerance";
+  }
+  EXPECT_LT(steps[1], steps[0])
+      << "steps of a solve to 1e-2, and to 1e-10: `tolerance` is the solves' tolerance";
+}
+
+TEST(PredictorCorrector, GivesTheImpulseHoweverTheCorrectionEnded) {
+  // Without forces the way of a particle over h is its velocity, whatever the correction did. A root that is 1e12 m
+  // away leaves a correction that never converges; a strand that is flung about takes it many iterations.
+  for (const double root : {0.0, 1e12}) {
+    Chain chain(0, 12);
+    Strand strand;
+    strand.mass = chain.particles.mass;
+    strand.rest_length = VectorXd::Constant(11, 0.01);
+    State state = chain.state;
+    state.v = 0.2 / kTick * scattered_vector(36, 3);
+    state.v.head<3>() = Vector3d(root / kTick, 0, 0);
+    VectorXd alone = state.x + kTick * state.v;
+    MatrixXd scratch = MatrixXd::Constant(36, hair::kPredictorCorrectorScratch, 1e3);
+    const hair::CorrectionReport expected =
+        correct_lengths(strand, hair::kLengthTolerance, hair::kMostCorrections, alone, scratch);
+    const StepReport report = predictor_corrector(particles::DampedSprings({}), chain.particles, strand,
+                                                  kTick, 1e-10, state, scratch);
+    const std::string input = root > 0 ? "a root that moves by 1e12 m" : "12 particles that are flung about";
+    EXPECT_EQ(report.correction.converged, expected.converged)
+        << input << ": correct_lengths with kLengthTolerance and kMostCorrections took "
+        << expected.iterations << " iterations, and yours in the step took " << report.correction.iterations;
+    expect_entries(state.v, (state.x - chain.state.x) / kTick,
+                   0x1p-48 * (state.x.norm() / kTick + state.v.norm()),
+                   "v after " + input + " without forces, beside the way over h", "rounding of x / h");
+  }
+}
+
 TEST(PredictorCorrector, EvaluatesTheForceTwice) {
   const Spring spring(8, 1, GeometricTerm::dropped);
   State state = moving();

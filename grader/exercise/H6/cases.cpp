@@ -39,13 +39,13 @@ struct Step {
   ForceServer asked;
 };
 
-Step step(Trial& trial, const Hair& hair) {
+Step step(Trial& trial, const Hair& hair, double tolerance = kTolerance) {
   const int n = hair.cloud.count(), most = std::max(100, 60 * n);
   trial.describe(hair.cloud.name);
   Step step{{}, {}, {}, ForceServer(*hair.cloud.force, n, 6 * (most + most / 64) + 40)};
   particles::State state = hair.cloud.state;
   step.report = ask_student_for<Calls, hair::predictor_corrector>(
-      trial, std::ref(step.asked), hair.cloud.particles, hair.strand, hair.h, kTolerance, state,
+      trial, std::ref(step.asked), hair.cloud.particles, hair.strand, hair.h, tolerance, state,
       Filling{hair::kPredictorCorrectorScratch});
   step.x = state.x;
   step.v = state.v;
@@ -253,6 +253,41 @@ void human_hair(Trial& trial) {
   }
 }
 
+// The correction has its own tolerance and limit, the solves have the caller's, and the impulse follows however the correction ended.
+void other_limits(Trial& trial) {
+  Random& random = trial.random;
+  const Hair ordinary =
+      moving_hair(random, 12, 1e-6, random.log_uniform(100, 300), 1.0 / random.integer(60, 240));
+  const Step exact = step(trial, ordinary), rough = step(trial, ordinary, 1e-2);
+  trial.expect_at_most(largest_length_error(ordinary.strand, rough.x), 1e-10,
+                       "the error of a length after solves with a tolerance of 0.01");
+  trial.expect(
+      rough.report.filter.steps < exact.report.filter.steps,
+      "solves with a tolerance of 0.01 take as many steps as exact ones",
+      std::to_string(rough.report.filter.steps) + " and " + std::to_string(exact.report.filter.steps));
+
+  // Flung about, it takes our correction 20 to 100 iterations. With its root far away nothing is converged (H5's contract). No
+  // force acts: v is the way over h.
+  for (const bool is_hopeless : {false, true}) {
+    Hair flung = moving_hair(random, 12, 1e-6, 0, 1.0 / random.integer(60, 240), 0);
+    flung.strand.mass.setConstant(1e-6);
+    flung.cloud.particles.mass = flung.strand.mass;
+    VectorXd& v = flung.cloud.state.v;
+    for (int i = 1; i < 12; ++i) v.segment<3>(3 * i) = random_vector(random, 3, 0.2) / flung.h;
+    if (is_hopeless) v.head<3>() = Vector3d(1e12, 0, 0) / flung.h;
+    flung.cloud.name = is_hopeless ? "a root that is flung away" : "a strand that is flung about";
+    const Step after = step(trial, flung);
+    if (!is_hopeless)
+      trial.expect_at_most(largest_length_error(flung.strand, after.x), 1e-10,
+                           "the error of a length of a strand that is flung about");
+    trial.expect(after.report.correction.converged != is_hopeless,
+                 "the report of a correction is not what correct_lengths said");
+    const double rounding = 0x1p-48 * (after.x.norm() / flung.h + v.norm());
+    trial.expect_at_most((after.v - (after.x - flung.cloud.state.x) / flung.h).norm(), rounding,
+                         "the error of the impulse after a correction that is hard");
+  }
+}
+
 }  // namespace
 
 WholeRunPoints whole_run() {
@@ -266,7 +301,8 @@ std::vector<Category> categories() {
           {"Step", "A whole step", 3, a_step},
           {"EvaluatedAt", "Where forces are evaluated", 2, evaluated_at},
           {"Cost", "Products and reports", 2, cost},
-          {"Revolution", "A revolution", 2, revolution},
+          {"OtherLimits", "Hard corrections and other tolerances", 1, other_limits},
+          {"Revolution", "A revolution", 1, revolution},
           {"HumanHair", "A human hair", 1, human_hair}};
 }
 

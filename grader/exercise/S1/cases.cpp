@@ -10,7 +10,8 @@ WholeRunPoints whole_run() {
 
 std::vector<Category> categories() {
   return {{"Examples", "The lecture's examples", 2, examples},
-          {"Sizes", "Sizes from 0 to 10,000", 3, sizes},
+          {"Empty", "Nothing to solve", 1, empty},
+          {"Sizes", "Sizes from 1 to 10,000", 2, sizes},
           {"KnownMatrices", "Known matrices", 4, known_matrices},
           {"IllConditioned", "Ill-conditioned systems", 2, ill_conditioned},
           {"Clusters", "Clustered eigenvalues", 1, clusters},

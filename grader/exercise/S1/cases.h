@@ -7,6 +7,7 @@ namespace grader::s1 {
 
 // Each sends its cases to the student's ConjGrad and throws CaseFailed at the first failure.
 void examples(Trial& trial);
+void empty(Trial& trial);
 void sizes(Trial& trial);
 void known_matrices(Trial& trial);
 void ill_conditioned(Trial& trial);

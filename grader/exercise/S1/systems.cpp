@@ -72,14 +72,18 @@ void examples(Trial& trial) {
   }
 }
 
-void sizes(Trial& trial) {
-  LinearSystem nothing = sparse_system("nothing", solver::diagonal({}), {}, 1);
-  for (double epsilon : {0.0, -1.0}) {
-    const Solution empty = solve(trial, nothing, epsilon, 0);
-    trial.expect(empty.value == 0 && empty.steps == 0, "n = 0 does not return 0 after 0 steps",
-                 std::to_string(empty.value));
-  }
+void empty(Trial& trial) {
+  const LinearSystem nothing = sparse_system("nothing", solver::diagonal({}), {}, 1);
+  for (double epsilon : {0.0, 1.0, -1.0})
+    for (int most_steps : {0, trial.random.integer(1, 50), -trial.random.integer(1, 50)}) {
+      const Solution empty = solve(trial, nothing, epsilon, most_steps);
+      trial.expect(empty.value == 0 && empty.steps == 0, "n = 0 does not return 0 after 0 steps",
+                   std::to_string(empty.value) + " after " + std::to_string(empty.steps) + " of " +
+                       std::to_string(most_steps));
+    }
+}
 
+void sizes(Trial& trial) {
   for (int n : {1, 2, 3, 10, 100, 1000, 10000}) {
     const std::vector<double> d = uniform_values(trial.random, n, 1, 20);
     const LinearSystem diagonal = sparse_system("diagonal", solver::diagonal(d), trial.random.normals(n),
