@@ -100,11 +100,13 @@ TEST(CanvasGradebook, SpreadsheetsMayHaveWrittenItAgain) {
   }
   const std::size_t score = semicolons.find("7.50");
   semicolons.replace(score, 4, "7,50");
+  semicolons.replace(semicolons.find("4.00"), 4, "4,00");
   const Gradebook book =
       fill("\xef\xbb\xbf" + semicolons, {grade_of("4712", 1234.5, 10)}, {.column = "8801"});
   EXPECT_EQ(import_into_canvas(book.csv, semicolons, "8801").scores, (Scores{{"4712", "1234.5"}}));
   EXPECT_TRUE(import_into_canvas(book.csv, semicolons, "8801").refused.empty());
   EXPECT_NE(book.csv.find(";7.50;"), string::npos) << book.csv;
+  EXPECT_NE(book.csv.find(";4.00;"), string::npos) << "another assignment's: " << book.csv;
   string tabs =
       "Student\tID\tSection\tx (1)\n    Points Possible\t\t\t10\n\"Doe, Jane\"\t1\tA\t\"1,234\"\n\"Roe, "
       "R\"\t2\tA\t\n";

@@ -69,7 +69,9 @@ TEST(CanvasFeedback, OpensUnderTheNameOfAnAttachment) {
                                   "doejane_4715_text.html",
                                   "roe_4716_90040_linker.cpp",
                                   "._x_4717_90050_a.cpp",
-                                  "z_4718_90060_z.ZIP"};
+                                  "z_4718_90060_z.ZIP",
+                                  "no number__90070_a.html",
+                                  "a student's own words_aB3dE_90080_a.html"};
   const Feedback feedback = feedback_for_canvas(
       files,
       {grade_of({"", "4711", ""}), grade_of({"", "4712", ""}), grade_of({"", "4713", ""}),
@@ -95,10 +97,20 @@ TEST(CanvasFeedback, OpensUnderTheNameOfAnAttachment) {
   EXPECT_TRUE(said(feedback, "1 get an archive with report.html"));
 }
 
+TEST(CanvasFeedback, AnAttachmentIsOnePersons) {
+  Grade again = grade_of({"", "4711", ""});
+  again.hand_in = "again";
+  const Feedback feedback =
+      feedback_for_canvas({"x_4711_90001_main.cpp"}, {grade_of({"", "4711", ""}), again}, report_of);
+  ASSERT_EQ(feedback.entries.size(), 1u);
+  EXPECT_EQ(feedback.entries[0].bytes, "h4711 as text");
+  EXPECT_TRUE(said(feedback, "again: gets no feedback: its attachment is h4711's, too"));
+}
+
 TEST(MoodleFeedback, NeverReachesAnotherStudent) {
   const Csv worksheet = parse_csv(
       "Identifier,Full name,Grade\nParticipant 4711,Jörg Müller,\nParticipant 55,Ann Oh,\nParticipant "
-      "4713,Seán O'Brien,\n",
+      "56,Bo Ek,\nParticipant 4713,Seán O'Brien,\n",
       "w.csv");
   const Owner team{
       .name = "T", .id = "70", .email = "", .group = true, .members = {{"Seán OBrien", "4713", ""}}};
@@ -107,7 +119,7 @@ TEST(MoodleFeedback, NeverReachesAnotherStudent) {
                           {{.hand_in = "j_m", .owner = {"Jörg Müller", "4711", ""}, .system = "moodle"},
                            {.hand_in = "team7", .owner = {"Team 7", "55", ""}, .system = "moodle"},
                            {.hand_in = "t", .owner = team, .system = "moodle"},
-                           {.hand_in = "n", .owner = {"Ann Oh", "", ""}, .system = "folders"}},
+                           {.hand_in = "n", .owner = {"Bo Ek", "", ""}, .system = "folders"}},
                           report_of);
   EXPECT_EQ(received(feedback, moodle_gives),
             (Files{{"4711 report.html", "<p>j_m</p>"}, {"4713 report.html", "<p>t</p>"}}));
