@@ -1,44 +1,17 @@
 // STAFF ONLY. Guesses the code page of names.
 #include "grader/intake/code_page.h"
 
-#include <iconv.h>
 #include <utf8proc.h>
 
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <string_view>
 
+#include "grader/text/encoding.h"
 #include "grader/text/letters.h"
 
 namespace grader {
 namespace {
-
-class Converter {
- public:
-  explicit Converter(const char* from) : handle_(iconv_open("UTF-8", from)) {}
-  ~Converter() {
-    if (there()) iconv_close(handle_);
-  }
-  Converter(const Converter&) = delete;
-  Converter& operator=(const Converter&) = delete;
-
-  // False where the system has no such table.
-  bool there() const { return reinterpret_cast<std::intptr_t>(handle_) != -1; }
-
-  std::optional<std::string> convert(std::string bytes) {
-    std::string text(bytes.size() * 4, '\0');
-    char *in = bytes.data(), *out = text.data();
-    std::size_t in_left = bytes.size(), out_left = text.size();
-    iconv(handle_, nullptr, nullptr, nullptr, nullptr);
-    if (iconv(handle_, &in, &in_left, &out, &out_left) != 0 || in_left > 0) return {};
-    text.resize(text.size() - out_left);
-    return text;
-  }
-
- private:
-  iconv_t handle_;
-};
 
 bool is_latin(utf8proc_int32_t c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -98,12 +71,10 @@ std::string decode_names(std::vector<std::string>& names) {
   double best_sum = 0;
   std::vector<std::string> best_names;
   for (const char* page : kPages) {
-    Converter converter(page);
-    if (!converter.there()) continue;
     double sum = 0;
     std::vector<std::string> decoded;
     for (const std::string* name : unknown) {
-      std::optional<std::string> text = converter.convert(*name);
+      std::optional<std::string> text = from_code_page(*name, page);
       if (!text) break;
       sum += likeness(*text);
       decoded.push_back(std::move(*text));

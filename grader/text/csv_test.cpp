@@ -90,6 +90,10 @@ TEST(Csv, SaysWhatIsWrongAndWhere) {
             "r.csv, line 2: a NUL byte is no text; save the table as CSV in UTF-8");
   EXPECT_EQ(error_of("\xff\xfe\0\0i\0\0\0"s), "r.csv: is UTF-32; save it as UTF-8");
   EXPECT_EQ(error_of("\xff\xfei\0d"s), "r.csv: is UTF-16 and ends within a letter; save it as UTF-8");
+  EXPECT_EQ(
+      error_of("id,name\n1,\x89\xf0\x82\xad\x81\n"),
+      "r.csv: is neither UTF-8 nor UTF-16 nor Windows-1252, and names in it would be others; save it as "
+      "UTF-8");
 }
 
 TEST(Csv, LinesWithinACellCount) {

@@ -1,12 +1,13 @@
 // STAFF ONLY. Tells encodings apart.
 #include "grader/text/encoding.h"
 
+#include <iconv.h>
 #include <utf8proc.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <optional>
+#include <utility>
 
 #include "grader/course/input.h"
 #include "hair/io/plot/readable.h"
@@ -103,21 +104,20 @@ std::string from_utf16(std::string_view bytes, bool little_endian) {
   return text;
 }
 
-// Windows-1252 is Latin-1 but for these; five bytes have no letter.
-constexpr std::u32string_view kFrom0x80 =
-    U"\u20ac\ufffd\u201a\u0192\u201e\u2026\u2020\u2021\u02c6\u2030\u0160\u2039\u0152\ufffd\u017d\ufffd"
-    U"\ufffd\u2018\u2019\u201c\u201d\u2022\u2013\u2014\u02dc\u2122\u0161\u203a\u0153\ufffd\u017e\u0178";
+}  // namespace
 
-std::string from_windows_1252(std::string_view bytes) {
-  std::string text;
-  for (const char c : bytes) {
-    const auto byte = static_cast<std::uint8_t>(c);
-    append(text, byte >= 0x80 && byte < 0xa0 ? kFrom0x80[byte - 0x80] : byte);
-  }
+std::optional<std::string> from_code_page(std::string_view bytes, const char* page) {
+  const iconv_t table = iconv_open("UTF-8", page);
+  if (reinterpret_cast<std::intptr_t>(table) == -1) return {};
+  std::string from(bytes), text(bytes.size() * 4, '\0');
+  char *in = from.data(), *out = text.data();
+  std::size_t in_left = from.size(), out_left = text.size();
+  const bool whole = iconv(table, &in, &in_left, &out, &out_left) == 0 && in_left == 0;
+  iconv_close(table);
+  if (!whole) return {};
+  text.resize(text.size() - out_left);
   return text;
 }
-
-}  // namespace
 
 Decoded decoded(std::string_view bytes, const std::string& file) {
   if (bytes.starts_with(kUtf8Mark)) {
@@ -134,7 +134,12 @@ Decoded decoded(std::string_view bytes, const std::string& file) {
             {file + ": is read as UTF-16 (" + (wide->little_endian ? "little" : "big") + "-endian)"}};
   }
   if (hair::valid_utf8(bytes) == bytes) return {std::string(bytes)};
-  return {from_windows_1252(bytes),
+  std::optional<std::string> western = from_code_page(bytes, "CP1252");
+  if (!western)
+    throw BadInput(
+        file +
+        ": is neither UTF-8 nor UTF-16 nor Windows-1252, and names in it would be others; save it as UTF-8");
+  return {std::move(*western),
           {file + ": is no UTF-8 and is read as Windows-1252, a guess; look at names that are not ASCII"}};
 }
 

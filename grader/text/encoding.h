@@ -2,6 +2,7 @@
 // their author in a sentence, with how to save them. Tables are decoded.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,13 +15,17 @@ std::string told_if_wide(std::string_view bytes, const std::string& file);
 // The first byte that is no text in UTF-8, as of a name in Latin-1, or a NUL. Empty if there is none.
 std::string told_of_stray_byte(std::string_view bytes, const std::string& file);
 
+// Bytes of a code page ("CP1252", "SHIFT_JIS") as UTF-8, by the system's tables. Nothing if some have no letter there, or if the system has
+// no such table.
+std::optional<std::string> from_code_page(std::string_view bytes, const char* page);
+
 struct Decoded {
   std::string text;                 // well-formed UTF-8 without a byte order mark; a NUL may be in it
   std::vector<std::string> said{};  // a line each: what it was decoded from, if it was no plain UTF-8
 };
 
 // UTF-8 and UTF-16, with a byte order mark and without. Windows-1252 is the guess for what is neither: spreadsheets in the west write
-// it. UTF-32 and half a UTF-16 unit throw BadInput with `file`.
+// it. UTF-32, half a UTF-16 unit and what is none of these throw BadInput with `file`.
 Decoded decoded(std::string_view bytes, const std::string& file);
 
 }  // namespace grader

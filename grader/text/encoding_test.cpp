@@ -78,5 +78,15 @@ TEST(Encoding, TellsTheFirstStrayByte) {
   }
 }
 
+TEST(Encoding, ACodePageIsReadWholeOrNotAtAll) {
+  EXPECT_EQ(from_code_page("L\xf6sung \x80", "CP1252"), "Lösung €");
+  EXPECT_EQ(from_code_page("L\x94sung", "CP437"), "Lösung");
+  EXPECT_EQ(from_code_page("\x89\xf0\x82\xad", "SHIFT_JIS"), "解く");
+  EXPECT_EQ(from_code_page("", "CP1252"), "");
+  EXPECT_EQ(from_code_page("a\x81", "CP1252"), std::nullopt) << "no letter";
+  EXPECT_EQ(from_code_page("a\x89", "SHIFT_JIS"), std::nullopt) << "half a letter";
+  EXPECT_EQ(from_code_page("a", "no such page"), std::nullopt);
+}
+
 }  // namespace
 }  // namespace grader
