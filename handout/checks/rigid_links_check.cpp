@@ -263,6 +263,21 @@ TEST(InwardInertias, OfAPendulumAreThoseOfItsRod) {
       << passes[0].inertia.M;
 }
 
+TEST(InwardInertias, BeginWithTheInertiaOfEachLinkTheBasesToo) {
+  Links links = pendulum(2, 0.5, 0);
+  links[0].inertia.M = 5 * Matrix3d::Identity();
+  Passes before(2);
+  for (LinkPass& pass : before) pass.inertia.M = 100 * Matrix3d::Identity();
+  const Passes passes = pass_2(links, one(0), before);
+  EXPECT_LE((passes[1].inertia.M - links[1].inertia.M).norm(), 1e-14)
+      << "the last link has nothing but its own inertia, whatever stood in its pass before";
+  EXPECT_LE((passes[0].inertia.M - Matrix3d(Vector3d(5, 7, 7).asDiagonal())).norm(), 1e-14)
+      << "M of I^A of a base of 5 kg, to which a pendulum of 2 kg hangs down that turns about y: diag(5, 7, "
+         "7), "
+         "and it is\n"
+      << passes[0].inertia.M;
+}
+
 // All blocks of I^A: however the base moves, it feels the sum of the forces that move all links.
 TEST(InwardInertias, AnswerEveryMotionOfTheBase) {
   const Links links = placed(kQ).links;

@@ -268,6 +268,13 @@ TEST(TouchStrip, WeighsHowMuchHairsCross) {
       << "tangents (0, 0.8, 0.6), y and z of corners with shares 0.5, 0.25 and 0.25";
 }
 
+TEST(TouchStrip, GivesAHairWithoutADirectionItsFullWeight) {
+  const Vector3d z(0, 0, 1), none = Vector3d::Zero();
+  EXPECT_NEAR(weight_of(none, {z, z, z}), 1, 1e-12) << "the point's tangent is 0, the strip's are z";
+  EXPECT_NEAR(weight_of(z, {z, none, none}), 0.5, 1e-12)
+      << "the tangents of two corners with shares of 0.25 are 0, all others are z";
+}
+
 TEST(TouchStrip, DoesNotAskForSigns) {
   const Vector3d z(0, 0, 1);
   EXPECT_NEAR(weight_of(-z, {z, z, z}), 0, 1e-12)
@@ -357,6 +364,15 @@ TEST(ApplyStripFriction, StopsThePointBesideCornersThatMove) {
   expect_entries(after_friction(above_triangle(0.05), inverse_mass, 10, v), expected, 1e-12,
                  "velocities after 10 s, inverse masses of corners 0.25, 1, 2 and of the point 0.5 / kg",
                  kRounding);
+}
+
+TEST(ApplyStripFriction, ChangesNothingWithoutFriction) {
+  StripLaw smooth = kLaw;
+  smooth.friction = 0;
+  const VectorXd x = above_triangle(0.05), before = scattered_vector(12, 3);
+  VectorXd v = before;
+  apply_strip_friction(std::vector{some_contact()}, smooth, Eigen::Vector4d(0.25, 1, 2, 0.5), 0.1, x, v);
+  EXPECT_EQ(v, before) << "velocities where mu is 0";
 }
 
 TEST(ApplyStripFriction, StopsAndDoesNotReverse) {

@@ -32,6 +32,9 @@ void inertias(Trial& trial) {
   for (int links : {1, 2, 3, 5, 8})
     for (const auto* types : {&kRevolute, &kRequired}) {
       Tree tree = random_tree(trial.random, {.links = links, .types = *types, .moves = false});
+      // The base has an inertia, too, and what a pass had before is nobody's.
+      tree.links[0].inertia = tree.links[1].inertia;
+      for (LinkPass& pass : tree.passes) pass.inertia = tree.links.back().inertia;
       const Sizes sizes = sizes_of(tree);
       reference_passes(tree, 1);
       const Answered answered = ask(trial, 2, tree);

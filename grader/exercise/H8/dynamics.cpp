@@ -80,12 +80,23 @@ void elasticity(Trial& trial) {
 }
 
 void forces(Trial& trial) {
-  for (const int elements : {1, 2, 5, 20}) {
-    const Hair hair = random_hair(trial.random, {.elements = elements});
-    VectorXd expected(3 * elements);
+  const auto expect_force = [&](const Hair& hair, const std::string& what) {
+    VectorXd expected(hair.q.size());
     hair::generalised_force(hair.motion.elements, hair.motion.points, expected);
-    trial.expect_at_most(worst(ask_force(trial, hair), expected, sizes_of(hair).force), kSums,
-                         "a generalised force");
+    trial.expect_at_most(worst(ask_force(trial, hair), expected, sizes_of(hair).force), kSums, what);
+  };
+  for (const int elements : {1, 2, 5, 20}) {
+    Hair hair = random_hair(trial.random, {.elements = elements});
+    expect_force(hair, "a generalised force");
+    if (elements == 1) continue;
+    // What pulls further out goes through elements without points.
+    const int bare = trial.random.integer(0, elements - 2);
+    for (const int first : {bare, 0}) {
+      std::erase_if(hair.motion.points, [&](const hair::HelixPoint& point) {
+        return point.element >= first && point.element <= bare;
+      });
+      expect_force(hair, "a generalised force where elements have no points");
+    }
   }
 }
 

@@ -105,6 +105,10 @@ void weights(Trial& trial) {
     expect_weight(near, "a strip, of whose hairs one runs back");
     for (int j = 0; j < 3; ++j) near.tangents.segment<3>(3 * j) = some_direction(random);
     expect_weight(near, "a strip whose hairs have different directions");
+    near.tangents.segment<3>(3 * (repeat % 3)).setZero();
+    expect_weight(near, "a strip, of whose hairs one has no direction");
+    near.tangents.tail<3>().setZero();
+    expect_weight(near, "a point whose hair has no direction");
   }
 }
 
@@ -157,6 +161,9 @@ void frictions(Trial& trial) {
                                  contacts.x, expected);
       trial.expect_at_most(worst(ask_friction(trial, first_pinned, h, v) - expected), 1e-10,
                            "the error of a velocity where the first contact is pinned");
+      Contacts smooth = contacts;
+      smooth.law.friction = 0;
+      trial.expect_at_most(worst(ask_friction(trial, smooth, h, v) - v), 0, "a velocity where mu is 0");
       v.setZero();
       trial.expect_at_most(worst(ask_friction(trial, contacts, h, v)), 0, "a velocity where nothing moves");
       contacts.inverse_mass.setZero();
