@@ -185,6 +185,48 @@ TEST_F(SlowWay, HasStudies) {
     EXPECT_TRUE(fs::exists(folder_ / "hair-assignment/head" / name)) << name << "\n" << ran.output;
 }
 
+// The lines of the first block of commands behind a heading of the README.
+std::vector<std::string> commands_behind(const std::string& readme, const std::string& heading) {
+  const std::size_t begin = readme.find("```\n", readme.find(heading)) + 4;
+  std::istringstream block(readme.substr(begin, readme.find("```", begin) - begin));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(block, line);) lines.push_back(line);
+  return lines;
+}
+
+// From an empty folder to hair of one's own in a browser: unpacking, two files that are written, and what the README says.
+TEST_F(SlowWay, IsShortToTheFirstHair) {
+  unpack();
+  const fs::path own = folder_ / "hair-assignment";
+  fs::create_directories(own / "student");
+  for (const char* file : {"explicit_integrators.cpp", "stretch_springs.cpp"})
+    fs::copy_file(sources_.root / "reference" / file, own / "student" / file);
+  const std::string readme = hair::bytes_of(own / "README.md");
+  std::vector<std::string> commands = commands_behind(readme, "\n## Look at your hair\n");
+  ASSERT_NE(readme.find("`hairlab view limp-hair`"), std::string::npos);
+  commands.emplace_back("build/hairlab view limp-hair");
+  EXPECT_LE(commands.size() + 2, 5u) << "with unpacking, and with the two files";
+  for (const std::string& command : commands) {
+    const Ran ran = run(command);
+    ASSERT_EQ(ran.code, 0) << command << "\n" << ran.output;
+    EXPECT_EQ(ran.output.find("not implemented"), std::string::npos) << "it is one's own: " << ran.output;
+  }
+  ASSERT_TRUE(fs::exists(own / "limp-hair.html"));
+  const Ran browser =
+      run("sh -c 'command -v chromium || exit 77; chromium --headless --no-sandbox --disable-gpu "
+          "--disable-quic --no-first-run "
+          "--disable-background-networking --disable-component-update --disable-sync --use-angle=swiftshader "
+          "--enable-unsafe-swiftshader --virtual-time-budget=3000 --dump-dom \"file://$PWD/limp-hair.html\" "
+          "2>/dev/null'");
+  if (browser.code == 77) GTEST_SKIP() << "there is no chromium; it is in the package chromium";
+  EXPECT_EQ(browser.code, 0);
+  EXPECT_NE(browser.output.find("limp-hair"), std::string::npos);
+  const std::size_t moment = browser.output.find("id=\"moment\"");
+  ASSERT_NE(moment, std::string::npos) << browser.output.substr(0, 2000);
+  EXPECT_NE(browser.output.substr(moment, 200).find(" s"), std::string::npos)
+      << "the page's script says the time that it shows: " << browser.output.substr(moment, 200);
+}
+
 // The second compiler: an exercise with its prerequisite, and the given code that its checks need. H4's need most of it, and are
 // left to the slow tests.
 void StudentsWay::pass_with_another_compiler(const std::string& exercise, int starts) {
