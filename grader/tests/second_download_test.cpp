@@ -168,6 +168,10 @@ TEST_F(SecondDownload, MoodlesParticipantsInABlindClassFindTheirPeople) {
   const string code = Record(root_ / "grades").codes().at("Teilnehmer_4713");
   EXPECT_EQ(Record(root_ / "grades").handed_in(code), "Tuesday, 4 March 2025, 10:15 AM");
 
+  // It is the same version, and nobody gives the table again.
+  EXPECT_TRUE(has(grade({"--only", code}).output, "1 graded"));
+  EXPECT_EQ(Record(root_ / "grades").handed_in(code), "Tuesday, 4 March 2025, 10:15 AM");
+
   ASSERT_EQ(run({"set", code, "S1", "5", "--why", "x"}).code, 0);
   const ProgramRun filled = run_hairgrade(
       {"gradebook", "moodle", "--grades", path("grades"), "--fill", sheet, "--out", path("filled.csv")});
