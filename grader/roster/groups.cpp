@@ -13,6 +13,7 @@ namespace {
 struct Group {
   std::string name;  // as the roster writes it
   std::vector<std::size_t> members;
+  std::string other = {};  // another one that a download would call the same: "Team 1-1" beside "Team 11"
 };
 using Groups = std::map<std::string, Group>;  // by the letters of the name
 
@@ -29,6 +30,7 @@ Groups groups_of(const Roster& roster) {
     for (const std::string& name : names)
       if (const std::string key = squeezed(name); !key.empty()) {
         Group& group = groups.try_emplace(key, Group{name, {}}).first->second;
+        if (lowered(name) != lowered(group.name)) group.other = name;
         if (group.members.empty() || group.members.back() != i) group.members.push_back(i);
       }
   }
@@ -49,6 +51,7 @@ Owner owner_of(const Person& person, const std::string& system) {
 
 // Why the hand-in is not the group's; "": it is.
 std::string doubt(const HandIn& hand_in, const std::string& key, const Group& group, const Roster& roster) {
+  if (!group.other.empty()) return "the group " + group.other + " would be called so, too";
   if (is_a_person(key, roster)) return "a person of the roster has this name, too";
   Owner one = hand_in.owner;
   one.group = false;

@@ -80,6 +80,11 @@ TEST(Groups, ANameThatIsAlsoSomethingElsesFindsNobody) {
     EXPECT_NE(said_of(named_as_a_person, {{"x", {.name = "Jane Doe", .id = "1"}, system}})
                   .find("a person of the roster has this name, too"),
               std::string::npos);
+  for (const char* system : {"canvas", "moodle"})
+    EXPECT_NE(said_of("id,name,group\n1,Jane Doe,Team 11\n2,Sam Lee,Team 1-1\n3,Ann Poe,team 11\n",
+                      {{"x", {.name = "team11", .id = "1"}, system}})
+                  .find("the group Team 1-1 would be called so, too"),
+              std::string::npos);
   // Canvas, where each member is graded alone.
   EXPECT_NE(said_of(kCanvas, {{"team7_4713", {.name = "team7", .id = "4713"}, "canvas"},
                               {"team7_4714", {.name = "team7", .id = "4714"}, "canvas"}})
