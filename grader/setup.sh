@@ -1,8 +1,8 @@
 #!/bin/sh
 # STAFF ONLY. Installs the Debian packages that are missing, then builds TARGETs in build/release.
-# Usage: grader/setup.sh [--with study|check|lint] [TARGET...]
+# Usage: grader/setup.sh [--with study|check|browser|lint] [TARGET...]
 #   Without --with: what grading and hairlab need. study: also what studies measure errors against. check: also the tests and
-#   benchmarks. lint: also what .ci/run needs.
+#   benchmarks. browser: also a browser that tests drive. lint: also what .ci/run needs.
 set -eu
 
 to_grade() {
@@ -48,6 +48,14 @@ libhwy-dev           # Highway: vectors of the engine for full heads
 LIST
 }
 
+to_browse() {
+  sed 's/#.*//' <<'LIST'
+chromium             # opens pages,
+chromium-driver      #   and does on them what
+python3-selenium     #   tests of pages ask for
+LIST
+}
+
 to_lint() {
   sed 's/#.*//' <<'LIST'
 ccache               # remembers what was compiled
@@ -59,7 +67,6 @@ libc++abi-dev        #   what students build compiles with it
 clang-tidy           # common mistakes, names,
 python3              #   and what runs it
 shellcheck           # these scripts
-chromium             # opens the pages that studies write
 LIST
 }
 
@@ -90,9 +97,10 @@ case $with in
   '') ;;
   study) wanted="$wanted $(to_study)" ;;
   check) wanted="$wanted $(to_study) $(to_check)" ;;
-  lint) wanted="$wanted $(to_study) $(to_check) $(to_lint)" ;;
+  browser) wanted="$wanted $(to_study) $(to_check) $(to_browse)" ;;
+  lint) wanted="$wanted $(to_study) $(to_check) $(to_browse) $(to_lint)" ;;
   *)
-    echo "grader/setup.sh: --with takes study, check or lint, not \"$with\"" >&2
+    echo "grader/setup.sh: --with takes study, check, browser or lint, not \"$with\"" >&2
     exit 2
     ;;
 esac
@@ -129,7 +137,7 @@ case $top in
 esac
 # Tests and benchmarks are built where their packages are, from the first time on that they were asked for.
 tests=
-if [ "$with" = check ] || [ "$with" = lint ]; then
+if [ "$with" = check ] || [ "$with" = browser ] || [ "$with" = lint ]; then
   tests=ON
 elif [ ! -f "$top/build/release/CMakeCache.txt" ]; then
   tests=OFF

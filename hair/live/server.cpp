@@ -98,7 +98,10 @@ class LiveServer::Parts {
         "text/event-stream",
         [this, place = MessageLog::Place()](std::size_t, httplib::DataSink& sink) mutable {
           const MessageLog::Message message = log_.next(place, kHeartbeat);
-          if (log_.closed()) return false;
+          if (log_.closed()) {
+            sink.done();
+            return true;
+          }
           const std::string text = message ? "data: " + *message + "\n\n" : ":\n\n";
           return sink.write(text.data(), text.size());
         },

@@ -24,7 +24,7 @@ function makeLiveMotion(told) {
 
 function watchSimulation() {
   const query = location.search, runs = [];
-  let orbit = null, stage = null, plots = [], going = true, dirty = false, whole = 0, usual = 0, shown = -1; // shown: a frame; -1: the newest
+  let orbit = null, stage = null, plots = [], going = true, over = false, dirty = false, whole = 0, usual = 0, shown = -1; // shown: a frame; -1: the newest
   const again = () => { dirty = true; };
   const state = (text) => told("state", text);
   const send = (command) => fetch(`command${query}`, { method: "POST", body: command })
@@ -32,7 +32,7 @@ function watchSimulation() {
 
   const settings = () => `${2 ** Number($("step-size").value)} ${10 ** Number($("stiffness").value)} ${$("method").value}`.trim();
   const restart = () => send(`restart ${settings()}`);
-  const toggle = () => send(going ? "pause" : "go");
+  const toggle = () => (over ? restart() : send(going ? "pause" : "go"));
   const step = () => send("step");
   const say = () => {
     told("step-words", usual > 0 ? `${few(usual * 2 ** Number($("step-size").value) * 1000)} ms` : "");
@@ -72,10 +72,10 @@ function watchSimulation() {
     say();
   };
 
-  const over = (message) => {
+  const hearState = (message) => {
     going = message.going;
-    told("play", going ? "Pause" : "Go on");
-    $("play").disabled = $("step").disabled = Boolean(message.ended);
+    over = Boolean(message.ended);
+    told("play", over ? "Start anew" : going ? "Pause" : "Go on");
     Object.assign(runs[0], { blow_up: message.blow_up, ended: message.ended });
     state(message.ended ? `${NAMES_OF_ENDS[message.ended]}${message.blow_up ? `: ${message.blow_up.text}` : ""}.` : going ? "running" : `paused after step ${message.steps}`);
     if (message.ended) writeWords(runs);
@@ -91,8 +91,8 @@ function watchSimulation() {
     },
     start: begin,
     frame(message) { runs[0].add(message); again(); },
-    state: over,
-    trouble(message) { state(message.text); $("play").disabled = $("step").disabled = true; },
+    state: hearState,
+    trouble(message) { state(message.text); going = false; told("play", "Start anew"); over = true; },
   };
   const events = new EventSource(`events${query}`);
   events.addEventListener("message", (event) => { const message = JSON.parse(event.data); hear[message.kind](message); });

@@ -13,6 +13,8 @@
 namespace hair {
 namespace {
 
+constexpr int kMostHeartbeats = 60;  // two minutes
+
 class Live {
  public:
   explicit Live(const std::string& hairlab, const std::string& scene = "strand-swing")
@@ -50,17 +52,19 @@ class Live {
     return answer ? answer->status : -1;
   }
 
-  // Events until one has `wanted` in it; all of them.
+  // Events until one has `wanted` in it, or until nothing more comes; all of them.
   std::string events_until(
       const std::string& wanted, const std::function<void()>& meanwhile = [] {}) const {
     httplib::Client client("http://" + host);
     client.set_read_timeout(600);
     std::string all;
     bool asked = false;
+    int quiet = 0;
     client.Get(("/events" + query).c_str(), own(), [&](const char* data, std::size_t size) {
       all.append(data, size);
       if (!std::exchange(asked, true)) meanwhile();
-      return all.find(wanted) == std::string::npos;
+      quiet = std::string_view(data, size).find("data:") == std::string_view::npos ? quiet + 1 : 0;
+      return quiet < kMostHeartbeats && all.find(wanted) == std::string::npos;
     });
     return all;
   }

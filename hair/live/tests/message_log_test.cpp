@@ -7,14 +7,19 @@ namespace {
 
 using std::chrono::milliseconds;
 
+std::string next(const MessageLog& log, MessageLog::Place& place) {
+  const MessageLog::Message message = log.next(place, milliseconds(0));
+  return message ? *message : "nothing";
+}
+
 TEST(MessageLog, GivesAReaderWhoComesLateTheWholeRun) {
   MessageLog log;
   log.begin("first");
   log.add("second");
   MessageLog::Place place;
-  EXPECT_EQ(*log.next(place, milliseconds(0)), "first");
-  EXPECT_EQ(*log.next(place, milliseconds(0)), "second");
-  EXPECT_EQ(log.next(place, milliseconds(0)), nullptr);
+  EXPECT_EQ(next(log, place), "first");
+  EXPECT_EQ(next(log, place), "second");
+  EXPECT_EQ(next(log, place), "nothing");
 }
 
 TEST(MessageLog, TakesReadersToTheNextRun) {
@@ -22,10 +27,10 @@ TEST(MessageLog, TakesReadersToTheNextRun) {
   log.begin("old");
   log.add("not read any more");
   MessageLog::Place place;
-  EXPECT_EQ(*log.next(place, milliseconds(0)), "old");
+  EXPECT_EQ(next(log, place), "old");
   log.begin("new");
-  EXPECT_EQ(*log.next(place, milliseconds(0)), "new");
-  EXPECT_EQ(log.next(place, milliseconds(0)), nullptr);
+  EXPECT_EQ(next(log, place), "new");
+  EXPECT_EQ(next(log, place), "nothing");
 }
 
 TEST(MessageLog, LetsNobodyWaitWhenItIsClosed) {

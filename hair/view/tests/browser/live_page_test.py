@@ -1,0 +1,69 @@
+# STAFF ONLY. The page of `hairlab live` in a browser.
+import os
+import signal
+import subprocess
+
+from browser import HAIRLAB, PageTest, main
+
+
+class LivePage(PageTest):
+    def setUp(self):
+        self.server = subprocess.Popen([HAIRLAB, "live", "strand-swing"], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        self.driver.get(self.server.stdout.readline().strip())
+        self.wait_for("return window.hairView && hairView.pictures > 0")
+
+    def tearDown(self):
+        self.server.send_signal(signal.SIGTERM)
+        self.assertEqual(self.server.wait(), 0)
+        self.server.stdout.close()
+        self.driver.get("about:blank")
+        self.complaints()  # of a page whose server ended
+
+    def wait_for_state(self, part):
+        self.wait_for("return document.getElementById('state').textContent.includes(arguments[0])", part)
+
+    def test_plays_to_its_end_without_complaints(self):
+        self.wait_for_state("It is over")
+        self.assertEqual(self.run_script("return hairView.runs[0].frames"), 91)
+        self.assertGreater(self.share_drawn(), 0.0005)
+        self.assertEqual(self.complaints(), [])
+
+    def test_has_no_sideways_scroll(self):
+        self.check_no_sideways_scroll()
+
+    def test_goes_by_keys_alone(self):
+        for name in ("picture", "play", "step", "restart", "time", "step-size", "stiffness", "method"):
+            self.assertIn(name, self.reached_by_tab())
+        self.go_to("picture")
+        self.press("r")
+        self.wait_for_state("running")
+        self.press(" ")
+        self.wait_for_state("paused after step")
+        before = self.text("state")
+        self.press(".")
+        step = int(before.split()[-1]) + 1
+        self.wait_for_state(f"paused after step {step}")
+        self.press(" ")
+        self.wait_for_state("It is over")
+
+    def test_says_where_it_blew_up_and_starts_anew(self):
+        self.run_script("""const method = document.getElementById("method");
+            method.value = "forward_euler"; method.dispatchEvent(new Event("change"))""")
+        self.wait_for_state("It blew up: strand 0, step ")
+        self.run_script("""const method = document.getElementById("method");
+            method.value = "implicit_euler"; method.dispatchEvent(new Event("change"))""")
+        self.wait_for_state("It is over")
+
+    def test_names_a_crash_and_goes_on_with_new_code(self):
+        self.go_to("restart")
+        self.press(" ")
+        self.wait_for_state("running")
+        children = subprocess.run(["pgrep", "-P", str(self.server.pid)], check=True, capture_output=True, text=True).stdout
+        os.kill(int(children.split()[0]), signal.SIGSEGV)
+        self.wait_for_state("The code crashed after step")
+        os.utime(HAIRLAB + "-live")
+        self.wait_for_state("It is over")
+
+
+if __name__ == "__main__":
+    main()
