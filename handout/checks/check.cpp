@@ -11,6 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "hint.h"
 #include "solver/matrix_market.h"
 #include "solver/not_implemented.h"
 
@@ -68,6 +69,12 @@ double residual_gap(double norm_of_A, double e, const Vector& solution, const Ve
   return (64 * (10 + 2 * e) + n) * std::ldexp(1.0, -53) * norm_of_A * (2 * norm(solution) + norm(b));
 }
 
+std::string hint_line(std::span<const double> actual, std::span<const double> expected, double bound,
+                      int block) {
+  const std::string told = hint(actual, expected, bound, block);
+  return told.empty() ? "" : "\nhint       = " + told;
+}
+
 void expect_near(const Vector& x, const Vector& solution, double bound, const std::string& source_of_bound) {
   ASSERT_EQ(x.size(), solution.size());
   const double error = norm(difference(x, solution));
@@ -75,7 +82,7 @@ void expect_near(const Vector& x, const Vector& solution, double bound, const st
   ADD_FAILURE() << "expected x = " << in_words(solution) << "\n"
                 << "actual   x = " << in_words(x) << "\n"
                 << "error      = " << error << ", the length of their difference\n"
-                << "bound      = " << bound << " = " << source_of_bound;
+                << "bound      = " << bound << " = " << source_of_bound << hint_line(x, solution, bound);
 }
 
 std::vector<Golden> read_golden(const std::string& exercise) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -57,6 +58,10 @@ std::string in_words(const Vector& x);
 // one product over u = 2^-53: no residual is longer than ||A|| X, and adding its n squares up rounds it by n
 // u at most.
 double residual_gap(double norm_of_A, double e, const Vector& solution, const Vector& b);
+
+// "\nhint       = ...", or "": the last line of a failure (hint.h).
+std::string hint_line(std::span<const double> actual, std::span<const double> expected, double bound,
+                      int block = 1);
 
 // Fails, with all that is needed to understand it, unless ||x - solution|| <= bound.
 void expect_near(const Vector& x, const Vector& solution, double bound, const std::string& source_of_bound);

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <sstream>
 
+#include "check.h"
+
 namespace checks {
 namespace {
 
@@ -78,7 +80,10 @@ void expect_entries(const VectorXd& actual, const VectorXd& expected, double bou
                 << "expected = " << expected[worst] << ", all of it: " << particles_in_words(expected) << "\n"
                 << "actual   = " << actual[worst] << ", all of it: " << particles_in_words(actual) << "\n"
                 << "error    = " << error << "\n"
-                << "bound    = " << bound << " = " << source_of_bound;
+                << "bound    = " << bound << " = " << source_of_bound
+                << hint_line({actual.data(), static_cast<std::size_t>(actual.size())},
+                             {expected.data(), static_cast<std::size_t>(expected.size())}, bound,
+                             actual.size() % 3 == 0 ? 3 : 1);
 }
 
 void expect_force(const VectorXd& actual, const Energy& energy, const VectorXd& x, double length,

@@ -69,7 +69,7 @@ if(NOT TARGET hair_golden)
 endif()
 
 if(NOT TARGET hair_check)
-  add_library(hair_check STATIC "${HAIR_HANDOUT_DIR}/checks/check.cpp" "${HAIR_HANDOUT_DIR}/checks/derivative.cpp")
+  add_library(hair_check STATIC "${HAIR_HANDOUT_DIR}/checks/check.cpp" "${HAIR_HANDOUT_DIR}/checks/derivative.cpp" "${HAIR_HANDOUT_DIR}/checks/hint.cpp")
   hair_check_code(hair_check)
   target_include_directories(hair_check PUBLIC "${HAIR_HANDOUT_DIR}/checks")
   target_compile_definitions(hair_check PRIVATE "HAIR_GOLDEN_DIR=\"${HAIR_GOLDEN_DIR}\"")

@@ -1,0 +1,102 @@
+// STAFF ONLY. Hints of the public checks: a mistake that numbers show is named, and other numbers get no hint.
+#include "handout/checks/hint.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <random>
+#include <vector>
+
+namespace {
+
+using Numbers = std::vector<double>;
+using checks::hint;
+
+constexpr double kBound = 1e-9;
+
+class Hints : public testing::Test {
+ protected:
+  Numbers numbers(std::size_t count) {
+    Numbers all(count);
+    for (double& value : all) value = normal_(random_);
+    return all;
+  }
+  std::string told(const Numbers& actual, const Numbers& expected, int block = 1) {
+    return hint(actual, expected, kBound, block);
+  }
+  // Off by rounding, as right results are.
+  Numbers times(double factor, Numbers all) {
+    for (double& value : all) value *= factor * (1 + 1e-14 * normal_(random_));
+    return all;
+  }
+
+  std::mt19937 random_{7};
+  std::normal_distribution<double> normal_;
+};
+
+TEST_F(Hints, NameAFactorOfAllNumbers) {
+  for (const std::size_t count : {2u, 3u, 12u, 100u}) {
+    const Numbers expected = numbers(count);
+    EXPECT_EQ(told(times(-1, expected), expected), "-1 times what was expected: a sign?");
+    EXPECT_EQ(told(times(2, expected), expected), "2 times what was expected: a factor?");
+    EXPECT_EQ(told(times(-0.5, expected), expected), "-0.5 times what was expected: a factor?");
+    EXPECT_EQ(told(times(1e-3, expected), expected), "0.001 times what was expected: a factor?");
+  }
+  EXPECT_EQ(told({4}, {2}), "") << "of one number there is always a factor";
+  EXPECT_EQ(told({4, 0, 0}, {2, 0, 0}), "") << "and where all others are 0";
+}
+
+TEST_F(Hints, NameAnEndThatIsWrong) {
+  const Numbers expected = numbers(15);
+  Numbers actual = expected;
+  actual[14] += 1;
+  EXPECT_EQ(told(actual, expected), "right but for the last entry: a loop's bound?");
+  EXPECT_EQ(told(actual, expected, 3), "right but for the last 3 entries: a loop's bound?");
+  actual[11] = 0;
+  EXPECT_EQ(told(actual, expected, 3), "right but for the last 6 entries: a loop's bound?")
+      << "fewer than half";
+  actual[8] = 0;
+  EXPECT_EQ(told(actual, expected, 3), "") << "more than half are no end";
+  actual = expected;
+  actual[0] = 0;
+  EXPECT_EQ(told(actual, expected, 3), "right but for the first 3 entries: a loop's bound?");
+  actual = expected;
+  actual[5] = 0;
+  EXPECT_EQ(told(actual, expected, 3), "") << "one in the middle";
+}
+
+TEST_F(Hints, NameWhatIsNoNumber) {
+  const Numbers expected = numbers(4);
+  Numbers actual = expected;
+  actual[2] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(told(actual, expected).find("entry 2 is no number"), 0u);
+  const std::uint64_t fresh = 0xfefefefefefefefe;
+  std::memcpy(&actual[1], &fresh, sizeof fresh);
+  EXPECT_EQ(told(actual, expected), "entry 1 was never set");
+  EXPECT_EQ(told(Numbers(4), expected), "all of it is 0: is the result written, or added, at all?");
+}
+
+TEST_F(Hints, NameSignsOfSomeEntries) {
+  Numbers expected = numbers(5), actual = expected;
+  actual[1] = -actual[1];
+  actual[3] = -actual[3];
+  EXPECT_EQ(told(actual, expected), "right but for signs of some entries");
+}
+
+// Noise, and results that are off by a little in all entries, say nothing. What is right says nothing, either.
+TEST_F(Hints, AreSilentWhereNothingIsClear) {
+  for (int repeat = 0; repeat < 1000; ++repeat) {
+    const Numbers expected = numbers(3 + repeat % 20);
+    EXPECT_EQ(told(numbers(expected.size()), expected), "");
+    Numbers actual = expected;
+    for (double& value : actual) value += 0.1 * normal_(random_);
+    EXPECT_EQ(told(actual, expected), "");
+    EXPECT_EQ(told(expected, Numbers(expected.size())), "") << "where 0 is expected";
+  }
+  EXPECT_EQ(told({}, {}), "");
+  EXPECT_EQ(told({1, 2}, {1}), "");
+}
+
+}  // namespace

@@ -1,0 +1,14 @@
+// What wrong numbers say of the mistake behind them, where they say it clearly.
+#pragma once
+
+#include <span>
+#include <string>
+
+namespace checks {
+
+// A sentence such as "-1 times what was expected: a sign?", or "" where nothing is clear. Numbers that differ by no more than
+// `bound` are the same. Of as many numbers in both, `block` at a time belong together: 3 to a particle, 1 to an unknown.
+std::string hint(std::span<const double> actual, std::span<const double> expected, double bound,
+                 int block = 1);
+
+}  // namespace checks
