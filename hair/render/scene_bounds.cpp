@@ -11,6 +11,7 @@
 namespace hair {
 namespace {
 
+constexpr double kTorn = 1.2;    // hair's start, of its length
 constexpr int kBetweenKeys = 8;  // poses that are looked at from one key to the next
 
 void add_ball(Bounds& bounds, const Vector3d& centre, double radius) {
@@ -20,10 +21,10 @@ void add_ball(Bounds& bounds, const Vector3d& centre, double radius) {
 
 // What is at most `reach` from a circle. Along each axis the circle goes as far as the axis leaves its
 // normal.
-void add_circle(Bounds& bounds, const particles::Wire& wire, double reach) {
-  const Vector3d half = wire.radius * (1 - wire.normal.array().square()).max(0).sqrt() + reach;
-  bounds.add(wire.centre - half);
-  bounds.add(wire.centre + half);
+void add_circle(Bounds& bounds, const Vector3d& centre, const Vector3d& normal, double radius, double reach) {
+  const Vector3d half = radius * (1 - normal.array().square()).max(0).sqrt() + reach;
+  bounds.add(centre - half);
+  bounds.add(centre + half);
 }
 
 // Above all planes.
@@ -61,6 +62,14 @@ double reach_of(const StrandStart& start) {
   return reach;
 }
 
+// A particle that starts so fast that its weight does not turn it back goes round on its arm.
+void add_orbit(Bounds& bounds, const Vector3d& arm, const Vector3d& velocity, const Vector3d& pivot,
+               const Vector3d& gravity) {
+  const Vector3d normal = arm.cross(velocity);
+  if (normal.norm() == 0 || velocity.squaredNorm() <= 4 * gravity.norm() * arm.norm()) return;
+  add_circle(bounds, pivot, normal.normalized(), arm.norm(), 0);
+}
+
 // A strand whose root is carried by `carry`.
 template <class Carry>
 void add_strand(Bounds& bounds, const Description& hair, const StrandStart& start, const Carry& carry) {
@@ -68,7 +77,12 @@ void add_strand(Bounds& bounds, const Description& hair, const StrandStart& star
   const double reach = reach_of(start);
   Bounds swing;
   for (int i = 0; i < start.strand.count(); ++i) {
-    add_swing(swing, carry(Vector3d(start.state.x.segment<3>(3 * i))), root, reach, hair.gravity);
+    const Vector3d at = carry(Vector3d(start.state.x.segment<3>(3 * i)));
+    add_swing(swing, at, root, reach, hair.gravity);
+    // Hair that starts torn flies up on the other side of its root.
+    if ((at - root).norm() > kTorn * reach) swing.add(root - reach * (at - root).normalized());
+    add_orbit(swing, at - root, start.state.v.segment<3>(3 * i) - start.state.v.head<3>(), root,
+              hair.gravity);
   }
   if (hair.drag > 0 && hair.wind.norm() > 0) swing.add(root + reach * hair.wind.stableNormalized());
   bounds.add(above(hair.obstacles, swing.low));
@@ -184,7 +198,8 @@ void add_toy(Bounds& bounds, const Toy& toy, double seconds) {
       add_swing(bounds, point, toy.start.x.segment<3>(3 * hold.by), hold.reach, toy.gravity);
     }
   }
-  for (const particles::Wire& wire : toy.constraints.wires) add_circle(bounds, wire, from_wires[wire.i]);
+  for (const particles::Wire& wire : toy.constraints.wires)
+    add_circle(bounds, wire.centre, wire.normal, wire.radius, from_wires[wire.i]);
   add_fall(bounds, toy, free, seconds);
 }
 

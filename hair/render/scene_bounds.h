@@ -8,7 +8,7 @@
 namespace hair {
 
 // The box contains the start positions and their motion by key frames; hair hanging from its roots or blown
-// by the wind; the mirrored side of swinging objects, which get no higher there; the whole wire of each bead;
+// by the wind; the circles of hair that starts too fast for its weight; the other side of torn hair; the mirrored side of swinging objects, which get no higher there; the whole wire of each bead;
 // and the fall of unsupported objects over the scene's duration.
 Bounds scene_bounds(const Scene& scene);
 

@@ -181,7 +181,7 @@ RunResult run_scene(const Scene& scene, const RunSettings& settings, const std::
   const SceneDrawing drawing(draws ? scene : bare, record.strands, cache_folder(),
                              pictures ? kCellsOfPicture : kCellsOfPage);
   const std::unique_ptr<Renderer> renderer = prepare_renderer(scene, settings, drawing, record, notes);
-  if (renderer && !scene.dense.empty()) {
+  if ((renderer || settings.only_shown) && !scene.dense.empty()) {
     const std::vector<int> idle = idle_guides(scene, drawing);
     record.guides_left_out = idle.size();
     playback->leave_out(idle);

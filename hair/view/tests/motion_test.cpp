@@ -5,26 +5,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "hair/view/tests/base64.h"
 #include "hair/view/view_page.h"
 
 namespace hair {
 namespace {
 
 using Json = nlohmann::json;
-
-std::string bytes_of_base64(const std::string& text) {
-  static const std::string letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string bytes;
-  unsigned bits = 0, held = 0;
-  for (const char letter : text) {
-    if (letter == '=') break;
-    bits = bits << 6 | static_cast<unsigned>(letters.find(letter));
-    if ((held += 6) < 8) continue;
-    held -= 8;
-    bytes += static_cast<char>(bits >> held & 255U);
-  }
-  return bytes;
-}
 
 // As the page reads it.
 Vector3d shown(const Json& motion, int frame, int point) {
