@@ -15,6 +15,7 @@ except ImportError:
     sys.exit(77)
 
 HAIRLAB = os.environ["HAIRLAB"]
+AXE = "axe-core@4.10.3"  # finds what keeps people from using a page
 WAIT = 300  # s; a machine may be busy
 
 # Debian's chromium without a card, and without the network.
@@ -80,6 +81,16 @@ class PageTest(unittest.TestCase):
                 self.assertEqual(wide, [])
                 self.assertLessEqual(self.run_script("return document.documentElement.scrollWidth"), width)
         self.driver.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
+
+    def check_no_findings_of_axe(self):
+        try:
+            subprocess.run(["npm", "install", "--no-save", "--no-package-lock", "--ignore-scripts", "--no-audit", "--no-fund", AXE], cwd=self.folder.name, check=True,
+                           capture_output=True)
+        except (OSError, subprocess.CalledProcessError):
+            self.skipTest(f"npm does not install {AXE}")
+        self.run_script(Path(self.folder.name, "node_modules/axe-core/axe.min.js").read_text(encoding="utf-8"))
+        self.assertEqual(self.driver.execute_async_script("""const [done] = arguments;
+            axe.run().then((found) => done(found.violations.map((one) => [one.id, one.impact, one.help, ...one.nodes.map((node) => node.html)])))"""), [])
 
     # The share of the picture that is hair, or something else than its background.
     def share_drawn(self):

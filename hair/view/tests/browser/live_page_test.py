@@ -31,6 +31,9 @@ class LivePage(PageTest):
     def test_has_no_sideways_scroll(self):
         self.check_no_sideways_scroll()
 
+    def test_has_no_findings_of_axe(self):
+        self.check_no_findings_of_axe()
+
     def test_goes_by_keys_alone(self):
         for name in ("picture", "play", "step", "restart", "time", "step-size", "stiffness", "method"):
             self.assertIn(name, self.reached_by_tab())

@@ -91,6 +91,9 @@ class ViewPage(PageTest):
             !(one.textContent.trim() && one.tagName === "BUTTON") && !one.getAttribute("aria-label") && !one.labels?.length).map((one) => one.id)""")
         self.assertEqual(unnamed, [])
 
+    def test_has_no_findings_of_axe(self):
+        self.check_no_findings_of_axe()
+
     def lose_context(self):
         self.run_script("window.card = document.getElementById('picture').getContext('webgl2').getExtension('WEBGL_lose_context'); card.loseContext()")
 
