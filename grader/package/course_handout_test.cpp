@@ -145,6 +145,25 @@ TEST_F(RealProject, NamesExercisesInTheOrderOfRewardThatPlayTheirScenes) {
   EXPECT_GE(items, 5);
 }
 
+// The scene of show-X calls X, and ships. Studies show the solver.
+TEST_F(RealProject, ShowsEachExerciseByASceneThatCallsIt) {
+  const std::string scenes = hair::bytes_of(sources_.golden / "scenes.md");
+  static const std::regex view("view ([a-z-]+) --with reference");
+  for (const Exercise& exercise : course_.exercises) {
+    std::smatch found;
+    if (!std::regex_match(exercise.show, found, view)) {
+      EXPECT_TRUE(exercise.show.starts_with("solver ")) << exercise.id << ": " << exercise.show;
+      continue;
+    }
+    const std::string name = "| [" + found[1].str() + "](" + found[1].str() + ".json) | ";
+    const std::size_t at = scenes.find(name);
+    ASSERT_NE(at, std::string::npos) << exercise.id << ": " << exercise.show;
+    const std::size_t begin = at + name.size();
+    const std::string called = ", " + scenes.substr(begin, scenes.find(" |", begin) - begin) + ",";
+    EXPECT_NE(called.find(", " + exercise.id + ","), std::string::npos) << exercise.id << ": " << called;
+  }
+}
+
 // Commands play scenes that are there, and nobody is asked to look at, study or copy another.
 void expect_scenes_to_play(const Files& files, const std::vector<ManifestLine>& all) {
   for (const ManifestLine& line : all) {

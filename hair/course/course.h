@@ -28,6 +28,7 @@ struct Exercise {
   std::string header;                      // the header with their contract, relative to the project's root
   std::string text;                        // the assignment text, relative to handout/
   std::string checks;                      // the public checks, relative to handout/
+  std::string show;                        // what hairlab is asked to show it: "view limp-hair"; "": nothing
   std::vector<std::string> prerequisites;  // ids of exercises whose functions it calls
   std::vector<std::string> libraries;      // allowed besides the standard library: "eigen"
   double points = 0;

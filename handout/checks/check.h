@@ -85,7 +85,7 @@ struct Function {
 };
 
 // Runs the tests, but not those of a function that is not implemented: of that it says so, in one line, and
-// fails.
+// fails. The target check-X says at the end how to see what the exercise does (HAIR_SHOW).
 int run(int argc, char** argv, const std::vector<Function>& functions);
 
 }  // namespace checks
