@@ -3,8 +3,8 @@
 //   team7_4713_90020_lab.zip          Canvas: the group's name, the number of the one who handed in
 //   Team 7_55_assignsubmission_file/  Moodle: the group's name and number
 //
-// A hand-in is a group's if it is called as one group of the roster alone, and as no person. In Canvas's download its number is a member's, too:
-// a section may have the same name.
+// A hand-in is a group's if it is called as one group of the roster alone, and as no person. In Canvas's download its number is a
+// member's, too: a section may have the same name.
 #pragma once
 
 #include <string>
