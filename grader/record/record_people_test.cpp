@@ -19,7 +19,7 @@ TEST(PeopleInTheRecord, ComeBackAndMakeTheClass) {
                    .members = {{"A", "1", "a@u.de"}, {"B", "2", ""}}};
   const std::vector<HandIn> hand_ins{
       {"doe", {.name = "", .id = "x", .email = "", .anonymous = true}, "canvas"}, {"team", team, "moodle"}};
-  const Roster roster(parse_csv("id,name,email,section\n1,A,a@u.de,x\n3,Zoë,,y\n", "r.csv"));
+  const Roster roster(parse_csv("id,name,email,section,group\n1,A,a@u.de,x,Team 7\n3,Zoë,,y,\n", "r.csv"));
   {
     Record record(folder.path());
     EXPECT_FALSE(record.class_list());
@@ -33,6 +33,11 @@ TEST(PeopleInTheRecord, ComeBackAndMakeTheClass) {
   }
   Record record(folder.path());
   record.put_people({hand_ins[1]});  // the others stay
+  record.put_people({hand_ins[1], {"new", {.name = "New"}, "canvas"}}, {}, "team");
+  EXPECT_THROW(record.drawn_from("new"), BadInput) << "nobody asked for this one";
+  ASSERT_EQ(record.roster().value().size(), 2u);
+  EXPECT_EQ(record.roster()->at(0).group, "Team 7");
+  EXPECT_EQ(record.roster()->at(1).group, "");
   const std::vector<HandIn> found = record.hand_ins();
   ASSERT_EQ(found.size(), 2u);
   EXPECT_EQ(found[0].owner.id, "x");

@@ -82,7 +82,11 @@ TEST(RowNames, StayForTheSamePeople) {
             (std::vector<std::string>{"a", "b"}));
   EXPECT_EQ(names_of(rows({{"roe_1", {.name = "Roe", .id = "9"}, "canvas"}})),
             std::vector<std::string>{"doe_1"});
-  EXPECT_EQ(names_of(rows({{"Jane_Doe", {.name = "Jane_Doe"}, "folders"}})),
+  HandIn with_others = group("team_9", "9", {"9", "10"});
+  with_others.system = "canvas";
+  EXPECT_EQ(names_of(rows({with_others})), std::vector<std::string>{"team_9"})
+      << "others have not what one was graded for";
+  EXPECT_EQ(names_of(rows({{"Jane_Doe", {.name = "Jane Doe"}, "folders"}})),
             std::vector<std::string>{"Jane_Doe"})
       << "a name alone is no evidence";
   // The same name, and somebody who has left: it is the group of that name still.
