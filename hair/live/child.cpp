@@ -1,5 +1,6 @@
 #include "hair/live/child.h"
 
+#include <cxxabi.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -16,6 +17,8 @@
 namespace hair {
 
 namespace {
+
+constexpr int kTurnsForAnAnswer = 25;
 
 std::array<int, 2> make_pipe() {
   std::array<int, 2> ends{};
@@ -90,6 +93,11 @@ std::optional<std::string> Child::next(int milliseconds) {
     steps_ = std::atol(line->c_str() + 2);
     return {};
   }
+  if (line->empty()) return {};
+  if (line->starts_with("@ ")) {
+    read_whereabouts(*line);
+    return {};
+  }
   const std::string kind = leading_word(*line);
   has_trouble_ = has_trouble_ || kind == R"({"kind":"trouble")";
   if (const std::size_t at = line->find("\"steps\":");
@@ -98,8 +106,21 @@ std::optional<std::string> Child::next(int milliseconds) {
   return line;
 }
 
+// "@ H6 _ZN4hair7correctEv"
+void Child::read_whereabouts(const std::string& line) {
+  const std::size_t space = line.find(' ', 2);
+  where_ = " in " + line.substr(2, space - 2);
+  if (space == std::string::npos || space + 1 == line.size()) return;
+  const std::string name = line.substr(space + 1);
+  int status = 0;
+  char* const readable = abi::__cxa_demangle(name.c_str(), nullptr, nullptr, &status);
+  const std::string function = status == 0 ? readable : name;
+  std::free(readable);
+  where_ += " (" + function.substr(0, function.find('(')) + ")";
+}
+
 std::string Child::after() const {
-  return steps_ == 0 ? "before the first step was over" : "after step " + std::to_string(steps_);
+  return where_ + (steps_ == 0 ? " before the first step was over" : " after step " + std::to_string(steps_));
 }
 
 std::optional<std::string> Child::ended() {
@@ -108,17 +129,19 @@ std::optional<std::string> Child::ended() {
   if (waitpid(process_, &status, WNOHANG) != process_) return {};
   process_ = -1;
   if (has_trouble_ || stopped_) return "";
-  if (WIFSIGNALED(status)) return "The code crashed " + after() + ": " + words_of(WTERMSIG(status)) + ".";
-  return "The code ended the program " + after() + ", with exit code " + std::to_string(WEXITSTATUS(status)) +
+  if (WIFSIGNALED(status)) return "The code crashed" + after() + ": " + words_of(WTERMSIG(status)) + ".";
+  return "The code ended the program" + after() + ", with exit code " + std::to_string(WEXITSTATUS(status)) +
          ".";
 }
 
 std::optional<std::string> Child::stop_if_silent(std::chrono::seconds longest) {
-  if (!has_begun_) longest *= 6;
+  if (!has_begun_) longest *= 3;
   if (process_ <= 0 || stopped_ || std::chrono::steady_clock::now() - heard_ < longest) return {};
   stopped_ = true;
+  kill(process_, SIGUSR1);
+  for (int i = 0; i < kTurnsForAnAnswer && where_.empty(); ++i) next(20);
   kill(process_, SIGKILL);
-  return "The code did not come back " + after() + ", for " + std::to_string(longest.count()) +
+  return "The code did not come back" + after() + ", for " + std::to_string(longest.count()) +
          " s, and was ended: an endless loop?";
 }
 

@@ -28,16 +28,18 @@ class Child {
   // How it ended, in a sentence, once it has; for one whose trouble is told already, an empty one.
   std::optional<std::string> ended();
 
-  // Ends it if it was silent for `longest`; or, before its first message, six times as long. A sentence about that, once.
+  // Ends it if it was silent for `longest`; or, before its first message, three times as long. A sentence about that, once.
   std::optional<std::string> stop_if_silent(std::chrono::seconds longest);
 
  private:
-  std::string after() const;  // "after step 17"
+  void read_whereabouts(const std::string& line);
+  std::string after() const;  // " in H6 (hair::correct) after step 17"
 
   int to_ = -1, from_ = -1;
   std::optional<CommandsIn> messages_;
   pid_t process_ = -1;  // -1: it has ended
   long steps_ = 0;
+  std::string where_;  // " in H6 (hair::correct)"
   bool has_begun_ = false, has_trouble_ = false, stopped_ = false;
   std::chrono::steady_clock::time_point heard_;
 };

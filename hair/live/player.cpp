@@ -20,6 +20,7 @@
 #include "hair/lab/stub.h"
 #include "hair/live/commands_in.h"
 #include "hair/live/live_settings.h"
+#include "hair/live/whereabouts.h"
 #include "hair/render/scene_drawing.h"
 #include "hair/scene/playback.h"
 #include "solver/not_in_course.h"
@@ -234,6 +235,7 @@ int play_for_page(const std::string& scene, const Course& course) {
   signal(SIGINT, SIG_IGN);  // the terminal sends it to both; the server ends this process
   const int out = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 3);
   dup2(STDERR_FILENO, STDOUT_FILENO);
+  say_whereabouts(out);
   Lines lines(out);
   CommandsIn commands(STDIN_FILENO);
   return play(scene, course, commands, lines);

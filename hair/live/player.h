@@ -6,6 +6,7 @@
 //   {"kind":"state", ...}   "going"; "ended" and "blow_up" as in the motion, if it is over
 //   {"kind":"trouble", ...} "text": why it can't be played, or goes on no more
 //   . 17                    steps so far: at least one such line a second while the code returns
+//   @ H6 FUNCTION           where it is (whereabouts.h)
 //
 // Text that the exercises' code prints goes to the standard errors.
 #pragma once

@@ -52,6 +52,19 @@ TEST_F(ChildTest, NamesACrashAndTheStepsBefore) {
             "its own.");
 }
 
+TEST_F(ChildTest, NamesTheExerciseWhereItCrashed) {
+  Child child(shell("echo '. 16'; echo; echo '@ H6 _ZN4hair7correctEv'; kill -SEGV $$"), "1 1");
+  EXPECT_TRUE(whole_life(child).end.starts_with("The code crashed in H6 (hair::correct) after step 16: "));
+}
+
+TEST_F(ChildTest, AsksAnEndlessLoopWhereItIs) {
+  Child child(shell("trap \"echo '@ P1 '\" USR1; echo ready; while :; do :; done"), "1 1");
+  while (!child.next(20)) continue;
+  const std::optional<std::string> stopped = child.stop_if_silent(std::chrono::seconds(0));
+  ASSERT_TRUE(stopped);
+  EXPECT_TRUE(stopped->starts_with("The code did not come back in P1 before")) << *stopped;
+}
+
 TEST_F(ChildTest, NamesAnAbort) {
   Child child(shell("kill -ABRT $$"), "1 1");
   EXPECT_TRUE(
