@@ -1,9 +1,12 @@
 #include "hair/live/live.h"
 
+#include <chrono>
 #include <deque>
 #include <iostream>
 #include <mutex>
+#include <optional>
 #include <system_error>
+#include <thread>
 
 #include "hair/io/files/json_text.h"
 #include "hair/live/child.h"
@@ -21,7 +24,7 @@ constexpr int kTurnsBetweenLooks = 8;  // at the program's file
 constexpr const char* kUsualSettings = "1 1";
 constexpr std::string_view kRestart = "restart ";
 
-// What pages ask for, from the server's threads to ours.
+// Commands of pages, from the server's threads to ours.
 class Commands {
  public:
   void put(const std::string& command) {

@@ -16,7 +16,7 @@ class MessageLog {
  public:
   using Message = std::shared_ptr<const std::string>;
 
-  // Where a reader is.
+  // A reader's position.
   struct Place {
     long run = 0;
     std::size_t next = 0;

@@ -11,8 +11,7 @@ class ProgramFile {
 
   const std::filesystem::path& path() const { return path_; }
 
-  // Whether another file lies there than at the last time that this was true. A file that is still being written does not count: call it some
-  // times a second.
+  // True once for each other file that lies there. A file that is still being written does not count: call it some times a second.
   bool is_new();
 
  private:

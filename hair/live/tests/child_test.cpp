@@ -5,7 +5,6 @@
 #include <signal.h>
 
 #include <cerrno>
-#include <thread>
 
 namespace hair {
 namespace {
@@ -14,7 +13,7 @@ std::vector<std::string> shell(const std::string& script) {
   return {"/bin/sh", "-c", script};
 }
 
-// What it says, until it has ended.
+// Its messages, until it has ended.
 struct Life {
   std::vector<std::string> messages;
   std::string end;

@@ -5,6 +5,8 @@
 
 #include <fstream>
 #include <functional>
+#include <stdexcept>
+#include <utility>
 
 #include "hair/io/files/read_file.h"
 #include "hair/io/files/start_program.h"

@@ -66,7 +66,7 @@ function uploadMotion(gl, motion) {
   };
 }
 
-// Whether a program does the card's work.
+// True where a program does the card's work.
 function drawnByProgram() {
   const gl = document.createElement("canvas").getContext("webgl2");
   if (!gl) return true;

@@ -37,7 +37,7 @@ function makeOrbit(camera) {
       this.target = add(this.target, scaled(-up * metres, [view[1], view[5], view[9]]));
       this.touch();
     },
-    // Of the height, so that a narrow picture shows what a wide one does, rad.
+    // rad, of the height: a narrow picture shows as much as a wide one.
     fieldOfView(aspect) {
       return 2 * Math.atan(Math.tan(camera.field_of_view / 2) * Math.max(1, camera.aspect / aspect));
     },

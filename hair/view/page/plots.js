@@ -1,4 +1,4 @@
-// What was measured, over the time of the motion. All plots have the same time axis; a click goes to that time.
+// Plots over the time of the motion. All plots have the same time axis; a click goes to that time.
 
 const PLOT = { left: 64, right: 8, top: 8, bottom: 20 };
 
