@@ -91,21 +91,21 @@ class SmallProject : public testing::Test {
 TEST_F(SmallProject, ShipsStubsOfAssignedAndOptionalExercises) {
   course_.exercises[1].role = Role::optional;
   const Files shipped = files();
-  EXPECT_EQ(shipped.at("stubs/f.cpp"), "int f();\n");
-  EXPECT_EQ(shipped.at("stubs/g.cpp"), "int g();\n");
+  EXPECT_EQ(shipped.at("stubs/f.cpp.stub"), "int f();\n");
+  EXPECT_EQ(shipped.at("stubs/g.cpp.stub"), "int g();\n");
   EXPECT_EQ(shipped.at("checks/golden/g.mtx"), "1 1 1\n");
 }
 
 TEST_F(SmallProject, ShipsAGivenExerciseSolvedAndPassesItsGates) {
   course_.exercises[0].role = Role::given;
-  EXPECT_EQ(files().at("stubs/f.cpp"), kSolved);
+  EXPECT_EQ(files().at("stubs/f.cpp.stub"), kSolved);
   EXPECT_EQ(complaint(), "");
 }
 
 TEST_F(SmallProject, LeavesOutAllButTheListsEntryOfAnAbsentExercise) {
   course_.exercises[1].role = Role::absent;
   const Files shipped = files();
-  EXPECT_FALSE(shipped.contains("stubs/g.cpp") || shipped.contains("checks/golden/g.mtx"));
+  EXPECT_FALSE(shipped.contains("stubs/g.cpp.stub") || shipped.contains("checks/golden/g.mtx"));
   for (const auto& [path, text] : shipped)
     EXPECT_TRUE(path == "exercises.json" || text.find("E2") == std::string::npos) << path;
   EXPECT_EQ(nlohmann::json::parse(shipped.at("exercises.json"))["exercises"][1]["role"], "absent");
@@ -150,7 +150,7 @@ TEST_F(SmallProject, ClosesForReferenceLinesInAText) {
 TEST_F(SmallProject, AGivenExerciseOpensNothingElse) {
   course_.exercises[0].role = Role::given;
   write("handout/student/g.cpp", kSolved.substr(kSolved.find('\n')));
-  EXPECT_NE(complaint().find("stubs/g.cpp"), std::string::npos);
+  EXPECT_NE(complaint().find("stubs/g.cpp.stub"), std::string::npos);
 }
 
 TEST_F(SmallProject, LeavesTheOldArchiveWhenAGateCloses) {

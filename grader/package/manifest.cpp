@@ -80,7 +80,7 @@ void add_exercise(Lines& lines, const Exercise& exercise) {
 }  // namespace
 
 std::string stub_of(const Exercise& exercise) {
-  return "stubs/" + exercise.file;
+  return "stubs/" + exercise.file + ".stub";
 }
 
 std::vector<ManifestLine> read_manifest(const fs::path& root, const Course& course) {

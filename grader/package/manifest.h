@@ -16,7 +16,8 @@ struct ManifestLine {
   std::string where;        // "handout/manifest.txt:12", for messages
 };
 
-// Where an exercise's file lies in the handout, which the handout's build copies to student/ if it is not there.
+// Where an exercise's file lies in the handout, "stubs/conj_grad.cpp.stub": the handout's build copies it to student/ if it is not there.
+// Its name is no exercise file's: a hand-in may hold the whole handout.
 std::string stub_of(const Exercise& exercise);
 
 // The files for this course: those of its exercises (exercises.json), and those that the lines of root/handout/manifest.txt and the

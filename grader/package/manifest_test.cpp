@@ -55,7 +55,7 @@ std::string complaint(const std::string& text) {
 using Destinations = std::set<std::string>;
 
 // What exercises.json says of S1.
-const Destinations kExercise = {"assignment/S1.md", "checks/s_check.cpp", "solver/s.h", "stubs/s.cpp"};
+const Destinations kExercise = {"assignment/S1.md", "checks/s_check.cpp", "solver/s.h", "stubs/s.cpp.stub"};
 
 TEST(Manifest, PutsTheHandoutOnTopAndGivenCodeBelowGiven) {
   const auto lines = read(

@@ -129,14 +129,15 @@ void Record::put(const Recorded& one, const HandedIn& handed_in) {
   const std::int64_t id = person(result.name, result.name), assignment = this->assignment();
   database_.run("INSERT OR REPLACE INTO results VALUES (?, ?, ?, ?, ?, ?, ?)",
                 {assignment, id, result.origin, text, study, beside, costs});
-  // A table of times is not given each time.
-  const std::string time = !handed_in.time.empty() || handed_in.files.empty()
-                               ? handed_in.time
-                               : database_.text(
-                                     "SELECT handed_in FROM hand_ins WHERE assignment = ? AND person = ? AND "
-                                     "files = ? ORDER BY id "
-                                     "DESC LIMIT 1",
-                                     {assignment, id, handed_in.files});
+  // A table of times is not given each time. Rows of older records don't say which files they had: the newest one counts there, so that
+  // nobody becomes later.
+  std::string time = handed_in.time;
+  for (const std::string& files : {handed_in.files, std::string()})
+    if (time.empty() && !handed_in.files.empty())
+      time = database_.text(
+          "SELECT handed_in FROM hand_ins WHERE assignment = ? AND person = ? AND files = ? ORDER BY id DESC "
+          "LIMIT 1",
+          {assignment, id, files});
   database_.run(
       "INSERT OR REPLACE INTO hand_ins (assignment, person, origin, fingerprint, handed_in, files, "
       "marked_late) VALUES (?, ?, ?, ?, ?, ?, ?)",

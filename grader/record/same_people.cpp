@@ -120,9 +120,8 @@ std::vector<RowName> row_names(const std::vector<Drawn>& before, const std::vect
       if (keeps_its_row(found[i]->hand_in, hand_in)) {
         row = {was, hand_in.name + ": is " + was + " under another name, and keeps its row"};
       } else if (hand_in.owner.group && found[i]->hand_in.owner.group) {
-        row.told = hand_in.name + ": is " + was +
-                   " without somebody who was in it, and has a row of its own; " + "decisions about " + was +
-                   " stay there";
+        row.told = hand_in.name + ": is " + was + ", but somebody has left it, and has a row of its own; " +
+                   "decisions about " + was + " stay there";
       }
     }
     if (row.name == hand_in.name && was != hand_in.name && rows.contains(hand_in.name))

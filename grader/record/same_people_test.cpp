@@ -98,7 +98,7 @@ TEST(RowNames, AreNewWhereSomebodyHasLeftOrOthersHaveTheName) {
   const std::vector<RowName> left = row_names(before, {group("c", "", {"1", "2"})});
   EXPECT_EQ(names_of(left), std::vector<std::string>{"c"});
   EXPECT_EQ(left[0].told,
-            "c: is a without somebody who was in it, and has a row of its own; decisions about a stay there");
+            "c: is a, but somebody has left it, and has a row of its own; decisions about a stay there");
   EXPECT_EQ(names_of(row_names(before, {{"M1_1", {.name = "M1", .id = "1"}, "gradescope"}})),
             std::vector<std::string>{"M1_1"})
       << "one alone has not what others were graded for";

@@ -1,6 +1,7 @@
 // STAFF ONLY. Reads about.txt.
 #include "grader/report/about.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <sstream>
@@ -11,15 +12,19 @@ namespace grader {
 namespace {
 
 struct Question {
-  const char* word;
+  const char *whole, *word;  // as the handout asks, and what may be left of it
   std::string About::*answer;
 };
-constexpr std::array<Question, 4> kQuestions = {{{"hours", &About::hours},
-                                                 {"hardest", &About::hardest},
-                                                 {"unclear", &About::unclear},
-                                                 {"handout", &About::handout}}};
+constexpr std::array<Question, 3> kQuestions = {
+    {{"hours of work, about", "hours", &About::hours},
+     {"hardest exercise, and why", "hardest", &About::hardest},
+     {"unclear in texts, headers or checks", "unclear", &About::unclear}}};
 constexpr double kMostHours = 1000;
 constexpr std::size_t kLongest = 2000;  // of an answer, in bytes
+
+bool is_version(const std::string& text) {
+  return text.size() == 8 && text.find_first_not_of("0123456789abcdef") == text.npos;
+}
 
 }  // namespace
 
@@ -28,12 +33,17 @@ About read_about(const std::string& text) {
   std::string About::*asked = nullptr;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
-    const std::string low = lowered(line);
-    const std::size_t colon = line.find(':');
+    const std::size_t colon = std::min(line.find(':'), line.size());
+    const std::string before = lowered(line.substr(0, colon)),
+                      behind = composed(line.substr(std::min(colon + 1, line.size())));
+    if (before == "handout" && is_version(behind)) {
+      about.handout = behind;
+      continue;
+    }
     for (const Question& question : kQuestions)
-      if (low.starts_with(question.word) && colon != std::string::npos) {
+      if (colon < line.size() && (before == question.whole || before == question.word)) {
         asked = question.answer;
-        line = line.substr(colon + 1);
+        line = behind;
         break;
       }
     if (asked != nullptr) about.*asked += " " + line;

@@ -16,6 +16,8 @@ TEST(About, AnswersEndAtTheNextQuestion) {
       "two solves\nUnclear in texts, headers or checks:\n\nHandout: 3f2a91c0\n");
   EXPECT_EQ(about, (About{"12", "H6, the filter: two solves", "", "3f2a91c0"}));
   EXPECT_EQ(read_about(""), About());
+  EXPECT_EQ(read_about("Unclear:\nHandout page 3: what is epsilon?\nHours later I saw: a sign."),
+            (About{"", "", "Handout page 3: what is epsilon? Hours later I saw: a sign.", ""}));
   EXPECT_EQ(read_about("It was fun: really."), About());
   EXPECT_EQ(read_about("Hours:\xff\x1b[31m3\n").hours,
             "\xef\xbf\xbd"
@@ -56,15 +58,15 @@ SubmissionResult says(const std::string& about) {
 }
 
 TEST(AboutSection, CountsAndNamesNobody) {
-  EXPECT_EQ(about_section({says(""), says("Handout: a\n")}).text, "");
+  EXPECT_EQ(about_section({says(""), says("Handout: aaaaaaaa\n")}).text, "");
   const std::string section =
-      about_section({says("Hours: 4\nHardest: H6 and H1\nUnclear: zeta <b>\nHandout: a"),
-                     says("Hours: 20\nHardest: H6\nHandout: b"),
+      about_section({says("Hours: 4\nHardest: H6 and H1\nUnclear: zeta <b>\nHandout: aaaaaaaa"),
+                     says("Hours: 20\nHardest: H6\nHandout: bbbbbbbb"),
                      says("Hours: 9\nHardest: H10\nUnclear: alpha"), says("")})
           .text;
   for (const char* part :
        {"3 of 4 answered", "median 9, from 4 to 20", "Named as the hardest: H6 2, H1 1, H10 1.",
-        "Made with several handouts: a (1), b (1).", "zeta &lt;b&gt;"})
+        "Made with several handouts: aaaaaaaa (1), bbbbbbbb (1).", "zeta &lt;b&gt;"})
     EXPECT_NE(section.find(part), std::string::npos) << part << "\n" << section;
   EXPECT_LT(section.find("alpha"), section.find("zeta")) << "in another order than people";
   EXPECT_EQ(section.find("somebody"), std::string::npos);

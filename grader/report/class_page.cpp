@@ -131,7 +131,7 @@ std::string class_page(const Results& results, const ClassFacts& facts, const Na
   Html body = stamps(least_isolation(results), all_with_images(results));
   body += run_section(facts.run);
   body += html(
-      "<header>\n<h1>Grades of the class</h1>\n<p class=\"total\"><strong>{}</strong> of {} points on "
+      "<header>\n<h1>Grades of the class</h1>\n<p class=\"total\"><strong>{}</strong>{} on "
       "average, median {}, {} people</p>\n"
       "<p class=\"quiet\"><a href=\"grades.csv\">grades.csv</a> &#183; <a "
       "href=\"junit.xml\">junit.xml</a> &#183; <a href=\"costs.html\">what grading cost</a></p>\n"
@@ -139,8 +139,9 @@ std::string class_page(const Results& results, const ClassFacts& facts, const Na
       "href=\"#exercises\">Exercises</a> <a "
       "href=\"#distribution\">Distribution</a> <a "
       "href=\"#categories\">Categories</a></nav>\n</header>\n<main>\n",
-      {shown_points(mean(totals)), shown_points(reachable), shown_points(timing::median(totals)),
-       results.size(), link_to_pictures});
+      {shown_points(mean(totals)),
+       reachable > 0 ? " of " + shown_points(reachable) + " points" : std::string(" points of extra credit"),
+       shown_points(timing::median(totals)), results.size(), link_to_pictures});
   body += people_section(facts.people);
   body += left_over_section(facts.listed, people);
   body += late_section(facts, people);

@@ -21,7 +21,8 @@ using Groups = std::map<std::string, Group>;  // by the letters of the name
 Groups groups_of(const Roster& roster) {
   Groups groups;
   for (std::size_t i = 0; i < roster.people().size(); ++i) {
-    const std::string& cell = roster.people()[i].group;
+    std::string cell = roster.people()[i].group;
+    cell.erase(cell.find_last_not_of(",; ") + 1);
     std::set<std::string> names{cell};
     for (std::size_t begin = 0, end = 0; end != cell.npos; begin = end + 1) {
       end = cell.find_first_of(",;", begin);
@@ -83,8 +84,8 @@ std::vector<std::string> find_members(std::vector<HandIn>& hand_ins, const Roste
     const std::string why =
         called_so.at(key) > 1 ? "other hand-ins have its name, too" : doubt(hand_in, key, group, roster);
     if (!why.empty()) {
-      said.push_back(hand_in.name + ": is called as the group " + group.name +
-                     " of the roster, and not taken for its: " + why);
+      said.push_back(hand_in.name + ": has the name of the roster's group " + group.name +
+                     ", but does not count as that group's: " + why);
       continue;
     }
     hand_in.owner.group = true;
@@ -95,8 +96,8 @@ std::vector<std::string> find_members(std::vector<HandIn>& hand_ins, const Roste
     people += group.members.size();
   }
   if (found_groups > 0)
-    said.push_back("of the hand-ins " + std::to_string(found_groups) +
-                   " are called as groups of the roster, and count for " + std::to_string(people) +
+    said.push_back(std::to_string(found_groups) +
+                   " hand-ins have names of the roster's groups and count for " + std::to_string(people) +
                    " people");
   return said;
 }

@@ -14,7 +14,7 @@
 
 namespace grader {
 
-// Gives their owners the members. Two hand-ins that are called as one group are of single students, as Canvas has them where it grades
+// Gives their owners the members. If two hand-ins have one group's name, each is a single student's, as Canvas has them where it grades
 // each member alone. Returns lines for staff: how many were found, and why a hand-in
 // is taken for none.
 std::vector<std::string> find_members(std::vector<HandIn>& hand_ins, const Roster& roster);

@@ -39,8 +39,8 @@ TEST(Groups, OfCanvasHaveTheRostersMembers) {
   EXPECT_EQ(members(all[0]), "[Doe, Jane 4713][Lee, Sam 4714]");
   EXPECT_EQ(members(all[1]), "[Poe, Ann 4715]");
   EXPECT_FALSE(all[2].owner.group);
-  EXPECT_EQ(said, std::vector<std::string>{
-                      "of the hand-ins 2 are called as groups of the roster, and count for 3 people"});
+  EXPECT_EQ(said,
+            std::vector<std::string>{"2 hand-ins have names of the roster's groups and count for 3 people"});
 
   const ClassList list = class_list(roster, all);
   EXPECT_EQ(list.rows[0].hand_ins, std::vector<std::string>{"team7_4714"});
@@ -70,11 +70,11 @@ TEST(Groups, ANameThatIsAlsoSomethingElsesFindsNobody) {
     return said.empty() ? "" : said[0];
   };
   // A section of this name is not who handed in.
-  EXPECT_EQ(
-      said_of("id,name,group\n1,Jane Doe,Lab A\n2,Sam Lee,Lab B\n",
-              {{"laba_2", {.name = "laba", .id = "2"}, "canvas"}}),
-      "laba_2: is called as the group Lab A of the roster, and not taken for its: Sam Lee handed it in, who "
-      "is in another group of the roster or in none");
+  EXPECT_EQ(said_of("id,name,group\n1,Jane Doe,Lab A\n2,Sam Lee,Lab B\n",
+                    {{"laba_2", {.name = "laba", .id = "2"}, "canvas"}}),
+            "laba_2: has the name of the roster's group Lab A, but does not count as that group's: Sam Lee "
+            "handed it in, who "
+            "is in another group of the roster or in none");
   const char* named_as_a_person = "id,name,group\n1,Jane Doe,Jane Doe\n2,Sam Lee,Jane Doe\n";
   for (const char* system : {"canvas", "folders"})
     EXPECT_NE(said_of(named_as_a_person, {{"x", {.name = "Jane Doe", .id = "1"}, system}})

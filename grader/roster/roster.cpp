@@ -79,7 +79,8 @@ void Roster::add(const Csv& table, const Csv::Row& row, Person person) {
       said_.push_back(place_of(table, row) + ": is line " + std::to_string(before.line) +
                       " again and counts once");
     for (std::string Person::*cell : {&Person::section, &Person::group})
-      if (person.*cell != before.*cell) before.*cell += ((before.*cell).empty() ? "" : ", ") + person.*cell;
+      if (!(person.*cell).empty() && person.*cell != before.*cell)
+        before.*cell += ((before.*cell).empty() ? "" : ", ") + person.*cell;
     return;
   }
   add(std::move(person));

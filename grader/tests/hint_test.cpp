@@ -93,6 +93,9 @@ TEST_F(Hints, AreSilentWhereNothingIsClear) {
     Numbers actual = expected;
     for (double& value : actual) value += 0.1 * normal_(random_);
     EXPECT_EQ(told(actual, expected), "");
+    actual = expected;
+    for (double& value : actual) value *= 1 + 1e-7 * normal_(random_);
+    EXPECT_EQ(told(actual, expected), "") << "a solver that stops too early";
     EXPECT_EQ(told(expected, Numbers(expected.size())), "") << "where 0 is expected";
   }
   EXPECT_EQ(told({}, {}), "");

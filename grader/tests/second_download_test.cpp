@@ -79,7 +79,7 @@ TEST_F(SecondDownload, AGroupOfCanvasKeepsItsRowUnderAnotherName) {
   const ProgramRun first = grade({"--roster", write("roster.csv", kRoster)});
   ASSERT_EQ(first.code, 0) << first.errors;
   EXPECT_TRUE(has(first.output, "roster: 3 of 4 handed in")) << first.output;
-  EXPECT_TRUE(has(first.errors, "1 are called as groups of the roster, and count for 2 people"))
+  EXPECT_TRUE(has(first.errors, "1 hand-ins have names of the roster's groups and count for 2 people"))
       << first.errors;
   EXPECT_EQ(names(), (Words{"roemax_4716", "team7_4713"}));
   EXPECT_TRUE(has(read("grades/index.html"), "Team 7 (Muster, Erika; Lee, Sam)"));
@@ -115,7 +115,7 @@ TEST_F(SecondDownload, AGroupOfCanvasKeepsItsRowUnderAnotherName) {
   write("roster.csv", string(kTitles) + "\"Muster, Erika\",4713,900,jd,Lab A,Solo,55,\n");
   download({"solo_4713_90021_conj_grad.cpp", "roemax_4716_90002_conj_grad.cpp"});
   const ProgramRun third = grade({"--resume", "--roster", path("roster.csv")});
-  EXPECT_TRUE(has(third.errors, "solo_4713: is team7_4713 without somebody who was in it")) << third.errors;
+  EXPECT_TRUE(has(third.errors, "solo_4713: is team7_4713, but somebody has left it")) << third.errors;
   EXPECT_EQ(names(), (Words{"roemax_4716", "solo_4713", "team7_4713"}));
   EXPECT_FALSE(has(read("grades/solo_4713/report.html"), "Well spoken."));
 }

@@ -79,23 +79,24 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
   if (settings.blind) record.set_blind();
   if (record.is_blind()) give_codes(submissions, record.codes());
   std::vector<Accounted> listed = settings.listed;
-  keep_rows(submissions, listed, record);  // another process may have graded since they were read
+  std::optional<std::string> only = settings.only;
+  keep_rows(submissions, listed, record, only);  // another process may have graded since they were read
   for (const std::string& line :
-       settle_origins(settings.out, submissions, settings.only, settings.replace, settings.hand_in))
+       settle_origins(settings.out, submissions, only, settings.replace, settings.hand_in))
     std::cerr << "hairgrade: " << line << "\n";
   record.put_people(hand_ins_of(submissions),
-                    settings.roster ? std::optional(settings.roster->people()) : std::nullopt, settings.only);
+                    settings.roster ? std::optional(settings.roster->people()) : std::nullopt, only);
   const NamesForPeople people = record.names_for_people();
   const std::optional<HiddenNames> hidden = record.hidden_names();
   const auto start = std::chrono::steady_clock::now();
   batch.problems = grading.reference().problems;
   TimingByExercise reference = grading.reference().timing;
   if (settings.merge) reference.merge(record.costs().reference);
-  const std::size_t asked = settings.only ? 1 : submissions.size();
+  const std::size_t asked = only ? 1 : submissions.size();
   LastRun run{.jobs = settings.jobs, .began = record.now(), .asked = static_cast<int>(asked)};
   // One hand-in more leaves an interrupted run as it is.
   const std::optional<LastRun> before = record.costs().last_run;
-  const bool is_part = settings.only && before && !before->is_whole();
+  const bool is_part = only && before && !before->is_whole();
   if (is_part) run = *before;
   record.set_run(reference, run);
   record.set_listed(listed);
@@ -110,7 +111,7 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
   std::atomic<std::size_t> next = 0;
 
   auto grade_one = [&](Submission& submission) {
-    if (settings.only && *settings.only != submission.name) return;
+    if (only && *only != submission.name) return;
     submission.drawn_from = record.drawn_from(submission.name);
     const HandedIn handed_in{submission.handed_in, hash_of_files(submission), submission.marked_late};
     const std::optional<Recorded> earlier =

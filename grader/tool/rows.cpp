@@ -17,7 +17,7 @@ void give_members(Intake& intake, const Roster& roster) {
 }
 
 std::vector<std::string> keep_rows(std::vector<Submission>& submissions, std::vector<Accounted>& listed,
-                                   Record& record) {
+                                   Record& record, std::optional<std::string>& only) {
   std::vector<std::string> said;
   std::map<std::string, std::string> rows;
   const std::vector<RowName> names = record.row_names(hand_ins_of(submissions));
@@ -26,6 +26,8 @@ std::vector<std::string> keep_rows(std::vector<Submission>& submissions, std::ve
     submissions[i].name = names[i].name;
     if (!names[i].told.empty()) said.push_back(names[i].told);
   }
+  if (only)
+    if (const auto row = rows.find(*only); row != rows.end()) only = row->second;
   for (Accounted& file : listed)
     if (const auto row = rows.find(file.whose); row != rows.end()) file.whose = row->second;
   std::ranges::sort(submissions, {}, &Submission::name);

@@ -7,7 +7,7 @@
 namespace checks {
 
 // A sentence such as "-1 times what was expected: a sign?", or "" where nothing is clear. Numbers that differ by no more than
-// `bound` are the same. Of as many numbers in both, `block` at a time belong together: 3 to a particle, 1 to an unknown.
+// `bound` are the same. Both have the same length; each `block` numbers belong together: 3 are a particle's, 1 is an unknown's.
 std::string hint(std::span<const double> actual, std::span<const double> expected, double bound,
                  int block = 1);
 

@@ -118,9 +118,13 @@ int grade(GradeOptions options) {
   const bool blind = options.batch.blind || (before && before->is_blind());
   if (blind) give_codes(intake.submissions, before ? before->codes() : std::map<std::string, std::string>());
   batch_settings.listed = listed(intake);
-  if (before)
-    for (std::string& line : keep_rows(intake.submissions, batch_settings.listed, *before))
+  if (before) {
+    // Where grading is blind, the batch gives codes once more, and then finds the rows of what is listed.
+    std::vector<Accounted> not_blind = blind ? std::vector<Accounted>() : std::move(batch_settings.listed);
+    for (std::string& line : keep_rows(intake.submissions, not_blind, *before, batch_settings.only))
       intake.remarks.push_back(std::move(line));
+    if (!blind) batch_settings.listed = std::move(not_blind);
+  }
   if (blind) {
     const std::vector<HandIn> hand_ins = hand_ins_of(intake.submissions);
     const HiddenNames names(hand_ins, roster ? std::optional(class_list(*roster, hand_ins)) : std::nullopt);
@@ -130,7 +134,7 @@ int grade(GradeOptions options) {
   before.reset();
   check_zone(rules, intake.submissions);
   check_made_by(options.batch.out, made_by(settings), hand_in);  // before the reference takes its seconds
-  settle_origins(options.batch.out, intake.submissions, options.batch.only, options.batch.replace, hand_in);
+  settle_origins(options.batch.out, intake.submissions, batch_settings.only, options.batch.replace, hand_in);
   for (const std::string& line : intake.taken_for) std::cout << line << "\n" << std::flush;
   const std::atomic<bool>& interrupted = note_interruptions();
   const std::string open_to_others = readable_by_others(staff_places(settings, options));

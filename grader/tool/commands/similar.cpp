@@ -48,7 +48,8 @@ int similar(const SimilarOptions& options) {
       give_members(intake, Roster(*roster));
     if (hidden) give_codes(intake.submissions, record->codes());
     std::vector<Accounted> none_listed;
-    keep_rows(intake.submissions, none_listed, *record);
+    std::optional<std::string> all;
+    keep_rows(intake.submissions, none_listed, *record, all);
     if (hidden) hide(*hidden, intake);
   }
   const Sim sim(isolation);

@@ -28,12 +28,20 @@ int run_command(CLI::App& app, const std::vector<Command>& commands, int argc, c
     command.app->add_option("--course", course_file,
                             "A course file: the exercises that there are (default: this build's)");
   try {
+    if (argc == 1 && overview)
+      if (const Course course = course_of_program({});
+          std::ranges::any_of(course.exercises, &Exercise::stub)) {
+        overview(course);
+        return 0;
+      }
     app.require_subcommand(1);
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {
     return app.exit(help);
+  } catch (const BadInput& error) {
+    std::cerr << "hairlab: " << error.what() << "\n";
+    return kBadInput;
   } catch (const CLI::ParseError& error) {
-    if (argc == 1 && overview) overview(course_of_program({}));
     std::cerr << "hairlab: " << error.what() << "; see hairlab --help\n";
     return kBadInput;
   }

@@ -13,6 +13,7 @@
 #include "hair/lab/run/interruption.h"
 #include "hair/lab/run/motion_of_run.h"
 #include "hair/lab/run/run.h"
+#include "hair/lab/run/shipped_scenes.h"
 #include "hair/lab/stub.h"
 #include "hair/view/view_page.h"
 
@@ -34,6 +35,13 @@ NamedMotion of_folder(const fs::path& folder) {
 // The reference's run of a scene that ships.
 fs::path reference_file(const std::string& scene) {
   return fs::path(HAIR_MOTIONS_DIR) / (fs::path(scene).filename().string() + ".json");
+}
+
+// A scene of one's own may have the name of one that ships.
+bool differs_from_shipped(const std::string& scene) {
+  const fs::path file = find_scene(scene, HAIR_SCENES_DIR),
+                 shipped = fs::path(HAIR_SCENES_DIR) / file.filename();
+  return fs::exists(shipped) && bytes_of(file) != bytes_of(shipped);
 }
 
 NamedMotion reference_of(const std::string& scene) {
@@ -79,7 +87,7 @@ std::optional<Shown> shown(const std::string& run, const Course& course, std::si
     return Shown{played(scene, most_points), scene.name};
   } catch (const NotImplemented& stub) {
     std::cerr << "hairlab: " << scene.name << " needs " << missing_parts(stub, exercises_of(scene), course);
-    const bool comes_along = fs::exists(reference_file(scene.name));
+    const bool comes_along = !differs_from_shipped(run) && fs::exists(reference_file(scene.name));
     std::cerr << (comes_along ? "; the page shows the reference's run\n" : "\n");
     if (!comes_along) return {};
     return Shown{reference_of(scene.name), scene.name, true};
@@ -92,6 +100,10 @@ int view_runs(const ViewOptions& options, const Course& course) {
   const bool folder = fs::is_directory(options.run), with_reference = options.other == kReference;
   // The reference's has few strands: colours that compare two runs need the same ones.
   const std::size_t most_points = with_reference ? kMostPointsShipped : kMostPointsShown;
+  if (with_reference && !folder && differs_from_shipped(options.run))
+    throw BadInput(
+        options.run +
+        ": is another scene than the one that ships under this name, and the reference's run is of that one");
   const std::optional<Shown> one = shown(options.run, course, most_points);
   if (!one) return kNotWritten;
   std::vector<NamedMotion> motions = {one->motion};

@@ -333,7 +333,8 @@ TEST_F(Hairlab, SaysWhichExercisesAreStubs) {
   const ProgramSettings student{.program = STUDENT_HAIRLAB};
   const std::string scene = folder_.write("scene.json", kPendulum);
   const ProgramRun alone = run_hairlab({}, student);
-  EXPECT_EQ(alone.code, 2);
+  EXPECT_EQ(alone.code, 0);
+  EXPECT_EQ(alone.errors, "");
   EXPECT_TRUE(has(alone.output, "Not written yet: S1 (student/conj_grad.cpp), S2 (")) << alone.output;
   EXPECT_TRUE(has(alone.output, "Scenes that play without them: none\n")) << alone.output;
   EXPECT_EQ(run_hairlab({}).output, "");
@@ -366,6 +367,9 @@ TEST_F(Hairlab, ViewsTheReferencesRunOfAScene) {
   expect_refused(run_hairlab({"view", own, "--out", page.string()}, student), 3, "own needs P1: ");
   expect_refused(run_hairlab({"view", own, "--with", "reference"}), 2,
                  "own: the reference's run does not come along");
+  const std::string changed = folder_.write("pendulum.json", kPendulum);
+  expect_refused(run_hairlab({"view", changed, "--with", "reference"}), 2,
+                 "is another scene than the one that ships under this name");
 }
 
 TEST_F(Hairlab, RefusesBadScenesWithTheirJsonPath) {
