@@ -13,9 +13,11 @@
 #include <sstream>
 
 #include "grader/course/input.h"
+#include "grader/intake/submission.h"
 #include "grader/package/course_texts.h"
 #include "grader/package/manifest.h"
 #include "hair/io/files/read_file.h"
+#include "hair/io/files/temporary_folder.h"
 
 namespace grader {
 namespace {
@@ -286,6 +288,30 @@ TEST_F(RealProject, PlaysOtherScenesWithoutH6) {
   EXPECT_NE(files.at("assignment/H4-implicit-euler.md")
                 .find("\n\n*(Not in your course: the scene angular-momentum.)*\n\n"),
             std::string::npos);
+}
+
+// Some hand in the whole folder, or those two whose names say that they hold their files.
+TEST_F(RealProject, IsAHandInAsAWhole) {
+  for (const bool whole : {true, false}) {
+    const hair::TemporaryFolder folder("handout");
+    const auto write = [&](const std::string& name, const std::string& text) {
+      const fs::path file = folder.path() / "alice" / name;
+      fs::create_directories(file.parent_path());
+      std::ofstream(file, std::ios::binary) << text;
+    };
+    for (const auto& [name, text] : handout_files(sources_, course_))
+      if (whole || name.starts_with("stubs/")) write(name, text);
+    write("student/conj_grad.cpp", "mine");
+    write("student/about.txt", "Hours: 3\n");
+    const std::vector<Submission> all =
+        read_submissions({folder.path() / "alice"}, course_, open_here).submissions;
+    ASSERT_EQ(all.size(), 1u);
+    EXPECT_EQ(all[0].name, "alice");
+    EXPECT_EQ(all[0].problem, "");
+    EXPECT_EQ(all[0].about, "Hours: 3\n");
+    EXPECT_EQ(all[0].files.at("conj_grad.cpp").text, "mine");
+    EXPECT_EQ(all[0].files.at("conj_grad.cpp").problem, "");
+  }
 }
 
 TEST_F(RealProject, BeginsWithAnExerciseThatIsToBeWritten) {
