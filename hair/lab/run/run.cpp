@@ -5,6 +5,7 @@
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/cache_folder.h"
 #include "hair/io/image/png.h"
+#include "hair/lab/run/broken_strand.h"
 #include "hair/lab/run/film.h"
 #include "hair/lab/run/motion_of_run.h"
 #include "hair/lab/run/output_file.h"
@@ -90,13 +91,12 @@ class FrameWriter {
     binary_.add(playback_.time(), state);
     csv_.add(playback_.time(), lines);
     laps_.book(seconds.write);
-    const Drawing drawing =
-        drawing_.at(lines, playback_.obstacles(), playback_.time(), playback_.mesh_record());
-    motion_.add(drawing);
+    last_ = drawing_.at(lines, playback_.obstacles(), playback_.time(), playback_.mesh_record());
+    motion_.add(last_);
     laps_.book(seconds.lay_out);
     if (!renderer_) return;
     const double rendered = rendering();
-    const Image image = renderer_->draw(drawing, drawing_.camera());
+    const Image image = renderer_->draw(last_, drawing_.camera());
     laps_.book(seconds.lay_out);
     seconds.lay_out -= rendering() - rendered;
     if (dense_) record_.dense = drawing_.synthesised();
@@ -109,6 +109,15 @@ class FrameWriter {
   double rendering() const {
     const RenderTimes& times = renderer_->times();
     return times.upload + times.shadow + times.draw + times.read_back;
+  }
+
+  // The last picture again, with the strand that broke after it in red.
+  void show_broken(int strand) {
+    if (!renderer_ || !scene_.dense.empty()) return;
+    const RenderSettings settings = drawing_.settings();
+    mark_broken(last_, strand, drawing_.camera(), static_cast<double>(settings.width) / settings.height);
+    write_whole(folder_, frame_name(static_cast<int>(record_.frames.size()) - 1),
+                encode_png(renderer_->draw(last_, drawing_.camera())));
   }
 
   // The simulated strands that the page does not show.
@@ -138,6 +147,7 @@ class FrameWriter {
   StatesWriter binary_;
   CsvWriter csv_;
   MotionFrames motion_;
+  Drawing last_;
 };
 
 void play(Playback& playback, FrameWriter& frames, RunRecord& record, timing::Laps& laps,
@@ -193,6 +203,7 @@ RunResult run_scene(const Scene& scene, const RunSettings& settings, const std::
   if (settings.only_shown && scene.dense.empty() && !scene.hair.mesh) unseen = frames.unseen();
   playback->leave_out(unseen);
   play(*playback, frames, record, laps, interrupted, progress);
+  if (record.ending == Ending::blow_up) frames.show_broken(strand_of(record.blow_up));
   if (const MeshRecord* mesh = playback->mesh_record()) {
     record.links = LinksFile{{}, mesh->broken};
     for (const StaticLink& link : scene.hair.mesh->links) record.links->particles.push_back({link.a, link.b});

@@ -372,6 +372,19 @@ TEST_F(Hairlab, ViewsTheReferencesRunOfAScene) {
                  "is another scene than the one that ships under this name");
 }
 
+// Beside the same frame of a run that ends there.
+TEST_F(Hairlab, TheLastPictureOfARunThatBrokeShowsTheStrand) {
+  Json scene = Json::parse(kBlowUp);
+  scene["render"] = {{"image_width", 64}, {"image_height", 48}};
+  ASSERT_EQ(play(scene.dump().c_str()).code, 1);
+  const std::size_t last = read_run(out_)["frames"].size() - 1;
+  char name[32];
+  std::snprintf(name, sizeof name, "frame-%04zu.png", last);
+  const std::string broken = bytes_of(out_ / name);
+  ASSERT_EQ(play(scene.dump().c_str(), {"--frames", std::to_string(last)}).code, 0);
+  EXPECT_NE(bytes_of(out_ / name), broken);
+}
+
 TEST_F(Hairlab, RefusesBadScenesWithTheirJsonPath) {
   std::string negative = kPendulum;
   negative.replace(negative.find("\"mass\": 1}]"), 9, "\"mass\": -1");
