@@ -28,6 +28,9 @@ class Child {
   // How it ended, in a sentence, once it has; for one whose trouble is told already, an empty one.
   std::optional<std::string> ended();
 
+  // Whoever asks was stopped meanwhile: the silence before does not count.
+  void forgive_silence() { heard_ = std::chrono::steady_clock::now(); }
+
   // Ends it if it was silent for `longest`; or, before its first message, three times as long. A sentence about that, once.
   std::optional<std::string> stop_if_silent(std::chrono::seconds longest);
 

@@ -79,6 +79,10 @@ class Supervisor {
       std::this_thread::sleep_for(std::chrono::milliseconds(kTurn));
       return;
     }
+    const auto now = std::chrono::steady_clock::now();
+    if (now - listened_ > std::chrono::seconds(2))
+      child_->forgive_silence();  // stopped by Ctrl-Z, and now going on
+    listened_ = now;
     if (auto message = child_->next(kTurn)) log_.add(std::move(*message));
     if (const auto stopped = child_->stop_if_silent(kLongestSilence)) say(*stopped);
     if (const auto ended = child_->ended()) {
@@ -97,6 +101,7 @@ class Supervisor {
   MessageLog& log_;
   std::string settings_ = kUsualSettings, rate_ = "1";
   bool started_ = false;
+  std::chrono::steady_clock::time_point listened_ = {};
   std::optional<Child> child_;
 };
 

@@ -14,6 +14,7 @@
 #include "hair/io/files/bad_input.h"
 #include "hair/io/files/cache_folder.h"
 #include "hair/io/files/json_text.h"
+#include "hair/io/files/printable.h"
 #include "hair/lab/commands/exit_codes.h"
 #include "hair/lab/run/course_scene.h"
 #include "hair/lab/run/motion_of_run.h"
@@ -49,7 +50,7 @@ class Lines {
   }
 
   void trouble(const std::string& text) {
-    write(json_object({{"kind", json_text("trouble")}, {"text", json_text(text)}}));
+    write(json_object({{"kind", json_text("trouble")}, {"text", json_text(printable(text, 400))}}));
   }
 
   void heartbeat(long steps) {
@@ -115,12 +116,14 @@ class Player {
       lines_.heartbeat(playback_.steps());
       if (over_ || !going_ || Clock::now() < due_) continue;
       const long frame = static_cast<long>((playback_.time() + scene_.hair.step / 2) / frame_seconds_) + 1;
+      const double before = playback_.time();
       while (!over_ && playback_.time() + scene_.hair.step / 2 < static_cast<double>(frame) * frame_seconds_)
         step();
       if (!blown_up()) say_frame();
       if (over_) say_state();
-      due_ +=
-          std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(frame_seconds_ / rate_));
+      // A step may be longer than a frame.
+      due_ += std::chrono::duration_cast<Clock::duration>(
+          std::chrono::duration<double>((playback_.time() - before) / rate_));
       if (due_ + std::chrono::milliseconds(200) < Clock::now()) start_again();  // slower than the clock
     }
   }

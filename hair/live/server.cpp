@@ -1,6 +1,7 @@
 #include "hair/live/server.h"
 
 #include <httplib.h>
+#include <sys/socket.h>
 
 #include <atomic>
 #include <thread>
@@ -30,8 +31,11 @@ class LiveServer::Parts {
       : page_(std::move(page)), log_(log), command_(std::move(command)) {
     server_.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
     server_.set_payload_max_length(kMostCommandBytes);
-    // The library would share the port with others that ask for it.
-    server_.set_socket_options([](socket_t) {});
+    // The library would share the port with others that ask for it. Streams of a server that has just ended don't hold it.
+    server_.set_socket_options([](socket_t listening) {
+      const int yes = 1;
+      setsockopt(listening, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+    });
     server_.set_pre_routing_handler([this](const httplib::Request& request, httplib::Response& response) {
       return admit(request, response);
     });

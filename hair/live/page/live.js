@@ -1,5 +1,6 @@
 // The live page: it shows what a process computes now (hair/live/player.h), and tells it how to go on.
 
+const WORDS_WAIT = 1000; // ms between words that follow the motion
 const NAMES_OF_ENDS = { finished: "It is over", blow_up: "It blew up" };
 
 // A motion that grows by a frame at a time.
@@ -98,6 +99,7 @@ function watchSimulation() {
   events.addEventListener("message", (event) => { const message = JSON.parse(event.data); hear[message.kind](message); });
   events.addEventListener("error", () => state(events.readyState === EventSource.CLOSED ? "The server refuses this page: too many of them are open, or the address is not whole." : "hairlab live does not answer: it has ended, or the machine is busy."));
 
+  let worded = -WORDS_WAIT;
   const draw = (at) => {
     const [run] = runs, k = shown < 0 ? run.frames - 1 : shown, dark = matchMedia("(prefers-color-scheme: dark)").matches;
     stage.draw([{ run: 0, k, between: 0, tint: tintOf(runs, 0, k) }], false, dark);
@@ -107,7 +109,9 @@ function watchSimulation() {
     const words = wordsOfMoment(run, k);
     $("time").setAttribute("aria-valuetext", words);
     told("moment", words + (shown < 0 ? "" : ". Newer frames are to its right"));
-    if (!going || at % 1000 < 20) stage.label(`${words}. ${WORDS_OF_KEYS}`);
+    if (going && at - worded < WORDS_WAIT) return; // a screen reader reads no faster
+    worded = at;
+    stage.label(`${words}. ${WORDS_OF_CAMERA_KEYS}, space plays and stops, full stop computes a step, r starts anew.`);
   };
   const loop = (at) => {
     if ((dirty || at - orbit.moved < 400) && runs[0].frames > 0) {

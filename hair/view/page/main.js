@@ -47,7 +47,7 @@ function show() {
     $("time").setAttribute("aria-valuetext", words);
     told("play", clock.playing ? "Stop" : "Play");
     told("moment", words + (broken ? `. ${broken.name} broke here: ${broken.blow_up.text}` : "") + (few ? ". While the view moves, a third of the strands is shown" : ""));
-    stage.label(`${runs.map((run) => run.name).join(" and ")}. ${words}. ${WORDS_OF_KEYS}`);
+    stage.label(`${runs.map((run) => run.name).join(" and ")}. ${words}. ${WORDS_OF_CAMERA_KEYS}, space plays and stops, comma and full stop go a frame back and on.`);
   };
 
   const draw = (at) => {

@@ -1,7 +1,7 @@
 // A camera that goes around a point: by dragging, by two fingers, by the wheel, and by keys.
 
 const TURN = 0.08, STEEPEST = 1.5; // rad
-const WORDS_OF_KEYS = "Arrow keys turn, plus and minus come nearer and go away, 0 goes back, space plays and stops, comma and full stop go a frame back and on.";
+const WORDS_OF_CAMERA_KEYS = "Arrow keys turn, plus and minus come nearer and go away, 0 goes back";
 
 function makeOrbit(camera) {
   const offset = subtract(camera.eye, camera.target);

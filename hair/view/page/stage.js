@@ -34,17 +34,22 @@ function makeStage(motions, orbit, tell, again) {
       }, WAIT);
       lost.addEventListener("webglcontextrestored", () => {
         clearTimeout(wait);
-        drawing = makeDrawing(lost, strands());
-        hold();
+        begin();
+        if (canvas !== lost) watch();
       }, { once: true });
     });
   };
-  try {
-    drawing = makeDrawing(canvas, strands());
-    hold();
-  } catch (error) {
-    drawPlainly("This browser shows no WebGL2");
-  }
+  // A canvas with a context for WebGL is of no use to plain lines.
+  const begin = () => {
+    try {
+      drawing = makeDrawing(canvas, strands());
+      hold();
+    } catch (error) {
+      canvas = replaceCanvas(canvas);
+      drawPlainly("This browser shows no WebGL2");
+    }
+  };
+  begin();
   watch();
   return {
     hold, // after a motion became another one
