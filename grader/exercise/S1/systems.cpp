@@ -72,7 +72,9 @@ void examples(Trial& trial) {
   }
 }
 
+// Whoever solves nothing at all gets nothing for that.
 void empty(Trial& trial) {
+  expect_solves_ordinary_system(trial);
   const LinearSystem nothing = sparse_system("nothing", solver::diagonal({}), {}, 1);
   for (double epsilon : {0.0, 1.0, -1.0})
     for (int most_steps : {0, trial.random.integer(1, 50), -trial.random.integer(1, 50)}) {
