@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Finds the scenes that a course has.
 #include "grader/package/course_scenes.h"
 
 #include <algorithm>

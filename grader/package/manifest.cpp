@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Reads the list of files that ship.
 #include "grader/package/manifest.h"
 
 #include <algorithm>

@@ -16,7 +16,7 @@ struct ManifestLine {
   std::string where;        // "handout/manifest.txt:12", for messages
 };
 
-// Where an exercise's file lies in the handout, "stubs/conj_grad.cpp.stub": the handout's build copies it to student/ if it is not there.
+// The path of an exercise's file in the handout, "stubs/conj_grad.cpp.stub": the handout's build copies it to student/ if it is not there.
 // Its name is no exercise file's: a hand-in may hold the whole handout.
 std::string stub_of(const Exercise& exercise);
 

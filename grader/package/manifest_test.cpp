@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Lists of files that ship, right ones and broken ones.
 
 #include "grader/package/manifest.h"
 

@@ -81,7 +81,7 @@ class Record {
   // Replaces the earlier result of this student; the log has both. Without a time, one that these files had before stays.
   void put(const Recorded& one, const HandedIn& handed_in = {});
 
-  // Of the version that counts, if it was graded without a time or a mark, or with others. A time stays if there is no other.
+  // Sets time and mark of the version that counts. Without a new time the old one stays.
   void set_handed_in(const std::string& name, const HandedIn& handed_in);
   std::string handed_in(const std::string& name);  // the time; "": nobody knows it
 

@@ -57,7 +57,7 @@ HandIn Record::hand_in_of(const DatabaseRow& row) const {
           row.text(3)};
 }
 
-// Of the course one name may have several owners, the latest one last.
+// In the course a name may have several owners; the latest one comes last.
 std::vector<HandIn> Record::read_hand_ins(Of of) {
   std::vector<HandIn> all;
   database_.each(

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Leaves out of a result what students may not see.
 #include "grader/report/student_view.h"
 
 #include <algorithm>

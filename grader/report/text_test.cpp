@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Points in words.
 #include "grader/report/text.h"
 
 #include <gtest/gtest.h>

@@ -27,7 +27,7 @@ struct Graded {
   std::vector<std::string> problems;  // on our side: what prevented grading, a line each
 };
 
-// Of what was handed in, and of what is wrong with it.
+// The hash of the files that were handed in, and of their problems.
 std::string hash_of_files(const Submission& submission);
 
 class Grading {

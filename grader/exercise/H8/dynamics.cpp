@@ -89,7 +89,7 @@ void forces(Trial& trial) {
     Hair hair = random_hair(trial.random, {.elements = elements});
     expect_force(hair, "a generalised force");
     if (elements == 1) continue;
-    // What pulls further out goes through elements without points.
+    // Elements without points pass on the pull from further out.
     const int bare = trial.random.integer(0, elements - 2);
     for (const int first : {bare, 0}) {
       std::erase_if(hair.motion.points, [&](const hair::HelixPoint& point) {

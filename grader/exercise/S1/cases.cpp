@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. The categories of S1 and their points.
 #include "grader/exercise/S1/cases.h"
 #include "grader/suite/whole_run_points.h"
 

@@ -119,7 +119,7 @@ int grade(GradeOptions options) {
   if (blind) give_codes(intake.submissions, before ? before->codes() : std::map<std::string, std::string>());
   batch_settings.listed = listed(intake);
   if (before) {
-    // Where grading is blind, the batch gives codes once more, and then finds the rows of what is listed.
+    // In blind grading the batch gives codes once more, and then finds the rows of listed files.
     std::vector<Accounted> not_blind = blind ? std::vector<Accounted>() : std::move(batch_settings.listed);
     for (std::string& line : keep_rows(intake.submissions, not_blind, *before, batch_settings.only))
       intake.remarks.push_back(std::move(line));
