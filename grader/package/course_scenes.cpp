@@ -1,4 +1,4 @@
-// STAFF ONLY. Finds the scenes that a course has.
+// STAFF ONLY. Puts other scenes, or none, into the texts' commands whose scene the course lacks.
 #include "grader/package/course_scenes.h"
 
 #include <algorithm>
