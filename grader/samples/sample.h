@@ -33,6 +33,9 @@
 //   fails ID NAMES       the categories that fail (grader/suite/): its status is "partly", if no other is given, and its points are
 //                        those of the other categories
 //   points ID POINTS     of a sample of the showcase, besides: an error in scoring can't confirm itself
+//   useless TEXT         why it loses more than three categories: nothing of what it writes can be used
+//   breaks WORDS         of the header of an exercise that fails, as they stand there: what this program ignores; promises.h
+//   explains WORDS       before the samples: of the header of the group's exercise, words that promise nothing about a program
 //
 // An exercise without such a line has passed if it has a file, and is missing if not. What "others" fills in has passed
 // ("reference") or is not implemented ("stub"), and takes no status.
@@ -75,7 +78,8 @@ struct ExpectedResult {
   std::string status;            // as to_string(Status) has it
   std::optional<double> points;  // nothing: all if it passed, or else none
   std::vector<std::string> failed =
-      {};  // the titles of the categories that fail; none: nothing is said of them
+      {};          // the titles of the categories that fail; none: nothing is said of them
+  int causes = 0;  // how many these are, with the whole run and its pictures as one
 };
 
 struct Attack {
@@ -106,7 +110,9 @@ struct Sample {
   std::vector<Overwrite> overwrite;
   std::optional<Attack> attack;
   std::map<std::string, ExpectedResult> expected;  // by exercise id: every exercise of the course
-  std::vector<std::string> listed;  // of these, the ids that have a line, in the course's order
+  std::vector<std::string> listed;            // of these, the ids that have a line, in the course's order
+  std::string useless;                        // why it may lose many categories, or empty
+  std::vector<std::string> breaks, explains;  // words of headers
 
   std::string file_name() const;  // "wrong-beta.zip"
   bool in_class() const { return !attack || showcase; }

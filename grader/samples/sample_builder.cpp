@@ -95,7 +95,9 @@ void read_fails(SampleBuilder& builder, const GroupLine& line) {
   const std::string id = builder.exercise(line, builder.take(line, names)).id;
   const auto known = builder.categories.find(id);
   if (known == builder.categories.end()) builder.fail(line, "the suites have no categories of " + id);
-  std::vector<std::string>& failed = builder.expect(line, id).failed;
+  ExpectedResult& expected = builder.expect(line, id);
+  std::vector<std::string>& failed = expected.failed;
+  bool whole_run = false;
   while (!names.empty()) {
     const std::string name = builder.take(line, names);
     const auto category = std::ranges::find(known->second, name, &SampleCategory::name);
@@ -107,6 +109,9 @@ void read_fails(SampleBuilder& builder, const GroupLine& line) {
     if (std::ranges::find(failed, category->title) != failed.end())
       builder.fail(line, "names " + name + " twice");
     failed.push_back(category->title);
+    const bool of_whole_run = name == "WholeRun" || name == "Pictures";
+    expected.causes += of_whole_run && whole_run ? 0 : 1;
+    whole_run = whole_run || of_whole_run;
   }
   if (failed.empty()) builder.fail(line, "name the categories that fail, as in \"fails H2 Energy Balance\"");
   if (failed.size() == known->second.size())
@@ -157,6 +162,12 @@ const SampleKey keys[] = {
     {"status", "status", true, read_status},
     {"fails", "fails", true, read_fails},
     {"points", "points", true, read_points},
+    {"useless", "useless", false,
+     [](SampleBuilder& b, const GroupLine& line) { b.sample.useless = line.rest; }},
+    {"breaks", "breaks", true,
+     [](SampleBuilder& b, const GroupLine& line) { b.sample.breaks.push_back(line.rest); }},
+    {"explains", "explains", true,
+     [](SampleBuilder& b, const GroupLine& line) { b.sample.explains.push_back(line.rest); }},
     {"place", "place", false, read_place},
     {"fence", "fence", false, [](SampleBuilder& b, const GroupLine& line) { b.attack().fence = line.rest; }},
     {"most", "most", true, read_most},
