@@ -147,14 +147,15 @@ TEST_F(RealProject, NamesExercisesInTheOrderOfRewardThatPlayTheirScenes) {
   EXPECT_GE(items, 5);
 }
 
-// The scene of show-X calls X, and ships. Studies show the solver.
+// The scene of show-X calls X, and ships. Studies show solver and phase plane.
 TEST_F(RealProject, ShowsEachExerciseByASceneThatCallsIt) {
   const std::string scenes = hair::bytes_of(sources_.golden / "scenes.md");
   static const std::regex view("view ([a-z-]+) --with reference");
   for (const Exercise& exercise : course_.exercises) {
     std::smatch found;
     if (!std::regex_match(exercise.show, found, view)) {
-      EXPECT_TRUE(exercise.show.starts_with("solver ")) << exercise.id << ": " << exercise.show;
+      EXPECT_TRUE(exercise.show.starts_with("solver ") || exercise.show.starts_with("phase "))
+          << exercise.id << ": " << exercise.show;
       continue;
     }
     const std::string name = "| [" + found[1].str() + "](" + found[1].str() + ".json) | ";

@@ -58,6 +58,7 @@ class Study {
 
   SolverStudy run() {
     const double start = timing::cpu_seconds();
+    paths();
     histories();
     needed();
     if (functions_.normal_equations) digits();
@@ -67,6 +68,22 @@ class Study {
   }
 
  private:
+  void paths() {
+    say_("paths over a bowl");
+    study_.paths.push_back(symmetric_path(functions_.conj_grad));
+    with_normal_equations([&] { study_.paths.push_back(normal_path(functions_.normal_equations)); });
+  }
+
+  // Unless they are missing, or a stub.
+  void with_normal_equations(const std::function<void()>& does) {
+    if (!functions_.normal_equations || study_.not_written) return;
+    try {
+      does();
+    } catch (const NotImplemented& stub) {
+      study_.not_written = stub;
+    }
+  }
+
   void histories() {
     say_("condition numbers");
     for (const double condition : {1e1, 1e2, 1e3, 1e4, 1e6}) {
@@ -150,12 +167,10 @@ class Study {
       one.clustered =
           iterations_needed(functions_.conj_grad, clustered_system(kUnknowns, condition, kNeededClusters),
                             study_.most_iterations);
-      if (functions_.normal_equations && !study_.not_written) try {
-          one.normal_equations =
-              normal_iterations_needed(functions_.normal_equations, system, study_.most_iterations);
-        } catch (const NotImplemented& stub) {
-          study_.not_written = stub;
-        }
+      with_normal_equations([&] {
+        one.normal_equations =
+            normal_iterations_needed(functions_.normal_equations, system, study_.most_iterations);
+      });
       one.bound = needed_at_most(condition);
       study_.needed.push_back(one);
     }

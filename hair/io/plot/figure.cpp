@@ -156,6 +156,14 @@ void draw_guides(XmlWriter& xml, const Figure& figure, const Box& box, const Sca
   xml.close();
 }
 
+// The axis with limits around the same middle, as far from each other as so many pixels of this unit.
+Axis widened(Axis axis, const Scale& scale, double pixels, double unit) {
+  const double middle = (scale.low() + scale.high()) / 2;
+  axis.low = middle - pixels * unit / 2;
+  axis.high = middle + pixels * unit / 2;
+  return axis;
+}
+
 Legend legend_of(const Figure& figure, const std::vector<Look>& looks) {
   std::vector<LegendEntry> entries;
   for (std::size_t i = 0; i < figure.series.size(); ++i)
@@ -177,8 +185,15 @@ std::string to_svg(const Figure& figure) {
                     notes.empty() ? 0 : kFailedRow * static_cast<double>(notes.size()) + 4};
   const Box box = {band.left, band.bottom(), band.width, kPlotHeight};
   const std::string what = "figure \"" + figure.id + "\"";
-  const Scale x(figure.x, values(figure, true), kRoom, box.left, box.right(), what);
-  const Scale y(figure.y, values(figure, false), kRoom, box.bottom(), box.top, what);
+  Scale x(figure.x, values(figure, true), kRoom, box.left, box.right(), what);
+  Scale y(figure.y, values(figure, false), kRoom, box.bottom(), box.top, what);
+  if (figure.same_unit) {
+    if (x.logarithmic() || y.logarithmic())
+      throw std::invalid_argument(what + ": a unit has no length on a logarithmic axis");
+    const double unit = std::max((x.high() - x.low()) / box.width, (y.high() - y.low()) / box.height);
+    x = Scale(widened(figure.x, x, box.width, unit), {}, 0, box.left, box.right(), what);
+    y = Scale(widened(figure.y, y, box.height, unit), {}, 0, box.bottom(), box.top, what);
+  }
   const double below = std::max(box.bottom() + kBelowPlot, box.top + legend.height());
 
   XmlWriter xml;

@@ -51,6 +51,8 @@ struct Figure {
   Axis x, y;
   std::vector<Series> series = {};
   std::vector<SlopeGuide> guides = {};
+  bool same_unit =
+      false;  // a unit is as long on both axes, which are linear: one of them goes on beyond its limits
 };
 
 // A map: a class for each cell of a grid.

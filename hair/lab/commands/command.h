@@ -23,6 +23,7 @@ Command add_draw_command(CLI::App& program);
 Command add_groom_command(CLI::App& program);
 Command add_info_command(CLI::App& program);
 Command add_models_command(CLI::App& program);
+Command add_phase_command(CLI::App& program);
 Command add_run_command(CLI::App& program);
 Command add_scenes_command(CLI::App& program);
 Command add_solver_command(CLI::App& program);

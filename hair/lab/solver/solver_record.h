@@ -1,6 +1,8 @@
 // The solver's study: solver.json, the rows of its CSV files and of the page's tables, and the page. In solver.json:
 //
 //   program, quick, machine, format, seconds, left_out (null, or why there are no normal equations)
+//   paths               places of a path over a bowl: solver, condition, steps, x (first, second), height above
+//                       the bottom, relative to the right first guess
 //   convergence         histories: family, system, solver, unknowns, condition, and progress: iterations,
 //                       products, error (in the A-norm, relative to the first guess), squared_residual and
 //                       claimed (relative to ||b||^2; null for Eigen's, which does not report it), seconds

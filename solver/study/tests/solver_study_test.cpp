@@ -169,6 +169,60 @@ TEST(HistoryTest, ConjugateGradientsStayBelowTheBoundAndSteepestDescentDoesNot) 
   }
 }
 
+// As ConjGrad, which takes a negative number for no step.
+ConjGradFunction with_none(const ConjGradFunction& solve) {
+  return [=](int n, implicitMatrix* A, double x[], double b[], double epsilon, int* steps) {
+    if (*steps >= 0) return solve(n, A, x, b, epsilon, steps);
+    std::copy(b, b + n, x);
+    *steps = 0;
+    return 0.0;
+  };
+}
+
+TEST(BowlPathTest, TwoUnknownsTakeTwoStepsAndDescentZigzags) {
+  const BowlPath right = symmetric_path(with_none(eigen)),
+                 zigzag = symmetric_path(with_none(steepest_descent));
+  EXPECT_EQ(right.steps_to_bottom(), 2);
+  EXPECT_EQ(zigzag.steps_to_bottom(), std::nullopt);
+  EXPECT_NEAR(zigzag.height(zigzag.places[1]), right.height(right.places[1]), 1e-12)
+      << "the first step is the same";
+  for (std::size_t k = 1; k < zigzag.places.size(); ++k)
+    EXPECT_LT(zigzag.height(zigzag.places[k]), zigzag.height(zigzag.places[k - 1])) << k;
+  EXPECT_GT(zigzag.height(zigzag.places.back()), 0.01) << "one sees it";
+}
+
+TEST(BowlPathTest, BeginsWhereTheFunctionDoes) {
+  const auto from_x = [](int, implicitMatrix*, double[], double[], double, int*) { return 0.0; };
+  const BowlPath path = symmetric_path(from_x);
+  EXPECT_NEAR(path.height(path.places[0]), 1, 1e-12) << "as far from the bottom as b is, on its other side";
+  EXPECT_GT(std::abs(path.places[0][0] - path.begin[0]), 1);
+  const auto no_number = [](int, implicitMatrix*, double x[], double[], double, int*) {
+    return x[1] = std::nan("");
+  };
+  EXPECT_EQ(symmetric_path(no_number).places.size(), 1);
+}
+
+TEST(BowlPathTest, TheNormalEquationsHaveTheSquareOfTheConditionNumber) {
+  const auto squares = [](int, int, implicitMatrix* A, implicitMatrix* At, double x[], double b[], double,
+                          int* steps) {
+    Vector right_side(2);
+    At->matVecMult(b, right_side.data());
+    std::copy(right_side.begin(), right_side.end(), x);
+    Vector forward(2), back(2);
+    A->matVecMult(x, forward.data());
+    At->matVecMult(forward.data(), back.data());
+    *steps = 0;
+    return squared_norm(difference(right_side, back));
+  };
+  const BowlPath path = normal_path(squares);
+  EXPECT_NEAR(path.height(path.places[0]), 1, 1e-12) << "A'b is the first guess";
+  EXPECT_EQ(path.bottom, symmetric_path(eigen).bottom);
+  // Trace and determinant of C: the sum and the product of kSingular^2 and its inverse.
+  EXPECT_NEAR(path.xx + path.yy, kSingular * kSingular + 1 / (kSingular * kSingular), 1e-12);
+  EXPECT_NEAR(path.xx * path.yy - path.xy * path.xy, 1, 1e-12);
+  EXPECT_EQ(path.condition, std::pow(symmetric_path(eigen).condition, 2));
+}
+
 TEST(HistoryTest, AnInterruptionEndsTheStudyAndNoNumberEndsAHistory) {
   const std::atomic<bool> interrupted = true;
   EXPECT_FALSE(study_solvers({eigen, {}}, {true}, interrupted, [](const std::string&) {}));

@@ -123,6 +123,23 @@ TEST(FigureTest, APointBeyondGivenLimitsStandsAtTheEdgeAndSaysItsValue) {
   EXPECT_NEAR(positions(svg).at(1).value, edge.pixel - kLabelBelow, edge.bound);
 }
 
+TEST(FigureTest, AUnitIsAsLongOnBothAxesWhereTheFigureSaysSo) {
+  Figure figure = {"map", "Map", "Two places.", {"east, m", false}, {"north, m", false}};
+  figure.same_unit = true;
+  for (const double high : {0.1, 1.0, 30.0}) {
+    figure.series = {{"places", {{0, 0}, {1, high}}}};
+    const Element svg = parse(to_svg(figure));
+    const auto unit = [&](const char* axis) {
+      const std::vector<Labelled> all = labels(svg, axis);
+      return std::abs((all.back().pixel - all.front().pixel) / (all.back().value - all.front().value));
+    };
+    EXPECT_NEAR(unit("x") / unit("y"), 1, 1e-3) << high;
+  }
+  figure.x.logarithmic = true;
+  figure.series = {{"places", {{1, 1}, {2, 2}}}};
+  EXPECT_THROW(to_svg(figure), std::invalid_argument);
+}
+
 TEST(FigureTest, ARunThatFailedStandsAboveThePlotAndItsNoteCanBeRead) {
   const Figure figure = sample_figure();
   const Element svg = parse(to_svg(figure));
