@@ -1,7 +1,7 @@
 // STAFF ONLY. What the hidden checks ask, the public ones ask: a sample that loses points in an exercise fails that exercise's
 // public checks (handout/checks/), and one that gets all of them passes them. So do the wrong programs that are made of the reference:
 // tests of the reference need not ask what these checks ask. The environment's HAIR_EXERCISE names the exercise, and HAIR_SAMPLE one
-// sample alone.
+// sample alone. HAIR_TOLD names a folder that keeps what the checks tell of each program that fails them.
 //
 // A sample's file is compiled and linked as for grading, in a cage, and the public checks run with it in another. Wrong ones that
 // they do not catch are compiled once more with sanitizers, as students' checks are: these take longer, and tell more of memory
@@ -13,6 +13,7 @@
 #include <array>
 #include <atomic>
 #include <filesystem>
+#include <fstream>
 #include <set>
 #include <string_view>
 
@@ -92,6 +93,7 @@ class PublicChecks : public testing::Test {
     for (const std::string build : {"ordinary", "sanitised"})
       fs::copy_file(fs::path(HAIR_PUBLIC_CHECKS) / build / id_, checks_ / build);
     fs::copy(HAIR_GOLDEN_DIR, checks_ / "golden");
+    fs::copy(kProject / "handout" / course_.find(id_)->text, checks_ / "text.md");
   }
 
   Checked check(const Compiler& compiler, const std::string& name, const std::string& source,
@@ -107,6 +109,7 @@ class PublicChecks : public testing::Test {
     cage.mounts.push_back({"/usr/bin/prlimit", "/usr/bin/prlimit"});
     cage.mounts.push_back({checks_ / (build == Build::sanitised ? "sanitised" : "ordinary"), "/check"});
     cage.mounts.push_back({checks_ / "golden", HAIR_GOLDEN_DIR});
+    cage.mounts.push_back({checks_ / "text.md", kProject / "handout" / exercise.text});
     cage.mounts.push_back({compiled.object, "/objects/" + id_ + ".so"});
     for (const std::string& prerequisite : exercise.prerequisites)
       cage.mounts.push_back(
@@ -124,9 +127,12 @@ class PublicChecks : public testing::Test {
     }
     const fs::path log = job / "log";
     const Descriptor output(open(log.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0600));
-    CagedProcess process(cage, with_inner_limits(inner, {"/check", "--gtest_brief=1"}), -1, -1, output.get());
+    CagedProcess process(cage, with_inner_limits(inner, {"/check"}), -1, -1, output.get());
     const Ending ending = process.wait(cage.limits.wall_seconds);
-    return {true, ending.well(), ending.well() ? "" : hair::bytes_of(log).substr(0, 4000)};
+    const std::string told = ending.well() ? "" : hair::bytes_of(log).substr(0, 4000);
+    if (const std::string folder = environment("HAIR_TOLD", ""); !folder.empty() && !ending.well())
+      std::ofstream(fs::path(folder) / (id_ + "-" + name + ".txt")) << told;
+    return {true, ending.well(), told};
   }
 };
 

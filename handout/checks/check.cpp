@@ -2,16 +2,19 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <fstream>
 #include <locale>
 #include <set>
 #include <sstream>
 #include <stdexcept>
 
+#include "apart.h"
 #include "hint.h"
 #include "solver/matrix_market.h"
 #include "solver/not_implemented.h"
@@ -112,10 +115,12 @@ std::vector<Golden> read_golden(const std::string& exercise) {
   return cases;
 }
 
-int run(int argc, char** argv, const std::vector<Function>& functions) {
-  testing::InitGoogleTest(&argc, argv);
+namespace {
+
+// Says which functions are not written yet, and returns them.
+std::vector<const Function*> unwritten(const std::vector<Function>& functions) {
   std::set<std::string> said;
-  std::size_t missing = 0;
+  std::vector<const Function*> missing;
   for (const Function& function : functions) {
     try {
       function.call();
@@ -128,15 +133,112 @@ int run(int argc, char** argv, const std::vector<Function>& functions) {
     } catch (...) {
       continue;  // It is written: the tests will tell what is wrong with it.
     }
-    ++missing;
-    std::string& filter = testing::GTEST_FLAG(filter);
-    filter += (filter.find('-') == std::string::npos ? "-" : ":") + function.suite + ".*";
+    missing.push_back(&function);
   }
   std::fflush(stdout);
-  if (missing == functions.size()) return 1;
+  return missing;
+}
+
+// All checks, in the order of the file. Those of missing functions wait for them.
+std::vector<Finding> all_checks(const std::vector<const Function*>& missing) {
+  std::vector<Finding> findings;
+  const testing::UnitTest& all = *testing::UnitTest::GetInstance();
+  for (int i = 0; i < all.total_test_suite_count(); ++i) {
+    const testing::TestSuite& suite = *all.GetTestSuite(i);
+    const auto of =
+        std::ranges::find_if(missing, [&](const Function* one) { return fits(suite.name(), one->suite); });
+    for (int j = 0; j < suite.total_test_count(); ++j) {
+      const testing::TestInfo& test = *suite.GetTestInfo(j);
+      const std::string path = test.file();
+      findings.push_back({suite.name(),
+                          test.name(),
+                          path.substr(path.rfind('/') + 1),
+                          test.line(),
+                          Finding::State::waits,
+                          {},
+                          of == missing.end() ? "" : (*of)->name});
+    }
+  }
+  return findings;
+}
+
+// The first function that this suite's checks ask with and that has failed or waits; or "".
+std::string waits_for(const std::string& suite, const std::vector<Function>& functions,
+                      const std::vector<Finding>& findings) {
+  const auto of =
+      std::ranges::find_if(functions, [&](const Function& one) { return fits(suite, one.suite); });
+  if (of == functions.end()) return "";
+  for (const std::string& needed : of->needs) {
+    const auto function = std::ranges::find(functions, needed, &Function::name);
+    for (const Finding& one : findings)
+      if (function != functions.end() && fits(one.suite, function->suite) &&
+          one.state != Finding::State::passed)
+        return needed;
+  }
+  return "";
+}
+
+void run_all(std::vector<Finding>& findings, const std::vector<Function>& functions) {
+  std::set<std::string> begun;
+  for (const Finding& first : findings) {
+    if (!begun.insert(first.suite).second || !first.waits_for.empty()) continue;
+    std::vector<Finding*> checks;
+    for (Finding& one : findings)
+      if (one.suite == first.suite) checks.push_back(&one);
+    const std::string needed = waits_for(first.suite, functions, findings);
+    if (needed.empty()) {
+      run_apart(checks);
+    } else {
+      for (Finding* one : checks) one->waits_for = needed;
+    }
+  }
+}
+
+bool has_an_option_of_googletests(int argc, char** argv) {
+  return std::any_of(argv + 1, argv + argc, [](const char* one) {
+    return std::strncmp(one, "--gtest", 7) == 0 || std::strcmp(one, "--help") == 0;
+  });
+}
+
+int run_plainly(int argc, char** argv, const std::vector<Function>& functions) {
+  testing::InitGoogleTest(&argc, argv);
+  if (testing::GTEST_FLAG(list_tests)) return RUN_ALL_TESTS();
+  const std::vector<const Function*> missing = unwritten(functions);
+  std::string& filter = testing::GTEST_FLAG(filter);
+  for (const Function* one : missing)
+    filter += (filter.find('-') == std::string::npos ? "-" : ":") + one->suite + ".*";
+  if (missing.size() == functions.size()) return 1;
   const int failed = RUN_ALL_TESTS();
+  return missing.empty() ? failed : 1;
+}
+
+}  // namespace
+
+int run_checks(int argc, char** argv, const std::string& exercise, const std::string& text,
+               const std::vector<Function>& functions, const std::vector<Category>& categories,
+               const std::vector<Symptom>& symptoms) {
+  if (has_an_option_of_googletests(argc, argv)) return run_plainly(argc, argv, functions);
+  const auto given = [&](const std::string& option) {
+    return std::find(argv + 1, argv + argc, option) != argv + argc;
+  };
+  testing::InitGoogleTest();
+  const Asked asked{exercise, text, argv[0], categories, symptoms};
+  if (given("--list")) {
+    std::printf("%s", list(asked, all_checks({})).c_str());
+    return 0;
+  }
+  const std::vector<const Function*> missing = unwritten(functions);
+  const bool tell = given("--tell");
+  if (missing.size() == functions.size()) return tell ? 0 : 1;
+  std::vector<Finding> findings = all_checks(missing);
+  run_all(findings, functions);
+  std::printf("%s", digest(asked, read_text_tables(text), findings, given("--full")).c_str());
+  const auto wrong =
+      std::ranges::count_if(findings, [](const Finding& one) { return one.state != Finding::State::passed; });
+  if (const char* file = std::getenv("HAIR_RESULT"))
+    std::ofstream(file) << "{\"tests\": " << findings.size() << ", \"failures\": " << wrong << "}\n";
   if (const char* show = std::getenv("HAIR_SHOW")) std::printf("To see what it does: %s\n", show);
-  return missing > 0 ? 1 : failed;
+  return tell || wrong == 0 ? 0 : 1;
 }
 
 }  // namespace checks

@@ -1,6 +1,6 @@
 // What the public checks share: a matrix that counts its products, vectors in words, an error beside its
-// bound, the data in golden/, a main program that names the functions that are not written yet, and how often a
-// function is asked that must always answer the same.
+// bound, the data in golden/, a main program that names the functions that are not written yet and tells of the
+// first failure, and how often a function is asked that must always answer the same.
 #pragma once
 
 #include <functional>
@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "digest.h"
 #include "solver/matrices.h"
 
 namespace checks {
@@ -77,15 +78,34 @@ struct Golden {
 // Throws std::runtime_error if a file is missing.
 std::vector<Golden> read_golden(const std::string& exercise);
 
-// A function of the exercise, a call of it that any version survives, and the name of the test suite that
-// checks it.
+// A function of the exercise, a call of it that any version survives, and the name of the test suites that
+// check it. They wait until the checks of the functions in `needs` pass, since they ask with these.
 struct Function {
   std::string name, suite;
   std::function<void()> call;
+  std::vector<std::string> needs = {};
 };
 
 // Runs the tests, but not those of a function that is not implemented: of that it says so, in one line, and
-// fails. The target check-X says at the end how to see what the exercise does (HAIR_SHOW).
-int run(int argc, char** argv, const std::vector<Function>& functions);
+// fails. Each suite runs in a process of its own (apart.h), and digest.h tells what they found. With any of
+// GoogleTest's own options (--gtest_filter=...) this is a plain GoogleTest program, for a debugger.
+//
+//   --full      tells all failures, each whole
+//   --list      names each check, its category, and the row of the text's "what you see" that it points to
+//   --tell      ends with 0 whatever it found: for the target check-X, so that the build tool adds nothing
+//
+// HAIR_RESULT names a file for the numbers of checks and failures; HAIR_SHOW says how to see what the exercise does.
+int run_checks(int argc, char** argv, const std::string& exercise, const std::string& text,
+               const std::vector<Function>& functions, const std::vector<Category>& categories,
+               const std::vector<Symptom>& symptoms);
+
+inline int run(int argc, char** argv, const std::vector<Function>& functions,
+               const std::vector<Category>& categories = {}, const std::vector<Symptom>& symptoms = {}) {
+#ifdef HAIR_EXERCISE_TEXT
+  return run_checks(argc, argv, HAIR_EXERCISE_ID, HAIR_EXERCISE_TEXT, functions, categories, symptoms);
+#else
+  return run_checks(argc, argv, "", "", functions, categories, symptoms);
+#endif
+}
 
 }  // namespace checks

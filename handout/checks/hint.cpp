@@ -55,6 +55,13 @@ Blocks right_blocks(Numbers actual, Numbers expected, double bound, int block) {
   return blocks;
 }
 
+std::string told_of(double factor) {
+  std::ostringstream text;
+  text.precision(4);
+  text << factor << " times what was expected: " << (std::abs(factor + 1) < 1e-4 ? "a sign?" : "a factor?");
+  return text.str();
+}
+
 // One factor for all numbers, if there is one: the best in the sense of least squares leaves no more than rounding.
 std::string told_of_a_factor(Numbers actual, Numbers expected, double bound) {
   const double squared = dot(expected, expected);
@@ -69,10 +76,7 @@ std::string told_of_a_factor(Numbers actual, Numbers expected, double bound) {
     if (!(std::abs(actual[i] - factor * expected[i]) <= 2 * bound + 1e-6 * std::abs(factor) * largest))
       return "";
   if (std::abs(factor) < 1e-12 || std::abs(factor - 1) < 1e-3) return "";  // 1: not exact, that is all
-  std::ostringstream text;
-  text.precision(4);
-  text << factor << " times what was expected: " << (std::abs(factor + 1) < 1e-4 ? "a sign?" : "a factor?");
-  return text.str();
+  return told_of(factor);
 }
 
 // All blocks are right but some at one end.
@@ -113,6 +117,17 @@ std::string hint(Numbers actual, Numbers expected, double bound, int block) {
     return told;
   if (std::string told = told_of_a_factor(actual, expected, bound); !told.empty()) return told;
   return told_of_signs(actual, expected, bound);
+}
+
+std::string hint_of_ratio(double actual, double expected) {
+  if (was_never_set(actual)) return "it was never set";
+  if (std::isnan(actual))
+    return "it is no number: 0/0, the root of a negative number, or a variable that was never set?";
+  if (expected == 0 || !std::isfinite(actual) || !std::isfinite(expected)) return "";
+  if (actual == 0) return "it is 0: is the result written, or returned, at all?";
+  for (const double factor : {-1.0, 2.0, 0.5, 3.0, 1.0 / 3, 4.0, 0.25, -2.0, -0.5})
+    if (std::abs(actual / expected - factor) < 1e-6) return told_of(factor);
+  return "";
 }
 
 }  // namespace checks

@@ -11,4 +11,7 @@ namespace checks {
 std::string hint(std::span<const double> actual, std::span<const double> expected, double bound,
                  int block = 1);
 
+// The same for one number: 0, or a sign or a small factor from what was expected.
+std::string hint_of_ratio(double actual, double expected);
+
 }  // namespace checks

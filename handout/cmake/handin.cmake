@@ -3,7 +3,7 @@
 #   STUDENT_DIR    the student's files
 #   EXERCISES      "S1=conj_grad.cpp,..." of all that are handed in
 #   ARCHIVE        the .zip to write
-#   CHECKED        where each run of check-X leaves its result, X.json (GoogleTest's)
+#   CHECKED        where each run of check-X leaves its result, X.json: tests, failures
 #   VERSION_FILE   the handout's version, if it has one
 
 # In words: the file still has stubs, or how its checks ended when they last ran.

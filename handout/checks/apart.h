@@ -1,0 +1,22 @@
+// Runs checks in a process of their own: one that breaks off or never ends takes no other with it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "finding.h"
+
+namespace checks {
+
+// CPU seconds after which a check's process is ended. Right programs take one or two for all checks together.
+inline constexpr unsigned kMostSeconds = 20;
+
+// Runs the findings' checks, all of one suite, in their order, and fills in states and failures. After two checks that
+// never ended the others are left waiting. The standard output stays this program's.
+void run_apart(std::vector<Finding*> checks, unsigned seconds = kMostSeconds);
+
+// The sentence for a process that ended in the middle of a check: by a signal (0: none), with the text that it wrote to the
+// standard error. A sanitizer's report becomes its first line, and the line of your file.
+std::string how_it_ended(int signal, const std::string& written);
+
+}  // namespace checks

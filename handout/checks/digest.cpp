@@ -1,0 +1,202 @@
+#include "digest.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "hint.h"
+
+namespace checks {
+namespace {
+
+constexpr std::size_t kMostLetters = 160;  // of a line
+constexpr int kMostLines = 8;              // of the first failure's message
+constexpr std::size_t kMostNames = 300;    // letters of the names of all others
+
+bool fits_one(const char* name, const char* pattern, const char* end) {
+  if (pattern == end) return *name == '\0';
+  if (*pattern == '*')
+    return fits_one(name, pattern + 1, end) || (*name != '\0' && fits_one(name + 1, pattern, end));
+  return *name == *pattern && fits_one(name + 1, pattern + 1, end);
+}
+
+bool is_wrong(const Finding& one) {
+  return one.state == Finding::State::failed || one.state == Finding::State::broke_off;
+}
+
+std::string count_in_words(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+// The message, line by line, and the hint in it.
+struct Message {
+  std::vector<std::string> lines;
+  std::string hint;
+};
+
+// GoogleTest's "a evaluates to 2," in two lines one behind the other: what was got, and what was expected.
+std::string hint_of_two_values(const std::vector<std::string>& lines) {
+  std::vector<double> values;
+  for (const std::string& line : lines) {
+    const std::string words = " evaluates to ";
+    const std::size_t at = line.rfind(words);
+    if (at != std::string::npos) values.push_back(std::strtod(line.c_str() + at + words.size(), nullptr));
+  }
+  return values.size() == 3 ? hint_of_ratio(values[0], values[1]) : "";
+}
+
+Message message_of(const std::string& text) {
+  Message message;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string hint = "hint       = ";
+    if (line.starts_with(hint) && message.hint.empty())
+      message.hint = line.substr(hint.size());
+    else if (line.find("_check.cpp:") != std::string::npos && line.find(": ") != std::string::npos)
+      message.lines.push_back("for " + line.substr(line.find(": ") + 2));  // a SCOPED_TRACE
+    else if (!line.empty() && line != "Failed" && line != "Google Test trace:")
+      message.lines.push_back(line);
+  }
+  if (message.hint.empty()) message.hint = hint_of_two_values(message.lines);
+  return message;
+}
+
+// The first row that fits the check, or null.
+template <class Row>
+const Row* first_that_fits(const std::vector<Row>& rows, const Finding& one) {
+  const auto found =
+      std::ranges::find_if(rows, [&](const Row& row) { return fits(one.full_name(), row.checks); });
+  return found == rows.end() ? nullptr : &*found;
+}
+
+const Category* category_of(const Asked& asked, const Finding& one) {
+  return first_that_fits(asked.categories, one);
+}
+
+const Symptom* symptom_of(const Asked& asked, const Finding& one) {
+  return first_that_fits(asked.symptoms, one);
+}
+
+void tell_failure(std::ostream& out, const Asked& asked, const TextTables& tables, const Finding& one,
+                  bool full) {
+  out << one.full_name() << " (checks/" << one.file << ":" << one.line << ")"
+      << (one.state == Finding::State::broke_off ? " broke off:" : ":") << "\n";
+  int lines = 0;
+  std::string hint;
+  for (const std::string& failure : one.failures) {
+    const Message message = message_of(failure);
+    if (hint.empty()) hint = message.hint;
+    for (const std::string& line : message.lines) {
+      if (!full && ++lines > kMostLines) break;
+      const bool cut = !full && line.size() > kMostLetters;
+      out << "  " << line.substr(0, cut ? kMostLetters : line.size()) << (cut ? " ..." : "") << "\n";
+    }
+    if (!full) break;
+  }
+  if (!hint.empty()) out << "  Hint: " << hint << "\n";
+  if (const Symptom* symptom = symptom_of(asked, one))
+    for (const TextTables::Row& row : tables.symptoms)
+      if (row.seen.starts_with(symptom->seen)) out << "  Where to look: " << row.look << "\n";
+}
+
+std::string names_of(const std::vector<const Finding*>& findings) {
+  std::string names;
+  for (const Finding* one : findings) {
+    if (names.size() > kMostNames) return names + ", ...";
+    names += (names.empty() ? "" : ", ") + one->full_name();
+  }
+  return names;
+}
+
+std::string state_of(const Category& category, const Asked& asked, const std::vector<Finding>& findings) {
+  std::size_t all = 0, wrong = 0, waiting = 0;
+  for (const Finding& one : findings) {
+    if (category_of(asked, one) != &category) continue;
+    ++all;
+    wrong += is_wrong(one) ? 1 : 0;
+    waiting += one.state == Finding::State::waits ? 1 : 0;
+  }
+  if (wrong > 0)
+    return wrong == all ? "fails" : "fails, " + std::to_string(wrong) + " of " + count_in_words(all, "check");
+  if (waiting > 0) return "waits";
+  return all == 0 ? "" : "passes";
+}
+
+void tell_categories(std::ostream& out, const Asked& asked, const TextTables& tables,
+                     const std::vector<Finding>& findings) {
+  if (asked.categories.empty() || tables.categories.empty()) return;
+  out << "points  category\n";
+  for (const TextTables::Category& row : tables.categories) {
+    const auto category = std::ranges::find(asked.categories, row.title, &Category::title);
+    const std::string state = category == asked.categories.end() ? "" : state_of(*category, asked, findings);
+    char line[256];
+    std::snprintf(line, sizeof line, "%6s  %-44s  %s\n", row.points.c_str(), row.title.c_str(),
+                  state.empty() ? "in grading alone" : state.c_str());
+    out << line;
+  }
+}
+
+}  // namespace
+
+bool fits(const std::string& name, const std::string& patterns) {
+  std::istringstream all(patterns);
+  for (std::string one; std::getline(all, one, ':');)
+    if (fits_one(name.c_str(), one.data(), one.data() + one.size())) return true;
+  return false;
+}
+
+std::string digest(const Asked& asked, const TextTables& tables, const std::vector<Finding>& findings,
+                   bool full) {
+  std::vector<const Finding*> wrong, waiting;
+  std::map<std::string, int> waits_for;
+  for (const Finding& one : findings) {
+    if (is_wrong(one)) wrong.push_back(&one);
+    if (one.state != Finding::State::waits) continue;
+    waiting.push_back(&one);
+    ++waits_for[one.waits_for];
+  }
+  std::ostringstream out;
+  if (wrong.empty() && waiting.empty()) {
+    out << asked.exercise << ": all " << count_in_words(findings.size(), "check") << " pass\n";
+    return out.str();
+  }
+  out << asked.exercise << ": " << findings.size() - wrong.size() - waiting.size() << " of "
+      << count_in_words(findings.size(), "check") << " pass, " << wrong.size() << " fail"
+      << (waiting.empty() ? "" : ", " + std::to_string(waiting.size()) + " wait") << "\n\n";
+  for (const Finding* one : wrong) {
+    tell_failure(out, asked, tables, *one, full);
+    if (!full) break;
+    out << "\n";
+  }
+  if (!full && wrong.size() > 1)
+    out << "These fail, too: " << names_of({wrong.begin() + 1, wrong.end()}) << "\n";
+  for (const auto& [function, count] : waits_for) {
+    if (function.empty())
+      out << count_in_words(static_cast<std::size_t>(count), "check")
+          << " did not run: too many never ended\n";
+    else
+      out << "First make " << function
+          << " pass: " << count_in_words(static_cast<std::size_t>(count), "check")
+          << (count == 1 ? " waits" : " wait") << " for it\n";
+  }
+  if (!full) out << "All of it: " << asked.program << " --full\n";
+  out << "\n";
+  tell_categories(out, asked, tables, findings);
+  return out.str();
+}
+
+std::string list(const Asked& asked, const std::vector<Finding>& findings) {
+  std::string lines;
+  for (const Finding& one : findings) {
+    const Category* category = category_of(asked, one);
+    const Symptom* symptom = symptom_of(asked, one);
+    lines += one.full_name() + "\t" + (category == nullptr ? "" : category->title) + "\t" +
+             (symptom == nullptr ? "" : symptom->seen) + "\n";
+  }
+  return lines;
+}
+
+}  // namespace checks
