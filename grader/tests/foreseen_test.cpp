@@ -54,22 +54,22 @@ TEST(PublicChecks, ForeseeEachCategory) {
   for (const Exercise& exercise : read_course(handout / "exercises.json").exercises) {
     const std::vector<Listed> checks = checks_of(exercise.id);
     ASSERT_GE(checks.size(), 5U) << exercise.id;
-    if (kNotYet.contains(exercise.id)) continue;
     const checks::TextTables text = checks::read_text_tables((handout / exercise.text).string());
     std::set<std::string> titles, asked;
     for (const auto& category : text.categories) titles.insert(category.title);
     for (const Listed& one : checks) {
-      EXPECT_TRUE(titles.contains(one.category))
-          << one.check << " belongs to \"" << one.category << "\", which the table of " << exercise.text
-          << " does not have";
-      asked.insert(one.category);
       const auto begins = [&](const checks::TextTables::Row& row) { return row.seen.starts_with(one.seen); };
       EXPECT_EQ(one.seen.empty() ? 1 : std::ranges::count_if(text.symptoms, begins), 1)
           << one.check << " points to \"" << one.seen << "\": " << exercise.text
           << " has no such row, or several";
+      if (kNotYet.contains(exercise.id)) continue;
+      EXPECT_TRUE(titles.contains(one.category))
+          << one.check << " belongs to \"" << one.category << "\", which the table of " << exercise.text
+          << " does not have";
+      asked.insert(one.category);
     }
     for (const std::string& title : titles)
-      EXPECT_TRUE(asked.contains(title) || kInGradingAlone.contains(title))
+      EXPECT_TRUE(asked.contains(title) || kInGradingAlone.contains(title) || kNotYet.contains(exercise.id))
           << exercise.id << ": no public check foresees \"" << title << "\"";
   }
 }

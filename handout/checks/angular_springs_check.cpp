@@ -355,9 +355,24 @@ int main(int argc, char** argv) {
   static const Strand lone = strand_of(VectorXd(0));
   static const VectorXd x = VectorXd::Zero(3);
   static VectorXd out = x;
-  return run(argc, argv,
-             {{"bend_energy", "BendEnergy", [] { bend_energy(lone, x); }},
-              {"add_bend_force", "AddBendForce", [] { add_bend_force(lone, x, out); }},
-              {"add_bend_product", "AddProducts", [] { add_bend_product(lone, x, x, out); }},
-              {"add_bend_product_spd", "AddProductsSpd", [] { add_bend_product_spd(lone, x, x, out); }}});
+  return run(
+      argc, argv,
+      {{"bend_energy", "BendEnergy", [] { bend_energy(lone, x); }},
+       {"add_bend_force", "AddBendForce", [] { add_bend_force(lone, x, out); }, {"bend_energy"}},
+       {"add_bend_product", "AddProducts", [] { add_bend_product(lone, x, x, out); }, {"add_bend_force"}},
+       {"add_bend_product_spd",
+        "AddProductsSpd",
+        [] { add_bend_product_spd(lone, x, x, out); },
+        {"add_bend_force"}}},
+      {},
+      {{"the energy is twice", "BendEnergy.OfOneJoint"},
+       {"right for lengths of 1, wrong otherwise", "BendEnergy.TakesTheMean*:BendEnergy.OfTheLectures*"},
+       {"small bends have energies like stairs", "BendEnergy.OfSmall*"},
+       {"right for free strands, and a clamped one", "*Clamped*"},
+       {"bends grow instead of shrinking", "AddBendForce.OfOneJoint"},
+       {"the sum of all forces is not 0", "AddBendForce.*Net*:AddBendForce.*Balance*"},
+       {"the force is not the slope", "AddBendForce.IsMinus*:AddBendForce.*"},
+       {"the exact product is right for straight strands only", "AddProducts.IsTheForces*:AddProducts.*"},
+       {"S is right for bent strands", "AddProductsSpd.IsExactFor*:*Straight*"},
+       {"S is indefinite beyond 90°", "AddProductsSpd.*"}});
 }

@@ -232,7 +232,21 @@ int main(int argc, char** argv) {
   static VectorXd out = x;
   return run(argc, argv,
              {{"bend_spring_energy", "BendSpringEnergy", [] { bend_spring_energy(lone, x); }},
-              {"add_bend_spring_force", "AddBendSpringForce", [] { add_bend_spring_force(lone, x, out); }},
-              {"add_bend_spring_product", "AddBendSpringProduct",
-               [] { add_bend_spring_product(lone, x, GeometricTerm::full, x, out); }}});
+              {"add_bend_spring_force",
+               "AddBendSpringForce",
+               [] { add_bend_spring_force(lone, x, out); },
+               {"bend_spring_energy"}},
+              {"add_bend_spring_product",
+               "AddBendSpringProduct",
+               [] { add_bend_spring_product(lone, x, GeometricTerm::full, x, out); },
+               {"add_bend_spring_force"}}},
+             {},
+             {{"right for equal rest lengths only", "BendSpringEnergy.OfOneSpring"},
+              {"right where d_0 = 1 only", "BendSpringEnergy.Sees*"},
+              {"a crash for short strands", "BendSpringEnergy.OfFewer*"},
+              {"the force is not the slope", "AddBendSpringForce.OfOneSpring:AddBendSpringForce.IsMinus*"},
+              {"the force has a torque", "AddBendSpringForce.GivesNoNet*"},
+              {"three particles pass, four do not", "*.IsAddedTo*"},
+              {"NaN", "*ThatMeet*:*BehindOne*"},
+              {"the product is right along the spring", "AddBendSpringProduct.*"}});
 }

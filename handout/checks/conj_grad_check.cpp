@@ -432,10 +432,27 @@ TEST(ConjGrad, AgreesWithTheGoldenData) {
 }
 
 int main(int argc, char** argv) {
-  return run(argc, argv, {{"ConjGrad", "ConjGrad", [] {
-                             solver::SparseMatrix empty = diagonal({});
-                             double none = 0;
-                             int steps = 0;
-                             ConjGrad(0, &empty, &none, &none, 1, &steps);
-                           }}});
+  return run(
+      argc, argv,
+      {{"ConjGrad", "ConjGrad",
+        [] {
+          solver::SparseMatrix empty = diagonal({});
+          double none = 0;
+          int steps = 0;
+          ConjGrad(0, &empty, &none, &none, 1, &steps);
+        }}},
+      {},
+      {{"Example 1 passes, Example 2 does not", "*.SolvesExample2*"},
+       {"NaN for b = 0", "*.SolvesForZeroInNoSteps"},
+       {"a crash or a number for n = 0", "*.SolvesTheEmptySystem*"},
+       {"fails with NaN in x on entry only", "*.OnlyWritesX:*.TakesNoStepWhere*"},
+       {"it ends too early, or one step late", "*.EpsilonBounds*:*.EndsAfterAsMany*:*.SolvesExample1*"},
+       {"it takes more or fewer steps than it may", "*.TakesAtMost*:*.TakesZero*:*.TakesNegative*"},
+       {"what is returned is not the squared norm", "*.ReturnsTheSquare*"},
+       {"right answers, wrong number of products", "*.TakesOneProductAStep*"},
+       {"r^T r falls, then grows again",
+        "*.MovesXAtEachStep*:*.SolvesSystems*:*.SolvesAStiff*:*.TakesNoMoreSteps*:*.SolvesTenThousand*"},
+       {"right for ordinary numbers", "*.Scales*:*.SolvesForAnX*"},
+       {"right the first time, wrong the second", "*.GivesTheSame*"},
+       {"it goes on where it can't go on", "*.EndsAt*:*.EndsBefore*:*.EndsIf*:*.SolvesAConsistent*"}});
 }

@@ -350,13 +350,35 @@ int main(int argc, char** argv) {
       argc, argv,
       {{"constraint_values", "ConstraintValues", [] { constraint_values({}, nothing, nothing); }},
        {"constraint_rates", "ConstraintRates", [] { constraint_rates({}, nothing, nothing, nothing); }},
-       {"add_constraint_forces", "ConstraintForces",
-        [] { add_constraint_forces({}, nothing, nothing, nothing); }},
-       {"constraint_matrix", "ConstraintMatrix",
-        [] { constraint_matrix(none.constraints, none.particles, none.state); }},
-       {"solve_constraints", "SolveConstraints", [] {
+       {"add_constraint_forces",
+        "ConstraintForces",
+        [] { add_constraint_forces({}, nothing, nothing, nothing); },
+        {"constraint_rates"}},
+       {"constraint_matrix",
+        "ConstraintMatrix",
+        [] { constraint_matrix(none.constraints, none.particles, none.state); },
+        {"constraint_rates", "add_constraint_forces"}},
+       {"solve_constraints",
+        "SolveConstraints",
+        [] {
           const Example system = pendulum();
           VectorXd lambda(1);
           solve_constraints(system.constraints, system.particles, system.state, system.f, lambda);
-        }}});
+        },
+        {"constraint_values", "constraint_rates", "add_constraint_forces", "constraint_matrix"}}},
+      {},
+      {{"values are wrong by a factor of 2", "ConstraintValues.OfARod*"},
+       {"wires are wrong, rods are right", "ConstraintValues.OfAWire*:ConstraintValues.Come*"},
+       {"values right, rates wrong by a factor of 2", "ConstraintRates.*"},
+       {"right for one rod, wrong for two that meet", "ConstraintForces.AreAdded*"},
+       {"forces that do not fit the rates", "ConstraintForces.*"},
+       {"the second product differs from the first", "ConstraintMatrix.IsTheTable*"},
+       {"ConjGrad ends after a step or two, far off", "ConstraintMatrix.IsSymmetric*"},
+       {"a pendulum's pivot runs away", "ConstraintMatrix.OfPinned*:SolveConstraints.CarriesAPendulum"},
+       {"right at rest, wrong in motion",
+        "SolveConstraints.LeavesConstraintsNo*:SolveConstraints.HoldsABead"},
+       {"constraints drift faster with feedback than without", "SolveConstraints.FeedsErrors*"},
+       {"not a number where nothing pulls", "SolveConstraints.LeavesAlone*"},
+       {"what is reported is not", "SolveConstraints.Reports*:SolveConstraints.Takes*"},
+       {"right the first time", "SolveConstraints.Gives*"}});
 }

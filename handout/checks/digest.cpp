@@ -164,8 +164,10 @@ std::string digest(const Asked& asked, const TextTables& tables, const std::vect
     return out.str();
   }
   out << asked.exercise << ": " << findings.size() - wrong.size() - waiting.size() << " of "
-      << count_in_words(findings.size(), "check") << " pass, " << wrong.size() << " fail"
-      << (waiting.empty() ? "" : ", " + std::to_string(waiting.size()) + " wait") << "\n\n";
+      << count_in_words(findings.size(), "check") << " pass";
+  if (!wrong.empty()) out << ", " << wrong.size() << " fail";
+  if (!waiting.empty()) out << ", " << waiting.size() << " wait";
+  out << "\n\n";
   for (const Finding* one : wrong) {
     tell_failure(out, asked, tables, *one, full);
     if (!full) break;
@@ -182,7 +184,7 @@ std::string digest(const Asked& asked, const TextTables& tables, const std::vect
           << " pass: " << count_in_words(static_cast<std::size_t>(count), "check")
           << (count == 1 ? " waits" : " wait") << " for it\n";
   }
-  if (!full) out << "All of it: " << asked.program << " --full\n";
+  if (!full && !wrong.empty()) out << "All of it: " << asked.program << " --full\n";
   out << "\n";
   tell_categories(out, asked, tables, findings);
   return out.str();

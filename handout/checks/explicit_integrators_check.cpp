@@ -234,5 +234,14 @@ int main(int argc, char** argv) {
              {{"forward_euler", "ForwardEuler*", call(kForwardEuler)},
               {"symplectic_euler", "SymplecticEuler*", call(kSymplecticEuler)},
               {"midpoint", "Midpoint*", call(kMidpoint)},
-              {"runge_kutta_4", "RungeKutta4*", call(kRungeKutta4)}});
+              {"runge_kutta_4", "RungeKutta4*", call(kRungeKutta4)}},
+             {},
+             {{"forward Euler's order is right", "ForwardEuler*:*ForwardEuler*.TakesOneStep*"},
+              {"order 1 for midpoint", "Midpoint*.HasItsOrder*:Midpoint*.TakesOneStep*"},
+              {"order 1 for Runge-Kutta", "RungeKutta4*.HasItsOrder*"},
+              {"order 2 or 3 for Runge-Kutta", "RungeKutta4*.TakesOneStep*"},
+              {"right with zeros in scratch, NaN otherwise", "*.NeverReads*"},
+              {"x of the first particles moves", "*.MovesEvery*"},
+              {"too many evaluations", "*.CostsIts*"},
+              {"symplectic Euler's values", "SymplecticEuler*"}});
 }

@@ -310,5 +310,18 @@ int main(int argc, char** argv) {
       argc, argv,
       {{"relax_lengths", "RelaxLengths", [] { relax_lengths(strand, 1, 1, x); }},
        {"correct_lengths", "CorrectLengths", [] { correct_lengths(strand, 1, 1, x, scratch); }},
-       {"correct_velocities", "CorrectVelocities", [] { correct_velocities(strand, x, 1, 1, v, scratch); }}});
+       {"correct_velocities", "CorrectVelocities", [] { correct_velocities(strand, x, 1, 1, v, scratch); }}},
+      {},
+      {{"sweeps never end", "RelaxLengths.MakesLengthsRight"},
+       {"right for equal masses only", "*.MovesByMasses"},
+       {"one iteration too many, or too few",
+        "*.ReportsWhatItDid:*.TakesOneSweep*:*.LeavesAnError*:*.OfOneSegment*"},
+       {"it reports success for NaN", "*.NeverConverges*"},
+       {"NaN for coincident particles", "*.GivesASegment*"},
+       {"Newton's method explodes on a bent strand",
+        "CorrectLengths.MakesLengthsRight:CorrectLengths.TakesFew*"},
+       {"lengths are right, the hair drifts", "*Root*"},
+       {"velocities still stretch", "CorrectVelocities.Stop*:CorrectVelocities.TakesFew*"},
+       {"impulses that are not along", "CorrectVelocities.By*"},
+       {"good at 30 particles", "*Sweeps*:*Long*"}});
 }

@@ -212,12 +212,28 @@ TEST(SolveNormalEquations, AgreesWithTheGoldenData) {
 
 int main(int argc, char** argv) {
   static SparseMatrix empty = solver::diagonal({});
-  return run(argc, argv,
-             {{"dense_matrix", "DenseMatrix", [] { dense_matrix(0, 0, nullptr); }},
-              {"normal_matrix", "NormalMatrix", [] { normal_matrix(0, 0, &empty, &empty); }},
-              {"solve_normal_equations", "SolveNormalEquations", [] {
-                 double none = 0;
-                 int steps = 0;
-                 solve_normal_equations(0, 0, &empty, &empty, &none, &none, 1, &steps);
-               }}});
+  return run(
+      argc, argv,
+      {{"dense_matrix", "DenseMatrix", [] { dense_matrix(0, 0, nullptr); }},
+       {"normal_matrix", "NormalMatrix", [] { normal_matrix(0, 0, &empty, &empty); }},
+       {"solve_normal_equations",
+        "SolveNormalEquations",
+        [] {
+          double none = 0;
+          int steps = 0;
+          solve_normal_equations(0, 0, &empty, &empty, &none, &none, 1, &steps);
+        },
+        {"normal_matrix"}}},
+      {},
+      {{"the sum of a row times one number", "DenseMatrix.Multiplies*"},
+       {"a crash after a while", "DenseMatrix.Copies*"},
+       {"right the first time, too large the second", "*Overwrit*:*Again*:DenseMatrix.Without*"},
+       {"the last digits of a row's sum", "DenseMatrix.Rounds*"},
+       {"square matrices pass, others do not", "NormalMatrix.WorksFor*:*.SolvesForMore*"},
+       {"symmetric matrices pass, others do not", "NormalMatrix.IsTheProduct*"},
+       {"right values, too many products", "*.TakesOneProduct*:*.TakesTheSteps*"},
+       {"two normal matrices disturb each other", "*Static*:*Two*:*OfANormal*:*Inside*"},
+       {"the solver runs, and its x solves another system", "SolveNormalEquations.Solves*:*.Fits*:*.Agrees*"},
+       {"what is returned is not", "*.Returns*"},
+       {"NaN in x on entry", "*.OnlyWritesX"}});
 }

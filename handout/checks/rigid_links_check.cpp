@@ -459,12 +459,32 @@ int main(int argc, char** argv) {
   return run(
       argc, argv,
       {{"outward_velocities", "OutwardVelocities", [] { outward_velocities(links, zero.head(1), passes); }},
-       {"inward_inertias", "InwardInertias", [] { inward_inertias(links, zero.head(1), passes); }},
-       {"outward_accelerations", "OutwardAccelerations",
-        [] { outward_accelerations(links, zero.head(1), passes, result.head(1)); }},
-       {"H7", "SphericalJoints", [] {
+       {"inward_inertias",
+        "InwardInertias",
+        [] { inward_inertias(links, zero.head(1), passes); },
+        {"outward_velocities"}},
+       {"outward_accelerations",
+        "OutwardAccelerations",
+        [] { outward_accelerations(links, zero.head(1), passes, result.head(1)); },
+        {"inward_inertias"}},
+       {"H7", "SphericalJoints",
+        [] {
           outward_velocities(top, zero, passes);
           inward_inertias(top, zero, passes);
           outward_accelerations(top, zero, passes, result);
-        }}});
+        }}},
+      {},
+      {{"velocities are right at the first link only",
+        "OutwardVelocities.AreThose*:OutwardVelocities.GoFrom*"},
+       {"the first link does not move", "OutwardVelocities.BeginAt*"},
+       {"right at rest, wrong in motion", "OutwardVelocities.Accelerate*"},
+       {"forces on a link that spins", "OutwardVelocities.Give*"},
+       {"the base has an inertia of 0", "InwardInertias.BeginWith*"},
+       {"a single pendulum is right, a double one is not",
+        "InwardInertias.OfAPendulum*:InwardInertias.Answer*:InwardInertias.Carry*"},
+       {"chains are right, trees are not", "InwardInertias.GoFrom*:OutwardAccelerations.OfTwo*"},
+       {"stiff joints are wrong", "InwardInertias.AddWhat*"},
+       {"accelerations of 1e10", "OutwardAccelerations.OfAPendulum"},
+       {"accelerations are right at the first", "OutwardAccelerations.*"},
+       {"one axis is right", "SphericalJoints.*"}});
 }

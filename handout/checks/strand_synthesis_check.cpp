@@ -437,6 +437,21 @@ int main(int argc, char** argv) {
                  hair::interpolate({guide, guide, guide}, {1, 0, 0}, {}, child);
                }},
               {"carry_along", "CarryAlong", [] { carry_along(points, frames); }},
-              {"extrapolate", "Extrapolate", [] { extrapolate(points, frames, Vector3d::Zero(), 1, child); }},
-              {"blend", "Blend", [] { hair::blend(arc, points, points, child); }}});
+              {"extrapolate",
+               "Extrapolate",
+               [] { extrapolate(points, frames, Vector3d::Zero(), 1, child); },
+               {"carry_along"}},
+              {"blend", "Blend", [] { hair::blend(arc, points, points, child); }}},
+             {},
+             {{"a weight of 2, or of -0.3", "RootWeights.OfARootBeside*"},
+              {"NaN", "RootWeights.OfTriangles*:CarryAlong.Survives*"},
+              {"weights that do not add up", "RootWeights.*"},
+              {"strands that float beside the scalp", "Interpolate.OfEqual*:Interpolate.OfOneGuide*"},
+              {"hair that is right on top of a head", "Interpolate.Turns*"},
+              {"turns that are right up to the second bend", "CarryAlong.AddsUp*:CarryAlong.TurnsRight*"},
+              {"ringlets that are twisted like a rope", "CarryAlong.DoesNotTwist"},
+              {"frames that do not go along", "CarryAlong.*"},
+              {"wisps that begin in a point", "Extrapolate.Spreads*:Extrapolate.KeepsTheWidth*"},
+              {"flat ringlets", "Extrapolate.Goes*:Extrapolate.KeepsCurls"},
+              {"a blend that begins", "Blend.*"}});
 }

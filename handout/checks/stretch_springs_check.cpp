@@ -233,9 +233,23 @@ int main(int argc, char** argv) {
   static const Strand lone = strand_of(VectorXd(0));
   static const VectorXd x = VectorXd::Zero(3);
   static VectorXd out = x;
-  return run(argc, argv,
-             {{"stretch_energy", "StretchEnergy", [] { stretch_energy(lone, x); }},
-              {"add_stretch_force", "AddStretchForce", [] { add_stretch_force(lone, x, out); }},
-              {"add_stretch_product", "AddStretchProduct",
-               [] { add_stretch_product(lone, x, GeometricTerm::full, x, out); }}});
+  return run(
+      argc, argv,
+      {{"stretch_energy", "StretchEnergy", [] { stretch_energy(lone, x); }},
+       {"add_stretch_force", "AddStretchForce", [] { add_stretch_force(lone, x, out); }, {"stretch_energy"}},
+       {"add_stretch_product",
+        "AddStretchProduct",
+        [] { add_stretch_product(lone, x, GeometricTerm::full, x, out); },
+        {"add_stretch_force"}}},
+      {},
+      {{"the energy is twice", "StretchEnergy.OfOneSpring"},
+       {"the force is right only at rest length 1", "StretchEnergy.DoesNot*:StretchEnergy.*"},
+       {"the force has the wrong sign", "AddStretchForce.OfOneSpring"},
+       {"the direction is too long", "AddStretchForce.IsMinus*"},
+       {"the force is right for one end", "AddStretchForce.GivesNoNet*"},
+       {"two particles pass, three do not", "*.IsAddedTo*"},
+       {"NaN", "*WithoutLength*"},
+       {"the product along the spring passes",
+        "AddStretchProduct.OfOneSpring:AddStretchProduct.IsThe*:AddStretchProduct.Without*"},
+       {"\"not symmetric\"", "AddStretchProduct.IsSymmetric"}});
 }
