@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdlib>
@@ -19,6 +20,7 @@ namespace hair {
 namespace {
 
 constexpr int kTurnsForAnAnswer = 25;
+constexpr int kTimesTheSlowest = 10;
 
 std::array<int, 2> make_pipe() {
   std::array<int, 2> ends{};
@@ -87,7 +89,9 @@ void Child::tell(const std::string& command) {
 std::optional<std::string> Child::next(int milliseconds) {
   const std::optional<std::string> line = messages_->next(milliseconds);
   if (!line) return {};
-  heard_ = std::chrono::steady_clock::now();
+  const auto now = std::chrono::steady_clock::now();
+  if (has_begun_) slowest_ = std::max(slowest_, now - heard_);
+  heard_ = now;
   has_begun_ = true;
   if (line->starts_with(". ")) {
     steps_ = std::atol(line->c_str() + 2);
@@ -135,7 +139,9 @@ std::optional<std::string> Child::ended() {
 }
 
 std::optional<std::string> Child::stop_if_silent(std::chrono::seconds longest) {
-  if (!has_begun_) longest *= 3;
+  longest = has_begun_
+                ? std::max(longest, std::chrono::ceil<std::chrono::seconds>(kTimesTheSlowest * slowest_))
+                : 3 * longest;
   if (process_ <= 0 || stopped_ || std::chrono::steady_clock::now() - heard_ < longest) return {};
   stopped_ = true;
   kill(process_, SIGUSR1);

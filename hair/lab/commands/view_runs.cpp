@@ -1,5 +1,6 @@
 #include "hair/lab/commands/view_runs.h"
 
+#include <algorithm>
 #include <iostream>
 #include <optional>
 
@@ -22,6 +23,13 @@ namespace hair {
 namespace {
 
 namespace fs = std::filesystem;
+
+// A folder that has a scene's name need not hold a run.
+bool is_folder_of_run(const std::string& run) {
+  if (!fs::is_directory(run)) return false;
+  const std::vector<std::string> scenes = shipped_scenes(HAIR_SCENES_DIR);
+  return fs::exists(fs::path(run) / kMotionFile) || std::ranges::find(scenes, run) == scenes.end();
+}
 
 NamedMotion of_folder(const fs::path& folder) {
   const fs::path file = folder / kMotionFile;
@@ -77,7 +85,7 @@ struct Shown {
 // A folder's run, or a scene's, which is the reference's where exercises are missing. Nothing if these are all that there is to show:
 // then they are named.
 std::optional<Shown> shown(const std::string& run, const Course& course, std::size_t most_points) {
-  if (fs::is_directory(run)) {
+  if (is_folder_of_run(run)) {
     const NamedMotion motion = of_folder(run);
     const fs::path file = fs::path(run) / "run.json";
     return Shown{motion, JsonValue(*read_document(file), file)["scene"].text()};
@@ -97,7 +105,7 @@ std::optional<Shown> shown(const std::string& run, const Course& course, std::si
 }  // namespace
 
 int view_runs(const ViewOptions& options, const Course& course) {
-  const bool folder = fs::is_directory(options.run), with_reference = options.other == kReference;
+  const bool folder = is_folder_of_run(options.run), with_reference = options.other == kReference;
   // The reference's has few strands: colours that compare two runs need the same ones.
   const std::size_t most_points = with_reference ? kMostPointsShipped : kMostPointsShown;
   if (with_reference && !folder && differs_from_shipped(options.run))

@@ -372,6 +372,17 @@ TEST_F(Hairlab, ViewsTheReferencesRunOfAScene) {
                  "is another scene than the one that ships under this name");
 }
 
+TEST_F(Hairlab, ViewsASceneThoughAFolderHasItsName) {
+  fs::create_directory(folder_ / "pendulum");
+  const auto view = [&] {
+    return run_hairlab({"-c", "cd '" + folder_.path().string() + "' && exec '" HAIRLAB "' view pendulum"},
+                       {.program = "/bin/sh"});
+  };
+  EXPECT_EQ(view().output, "pendulum.html: open it in a browser\n");
+  folder_.write("pendulum/motion.json", "no motion");
+  EXPECT_EQ(view().code, 2) << "a run, then";
+}
+
 // Beside the same frame of a run that ends there.
 TEST_F(Hairlab, TheLastPictureOfARunThatBrokeShowsTheStrand) {
   Json scene = Json::parse(kBlowUp);

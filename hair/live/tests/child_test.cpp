@@ -78,7 +78,7 @@ TEST_F(ChildTest, SaysNothingMoreAboutTroubleThatItHasTold) {
 }
 
 TEST_F(ChildTest, EndsAnEndlessLoopAndNamesIt) {
-  Child child(shell("echo '. 5'; while :; do :; done"), "1 1");
+  Child child(shell("echo '. 5'; while :; do :; done"), "1 1");  // no step before took time
   std::optional<std::string> stopped;
   while (!stopped) {
     EXPECT_FALSE(child.next(20));
@@ -86,6 +86,17 @@ TEST_F(ChildTest, EndsAnEndlessLoopAndNamesIt) {
   }
   EXPECT_EQ(*stopped, "The code did not come back after step 5, for 1 s, and was ended: an endless loop?");
   EXPECT_EQ(whole_life(child).end, "") << "it is said once";
+}
+
+TEST_F(ChildTest, LetsStepsTakeTenTimesTheSlowestSoFar) {
+  Child child(shell("echo '. 1'; sleep 0.5; echo '. 2'; sleep 2.5; echo '{\"kind\":\"frame\",\"steps\":3}'; "
+                    "read a; read b"),
+              "1 1");
+  std::optional<std::string> frame;
+  while (!frame) {
+    frame = child.next(20);
+    ASSERT_FALSE(child.stop_if_silent(std::chrono::seconds(1)));
+  }
 }
 
 TEST_F(ChildTest, EndsWithItsOwner) {
