@@ -21,9 +21,38 @@ double largest(const VectorXd& x) {
   return x.size() == 0 ? 0 : x.lpNorm<Eigen::Infinity>();
 }
 
-// "particle 2, y", of three numbers a particle.
-std::string name_of(Eigen::Index entry) {
-  return "particle " + std::to_string(entry / 3) + ", " + "xyz"[entry % 3];
+// How the worst of so many entries is named, and how all of them are shown.
+struct Named {
+  std::function<std::string(Eigen::Index entry)> entry;
+  std::function<std::string(const VectorXd& all)> all;
+};
+
+Named as_particles(Eigen::Index count) {
+  return {[count](Eigen::Index entry) {
+            const std::string axis(1, "xyz"[entry % 3]);
+            return count == 3 ? axis : "particle " + std::to_string(entry / 3) + ", " + axis;
+          },
+          particles_in_words};
+}
+
+std::string numbers_in_words(const VectorXd& x) {
+  return in_words({x.data(), x.data() + x.size()});
+}
+
+Named as_numbers() {
+  return {[](Eigen::Index entry) { return "entry " + std::to_string(entry); }, numbers_in_words};
+}
+
+Named as_matrix(Eigen::Index rows) {
+  return {[rows](Eigen::Index entry) {
+            return "row " + std::to_string(entry % rows) + ", column " + std::to_string(entry / rows);
+          },
+          [rows](const VectorXd& all) {
+            std::ostringstream text;
+            text << all.reshaped(rows, all.size() / rows)
+                        .format(Eigen::IOFormat(6, Eigen::DontAlignCols, ", ", "; ", "", "", "[", "]"));
+            return text.str();
+          }};
 }
 
 std::string bound_in_words(double expected, double scale) {
@@ -63,8 +92,10 @@ VectorXd product_by_differences(const Field& force, const VectorXd& x, const Vec
   return (4 * slope(h / 2) - slope(h)) / 3;
 }
 
-void expect_entries(const VectorXd& actual, const VectorXd& expected, double bound, const std::string& what,
-                    const std::string& source_of_bound) {
+namespace {
+
+void expect_named(const VectorXd& actual, const VectorXd& expected, double bound, const std::string& what,
+                  const std::string& source_of_bound, const Named& named, int block) {
   ASSERT_EQ(actual.size(), expected.size());
   Eigen::Index worst = 0;
   double error = 0;
@@ -76,14 +107,38 @@ void expect_entries(const VectorXd& actual, const VectorXd& expected, double bou
     if (std::isnan(here)) break;
   }
   if (error <= bound) return;
-  ADD_FAILURE() << what << ", the worst entry: " << name_of(worst) << "\n"
-                << "expected = " << expected[worst] << ", all of it: " << particles_in_words(expected) << "\n"
-                << "actual   = " << actual[worst] << ", all of it: " << particles_in_words(actual) << "\n"
+  ADD_FAILURE() << what << ", the worst entry: " << named.entry(worst) << "\n"
+                << "expected = " << expected[worst] << ", all of it: " << named.all(expected) << "\n"
+                << "actual   = " << actual[worst] << ", all of it: " << named.all(actual) << "\n"
                 << "error    = " << error << "\n"
                 << "bound    = " << bound << " = " << source_of_bound
                 << hint_line({actual.data(), static_cast<std::size_t>(actual.size())},
-                             {expected.data(), static_cast<std::size_t>(expected.size())}, bound,
-                             actual.size() % 3 == 0 ? 3 : 1);
+                             {expected.data(), static_cast<std::size_t>(expected.size())}, bound, block);
+}
+
+}  // namespace
+
+void expect_entries(const VectorXd& actual, const VectorXd& expected, double bound, const std::string& what,
+                    const std::string& source_of_bound) {
+  const bool particles = actual.size() % 3 == 0;
+  expect_named(actual, expected, bound, what, source_of_bound,
+               particles ? as_particles(actual.size()) : as_numbers(), particles ? 3 : 1);
+}
+
+void expect_numbers(const VectorXd& actual, const VectorXd& expected, double bound, const std::string& what,
+                    const std::string& source_of_bound) {
+  expect_named(actual, expected, bound, what, source_of_bound, as_numbers(), 1);
+}
+
+void expect_matrix(const Eigen::MatrixXd& actual, const Eigen::MatrixXd& expected, double bound,
+                   const std::string& what, const std::string& source_of_bound) {
+  ASSERT_EQ(actual.rows(), expected.rows()) << what;
+  const bool transposed = actual.rows() == actual.cols() && expected.rows() == expected.cols() &&
+                          largest((actual - expected.transpose()).reshaped()) <= bound;
+  expect_named(
+      actual.reshaped(), expected.reshaped(), bound, what,
+      source_of_bound + (transposed ? "\nhint       = it is the transpose of what was expected" : ""),
+      as_matrix(actual.rows()), 1);
 }
 
 void expect_force(const VectorXd& actual, const Energy& energy, const VectorXd& x, double length,

@@ -38,9 +38,17 @@ void expect_force(const Eigen::VectorXd& actual, const Energy& energy, const Eig
 void expect_product(const Eigen::VectorXd& actual, const Field& force, const Eigen::VectorXd& x,
                     const Eigen::VectorXd& dx, double length, double scale);
 
-// No entry of `actual` is off by more than `bound`. `what` names them in a failure, which shows the worst.
+// No entry of `actual` is off by more than `bound`. `what` names them in a failure, which shows the worst. Three entries
+// are a vector's, more are those of particles.
 void expect_entries(const Eigen::VectorXd& actual, const Eigen::VectorXd& expected, double bound,
                     const std::string& what, const std::string& source_of_bound);
+
+// The same of joints' rates, curvatures and other numbers that belong to no particle.
+void expect_numbers(const Eigen::VectorXd& actual, const Eigen::VectorXd& expected, double bound,
+                    const std::string& what, const std::string& source_of_bound);
+
+void expect_matrix(const Eigen::MatrixXd& actual, const Eigen::MatrixXd& expected, double bound,
+                   const std::string& what, const std::string& source_of_bound);
 
 // The forces on all particles add up to no force and no torque, to within `bound` N and `bound` times the
 // largest coordinate of x.

@@ -345,7 +345,7 @@ TEST(OutwardAccelerations, OfAPendulum) {
     const Links links = pendulum(2, 0.5, angle, 9.81);
     Passes passes(2);
     const VectorXd found = all_passes(links, one(4), one(0), passes);
-    expect_entries(found, one(-9.81 / 0.5 * std::sin(angle)), 1e-12,
+    expect_numbers(found, one(-9.81 / 0.5 * std::sin(angle)), 1e-12,
                    "q\" of a pendulum of 0.5 m at " + std::to_string(angle) + " rad: -g/l sin", "1e-12");
     const Vector3d d = links[1].d;
     expect_vector(passes[1].a.linear, Vector3d(0, found[0], 0).cross(d) - 16 * d, 1e-12,
@@ -357,7 +357,7 @@ TEST(OutwardAccelerations, OfTwoPendulumsOnOneBase) {
   const Links links = two_pendulums();
   Passes passes(3);
   const VectorXd found = all_passes(links, (VectorXd(2) << 4, -3).finished(), VectorXd::Zero(2), passes);
-  expect_entries(
+  expect_numbers(
       found, (VectorXd(2) << -9.81 / 0.5 * std::sin(0.3), 9.81 / 0.4 * std::sin(1.2)).finished(), 1e-12,
       "q\" of two pendulums that hang from the same base, at 0.3 and -1.2 rad: -g/l sin of each", "1e-12");
 }
@@ -368,7 +368,7 @@ TEST(OutwardAccelerations, OfABaseThatFalls) {
   Passes passes = pass_1(links, one(0));
   passes[0].a.linear = Vector3d(0, 0, -9.81);
   passes = pass_2(links, one(0), passes);
-  expect_entries(pass_3(links, one(0), passes), one(0), 1e-12, "q\" of a pendulum in a lift that falls",
+  expect_numbers(pass_3(links, one(0), passes), one(0), 1e-12, "q\" of a pendulum in a lift that falls",
                  "1e-12");
 }
 
@@ -386,7 +386,7 @@ TEST(OutwardAccelerations, OfADoublePendulum) {
   const double right_2 = s * q1_rate * q1_rate - g / l * std::sin(p);
   const double q1_expected = (right_1 - c * right_2) / (2 - c * c),
                p_expected = (2 * right_2 - c * right_1) / (2 - c * c);
-  expect_entries(
+  expect_numbers(
       found, (VectorXd(2) << q1_expected, p_expected - q1_expected).finished(), 1e-11,
       "q\" of a double pendulum of 0.4 m and 0.4 m at 0.8 and -0.5 rad to the vertical, 2 and -3 rad/s",
       "1e-11");
@@ -401,7 +401,7 @@ TEST(OutwardAccelerations, ObeyNewtonAndEuler) {
   base.a = {Vector3d(1, 0, -2), Vector3d(0, 0, 9.81)};
   for (const double stiffening : {0.0, 0.7}) {
     for (Link& link : links) link.stiffening(0, 0) = stiffening;
-    expect_entries(
+    expect_numbers(
         unbalanced(links, kRates, Q, base), VectorXd::Zero(4), 1e-11,
         "the joints' forces that four links need, stiffening " + std::to_string(stiffening) + ", less Q",
         "1e-11: rounding of some 100 N and N m");
@@ -418,7 +418,7 @@ TEST(SphericalJoints, TurnATopAsEulerSays) {
   Passes passes(2);
   const VectorXd found = all_passes(links, omega, Q, passes);
   // omega x I omega = (3*15 - 5*6, 5*2 - 2*15, 2*6 - 3*2) = (15, -20, 6)
-  expect_entries(found, (VectorXd(3) << (1 - 15) / 1.0, 20 / 2.0, (-1 - 6) / 3.0).finished(), 1e-12,
+  expect_numbers(found, (VectorXd(3) << (1 - 15) / 1.0, 20 / 2.0, (-1 - 6) / 3.0).finished(), 1e-12,
                  "omega' of a top with the moments 1, 2, 3 at omega = (2, 3, 5), Q = (1, 0, -1)", "1e-12");
 }
 
@@ -442,7 +442,7 @@ TEST(SphericalJoints, ObeyNewtonAndEuler) {
       else
         link.stiffening(0, 0) = 0.8;
     }
-    expect_entries(unbalanced(links, rates, Q), VectorXd::Zero(10), 1e-11,
+    expect_numbers(unbalanced(links, rates, Q), VectorXd::Zero(10), 1e-11,
                    std::string("the joints' forces that three spherical joints and a revolute one need, ") +
                        (stiffened ? "stiffened" : "not stiffened") + ", less Q",
                    "1e-11: rounding of some 100 N m");

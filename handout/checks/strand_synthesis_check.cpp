@@ -247,7 +247,7 @@ TEST(Interpolate, OfCurlsOutOfStepHasNoCurl) {
 TEST(CarryAlong, MeasuresTheLength) {
   Lock guide{{Vector3d(1, 1, 1), Vector3d(0, 0, 1), Vector3d(1, 0, 0)}, VectorXd(12)};
   guide.points << 1, 1, 1, 1, 1, 2, 1, 4, 6, 1, 4, 0;
-  expect_entries(carried(guide).arc, Eigen::Vector4d(0, 1.0 / 12, 0.5, 1), 1e-12,
+  expect_numbers(carried(guide).arc, Eigen::Vector4d(0, 1.0 / 12, 0.5, 1), 1e-12,
                  "arc of a guide with segments of 1, 5 and 6 m", "rounding");
 }
 
@@ -255,16 +255,15 @@ TEST(CarryAlong, TurnsNothingAlongAStraightGuide) {
   const RootFrame root = root_of(Vector3d(1, 2, 3), some_turn());
   const GuideFrames frames = carried(lock(root, line(6, Vector3d(0, 0, 2))));
   for (const Matrix3d& turn : frames.turns)
-    expect_entries(turn.reshaped(), Matrix3d::Identity().reshaped(), 1e-12,
-                   "a turn along a guide that leaves the scalp straight along its normal", "rounding");
+    expect_matrix(turn, Matrix3d::Identity(), 1e-12,
+                  "a turn along a guide that leaves the scalp straight along its normal", "rounding");
 }
 
 // What the guide does not turn by stays: it leaves the scalp sideways, and its frames are still the root's.
 TEST(CarryAlong, BeginsWithTheFirstSegment) {
   const Lock guide{{Vector3d::Zero(), Vector3d(0, 0, 1), Vector3d(0, 1, 0)}, line(4, Vector3d(3, 0, 0))};
   for (const Matrix3d& turn : carried(guide).turns)
-    expect_entries(turn.reshaped(), Matrix3d::Identity().reshaped(), 1e-12, "a turn along a straight guide",
-                   "rounding");
+    expect_matrix(turn, Matrix3d::Identity(), 1e-12, "a turn along a straight guide", "rounding");
 }
 
 // Around three edges of a cube: no corner twists the frame, and yet it comes back turned.
@@ -278,10 +277,10 @@ TEST(CarryAlong, AddsUpRotations) {
   const std::array<Matrix3d, 5> expected = {Matrix3d::Identity(), Matrix3d::Identity(), about_y,
                                             about_z * about_y, about_x * about_z * about_y};
   for (int i = 0; i < 5; ++i)
-    expect_entries(frames.turns[i].reshaped(), expected[i].reshaped(), 1e-12,
-                   "turns[" + std::to_string(i) +
-                       "] along three edges of a cube. In which order are rotations multiplied?",
-                   "rounding");
+    expect_matrix(frames.turns[i], expected[i], 1e-12,
+                  "turns[" + std::to_string(i) +
+                      "] along three edges of a cube. In which order are rotations multiplied?",
+                  "rounding");
 }
 
 // R_i takes one direction to the next and has its axis across both.
@@ -306,13 +305,13 @@ TEST(CarryAlong, SurvivesFoldsAndPointsThatCoincide) {
   Lock guide{{Vector3d::Zero(), Vector3d(0, 0, 1), Vector3d(1, 0, 0)}, VectorXd(18)};
   guide.points << 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 1, 0, 1, 0, 0, 1;
   const GuideFrames frames = carried(guide);
-  expect_entries(frames.turns[3].reshaped(), Matrix3d::Identity().reshaped(), 1e-12,
-                 "turns[3] of a guide that goes up, two points of which coincide with the points before them",
-                 "rounding");
+  expect_matrix(frames.turns[3], Matrix3d::Identity(), 1e-12,
+                "turns[3] of a guide that goes up, two points of which coincide with the points before them",
+                "rounding");
   for (int i : {4, 5}) {
     const Matrix3d& turn = frames.turns[i];
-    expect_entries(
-        (turn.transpose() * turn).reshaped(), Matrix3d::Identity().reshaped(), 1e-9,
+    expect_matrix(
+        (turn.transpose() * turn), Matrix3d::Identity(), 1e-9,
         "turns^T turns, point " + std::to_string(i) + " of 6; after point 4 the guide turns right round",
         "the contract's");
     EXPECT_GT(turn.determinant(), 0) << "a reflection is no rotation, point " << i << " of 6";
@@ -320,7 +319,7 @@ TEST(CarryAlong, SurvivesFoldsAndPointsThatCoincide) {
                    "the contract's");
   }
   guide.points.setZero();
-  expect_entries(carried(guide).arc, VectorXd::Zero(6), 0, "arc of a guide of length 0", "0");
+  expect_numbers(carried(guide).arc, VectorXd::Zero(6), 0, "arc of a guide of length 0", "0");
 }
 
 // Nearer and nearer to a fold the sum of both directions is less and less than its rounding.
@@ -333,8 +332,8 @@ TEST(CarryAlong, TurnsRightRoundWhereAGuideAllButFolds) {
     const Matrix3d turn = carried(guide).turns[2];
     const std::string where =
         " of a guide that goes back beside itself, " + std::to_string(off * 1e15) + "e-15 away";
-    expect_entries((turn.transpose() * turn).reshaped(), Matrix3d::Identity().reshaped(), 1e-9,
-                   "turns^T turns" + where, "the contract's");
+    expect_matrix((turn.transpose() * turn), Matrix3d::Identity(), 1e-9, "turns^T turns" + where,
+                  "the contract's");
     EXPECT_GT(turn.determinant(), 0) << "a reflection is no rotation" << where;
     expect_entries(turn * along, -along, 1e-6, "the direction that turns takes along" + where,
                    "1e-6: some half turn is right");

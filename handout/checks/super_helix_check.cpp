@@ -289,12 +289,10 @@ TEST(CarryFrames, GoOnWhereTheElementBeforeEnds) {
   for (int i = 0; i < 3; ++i) {
     const std::string of = " of element " + std::to_string(i) + " of 3";
     expect_vector(elements[i].start.position, expected.position, 1e-12, "the start" + of, "1e-12");
-    expect_entries(elements[i].start.axes.reshaped(), expected.axes.reshaped(), 1e-12,
-                   "the frame at the start" + of, "1e-12");
+    expect_matrix(elements[i].start.axes, expected.axes, 1e-12, "the frame at the start" + of, "1e-12");
     expected = hair::frame_at(expected, elements[i].curvature, elements[i].length);
     expect_vector(elements[i].end.position, expected.position, 1e-12, "the end" + of, "1e-12");
-    expect_entries(elements[i].end.axes.reshaped(), expected.axes.reshaped(), 1e-12,
-                   "the frame at the end" + of, "1e-12");
+    expect_matrix(elements[i].end.axes, expected.axes, 1e-12, "the frame at the end" + of, "1e-12");
   }
 }
 
@@ -324,7 +322,7 @@ TEST(HelixStiffness, IsEIAndGJTimesTheLength) {
   strand.bend_rigidity = 3;
   strand.twist_rigidity = 7;
   strand.natural = VectorXd::Zero(6);
-  expect_entries(stiffness_of(strand), (VectorXd(6) << 1.5, 1.5, 3.5, 6, 6, 14).finished(), 1e-13,
+  expect_numbers(stiffness_of(strand), (VectorXd(6) << 1.5, 1.5, 3.5, 6, 6, 14).finished(), 1e-13,
                  "K of elements of 0.5 m and 2 m, EI = 3, GJ = 7", "1e-13");
 }
 
@@ -335,7 +333,7 @@ TEST(ElasticForce, VanishesAtTheNaturalShape) {
   q[3] += 2;
   VectorXd expected = VectorXd::Zero(q.size());
   expected[3] = -2 * 3 * strand.lengths[1];
-  expect_entries(elastic_of(strand, q), expected, 1e-12,
+  expect_numbers(elastic_of(strand, q), expected, 1e-12,
                  "the force if kappa1 of element 1 is 2 / m too much: -EI l 2", "1e-12");
 }
 
@@ -372,9 +370,8 @@ TEST(JacobianAt, IsTheDerivativeOfFrameAt) {
 TEST(JacobianAt, OfAStraightElement) {
   const HelixJacobian J = hair::jacobian_at({}, Vector3d::Zero(), 0.5),
                       expected = straight(Matrix3d::Identity(), 0.5);
-  expect_entries(J.turns.reshaped(), expected.turns.reshaped(), 1e-13, "turns at 0.5 m: s n_k", "1e-13");
-  expect_entries(J.moves.reshaped(), expected.moves.reshaped(), 1e-13, "moves at 0.5 m: s^2/2 n_k x t",
-                 "1e-13");
+  expect_matrix(J.turns, expected.turns, 1e-13, "turns at 0.5 m: s n_k", "1e-13");
+  expect_matrix(J.moves, expected.moves, 1e-13, "moves at 0.5 m: s^2/2 n_k x t", "1e-13");
 }
 
 // ---- (5)
@@ -390,7 +387,7 @@ TEST(GeneralisedForce, OfAForceAtTheTip) {
   tip.force = Vector3d(0, 3, 0);
   lying.points.push_back(tip);
   // Of element 0 the arms are 2 to 1 m, 1.5 on average over 1 m; of element 1 0.5.
-  expect_entries(force_of(lying), (VectorXd(6) << -4.5, 0, 0, -1.5, 0, 0).finished(), 1e-13,
+  expect_numbers(force_of(lying), (VectorXd(6) << -4.5, 0, 0, -1.5, 0, 0).finished(), 1e-13,
                  "Q of 3 N across the tip of a straight strand: minus the integral of force times arm",
                  "1e-13");
 }
@@ -463,7 +460,7 @@ TEST(HelixStep, LeavesWhatIsAtRest) {
   const Lying lying = straight_strand(3, 2, 5);
   HelixStrand strand = strand_of(lying);
   strand.natural.setZero();
-  expect_entries(step_of(strand, lying, VectorXd::Zero(9), VectorXd::Zero(9), 0.1), VectorXd::Zero(9), 1e-300,
+  expect_numbers(step_of(strand, lying, VectorXd::Zero(9), VectorXd::Zero(9), 0.1), VectorXd::Zero(9), 1e-300,
                  "change of straight hair at rest without forces", "0");
 }
 
