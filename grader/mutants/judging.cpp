@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Grades a wrong program as far as needed.
 #include "grader/mutants/judging.h"
 
 #include <algorithm>
@@ -30,12 +30,13 @@ Judging::Judging(GradingSettings settings)
   jobs_.limit_by(grade_reference(jobs_, compiler_).timing);
 }
 
-Judgement Judging::judge(const std::string& name, const std::string& source) const {
+Judged Judging::judge(const std::string& name, const std::string& source) const {
   const fs::path job = kit_.new_job(name);
   const double seconds = settings_.course.budget.compiler_cpu_seconds;
   const Compiled compiled = compiler_.compile(exercise_, source, job, seconds);
-  if (compiled.object.empty()) return Judgement::does_not_compile;
-  if (!passes_cases(name, compiled.object, job)) return Judgement::loses_points;
+  if (compiled.object.empty()) return {Judgement::does_not_compile};
+  if (const int categories = lost(name, compiled.object, job); categories > 0)
+    return {Judgement::loses_points, categories};
 
   Submission submission;
   submission.name = name;
@@ -44,17 +45,17 @@ Judgement Judging::judge(const std::string& name, const std::string& source) con
   ExerciseTiming timing;
   grade_exercise(jobs_, compiler_, exercise_, submission, kit_.new_job(name + "-all"), seconds, result,
                  timing);
-  return result.status == Status::passed ? Judgement::gets_all : Judgement::loses_points;
+  return {result.status == Status::passed ? Judgement::gets_all : Judgement::loses_points};
 }
 
-bool Judging::passes_cases(const std::string& name, const fs::path& object, const fs::path& job) const {
+int Judging::lost(const std::string& name, const fs::path& object, const fs::path& job) const {
   SuiteJob cases = jobs_.cases(exercise_, name, object, job);
-  cases.whole_run.reset();
   cases.pictures.reset();
   cases.count_cases = false;
   ExerciseTiming timing;
   const SuiteResult found = jobs_.run(cases, timing);
-  return std::ranges::all_of(found.cases, [](const CaseResult& one) { return one.status == Status::passed; });
+  const auto is_lost = [](const CaseResult& one) { return one.status != Status::passed; };
+  return static_cast<int>(std::ranges::count_if(found.cases, is_lost));
 }
 
 }  // namespace grader

@@ -1,5 +1,5 @@
-// STAFF ONLY. What the suite takes of wrong programs, as hairgrade would, but only until the first point is lost: cases first, and the
-// whole run, its pictures and the look for memory errors for those alone that pass all cases.
+// STAFF ONLY. What the suite takes of wrong programs, as hairgrade would, but only as far as needed: cases and the whole run first, and
+// its pictures and the look for memory errors for those alone that pass all of these.
 #pragma once
 
 #include <string>
@@ -17,11 +17,11 @@ class Judging {
   explicit Judging(GradingSettings settings);
 
   // Of the file `source` of the submission `name`. Threads may call it side by side, with different names.
-  Judgement judge(const std::string& name, const std::string& source) const;
+  Judged judge(const std::string& name, const std::string& source) const;
 
  private:
-  bool passes_cases(const std::string& name, const std::filesystem::path& object,
-                    const std::filesystem::path& job) const;
+  int lost(const std::string& name, const std::filesystem::path& object,
+           const std::filesystem::path& job) const;
 
   GradingSettings settings_;
   const Exercise& exercise_;

@@ -1,10 +1,11 @@
-// STAFF ONLY.
+// STAFF ONLY. Draws wrong programs, has them judged, and counts.
 #include "grader/tests/mutants_found.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <sstream>
 
 #include "grader/mutants/equivalents.h"
@@ -22,7 +23,7 @@ struct Mutant {
   std::string name;  // of the submission
   Mutation mutation;
   bool known = false;  // to be right
-  Judgement judgement = Judgement::does_not_compile;
+  Judged judged = {};
 };
 
 std::string in_words(const Exercise& exercise, const std::string& source, const Mutation& mutation) {
@@ -43,6 +44,7 @@ void expect_mutants_found(const Exercise& exercise, const Judge& judge, const st
   const auto count = static_cast<std::size_t>(std::stoi(environment("HAIR_MUTANTS", "40")));
   const std::vector<Equivalent> equivalents = equivalents_of(exercise.id, project);
 
+  std::map<int, int> losing;  // wrong programs by the number of categories that they lose
   std::size_t tried = 0, wrong = 0, found = 0, equivalent = 0, broken = 0;
   // As many as are missing at once: others take the place of those that do not compile or are known.
   while (wrong < count && tried < order.size()) {
@@ -54,11 +56,11 @@ void expect_mutants_found(const Exercise& exercise, const Judge& judge, const st
       mutants.push_back(std::move(mutant));
     }
     side_by_side(mutants.size(), [&](std::size_t i) {
-      mutants[i].judgement = judge(mutants[i].name, mutated(source, mutants[i].mutation));
+      mutants[i].judged = judge(mutants[i].name, mutated(source, mutants[i].mutation));
     });
     for (const Mutant& mutant : mutants) {
-      const bool is_found = mutant.judgement == Judgement::loses_points;
-      if (mutant.judgement == Judgement::does_not_compile) {
+      const bool is_found = mutant.judged.judgement == Judgement::loses_points;
+      if (mutant.judged.judgement == Judgement::does_not_compile) {
         ++broken;
       } else if (mutant.known) {
         ++equivalent;
@@ -67,6 +69,7 @@ void expect_mutants_found(const Exercise& exercise, const Judge& judge, const st
       } else {
         ++wrong;
         found += is_found;
+        if (mutant.judged.lost > 0) ++losing[mutant.judged.lost];
         EXPECT_TRUE(is_found) << in_words(exercise, source, mutant.mutation) << mutant.name
                               << " is not found. " << advice;
       }
@@ -77,6 +80,8 @@ void expect_mutants_found(const Exercise& exercise, const Judge& judge, const st
       << "too few that compile: " << wrong;
   std::printf("%s: of %zu wrong programs %zu are found (%.1f %%); %zu are equivalent, %zu do not compile\n",
               exercise.id.c_str(), wrong, found, wrong ? 100.0 * found / wrong : 100.0, equivalent, broken);
+  for (const auto& [categories, programs] : losing)
+    std::printf("  %d lose %d %s\n", programs, categories, categories == 1 ? "category" : "categories");
 }
 
 }  // namespace grader

@@ -191,9 +191,9 @@ TEST_F(PublicChecks, FailForWrongProgramsThatAreMadeOfTheReference) {
       *course_.find(id_),
       [&](const std::string& name, const std::string& source) {
         Checked found = check(mutants_, name, source, Build::ordinary);
-        if (!found.ran) return Judgement::does_not_compile;
+        if (!found.ran) return Judged{Judgement::does_not_compile};
         if (found.passed) found = check(mutants_, name, source, Build::sanitised);
-        return found.passed ? Judgement::gets_all : Judgement::loses_points;
+        return Judged{found.passed ? Judgement::gets_all : Judgement::loses_points};
       },
       "Let the public checks ask for it");
 }
