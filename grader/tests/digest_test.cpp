@@ -74,6 +74,18 @@ TEST(Digest, ReadsAFactorFromTwoNumbers) {
             std::string::npos);
 }
 
+TEST(Digest, ReadsAFactorFromEqualityOfNumbers) {
+  const Finding equal =
+      finding("Energy", "OfOne", Finding::State::failed,
+              {"Expected equality of these values:\n  energy(x)\n    Which is: 1.5\n  0.75\nfor l0 = 2"});
+  EXPECT_NE(digest(kAsked, kTables, {equal}, false).find("Hint: 2 times what was expected: a factor?\n"),
+            std::string::npos);
+  const Finding count =
+      finding("Energy", "OfOne", Finding::State::failed,
+              {"Expected equality of these values:\n  f\n    Which is: (1, 2)\n  g\n    Which is: (2, 4)"});
+  EXPECT_EQ(digest(kAsked, kTables, {count}, false).find("Hint"), std::string::npos);
+}
+
 TEST(Patterns, AreThoseOfGoogleTest) {
   EXPECT_TRUE(fits("A.b", "A.b"));
   EXPECT_TRUE(fits("A.b", "X:*.b"));

@@ -78,6 +78,21 @@ TEST_F(Hints, NameWhatIsNoNumber) {
   EXPECT_EQ(told(Numbers(4), expected), "all of it is 0: is the result written, or added, at all?");
 }
 
+TEST_F(Hints, NameWhatIsMadeOfAVariableThatWasNeverSet) {
+  EXPECT_EQ(told({1, -5.3e303, 2}, {1, 3, 2}),
+            "entry 1 is huge: was it made from a variable that was never set?");
+  EXPECT_EQ(told({1, 1e291}, {1, 1e291}), "") << "expected to be that large";
+  EXPECT_EQ(checks::hint_of_ratio(-1e304, 2), "it is huge: was it made from a variable that was never set?");
+}
+
+TEST_F(Hints, OfOneNumberKnowSmallFactors) {
+  EXPECT_EQ(checks::hint_of_ratio(-2, 2), "-1 times what was expected: a sign?");
+  EXPECT_EQ(checks::hint_of_ratio(1, 2), "0.5 times what was expected: a factor?");
+  EXPECT_EQ(checks::hint_of_ratio(0, 2), "it is 0: is the result written, or returned, at all?");
+  EXPECT_EQ(checks::hint_of_ratio(1.37, 2), "");
+  EXPECT_EQ(checks::hint_of_ratio(1, 0), "");
+}
+
 TEST_F(Hints, NameSignsOfSomeEntries) {
   Numbers expected = numbers(5), actual = expected;
   actual[1] = -actual[1];

@@ -365,7 +365,7 @@ int main(int argc, char** argv) {
         [] { add_bend_product_spd(lone, x, x, out); },
         {"add_bend_force"}}},
       {},
-      {{"the energy is twice", "BendEnergy.OfOneJoint"},
+      {{"the energy of one joint", "BendEnergy.OfOneJoint"},
        {"right for lengths of 1, wrong otherwise", "BendEnergy.TakesTheMean*:BendEnergy.OfTheLectures*"},
        {"small bends have energies like stairs", "BendEnergy.OfSmall*"},
        {"right for free strands, and a clamped one", "*Clamped*"},

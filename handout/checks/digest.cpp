@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 
@@ -37,15 +38,45 @@ struct Message {
   std::string hint;
 };
 
-// GoogleTest's "a evaluates to 2," in two lines one behind the other: what was got, and what was expected.
+// The number behind the last `words` of a line, if there is one.
+std::optional<double> number_behind(const std::string& line, const std::string& words) {
+  const std::size_t at = line.rfind(words);
+  if (at == std::string::npos) return std::nullopt;
+  const char* begin = line.c_str() + at + words.size();
+  char* end = nullptr;
+  const double value = std::strtod(begin, &end);
+  return end == begin ? std::nullopt : std::optional(value);
+}
+
+// Whether the numbers are how often something was done.
+bool counts(const std::vector<std::string>& lines) {
+  return std::ranges::any_of(lines, [](const std::string& line) {
+    for (const char* word : {"steps", "products", "sweeps", "iterations", "evaluations", "calls"})
+      if (line.find(word) != std::string::npos) return true;
+    return false;
+  });
+}
+
+std::string hint_of_count(double actual, double expected) {
+  if (actual == expected + 1) return "one too many";
+  return actual == expected - 1 ? "one too few" : "";
+}
+
+// GoogleTest's messages of EXPECT_NEAR, "a evaluates to 2," line by line, and of EXPECT_EQ, "Which is: 2" or the number itself: what
+// was got, and what was expected.
 std::string hint_of_two_values(const std::vector<std::string>& lines) {
-  std::vector<double> values;
+  std::vector<double> near, equal;
   for (const std::string& line : lines) {
-    const std::string words = " evaluates to ";
-    const std::size_t at = line.rfind(words);
-    if (at != std::string::npos) values.push_back(std::strtod(line.c_str() + at + words.size(), nullptr));
+    if (const auto value = number_behind(line, " evaluates to ")) near.push_back(*value);
+    if (const auto value = number_behind(line, "Which is: "))
+      equal.push_back(*value);
+    else if (const auto constant = number_behind(line, "  ");
+             constant && line.find_first_not_of(" 0123456789.e+-") == std::string::npos)
+      equal.push_back(*constant);
   }
-  return values.size() == 3 ? hint_of_ratio(values[0], values[1]) : "";
+  if (near.size() == 3) return hint_of_ratio(near[0], near[1]);
+  if (equal.size() != 2) return "";
+  return counts(lines) ? hint_of_count(equal[0], equal[1]) : hint_of_ratio(equal[0], equal[1]);
 }
 
 Message message_of(const std::string& text) {

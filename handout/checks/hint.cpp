@@ -19,6 +19,11 @@ bool was_never_set(double value) {
   return bits == 0xfefefefefefefefe;
 }
 
+// Sums and products of that are as large: -5e303.
+bool is_made_of_it(double value) {
+  return std::isfinite(value) && std::abs(value) > 1e290;
+}
+
 double dot(Numbers a, Numbers b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
@@ -29,6 +34,7 @@ std::string told_of_what_is_no_number(Numbers actual) {
   for (std::size_t i = 0; i < actual.size(); ++i) {
     const std::string where = "entry " + std::to_string(i);
     if (was_never_set(actual[i])) return where + " was never set";
+    if (is_made_of_it(actual[i])) return where + " is huge: was it made from a variable that was never set?";
     if (!std::isfinite(actual[i]))
       return where + " is no number: 0/0, the root of a negative number, or a variable that was never set?";
   }
@@ -106,7 +112,7 @@ std::string told_of_signs(Numbers actual, Numbers expected, double bound) {
 std::string hint(Numbers actual, Numbers expected, double bound, int block) {
   if (actual.size() != expected.size() || actual.empty() || block < 1) return "";
   for (const double value : expected)
-    if (!std::isfinite(value)) return "";
+    if (!std::isfinite(value) || is_made_of_it(value)) return "";
   if (std::string told = told_of_what_is_no_number(actual); !told.empty()) return told;
   const auto is_zero = [](double value) { return value == 0; };
   if (std::ranges::all_of(actual, is_zero))
@@ -121,6 +127,8 @@ std::string hint(Numbers actual, Numbers expected, double bound, int block) {
 
 std::string hint_of_ratio(double actual, double expected) {
   if (was_never_set(actual)) return "it was never set";
+  if (is_made_of_it(actual) && !is_made_of_it(expected))
+    return "it is huge: was it made from a variable that was never set?";
   if (std::isnan(actual))
     return "it is no number: 0/0, the root of a negative number, or a variable that was never set?";
   if (expected == 0 || !std::isfinite(actual) || !std::isfinite(expected)) return "";

@@ -242,7 +242,7 @@ int main(int argc, char** argv) {
         [] { add_stretch_product(lone, x, GeometricTerm::full, x, out); },
         {"add_stretch_force"}}},
       {},
-      {{"the energy is twice", "StretchEnergy.OfOneSpring"},
+      {{"the energy of one spring", "StretchEnergy.OfOneSpring"},
        {"the force is right only at rest length 1", "StretchEnergy.DoesNot*:StretchEnergy.*"},
        {"the force has the wrong sign", "AddStretchForce.OfOneSpring"},
        {"the direction is too long", "AddStretchForce.IsMinus*"},
