@@ -172,8 +172,8 @@ TEST(Pages, ShowAMomentsThreePicturesWithTheirDistancesAndInWords) {
           << bytes;
     EXPECT_EQ(count(page, "<img"), 3u);
     EXPECT_EQ(count(page, " at 0.50 s\""), 3u);
-    for (const char* words : {"0.0123", "0.0456", "too far", "0.0123 of at most 0.0100",
-                              "0.0456 of at most 0.0500", "<details open=\"\">"})
+    for (const char* words : {"0.0123", "0.0456", "too far", "0.0123 of at most 0.01",
+                              "0.0456 of at most 0.05", "<details open=\"\">"})
       EXPECT_GE(count(page, words), 1u) << words;
   }
 }
@@ -266,9 +266,12 @@ TEST(Pages, ARunThatBreaksOffIsTheWorst) {
   EXPECT_LT(again.rfind("bob.html"), again.rfind("alice.html"));
   results[2].exercises[2].cases.back().status = Status::not_implemented;
   EXPECT_FALSE(run_breaks_off(results[2].exercises[2]));
-  // One with all of its pictures does not, however far they are.
+  // One with all of its pictures does not, however far they are; unless the last one says so.
   results[1].exercises[1].pictures.assign(kRunPictures, sample_picture("1.00 s", 40, 0.01));
   EXPECT_FALSE(run_breaks_off(results[1].exercises[1]));
+  results[1].exercises[1].pictures.back().breaks_off = true;
+  EXPECT_TRUE(run_breaks_off(results[1].exercises[1]));
+  EXPECT_NE(student_page(results[1]).find("1.00 s, the last moment before it breaks off"), std::string::npos);
 }
 
 // The pictures before it ends may be like the reference's: their distance says nothing.

@@ -2,25 +2,28 @@
 #include "grader/report/pictures.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <utility>
 
 #include "grader/compare/heat_map.h"
 #include "grader/report/picture_files.h"
 #include "grader/result/base64.h"
+#include "hair/io/plot/page.h"
 
 namespace grader {
 namespace {
 
 constexpr std::size_t kMostSmallPictures = 20;  // rows of the class's page with pictures
 
+std::string name_of(const PictureResult& picture) {
+  return picture.name + (picture.breaks_off ? ", the last moment before it breaks off" : "");
+}
+
 Html moment(const PictureResult& picture, const std::string& whose, const PicturePlace& place) {
   if (picture.heat.empty()) {
     return html(
         "<div class=\"moment\">\n<div class=\"line\"><strong>{}</strong><span>the same, pixel for "
         "pixel</span></div>\n<div class=\"pictures one\">\n{}</div>\n</div>\n",
-        {picture.name,
+        {name_of(picture),
          figure(image(picture.student, whose + " and the reference's hair at " + picture.name, place),
                 html("{} and the reference&#39;s", {whose}))});
   }
@@ -34,7 +37,7 @@ Html moment(const PictureResult& picture, const std::string& whose, const Pictur
   return html(
       "<div class=\"moment\">\n<div class=\"line\"><strong>{}</strong>{}{}{}</div>\n<div "
       "class=\"pictures\">\n{}{}{}</div>\n</div>\n",
-      {picture.name,
+      {name_of(picture),
        scored ? html("<span class=\"badge {}\">{}</span>",
                      {far ? "bad" : "good", far ? "too far" : "close enough"})
               : Html{},
@@ -103,9 +106,7 @@ Html row(const Worst& worst, bool with_pictures, const PicturePlace& place, cons
 }  // namespace
 
 std::string shown_distance(double distance) {
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.4f", distance);
-  return text.data();
+  return hair::to_text(distance);
 }
 
 Html image(const std::string& png, const std::string& alt, const PicturePlace& place, const char* look) {

@@ -40,7 +40,7 @@ Html moments(const std::vector<PictureResult>& pictures, const std::string& head
 Html pictures_by_distance(const std::vector<SubmissionResult>& results, const PicturePlace& place,
                           const NamesForPeople& people = {});
 
-std::string shown_distance(double distance);  // "0.0123"
+std::string shown_distance(double distance);  // three digits: "0.0123"
 
 // The colour scale of a heat map, with labels at its ends.
 Html heat_scale();

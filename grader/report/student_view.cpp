@@ -40,7 +40,7 @@ std::string sentence_of(const CaseResult& one) {
     case Status::not_implemented:
       return "Not implemented yet.";
     case Status::wrong:
-      return how_many_hold(one);
+      return how_many_hold(one) + (one.hint.empty() ? "" : " " + one.hint);
     default:
       return "It broke off: no answer, or none of the kind that was asked for.";
   }
@@ -54,7 +54,8 @@ constexpr const char* kAllocates =
 std::string next_step(const ExerciseResult& exercise) {
   if (exercise.status != Status::partly && exercise.status != Status::wrong) return "";
   return " check-" + exercise.id +
-         " asks the same, with inputs that you can see. If all of it passes, compare your code with the "
+         " asks the same, with inputs that you can see, and its last line is the command that shows the "
+         "exercise. If all of it passes, compare your code with the "
          "header's "
          "sentences on what a category below names.";
 }
@@ -82,6 +83,7 @@ SubmissionResult for_student(const SubmissionResult& result) {
     for (CaseResult& one : exercise.cases) {
       if (!stub) one.status = right_wrong_or_broke_off(one.status);
       one.feedback = one.memory_error.empty() ? sentence_of(one) : one.memory_error;
+      one.hint.clear();
       one.detail.clear();
       one.cases = one.held = 0;
     }

@@ -84,6 +84,16 @@ TEST(StudentView, TellsOfAMemoryErrorAndItsLine) {
   EXPECT_NE(student_page(result).find(told), std::string::npos);
 }
 
+TEST(StudentView, TellsWhatNumbersLookLike) {
+  SubmissionResult result;
+  result.exercises = {exercise_with({Status::wrong, Status::passed})};
+  result.exercises[0].cases[0].hint = "It is right but for signs of some entries.";
+  const CaseResult view = for_student(result).exercises[0].cases[0];
+  EXPECT_EQ(view.feedback, "Not right. It is right but for signs of some entries.");
+  EXPECT_EQ(view.hint, "");
+  EXPECT_NE(staff_page(result).find("It is right but for signs"), std::string::npos);
+}
+
 TEST(StudentView, SaysThatItAllocatesAndNotHowOften) {
   SubmissionResult result;
   result.exercises = {exercise_with({Status::passed})};

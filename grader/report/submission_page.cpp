@@ -46,6 +46,7 @@ Html case_row(const std::string& number, const CaseResult& one, Reader reader) {
   Html row =
       html("<tr><td>{}</td><th scope=\"row\">{}</th><td>{}</td><td class=\"number\">{}</td><td>{}",
            {number, one.name, badge_of(one, reader), points_of(one.points, one.max_points), one.feedback});
+  if (!one.hint.empty()) row += html("<br/>{}", {one.hint});  // students have it in the sentence
   if (reader == Reader::staff && one.cases > 0)
     row += html("<br/><span class=\"quiet\">{} of {} cases hold</span>",
                 {std::to_string(one.held), std::to_string(one.cases)});

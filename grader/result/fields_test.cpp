@@ -22,7 +22,8 @@ const PictureResult kPicture{.name = "0.50 s",
                              .heat = "heat",
                              .blurred_rmse_limit = 0.3,
                              .flip_limit = 0.4,
-                             .far_off = true};
+                             .far_off = true,
+                             .breaks_off = true};
 
 const CaseResult kCase{.name = "Ill-conditioned systems",
                        .status = Status::broke_rules,
@@ -30,6 +31,7 @@ const CaseResult kCase{.name = "Ill-conditioned systems",
                        .max_points = 1e300,
                        .feedback = "the residual is \"large\"",
                        .detail = "n = 10\nx = -0x1p-1074 \xc3\xb6",
+                       .hint = "It is right but for signs.",
                        .memory_error = "reads behind an array, in line 3 of a.cpp.",
                        .cases = 7,
                        .held = std::numeric_limits<int>::max()};
@@ -158,9 +160,10 @@ bool may_be_missing(const std::string& place) {
   const std::string key = place.substr(place.rfind('/') + 1);
   if (place.find("/points/") != place.npos)
     return key == "note" || key == "error" || key == "solver_steps" || key == "correction_steps";
-  return key == "studied" || key == "ended_by_the_clock" || key == "adjustments" || key == "remarks" ||
-         key == "about" || key == "last_run" || key == "began" || key == "ended" || key == "asked" ||
-         key == "done" || key == "alice" || key == "bob" || key == "S1" || key == "runs";
+  return key == "hint" || key == "breaks_off" || key == "studied" || key == "ended_by_the_clock" ||
+         key == "adjustments" || key == "remarks" || key == "about" || key == "last_run" || key == "began" ||
+         key == "ended" || key == "asked" || key == "done" || key == "alice" || key == "bob" || key == "S1" ||
+         key == "runs";
 }
 
 template <class T>
@@ -197,7 +200,8 @@ TEST(DeclaredFields, AreWrittenInTheirOrder) {
       json_text(kCase, -1),
       "{\"name\":\"Ill-conditioned systems\",\"status\":\"broke the rules\",\"points\":0.3333333333333333,"
       "\"max_points\":1e+300,\"feedback\":\"the residual is \\\"large\\\"\",\"detail\":\"n = 10\\nx = "
-      "-0x1p-1074 \xc3\xb6\",\"memory_error\":\"reads behind an array, in line 3 of "
+      "-0x1p-1074 \xc3\xb6\",\"hint\":\"It is right but for signs.\",\"memory_error\":\"reads behind an "
+      "array, in line 3 of "
       "a.cpp.\",\"cases\":7,\"held\":2147483647}\n");
 }
 

@@ -92,7 +92,16 @@ bool too_far(const PictureResult& picture) {
   return over(picture.blurred_rmse, picture.blurred_rmse_limit) || over(picture.flip, picture.flip_limit);
 }
 
+namespace {
+
+bool shows_an_end(const std::vector<PictureResult>& pictures) {
+  return std::ranges::any_of(pictures, &PictureResult::breaks_off);
+}
+
+}  // namespace
+
 bool run_breaks_off(const ExerciseResult& exercise) {
+  if (shows_an_end(exercise.pictures)) return true;
   if (exercise.pictures.size() >= kRunPictures) return false;
   return std::any_of(exercise.cases.begin(), exercise.cases.end(), [](const CaseResult& one) {
     return one.name == kPicturesTitle && one.status != Status::passed &&
@@ -102,7 +111,7 @@ bool run_breaks_off(const ExerciseResult& exercise) {
 
 bool run_breaks_off(const RunResult& run) {
   return (run.outcome == RunOutcome::blew_up || run.outcome == RunOutcome::failed) &&
-         run.pictures.size() < kRunPictures;
+         (shows_an_end(run.pictures) || run.pictures.size() < kRunPictures);
 }
 
 std::optional<double> picture_distance(const SubmissionResult& result) {

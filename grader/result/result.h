@@ -31,7 +31,7 @@ inline constexpr const char* kPicturesTitle = "Pictures of it";
 std::string to_string(Status status);     // "does not compile"
 std::string sentence_for(Status status);  // helps the student without revealing hidden cases
 
-// The moments of a whole run that are drawn. Fewer were drawn of one that ends early.
+// The moments of a whole run that are drawn. Of one that ends early fewer are drawn, and the last one before its end.
 inline constexpr std::size_t kRunPictures = 3;
 
 // One category of an exercise's hidden cases.
@@ -41,6 +41,8 @@ struct CaseResult {
   double points = 0, max_points = 0;
   std::string feedback;  // for students: the category and the error in bands, never a value or an input
   std::string detail;    // for staff: inputs, expected and actual values
+  // For students, too: what its numbers look like, or where its run breaks off. A sentence of ours, one of a few. Empty: nothing is clear.
+  std::string hint = {};
   // For students, too: a memory error, as a sentence of ours with a line of their file. Empty: none was found.
   std::string memory_error = {};
   // Of a wrong category, how many of its cases hold; 0 of 0 where they could not be counted.
@@ -59,6 +61,7 @@ struct PictureResult {
   double blurred_rmse_limit = 0, flip_limit = 0;
   // Its particles are far from the reference's: students see it coarsely (student_view.h).
   bool far_off = false;
+  bool breaks_off = false;  // the run has no later moment that can be drawn
 
   bool operator==(const PictureResult&) const = default;
 };

@@ -18,6 +18,7 @@ const Rows<CaseResult>& Fields<CaseResult>::rows() {
                               field("max_points", &T::max_points),
                               field("feedback", &T::feedback),
                               field("detail", &T::detail),
+                              field<T>("hint", &T::hint, [](const T& one) { return !one.hint.empty(); }),
                               field("memory_error", &T::memory_error),
                               field("cases", &T::cases),
                               field("held", &T::held)};
@@ -26,15 +27,17 @@ const Rows<CaseResult>& Fields<CaseResult>::rows() {
 
 const Rows<PictureResult>& Fields<PictureResult>::rows() {
   using T = PictureResult;
-  static const Rows<T> all = {field("name", &T::name),
-                              field("blurred_rmse", &T::blurred_rmse),
-                              field("flip", &T::flip),
-                              picture("student", &T::student),
-                              picture("reference", &T::reference),
-                              picture("heat", &T::heat),
-                              field("blurred_rmse_limit", &T::blurred_rmse_limit),
-                              field("flip_limit", &T::flip_limit),
-                              field("far_off", &T::far_off)};
+  static const Rows<T> all = {
+      field("name", &T::name),
+      field("blurred_rmse", &T::blurred_rmse),
+      field("flip", &T::flip),
+      picture("student", &T::student),
+      picture("reference", &T::reference),
+      picture("heat", &T::heat),
+      field("blurred_rmse_limit", &T::blurred_rmse_limit),
+      field("flip_limit", &T::flip_limit),
+      field("far_off", &T::far_off),
+      field<T>("breaks_off", &T::breaks_off, [](const T& one) { return one.breaks_off; })};
   return all;
 }
 

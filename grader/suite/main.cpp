@@ -39,6 +39,7 @@ class CategoryTest : public testing::Test {
       result.status = failure.status;
       result.feedback = failure.feedback;
       result.detail = failure.detail;
+      result.hint = failure.hint;
       ADD_FAILURE() << failure.feedback << "\n" << failure.detail;
     } catch (const grader::MalformedMessage& error) {
       result.status = Status::broke_rules;

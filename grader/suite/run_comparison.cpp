@@ -60,8 +60,9 @@ double distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b, std::size_t 
   return (a.segment<3>(at) - b.segment<3>(at)).norm();
 }
 
-// What a picture is drawn of.
+// A frame that can be drawn.
 struct Taken {
+  int frame = 0;
   Moment moment;
   particles::State ours, theirs;
   Eigen::VectorXd our_dense, their_dense;
@@ -115,23 +116,28 @@ RunComparison compare_runs(const hair::Scene& scene, const std::vector<int>& pic
       moment.apart = std::max(moment.apart, apart);
       if (held[i]) moment.held_apart = std::max(moment.held_apart, apart);
     }
-    if (std::find(pictures.begin(), pictures.end(), frame) != pictures.end())
-      taken.push_back({moment, state, their, our_dense, their_dense, ours.obstacles()});
+    taken.push_back({frame, moment, state, their, our_dense, their_dense, ours.obstacles()});
     result.moments.push_back(moment);
   }
   result.size = (bounds.high - bounds.low).norm();
   result.camera = camera_of(scene, drawing, bounds);
 
+  const auto apart_of = [](const Taken& one) { return std::max(one.moment.apart, one.moment.dense_apart); };
+  taken.erase(std::ranges::find_if(
+                  taken, [&](const Taken& one) { return !(apart_of(one) <= kFarthestDrawn * result.size); }),
+              taken.end());
+  const bool is_cut = !pictures.empty() && static_cast<int>(taken.size()) <= pictures.back();
   for (const Taken& one : taken) {
-    const double apart = std::max(one.moment.apart, one.moment.dense_apart);
-    if (!(apart <= kFarthestDrawn * result.size)) break;
+    const bool is_last = is_cut && one.frame == taken.back().frame;
+    if (!is_last && std::ranges::find(pictures, one.frame) == pictures.end()) continue;
+    const double apart = apart_of(one);
     const auto drawn = [&](const particles::State& state, const Eigen::VectorXd& dense) {
       hair::Drawing plain = drawing.at(state, one.obstacles, one.moment.time);
       return with_dense_hair ? with_dense(std::move(plain), strands.sizes(), dense) : plain;
     };
     result.shots.push_back({name_at(one.moment.time), drawn(one.ours, one.our_dense),
                             drawn(one.theirs, one.their_dense), apart <= kSameParticles * result.size,
-                            apart > kNear * result.size});
+                            apart > kNear * result.size, is_last});
   }
   return result;
 }

@@ -23,8 +23,9 @@ struct RunComparison {
   double kinetic = 0;           // J: the largest kinetic energy in the reference's run
   bool finite = true;           // all of the worker's numbers
   std::vector<Moment> moments;  // in both runs, until a number is not finite
-  std::vector<Shot> shots;      // of the requested frames, if they can be drawn
-  hair::Camera camera;          // shows all of the reference's run
+  std::vector<Shot>
+      shots;  // of the requested frames, as far as they can be drawn; then of the last one that can, if others can't
+  hair::Camera camera;  // shows all of the reference's run
 };
 
 // Plays the scene with the reference. `pictures` are the frames for shots. Throws std::logic_error if the

@@ -66,6 +66,7 @@ std::vector<PictureResult> draw_shots(const std::vector<Shot>& shots, const hair
     PictureResult picture;
     picture.name = shot.name;
     picture.far_off = shot.far_off;
+    picture.breaks_off = shot.breaks_off;
     const std::string drawn =
         made_once(kept / (shot.name + ".png"), [&] { return hair::encode_png(artist.draw(shot.reference)); });
     picture.reference = picture.student = made_once(

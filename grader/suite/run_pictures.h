@@ -24,6 +24,7 @@ struct Shot {
   hair::Drawing reference, student;
   bool same = false;  // no visible difference between the particles: one picture is used for both
   bool far_off = false;
+  bool breaks_off = false;
 };
 
 // `kept` is the folder with the reference's stored pictures of this run. Throws hair::NoOpenGl.

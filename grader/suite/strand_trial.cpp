@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <sstream>
 
 namespace grader {
@@ -24,12 +25,10 @@ double largest(const VectorXd& v) {
 
 void expect_vector(Trial& trial, const VectorXd& actual, const VectorXd& expected, double bound,
                    const std::string& what) {
-  Eigen::Index worst = 0;
-  const double error = (actual - expected).cwiseAbs().maxCoeff(&worst);
-  std::ostringstream detail;
-  detail.precision(17);
-  detail << "worst entry " << worst << ": " << actual[worst] << ", expected " << expected[worst];
-  trial.expect_at_most(error, bound, "the error of " + what, detail.str());
+  const auto numbers = [](const VectorXd& v) {
+    return std::span(v.data(), static_cast<std::size_t>(v.size()));
+  };
+  trial.expect_near(numbers(actual), numbers(expected), bound, "the error of " + what);
 }
 
 void expect_size(Trial& trial, double actual, double expected, const std::string& what) {

@@ -6,6 +6,8 @@
 #include <sstream>
 #include <utility>
 
+#include "grader/suite/hint_for_students.h"
+
 namespace grader {
 
 MessageReader Trial::ask(const MessageWriter& request, const Products& products, const std::string& stopped) {
@@ -55,8 +57,9 @@ void Trial::expect(bool holds, const std::string& feedback, const std::string& d
   if (!holds) wrong(feedback, detail);
 }
 
-void Trial::require(bool holds, const std::string& feedback, const std::string& detail) {
-  if (!holds) fail(Status::wrong, feedback, detail);
+void Trial::require(bool holds, const std::string& feedback, const std::string& detail,
+                    const std::string& hint) {
+  if (!holds) fail(Status::wrong, feedback, detail, hint);
 }
 
 void Trial::expect_at_most(double error, double bound, const std::string& what, const std::string& detail) {
@@ -68,14 +71,33 @@ void Trial::expect_at_most(double error, double bound, const std::string& what, 
   wrong(what + " is " + band(error, bound), numbers.str());
 }
 
-void Trial::wrong(const std::string& feedback, const std::string& detail) {
-  if (when_wrong_ == WhenWrong::stop) fail(Status::wrong, feedback, detail);
+void Trial::expect_near(std::span<const double> actual, std::span<const double> expected, double bound,
+                        const std::string& what, int block) {
+  double error = 0;
+  std::size_t worst = 0;
+  for (std::size_t i = 0; i < expected.size() && !std::isnan(error); ++i)
+    if (const double one = std::abs(actual[i] - expected[i]); !(one <= error)) {
+      error = one;
+      worst = i;
+    }
+  if (error <= bound && std::isfinite(bound)) return;
+  std::ostringstream numbers;
+  numbers.precision(17);
+  numbers << what << ": " << error << ", bound " << bound << "; worst entry " << worst << ": "
+          << actual[worst] << ", expected " << expected[worst];
+  wrong(what + " is " + band(error, bound), numbers.str(),
+        hint_for_students(checks::find_hint(actual, expected, bound, block)));
+}
+
+void Trial::wrong(const std::string& feedback, const std::string& detail, const std::string& hint) {
+  if (when_wrong_ == WhenWrong::stop) fail(Status::wrong, feedback, detail, hint);
   if (!case_failed_) ++failed_;
   case_failed_ = true;
 }
 
-void Trial::fail(Status status, const std::string& feedback, const std::string& detail) const {
-  throw CaseFailed{status, feedback, description_ + (detail.empty() ? "" : ": ") + detail};
+void Trial::fail(Status status, const std::string& feedback, const std::string& detail,
+                 const std::string& hint) const {
+  throw CaseFailed{status, feedback, description_ + (detail.empty() ? "" : ": ") + detail, hint};
 }
 
 void Trial::ask_aside(const std::function<void()>& questions) {

@@ -8,6 +8,7 @@
 
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ namespace grader {
 struct CaseFailed {
   Status status;
   std::string feedback, detail;
+  std::string hint = {};  // see CaseResult
 };
 
 inline constexpr const char* kTooManyProducts =
@@ -48,12 +50,19 @@ class Trial {
 
   void expect(bool holds, const std::string& feedback, const std::string& detail = {});
   // For what the rest of a category can't do without: if it does not hold, the category ends.
-  void require(bool holds, const std::string& feedback, const std::string& detail = {});
+  void require(bool holds, const std::string& feedback, const std::string& detail = {},
+               const std::string& hint = {});
 
   // error <= bound; otherwise the student reads "<what> is 10 to 1000 times as large as allowed". NaN fails.
   void expect_at_most(double error, double bound, const std::string& what, const std::string& detail = {});
 
-  [[noreturn]] void fail(Status status, const std::string& feedback, const std::string& detail) const;
+  // The same of numbers that belong together, and their largest difference. Wrong ones may look like a mistake, which the student reads.
+  // Each `block` of them is a particle's.
+  void expect_near(std::span<const double> actual, std::span<const double> expected, double bound,
+                   const std::string& what, int block = 3);
+
+  [[noreturn]] void fail(Status status, const std::string& feedback, const std::string& detail,
+                         const std::string& hint = {}) const;
 
   // Of the last case, see Student.
   const std::vector<ProvidedSolve>& provided_solves() const { return student_.provided_solves(); }
@@ -67,7 +76,7 @@ class Trial {
   Random random;
 
  private:
-  void wrong(const std::string& feedback, const std::string& detail);
+  void wrong(const std::string& feedback, const std::string& detail, const std::string& hint = {});
 
   Student& student_;
   WhenWrong when_wrong_;

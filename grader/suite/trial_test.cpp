@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <vector>
 
 namespace grader {
 namespace {
@@ -50,6 +51,34 @@ TEST(Feedback, TellsStudentsABandAndStaffTheNumbers) {
   const CaseFailed failure = verdict(0.0625, 0.03125);
   EXPECT_EQ(failure.feedback, "the error of x is up to 10 times as large as allowed");
   EXPECT_EQ(failure.detail, "a hidden case: the error of x: 0.0625, bound 0.03125; more for staff");
+}
+
+// What a student reads of numbers where (1, 2, 3) is expected.
+std::string hint_of(const std::vector<double>& numbers, const std::vector<double>& expected = {1, 2, 3}) {
+  Student nobody{WorkerSetup{}};
+  Trial trial(nobody, Random("seed", "hint"));
+  try {
+    trial.expect_near(numbers, expected, 1e-9, "the error of x", 1);
+  } catch (const CaseFailed& failure) {
+    EXPECT_EQ(failure.status, Status::wrong);
+    return failure.hint.empty() ? "nothing" : failure.hint;
+  }
+  return "";
+}
+
+TEST(Hint, IsOneOfAFewSentences) {
+  EXPECT_EQ(hint_of({1, 2, 3 + 1e-10}), "");
+  EXPECT_EQ(hint_of({-1, -2, -3}), "Its numbers are -1 times what is expected: a sign?");
+  EXPECT_EQ(hint_of({0.5, 1, 1.5}), "Its numbers are 1/2 times what is expected: a factor?");
+  EXPECT_EQ(hint_of({1.1, 2.2, 3.3}), "nothing")
+      << "a factor that code may choose could carry hidden inputs out";
+  EXPECT_EQ(hint_of({0, 0, 0}), "All of it is 0: is the result written, or added, at all?");
+  EXPECT_EQ(hint_of({1, 2, 0}), "It is right but for its last entries: a loop's bound?");
+  EXPECT_EQ(hint_of({7, 2, 3}), "It is right but for its first entries: a loop's bound?");
+  EXPECT_EQ(hint_of({1, -2, 3}), "It is right but for signs of some entries.");
+  EXPECT_EQ(hint_of({1, kNan, 3}), "One of its numbers is no number: 0/0, or the root of a negative one?");
+  EXPECT_EQ(hint_of({2, 1, 5}), "nothing");
+  EXPECT_EQ(hint_of({}, {}), "");
 }
 
 std::optional<CaseCount> counted_without_worker(const std::function<void(Trial&)>& run) {

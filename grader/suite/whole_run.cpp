@@ -20,6 +20,16 @@ std::string at(const Moment& moment) {
   return text.str();
 }
 
+// "It breaks off after 0.35 s (strand 0, step 42: filter)." The last moment is a frame's.
+std::string where_it_breaks_off(const RunComparison& run, const std::string& trouble) {
+  if (run.moments.empty()) return "";
+  std::ostringstream text;
+  text.precision(3);
+  text << "It breaks off after " << run.moments.back().time << " s"
+       << (trouble.empty() ? "" : " (" + trouble + ")") << ".";
+  return text.str();
+}
+
 }  // namespace
 
 WholeRun::WholeRun(WorkerSetup worker, std::filesystem::path player, HiddenScene scene,
@@ -68,9 +78,9 @@ void WholeRun::judge_run(Trial& trial) {
   trial.describe(hidden_.scene.name);
   const Played theirs = play_unless_given_up(trial);
   run_ = compare_runs(hidden_.scene, hidden_.pictures, theirs);
-  trial.require(run_->finite, "numbers that are not finite");
+  trial.require(run_->finite, "numbers that are not finite", "", where_it_breaks_off(*run_, "not a number"));
   trial.require(theirs.trouble.empty() && run_->moments.size() == hidden_.scene.frames + std::size_t{1},
-                "the run breaks off", theirs.trouble);
+                "the run breaks off", theirs.trouble, where_it_breaks_off(*run_, theirs.trouble));
   trial.expect(run_->moments.front().apart == 0, "the run does not start where the scene does");
   for (const Moment& moment : run_->moments) {
     trial.expect_at_most(moment.held_apart, kHeld * run_->size,
@@ -98,7 +108,8 @@ void WholeRun::judge_pictures(Trial& trial) {
     trial.expect_at_most(picture.flip, kFlip,
                          "the difference that is seen between the pictures at " + picture.name, scores.str());
   }
-  trial.expect(pictures_.size() == hidden_.pictures.size(), "the run ends before its last picture");
+  trial.expect(pictures_.size() == hidden_.pictures.size() && !pictures_.back().breaks_off,
+               "the run ends before its last picture");
 }
 
 }  // namespace grader

@@ -144,6 +144,14 @@ TEST(RunComparison, SeesWhatAWorkerMayAnswer) {
   Played short_one = right;
   short_one.frames.resize(static_cast<std::size_t>(hidden.pictures[1]) + 1);
   EXPECT_EQ(compared(short_one).shots.size(), 2U);
+  EXPECT_TRUE(compared(short_one).shots[1].breaks_off);
+  short_one.frames.pop_back();
+  const std::vector<Shot> shots = compared(short_one).shots;
+  ASSERT_EQ(shots.size(), 2U) << "its last frame, in the place of one that it does not have";
+  EXPECT_FALSE(shots[0].breaks_off);
+  EXPECT_TRUE(shots[1].breaks_off);
+  EXPECT_NE(shots[1].name, compared(right).shots[1].name);
+  EXPECT_FALSE(compared(right).shots[2].breaks_off);
 
   Played not_finite = right;
   not_finite.frames[5].v[3] = std::numeric_limits<double>::quiet_NaN();
@@ -152,7 +160,8 @@ TEST(RunComparison, SeesWhatAWorkerMayAnswer) {
 
   Played far_away = right;  // 1e300 m: its energy is no number, and no picture has room for it
   far_away.frames[static_cast<std::size_t>(hidden.pictures[1])].x[4] = 1e300;
-  EXPECT_EQ(compared(far_away).shots.size(), 1U);
+  ASSERT_EQ(compared(far_away).shots.size(), 2U) << "the frame before";
+  EXPECT_TRUE(compared(far_away).shots[1].breaks_off);
 
   Played creeping = right;  // the root, by a billionth of a metre a frame
   for (std::size_t i = 0; i < creeping.frames.size(); ++i)

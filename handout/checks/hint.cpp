@@ -30,15 +30,14 @@ double dot(Numbers a, Numbers b) {
   return sum;
 }
 
-std::string told_of_what_is_no_number(Numbers actual) {
+Hint no_number_in(Numbers actual) {
   for (std::size_t i = 0; i < actual.size(); ++i) {
-    const std::string where = "entry " + std::to_string(i);
-    if (was_never_set(actual[i])) return where + " was never set";
-    if (is_made_of_it(actual[i])) return where + " is huge: was it made from a variable that was never set?";
-    if (!std::isfinite(actual[i]))
-      return where + " is no number: 0/0, the root of a negative number, or a variable that was never set?";
+    const auto entry = static_cast<double>(i);
+    if (was_never_set(actual[i])) return {Looks::never_set, entry};
+    if (is_made_of_it(actual[i])) return {Looks::huge, entry};
+    if (!std::isfinite(actual[i])) return {Looks::no_number, entry};
   }
-  return "";
+  return {};
 }
 
 struct Blocks {
@@ -61,68 +60,99 @@ Blocks right_blocks(Numbers actual, Numbers expected, double bound, int block) {
   return blocks;
 }
 
-std::string told_of(double factor) {
-  std::ostringstream text;
-  text.precision(4);
-  text << factor << " times what was expected: " << (std::abs(factor + 1) < 1e-4 ? "a sign?" : "a factor?");
-  return text.str();
-}
-
 // One factor for all numbers, if there is one: the best in the sense of least squares leaves no more than rounding.
-std::string told_of_a_factor(Numbers actual, Numbers expected, double bound) {
+Hint factor_of(Numbers actual, Numbers expected, double bound) {
   const double squared = dot(expected, expected);
   double largest = 0;
   std::size_t of_size = 0;  // numbers that are far from 0
   for (const double value : expected) largest = std::max(largest, std::abs(value));
   for (const double value : expected) of_size += std::abs(value) > 1e-3 * largest ? 1 : 0;
   if (!(squared > 0) || !std::isfinite(squared) || of_size < 2)
-    return "";  // of one number there is always a factor
+    return {};  // of one number there is always a factor
   const double factor = dot(actual, expected) / squared;
   for (std::size_t i = 0; i < actual.size(); ++i)
     if (!(std::abs(actual[i] - factor * expected[i]) <= 2 * bound + 1e-6 * std::abs(factor) * largest))
-      return "";
-  if (std::abs(factor) < 1e-12 || std::abs(factor - 1) < 1e-3) return "";  // 1: not exact, that is all
-  return told_of(factor);
+      return {};
+  if (std::abs(factor) < 1e-12 || std::abs(factor - 1) < 1e-3) return {};  // 1: not exact, that is all
+  return {Looks::a_factor, factor};
 }
 
 // All blocks are right but some at one end.
-std::string told_of_an_end(const Blocks& blocks, int block) {
+Hint end_of(const Blocks& blocks, int block) {
   const std::vector<bool>& right = blocks.right;
   const auto wrong = std::ranges::count(right, false);
-  if (wrong == 0 || wrong >= blocks.telling) return "";
+  if (wrong == 0 || wrong >= blocks.telling) return {};
   const auto is_wrong = [](bool one) { return !one; };
   const bool at_end = std::all_of(right.end() - wrong, right.end(), is_wrong);
-  if (!at_end && !std::all_of(right.begin(), right.begin() + wrong, is_wrong)) return "";
-  const auto entries = wrong * block;
-  return std::string("right but for the ") + (at_end ? "last " : "first ") +
-         (entries == 1 ? "entry" : std::to_string(entries) + " entries") + ": a loop's bound?";
+  if (!at_end && !std::all_of(right.begin(), right.begin() + wrong, is_wrong)) return {};
+  return {at_end ? Looks::wrong_at_the_end : Looks::wrong_at_the_beginning,
+          static_cast<double>(wrong * block)};
 }
 
-std::string told_of_signs(Numbers actual, Numbers expected, double bound) {
+Hint signs_of(Numbers actual, Numbers expected, double bound) {
   bool differs = false;
   for (std::size_t i = 0; i < actual.size(); ++i) {
-    if (!(std::abs(std::abs(actual[i]) - std::abs(expected[i])) <= bound)) return "";
+    if (!(std::abs(std::abs(actual[i]) - std::abs(expected[i])) <= bound)) return {};
     differs = differs || std::abs(actual[i] - expected[i]) > bound;
   }
-  return differs && actual.size() > 1 ? "right but for signs of some entries" : "";
+  return differs && actual.size() > 1 ? Hint{Looks::wrong_signs} : Hint{};
+}
+
+std::string number_text(double number) {
+  std::ostringstream text;
+  text.precision(4);
+  text << number;
+  return text.str();
+}
+
+std::string told_of(double factor) {
+  return number_text(factor) +
+         " times what was expected: " + (std::abs(factor + 1) < 1e-4 ? "a sign?" : "a factor?");
 }
 
 }  // namespace
 
-std::string hint(Numbers actual, Numbers expected, double bound, int block) {
-  if (actual.size() != expected.size() || actual.empty() || block < 1) return "";
+Hint find_hint(Numbers actual, Numbers expected, double bound, int block) {
+  if (actual.size() != expected.size() || actual.empty() || block < 1) return {};
   for (const double value : expected)
-    if (!std::isfinite(value) || is_made_of_it(value)) return "";
-  if (std::string told = told_of_what_is_no_number(actual); !told.empty()) return told;
+    if (!std::isfinite(value) || is_made_of_it(value)) return {};
+  if (const Hint found = no_number_in(actual); found.looks != Looks::like_nothing) return found;
   const auto is_zero = [](double value) { return value == 0; };
   if (std::ranges::all_of(actual, is_zero))
-    return std::ranges::all_of(expected, is_zero)
-               ? ""
-               : "all of it is 0: is the result written, or added, at all?";
-  if (std::string told = told_of_an_end(right_blocks(actual, expected, bound, block), block); !told.empty())
-    return told;
-  if (std::string told = told_of_a_factor(actual, expected, bound); !told.empty()) return told;
-  return told_of_signs(actual, expected, bound);
+    return std::ranges::all_of(expected, is_zero) ? Hint{} : Hint{Looks::zero};
+  if (const Hint found = end_of(right_blocks(actual, expected, bound, block), block);
+      found.looks != Looks::like_nothing)
+    return found;
+  if (const Hint found = factor_of(actual, expected, bound); found.looks != Looks::like_nothing) return found;
+  return signs_of(actual, expected, bound);
+}
+
+std::string hint(Numbers actual, Numbers expected, double bound, int block) {
+  const Hint found = find_hint(actual, expected, bound, block);
+  const std::string number = number_text(found.number);
+  const std::string entries = found.number == 1 ? "entry" : number + " entries";
+  switch (found.looks) {
+    case Looks::like_nothing:
+      return "";
+    case Looks::never_set:
+      return "entry " + number + " was never set";
+    case Looks::huge:
+      return "entry " + number + " is huge: was it made from a variable that was never set?";
+    case Looks::no_number:
+      return "entry " + number +
+             " is no number: 0/0, the root of a negative number, or a variable that was never set?";
+    case Looks::zero:
+      return "all of it is 0: is the result written, or added, at all?";
+    case Looks::wrong_at_the_end:
+      return "right but for the last " + entries + ": a loop's bound?";
+    case Looks::wrong_at_the_beginning:
+      return "right but for the first " + entries + ": a loop's bound?";
+    case Looks::a_factor:
+      return told_of(found.number);
+    case Looks::wrong_signs:
+      return "right but for signs of some entries";
+  }
+  return "";
 }
 
 std::string hint_of_ratio(double actual, double expected) {

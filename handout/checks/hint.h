@@ -6,8 +6,29 @@
 
 namespace checks {
 
-// A sentence such as "-1 times what was expected: a sign?", or "" where nothing is clear. Numbers that differ by no more than
-// `bound` are the same. Both have the same length; each `block` numbers belong together: 3 are a particle's, 1 is an unknown's.
+enum class Looks {
+  like_nothing,
+  never_set,
+  huge,
+  no_number,
+  zero,
+  wrong_at_the_end,
+  wrong_at_the_beginning,
+  a_factor,
+  wrong_signs
+};
+
+struct Hint {
+  Looks looks = Looks::like_nothing;
+  double number =
+      0;  // of the entry that was never set, is huge or no number; of wrong entries at an end; or the factor
+};
+
+// Numbers that differ by no more than `bound` are the same. Both have the same length; each `block` numbers belong together: 3 are a
+// particle's, 1 is an unknown's.
+Hint find_hint(std::span<const double> actual, std::span<const double> expected, double bound, int block = 1);
+
+// As a sentence such as "-1 times what was expected: a sign?", or "" where nothing is clear.
 std::string hint(std::span<const double> actual, std::span<const double> expected, double bound,
                  int block = 1);
 
