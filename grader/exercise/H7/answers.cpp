@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Asks for a student's passes of H7, and compares them.
 #include "grader/exercise/H7/answers.h"
 
 #include <algorithm>
@@ -59,6 +59,10 @@ double inertia_error(const Of& a, const Of& b, double length) {
     largest = larger(largest, (a[i].inertia.J - b[i].inertia.J).norm() / (length * length));
   }
   return largest;
+}
+
+bool comparable(double own, double ours) {
+  return own >= 1e-6 * ours && own <= 1e6 * ours;
 }
 
 std::string in_words(const Tree& tree) {

@@ -1,4 +1,4 @@
-// STAFF ONLY. A student's passes, requested through the pipe, and what is expected of them.
+// STAFF ONLY. Asks for a student's passes through the pipe, and compares them.
 #pragma once
 
 #include <string>
@@ -21,6 +21,9 @@ using Of = std::vector<LinkPass>;
 double motion_error(const Of& a, const Of& b, hair::SpatialMotion LinkPass::*member, double length);
 double force_error(const Of& a, const Of& b, double length, std::size_t first);
 double inertia_error(const Of& a, const Of& b, double length);
+
+// Whether one number may stand for another one: it is neither 0 beside it nor a million times as large.
+bool comparable(double own, double ours);
 
 // "4 links, revolute prismatic ..., moving".
 std::string in_words(const Tree& tree);

@@ -11,11 +11,12 @@ void moving_joints(Trial& trial);
 void link_forces(Trial& trial);
 void inertias(Trial& trial);
 void biases(Trial& trial);
-void gains(Trial& trial);
+void added_by_steps(Trial& trial);
 void accelerations(Trial& trial);
-void equations_of_motion(Trial& trial);
 void trees(Trial& trial);
 void long_chains(Trial& trial);
+void other_units(Trial& trial);
+void values_before(Trial& trial);
 void spherical_joints(Trial& trial);
 
 }  // namespace grader::h7

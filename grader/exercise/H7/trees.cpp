@@ -1,9 +1,11 @@
-// STAFF ONLY.
+// STAFF ONLY. Draws trees for H7's cases.
 #include "grader/exercise/H7/trees.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include "grader/suite/random_vector.h"
+#include "grader/suite/rounding.h"
 #include "hair/rigid_links.h"
 
 namespace grader::h7 {
@@ -34,6 +36,22 @@ LinkShape any_shape(Random& random, JointType joint, int parent) {
   return shape;
 }
 
+// Link `number` hangs from this one.
+int parent_of(Random& random, const TreeKind& kind, int number) {
+  constexpr int kStrands = 3;
+  switch (kind.form) {
+    case Form::chain:
+      return number - 1;
+    case Form::branches:
+      return number == 1 ? 0 : random.integer(0, number == kind.links ? number - 2 : number - 1);
+    case Form::strands:
+      return number == 1 ? 0 : std::max(1, number - kStrands);
+    case Form::star:
+      return 0;
+  }
+  return 0;
+}
+
 VectorXd any_coordinates(Random& random, const LinkTree& tree) {
   VectorXd q = tree.rest();
   for (int i = 1; i < tree.links(); ++i) {
@@ -56,11 +74,7 @@ Tree random_tree(Random& random, const TreeKind& kind) {
     const JointType joint = kind.types[i < static_cast<int>(kind.types.size())
                                            ? i
                                            : random.integer(0, static_cast<int>(kind.types.size()) - 1)];
-    shapes.push_back(any_shape(random, joint, kind.branches ? random.integer(0, i) : i));
-    if (i % 3 == 1) {
-      shapes.back().mass *= kind.lightest;
-      shapes.back().moments *= kind.lightest;
-    }
+    shapes.push_back(any_shape(random, joint, parent_of(random, kind, i + 1)));
   }
   const LinkTree tree(shapes);
   TreeMotion motion(tree);
@@ -72,6 +86,7 @@ Tree random_tree(Random& random, const TreeKind& kind) {
   for (std::size_t i = 1; i < motion.links.size(); ++i) {
     Link& link = motion.links[i];
     link.external = {any(random, 10), any(random, 10)};
+    if (kind.form == Form::star) link.r.setZero();
     if (!kind.stiffens) continue;
     // Symmetric and positive, about as stiff as the joint is heavy.
     const hair::Matrix3d half = hair::Matrix3d::NullaryExpr([&] { return 0.5 * random.normal(); });
@@ -82,8 +97,72 @@ Tree random_tree(Random& random, const TreeKind& kind) {
   }
   Tree made{motion.links, motion.passes, VectorXd::Zero(tree.rates()),
             random_vector(random, tree.rates(), 5)};
-  if (kind.moves) made.rates = random_vector(random, tree.rates(), kind.speed);
+  if (kind.moves) made.rates = random_vector(random, tree.rates(), 2);
   return made;
+}
+
+Tree part_of(const Tree& tree, const std::vector<int>& chosen) {
+  Tree part;
+  part.passes = part_of(tree.passes, chosen);
+  int rates = 0;
+  for (const int i : chosen) {
+    Link link = tree.links[i];
+    const bool base = part.links.empty();
+    link.parent = base ? 0 : static_cast<int>(std::ranges::find(chosen, link.parent) - chosen.begin());
+    link.first = rates;
+    if (!base) rates += hair::rates_of(link.joint);
+    part.links.push_back(link);
+  }
+  part.rates.resize(rates);
+  part.Q.resize(rates);
+  for (std::size_t i = 1; i < chosen.size(); ++i) {
+    const Link &link = part.links[i], &whole = tree.links[chosen[i]];
+    const int count = hair::rates_of(link.joint);
+    part.rates.segment(link.first, count) = tree.rates.segment(whole.first, count);
+    part.Q.segment(link.first, count) = tree.Q.segment(whole.first, count);
+  }
+  return part;
+}
+
+std::vector<LinkPass> part_of(const std::vector<LinkPass>& passes, const std::vector<int>& chosen) {
+  std::vector<LinkPass> part;
+  for (const int i : chosen) part.push_back(passes[i]);
+  return part;
+}
+
+Tree in_units(const Tree& tree, const Units& units) {
+  const auto [mass, length, time] = units;
+  const double rate = 1 / time, twice = rate * rate, moment = mass * length * length;
+  const auto inertia = [&](hair::SpatialInertia& I) { I.M *= mass, I.H *= mass * length, I.J *= moment; };
+  const auto force = [&](hair::SpatialForce& f) {
+    f.force *= mass * length * twice, f.torque *= moment * twice;
+  };
+  Tree scaled = tree;
+  for (std::size_t i = 0; i < tree.links.size(); ++i) {
+    Link& link = scaled.links[i];
+    const bool slides = link.joint == JointType::prismatic;
+    link.d *= length, link.r *= length, link.tensor *= moment;
+    link.stiffening *= slides ? mass : moment;
+    force(link.external);
+    inertia(link.inertia);
+    LinkPass& pass = scaled.passes[i];
+    pass.v.angular *= rate, pass.v.linear *= length * rate;
+    for (hair::SpatialMotion* motion : {&pass.c, &pass.a})
+      motion->angular *= twice, motion->linear *= length * twice;
+    force(pass.bias);
+    inertia(pass.inertia);
+    pass.gain /= slides ? mass : moment;
+    if (i == 0) continue;
+    const int count = hair::rates_of(link.joint);
+    scaled.rates.segment(link.first, count) *= slides ? length * rate : rate;
+    scaled.Q.segment(link.first, count) *= (slides ? mass * length : moment) * twice;
+  }
+  return scaled;
+}
+
+hair::SpatialMotion axis_of(const Link& link) {
+  if (link.joint == JointType::prismatic) return {Vector3d::Zero(), link.u};
+  return {link.u, link.u.cross(link.d)};
 }
 
 VectorXd reference_passes(Tree& tree, int up_to) {
@@ -92,6 +171,19 @@ VectorXd reference_passes(Tree& tree, int up_to) {
   if (up_to > 1) hair::inward_inertias(tree.links, tree.Q, tree.passes);
   if (up_to > 2) hair::outward_accelerations(tree.links, tree.Q, tree.passes, accelerations);
   return accelerations;
+}
+
+double roundings(const Tree& tree) {
+  return 100 * static_cast<double>(tree.links.size()) * kUnit;
+}
+
+double force_size(const Tree& tree) {
+  const Sizes sizes = sizes_of(tree);
+  double size = tree.Q.norm() / 0.1;
+  for (const LinkPass& pass : tree.passes)
+    size += pass.bias.force.norm() + pass.bias.torque.norm() / 0.1 +
+            sizes.mass * (pass.c.linear.norm() + sizes.length * pass.c.angular.norm());
+  return size;
 }
 
 Sizes sizes_of(const Tree& tree) {
