@@ -42,7 +42,7 @@
 // a^_(i-1), not s^_(i-1); in the line above (4.27), Z^' is Z^A; the text before (4.27) and the display before (4.28)
 // lose hats and primes. The prime is Mirtich's spatial transpose, see dot().
 //
-// Revolute and prismatic joints are required, spherical joints are extra. The functions allocate nothing, and
+// Revolute and prismatic joints are required, spherical joints are extra. Good solutions allocate nothing, and
 // their cost is linear in the number of links. Rounding may leave J and M of I^A unsymmetric by its own size.
 #pragma once
 

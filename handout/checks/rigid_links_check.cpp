@@ -246,6 +246,22 @@ TEST(OutwardVelocities, GiveEulersAndExternalForces) {
                 "1e-13");
 }
 
+// A light second link has other numbers in its pass before, as from an earlier step.
+TEST(OutwardVelocities, OverwriteWhatStoodThere) {
+  const Links links = chain_of({pendulum(1, 0.5, 0.3)[1], pendulum(1, 0.4, -0.2)[1]});
+  const VectorXd rates = (VectorXd(2) << 3, -1).finished();
+  const Passes fresh = pass_1(links, rates);
+  Passes used = fresh;
+  outward_velocities(links, rates, used);
+  for (int i = 1; i <= 2; ++i) {
+    const std::string name = " of link " + std::to_string(i) + ", after pass 1 has run twice";
+    expect_vector(used[i].v.linear, fresh[i].v.linear, 1e-14, "v" + name, "1e-14");
+    expect_vector(used[i].v.angular, fresh[i].v.angular, 1e-14, "omega" + name, "1e-14");
+    expect_vector(used[i].c.linear, fresh[i].c.linear, 1e-14, "the second half of c^" + name, "1e-14");
+    expect_vector(used[i].bias.torque, fresh[i].bias.torque, 1e-14, "the torque in Z^" + name, "1e-14");
+  }
+}
+
 // ---- Pass 2
 
 // A rod without mass lets nothing through but what pulls along it, and what moves it along the joint's axis.
@@ -338,7 +354,55 @@ TEST(InwardInertias, AddWhatStiffensAJoint) {
   EXPECT_NEAR(passes[0].inertia.M(0, 0), 2 * 0.75, 1e-14) << "m (1 - m l^2 / (m l^2 + stiffening))";
 }
 
+// Implicit steps add to a link's inertia.
+TEST(InwardInertias, TakeTheInertiaThatALinkHas) {
+  Links links = pendulum(2, 0.5, 0);
+  links[1].inertia.M(0, 0) = 3;
+  links[1].inertia.H(1, 2) = 0.25;
+  links[1].inertia.J(1, 1) = 0.5;
+  const Passes passes = pass_2(links, one(0), Passes(2));
+  EXPECT_LE((passes[1].inertia.M - links[1].inertia.M).norm(), 1e-14) << "M of I^A of the last link: its own";
+  EXPECT_LE((passes[1].inertia.H - links[1].inertia.H).norm(), 1e-14) << "H of I^A of the last link: its own";
+  EXPECT_NEAR(passes[1].gain(0, 0), 1 / (3 * 0.25 + 0.5), 1e-14)
+      << "1 / (m l^2 + J) of a link that resists as 3 kg along x, 0.5 m below its joint";
+}
+
+TEST(InwardInertias, BeginAtTheTipOfALongChain) {
+  const Links links = chain_of(Links(300, pendulum(2, 0.5, 0)[1]));
+  const Passes passes = pass_2(links, VectorXd::Zero(300), Passes(301));
+  EXPECT_NEAR(passes[300].gain(0, 0), 1 / (2 * 0.25), 1e-14) << "1 / (m l^2) of the last of 300 links";
+}
+
 // ---- Pass 3
+
+TEST(OutwardAccelerations, TakeTheGainOfPass2) {
+  const Links links = pendulum(2, 0.5, 1.5, 9.81);
+  Passes passes = pass_2(links, one(0), pass_1(links, one(0)));
+  const double found = pass_3(links, one(0), passes)[0];
+  passes[1].gain *= 3;
+  EXPECT_NEAR(pass_3(links, one(0), passes)[0], 3 * found, 1e-12) << "q\" with three times the gain";
+}
+
+TEST(OutwardAccelerations, OverwriteWhatStoodThere) {
+  const Links links = pendulum(2, 0.5, 1.5, 9.81);
+  Passes passes = pass_2(links, one(0), pass_1(links, one(4)));
+  pass_3(links, one(0), passes);
+  const Vector3d once = passes[1].a.linear;
+  pass_3(links, one(0), passes);
+  expect_vector(passes[1].a.linear, once, 1e-12, "a of a link, after pass 3 has run twice", "1e-12");
+}
+
+// A pendulum's q" is -g/l sin, whatever it weighs; hair weighs 1e-8 kg.
+TEST(OutwardAccelerations, OfPendulumsOfAnySize) {
+  for (const double m : {1e-8, 1e-16, 1e16})
+    for (const double l : {1.0, 1e-6}) {
+      Passes passes(2);
+      const VectorXd found = all_passes(pendulum(m, l, 0.3, 9.81 * l), one(2), one(0), passes);
+      std::ostringstream what;
+      what << "q\" of a pendulum of " << m << " kg and " << l << " m under g = 9.81 l/s^2, at 0.3 rad";
+      expect_entries(found, one(-9.81 * std::sin(0.3)), 1e-12, what.str(), "1e-12");
+    }
+}
 
 TEST(OutwardAccelerations, OfAPendulum) {
   for (const double angle : {0.0, 0.3, 1.5, 3.0}) {
@@ -420,6 +484,71 @@ TEST(SphericalJoints, TurnATopAsEulerSays) {
   // omega x I omega = (3*15 - 5*6, 5*2 - 2*15, 2*6 - 3*2) = (15, -20, 6)
   expect_numbers(found, (VectorXd(3) << (1 - 15) / 1.0, 20 / 2.0, (-1 - 6) / 3.0).finished(), 1e-12,
                  "omega' of a top with the moments 1, 2, 3 at omega = (2, 3, 5), Q = (1, 0, -1)", "1e-12");
+}
+
+// Of three rates each: those of link i begin at links[i].first, which is not i - 1.
+TEST(SphericalJoints, HaveThreeRatesEach) {
+  const Link ball = link_of(JointType::spherical, Vector3d::Zero(), 0.5 * kX, kX, 1);
+  const Links links = chain_of({ball, link_of(JointType::revolute, kZ, 0.5 * kX, kX, 1), ball});
+  const VectorXd rates = (VectorXd(7) << 1, 2, 3, 10, 4, 5, 6).finished();
+  const Passes passes = pass_1(links, rates);
+  expect_vector(passes[1].v.angular, Vector3d(1, 2, 3), 1e-13, "omega of link 1", "1e-13");
+  expect_vector(passes[2].v.angular, Vector3d(1, 2, 13), 1e-13,
+                "omega of link 2, which turns about z at 10 rad/s", "1e-13");
+  expect_vector(passes[3].v.angular, Vector3d(5, 7, 19), 1e-13,
+                "omega of link 3, a spherical joint with the rates 4, 5, 6", "1e-13");
+}
+
+// Pass 2 and 3 with what they say of each: q" = gain (Q - s'(I^A a^ + Z^A)), with the numbers of its own joint.
+TEST(SphericalJoints, HaveThreeForcesAndAccelerationsEach) {
+  const Link ball = link_of(JointType::spherical, Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero(), 1,
+                            Vector3d(1, 2, 4).asDiagonal());
+  Links links = chain_of({ball, link_of(JointType::prismatic, kX, Vector3d::Zero(), kX, 5), ball});
+  for (Link& link : links) link.parent = 0;
+  const VectorXd Q = (VectorXd(7) << 1, 2, 4, 10, 3, 8, 20).finished();
+  Passes passes = pass_2(links, Q, pass_1(links, VectorXd::Zero(7)));
+  expect_entries(
+      pass_3(links, Q, passes), (VectorXd(7) << 1, 1, 1, 2, 3, 4, 5).finished(), 1e-13,
+      "q\" of two tops with the moments 1, 2, 4, torques (1, 2, 4) and (3, 8, 20) N m, and a slider of 5 kg "
+      "between them in the list, 10 N",
+      "1e-13");
+}
+
+// The axes of its rates are the world's: what turns with the parent adds no omega x w.
+TEST(SphericalJoints, TurnAboutAxesOfTheWorld) {
+  const Links links = chain_of({link_of(JointType::spherical, Vector3d::Zero(), 0.5 * kX, 0.8 * kX, 1)});
+  LinkPass base;
+  base.v.angular = Vector3d(0, 0, 2);
+  const Passes passes = pass_1(links, (VectorXd(3) << 0, 3, 0).finished(), base);
+  expect_vector(passes[1].c.angular, Vector3d::Zero(), 1e-13,
+                "the first half of c^, omega = (0, 0, 2), w = (0, 3, 0)", "1e-13");
+  // omega x (omega x (r - d)) = -4 * 0.3 x, and (0, 3, 2) x ((0, 3, 2) x 0.5 x) = -13 * 0.5 x.
+  expect_vector(passes[1].c.linear, Vector3d(-1.2 - 6.5, 0, 0), 1e-13,
+                "its second half, d = 0.5 x, r = 0.8 x", "1e-13");
+}
+
+TEST(SphericalJoints, AreStiffenedByAMatrix) {
+  Links links = chain_of({link_of(JointType::spherical, Vector3d::Zero(), Vector3d::Zero(), kX, 1,
+                                  Vector3d(1, 2, 3).asDiagonal())});
+  links[1].stiffening << 1, 0.5, 0.2, 0.5, 2, -0.3, 0.2, -0.3, 1.5;
+  for (const double scale : {1.0, 1e-20}) {  // kg m^2: hair is light
+    Links light = links;
+    light[1].stiffening *= scale;
+    light[1].inertia.J *= scale;
+    light[1].inertia.M *= scale;
+    const Passes passes = pass_2(light, VectorXd::Zero(3), Passes(2));
+    const Matrix3d resists = light[1].inertia.J + light[1].stiffening;
+    EXPECT_LE((passes[1].gain * resists - Matrix3d::Identity()).norm(), 1e-13)
+        << "gain * (J + stiffening) is 1 where the joint is at the centre of mass; the gain is\n"
+        << passes[1].gain;
+    // The base's I^A about the joint: J - J (J + stiffening)^-1 J; H and M are the mass's, at x.
+    const Matrix3d J = light[1].inertia.J, lets = J - J * resists.inverse() * J;
+    Matrix3d expected = lets;
+    expected.diagonal().tail<2>().array() += scale;
+    EXPECT_LE((passes[0].inertia.J - expected).norm(), 1e-13 * scale) << "J of I^A of the base; it is\n"
+                                                                      << passes[0].inertia.J << "\nand not\n"
+                                                                      << expected;
+  }
 }
 
 TEST(SphericalJoints, ObeyNewtonAndEuler) {

@@ -52,6 +52,18 @@ VectorXd bias_of(const LinkPass& pass, double length) {
   return numbers;
 }
 
+// Pass 3 takes the gain that it is given: twice the gain is twice the acceleration.
+void expect_gain_taken(Trial& trial, Tree tree) {
+  reference_passes(tree, 2);
+  Tree expected = tree;
+  const double ours = reference_passes(expected, 3)[0], own = ask(trial, 3, tree).accelerations[0];
+  tree.passes[1].gain *= 2;
+  const double twice = ask(trial, 3, tree).accelerations[0];
+  trial.expect(comparable(std::abs(own), std::abs(ours)), "an acceleration is 0, or much too large");
+  trial.expect_at_most(std::abs(twice - 2 * own), 1e-8 * (std::abs(own) + std::abs(ours)),
+                       "the acceleration for twice the gain");
+}
+
 }  // namespace
 
 void inertias(Trial& trial) {
@@ -101,6 +113,7 @@ void added_by_steps(Trial& trial) {
       added_to.M += Vector3d(0.1, 0.5, 0.3).asDiagonal();
       added_to.H(0, 1) += 0.05;
       added_to.J += Vector3d(0.2, 0.1, 0.4).asDiagonal();
+      expect_gain_taken(trial, tree);
       const Sizes sizes = sizes_of(tree);
       reference_passes(tree, 1);
       const double force = force_size(tree);

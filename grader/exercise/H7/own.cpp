@@ -182,6 +182,7 @@ void values_before(Trial& trial) {
   Case heavy = before(2, random_tree(trial.random, {.links = 2, .types = kRequired}));
   const Of light = ask(trial, heavy).passes;
   heavy.tree.links[0].inertia = heavy.tree.links[1].inertia;
+  heavy.tree.links[0].tensor = heavy.tree.links[1].tensor;
   Of expected = light;
   expected[0].inertia += heavy.tree.links[0].inertia;
   expect_same(trial, heavy, ask(trial, heavy).passes, expected, 0, "on a base with an inertia");
