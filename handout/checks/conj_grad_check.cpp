@@ -180,6 +180,26 @@ TEST(ConjGrad, EpsilonBoundsTheSquareOfTheNorm) {
   }
 }
 
+TEST(ConjGrad, NeverReachesANegativeEpsilon) {
+  solver::SpectralMatrix A = slow_matrix(40);
+  SCOPED_TRACE(call("eigenvalues from 1e-10 to 1, n = 40", -1e9, 3));
+  EXPECT_EQ(solve(A, scattered(40), -1e9, 3).steps, 3) << "no squared norm is negative";
+}
+
+TEST(ConjGrad, MeetsATinyEpsilon) {
+  // Scaled to a right-hand side of 1e-30, and an epsilon that is its square, times the square of a relative 1e-3.
+  System s =
+      system_with("the tridiagonal (-1, 3, -1), n = 30", solver::tridiagonal(30, 3, -1), scattered(30), 1);
+  for (Vector* vector : {&s.b, &s.solution})
+    for (double& value : *vector) value *= 1e-30;
+  const double epsilon = std::pow(1e-3 * norm(s.b), 2);
+  SCOPED_TRACE(call(s.name + ", b of 1e-30", epsilon, 0));
+  const Outcome out = solve(s.A, s.b, epsilon, 0);
+  expect_solved(s, out, epsilon);
+  EXPECT_LE(out.steps, 12)
+      << "this matrix takes some 6 steps for three digits: it ends as soon as epsilon is met";
+}
+
 TEST(ConjGrad, ReturnsTheSquareOfTheResidualsNorm) {
   System s =
       system_with("the 2-D Poisson matrix on a 12 x 12 grid", solver::poisson_2d(12), scattered(144), 0.1);

@@ -9,13 +9,10 @@ WholeRunPoints whole_run() {
 }
 
 std::vector<Category> categories() {
-  return {{"Examples", "The lecture's examples", 2, examples},
-          {"Empty", "Nothing to solve", 1, empty},
+  return {{"Systems", "Systems", 7, systems},
           {"Sizes", "Sizes from 1 to 10,000", 2, sizes},
-          {"KnownMatrices", "Known matrices", 4, known_matrices},
-          {"IllConditioned", "Ill-conditioned systems", 2, ill_conditioned},
-          {"Clusters", "Clustered eigenvalues", 1, clusters},
-          {"StiffStrand", "A stiff strand", 3, stiff_strand},
+          {"Hard", "Hard systems", 4, hard_systems},
+          {"Empty", "Nothing to solve", 1, empty},
           {"FirstGuess", "The first guess", 2, first_guess},
           {"StepLimit", "The step limit", 2, step_limit},
           {"Tolerance", "The tolerance", 3, tolerance},
@@ -23,7 +20,7 @@ std::vector<Category> categories() {
           {"Scaling", "Very large and very small numbers", 1, scaling},
           {"NotPositiveDefinite", "Matrices that are not positive definite", 2, not_positive_definite},
           {"NotFinite", "Numbers that are not finite", 1, not_finite},
-          {"Products", "The number of products", 1, products},
+          {"SixtyFourth", "The 64th step", 2, sixty_fourth},
           {"CallAfterCall", "Call after call", 1, call_after_call}};
 }
 

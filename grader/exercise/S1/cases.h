@@ -6,13 +6,10 @@
 namespace grader::s1 {
 
 // Each sends its cases to the student's ConjGrad and throws CaseFailed at the first failure.
-void examples(Trial& trial);
-void empty(Trial& trial);
+void systems(Trial& trial);
 void sizes(Trial& trial);
-void known_matrices(Trial& trial);
-void ill_conditioned(Trial& trial);
-void clusters(Trial& trial);
-void stiff_strand(Trial& trial);
+void hard_systems(Trial& trial);
+void empty(Trial& trial);
 void first_guess(Trial& trial);
 void step_limit(Trial& trial);
 void tolerance(Trial& trial);
@@ -20,7 +17,7 @@ void return_value(Trial& trial);
 void scaling(Trial& trial);
 void not_positive_definite(Trial& trial);
 void not_finite(Trial& trial);
-void products(Trial& trial);
+void sixty_fourth(Trial& trial);
 void call_after_call(Trial& trial);
 
 }  // namespace grader::s1

@@ -23,53 +23,166 @@ std::vector<double> uniform_values(Random& random, int n, double low, double hig
 // A tolerance that takes hundreds of steps: what forgets the directions so far, at each 64th step or otherwise, takes
 // many times as many. Directions that rounding has turned cost each program some steps, and none a third more.
 void expect_long_solve(Trial& trial, const LinearSystem& system) {
-  const double epsilon = std::pow(1e-8 * norm(system.b), 2);
-  const int steps = reference_solution(system, epsilon, 100 * system.n()).steps;
+  const LinearSystem unit = at_unit_tolerance(system, std::pow(1e-8 * norm(system.b), 2));
+  const int steps = reference_solution(unit, 1, 100 * unit.n()).steps;
   const Solution solution =
-      solve(trial, system, epsilon, 2 * steps);  // no more: one that never ends costs our products
-  expect_solved(trial, system, solution, epsilon);
+      solve(trial, unit, 1, 2 * steps);  // no more: one that never ends costs our products
+  expect_solved(trial, unit, solution, 1);
   trial.expect_at_most(solution.steps, 4 * steps / 3.0, "the number of steps of a solve that takes hundreds",
-                       std::to_string(steps) + " would do");
+                       std::to_string(steps) + " steps would do");
 }
 
-// At a tolerance that CG meets after a certain number of steps, and at one that is close to the rounding
-// errors. Cost is graded by counts: at most two and a half times the reference's products.
-void expect_solves(Trial& trial, const LinearSystem& system, int least_steps) {
-  const auto [epsilon, steps] = tolerance_after(system, least_steps);
-  const Solution coarse = solve(trial, system, epsilon, 0);
-  expect_solved(trial, system, coarse, epsilon);
-  if (!system.ill_conditioned)
-    trial.expect_at_most(coarse.products, 2.5 * (1 + steps) + 5, "the number of products",
-                         std::to_string(steps) + " steps would do");
+void expect_solved_at(Trial& trial, const LinearSystem& system, double tolerance, int limit) {
+  const LinearSystem unit = at_unit_tolerance(system, std::pow(tolerance * norm(system.b), 2));
+  expect_solved_or_at_limit(trial, unit, solve(trial, unit, 1, limit), 1, limit);
+}
 
-  const double fine = std::pow(1e-10 * norm(system.b), 2);
-  expect_solved_or_at_limit(trial, system, solve(trial, system, fine, 0), fine, 0);
+// At a tolerance that CG meets after a certain number of steps.
+Solution expect_solves(Trial& trial, const LinearSystem& system, int least_steps) {
+  const LinearSystem unit = at_unit_tolerance(system, tolerance_after(system, least_steps).epsilon);
+  const Solution solution = solve(trial, unit, 1, usual_limit(unit));
+  expect_solved(trial, unit, solution, 1);
+  return solution;
+}
+
+// Cost is graded by counts: at most two and a half times the reference's products. And once more, at a tolerance that is close to
+// the rounding errors.
+void expect_solves_quickly(Trial& trial, const LinearSystem& system, int least_steps) {
+  const Solution coarse = expect_solves(trial, system, least_steps);
+  const int steps = tolerance_after(system, least_steps).steps;
+  trial.expect_at_most(coarse.products, 2.5 * (1 + steps) + 5, "the number of products",
+                       std::to_string(steps) + " steps would do");
+  expect_solved_at(trial, system, 1e-10, usual_limit(system));
+}
+
+LinearSystem string_of(int links, Random& random) {
+  return sparse_system("string", solver::tridiagonal(links, 2, -1), random.normals(links),
+                       4 * std::pow(std::sin(std::numbers::pi / (2 * (links + 1))), 2));
+}
+
+void examples(Trial& trial) {
+  const LinearSystem first = sparse_system("Example 1", solver::diagonal({2, 1}), {0.5, 1}, 1);
+  expect_solved(trial, first, solve(trial, first, 1e-5, 1), 1e-5);
+
+  // Eigenvalues (3 -+ sqrt(5)) / 2.
+  const LinearSystem second = sparse_system(
+      "Example 2", solver::SparseMatrix(2, 2, {{0, 0, 2}, {0, 1, 1}, {1, 0, 1}, {1, 1, 1}}), {-1, 5}, 0.38);
+  expect_solved(trial, second, solve(trial, second, 1e-5, 2), 1e-5);
+}
+
+// k different eigenvalues take k steps: no more are allowed.
+void clusters(Trial& trial) {
+  Random& random = trial.random;
+  for (int distinct = 1; distinct <= 6; ++distinct) {
+    const int n = random.integer(100, 200);
+    std::vector<double> spectrum(n);
+    for (int i = 0; i < n; ++i) spectrum[i] = 1.5 * (1 + i % distinct);
+    const LinearSystem system =
+        spectral_system(std::to_string(distinct) + " different eigenvalues", spectrum, random);
+    const LinearSystem unit = at_unit_tolerance(system, std::pow(1e-9 * norm(system.b), 2));
+    expect_solved(trial, unit, solve(trial, unit, 1, distinct), 1);
+  }
+}
+
+void stiff_strands(Trial& trial) {
+  Random& random = trial.random;
+  const double radius = 50e-6, young = 3e9;  // human hair
+  for (double length : {0.3, 0.1}) {
+    const int segments = random.integer(20, 40);
+    const double l = length / segments, h = 1.0 / 60;
+    const double axial = young * std::numbers::pi * radius * radius / l;
+    const double bending = young * std::numbers::pi * std::pow(radius, 4) / 4 / (l * l * l);
+    std::vector<double> masses(segments);
+    for (double& mass : masses) mass = random.log_uniform(1e-8, 1);
+    // The solution is a velocity for each particle. The smallest eigenvalue is at least the smallest mass.
+    const LinearSystem system =
+        sparse_system("strand", solver::strand_implicit_euler(masses, axial, bending, h),
+                      random.normals(3 * segments, 0.1), *std::min_element(masses.begin(), masses.end()));
+    for (double tolerance : {1e-4, 1e-10}) expect_solved_at(trial, system, tolerance, 3000);
+  }
+}
+
+void ill_conditioned(Trial& trial) {
+  Random& random = trial.random;
+  for (double condition : {1e4, 1e6, 1e8, 1e10, 1e12}) {
+    const LinearSystem system = spectral_system("condition " + std::to_string(condition),
+                                                log_spaced(random.integer(50, 80), 1 / condition, 1), random);
+    for (double tolerance : {1e-3, 1e-8}) expect_solved_at(trial, system, tolerance, usual_limit(system));
+  }
+  // Smallest eigenvalues, from below: 1 / ||H^-1||_F.
+  const double hilbert_smallest[] = {9.6e-5, 3.2e-6, 1.0e-7, 3.4e-9};
+  for (int size = 4; size <= 7; ++size) {
+    const LinearSystem hilbert =
+        sparse_system("Hilbert", solver::hilbert(size), random.normals(size), hilbert_smallest[size - 4]);
+    expect_solves(trial, hilbert, 2);
+    expect_solved_at(trial, hilbert, 1e-10, usual_limit(hilbert));
+  }
 }
 
 }  // namespace
 
-void examples(Trial& trial) {
-  LinearSystem first = sparse_system("Example 1", solver::diagonal({2, 1}), {0.5, 1}, 1);
-  const Solution one = solve(trial, first, 1e-5, 100, {0, 0});
-  expect_steps(trial, one, 1);
-  expect_solved(trial, first, one, 1e-5);
+void systems(Trial& trial) {
+  Random& random = trial.random;
+  examples(trial);
+  clusters(trial);
 
-  // Eigenvalues (3 -+ sqrt(5)) / 2.
-  LinearSystem second = sparse_system(
-      "Example 2", solver::SparseMatrix(2, 2, {{0, 0, 2}, {0, 1, 1}, {1, 0, 1}, {1, 1, 1}}), {-1, 5}, 0.38);
-  const Solution two = solve(trial, second, 1e-5, 100, {0, 0});
-  expect_steps(trial, two, 2);
-  expect_solved(trial, second, two, 1e-5);
+  // Fewer different eigenvalues than unknowns.
+  const int grid = random.integer(9, 14);
+  expect_solves_quickly(trial,
+                        sparse_system("2-D Poisson", solver::poisson_2d(grid), random.normals(grid * grid),
+                                      8 * std::pow(std::sin(std::numbers::pi / (2 * (grid + 1))), 2)),
+                        random.integer(16, 20));
+  expect_solves_quickly(trial,
+                        spectral_system("random", log_spaced(random.integer(150, 200), 1, 100), random),
+                        random.integer(16, 20));
 
-  for (int n = 2; n <= 4; ++n) {
-    std::vector<double> spectrum;
-    for (int i = 1; i <= n; ++i) spectrum.push_back(i + trial.random.uniform(0, 0.3));
-    const LinearSystem system = scaled(spectral_system("like the examples", spectrum, trial.random), 1e4);
-    const double epsilon = std::pow(1e-8 * norm(system.b), 2);
-    const Solution solution = solve(trial, system, epsilon, 100);
-    expect_steps(trial, solution, n);  // n different eigenvalues
-    expect_solved(trial, system, solution, epsilon);
+  std::stringstream file;
+  solver::write_matrix_market(file, solver::tridiagonal(random.integer(20, 30), 3, -1));
+  const solver::SparseMatrix from_file = solver::read_matrix_market(file, "generated");
+  expect_solves_quickly(trial, sparse_system("from a file", from_file, random.normals(from_file.rows()), 1),
+                        6);
+
+  // A strand that is light and limp enough for the number of steps to be certain.
+  const int segments = random.integer(10, 20);
+  const double mass = random.log_uniform(1e-8, 1e-7);
+  expect_solves_quickly(
+      trial,
+      sparse_system("light strand",
+                    solver::strand_implicit_euler(std::vector<double>(segments, mass), 2e-2 * mass / 1e-6,
+                                                  1e-3 * mass / 1e-6, 1e-2),
+                    random.normals(3 * segments, 0.1), mass),
+      3);
+}
+
+// Conditions of at most 4: what converges slowly is solved here, too, if it reaches all unknowns.
+void sizes(Trial& trial) {
+  for (int n : {1, 2, 3, 10, 100, 1000, 10000}) {
+    const std::vector<double> d = uniform_values(trial.random, n, 1, 4);
+    const LinearSystem diagonal = sparse_system("diagonal", solver::diagonal(d), trial.random.normals(n),
+                                                *std::min_element(d.begin(), d.end()));
+    const double off = (trial.random.integer(0, 1) == 0 ? -1 : 1) * trial.random.uniform(0.4, 0.5);
+    const LinearSystem tridiagonal = sparse_system("tridiagonal", solver::tridiagonal(n, 2, off),
+                                                   trial.random.normals(n), 2 - 2 * std::abs(off));
+    for (const LinearSystem* system : {&diagonal, &tridiagonal}) {
+      expect_solves(trial, *system, std::min((n + 1) / 2, 10));
+      expect_solved_at(trial, *system, 1e-10, usual_limit(*system));
+    }
   }
+}
+
+// Systems that need more steps than they have unknowns, or hundreds.
+void hard_systems(Trial& trial) {
+  Random& random = trial.random;
+  expect_solves_ordinary_system(trial);
+  stiff_strands(trial);
+  ill_conditioned(trial);
+  expect_solved_at(trial, string_of(random.integer(40, 60), random), 1e-10, 200);
+  expect_long_solve(trial, string_of(random.integer(300, 400), random));
+  expect_long_solve(trial, spectral_system("random, condition 5000",
+                                           log_spaced(random.integer(250, 300), 1, 5000), random));
+  // Far more steps than unknowns: directions that rounding has turned are what costs them.
+  expect_long_solve(
+      trial, spectral_system("random, condition 1e6", log_spaced(random.integer(30, 40), 1, 1e6), random));
 }
 
 // Whoever solves nothing at all gets nothing for that.
@@ -83,133 +196,6 @@ void empty(Trial& trial) {
                    std::to_string(empty.value) + " after " + std::to_string(empty.steps) + " of " +
                        std::to_string(most_steps));
     }
-}
-
-void sizes(Trial& trial) {
-  for (int n : {1, 2, 3, 10, 100, 1000, 10000}) {
-    const std::vector<double> d = uniform_values(trial.random, n, 1, 20);
-    const LinearSystem diagonal = sparse_system("diagonal", solver::diagonal(d), trial.random.normals(n),
-                                                *std::min_element(d.begin(), d.end()));
-    expect_solves(trial, diagonal, std::min(n, 16));
-    const double off = (trial.random.integer(0, 1) == 0 ? -1 : 1) * trial.random.uniform(0.5, 0.9);
-    const LinearSystem tridiagonal = sparse_system("tridiagonal", solver::tridiagonal(n, 2, off),
-                                                   trial.random.normals(n), 2 - 2 * std::abs(off));
-    expect_solves(trial, tridiagonal, std::min((n + 1) / 2, 10));
-  }
-}
-
-void known_matrices(Trial& trial) {
-  Random& random = trial.random;
-  const int grid = random.integer(9, 14);
-  expect_solves(trial,
-                sparse_system("2-D Poisson", solver::poisson_2d(grid), random.normals(grid * grid),
-                              8 * std::pow(std::sin(std::numbers::pi / (2 * (grid + 1))), 2)),
-                random.integer(16, 20));
-
-  const int n = random.integer(40, 60);
-  const double least = 4 * std::pow(std::sin(std::numbers::pi / (2 * (n + 1))), 2);
-  expect_solves(trial, sparse_system("string", solver::tridiagonal(n, 2, -1), random.normals(n), least), 20);
-
-  for (double condition : {1e2, 1e3})
-    expect_solves(trial,
-                  spectral_system("random, condition " + std::to_string(condition),
-                                  log_spaced(random.integer(40, 80), 1, condition), random),
-                  random.integer(16, 20));
-
-  const int links = random.integer(300, 400);
-  expect_long_solve(trial,
-                    sparse_system("a long string", solver::tridiagonal(links, 2, -1), random.normals(links),
-                                  4 * std::pow(std::sin(std::numbers::pi / (2 * (links + 1))), 2)));
-  expect_long_solve(trial, spectral_system("random, condition 5000",
-                                           log_spaced(random.integer(250, 300), 1, 5000), random));
-  // Far more steps than unknowns: directions that rounding has turned are what costs them.
-  expect_long_solve(
-      trial, spectral_system("random, condition 1e6", log_spaced(random.integer(30, 40), 1, 1e6), random));
-
-  // Smallest eigenvalues, from below: 1 / ||H^-1||_F.
-  const double hilbert_smallest[] = {9.6e-5, 3.2e-6, 1.0e-7, 3.4e-9};
-  for (int size = 4; size <= 7; ++size)
-    expect_solves(
-        trial,
-        sparse_system("Hilbert", solver::hilbert(size), random.normals(size), hilbert_smallest[size - 4]), 2);
-
-  std::stringstream file;
-  solver::write_matrix_market(file, solver::tridiagonal(random.integer(20, 30), 3, -1));
-  const solver::SparseMatrix from_file = solver::read_matrix_market(file, "generated");
-  expect_solves(trial, sparse_system("from a file", from_file, random.normals(from_file.rows()), 1), 6);
-}
-
-void ill_conditioned(Trial& trial) {
-  Random& random = trial.random;
-  expect_solves_ordinary_system(trial);
-  for (double condition : {1e4, 1e6, 1e8, 1e10, 1e12}) {
-    const LinearSystem system = spectral_system("condition " + std::to_string(condition),
-                                                log_spaced(random.integer(50, 80), 1 / condition, 1), random);
-    for (double tolerance : {1e-3, 1e-8}) {
-      const double epsilon = std::pow(tolerance * norm(system.b), 2);
-      const Solution solution = solve(trial, system, epsilon, 0);
-      expect_solved_or_at_limit(trial, system, solution, epsilon, 0);
-      expect_honest_value(trial, system, solution);
-      expect_counted_products(trial, system, solution);
-    }
-  }
-  // Rounded to doubles, these may have a negative eigenvalue: where CG then ends is open, but not that it
-  // says what it has reached.
-  for (int size = 8; size <= 12; ++size) {
-    const LinearSystem system = sparse_system("Hilbert", solver::hilbert(size), random.normals(size), 0);
-    for (double epsilon : {std::pow(1e-8 * norm(system.b), 2), 0.0}) {
-      const Solution solution = solve(trial, system, epsilon, 0);
-      expect_honest_value(trial, system, solution);
-      expect_counted_products(trial, system, solution);
-    }
-  }
-}
-
-void clusters(Trial& trial) {
-  Random& random = trial.random;
-  for (int distinct = 1; distinct <= 6; ++distinct) {
-    const int n = random.integer(100, 200);
-    std::vector<double> spectrum(n);
-    for (int i = 0; i < n; ++i) spectrum[i] = 1.5 * (1 + i % distinct);
-    const LinearSystem system =
-        spectral_system(std::to_string(distinct) + " different eigenvalues", spectrum, random);
-    const double epsilon = std::pow(1e-9 * norm(system.b), 2);
-    const Solution solution = solve(trial, system, epsilon, 0);
-    expect_steps(trial, solution, distinct);
-    expect_solved(trial, system, solution, epsilon);
-  }
-}
-
-void stiff_strand(Trial& trial) {
-  Random& random = trial.random;
-  const double radius = 50e-6, young = 3e9;  // human hair
-  for (double length : {0.3, 0.1}) {
-    const int segments = random.integer(20, 40);
-    const double l = length / segments, h = 1.0 / 60;
-    const double axial = young * std::numbers::pi * radius * radius / l;
-    const double bending = young * std::numbers::pi * std::pow(radius, 4) / 4 / (l * l * l);
-    std::vector<double> masses(segments);
-    for (double& mass : masses) mass = random.log_uniform(1e-8, 1);
-    // The solution is a velocity for each particle. The smallest eigenvalue is at least the smallest mass.
-    std::vector<double> velocities = random.normals(3 * segments, 0.1);
-    const LinearSystem system =
-        sparse_system("strand", solver::strand_implicit_euler(masses, axial, bending, h), velocities,
-                      *std::min_element(masses.begin(), masses.end()));
-    for (double tolerance : {1e-4, 1e-10}) {
-      const double epsilon = std::pow(tolerance * norm(system.b), 2);
-      expect_solved_or_at_limit(trial, system, solve(trial, system, epsilon, 3000), epsilon, 3000);
-    }
-  }
-  // Light and limp enough that the number of steps is certain: an absolute tolerance would find it solved at
-  // once.
-  const int segments = random.integer(10, 20);
-  const double mass = random.log_uniform(1e-8, 1e-7);
-  const LinearSystem light =
-      sparse_system("light strand",
-                    solver::strand_implicit_euler(std::vector<double>(segments, mass), 2e-2 * mass / 1e-6,
-                                                  1e-3 * mass / 1e-6, 1e-2),
-                    random.normals(3 * segments, 0.1), mass);
-  expect_solves(trial, light, 3);
 }
 
 }  // namespace grader::s1
