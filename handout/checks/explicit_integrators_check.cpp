@@ -163,6 +163,21 @@ TEST_P(Integrator, MovesEveryParticle) {
   }
 }
 
+TEST_P(Integrator, HasNoUnitOfItsOwn) {
+  // a = -4 x - v has none, and powers of two change no digit.
+  Spring1 spring(4, 1);
+  State metres{scattered_vector(6, 1), scattered_vector(6, 2)};
+  for (int power : {-90, 90}) {
+    SCOPED_TRACE(std::string(GetParam().name) + " with x and v times 2^" + std::to_string(power));
+    const double unit = std::ldexp(1.0, power);
+    State plain = metres, scaled{unit * metres.x, unit * metres.v};
+    steps(GetParam(), spring, 0.25, 3, plain);
+    steps(GetParam(), spring, 0.25, 3, scaled);
+    EXPECT_EQ(scaled.x, unit * plain.x);
+    EXPECT_EQ(scaled.v, unit * plain.v);
+  }
+}
+
 TEST_P(Integrator, LeavesPinnedParticlesTheirVelocity) {
   // Two particles on a spring under gravity: one is pinned, and pulled along at 3 m/s.
   const Particles pair{Eigen::Vector2d(0.2, 0.5), {1, 0}};

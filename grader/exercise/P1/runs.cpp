@@ -55,9 +55,4 @@ Run run(Trial& trial, const Method& method, particles::Dynamics& dynamics, const
   return result;
 }
 
-void expect_moves(Trial& trial, const Method& method, const State& start, double h, const State& end) {
-  trial.expect((end.x - start.x - h * start.v).norm() <= 0.5 * (h * start.v).norm() && end.v != start.v,
-               std::string(method.name) + " does not move the particles");
-}
-
 }  // namespace grader::p1
