@@ -99,6 +99,15 @@ TEST(DenseMatrix, WithoutColumnsGivesZeros) {
   EXPECT_EQ(multiply(*dense_matrix(3, 0, nullptr), 3, {}), Vector(3, 0.0));
 }
 
+TEST(DenseMatrix, TakesEntriesOfAnySize) {
+  // Powers of two change no digit.
+  const double tiny = std::ldexp(1.0, -300), large = std::ldexp(1.0, 200);
+  const Vector a = {tiny, 2 * tiny, 3 * tiny, 4 * tiny};
+  SCOPED_TRACE("dense_matrix of 2^-300 [1 2; 3 4], x = 2^200 (1, 3)");
+  EXPECT_EQ(multiply(*dense_matrix(2, 2, a.data()), 2, {large, 3 * large}),
+            (Vector{7 * tiny * large, 15 * tiny * large}));
+}
+
 TEST(DenseMatrix, RoundsNoMoreThanItMust) {
   const int rows = 40, cols = 25;
   const Vector a = scattered(rows * cols), x = scattered(cols);
@@ -122,6 +131,22 @@ TEST(NormalMatrix, WorksForMoreColumnsThanRows) {
   SparseMatrix A = dense(1, 3, {1, 2, 3}), transposed = A.transposed();
   SCOPED_TRACE("normal_matrix of A = [1 2 3], x = (1, 1, 1)");
   EXPECT_EQ(multiply(*normal_matrix(1, 3, &A, &transposed), 3, {1, 1, 1}), (Vector{6, 12, 18}));
+}
+
+TEST(NormalMatrix, WorksInsideOfAnother) {
+  SparseMatrix A = dense(3, 2, {1, 2, 3, 4, 5, 6}), transposed = A.transposed();
+  auto inner = normal_matrix(3, 2, &A, &transposed);
+  auto outer = normal_matrix(2, 2, inner.get(), inner.get());
+  SCOPED_TRACE("normal_matrix of the normal_matrix of A = [1 2; 3 4; 5 6], [35 44; 44 56]^2, x = (1, 0)");
+  EXPECT_EQ(multiply(*outer, 2, {1, 0}), (Vector{3161, 4004}));
+}
+
+TEST(NormalMatrix, TakesMatricesOfAnySize) {
+  const double tiny = std::ldexp(1.0, -200), large = std::ldexp(1.0, 300);
+  SparseMatrix A = dense(2, 2, {tiny, 2 * tiny, 3 * tiny, 4 * tiny}), transposed = A.transposed();
+  SCOPED_TRACE("normal_matrix of A = 2^-200 [1 2; 3 4], A'A = 2^-400 [10 14; 14 20], x = 2^300 (1, 1)");
+  EXPECT_EQ(multiply(*normal_matrix(2, 2, &A, &transposed), 2, {large, large}),
+            (Vector{24 * (tiny * (tiny * large)), 34 * (tiny * (tiny * large))}));
 }
 
 TEST(NormalMatrix, TakesOneProductWithEachMatrix) {

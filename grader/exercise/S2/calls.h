@@ -15,6 +15,18 @@ inline std::unique_ptr<implicitMatrix> normal(Operator A, Operator A_transposed)
   return normal_matrix(A.rows, A.cols, A.matrix, A_transposed.matrix);
 }
 
+// (A'A)'(A'A): an operator of operators, both of which work while the outer one multiplies.
+inline std::unique_ptr<implicitMatrix> normal_of_normal(Operator A, Operator A_transposed) {
+  struct Nested : implicitMatrix {
+    std::unique_ptr<implicitMatrix> inner, outer;
+    void matVecMult(double x[], double b[]) override { outer->matVecMult(x, b); }
+  };
+  auto nested = std::make_unique<Nested>();
+  nested->inner = normal(A, A_transposed);
+  nested->outer = normal_matrix(A.cols, A.cols, nested->inner.get(), nested->inner.get());
+  return nested;
+}
+
 inline double solve_normal(Operator A, Operator A_transposed, particles::Output x, particles::Output b,
                            double epsilon, int& steps) {
   return solve_normal_equations(A.rows, A.cols, A.matrix, A_transposed.matrix, x.data(), b.data(), epsilon,
@@ -59,7 +71,7 @@ struct NormalSystem {
 
 struct Calls
     : CallList<Call<dense, Contract{}, Table>, Call<normal, Contract{.allocates_nothing = true}, Transposed>,
-               Call<solve_normal, Contract{}, NormalSystem>> {
+               Call<normal_of_normal, Contract{}, Transposed>, Call<solve_normal, Contract{}, NormalSystem>> {
   static constexpr const char* id = "S2";
 };
 

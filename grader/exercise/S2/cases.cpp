@@ -112,7 +112,7 @@ NormalSolution solve(Trial& trial, const std::string& name, const Matrix& matrix
   trial.describe(name + ", " + std::to_string(matrix.rows) + " x " + std::to_string(matrix.cols));
   Counted counted(matrix);
   const int limit = steps == 0 ? std::max(100, 2 * matrix.cols) : std::max(0, steps);
-  counted.most = calls * (limit + limit / 64 + 4);
+  counted.most = 2 * calls * (limit + limit / 64 + 4);  // of either kind
   const VectorXd junk = vector_of(trial.random.normals(matrix.cols, 1e3));
   VectorXd x, right_side = vector_of(b);  // what one call does to b, the next one meets
   NormalSolution solution;
@@ -167,6 +167,12 @@ Matrix dominant(Random& random, const std::vector<double>& diagonal) {
   return table;
 }
 
+Matrix symmetric(Matrix A) {
+  for (int i = 0; i < A.rows; ++i)
+    for (int j = 0; j < i; ++j) A.entries[i * A.cols + j] = A.entries[j * A.cols + i];
+  return A;
+}
+
 void table(Trial& trial) {
   Random& random = trial.random;
   expect_dense_product(trial, "Example 1", {2, 2, {2, 0, 0, 1}}, {0.5, 1});
@@ -198,7 +204,58 @@ void normal_operator(Trial& trial) {
   }
 }
 
-void non_symmetric(Trial& trial) {
+// A'A A'A x, of a symmetric A. Each of the four products may be off by its dot products' rounding, and the later ones multiply that.
+void nested(Trial& trial) {
+  Random& random = trial.random;
+  for (int n : {2, 5, 8}) {
+    const Matrix table = symmetric(random_table(random, n, n));
+    const std::vector<double> x = random.normals(n);
+    trial.describe("A'A of A'A, A " + std::to_string(n) + " x " + std::to_string(n));
+    Counted counted(table);
+    CaseAsker asker(trial);
+    const auto answer =
+        Client<Calls, normal_of_normal>::multiply(asker, 2, vector_of(x), vector_of(random.normals(n, 1e3)),
+                                                  std::tuple(counted.served(), counted.served_transposed()));
+    expect_products(trial, answer.products, table.times(table.times(table.times(table.times(x)))),
+                    4 * kUnit * (n + 1) * std::pow(table.norm(), 4) * norm(x),
+                    "the product of normal_matrix of a normal_matrix");
+  }
+}
+
+// A product has no unit of its own: powers of two round nothing.
+void units(Trial& trial) {
+  Random& random = trial.random;
+  const Matrix table = random_table(random, 4, 4);
+  const std::vector<double> x = random.normals(4);
+  const auto products = [&](double unit) {
+    Matrix scaled = table;
+    for (double& entry : scaled.entries) entry *= unit;
+    VectorXd entries = vector_of(scaled.entries), in = unit * vector_of(x);
+    trial.describe("a matrix and a vector in units of " + std::to_string(std::log2(unit)) + " binary places");
+    Counted counted(scaled);
+    CaseAsker asker(trial);
+    const VectorXd dense_product = Client<Calls, dense>::multiply(asker, 1, in, VectorXd::Zero(4),
+                                                                  std::tie(scaled.rows, scaled.cols, entries),
+                                                                  std::tie(scaled.rows, scaled.cols, entries))
+                                       .products[0];
+    const VectorXd normal_product =
+        Client<Calls, normal>::multiply(asker, 1, in, VectorXd::Zero(4),
+                                        std::tuple(counted.served(), counted.served_transposed()))
+            .products[0];
+    return std::pair{dense_product, normal_product};
+  };
+  const auto [dense_product, normal_product] = products(1);
+  trial.expect(dense_product.norm() > 0 && normal_product.norm() > 0, "the products are 0");
+  for (double unit : {0x1p-120, 0x1p120}) {
+    const auto [dense_scaled, normal_scaled] = products(unit);
+    trial.expect(dense_scaled == unit * unit * dense_product,
+                 "dense_matrix does other things to a table of very small or very large numbers");
+    trial.expect(normal_scaled == unit * unit * unit * normal_product,
+                 "normal_matrix does other things to a matrix of very small or very large numbers");
+  }
+}
+
+void expect_solves_non_symmetric(Trial& trial) {
   Random& random = trial.random;
   for (int n : {2, 3, 10, 40}) {
     std::vector<double> diagonal(n);
@@ -214,14 +271,12 @@ void non_symmetric(Trial& trial) {
   expect_solves(trial, "rotation", rotation, rotation.times(x), x, 0.99);
 }
 
-void indefinite(Trial& trial) {
+void expect_solves_indefinite(Trial& trial) {
   Random& random = trial.random;
   for (int n : {2, 5, 20}) {
     std::vector<double> diagonal(n);
     for (int i = 0; i < n; ++i) diagonal[i] = (i % 2 == 0 ? 1 : -1) * random.uniform(2, 6);
-    Matrix A = dominant(random, diagonal);
-    for (int i = 0; i < n; ++i)
-      for (int j = 0; j < i; ++j) A.entries[i * n + j] = A.entries[j * n + i];
+    const Matrix A = symmetric(dominant(random, diagonal));
     // Made symmetric, the part beside the diagonal is no longer than sqrt(2).
     const std::vector<double> x = random.normals(n);
     expect_solves(trial, "symmetric, indefinite", A, A.times(x), x, 2 - std::sqrt(2.0));
@@ -230,7 +285,7 @@ void indefinite(Trial& trial) {
   expect_solves(trial, "saddle point", {2, 2, {1, 1, 1, 0}}, {3, 1}, {1, 2}, 0.618);
 }
 
-void least_squares(Trial& trial) {
+void expect_least_squares(Trial& trial) {
   Random& random = trial.random;
   for (auto [rows, cols] : {std::pair{6, 3}, {30, 10}}) {
     // A = Q [B; 0] with Q orthogonal has B's singular values, at least 1, and Q [0; z] is orthogonal to its
@@ -274,12 +329,19 @@ void least_squares(Trial& trial) {
   }
 }
 
+void systems(Trial& trial) {
+  expect_solves_non_symmetric(trial);
+  expect_solves_indefinite(trial);
+  expect_least_squares(trial);
+}
+
+// Of a symmetric A, for which it does not matter which of the two products comes first.
 void steps_and_products(Trial& trial) {
   Random& random = trial.random;
   const int n = random.integer(12, 18);
   std::vector<double> diagonal(n);
   for (double& value : diagonal) value = random.uniform(2, 20);
-  const Matrix A = dominant(random, diagonal);
+  const Matrix A = symmetric(dominant(random, diagonal));
   const std::vector<double> x = random.normals(n), b = A.times(x), Atb = A.transposed().times(b);
   expect_solves(trial, "ordinary", A, b, x, 1);
   // The second call finds b as it was.
@@ -301,7 +363,7 @@ void steps_and_products(Trial& trial) {
     trial.expect(solution.steps == one.expected, "the step limit and epsilon are not ConjGrad's",
                  std::to_string(solution.steps));
     const int expected = 1 + solution.steps + solution.steps / 64;
-    trial.expect(solution.products == expected && solution.transposed_products == expected + 1,
+    trial.expect(solution.products + solution.transposed_products == 2 * expected + 1,
                  "the number of products is not 1 + steps + floor(steps / 64) with A, and one more with A'",
                  std::to_string(solution.products) + " and " + std::to_string(solution.transposed_products));
     trial.expect_at_most(std::abs(std::sqrt(solution.value) - normal_residual(A, solution.x, b)),
@@ -314,10 +376,10 @@ void steps_and_products(Trial& trial) {
 
 std::vector<Category> categories() {
   return {{"Table", "A matrix from a table", 4, table},
-          {"NormalOperator", "A'A as an operator", 4, normal_operator},
-          {"NonSymmetric", "Non-symmetric systems", 4, non_symmetric},
-          {"Indefinite", "Indefinite systems", 3, indefinite},
-          {"LeastSquares", "Least squares", 2, least_squares},
+          {"NormalOperator", "A'A as an operator", 3, normal_operator},
+          {"Nested", "An operator of operators", 1, nested},
+          {"Units", "Very large and very small numbers", 1, units},
+          {"Systems", "Systems", 8, systems},
           {"StepsAndProducts", "Steps and products", 3, steps_and_products}};
 }
 
