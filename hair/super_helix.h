@@ -85,7 +85,7 @@ void mass_matrix(const std::vector<HelixElement>& elements, const std::vector<He
 //   (M + h^2 K) change = h (Q - K (q + h q' - q^n)),    M, Q: (6) and (5) of these points;    afterwards q += h q'
 //
 // The matrix is definite for h > 0, even where M is not. The residual is at most 1e-10 (norm of the matrix * norm
-// of the change + norm of the right side). scratch: 3n rows, 3n + 10 columns. The cost may be that of a dense
+// of the change + norm of the right side). Scratch memory has 3n rows, 3n + 10 columns. The cost may be that of a dense
 // matrix, n^3; but elements hang on each other as H7's links do, and elimination from the tip to the root costs n.
 void helix_step(const HelixStrand& strand, const std::vector<HelixElement>& elements,
                 const std::vector<HelixPoint>& points, Input q, Input rates, double h, Scratch scratch,

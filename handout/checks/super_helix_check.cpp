@@ -245,6 +245,18 @@ TEST(FrameAt, IsStraightWithoutCurvature) {
   }
 }
 
+// An arc about n1, however little it winds and however long it is: there is no size below which an element is straight.
+TEST(FrameAt, BendsHoweverLittle) {
+  for (const double length : {1.0, 1e-9, 1e9})
+    for (const double angle : {1e-9, 1e-7, 1e-5, 1e-3, 0.1}) {
+      const MaterialFrame end = hair::frame_at({}, Vector3d(angle / length, 0, 0), length);
+      const double half = std::sin(angle / 2), across = -2 * half * half / angle;
+      const std::string of = " of an arc of " + number(length) + " m that winds by " + number(angle);
+      EXPECT_NEAR(end.position.y() / length, across, 1e-10) << "y of the end, over the length," << of;
+      EXPECT_NEAR(end.axes(1, 2), -std::sin(angle), 1e-10) << "y of the tangent at the end" << of;
+    }
+}
+
 // dr/ds = t, dn/ds = Omega x n.
 TEST(FrameAt, TurnsByOmega) {
   const MaterialFrame root = some_root();
@@ -367,6 +379,18 @@ TEST(JacobianAt, IsTheDerivativeOfFrameAt) {
   }
 }
 
+// To bend a straight element a little further moves its end by s^2 / 2, whatever the unit of length.
+TEST(JacobianAt, OfElementsOfAnyLength) {
+  const HelixJacobian one = hair::jacobian_at({}, 0.3 * kCurvature, 1);
+  for (const double scale : {0x1p-40, 0x1p40}) {
+    const HelixJacobian J = hair::jacobian_at({}, 0.3 / scale * kCurvature, scale);
+    expect_entries((J.turns / scale).reshaped(), one.turns.reshaped(), 1e-10,
+                   "turns / s of an element of " + number(scale) + " m, beside that of 1 m", "1e-10");
+    expect_entries((J.moves / (scale * scale)).reshaped(), one.moves.reshaped(), 1e-10,
+                   "moves / s^2 of an element of " + number(scale) + " m, beside that of 1 m", "1e-10");
+  }
+}
+
 TEST(JacobianAt, OfAStraightElement) {
   const HelixJacobian J = hair::jacobian_at({}, Vector3d::Zero(), 0.5),
                       expected = straight(Matrix3d::Identity(), 0.5);
@@ -423,6 +447,18 @@ TEST(MassMatrix, OfAStraightStrand) {
   EXPECT_NEAR(two(3, 3), 5 / 20.0, 1e-12) << "element 1 alone";
 }
 
+// Elements without points carry those further out.
+TEST(MassMatrix, OfElementsWithoutPoints) {
+  Lying light = crooked_strand(), bare = light;
+  for (HelixPoint& point : light.points)
+    if (point.element == 0 || point.element == 2) point.inertia.setZero();
+  std::erase_if(bare.points,
+                [](const HelixPoint& point) { return point.element == 0 || point.element == 2; });
+  expect_entries(mass_of(bare).reshaped(), mass_of(light).reshaped(), 1e-11,
+                 "M where elements 0 and 2 have no points, beside M where their points have no mass",
+                 "1e-11");
+}
+
 // u^T M w = sum of velocity(u) . inertia velocity(w), and positive.
 TEST(MassMatrix, HasTheKineticEnergyOfThePoints) {
   const Lying lying = crooked_strand();
@@ -467,7 +503,7 @@ TEST(HelixStep, LeavesWhatIsAtRest) {
 // The residual, with your own M, K, Q and elastic force; M of hair is some 1e-17 kg m^4, so nothing may be too
 // small for it.
 TEST(HelixStep, SolvesItsSystem) {
-  for (const double small : {1.0, 1e-7}) {
+  for (const double small : {1.0, 1e-7, 1e-20}) {
     Lying lying = crooked_strand();
     HelixStrand strand = strand_of(lying);
     strand.bend_rigidity *= small;

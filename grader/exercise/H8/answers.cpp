@@ -11,10 +11,10 @@ namespace {
 
 std::string in_words(const Hair& hair) {
   double most = 0;
-  for (const hair::HelixElement& element : hair.motion.elements)
+  for (const hair::HelixElement& element : hair.elements)
     most = std::max(most, element.length * element.curvature.norm());
-  return std::to_string(hair.motion.elements.size()) + " elements that wind by " + std::to_string(most) +
-         " at most, " + std::to_string(hair.motion.points.size()) + " points";
+  return std::to_string(hair.elements.size()) + " elements that wind by " + std::to_string(most) +
+         " at most, " + std::to_string(hair.points.size()) + " points";
 }
 
 }  // namespace
@@ -57,14 +57,14 @@ VectorXd ask_elastic(Trial& trial, const HelixStrand& strand, const VectorXd& q)
 VectorXd ask_force(Trial& trial, const Hair& hair) {
   trial.describe(in_words(hair));
   VectorXd Q = unset(hair.q.size());
-  ask_student_for<Calls, hair::generalised_force>(trial, hair.motion.elements, hair.motion.points, Q);
+  ask_student_for<Calls, hair::generalised_force>(trial, hair.elements, hair.points, Q);
   return Q;
 }
 
 MatrixXd ask_mass(Trial& trial, const Hair& hair) {
   trial.describe(in_words(hair));
   MatrixXd M = MatrixXd::Constant(hair.q.size(), hair.q.size(), std::nan(""));
-  ask_student_for<Calls, hair::mass_matrix>(trial, hair.motion.elements, hair.motion.points, M);
+  ask_student_for<Calls, hair::mass_matrix>(trial, hair.elements, hair.points, M);
   return M;
 }
 
@@ -72,8 +72,8 @@ VectorXd ask_step(Trial& trial, const Hair& hair, double h) {
   trial.describe(in_words(hair) + ", h = " + std::to_string(h) + " s");
   VectorXd change = unset(hair.q.size());
   const Filling scratch{static_cast<int>(hair.q.size()) + 10};
-  ask_student_for<Calls, hair::helix_step>(trial, hair.strand(), hair.motion.elements, hair.motion.points,
-                                           hair.q, hair.rates, h, scratch, change);
+  ask_student_for<Calls, hair::helix_step>(trial, hair.strand, hair.elements, hair.points, hair.q, hair.rates,
+                                           h, scratch, change);
   return change;
 }
 

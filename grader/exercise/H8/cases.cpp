@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. The categories of H8 and their weights.
 #include "grader/exercise/H8/cases.h"
 
 namespace grader::h8 {
@@ -12,10 +12,12 @@ std::vector<Category> categories() {
           {"Elasticity", "Elastic forces", 2, elasticity},
           {"Jacobians", "Jacobians of an element", 5, jacobians},
           {"Winding", "Elements that wind many times", 1, winding},
-          {"Forces", "Generalised forces", 3, forces},
+          {"Forces", "Generalised forces", 2, forces},
           {"Masses", "The mass matrix", 3, masses},
-          {"Steps", "The step", 4, steps},
-          {"StiffSteps", "Straight hair, long steps, many elements", 1, stiff_steps}};
+          {"BareElements", "Elements without points", 1, bare_elements},
+          {"Steps", "The step", 3, steps},
+          {"StiffSteps", "Straight hair, long steps, many elements", 1, stiff_steps},
+          {"OtherUnits", "Hair of any size and weight", 1, other_units}};
 }
 
 }  // namespace grader::h8

@@ -16,7 +16,9 @@ void jacobians(Trial& trial);
 void winding(Trial& trial);
 void forces(Trial& trial);
 void masses(Trial& trial);
+void bare_elements(Trial& trial);
 void steps(Trial& trial);
 void stiff_steps(Trial& trial);
+void other_units(Trial& trial);
 
 }  // namespace grader::h8

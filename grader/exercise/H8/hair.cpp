@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Draws hair for H8's cases.
 #include "grader/exercise/H8/hair.h"
 
 #include "grader/suite/random_vector.h"
@@ -24,7 +24,9 @@ HelixStrand any_strand(Random& random, int elements) {
   return strand;
 }
 
-void push(Random& random, HelixMotion& motion) {
+Hair lying(Random& random, const HelixStrand& strand, const VectorXd& q, const VectorXd& rates) {
+  HelixMotion motion(strand);
+  motion.place(any_frame(random), q);
   for (std::size_t j = 0; j < motion.points.size(); ++j) {
     hair::HelixPoint& point = motion.points[j];
     const double mass = point.inertia(0, 0);
@@ -34,6 +36,7 @@ void push(Random& random, HelixMotion& motion) {
       point.inertia += mass * held * held.transpose();
     }
   }
+  return {q, rates, strand, motion.elements, motion.points};
 }
 
 }  // namespace
@@ -49,25 +52,45 @@ MaterialFrame any_frame(Random& random) {
 
 Hair random_hair(Random& random, const HairKind& kind) {
   const HelixStrand strand = any_strand(random, kind.elements);
-  Hair hair{any_curl(random, strand.lengths, kind.least, kind.most), any_curl(random, strand.lengths, 0, 10),
-            HelixMotion(strand)};
-  hair.motion.place(any_frame(random), hair.q);
-  push(random, hair.motion);
-  return hair;
+  const VectorXd q = any_curl(random, strand.lengths, kind.least, kind.most);
+  return lying(random, strand, q, any_curl(random, strand.lengths, 0, 10));
 }
 
 Hair straight_hair(Random& random, int elements) {
-  Hair hair{VectorXd::Zero(3 * elements), VectorXd::Zero(3 * elements),
-            HelixMotion(any_strand(random, elements))};
-  hair.motion.place(any_frame(random), hair.q);
-  push(random, hair.motion);
-  return hair;
+  const VectorXd none = VectorXd::Zero(3 * elements);
+  return lying(random, any_strand(random, elements), none, none);
+}
+
+MaterialFrame in_units(MaterialFrame frame, const Units& units) {
+  frame.position *= units.length;
+  return frame;
+}
+
+Hair in_units(const Hair& hair, const Units& units) {
+  const auto [mass, length] = units;
+  Hair scaled = hair;
+  scaled.q /= length, scaled.rates /= length;
+  scaled.strand.lengths *= length;
+  scaled.strand.natural /= length;
+  scaled.strand.line_density *= mass / length;
+  for (double* rigidity : {&scaled.strand.bend_rigidity, &scaled.strand.twist_rigidity})
+    *rigidity *= mass * length * length * length;
+  for (hair::HelixElement& element : scaled.elements) {
+    element.length *= length, element.curvature /= length;
+    element.start = in_units(element.start, units), element.end = in_units(element.end, units);
+    element.at_end.turns *= length, element.at_end.moves *= length * length;
+  }
+  for (hair::HelixPoint& point : scaled.points) {
+    point.s *= length, point.position *= length, point.moves *= length * length;
+    point.force *= mass * length, point.inertia *= mass;
+  }
+  return scaled;
 }
 
 Sizes sizes_of(const Hair& hair) {
-  const std::vector<hair::HelixElement>& elements = hair.motion.elements;
+  const std::vector<hair::HelixElement>& elements = hair.elements;
   Sizes sizes{VectorXd::Zero(hair.q.size()), VectorXd::Zero(hair.q.size())};
-  for (const hair::HelixPoint& point : hair.motion.points) {
+  for (const hair::HelixPoint& point : hair.points) {
     const double inertia = point.inertia.norm(), force = point.force.norm();
     for (int i = 0; i <= point.element; ++i)
       for (int k = 0; k < 3; ++k) {
@@ -92,10 +115,10 @@ double System::error(const VectorXd& change) const {
 Parts reference_parts(const Hair& hair, double h) {
   const Eigen::Index size = hair.q.size();
   Parts parts{MatrixXd(size, size), VectorXd(size), VectorXd(size), VectorXd(size)};
-  hair::mass_matrix(hair.motion.elements, hair.motion.points, parts.M);
-  hair::generalised_force(hair.motion.elements, hair.motion.points, parts.Q);
-  hair::helix_stiffness(hair.strand(), parts.K);
-  hair::elastic_force(hair.strand(), hair.q + h * hair.rates, parts.elastic);
+  hair::mass_matrix(hair.elements, hair.points, parts.M);
+  hair::generalised_force(hair.elements, hair.points, parts.Q);
+  hair::helix_stiffness(hair.strand, parts.K);
+  hair::elastic_force(hair.strand, hair.q + h * hair.rates, parts.elastic);
   return parts;
 }
 

@@ -23,13 +23,21 @@ struct HairKind {
 // and points that are pushed each in its way. Every third point resists more in one direction, as at a contact.
 struct Hair {
   VectorXd q, rates;
-  HelixMotion motion;
-  const HelixStrand& strand() const { return motion.strand(); }
+  HelixStrand strand;
+  std::vector<hair::HelixElement> elements;
+  std::vector<hair::HelixPoint> points;
 };
 Hair random_hair(Random& random, const HairKind& kind);
 
 // The same lying straight along its root's tangent, at rest; its natural curvatures are what they were.
 Hair straight_hair(Random& random, int elements);
+
+// The same hair in other units of mass and length: powers of 2, which change no digit.
+struct Units {
+  double mass = 1, length = 1;
+};
+Hair in_units(const Hair& hair, const Units& units);
+MaterialFrame in_units(MaterialFrame frame, const Units& units);
 
 // For each coordinate, sums over the points of what a right formula adds up, whatever point of the world it refers
 // to: of |J_j force_j|, and the root of the sum of |J_j^T inertia_j J_j|.
