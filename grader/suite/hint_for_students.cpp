@@ -32,7 +32,7 @@ std::string hint_for_students(const checks::Hint& hint) {
     case checks::Looks::no_number:
       return "One of its numbers is no number: 0/0, or the root of a negative one?";
     case checks::Looks::zero:
-      return "All of it is 0: is the result written, or added, at all?";
+      return "All of it is 0: is a term missing, or the result never written?";
     case checks::Looks::wrong_at_the_end:
       return "It is right but for its last entries: a loop's bound?";
     case checks::Looks::wrong_at_the_beginning:

@@ -72,7 +72,7 @@ TEST(Hint, IsOneOfAFewSentences) {
   EXPECT_EQ(hint_of({0.5, 1, 1.5}), "Its numbers are 1/2 times what is expected: a factor?");
   EXPECT_EQ(hint_of({1.1, 2.2, 3.3}), "nothing")
       << "a factor that code may choose could carry hidden inputs out";
-  EXPECT_EQ(hint_of({0, 0, 0}), "All of it is 0: is the result written, or added, at all?");
+  EXPECT_EQ(hint_of({0, 0, 0}), "All of it is 0: is a term missing, or the result never written?");
   EXPECT_EQ(hint_of({1, 2, 0}), "It is right but for its last entries: a loop's bound?");
   EXPECT_EQ(hint_of({7, 2, 3}), "It is right but for its first entries: a loop's bound?");
   EXPECT_EQ(hint_of({1, -2, 3}), "It is right but for signs of some entries.");

@@ -75,7 +75,7 @@ TEST_F(Hints, NameWhatIsNoNumber) {
   const std::uint64_t fresh = 0xfefefefefefefefe;
   std::memcpy(&actual[1], &fresh, sizeof fresh);
   EXPECT_EQ(told(actual, expected), "entry 1 was never set");
-  EXPECT_EQ(told(Numbers(4), expected), "all of it is 0: is the result written, or added, at all?");
+  EXPECT_EQ(told(Numbers(4), expected), "all of it is 0: is a term missing, or the result never written?");
 }
 
 TEST_F(Hints, NameWhatIsMadeOfAVariableThatWasNeverSet) {
@@ -88,7 +88,7 @@ TEST_F(Hints, NameWhatIsMadeOfAVariableThatWasNeverSet) {
 TEST_F(Hints, OfOneNumberKnowSmallFactors) {
   EXPECT_EQ(checks::hint_of_ratio(-2, 2), "-1 times what was expected: a sign?");
   EXPECT_EQ(checks::hint_of_ratio(1, 2), "0.5 times what was expected: a factor?");
-  EXPECT_EQ(checks::hint_of_ratio(0, 2), "it is 0: is the result written, or returned, at all?");
+  EXPECT_EQ(checks::hint_of_ratio(0, 2), "it is 0: is a term missing, or the result never written?");
   EXPECT_EQ(checks::hint_of_ratio(1.37, 2), "");
   EXPECT_EQ(checks::hint_of_ratio(1, 0), "");
 }

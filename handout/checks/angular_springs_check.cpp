@@ -365,14 +365,17 @@ int main(int argc, char** argv) {
         [] { add_bend_product_spd(lone, x, x, out); },
         {"add_bend_force"}}},
       {},
-      {{"the energy of one joint", "BendEnergy.OfOneJoint"},
+      {{"right the first time, wrong later", "*.IsTheSameHowever*"},
+       {"right for thick wires", "*.OfAHair*"},
+       {"the energy of one joint is wrong", "BendEnergy.OfOneJoint"},
        {"right for lengths of 1, wrong otherwise", "BendEnergy.TakesTheMean*:BendEnergy.OfTheLectures*"},
        {"small bends have energies like stairs", "BendEnergy.OfSmall*"},
        {"right for free strands, and a clamped one", "*Clamped*"},
-       {"bends grow instead of shrinking", "AddBendForce.OfOneJoint"},
+       {"NaN for a straight strand", "*.WhereDirections*"},
+       {"the force of one joint is wrong", "AddBendForce.OfOneJoint"},
        {"the sum of all forces is not 0", "AddBendForce.*Net*:AddBendForce.*Balance*"},
-       {"the force is not the slope", "AddBendForce.IsMinus*:AddBendForce.*"},
-       {"the exact product is right for straight strands only", "AddProducts.IsTheForces*:AddProducts.*"},
-       {"S is right for bent strands", "AddProductsSpd.IsExactFor*:*Straight*"},
-       {"S is indefinite beyond 90°", "AddProductsSpd.*"}});
+       {"the force is not the slope", "AddBendForce.IsMinus*"},
+       {"the exact product is wrong", "AddProducts.IsTheForces*:AddProducts.IsIndef*"},
+       {"S is right for bent strands", "AddProductsSpd.IsExactFor*"},
+       {"the semi-definite product is wrong", "AddProductsSpd.Is*"}});
 }

@@ -14,6 +14,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "solver/not_implemented.h"
+
 namespace checks {
 namespace {
 
@@ -67,18 +69,13 @@ void read_both(int in1, std::string& text1, int in2, std::string& text2) {
   }
 }
 
-// Runs the checks of the filter and never returns.
-[[noreturn]] void be_the_child(const std::string& filter, unsigned seconds, int events, int errors) {
-  const rlimit limit{seconds, seconds + 5};
-  setrlimit(RLIMIT_CPU, &limit);
-  dup2(errors, STDERR_FILENO);
+// Runs the checks of the filter.
+void run_checks_of(const std::string& filter, int events) {
   testing::GTEST_FLAG(filter) = filter;
   testing::TestEventListeners& listeners = testing::UnitTest::GetInstance()->listeners();
   delete listeners.Release(listeners.default_result_printer());
   listeners.Append(new Teller(events));
-  const int failed = RUN_ALL_TESTS();
-  std::fflush(nullptr);
-  _exit(failed == 0 ? 0 : 2);
+  [[maybe_unused]] const int failed = RUN_ALL_TESTS();  // the events tell it
 }
 
 struct Ended {
@@ -86,7 +83,8 @@ struct Ended {
   int signal = 0;  // 0: it left by itself
 };
 
-Ended run_once(const std::string& filter, unsigned seconds) {
+// Does `work` in a child, which gets a place to write events to.
+Ended run_in_a_child(unsigned seconds, const std::function<void(int events)>& work) {
   int events[2], errors[2];
   if (pipe(events) != 0 || pipe(errors) != 0) throw std::runtime_error("no pipe for a check");
   std::fflush(nullptr);
@@ -95,7 +93,12 @@ Ended run_once(const std::string& filter, unsigned seconds) {
   if (child == 0) {
     close(events[0]);
     close(errors[0]);
-    be_the_child(filter, seconds, events[1], errors[1]);
+    dup2(errors[1], STDERR_FILENO);
+    const rlimit limit{seconds, seconds + 5};
+    setrlimit(RLIMIT_CPU, &limit);
+    work(events[1]);
+    std::fflush(nullptr);
+    _exit(0);
   }
   close(events[1]);
   close(errors[1]);
@@ -171,11 +174,26 @@ std::string how_it_ended(int signal, const std::string& written) {
   return words + (place.empty() ? "" : "\nin " + place);
 }
 
+std::string not_implemented_by(const std::function<void()>& call, unsigned seconds) {
+  return run_in_a_child(seconds,
+                        [&](int events) {
+                          try {
+                            call();
+                          } catch (const NotImplemented& problem) {
+                            const std::string sentence = problem.what();
+                            if (write(events, sentence.data(), sentence.size()) < 0) _exit(3);
+                          } catch (...) {
+                            _exit(0);  // It is written: the checks will tell what is wrong with it.
+                          }
+                        })
+      .events;
+}
+
 void run_apart(std::vector<Finding*> checks, unsigned seconds) {
   for (int endless = 0; !checks.empty() && endless < 2;) {
     std::string filter;
     for (const Finding* check : checks) filter += (filter.empty() ? "" : ":") + check->full_name();
-    const Ended ended = run_once(filter, seconds);
+    const Ended ended = run_in_a_child(seconds, [&](int events) { run_checks_of(filter, events); });
     if (Finding* broken = take_events(ended.events, checks)) {
       broken->state = Finding::State::broke_off;
       broken->failures.push_back(how_it_ended(ended.signal, ended.errors));

@@ -1,6 +1,7 @@
 // Runs checks in a process of their own: one that breaks off or never ends takes no other with it.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@ inline constexpr unsigned kMostSeconds = 20;
 // Runs the findings' checks, all of one suite, in their order, and fills in states and failures. After two checks that
 // never ended the others are left waiting. The standard output stays this program's.
 void run_apart(std::vector<Finding*> checks, unsigned seconds = kMostSeconds);
+
+// Makes a call in a process of its own, and returns the sentence of the NotImplemented that it throws; "" if it throws none.
+std::string not_implemented_by(const std::function<void()>& call, unsigned seconds = kMostSeconds);
 
 // The sentence for a process that ended in the middle of a check: by a signal (0: none), with the text that it wrote to the
 // standard error. A sanitizer's report becomes its first line, and the line of your file.

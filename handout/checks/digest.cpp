@@ -128,7 +128,8 @@ void tell_failure(std::ostream& out, const Asked& asked, const TextTables& table
     if (!full) break;
   }
   if (!hint.empty()) out << "  Hint: " << hint << "\n";
-  if (const Symptom* symptom = symptom_of(asked, one))
+  const Symptom* symptom = one.state == Finding::State::failed ? symptom_of(asked, one) : nullptr;
+  if (symptom != nullptr)
     for (const TextTables::Row& row : tables.symptoms)
       if (row.seen.starts_with(symptom->seen)) out << "  Where to look: " << row.look << "\n";
 }

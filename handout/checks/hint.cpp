@@ -60,6 +60,14 @@ Blocks right_blocks(Numbers actual, Numbers expected, double bound, int block) {
   return blocks;
 }
 
+// A factor that a mistake in a formula makes: a sign, a half, a third, a unit.
+bool is_plain(double factor) {
+  const double size = std::max(std::abs(factor), 1 / std::abs(factor));
+  for (const double plain : {1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0, 10.0, 100.0, 1e3, 1e4, 1e6})
+    if (std::abs(size / plain - 1) < 1e-4) return true;
+  return false;
+}
+
 // One factor for all numbers, if there is one: the best in the sense of least squares leaves no more than rounding.
 Hint factor_of(Numbers actual, Numbers expected, double bound) {
   const double squared = dot(expected, expected);
@@ -73,7 +81,7 @@ Hint factor_of(Numbers actual, Numbers expected, double bound) {
   for (std::size_t i = 0; i < actual.size(); ++i)
     if (!(std::abs(actual[i] - factor * expected[i]) <= 2 * bound + 1e-6 * std::abs(factor) * largest))
       return {};
-  if (std::abs(factor) < 1e-12 || std::abs(factor - 1) < 1e-3) return {};  // 1: not exact, that is all
+  if (!is_plain(factor) || std::abs(factor - 1) < 1e-3) return {};  // 1: not exact, that is all
   return {Looks::a_factor, factor};
 }
 
@@ -142,7 +150,7 @@ std::string hint(Numbers actual, Numbers expected, double bound, int block) {
       return "entry " + number +
              " is no number: 0/0, the root of a negative number, or a variable that was never set?";
     case Looks::zero:
-      return "all of it is 0: is the result written, or added, at all?";
+      return "all of it is 0: is a term missing, or the result never written?";
     case Looks::wrong_at_the_end:
       return "right but for the last " + entries + ": a loop's bound?";
     case Looks::wrong_at_the_beginning:
@@ -162,7 +170,7 @@ std::string hint_of_ratio(double actual, double expected) {
   if (std::isnan(actual))
     return "it is no number: 0/0, the root of a negative number, or a variable that was never set?";
   if (expected == 0 || !std::isfinite(actual) || !std::isfinite(expected)) return "";
-  if (actual == 0) return "it is 0: is the result written, or returned, at all?";
+  if (actual == 0) return "it is 0: is a term missing, or the result never written?";
   for (const double factor : {-1.0, 2.0, 0.5, 3.0, 1.0 / 3, 4.0, 0.25, -2.0, -0.5})
     if (std::abs(actual / expected - factor) < 1e-6) return told_of(factor);
   return "";

@@ -26,19 +26,32 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
 }  // namespace
 
 std::string plain(const std::string& text) {
-  static const std::pair<const char*, const char*> signs[] = {{"\\lVert ", "|"},   {" \\rVert", "|"},
-                                                              {"\\lVert", "|"},    {"\\rVert", "|"},
-                                                              {"\\partial ", "d"}, {"\\nabla", "grad "},
-                                                              {"\\varphi", "phi"}, {"\\cdot", "."},
-                                                              {"\\times", "x"},    {"\\bar ", ""},
-                                                              {"\\hat ", ""},      {"\\dot ", ""},
-                                                              {"\\text", ""},      {"\\,", " "},
-                                                              {"\\ge", ">="},      {"\\le", "<="},
-                                                              {"{", ""},           {"}", ""},
-                                                              {"\\", ""},          {"$", ""},
-                                                              {"`", ""},           {"*", ""}};
+  static const std::pair<const char*, const char*> signs[] = {{"\\lVert ", "|"},
+                                                              {" \\rVert", "|"},
+                                                              {"\\lVert", "|"},
+                                                              {"\\rVert", "|"},
+                                                              {"\\partial ", "d"},
+                                                              {"\\partial", "d"},
+                                                              {"\\nabla", "grad "},
+                                                              {"\\varphi", "phi"},
+                                                              {"\\cdot", "."},
+                                                              {"\\times", "x"},
+                                                              {"\\bar ", ""},
+                                                              {"\\hat ", ""},
+                                                              {"\\dot ", ""},
+                                                              {"\\text", ""},
+                                                              {"\\,", " "},
+                                                              {"\\ge", ">="},
+                                                              {"\\le", "<="},
+                                                              {"{", ""},
+                                                              {"}", ""},
+                                                              {"\\", ""},
+                                                              {"$", ""},
+                                                              {"`", ""},
+                                                              {"*", ""}};
   std::string result = text;
   for (const auto& [from, to] : signs) replace_all(result, from, to);
+  replace_all(result, "  ", " ");
   return result;
 }
 
