@@ -37,6 +37,19 @@ void expect_size(Trial& trial, double actual, double expected, const std::string
                std::to_string(actual) + ", expected about " + std::to_string(expected));
 }
 
+void expect_not_zero(Trial& trial, const VectorXd& actual, const std::string& what) {
+  trial.expect(largest(actual) > 0, what + " is 0");
+}
+
+void expect_proportions(Trial& trial, const VectorXd& actual, const VectorXd& expected, double rounding,
+                        const std::string& what) {
+  expect_not_zero(trial, expected, what);
+  expect_not_zero(trial, actual, what);
+  const double most = largest(expected), seen = largest(actual);
+  if (most == 0 || seen == 0) return;
+  expect_vector(trial, actual / seen, expected / most, 2 * rounding / most, what);
+}
+
 void expect_all_equal(Trial& trial, const std::vector<double>& values, double relative,
                       const std::string& what) {
   const auto [least, most] = std::minmax_element(values.begin(), values.end());
@@ -75,6 +88,14 @@ Posed straight_pose(const Strand& strand, const VectorXd& lengths, const Vector3
   for (int i = 0; i < strand.segments(); ++i)
     posed.x.segment<3>(3 * i + 3) = posed.x.segment<3>(3 * i) + lengths[i] * direction;
   return posed;
+}
+
+Posed part_of(const Posed& posed, int first, int count) {
+  Posed part{posed.strand, posed.x.segment(3 * first, 3 * count), posed.name + ", a part of it alone"};
+  part.strand.mass = posed.strand.mass.segment(first, count);
+  part.strand.rest_length = posed.strand.rest_length.segment(first, count - 1);
+  part.strand.clamped = posed.strand.clamped && first == 0;
+  return part;
 }
 
 Vector3d random_direction(Random& random) {

@@ -57,6 +57,14 @@ void expect_vector(Trial& trial, const VectorXd& actual, const VectorXd& expecte
 // property: zeros must not have it, and an unrelated mistake must not cost it.
 void expect_size(Trial& trial, double actual, double expected, const std::string& what);
 
+// For cases that compare a student's answers with each other: zeros must not have the property.
+void expect_not_zero(Trial& trial, const VectorXd& actual, const std::string& what);
+
+// Checks that both are the same but for a positive factor: no entry of either, over its largest one, is off by more than
+// `rounding` over the largest of `expected`.
+void expect_proportions(Trial& trial, const VectorXd& actual, const VectorXd& expected, double rounding,
+                        const std::string& what);
+
 // Checks that the numbers differ by at most `relative` times the largest.
 void expect_all_equal(Trial& trial, const std::vector<double>& values, double relative,
                       const std::string& what);
@@ -76,6 +84,9 @@ Posed random_pose(Random& random, const Strand& strand, Range stretch, Range ben
 // A pose on a line through the root: segments of the given lengths along `direction`.
 Posed straight_pose(const Strand& strand, const VectorXd& lengths, const Eigen::Vector3d& direction,
                     const std::string& name);
+
+// `count` particles from the one with number `first` on, as a strand; clamped only with its root.
+Posed part_of(const Posed& posed, int first, int count);
 
 Eigen::Vector3d random_direction(Random& random);
 

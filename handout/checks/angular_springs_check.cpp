@@ -89,6 +89,43 @@ VectorXd product_spd(const Strand& strand, const VectorXd& x, const VectorXd& dx
   return df;
 }
 
+// A clamped strand whose lengths are in a unit of its own, down to the contract's 1e-100 m: all numbers are those of before times
+// a power of two. `power`: of the unit of length, in the answer.
+template <class Answer>
+void expect_in_units(const Answer& answer, int power, const std::string& what) {
+  const Case c = clamped(uneven(6, 4));
+  const VectorXd expected = answer(c.strand, c.x);
+  for (const int unit : {-310, -45, 310}) {
+    Strand strand = c.strand;
+    strand.rest_length *= std::ldexp(1.0, unit);
+    expect_entries(answer(strand, c.x * std::ldexp(1.0, unit)) * std::ldexp(1.0, -power * unit), expected,
+                   1e-10 * expected.cwiseAbs().maxCoeff(),
+                   what + " where all lengths are 2^" + std::to_string(unit) +
+                       " times as large, in that unit. Is a length taken for 0 that is not?",
+                   "1e-10 of it: rounding");
+  }
+}
+
+// Beside a segment of length 0 there are no joints: what is in front of it and what is behind it are strands of their own.
+template <class Answer>
+void expect_in_two_parts(const Answer& answer, const std::string& what) {
+  Case whole = clamped(uneven(7, 5));
+  whole.x.segment<3>(12) = Vector3d(whole.x.segment<3>(9));
+  Case front{whole.strand, whole.x.head(12)}, behind{whole.strand, whole.x.tail(9)};
+  front.strand.mass = whole.strand.mass.head(4);
+  front.strand.rest_length = whole.strand.rest_length.head(3);
+  behind.strand.mass = whole.strand.mass.tail(3);
+  behind.strand.rest_length = whole.strand.rest_length.tail(2);
+  behind.strand.clamped = false;
+  VectorXd expected(21);
+  expected << answer(front.strand, front.x, 0), answer(behind.strand, behind.x, 4);
+  expect_entries(answer(whole.strand, whole.x, 0), expected, 512 * kU * 200,
+                 what +
+                     " of 7 particles, where particles 3 and 4 are in the same place, beside those of "
+                     "particles 0 to 3 and of particles 4 to 6 as strands of their own",
+                 "512 u of k pi / |e|^2: rounding");
+}
+
 const VectorXd kRightAngle = vector({0, 0, 0, 0, 0, -1, 0, 1, -1});
 const VectorXd kFold = vector({0, 0, 0, 0, 0, -1, 0, 0, 0});
 
@@ -143,7 +180,16 @@ TEST(BendEnergy, OfAClampedRoot) {
          "rounding";
 }
 
+TEST(BendEnergy, InAnyUnit) {
+  expect_in_units([](const Strand& strand, const VectorXd& x) { return vector({bend_energy(strand, x)}); },
+                  -1, "the energy");
+}
+
 TEST(BendEnergy, WithoutAJointIsZero) {
+  const Case lone = clamped({strand_of(vector({1})), vector({1, 2, 3, 1, 2, 3})});
+  EXPECT_EQ(bend_energy(lone.strand, lone.x), 0) << "clamped, and its only segment has the length 0";
+  EXPECT_EQ(force(lone.strand, lone.x), VectorXd::Zero(6))
+      << "the force, clamped, and its only segment has the length 0";
   EXPECT_EQ(bend_energy(strand_of(VectorXd(0)), vector({1, 2, 3})), 0) << "one particle";
   EXPECT_EQ(bend_energy(strand_of(vector({1})), vector({1, 2, 3, 3, 3, 3})), 0) << "two particles";
   EXPECT_EQ(bend_energy(strand_of(vector({1, 1})), vector({0, 0, 0, 0, 1, 0, 0, 1, 0})), 0)
@@ -212,7 +258,55 @@ TEST(AddBendForce, IsTheSameHoweverOftenItIsAsked) {
     ASSERT_EQ(force(c.strand, c.x), first) << "asked again for the same strand, " << i << " times so far";
 }
 
+TEST(AddBendForce, InAnyUnit) {
+  expect_in_units(force, -2, "the force");
+}
+
+TEST(AddBendForce, OfALongStrand) {
+  // A zigzag of right angles: each joint has k = 4 N m, and 2 pi N at its ends.
+  const int n = 10001;
+  const Strand strand = strand_of(VectorXd::Ones(n - 1));
+  VectorXd x = VectorXd::Zero(3 * n);
+  for (int i = 1; i < n; ++i) x.segment<3>(3 * i) = x.segment<3>(3 * i - 3) + Vector3d::Unit(1 + i % 2);
+  const VectorXd f = force(strand, x);
+  const std::string source = "64 u of k phi / |e|: rounding";
+  expect_entries(f.head<3>(), Vector3d(0, -2 * pi, 0), 64 * kU * 4 * pi,
+                 "the force on the root of a zigzag of 10,001 particles", source);
+  expect_entries(f.tail<3>(), Vector3d(0, 0, 2 * pi), 64 * kU * 4 * pi, "the force on the tip of the same",
+                 source);
+}
+
+TEST(AddBendForce, BesideASegmentOfLengthZero) {
+  expect_in_two_parts([](const Strand& strand, const VectorXd& x, int) { return force(strand, x); },
+                      "the force");
+}
+
+// The force does not become 0 before the fold is reached: k (pi - missing) / |e|, across the segment.
+TEST(AddBendForce, NextToTheFold) {
+  const Strand strand = strand_of(vector({1, 1}));
+  for (const double missing : {1e-3, 1e-5}) {
+    const double tip =
+        force(strand, vector({0, 0, 0, 0, 0, -1, 0, std::sin(missing), -1 + std::cos(missing)}))
+            .tail<3>()
+            .norm();
+    EXPECT_NEAR(tip, 4 * (pi - missing), 64 * kU * 4 * pi / missing)
+        << "the size of the force on the tip, bent by pi - " << missing
+        << ", k = 4 N m: k (pi - missing) / |e|; bound: rounding of the sine, 64 u over " << missing;
+  }
+}
+
 TEST(AddBendForce, WhereDirectionsAreLostIsZero) {
+  for (const Vector3d& along : {Vector3d(1, 0, 0), Vector3d(0, -1, 0), Vector3d(0, 0, 1)}) {
+    VectorXd x = VectorXd::Zero(9);
+    x.segment<3>(3) = along;
+    EXPECT_EQ(force(strand_of(vector({1, 1})), x), VectorXd::Zero(9))
+        << "folded, x = " << particles_in_words(x);
+    Strand back = strand_of(vector({1}));
+    back.clamped = true;
+    back.root_tangent = -along;
+    EXPECT_EQ(force(back, x.head<6>()), VectorXd::Zero(6))
+        << "a clamped root, folded back, x = " << particles_in_words(x.head<6>());
+  }
   const Strand strand = strand_of(vector({1, 1}));
   for (const VectorXd& x : {kFold, vector({0, 0, 0, 0, 0, -1, 0, 0, -2}), vector({0, 0, 0, 0, 0, 0, 0, 1, 0}),
                             vector({0, 0, 0, 0, 1, 0, 0, 1, 0}), vector({1, 1, 1, 1, 1, 1, 1, 1, 1})}) {
@@ -325,6 +419,22 @@ TEST(AddProductsSpd, OfAHairAsOfAWire) {
     expect_entries(product_spd(hair, c.x, dx) * 0x1p30, product_spd(c.strand, c.x, dx), 1024 * kU * 200,
                    "2^30 times the semi-definite product" + what, source);
   }
+}
+
+TEST(AddProductsSpd, InAnyUnit) {
+  const VectorXd dx = scattered_vector(18, 7);
+  expect_in_units([&](const Strand& strand, const VectorXd& x) { return product(strand, x, dx); }, -3,
+                  "the product");
+  expect_in_units([&](const Strand& strand, const VectorXd& x) { return product_spd(strand, x, dx); }, -3,
+                  "the semi-definite product");
+}
+
+TEST(AddProductsSpd, BesideASegmentOfLengthZero) {
+  const VectorXd dx = scattered_vector(21, 7);
+  for (const auto add : {product, product_spd})
+    expect_in_two_parts([&](const Strand& strand, const VectorXd& x,
+                            int first) { return add(strand, x, dx.segment(3 * first, x.size())); },
+                        add == product ? "the product" : "the semi-definite product");
 }
 
 TEST(AddProductsSpd, IsAddedToWhatDfHolds) {

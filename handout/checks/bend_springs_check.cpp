@@ -62,6 +62,31 @@ VectorXd product(const Strand& strand, const VectorXd& x, GeometricTerm term, co
   return df;
 }
 
+// A strand whose lengths are in a unit of its own, or whose skip_rigidity is: all numbers are those of before times a power of
+// two. `power`: of the unit of length, in the answer. Only a distance of 0 is 0.
+template <class Answer>
+void expect_in_units(const Answer& answer, int power, const std::string& what) {
+  const Case c = bent(6, 9);
+  const VectorXd expected = answer(c.strand, c.x);
+  for (const int unit : {-90, -50, 30}) {
+    Strand strand = c.strand;
+    strand.rest_length *= std::ldexp(1.0, unit);
+    expect_entries(answer(strand, c.x * std::ldexp(1.0, unit)) * std::ldexp(1.0, -power * unit), expected,
+                   1e-12 * expected.cwiseAbs().maxCoeff(),
+                   what + " where all lengths are 2^" + std::to_string(unit) +
+                       " times as large, in that unit. Is a distance taken for 0 that is not?",
+                   "1e-12 of it: rounding");
+  }
+  for (const int unit : {-70, 50}) {
+    Strand strand = c.strand;
+    strand.skip_rigidity = std::ldexp(strand.skip_rigidity, unit);
+    expect_entries(answer(strand, c.x) * std::ldexp(1.0, -unit), expected,
+                   1e-12 * expected.cwiseAbs().maxCoeff(),
+                   what + " where skip_rigidity is 2^" + std::to_string(unit) + " times as large, over that",
+                   "1e-12 of it: rounding");
+  }
+}
+
 const Strand kTwo = strand_of(vector({1.5, 2.5}));               // d0 = 4 m, k = 2.5 N/m
 const VectorXd kBent = vector({0, 0, 0, 0, 1.5, 0, 0, 1.5, 2});  // d = 2.5 m
 const VectorXd kLong = vector({0, 0, 0, 0, 0.5, -3, 0, 0, -5});  // d = 5 m
@@ -90,6 +115,17 @@ TEST(BendSpringEnergy, SeesStretchingAndHardlyBending) {
       << "bent by 0.01: the energy is of fourth order in the angle; bound: rounding of d, 8 u, over 2.5e-5, "
          "or of "
          "the terms of (d - d0)^2, if it is multiplied out";
+}
+
+TEST(BendSpringEnergy, OfParticlesThatMeet) {
+  EXPECT_DOUBLE_EQ(bend_spring_energy(kTwo, kMeeting), 20)
+      << "particles 0 and 2 in the same place, d0 = 4 m, k = 2.5 N/m: 2.5 * 4^2 / 2 J";
+}
+
+TEST(BendSpringEnergy, InAnyUnit) {
+  expect_in_units(
+      [](const Strand& strand, const VectorXd& x) { return vector({bend_spring_energy(strand, x)}); }, 1,
+      "the energy");
 }
 
 TEST(BendSpringEnergy, OfFewerThanThreeParticlesIsZero) {
@@ -130,6 +166,23 @@ TEST(AddBendSpringForce, IsAddedToWhatFHolds) {
   add_bend_spring_force(c.strand, c.x, f);
   expect_entries(f, before + force(c.strand, c.x), 8 * kU * 40, "f, which held " + particles_in_words(before),
                  "8 u of the largest force: rounding");
+}
+
+TEST(AddBendSpringForce, InAnyUnit) {
+  expect_in_units(force, 0, "the force");
+}
+
+TEST(AddBendSpringForce, OfALongStrand) {
+  const int n = 10000;
+  const Strand strand = strand_of(VectorXd::Ones(n - 1));  // k = 5 N/m
+  VectorXd x = VectorXd::Zero(3 * n);
+  for (int i = 0; i < n; ++i) x[3 * i + 2] = -1.25 * i;
+  const VectorXd f = force(strand, x);
+  for (const int i : {0, 1}) {
+    EXPECT_EQ(f[3 * i + 2], -2.5) << "the force on particle " << i << " of 10,000, skip_rigidity = 10 N, "
+                                  << "stretched by a quarter";
+    EXPECT_EQ(f[3 * (n - 1 - i) + 2], 2.5) << "the force on particle " << n - 1 - i << " of the same strand";
+  }
 }
 
 TEST(AddBendSpringForce, OfParticlesThatMeetIsZero) {
@@ -204,6 +257,13 @@ TEST(AddBendSpringProduct, IsAddedToWhatDfHolds) {
   add_bend_spring_product(c.strand, c.x, GeometricTerm::full, dx, df);
   expect_entries(df, before + product(c.strand, c.x, GeometricTerm::full, dx), 8 * kU * 80,
                  "df, which held " + particles_in_words(before), "8 u of the largest product: rounding");
+}
+
+TEST(AddBendSpringProduct, InAnyUnit) {
+  const VectorXd dx = scattered_vector(18, 3);
+  for (const GeometricTerm term : {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped})
+    expect_in_units([&](const Strand& strand, const VectorXd& x) { return product(strand, x, term, dx); }, -1,
+                    "the product");
 }
 
 TEST(AddBendSpringProduct, OfParticlesThatMeetIsZero) {

@@ -119,7 +119,7 @@ const Corners kTriangle = {Vector3d(0, 0, 1), Vector3d(4, 0, 1), Vector3d(0, 3, 
 // Wherever the triangle lies, and whatever the unit of length is.
 void expect_weights(const Vector3d& root, const Weights& expected, const std::string& where) {
   for (const Vector3d& way : {Vector3d(0, 0, 0), Vector3d(-2, 1, 3)})
-    for (const double unit : {1.0, 0x1p-20, 0x1p20}) {
+    for (const double unit : {1.0, 0x1p-20, 0x1p20, 0x1p-90, 0x1p50}) {
       Corners corners = kTriangle;
       for (Vector3d& corner : corners) corner = unit * (corner + way);
       const Weights weights = hair::root_weights(corners, unit * (root + way));
@@ -182,6 +182,57 @@ TEST(RootWeights, OfTrianglesWithoutAWidth) {
                  "the contract's: 1e-6 of the longest edge");
 }
 
+namespace {
+
+// The nearest point, for triangles whose weights are not unique: to 1e-6 of their size.
+void expect_nearest(const Corners& corners, const Vector3d& root, const Vector3d& expected,
+                    const std::string& what) {
+  const Weights weights = hair::root_weights(corners, root);
+  EXPECT_NEAR(weights[0] + weights[1] + weights[2], 1, 1e-6) << "the sum of the weights: " << what;
+  EXPECT_GE(*std::min_element(weights.begin(), weights.end()), 0) << "the least weight: " << what;
+  double size = 0;
+  for (const Vector3d& corner : corners) size = std::max(size, (corner - corners[0]).norm());
+  expect_entries((weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2]) / size,
+                 expected / size, 2e-6, "the nearest point, over the triangle's size: " + what,
+                 "the contract's: 1e-6 of the longest edge");
+}
+
+}  // namespace
+
+// Each of the three edges is the longest once, and each order of the corners has its turn.
+TEST(RootWeights, OfALineInAnyOrder) {
+  const Vector3d along = Vector3d(2, -1, 2) / 3, off = Vector3d(1, 2, 0) / 4;
+  std::array<int, 3> order = {0, 1, 2};
+  do {
+    for (const double middle : {0.0, 1e-6, 0.4, 1.0})
+      for (const double at : {0.05, 0.3, 0.7, 0.95}) {
+        Corners corners;
+        const std::array<double, 3> places = {0, middle, 1};
+        for (int k = 0; k < 3; ++k) corners[order[k]] = places[k] * along;
+        expect_nearest(corners, at * along + off, at * along,
+                       "corners at " + std::to_string(places[0]) + ", " + std::to_string(middle) +
+                           " and 1 of a line, in the order " + std::to_string(order[0]) +
+                           std::to_string(order[1]) + std::to_string(order[2]) + ", and a root beside " +
+                           std::to_string(at) + " of it");
+      }
+  } while (std::next_permutation(order.begin(), order.end()));
+}
+
+// Thin is a height over an edge, and no length.
+TEST(RootWeights, OfThinTrianglesInAnyUnit) {
+  const Vector3d along = Vector3d(2, -1, 2) / 3, up = Vector3d(1, 2, 0) / std::sqrt(5.0);
+  for (const double unit : {1.0, 0x1p-90, 0x1p-30, 0x1p50})
+    for (const double height : {0.1, 1e-3, 1e-4}) {
+      const Corners corners = {Vector3d::Zero(), unit * along, unit * (0.6 * along + height * up)};
+      const Vector3d inside = 0.1 * corners[0] + 0.3 * corners[1] + 0.6 * corners[2];
+      expect_nearest(corners, inside, inside,
+                     "a point of a triangle whose height is " + std::to_string(height) +
+                         " of its longest edge, all lengths times " + std::to_string(unit));
+      expect_nearest(corners, inside + 0.2 * unit * along.cross(up), inside,
+                     "the same point, and the root above it");
+    }
+}
+
 // ---- (2)
 
 TEST(Interpolate, OfEqualFramesIsTheMeanOfTheShapes) {
@@ -242,7 +293,58 @@ TEST(Interpolate, OfCurlsOutOfStepHasNoCurl) {
              "the mean of three curls that are a third of a turn apart: a straight line");
 }
 
+// A strand of a nanometre is one of a metre.
+TEST(Interpolate, InAnyUnit) {
+  const double unit = 0x1p-90;
+  std::array<Lock, 3> locks, small;
+  for (int k = 0; k < 3; ++k) {
+    locks[k] = lock(root_of(Vector3d(k, 1, 0), some_turn(k)), curl(9, 0.5, 0.3, 1.5, k));
+    small[k] = locks[k];
+    small[k].points *= unit;
+    small[k].root.position *= unit;
+  }
+  RootFrame root = root_of(Vector3d(1, 2, 0), some_turn(0.3));
+  const Weights weights{0.2, 0.3, 0.5};
+  const VectorXd expected = interpolated(locks, weights, root);
+  root.position *= unit;
+  expect_all(interpolated(small, weights, root) / unit, expected,
+             "a strand between guides, all lengths times 2^-90, in that unit");
+}
+
 // ---- (3)
+
+TEST(CarryAlong, InAnyUnit) {
+  const Lock guide = lock(root_of(Vector3d(1, 0, 2), some_turn()), curl(12, 0.5, 0.4, 2, 1));
+  const GuideFrames expected = carried(guide);
+  for (const double unit : {0x1p-90, 0x1p-45, 0x1p50}) {
+    Lock other = guide;
+    other.points *= unit;
+    const GuideFrames frames = carried(other);
+    const std::string where = " of a curl, all lengths times " + std::to_string(std::log2(unit)) +
+                              " powers of two, beside the same in metres";
+    expect_entries(frames.arc, expected.arc, 1e-12, "arc" + where, "rounding");
+    for (std::size_t i = 0; i < 12; ++i)
+      expect_entries(frames.turns[i].reshaped(), expected.turns[i].reshaped(), 1e-10, "a turn" + where,
+                     "rounding. Is a segment taken for one of length 0?");
+  }
+}
+
+// Back and forth, up to the contract's 175 degrees: R_i is the rotation about the axis across the zigzag.
+TEST(CarryAlong, TurnsSharply) {
+  for (const double degrees : {120.0, 150.0, 160.0, 170.0, 174.0}) {
+    const double bend = degrees * kPi / 180;
+    Lock guide{{Vector3d::Zero(), Vector3d(0, 0, 1), Vector3d(1, 0, 0)}, VectorXd(12)};
+    guide.points << 0, 0, 0, 0, 0, 1, 0, std::sin(bend), 1 + std::cos(bend), 0, std::sin(bend),
+        2 + std::cos(bend);
+    const GuideFrames frames = carried(guide);
+    const Matrix3d expected = Eigen::AngleAxisd(-bend, Vector3d::UnitX()).toRotationMatrix();
+    expect_entries(frames.turns[2].reshaped(), expected.reshaped(), 1e-10,
+                   "the turn of a guide that turns once, by " + std::to_string(degrees) + " degrees",
+                   "the contract's");
+    expect_entries(frames.turns[3].reshaped(), Matrix3d::Identity().reshaped(), 1e-10,
+                   "the turn where it has turned back, by as much", "the contract's");
+  }
+}
 
 TEST(CarryAlong, MeasuresTheLength) {
   Lock guide{{Vector3d(1, 1, 1), Vector3d(0, 0, 1), Vector3d(1, 0, 0)}, VectorXd(12)};
@@ -399,6 +501,17 @@ TEST(Extrapolate, KeepsCurls) {
   EXPECT_LE(most, 0.55) << "the curl's radius, of a strand 0.05 m beside a guide with a radius of 0.5 m";
 }
 
+TEST(Extrapolate, InAnyUnit) {
+  const double unit = 0x1p-90;
+  Lock guide = lock(root_of(Vector3d(1, 0, 2), some_turn()), curl(12, 0.5, 0.4, 2, 1));
+  const GuideFrames frames = carried(guide);
+  const Vector3d root = guide.root.position + Vector3d(0.03, 0.04, 0);
+  const VectorXd expected = extrapolated(guide, frames, root, 1.5);
+  guide.points *= unit;
+  expect_all(extrapolated(guide, frames, unit * root, 1.5) / unit, expected,
+             "a strand beside a curl, all lengths times 2^-90, in that unit");
+}
+
 // ---- (5)
 
 TEST(Blend, BeginsAsOneAndEndsAsTheOther) {
@@ -410,6 +523,15 @@ TEST(Blend, BeginsAsOneAndEndsAsTheOther) {
   for (int i = 0; i < 5; ++i)
     expect_point(child.segment<3>(3 * i), Vector3d::Constant(expected[i]),
                  "a blend of 0 at the root and 1 at the tip, arc parameter " + std::to_string(arc[i]));
+}
+
+TEST(Blend, InAnyUnit) {
+  const VectorXd arc = VectorXd::LinSpaced(6, 0, 1), one = scattered_vector(18, 1),
+                 other = scattered_vector(18, 2);
+  VectorXd expected(18), small(18);
+  hair::blend(arc, one, other, expected);
+  hair::blend(arc, one * 0x1p-90, other * 0x1p-90, small);
+  expect_all(small * 0x1p90, expected, "a blend, all lengths times 2^-90, in that unit");
 }
 
 TEST(Blend, MayGoWhereItComesFrom) {

@@ -63,6 +63,31 @@ VectorXd vector(std::initializer_list<double> values) {
   return Eigen::Map<const VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()));
 }
 
+// A strand whose lengths are in a unit of its own, or whose EA is: all numbers are those of before times a power of two.
+// `power`: of the unit of length, in the answer. Only a length of 0 is 0.
+template <class Answer>
+void expect_in_units(const Answer& answer, int power, const std::string& what) {
+  const Case c = bent(6, 9);
+  const VectorXd expected = answer(c.strand, c.x);
+  for (const int unit : {-90, -50, 30}) {
+    Strand strand = c.strand;
+    strand.rest_length *= std::ldexp(1.0, unit);
+    expect_entries(answer(strand, c.x * std::ldexp(1.0, unit)) * std::ldexp(1.0, -power * unit), expected,
+                   1e-12 * expected.cwiseAbs().maxCoeff(),
+                   what + " where all lengths are 2^" + std::to_string(unit) +
+                       " times as large, in that unit. Is a length taken for 0 that is not?",
+                   "1e-12 of it: rounding");
+  }
+  for (const int unit : {-70, 50}) {
+    Strand strand = c.strand;
+    strand.stretch_rigidity = std::ldexp(strand.stretch_rigidity, unit);
+    expect_entries(answer(strand, c.x) * std::ldexp(1.0, -unit), expected,
+                   1e-12 * expected.cwiseAbs().maxCoeff(),
+                   what + " where EA is 2^" + std::to_string(unit) + " times as large, over that",
+                   "1e-12 of it: rounding");
+  }
+}
+
 const Strand kOne = strand_of(vector({2}));                   // k = EA / l0 = 6 N/m
 const VectorXd kStretched = vector({1, 0, 0, 1, 0, -2.5});    // 0.5 m too long
 const VectorXd kCompressed = vector({1, 0, 0, 1, 0, -1.25});  // 0.75 m too short
@@ -88,6 +113,16 @@ TEST(StretchEnergy, DoesNotDependOnTheSampling) {
         << segments
         << " segments of 3 m in all, stretched by 10 %; EA = 12 N; bound: rounding, 64 u of E over 0.1";
   }
+}
+
+TEST(StretchEnergy, OfASegmentWithoutLength) {
+  EXPECT_DOUBLE_EQ(stretch_energy(kOne, vector({1, 2, 3, 1, 2, 3})), 12)
+      << "EA = 12 N, rest length 2 m, two particles in the same place: 6 * 2^2 / 2 J";
+}
+
+TEST(StretchEnergy, InAnyUnit) {
+  expect_in_units([](const Strand& strand, const VectorXd& x) { return vector({stretch_energy(strand, x)}); },
+                  1, "the energy");
 }
 
 TEST(StretchEnergy, OfOneParticleIsZero) {
@@ -127,6 +162,20 @@ TEST(AddStretchForce, IsAddedToWhatFHolds) {
   add_stretch_force(c.strand, c.x, f);
   expect_entries(f, before + force(c.strand, c.x), 8 * kU * 36, "f, which held " + particles_in_words(before),
                  "8 u of the largest force: rounding");
+}
+
+TEST(AddStretchForce, InAnyUnit) {
+  expect_in_units(force, 0, "the force");
+}
+
+TEST(AddStretchForce, OfALongStrand) {
+  const int n = 10000;
+  const Strand strand = strand_of(VectorXd::Ones(n - 1));
+  VectorXd x = VectorXd::Zero(3 * n);
+  for (int i = 0; i < n; ++i) x[3 * i + 2] = -1.25 * i;
+  const VectorXd f = force(strand, x);
+  EXPECT_EQ(f[2], -3) << "the force on the root of 10,000 particles, EA = 12 N, stretched by a quarter";
+  EXPECT_EQ(f[3 * n - 1], 3) << "the force on the tip of the same strand";
 }
 
 TEST(AddStretchForce, OfASegmentWithoutLengthIsZero) {
@@ -209,6 +258,13 @@ TEST(AddStretchProduct, IsAddedToWhatDfHolds) {
   add_stretch_product(c.strand, c.x, GeometricTerm::full, dx, df);
   expect_entries(df, before + product(c.strand, c.x, GeometricTerm::full, dx), 8 * kU * 128,
                  "df, which held " + particles_in_words(before), "8 u of the largest product: rounding");
+}
+
+TEST(AddStretchProduct, InAnyUnit) {
+  const VectorXd dx = scattered_vector(18, 3);
+  for (const GeometricTerm term : {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped})
+    expect_in_units([&](const Strand& strand, const VectorXd& x) { return product(strand, x, term, dx); }, -1,
+                    "the product");
 }
 
 TEST(AddStretchProduct, OfASegmentWithoutLengthIsZero) {

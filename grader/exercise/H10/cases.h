@@ -9,6 +9,8 @@ namespace grader::h10 {
 void weights_inside(Trial& trial);
 void weights_outside(Trial& trial);
 void thin_triangles(Trial& trial);
+void no_width(Trial& trial);
+void weights_in_other_units(Trial& trial);  // a part of other_units
 void flat_scalp(Trial& trial);
 void curved_scalp(Trial& trial);
 void arcs(Trial& trial);
@@ -17,5 +19,6 @@ void folds(Trial& trial);
 void wisps(Trial& trial);
 void spreading(Trial& trial);
 void blends(Trial& trial);
+void other_units(Trial& trial);
 
 }  // namespace grader::h10

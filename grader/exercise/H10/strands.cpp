@@ -144,6 +144,8 @@ void folds(Trial& trial) {
     guide.points.tail<3>() = end - random.uniform(0.3, 0.9) * way;
     expect_any_turns(trial, guide);
   }
+  // All but right round, up to the 175 degrees of the contract.
+  for (int repeat = 0; repeat < 4; ++repeat) expect_frames(trial, some_guide(random, 16, 3.05));
   OwnGuide point = some_guide(random, 3, 1);
   for (int i = 1; i < 3; ++i) copy_point(point, 0, i);
   expect_frames(trial, point);
@@ -172,6 +174,47 @@ void blends(Trial& trial) {
       expect_points(trial, ask_blended(trial, arc, one.points, other.points, place), expected,
                     one.points.cwiseAbs().maxCoeff() + other.points.cwiseAbs().maxCoeff());
     }
+}
+
+// In other units, beside the student's own answers for metres: nothing is too short.
+void other_units(Trial& trial) {
+  weights_in_other_units(trial);
+  Random& random = trial.random;
+  for (const double unit : {0x1p-80, 0x1p-30, 0x1p40}) {
+    std::array<OwnGuide, 3> guides;
+    for (OwnGuide& guide : guides) guide = some_guide(random, 16, 1);
+    std::array<OwnGuide, 3> there = guides;
+    for (OwnGuide& guide : there) {
+      guide.points *= unit;
+      guide.root.position *= unit;
+    }
+    const auto expect_same = [&](const VectorXd& answer, const VectorXd& of_metres, double size) {
+      trial.expect(of_metres.cwiseAbs().maxCoeff() > 0, "a strand is a point");
+      expect_points(trial, answer / unit, of_metres, 2 * size);
+    };
+    const VectorXd &one = guides[0].points, &other = guides[1].points;
+    double size = 0;
+    for (const OwnGuide& guide : guides) size += guide.points.cwiseAbs().maxCoeff();
+
+    const GuideFrames frames = ask_frames(trial, one), same = ask_frames(trial, there[0].points);
+    trial.expect_at_most(largest_of(same.arc - frames.arc), 2 * kArcs,
+                         "by how much an arc parameter changes with the unit");
+    trial.expect_at_most(difference(same.turns, frames.turns), 2 * kTurns,
+                         "by how much a turn changes with the unit");
+
+    RootFrame root = moved_root(random, guides[0].root, 0.5);
+    const Vector3d position = root.position;
+    const Weights weights = some_weights(random, 2);
+    const VectorXd between = ask_interpolated(trial, guides, weights, root);
+    root.position *= unit;
+    expect_same(ask_interpolated(trial, there, weights, root), between, size + position.norm());
+
+    const GuideFrames ours = reference_frames(one);
+    expect_same(ask_extrapolated(trial, there[0].points, ours, unit * position, 1.5),
+                ask_extrapolated(trial, one, ours, position, 1.5), size + 2.5 * position.norm());
+    expect_same(ask_blended(trial, ours.arc, there[0].points, there[1].points, Place::own),
+                ask_blended(trial, ours.arc, one, other, Place::own), size);
+  }
 }
 
 }  // namespace grader::h10

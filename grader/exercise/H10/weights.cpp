@@ -40,15 +40,12 @@ Vector3d normal_of(const Corners& corners) {
 void weights_inside(Trial& trial) {
   Random& random = trial.random;
   for (int repeat = 0; repeat < 12; ++repeat) {
-    Corners corners = some_triangle(random, random.log_uniform(0.012, 0.9));
+    const Corners corners = some_triangle(random, random.log_uniform(0.012, 0.9));
     Weights inside{random.uniform(0.05), random.uniform(0.05), random.uniform(0.05)};
     const double sum = inside[0] + inside[1] + inside[2];
     for (double& weight : inside) weight /= sum;
     const double above = repeat % 3 == 0 ? 0 : random.uniform(-0.5, 0.5) * longest_edge(corners);
-    Vector3d root = point_of(corners, inside) + above * normal_of(corners);
-    // In other units all numbers are those of before times a power of two.
-    const double unit = repeat % 4 == 1 ? 0x1p40 : repeat % 4 == 3 ? 0x1p-40 : 1;
-    for (Vector3d* point : {&corners[0], &corners[1], &corners[2], &root}) *point *= unit;
+    const Vector3d root = point_of(corners, inside) + above * normal_of(corners);
     trial.describe("a root over the inside of a triangle");
     expect_nearest(trial, corners, root);
   }
@@ -96,28 +93,73 @@ void needles(Trial& trial) {
 
 }  // namespace
 
-// Far thinner than they are long, on a line, and in one place.
+namespace {
+
+Vector3d some_point_of(Random& random, const Corners& corners) {
+  Weights at{random.uniform(), random.uniform(), random.uniform()};
+  const double sum = at[0] + at[1] + at[2];
+  for (double& weight : at) weight /= sum;
+  return point_of(corners, at);
+}
+
+// No weights of a thin triangle are unique, but the distance is.
+void expect_near(Trial& trial, const Corners& corners, const Vector3d& root) {
+  const double least = (point_of(corners, hair::root_weights(corners, root)) - root).norm(),
+               distance = (point_of(corners, checked_weights(trial, corners, root, kThin)) - root).norm();
+  trial.expect_at_most(distance - least, kThin * longest_edge(corners),
+                       "how much farther than the nearest point it is");
+}
+
+}  // namespace
+
+// Far thinner than they are long: the root is over the inside.
 void thin_triangles(Trial& trial) {
   Random& random = trial.random;
-  for (int repeat = 0; repeat < 36; ++repeat) {
-    const int kind = repeat % 6;
-    constexpr double kHeights[] = {1e-3, 1e-4, 1e-9, 0, 0, 0};
-    Corners corners = some_triangle(random, kHeights[kind]);
+  for (int repeat = 0; repeat < 12; ++repeat) {
+    const Corners corners = some_triangle(random, repeat % 2 == 0 ? 1e-3 : 1e-4);
+    const Vector3d above =
+        (repeat % 4 / 2) * random.uniform(0, 1) * longest_edge(corners) * normal_of(corners);
+    trial.describe("a thin triangle");
+    expect_near(trial, corners, some_point_of(random, corners) + above);
+  }
+}
+
+// On a line, but for rounding, and in one place; the root is anywhere.
+void no_width(Trial& trial) {
+  Random& random = trial.random;
+  for (int repeat = 0; repeat < 24; ++repeat) {
+    const int kind = repeat % 4;
+    Corners corners = some_triangle(random, kind == 0 ? 1e-9 : 0);
     const double size = longest_edge(corners);
-    if (kind == 4) corners[repeat % 3] = corners[(repeat + 1) % 3];
-    if (kind == 5) corners[1] = corners[2] = corners[0];
-    Weights at{random.uniform(), random.uniform(), random.uniform()};
-    const double sum = at[0] + at[1] + at[2];
-    for (double& weight : at) weight /= sum;
-    // Over the inside of one that has a width, wherever of one that has none.
-    const Vector3d way = kind < 2 ? normal_of(corners) : some_direction(random);
-    const Vector3d root = point_of(corners, at) + (repeat % 2) * random.uniform(0, 1) * size * way;
-    trial.describe("three roots on a line, or nearly, or in one place");
-    const double least = (point_of(corners, hair::root_weights(corners, root)) - root).norm(),
-                 distance = (point_of(corners, checked_weights(trial, corners, root, kThin)) - root).norm();
-    trial.expect_at_most(distance - least, kThin * size, "how much farther than the nearest point it is");
+    if (kind == 2) corners[repeat % 3] = corners[(repeat + 1) % 3];
+    if (kind == 3) corners[1] = corners[2] = corners[0];
+    const Vector3d beside = (repeat % 2) * random.uniform(0, 1) * size * some_direction(random);
+    trial.describe("three roots on a line, or in one place");
+    expect_near(trial, corners, some_point_of(random, corners) + beside);
   }
   needles(trial);
+}
+
+// Triangles of any form in smaller and larger units, beside the student's own answers for metres: what is thin is no matter of
+// its size.
+void weights_in_other_units(Trial& trial) {
+  Random& random = trial.random;
+  for (int repeat = 0; repeat < 8; ++repeat) {
+    Corners corners = some_triangle(random, repeat % 4 == 0 ? 1e-3 : random.uniform(0.1, 0.9));
+    Vector3d root =
+        some_point_of(random, corners) + (repeat % 2) * longest_edge(corners) * some_direction(random);
+    trial.describe("a triangle in another unit");
+    const Vector3d expected = point_of(corners, ask_weights(trial, corners, root));
+    const double size = longest_edge(corners),
+                 unit = repeat % 4 < 2    ? 0x1p-80
+                        : repeat % 4 == 2 ? 0x1p-30
+                                          : 0x1p40,
+                 bound = repeat % 4 == 0 ? kThin : kPoint;
+    for (Vector3d* point : {&corners[0], &corners[1], &corners[2], &root}) *point *= unit;
+    const Vector3d answered = point_of(corners, ask_weights(trial, corners, root)) / unit;
+    trial.expect_at_most((answered - expected).norm(), 2 * bound * size,
+                         "by how much the nearest point moves in another unit");
+  }
 }
 
 }  // namespace grader::h10

@@ -108,23 +108,25 @@ VectorXd reference_product(const Posed& posed, const VectorXd& dx, int function)
   return df;
 }
 
-namespace {
-
-void expect_product(Trial& trial, const Posed& posed, int function, const VectorXd& dx, double rounding) {
-  expect_vector(trial, ask_product(trial, posed, dx, function), reference_product(posed, dx, function),
-                rounding, "the product");
-}
-
-}  // namespace
-
 void expect_product(Trial& trial, const Posed& posed, int function) {
   const VectorXd dx = random_vector(trial.random, posed.x.size());
-  expect_product(trial, posed, function, dx, product_rounding(posed, dx));
+  expect_vector(trial, ask_product(trial, posed, dx, function), reference_product(posed, dx, function),
+                product_rounding(posed, dx), "the product");
 }
 
-void expect_straight_product(Trial& trial, const Posed& posed, int function, double rounding) {
-  const VectorXd dx = random_vector(trial.random, posed.x.size());
-  expect_product(trial, posed, function, dx, rounding * largest(dx));
+Posed zigzag(const Strand& strand, const Vector3d& direction, const Vector3d& aside, double bend) {
+  const Vector3d across = (aside - direction * direction.dot(aside)).normalized();
+  Posed posed{strand, VectorXd::Zero(3 * strand.count()), "a zigzag"};
+  for (int i = 0; i + 1 < strand.count(); ++i)
+    posed.x.segment<3>(3 * i + 3) = posed.x.segment<3>(3 * i) + std::cos(bend / 2) * direction +
+                                    (i % 2 == 0 ? 1 : -1) * std::sin(bend / 2) * across;
+  return posed;
+}
+
+bool is_balanced(const VectorXd& forces, double rounding) {
+  Vector3d sum = Vector3d::Zero();
+  for (Eigen::Index at = 0; at < forces.size(); at += 3) sum += forces.segment<3>(at);
+  return sum.norm() <= 4 * rounding;
 }
 
 }  // namespace grader::h2

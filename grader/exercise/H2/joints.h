@@ -49,8 +49,11 @@ void expect_energy(Trial& trial, const Posed& posed);
 void expect_force(Trial& trial, const Posed& posed);
 void expect_product(Trial& trial, const Posed& posed, int function);
 
-// The same for a strand whose bends are roundings, up to `rounding` (N/m) times the largest entry of dx:
-// product_rounding divides by their squares, and may be larger than the answer.
-void expect_straight_product(Trial& trial, const Posed& posed, int function, double rounding);
+// Segments of 1 m that turn by `bend` to one side and back, in the plane of `direction` and `aside`.
+Posed zigzag(const Strand& strand, const Eigen::Vector3d& direction, const Eigen::Vector3d& aside,
+             double bend);
+
+// Whether forces on particles add up to zero, but for `rounding`.
+bool is_balanced(const VectorXd& forces, double rounding);
 
 }  // namespace grader::h2

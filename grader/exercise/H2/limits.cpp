@@ -1,9 +1,10 @@
 // STAFF ONLY. H2: hidden cases at the ends of a joint's life: clamped, nearly straight, folded, without a
-// direction. Most compare the student's answers with each other, so that a mistake elsewhere does not count
+// direction, tiny, huge. Most compare the student's answers with each other, so that a mistake elsewhere does not count
 // again.
 #include "grader/exercise/H2/limits.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -62,37 +63,45 @@ void clamped_root(Trial& trial) {
                        "the error of a clamped root's energy");
   const VectorXd f = ask_force(trial, free), at_root = ask_force(trial, root);
   expect_size(trial, f.tail<3>().norm(), reference_force(free).tail<3>().norm(), "the force");
-  VectorXd expected(6);
-  expected << -2 * f.tail<3>(), 2 * f.tail<3>();
-  expect_vector(trial, at_root, expected, 8 * force_rounding(root) + k / arm * 4 * shift,
-                "a clamped root's force");
+  // The root has the reaction, if inner joints are balanced.
+  const auto expect_twice = [&](const VectorXd& answer, const VectorXd& of_free, double rounding,
+                                const std::string& what) {
+    VectorXd expected = answer;
+    expected.tail<3>() = 2 * of_free.tail<3>();
+    if (is_balanced(of_free, rounding)) expected.head<3>() = -expected.tail<3>();
+    expect_vector(trial, answer, expected, rounding, what);
+  };
+  expect_twice(at_root, f, 8 * force_rounding(root) + k / arm * 4 * shift, "a clamped root's force");
   for (int function : {kProduct, kSpdProduct}) {
     VectorXd dx = VectorXd::Zero(6), moved = VectorXd::Zero(9);
     dx.tail<3>() = moved.tail<3>() = random_vector(random, 3);
     const VectorXd df = ask_product(trial, free, moved, function);
     expect_size(trial, df.tail<3>().norm(), reference_product(free, moved, function).tail<3>().norm(),
                 "the product");
-    expected << -2 * df.tail<3>(), 2 * df.tail<3>();
-    expect_vector(trial, ask_product(trial, root, dx, function), expected,
-                  8 * product_rounding(root, dx) + k / (arm * arm) * 64 * shift * largest(dx),
-                  "a clamped root's product");
+    expect_twice(ask_product(trial, root, dx, function), df,
+                 8 * product_rounding(root, dx) + k / (arm * arm) * 64 * shift * largest(dx),
+                 "a clamped root's product");
   }
 
   // A longer strand: what the clamp adds is the root's joint.
   Strand strand = toy_strand(random, 6);
   strand.clamped = true;
   strand.root_tangent = clamped.root_tangent;
-  Posed with = random_pose(random, strand, kStretch, {0.3, 1.4}, "clamped"), without = with, alone = with;
+  Posed with = random_pose(random, strand, kStretch, {0.3, 1.4}, "clamped"), without = with;
+  const Posed alone = part_of(with, 0, 2);
   without.strand.clamped = false;
   without.name = "the same, not clamped";
-  alone.strand.mass.conservativeResize(2);
-  alone.strand.rest_length.conservativeResize(1);
-  alone.x.conservativeResize(6);
-  alone.name = "its first segment alone";
   VectorXd sum = ask_force(trial, without);
   sum.head<6>() += ask_force(trial, alone);
   expect_vector(trial, ask_force(trial, with), sum, 4 * force_rounding(with),
                 "what a clamped root adds to the force");
+  const VectorXd dx = random_vector(random, with.x.size());
+  for (int function : {kProduct, kSpdProduct}) {
+    sum = ask_product(trial, without, dx, function);
+    sum.head<6>() += ask_product(trial, alone, dx.head<6>(), function);
+    expect_vector(trial, ask_product(trial, with, dx, function), sum, 4 * product_rounding(with, dx),
+                  "what a clamped root adds to the product");
+  }
 }
 
 // Bends of 1e-2 to 1e-9, where acos(cos(phi)) has lost its digits. What counts is that they are right beside
@@ -128,28 +137,40 @@ void nearly_straight(Trial& trial) {
   }
 }
 
+// Beside the student's own products at a bend of 1e-6, where the axis is known to 1e-10.
 void straight_products(Trial& trial) {
+  constexpr double kLittle = 1e-6;
   Random& random = trial.random;
   // One direction to the last bit; and four where bends are roundings, which point anywhere: some happen to be 0.
   for (int repeat = 0; repeat < 5; ++repeat) {
     const bool exactly = repeat == 0;
     const Strand strand = toy_strand(random, 7);
     const Vector3d direction = exactly ? Vector3d(0, -1, 0) : random_direction(random);
-    const Posed posed =
-        straight_pose(strand, strand.rest_length, direction, exactly ? "straight" : "straight, rounded");
-    // The axis of a bend phi is known to u / phi, or replaced by another at the price of phi: at best 1e-8 of
-    // k / l^2 for a program that does no better than to choose. It may lose two digits more.
-    for (int function : {kProduct, kSpdProduct})
-      expect_straight_product(trial, posed, function, 64 * 1e-6 * strand.bend_rigidity);
+    const Posed posed = straight_pose(strand, strand.rest_length, direction,
+                                      exactly ? "straight" : "straight, rounded"),
+                bent = zigzag(strand, direction, random_direction(random), kLittle);
+    const VectorXd dx = random_vector(random, posed.x.size());
+    for (int function : {kProduct, kSpdProduct}) {
+      const VectorXd expected = ask_product(trial, bent, dx, function);
+      expect_not_zero(trial, expected, "the product");
+      // A row of the matrix sums up to 16 k / l^2, and turns with the directions, by kLittle on either side. The axis of
+      // a bend phi is known to u / phi, or replaced by another at the price of phi: 1e-8 at best, and two digits more
+      // may go.
+      expect_vector(trial, ask_product(trial, posed, dx, function), expected,
+                    64 * (2 * kLittle + 1e-6) * strand.bend_rigidity * largest(dx),
+                    "the product of a straight strand, beside one that is bent by a millionth,");
+    }
   }
 }
 
-void lost_directions(Trial& trial) {
+void no_direction(Trial& trial) {
   Random& random = trial.random;
-  for (int count : {1, 2}) {
+  // No joint: without a segment there is nothing to clamp, and a clamped segment of length 0 has no angle.
+  for (int kind : {0, 1, 2}) {
+    const int count = kind == 0 ? 1 : 2;
     Posed posed{toy_strand(random, count), random_vector(random, 3 * count), "without a joint"};
-    // Without a segment there is nothing to clamp.
-    posed.strand.clamped = count == 1;
+    posed.strand.clamped = kind != 1;
+    if (kind == 2) posed.x.tail<3>() = Vector3d(posed.x.head<3>());
     const VectorXd dx = random_vector(random, 3 * count);
     trial.expect(ask_energy(trial, posed) == 0, "a strand without a joint has an energy");
     trial.expect(ask_force(trial, posed).isZero(0), "a strand without a joint has a force");
@@ -157,21 +178,30 @@ void lost_directions(Trial& trial) {
     trial.expect(ask_spd(trial, posed, dx).isZero(0), "a strand without a joint has a product");
   }
 
-  // Coincident particles. What the other segments give is another category's.
+  // One segment of length 0, and all of them. The parts beside it do what each does alone.
   for (int which : {0, 2, 5, -1}) {
-    Posed posed = random_pose(random, toy_strand(random, 7), kStretch, kBend, "coincident particles");
-    for (int i = 0; i < 6; ++i)
-      if (i == which || which < 0) posed.x.segment<3>(3 * i + 3) = posed.x.segment<3>(3 * i);
-    const bool nothing = which < 0;
+    constexpr int kCount = 7;
+    Posed posed = random_pose(random, toy_strand(random, kCount), {1, 1}, kBend, "coincident particles");
+    for (int i = 0; i + 1 < kCount; ++i)
+      if (i == which || which < 0) posed.x.segment<3>(3 * i + 3) = Vector3d(posed.x.segment<3>(3 * i));
+    const int in_front = std::max(which, 0) + 1;
+    const Posed front = part_of(posed, 0, in_front), behind = part_of(posed, in_front, kCount - in_front);
     const VectorXd dx = random_vector(random, posed.x.size());
-    trial.expect((ask_energy(trial, posed) == 0) == nothing,
-                 "segments of length 0 have an energy, or others none");
-    trial.expect(ask_force(trial, posed).isZero(0) == nothing,
-                 "segments of length 0 have a force, or others none");
-    trial.expect(ask_product(trial, posed, dx).isZero(0) == nothing,
-                 "segments of length 0 have a product, or others none");
-    trial.expect(ask_spd(trial, posed, dx).isZero(0) == nothing,
-                 "segments of length 0 have a product, or others none");
+    const double E = ask_energy(trial, front) + ask_energy(trial, behind);
+    trial.expect_at_most(std::abs(ask_energy(trial, posed) - E), 2 * energy_rounding(posed),
+                         "the error of the energy of a strand with a segment of length 0");
+    VectorXd both(dx.size());
+    both << ask_force(trial, front), ask_force(trial, behind);
+    expect_vector(trial, ask_force(trial, posed), both, 2 * force_rounding(posed),
+                  "the force on a strand with a segment of length 0");
+    for (int function : {kProduct, kSpdProduct}) {
+      both << ask_product(trial, front, dx.head(3 * in_front), function),
+          ask_product(trial, behind, dx.tail(dx.size() - 3 * in_front), function);
+      expect_vector(trial, ask_product(trial, posed, dx, function), both, 2 * product_rounding(posed, dx),
+                    "the product of a strand with a segment of length 0");
+    }
+    trial.expect(ask_force(trial, posed).isZero(0) == (which < 0),
+                 "segments of length 0 have a force, or others have none");
   }
 
   // Beside a segment of length 0, of which some formulas make a cosine of 0, or of a rounding.
@@ -182,10 +212,15 @@ void lost_directions(Trial& trial) {
     trial.expect(ask_energy(trial, posed) == 0, "a joint beside a segment of length 0 has an energy");
     trial.expect(ask_force(trial, posed).isZero(0), "a joint beside a segment of length 0 has a force");
   }
+}
 
+void fold(Trial& trial) {
+  Random& random = trial.random;
   // Folded, along an axis, so that nothing rounds: four times the energy of a right angle.
   Posed corner{toy_strand(random, 3), VectorXd(9), "a right angle"};
-  corner.x << 0, 0, 0, 0, 1, 0, 0, 1, 1;
+  const int axis = static_cast<int>(random.integer(0, 2));
+  const Vector3d along = Vector3d::Unit(axis), across = Vector3d::Unit((axis + 1) % 3);
+  corner.x << Vector3d::Zero(), along, along + across;
   Posed folded = corner;
   folded.x.tail<3>().setZero();
   folded.name = "folded";
@@ -197,6 +232,16 @@ void lost_directions(Trial& trial) {
   trial.expect(ask_force(trial, folded).isZero(0), "there is a force at the fold");
   trial.expect(ask_product(trial, folded, dx).isZero(0), "there is a product at the fold");
   trial.expect(ask_spd(trial, folded, dx).isZero(0), "there is a product at the fold");
+
+  // So is a root that is folded back onto what it is clamped to.
+  Posed back{toy_strand(random, 2), VectorXd::Zero(6), "a clamped root, folded"};
+  back.strand.clamped = true;
+  back.strand.root_tangent = along;
+  back.x.tail<3>() = -along;
+  trial.expect(ask_force(trial, back).isZero(0), "there is a force at the fold");
+  for (int function : {kProduct, kSpdProduct})
+    trial.expect(ask_product(trial, back, dx.head<6>(), function).isZero(0),
+                 "there is a product at the fold");
 
   // Next to it the force is finite: as at a right angle, with the angle in proportion.
   const Plane plane(random);

@@ -1,16 +1,8 @@
-// STAFF ONLY. H3: hidden cases of bend_spring_energy, add_bend_spring_force and add_bend_spring_product.
-//
-// Rounding: as of H1's springs (H1/categories.cpp), and for an entry where two springs meet 128 u = 2^-46 of
-//
-//   k (d + d0)  N,     k (1 + d0/d) |de|  N,     k |d - d0| (d + d0)  N m,
-//
-// and for the energy 4 u k (d + d0)^2 more, since it may be written k (d^2 - 2 d d0 + d0^2) / 2.
-#include <Eigen/Geometry>
-#include <cmath>
+// STAFF ONLY. H3: hidden cases of bend_spring_energy, add_bend_spring_force and add_bend_spring_product. Bounds: springs.h.
+#include <array>
 
-#include "grader/exercise/H3/calls.h"
-#include "grader/suite/strand_trial.h"
-#include "grader/suite/trial.h"
+#include "grader/exercise/H3/limits.h"
+#include "grader/exercise/H3/springs.h"
 #include "grader/suite/whole_run_points.h"
 #include "hair/bend_springs.h"
 
@@ -19,140 +11,95 @@ namespace {
 
 using Eigen::Vector3d;
 
-double ask_energy(Trial& trial, const Posed& posed) {
-  return energy_of<Calls, hair::bend_spring_energy>(trial, posed);
-}
-
-VectorXd ask_force(Trial& trial, const Posed& posed, const VectorXd& before) {
-  return sum_of<Calls, hair::add_bend_spring_force>(trial, posed, "a force", before);
-}
-
-VectorXd ask_force(Trial& trial, const Posed& posed) {
-  return ask_force(trial, posed, VectorXd::Zero(posed.x.size()));
-}
-
-VectorXd ask_product(Trial& trial, const Posed& posed, const VectorXd& dx, const VectorXd& before,
-                     GeometricTerm term = GeometricTerm::full) {
-  return sum_of<Calls, hair::add_bend_spring_product>(trial, posed, "a product", before, term, dx);
-}
-
-VectorXd ask_product(Trial& trial, const Posed& posed, const VectorXd& dx,
-                     GeometricTerm term = GeometricTerm::full) {
-  return ask_product(trial, posed, dx, VectorXd::Zero(dx.size()), term);
-}
-
-constexpr Range kStretch = {0.6, 1.5}, kLong = {2, 3}, kBend = {0.1, 2.2};
-
-struct Spring {
-  double stiffness, rest, distance;
-};
-
-Spring spring(const Posed& posed, int i) {
-  const double rest = posed.strand.rest_length[i] + posed.strand.rest_length[i + 1];
-  return {posed.strand.skip_rigidity / rest, rest,
-          (posed.x.segment<3>(3 * i + 6) - posed.x.segment<3>(3 * i)).norm()};
-}
-
-void expect_energy(Trial& trial, const Posed& posed) {
-  const double expected = hair::bend_spring_energy(posed.strand, posed.x);
-  double rounding = kUnit * posed.strand.count() * expected;
-  for (int i = 0; i + 2 < posed.strand.count(); ++i) {
-    const auto [k, d0, d] = spring(posed, i);
-    rounding += 64 * kUnit * k * (std::abs(d - d0) + 64 * kUnit * d0) * (d + d0);
-    rounding += 4 * kUnit * k * (d + d0) * (d + d0);
+// At rest: its first and its last spring. Loops that end too soon lose another category's points.
+Posed with_ends_at_rest(Posed posed) {
+  const int last = posed.strand.count() - 1;
+  for (auto [end, inner, step] : {std::array{0, 2, 1}, {last, last - 2, -1}}) {
+    const Vector3d from = posed.x.segment<3>(3 * inner),
+                   way = (posed.x.segment<3>(3 * end) - from).normalized();
+    posed.x.segment<3>(3 * end) = from + way;
+    posed.x.segment<3>(3 * (end + step)) = from + way / 2;
   }
-  trial.expect_at_most(std::abs(ask_energy(trial, posed) - expected), rounding, "the error of the energy");
+  return posed;
 }
 
-VectorXd reference_force(const Posed& posed) {
-  VectorXd f = VectorXd::Zero(posed.x.size());
-  hair::add_bend_spring_force(posed.strand, posed.x, f);
-  return f;
-}
-
-double force_rounding(const Posed& posed) {
-  double most = 0;
-  for (int i = 0; i + 2 < posed.strand.count(); ++i) {
-    const auto [k, d0, d] = spring(posed, i);
-    most = std::max(most, k * (d + d0));
-  }
-  return 128 * kUnit * most;
-}
-
-void expect_force(Trial& trial, const Posed& posed) {
-  expect_vector(trial, ask_force(trial, posed), reference_force(posed), force_rounding(posed), "the force");
-}
-
-double product_rounding(const Posed& posed, const VectorXd& dx) {
-  double most = 0;
-  for (int i = 0; i + 2 < posed.strand.count(); ++i) {
-    const auto [k, d0, d] = spring(posed, i);
-    if (d > 0) most = std::max(most, k * (1 + d0 / d));
-  }
-  return 128 * kUnit * most * 4 * largest(dx);
-}
-
-VectorXd reference_product(const Posed& posed, const VectorXd& dx, GeometricTerm term) {
-  VectorXd df = VectorXd::Zero(dx.size());
-  hair::add_bend_spring_product(posed.strand, posed.x, term, dx, df);
-  return df;
-}
-
-void expect_product(Trial& trial, const Posed& posed, GeometricTerm term) {
-  const VectorXd dx = random_vector(trial.random, posed.x.size());
-  expect_vector(trial, ask_product(trial, posed, dx, term), reference_product(posed, dx, term),
-                product_rounding(posed, dx), "the product");
-}
-
-// Springs whose rest length is 1 m: what k is made of is another category's.
-Strand half_metres(Random& random, int count) {
-  Strand strand = toy_strand(random, count);
-  strand.rest_length.setConstant(0.5);
-  return strand;
+// A change that leaves both as long as they are.
+VectorXd change_of(Random& random, const Posed& posed) {
+  VectorXd dx = random_vector(random, posed.x.size());
+  dx.head<3>() = dx.segment<3>(6);
+  dx.tail<3>() = dx.segment<3>(dx.size() - 9);
+  return dx;
 }
 
 // Springs in compression, in tension, and both.
 std::vector<Posed> states(Random& random, int count) {
-  return {random_pose(random, half_metres(random, count), kStretch, kBend, "bent"),
-          random_pose(random, half_metres(random, count), kLong, {0.1, 0.6}, "stretched"),
-          random_pose(random, half_metres(random, count), {1, 1}, {0.01, 0.2}, "bent a little")};
+  return {with_ends_at_rest(random_pose(random, half_metres(random, count), kStretch, kBend, "bent")),
+          with_ends_at_rest(random_pose(random, half_metres(random, count), kLong, {0.1, 0.6}, "stretched")),
+          with_ends_at_rest(
+              random_pose(random, half_metres(random, count), {1, 1}, {0.01, 0.2}, "bent a little"))};
 }
 
 void energy(Trial& trial) {
-  Random& random = trial.random;
-  for (int count : {3, 4, 12, 40})
-    for (const Posed& posed : states(random, count)) expect_energy(trial, posed);
+  for (int count : {5, 6, 12, 40})
+    for (const Posed& posed : states(trial.random, count)) expect_energy(trial, posed);
 }
 
-void single_spring(Trial& trial) {
-  for (int repeat = 0; repeat < 3; ++repeat)
-    for (const Posed& posed : states(trial.random, 3)) expect_force(trial, posed);
-}
-
-void strand_forces(Trial& trial) {
-  Random& random = trial.random;
-  for (int count : {4, 5, 20})
-    for (const Posed& posed : states(random, count)) expect_force(trial, posed);
-  expect_force(trial, random_pose(random, half_metres(random, 10000), kStretch, {0, 1}, "long"));
+void forces(Trial& trial) {
+  for (int count : {5, 5, 6, 7, 20})
+    for (const Posed& posed : states(trial.random, count)) expect_force(trial, posed);
 }
 
 void exact_product(Trial& trial) {
   Random& random = trial.random;
-  for (int count : {3, 4, 15})
-    for (const Posed& posed : states(random, count)) expect_product(trial, posed, GeometricTerm::full);
+  for (int count : {5, 6, 15})
+    for (const Posed& posed : states(random, count)) {
+      const VectorXd dx = change_of(random, posed);
+      expect_vector(trial, ask_product(trial, posed, dx), reference_product(posed, dx, GeometricTerm::full),
+                    product_rounding(posed, dx), "the product");
+    }
 }
 
+// Beside the student's own exact product, which is another category's.
 void filtered_product(Trial& trial) {
   Random& random = trial.random;
-  for (int count : {3, 4, 15}) {
-    for (const Posed& posed : states(random, count)) {
-      for (GeometricTerm term : {GeometricTerm::filtered, GeometricTerm::dropped}) {
-        expect_product(trial, posed, term);
-        const VectorXd dx = random_vector(random, posed.x.size());
-        trial.expect_at_most(
-            dx.dot(ask_product(trial, posed, dx, term)), product_rounding(posed, dx) * dx.lpNorm<1>(),
-            "dx . (df/dx) dx, which without the negative part of the geometric term is never positive,");
-      }
+  const auto expect_same = [&](const Posed& posed, GeometricTerm term, const VectorXd& dx,
+                               const VectorXd& expected, const std::string& what) {
+    expect_vector(trial, ask_product(trial, posed, dx, term), expected, 2 * product_rounding(posed, dx),
+                  what);
+  };
+  for (int count : {4, 6, 15}) {
+    const Posed longer = random_pose(random, half_metres(random, count), kLong, {0.1, 0.6}, "stretched"),
+                shorter = random_pose(random, half_metres(random, count), {0.3, 0.9}, kBend, "compressed");
+    const VectorXd dx = random_vector(random, 3 * count), full = ask_product(trial, longer, dx);
+    expect_not_zero(trial, full, "the product");
+    expect_same(longer, GeometricTerm::filtered, dx, full, "the filtered product of what is stretched");
+    expect_same(shorter, GeometricTerm::filtered, dx, ask_product(trial, shorter, dx, GeometricTerm::dropped),
+                "the filtered product of what is compressed");
+
+    // On a line: no spring turns if all move along it, and without the geometric term nothing else has a force.
+    const Vector3d direction = random_direction(random);
+    VectorXd lengths(count - 1), along(3 * count);
+    for (double& one : lengths) one = random.uniform(0.3, 0.8);
+    for (int i = 0; i < count; ++i) along.segment<3>(3 * i) = direction * direction.dot(dx.segment<3>(3 * i));
+    const Posed line = straight_pose(half_metres(random, count), lengths, direction, "on a line");
+    const VectorXd full_along = ask_product(trial, line, along);
+    for (GeometricTerm term : {GeometricTerm::filtered, GeometricTerm::dropped})
+      expect_same(line, term, along, full_along, "the product along a line");
+    expect_same(line, GeometricTerm::dropped, dx - along, VectorXd::Zero(dx.size()),
+                "the product across a line, without the geometric term");
+  }
+  // Each spring for itself: one of two is stretched, and the other compressed.
+  for (int stretched : {0, 1}) {
+    Posed posed{half_metres(random, 4), random_vector(random, 12), "one of both"};
+    for (int i : {0, 1})
+      posed.x.segment<3>(3 * i + 6) =
+          posed.x.segment<3>(3 * i) + (i == stretched ? 1.6 : 0.6) * random_direction(random);
+    for (int moved : {0, 1}) {
+      VectorXd dx = VectorXd::Zero(12);
+      dx.segment<3>(3 * moved) = random_vector(random, 3);
+      const GeometricTerm same = moved == stretched ? GeometricTerm::full : GeometricTerm::dropped;
+      expect_same(posed, GeometricTerm::filtered, dx, ask_product(trial, posed, dx, same),
+                  "the filtered product of a strand with a stretched and a compressed spring");
     }
   }
 }
@@ -193,6 +140,7 @@ void lengths(Trial& trial) {
   }
   expect_all_equal(trial, energies, 4096 * kUnit,
                    "how a spring's energy changes with how its rest length is divided");
+  expect_same_in_other_units(trial);
 }
 
 void added(Trial& trial) {
@@ -210,32 +158,6 @@ void added(Trial& trial) {
                 bound(df) + product_rounding(posed, dx), "the product that is added to what df held");
 }
 
-void no_direction(Trial& trial) {
-  Random& random = trial.random;
-  for (int count : {1, 2}) {
-    const Posed posed{toy_strand(random, count), random_vector(random, 3 * count), "too short"};
-    const VectorXd dx = random_vector(random, 3 * count);
-    trial.expect(ask_energy(trial, posed) == 0, "a strand of fewer than 3 particles has an energy");
-    trial.expect(ask_force(trial, posed).isZero(0), "a strand of fewer than 3 particles has a force");
-    trial.expect(ask_product(trial, posed, dx).isZero(0), "a strand of fewer than 3 particles has a product");
-  }
-  // Particles i and i + 2 in the same place: folded; and all of them. What the others give is another
-  // category's.
-  for (int which : {0, 3, -1}) {
-    Posed posed = random_pose(random, half_metres(random, 6), kStretch, kBend, "coincident particles");
-    for (int i = 0; i < 6; ++i)
-      if (which < 0 || i == which + 2)
-        posed.x.segment<3>(3 * i) = posed.x.segment<3>(which < 0 ? 0 : 3 * which);
-    const bool nothing = which < 0;
-    trial.expect(ask_energy(trial, posed) > 0, "the energy of particles in the same place is not positive");
-    const VectorXd f = ask_force(trial, posed), change = random_vector(random, posed.x.size());
-    trial.expect(f.isZero(0) == nothing, "particles in the same place have a force, or others have none");
-    for (GeometricTerm term : {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped})
-      trial.expect(ask_product(trial, posed, change, term).isZero(0) == nothing,
-                   "particles in the same place have a product, or others have none");
-  }
-}
-
 }  // namespace
 
 WholeRunPoints whole_run() {
@@ -244,10 +166,10 @@ WholeRunPoints whole_run() {
 
 std::vector<Category> categories() {
   return {{"Energy", "The energy", 1, energy},
-          {"SingleSpring", "The force of a single spring", 2, single_spring},
-          {"StrandForces", "The forces of a strand", 1, strand_forces},
+          {"Forces", "The forces", 2, forces},
           {"ExactProduct", "The exact product", 2, exact_product},
           {"FilteredProduct", "The geometric term, filtered and dropped", 1, filtered_product},
+          {"EverySpring", "Each spring, the first to the last", 1, every_spring},
           {"Lengths", "Lengths", 1, lengths},
           {"Added", "Added to what is there", 1, added},
           {"NoDirection", "Particles in the same place, and too few", 1, no_direction}};

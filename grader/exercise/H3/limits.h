@@ -1,0 +1,12 @@
+// STAFF ONLY. H3's categories of rare strands; see cases.cpp.
+#pragma once
+
+#include "grader/suite/trial.h"
+
+namespace grader::h3 {
+
+void every_spring(Trial& trial);
+void no_direction(Trial& trial);
+void expect_same_in_other_units(Trial& trial);
+
+}  // namespace grader::h3
