@@ -322,10 +322,10 @@ TEST(CarryAlong, InAnyUnit) {
     const GuideFrames frames = carried(other);
     const std::string where = " of a curl, all lengths times " + std::to_string(std::log2(unit)) +
                               " powers of two, beside the same in metres";
-    expect_entries(frames.arc, expected.arc, 1e-12, "arc" + where, "rounding");
+    expect_numbers(frames.arc, expected.arc, 1e-12, "arc" + where, "rounding");
     for (std::size_t i = 0; i < 12; ++i)
-      expect_entries(frames.turns[i].reshaped(), expected.turns[i].reshaped(), 1e-10, "a turn" + where,
-                     "rounding. Is a segment taken for one of length 0?");
+      expect_matrix(frames.turns[i], expected.turns[i], 1e-10, "a turn" + where,
+                    "rounding. Is a segment taken for one of length 0?");
   }
 }
 
@@ -338,11 +338,11 @@ TEST(CarryAlong, TurnsSharply) {
         2 + std::cos(bend);
     const GuideFrames frames = carried(guide);
     const Matrix3d expected = Eigen::AngleAxisd(-bend, Vector3d::UnitX()).toRotationMatrix();
-    expect_entries(frames.turns[2].reshaped(), expected.reshaped(), 1e-10,
-                   "the turn of a guide that turns once, by " + std::to_string(degrees) + " degrees",
-                   "the contract's");
-    expect_entries(frames.turns[3].reshaped(), Matrix3d::Identity().reshaped(), 1e-10,
-                   "the turn where it has turned back, by as much", "the contract's");
+    expect_matrix(frames.turns[2], expected, 1e-10,
+                  "the turn of a guide that turns once, by " + std::to_string(degrees) + " degrees",
+                  "the contract's");
+    expect_matrix(frames.turns[3], Matrix3d::Identity(), 1e-10,
+                  "the turn where it has turned back, by as much", "the contract's");
   }
 }
 
@@ -564,7 +564,8 @@ int main(int argc, char** argv) {
                {"carry_along"}},
               {"blend", "Blend", [] { hair::blend(arc, points, points, child); }}},
              {},
-             {{"a weight of 2, or of -0.3", "RootWeights.OfARootBeside*"},
+             {{"right weights for a triangle of metres", "*InAnyUnit*"},
+              {"a weight of 2, or of -0.3", "RootWeights.OfARootBeside*"},
               {"NaN", "RootWeights.OfTriangles*:CarryAlong.Survives*"},
               {"weights that do not add up", "RootWeights.*"},
               {"strands that float beside the scalp", "Interpolate.OfEqual*:Interpolate.OfOneGuide*"},
