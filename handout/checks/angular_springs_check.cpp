@@ -431,10 +431,13 @@ TEST(AddProductsSpd, InAnyUnit) {
 
 TEST(AddProductsSpd, BesideASegmentOfLengthZero) {
   const VectorXd dx = scattered_vector(21, 7);
-  for (const auto add : {product, product_spd})
-    expect_in_two_parts([&](const Strand& strand, const VectorXd& x,
-                            int first) { return add(strand, x, dx.segment(3 * first, x.size())); },
-                        add == product ? "the product" : "the semi-definite product");
+  const auto part = [&](int first, Eigen::Index size) -> VectorXd { return dx.segment(3 * first, size); };
+  expect_in_two_parts([&](const Strand& strand, const VectorXd& x,
+                          int first) { return product(strand, x, part(first, x.size())); },
+                      "the product");
+  expect_in_two_parts([&](const Strand& strand, const VectorXd& x,
+                          int first) { return product_spd(strand, x, part(first, x.size())); },
+                      "the semi-definite product");
 }
 
 TEST(AddProductsSpd, IsAddedToWhatDfHolds) {
