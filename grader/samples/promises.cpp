@@ -82,6 +82,7 @@ std::vector<std::string> sentences_of(const std::string& header) {
   };
   std::istringstream lines(header);
   for (std::string line; std::getline(lines, line);) {
+    if (line.starts_with('}')) continue;  // it names a namespace
     const std::string comment = comment_in(line);
     if (!is_only_a_comment(line) || comment.empty()) end_paragraph();
     if (!comment.empty()) paragraph += (paragraph.empty() ? "" : " ") + comment;

@@ -302,7 +302,7 @@ int main(int argc, char** argv) {
                {"add_bend_spring_force"}}},
              {},
              {{"strands of everyday size pass", "*InAnyUnit*"},
-       {"right the first time, wrong later", "*However*"},
+              {"right the first time, wrong later", "*However*"},
               {"the energy of one spring is wrong", "BendSpringEnergy.OfOneSpring"},
               {"right where d_0 = 1 only", "BendSpringEnergy.Sees*"},
               {"a crash for short strands", "BendSpringEnergy.OfFewer*"},
