@@ -249,7 +249,12 @@ int main(int argc, char** argv) {
           solve_normal_equations(0, 0, &empty, &empty, &none, &none, 1, &steps);
         },
         {"normal_matrix"}}},
-      {},
+      {{"An operator of operators", "*.WorksInside*"},
+       {"Very large and very small numbers", "*OfAnySize"},
+       {"A matrix from a table", "DenseMatrix.*"},
+       {"A'A as an operator", "NormalMatrix.*"},
+       {"Steps and products", "*.TakesTheSteps*:*.Returns*"},
+       {"Systems", "SolveNormalEquations.*"}},
       {{"a product with the table is wrong", "DenseMatrix.Multiplies*"},
        {"a crash after a while", "DenseMatrix.Copies*"},
        {"right the first time, too large the second", "DenseMatrix.Without*"},
