@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <sstream>
 
@@ -56,6 +57,9 @@ void expect_mutants_found(const Exercise& exercise, const Judge& judge, const st
       mutants.push_back(std::move(mutant));
     }
     side_by_side(mutants.size(), [&](std::size_t i) {
+      if (const std::string folder = environment("HAIR_TOLD", ""); !folder.empty())
+        std::ofstream(std::filesystem::path(folder) / (exercise.id + "-" + mutants[i].name + ".change"))
+            << in_words(exercise, source, mutants[i].mutation);
       mutants[i].judged = judge(mutants[i].name, mutated(source, mutants[i].mutation));
     });
     for (const Mutant& mutant : mutants) {

@@ -1,5 +1,5 @@
 // STAFF ONLY. Wrong programs that are made of an exercise's solution, and a judge that should find each. The environment's HAIR_MUTANTS
-// says how many are tried (40), HAIR_MUTANTS_SEED which (1).
+// says how many are tried (40), HAIR_MUTANTS_SEED which (1); HAIR_TOLD names a folder for what was changed in each.
 #pragma once
 
 #include <functional>
