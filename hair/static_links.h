@@ -5,7 +5,7 @@
 // All linked guides are one system of n particles: x, v, f, dx, df and tangents have 3n entries. What depends on
 // directions (frames of particles, normals of contacts) is that of the step's start, and is held during the step. So every
 // force here is linear in x, or 0; its product is exact, symmetric, and -df/dx is positive semi-definite. Functions
-// named add_... add to their output. They allocate nothing. Errors: 1e-12 of the sizes that results are made of.
+// named add_... add to their output. Good solutions allocate nothing. Errors: 1e-12 of the sizes that results are made of.
 #pragma once
 
 #include <array>

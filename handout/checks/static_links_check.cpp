@@ -156,6 +156,33 @@ TEST(AddLinkProduct, IsTheSlopeOfTheForce) {
   }
 }
 
+TEST(AddLinkProduct, AddsToWhatIsThere) {
+  const Linked s;
+  const VectorXd dx = scattered_vector(15, 6);
+  VectorXd df = VectorXd::Ones(15);
+  add_link_product(s.links, s.largest, dx, df);
+  expect_entries(df, (products(s.links, s.largest, dx).array() + 1).matrix(), 1e-11,
+                 "a product that is added to 1", kRounding);
+}
+
+// A force is a stiffness times a length, whatever their sizes: hair is smaller than this by far.
+TEST(AddLinkForce, OfLinksOfAnySize) {
+  const Linked s;
+  const VectorXd expected = forces(s.links, s.frames, s.largest, s.x);
+  VectorXd none = VectorXd::Zero(3), stretches = none;
+  remember_stretches(s.links, s.frames, s.x, stretches);
+  for (const double scale : {0x1p-50, 0x1p40}) {
+    std::vector<StaticLink> links = s.links;
+    for (StaticLink& link : links) link.length *= scale, link.offset *= scale;
+    expect_entries(forces(links, s.frames, s.largest, scale * s.x) / scale, expected, 1e-11,
+                   "forces, in units of 2^-50 or 2^40 m", kRounding);
+    VectorXd again = none;
+    remember_stretches(links, s.frames, scale * s.x, again);
+    expect_entries(again, stretches, 1e-11, "stretches of links that are 2^-50 or 2^40 times as long",
+                   kRounding);
+  }
+}
+
 TEST(AddLinkProduct, IsSymmetric) {
   const Linked s;
   expect_symmetric([&](const VectorXd& dx) { return products(s.links, s.largest, dx); },
@@ -257,6 +284,19 @@ TEST(TouchStrip, FindsNothingFarAway) {
   EXPECT_FALSE(touch(flat, 1, contact)) << "a triangle without an area";
 }
 
+// "Without an area" is an area of exactly 0.
+TEST(TouchStrip, FindsTrianglesOfAnySize) {
+  StripContact contact;
+  for (const double scale : {0x1p-50, 0x1p50}) {
+    const VectorXd x = scale * above_triangle(0.125);
+    EXPECT_TRUE(touch_strip(3, {0, 1, 2}, 1, 0.25 * scale, x, zeros(4), contact))
+        << "a point over a triangle with edges of some " << scale << " m";
+  }
+  VectorXd thin = above_triangle(0.125, 0.5, 0x1p-48);
+  thin[7] = 0x1p-45;
+  EXPECT_TRUE(touch(thin, 1, contact)) << "a triangle that is 2 m long and 2^-45 m high";
+}
+
 TEST(TouchStrip, WeighsHowMuchHairsCross) {
   const Vector3d z(0, 0, 1), y(0, 1, 0), slanted = Vector3d(0, 4, 3) / 5;
   EXPECT_NEAR(weight_of(z, {z, z, z}), 0, 1e-12) << "all tangents are z: hairs that lie side by side merge";
@@ -308,6 +348,18 @@ TEST(AddStripForce, PushesThePointAndTheCorners) {
                  "forces of a contact 0.2 m too near, 40 N/m, weight 0.5, shares 0.5, 0.25, 0.25", kRounding);
   expect_entries(strip_forces({some_contact()}, above_triangle(0.3)), zeros(4), 0,
                  "forces of a point farther away than the thickness", "0");
+}
+
+TEST(AddStripForce, AddsToWhatIsThere) {
+  const Pressed s;
+  VectorXd f = VectorXd::Ones(15), df = f;
+  add_strip_force(s.contacts, kLaw, s.x, f);
+  expect_entries(f, (strip_forces(s.contacts, s.x).array() + 1).matrix(), 1e-11, "a force that is added to 1",
+                 kRounding);
+  const VectorXd dx = scattered_vector(15, 7);
+  add_strip_product(s.contacts, kLaw, s.x, dx, df);
+  expect_entries(df, (strip_products(s.contacts, s.x, dx).array() + 1).matrix(), 1e-11,
+                 "a product that is added to 1", kRounding);
 }
 
 TEST(AddStripForce, IsTheSlopeOfTheEnergy) {
@@ -385,6 +437,36 @@ TEST(ApplyStripFriction, StopsAndDoesNotReverse) {
   EXPECT_EQ(after_friction(above_triangle(0.05), VectorXd::Zero(4), 10, v), v) << "all particles are pinned";
   EXPECT_EQ(after_friction(above_triangle(0.3), inverse_mass, 10, v), v) << "nothing presses";
   EXPECT_EQ(after_friction(above_triangle(0.05), inverse_mass, 10, zeros(4)), zeros(4)) << "nothing moves";
+}
+
+// The second of two equal contacts finds what the first one left.
+TEST(ApplyStripFriction, GoesContactAfterContact) {
+  const VectorXd x = above_triangle(0.05);
+  VectorXd v = zeros(4), inverse_mass = VectorXd::Zero(4);
+  v[9] = 3;
+  inverse_mass[3] = 1;
+  const std::vector<StripContact> twice(2, some_contact());
+  apply_strip_friction(twice, kLaw, inverse_mass, 1, x, v);
+  EXPECT_NEAR(v[9], 0, 1e-12) << "m/s: 3, less 2 of the first contact; the second one stops what is left";
+  // A contact whose particles are all pinned leaves the others to the next one.
+  VectorXd two = zeros(5), w = zeros(5);
+  two.head(12) = x;
+  two.tail<3>() = x.tail<3>();
+  std::vector<StripContact> contacts(2, some_contact());
+  contacts[1].point = 4;
+  w[12] = 3;
+  Eigen::VectorXd masses = VectorXd::Zero(5);
+  masses[4] = 1;
+  apply_strip_friction(contacts, kLaw, masses, 1, two, w);
+  EXPECT_NEAR(w[12], 1, 1e-12) << "m/s: 3, less 2; the contact before it is between pinned particles";
+}
+
+TEST(ApplyStripFriction, OfPointsOfAnySpeed) {
+  const Eigen::Vector4d inverse_mass(0.25, 1, 2, 0.5);
+  const VectorXd before = scattered_vector(12, 3),
+                 after = after_friction(above_triangle(0.05), inverse_mass, 10, before);
+  expect_entries(after_friction(above_triangle(0.05), inverse_mass, 10, 0x1p-60 * before) * 0x1p60, after,
+                 1e-12, "velocities after 10 s, in units of 2^-60 m/s: the point sticks", kRounding);
 }
 
 TEST(ApplyStripFriction, NeverAccelerates) {

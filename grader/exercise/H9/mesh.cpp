@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Draws links, triangles and contacts for H9's cases.
 #include "grader/exercise/H9/mesh.h"
 
 #include "grader/suite/random_vector.h"
@@ -16,7 +16,7 @@ Vector3d some_direction(Random& random) {
   return Vector3d(random_vector(random, 3)).normalized();
 }
 
-LinkedHairs some_linked_hairs(Random& random, int links, Frames frames, Wear wear) {
+LinkedHairs some_linked_hairs(Random& random, int links, Frames frames, Wear wear, Pull pull) {
   const int particles = links + 2;
   LinkedHairs hairs;
   hairs.x = random_vector(random, Eigen::Index{3} * particles, 0.05);
@@ -34,6 +34,11 @@ LinkedHairs some_linked_hairs(Random& random, int links, Frames frames, Wear wea
     link.stiffness = random.log_uniform(0.01, 10);
     link.yields = random.uniform(0.1, 1);
     link.breaks = link.yields + random.uniform(0.2, 1);
+    if (pull == Pull::little) {
+      const Vector3d d = link.length * link.yields * random.uniform(0.1, 0.9) * some_direction(random);
+      link.offset = hairs.frames[link.a].transpose() * (hairs.x.segment<3>(3 * Eigen::Index{link.b}) -
+                                                        hairs.x.segment<3>(3 * Eigen::Index{link.a}) - d);
+    }
     hairs.largest[l] = random.uniform(0, link.yields);
     if (wear == Wear::some && l % 3 != 0)
       hairs.largest[l] =
@@ -90,6 +95,24 @@ Contacts some_contacts(Random& random, int contacts) {
     made.contacts.push_back(contact);
   }
   return made;
+}
+
+LinkedHairs in_units(LinkedHairs hairs, const Units& units) {
+  hairs.x *= units.length;
+  for (StaticLink& link : hairs.links)
+    link.offset *= units.length, link.length *= units.length, link.stiffness *= units.mass;
+  return hairs;
+}
+
+NearTriangle in_units(NearTriangle near, const Units& units) {
+  near.x *= units.length, near.thickness *= units.length;
+  return near;
+}
+
+Contacts in_units(Contacts contacts, const Units& units) {
+  contacts.x *= units.length, contacts.inverse_mass /= units.mass;
+  contacts.law.thickness *= units.length, contacts.law.stiffness *= units.mass;
+  return contacts;
 }
 
 }  // namespace grader::h9

@@ -10,7 +10,8 @@ using Eigen::VectorXd;
 using hair::Matrix3d, hair::StaticLink, hair::StripContact, hair::StripLaw, hair::Vector3d;
 
 enum class Frames { straight, turned };
-enum class Wear { none, some };  // with some, links are new, worn or broken
+enum class Wear { none, some };   // with some, links are new, worn or broken
+enum class Pull { little, any };  // with little, no link is stretched by what it yields at
 
 // Particles within about 5 cm, and links between them of about 1 cm.
 struct LinkedHairs {
@@ -20,7 +21,7 @@ struct LinkedHairs {
 
   double size() const;  // of a force, N
 };
-LinkedHairs some_linked_hairs(Random& random, int links, Frames frames, Wear wear);
+LinkedHairs some_linked_hairs(Random& random, int links, Frames frames, Wear wear, Pull pull);
 
 Vector3d some_direction(Random& random);
 
@@ -42,5 +43,13 @@ struct Contacts {
   double size() const;  // of a force, N
 };
 Contacts some_contacts(Random& random, int contacts);
+
+// The same in other units of mass and length: powers of 2, which change no digit.
+struct Units {
+  double mass = 1, length = 1;
+};
+LinkedHairs in_units(LinkedHairs hairs, const Units& units);
+NearTriangle in_units(NearTriangle near, const Units& units);
+Contacts in_units(Contacts contacts, const Units& units);
 
 }  // namespace grader::h9

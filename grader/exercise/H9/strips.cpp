@@ -1,4 +1,4 @@
-// STAFF ONLY. H9's strips. Bounds: the contract's, 1e-12 of what results are made of. Shares are areas over that of a
+// STAFF ONLY. Hidden cases of H9's strips. Bounds: the contract's, 1e-12 of what results are made of. Shares are areas over that of a
 // triangle whose height is 0.3 of its edge or more, with edges of 5 mm beside coordinates of 10 cm: 20 / 0.3 roundings, squared for
 // two subtractions that each lose a digit: 1e-12.
 #include <cmath>
@@ -42,6 +42,29 @@ StripContact expect_touch(Trial& trial, const NearTriangle& near, double side) {
   return *touched;
 }
 
+void expect_weight(Trial& trial, const NearTriangle& near, const std::string& what) {
+  trial.describe(what);
+  const double weight = expect_touch(trial, near, 1).weight;
+  trial.expect_at_most(std::abs(weight - reference_touch(near, 1)->weight), kOfContacts,
+                       "the error of a weight");
+  trial.expect(weight >= 0, "a weight is negative",
+               std::to_string(weight));  // by rounding alone, where hairs are parallel
+}
+
+VectorXd none(const Contacts& contacts) {
+  return VectorXd::Zero(contacts.x.size());
+}
+
+VectorXd reference_friction(const Contacts& contacts, double h, VectorXd v) {
+  hair::apply_strip_friction(contacts.contacts, contacts.law, contacts.inverse_mass, h, contacts.x, v);
+  return v;
+}
+
+// From steps so short that all slip to steps so long that all stick.
+constexpr std::array<double, 3> kSteps = {1e-5, 1e-3, 1e2};
+// A mass is at most 100 times another, so that what one impulse rounds by moves another by 100 times as much.
+constexpr double kOfVelocities = 1e-10;
+
 }  // namespace
 
 void touches(Trial& trial) {
@@ -65,6 +88,10 @@ void touches(Trial& trial) {
         !ask_touch(trial, near_triangle(random, inside(random), above * random.uniform(1.05, 3)), side),
         "a point touches a triangle that is farther away than the thickness");
   }
+}
+
+void flat_triangles(Trial& trial) {
+  Random& random = trial.random;
   trial.describe("over an edge or a corner, without any rounding");
   for (const auto& [along, across] : {std::pair{0.0625, 0.0}, {0.0, 0.0625}, {0.0, 0.0}}) {
     NearTriangle edge = near_triangle(random, inside(random), 0.5);
@@ -75,6 +102,11 @@ void touches(Trial& trial) {
     trial.expect(!ask_touch(trial, edge, 1),
                  "a point touches a triangle that is as far away as the thickness");
   }
+  trial.describe("a triangle as thin as a needle, without any rounding");
+  NearTriangle thin = near_triangle(random, inside(random), 0.5);
+  thin.thickness = 0.25;
+  thin.x << 0, 0, 0, 0.25, 0, 0, 0, 0x1p-40, 0, 0.0625, 0x1p-42, 0.125;
+  expect_touch(trial, thin, 1);
   trial.describe("a triangle without an area");
   NearTriangle flat = near_triangle(random, inside(random), 0.5);
   flat.x.segment<3>(3) = Vector3d(flat.x.head<3>());
@@ -85,30 +117,46 @@ void touches(Trial& trial) {
 
 void weights(Trial& trial) {
   Random& random = trial.random;
-  const auto expect_weight = [&](const NearTriangle& near, const std::string& what) {
-    trial.describe(what);
-    const double weight = expect_touch(trial, near, 1).weight;
-    trial.expect_at_most(std::abs(weight - reference_touch(near, 1)->weight), kOfContacts,
-                         "the error of a weight");
-    trial.expect(weight >= 0, "a weight is negative",
-                 std::to_string(weight));  // by rounding alone, where hairs are parallel
-  };
   for (int repeat = 0; repeat < 12; ++repeat) {
     NearTriangle near = near_triangle(random, inside(random), 0.5);
     const Vector3d one = some_direction(random), other = some_direction(random);
     for (int j = 0; j < 3; ++j) near.tangents.segment<3>(3 * j) = one;
     near.tangents.tail<3>() = repeat % 2 == 0 ? one : Vector3d(-one);
-    expect_weight(near, "hairs that lie side by side");
+    expect_weight(trial, near, "hairs that lie side by side");
     near.tangents.tail<3>() = other;
-    expect_weight(near, "a strip whose hairs have one direction");
+    expect_weight(trial, near, "a strip whose hairs have one direction");
     near.tangents.segment<3>(3 * (repeat % 3)) = -one;
-    expect_weight(near, "a strip, of whose hairs one runs back");
+    expect_weight(trial, near, "a strip, of whose hairs one runs back");
     for (int j = 0; j < 3; ++j) near.tangents.segment<3>(3 * j) = some_direction(random);
-    expect_weight(near, "a strip whose hairs have different directions");
-    near.tangents.segment<3>(3 * (repeat % 3)).setZero();
-    expect_weight(near, "a strip, of whose hairs one has no direction");
-    near.tangents.tail<3>().setZero();
-    expect_weight(near, "a point whose hair has no direction");
+    expect_weight(trial, near, "a strip whose hairs have different directions");
+  }
+}
+
+// A hair without a direction counts as one that is across: beside the student's own weight for such a one.
+void no_directions(Trial& trial) {
+  Random& random = trial.random;
+  const auto expect_same = [&](const NearTriangle& none, const NearTriangle& across,
+                               const std::string& what) {
+    trial.describe(what);
+    const double weight = expect_touch(trial, none, 1).weight;
+    trial.expect_at_most(std::abs(weight - expect_touch(trial, across, 1).weight), kOfContacts,
+                         "the error of a weight of " + what);
+    return weight;
+  };
+  for (int repeat = 0; repeat < 6; ++repeat) {
+    NearTriangle near = near_triangle(random, inside(random), 0.5);
+    const Vector3d e = some_direction(random);
+    for (int j = 0; j < 3; ++j)
+      near.tangents.segment<3>(3 * j) = e.cross(some_direction(random)).normalized();
+    NearTriangle none = near;
+    near.tangents.tail<3>() = e;
+    expect_same(none, near, "a point whose hair has no direction");
+    none.tangents.tail<3>() = near.tangents.tail<3>() = some_direction(random);
+    const Vector3d point = near.tangents.tail<3>();
+    none.tangents.segment<3>(3 * (repeat % 3)).setZero();
+    near.tangents.segment<3>(3 * (repeat % 3)) = point.cross(e).normalized();
+    trial.expect(expect_same(none, near, "a strip, of whose hairs one has no direction") > 0,
+                 "a weight of hairs that cross is 0");
   }
 }
 
@@ -120,64 +168,81 @@ void strip_forces(Trial& trial) {
     trial.expect_at_most(std::abs(ask_strip_energy(trial, contacts) - energy),
                          kOfForces * size * (contacts.law.thickness + 4 * contacts.x.cwiseAbs().maxCoeff()),
                          "the error of an energy");
-    const VectorXd before = random_vector(trial.random, contacts.x.size(), size / count);
-    VectorXd expected = before;
+    VectorXd expected = none(contacts);
     hair::add_strip_force(contacts.contacts, contacts.law, contacts.x, expected);
-    trial.expect_at_most(worst(ask_strip_force(trial, contacts, before) - expected), kOfForces * 5 * size,
-                         "the error of a force");
+    trial.expect_at_most(worst(ask_strip_force(trial, contacts, none(contacts)) - expected),
+                         kOfForces * 5 * size, "the error of a force");
   }
 }
 
 void strip_products(Trial& trial) {
   for (const int count : {1, 2, 5, 20}) {
     const Contacts contacts = some_contacts(trial.random, count);
-    const VectorXd dx = random_vector(trial.random, contacts.x.size(), 0.02),
-                   before = random_vector(trial.random, contacts.x.size(), contacts.size() / count);
-    VectorXd expected = before;
+    const VectorXd dx = random_vector(trial.random, contacts.x.size(), 0.02);
+    VectorXd expected = none(contacts);
     hair::add_strip_product(contacts.contacts, contacts.law, contacts.x, dx, expected);
-    trial.expect_at_most(worst(ask_strip_product(trial, contacts, dx, before) - expected),
+    trial.expect_at_most(worst(ask_strip_product(trial, contacts, dx, none(contacts)) - expected),
                          kOfForces * 10 * contacts.size(), "the error of a product");
   }
 }
 
-// From steps so short that all slip to steps so long that all stick.
+// One contact that presses; the second one does not.
 void frictions(Trial& trial) {
   Random& random = trial.random;
-  for (const int count : {1, 2, 5, 20})
-    for (const double h : {1e-5, 1e-3, 1e2}) {
+  for (int repeat = 0; repeat < 3; ++repeat)
+    for (const int count : {1, 2})
+      for (const double h : kSteps) {
+        Contacts contacts = some_contacts(random, count);
+        const VectorXd v = random_vector(random, contacts.x.size(), 0.3);
+        trial.expect_at_most(worst(ask_friction(trial, contacts, h, v) - reference_friction(contacts, h, v)),
+                             kOfVelocities, "the error of a velocity");
+        contacts.inverse_mass.setZero();
+        // Points of 1 kg above pinned corners: W = 1.
+        for (const StripContact& contact : contacts.contacts) contacts.inverse_mass[contact.point] = 1;
+        trial.expect_at_most(worst(ask_friction(trial, contacts, h, v) - reference_friction(contacts, h, v)),
+                             kOfVelocities, "the error of a velocity where corners are pinned");
+      }
+}
+
+void pinned_frictions(Trial& trial) {
+  Random& random = trial.random;
+  for (const double h : kSteps) {
+    Contacts contacts = some_contacts(random, 2);
+    VectorXd v = random_vector(random, contacts.x.size(), 0.3);
+    Contacts smooth = contacts;
+    smooth.law.friction = 0;
+    trial.expect_at_most(worst(ask_friction(trial, smooth, h, v) - v), 0, "a velocity where mu is 0");
+    trial.expect_at_most(worst(ask_friction(trial, contacts, h, none(contacts))), 0,
+                         "a velocity where nothing moves");
+    contacts.inverse_mass.setZero();
+    trial.expect_at_most(worst(ask_friction(trial, contacts, h, v) - v), 0,
+                         "the change of a velocity where all is pinned");
+    const VectorXd moved = ask_friction(trial, some_contacts(random, 1), h, random_vector(random, 21, 0.3));
+    trial.expect(!moved.isZero(), "friction takes all velocities");
+  }
+}
+
+// As the student's own function, asked for one contact after the other. The first one may be pinned: the others are not.
+void friction_order(Trial& trial) {
+  Random& random = trial.random;
+  for (const int count : {5, 20})
+    for (const double h : kSteps) {
       Contacts contacts = some_contacts(random, count);
-      VectorXd v = random_vector(random, contacts.x.size(), 0.3), expected = v;
-      hair::apply_strip_friction(contacts.contacts, contacts.law, contacts.inverse_mass, h, contacts.x,
-                                 expected);
-      // A mass is at most 100 times another, so that what one impulse rounds by moves another by 100 times as much.
-      trial.expect_at_most(worst(ask_friction(trial, contacts, h, v) - expected), 1e-10,
-                           "the error of a velocity");
-      Contacts first_pinned = contacts;
-      const StripContact& first = first_pinned.contacts.front();
-      first_pinned.inverse_mass[first.point] = 0;
-      for (const int corner : first.corners) first_pinned.inverse_mass[corner] = 0;
-      v = expected = random_vector(random, contacts.x.size(), 0.3);
-      hair::apply_strip_friction(first_pinned.contacts, contacts.law, first_pinned.inverse_mass, h,
-                                 contacts.x, expected);
-      trial.expect_at_most(worst(ask_friction(trial, first_pinned, h, v) - expected), 1e-10,
-                           "the error of a velocity where the first contact is pinned");
-      Contacts smooth = contacts;
-      smooth.law.friction = 0;
-      trial.expect_at_most(worst(ask_friction(trial, smooth, h, v) - v), 0, "a velocity where mu is 0");
-      v.setZero();
-      trial.expect_at_most(worst(ask_friction(trial, contacts, h, v)), 0, "a velocity where nothing moves");
-      contacts.inverse_mass.setZero();
-      // Points of 1 kg above pinned corners: W = 1.
-      for (const StripContact& contact : contacts.contacts) contacts.inverse_mass[contact.point] = 1;
-      v = expected = random_vector(random, contacts.x.size(), 0.3);
-      hair::apply_strip_friction(contacts.contacts, contacts.law, contacts.inverse_mass, h, contacts.x,
-                                 expected);
-      trial.expect_at_most(worst(ask_friction(trial, contacts, h, v) - expected), 1e-10,
-                           "the error of a velocity where corners are pinned");
-      contacts.inverse_mass.setZero();
-      v.setOnes();
-      trial.expect_at_most(worst((ask_friction(trial, contacts, h, v).array() - 1).matrix()), 0,
-                           "the change of a velocity where all is pinned");
+      if (h == kSteps[1]) {
+        const StripContact& first = contacts.contacts.front();
+        contacts.inverse_mass[first.point] = 0;
+        for (const int corner : first.corners) contacts.inverse_mass[corner] = 0;
+      }
+      const VectorXd start = random_vector(random, contacts.x.size(), 0.3);
+      VectorXd one_by_one = start;
+      for (const StripContact& contact : contacts.contacts) {
+        Contacts one = contacts;
+        one.contacts = {contact};
+        one_by_one = ask_friction(trial, one, h, one_by_one);
+      }
+      trial.expect(one_by_one != start, "friction changes no velocity");
+      trial.expect_at_most(worst(ask_friction(trial, contacts, h, start) - one_by_one), kOfVelocities,
+                           "a velocity, beside that of one contact after the other");
     }
 }
 
