@@ -1,0 +1,191 @@
+// STAFF ONLY. Bugs are seen: each wrong sample of an exercise moves visibly wrong in a scene of that exercise, or
+// grader/samples/unseen.txt says why no scene can show it. The environment's HAIR_EXERCISE names the exercise, and HAIR_SAMPLE one sample
+// alone. The scenes are that of show-X (exercises.json), and those that the file adds.
+//
+// A sample's file is compiled as for grading, and a worker plays the scene with it, with the reference's files for all other exercises.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "grader/compile/compiler.h"
+#include "grader/samples/sample.h"
+#include "grader/samples/solution_files.h"
+#include "grader/sandbox/isolation_for_tests.h"
+#include "grader/suite/played.h"
+#include "grader/suite/run_comparison.h"
+#include "grader/tests/run_program.h"
+#include "grader/tests/side_by_side.h"
+#include "hair/io/files/read_file.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kProject = HAIR_PROJECT;
+
+// The largest distance of a particle from the reference's, in the scene's size, that one sees at a glance.
+constexpr double kSeen = 0.02;
+
+// The lines of unseen.txt: "scene S1 rod-pendulum", "unseen S1 returns-norm WHY".
+struct Unseen {
+  std::vector<std::string> scenes;
+  std::map<std::string, std::string> why;  // by sample
+};
+
+Unseen unseen_of(const std::string& exercise) {
+  Unseen all;
+  std::ifstream file(kProject / "grader/samples/unseen.txt");
+  for (std::string line; std::getline(file, line);) {
+    std::istringstream words(line);
+    std::string kind, id, name, why;
+    words >> kind >> id >> name;
+    std::getline(words >> std::ws, why);
+    if (id != exercise) continue;
+    if (kind == "scene") all.scenes.push_back(name);
+    if (kind == "unseen") all.why[name] = why;
+  }
+  return all;
+}
+
+struct Bug {
+  std::string name, source;
+};
+
+// Files that lose points and run. Attacks are aimed at the grader.
+std::vector<Bug> bugs_of(const Exercise& exercise) {
+  static const std::set<std::string> kRun = {"partly", "wrong", "crashed", "timed out", "out of memory"};
+  const std::string only = environment("HAIR_SAMPLE", "");
+  std::vector<Bug> bugs;
+  for (const Sample& sample : read_samples(kProject)) {
+    if (sample.attack || sample.group.starts_with("attacks-") || (!only.empty() && sample.name != only))
+      continue;
+    if (!kRun.contains(sample.expected.at(exercise.id).status)) continue;
+    for (const auto& [path, source] : solution_files(sample, kProject))
+      if (fs::path(path).filename() == exercise.file &&
+          std::ranges::find(bugs, source, &Bug::source) == bugs.end())
+        bugs.push_back({sample.name, source});
+  }
+  return bugs;
+}
+
+struct Seen {
+  double distance = 0;      // in the scene's size
+  std::string ending = {};  // unlike the reference's
+
+  bool at_a_glance() const { return distance > kSeen || !ending.empty(); }
+  std::string text() const {
+    std::ostringstream text;
+    text.precision(2);
+    text << 100 * distance << " %" << (ending.empty() ? "" : ", " + ending);
+    return text.str();
+  }
+};
+
+class ScenesShow : public testing::Test {
+ protected:
+  const Course course_ = read_course(kProject / "handout/exercises.json");
+  const std::string id_ = environment("HAIR_EXERCISE", "");
+  const StagedKit kit_{HAIR_KIT_DIR, course_};
+  const Compiler compiler_{kit_, fs::path(HAIR_GRADED) / "class-cache", isolation_for_tests()};
+
+  void SetUp() override {
+    ASSERT_NE(course_.find(id_), nullptr) << "HAIR_EXERCISE must name an exercise; it is \"" << id_ << "\"";
+    if (scenes().empty()) GTEST_SKIP() << "no scene calls " << id_;
+  }
+
+  std::vector<std::string> scenes() const {
+    std::vector<std::string> all = unseen_of(id_).scenes;
+    std::smatch found;
+    if (std::regex_search(course_.find(id_)->show, found, std::regex("^view ([a-z-]+)")))
+      all.insert(all.begin(), found[1].str());
+    return all;
+  }
+
+  Seen see(const fs::path& object, const std::string& name, const std::string& scene_name) const {
+    const std::string text = hair::bytes_of(kProject / "hair/scenes" / (scene_name + ".json"));
+    const hair::Scene scene = hair::parse_scene(text, scene_name);
+    WorkerSetup worker;
+    worker.kit = kit_.folder();
+    worker.exercise = "runs";
+    worker.log = kit_.new_job(name + "-" + scene_name) / "log";
+    worker.isolation = isolation_for_tests();
+    worker.cpu_seconds = 60;
+    for (const Exercise& exercise : course_.exercises)
+      worker.objects.push_back(exercise.id == id_ ? object : kit_.folder() / "lib" / (exercise.id + ".so"));
+    Student student(worker);
+    try {
+      Trial trial(student, Random("", scene_name));
+      const Played theirs = play_elsewhere(trial, text, scene);
+      const RunComparison run = compare_runs(scene, {}, theirs);
+      Seen seen;
+      for (const Moment& moment : run.moments)
+        seen.distance = std::max(seen.distance, std::max(moment.apart, moment.dense_apart) / run.size);
+      if (!run.finite || !theirs.trouble.empty()) seen.ending = "breaks";
+      return seen;
+    } catch (const CaseFailed& failure) {
+      return {0, to_string(failure.status)};
+    } catch (const MalformedMessage&) {
+      return {0, "stops"};
+    }
+  }
+};
+
+TEST_F(ScenesShow, EachBugOrTheFileSaysWhyNot) {
+  const std::vector<Bug> bugs = bugs_of(*course_.find(id_));
+  Unseen unseen = unseen_of(id_);
+  std::vector<std::string> rows(bugs.size());
+  std::vector<char> seen(bugs.size());
+  side_by_side(bugs.size(), [&](std::size_t i) {
+    const fs::path job = kit_.new_job(bugs[i].name);
+    const Compiled compiled = compiler_.compile(*course_.find(id_), bugs[i].source, job, 600);
+    ASSERT_FALSE(compiled.object.empty()) << bugs[i].name << " does not compile:\n" << compiled.log;
+    for (const std::string& scene : scenes()) {
+      const Seen shown = see(compiled.object, bugs[i].name, scene);
+      rows[i] += "; " + scene + " " + shown.text();
+      seen[i] = seen[i] || shown.at_a_glance();
+    }
+  });
+  int count = 0;
+  for (std::size_t i = 0; i < bugs.size(); ++i) {
+    const auto why = unseen.why.find(bugs[i].name);
+    const bool excused = why != unseen.why.end();
+    std::printf("%s %s%s%s\n", id_.c_str(), bugs[i].name.c_str(), rows[i].c_str(),
+                excused ? ("; unseen: " + why->second).c_str() : "");
+    count += seen[i];
+    EXPECT_NE(static_cast<bool>(seen[i]), excused)
+        << bugs[i].name << rows[i]
+        << (excused ? ": a scene shows it. Strike it off grader/samples/unseen.txt"
+                    : ": no scene shows it. Let one do so, or say in grader/samples/unseen.txt why none can");
+    if (excused) unseen.why.erase(why);
+  }
+  if (environment("HAIR_SAMPLE", "").empty())
+    for (const auto& [name, why] : unseen.why)
+      ADD_FAILURE() << "grader/samples/unseen.txt names " << name << ", which is no bug of " << id_;
+  std::printf("%s: scenes show %d of %zu bugs\n", id_.c_str(), count, bugs.size());
+}
+
+// The distances mean something: another right solution moves as the reference does.
+TEST_F(ScenesShow, ARightSolutionWhereTheReferenceIs) {
+  const Exercise& exercise = *course_.find(id_);
+  const fs::path plain = kProject / "grader/samples/solutions/plain" / exercise.file;
+  ASSERT_TRUE(fs::exists(plain)) << plain;
+  const fs::path job = kit_.new_job("plain");
+  const Compiled compiled = compiler_.compile(exercise, hair::bytes_of(plain), job, 600);
+  ASSERT_FALSE(compiled.object.empty()) << compiled.log;
+  for (const std::string& scene : scenes()) {
+    const Seen shown = see(compiled.object, "plain", scene);
+    EXPECT_LT(shown.distance, 1e-3) << scene;
+    EXPECT_EQ(shown.ending, "") << scene;
+  }
+}
+
+}  // namespace
+}  // namespace grader
