@@ -22,7 +22,7 @@ function show() {
       const label = document.createElement("label"), box = Object.assign(document.createElement("input"), { type: "checkbox", checked: true });
       box.addEventListener("change", () => { shown[i] = box.checked; again(); });
       label.append(box, ` ${run.name} (${i === 0 ? "blue" : "orange, dashed"})`);
-      $("runs").append(label);
+      $("runs").append(label, " ");
     });
 
   $("time").max = frames - 1;
