@@ -271,7 +271,7 @@ TEST(Pages, ARunThatBreaksOffIsTheWorst) {
   EXPECT_FALSE(run_breaks_off(results[1].exercises[1]));
   results[1].exercises[1].pictures.back().breaks_off = true;
   EXPECT_TRUE(run_breaks_off(results[1].exercises[1]));
-  EXPECT_NE(student_page(results[1]).find("1.00 s, the last moment before it breaks off"), std::string::npos);
+  EXPECT_NE(student_page(results[1]).find("1.00 s, the last moment that can be drawn"), std::string::npos);
 }
 
 // The pictures before it ends may be like the reference's: their distance says nothing.

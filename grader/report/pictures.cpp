@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kMostSmallPictures = 20;  // rows of the class's page with pictures
 
 std::string name_of(const PictureResult& picture) {
-  return picture.name + (picture.breaks_off ? ", the last moment before it breaks off" : "");
+  return picture.name + (picture.breaks_off ? ", the last moment that can be drawn" : "");
 }
 
 Html moment(const PictureResult& picture, const std::string& whose, const PicturePlace& place) {
