@@ -246,6 +246,22 @@ TEST(OutwardVelocities, GiveEulersAndExternalForces) {
                 "1e-13");
 }
 
+// Twice the speed is twice v and four times c, however slow or fast.
+TEST(OutwardVelocities, OfJointsOfAnySpeed) {
+  const Links links = placed(kQ).links;
+  const Passes expected = pass_1(links, kRates);
+  for (const double scale : {0x1p-50, 0x1p30}) {
+    const Passes found = pass_1(links, scale * kRates);
+    for (int i = 1; i <= 4; ++i) {
+      std::ostringstream of;
+      of << " of link " << i << ", where all joints are " << scale << " times as fast, over that factor";
+      expect_vector(found[i].v.linear / scale, expected[i].v.linear, 1e-12, "v" + of.str(), "1e-12");
+      expect_vector(found[i].c.linear / (scale * scale), expected[i].c.linear, 1e-12,
+                    "the second half of c^" + of.str() + " squared", "1e-12");
+    }
+  }
+}
+
 // A light second link has other numbers in its pass before, as from an earlier step.
 TEST(OutwardVelocities, OverwriteWhatStoodThere) {
   const Links links = chain_of({pendulum(1, 0.5, 0.3)[1], pendulum(1, 0.4, -0.2)[1]});
@@ -603,7 +619,7 @@ int main(int argc, char** argv) {
           outward_accelerations(top, zero, passes, result);
         }}},
       {{"Spherical joints", "SphericalJoints.*"},
-       {"Links of any size, weight and speed", "*.OfPendulumsOfAnySize"},
+       {"Links of any size, weight and speed", "*.OfPendulumsOfAnySize:*.OfJointsOfAnySpeed"},
        {"The base's inertia, and values from before", "*.OverwriteWhat*:*.BeginWith*"},
        {"Long chains", "*.BeginAtTheTip*"},
        {"Trees", "*.GoFromParent*:*.GoFromChild*:*.OfTwoPendulums*"},
