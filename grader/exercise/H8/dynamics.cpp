@@ -52,7 +52,7 @@ void expect_special_step(Trial& trial, const Hair& hair, double h) {
     MatrixXd scratch(change.size(), change.size() + 10);
     hair::helix_step(hair.strand, hair.elements, hair.points, hair.q, hair.rates, h, scratch, ours);
     trial.ask_aside([&] {
-      const Hair ordinary = random_hair(trial.random, {.elements = 2});
+      const Hair ordinary = random_hair(trial.random, {.elements = 5});
       const bool wrong = !(step_error(trial, ordinary, 1e-3, ask_step(trial, ordinary, 1e-3)) <= kBackward);
       if (wrong && comparable(change.norm(), ours.norm())) error = 0;
     });
