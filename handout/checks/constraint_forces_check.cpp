@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "check.h"
 #include "derivative.h"
@@ -139,6 +140,21 @@ TEST(ConstraintValues, ComeRodsFirst) {
                 "the same numbers");
 }
 
+TEST(ConstraintValues, HaveNoUnitOfTheirOwn) {
+  // Rods alone, in a unit of length that is 2^40 times as large: powers of two change no digit.
+  Example metres = tangle(), other = tangle();
+  const double unit = std::ldexp(1.0, -40);
+  metres.constraints.wires.clear();
+  other.constraints.wires.clear();
+  for (Rod& rod : other.constraints.rods) rod.length *= unit;
+  other.state.x *= unit;
+  const VectorXd lambda = scattered_vector(4, 4), v = metres.state.v;
+  expect_vector(values(other, other.state.x), unit * unit * values(metres, metres.state.x), 0,
+                "C of four rods, all lengths times 2^-40", "exact");
+  expect_vector(rates(other, v), unit * rates(metres, v), 0, "J v of the same", "exact");
+  expect_vector(forces(other, lambda), unit * forces(metres, lambda), 0, "J^T lambda of the same", "exact");
+}
+
 TEST(ConstraintRates, AreTheChangeOfTheValues) {
   const Example system = tangle();
   const double h = std::ldexp(1.0, -14);
@@ -195,6 +211,20 @@ TEST(ConstraintMatrix, IsTheTableOfItsProducts) {
   }
 }
 
+TEST(ConstraintMatrix, UsesTheValuesOfNow) {
+  Example system = tangle();
+  VectorXd y = scattered_vector(8, 7), result(8);
+  const auto matrix = constraint_matrix(system.constraints, system.particles, system.state);
+  system.state.x *= 1.5;
+  system.particles.mass *= 2;
+  std::swap(system.constraints.rods[0], system.constraints.rods[2]);
+  matrix->matVecMult(y.data(), result.data());
+  expect_vector(result, product(system, y), 1e-13,
+                "a product with the matrix that was made before positions, masses and rods changed, against "
+                "that with a new one",
+                "some 50 roundings of numbers up to 10");
+}
+
 TEST(ConstraintMatrix, IsSymmetricAndNeverNegative) {
   const Example system = tangle();
   const VectorXd a = scattered_vector(8, 5), b = scattered_vector(8, 6);
@@ -218,6 +248,25 @@ TEST(SolveConstraints, CarriesAPendulum) {
   system.state.v.tail<3>() = 3 * Vector3d(std::cos(0.5), 0, std::sin(0.5));
   expect_vector(solve(system), VectorXd::Constant(1, -(pull + 2 * 9 / 0.5) / 0.5), 1e-8 * (pull + 36),
                 "lambda at 3 m/s", "the tolerance, 1e-10, with room");
+}
+
+TEST(SolveConstraints, TakesAPivotsVelocityAsItIs) {
+  Example resting = pendulum(), flying = pendulum();
+  flying.state.v << 3, 1, -2, 3, 1, -2;
+  expect_vector(solve(flying), solve(resting), 1e-8 * solve(resting).norm(),
+                "lambda of a pendulum whose pinned end moves at (3, 1, -2) m/s, and the other as fast",
+                "nothing turns, so it is that at rest; the tolerance, 1e-10, with room");
+}
+
+TEST(SolveConstraints, HasNoUnitOfItsOwn) {
+  Example metres = pendulum(), other = pendulum();
+  const double unit = std::ldexp(1.0, -40);
+  other.constraints.rods[0].length *= unit;
+  other.state.x *= unit;
+  other.f *= unit;
+  expect_vector(solve(other), solve(metres), 1e-8 * solve(metres).norm(),
+                "lambda of a pendulum, all lengths and forces times 2^-40",
+                "the tolerance, 1e-10, with room");
 }
 
 TEST(SolveConstraints, HoldsABead) {
@@ -314,6 +363,18 @@ TEST(SolveConstraints, ReportsHowFarItCame) {
       << "the residual where the ends of a rod of length 0 part at 3 m/s: the norm of the right-hand side, "
          "and not "
          "its square; bound: rounding";
+}
+
+TEST(SolveConstraints, ReportsTheStepsOfConjGrad) {
+  // Two equal rods that share no particle: J W J^T is a multiple of the identity, and one step solves that.
+  Example pair;
+  pair.particles = {VectorXd::Ones(4), {0, 0, 0, 0}};
+  pair.state = {VectorXd::Zero(12), VectorXd::Zero(12)};
+  pair.state.x[3] = pair.state.x[10] = 2;
+  pair.f = scattered_vector(12, 8);
+  pair.constraints.rods = {{0, 1, 2}, {2, 3, 2}};
+  VectorXd lambda(2);
+  EXPECT_EQ(solve_constraints(pair.constraints, pair.particles, pair.state, pair.f, lambda).steps, 1);
 }
 
 TEST(SolveConstraints, TakesTheStepsThatALongChainNeeds) {

@@ -2,7 +2,9 @@
 // the tables of system.h.
 #pragma once
 
+#include <functional>
 #include <limits>
+#include <string>
 
 #include "grader/exercise/P2/system.h"
 #include "grader/suite/random_vector.h"
@@ -34,14 +36,22 @@ struct Solved {
   Eigen::VectorXd lambda;
 };
 
-Solved solve(Trial& trial, const ConstrainedSystem& system);
-double true_residual(const ConstrainedSystem& system, const Eigen::VectorXd& lambda);
+// `before` is what lambda holds on entry.
+Solved solve(Trial& trial, const ConstrainedSystem& system, double before = 0);
 
+// The student's parts are compared with the tables of system.h, each in its own category. What is put together from them is right, too,
+// where it agrees with the student's own parts, as long as these do something: a mistake in one of them is not counted again.
 void expect_matrix(Trial& trial, const ConstrainedSystem& system);
+
+// error(||right-hand side - J W J' lambda||) <= bound.
+void expect_residual(Trial& trial, const ConstrainedSystem& system, const Eigen::VectorXd& lambda,
+                     double bound, const std::string& what,
+                     const std::function<double(double)>& error = std::identity());
 void expect_solved(Trial& trial, const ConstrainedSystem& system, const Eigen::VectorXd& lambda,
                    double tolerance = kTolerance);
 
-// For systems with several solutions lambda: each solution must give the same accelerations.
-void expect_same_accelerations(Trial& trial, const ConstrainedSystem& system);
+// Two of the student's answers, within kTolerance of their size, which is not 0.
+void expect_same_lambda(Trial& trial, const Eigen::VectorXd& a, const Eigen::VectorXd& b,
+                        const std::string& what);
 
 }  // namespace grader::p2

@@ -11,13 +11,12 @@ void wire_values(Trial& trial);
 void rod_forces(Trial& trial);
 void wire_forces(Trial& trial);
 void matrix(Trial& trial);
-void particles_at_rest(Trial& trial);
-void particles_that_move(Trial& trial);
-void beads_on_wires(Trial& trial);
+void constraint_forces(Trial& trial);
 void feedback(Trial& trial);
 void pinned_particles(Trial& trial);
-void redundant(Trial& trial);
-void energy(Trial& trial);
+void nothing_to_hold(Trial& trial);
+void rods_and_wires(Trial& trial);
+void small_unit(Trial& trial);
 void tolerance_and_report(Trial& trial);
 
 }  // namespace grader::p2

@@ -169,6 +169,14 @@ std::vector<ConstrainedSystem> chains(Random& random) {
   return systems;
 }
 
+ConstrainedSystem separate_rods(Random& random, int rods) {
+  ConstrainedSystem system = random_chain(random, 2 * rods);
+  system.name = "separate rods";
+  system.particles.mass.setOnes();
+  for (int i = rods - 1; i-- > 0;) system.constraints.rods.erase(system.constraints.rods.begin() + 2 * i + 1);
+  return system;
+}
+
 std::vector<ConstrainedSystem> beads(Random& random) {
   std::vector<ConstrainedSystem> systems;
   for (int n : {1, 2, 4}) {
