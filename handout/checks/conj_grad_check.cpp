@@ -390,6 +390,22 @@ TEST(ConjGrad, EndsAtAValueThatIsNotFinite) {
   }
 }
 
+TEST(ConjGrad, TakesNoStepFromAResidualThatIsNotFinite) {
+  // The first product is infinite in one place, and so is the first residual.
+  class Broken : public implicitMatrix {
+   public:
+    void matVecMult(double x[], double b[]) override {
+      for (int i = 0; i < 3; ++i) b[i] = 2 * x[i];
+      b[1] = std::numeric_limits<double>::infinity();
+    }
+  } A;
+  SCOPED_TRACE(call("a matrix whose products are infinite in one place, b = (1, 2, 3)", 1e-9, 20));
+  const Outcome out = solve(A, {1, 2, 3}, 1e-9, 20);
+  EXPECT_EQ(out.steps, 0);
+  EXPECT_EQ(out.x, (Vector{1, 2, 3})) << "without a step x stays the first guess, b";
+  EXPECT_FALSE(out.returned <= 1e-9) << "returned " << out.returned;
+}
+
 TEST(ConjGrad, EndsBeforeXOverflows) {
   // The next x is b + alpha (b - Ab), with an entry of 7e308 in the last case and more in the others: no double.
   for (auto [name, d, b] : {std::tuple{"A = [1e-190 0; 0 1e-190], b = (1e140, 2e140)", Vector{1e-190, 1e-190},
@@ -471,7 +487,7 @@ int main(int argc, char** argv) {
        {"The 64th step", "*.TakesOneProductAStep*:*.MovesXAtEach*"},
        {"Very large and very small numbers", "*.ScalesWith*:*.SolvesForAnX*"},
        {"Matrices that are not positive definite", "*.EndsAtADirection*:*.SolvesAConsistent*"},
-       {"Numbers that are not finite", "*.EndsAtAValue*:*.EndsBefore*:*.EndsIf*"},
+       {"Numbers that are not finite", "*.EndsAtAValue*:*.EndsBefore*:*.EndsIf*:*.TakesNoStepFrom*"},
        {"Call after call", "*.GivesTheSame*"},
        {"Systems", "ConjGrad.*"}},
       {{"Example 1 fails", "*.SolvesExample1*"},
@@ -487,5 +503,6 @@ int main(int argc, char** argv) {
        {"right up to 64 steps", "*.MovesXAtEachStep*:*.TakesNoMoreSteps*"},
        {"right for ordinary numbers", "*.Scales*:*.SolvesForAnX*"},
        {"right the first time, wrong the second", "*.GivesTheSame*"},
-       {"it goes on where it can't go on", "*.EndsAt*:*.EndsBefore*:*.EndsIf*:*.SolvesAConsistent*"}});
+       {"it goes on where it can't go on",
+        "*.EndsAt*:*.EndsBefore*:*.EndsIf*:*.SolvesAConsistent*:*.TakesNoStepFrom*"}});
 }
