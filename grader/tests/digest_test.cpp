@@ -105,7 +105,8 @@ TEST(TextTables, AreReadInPlainLetters) {
   EXPECT_EQ(tables.categories[0].points, "2");
   ASSERT_EQ(tables.symptoms.size(), 1U);
   EXPECT_EQ(tables.symptoms[0].seen, "S is 0");
-  EXPECT_EQ(tables.symptoms[0].look, "k = 2 EI/l");
+  EXPECT_EQ(tables.symptoms[0].look, "k = 2 EI/mean l");
+  EXPECT_EQ(plain("$k\\varphi$ and $\\dot J v$"), "k phi and dJ/dt v");
 }
 
 TEST(HowItEnded, NamesTheErrorAndTheLineOfYourFile) {
@@ -116,6 +117,13 @@ TEST(HowItEnded, NamesTheErrorAndTheLineOfYourFile) {
       "AddressSanitizer: heap-buffer-overflow\nin student/conj_grad.cpp:17:5");
   EXPECT_EQ(how_it_ended(0, "/a/student/x.cpp:3:4: runtime error: division by zero\n"),
             "runtime error: division by zero\nin student/x.cpp:3:4:");
+  EXPECT_EQ(how_it_ended(
+                0,
+                "==1==ERROR: AddressSanitizer: attempting double-free on 0x6 in thread T0:\n    #0 0x1 in f "
+                "/home/student/given/x.cpp:1\n    #1 0x1 in g /home/student/a/student/y.cpp:2\n"),
+            "AddressSanitizer: attempting double-free\nin student/y.cpp:2");
+  EXPECT_EQ(how_it_ended(SIGABRT, "/usr/include/c++/12/bits/x.h:1: f(): Assertion 'n < size()' failed.\n"),
+            "Assertion 'n < size()' failed.");
   EXPECT_NE(how_it_ended(SIGXCPU, "").find("never ends"), std::string::npos);
 }
 

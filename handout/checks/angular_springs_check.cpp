@@ -476,7 +476,7 @@ int main(int argc, char** argv) {
        {"add_bend_product_spd",
         "AddProductsSpd",
         [] { add_bend_product_spd(lone, x, x, out); },
-        {"add_bend_force"}}},
+        {"add_bend_force", "add_bend_product"}}},
       {{"The fold", "*.NextToTheFold"},
        {"Particles in the same place, and no joint", "*.WhereDirections*:*.WithoutAJoint*:*.BesideASegment*"},
        {"Tiny, huge and long strands", "*.InAnyUnit:*.OfALongStrand:*.OfAHair*:*.IsTheSameHowever*"},

@@ -1,5 +1,6 @@
 #include "apart.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
 #include <sys/resource.h>
@@ -34,11 +35,26 @@ void tell(int out, char event, const std::string& text) {
   }
 }
 
+// Ends this process after so many further seconds of computing, or thirty times as many of waiting.
+void limit_from_now(unsigned seconds) {
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  rlimit limit{};
+  getrlimit(RLIMIT_CPU, &limit);
+  const auto so_far = static_cast<rlim_t>(used.ru_utime.tv_sec + used.ru_stime.tv_sec);
+  limit.rlim_cur = std::min(limit.rlim_max, so_far + 1 + seconds);
+  setrlimit(RLIMIT_CPU, &limit);
+  alarm(30 * seconds);
+}
+
 class Teller : public testing::EmptyTestEventListener {
  public:
-  explicit Teller(int out) : out_(out) {}
+  Teller(int out, unsigned seconds) : out_(out), seconds_(seconds) {}
 
-  void OnTestStart(const testing::TestInfo& test) override { tell(out_, kStarts, test.name()); }
+  void OnTestStart(const testing::TestInfo& test) override {
+    limit_from_now(seconds_);
+    tell(out_, kStarts, test.name());
+  }
   void OnTestPartResult(const testing::TestPartResult& part) override {
     if (part.failed()) tell(out_, kFails, part.message());
   }
@@ -49,6 +65,7 @@ class Teller : public testing::EmptyTestEventListener {
 
  private:
   int out_;
+  unsigned seconds_;
 };
 
 // Reads both until both are closed at their other ends.
@@ -56,7 +73,10 @@ void read_both(int in1, std::string& text1, int in2, std::string& text2) {
   pollfd open[2] = {{in1, POLLIN, 0}, {in2, POLLIN, 0}};
   std::string* texts[2] = {&text1, &text2};
   while (open[0].fd >= 0 || open[1].fd >= 0) {
-    if (poll(open, 2, -1) < 0 && errno != EINTR) return;
+    if (poll(open, 2, -1) < 0) {
+      if (errno != EINTR) return;
+      continue;
+    }
     for (int i = 0; i < 2; ++i) {
       if (open[i].fd < 0 || open[i].revents == 0) continue;
       char block[4096];
@@ -70,11 +90,11 @@ void read_both(int in1, std::string& text1, int in2, std::string& text2) {
 }
 
 // Runs the checks of the filter.
-void run_checks_of(const std::string& filter, int events) {
+void run_checks_of(const std::string& filter, unsigned seconds, int events) {
   testing::GTEST_FLAG(filter) = filter;
   testing::TestEventListeners& listeners = testing::UnitTest::GetInstance()->listeners();
   delete listeners.Release(listeners.default_result_printer());
-  listeners.Append(new Teller(events));
+  listeners.Append(new Teller(events, seconds));
   [[maybe_unused]] const int failed = RUN_ALL_TESTS();  // the events tell it
 }
 
@@ -94,8 +114,9 @@ Ended run_in_a_child(unsigned seconds, const std::function<void(int events)>& wo
     close(events[0]);
     close(errors[0]);
     dup2(errors[1], STDERR_FILENO);
-    const rlimit limit{seconds, seconds + 5};
-    setrlimit(RLIMIT_CPU, &limit);
+    if (const int nothing = open("/dev/null", O_RDONLY); nothing >= 0) dup2(nothing, STDIN_FILENO);
+    setvbuf(stdout, nullptr, _IOLBF, 0);  // a crash loses no line
+    limit_from_now(seconds);
     work(events[1]);
     std::fflush(nullptr);
     _exit(0);
@@ -136,7 +157,7 @@ Finding* take_events(const std::string& events, const std::vector<Finding*>& che
   return current;
 }
 
-// From where `from` stands to the end of its line; "" if nowhere.
+// From `words` to the end of their line; "" if they stand nowhere.
 std::string line_with(const std::string& text, const std::string& words) {
   const std::size_t at = text.find(words);
   return at == std::string::npos ? "" : text.substr(at, text.find('\n', at) - at);
@@ -144,17 +165,26 @@ std::string line_with(const std::string& text, const std::string& words) {
 
 // "student/conj_grad.cpp:17" of the first frame in a file of yours.
 std::string place_in(const std::string& written) {
-  const std::size_t at = written.find("/student/");
-  if (at == std::string::npos) return "";
-  const std::size_t end = written.find_first_of(" \n)", at);
-  return written.substr(at + 1, end - at - 1);
+  const std::string folder = "/student/";
+  for (std::size_t at = written.find(folder); at != std::string::npos; at = written.find(folder, at + 1)) {
+    const std::string place = written.substr(at + 1, written.find_first_of(" \n)", at) - at - 1);
+    if (place.find('/', folder.size() - 1) == std::string::npos && place.find(".cpp") != std::string::npos)
+      return place;
+  }
+  return "";
+}
+
+bool is_a_sanitizers(const std::string& written) {
+  return written.find("Sanitizer") != std::string::npos ||
+         written.find("runtime error: ") != std::string::npos;
 }
 
 std::string signal_in_words(int signal) {
   if (signal == SIGSEGV || signal == SIGBUS) return "it reached for memory that is not its own";
   if (signal == SIGFPE) return "an integer was divided by 0";
-  if (signal == SIGXCPU || signal == SIGKILL)
-    return "it was ended after " + std::to_string(kMostSeconds) + " s of computing: a loop that never ends?";
+  if (signal == SIGXCPU) return "it took too long, and was ended: a loop that never ends?";
+  if (signal == SIGALRM) return "it waited for too long, and was ended";
+  if (signal == SIGKILL) return "it was killed: did it ask for too much memory?";
   if (signal == SIGABRT) return "it was ended by abort()";
   return std::string("it was ended by a signal: ") + strsignal(signal);
 }
@@ -163,12 +193,13 @@ std::string signal_in_words(int signal) {
 
 std::string how_it_ended(int signal, const std::string& written) {
   std::string words;
-  for (const char* begin : {"AddressSanitizer: ", "runtime error: ", "Assertion `", "terminate called"}) {
+  for (const char* begin : {"AddressSanitizer: ", "runtime error: ", "Assertion `", "Assertion '",
+                            "Assertion failed:", "terminate called", "terminating "}) {
     words = line_with(written, begin);
     if (!words.empty()) break;
   }
   if (words.starts_with("AddressSanitizer: "))  // without the addresses, which say nothing
-    words = words.substr(0, words.find(' ', std::strlen("AddressSanitizer: ")));
+    for (const char* end : {" on ", " 0x", " (", " exceeds"}) words = words.substr(0, words.find(end));
   if (words.empty()) words = signal == 0 ? "the program left in the middle of it" : signal_in_words(signal);
   const std::string place = place_in(written);
   return words + (place.empty() ? "" : "\nin " + place);
@@ -193,11 +224,12 @@ void run_apart(std::vector<Finding*> checks, unsigned seconds) {
   for (int endless = 0; !checks.empty() && endless < 2;) {
     std::string filter;
     for (const Finding* check : checks) filter += (filter.empty() ? "" : ":") + check->full_name();
-    const Ended ended = run_in_a_child(seconds, [&](int events) { run_checks_of(filter, events); });
+    const Ended ended = run_in_a_child(seconds, [&](int events) { run_checks_of(filter, seconds, events); });
+    if (!is_a_sanitizers(ended.errors)) std::fputs(ended.errors.c_str(), stderr);  // a student's own lines
     if (Finding* broken = take_events(ended.events, checks)) {
       broken->state = Finding::State::broke_off;
       broken->failures.push_back(how_it_ended(ended.signal, ended.errors));
-      endless += ended.signal == SIGXCPU || ended.signal == SIGKILL ? 1 : 0;
+      endless += ended.signal == SIGXCPU || ended.signal == SIGALRM ? 1 : 0;
     } else if (std::ranges::all_of(checks,
                                    [](const Finding* one) { return one->state == Finding::State::waits; })) {
       checks.front()->state = Finding::State::broke_off;  // it ended before the first one

@@ -9,7 +9,7 @@
 
 namespace checks {
 
-// CPU seconds after which a check's process is ended. Right programs take one or two for all checks together.
+// CPU seconds that a check may take before its process is ended. Right programs take one or two for all checks together.
 inline constexpr unsigned kMostSeconds = 20;
 
 // Runs the findings' checks, all of one suite, in their order, and fills in states and failures. After two checks that

@@ -18,7 +18,7 @@
 #include "hint.h"
 #include "solver/matrix_market.h"
 
-// What the sanitizers ask: memory that nobody frees is no error here, and costs nothing in grading. What nobody sets holds
+// The sanitizers ask for this: memory that nobody frees is no error here, and costs nothing in grading. What nobody sets holds
 // 0xfe, however much it is, as in grading.
 extern "C" const char* __asan_default_options();
 extern "C" const char* __asan_default_options() {
@@ -155,30 +155,37 @@ std::vector<Finding> all_checks(const std::vector<const Function*>& missing) {
   return findings;
 }
 
-// The first function that this suite's checks ask with and that has failed or waits; or "".
+// The function that this suite's checks wait for: one that they ask with, or that this one waits for itself; or "". Its ordinary
+// checks count, of the category that its first one belongs to: who fails a special case can go on.
 std::string waits_for(const std::string& suite, const std::vector<Function>& functions,
-                      const std::vector<Finding>& findings) {
+                      const std::vector<Finding>& findings, const Asked& asked) {
   const auto of =
       std::ranges::find_if(functions, [&](const Function& one) { return fits(suite, one.suite); });
   if (of == functions.end()) return "";
   for (const std::string& needed : of->needs) {
     const auto function = std::ranges::find(functions, needed, &Function::name);
-    for (const Finding& one : findings)
-      if (function != functions.end() && fits(one.suite, function->suite) &&
-          one.state != Finding::State::passed)
-        return needed;
+    if (function == functions.end()) continue;
+    const Category* ordinary = nullptr;
+    bool first = true;
+    for (const Finding& one : findings) {
+      if (!fits(one.suite, function->suite)) continue;
+      if (first) ordinary = category_of(asked, one);
+      first = false;
+      if (one.state == Finding::State::passed || category_of(asked, one) != ordinary) continue;
+      return one.waits_for.empty() ? needed : one.waits_for;
+    }
   }
   return "";
 }
 
-void run_all(std::vector<Finding>& findings, const std::vector<Function>& functions) {
+void run_all(std::vector<Finding>& findings, const std::vector<Function>& functions, const Asked& asked) {
   std::set<std::string> begun;
   for (const Finding& first : findings) {
     if (!begun.insert(first.suite).second || !first.waits_for.empty()) continue;
     std::vector<Finding*> checks;
     for (Finding& one : findings)
       if (one.suite == first.suite) checks.push_back(&one);
-    const std::string needed = waits_for(first.suite, functions, findings);
+    const std::string needed = waits_for(first.suite, functions, findings, asked);
     if (needed.empty()) {
       run_apart(checks);
     } else {
@@ -188,9 +195,8 @@ void run_all(std::vector<Finding>& findings, const std::vector<Function>& functi
 }
 
 bool has_an_option_of_googletests(int argc, char** argv) {
-  return std::any_of(argv + 1, argv + argc, [](const char* one) {
-    return std::strncmp(one, "--gtest", 7) == 0 || std::strcmp(one, "--help") == 0;
-  });
+  return std::any_of(argv + 1, argv + argc,
+                     [](const char* one) { return std::strncmp(one, "--gtest", 7) == 0; });
 }
 
 int run_plainly(int argc, char** argv, const std::vector<Function>& functions) {
@@ -211,6 +217,15 @@ int run_checks(int argc, char** argv, const std::string& exercise, const std::st
                const std::vector<Function>& functions, const std::vector<Category>& categories,
                const std::vector<Symptom>& symptoms) {
   if (has_an_option_of_googletests(argc, argv)) return run_plainly(argc, argv, functions);
+  for (int i = 1; i < argc; ++i) {
+    const std::string option = argv[i];
+    if (option == "--full" || option == "--list" || option == "--tell") continue;
+    std::printf(
+        "%s is no option of the checks: there are --full, --list, --tell and those of GoogleTest, "
+        "--gtest_...\n",
+        argv[i]);
+    return option == "--help" ? 0 : 2;
+  }
   const auto given = [&](const std::string& option) {
     return std::find(argv + 1, argv + argc, option) != argv + argc;
   };
@@ -224,7 +239,7 @@ int run_checks(int argc, char** argv, const std::string& exercise, const std::st
   const bool tell = given("--tell");
   if (missing.size() == functions.size()) return tell ? 0 : 1;
   std::vector<Finding> findings = all_checks(missing);
-  run_all(findings, functions);
+  run_all(findings, functions, asked);
   std::printf("%s", digest(asked, read_text_tables(text), findings, given("--full")).c_str());
   const auto wrong =
       std::ranges::count_if(findings, [](const Finding& one) { return one.state != Finding::State::passed; });

@@ -1,4 +1,4 @@
-// What the public checks share: a matrix that counts its products, vectors in words, an error beside its
+// Shared by the public checks: a matrix that counts its products, vectors in words, an error beside its
 // bound, the data in golden/, a main program that names the functions that are not written yet and tells of the
 // first failure, and how often a function is asked that must always answer the same.
 #pragma once

@@ -48,7 +48,7 @@ std::optional<double> number_behind(const std::string& line, const std::string& 
   return end == begin ? std::nullopt : std::optional(value);
 }
 
-// Whether the numbers are how often something was done.
+// True if the numbers say how often something was done.
 bool counts(const std::vector<std::string>& lines) {
   return std::ranges::any_of(lines, [](const std::string& line) {
     for (const char* word : {"steps", "products", "sweeps", "iterations", "evaluations", "calls"})
@@ -103,10 +103,6 @@ const Row* first_that_fits(const std::vector<Row>& rows, const Finding& one) {
   return found == rows.end() ? nullptr : &*found;
 }
 
-const Category* category_of(const Asked& asked, const Finding& one) {
-  return first_that_fits(asked.categories, one);
-}
-
 const Symptom* symptom_of(const Asked& asked, const Finding& one) {
   return first_that_fits(asked.symptoms, one);
 }
@@ -128,8 +124,10 @@ void tell_failure(std::ostream& out, const Asked& asked, const TextTables& table
     if (!full) break;
   }
   if (!hint.empty()) out << "  Hint: " << hint << "\n";
-  const Symptom* symptom = one.state == Finding::State::failed ? symptom_of(asked, one) : nullptr;
-  if (symptom != nullptr)
+  const Symptom* symptom = symptom_of(asked, one);
+  if (symptom == nullptr) return;
+  // A crash says where it was; only a row about crashes knows more.
+  if (one.state == Finding::State::failed || symptom->seen.find("crash") != std::string::npos)
     for (const TextTables::Row& row : tables.symptoms)
       if (row.seen.starts_with(symptom->seen)) out << "  Where to look: " << row.look << "\n";
 }
@@ -172,6 +170,10 @@ void tell_categories(std::ostream& out, const Asked& asked, const TextTables& ta
 }
 
 }  // namespace
+
+const Category* category_of(const Asked& asked, const Finding& one) {
+  return first_that_fits(asked.categories, one);
+}
 
 bool fits(const std::string& name, const std::string& patterns) {
   std::istringstream all(patterns);

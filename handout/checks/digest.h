@@ -1,4 +1,4 @@
-// What the checks of an exercise found, for a terminal: the first failure in full, the others by name, the categories at stake.
+// The findings of an exercise's checks, for a terminal: the first failure in full, the others by name, the categories at stake.
 #pragma once
 
 #include <string>
@@ -22,7 +22,7 @@ struct Symptom {
   std::string checks;
 };
 
-// Whether a name fits one of the patterns, in which * stands for any letters.
+// True for a name that fits one of the patterns, in which * stands for any letters.
 bool fits(const std::string& name, const std::string& patterns);
 
 struct Asked {
@@ -32,6 +32,9 @@ struct Asked {
   std::vector<Category> categories;
   std::vector<Symptom> symptoms;
 };
+
+// The first category whose patterns the check fits, or null.
+const Category* category_of(const Asked& asked, const Finding& one);
 
 // At most fifteen lines, and a row for each category. With `full`: all failures, each whole.
 std::string digest(const Asked& asked, const TextTables& tables, const std::vector<Finding>& findings,

@@ -1,4 +1,4 @@
-// What became of one check, and where it stands.
+// The result of one check, and where the check stands.
 #pragma once
 
 #include <string>

@@ -12,7 +12,7 @@ namespace {
 
 using Numbers = std::span<const double>;
 
-// What memory holds that nobody has set: check.cpp has the sanitizers fill it so.
+// Memory that nobody has set holds this: check.cpp has the sanitizers fill it so.
 bool was_never_set(double value) {
   std::uint64_t bits = 0;
   std::memcpy(&bits, &value, sizeof bits);

@@ -1,4 +1,4 @@
-// What wrong numbers say of the mistake behind them, where they say it clearly.
+// Hints: wrong numbers often show clearly which mistake made them.
 #pragma once
 
 #include <span>

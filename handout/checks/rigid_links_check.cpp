@@ -311,7 +311,7 @@ TEST(InwardInertias, BeginWithTheInertiaOfEachLinkTheBasesToo) {
 }
 
 // All blocks of I^A: however the base moves, it feels the sum of the forces that move all links.
-TEST(InwardInertias, AnswerEveryMotionOfTheBase) {
+TEST(OutwardAccelerations, AnswerEveryMotionOfTheBase) {
   const Links links = placed(kQ).links;
   const VectorXd rates = VectorXd::Zero(4), Q = VectorXd::Zero(4);
   for (int k = 0; k < 6; ++k) {
@@ -628,14 +628,14 @@ int main(int argc, char** argv) {
        {"Pass 1: velocities", "OutwardVelocities.*"},
        {"Pass 2: what implicit steps add", "*.AddWhat*:*.TakeTheInertia*"},
        {"Pass 2: articulated bias forces", "*.CarryForces*"},
-       {"Pass 2: articulated inertias and gains", "InwardInertias.*"},
+       {"Pass 2: articulated inertias and gains", "InwardInertias.*:*.AnswerEvery*"},
        {"Pass 3: accelerations", "OutwardAccelerations.*"}},
       {{"velocities are wrong", "OutwardVelocities.AreThose*:OutwardVelocities.GoFrom*"},
        {"the first link does not move", "OutwardVelocities.BeginAt*"},
        {"c is wrong", "OutwardVelocities.Accelerate*"},
        {"forces on a link that spins", "OutwardVelocities.Give*"},
        {"the base has an inertia of 0", "InwardInertias.BeginWith*"},
-       {"I^A or Z^A is wrong", "InwardInertias.OfAPendulum*:InwardInertias.Answer*:InwardInertias.Carry*"},
+       {"I^A or Z^A is wrong", "InwardInertias.OfAPendulum*:*.AnswerEvery*:InwardInertias.Carry*"},
        {"chains are right, trees are not", "InwardInertias.GoFrom*:OutwardAccelerations.OfTwo*"},
        {"stiff joints are wrong", "InwardInertias.AddWhat*"},
        {"accelerations are wrong", "OutwardAccelerations.*"},

@@ -514,7 +514,7 @@ int main(int argc, char** argv) {
        {"add_strip_force",
         "AddStripForce",
         [] { add_strip_force(contacts, kLaw, none, results); },
-        {"strip_energy"}},
+        {"strip_energy", "touch_strip"}},
        {"add_strip_product",
         "AddStripProduct",
         [] { add_strip_product(contacts, kLaw, none, none, results); },

@@ -1,5 +1,6 @@
 #include "text_tables.h"
 
+#include <cctype>
 #include <fstream>
 #include <utility>
 
@@ -36,9 +37,10 @@ std::string plain(const std::string& text) {
                                                               {"\\varphi", "phi"},
                                                               {"\\cdot", "."},
                                                               {"\\times", "x"},
-                                                              {"\\bar ", ""},
+                                                              {"\\bar ", "mean "},
                                                               {"\\hat ", ""},
-                                                              {"\\dot ", ""},
+                                                              {"\\ddot q", "q\""},
+                                                              {"\\dot J", "dJ/dt"},
                                                               {"\\text", ""},
                                                               {"\\,", " "},
                                                               {"\\ge", ">="},
@@ -49,7 +51,12 @@ std::string plain(const std::string& text) {
                                                               {"$", ""},
                                                               {"`", ""},
                                                               {"*", ""}};
-  std::string result = text;
+  std::string result;
+  for (const char letter : text) {  // "k\\varphi" is a product
+    if (letter == '\\' && !result.empty() && std::isalnum(static_cast<unsigned char>(result.back())) != 0)
+      result += ' ';
+    result += letter;
+  }
   for (const auto& [from, to] : signs) replace_all(result, from, to);
   replace_all(result, "  ", " ");
   return result;
