@@ -126,7 +126,9 @@ RunComparison compare_runs(const hair::Scene& scene, const std::vector<int>& pic
   taken.erase(std::ranges::find_if(
                   taken, [&](const Taken& one) { return !(apart_of(one) <= kFarthestDrawn * result.size); }),
               taken.end());
-  const bool is_cut = !pictures.empty() && static_cast<int>(taken.size()) <= pictures.back();
+  // The start shows nothing of theirs.
+  const bool is_cut =
+      !pictures.empty() && taken.size() > 1 && static_cast<int>(taken.size()) <= pictures.back();
   for (const Taken& one : taken) {
     const bool is_last = is_cut && one.frame == taken.back().frame;
     if (!is_last && std::ranges::find(pictures, one.frame) == pictures.end()) continue;
