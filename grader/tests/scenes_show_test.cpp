@@ -34,8 +34,9 @@ const fs::path kProject = HAIR_PROJECT;
 // The largest distance of a particle from the reference's, in the scene's size, that one sees at a glance.
 constexpr double kSeen = 0.02;
 
-// The lines of unseen.txt: "scene S1 rod-pendulum", "unseen S1 returns-norm WHY".
+// The lines of unseen.txt: "scene S1 rod-pendulum", "unseen S1 returns-norm WHY"; "open S1" of an exercise whose bugs have no reasons yet.
 struct Unseen {
+  bool open = false;
   std::vector<std::string> scenes;
   std::map<std::string, std::string> why;  // by sample
 };
@@ -49,6 +50,7 @@ Unseen unseen_of(const std::string& exercise) {
     words >> kind >> id >> name;
     std::getline(words >> std::ws, why);
     if (id != exercise) continue;
+    if (kind == "open") all.open = true;
     if (kind == "scene") all.scenes.push_back(name);
     if (kind == "unseen") all.why[name] = why;
   }
@@ -160,7 +162,7 @@ TEST_F(ScenesShow, EachBugOrTheFileSaysWhyNot) {
     std::printf("%s %s%s%s\n", id_.c_str(), bugs[i].name.c_str(), rows[i].c_str(),
                 excused ? ("; unseen: " + why->second).c_str() : "");
     count += seen[i];
-    EXPECT_NE(static_cast<bool>(seen[i]), excused)
+    EXPECT_TRUE(seen[i] ? !excused : excused || unseen.open)
         << bugs[i].name << rows[i]
         << (excused ? ": a scene shows it. Strike it off grader/samples/unseen.txt"
                     : ": no scene shows it. Let one do so, or say in grader/samples/unseen.txt why none can");
@@ -169,7 +171,8 @@ TEST_F(ScenesShow, EachBugOrTheFileSaysWhyNot) {
   if (environment("HAIR_SAMPLE", "").empty())
     for (const auto& [name, why] : unseen.why)
       ADD_FAILURE() << "grader/samples/unseen.txt names " << name << ", which is no bug of " << id_;
-  std::printf("%s: scenes show %d of %zu bugs\n", id_.c_str(), count, bugs.size());
+  std::printf("%s: scenes show %d of %zu bugs%s\n", id_.c_str(), count, bugs.size(),
+              unseen.open ? "; why not of the others is still to be said" : "");
 }
 
 // The distances mean something: another right solution moves as the reference does.
