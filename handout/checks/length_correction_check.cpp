@@ -63,6 +63,39 @@ void moves_by_masses(Correction correction) {
   }
 }
 
+// It weighs what the others do, and is held.
+void leaves_the_root_alone(Correction correction, const VectorXd& wrong) {
+  VectorXd after = wrong;
+  correction(strand_of(10), 1e-9, 3, after);
+  EXPECT_EQ(after.head<3>(), wrong.head<3>()) << "the root, after three iterations at most";
+}
+
+// From the tip on, each segment gives to its outer end what it takes from its inner one: the momenta of particles i to the last one add up
+// to an impulse along segment i - 1. For errors of 1e-6 directions change by some 1e-5.
+void moves_by_impulses_along_the_segments(Correction correction) {
+  const Strand strand = strand_of(10, 3);
+  const VectorXd before = bent(strand, 1e-6);
+  VectorXd x = before;
+  correction(strand, 1e-12, 100000, x);
+  Vector3d impulse = Vector3d::Zero();
+  for (int i = 9; i > 0; --i) {
+    impulse += strand.mass[i] * (x - before).segment<3>(3 * i);
+    const Vector3d u = (x.segment<3>(3 * i) - x.segment<3>(3 * i - 3)).normalized();
+    expect_entries(impulse - u.dot(impulse) * u, Vector3d::Zero(), 1e-9,
+                   "kg m across segment " + std::to_string(i - 1) + " of 9, which moves particles " +
+                       std::to_string(i) + " to 9, where lengths were off by 1e-6 m",
+                   "what directions change, times a correction of 1e-5 kg m");
+  }
+}
+
+// Crumpled, so that few iterations are enough.
+void ends_for_a_long_strand(Correction correction) {
+  const Strand strand = strand_of(10000);
+  VectorXd wrong = bent(strand, 0.05, 3);
+  EXPECT_LE(correction(strand, 1e-8, 1000, wrong).iterations, 1000)
+      << "iterations for 10,000 particles. Each takes linear time: no full matrix";
+}
+
 // With all iterations that it needs, with one less, and with none.
 void reports_what_it_did(Correction correction, const VectorXd& before,
                          double error(const Strand&, const VectorXd&)) {
@@ -117,6 +150,37 @@ void never_converges_with_nan(Correction correction, const VectorXd& right) {
   }
 }
 
+// An error is relative to the rest length, and a direction is one, however short the segment is.
+void works_in_every_unit(Correction correction) {
+  for (const double unit : {1e-2, 1e-6, 1e-14}) {
+    Strand strand = strand_of(6);
+    VectorXd x = unit * bent(strand, 0.05);
+    strand.rest_length *= unit;
+    const CorrectionReport report = correction(strand, 1e-8, 100000, x);
+    SCOPED_TRACE("segments of some " + ::testing::PrintToString(unit) + " m, tolerance 1e-8");
+    EXPECT_LE(largest_error(strand, x), 1e-8 + 64 * kU) << "the largest |l - l0| / l0 that is left";
+    EXPECT_TRUE(report.converged);
+  }
+}
+
+void is_honest_where_the_root_is_far(Correction correction) {
+  for (const double far : {1e2, 1e6, 2e13, 1e18}) {
+    const Strand strand = strand_of(8);
+    VectorXd x = bent(strand, 0);
+    x[0] += far;
+    const CorrectionReport report = correction(strand, 1e-10, 1000, x);
+    SCOPED_TRACE("8 particles, the root " + ::testing::PrintToString(far) + " m away, tolerance 1e-10");
+    if (far > 1e10) {
+      EXPECT_FALSE(report.converged) << "rounding leaves more than a thousandth of a length";
+    } else {
+      EXPECT_TRUE(x.allFinite());
+      if (report.converged) {
+        EXPECT_LE(largest_error(strand, x), 1e-10 + 0x1p-50 * far) << "the report says that it has converged";
+      }
+    }
+  }
+}
+
 // A straight hair, its tip half as heavy as the other particles, that is 1 % too long.
 int iterations_for(Correction correction, int segments) {
   Strand strand;
@@ -140,6 +204,18 @@ TEST(RelaxLengths, MovesByMasses) {
   moves_by_masses(relax);
 }
 
+TEST(RelaxLengths, LeavesTheRootAlone) {
+  leaves_the_root_alone(relax, bent(strand_of(10), 1e-3));
+}
+
+TEST(RelaxLengths, MovesByImpulsesAlongTheSegments) {
+  moves_by_impulses_along_the_segments(relax);
+}
+
+TEST(RelaxLengths, EndsForALongStrand) {
+  ends_for_a_long_strand(relax);
+}
+
 TEST(RelaxLengths, ReportsWhatItDid) {
   reports_what_it_did(relax, bent(strand_of(10), 0.05), largest_error);
 }
@@ -158,6 +234,10 @@ TEST(RelaxLengths, NeverConvergesWithNaN) {
   never_converges_with_nan(relax, bent(strand_of(10), 0));
 }
 
+TEST(RelaxLengths, WorksInEveryUnit) {
+  works_in_every_unit(relax);
+}
+
 TEST(RelaxLengths, TakesSweepsThatGrowWithTheSquare) {
   std::printf(
       "A straight hair that is 1 %% too long, to 1e-10: your sweeps, for the table in the assignment\n");
@@ -171,6 +251,18 @@ TEST(CorrectLengths, MakesLengthsRight) {
 
 TEST(CorrectLengths, MovesByMasses) {
   moves_by_masses(correct);
+}
+
+TEST(CorrectLengths, LeavesTheRootAlone) {
+  leaves_the_root_alone(correct, bent(strand_of(10), 1e-3));
+}
+
+TEST(CorrectLengths, MovesByImpulsesAlongTheSegments) {
+  moves_by_impulses_along_the_segments(correct);
+}
+
+TEST(CorrectLengths, EndsForALongStrand) {
+  ends_for_a_long_strand(correct);
 }
 
 TEST(CorrectLengths, ReportsWhatItDid) {
@@ -195,6 +287,14 @@ TEST(CorrectLengths, TakesFewIterations) {
 
 TEST(CorrectLengths, LeavesAnErrorThatIsTheTolerance) {
   leaves_an_error_that_is_the_tolerance(correct, vector({0, 0, 0, 0, 0, -1.25}));
+}
+
+TEST(CorrectLengths, WorksInEveryUnit) {
+  works_in_every_unit(correct);
+}
+
+TEST(CorrectLengths, IsHonestWhereTheRootIsFar) {
+  is_honest_where_the_root_is_far(correct);
 }
 
 TEST(CorrectLengths, GivesTheSameHoweverOftenItIsAsked) {
@@ -238,6 +338,16 @@ TEST(CorrectVelocities, StopStretching) {
   }
 }
 
+TEST(CorrectVelocities, LeavesTheRootAlone) {
+  leaves_the_root_alone(stop, scattered_vector(30, 7));
+}
+
+TEST(CorrectVelocities, EndsForALongStrand) {
+  ends_for_a_long_strand([](const Strand& strand, double tolerance, int most, VectorXd& v) {
+    return stop_at(bent(strand, 0.05, 3), strand, tolerance, most, v);
+  });
+}
+
 TEST(CorrectVelocities, ReportsWhatItDid) {
   reports_what_it_did(stop, scattered_vector(30, 7), largest_rate);
 }
@@ -267,6 +377,17 @@ TEST(CorrectVelocities, OfOneSegmentAtOnce) {
   VectorXd v = scattered_vector(6, 7);
   EXPECT_LE(stop(strand, 1e-9, 1000, v).iterations, 2)
       << "iterations for one segment: the first impulse is exact. 1/mass of the root is 0";
+}
+
+TEST(CorrectVelocities, OfASegmentOfNoLength) {
+  Strand strand = strand_of(2);
+  strand.root_tangent = Vector3d(0, 1, 0);
+  VectorXd v = vector({0, 0, 0, 1, 2, 3});
+  stop_at(VectorXd::Ones(6), strand, 1e-9, 1000, v);
+  expect_entries(
+      v, vector({0, 0, 0, 1, 0, 3}), 1e-8,
+      "velocities of two particles in one place, root_tangent (0, 1, 0), the second one at (1, 2, 3) m/s",
+      "ten times the tolerance");
 }
 
 // From the tip on, each segment gives to its outer end what it takes from its inner one.
@@ -311,17 +432,28 @@ int main(int argc, char** argv) {
       {{"relax_lengths", "RelaxLengths", [] { relax_lengths(strand, 1, 1, x); }},
        {"correct_lengths", "CorrectLengths", [] { correct_lengths(strand, 1, 1, x, scratch); }},
        {"correct_velocities", "CorrectVelocities", [] { correct_velocities(strand, x, 1, 1, v, scratch); }}},
-      {},
+      {{"Errors relative to the length", "*.WorksInEveryUnit"},
+       {"A root that was flung away", "*.IsHonest*"},
+       {"The root", "*.LeavesTheRootAlone"},
+       {"Masses", "*.MovesByMasses:*.ByEqualAndOpposite*"},
+       {"Impulses along the segments", "CorrectLengths.MovesByImpulses*"},
+       {"Few iterations", "*.TakesFew*:*.TakesOneSweep*:*.OfOneSegment*"},
+       {"Folds, points and single particles", "*.GivesASegment*:*.OfASegment*"},
+       {"Long strands", "*.EndsForALongStrand"},
+       {"The report", "*.Reports*:*.LeavesAnError*:*.NeverConverges*"},
+       {"Relaxation of lengths", "RelaxLengths.*"},
+       {"Lengths, corrected", "CorrectLengths.*"},
+       {"Velocities", "CorrectVelocities.*"}},
       {{"sweeps never end", "RelaxLengths.MakesLengthsRight"},
        {"right for equal masses only", "*.MovesByMasses"},
        {"one iteration too many, or too few",
         "*.ReportsWhatItDid:*.TakesOneSweep*:*.LeavesAnError*:*.OfOneSegment*"},
        {"it reports success for NaN", "*.NeverConverges*"},
-       {"NaN for coincident particles", "*.GivesASegment*"},
+       {"NaN for coincident particles", "*.GivesASegment*:*.OfASegment*"},
        {"Newton's method explodes on a bent strand",
         "CorrectLengths.MakesLengthsRight:CorrectLengths.TakesFew*"},
-       {"lengths are right, the hair drifts", "*Root*"},
+       {"lengths are right, the hair drifts", "*.LeavesTheRoot*"},
        {"velocities still stretch", "CorrectVelocities.Stop*:CorrectVelocities.TakesFew*"},
        {"impulses that are not along", "CorrectVelocities.By*"},
-       {"good at 30 particles", "*Sweeps*:*Long*"}});
+       {"good at 30 particles", "*SweepsThatGrow*:*Long*"}});
 }

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Asks for the calls of H5, and judges what comes back.
 #include "grader/exercise/H5/answers.h"
 
 #include <Eigen/Core>
@@ -42,9 +42,6 @@ Corrected correct(Trial& trial, int function, const Strand& strand, const Vector
                                               trial, strand, tolerance, most, corrected.result)
                                         : ask_student_for<Calls, hair::correct_lengths>(
                                               trial, strand, tolerance, most, corrected.result, kScratch);
-  trial.expect(corrected.report.iterations >= 0 && corrected.report.iterations <= most,
-               name_of(function) + " reports more iterations than it may take",
-               std::to_string(corrected.report.iterations));
   return corrected;
 }
 
@@ -55,9 +52,6 @@ Corrected correct_velocities(Trial& trial, const Strand& strand, const VectorXd&
   corrected.report =
       ask<Calls, hair::correct_velocities>(asker, strand, x, tolerance, most, corrected.result, kScratch);
   trial.expect(!asker.changed_input(), "correct_velocities changes x");
-  trial.expect(corrected.report.iterations >= 0 && corrected.report.iterations <= most,
-               "correct_velocities reports more iterations than it may take",
-               std::to_string(corrected.report.iterations));
   return corrected;
 }
 
@@ -68,10 +62,10 @@ VectorXd reference_lengths(const Strand& strand, VectorXd x) {
 }
 
 void expect_lengths(Trial& trial, int function, const Strand& strand, double tolerance,
-                    const Corrected& corrected) {
+                    const Corrected& corrected, double slack) {
   const VectorXd& x = corrected.result;
   const double round = rounding(x, strand.segments() > 0 ? strand.rest_length.minCoeff() : 1);
-  trial.expect_at_most(largest_error(strand, x), tolerance + round,
+  trial.expect_at_most(largest_error(strand, x), slack * tolerance + round,
                        "the largest error of a length after " + name_of(function));
   trial.expect(corrected.report.converged, name_of(function) + " reports that it has not converged");
 }
@@ -82,20 +76,16 @@ void expect_near(Trial& trial, int function, const Strand& strand, const VectorX
 }
 
 void expect_velocities(Trial& trial, const Strand& strand, const VectorXd& x, const VectorXd& v,
-                       double tolerance, bool values) {
+                       double tolerance) {
   const Corrected corrected = correct_velocities(trial, strand, x, v, tolerance);
   const double speed = v.cwiseAbs().maxCoeff(), round = 32 * kUnit * strand.count() * speed;
   trial.expect_at_most(largest_rate(strand, x, corrected.result), tolerance + round,
                        "the velocity at which a segment is still stretched");
   trial.expect(corrected.report.converged, "correct_velocities reports that it has not converged");
-  trial.expect_at_most(std::abs(corrected.report.error - largest_rate(strand, x, corrected.result)), round,
-                       "the error of the error that correct_velocities reports");
   VectorXd expected = v;
   MatrixXd scratch(v.size(), hair::kCorrectionScratch);
   hair::correct_velocities(strand, x, 1e-14 * speed, 10, expected, scratch);
-  trial.expect_at_most(moved(strand, v, corrected.result), kFar * moved(strand, v, expected),
-                       "how much correct_velocities changes velocities, by the masses");
-  if (!values) return;
+  if (strand.segments() == 0) return;
 
   const double smallest = solver::symmetric_eigenvalues(multiplier_matrix(strand, x)).minCoeff();
   const double left = (tolerance + round) * std::sqrt(strand.segments());

@@ -35,17 +35,17 @@ Corrected correct_velocities(Trial& trial, const Strand& strand, const VectorXd&
 
 VectorXd reference_lengths(const Strand& strand, VectorXd x);
 
+// `slack`: times the tolerance.
 void expect_lengths(Trial& trial, int function, const Strand& strand, double tolerance,
-                    const Corrected& corrected);
+                    const Corrected& corrected, double slack = 1);
 
 // A coarse check: with any order of impulses along the segments, their sum is about the necessary motion, and
 // even code that ignores the masses moves only a few times as much. A wrong place is far beyond that.
 void expect_near(Trial& trial, int function, const Strand& strand, const VectorXd& x, const VectorXd& after);
 
-// With `values`, also compares with the reference's: corrections differ by the effect of the tolerance. A
-// remaining rate r of size tolerance in each segment has the effect sqrt(r' (J W J')^-1 r) in the norm of
-// `moved`.
+// Compares with the reference's: corrections differ by the effect of the tolerance. A remaining rate r of size tolerance in
+// each segment has the effect sqrt(r' (J W J')^-1 r) in the norm of `moved`.
 void expect_velocities(Trial& trial, const Strand& strand, const VectorXd& x, const VectorXd& v,
-                       double tolerance, bool values);
+                       double tolerance);
 
 }  // namespace grader::h5

@@ -5,18 +5,17 @@
 
 namespace grader::h5 {
 
-// Each sends its cases to the student's functions and throws CaseFailed at the first failure.
 void relaxation(Trial& trial);
-void relaxation_masses(Trial& trial);
 void lengths(Trial& trial);
 void impulses(Trial& trial);
+void velocities(Trial& trial);
 void masses(Trial& trial);
-void distance(Trial& trial);
 void root(Trial& trial);
 void report(Trial& trial);
-void velocities(Trial& trial);
-void velocity_impulses(Trial& trial);
+void iterations(Trial& trial);
 void degenerate(Trial& trial);
+void far_root(Trial& trial);
+void units(Trial& trial);
 void long_strands(Trial& trial);
 
 }  // namespace grader::h5

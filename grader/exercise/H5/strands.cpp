@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Draws strands and their states, and measures them.
 #include "grader/exercise/H5/strands.h"
 
 #include <Eigen/Geometry>
@@ -6,13 +6,20 @@
 
 namespace grader::h5 {
 
-Strand random_strand(Random& random, int n, double ratio) {
+Strand random_strand(Random& random, int n, double ratio, double length) {
   Strand strand;
   strand.mass.resize(n);
   strand.rest_length.resize(n - 1);
   const double unit = random.log_uniform(1e-7, 1e-3);
   for (double& mass : strand.mass) mass = unit * (ratio > 1 ? random.log_uniform(1, ratio) : 1);
-  for (double& length : strand.rest_length) length = 0.01 * random.uniform(0.7, 1.4);
+  strand.mass[0] = 1e15 * unit;
+  for (double& rest : strand.rest_length) rest = length * random.uniform(0.7, 1.4);
+  return strand;
+}
+
+Strand unit_strand(Random& random, int n) {
+  Strand strand = random_strand(random, n, 1);
+  strand.rest_length.setOnes();
   return strand;
 }
 
@@ -27,8 +34,8 @@ VectorXd placed(Random& random, const Strand& strand, double bend) {
   return x;
 }
 
-VectorXd disturbed(Random& random, VectorXd x, double size) {
-  x.tail(x.size() - 3) += random_vector(random, x.size() - 3, 0.01 * size);
+VectorXd disturbed(Random& random, VectorXd x, double size, double length) {
+  x.tail(x.size() - 3) += random_vector(random, x.size() - 3, length * size);
   return x;
 }
 
@@ -56,7 +63,7 @@ double largest_rate(const Strand& strand, const VectorXd& x, const VectorXd& v) 
 
 double moved(const Strand& strand, const VectorXd& from, const VectorXd& to) {
   double sum = 0;
-  for (int i = 0; i < strand.count(); ++i)
+  for (int i = 1; i < strand.count(); ++i)
     sum += strand.mass[i] * (to - from).segment<3>(3 * i).squaredNorm();
   return std::sqrt(sum);
 }
