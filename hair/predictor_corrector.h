@@ -13,7 +13,7 @@
 
 #include "hair/length_correction.h"
 #include "hair/strand.h"
-#include "particles/implicit_euler.h"
+#include "particles/solve_implicit.h"
 
 namespace hair {
 
@@ -31,7 +31,7 @@ struct StepReport {
 };
 
 // One step of h seconds, h > 0. The masses of `particles` are strand.mass, and its root is pinned. Evaluates
-// the force twice and allocates nothing; ConjGrad's own memory does not count.
+// the force twice. Allocates nothing itself: memory of the functions that it calls does not count.
 StepReport predictor_corrector(const particles::Force& force, const particles::Particles& particles,
                                const Strand& strand, double h, double tolerance, particles::State& state,
                                Scratch scratch);

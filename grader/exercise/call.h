@@ -4,6 +4,7 @@
 //   Output, T&                                       there and back; a list keeps its length
 //   Scratch                                          its shape and a number that fills it, the server makes it
 //   const Force&, Dynamics&, Operator                stays with the client, the server asks it (grader/exercise/remote.h)
+//   implicitMatrix&                                  the same; square, of the size of the call's vectors
 //   std::unique_ptr<implicitMatrix>, returned        stays with the server; a request makes it and multiplies with it
 //
 // grader/exercise/<ID>/calls.h lists an exercise's calls, and the forms of the structs that it alone has. From the list follow

@@ -11,7 +11,7 @@
 //
 // Askers are cases (grader/suite/case_asker.h), whole runs (grader/play/asked.h), and a worker's code that calls a provided function
 // (grader/worker/provided.h). In place of an object of the caller's that is asked, a server of it may be given, which counts:
-// ForceServer, DynamicsServer; Served for an Operator. In place of Scratch: Filling.
+// ForceServer, DynamicsServer; Served for an Operator or a matrix. In place of Scratch: Filling.
 #pragma once
 
 #include <limits>
@@ -81,6 +81,8 @@ class Sender {
       send_force(given);
     } else if constexpr (std::is_same_v<P, particles::Dynamics&>) {
       send_dynamics(given);
+    } else if constexpr (std::is_same_v<P, implicitMatrix&>) {
+      send_square(given);
     } else if constexpr (std::is_same_v<P, Operator>) {
       send_operator(given);
     } else {
@@ -135,22 +137,32 @@ class Sender {
       answering_.add_operator(given);
   }
 
+  static Products products_of(const Operator& given) {
+    return [given](int, const std::vector<double>& x, std::vector<double>& y) {
+      if (static_cast<int>(x.size()) != given.cols) throw MalformedMessage("a question that makes no sense");
+      std::vector<double> input = x;
+      y.resize(static_cast<std::size_t>(given.rows));
+      given.matrix->matVecMult(input.data(), y.data());
+      return true;
+    };
+  }
+
   template <class Given>
   void send_operator(Given& given) {
-    if constexpr (std::is_same_v<std::remove_const_t<Given>, Operator>) {
-      request_.put(
-          answering_.add_operator([given](int, const std::vector<double>& x, std::vector<double>& y) {
-            if (static_cast<int>(x.size()) != given.cols)
-              throw MalformedMessage("a question that makes no sense");
-            std::vector<double> input = x;
-            y.resize(static_cast<std::size_t>(given.rows));
-            given.matrix->matVecMult(input.data(), y.data());
-            return true;
-          }));
-    } else {
+    if constexpr (std::is_same_v<std::remove_const_t<Given>, Operator>)
+      request_.put(answering_.add_operator(products_of(given)));
+    else
       request_.put(answering_.add_operator(given.products));
-    }
     request_.put(given.rows).put(given.cols);
+  }
+
+  // The other side knows its number, 0, and its size.
+  template <class Given>
+  void send_square(Given& given) {
+    if constexpr (std::is_base_of_v<implicitMatrix, Given>)
+      answering_.add_operator(products_of({static_cast<int>(size_), static_cast<int>(size_), &given}));
+    else
+      answering_.add_operator(given.products);
   }
 
   MessageWriter& request_;
@@ -171,7 +183,7 @@ void take_back(MessageReader& reply, Given& given) {
                              std::to_string(given.size()));
     given = value;
   } else if constexpr (std::is_lvalue_reference_v<P> && !std::is_const_v<std::remove_reference_t<P>> &&
-                       !std::is_same_v<P, particles::Dynamics&>) {
+                       !std::is_same_v<P, particles::Dynamics&> && !std::is_same_v<P, implicitMatrix&>) {
     std::remove_cvref_t<P> value = given;
     decode(reply, value);
     expect_like(value, given);

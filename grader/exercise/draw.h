@@ -75,7 +75,7 @@ struct Parameter {
       request.put(std::uint8_t{0});
     } else if constexpr (std::is_same_v<P, Operator>) {
       request.put(source.integer(-1, 2)).put(source.length()).put(source.length());
-    } else if constexpr (!std::is_same_v<P, particles::Dynamics&>) {
+    } else if constexpr (!std::is_same_v<P, particles::Dynamics&> && !std::is_same_v<P, implicitMatrix&>) {
       encode(request, any<std::remove_cvref_t<P>>(source));
     }
   }

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Answers questions about a force.
 #include "grader/exercise/force_server.h"
 
 #include "grader/wire/force_answer.h"
@@ -17,8 +17,11 @@ bool ForceServer::operator()(int which, const std::vector<double>& question, std
     throw MalformedMessage("a question that makes no sense");
 
   answer_about(force_, which, size_, question, answer);
-  if (which == kForceForce && forces_at.size() < kForcesKept)
-    forces_at.emplace_back(question.begin(), question.begin() + size_);
+  if (which == kForceForce && forces_at.size() < kForcesKept) {
+    forces_at.push_back({Eigen::Map<const Eigen::VectorXd>(question.data(), size_),
+                         Eigen::Map<const Eigen::VectorXd>(question.data() + size_, size_)});
+    products_before.push_back(dfdv);
+  }
   int* const counts[] = {&energies, &forces, &dfdx, &dfdv, &bands};
   ++*counts[which - kForceEnergy];
   return energies + forces + dfdx + dfdv + bands <= most_;

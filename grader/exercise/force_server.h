@@ -1,5 +1,5 @@
 // STAFF ONLY. Serves a force to a student's code: the other side is RemoteForce, remote.h. It counts the questions and stores the
-// positions of force evaluations.
+// states of force evaluations.
 #pragma once
 
 #include <vector>
@@ -7,6 +7,7 @@
 #include "grader/wire/force_message.h"
 #include "grader/wire/message.h"
 #include "particles/force.h"
+#include "particles/state.h"
 
 namespace grader {
 
@@ -19,7 +20,9 @@ class ForceServer {
   bool operator()(int which, const std::vector<double>& question, std::vector<double>& answer);
 
   int energies = 0, forces = 0, dfdx = 0, dfdv = 0, bands = 0;  // questions so far
-  std::vector<std::vector<double>> forces_at;                   // x of the first evaluations of the force
+  // Of the first evaluations of the force: the states, and how many products with df/dv came before each.
+  std::vector<particles::State> forces_at;
+  std::vector<int> products_before;
 
  private:
   const particles::Force& force_;

@@ -201,6 +201,21 @@ class Stored<particles::Dynamics&, Host, contract> : public StoredParameter {
 };
 
 template <class Host, Contract contract>
+class Stored<implicitMatrix&, Host, contract> : public StoredParameter {
+ public:
+  explicit Stored(Host& host) : host_(host) {}
+  void read(MessageReader&) {}
+  void prepare(Eigen::Index size) {
+    if (!matrix_) matrix_.emplace(host_, 0, static_cast<int>(size), static_cast<int>(size));
+  }
+  implicitMatrix& view() { return *matrix_; }
+
+ private:
+  Host& host_;
+  std::optional<RemoteMatrix<Host>> matrix_;
+};
+
+template <class Host, Contract contract>
 class Stored<Operator, Host, contract> : public StoredParameter {
  public:
   explicit Stored(Host& host) : host_(host) {}

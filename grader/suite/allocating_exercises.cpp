@@ -68,14 +68,13 @@ std::unique_ptr<implicitMatrix> implicit_matrix(const Force&, const Particles&, 
                                                 double) {
   return std::make_unique<Product>(nullptr);
 }
-SolveReport solve_implicit(const Force& force, const Particles&, const State& state, double, double, double,
-                           Output dv, Scratch) {
-  force.add_force(state.x, state.v, dv);
-  allocate();
+void implicit_rhs(const Force& force, const Particles&, const State& state, double, double, Output rhs) {
+  force.add_force(state.x, state.v, rhs);
+}
+SolveReport solve_plain(implicitMatrix&, Output, double, int, Output) {
   return {};
 }
 SolveReport implicit_euler(const Force&, const Particles&, double, double, State&, Scratch) {
-  allocate();
   return {};
 }
 

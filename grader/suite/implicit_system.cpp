@@ -1,9 +1,10 @@
-// STAFF ONLY.
+// STAFF ONLY. Forces, particles and the table of an implicit step.
 #include "grader/suite/implicit_system.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <cmath>
+#include <utility>
 
 #include "grader/suite/rounding.h"
 #include "particles/springs.h"
@@ -18,6 +19,37 @@ Eigen::MatrixXd definite(Random& random, int n, double size) {
   for (double& entry : R.reshaped()) entry = random.normal();
   return size * (R * R.transpose() / n + 0.5 * Eigen::MatrixXd::Identity(n, n));
 }
+
+// Another force where units are `mass` and `length` times as small.
+class InOtherUnits final : public particles::Force {
+ public:
+  InOtherUnits(std::shared_ptr<const particles::Force> force, double mass, double length)
+      : force_(std::move(force)), mass_(mass), length_(length) {}
+  double energy(particles::Input x) const override {
+    return mass_ * length_ * length_ * force_->energy(x / length_);
+  }
+  void add_force(particles::Input x, particles::Input v, particles::Output f) const override {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(f.size());
+    force_->add_force(x / length_, v / length_, sum);
+    f += mass_ * length_ * sum;
+  }
+  void add_dfdx(particles::Input x, particles::Input v, particles::Input dx,
+                particles::Output df) const override {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(df.size());
+    force_->add_dfdx(x / length_, v / length_, dx, sum);
+    df += mass_ * sum;
+  }
+  void add_dfdv(particles::Input x, particles::Input v, particles::Input dv,
+                particles::Output df) const override {
+    Eigen::VectorXd sum = Eigen::VectorXd::Zero(df.size());
+    force_->add_dfdv(x / length_, v / length_, dv, sum);
+    df += mass_ * sum;
+  }
+
+ private:
+  std::shared_ptr<const particles::Force> force_;
+  double mass_, length_;
+};
 
 }  // namespace
 
@@ -105,6 +137,16 @@ Cloud chain(Random& random, int n, double mass, double stiff, double h) {
   }
   cloud.force = std::make_shared<particles::DampedSprings>(std::move(springs), particles::Products::definite);
   return cloud;
+}
+
+Cloud in_other_units(const Cloud& cloud, double mass, double length) {
+  Cloud other = cloud;
+  other.name += ", in other units";
+  other.particles.mass *= mass;
+  other.state.x *= length;
+  other.state.v *= length;
+  other.force = std::make_shared<InOtherUnits>(cloud.force, mass, length);
+  return other;
 }
 
 ImplicitSystem implicit_system(const Cloud& cloud, double a, double b) {

@@ -77,6 +77,9 @@ Cloud random_cloud(Random& random, std::string name, int n, double lightest, dou
 // masses are about `mass`; the stiffness k is such that h^2 k / m = `stiff`.
 Cloud chain(Random& random, int n, double mass, double stiff, double h);
 
+// The same with masses times `mass`, lengths and velocities times `length`; times are the same.
+Cloud in_other_units(const Cloud& cloud, double mass, double length);
+
 struct ImplicitSystem {
   Eigen::MatrixXd A;
   Eigen::VectorXd rhs, dv;  // dv is the solution

@@ -1,5 +1,5 @@
 // The public checks of H4. Every failure prints the input, what was expected, what came, the error and its bound. The
-// contract is in particles/implicit_euler.h. The checks of solve_implicit and implicit_euler need S1.
+// contract is in particles/implicit_euler.h. The checks of solve_plain and implicit_euler need S1.
 
 #include "particles/implicit_euler.h"
 
@@ -7,13 +7,11 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
+#include <utility>
 
 #include "check.h"
 #include "derivative.h"
 #include "implicit_systems.h"
-#include "particles/force_sum.h"
-#include "particles/gravity.h"
 #include "stepping.h"
 
 using namespace checks;
@@ -21,12 +19,13 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using hair::GeometricTerm;
 using particles::Particles;
+using particles::solve_plain;
 using particles::SolveReport;
 using particles::State;
 
 namespace {
 
-const double kU = std::ldexp(1.0, -53), kStep = 1.0 / 60;
+const double kU = std::ldexp(1.0, -53);
 
 // Two particles of 2 and 3 kg, 2 m apart along x, and a spring of 4 N/m between them that is 1 m long at rest.
 const Particles kFree{Eigen::Vector2d(2, 3), {0, 0}}, kPinned{Eigen::Vector2d(2, 3), {1, 0}},
@@ -57,8 +56,18 @@ VectorXd six(double a, double b, double c, double d, double e, double f) {
   return values;
 }
 
-const char* const kChainText =
-    "60 particles of 1e-7 kg in a row, 1 cm apart, springs of 1e-3 N/m, the first one stretched by 1 mm";
+// Reflected along (1, 2, 3, ...), so that no number of a product is 0: eigenvalues 1, 2, ... times `unit`.
+Table counted_table(int size, double unit) {
+  VectorXd w = VectorXd::LinSpaced(size, 1, size).normalized(),
+           eigenvalues = VectorXd::LinSpaced(size, 1, size);
+  const MatrixXd H = MatrixXd::Identity(size, size) - 2 * w * w.transpose();
+  return Table(unit * (H * eigenvalues.asDiagonal() * H));
+}
+
+std::string table_text(int size, double unit, double rhs) {
+  return std::to_string(size) + " unknowns, eigenvalues 1, 2, ... times " + ::testing::PrintToString(unit) +
+         ", a right-hand side of length " + ::testing::PrintToString(rhs);
+}
 
 }  // namespace
 
@@ -79,6 +88,16 @@ TEST(ImplicitMatrix, SubtractsBothDerivatives) {
                  what + ", with the x of particle 1", "32 u: rounding");
   expect_entries(times(*matrix, unit(1)), six(0, 2 + 0.25 + 0.25, 0, 0, -0.25, 0), 32 * kU,
                  what + ", with the y of particle 0", "32 u: rounding");
+}
+
+TEST(ImplicitMatrix, SubtractsDamping) {
+  const Spring drag(0, 1, GeometricTerm::full, 0.5);
+  const State state = apart();
+  expect_entries(
+      times(*implicit_matrix(drag, kFree, state, 0.5, 0.25), six(1, 2, 3, 4, 5, 6)),
+      six(2.25, 4.5, 6.75, 13, 16.25, 19.5), 32 * kU,
+      "the product with (1, 2, 3, 4, 5, 6), masses 2 and 3 kg, drag of 0.5 N s/m, a = 0.5, b = 0.25",
+      "32 u: rounding");
 }
 
 TEST(ImplicitMatrix, HasPinnedRowsAndColumnsOfTheIdentity) {
@@ -118,275 +137,182 @@ TEST(ImplicitMatrix, TakesOneProductOfEachKind) {
       << spring.products_v << " products with df/dv for the first of the matrix; " << allowed;
 }
 
-TEST(SolveImplicit, SolvesItsSystem) {
-  for (const Particles& particles : {kFree, kPinned, kOtherPinned}) {
-    const Spring spring(4, 1, GeometricTerm::full, 0.5);
-    const State state = apart();
-    const double a = 0.5, b = 0.25;
-    const MatrixXd A = table(spring, particles, state, a, b);
-    const VectorXd rhs = right_side(spring, particles, state, a, b);
-    VectorXd dv = VectorXd::Constant(6, 1e3);
-    MatrixXd scratch = MatrixXd::Constant(6, particles::kImplicitScratch, 1e3);
-    const int before = spring.forces;
-    const SolveReport report = solve_implicit(spring, particles, state, a, b, 1e-10, dv, scratch);
-    const std::string what = kText + pinned_text(particles);
-    expect_entries(A * dv, rhs, 1e-10 * rhs.norm() + 4096 * kU * A.norm(),
-                   "matrix times dv, beside a (f + b df/dx v), a = 0.5, b = 0.25, " + what,
-                   "1e-10 ||rhs|| + 4096 u ||A||: tolerance and rounding, see solver/linearSolver.h");
-    EXPECT_EQ(spring.forces - before, 1) << "evaluations of the force";
-    EXPECT_TRUE(report.converged) << what;
-    EXPECT_NEAR(report.rhs, rhs.norm(), 1e-12) << "the report's ||right-hand side||, " << what;
-    EXPECT_LE(report.residual, 1e-10 * rhs.norm()) << "the report's residual, " << what;
-  }
-}
-
-TEST(SolveImplicit, TakesDerivativesAtTheState) {
-  const double a = 0.5, b = 0.25;
+TEST(ImplicitMatrix, TakesDerivativesAtTheState) {
   const State state{six(1, 0.5, 2, 1.5, -1, 0.5), six(0.5, 1, 0.25, 1, -0.5, 2)};
-  VectorXd dv = VectorXd::Constant(6, 1e3), expected(6), rhs(6);
+  const VectorXd dx = six(1, 2, -1, 3, 1, -2);
+  VectorXd expected(6);
   for (int i = 0; i < 6; ++i) {
-    const double x = state.x[i], v = state.v[i], m = kFree.mass[i / 3];
-    const double f = -x * x * v * v * v, dfdx = -2 * x * v * v * v, dfdv = -3 * x * x * v * v;
-    rhs[i] = a * (f + b * dfdx * v);
-    expected[i] = rhs[i] / (m - a * dfdv - a * b * dfdx);
+    const double x = state.x[i], v = state.v[i];
+    expected[i] = (kFree.mass[i / 3] + 0.5 * 3 * x * x * v * v + 0.5 * 0.25 * 2 * x * v * v * v) * dx[i];
   }
-  MatrixXd scratch = MatrixXd::Constant(6, particles::kImplicitScratch, 1e3);
-  solve_implicit(ThickAir(), kFree, state, a, b, 1e-10, dv, scratch);
-  expect_entries(dv, expected, 1e-10 * rhs.norm(),
-                 "dv for f = -x^2 v^3, entry by entry, masses 2 and 3 kg, a = 0.5, b = 0.25, at x = " +
+  expect_entries(times(*implicit_matrix(ThickAir(), kFree, state, 0.5, 0.25), dx), expected, 1e-12,
+                 "the product with (1, 2, -1, 3, 1, -2) for f = -x^2 v^3, entry by entry, masses 2 and 3 kg, "
+                 "a = 0.5, b = 0.25, at x = " +
                      particles_in_words(state.x) + ", v = " + particles_in_words(state.v),
-                 "1e-10 ||rhs||: the tolerance, and no eigenvalue of the matrix is below 2");
+                 "rounding");
 }
 
-TEST(SolveImplicit, KeepsItsToleranceForLightParticles) {
-  const Chain chain;
-  const particles::DampedSprings springs(chain.springs, particles::Products::definite);
-  int steps_before = 0;
-  for (double tolerance : {1e-2, 1e-6, 1e-10}) {
-    const Solved system = solved(springs, chain.particles, chain.state, kStep, tolerance);
-    SCOPED_TRACE(std::string(kChainText) + ", a = b = 1/60 s, tolerance " +
-                 ::testing::PrintToString(tolerance));
-    EXPECT_LE(system.left(), tolerance * system.rhs.norm() + system.rounding())
-        << "||rhs - matrix dv||, where ||rhs|| is " << system.rhs.norm()
-        << ": ConjGrad's epsilon is the square of what may be left";
-    EXPECT_NEAR(system.report.residual, system.left(), system.rounding() + 1e-6 * system.left())
-        << "the report's residual";
-    EXPECT_TRUE(system.report.converged);
-    EXPECT_FALSE(system.report.preconditioned) << "these springs don't know their band";
-    EXPECT_GT(system.report.steps, steps_before) << "iterations: a smaller tolerance takes more";
-    steps_before = system.report.steps;
+TEST(ImplicitMatrix, IsTheSameInEveryUnit) {
+  const Spring spring(4, 1, GeometricTerm::full, 0.5);
+  const State state = apart();
+  auto matrix = implicit_matrix(spring, kPinned, state, 0.5, 0.25);
+  const VectorXd x = six(1, 2, 3, 4, 5, 6), product = times(*matrix, x);
+  for (const double unit : {0x1p-50, 0x1p50})
+    expect_entries(times(*matrix, unit * x) / unit, product, 0,
+                   "the product with (1, 2, 3, 4, 5, 6) times " + ::testing::PrintToString(unit) +
+                       ", over that number, beside the product with (1, 2, ...)",
+                   "powers of two don't round. What is compared with a number that has a unit?");
+}
+
+TEST(ImplicitMatrix, KeepsLightMasses) {
+  const Spring none(0, 1, GeometricTerm::full);
+  const Particles light{Eigen::Vector2d(2e-7, 3e-9), {0, 0}};
+  const State state = apart();
+  expect_entries(times(*implicit_matrix(none, light, state, 0.1, 0.2), six(1, 1, 1, 1, 1, 1)),
+                 six(2e-7, 2e-7, 2e-7, 3e-9, 3e-9, 3e-9), 1e-22,
+                 "the product with (1, 1, 1, 1, 1, 1), masses 2e-7 and 3e-9 kg, no forces", "rounding");
+}
+
+TEST(ImplicitRhs, IsTheForceAndWhatTheMotionChangesOfIt) {
+  const double a = 0.5, b = 0.25;
+  const Spring spring(4, 1, GeometricTerm::full, 0.5);
+  const State state = apart();
+  VectorXd rhs = VectorXd::Constant(6, 1e3);
+  implicit_rhs(spring, kFree, state, a, b, rhs);
+  // The spring pulls by 4 N, and drag by 0.5 v. df/dx v: -4 * 0.75 along the spring, -2 * 1 across it.
+  expect_entries(
+      rhs, six(a * (4 - 0.25 - b * 3), a * b * 2, 0, a * (-4 + 0.125 + b * 3), a * (-0.5 - b * 2), 0),
+      64 * kU, std::string("a (f + b df/dx v), a = 0.5, b = 0.25, for ") + kText, "64 u: rounding");
+  EXPECT_EQ(spring.forces, 1) << "evaluations of the force";
+  EXPECT_EQ(spring.products_x, 1) << "products with df/dx";
+  EXPECT_EQ(spring.products_v, 0) << "products with df/dv";
+}
+
+TEST(ImplicitRhs, IsZeroWherePinned) {
+  const Spring spring(4, 1, GeometricTerm::full, 0.5);
+  const State state = apart();
+  VectorXd free(6);
+  implicit_rhs(spring, kFree, state, 0.5, 0.25, free);
+  for (const Particles& particles : {kPinned, kOtherPinned}) {
+    VectorXd rhs = VectorXd::Constant(6, 1e3), expected = free;
+    implicit_rhs(spring, particles, state, 0.5, 0.25, rhs);
+    expected.segment<3>(particles.is_pinned(0) ? 0 : 3).setZero();
+    expect_entries(rhs, expected, 64 * kU,
+                   "a (f + b df/dx v) " + pinned_text(particles).substr(2) +
+                       ", beside that of two free ones with 0 in its place: v is all of v, for " + kText,
+                   "64 u: rounding");
   }
 }
 
-// With a preconditioner: springs between neighbours know their band, ties between others do not.
-namespace {
-
-void expect_solved(const Solved& system, double tolerance) {
-  EXPECT_TRUE(system.report.preconditioned) << "the report says that there was no preconditioner: "
-                                               "particles::Preconditioner exists for these forces";
-  EXPECT_LE(system.left(), tolerance * system.rhs.norm() + system.rounding())
-      << "||rhs - matrix dv||; bound: the tolerance, and 2^-48 (||matrix|| ||dv|| + ||rhs||), rounding";
-  EXPECT_NEAR(system.report.residual, system.left(), system.rounding())
-      << "the report's residual: that of dv, computed anew, and not that of L^-1 r";
-  EXPECT_NEAR(system.report.rhs, system.rhs.norm(), 1e-12 * system.rhs.norm())
-      << "the report's ||right-hand side||";
-  EXPECT_TRUE(system.report.converged) << "after " << system.report.steps << " steps";
-  expect_all_steps_reported(system);
-}
-
-// Tied, and each particle but the root off by up to 1 mm.
-Chain tied_chain(double tie, double rest_length) {
-  Chain chain(3.6);
-  chain.state.x.tail(177) += 1e-3 * scattered_vector(177, 3);
-  chain.tie(tie, rest_length);
-  return chain;
-}
-
-}  // namespace
-
-TEST(SolveImplicit, TakesFewStepsWithAPreconditioner) {
-  // h^2 k/m is 2.8e6: conjugate gradients alone take hundreds of steps.
-  const Chain chain(1e3);
-  const Solved system = solved(BandedSprings(chain.springs), chain.particles, chain.state, kStep, 1e-10);
-  SCOPED_TRACE("60 particles of 1e-7 kg in a row, springs of 1e3 N/m that know their band, a = b = 1/60 s");
-  expect_solved(system, 1e-10);
-  EXPECT_LE(system.report.steps, 2 * particles::kMostSolves)
-      << "iterations: the preconditioner is the matrix, but "
-         "for rounding, so that each solve takes two at most";
-}
-
-TEST(SolveImplicit, IsContentWithWhatRoundingAllows) {
-  // A slow wave: the springs' forces on a particle nearly cancel, so that the right-hand side is a thousandth of ||matrix|| ||dv||,
-  // and no solve comes as near to it as the tolerance asks.
-  Chain chain(1e3);
-  for (int i = 1; i < chain.particles.count(); ++i) {
-    chain.state.x[3 * i] = 0.01 * i;
-    chain.state.v[3 * i] = 1e-6 * std::sin(std::numbers::pi * i / 119);
+TEST(ImplicitRhs, IsTakenAtTheState) {
+  const State state{six(1, 0.5, 2, 1.5, -1, 0.5), six(0.5, 1, 0.25, 1, -0.5, 2)};
+  VectorXd rhs = VectorXd::Constant(6, 1e3), expected(6);
+  for (int i = 0; i < 6; ++i) {
+    const double x = state.x[i], v = state.v[i];
+    expected[i] = 0.5 * (-x * x * v * v * v - 0.25 * 2 * x * v * v * v * v);
   }
-  const double tolerance = 1e-15;
-  const Solved system = solved(BandedSprings(chain.springs), chain.particles, chain.state, kStep, tolerance);
-  SCOPED_TRACE(
-      "60 particles of 1e-7 kg in a row, springs of 1e3 N/m that know their band, velocities of at most 1e-6 "
-      "m/s along the row, "
-      "a = b = 1/60 s, tolerance 1e-15");
-  EXPECT_LE(system.left(), system.rounding())
-      << "||rhs - matrix dv||; bound: 2^-48 (||matrix|| ||dv|| + ||rhs||)";
-  EXPECT_TRUE(system.report.converged)
-      << "the residual is " << system.report.residual << ", " << system.report.residual / system.report.rhs
-      << " of the right-hand side; Preconditioner::rounding_allows says for the norms of dv and of the "
-         "right-hand side whether that is enough";
+  implicit_rhs(ThickAir(), kFree, state, 0.5, 0.25, rhs);
+  expect_entries(rhs, expected, 1e-12,
+                 "a (f + b df/dx v) for f = -x^2 v^3, entry by entry, a = 0.5, b = 0.25, at x = " +
+                     particles_in_words(state.x) + ", v = " + particles_in_words(state.v),
+                 "rounding");
 }
 
-TEST(SolveImplicit, SolvesAgainForWhatIsLeft) {
-  // The ties are as stiff as the chain is, and one solve of at most 180 steps is not enough.
-  const Chain chain = tied_chain(1, 0.06);
-  SCOPED_TRACE(
-      "60 particles of 1e-7 kg, a chain of 3.6 N/m, ties of 1 N/m that the preconditioner does not know");
-  for (const double tolerance : {1e-10, 1e-12})
-    expect_solved(solved(BandedSprings(chain.springs), chain.particles, chain.state, kStep, tolerance),
-                  tolerance);
+TEST(ImplicitRhs, IsTheSameInEveryUnit) {
+  const State state = apart();
+  VectorXd known(6), rhs(6);
+  implicit_rhs(Spring(4, 1, GeometricTerm::full, 0.5), kFree, state, 0.5, 0.25, known);
+  for (const double unit : {0x1p-50, 0x1p50}) {
+    implicit_rhs(Spring(4 * unit, 1, GeometricTerm::full, 0.5 * unit), kFree, state, 0.5, 0.25, rhs);
+    expect_entries(rhs / unit, known, 0, "the right-hand side in another unit of mass",
+                   "powers of two don't round. What is compared with a number that has a unit?");
+  }
 }
 
-TEST(SolveImplicit, SolvesOnceWhereThatIsEnough) {
-  const Chain chain = tied_chain(0.1, 0.07);
-  SCOPED_TRACE(
-      "60 particles of 1e-7 kg, a chain of 3.6 N/m, ties of 0.1 N/m that the preconditioner does not know");
-  const BandedSprings springs(chain.springs);
-  const Solved coarse = solved(springs, chain.particles, chain.state, kStep, 1e-4),
-               fine = solved(springs, chain.particles, chain.state, kStep, 1e-10);
-  expect_solved(fine, 1e-10);
-  EXPECT_LE(fine.report.steps, 100)
-      << "iterations: each of the 53 ties adds little to the matrix, and one solve is enough";
-  EXPECT_LT(coarse.report.steps, fine.report.steps) << "iterations to 1e-4, and to 1e-10";
+TEST(SolvePlain, SolvesItsSystem) {
+  for (const int size : {3, 30}) {
+    Table matrix = counted_table(size, 1);
+    const VectorXd right = scattered_vector(size, 1);
+    VectorXd rhs = right, dv = VectorXd::Constant(size, 1e3);
+    const SolveReport report = solve_plain(matrix, rhs, 1e-10, 20 * size, dv);
+    SCOPED_TRACE(table_text(size, 1, right.norm()) + ", tolerance 1e-10");
+    expect_entries(matrix.A * dv, right, 1e-9 * right.norm(), "matrix times dv, beside the right-hand side",
+                   "the tolerance, ten times");
+    EXPECT_EQ(rhs, right) << "the right-hand side is another one afterwards";
+    EXPECT_TRUE(report.converged);
+    EXPECT_FALSE(report.preconditioned);
+    EXPECT_NEAR(report.rhs, right.norm(), 1e-12) << "the report's ||right-hand side||";
+    EXPECT_NEAR(report.residual, (right - matrix.A * dv).norm(), 1e-11) << "the report's residual";
+    EXPECT_EQ(matrix.products, 1 + report.steps + report.steps / 64)
+        << "products, where the report says " << report.steps << " steps";
+  }
 }
 
-TEST(SolveImplicit, TakesTheStepsThatItNeeds) {
-  // h^2 k/m is 1e4, and springs are stretched in all directions.
-  const Chain chain = [] {
-    Chain stretched(3.6);
-    stretched.state.x += 1e-3 * scattered_vector(stretched.state.x.size(), 3);
-    return stretched;
-  }();
-  const particles::DampedSprings springs(chain.springs, particles::Products::definite);
-  const Solved system = solved(springs, chain.particles, chain.state, kStep, 1e-10);
-  SCOPED_TRACE("60 particles of 1e-7 kg, springs of 3.6 N/m that do not know their band: some 160 steps");
-  EXPECT_LE(system.left(), 1e-10 * system.rhs.norm() + system.rounding());
-  EXPECT_TRUE(system.report.converged)
-      << "ConjGrad may take max(100, 20 * 3n) steps. It took " << system.report.steps;
-  expect_all_steps_reported(system);
+TEST(SolvePlain, KeepsItsToleranceForLightParticles) {
+  int before = 0;
+  for (const double tolerance : {1e-2, 1e-6, 1e-10}) {
+    Table matrix = counted_table(40, 1e-7);
+    VectorXd rhs = 1e-9 * scattered_vector(40, 2), dv(40);
+    const SolveReport report = solve_plain(matrix, rhs, tolerance, 800, dv);
+    SCOPED_TRACE(table_text(40, 1e-7, rhs.norm()) + ", tolerance " + ::testing::PrintToString(tolerance));
+    EXPECT_LE((rhs - matrix.A * dv).norm(), (tolerance + 1e-12) * rhs.norm())
+        << "||rhs - matrix dv||: ConjGrad's epsilon is the square of what may be left";
+    EXPECT_TRUE(report.converged);
+    EXPECT_GT(report.steps, before) << "iterations: a smaller tolerance takes more";
+    before = report.steps;
+  }
 }
 
-TEST(SolveImplicit, TakesAllStepsThatItMay) {
-  // Between any two of 33 particles a tie, from h^2 k/m = 1 to 1e6, and a tolerance that no solve reaches.
-  Chain tangle(3.6, 33);
-  const VectorXd numbers = scattered_vector(33 * 33, 2);
-  tangle.state.x += 1e-3 * scattered_vector(99, 3);
-  for (int i = 0; i < 33; ++i)
-    for (int j = i + 2; j < 33; ++j)
-      tangle.springs.push_back({i, j, 3.6e-4 * std::pow(1e3, 1 + numbers[33 * i + j]), 0.01 * (j - i)});
-  const Solved system = solved(BandedSprings(tangle.springs), tangle.particles, tangle.state, kStep, 0);
-  SCOPED_TRACE("33 particles, a tie between any two, tolerance 0");
-  EXPECT_TRUE(system.report.steps % 100 == 0 && system.report.steps <= 100 * particles::kMostSolves)
-      << system.report.steps << " steps: max(100, 3n) in each of at most " << particles::kMostSolves
-      << " solves";
-  expect_all_steps_reported(system);
+TEST(SolvePlain, TakesNoMoreStepsThanItMay) {
+  for (const int most : {1, 5}) {
+    Table matrix = counted_table(30, 1);
+    VectorXd rhs = scattered_vector(30, 1), dv(30);
+    const SolveReport report = solve_plain(matrix, rhs, 1e-10, most, dv);
+    SCOPED_TRACE(table_text(30, 1, rhs.norm()) + ", tolerance 1e-10");
+    EXPECT_EQ(report.steps, most) << "steps, where ConjGrad needs 30";
+    EXPECT_EQ(matrix.products, 1 + most) << "products: one call of ConjGrad";
+    EXPECT_FALSE(report.converged) << "after " << most << " steps";
+    EXPECT_NEAR(report.residual, (rhs - matrix.A * dv).norm(), 1e-11) << "the report's residual";
+  }
 }
 
-TEST(SolveImplicit, IsTheSameInEveryUnit) {
-  // Masses of 2^-20 kg and lengths of 2^10 m or the like make powers of two of all numbers, and rounding stays the same.
-  const auto in_units = [](double mass, double length, double tolerance) {
-    Chain chain = tied_chain(0.1, 0.07);
-    chain.particles.mass *= mass;
-    chain.particles.pinned[0] = 0;
-    chain.state.x *= length;
-    for (particles::Spring& spring : chain.springs) spring.stiffness *= mass, spring.rest_length *= length;
-    Solved system = solved(BandedSprings(chain.springs), chain.particles, chain.state, kStep, tolerance);
-    system.dv /= length;
-    return system;
+TEST(SolvePlain, SolvesNothing) {
+  Table matrix = counted_table(9, 1);
+  VectorXd rhs = VectorXd::Zero(9), dv = VectorXd::Constant(9, 1e3);
+  const SolveReport report = solve_plain(matrix, rhs, 1e-10, 180, dv);
+  EXPECT_TRUE(dv.isZero(0)) << "dv for a right-hand side of 0";
+  EXPECT_EQ(report.steps, 0);
+  EXPECT_EQ(report.residual, 0);
+  EXPECT_TRUE(report.converged) << "0 <= tolerance * 0";
+}
+
+TEST(SolvePlain, SaysWhatItCannotSolve) {
+  Table matrix = counted_table(9, -1);
+  VectorXd rhs = scattered_vector(9, 1), dv(9);
+  const SolveReport indefinite = solve_plain(matrix, rhs, 1e-2, 180, dv);
+  EXPECT_FALSE(indefinite.converged) << "eigenvalues -1, -2, ...";
+  EXPECT_LE(indefinite.steps, 1) << "steps: ConjGrad gives up at once, and so must the solve";
+  Table definite = counted_table(9, 1);
+  rhs[7] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(solve_plain(definite, rhs, 1e-2, 180, dv).converged)
+      << "a number of the right-hand side is not a number";
+}
+
+TEST(SolvePlain, IsTheSameInEveryUnit) {
+  const auto in_unit = [](double unit) {
+    Table matrix = counted_table(20, 1);
+    VectorXd right = unit * scattered_vector(20, 1), dv = VectorXd::Zero(20);
+    const SolveReport report = solve_plain(matrix, right, 1e-10, 400, dv);
+    return std::pair(VectorXd(dv / unit), report);
   };
-  for (const double tolerance : {1e-10, 0.0}) {
-    const Solved known = in_units(1, 1, tolerance);
-    for (const double mass : {0x1p-20, 0x1p20})
-      for (const double length : {0x1p-10, 0x1p10}) {
-        const Solved same = in_units(mass, length, tolerance);
-        SCOPED_TRACE("with masses times " + ::testing::PrintToString(mass) + " and lengths times " +
-                     ::testing::PrintToString(length) + ", tolerance " + ::testing::PrintToString(tolerance));
-        EXPECT_EQ(same.report.steps, known.report.steps)
-            << "steps. What is compared with a number that has a unit?";
-        EXPECT_EQ(same.report.converged, known.report.converged);
-        EXPECT_LE((same.dv - known.dv).norm(), 1e-6 * known.dv.norm());
-      }
+  const auto [known, report] = in_unit(1);
+  for (const double unit : {0x1p-100, 0x1p100}) {
+    const auto [dv, other] = in_unit(unit);
+    SCOPED_TRACE(table_text(20, 1, unit));
+    EXPECT_EQ(other.steps, report.steps) << "steps. What is compared with a number that has a unit?";
+    EXPECT_EQ(other.converged, report.converged);
+    EXPECT_LE((dv - known).norm(), 1e-9 * known.norm()) << "dv in its unit";
   }
-}
-
-TEST(SolveImplicit, SolvesNothing) {
-  Chain chain(1e3);
-  chain.particles.pinned.assign(60, 1);
-  const particles::DampedSprings plain(chain.springs, particles::Products::definite);
-  const BandedSprings banded(chain.springs);
-  for (const particles::Force* force :
-       {static_cast<const particles::Force*>(&plain), static_cast<const particles::Force*>(&banded)}) {
-    const Solved system = solved(*force, chain.particles, chain.state, kStep, 1e-10);
-    EXPECT_TRUE(system.dv.isZero(0)) << "all particles are pinned";
-    EXPECT_EQ(system.report.steps, 0);
-    EXPECT_EQ(system.report.residual, 0);
-    EXPECT_TRUE(system.report.converged) << "0 <= tolerance * 0";
-  }
-}
-
-TEST(SolveImplicit, SaysWhatItCannotSolve) {
-  // A number that is not finite can't be solved for.
-  Chain chain;
-  const particles::DampedSprings springs(chain.springs, particles::Products::definite);
-  VectorXd dv = VectorXd::Zero(chain.state.x.size());
-  MatrixXd scratch = MatrixXd::Zero(dv.size(), particles::kImplicitScratch);
-  chain.state.x[7] = std::numeric_limits<double>::quiet_NaN();
-  const SolveReport none =
-      solve_implicit(springs, chain.particles, chain.state, 0.1, 0.1, 1e-10, dv, scratch);
-  EXPECT_FALSE(none.converged)
-      << "a position is not a number, and yet the report says that the solve converged";
-  EXPECT_LE(none.steps, 1) << "a position is not a number: ConjGrad gives up, and so must the solve";
-
-  // 1 m of spring pressed to 0.5 m: across it, the matrix of a = b = 1 s is 3 - 100 (2 - 1) < 0 for the free particle.
-  const Spring pressed(100, 1, GeometricTerm::full);
-  State state{VectorXd::Zero(6), VectorXd::Zero(6)};
-  state.x[3] = 0.5;
-  state.v << 0, 0, 0, 0.5, 1, 0;
-  const Solved system = solved(pressed, kPinned, state, 1, 1e-10);
-  ASSERT_TRUE(system.dv.allFinite()) << "dv, where the matrix is not positive definite";
-  EXPECT_TRUE(!system.report.converged || system.left() <= 1e-9 * system.rhs.norm())
-      << "the matrix is not positive definite, ||rhs - matrix dv|| is " << system.left() << " of "
-      << system.rhs.norm() << ", and yet the report says that the solve converged";
-  EXPECT_LE(system.report.steps, 2) << "steps. The matrix has two different eigenvalues, one of which is "
-                                       "negative: ConjGrad breaks down in the second "
-                                       "step at the latest, and there is no use in calling it again";
-}
-
-// Without a preconditioner rounding leaves more than the tolerance where h^2 k/m is 3e13 and a bent chain can fold.
-TEST(SolveImplicit, SaysWhereRoundingKeepsItFromItsTolerance) {
-  const int most = 20 * 60;
-  int longest = 0;
-  for (int which : {1, 2, 3}) {
-    Chain chain(1e10, 20);
-    chain.state.x.tail(57) += 3e-3 * scattered_vector(57, which);
-    chain.particles.mass.array() *= 1 + 0.4 * scattered_vector(20, which + 5).array();
-    for (particles::Spring& spring : chain.springs)
-      spring.rest_length =
-          (chain.state.x.segment<3>(3 * spring.j) - chain.state.x.segment<3>(3 * spring.i)).norm();
-    particles::ForceSum force;
-    force.emplace<particles::DampedSprings>(chain.springs, particles::Products::definite);
-    force.emplace<particles::Gravity>(chain.particles.mass, Eigen::Vector3d(0, 0, -9.81));
-    SCOPED_TRACE("20 particles of some 1e-7 kg in a bent chain of 1e10 N/m under gravity, a = b = 1/60 s");
-    const Solved fine = solved(force, chain.particles, chain.state, kStep, 1e-10),
-                 loose = solved(force, chain.particles, chain.state, kStep, 1e-6);
-    EXPECT_FALSE(fine.report.converged) << "tolerance 1e-10";
-    EXPECT_TRUE(fine.dv.allFinite());
-    EXPECT_LE(fine.report.steps, 3 * most) << "steps of ConjGrad, 20 * 3n in a call, to 1e-10, 1e-8 and 1e-6";
-    EXPECT_LE(loose.report.steps, most) << "steps to 1e-6: no larger tolerance is tried";
-    expect_all_steps_reported(fine);
-    if (!loose.report.converged) longest = std::max(longest, loose.report.steps);
-  }
-  EXPECT_TRUE(longest == 0 || longest == most) << longest << " steps, where ConjGrad may take " << most;
 }
 
 TEST(ImplicitEuler, MovesWithTheNewVelocity) {
@@ -394,6 +320,7 @@ TEST(ImplicitEuler, MovesWithTheNewVelocity) {
   State state = apart(), before = state;
   MatrixXd scratch(6, particles::kImplicitScratch);
   implicit_euler(spring, kFree, 0.5, 1e-10, state, scratch);
+  EXPECT_EQ(spring.forces, 1) << "evaluations of the force";
   EXPECT_GT((state.v - before.v).norm(), 0.1) << "the velocity does not change: is the result in `state`?";
   expect_entries(state.x, before.x + 0.5 * state.v, 64 * kU,
                  std::string("x + h times the new v, h = 0.5, ") + kText, "64 u: rounding");
@@ -423,6 +350,36 @@ TEST(ImplicitEuler, LeavesPinnedParticlesTheirVelocity) {
   EXPECT_EQ(state.v.head<3>(), before.v.head<3>()) << "a pinned particle changed its velocity";
   expect_entries(state.x.head<3>(), before.x.head<3>() + 0.5 * before.v.head<3>(), 64 * kU,
                  "a pinned particle's position", "64 u: rounding");
+}
+
+TEST(ImplicitEuler, SolvesForTheWholeStep) {
+  // a = b = h: the system and its solution by your own matrix and right-hand side.
+  const double h = 0.5;
+  const Spring spring(1, 1.5, GeometricTerm::dropped, 0.1);
+  const State before = apart();
+  State state = before;
+  MatrixXd scratch(6, particles::kImplicitScratch);
+  const SolveReport report = implicit_euler(spring, kFree, h, 1e-10, state, scratch);
+  VectorXd rhs(6);
+  implicit_rhs(spring, kFree, before, h, h, rhs);
+  expect_entries(
+      times(*implicit_matrix(spring, kFree, before, h, h), state.v - before.v), rhs, 1e-8,
+      "your matrix times the change of v, beside your right-hand side, a = b = h = 0.5, springs of 1 N/m",
+      "a hundred times the tolerance");
+  EXPECT_TRUE(report.converged) << "the report of solve_implicit";
+  EXPECT_NEAR(report.rhs, rhs.norm(), 1e-12) << "the report's ||right-hand side||";
+}
+
+TEST(ImplicitEuler, PassesItsToleranceOn) {
+  const Chain chain(1e-3, 30);
+  const particles::DampedSprings springs(chain.springs, particles::Products::definite);
+  const auto steps = [&](double tolerance) {
+    State state = chain.state;
+    MatrixXd scratch(90, particles::kImplicitScratch);
+    return implicit_euler(springs, chain.particles, 1.0 / 60, tolerance, state, scratch).steps;
+  };
+  const int coarse = steps(1e-2), fine = steps(1e-10);
+  EXPECT_LT(coarse, fine) << "iterations to 1e-2, and to 1e-10: 30 particles in a row, springs of 1e-3 N/m";
 }
 
 TEST(ImplicitEuler, DampsAnOscillatorAsBackwardEulerDoes) {
@@ -459,11 +416,34 @@ int main(int argc, char** argv) {
   static const Spring spring(1, 1, GeometricTerm::full);
   static State state = apart();
   static MatrixXd scratch(6, particles::kImplicitScratch);
-  static VectorXd dv(6);
+  static VectorXd dv(6), rhs = VectorXd::Ones(6);
   return run(
       argc, argv,
       {{"implicit_matrix", "ImplicitMatrix", [] { implicit_matrix(spring, kFree, state, 1, 1); }},
-       {"solve_implicit", "SolveImplicit",
-        [] { solve_implicit(spring, kFree, state, 1, 1, 1e-10, dv, scratch); }},
-       {"implicit_euler", "ImplicitEuler", [] { implicit_euler(spring, kFree, 1, 1e-10, state, scratch); }}});
+       {"implicit_rhs", "ImplicitRhs", [] { implicit_rhs(spring, kFree, state, 1, 1, dv); }},
+       {"solve_plain", "SolvePlain",
+        [] {
+          Table matrix = counted_table(6, 1);
+          solve_plain(matrix, rhs, 1e-10, 100, dv);
+        }},
+       {"implicit_euler", "ImplicitEuler", [] { implicit_euler(spring, kFree, 1, 1e-10, state, scratch); }}},
+      {{"Other units", "*EveryUnit"},
+       {"Pinned particles", "*Pinned*"},
+       {"Masses", "*Masses*"},
+       {"Damping", "*Damping"},
+       {"Evaluations and products", "*.TakesOneProduct*"},
+       {"The matrix", "ImplicitMatrix.*"},
+       {"The right-hand side", "ImplicitRhs.*"},
+       {"The tolerance", "SolvePlain.KeepsItsTolerance*"},
+       {"Nothing to solve", "*.SolvesNothing"},
+       {"The plain solve", "SolvePlain.SolvesItsSystem"},
+       {"The report", "SolvePlain.*"},
+       {"A step", "ImplicitEuler.*"}},
+      {{"right for 1 kg only", "*Masses*"},
+       {"pinned particles drift", "*Pinned*"},
+       {"it explodes, faster", "ImplicitMatrix.Subtracts*"},
+       {"a moving root does not pull", "ImplicitRhs.IsTheForce*"},
+       {"it falls, but springs do nothing", "SolvePlain.KeepsItsTolerance*"},
+       {"nothing ever moves", "SolvePlain.SolvesItsSystem:ImplicitEuler.Moves*"},
+       {"a solve ends at once, unconverged", "SolvePlain.Says*"}});
 }

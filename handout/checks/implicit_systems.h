@@ -1,4 +1,4 @@
-// The systems that the checks of H4 and H6 solve: chains of springs, forces that count, and a system with what came of it.
+// The systems that the checks of H4 and H6 solve: chains of springs, drag, and matrices as tables.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -30,11 +30,6 @@ struct Chain {
       state.x[3 * i] = 0.01 * i + 0.001;
       springs.push_back({i - 1, i, stiffness, 0.01});
     }
-  }
-
-  // Springs between particles that are seven apart. The band does not know of them.
-  void tie(double stiffness, double rest_length) {
-    for (int i = 7; i < particles.count(); ++i) springs.push_back({i - 7, i, stiffness, rest_length});
   }
 };
 
@@ -82,34 +77,18 @@ class ThickAir : public particles::Force {
   }
 };
 
-// Another force, which counts how often it is asked for itself and for a product with df/dv.
-class CountedForce : public particles::Force {
+// A matrix as it stands, which counts its products.
+class Table : public implicitMatrix {
  public:
-  explicit CountedForce(const particles::Force& force) : force_(force) {}
+  explicit Table(const Eigen::MatrixXd& entries) : A(entries) {}
 
-  double energy(particles::Input x) const override { return force_.energy(x); }
-  void add_force(particles::Input x, particles::Input v, particles::Output f) const override {
-    ++forces;
-    force_.add_force(x, v, f);
-  }
-  void add_dfdx(particles::Input x, particles::Input v, particles::Input dx,
-                particles::Output df) const override {
-    force_.add_dfdx(x, v, dx, df);
-  }
-  void add_dfdv(particles::Input x, particles::Input v, particles::Input dv,
-                particles::Output df) const override {
+  void matVecMult(double x[], double b[]) override {
     ++products;
-    force_.add_dfdv(x, v, dv, df);
-  }
-  bool add_band(particles::Input x, particles::Input v, double by_dfdx, double by_dfdv,
-                solver::BlockBand& band, particles::Scratch work) const override {
-    return force_.add_band(x, v, by_dfdx, by_dfdv, band, work);
+    Eigen::Map<Eigen::VectorXd>(b, A.rows()) = A * Eigen::Map<const Eigen::VectorXd>(x, A.cols());
   }
 
-  mutable int forces = 0, products = 0;
-
- private:
-  const particles::Force& force_;
+  Eigen::MatrixXd A;
+  int products = 0;
 };
 
 inline Eigen::VectorXd times(implicitMatrix& matrix, Eigen::VectorXd x) {
@@ -127,52 +106,6 @@ inline Eigen::MatrixXd table(const particles::Force& force, const particles::Par
   Eigen::MatrixXd A(state.x.size(), state.x.size());
   for (int j = 0; j < A.cols(); ++j) A.col(j) = times(*matrix, Eigen::VectorXd::Unit(A.cols(), j));
   return A;
-}
-
-// a (f + b df/dx v), and 0 where particles are pinned.
-inline Eigen::VectorXd right_side(const particles::Force& force, const particles::Particles& particles,
-                                  const particles::State& state, double a, double b) {
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(state.x.size());
-  force.add_dfdx(state.x, state.v, Eigen::VectorXd(b * state.v), sum);
-  force.add_force(state.x, state.v, sum);
-  for (int i = 0; i < particles.count(); ++i)
-    if (particles.is_pinned(i)) sum.segment<3>(3 * i) *= 0;
-  return a * sum;
-}
-
-// The system of a step of h seconds, solved.
-struct Solved {
-  Eigen::MatrixXd A;
-  Eigen::VectorXd rhs, dv;
-  particles::SolveReport report;
-  int products = 0;  // with df/dv
-
-  double left() const { return (rhs - A * dv).norm(); }
-  // Rounding of a residual: sums of some 15 terms, and as much for the numbers in them.
-  double rounding() const { return 0x1p-48 * (A.norm() * dv.norm() + rhs.norm()); }
-};
-
-inline Solved solved(const particles::Force& force, const particles::Particles& particles,
-                     const particles::State& state, double h, double tolerance) {
-  Solved system{table(force, particles, state, h, h),
-                right_side(force, particles, state, h, h),
-                Eigen::VectorXd::Constant(state.x.size(), 1e3),
-                {}};
-  const CountedForce counted(force);
-  Eigen::MatrixXd scratch = Eigen::MatrixXd::Constant(state.x.size(), particles::kImplicitScratch, 1e3);
-  system.report = solve_implicit(counted, particles, state, h, h, tolerance, system.dv, scratch);
-  system.products = counted.products;
-  return system;
-}
-
-// ConjGrad takes a product for each step, one more in each call, and one for every 64 steps; each residual is another one.
-// A program that writes the matrix out takes 3n.
-inline void expect_all_steps_reported(const Solved& system) {
-  const int steps = system.report.steps, others = system.products - steps - steps / 64;
-  EXPECT_TRUE((others >= 0 && others <= 2 * particles::kMostSolves) ||
-              system.products <= system.dv.size() + 4)
-      << "the report says " << steps << " steps, of all calls of ConjGrad together, but there were "
-      << system.products << " products with df/dv";
 }
 
 }  // namespace checks

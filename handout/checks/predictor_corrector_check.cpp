@@ -89,6 +89,22 @@ TEST(PredictorCorrector, TakesTheFiveStepsOnASpring) {
   expect_entries(state.v, six(Vector3d::Zero(), v3), 1e-9, "v of the same", "1e-10 of the solves, ten times");
 }
 
+TEST(PredictorCorrector, MovesWithThePredictedVelocity) {
+  // As above, and the rest length is the length that step 2 leads to: nothing is corrected.
+  const double h = 0.5, half = 1;
+  const Vector3d predicted = Vector3d(1, 0, 0) + h * Vector3d(1 - half / (2 + half), 2, 0);
+  Strand strand = two();
+  strand.rest_length[0] = predicted.norm();
+  State state = moving();
+  MatrixXd scratch = MatrixXd::Constant(6, hair::kPredictorCorrectorScratch, 1e3);
+  predictor_corrector(Spring(8, 1, GeometricTerm::dropped), kTwo, strand, h, 1e-10, state, scratch);
+  expect_entries(
+      state.x, six(Vector3d::Zero(), predicted), 1e-9,
+      "x after a step of 0.5 s from (1, 0, 0) m at (1, 2, 0) m/s, 2 kg, a spring of 8 N/m and 1 m, where "
+      "the length is right after step 2",
+      "1e-10 of the solves, ten times");
+}
+
 // With springs that know their band, solve_implicit has a preconditioner, whose memory is another part of `scratch`.
 TEST(PredictorCorrector, IsTheSameWithAPreconditioner) {
   Chain chain(1e-3, 8);
@@ -195,6 +211,33 @@ TEST(PredictorCorrector, EvaluatesTheForceTwice) {
   EXPECT_TRUE(report.filter.converged && report.correction.converged && report.second_filter.converged)
       << "the report of a step that is easy";
   EXPECT_GT(report.correction.iterations, 0) << "iterations of the correction";
+  // h/2 (f + h df/dx v): at first the spring is at rest length and stretched at 1 m/s. So 0.25 * 8 * 0.5 N s.
+  EXPECT_NEAR(report.filter.rhs, 1, 1e-12) << "the first report's ||right-hand side||";
+  EXPECT_GT(std::abs(report.second_filter.rhs - 1), 0.1)
+      << "the second report's: is it that of the first solve?";
+}
+
+TEST(PredictorCorrector, IsTheSameInEveryUnit) {
+  const auto in_unit = [](double unit) {
+    Strand strand = two();
+    strand.rest_length *= unit;
+    const Spring spring(8, unit, GeometricTerm::dropped);
+    State state = moving();
+    state.x *= unit;
+    state.v *= unit;
+    MatrixXd scratch = MatrixXd::Constant(6, hair::kPredictorCorrectorScratch, 1e3);
+    predictor_corrector(spring, kTwo, strand, 0.5, 1e-10, state, scratch);
+    return State{state.x / unit, state.v / unit};
+  };
+  const State known = in_unit(1);
+  for (const double unit : {0x1p-50, 0x1p20}) {
+    const State same = in_unit(unit);
+    const std::string what = " after a step where all lengths are " + ::testing::PrintToString(unit) +
+                             " times as large, over that number";
+    const char* const source = "powers of two don't round. What is compared with a number that has a unit?";
+    expect_entries(same.x, known.x, 1e-12, "x" + what, source);
+    expect_entries(same.v, known.v, 1e-12, "v" + what, source);
+  }
 }
 
 TEST(PredictorCorrector, TakesTheSameStepHoweverOftenItIsAsked) {
@@ -237,9 +280,21 @@ TEST(PredictorCorrector, AMassThatTurnsOnAStiffSpring) {
 }
 
 int main(int argc, char** argv) {
-  return run(argc, argv, {{"predictor_corrector", "PredictorCorrector", [] {
-                             const Spring none(0, 1, GeometricTerm::full);
-                             State state = moving();
-                             step(none, 0.5, state);
-                           }}});
+  return run(argc, argv,
+             {{"predictor_corrector", "PredictorCorrector",
+               [] {
+                 const Spring none(0, 1, GeometricTerm::full);
+                 State state = moving();
+                 step(none, 0.5, state);
+               }}},
+             {{"Other units", "*.IsTheSameInEveryUnit"},
+              {"Hard corrections and other tolerances", "*.SolvesAsExactly*:*.GivesTheImpulseHowever*"},
+              {"Steps 1 and 2: the prediction", "*.MovesWithThePredicted*"},
+              {"Step 3: lengths and the root", "*.LeavesTheRoot*:*.MovesAStrandOfOne*"},
+              {"Step 4: the impulse", "*.WithoutForces*"},
+              {"Evaluations and reports", "*.EvaluatesTheForceTwice"},
+              {"Step 5: the second solve", "*"}},
+             {{"the radial velocity is 0.1", "*.AMassThatTurns*"},
+              {"positions right, velocities wrong", "*.WithoutForces*:*.TakesTheFiveSteps*"},
+              {"good for one step, odd after", "*.TakesTheSameStep*:*.IsTheSameWith*"}});
 }

@@ -3,6 +3,7 @@
 
 #include "particles/implicit_euler.h"
 
+#include "particles/solve_implicit.h"
 #include "solver/not_implemented.h"
 
 namespace particles {
@@ -12,10 +13,14 @@ std::unique_ptr<implicitMatrix> implicit_matrix(const Force& /*force*/, const Pa
   throw NotImplemented("H4 implicit_matrix");
 }
 
-SolveReport solve_implicit(const Force& /*force*/, const Particles& /*particles*/, const State& /*state*/,
-                           double /*a*/, double /*b*/, double /*tolerance*/, Output /*dv*/,
-                           Scratch /*scratch*/) {
-  throw NotImplemented("H4 solve_implicit");
+void implicit_rhs(const Force& /*force*/, const Particles& /*particles*/, const State& /*state*/,
+                  double /*a*/, double /*b*/, Output /*rhs*/) {
+  throw NotImplemented("H4 implicit_rhs");
+}
+
+SolveReport solve_plain(implicitMatrix& /*matrix*/, Output /*rhs*/, double /*tolerance*/, int /*most_steps*/,
+                        Output /*dv*/) {
+  throw NotImplemented("H4 solve_plain");
 }
 
 SolveReport implicit_euler(const Force& /*force*/, const Particles& /*particles*/, double /*h*/,

@@ -10,7 +10,7 @@
 #include "hair/strand/make_strand.h"
 #include "particles/force_sum.h"
 #include "particles/gravity.h"
-#include "particles/implicit_euler.h"
+#include "particles/solve_implicit.h"
 #include "solver/tests/numbers.h"
 
 namespace reference_tests {

@@ -1,90 +1,79 @@
-// STAFF ONLY.
+// STAFF ONLY. Asks for the calls of H4.
 #include "grader/exercise/H4/answers.h"
 
-#include <algorithm>
 #include <functional>
-#include <limits>
 
 #include "grader/exercise/H4/calls.h"
 #include "grader/suite/case_asker.h"
+#include "grader/suite/rounding.h"
 
 namespace grader::h4 {
 namespace {
 
 using Eigen::VectorXd;
 
-int step_limit(const Cloud& cloud) {
-  return std::max(100, 60 * cloud.count());
+// More than anybody takes who gets an answer: counts are asked for by a category of their own.
+constexpr int kMostQuestions = 100'000;
+
+ForceServer server_of(const Cloud& cloud) {
+  return {*cloud.force, cloud.count(), kMostQuestions};
 }
 
-// More than honest solves can take, with two questions for each product.
-int most_questions(const Cloud& cloud, int solves = 1) {
-  return (2 * solves + 1) * (step_limit(cloud) + step_limit(cloud) / 64) + 6 * cloud.count() + 20;
-}
-
-constexpr Filling kScratch{particles::kImplicitScratch};
-
-void count(Solution& solution, const ForceServer& server) {
-  solution.forces = server.forces;
-  solution.dfdx = server.dfdx;
-  solution.dfdv = server.dfdv;
-  solution.bands = server.bands;
+Asked asked_of(const ForceServer& server) {
+  return {server.forces, server.dfdx, server.dfdv};
 }
 
 }  // namespace
 
-Solution solve(Trial& trial, const Cloud& cloud, double a, double b, double tolerance) {
-  trial.describe(cloud.name + ", solve_implicit");
-  // A tolerance that can't be met may be loosened to 1e-6, a hundred times each time: from 1e-10, or from next to nothing.
-  const int solves = tolerance < kTolerance ? 7 : 3;
-  ForceServer server(*cloud.force, cloud.count(), most_questions(cloud, solves));
-  Solution solution;
-  solution.dv = random_vector(trial.random, 3 * cloud.count(), 1e3);
-  solution.report = ask_student_for<Calls, particles::solve_implicit>(
-      trial, std::ref(server), cloud.particles, cloud.state, a, b, tolerance, solution.dv, kScratch);
-  count(solution, server);
-  return solution;
-}
-
-Solution step(Trial& trial, const Cloud& cloud, double h, double tolerance) {
-  trial.describe(cloud.name + ", implicit_euler");
-  ForceServer server(*cloud.force, cloud.count(), most_questions(cloud));
-  Solution solution;
-  particles::State state = cloud.state;
-  solution.report = ask_student_for<Calls, particles::implicit_euler>(
-      trial, std::ref(server), cloud.particles, h, tolerance, state, kScratch);
-  solution.x = state.x;
-  solution.v = state.v;
-  solution.dv = solution.v - cloud.state.v;
-  count(solution, server);
-  return solution;
-}
-
-void expect_matrix(Trial& trial, const Cloud& cloud, double a, double b) {
+Product multiply(Trial& trial, const Cloud& cloud, double a, double b, const VectorXd& x, double junk) {
   trial.describe(cloud.name + ", implicit_matrix");
-  const int size = 3 * cloud.count();
-  const ImplicitSystem system = implicit_system(cloud, a, b);
-  const VectorXd x = random_vector(trial.random, size);
-  for (double junk : {0.0, 1e3, std::numeric_limits<double>::quiet_NaN()}) {
-    ForceServer server(*cloud.force, cloud.count(), 2 * size + 20);  // enough to write the matrix out
-    CaseAsker asker(trial);
-    const auto answer = Client<Calls, particles::implicit_matrix>::multiply(
-        asker, 2, x, VectorXd::Constant(size, junk),
-        std::tuple(std::ref(server), std::cref(cloud.particles), std::cref(cloud.state), a, b));
-    const VectorXd &first = answer.products[0], &second = answer.products[1];
-    // 3n terms in each of the two products, and what puts them together.
-    trial.expect_at_most((first - system.A * x).norm(), 4 * (size + 8) * kUnit * system.norm * x.norm(),
-                         "the error of the matrix' product");
-    // The same x: a product that changes its input shows here.
-    trial.expect(first == second, "the matrix' product is another one the second time");
-  }
+  ForceServer server = server_of(cloud);
+  CaseAsker asker(trial);
+  auto answer = Client<Calls, particles::implicit_matrix>::multiply(
+      asker, 2, x, VectorXd::Constant(x.size(), junk),
+      std::tuple(std::ref(server), std::cref(cloud.particles), std::cref(cloud.state), a, b));
+  return {answer.products[0], answer.products[1], answer.x, asked_of(server)};
 }
 
-void expect_solves(Trial& trial, const ImplicitSystem& system, const VectorXd& dv, double tolerance) {
-  const double allowed = tolerance * system.rhs.norm() + system.rounding;
-  trial.expect_at_most(system.residual(dv), allowed, "the residual of the implicit step's system");
-  trial.expect_at_most((dv - system.dv).norm(), allowed / system.smallest + 4 * kUnit * system.dv.norm(),
-                       "the error of dv");
+RightSide right_side(Trial& trial, const Cloud& cloud, double a, double b, double junk) {
+  trial.describe(cloud.name + ", implicit_rhs");
+  ForceServer server = server_of(cloud);
+  VectorXd rhs = VectorXd::Constant(cloud.state.x.size(), junk);
+  ask_student_for<Calls, particles::implicit_rhs>(trial, std::ref(server), cloud.particles, cloud.state, a, b,
+                                                  rhs);
+  return {rhs, asked_of(server)};
+}
+
+Step step(Trial& trial, const Cloud& cloud, double h, double tolerance) {
+  trial.describe(cloud.name + ", implicit_euler");
+  ForceServer server = server_of(cloud);
+  particles::State state = cloud.state;
+  const particles::SolveReport report = ask_student_for<Calls, particles::implicit_euler>(
+      trial, std::ref(server), cloud.particles, h, tolerance, state, Filling{particles::kImplicitScratch});
+  return {state.x, state.v, report, asked_of(server)};
+}
+
+double System::rounding(const VectorXd& dv) const {
+  const double e = static_cast<double>(rhs.size()) + 8;
+  return 65 * (10 + 2 * e) * kUnit * A.norm() * (2 * dv.norm() + rhs.norm() / A.norm());
+}
+
+Solution solve(Trial& trial, const System& system, double tolerance, int most_steps, double junk) {
+  trial.describe(system.name + ", solve_plain");
+  int products = 0;
+  const int size = static_cast<int>(system.rhs.size());
+  const Served matrix{size, size, [&](int, const std::vector<double>& x, std::vector<double>& y) {
+                        if (static_cast<int>(x.size()) != size)
+                          throw MalformedMessage("a question that makes no sense");
+                        const VectorXd product = system.A * to_vector(x);
+                        y.assign(product.begin(), product.end());
+                        return ++products <= kMostQuestions;
+                      }};
+  Solution solution{VectorXd::Constant(size, junk), system.rhs, {}, 0};
+  solution.report = ask_student_for<Calls, particles::solve_plain>(trial, matrix, solution.rhs, tolerance,
+                                                                   most_steps, solution.dv);
+  solution.products = products;
+  return solution;
 }
 
 }  // namespace grader::h4

@@ -1,32 +1,54 @@
-// STAFF ONLY. A student's answers about an implicit step, requested through the pipe while the suite serves
-// the force; and their comparison with the table of implicit_system.h.
+// STAFF ONLY. A student's answers about an implicit step, requested through the pipe while the suite serves the force or the
+// matrix.
 #pragma once
 
 #include "grader/suite/implicit_system.h"
-#include "grader/suite/rounding.h"
 #include "grader/suite/trial.h"
 
 namespace grader::h4 {
 
-inline constexpr double kTolerance = particles::kSolveTolerance;
-
-struct Solution {
-  Eigen::VectorXd dv;
-  Eigen::VectorXd x, v;  // after a step of implicit_euler
-  particles::SolveReport report;
-  int forces, dfdx, dfdv, bands;  // the suite's own counts
+// Counts of what the force was asked for.
+struct Asked {
+  int forces, dfdx, dfdv;
 };
 
-// Call the student's solve_implicit and implicit_euler.
-Solution solve(Trial& trial, const Cloud& cloud, double a, double b, double tolerance = kTolerance);
-Solution step(Trial& trial, const Cloud& cloud, double h, double tolerance = kTolerance);
+// implicit_matrix, its product with x, asked for twice. `junk` is what its output holds before.
+struct Product {
+  Eigen::VectorXd product, again, x;
+  Asked asked;
+};
+Product multiply(Trial& trial, const Cloud& cloud, double a, double b, const Eigen::VectorXd& x,
+                 double junk = 0);
 
-// Compares the matrix' product, computed twice, with the table's.
-void expect_matrix(Trial& trial, const Cloud& cloud, double a, double b);
+struct RightSide {
+  Eigen::VectorXd rhs;
+  Asked asked;
+};
+RightSide right_side(Trial& trial, const Cloud& cloud, double a, double b, double junk = 0);
 
-// Checks with the suite's own table that dv solves the system. One category tests the tolerance; for the
-// others an error of a hundredth is enough.
-void expect_solves(Trial& trial, const ImplicitSystem& system, const Eigen::VectorXd& dv,
-                   double tolerance = 1e-2);
+struct Step {
+  Eigen::VectorXd x, v;
+  particles::SolveReport report;
+  Asked asked;
+};
+Step step(Trial& trial, const Cloud& cloud, double h, double tolerance = particles::kSolveTolerance);
+
+// A system of ours for solve_plain.
+struct System {
+  std::string name;
+  Eigen::MatrixXd A;
+  Eigen::VectorXd rhs;
+
+  double residual(const Eigen::VectorXd& dv) const { return (rhs - A * dv).norm(); }
+  // Of what ConjGrad's residual may be off by (solver/linearSolver.h), as in implicit_system.h.
+  double rounding(const Eigen::VectorXd& dv) const;
+};
+
+struct Solution {
+  Eigen::VectorXd dv, rhs;  // rhs as it is afterwards
+  particles::SolveReport report;
+  int products;  // the suite's own count
+};
+Solution solve(Trial& trial, const System& system, double tolerance, int most_steps, double junk = 1e3);
 
 }  // namespace grader::h4

@@ -6,11 +6,10 @@
 
 namespace grader::h4 {
 
-inline constexpr Contract kSolves = {.scratch_columns = particles::kImplicitScratch,
-                                     .allocates_nothing = true};
-
-struct Calls : CallList<Call<particles::implicit_matrix, Contract{.allocates_nothing = true}>,
-                        Call<particles::solve_implicit, kSolves>, Call<particles::implicit_euler, kSolves>> {
+struct Calls
+    : CallList<Call<particles::implicit_matrix, Contract{.allocates_nothing = true}>,
+               Call<particles::implicit_rhs>, Call<particles::solve_plain>,
+               Call<particles::implicit_euler, Contract{.scratch_columns = particles::kImplicitScratch}>> {
   static constexpr const char* id = "H4";
 };
 

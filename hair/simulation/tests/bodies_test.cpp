@@ -35,7 +35,7 @@ struct Row {
   bool holds_its_root;         // the coordinates have the root's frame and motion
   bool starts_anyhow;          // it can be held in another direction than its root's, and hinged
   int in_a_fall;               // elements of a straight hair
-  long allocations;            // of a step: ConjGrad of the reference has three vectors
+  long allocations;            // of a step: ConjGrad of the reference has three vectors, and H4 three more
 };
 
 // Between the points of a finely divided curve, a quarter of a millimetre apart, the curve leaves its chord by k l^2 / 8.
@@ -53,7 +53,7 @@ const Row kRows[] = {
      .holds_its_root = false,
      .starts_anyhow = true,
      .in_a_fall = 30,
-     .allocations = 3},
+     .allocations = 6},
     {.model = "rigid_links",
      .divisions = {24, 48},
      .on_curve = 1e-13,

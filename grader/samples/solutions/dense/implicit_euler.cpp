@@ -2,9 +2,9 @@
 // product that ConjGrad asks for is a product of the table.
 #include "particles/implicit_euler.h"
 
-#include <algorithm>
 #include <cmath>
-#include <vector>
+
+#include "particles/solve_implicit.h"
 
 namespace {
 
@@ -59,21 +59,23 @@ std::unique_ptr<implicitMatrix> implicit_matrix(const Force& force, const Partic
   return std::make_unique<Dense>(force, particles, state, a, b);
 }
 
-SolveReport solve_implicit(const Force& force, const Particles& particles, const State& state, double a,
-                           double b, double tolerance, Output dv, Scratch /*scratch*/) {
+void implicit_rhs(const Force& force, const Particles& particles, const State& state, double a, double b,
+                  Output rhs) {
   const int size = static_cast<int>(state.x.size());
-  VectorXd rhs = VectorXd::Zero(size);
   const VectorXd ahead = b * state.v;
+  rhs.setZero();
   force.add_force(state.x, state.v, rhs);
   force.add_dfdx(state.x, state.v, ahead, rhs);
   for (int i = 0; i < size; ++i) rhs[i] = particles.is_pinned(i / 3) ? 0 : a * rhs[i];
+}
 
-  Dense matrix(force, particles, state, a, b);
+SolveReport solve_plain(implicitMatrix& matrix, Output rhs, double tolerance, int most_steps, Output dv) {
   const double limit = tolerance * rhs.norm(), epsilon = limit * limit;
   SolveReport report;
   report.rhs = rhs.norm();
-  report.steps = std::max(100, 20 * size);
-  report.residual = std::sqrt(ConjGrad(size, &matrix, dv.data(), rhs.data(), epsilon, &report.steps));
+  report.steps = most_steps;
+  report.residual = std::sqrt(
+      ConjGrad(static_cast<int>(rhs.size()), &matrix, dv.data(), rhs.data(), epsilon, &report.steps));
   report.converged = report.residual <= limit;
   return report;
 }

@@ -1,8 +1,9 @@
 // STAFF ONLY. A right H4 that scales vectors before products: df/dv (a x) and df/dx (a b x), both into one sum.
 #include "particles/implicit_euler.h"
 
-#include <algorithm>
 #include <cmath>
+
+#include "particles/solve_implicit.h"
 
 namespace particles {
 
@@ -56,57 +57,24 @@ std::unique_ptr<implicitMatrix> implicit_matrix(const Force& force, const Partic
   return std::make_unique<Matrix>(force, particles, state, a, b);
 }
 
-// (L^-1 A L^-T) y = L^-1 r, dv += L^-T y: three times, if need be.
-static SolveReport solve_with(const Preconditioner& L, Matrix& A, const VectorXd& rhs, double tolerance,
-                              Output dv) {
-  VectorXd r = rhs, y = rhs, work = rhs;
-  PreconditionedMatrix better(A, L, work);
-  SolveReport report;
-  report.preconditioned = true;
-  report.rhs = rhs.norm();
-  dv.setZero();
-  for (int k = 0; k < kMostSolves && !report.converged; ++k) {
-    L.solve_lower(r);
-    int steps = std::max(100, static_cast<int>(rhs.size()));
-    ConjGrad(static_cast<int>(rhs.size()), &better, y.data(), r.data(),
-             std::max(tolerance * tolerance, 1e-28) * r.squaredNorm(), &steps);
-    report.steps += steps;
-    L.solve_lower_transposed(y);
-    dv += y;
-    A.matVecMult(dv.data(), r.data());
-    r = rhs - r;
-    report.residual = r.norm();
-    report.converged = report.residual <= tolerance * report.rhs ||
-                       L.rounding_allows(report.residual, dv.norm(), report.rhs);
-  }
-  return report;
-}
-
-SolveReport solve_implicit(const Force& force, const Particles& particles, const State& state, double a,
-                           double b, double tolerance, Output dv, Scratch scratch) {
-  const int size = 3 * particles.count();
-
+void implicit_rhs(const Force& force, const Particles& particles, const State& state, double a, double b,
+                  Output rhs) {
   // rhs = a f + K (a b v)
-  VectorXd rhs = VectorXd::Zero(size);
   const VectorXd way = a * b * state.v;
+  rhs.setZero();
   force.add_force(state.x, state.v, rhs);
   rhs *= a;
   force.add_dfdx(state.x, state.v, way, rhs);
   clear_pinned(particles, rhs);
+}
 
-  const Preconditioner preconditioner(force, particles, state, a, b,
-                                      scratch.leftCols(kPreconditionerScratch));
-  if (preconditioner.exists()) {
-    Matrix A(force, particles, state, a, b);
-    return solve_with(preconditioner, A, rhs, tolerance, dv);
-  }
-
+SolveReport solve_plain(implicitMatrix& matrix, Output rhs, double tolerance, int most_steps, Output dv) {
   SolveReport report;
   report.rhs = rhs.norm();
+  report.steps = most_steps;
   const double epsilon = tolerance * tolerance * rhs.squaredNorm();
-  report.steps = std::max(100, 20 * size);
-  Matrix A(force, particles, state, a, b);
-  const double error = ConjGrad(size, &A, dv.data(), rhs.data(), epsilon, &report.steps);
+  const double error =
+      ConjGrad(static_cast<int>(rhs.size()), &matrix, dv.data(), rhs.data(), epsilon, &report.steps);
   report.residual = std::sqrt(error);
   report.converged = error <= epsilon;
   return report;

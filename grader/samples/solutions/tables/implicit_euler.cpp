@@ -1,10 +1,10 @@
-// STAFF ONLY. A right H4 that writes its matrix out as a table, by products with unit vectors, and lets the preconditioner
-// help.
+// STAFF ONLY. A right H4 that writes its matrix out as a table, by products with unit vectors.
 #include "particles/implicit_euler.h"
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "particles/solve_implicit.h"
 
 namespace particles {
 namespace {
@@ -48,84 +48,32 @@ class Table : public implicitMatrix {
   std::vector<double> entries_;
 };
 
-// Made when the first product is asked for.
-class LateTable : public implicitMatrix {
- public:
-  LateTable(const Force& force, const Particles& particles, const State& state, double a, double b)
-      : force_(force), particles_(particles), state_(state), a_(a), b_(b) {}
-  void matVecMult(double x[], double b[]) override {
-    if (!table_) table_ = std::make_unique<Table>(force_, particles_, state_, a_, b_);
-    table_->matVecMult(x, b);
-  }
-
- private:
-  const Force& force_;
-  const Particles& particles_;
-  const State& state_;
-  double a_, b_;
-  std::unique_ptr<Table> table_;
-};
-
-Eigen::VectorXd right_side(const Force& force, const Particles& particles, const State& state, double a,
-                           double b) {
-  Eigen::VectorXd f = Eigen::VectorXd::Zero(state.x.size()), Kv = f;
-  force.add_force(state.x, state.v, f);
-  force.add_dfdx(state.x, state.v, state.v, Kv);
-  for (Eigen::Index i = 0; i < f.size(); ++i)
-    f[i] = Table::is_pinned(particles, i) ? 0 : a * f[i] + a * b * Kv[i];
-  return f;
-}
-
 }  // namespace
 
 std::unique_ptr<implicitMatrix> implicit_matrix(const Force& force, const Particles& particles,
                                                 const State& state, double a, double b) {
-  return std::make_unique<LateTable>(force, particles, state, a, b);
+  return std::make_unique<Table>(force, particles, state, a, b);
 }
 
-SolveReport solve_implicit(const Force& force, const Particles& particles, const State& state, double a,
-                           double b, double tolerance, Output dv, Scratch scratch) {
-  Eigen::VectorXd rhs = right_side(force, particles, state, a, b);
-  const int size = static_cast<int>(rhs.size());
-  LateTable matrix(force, particles, state, a, b);
-  SolveReport report;
-  report.rhs = rhs.norm();
+void implicit_rhs(const Force& force, const Particles& particles, const State& state, double a, double b,
+                  Output rhs) {
+  Eigen::VectorXd f = Eigen::VectorXd::Zero(state.x.size()), Kv = f;
+  force.add_force(state.x, state.v, f);
+  force.add_dfdx(state.x, state.v, state.v, Kv);
+  for (Eigen::Index i = 0; i < f.size(); ++i)
+    rhs[i] = Table::is_pinned(particles, i) ? 0 : a * f[i] + a * b * Kv[i];
+}
 
-  const Preconditioner preconditioner(force, particles, state, a, b,
-                                      scratch.leftCols(kPreconditionerScratch));
-  if (!preconditioner.exists()) {
-    const double epsilon = std::pow(tolerance * report.rhs, 2);
-    report.steps = std::max(100, 20 * size);
-    const double squared = ConjGrad(size, &matrix, dv.data(), rhs.data(), epsilon, &report.steps);
-    report.residual = std::sqrt(squared);
-    report.converged = squared <= epsilon;
-    return report;
-  }
-
-  report.preconditioned = true;
-  Eigen::VectorXd work(size), y(size), left = rhs;
-  PreconditionedMatrix inner(matrix, preconditioner, work);
-  report.residual = report.rhs;
-  dv.setZero();
-  for (int solve = 0; solve < kMostSolves; ++solve) {
-    Eigen::VectorXd right = left;
-    preconditioner.solve_lower(right);
-    int steps = std::max(100, size);
-    const double epsilon = right.squaredNorm() * std::pow(std::max(tolerance, 1e-14), 2);
-    ConjGrad(size, &inner, y.data(), right.data(), epsilon, &steps);
-    report.steps += steps;
-    preconditioner.solve_lower_transposed(y);
-    Eigen::VectorXd sum = dv + y, product(size);
-    matrix.matVecMult(sum.data(), product.data());
-    const double residual = (rhs - product).norm();
-    if (!(residual < report.residual) && residual != 0) break;
-    dv = sum;
-    left = rhs - product;
-    report.residual = residual;
-    report.converged =
-        residual <= tolerance * report.rhs || preconditioner.rounding_allows(residual, dv.norm(), report.rhs);
-    if (report.converged) break;
-  }
+SolveReport solve_plain(implicitMatrix& matrix, Output rhs, double tolerance, int most_steps, Output dv) {
+  Eigen::VectorXd right = rhs;  // a copy for ConjGrad
+  double epsilon = 0;
+  for (double number : right) epsilon += number * number;
+  SolveReport report{most_steps, 0, std::sqrt(epsilon), false, false};
+  epsilon *= tolerance * tolerance;
+  const double squared =
+      ConjGrad(static_cast<int>(right.size()), &matrix, dv.data(), right.data(), epsilon, &report.steps);
+  report.residual = std::sqrt(squared);
+  report.converged = squared <= epsilon;
   return report;
 }
 
