@@ -403,6 +403,16 @@ TEST(CarryAlong, DoesNotTwist) {
   }
 }
 
+TEST(CarryAlong, BeginsBehindPointsThatCoincide) {
+  Lock guide{{Vector3d::Zero(), Vector3d(0, 0, 1), Vector3d(1, 0, 0)}, VectorXd(12)};
+  guide.points << 0, 0, 0, 0, 0, 0, 3, 4, 0, 6, 8, 0;
+  for (const Matrix3d& turn : carried(guide).turns)
+    expect_matrix(turn, Matrix3d::Identity(), 1e-12,
+                  "a turn of a straight guide, whose first two points coincide: there is no direction before "
+                  "the first",
+                  "rounding");
+}
+
 TEST(CarryAlong, SurvivesFoldsAndPointsThatCoincide) {
   Lock guide{{Vector3d::Zero(), Vector3d(0, 0, 1), Vector3d(1, 0, 0)}, VectorXd(18)};
   guide.points << 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 1, 0, 1, 0, 0, 1;
@@ -551,41 +561,42 @@ int main(int argc, char** argv) {
   static VectorXd child = points;
   static GuideFrames frames{arc, std::vector<Matrix3d>(2, Matrix3d::Identity())};
   static const GuideHair guide{{}, {points.data(), points.size()}};
-  return run(argc, argv,
-             {{"root_weights", "RootWeights", [] { hair::root_weights(kTriangle, Vector3d::Zero()); }},
-              {"interpolate", "Interpolate",
-               [] {
-                 hair::interpolate({guide, guide, guide}, {1, 0, 0}, {}, child);
-               }},
-              {"carry_along", "CarryAlong", [] { carry_along(points, frames); }},
-              {"extrapolate",
-               "Extrapolate",
-               [] { extrapolate(points, frames, Vector3d::Zero(), 1, child); },
-               {"carry_along"}},
-              {"blend", "Blend", [] { hair::blend(arc, points, points, child); }}},
-             {{"Thin triangles", "*.OfThinTriangles*"},
-              {"Any unit of length", "*.InAnyUnit"},
-              {"Triangles without a width", "*.OfTrianglesWithout*:*.OfALine*"},
-              {"Weights outside of a triangle", "*.OfARootBeside*"},
-              {"Weights inside of a triangle", "RootWeights.*"},
-              {"Interpolation in root frames", "*.TurnsWithTheHead:*.OfOneGuide*"},
-              {"Interpolation on a flat scalp", "Interpolate.*"},
-              {"Arc parameters", "*.MeasuresTheLength"},
-              {"Folds, and points that coincide", "*.Survives*:*.TurnsRightRound*:*.TurnsSharply"},
-              {"Frames carried along a guide", "CarryAlong.*"},
-              {"Wisps that spread or close", "*.SpreadsFrom*"},
-              {"Wisps that keep their width", "Extrapolate.*"},
-              {"Blends", "Blend.*"}},
-             {{"right weights for a triangle of metres", "*InAnyUnit*"},
-              {"a weight of 2, or of -0.3", "RootWeights.OfARootBeside*"},
-              {"NaN", "RootWeights.OfTriangles*:CarryAlong.Survives*"},
-              {"weights that do not add up", "RootWeights.*"},
-              {"strands that float beside the scalp", "Interpolate.OfEqual*:Interpolate.OfOneGuide*"},
-              {"hair that is right on top of a head", "Interpolate.Turns*"},
-              {"turns that are right up to the second bend", "CarryAlong.AddsUp*:CarryAlong.TurnsRight*"},
-              {"ringlets that are twisted like a rope", "CarryAlong.DoesNotTwist"},
-              {"frames that do not go along", "CarryAlong.*"},
-              {"wisps that begin in a point", "Extrapolate.Spreads*:Extrapolate.KeepsTheWidth*"},
-              {"flat ringlets", "Extrapolate.Goes*:Extrapolate.KeepsCurls"},
-              {"a blend that begins", "Blend.*"}});
+  return run(
+      argc, argv,
+      {{"root_weights", "RootWeights", [] { hair::root_weights(kTriangle, Vector3d::Zero()); }},
+       {"interpolate", "Interpolate",
+        [] {
+          hair::interpolate({guide, guide, guide}, {1, 0, 0}, {}, child);
+        }},
+       {"carry_along", "CarryAlong", [] { carry_along(points, frames); }},
+       {"extrapolate",
+        "Extrapolate",
+        [] { extrapolate(points, frames, Vector3d::Zero(), 1, child); },
+        {"carry_along"}},
+       {"blend", "Blend", [] { hair::blend(arc, points, points, child); }}},
+      {{"Thin triangles", "*.OfThinTriangles*"},
+       {"Any unit of length", "*.InAnyUnit"},
+       {"Triangles without a width", "*.OfTrianglesWithout*:*.OfALine*"},
+       {"Weights outside of a triangle", "*.OfARootBeside*"},
+       {"Weights inside of a triangle", "RootWeights.*"},
+       {"Interpolation in root frames", "*.TurnsWithTheHead:*.OfOneGuide*"},
+       {"Interpolation on a flat scalp", "Interpolate.*"},
+       {"Arc parameters", "*.MeasuresTheLength"},
+       {"Folds, and points that coincide", "*.Survives*:*.BeginsBehind*:*.TurnsRightRound*:*.TurnsSharply"},
+       {"Frames carried along a guide", "CarryAlong.*"},
+       {"Wisps that spread or close", "*.SpreadsFrom*"},
+       {"Wisps that keep their width", "Extrapolate.*"},
+       {"Blends", "Blend.*"}},
+      {{"right weights for a triangle of metres", "*InAnyUnit*"},
+       {"a weight of 2, or of -0.3", "RootWeights.OfARootBeside*"},
+       {"NaN", "RootWeights.OfTriangles*:CarryAlong.Survives*"},
+       {"weights that do not add up", "RootWeights.*"},
+       {"strands that float beside the scalp", "Interpolate.OfEqual*:Interpolate.OfOneGuide*"},
+       {"hair that is right on top of a head", "Interpolate.Turns*"},
+       {"turns that are right up to the second bend", "CarryAlong.AddsUp*:CarryAlong.TurnsRight*"},
+       {"ringlets that are twisted like a rope", "CarryAlong.DoesNotTwist"},
+       {"frames that do not go along", "CarryAlong.*"},
+       {"wisps that begin in a point", "Extrapolate.Spreads*:Extrapolate.KeepsTheWidth*"},
+       {"flat ringlets", "Extrapolate.Goes*:Extrapolate.KeepsCurls"},
+       {"a blend that begins", "Blend.*"}});
 }
