@@ -152,7 +152,9 @@ void never_converges_with_nan(Correction correction, const VectorXd& right) {
 
 // An error is relative to the rest length, and a direction is one, however short the segment is.
 void works_in_every_unit(Correction correction) {
-  for (const double unit : {1e-2, 1e-6, 1e-14}) {
+  VectorXd known = bent(strand_of(6), 0.05);
+  correction(strand_of(6), 1e-8, 100000, known);
+  for (const double unit : {0x1p-7, 0x1p-20, 0x1p-46}) {
     Strand strand = strand_of(6);
     VectorXd x = unit * bent(strand, 0.05);
     strand.rest_length *= unit;
@@ -160,6 +162,8 @@ void works_in_every_unit(Correction correction) {
     SCOPED_TRACE("segments of some " + ::testing::PrintToString(unit) + " m, tolerance 1e-8");
     EXPECT_LE(largest_error(strand, x), 1e-8 + 64 * kU) << "the largest |l - l0| / l0 that is left";
     EXPECT_TRUE(report.converged);
+    expect_entries(x / unit, known, 1e-9, "x over that length, beside x of segments of 1 m and more",
+                   "powers of two don't round");
   }
 }
 
