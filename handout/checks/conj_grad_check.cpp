@@ -139,8 +139,8 @@ TEST(ConjGrad, TakesNoStepWhereTheFirstGuessIsRight) {
 
 TEST(ConjGrad, SolvesForZeroInNoSteps) {
   solver::SparseMatrix A = solver::tridiagonal(4, 3, -1);
-  SCOPED_TRACE(call("the tridiagonal (-1, 3, -1), b = 0", 0, 0));
-  const Outcome out = solve(A, Vector(4, 0.0), 0, 0);
+  SCOPED_TRACE(call("the tridiagonal (-1, 3, -1), b = 0", 0, 9));
+  const Outcome out = solve(A, Vector(4, 0.0), 0, 9);
   EXPECT_EQ(out.steps, 0);
   EXPECT_EQ(out.x, Vector(4, 0.0));
   EXPECT_EQ(out.returned, 0);
@@ -247,6 +247,10 @@ TEST(ConjGrad, TakesOneProductAStepAndOneMoreEvery64) {
     EXPECT_EQ(solve(A, scattered(40), 0, steps).products, 1 + steps + steps / 64)
         << "products = 1 + steps + floor(steps / 64)";
   }
+  solver::SparseMatrix three = diagonal({1.5, 3, 4});
+  SCOPED_TRACE(call("A = diag(1.5, 3, 4), b = (1, 1, 1)", 1e-15, 30));
+  const Outcome met = solve(three, {1, 1, 1}, 1e-15, 30);
+  EXPECT_EQ(met.products, 1 + met.steps) << "it ends as soon as epsilon is met, without another product";
 }
 
 TEST(ConjGrad, MovesXAtEachStepToWhereTheResidualIsOrthogonalToIt) {
@@ -390,6 +394,24 @@ TEST(ConjGrad, EndsAtAValueThatIsNotFinite) {
   }
 }
 
+TEST(ConjGrad, EndsAtATrueResidualThatIsNotFinite) {
+  // One product, one in each of 64 steps, and one for the residual that replaces the recurrence's: 66.
+  class Broken : public implicitMatrix {
+   public:
+    void matVecMult(double x[], double b[]) override {
+      good_.matVecMult(x, b);
+      if (++products_ == 66) b[0] = kNaN;
+    }
+
+   private:
+    solver::SpectralMatrix good_ = slow_matrix(40);
+    int products_ = 0;
+  } A;
+  SCOPED_TRACE(call("a product that gives NaN after the 64th step, n = 40", 0, 90));
+  const Outcome out = solve(A, scattered(40), 0, 90);
+  for (double value : out.x) ASSERT_TRUE(std::isfinite(value)) << "x is no longer finite";
+}
+
 TEST(ConjGrad, TakesNoStepFromAResidualThatIsNotFinite) {
   // The first product is infinite in one place, and so is the first residual.
   class Broken : public implicitMatrix {
@@ -487,7 +509,8 @@ int main(int argc, char** argv) {
        {"The 64th step", "*.TakesOneProductAStep*:*.MovesXAtEach*"},
        {"Very large and very small numbers", "*.ScalesWith*:*.SolvesForAnX*"},
        {"Matrices that are not positive definite", "*.EndsAtADirection*:*.SolvesAConsistent*"},
-       {"Numbers that are not finite", "*.EndsAtAValue*:*.EndsBefore*:*.EndsIf*:*.TakesNoStepFrom*"},
+       {"Numbers that are not finite",
+        "*.EndsAtAValue*:*.EndsAtATrue*:*.EndsBefore*:*.EndsIf*:*.TakesNoStepFrom*"},
        {"Call after call", "*.GivesTheSame*"},
        {"Systems", "ConjGrad.*"}},
       {{"Example 1 fails", "*.SolvesExample1*:*.TakesNoStepWhere*"},

@@ -1,9 +1,15 @@
 // STAFF ONLY. Cases of S1 that stand in files of their own.
 #pragma once
 
-#include "grader/suite/trial.h"
+#include <optional>
+
+#include "grader/suite/linear_system.h"
 
 namespace grader::s1 {
+
+// How much too large the student's count of steps is everywhere, which is the step limit's subject; nothing if it counts no steps. Other
+// categories take it off before they look at a count.
+std::optional<int> own_offset(Trial& trial);
 
 // Each sends its cases to the student's ConjGrad and throws CaseFailed at the first failure.
 void systems(Trial& trial);

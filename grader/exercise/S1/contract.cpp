@@ -15,6 +15,17 @@ bool same(const Solution& a, const Solution& b) {
   return same_bits(a.x, b.x) && a.steps == b.steps && a.value == b.value;
 }
 
+std::optional<int> own_offset(Trial& trial) {
+  const LinearSystem any = spectral_system("a count of steps", log_spaced(15, 1, 40), trial.random);
+  const auto [epsilon, steps] = tolerance_after(any, 5);
+  std::optional<int> offset;
+  trial.ask_aside([&] {
+    const LinearSystem unit = at_unit_tolerance(any, epsilon);
+    offset = solve(trial, unit, 1, usual_limit(unit)).steps - steps;
+  });
+  return offset && std::abs(*offset) <= 1 ? offset : std::nullopt;
+}
+
 void first_guess(Trial& trial) {
   Random& random = trial.random;
   const int n = random.integer(10, 20);
@@ -30,13 +41,16 @@ void first_guess(Trial& trial) {
     trial.expect(same(solve(trial, system, 1, limit, junk), from_zero),
                  "the result depends on what x holds on entry");
 
+  const std::optional<int> offset = own_offset(trial);
   LinearSystem homogeneous = system;
   homogeneous.name = "b = 0";
   homogeneous.b = homogeneous.solution = std::vector<double>(n, 0.0);
   for (double epsilon : {1.0, 0.0}) {
     const Solution zero = solve(trial, homogeneous, epsilon, limit);
-    trial.expect(zero.x == homogeneous.b && zero.products <= 1,
-                 "b = 0 does not give x = 0 after 0 steps, though epsilon may be 0");
+    trial.expect(zero.x == homogeneous.b && zero.products <= 1 && zero.value == 0 &&
+                     (!offset || zero.steps == *offset),
+                 "b = 0 does not give x = 0 and return 0 after 0 steps, though epsilon may be 0",
+                 std::to_string(zero.value) + " after " + std::to_string(zero.steps));
   }
 
   const LinearSystem identity =

@@ -1,6 +1,8 @@
 // STAFF ONLY. S1: ConjGrad's hidden cases on what it can't solve, and on how it goes about its work.
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
 
 #include "grader/exercise/S1/cases.h"
 #include "grader/suite/linear_system.h"
@@ -26,6 +28,21 @@ class PoisonedMatrix : public implicitMatrix {
   double value_;
 };
 
+// Products of `inside`, all but one, whose entries are no numbers.
+class LatePoison : public implicitMatrix {
+ public:
+  LatePoison(std::shared_ptr<implicitMatrix> inside, int at) : inside_(std::move(inside)), left_(at) {}
+
+  void matVecMult(double x[], double b[]) override {
+    inside_->matVecMult(x, b);
+    if (--left_ == 0) b[0] = std::numeric_limits<double>::quiet_NaN();
+  }
+
+ private:
+  std::shared_ptr<implicitMatrix> inside_;
+  int left_;
+};
+
 LinearSystem with_right_side(std::string name, const solver::SparseMatrix& A, std::vector<double> b) {
   LinearSystem system{std::move(name), std::make_shared<solver::SparseMatrix>(A), std::move(b), {}};
   system.norm = A.norm_bound();
@@ -33,11 +50,11 @@ LinearSystem with_right_side(std::string name, const solver::SparseMatrix& A, st
   return system;
 }
 
-// It ended in step `step`, and does not claim to have solved anything. A count that is one too large everywhere is the step limit's
-// subject.
-void expect_failed(Trial& trial, const Solution& solution, double epsilon, int step) {
-  trial.expect(solution.steps == step || solution.steps == step + 1,
-               "the iteration that fails is not the last one, or does not count",
+// It ended in step `step`, and does not claim to have solved anything.
+void expect_failed(Trial& trial, const Solution& solution, double epsilon, int step,
+                   std::optional<int> offset) {
+  trial.expect(!offset || solution.steps == step + *offset,
+               "the iteration that fails is not the last one, or does not count once",
                "expected " + std::to_string(step) + ", got " + std::to_string(solution.steps));
   trial.expect(!(solution.value <= epsilon), "the return value is at most epsilon although nothing is solved",
                std::to_string(solution.value));
@@ -45,8 +62,8 @@ void expect_failed(Trial& trial, const Solution& solution, double epsilon, int s
 
 // It did not count that step's x.
 void expect_breakdown(Trial& trial, const LinearSystem& system, const Solution& solution, double epsilon,
-                      int step, const std::vector<double>& x) {
-  expect_failed(trial, solution, epsilon, step);
+                      int step, const std::vector<double>& x, std::optional<int> offset) {
+  expect_failed(trial, solution, epsilon, step, offset);
   // x is b after no step, or b + alpha r after one in two dimensions: some twenty roundings.
   trial.expect_at_most(distance(solution.x, x), 64 * 0x1p-53 * (norm(x) + norm(system.b)),
                        "the error of the x that it ends with");
@@ -54,7 +71,7 @@ void expect_breakdown(Trial& trial, const LinearSystem& system, const Solution& 
 
 // What is finite on paper and what is not, where numbers end. The first direction is r = b - Ax = b (1 - a) of A = a I,
 // alpha is 1 / a, and the next x is b / a.
-void where_numbers_end(Trial& trial) {
+void where_numbers_end(Trial& trial, std::optional<int> offset) {
   Random& random = trial.random;
   const auto diagonal = [](std::string name, const std::vector<double>& d, std::vector<double> b) {
     return with_right_side(std::move(name), solver::diagonal(d), std::move(b));
@@ -65,14 +82,14 @@ void where_numbers_end(Trial& trial) {
                                      diagonal("the other entry of x overflows", {1e-200, 2}, {1e150, size}),
                                      diagonal("alpha overflows", {4e-309, 4e-309}, {size, 1})}) {
     const Solution solution = solve(trial, system, 1e-12, 50);
-    expect_breakdown(trial, system, solution, 1e-12, 1, system.b);
+    expect_breakdown(trial, system, solution, 1e-12, 1, system.b, offset);
   }
   // Sums in long double have a wider range: then d'Ad is finite, and so is all else, and the system is solved. Where it is
   // not, and the loop goes on all the same, x stays b: a residual of 1e150, and 1e137 is allowed.
   const LinearSystem wide = diagonal("d'Ad overflows", {1e10, 2e10}, {size * 1e140, 1e140});
   const Solution gone_on = solve(trial, wide, 1e-12, 50);
   if (gone_on.x == wide.b)
-    expect_breakdown(trial, wide, gone_on, 1e-12, 1, wide.b);
+    expect_breakdown(trial, wide, gone_on, 1e-12, 1, wide.b, offset);
   else
     expect_solved(trial, wide, gone_on, 1e-12);
   // A solution near the end of the numbers, 1.8e308, is one.
@@ -86,7 +103,7 @@ void where_numbers_end(Trial& trial) {
   const double end = 1.05e308, s = b / end / 2;
   const LinearSystem last = diagonal("x overflows in the second step", {s, 2 * s}, {b, b});
   const Solution stays = solve(trial, last, 1e-12, 50);
-  expect_failed(trial, stays, 1e-12, 2);
+  expect_failed(trial, stays, 1e-12, 2, offset);
   trial.expect_at_most(
       std::abs(stays.x[0] / (4 * (end / 3)) - 1) + std::abs(stays.x[1] / (4 * (end / 3)) - 1), 1e-14,
       "the relative error of the last x that is a number");
@@ -97,6 +114,7 @@ void where_numbers_end(Trial& trial) {
 void not_positive_definite(Trial& trial) {
   Random& random = trial.random;
   expect_solves_ordinary_system(trial);
+  const std::optional<int> offset = own_offset(trial);
   const double epsilon = 1e-12;
   const int n = random.integer(5, 9);
 
@@ -104,9 +122,9 @@ void not_positive_definite(Trial& trial) {
   const std::vector<double> b = random.normals(n);
   const LinearSystem negative = with_right_side(
       "negative definite", solver::diagonal(std::vector<double>(n, -random.uniform(0.5, 3))), b);
-  expect_breakdown(trial, negative, solve(trial, negative, epsilon, 50), epsilon, 1, b);
+  expect_breakdown(trial, negative, solve(trial, negative, epsilon, 50), epsilon, 1, b, offset);
   const LinearSystem zero = with_right_side("zero matrix", solver::diagonal(std::vector<double>(n, 0.0)), b);
-  expect_breakdown(trial, zero, solve(trial, zero, epsilon, 50), epsilon, 1, b);
+  expect_breakdown(trial, zero, solve(trial, zero, epsilon, 50), epsilon, 1, b, offset);
 
   // diag(p, -q) with r = (1, s) first: d'Ad = p - q s^2 > 0. The second direction has d'Ad < 0: by Sylvester's law of inertia, and
   // the second residual, a multiple of (-s, 1), too, since p s^2 < q.
@@ -115,7 +133,7 @@ void not_positive_definite(Trial& trial) {
       with_right_side("indefinite", solver::diagonal({p, -q}), {1 / (1 - p), s / (1 + q)});
   const double alpha = (1 + s * s) / (p - q * s * s);
   expect_breakdown(trial, indefinite, solve(trial, indefinite, epsilon, 50), epsilon, 2,
-                   {indefinite.b[0] + alpha, indefinite.b[1] + alpha * s});
+                   {indefinite.b[0] + alpha, indefinite.b[1] + alpha * s}, offset);
 
   // Singular: eigenvalue 0 once, for the vector of ones.
   const int size = random.integer(6, 10);
@@ -142,13 +160,19 @@ void not_positive_definite(Trial& trial) {
 void not_finite(Trial& trial) {
   Random& random = trial.random;
   expect_solves_ordinary_system(trial);
+  const std::optional<int> offset = own_offset(trial);
+  const auto expect_no_step = [&](const Solution& solution) {
+    trial.expect(solution.products <= 1 && (!offset || solution.steps == *offset),
+                 "the first residual is not finite, and yet it takes a step, or counts one",
+                 std::to_string(solution.steps) + " steps");
+  };
   const int n = random.integer(10, 14);
   for (double value : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
                        -std::numeric_limits<double>::infinity()}) {
     LinearSystem bad_b = with_right_side("b is not finite", solver::tridiagonal(n, 3, -1), random.normals(n));
     bad_b.b[random.integer(0, n - 1)] = value;
     const Solution nothing = solve(trial, bad_b, 1, 50);
-    trial.expect(nothing.products <= 1, "b is not finite, and yet it takes a step");
+    expect_no_step(nothing);
     trial.expect(!std::isfinite(nothing.value), "b is not finite, and yet the return value is");
 
     // b has its first `reach` entries, the first residual one more, and the direction of step k reaches k more than b.
@@ -162,18 +186,24 @@ void not_finite(Trial& trial) {
       trial.expect(!(solution.value <= 1e-12),
                    "a product is not finite, and yet the return value is at most epsilon");
       if (failing == 0) {
-        trial.expect(solution.products <= 1, "the first residual is not finite, and yet it takes a step");
+        expect_no_step(solution);
         trial.expect(solution.x == poisoned.b, "without a step x is not b");
         continue;
       }
-      expect_failed(trial, solution, 1e-12, failing);
+      expect_failed(trial, solution, 1e-12, failing, offset);
       // The last finite x has been moved by the steps before, and by no other.
       for (int i = reach; i < n; ++i)
         trial.expect((solution.x[i] != 0) == (i < at), "x is not the last finite one",
                      "entry " + std::to_string(i) + " is " + std::to_string(solution.x[i]));
     }
   }
-  where_numbers_end(trial);
+  where_numbers_end(trial, offset);
+
+  // The 66th product is that of the true residual after 64 steps. ConjGrad ends with an x; solve() asks for no more.
+  LinearSystem late =
+      spectral_system("the 66th product is not finite", solver::log_spaced(220, 1, 1000), random);
+  late.A = std::make_shared<LatePoison>(late.A, 66);
+  solve(trial, late, 0, 100);
 }
 
 // Products and x at the step that takes the true residual, and around it. epsilon = 0: it goes on to the limit.
@@ -189,6 +219,14 @@ void sixty_fourth(Trial& trial) {
                  "the number of products is not 1 + steps + floor(steps / 64)",
                  std::to_string(solution.products) + " for " + std::to_string(steps) + " steps");
   }
+  // The same if epsilon ends it, whatever is counted.
+  const LinearSystem any =
+      spectral_system("ended by epsilon", solver::log_spaced(random.integer(20, 30), 1, 50), random);
+  const auto [epsilon, least] = tolerance_after(any, 5);
+  const Solution ended = solve(trial, at_unit_tolerance(any, epsilon), 1, usual_limit(any));
+  trial.expect(ended.products == 1 + ended.steps + ended.steps / 64 || ended.products == 1 + least,
+               "it takes one product more than its steps need", std::to_string(ended.products) + " products");
+
   // Each 64th step moves x as any other does: along a direction to where the residual is
   // orthogonal to it. By then rounding has turned the directions, and steps differ several times in length; but each
   // ends there, within (10 + 2e) u ||A|| X for the last step's own rounding and 65 times that for the residual's.
