@@ -48,7 +48,7 @@ void tolerance(Trial& trial) {
   Random& random = trial.random;
   for (int size : {15, 60}) {
     const double unit = random.log_uniform(1e-14, 1e-7);
-    const System system = system_of(random, size, 1e-7, 1e-4, unit);
+    const System system = system_of(random, size, 1e-7, 1e-5, unit);
     const Solution fine = solve(trial, system, kTolerance, most_of(system)),
                    coarse = solve(trial, system, 1e-2, most_of(system));
     trial.expect_at_most(system.residual(fine.dv), kTolerance * unit + system.rounding(fine.dv),
