@@ -7,7 +7,6 @@
 
 #include "hair/simulation/simulation.h"
 #include "hair/strand/make_strand.h"
-#include "handout/checks/implicit_systems.h"
 #include "particles/drag.h"
 #include "particles/force_sum.h"
 #include "particles/gravity.h"
@@ -19,6 +18,35 @@ namespace {
 
 using hair::Method;
 using particles::State;
+
+// Another force, which counts how often it is asked.
+class CountedForce : public particles::Force {
+ public:
+  explicit CountedForce(const particles::Force& force) : force_(force) {}
+
+  double energy(particles::Input x) const override { return force_.energy(x); }
+  void add_force(particles::Input x, particles::Input v, particles::Output f) const override {
+    ++forces;
+    force_.add_force(x, v, f);
+  }
+  void add_dfdx(particles::Input x, particles::Input v, particles::Input dx,
+                particles::Output df) const override {
+    force_.add_dfdx(x, v, dx, df);
+  }
+  void add_dfdv(particles::Input x, particles::Input v, particles::Input dv,
+                particles::Output df) const override {
+    force_.add_dfdv(x, v, dv, df);
+  }
+  bool add_band(particles::Input x, particles::Input v, double by_dfdx, double by_dfdv,
+                solver::BlockBand& band, particles::Scratch work) const override {
+    return force_.add_band(x, v, by_dfdx, by_dfdv, band, work);
+  }
+
+  mutable int forces = 0;
+
+ private:
+  const particles::Force& force_;
+};
 
 hair::NewtonReport step(const particles::Force& force, const particles::Force& definite,
                         const particles::Particles& particles, double h, State& state) {
@@ -98,7 +126,7 @@ TEST(NewtonEuler, TakesTheDefiniteMatrixWhereTheExactOneIsNotAndCountsAllEvaluat
     particles::ForceSum exact, definite;
     exact.emplace<hair::StretchForce>(strand, hair::GeometricTerm::full);
     definite.emplace<hair::StretchForce>(strand, hair::GeometricTerm::filtered);
-    const checks::CountedForce counted(exact);
+    const CountedForce counted(exact);
     const particles::Particles particles{strand.mass, {1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}};
     State state = description.strands[0].state;
     const hair::NewtonReport report = step(counted, definite, particles, h, state);
