@@ -4,7 +4,7 @@
 // "Extrapolation"; J. T. Chang, J. Jin, Y. Yu, "A Practical Model for Hair Mutual Interactions" (SCA 2002); frames:
 // R. L. Bishop, "There is More than One Way to Frame a Curve" (1975).
 //
-// All guides of a call and the strand that is made of them, `child`, have n >= 2 points, 3n numbers, m. The functions
+// All guides of a call and the strand that is made of them, `child`, have n >= 2 points, 3n numbers, m. Good solutions
 // allocate nothing. Errors of points are at most 1e-12 of the coordinates that they are made of, in any unit: no length but
 // 0 is too short.
 #pragma once

@@ -198,7 +198,7 @@ void other_units(Trial& trial) {
 
     const GuideFrames frames = ask_frames(trial, one), same = ask_frames(trial, there[0].points);
     trial.expect_at_most(largest_of(same.arc / same.arc[15] - frames.arc / frames.arc[15]), 2 * kArcs,
-                         "by how much an arc parameter, over the tip's, changes with the unit");
+                         "by how much arc_i / arc_(n-1) is different in another unit");
     trial.expect_at_most(difference(same.turns, frames.turns), 2 * kTurns,
                          "by how much a turn changes with the unit");
 

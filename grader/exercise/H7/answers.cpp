@@ -32,6 +32,12 @@ Answered ask(Trial& trial, int pass, const Tree& tree) {
   return answered;
 }
 
+Answered part_of(const Tree& tree, const Answered& answered, const std::vector<int>& chosen) {
+  Answered part{part_of(answered.passes, chosen), {}};
+  if (answered.accelerations.size() > 0) part.accelerations = part_of(tree, answered.accelerations, chosen);
+  return part;
+}
+
 double motion_error(const Of& a, const Of& b, hair::SpatialMotion LinkPass::*member, double length) {
   double largest = 0;
   for (std::size_t i = 1; i < a.size(); ++i) {

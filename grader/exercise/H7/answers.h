@@ -14,6 +14,7 @@ struct Answered {
   VectorXd accelerations;
 };
 Answered ask(Trial& trial, int pass, const Tree& tree);
+Answered part_of(const Tree& tree, const Answered& answered, const std::vector<int>& chosen);
 
 // Largest differences over all links from `first` on, of one member of a pass. `length` turns the second half of a motion
 // and of a force into the unit of the first, and blocks of an inertia into kg. NaN if a number is none.

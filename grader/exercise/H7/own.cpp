@@ -37,8 +37,9 @@ Answered ask(Trial& trial, const Case& about) {
 }
 
 // Two answers about the same links.
-void expect_same(Trial& trial, const Case& about, const Of& one, const Of& other, std::size_t first,
-                 const std::string& what) {
+void expect_same(Trial& trial, const Case& about, const Answered& answered, const Answered& same,
+                 std::size_t first, const std::string& what) {
+  const Of &one = answered.passes, &other = same.passes;
   const Sizes& sizes = about.sizes;
   const double outward = roundings(about.tree);
   if (about.pass == 1) {
@@ -57,6 +58,8 @@ void expect_same(Trial& trial, const Case& about, const Of& one, const Of& other
   } else {
     trial.expect_at_most(motion_error(one, other, &LinkPass::a, 1), kOfPass3 * about.acceleration,
                          "the acceleration of a link " + what);
+    trial.expect_at_most((answered.accelerations - same.accelerations).norm(), kOfPass3 * about.acceleration,
+                         "the acceleration of a joint " + what);
   }
 }
 
@@ -69,7 +72,7 @@ void expect_something(Trial& trial, const Case& about, const Of& answered) {
     return about.pass == 2 ? pass.gain.norm() : pass.a.linear.norm();
   };
   trial.expect(comparable(size(answered.back()), size(tree.passes.back())),
-               "a pass leaves 0, or numbers a million times as large as it should");
+               "a pass leaves 0, or numbers a million times as large as they should be");
 }
 
 std::vector<int> path_to(const Tree& tree, int link) {
@@ -94,7 +97,7 @@ void expect_sum_of_chains(Trial& trial) {
     Case one = all;
     one.tree = part_of(all.tree, links);
     const Of alone = ask(trial, one).passes;
-    expect_same(trial, one, part_of(together, links), alone, 2, "of one of three chains");
+    expect_same(trial, one, {part_of(together, links), {}}, {alone, {}}, 2, "of one of three chains");
     const LinkPass& own = all.tree.passes[1];
     sum[1].bias += alone[1].bias + (-1.0) * own.bias;
     hair::SpatialInertia less = all.tree.links[1].inertia;
@@ -103,7 +106,8 @@ void expect_sum_of_chains(Trial& trial) {
     sum[1].inertia += less;
   }
   const std::vector<int> stem = {0, 1};
-  expect_same(trial, all, part_of(together, stem), part_of(sum, stem), 1, "from which three chains hang");
+  expect_same(trial, all, {part_of(together, stem), {}}, {part_of(sum, stem), {}}, 1,
+              "from which three chains hang");
 }
 
 void expect_same_in_units(Trial& trial, const Case& about, const Units& units) {
@@ -113,8 +117,11 @@ void expect_same_in_units(Trial& trial, const Case& about, const Units& units) {
   Tree other = in_units(about.tree, units);
   const Answered in_others = ask(trial, about.pass, other);
   other.passes = in_others.passes;
+  // Accelerations are rates of rates.
+  if (about.pass == 3) other.rates = units.time * in_others.accelerations;
   const Tree same = in_units(other, back);
-  expect_same(trial, about, answered.passes, same.passes, 0, "in other units");
+  expect_same(trial, about, answered, {same.passes, about.pass == 3 ? same.rates : VectorXd()}, 0,
+              "in other units");
 }
 
 }  // namespace
@@ -129,7 +136,7 @@ void trees(Trial& trial) {
       const std::vector<int> path = path_to(all.tree, links);
       Case one = all;
       one.tree = part_of(all.tree, path);
-      expect_same(trial, all, part_of(together.passes, path), ask(trial, one).passes, 1, "of a tree");
+      expect_same(trial, all, part_of(all.tree, together, path), ask(trial, one), 1, "of a tree");
     }
   expect_sum_of_chains(trial);
 }
@@ -149,7 +156,7 @@ void long_chains(Trial& trial) {
     one.tree.passes[0].v = whole.passes[tip[0]].v;
     one.tree.passes[0].a = whole.passes[tip[0]].a;
     one.tree.passes[0].bias = {};
-    expect_same(trial, all, part_of(whole.passes, tip), ask(trial, one).passes, 1, "of a long chain");
+    expect_same(trial, all, part_of(all.tree, whole, tip), ask(trial, one), 1, "of a long chain");
   }
 }
 
@@ -177,7 +184,8 @@ void values_before(Trial& trial) {
       link.a = {Vector3d(1, 2, 3), Vector3d(4, 5, 6)};
       if (pass == 1) link.v = link.c = link.a, link.bias = {Vector3d(3, 2, 1), Vector3d(6, 5, 4)};
     }
-    expect_same(trial, clean, ask(trial, used).passes, expected.passes, 0, "whose pass had values before");
+    expect_same(trial, clean, ask(trial, used), expected, 0,
+                "when its passes[i] held other values before the call");
   }
   Case heavy = before(2, random_tree(trial.random, {.links = 2, .types = kRequired}));
   const Of light = ask(trial, heavy).passes;
@@ -185,7 +193,7 @@ void values_before(Trial& trial) {
   heavy.tree.links[0].tensor = heavy.tree.links[1].tensor;
   Of expected = light;
   expected[0].inertia += heavy.tree.links[0].inertia;
-  expect_same(trial, heavy, ask(trial, heavy).passes, expected, 0, "on a base with an inertia");
+  expect_same(trial, heavy, ask(trial, heavy), {expected, {}}, 0, "on a base with an inertia");
 }
 
 }  // namespace grader::h7

@@ -2,7 +2,8 @@
 //
 // Pass 1: beside the student's own revolute joints, which turn about the same axis at the same rate: so a mistake that all joints
 // share does not show. Passes 2 and 3: joints that all hang from the base, with centres of mass where the base's is, so that nothing
-// is shifted and no order matters. Bounds: those of each pass's own cases.
+// is shifted and no order matters; then chains and trees, whose mistakes are excused if hinges in place of their spherical joints
+// show them, too. Bounds: those of each pass's own cases.
 #include "grader/exercise/H7/answers.h"
 #include "grader/exercise/H7/cases.h"
 
@@ -11,10 +12,11 @@ namespace {
 
 Tree with_revolute_joints(const Tree& tree) {
   Tree same = tree;
-  std::vector<double> rates;
+  std::vector<double> rates, Q;
   for (std::size_t i = 1; i < tree.links.size(); ++i) {
     Link& link = same.links[i];
     const int first = std::exchange(link.first, static_cast<int>(rates.size()));
+    Q.push_back(tree.Q[first]);
     if (link.joint == JointType::spherical) {
       const Vector3d w = tree.rates.segment<3>(first);
       link.joint = JointType::revolute;
@@ -25,7 +27,7 @@ Tree with_revolute_joints(const Tree& tree) {
     }
   }
   same.rates = Eigen::Map<const VectorXd>(rates.data(), static_cast<Eigen::Index>(rates.size()));
-  same.Q = VectorXd::Zero(same.rates.size());
+  same.Q = Eigen::Map<const VectorXd>(Q.data(), static_cast<Eigen::Index>(Q.size()));
   return same;
 }
 
@@ -67,17 +69,43 @@ void expect_pass_2(Trial& trial, Tree tree, const Sizes& sizes, double force, co
                            "the gain of a spherical joint");
 }
 
-void expect_pass_3(Trial& trial, Tree tree, const Sizes& sizes) {
+// Over what it may be.
+double pass_2_error(Trial& trial, Tree tree) {
+  const Sizes sizes = sizes_of(tree);
+  reference_passes(tree, 1);
+  const double force = force_size(tree);
+  const Of answered = ask(trial, 2, tree).passes;
+  reference_passes(tree, 2);
+  return (inertia_error(answered, tree.passes, sizes.length) / sizes.mass +
+          force_error(answered, tree.passes, sizes.length, 0) / force) /
+         1e-9;
+}
+
+double pass_3_error(Trial& trial, Tree tree) {
+  const Sizes sizes = sizes_of(tree);
   reference_passes(tree, 2);
   const Answered answered = ask(trial, 3, tree);
   const VectorXd expected = reference_passes(tree, 3);
   double size = expected.norm() * std::max(1.0, sizes.length) + sizes.acceleration();
   for (const LinkPass& pass : tree.passes)
     size += pass.a.linear.norm() + sizes.length * pass.a.angular.norm();
-  trial.expect_at_most((answered.accelerations - expected).norm(), 1e-8 * size,
-                       "an acceleration beside spherical joints");
-  trial.expect_at_most(motion_error(answered.passes, tree.passes, &LinkPass::a, 1), 1e-8 * size,
-                       "the acceleration of a link with a spherical joint");
+  return ((answered.accelerations - expected).norm() +
+          motion_error(answered.passes, tree.passes, &LinkPass::a, 1)) /
+         (1e-8 * size);
+}
+
+void expect_shifted(Trial& trial, const Tree& tree) {
+  for (const auto error_of : {pass_2_error, pass_3_error}) {
+    double error = error_of(trial, tree);
+    if (!(error <= 1))
+      trial.ask_aside([&] {
+        if (!(error_of(trial, with_revolute_joints(tree)) <= 1)) error = 0;
+      });
+    trial.expect_at_most(error, 1,
+                         error_of == pass_2_error
+                             ? "I^A or Z^A in a chain or tree with spherical joints"
+                             : "an acceleration in a chain or tree with spherical joints");
+  }
 }
 
 }  // namespace
@@ -95,8 +123,12 @@ void spherical_joints(Trial& trial) {
       // Hair is light and short; so are its stiffenings.
       for (const Units& units : {Units{}, Units{0x1p-60, 0x1p-30, 1}})
         expect_pass_2(trial, after_pass_1, sizes, force, units);
-      expect_pass_3(trial, tree, sizes);
+      trial.expect_at_most(pass_3_error(trial, tree), 1, "an acceleration beside spherical joints");
     }
+  expect_shifted(trial, random_tree(trial.random, {.links = 3, .types = kSpherical}));
+  expect_shifted(
+      trial,
+      random_tree(trial.random, {.links = 6, .types = kSpherical, .form = Form::branches, .stiffens = true}));
 }
 
 }  // namespace grader::h7

@@ -113,14 +113,8 @@ Tree part_of(const Tree& tree, const std::vector<int>& chosen) {
     if (!base) rates += hair::rates_of(link.joint);
     part.links.push_back(link);
   }
-  part.rates.resize(rates);
-  part.Q.resize(rates);
-  for (std::size_t i = 1; i < chosen.size(); ++i) {
-    const Link &link = part.links[i], &whole = tree.links[chosen[i]];
-    const int count = hair::rates_of(link.joint);
-    part.rates.segment(link.first, count) = tree.rates.segment(whole.first, count);
-    part.Q.segment(link.first, count) = tree.Q.segment(whole.first, count);
-  }
+  part.rates = part_of(tree, tree.rates, chosen);
+  part.Q = part_of(tree, tree.Q, chosen);
   return part;
 }
 
@@ -128,6 +122,15 @@ std::vector<LinkPass> part_of(const std::vector<LinkPass>& passes, const std::ve
   std::vector<LinkPass> part;
   for (const int i : chosen) part.push_back(passes[i]);
   return part;
+}
+
+VectorXd part_of(const Tree& tree, const VectorXd& numbers, const std::vector<int>& chosen) {
+  std::vector<double> part;
+  for (std::size_t i = 1; i < chosen.size(); ++i) {
+    const Link& link = tree.links[chosen[i]];
+    for (int k = 0; k < hair::rates_of(link.joint); ++k) part.push_back(numbers[link.first + k]);
+  }
+  return VectorXd::Map(part.data(), static_cast<Eigen::Index>(part.size()));
 }
 
 Tree in_units(const Tree& tree, const Units& units) {

@@ -42,6 +42,8 @@ Tree random_tree(Random& random, const TreeKind& kind);
 // The first of `chosen` as the base, and the others as links; all of their parents are among them.
 Tree part_of(const Tree& tree, const std::vector<int>& chosen);
 std::vector<LinkPass> part_of(const std::vector<LinkPass>& passes, const std::vector<int>& chosen);
+// Of rates, Q or accelerations of the whole tree.
+VectorXd part_of(const Tree& tree, const VectorXd& numbers, const std::vector<int>& chosen);
 
 // The same tree in other units of mass, length and time, with its passes. Powers of 2 change no digit.
 struct Units {

@@ -43,8 +43,8 @@ void expect_touch_in(Trial& trial, const Units& units) {
   NearTriangle near = near_triangle(trial.random, Vector3d(0.5, 0.2, 0.3), 0.5);
   for (int j = 0; j < 4; ++j) near.tangents.segment<3>(3 * j) = some_direction(trial.random);
   const auto touched = ask_touch(trial, near, 1), other = ask_touch(trial, in_units(near, units), 1);
-  trial.expect(touched.has_value() == other.has_value(), "a triangle is touched in some units alone");
-  if (!touched.has_value()) return;
+  trial.expect(touched.has_value() == other.has_value(), "touched in one unit of length and not in another");
+  if (!touched.has_value() || !other.has_value()) return;
   VectorXd one(7), same(7);
   one << touched->normal, touched->shares[0], touched->shares[1], touched->shares[2], touched->weight;
   same << other->normal, other->shares[0], other->shares[1], other->shares[2], other->weight;

@@ -218,7 +218,7 @@ void pinned_frictions(Trial& trial) {
     trial.expect_at_most(worst(ask_friction(trial, contacts, h, v) - v), 0,
                          "the change of a velocity where all is pinned");
     const VectorXd moved = ask_friction(trial, some_contacts(random, 1), h, random_vector(random, 21, 0.3));
-    trial.expect(!moved.isZero(), "friction takes all velocities");
+    trial.expect(!moved.isZero(), "after friction all velocities are 0");
   }
 }
 
