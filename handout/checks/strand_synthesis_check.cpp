@@ -34,6 +34,10 @@ void expect_all(const VectorXd& actual, const VectorXd& expected, const std::str
     expect_point(actual.segment<3>(3 * i), expected.segment<3>(3 * i), what + ", point " + std::to_string(i));
 }
 
+std::string in_powers_of_2(double unit) {
+  return "2^" + std::to_string(std::ilogb(unit));
+}
+
 // ---- Guides
 
 struct Lock {
@@ -227,7 +231,7 @@ TEST(RootWeights, OfThinTrianglesInAnyUnit) {
       const Vector3d inside = 0.1 * corners[0] + 0.3 * corners[1] + 0.6 * corners[2];
       expect_nearest(corners, inside, inside,
                      "a point of a triangle whose height is " + std::to_string(height) +
-                         " of its longest edge, all lengths times " + std::to_string(unit));
+                         " of its longest edge, all lengths times " + in_powers_of_2(unit));
       expect_nearest(corners, inside + 0.2 * unit * along.cross(up), inside,
                      "the same point, and the root above it");
     }
@@ -320,8 +324,8 @@ TEST(CarryAlong, InAnyUnit) {
     Lock other = guide;
     other.points *= unit;
     const GuideFrames frames = carried(other);
-    const std::string where = " of a curl, all lengths times " + std::to_string(std::log2(unit)) +
-                              " powers of two, beside the same in metres";
+    const std::string where =
+        " of a curl, all lengths times " + in_powers_of_2(unit) + ", beside the same in metres";
     expect_numbers(frames.arc, expected.arc, 1e-12, "arc" + where, "rounding");
     for (std::size_t i = 0; i < 12; ++i)
       expect_matrix(frames.turns[i], expected.turns[i], 1e-10, "a turn" + where,
@@ -587,13 +591,17 @@ int main(int argc, char** argv) {
        {"Wisps that spread or close", "*.SpreadsFrom*"},
        {"Wisps that keep their width", "Extrapolate.*"},
        {"Blends", "Blend.*"}},
-      {{"right weights for a triangle of metres", "*InAnyUnit*"},
+      {{"right weights for a triangle of metres", "RootWeights.*InAnyUnit"},
+       {"right strands of metres", "*.InAnyUnit"},
+       {"weights that are wrong on a line", "*.OfALine*"},
+       {"arcs that are no parts", "*.MeasuresTheLength"},
+       {"turns that are wrong at sharp bends", "*.TurnsSharply:*.TurnsRightRound*"},
        {"a weight of 2, or of -0.3", "RootWeights.OfARootBeside*"},
        {"NaN", "RootWeights.OfTriangles*:CarryAlong.Survives*"},
        {"weights that do not add up", "RootWeights.*"},
        {"strands that float beside the scalp", "Interpolate.OfEqual*:Interpolate.OfOneGuide*"},
        {"hair that is right on top of a head", "Interpolate.Turns*"},
-       {"turns that are right up to the second bend", "CarryAlong.AddsUp*:CarryAlong.TurnsRight*"},
+       {"turns that are right up to the second bend", "CarryAlong.AddsUp*"},
        {"ringlets that are twisted like a rope", "CarryAlong.DoesNotTwist"},
        {"frames that do not go along", "CarryAlong.*"},
        {"wisps that begin in a point", "Extrapolate.Spreads*:Extrapolate.KeepsTheWidth*"},
