@@ -368,6 +368,9 @@ TEST(InwardInertias, AddWhatStiffensAJoint) {
   const Passes passes = pass_2(links, one(0), Passes(2));
   EXPECT_NEAR(passes[1].gain(0, 0), 0.5, 1e-14) << "1 / (m l^2 + stiffening) = 1 / (0.5 + 1.5)";
   EXPECT_NEAR(passes[0].inertia.M(0, 0), 2 * 0.75, 1e-14) << "m (1 - m l^2 / (m l^2 + stiffening))";
+  Links two = chain_of({pendulum(1, 0.4, 0)[1], links[1]});
+  EXPECT_NEAR(pass_2(two, VectorXd::Zero(2), Passes(3))[2].gain(0, 0), 0.5, 1e-14)
+      << "the same of a pendulum that hangs from another one";
 }
 
 // Implicit steps add to a link's inertia.
