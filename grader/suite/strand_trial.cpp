@@ -41,13 +41,16 @@ void expect_not_zero(Trial& trial, const VectorXd& actual, const std::string& wh
   trial.expect(largest(actual) > 0, what + " is 0");
 }
 
-void expect_proportions(Trial& trial, const VectorXd& actual, const VectorXd& expected, double rounding,
-                        const std::string& what) {
-  expect_not_zero(trial, expected, what);
-  expect_not_zero(trial, actual, what);
-  const double most = largest(expected), seen = largest(actual);
+void InUnits::expect(const VectorXd& actual, double metre, double newton) {
+  expect_not_zero(trial_, expected_, what_);
+  expect_not_zero(trial_, actual, what_);
+  const double most = largest(expected_), seen = largest(actual);
   if (most == 0 || seen == 0) return;
-  expect_vector(trial, actual / seen, expected / most, 2 * rounding / most, what);
+  expect_vector(trial_, actual / seen, expected_ / most, 2 * rounding_ / most, what_);
+  const double factor = seen / most / newton;
+  if (metre != 1 && !power_) power_ = std::round(std::log2(factor) / std::log2(metre));
+  trial_.expect_at_most(std::abs(factor / std::pow(metre, power_.value_or(0)) - 1), 4 * rounding_ / most,
+                        "the relative error of the size of " + what_);
 }
 
 void expect_all_equal(Trial& trial, const std::vector<double>& values, double relative,

@@ -3,7 +3,9 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "grader/suite/case_asker.h"
@@ -60,10 +62,23 @@ void expect_size(Trial& trial, double actual, double expected, const std::string
 // For cases that compare a student's answers with each other: zeros must not have the property.
 void expect_not_zero(Trial& trial, const VectorXd& actual, const std::string& what);
 
-// Checks that both are the same but for a positive factor: no entry of either, over its largest one, is off by more than
-// `rounding` over the largest of `expected`.
-void expect_proportions(Trial& trial, const VectorXd& actual, const VectorXd& expected, double rounding,
-                        const std::string& what);
+// An answer in other units of length and force, `metre` and `newton` times ours: each number is what it was, times newton, times a power of
+// metre. Which power that is, another category asks; here it is the same in all units. No entry, over the largest one, is off by
+// more than `rounding` over the largest of `expected`.
+class InUnits {
+ public:
+  InUnits(Trial& trial, VectorXd expected, double rounding, std::string what)
+      : trial_(trial), expected_(std::move(expected)), rounding_(rounding), what_(std::move(what)) {}
+
+  void expect(const VectorXd& actual, double metre, double newton);
+
+ private:
+  Trial& trial_;
+  VectorXd expected_;
+  double rounding_;
+  std::string what_;
+  std::optional<double> power_ = {};
+};
 
 // Checks that the numbers differ by at most `relative` times the largest.
 void expect_all_equal(Trial& trial, const std::vector<double>& values, double relative,
@@ -87,6 +102,23 @@ Posed straight_pose(const Strand& strand, const VectorXd& lengths, const Eigen::
 
 // `count` particles from the one with number `first` on, as a strand; clamped only with its root.
 Posed part_of(const Posed& posed, int first, int count);
+
+// Checks that a strand's answer is the sum of the answers of each `count` neighbours alone, whatever its rest lengths are; if it is so where
+// these are equal: whether parts are added up is another category's. `answer` takes a pose and the number of its first particle.
+template <class Answer>
+void expect_sum_of_parts(Trial& trial, const Posed& uneven, int count, double rounding, const Answer& answer,
+                         const std::string& what) {
+  const auto left_over = [&](const Posed& posed) {
+    VectorXd rest = answer(posed, 0);
+    for (int first = 0; first + count <= posed.strand.count(); ++first)
+      rest.segment(3 * first, 3 * count) -= answer(part_of(posed, first, count), first);
+    return rest;
+  };
+  Posed even = uneven;
+  even.strand.rest_length.setConstant(uneven.strand.rest_length.mean());
+  if (largest(left_over(even)) <= rounding)
+    expect_vector(trial, left_over(uneven), VectorXd::Zero(uneven.x.size()), rounding, what);
+}
 
 Eigen::Vector3d random_direction(Random& random);
 

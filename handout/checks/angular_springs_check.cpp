@@ -216,9 +216,27 @@ TEST(AddBendForce, IsMinusTheEnergysGradient) {
         force(c.strand, c.x), [&](const VectorXd& x) { return bend_energy(c.strand, x); }, c.x,
         std::min(1.0, pi - bend), 4 * pi);
   }
-  for (const Case& c : {uneven(7, 1), clamped(uneven(2, 2)), clamped(uneven(5, 3))})
+}
+
+TEST(AddBendForce, IsMinusTheEnergysGradientAtUnevenLengths) {
+  const Case c = uneven(7, 1);
+  expect_force(
+      force(c.strand, c.x), [&](const VectorXd& x) { return bend_energy(c.strand, x); }, c.x, 0.1, 16 * pi);
+}
+
+TEST(AddBendForce, IsMinusTheEnergysGradientWithAClampedRoot) {
+  for (const Case& c : {clamped(uneven(2, 2)), clamped(uneven(5, 3))})
     expect_force(
         force(c.strand, c.x), [&](const VectorXd& x) { return bend_energy(c.strand, x); }, c.x, 0.1, 16 * pi);
+}
+
+TEST(AddBendForce, TakesTheMeanOfTwoRestLengths) {
+  expect_entries(
+      force(strand_of(vector({0.5, 2.5})), kRightAngle) * 1.5, force(strand_of(vector({1, 1})), kRightAngle),
+      64 * kU * 4 * pi,
+      "1.5 times the force of a right angle with rest lengths of 0.5 m and 2.5 m, beside that with 1 m "
+      "and 1 m",
+      "64 u of k phi / |e|: rounding");
 }
 
 TEST(AddBendForce, GivesNoNetForceOrTorque) {
@@ -295,7 +313,9 @@ TEST(AddBendForce, NextToTheFold) {
   }
 }
 
-TEST(AddBendForce, WhereDirectionsAreLostIsZero) {
+TEST(AddBendForce, AtTheFoldIsZero) {
+  EXPECT_EQ(force(strand_of(vector({1, 1})), kFold), VectorXd::Zero(9))
+      << "folded, x = " << particles_in_words(kFold);
   for (const Vector3d& along : {Vector3d(1, 0, 0), Vector3d(0, -1, 0), Vector3d(0, 0, 1)}) {
     VectorXd x = VectorXd::Zero(9);
     x.segment<3>(3) = along;
@@ -307,12 +327,19 @@ TEST(AddBendForce, WhereDirectionsAreLostIsZero) {
     EXPECT_EQ(force(back, x.head<6>()), VectorXd::Zero(6))
         << "a clamped root, folded back, x = " << particles_in_words(x.head<6>());
   }
+}
+
+TEST(AddBendForce, OfAStraightStrandIsZero) {
+  EXPECT_EQ(force(strand_of(vector({1, 1})), vector({0, 0, 0, 0, 0, -1, 0, 0, -2})), VectorXd::Zero(9));
+}
+
+TEST(AddBendForce, WhereDirectionsAreLostIsZero) {
   const Strand strand = strand_of(vector({1, 1}));
-  for (const VectorXd& x : {kFold, vector({0, 0, 0, 0, 0, -1, 0, 0, -2}), vector({0, 0, 0, 0, 0, 0, 0, 1, 0}),
-                            vector({0, 0, 0, 0, 1, 0, 0, 1, 0}), vector({1, 1, 1, 1, 1, 1, 1, 1, 1})}) {
+  for (const VectorXd& x : {vector({0, 0, 0, 0, 0, 0, 0, 1, 0}), vector({0, 0, 0, 0, 1, 0, 0, 1, 0}),
+                            vector({1, 1, 1, 1, 1, 1, 1, 1, 1})}) {
     const VectorXd f = force(strand, x);
-    EXPECT_EQ(f, VectorXd::Zero(9)) << "folded, straight, or with a segment of length 0: x = "
-                                    << particles_in_words(x) << "; actual: " << particles_in_words(f);
+    EXPECT_EQ(f, VectorXd::Zero(9)) << "with a segment of length 0: x = " << particles_in_words(x)
+                                    << "; actual: " << particles_in_words(f);
   }
 }
 
@@ -325,7 +352,17 @@ TEST(AddProducts, IsTheForcesDerivative) {
         product(c.strand, c.x, dx), [&](const VectorXd& x) { return force(c.strand, x); }, c.x, dx,
         std::min(1.0, pi - bend), 4 * pi / std::min(1.0, pi - bend));
   }
-  for (const Case& c : {uneven(7, 1), clamped(uneven(2, 2)), clamped(uneven(5, 3))}) {
+}
+
+TEST(AddProducts, IsTheForcesDerivativeAtUnevenLengths) {
+  const Case c = uneven(7, 1);
+  const VectorXd dx = scattered_vector(21, 6);
+  expect_product(
+      product(c.strand, c.x, dx), [&](const VectorXd& x) { return force(c.strand, x); }, c.x, dx, 0.1, 200);
+}
+
+TEST(AddProducts, IsTheForcesDerivativeWithAClampedRoot) {
+  for (const Case& c : {clamped(uneven(2, 2)), clamped(uneven(5, 3))}) {
     const VectorXd dx = scattered_vector(static_cast<int>(c.x.size()), 6);
     expect_product(
         product(c.strand, c.x, dx), [&](const VectorXd& x) { return force(c.strand, x); }, c.x, dx, 0.1, 200);
@@ -358,6 +395,13 @@ TEST(AddProductsSpd, IsNegativeSemidefinite) {
           << "; df is -S dx with S semi-definite; bound: rounding";
     }
   }
+}
+
+TEST(AddProductsSpd, IsSymmetricAtUnevenLengths) {
+  const Case c = uneven(8, 2);
+  expect_symmetric([&](const VectorXd& dx) { return product_spd(c.strand, c.x, dx); },
+                   scattered_vector(24, 1), scattered_vector(24, 2), 24 * 1024 * kU * 200,
+                   "24 entries, 1024 u of k pi / |e|^2 each: rounding");
 }
 
 TEST(AddProductsSpd, IsTheFormula) {
@@ -453,11 +497,18 @@ TEST(AddProductsSpd, IsAddedToWhatDfHolds) {
                  "df (semi-definite), which held " + particles_in_words(before), source);
 }
 
+TEST(AddProductsSpd, AtTheFoldIsZero) {
+  const Strand strand = strand_of(vector({1, 1}));
+  const VectorXd dx = scattered_vector(9, 1);
+  EXPECT_EQ(product(strand, kFold, dx), VectorXd::Zero(9)) << "exact, x = " << particles_in_words(kFold);
+  EXPECT_EQ(product_spd(strand, kFold, dx), VectorXd::Zero(9))
+      << "semi-definite, x = " << particles_in_words(kFold);
+}
+
 TEST(AddProductsSpd, WhereDirectionsAreLostIsZero) {
   const Strand strand = strand_of(vector({1, 1}));
   const VectorXd dx = scattered_vector(9, 1);
-  for (const VectorXd& x :
-       {kFold, vector({0, 0, 0, 0, 0, 0, 0, 1, 0}), vector({1, 1, 1, 1, 1, 1, 1, 1, 1})}) {
+  for (const VectorXd& x : {vector({0, 0, 0, 0, 0, 0, 0, 1, 0}), vector({1, 1, 1, 1, 1, 1, 1, 1, 1})}) {
     EXPECT_EQ(product(strand, x, dx), VectorXd::Zero(9)) << "exact, x = " << particles_in_words(x);
     EXPECT_EQ(product_spd(strand, x, dx), VectorXd::Zero(9))
         << "semi-definite, x = " << particles_in_words(x);
@@ -477,15 +528,15 @@ int main(int argc, char** argv) {
         "AddProductsSpd",
         [] { add_bend_product_spd(lone, x, x, out); },
         {"add_bend_force", "add_bend_product"}}},
-      {{"The fold", "*.NextToTheFold"},
+      {{"The fold", "*.NextToTheFold:*.AtTheFold*"},
        {"Particles in the same place, and no joint", "*.WhereDirections*:*.WithoutAJoint*:*.BesideASegment*"},
        {"Tiny, huge and long strands", "*.InAnyUnit:*.OfALongStrand:*.OfAHair*:*.IsTheSameHowever*"},
        {"Added to what is there", "*.IsAddedTo*"},
        {"The clamped root", "*Clamped*"},
-       {"Nearly straight", "*.OfSmall*"},
+       {"Nearly straight", "*.OfSmall*:*.OfAStraight*"},
        {"Products of a straight strand", "*.IsExactForAStraight*"},
        {"Rest lengths and sampling", "*.TakesTheMean*:*.OfTheLectures*"},
-       {"Lengths as they are now", "AddBendForce.IsMinus*"},
+       {"Lengths as they are now", "*.*AtUneven*"},
        {"The energy", "BendEnergy.*"},
        {"The forces", "AddBendForce.*"},
        {"The exact product", "AddProducts.*"},
@@ -494,10 +545,11 @@ int main(int argc, char** argv) {
        {"right the first time, wrong later", "*.IsTheSameHowever*"},
        {"right for thick wires", "*.OfAHair*"},
        {"the energy of one joint is wrong", "BendEnergy.OfOneJoint"},
-       {"right for lengths of 1, wrong otherwise", "BendEnergy.TakesTheMean*:BendEnergy.OfTheLectures*"},
+       {"right for lengths of 1, wrong otherwise", "*.TakesTheMean*:BendEnergy.OfTheLectures*:*.*AtUneven*"},
        {"small bends have energies like stairs", "BendEnergy.OfSmall*"},
        {"right for free strands, and a clamped one", "*Clamped*"},
-       {"NaN for a straight strand", "*.WhereDirections*"},
+       {"right after zeros", "*.IsAddedTo*"},
+       {"NaN for a straight strand", "*.WhereDirections*:*.AtTheFold*:*.OfAStraight*"},
        {"the force of one joint is wrong", "AddBendForce.OfOneJoint"},
        {"the sum of all forces is not 0", "AddBendForce.*Net*:AddBendForce.*Balance*"},
        {"the force is not the slope", "AddBendForce.IsMinus*"},

@@ -87,6 +87,9 @@ void expect_in_units(const Answer& answer, int power, const std::string& what) {
   }
 }
 
+const Strand kMetre = strand_of(vector({0.5, 0.5}));  // d0 = 1 m, k = 10 N/m
+const VectorXd kMetreBent = vector({0, 0, 0, 0.5, 0.25, 0, 0, 0.5, 0});
+const VectorXd kMetreLong = vector({0, 0, 0, 0.5, 0.25, 0, 0, 1.5, 0});
 const Strand kTwo = strand_of(vector({1.5, 2.5}));               // d0 = 4 m, k = 2.5 N/m
 const VectorXd kBent = vector({0, 0, 0, 0, 1.5, 0, 0, 1.5, 2});  // d = 2.5 m
 const VectorXd kLong = vector({0, 0, 0, 0, 0.5, -3, 0, 0, -5});  // d = 5 m
@@ -98,6 +101,12 @@ const VectorXd kFirstMeets = vector({0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, -5});
 }  // namespace
 
 TEST(BendSpringEnergy, OfOneSpring) {
+  SCOPED_TRACE("skip_rigidity = 10 N, rest lengths 0.5 m and 0.5 m: d0 = 1 m, k = 10 N/m");
+  EXPECT_DOUBLE_EQ(bend_spring_energy(kMetre, kMetreBent), 1.25) << "d = 0.5 m: 10 * 0.5^2 / 2 J";
+  EXPECT_DOUBLE_EQ(bend_spring_energy(kMetre, kMetreLong), 1.25) << "d = 1.5 m: 10 * 0.5^2 / 2 J";
+}
+
+TEST(BendSpringEnergy, OfASpringOfFourMetres) {
   SCOPED_TRACE("skip_rigidity = 10 N, rest lengths 1.5 m and 2.5 m: d0 = 4 m, k = 2.5 N/m");
   EXPECT_DOUBLE_EQ(bend_spring_energy(kTwo, kBent), 2.8125) << "d = 2.5 m: 2.5 * 1.5^2 / 2 J";
   EXPECT_DOUBLE_EQ(bend_spring_energy(kTwo, kLong), 1.25) << "d = 5 m: 2.5 * 1^2 / 2 J";
@@ -134,6 +143,13 @@ TEST(BendSpringEnergy, OfFewerThanThreeParticlesIsZero) {
 }
 
 TEST(AddBendSpringForce, OfOneSpring) {
+  for (const auto& [x, pull] : {std::pair{kMetreBent, -5.0}, {kMetreLong, 5.0}})
+    expect_entries(force(kMetre, x), vector({0, pull, 0, 0, 0, 0, 0, -pull, 0}), 64 * kU * 10 * 2.5,
+                   "the force of one spring, k = 10 N/m, d0 = 1 m, at x = " + particles_in_words(x),
+                   "64 u of k (d + d0): rounding");
+}
+
+TEST(AddBendSpringForce, OfASpringOfFourMetres) {
   const std::string source = "64 u of k (d + d0): rounding";
   // k (d - d0) = -3.75 N, along (0, 0.6, 0.8), from particle 0 to particle 2; nothing on particle 1.
   expect_entries(force(kTwo, kBent), vector({0, -2.25, -3, 0, 0, 0, 0, 2.25, 3}), 64 * kU * 2.5 * 6.5,
@@ -302,7 +318,7 @@ int main(int argc, char** argv) {
                {"add_bend_spring_force"}}},
              {{"Particles in the same place, and too few", "*ThatMeet*:*BehindOne*:*.OfFewer*"},
               {"Each spring, the first to the last", "*.OfALongStrand"},
-              {"Lengths", "*.InAnyUnit"},
+              {"Lengths", "*.InAnyUnit:*.OfASpringOfFour*"},
               {"Added to what is there", "*.IsAddedTo*"},
               {"The geometric term, filtered and dropped", "*.LetsThrough*:*.WithoutTheNegative*"},
               {"The energy", "BendSpringEnergy.*"},
@@ -310,7 +326,7 @@ int main(int argc, char** argv) {
               {"The exact product", "AddBendSpringProduct.*"}},
              {{"strands of everyday size pass", "*InAnyUnit*"},
               {"the energy of one spring is wrong", "BendSpringEnergy.OfOneSpring"},
-              {"right where d_0 = 1 only", "BendSpringEnergy.Sees*"},
+              {"right where d_0 = 1 only", "BendSpringEnergy.Sees*:*.OfASpringOfFour*"},
               {"a crash for short strands", "BendSpringEnergy.OfFewer*"},
               {"the force is not the slope", "AddBendSpringForce.OfOneSpring:AddBendSpringForce.IsMinus*"},
               {"the force has a torque", "AddBendSpringForce.GivesNoNet*"},

@@ -77,6 +77,17 @@ void filtered_product(Trial& trial) {
     expect_same(line, GeometricTerm::dropped, dx - along, VectorXd::Zero(dx.size()),
                 "the product across a line, without the geometric term");
   }
+  // In a bent strand, too, each segment has its own direction u: if its one end moves, what is left at the other one is the part along u.
+  const Posed bent = random_pose(random, toy_strand(random, 6), kMixed, kAnyBend, "bent");
+  for (int i = 0; i < bent.strand.segments(); ++i) {
+    VectorXd dx = VectorXd::Zero(bent.x.size());
+    dx.segment<3>(3 * i) = random_vector(random, 3);
+    const Vector3d u = (bent.x.segment<3>(3 * i + 3) - bent.x.segment<3>(3 * i)).normalized(),
+                   full = ask_product(trial, bent, dx).segment<3>(3 * i + 3);
+    expect_vector(trial, ask_product(trial, bent, dx, GeometricTerm::dropped).segment<3>(3 * i + 3),
+                  u * u.dot(full), 2 * product_rounding(bent, dx),
+                  "the product of a bent strand, without the geometric term");
+  }
   // Each segment for itself: one is stretched, and the other compressed.
   for (int stretched : {0, 1}) {
     VectorXd lengths = VectorXd::Constant(2, 0.6);
@@ -131,6 +142,20 @@ void sampling(Trial& trial) {
   expect_size(trial, forces[0], EA * strain, "the force");
   expect_all_equal(trial, forces, 128 * kUnit / strain,
                    "how the force at a strain changes with a segment's length");
+  // Each segment has its own.
+  Posed uneven = random_pose(random, toy_strand(random, 6), {1.2, 1.5}, kAnyBend, "uneven rest lengths");
+  for (double& l : uneven.strand.rest_length) l = random.uniform(0.3, 2);
+  const VectorXd change = random_vector(random, uneven.x.size());
+  expect_sum_of_parts(
+      trial, uneven, 2, 4 * force_rounding(uneven),
+      [&](const Posed& posed, int) { return ask_force(trial, posed); },
+      "the force on a strand with uneven rest lengths, beside those of its segments alone,");
+  expect_sum_of_parts(
+      trial, uneven, 2, 4 * product_rounding(uneven, change),
+      [&](const Posed& posed, int first) {
+        return ask_product(trial, posed, change.segment(3 * first, posed.x.size()));
+      },
+      "the product of a strand with uneven rest lengths, beside those of its segments alone,");
   expect_size(trial, products[0], EA * dx.norm(), "the product");
   expect_all_equal(trial, products, 256 * kUnit / strain,
                    "how the product times a segment's length changes with that length");

@@ -66,7 +66,10 @@ void other_units(Trial& trial) {
   const auto energies = [&](const Posed& first, const Posed& second) {
     return Eigen::Vector2d(ask_energy(trial, first), ask_energy(trial, second));
   };
-  const VectorXd E = energies(one, other), f = ask_force(trial, one), df = ask_product(trial, one, dx);
+  InUnits energy(trial, energies(one, other), energy_rounding(one) + energy_rounding(other),
+                 "the energy in other units"),
+      force(trial, ask_force(trial, one), force_rounding(one), "the force in other units"),
+      product(trial, ask_product(trial, one, dx), product_rounding(one, dx), "the product in other units");
   for (auto [metre, newton] :
        {std::pair{0x1p-80, 1.0}, {0x1p-35, 1.0}, {0x1p40, 1.0}, {1.0, 0x1p-60}, {1.0, 0x1p40}}) {
     const auto changed = [metre = metre, newton = newton](Posed posed) {
@@ -77,11 +80,9 @@ void other_units(Trial& trial) {
       return posed;
     };
     const Posed tiny = changed(one);
-    expect_proportions(trial, energies(tiny, changed(other)), E,
-                       energy_rounding(one) + energy_rounding(other), "the energy in other units");
-    expect_proportions(trial, ask_force(trial, tiny), f, force_rounding(one), "the force in other units");
-    expect_proportions(trial, ask_product(trial, tiny, dx), df, product_rounding(one, dx),
-                       "the product in other units");
+    energy.expect(energies(tiny, changed(other)), metre, newton);
+    force.expect(ask_force(trial, tiny), metre, newton);
+    product.expect(ask_product(trial, tiny, dx), metre, newton);
   }
 }
 

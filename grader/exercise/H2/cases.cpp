@@ -74,15 +74,40 @@ void sampling(Trial& trial) {
   expect_all_equal(trial, energies, 16 * kUnit * 64 * 64,
                    "how the circle's energy changes with the number of segments");
 
-  // One joint between segments that differ, at the same angle: E (l1 + l2) is the same.
+  // One joint between segments that differ, at the same angle: each answer times l1 + l2 is the same.
   Posed joint = some_pose(random, 3, {0.5, 1});
+  const VectorXd push = random_vector(random, 9), force = ask_force(trial, joint),
+                 product = ask_product(trial, joint, push), semi_definite = ask_spd(trial, joint, push);
   energies.clear();
   for (auto [l1, l2] : {std::pair{1.0, 1.0}, {0.1, 0.3}, {0.4, 0.02}, {5.0, 2.0}}) {
+    joint.strand.rest_length.setOnes();
+    const double of_force = 2 * force_rounding(joint), of_product = 2 * product_rounding(joint, push);
     joint.strand.rest_length << l1, l2;
+    const double l = (l1 + l2) / 2;
     energies.push_back(ask_energy(trial, joint) * (l1 + l2));
+    expect_vector(trial, ask_force(trial, joint) * l, force, of_force, "the force with uneven rest lengths");
+    for (const auto& [function, expected] : {std::pair{kProduct, &product}, {kSpdProduct, &semi_definite}})
+      expect_vector(trial, ask_product(trial, joint, push, function) * l, *expected, of_product,
+                    "the product with uneven rest lengths");
   }
   expect_all_equal(trial, energies, 4096 * kUnit,
                    "how a joint's energy times its segments' lengths changes with them");
+
+  // Each joint has its own two.
+  Posed uneven = some_pose(random, 6, {0.3, 1.4});
+  for (double& l : uneven.strand.rest_length) l = random.uniform(0.3, 2);
+  const VectorXd change = random_vector(random, uneven.x.size());
+  expect_sum_of_parts(
+      trial, uneven, 3, 4 * force_rounding(uneven),
+      [&](const Posed& posed, int) { return ask_force(trial, posed); },
+      "the force on a strand with uneven rest lengths, beside those of its joints alone,");
+  for (int function : {kProduct, kSpdProduct})
+    expect_sum_of_parts(
+        trial, uneven, 3, 4 * product_rounding(uneven, change),
+        [&](const Posed& posed, int first) {
+          return ask_product(trial, posed, change.segment(3 * first, posed.x.size()), function);
+        },
+        "the product of a strand with uneven rest lengths, beside those of its joints alone,");
 
   // The same strand with rest lengths that are r times as long: all answers are an r-th.
   Strand strand = toy_strand(random, 6);
@@ -146,6 +171,12 @@ void current_lengths(Trial& trial) {
         expect_scaled(ask_product(trial, other, dx, function), df, 1 / (own * a), 1 / (own * b),
                       product_rounding(other, dx), "the product with other lengths");
       }
+      // If a joint that moves as a whole does not change, the middle's part is what the two ends' leave.
+      const VectorXd whole = random_vector(random, 3).replicate(3, 1);
+      if (largest(ask_product(trial, one, whole, function)) <= product_rounding(one, whole))
+        expect_vector(trial, ask_product(trial, other, whole, function), VectorXd::Zero(9),
+                      product_rounding(other, whole),
+                      "the product where all three particles move alike, with other lengths");
     }
   }
 }

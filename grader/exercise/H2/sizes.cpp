@@ -23,8 +23,11 @@ void other_units(Trial& trial) {
   const auto energies = [&](const Posed& first, const Posed& second) {
     return Eigen::Vector2d(ask_energy(trial, first), ask_energy(trial, second));
   };
-  const VectorXd E = energies(one, other), f = ask_force(trial, one), df = ask_product(trial, one, dx),
-                 spd = ask_spd(trial, one, dx);
+  InUnits energy(trial, energies(one, other), energy_rounding(one) + energy_rounding(other),
+                 "the energy in other units"),
+      force(trial, ask_force(trial, one), force_rounding(one), "the force in other units"),
+      product(trial, ask_product(trial, one, dx), product_rounding(one, dx), "the product in other units"),
+      spd(trial, ask_spd(trial, one, dx), product_rounding(one, dx), "the product in other units");
   // The contract's limits are 1e-100 and 1e100 m: 2^-332 and 2^332.
   for (auto [metre, stiffness] :
        {std::pair{0x1p-320, 1.0}, {0x1p-40, 1.0}, {0x1p320, 1.0}, {1.0, 0x1p-60}, {1.0, 0x1p40}}) {
@@ -36,13 +39,10 @@ void other_units(Trial& trial) {
       return posed;
     };
     const Posed there = changed(one);
-    expect_proportions(trial, energies(there, changed(other)), E,
-                       energy_rounding(one) + energy_rounding(other), "the energy in other units");
-    expect_proportions(trial, ask_force(trial, there), f, force_rounding(one), "the force in other units");
-    expect_proportions(trial, ask_product(trial, there, dx), df, product_rounding(one, dx),
-                       "the product in other units");
-    expect_proportions(trial, ask_spd(trial, there, dx), spd, product_rounding(one, dx),
-                       "the product in other units");
+    energy.expect(energies(there, changed(other)), metre, stiffness);
+    force.expect(ask_force(trial, there), metre, stiffness);
+    product.expect(ask_product(trial, there, dx), metre, stiffness);
+    spd.expect(ask_spd(trial, there, dx), metre, stiffness);
   }
 }
 

@@ -88,6 +88,17 @@ void filtered_product(Trial& trial) {
     expect_same(line, GeometricTerm::dropped, dx - along, VectorXd::Zero(dx.size()),
                 "the product across a line, without the geometric term");
   }
+  // In a bent strand, too, each spring has its own direction u: if its one end moves, what is left at the other one is the part along u.
+  const Posed bent = random_pose(random, half_metres(random, 7), kStretch, kBend, "bent");
+  for (int i = 0; i + 2 < bent.strand.count(); ++i) {
+    VectorXd dx = VectorXd::Zero(bent.x.size());
+    dx.segment<3>(3 * i) = random_vector(random, 3);
+    const Vector3d u = (bent.x.segment<3>(3 * i + 6) - bent.x.segment<3>(3 * i)).normalized(),
+                   full = ask_product(trial, bent, dx).segment<3>(3 * i + 6);
+    expect_vector(trial, ask_product(trial, bent, dx, GeometricTerm::dropped).segment<3>(3 * i + 6),
+                  u * u.dot(full), 2 * product_rounding(bent, dx),
+                  "the product of a bent strand, without the geometric term");
+  }
   // Each spring for itself: one of two is stretched, and the other compressed.
   for (int stretched : {0, 1}) {
     Posed posed{half_metres(random, 4), random_vector(random, 12), "one of both"};
@@ -130,6 +141,8 @@ void lengths(Trial& trial) {
   }
   // Two segments that differ count by their sum: what one is longer the other may be shorter.
   std::vector<double> energies;
+  std::vector<VectorXd> ends;  // of force and product
+  const VectorXd push = random_vector(random, 9);
   for (double l1 : {1.0, 0.3, 1.7}) {
     Posed posed = random_pose(random, toy_strand(random, 3), {1, 1}, {0.3, 0.3}, "uneven");
     posed.strand = toy_strand(random, 3);
@@ -137,9 +150,28 @@ void lengths(Trial& trial) {
     posed.strand.rest_length << l1, 2 - l1;
     posed.x.tail<3>() = posed.x.head<3>() + 2.5 * Vector3d::UnitX();
     energies.push_back(ask_energy(trial, posed));
+    VectorXd end(6);
+    end << ask_force(trial, posed).tail<3>(), ask_product(trial, posed, push).tail<3>();
+    ends.push_back(end);
+    expect_vector(trial, end, ends[0], 2 * (force_rounding(posed) + product_rounding(posed, push)),
+                  "the force and the product of a spring whose rest length is divided differently");
   }
   expect_all_equal(trial, energies, 4096 * kUnit,
                    "how a spring's energy changes with how its rest length is divided");
+  // Each spring has its own two.
+  Posed uneven = random_pose(random, toy_strand(random, 6), {1.2, 1.5}, kBend, "uneven rest lengths");
+  for (double& l : uneven.strand.rest_length) l = random.uniform(0.3, 2);
+  const VectorXd change = random_vector(random, uneven.x.size());
+  expect_sum_of_parts(
+      trial, uneven, 3, 4 * force_rounding(uneven),
+      [&](const Posed& part, int) { return ask_force(trial, part); },
+      "the force on a strand with uneven rest lengths, beside those of its springs alone,");
+  expect_sum_of_parts(
+      trial, uneven, 3, 4 * product_rounding(uneven, change),
+      [&](const Posed& part, int first) {
+        return ask_product(trial, part, change.segment(3 * first, part.x.size()));
+      },
+      "the product of a strand with uneven rest lengths, beside those of its springs alone,");
   expect_same_in_other_units(trial);
 }
 

@@ -185,7 +185,9 @@ std::vector<const Method*> usable_methods(Trial& trial) {
     if (moves && same_vectors(moved.x, again.x) && same_vectors(moved.v, again.v)) usable.push_back(&method);
   }
   trial.require(usable.size() + 1 >= std::size(kMethods),
-                "more than one of the methods does not move the particles as by h v, the same way each time");
+                "two or more methods move particles by something else than about h v, or give another result "
+                "for the same "
+                "call");
   return usable;
 }
 
