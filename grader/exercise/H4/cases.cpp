@@ -53,7 +53,8 @@ void matrix(Trial& trial) {
 void damping(Trial& trial) {
   Random& random = trial.random;
   for (int n : {1, 4, 9}) {
-    const auto [a, b] = two_times(random);
+    const auto times = two_times(random);
+    const double a = times.first, b = times.second;
     Cloud cloud = mixed_cloud(random, n, Parts::all);
     expect_product(trial, with(cloud, Parts::dfdv), a, b);
     // Both derivatives at once: what each adds to the masses, added.

@@ -134,7 +134,7 @@ VectorXd part_of(const Tree& tree, const VectorXd& numbers, const std::vector<in
 }
 
 Tree in_units(const Tree& tree, const Units& units) {
-  const auto [mass, length, time] = units;
+  const double mass = units.mass, length = units.length, time = units.time;
   const double rate = 1 / time, twice = rate * rate, moment = mass * length * length;
   const auto inertia = [&](hair::SpatialInertia& I) { I.M *= mass, I.H *= mass * length, I.J *= moment; };
   const auto force = [&](hair::SpatialForce& f) {

@@ -75,8 +75,9 @@ void constraint_forces(Trial& trial) {
 void feedback(Trial& trial) {
   Random& random = trial.random;
   const ConstrainedSystem plain = separate_rods(random, 4);
-  for (const auto& [stiffness, damping] :
+  for (const auto& terms :
        {std::pair{random.uniform(10, 1000), 0.0}, {0.0, random.uniform(1, 50)}, {100.0, 20.0}}) {
+    const double stiffness = terms.first, damping = terms.second;
     ConstrainedSystem with = plain;
     with.constraints.stiffness = stiffness;
     with.constraints.damping = damping;

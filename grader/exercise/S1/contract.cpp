@@ -17,11 +17,11 @@ bool same(const Solution& a, const Solution& b) {
 
 std::optional<int> own_offset(Trial& trial) {
   const LinearSystem any = spectral_system("a count of steps", log_spaced(15, 1, 40), trial.random);
-  const auto [epsilon, steps] = tolerance_after(any, 5);
+  const auto known = tolerance_after(any, 5);
   std::optional<int> offset;
   trial.ask_aside([&] {
-    const LinearSystem unit = at_unit_tolerance(any, epsilon);
-    offset = solve(trial, unit, 1, usual_limit(unit)).steps - steps;
+    const LinearSystem unit = at_unit_tolerance(any, known.epsilon);
+    offset = solve(trial, unit, 1, usual_limit(unit)).steps - known.steps;
   });
   return offset && std::abs(*offset) <= 1 ? offset : std::nullopt;
 }
