@@ -117,8 +117,8 @@ void thin_triangles(Trial& trial) {
   Random& random = trial.random;
   for (int repeat = 0; repeat < 12; ++repeat) {
     const Corners corners = some_triangle(random, repeat % 2 == 0 ? 1e-3 : 1e-4);
-    const Vector3d above =
-        (repeat % 4 / 2) * random.uniform(0, 1) * longest_edge(corners) * normal_of(corners);
+    const double height = repeat % 4 < 2 ? 0 : random.uniform(0, 1) * longest_edge(corners);
+    const Vector3d above = height * normal_of(corners);
     trial.describe("a thin triangle");
     expect_near(trial, corners, some_point_of(random, corners) + above);
   }

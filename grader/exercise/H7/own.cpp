@@ -19,7 +19,7 @@ struct Case {
 };
 
 // As a pass begins: with the reference's results of the passes before.
-Case before(int pass, Tree tree) {
+Case before(int pass, const Tree& tree) {
   Case made{pass, tree, sizes_of(tree)};
   Tree after = tree;
   made.acceleration = reference_passes(after, 3).norm() * std::max(1.0, made.sizes.length);
