@@ -133,6 +133,8 @@ class RightPrograms : public testing::TestWithParam<std::string> {
                    "-Wl,--version-script=" + (kit_.folder() / "export" / (exercise_.id + ".map")).string(),
                    "-o", linked, compiled});
       for (const std::string& id : exercise_.prerequisites) link.push_back(provided(id));
+      for (const std::string& library : exercise_.libraries) link.push_back(given(library));
+      link.push_back(given("standard"));
       for (const auto& words : {compile, link})
         if (const ProgramRun found = run(words, log); found.code != 0) return found.output;
       fs::rename(linked, object);
@@ -143,6 +145,7 @@ class RightPrograms : public testing::TestWithParam<std::string> {
   }
 
   std::string provided(const std::string& id) const { return kit_.folder() / "provided" / (id + ".so"); }
+  std::string given(const std::string& library) const { return kit_.folder() / "given" / (library + ".a"); }
 };
 
 TEST_P(RightPrograms, LoseNoPointWhateverCompilesThem) {
