@@ -115,7 +115,8 @@ PublicChecks::Ran PublicChecks::run(const Exercise& exercise, Build build, const
     inner.memory_bytes = std::size_t{1} << 46;  // of addresses
   }
   Pipe output = make_pipe();
-  CagedProcess process(cage, with_inner_limits(inner, {"/check", "--gtest_color=no"}), -1, -1, output.write_end.get());
+  CagedProcess process(cage, with_inner_limits(inner, {"/check", "--gtest_color=no"}), -1, -1,
+                       output.write_end.get());
   output.write_end.close();
   Ran ran;
   ran.output = read_both_ends(output.read_end, kMostSaid, cage.limits.wall_seconds);
