@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. The categories of H10 and their points.
 #include "grader/exercise/H10/cases.h"
 #include "grader/suite/whole_run_points.h"
 

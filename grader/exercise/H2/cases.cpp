@@ -50,7 +50,7 @@ void spd_product(Trial& trial) {
   }
 }
 
-// What follows asks for properties of the student's own answers: a mistake elsewhere does not count again.
+// The cases below ask for properties of the student's own answers: a mistake elsewhere does not count again.
 
 void sampling(Trial& trial) {
   Random& random = trial.random;
@@ -148,7 +148,7 @@ void current_lengths(Trial& trial) {
     const Posed one = with_lengths(some_pose(random, 3, {0.4, 1.4}), 1, 1), other = with_lengths(one, a, b);
     trial.expect_at_most(std::abs(ask_energy(trial, other) - ask_energy(trial, one)),
                          2 * energy_rounding(one), "the error of the energy with other lengths");
-    // Of an answer, what its ends have to be; and the middle, if the answer for lengths of 1 m is balanced.
+    // The ends of an answer are judged; the middle, too, if the answer for lengths of 1 m is balanced.
     const auto expect_scaled = [&](const VectorXd& answer, const VectorXd& of_one, double first, double last,
                                    double rounding, const std::string& what) {
       VectorXd expected = answer;

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Asks a student's functions of H2 and bounds the rounding errors.
 #include "grader/exercise/H2/joints.h"
 
 #include <Eigen/Geometry>

@@ -53,7 +53,7 @@ void expect_product(Trial& trial, const Posed& posed, int function);
 Posed zigzag(const Strand& strand, const Eigen::Vector3d& direction, const Eigen::Vector3d& aside,
              double bend);
 
-// Whether forces on particles add up to zero, but for `rounding`.
+// True if forces on particles add up to zero, but for `rounding`.
 bool is_balanced(const VectorXd& forces, double rounding);
 
 }  // namespace grader::h2

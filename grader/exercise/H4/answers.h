@@ -40,7 +40,7 @@ struct System {
   Eigen::VectorXd rhs;
 
   double residual(const Eigen::VectorXd& dv) const { return (rhs - A * dv).norm(); }
-  // Of what ConjGrad's residual may be off by (solver/linearSolver.h), as in implicit_system.h.
+  // The allowance for ConjGrad's residual (solver/linearSolver.h), as in implicit_system.h.
   double rounding(const Eigen::VectorXd& dv) const;
 };
 

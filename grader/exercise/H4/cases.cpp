@@ -126,7 +126,7 @@ void right_hand_side(Trial& trial) {
     cloud.force->add_force(cloud.state.x, cloud.state.v, f);
     cloud.force->add_dfdx(cloud.state.x, cloud.state.v, cloud.state.v, Kv);
     const double size = a * (f.norm() + b * Kv.norm());
-    // What the force adds to numbers that are there already rounds once more, by them.
+    // A sum with numbers that are there already rounds once more, by their size.
     trial.expect_at_most((right_side(trial, cloud, a, b, kUnset).rhs - a * (f + b * Kv)).norm(),
                          8 * (3 * n + 8) * kUnit * size, "the error of the right-hand side");
   }

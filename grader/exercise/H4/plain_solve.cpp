@@ -68,7 +68,7 @@ void report(Trial& trial) {
     trial.require(trial.provided_solves().size() == 1, "it does not call ConjGrad once");
     trial.expect_at_most(std::abs(report.rhs - system.rhs.norm()), 1e-12 * system.rhs.norm(),
                          "the error of the report's norm of the right-hand side");
-    // Of dv; or what ConjGrad said, if dv is lost.
+    // The residual of dv, or the one that ConjGrad said, if dv is lost.
     const double said = std::sqrt(trial.provided_solves().back().value);
     trial.expect_at_most(
         std::min(std::abs(report.residual - system.residual(solution.dv)), std::abs(report.residual - said)),

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Asks a student for steps of P1, one or many.
 #include "grader/exercise/P1/runs.h"
 
 #include <functional>

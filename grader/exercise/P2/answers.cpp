@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Asks a student's functions of P2 and compares the answers.
 #include "grader/exercise/P2/answers.h"
 
 #include <Eigen/Core>
