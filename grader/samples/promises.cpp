@@ -122,21 +122,39 @@ std::vector<Promises> promises_of(const std::filesystem::path& project, const st
   return all;
 }
 
-std::string table_of(const std::vector<Promises>& promises) {
+std::string table_of(const std::vector<Promises>& promises, const FindFailedCase& find_failed_case) {
   std::ostringstream out;
+  out << "<!-- STAFF ONLY. The promises of the exercises' headers, and the programs that lose points for "
+         "ignoring them. -->\n"
+         "# Promises\n\n"
+         "*Made by:* `hairgrade grade --class build/release/grader/samples/class --out GRADES`, then "
+         "`hairgrade samples --promises "
+         "--graded GRADES > grader/samples/PROMISES.md`.\n"
+         "`samples_test` holds its sentences, programs and categories to the headers and the samples. Inputs "
+         "are those of one secret, in "
+         "the first category.\n\n";
+  const bool graded = find_failed_case != nullptr;
   for (const Promises& of : promises) {
     out << "## " << of.exercise << ": " << of.header
-        << "\n\n| the header says | a program ignores it | and loses |\n|---|---|---|\n";
+        << "\n\n| the header says | a program ignores it | and loses |"
+        << (graded ? " at the input | where a student reads |" : "") << "\n|---|---|---|"
+        << (graded ? "---|---|" : "") << "\n";
     for (const Promise& promise : of.sentences) {
       if (promise.explained && promise.broken_by.empty()) continue;
-      if (promise.broken_by.empty()) out << "| " << in_a_cell(promise.sentence) << " | | |\n";
+      if (promise.broken_by.empty())
+        out << "| " << in_a_cell(promise.sentence) << " | | |" << (graded ? " | |" : "") << "\n";
       for (const Sample* sample : promise.broken_by) {
         const ExpectedResult& expected = sample->expected.at(of.exercise);
         std::string lost;
         for (const std::string& title : expected.failed) lost += (lost.empty() ? "" : "; ") + title;
         out << "| " << in_a_cell(sample == promise.broken_by.front() ? promise.sentence : "") << " | `"
             << sample->name << "`: " << in_a_cell(sample->shows) << " | "
-            << in_a_cell(lost.empty() ? expected.status : lost) << " |\n";
+            << in_a_cell(lost.empty() ? expected.status : lost) << " |";
+        if (graded) {
+          const FailedCase failed = find_failed_case(*sample, of.exercise);
+          out << " " << in_a_cell(failed.input) << " | " << in_a_cell(failed.student_reads) << " |";
+        }
+        out << "\n";
       }
     }
     out << "\n";

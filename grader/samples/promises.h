@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,14 @@ struct Promises {
 // sample's exercises has.
 std::vector<Promises> promises_of(const std::filesystem::path& project, const std::vector<Sample>& samples);
 
-// Markdown: each sentence that is not explained, the programs that ignore it, and the categories that they lose.
-std::string table_of(const std::vector<Promises>& promises);
+// The first case that failed in the first category that a sample must lose, as a grading has it.
+struct FailedCase {
+  std::string input, student_reads;
+};
+using FindFailedCase = std::function<FailedCase(const Sample&, const std::string& exercise)>;
+
+// Markdown: each sentence that is not explained, the programs that ignore it, and the categories that they lose; and behind these, if
+// there is a grading, how it shows.
+std::string table_of(const std::vector<Promises>& promises, const FindFailedCase& find_failed_case = {});
 
 }  // namespace grader

@@ -2,7 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <fstream>
 #include <map>
+#include <sstream>
 
 #include "grader/course/input.h"
 #include "grader/samples/promises.h"
@@ -50,6 +52,19 @@ TEST(Headers, PromiseNothingThatNoProgramLosesPointsFor) {
   }
 }
 
+// PROMISES.md has more columns behind these: a grading fills them.
+TEST(PromisesTable, IsOfTheseHeadersAndSamples) {
+  const fs::path project = HAIR_PROJECT;
+  const std::vector<Sample> samples = read_samples(project);
+  std::istringstream expected(table_of(promises_of(project, samples)));
+  std::ifstream table(project / "grader/samples/PROMISES.md");
+  for (std::string line, written; std::getline(expected, line);)
+    ASSERT_TRUE(std::getline(table, written) && written.starts_with(line))
+        << "make PROMISES.md again, as it says, for it should have: " << line << "\nand has: " << written;
+  std::string more;
+  EXPECT_FALSE(std::getline(table, more)) << more;
+}
+
 TEST(SentencesOf, AreThoseOfTheComments) {
   EXPECT_EQ(sentences_of("// A. Nother: x is 0. y,\n// too (1.5).\n//\n//   f = k\n#pragma once\n\n"
                          "// E, in J.\ndouble e(int n);  // n >= 0\n}  // namespace a\n"),
@@ -81,6 +96,8 @@ TEST(PromisesOf, AreBrokenOrExplained) {
   const std::string table = table_of(all);
   EXPECT_NE(table.find("| x is an output. | `more`: It. | The second |"), std::string::npos) << table;
   EXPECT_NE(table.find("| A unit is 1 \\|m\\|. | | |"), std::string::npos) << table;
+  const auto failed = [](const Sample&, const std::string&) { return FailedCase{"x = 1", "it is wrong"}; };
+  EXPECT_NE(table_of(all, failed).find("| The second | x = 1 | it is wrong |\n"), std::string::npos);
 }
 
 TEST(PromisesOf, RefusesWordsThatStandNowhere) {

@@ -43,12 +43,14 @@ std::vector<hair::HelixElement> ask_carried(Trial& trial, const MaterialFrame& r
 }
 
 VectorXd ask_stiffness(Trial& trial, const HelixStrand& strand) {
+  trial.describe(std::to_string(strand.natural.size() / 3) + " elements");
   VectorXd K = unset(strand.natural.size());
   ask_student_for<Calls, hair::helix_stiffness>(trial, strand, K);
   return K;
 }
 
 VectorXd ask_elastic(Trial& trial, const HelixStrand& strand, const VectorXd& q) {
+  trial.describe(std::to_string(strand.natural.size() / 3) + " elements, bent");
   VectorXd force = unset(q.size());
   ask_student_for<Calls, hair::elastic_force>(trial, strand, q, force);
   return force;
