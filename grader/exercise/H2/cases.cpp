@@ -93,21 +93,7 @@ void sampling(Trial& trial) {
   expect_all_equal(trial, energies, 4096 * kUnit,
                    "how a joint's energy times its segments' lengths changes with them");
 
-  // Each joint has its own two.
-  Posed uneven = some_pose(random, 6, {0.3, 1.4});
-  for (double& l : uneven.strand.rest_length) l = random.uniform(0.3, 2);
-  const VectorXd change = random_vector(random, uneven.x.size());
-  expect_sum_of_parts(
-      trial, uneven, 3, 4 * force_rounding(uneven),
-      [&](const Posed& posed, int) { return ask_force(trial, posed); },
-      "the force on a strand with uneven rest lengths, beside those of its joints alone,");
-  for (int function : {kProduct, kSpdProduct})
-    expect_sum_of_parts(
-        trial, uneven, 3, 4 * product_rounding(uneven, change),
-        [&](const Posed& posed, int first) {
-          return ask_product(trial, posed, change.segment(3 * first, posed.x.size()), function);
-        },
-        "the product of a strand with uneven rest lengths, beside those of its joints alone,");
+  expect_own_rest_lengths(trial, strand_force(), some_pose(random, 6, {0.3, 1.4}), 3, "joints");
 
   // The same strand with rest lengths that are r times as long: all answers are an r-th.
   Strand strand = toy_strand(random, 6);
@@ -182,20 +168,7 @@ void current_lengths(Trial& trial) {
 }
 
 void added(Trial& trial) {
-  Random& random = trial.random;
-  const Posed posed = some_pose(random, 9, {0.2, 2});
-  const VectorXd dx = random_vector(random, posed.x.size()), before = random_vector(random, posed.x.size());
-  auto bound = [&](const VectorXd& of) { return 16 * kUnit * (largest(of) + largest(before)); };
-  const VectorXd f = ask_force(trial, posed);
-  expect_size(trial, f.norm(), reference_force(posed).norm(), "the force");
-  expect_vector(trial, ask_force(trial, posed, before), f + before, bound(f) + force_rounding(posed),
-                "the force that is added to what f held");
-  for (int function : {kProduct, kSpdProduct}) {
-    const VectorXd df = ask_product(trial, posed, dx, function);
-    expect_size(trial, df.norm(), reference_product(posed, dx, function).norm(), "the product");
-    expect_vector(trial, ask_product(trial, posed, dx, before, function), df + before,
-                  bound(df) + product_rounding(posed, dx), "the product that is added to what df held");
-  }
+  expect_added(trial, strand_force(), some_pose(trial.random, 9, {0.2, 2}), 16);
 }
 
 }  // namespace

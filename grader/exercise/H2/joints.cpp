@@ -114,6 +114,18 @@ void expect_product(Trial& trial, const Posed& posed, int function) {
                 product_rounding(posed, dx), "the product");
 }
 
+StrandForce strand_force() {
+  StrandForce all{ask_energy,      ask_force,      reference_force,  {},
+                  energy_rounding, force_rounding, product_rounding, &Strand::bend_rigidity};
+  for (const int function : {kProduct, kSpdProduct})
+    all.products.push_back(
+        {[=](Trial& trial, const Posed& posed, const VectorXd& dx, const VectorXd& before) {
+           return ask_product(trial, posed, dx, before, function);
+         },
+         [=](const Posed& posed, const VectorXd& dx) { return reference_product(posed, dx, function); }});
+  return all;
+}
+
 Posed zigzag(const Strand& strand, const Vector3d& direction, const Vector3d& aside, double bend) {
   const Vector3d across = (aside - direction * direction.dot(aside)).normalized();
   Posed posed{strand, VectorXd::Zero(3 * strand.count()), "a zigzag"};

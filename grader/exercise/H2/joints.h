@@ -13,7 +13,7 @@
 
 #include <vector>
 
-#include "grader/suite/strand_trial.h"
+#include "grader/suite/strand_force.h"
 
 namespace grader::h2 {
 
@@ -43,6 +43,8 @@ VectorXd ask_product(Trial& trial, const Posed& posed, const VectorXd& dx, int f
 VectorXd reference_force(const Posed& posed);
 VectorXd reference_product(const Posed& posed, const VectorXd& dx, int function);
 VectorXd ask_spd(Trial& trial, const Posed& posed, const VectorXd& dx);
+
+StrandForce strand_force();  // for the cases that H1 to H3 share
 
 // Compares the student's answers with the reference's, up to rounding.
 void expect_energy(Trial& trial, const Posed& posed);

@@ -195,22 +195,8 @@ void no_direction(Trial& trial) {
     Posed posed = random_pose(random, toy_strand(random, kCount), {1, 1}, kBend, "coincident particles");
     for (int i = 0; i + 1 < kCount; ++i)
       if (i == which || which < 0) posed.x.segment<3>(3 * i + 3) = Vector3d(posed.x.segment<3>(3 * i));
-    const int in_front = std::max(which, 0) + 1;
-    const Posed front = part_of(posed, 0, in_front), behind = part_of(posed, in_front, kCount - in_front);
-    const VectorXd dx = random_vector(random, posed.x.size());
-    const double E = ask_energy(trial, front) + ask_energy(trial, behind);
-    trial.expect_at_most(std::abs(ask_energy(trial, posed) - E), 2 * energy_rounding(posed),
-                         "the error of the energy of a strand with a segment of length 0");
-    VectorXd both(dx.size());
-    both << ask_force(trial, front), ask_force(trial, behind);
-    expect_vector(trial, ask_force(trial, posed), both, 2 * force_rounding(posed),
-                  "the force on a strand with a segment of length 0");
-    for (int function : {kProduct, kSpdProduct}) {
-      both << ask_product(trial, front, dx.head(3 * in_front), function),
-          ask_product(trial, behind, dx.tail(dx.size() - 3 * in_front), function);
-      expect_vector(trial, ask_product(trial, posed, dx, function), both, 2 * product_rounding(posed, dx),
-                    "the product of a strand with a segment of length 0");
-    }
+    expect_parts_alone(trial, strand_force(), posed, std::max(which, 0) + 1,
+                       random_vector(random, posed.x.size()));
     trial.expect(ask_force(trial, posed).isZero(0) == (which < 0),
                  "segments of length 0 have a force, or others have none");
   }

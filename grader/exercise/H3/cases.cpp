@@ -41,77 +41,44 @@ std::vector<Posed> states(Random& random, int count) {
 
 void energy(Trial& trial) {
   for (int count : {5, 6, 12, 40})
-    for (const Posed& posed : states(trial.random, count)) expect_energy(trial, posed);
+    for (const Posed& posed : states(trial.random, count)) Bend::expect_energy(trial, posed);
 }
 
 void forces(Trial& trial) {
   for (int count : {5, 5, 6, 7, 20})
-    for (const Posed& posed : states(trial.random, count)) expect_force(trial, posed);
+    for (const Posed& posed : states(trial.random, count)) Bend::expect_force(trial, posed);
 }
 
 void exact_product(Trial& trial) {
   Random& random = trial.random;
   for (int count : {5, 6, 15})
-    for (const Posed& posed : states(random, count)) {
-      const VectorXd dx = change_of(random, posed);
-      expect_vector(trial, ask_product(trial, posed, dx), reference_product(posed, dx, GeometricTerm::full),
-                    product_rounding(posed, dx), "the product");
-    }
+    for (const Posed& posed : states(random, count))
+      Bend::expect_product(trial, posed, change_of(random, posed));
 }
 
 // Beside the student's own exact product, which is another category's.
 void filtered_product(Trial& trial) {
   Random& random = trial.random;
-  const auto expect_same = [&](const Posed& posed, GeometricTerm term, const VectorXd& dx,
-                               const VectorXd& expected, const std::string& what) {
-    expect_vector(trial, ask_product(trial, posed, dx, term), expected, 2 * product_rounding(posed, dx),
-                  what);
-  };
   for (int count : {4, 6, 15}) {
     const Posed longer = random_pose(random, half_metres(random, count), kLong, {0.1, 0.6}, "stretched"),
                 shorter = random_pose(random, half_metres(random, count), {0.3, 0.9}, kBend, "compressed");
-    const VectorXd dx = random_vector(random, 3 * count), full = ask_product(trial, longer, dx);
-    expect_not_zero(trial, full, "the product");
-    expect_same(longer, GeometricTerm::filtered, dx, full, "the filtered product of what is stretched");
-    expect_same(shorter, GeometricTerm::filtered, dx, ask_product(trial, shorter, dx, GeometricTerm::dropped),
-                "the filtered product of what is compressed");
-
-    // On a line: no spring turns if all move along it, and without the geometric term nothing else has a force.
+    const VectorXd dx = random_vector(random, 3 * count);
+    expect_filtered(trial, Bend::kProduct, longer, shorter, dx);
     const Vector3d direction = random_direction(random);
-    VectorXd lengths(count - 1), along(3 * count);
+    VectorXd lengths(count - 1);
     for (double& one : lengths) one = random.uniform(0.3, 0.8);
-    for (int i = 0; i < count; ++i) along.segment<3>(3 * i) = direction * direction.dot(dx.segment<3>(3 * i));
-    const Posed line = straight_pose(half_metres(random, count), lengths, direction, "on a line");
-    const VectorXd full_along = ask_product(trial, line, along);
-    for (GeometricTerm term : {GeometricTerm::filtered, GeometricTerm::dropped})
-      expect_same(line, term, along, full_along, "the product along a line");
-    expect_same(line, GeometricTerm::dropped, dx - along, VectorXd::Zero(dx.size()),
-                "the product across a line, without the geometric term");
+    expect_along_a_line(trial, Bend::kProduct,
+                        straight_pose(half_metres(random, count), lengths, direction, "on a line"), direction,
+                        dx);
   }
-  // In a bent strand, too, each spring has its own direction u: if its one end moves, what is left at the other one is the part along u.
-  const Posed bent = random_pose(random, half_metres(random, 7), kStretch, kBend, "bent");
-  for (int i = 0; i + 2 < bent.strand.count(); ++i) {
-    VectorXd dx = VectorXd::Zero(bent.x.size());
-    dx.segment<3>(3 * i) = random_vector(random, 3);
-    const Vector3d u = (bent.x.segment<3>(3 * i + 6) - bent.x.segment<3>(3 * i)).normalized(),
-                   full = ask_product(trial, bent, dx).segment<3>(3 * i + 6);
-    expect_vector(trial, ask_product(trial, bent, dx, GeometricTerm::dropped).segment<3>(3 * i + 6),
-                  u * u.dot(full), 2 * product_rounding(bent, dx),
-                  "the product of a bent strand, without the geometric term");
-  }
-  // Each spring for itself: one of two is stretched, and the other compressed.
+  expect_own_directions(trial, Bend::kProduct,
+                        random_pose(random, half_metres(random, 7), kStretch, kBend, "bent"), 2);
   for (int stretched : {0, 1}) {
-    Posed posed{half_metres(random, 4), random_vector(random, 12), "one of both"};
+    Posed two{half_metres(random, 4), random_vector(random, 12), "one of both"};
     for (int i : {0, 1})
-      posed.x.segment<3>(3 * i + 6) =
-          posed.x.segment<3>(3 * i) + (i == stretched ? 1.6 : 0.6) * random_direction(random);
-    for (int moved : {0, 1}) {
-      VectorXd dx = VectorXd::Zero(12);
-      dx.segment<3>(3 * moved) = random_vector(random, 3);
-      const GeometricTerm same = moved == stretched ? GeometricTerm::full : GeometricTerm::dropped;
-      expect_same(posed, GeometricTerm::filtered, dx, ask_product(trial, posed, dx, same),
-                  "the filtered product of a strand with a stretched and a compressed spring");
-    }
+      two.x.segment<3>(3 * i + 6) =
+          two.x.segment<3>(3 * i) + (i == stretched ? 1.6 : 0.6) * random_direction(random);
+    for (int spring : {0, 1}) expect_own_term(trial, Bend::kProduct, two, spring, spring == stretched);
   }
 }
 
@@ -120,11 +87,12 @@ void lengths(Trial& trial) {
   Random& random = trial.random;
   const Posed large = random_pose(random, toy_strand(random, 6), {1.2, 1.6}, {0.2, 1}, "rest lengths of 1 m");
   const VectorXd dx = random_vector(random, large.x.size());
-  const double E = ask_energy(trial, large);
-  const VectorXd f = ask_force(trial, large), df = ask_product(trial, large, dx);
+  const double E = Bend::ask_energy(trial, large);
+  const VectorXd f = Bend::ask_force(trial, large), df = Bend::ask_product(trial, large, dx);
   expect_size(trial, E, hair::bend_spring_energy(large.strand, large.x), "the energy");
-  expect_size(trial, f.norm(), reference_force(large).norm(), "the force");
-  expect_size(trial, df.norm(), reference_product(large, dx, GeometricTerm::full).norm(), "the product");
+  expect_size(trial, f.norm(), Bend::reference_force(large).norm(), "the force");
+  expect_size(trial, df.norm(), Bend::reference_product(large, dx, GeometricTerm::full).norm(),
+              "the product");
   // All lengths divided by r, the rigidity as it was: E falls like 1/r, f stays, products grow like r.
   for (double r : {8.0, 1024.0}) {  // powers of two: nothing rounds differently
     Posed small = large;
@@ -134,10 +102,10 @@ void lengths(Trial& trial) {
     auto expect = [&](const VectorXd& actual, const VectorXd& expected, const std::string& what) {
       expect_vector(trial, actual, expected, 1e-12 * largest(expected), what);
     };
-    expect(VectorXd::Constant(1, ask_energy(trial, small)), VectorXd::Constant(1, E / r),
+    expect(VectorXd::Constant(1, Bend::ask_energy(trial, small)), VectorXd::Constant(1, E / r),
            "a short strand's energy");
-    expect(ask_force(trial, small), f, "a short strand's force");
-    expect(ask_product(trial, small, dx), df * r, "a short strand's product");
+    expect(Bend::ask_force(trial, small), f, "a short strand's force");
+    expect(Bend::ask_product(trial, small, dx), df * r, "a short strand's product");
   }
   // Two segments that differ count by their sum: what one is longer the other may be shorter.
   std::vector<double> energies;
@@ -149,45 +117,30 @@ void lengths(Trial& trial) {
     posed.strand.skip_rigidity = large.strand.skip_rigidity;
     posed.strand.rest_length << l1, 2 - l1;
     posed.x.tail<3>() = posed.x.head<3>() + 2.5 * Vector3d::UnitX();
-    energies.push_back(ask_energy(trial, posed));
+    energies.push_back(Bend::ask_energy(trial, posed));
     VectorXd end(6);
-    end << ask_force(trial, posed).tail<3>(), ask_product(trial, posed, push).tail<3>();
+    end << Bend::ask_force(trial, posed).tail<3>(), Bend::ask_product(trial, posed, push).tail<3>();
     ends.push_back(end);
-    expect_vector(trial, end, ends[0], 2 * (force_rounding(posed) + product_rounding(posed, push)),
+    expect_vector(trial, end, ends[0],
+                  2 * (Bend::force_rounding(posed) + Bend::product_rounding(posed, push)),
                   "the force and the product of a spring whose rest length is divided differently");
   }
   expect_all_equal(trial, energies, 4096 * kUnit,
                    "how a spring's energy changes with how its rest length is divided");
-  // Each spring has its own two.
-  Posed uneven = random_pose(random, toy_strand(random, 6), {1.2, 1.5}, kBend, "uneven rest lengths");
-  for (double& l : uneven.strand.rest_length) l = random.uniform(0.3, 2);
-  const VectorXd change = random_vector(random, uneven.x.size());
-  expect_sum_of_parts(
-      trial, uneven, 3, 4 * force_rounding(uneven),
-      [&](const Posed& part, int) { return ask_force(trial, part); },
-      "the force on a strand with uneven rest lengths, beside those of its springs alone,");
-  expect_sum_of_parts(
-      trial, uneven, 3, 4 * product_rounding(uneven, change),
-      [&](const Posed& part, int first) {
-        return ask_product(trial, part, change.segment(3 * first, part.x.size()));
-      },
-      "the product of a strand with uneven rest lengths, beside those of its springs alone,");
-  expect_same_in_other_units(trial);
+  expect_own_rest_lengths(
+      trial, Bend::strand_force(),
+      random_pose(random, toy_strand(random, 6), {1.2, 1.5}, kBend, "uneven rest lengths"), 3, "springs");
+  const Strand strand = half_metres(random, 7);
+  const Posed one = random_pose(random, strand, kStretch, kBend, "a strand"),
+              other = random_pose(random, strand, kLong, kBend, "another");
+  expect_same_in_other_units(trial, Bend::strand_force(), one, other, {0x1p-80, 0x1p-35, 0x1p40});
 }
 
 void added(Trial& trial) {
-  Random& random = trial.random;
-  const Posed posed =
-      random_pose(random, half_metres(random, 9), kStretch, {0.2, 2}, "added to what is there");
-  const VectorXd dx = random_vector(random, posed.x.size()), before = random_vector(random, posed.x.size());
-  auto bound = [&](const VectorXd& of) { return 8 * kUnit * (largest(of) + largest(before)); };
-  const VectorXd f = ask_force(trial, posed), df = ask_product(trial, posed, dx);
-  expect_size(trial, f.norm(), reference_force(posed).norm(), "the force");
-  expect_size(trial, df.norm(), reference_product(posed, dx, GeometricTerm::full).norm(), "the product");
-  expect_vector(trial, ask_force(trial, posed, before), f + before, bound(f) + force_rounding(posed),
-                "the force that is added to what f held");
-  expect_vector(trial, ask_product(trial, posed, dx, before), df + before,
-                bound(df) + product_rounding(posed, dx), "the product that is added to what df held");
+  expect_added(
+      trial, Bend::strand_force(),
+      random_pose(trial.random, half_metres(trial.random, 9), kStretch, {0.2, 2}, "added to what is there"),
+      8);
 }
 
 }  // namespace

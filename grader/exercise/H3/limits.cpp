@@ -1,5 +1,5 @@
-// STAFF ONLY. H3: hidden cases of springs one by one, of springs without a length, and of sizes far from the ordinary. They
-// compare the student's answers with each other, so that a mistake elsewhere does not count again.
+// STAFF ONLY. H3: hidden cases of springs one by one and of springs without a length. They compare the student's
+// answers with each other, so that a mistake elsewhere does not count again.
 #include "grader/exercise/H3/limits.h"
 
 #include <cmath>
@@ -32,7 +32,8 @@ OfOneSpring of_spring(Trial& trial, const Strand& strand, const Vector3d& direct
     if (i + 4 >= count) both.tail<3>() = of.segment<3>(3 * i + 6);
     return both;
   };
-  return {ends(ask_force(trial, posed)), ends(ask_product(trial, rest, longer)), ask_energy(trial, posed)};
+  return {ends(Bend::ask_force(trial, posed)), ends(Bend::ask_product(trial, rest, longer)),
+          Bend::ask_energy(trial, posed)};
 }
 
 }  // namespace
@@ -70,9 +71,10 @@ void no_direction(Trial& trial) {
   for (int count : {1, 2}) {
     const Posed posed{toy_strand(random, count), random_vector(random, 3 * count), "too short"};
     const VectorXd dx = random_vector(random, 3 * count);
-    trial.expect(ask_energy(trial, posed) == 0, "a strand of fewer than 3 particles has an energy");
-    trial.expect(ask_force(trial, posed).isZero(0), "a strand of fewer than 3 particles has a force");
-    trial.expect(ask_product(trial, posed, dx).isZero(0), "a strand of fewer than 3 particles has a product");
+    trial.expect(Bend::ask_energy(trial, posed) == 0, "a strand of fewer than 3 particles has an energy");
+    trial.expect(Bend::ask_force(trial, posed).isZero(0), "a strand of fewer than 3 particles has a force");
+    trial.expect(Bend::ask_product(trial, posed, dx).isZero(0),
+                 "a strand of fewer than 3 particles has a product");
   }
   constexpr GeometricTerm kTerms[] = {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped};
   // Particles i and i + 2 in the same place: folded; and all of them.
@@ -82,61 +84,32 @@ void no_direction(Trial& trial) {
       if (which < 0 || i == which + 2)
         posed.x.segment<3>(3 * i) = Vector3d(posed.x.segment<3>(which < 0 ? 0 : 3 * which));
     const bool nothing = which < 0;
-    const VectorXd f = ask_force(trial, posed), change = random_vector(random, posed.x.size());
+    const VectorXd f = Bend::ask_force(trial, posed), change = random_vector(random, posed.x.size());
     trial.expect(f.isZero(0) == nothing, "particles in the same place have a force, or others have none");
     for (GeometricTerm term : kTerms)
-      trial.expect(ask_product(trial, posed, change, term).isZero(0) == nothing,
+      trial.expect(Bend::ask_product(trial, posed, change, term).isZero(0) == nothing,
                    "particles in the same place have a product, or others have none");
   }
   // Two springs, of which one has no length: its ends belong to it alone.
   for (int which : {0, 1}) {
     Posed posed{half_metres(random, 4), random_vector(random, 12), "one of two springs without a length"};
     posed.x.segment<3>(3 * which + 6) = Vector3d(posed.x.segment<3>(3 * which));
-    const VectorXd f = ask_force(trial, posed), dx = random_vector(random, 12);
+    const VectorXd f = Bend::ask_force(trial, posed), dx = random_vector(random, 12);
     const auto nothing = [&](const VectorXd& v) {
       return v.segment<3>(3 * which).isZero(0) && v.segment<3>(3 * which + 6).isZero(0);
     };
     trial.expect(nothing(f), "a spring without a length has a force, beside one that has a length");
     for (GeometricTerm term : kTerms)
-      trial.expect(nothing(ask_product(trial, posed, dx, term)),
+      trial.expect(nothing(Bend::ask_product(trial, posed, dx, term)),
                    "a spring without a length has a product, beside one that has a length");
   }
   // A length of 0 costs as much energy as twice the rest length.
   Posed none{half_metres(random, 3), VectorXd::Zero(9), "folded"}, twice = none;
   none.x.segment<3>(3) = twice.x.segment<3>(3) = random_vector(random, 3);
   twice.x.tail<3>() = 2 * random_direction(random);
-  trial.expect_at_most(std::abs(ask_energy(trial, none) - ask_energy(trial, twice)),
-                       energy_rounding(none) + energy_rounding(twice),
+  trial.expect_at_most(std::abs(Bend::ask_energy(trial, none) - Bend::ask_energy(trial, twice)),
+                       Bend::energy_rounding(none) + Bend::energy_rounding(twice),
                        "the error of the energy of a spring without a length");
-}
-
-void expect_same_in_other_units(Trial& trial) {
-  Random& random = trial.random;
-  const Strand strand = half_metres(random, 7);
-  const Posed one = random_pose(random, strand, kStretch, kBend, "a strand"),
-              other = random_pose(random, strand, kLong, kBend, "another");
-  const VectorXd dx = random_vector(random, one.x.size());
-  const auto energies = [&](const Posed& first, const Posed& second) {
-    return Eigen::Vector2d(ask_energy(trial, first), ask_energy(trial, second));
-  };
-  InUnits energy(trial, energies(one, other), energy_rounding(one) + energy_rounding(other),
-                 "the energy in other units"),
-      force(trial, ask_force(trial, one), force_rounding(one), "the force in other units"),
-      product(trial, ask_product(trial, one, dx), product_rounding(one, dx), "the product in other units");
-  for (auto [metre, newton] :
-       {std::pair{0x1p-80, 1.0}, {0x1p-35, 1.0}, {0x1p40, 1.0}, {1.0, 0x1p-60}, {1.0, 0x1p40}}) {
-    const auto changed = [metre = metre, newton = newton](Posed posed) {
-      posed.strand.skip_rigidity *= newton;
-      posed.strand.rest_length *= metre;
-      posed.x *= metre;
-      posed.name += ", in other units";
-      return posed;
-    };
-    const Posed there = changed(one);
-    energy.expect(energies(there, changed(other)), metre, newton);
-    force.expect(ask_force(trial, there), metre, newton);
-    product.expect(ask_product(trial, there, dx), metre, newton);
-  }
 }
 
 }  // namespace grader::h3

@@ -7,6 +7,5 @@ namespace grader::h3 {
 
 void every_spring(Trial& trial);
 void no_direction(Trial& trial);
-void expect_same_in_other_units(Trial& trial);
 
 }  // namespace grader::h3
