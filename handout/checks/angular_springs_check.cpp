@@ -11,6 +11,7 @@
 
 #include "check.h"
 #include "derivative.h"
+#include "strands.h"
 
 using namespace checks;
 using Eigen::Vector3d;
@@ -20,28 +21,13 @@ using std::numbers::pi;
 
 namespace {
 
-const double kU = std::ldexp(1.0, -53);
-
-// EI = 4 N m^2, and masses and lengths that are neither equal nor 1.
+// EI = 4 N m^2
 Strand strand_of(const VectorXd& rest_length) {
-  Strand strand;
-  strand.mass = VectorXd::LinSpaced(rest_length.size() + 1, 2, 3);
-  strand.rest_length = rest_length;
-  strand.bend_rigidity = 4;
-  strand.stretch_rigidity = strand.skip_rigidity = 1e9;  // H2 has no use for them.
-  return strand;
-}
-
-VectorXd vector(std::initializer_list<double> values) {
-  return Eigen::Map<const VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()));
+  return strand_with(&Strand::bend_rigidity, 4, rest_length);
 }
 
 // Segments of 1 m whose rest lengths are 1 m: k = EI = 4 N m. First down, then turned by `bend` each, in
 // planes that turn.
-struct Case {
-  Strand strand;
-  VectorXd x;
-};
 Case bent(int count, double bend) {
   Case result{strand_of(VectorXd::Ones(count - 1)), VectorXd::Zero(3 * count)};
   Vector3d direction(0, 0, -1), axis(1, 0, 0);
@@ -89,21 +75,10 @@ VectorXd product_spd(const Strand& strand, const VectorXd& x, const VectorXd& dx
   return df;
 }
 
-// A clamped strand whose lengths are in a unit of its own, down to the contract's 1e-100 m: all numbers are those of before times
-// a power of two. `power`: of the unit of length, in the answer.
+// A clamped strand, down to the contract's 1e-100 m. `power`: of the unit of length, in the answer.
 template <class Answer>
 void expect_in_units(const Answer& answer, int power, const std::string& what) {
-  const Case c = clamped(uneven(6, 4));
-  const VectorXd expected = answer(c.strand, c.x);
-  for (const int unit : {-310, -45, 310}) {
-    Strand strand = c.strand;
-    strand.rest_length *= std::ldexp(1.0, unit);
-    expect_entries(answer(strand, c.x * std::ldexp(1.0, unit)) * std::ldexp(1.0, -power * unit), expected,
-                   1e-10 * expected.cwiseAbs().maxCoeff(),
-                   what + " where all lengths are 2^" + std::to_string(unit) +
-                       " times as large, in that unit. Is a length taken for 0 that is not?",
-                   "1e-10 of it: rounding");
-  }
+  checks::expect_in_units(answer, clamped(uneven(6, 4)), {-310, -45, 310}, power, 1e-10, what);
 }
 
 // Beside a segment of length 0 there are no joints: what is in front of it and what is behind it are strands of their own.
@@ -248,11 +223,8 @@ TEST(AddBendForce, GivesNoNetForceOrTorque) {
 
 TEST(AddBendForce, IsAddedToWhatFHolds) {
   const Case c = uneven(5, 1);
-  const VectorXd before = scattered_vector(15, 8);
-  VectorXd f = before;
-  add_bend_force(c.strand, c.x, f);
-  expect_entries(f, before + force(c.strand, c.x), 16 * kU * 100,
-                 "f, which held " + particles_in_words(before), "16 u of the largest force: rounding");
+  expect_added([&](VectorXd& f) { add_bend_force(c.strand, c.x, f); }, scattered_vector(15, 8), 16 * kU * 100,
+               "f");
 }
 
 // EI = 4 N m^2 is a steel wire's. A hair's is 2^-30 of it, and all that joints do is 2^-30 of what it was.
@@ -487,14 +459,9 @@ TEST(AddProductsSpd, BesideASegmentOfLengthZero) {
 TEST(AddProductsSpd, IsAddedToWhatDfHolds) {
   const Case c = uneven(5, 6);
   const VectorXd dx = scattered_vector(15, 2), before = scattered_vector(15, 9);
-  VectorXd df = before, df_spd = before;
-  add_bend_product(c.strand, c.x, dx, df);
-  add_bend_product_spd(c.strand, c.x, dx, df_spd);
-  const std::string source = "64 u of the largest product: rounding";
-  expect_entries(df, before + product(c.strand, c.x, dx), 64 * kU * 200,
-                 "df, which held " + particles_in_words(before), source);
-  expect_entries(df_spd, before + product_spd(c.strand, c.x, dx), 64 * kU * 200,
-                 "df (semi-definite), which held " + particles_in_words(before), source);
+  expect_added([&](VectorXd& df) { add_bend_product(c.strand, c.x, dx, df); }, before, 64 * kU * 200, "df");
+  expect_added([&](VectorXd& df) { add_bend_product_spd(c.strand, c.x, dx, df); }, before, 64 * kU * 200,
+               "df (semi-definite)");
 }
 
 TEST(AddProductsSpd, AtTheFoldIsZero) {

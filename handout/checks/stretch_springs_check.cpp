@@ -5,10 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 #include "check.h"
 #include "derivative.h"
+#include "strands.h"
 
 using namespace checks;
 using Eigen::Vector3d;
@@ -18,23 +17,12 @@ using hair::Strand;
 
 namespace {
 
-const double kU = std::ldexp(1.0, -53);
-
-// EA = 12 N, and masses and lengths that are neither equal nor 1.
+// EA = 12 N
 Strand strand_of(const VectorXd& rest_length) {
-  Strand strand;
-  strand.mass = VectorXd::LinSpaced(rest_length.size() + 1, 2, 3);
-  strand.rest_length = rest_length;
-  strand.stretch_rigidity = 12;
-  strand.bend_rigidity = strand.skip_rigidity = 1e9;  // H1 has no use for them.
-  return strand;
+  return strand_with(&Strand::stretch_rigidity, 12, rest_length);
 }
 
 // Rest lengths between 0.5 and 1.5 m; bent all over, each segment 0.6 to 1.6 times as long as at rest.
-struct Case {
-  Strand strand;
-  VectorXd x;
-};
 Case bent(int count, int which) {
   const VectorXd numbers = scattered_vector(5 * count, which);
   Case result{strand_of(VectorXd::Ones(count - 1) + numbers.head(count - 1) / 2), VectorXd::Zero(3 * count)};
@@ -59,33 +47,12 @@ VectorXd product(const Strand& strand, const VectorXd& x, GeometricTerm term, co
   return df;
 }
 
-VectorXd vector(std::initializer_list<double> values) {
-  return Eigen::Map<const VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()));
-}
-
-// A strand whose lengths are in a unit of its own, or whose EA is: all numbers are those of before times a power of two.
-// `power`: of the unit of length, in the answer. Only a length of 0 is 0.
+// `power`: of the unit of length, in the answer.
 template <class Answer>
 void expect_in_units(const Answer& answer, int power, const std::string& what) {
   const Case c = bent(6, 9);
-  const VectorXd expected = answer(c.strand, c.x);
-  for (const int unit : {-90, -50, 30}) {
-    Strand strand = c.strand;
-    strand.rest_length *= std::ldexp(1.0, unit);
-    expect_entries(answer(strand, c.x * std::ldexp(1.0, unit)) * std::ldexp(1.0, -power * unit), expected,
-                   1e-12 * expected.cwiseAbs().maxCoeff(),
-                   what + " where all lengths are 2^" + std::to_string(unit) +
-                       " times as large, in that unit. Is a length taken for 0 that is not?",
-                   "1e-12 of it: rounding");
-  }
-  for (const int unit : {-70, 50}) {
-    Strand strand = c.strand;
-    strand.stretch_rigidity = std::ldexp(strand.stretch_rigidity, unit);
-    expect_entries(answer(strand, c.x) * std::ldexp(1.0, -unit), expected,
-                   1e-12 * expected.cwiseAbs().maxCoeff(),
-                   what + " where EA is 2^" + std::to_string(unit) + " times as large, over that",
-                   "1e-12 of it: rounding");
-  }
+  checks::expect_in_units(answer, c, {-90, -50, 30}, power, 1e-12, what);
+  expect_in_proportion(answer, c, &Strand::stretch_rigidity, "EA", what);
 }
 
 const Strand kMetre = strand_of(vector({1}));  // k = EA / l0 = 12 N/m
@@ -193,11 +160,8 @@ TEST(AddStretchForce, GivesNoNetForceOrTorque) {
 
 TEST(AddStretchForce, IsAddedToWhatFHolds) {
   const Case c = bent(5, 1);
-  const VectorXd before = scattered_vector(15, 8);
-  VectorXd f = before;
-  add_stretch_force(c.strand, c.x, f);
-  expect_entries(f, before + force(c.strand, c.x), 8 * kU * 36, "f, which held " + particles_in_words(before),
-                 "8 u of the largest force: rounding");
+  expect_added([&](VectorXd& f) { add_stretch_force(c.strand, c.x, f); }, scattered_vector(15, 8),
+               8 * kU * 36, "f");
 }
 
 TEST(AddStretchForce, InAnyUnit) {
@@ -256,32 +220,23 @@ TEST(AddStretchProduct, IsTheForcesDerivative) {
 
 TEST(AddStretchProduct, IsSymmetric) {
   const Case c = bent(8, 2);
-  for (GeometricTerm term : {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped}) {
-    expect_symmetric([&](const VectorXd& dx) { return product(c.strand, c.x, term, dx); },
-                     scattered_vector(24, 1), scattered_vector(24, 2), 24 * 64 * kU * 64,
-                     "24 entries, 64 u of k (1 + l0/l) each: rounding");
-  }
+  expect_symmetric_terms(
+      [&](GeometricTerm term, const VectorXd& dx) { return product(c.strand, c.x, term, dx); }, 24,
+      24 * 64 * kU * 64, "24 entries, 64 u of k (1 + l0/l) each: rounding");
 }
 
 TEST(AddStretchProduct, WithoutTheNegativeTermIsNegativeSemidefinite) {
   const Case c = bent(8, 4);
-  for (GeometricTerm term : {GeometricTerm::filtered, GeometricTerm::dropped}) {
-    for (int which = 0; which < 20; ++which) {
-      const VectorXd dx = scattered_vector(24, which);
-      EXPECT_LE(dx.dot(product(c.strand, c.x, term, dx)), 24 * 64 * kU * 64)
-          << "dx . (df/dx) dx for dx = " << particles_in_words(dx)
-          << "; bound: rounding, 64 u of k (1 + l0/l) an entry";
-    }
-  }
+  expect_negative_semidefinite(
+      [&](GeometricTerm term, const VectorXd& dx) { return product(c.strand, c.x, term, dx); }, 24,
+      24 * 64 * kU * 64, "24 entries, 64 u of k (1 + l0/l) each: rounding");
 }
 
 TEST(AddStretchProduct, IsAddedToWhatDfHolds) {
   const Case c = bent(5, 6);
-  const VectorXd dx = scattered_vector(15, 2), before = scattered_vector(15, 9);
-  VectorXd df = before;
-  add_stretch_product(c.strand, c.x, GeometricTerm::full, dx, df);
-  expect_entries(df, before + product(c.strand, c.x, GeometricTerm::full, dx), 8 * kU * 128,
-                 "df, which held " + particles_in_words(before), "8 u of the largest product: rounding");
+  const VectorXd dx = scattered_vector(15, 2);
+  expect_added([&](VectorXd& df) { add_stretch_product(c.strand, c.x, GeometricTerm::full, dx, df); },
+               scattered_vector(15, 9), 8 * kU * 128, "df");
 }
 
 TEST(AddStretchProduct, InAnyUnit) {

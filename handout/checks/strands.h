@@ -1,0 +1,102 @@
+// What the checks of H1, H2 and H3 share: strands as inputs, and what the three headers promise alike.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <cmath>
+#include <initializer_list>
+#include <string>
+
+#include "derivative.h"
+#include "hair/geometric_term.h"
+#include "hair/strand.h"
+
+namespace checks {
+
+inline constexpr double kU = 0x1p-53;
+
+inline Eigen::VectorXd vector(std::initializer_list<double> values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()));
+}
+
+// Masses that are neither equal nor 1, and only one rigidity that the exercise has a use for.
+inline hair::Strand strand_with(double hair::Strand::*rigidity, double value,
+                                const Eigen::VectorXd& rest_length) {
+  hair::Strand strand;
+  strand.mass = Eigen::VectorXd::LinSpaced(rest_length.size() + 1, 2, 3);
+  strand.rest_length = rest_length;
+  strand.stretch_rigidity = strand.bend_rigidity = strand.skip_rigidity = 1e9;
+  strand.*rigidity = value;
+  return strand;
+}
+
+struct Case {
+  hair::Strand strand;
+  Eigen::VectorXd x;
+};
+
+// Where lengths are in a unit of their own, all numbers are those of before times a power of two. `power`: of the unit, in the answer.
+// Only a length of 0 is 0.
+template <class Answer>
+void expect_in_units(const Answer& answer, const Case& c, std::initializer_list<int> units, int power,
+                     double relative, const std::string& what) {
+  const Eigen::VectorXd expected = answer(c.strand, c.x);
+  for (const int unit : units) {
+    hair::Strand strand = c.strand;
+    strand.rest_length *= std::ldexp(1.0, unit);
+    expect_entries(answer(strand, c.x * std::ldexp(1.0, unit)) * std::ldexp(1.0, -power * unit), expected,
+                   relative * expected.cwiseAbs().maxCoeff(),
+                   what + " where all lengths are 2^" + std::to_string(unit) +
+                       " times as large, in that unit. Is a length taken for 0 that is not?",
+                   "rounding of the largest entry");
+  }
+}
+
+// The same for a rigidity, of which every answer is a multiple.
+template <class Answer>
+void expect_in_proportion(const Answer& answer, const Case& c, double hair::Strand::*rigidity,
+                          const std::string& name, const std::string& what) {
+  const Eigen::VectorXd expected = answer(c.strand, c.x);
+  for (const int unit : {-70, 50}) {
+    hair::Strand strand = c.strand;
+    strand.*rigidity = std::ldexp(strand.*rigidity, unit);
+    expect_entries(answer(strand, c.x) * std::ldexp(1.0, -unit), expected,
+                   1e-12 * expected.cwiseAbs().maxCoeff(),
+                   what + " where " + name + " is 2^" + std::to_string(unit) + " times as large, over that",
+                   "rounding of the largest entry");
+  }
+}
+
+// `add` adds to what its argument holds, which is called `name`.
+template <class Add>
+void expect_added(const Add& add, const Eigen::VectorXd& before, double bound, const std::string& name) {
+  Eigen::VectorXd from_zero = Eigen::VectorXd::Zero(before.size()), sum = before;
+  add(from_zero);
+  add(sum);
+  expect_entries(sum, before + from_zero, bound, name + ", which held " + particles_in_words(before),
+                 "rounding of the largest entries");
+}
+
+// `product(term, dx)` is symmetric with each term, and negative semi-definite where the negative one is left out.
+template <class Product>
+void expect_symmetric_terms(const Product& product, int size, double bound,
+                            const std::string& source_of_bound) {
+  for (const auto term :
+       {hair::GeometricTerm::full, hair::GeometricTerm::filtered, hair::GeometricTerm::dropped})
+    expect_symmetric([&](const Eigen::VectorXd& dx) { return product(term, dx); }, scattered_vector(size, 1),
+                     scattered_vector(size, 2), bound, source_of_bound);
+}
+
+template <class Product>
+void expect_negative_semidefinite(const Product& product, int size, double bound,
+                                  const std::string& source_of_bound) {
+  for (const auto term : {hair::GeometricTerm::filtered, hair::GeometricTerm::dropped})
+    for (int which = 0; which < 20; ++which) {
+      const Eigen::VectorXd dx = scattered_vector(size, which);
+      EXPECT_LE(dx.dot(product(term, dx)), bound)
+          << "dx . (df/dx) dx for dx = " << particles_in_words(dx) << "; bound: " << source_of_bound;
+    }
+}
+
+}  // namespace checks
