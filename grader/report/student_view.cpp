@@ -34,15 +34,16 @@ std::string how_many_hold(const CaseResult& one) {
 }
 
 std::string sentence_of(const CaseResult& one) {
+  const std::string hint = one.hint.empty() ? "" : " " + one.hint;
   switch (one.status) {
     case Status::passed:
       return "";
     case Status::not_implemented:
       return "Not implemented yet.";
     case Status::wrong:
-      return how_many_hold(one) + (one.hint.empty() ? "" : " " + one.hint);
+      return how_many_hold(one) + hint;
     default:
-      return "It broke off: no answer, or none of the kind that was asked for.";
+      return "It broke off: no answer, or none of the kind that was asked for." + hint;
   }
 }
 

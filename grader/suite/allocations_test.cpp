@@ -1,5 +1,5 @@
 // STAFF ONLY. What functions allocate that promise to allocate nothing: all of it is counted, what the suite's own objects
-// allocate is not, and the reference keeps the promise.
+// allocate is not, and the reference keeps the promise. And what students read of functions that compute nothing.
 #include <gtest/gtest.h>
 
 #include "grader/course/course.h"
@@ -32,15 +32,17 @@ class Allocations : public testing::TestWithParam<std::string> {
       try {
         Trial trial(student, Random("a seed", category.name));
         category.run(trial);
-      } catch (const CaseFailed&) {
+      } catch (const CaseFailed& failure) {
         ++failed_;
+        hints_ += failure.hint.empty() ? "" : category.name + ": " + failure.hint + "\n";
       }
     }
     student.finish();
     return student.allocations();
   }
 
-  int failed_ = 0;  // categories
+  int failed_ = 0;     // categories
+  std::string hints_;  // that students read, a line each
 };
 
 INSTANTIATE_TEST_SUITE_P(InTurn, Allocations,
@@ -54,6 +56,22 @@ TEST_P(Allocations, AreCountedWhereTheStudentsCodeMakesThem) {
 TEST_P(Allocations, OfTheReferenceAreNone) {
   EXPECT_EQ(of(kKit / "lib" / (GetParam() + ".so")), 0);
   EXPECT_EQ(failed_, 0);
+}
+
+class Hints : public Allocations {};
+
+INSTANTIATE_TEST_SUITE_P(InTurn, Hints,
+                         testing::Values("S1", "S2", "P1", "P2", "H1", "H2", "H3", "H4", "H5", "H6", "H7",
+                                         "H8", "H9", "H10"),
+                         [](const auto& named) { return named.param; });
+
+// Of code that computes nothing each exercise's report says so, or that a number was never set.
+TEST_P(Hints, ReachEachExercisesReport) {
+  of(HAIR_ALLOCATING_EXERCISES);
+  EXPECT_NE(hints_, "");
+  for (const char* told : {"All of it is 0", "is no number", "unchanged"})
+    if (hints_.find(told) != std::string::npos) return;
+  ADD_FAILURE() << hints_;
 }
 
 // A category whose cases are counted goes on after a wrong answer: it must not look for what the answer lacks.

@@ -33,12 +33,16 @@ std::string hint_for_students(const checks::Hint& hint) {
       return "One of its numbers is no number: 0/0, or the root of a negative one?";
     case checks::Looks::zero:
       return "All of it is 0: is a term missing, or the result never written?";
+    case checks::Looks::unchanged:
+      return "It is an input, or what stood there before the call, unchanged: is the result never written?";
     case checks::Looks::wrong_at_the_end:
       return "It is right but for its last entries: a loop's bound?";
     case checks::Looks::wrong_at_the_beginning:
       return "It is right but for its first entries: a loop's bound?";
     case checks::Looks::a_factor:
       return told_of(hint.number);
+    case checks::Looks::transposed:
+      return "A matrix is the transpose of what is expected.";
     case checks::Looks::wrong_signs:
       return "It is right but for signs of some entries.";
   }

@@ -46,6 +46,10 @@ double distance(const std::vector<double>& a, const std::vector<double>& b) {
   return norm(difference);
 }
 
+Eigen::VectorXd vector_of(const std::vector<double>& values) {
+  return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+}
+
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) {
     return std::bit_cast<std::uint64_t>(x) == std::bit_cast<std::uint64_t>(y);
@@ -183,10 +187,13 @@ void expect_solved(Trial& trial, const LinearSystem& system, const Solution& sol
   const double residual = true_residual(system, solution.x);
   const double rounding = drift(system, solution.x, residual * residual);
   const std::string detail = numbers(solution, epsilon, 0);
-  trial.expect_at_most(residual, std::sqrt(epsilon) + rounding, "the norm of b - Ax", detail);
-  if (system.solution.empty() || !(system.smallest > 0)) return;
-  trial.expect_at_most(distance(solution.x, system.solution),
-                       (std::sqrt(epsilon) + rounding) / system.smallest, "the error of x", detail);
+  const bool known = !system.solution.empty() && system.smallest > 0;
+  const double bound = known ? (std::sqrt(epsilon) + rounding) / system.smallest : 0;
+  Compared numbers;
+  if (known) numbers = {vector_of(solution.x), vector_of(system.solution), 1, vector_of(system.b), bound};
+  trial.expect_at_most(residual, std::sqrt(epsilon) + rounding, "the norm of b - Ax", numbers, detail);
+  if (!known) return;
+  trial.expect_at_most(distance(solution.x, system.solution), bound, "the error of x", numbers, detail);
 }
 
 void expect_steps(Trial& trial, const Solution& solution, int expected) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <span>
 #include <sstream>
 
 namespace grader {
@@ -25,10 +24,7 @@ double largest(const VectorXd& v) {
 
 void expect_vector(Trial& trial, const VectorXd& actual, const VectorXd& expected, double bound,
                    const std::string& what) {
-  const auto numbers = [](const VectorXd& v) {
-    return std::span(v.data(), static_cast<std::size_t>(v.size()));
-  };
-  trial.expect_near(numbers(actual), numbers(expected), bound, "the error of " + what);
+  trial.expect_near({actual, expected}, bound, "the error of " + what);
 }
 
 void expect_size(Trial& trial, double actual, double expected, const std::string& what) {

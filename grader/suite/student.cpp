@@ -318,7 +318,7 @@ void Student::serve_product(Conversation& conversation, MessageReader& asked) {
 // A function of a prerequisite's, which may ask the worker about its own objects.
 void Student::serve_call(Conversation& conversation, MessageReader call) {
   if (conversation.stopping) throw MalformedMessage("a call after the request was stopped");
-  if (conversation.depth == kMostCalls) throw MalformedMessage("calls within calls");
+  if (conversation.depth == kMostCalls) throw MalformedMessage(kNestedCalls);
   const auto send = [&](Kind kind, const MessageWriter& body) {
     if (!tell(kind, conversation.nonce, body.bytes())) throw Over{ended("during a call")};
   };

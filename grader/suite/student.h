@@ -22,6 +22,9 @@ namespace grader {
 
 class Recording;
 
+// What an answer's note says where calls of given functions lie within each other too deeply.
+inline constexpr const char* kNestedCalls = "calls within calls";
+
 struct WorkerSetup {
   std::filesystem::path kit;          // see grader/worker/CMakeLists.txt
   std::string exercise;               // the exercise whose server answers

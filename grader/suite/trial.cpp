@@ -3,12 +3,33 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <sstream>
 #include <utility>
 
 #include "grader/suite/hint_for_students.h"
 
 namespace grader {
+namespace {
+
+std::span<const double> as_span(const Eigen::VectorXd& v) {
+  return {v.data(), static_cast<std::size_t>(v.size())};
+}
+
+// The first NaN, or the largest difference.
+std::optional<Eigen::Index> worst_entry(const Compared& numbers) {
+  const auto& [actual, expected, block, before, bound] = numbers;
+  std::optional<Eigen::Index> worst;
+  double error = 0;
+  for (Eigen::Index i = 0; i < expected.size() && !std::isnan(error); ++i)
+    if (const double one = std::abs(actual[i] - expected[i]); !worst || !(one <= error)) {
+      error = one;
+      worst = i;
+    }
+  return worst;
+}
+
+}  // namespace
 
 MessageReader Trial::ask(const MessageWriter& request, const Products& products, const std::string& stopped) {
   ++cases_;
@@ -26,7 +47,7 @@ MessageReader Trial::reply_of(Answer answer, const std::string& stopped) const {
     case Outcome::done:
       return std::move(answer.reply);
     case Outcome::stopped:
-      fail(Status::wrong, stopped, "stopped");
+      fail(Status::wrong, stopped, "stopped", stopped.empty() ? "" : "It " + stopped + ".");
     case Outcome::not_implemented:
       fail(Status::not_implemented, "not implemented yet", answer.note);
     case Outcome::threw:
@@ -43,7 +64,11 @@ MessageReader Trial::reply_of(Answer answer, const std::string& stopped) const {
                           : answer.note.starts_with("used up")
                               ? "broke the rules before, and is not asked again"
                               : std::string("answered in a form that it has no business with")),
-           answer.note);
+           answer.note,
+           answer.note == kNestedCalls
+               ? "Its calls of given functions lie within each other too deeply: does a "
+                 "matrix or a force call what uses it?"
+               : "");
     case Outcome::cannot_load:
       fail(Status::does_not_compile, "a function is missing, or its declaration differs from the header's",
            answer.note);
@@ -63,30 +88,33 @@ void Trial::require(bool holds, const std::string& feedback, const std::string& 
 }
 
 void Trial::expect_at_most(double error, double bound, const std::string& what, const std::string& detail) {
-  // A bound that is not finite would accept anything.
-  if (error <= bound && std::isfinite(bound)) return;
-  std::ostringstream numbers;
-  numbers.precision(17);
-  numbers << what << ": " << error << ", bound " << bound << (detail.empty() ? "" : "; ") << detail;
-  wrong(what + " is " + band(error, bound), numbers.str());
+  expect_at_most(error, bound, what, Compared{}, detail);
 }
 
-void Trial::expect_near(std::span<const double> actual, std::span<const double> expected, double bound,
-                        const std::string& what, int block) {
-  double error = 0;
-  std::size_t worst = 0;
-  for (std::size_t i = 0; i < expected.size() && !std::isnan(error); ++i)
-    if (const double one = std::abs(actual[i] - expected[i]); !(one <= error)) {
-      error = one;
-      worst = i;
-    }
+void Trial::expect_at_most(double error, double bound, const std::string& what, const Compared& numbers,
+                           const std::string& detail) {
+  // A bound that is not finite would accept anything.
   if (error <= bound && std::isfinite(bound)) return;
-  std::ostringstream numbers;
-  numbers.precision(17);
-  numbers << what << ": " << error << ", bound " << bound << "; worst entry " << worst << ": "
-          << actual[worst] << ", expected " << expected[worst];
-  wrong(what + " is " + band(error, bound), numbers.str(),
-        hint_for_students(checks::find_hint(actual, expected, bound, block)));
+  std::ostringstream text;
+  text.precision(17);
+  text << what << ": " << error << ", bound " << bound << (detail.empty() ? "" : "; ") << detail;
+  if (const auto worst = worst_entry(numbers))
+    text << "; worst entry " << *worst << ": " << numbers.actual[*worst] << ", expected "
+         << numbers.expected[*worst];
+  wrong(what + " is " + band(error, bound), text.str(),
+        hint_for_students(checks::find_hint(as_span(numbers.actual), as_span(numbers.expected),
+                                            numbers.bound.value_or(bound), numbers.block,
+                                            as_span(numbers.before))));
+}
+
+void Trial::expect_near(const Compared& numbers, double bound, const std::string& what) {
+  const auto worst = worst_entry(numbers);
+  expect_at_most(worst ? std::abs(numbers.actual[*worst] - numbers.expected[*worst]) : 0, bound, what,
+                 numbers);
+}
+
+void Trial::expect_close(const Compared& numbers, double bound, const std::string& what) {
+  expect_at_most((numbers.actual - numbers.expected).norm(), bound, what, numbers);
 }
 
 void Trial::wrong(const std::string& feedback, const std::string& detail, const std::string& hint) {

@@ -6,9 +6,9 @@
 // see inputs, expected and actual values.
 #pragma once
 
+#include <Eigen/Core>
 #include <functional>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -26,6 +26,15 @@ struct CaseFailed {
 
 inline constexpr const char* kTooManyProducts =
     "takes more products with the matrix than the step limit allows";
+
+// A student's numbers that belong together, beside what is expected. Wrong ones may look like a mistake, which the student reads
+// (hint_for_students.h). They decide nothing.
+struct Compared {
+  Eigen::VectorXd actual, expected;
+  int block = 3;                     // so many are a particle's
+  Eigen::VectorXd before = {};       // what stood there before the call, or an input
+  std::optional<double> bound = {};  // within which numbers are the same, if it is not that of the error
+};
 
 // What a wrong answer does: it ends the category by CaseFailed, or it is counted. No answer ends it in either way.
 enum class WhenWrong { stop, count };
@@ -55,11 +64,11 @@ class Trial {
 
   // error <= bound; otherwise the student reads "<what> is 10 to 1000 times as large as allowed". NaN fails.
   void expect_at_most(double error, double bound, const std::string& what, const std::string& detail = {});
-
-  // The same of numbers that belong together, and their largest difference. Wrong ones may look like a mistake, which the student reads.
-  // Each `block` of them is a particle's.
-  void expect_near(std::span<const double> actual, std::span<const double> expected, double bound,
-                   const std::string& what, int block = 3);
+  void expect_at_most(double error, double bound, const std::string& what, const Compared& numbers,
+                      const std::string& detail = {});
+  // The same of the largest difference, and of the distance ||actual - expected||.
+  void expect_near(const Compared& numbers, double bound, const std::string& what);
+  void expect_close(const Compared& numbers, double bound, const std::string& what);
 
   [[noreturn]] void fail(Status status, const std::string& feedback, const std::string& detail,
                          const std::string& hint = {}) const;

@@ -58,7 +58,11 @@ std::string hint_of(const std::vector<double>& numbers, const std::vector<double
   Student nobody{WorkerSetup{}};
   Trial trial(nobody, Random("seed", "hint"));
   try {
-    trial.expect_near(numbers, expected, 1e-9, "the error of x", 1);
+    const auto vector_of = [](const std::vector<double>& values) -> Eigen::VectorXd {
+      return Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
+    };
+    trial.expect_near({vector_of(numbers), vector_of(expected), 1, Eigen::Vector3d(4, 5, 6)}, 1e-9,
+                      "the error of x");
   } catch (const CaseFailed& failure) {
     EXPECT_EQ(failure.status, Status::wrong);
     return failure.hint.empty() ? "nothing" : failure.hint;
@@ -77,8 +81,29 @@ TEST(Hint, IsOneOfAFewSentences) {
   EXPECT_EQ(hint_of({7, 2, 3}), "It is right but for its first entries: a loop's bound?");
   EXPECT_EQ(hint_of({1, -2, 3}), "It is right but for signs of some entries.");
   EXPECT_EQ(hint_of({1, kNan, 3}), "One of its numbers is no number: 0/0, or the root of a negative one?");
+  EXPECT_EQ(hint_of({4, 5, 6}),
+            "It is an input, or what stood there before the call, unchanged: is the result never written?");
   EXPECT_EQ(hint_of({2, 1, 5}), "nothing");
   EXPECT_EQ(hint_of({}, {}), "");
+}
+
+TEST(Hint, SaysWhatStoppedACall) {
+  Student nobody{WorkerSetup{}};
+  Trial trial(nobody, Random("seed", "hint"));
+  const auto told = [&](Outcome outcome, const std::string& note) {
+    try {
+      trial.reply_of({outcome, MessageReader({}), note}, kTooManyProducts);
+    } catch (const CaseFailed& failure) {
+      return failure.hint;
+    }
+    return std::string();
+  };
+  EXPECT_EQ(told(Outcome::stopped, ""), "It takes more products with the matrix than the step limit allows.");
+  EXPECT_EQ(
+      told(Outcome::broke_rules, kNestedCalls),
+      "Its calls of given functions lie within each other too deeply: does a matrix or a force call what "
+      "uses it?");
+  EXPECT_EQ(told(Outcome::broke_rules, "anything else"), "");
 }
 
 std::optional<CaseCount> counted_without_worker(const std::function<void(Trial&)>& run) {

@@ -100,11 +100,31 @@ TEST_F(Hints, NameSignsOfSomeEntries) {
   EXPECT_EQ(told(actual, expected), "right but for signs of some entries");
 }
 
+TEST_F(Hints, NameATranspose) {
+  Numbers expected = numbers(18), actual = expected;
+  std::swap(actual[10], actual[12]);
+  std::swap(actual[11], actual[15]);
+  std::swap(actual[14], actual[16]);
+  EXPECT_EQ(told(actual, expected, 9), "the transpose of what was expected") << "of the second matrix";
+  EXPECT_EQ(told(expected, expected, 9), "");
+  std::swap(actual[3], actual[4]);
+  EXPECT_EQ(told(actual, expected, 9), "") << "and the first one is neither";
+}
+
+TEST_F(Hints, NameWhatStoodThereBefore) {
+  const Numbers expected = numbers(6), before = numbers(6);
+  EXPECT_EQ(hint(before, expected, kBound, 3, before),
+            "the input, or what stood there before, unchanged: is the result never written?");
+  EXPECT_EQ(hint(expected, expected, kBound, 3, expected), "") << "where nothing is to be changed";
+  EXPECT_EQ(hint(numbers(6), expected, kBound, 3, before), "");
+}
+
 // Noise, and results that are off by a little in all entries, say nothing. What is right says nothing, either.
 TEST_F(Hints, AreSilentWhereNothingIsClear) {
   for (int repeat = 0; repeat < 1000; ++repeat) {
     const Numbers expected = numbers(3 + repeat % 20);
     EXPECT_EQ(told(numbers(expected.size()), expected), "");
+    EXPECT_EQ(hint(numbers(9), numbers(9), kBound, 9, numbers(9)), "");
     Numbers actual = expected;
     for (double& value : actual) value += 0.1 * normal_(random_);
     EXPECT_EQ(told(actual, expected), "");

@@ -106,6 +106,25 @@ Hint signs_of(Numbers actual, Numbers expected, double bound) {
   return differs && actual.size() > 1 ? Hint{Looks::wrong_signs} : Hint{};
 }
 
+// Each block is a square matrix, or its transpose.
+bool is_transposed(Numbers actual, Numbers expected, double bound, int block) {
+  const int rows = static_cast<int>(std::lround(std::sqrt(block)));
+  if (rows < 2 || rows * rows != block || actual.size() % static_cast<std::size_t>(block) != 0) return false;
+  bool differs = false;
+  for (std::size_t first = 0; first < actual.size(); first += static_cast<std::size_t>(block)) {
+    bool same = true, turned = true;
+    for (int i = 0; i < rows; ++i)
+      for (int j = 0; j < rows; ++j) {
+        const double one = actual[first + i * rows + j];
+        same = same && std::abs(one - expected[first + i * rows + j]) <= bound;
+        turned = turned && std::abs(one - expected[first + j * rows + i]) <= bound;
+      }
+    if (!same && !turned) return false;
+    differs = differs || !same;
+  }
+  return differs;
+}
+
 std::string number_text(double number) {
   std::ostringstream text;
   text.precision(4);
@@ -120,7 +139,7 @@ std::string told_of(double factor) {
 
 }  // namespace
 
-Hint find_hint(Numbers actual, Numbers expected, double bound, int block) {
+Hint find_hint(Numbers actual, Numbers expected, double bound, int block, Numbers before) {
   if (actual.size() != expected.size() || actual.empty() || block < 1) return {};
   for (const double value : expected)
     if (!std::isfinite(value) || is_made_of_it(value)) return {};
@@ -128,6 +147,8 @@ Hint find_hint(Numbers actual, Numbers expected, double bound, int block) {
   const auto is_zero = [](double value) { return value == 0; };
   if (std::ranges::all_of(actual, is_zero))
     return std::ranges::all_of(expected, is_zero) ? Hint{} : Hint{Looks::zero};
+  if (std::ranges::equal(actual, before) && !std::ranges::equal(expected, before)) return {Looks::unchanged};
+  if (is_transposed(actual, expected, bound, block)) return {Looks::transposed};
   if (const Hint found = end_of(right_blocks(actual, expected, bound, block), block);
       found.looks != Looks::like_nothing)
     return found;
@@ -135,8 +156,8 @@ Hint find_hint(Numbers actual, Numbers expected, double bound, int block) {
   return signs_of(actual, expected, bound);
 }
 
-std::string hint(Numbers actual, Numbers expected, double bound, int block) {
-  const Hint found = find_hint(actual, expected, bound, block);
+std::string hint(Numbers actual, Numbers expected, double bound, int block, Numbers before) {
+  const Hint found = find_hint(actual, expected, bound, block, before);
   const std::string number = number_text(found.number);
   const std::string entries = found.number == 1 ? "entry" : number + " entries";
   switch (found.looks) {
@@ -151,12 +172,16 @@ std::string hint(Numbers actual, Numbers expected, double bound, int block) {
              " is no number: 0/0, the root of a negative number, or a variable that was never set?";
     case Looks::zero:
       return "all of it is 0: is a term missing, or the result never written?";
+    case Looks::unchanged:
+      return "the input, or what stood there before, unchanged: is the result never written?";
     case Looks::wrong_at_the_end:
       return "right but for the last " + entries + ": a loop's bound?";
     case Looks::wrong_at_the_beginning:
       return "right but for the first " + entries + ": a loop's bound?";
     case Looks::a_factor:
       return told_of(found.number);
+    case Looks::transposed:
+      return "the transpose of what was expected";
     case Looks::wrong_signs:
       return "right but for signs of some entries";
   }

@@ -12,9 +12,11 @@ enum class Looks {
   huge,
   no_number,
   zero,
+  unchanged,
   wrong_at_the_end,
   wrong_at_the_beginning,
   a_factor,
+  transposed,
   wrong_signs
 };
 
@@ -25,12 +27,13 @@ struct Hint {
 };
 
 // Numbers that differ by no more than `bound` are the same. Both have the same length; each `block` numbers belong together: 3 are a
-// particle's, 1 is an unknown's.
-Hint find_hint(std::span<const double> actual, std::span<const double> expected, double bound, int block = 1);
+// particle's, 1 is an unknown's, 9 are a matrix' of 3 x 3. `before`, if given: an input, or what stood there before the call.
+Hint find_hint(std::span<const double> actual, std::span<const double> expected, double bound, int block = 1,
+               std::span<const double> before = {});
 
 // As a sentence such as "-1 times what was expected: a sign?", or "" where nothing is clear.
 std::string hint(std::span<const double> actual, std::span<const double> expected, double bound,
-                 int block = 1);
+                 int block = 1, std::span<const double> before = {});
 
 // The same for one number: 0, or a sign or a small factor from what was expected.
 std::string hint_of_ratio(double actual, double expected);

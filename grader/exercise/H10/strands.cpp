@@ -12,11 +12,6 @@ namespace {
 
 constexpr double kPoints = 1e-12, kArcs = 1e-12, kTurns = 1e-10, kFolded = 1e-6, kRotation = 1e-9;
 
-// NaN if an entry is none.
-double largest_of(const VectorXd& errors) {
-  return errors.hasNaN() ? std::nan("") : errors.cwiseAbs().maxCoeff();
-}
-
 double difference(const std::vector<Matrix3d>& a, const std::vector<Matrix3d>& b) {
   double most = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -27,8 +22,17 @@ double difference(const std::vector<Matrix3d>& a, const std::vector<Matrix3d>& b
   return most;
 }
 
+void expect_turns(Trial& trial, const std::vector<Matrix3d>& answered, const std::vector<Matrix3d>& expected,
+                  double bound, const std::string& what) {
+  const auto entries = [](const std::vector<Matrix3d>& turns) -> VectorXd {
+    return Eigen::Map<const VectorXd>(turns[0].data(), 9 * static_cast<Eigen::Index>(turns.size()));
+  };
+  trial.expect_at_most(difference(answered, expected), bound, what,
+                       {entries(answered), entries(expected), 9});
+}
+
 void expect_points(Trial& trial, const VectorXd& answered, const VectorXd& expected, double size) {
-  trial.expect_at_most(largest_of(answered - expected), kPoints * size, "the error of a point");
+  trial.expect_near({answered, expected}, kPoints * size, "the error of a point");
 }
 
 Weights some_weights(Random& random, int repeat) {
@@ -74,9 +78,8 @@ void expect_wisp(Trial& trial, const OwnGuide& guide, double spread) {
 }
 
 void expect_frames(Trial& trial, const OwnGuide& guide) {
-  trial.expect_at_most(
-      difference(ask_frames(trial, guide.points).turns, reference_frames(guide.points).turns), kTurns,
-      "the error of a turn");
+  expect_turns(trial, ask_frames(trial, guide.points).turns, reference_frames(guide.points).turns, kTurns,
+               "the error of a turn");
 }
 
 void copy_point(OwnGuide& guide, int from, int to) {
@@ -113,8 +116,8 @@ void curved_scalp(Trial& trial) {
 void arcs(Trial& trial) {
   for (const int n : {2, 3, 16, 60}) {
     const OwnGuide guide = some_guide(trial.random, n, 1);
-    trial.expect_at_most(largest_of(ask_frames(trial, guide.points).arc - reference_frames(guide.points).arc),
-                         kArcs, "the error of an arc parameter");
+    trial.expect_near({ask_frames(trial, guide.points).arc, reference_frames(guide.points).arc, 1}, kArcs,
+                      "the error of an arc parameter");
   }
 }
 
@@ -149,8 +152,8 @@ void folds(Trial& trial) {
   OwnGuide point = some_guide(random, 3, 1);
   for (int i = 1; i < 3; ++i) copy_point(point, 0, i);
   expect_frames(trial, point);
-  trial.expect_at_most(largest_of(ask_frames(trial, point.points).arc), 0,
-                       "an arc parameter of a guide of length 0");
+  trial.expect_near({ask_frames(trial, point.points).arc, VectorXd::Zero(3), 1}, 0,
+                    "an arc parameter of a guide of length 0");
 }
 
 void wisps(Trial& trial) {
@@ -197,10 +200,9 @@ void other_units(Trial& trial) {
     for (const OwnGuide& guide : guides) size += guide.points.cwiseAbs().maxCoeff();
 
     const GuideFrames frames = ask_frames(trial, one), same = ask_frames(trial, there[0].points);
-    trial.expect_at_most(largest_of(same.arc / same.arc[15] - frames.arc / frames.arc[15]), 2 * kArcs,
-                         "by how much arc_i / arc_(n-1) is different in another unit");
-    trial.expect_at_most(difference(same.turns, frames.turns), 2 * kTurns,
-                         "by how much a turn changes with the unit");
+    trial.expect_near({same.arc / same.arc[15], frames.arc / frames.arc[15], 1}, 2 * kArcs,
+                      "by how much arc_i / arc_(n-1) is different in another unit");
+    expect_turns(trial, same.turns, frames.turns, 2 * kTurns, "by how much a turn changes with the unit");
 
     RootFrame root = moved_root(random, guides[0].root, 0.5);
     const Vector3d position = root.position;

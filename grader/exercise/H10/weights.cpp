@@ -14,10 +14,15 @@ Vector3d point_of(const Corners& corners, const Weights& weights) {
   return weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
 }
 
+Compared beside_ours(const Weights& weights, const Corners& corners, const Vector3d& root, double bound) {
+  const Weights ours = hair::root_weights(corners, root);
+  return {Vector3d(weights.data()), Vector3d(ours.data()), 1, {}, bound};
+}
+
 Weights checked_weights(Trial& trial, const Corners& corners, const Vector3d& root, double bound) {
   const Weights weights = ask_weights(trial, corners, root);
   trial.expect_at_most(std::abs(weights[0] + weights[1] + weights[2] - 1), bound,
-                       "the sum of the weights, less 1,");
+                       "the sum of the weights, less 1,", beside_ours(weights, corners, root, bound));
   trial.expect(
       *std::min_element(weights.begin(), weights.end()) >= 0, "a weight is negative",
       std::to_string(weights[0]) + ", " + std::to_string(weights[1]) + ", " + std::to_string(weights[2]));
@@ -25,10 +30,12 @@ Weights checked_weights(Trial& trial, const Corners& corners, const Vector3d& ro
 }
 
 void expect_nearest(Trial& trial, const Corners& corners, const Vector3d& root) {
+  const Weights weights = checked_weights(trial, corners, root, kSum);
   const Vector3d expected = point_of(corners, hair::root_weights(corners, root)),
-                 answered = point_of(corners, checked_weights(trial, corners, root, kSum));
+                 answered = point_of(corners, weights);
   trial.expect_at_most((answered - expected).norm(), kPoint * longest_edge(corners),
-                       "the distance from the triangle's nearest point");
+                       "the distance from the triangle's nearest point",
+                       beside_ours(weights, corners, root, kPoint));
 }
 
 Vector3d normal_of(const Corners& corners) {

@@ -30,8 +30,8 @@ void expect_product(Trial& trial, const Cloud& cloud, double a, double b, double
   const ImplicitSystem system = implicit_system(cloud, a, b);
   const VectorXd x = random_vector(trial.random, cloud.state.x.size());
   const Product answer = multiply(trial, cloud, a, b, x, junk);
-  trial.expect_at_most((answer.product - system.A * x).norm(), rounding(system, x),
-                       "the error of the matrix' product");
+  trial.expect_close({answer.product, system.A * x, 3, x}, rounding(system, x),
+                     "the error of the matrix' product");
   trial.expect(answer.product == answer.again, "the matrix' product is another one the second time");
   trial.expect(answer.x == x, "the matrix' product changes its input");
 }
@@ -60,11 +60,13 @@ void damping(Trial& trial) {
     // Both derivatives at once: what each adds to the masses, added.
     const VectorXd x = random_vector(random, 3 * n);
     const auto product = [&](Parts parts) { return multiply(trial, with(cloud, parts), a, b, x).product; };
-    const VectorXd both = product(Parts::all);
+    const VectorXd both = product(Parts::all), one = product(Parts::dfdx), other = product(Parts::dfdv),
+                   none = product(Parts::none);
     trial.expect_at_most(
-        (both - product(Parts::dfdx) - product(Parts::dfdv) + product(Parts::none)).norm(),
+        (both - one - other + none).norm(),
         16 * (3 * n + 8) * kUnit * (implicit_system(cloud, a, b).norm * x.norm() + both.norm()),
-        "the matrix' product with both derivatives, without those with each of them: what is left");
+        "the matrix' product with both derivatives, without those with each of them: what is left",
+        {both, one + other - none, 3, x});
   }
 }
 
@@ -82,7 +84,8 @@ void expect_same_where_free(Trial& trial, const Cloud& pinned, const VectorXd& o
                             const std::string& what) {
   for (int i = 0; i < pinned.count(); ++i)
     if (!pinned.particles.is_pinned(i))
-      trial.expect_at_most((one - other).segment<3>(3 * i).norm(), 1e-9 * one.norm(), what);
+      trial.expect_at_most((one - other).segment<3>(3 * i).norm(), 1e-9 * one.norm(), what,
+                           {one.segment<3>(3 * i), other.segment<3>(3 * i)});
 }
 
 void pinned(Trial& trial) {
@@ -127,8 +130,8 @@ void right_hand_side(Trial& trial) {
     cloud.force->add_dfdx(cloud.state.x, cloud.state.v, cloud.state.v, Kv);
     const double size = a * (f.norm() + b * Kv.norm());
     // A sum with numbers that are there already rounds once more, by their size.
-    trial.expect_at_most((right_side(trial, cloud, a, b, kUnset).rhs - a * (f + b * Kv)).norm(),
-                         8 * (3 * n + 8) * kUnit * size, "the error of the right-hand side");
+    trial.expect_close({right_side(trial, cloud, a, b, kUnset).rhs, a * (f + b * Kv)},
+                       8 * (3 * n + 8) * kUnit * size, "the error of the right-hand side");
   }
 }
 
@@ -140,12 +143,12 @@ void a_step(Trial& trial) {
     const Cloud hair = soft_hair(random, n, h, true);
     const Step after = step(trial, hair, h);
     const VectorXd dv = after.v - hair.state.v, rhs = right_side(trial, hair, h, h).rhs;
-    trial.expect_at_most((rhs - multiply(trial, hair, h, h, dv).product).norm(),
-                         1e-6 * rhs.norm() + 16 * kUnit * hair.state.v.norm(),
-                         "the residual of a step in your own matrix and right-hand side, a = b = h");
+    trial.expect_close({multiply(trial, hair, h, h, dv).product, rhs},
+                       1e-6 * rhs.norm() + 16 * kUnit * hair.state.v.norm(),
+                       "the residual of a step in your own matrix and right-hand side, a = b = h");
     const VectorXd x = hair.state.x + h * after.v;
-    trial.expect_at_most((after.x - x).norm(), 4 * kUnit * (x.norm() + h * after.v.norm()),
-                         "the difference between x and the old x + h times the new v");
+    trial.expect_close({after.x, x, 3, hair.state.x}, 4 * kUnit * (x.norm() + h * after.v.norm()),
+                       "the difference between x and the old x + h times the new v");
     trial.expect(after.report.preconditioned && after.report.converged,
                  "a step does not return the report of solve_implicit");
   }
@@ -187,11 +190,10 @@ void other_units(Trial& trial) {
   for (const double mass : {0x1p-40, 0x1p40})
     for (const double length : {0x1p-40, 0x1p40}) {
       const Cloud other = in_other_units(cloud, mass, length);
-      trial.expect_at_most((multiply(trial, cloud, a, b, length * x).product / length - product).norm(),
-                           1e-9 * product.norm(), "how much a product changes in another unit of length");
-      trial.expect_at_most((right_side(trial, other, a, b).rhs / (mass * length) - rhs).norm(),
-                           1e-9 * rhs.norm(),
-                           "how much the right-hand side changes in other units of mass and length");
+      trial.expect_close({multiply(trial, cloud, a, b, length * x).product / length, product},
+                         1e-9 * product.norm(), "how much a product changes in another unit of length");
+      trial.expect_close({right_side(trial, other, a, b).rhs / (mass * length), rhs}, 1e-9 * rhs.norm(),
+                         "how much the right-hand side changes in other units of mass and length");
     }
   expect_same_solve_in_other_units(trial);
 }

@@ -23,6 +23,7 @@ inline constexpr int kMostSweeps = 200000;  // more than any case here needs
 struct Corrected {
   VectorXd result;  // x or v
   CorrectionReport report;
+  VectorXd before;  // of both the same
 };
 
 // The name of the function of kRelax or kCorrect, for feedback.
@@ -34,6 +35,9 @@ Corrected correct_velocities(Trial& trial, const Strand& strand, const VectorXd&
                              double tolerance, int most = kMostSweeps);
 
 VectorXd reference_lengths(const Strand& strand, VectorXd x);
+
+// By how much all is moved, and by how much it should be. `part`: of the largest, within which two motions are the same.
+Compared motions(const Corrected& corrected, const VectorXd& expected, double part);
 
 // `slack`: times the tolerance.
 void expect_lengths(Trial& trial, int function, const Strand& strand, double tolerance,

@@ -111,8 +111,8 @@ void units(Trial& trial) {
       trial.expect(corrected.report.iterations == known.report.iterations,
                    name_of(function) + " takes other iterations in another unit of length",
                    std::to_string(corrected.report.iterations));
-      trial.expect_at_most((corrected.result / unit - known.result).norm(), 1e-9 * known.result.norm(),
-                           "how much " + name_of(function) + "'s result changes in another unit of length");
+      trial.expect_close({corrected.result / unit, known.result}, 1e-9 * known.result.norm(),
+                         "how much " + name_of(function) + "'s result changes in another unit of length");
     }
   }
 }

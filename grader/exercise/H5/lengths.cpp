@@ -16,7 +16,8 @@ void expect_small_correction(Trial& trial, int function, const Strand& strand) {
   const VectorXd expected = reference_lengths(strand, x);
   trial.expect_at_most(
       moved(strand, expected, corrected.result), 0.01 * moved(strand, x, expected),
-      "how far " + name_of(function) + "'s particles are from where impulses along the segments move them");
+      "how far " + name_of(function) + "'s particles are from where impulses along the segments move them",
+      motions(corrected, expected, 0.01));
 }
 
 // Segments of 0.7 m and more: an error in metres that meets the tolerance is at most 1 / 0.7 of it, and passes here.

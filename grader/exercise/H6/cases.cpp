@@ -110,8 +110,8 @@ void prediction(Trial& trial) {
     const ImplicitSystem first = implicit_system(hair.cloud, hair.h / 2, hair.h);
     const VectorXd x = hair.cloud.state.x + hair.h * (hair.cloud.state.v + first.dv);
     const Step after = step(trial, hair);
-    trial.expect_at_most((after.x - x).norm(), hair.h * solve_error(first) + 1e-9 * x.norm(),
-                         "the error of the positions, where no length has to be corrected");
+    trial.expect_close({after.x, x, 3, hair.cloud.state.x}, hair.h * solve_error(first) + 1e-9 * x.norm(),
+                       "the error of the positions, where no length has to be corrected");
     trial.expect(!after.asked.forces_at.empty() && after.asked.forces_at[0].x == hair.cloud.state.x,
                  "the first solve's force is not evaluated at the old positions");
   }
@@ -133,9 +133,10 @@ void lengths(Trial& trial) {
     MatrixXd scratch(x.size(), hair::kCorrectionScratch);
     hair::correct_lengths(hair.strand, hair::kLengthTolerance, hair::kMostCorrections, x, scratch);
     const Step after = step(trial, hair);
-    trial.expect_at_most(largest_length_error(hair.strand, after.x), 1e-10, "the error of a length");
-    trial.expect_at_most((after.x - x).norm(), kGrowth * 1e-12 * (0.01 * n + x.norm()),
-                         "the error of the positions, where no force acts");
+    const double bound = kGrowth * 1e-12 * (0.01 * n + x.norm());
+    const Compared numbers{after.x, x, 3, hair.cloud.state.x, bound};
+    trial.expect_at_most(largest_length_error(hair.strand, after.x), 1e-10, "the error of a length", numbers);
+    trial.expect_close(numbers, bound, "the error of the positions, where no force acts");
     // A velocity may come out of a difference of positions over h.
     trial.expect_at_most((after.v.head<3>() - v).norm(), 0x1p-50 * (root.norm() / hair.h + v.norm()),
                          "how much the root changes its velocity");
@@ -155,9 +156,9 @@ void impulse(Trial& trial) {
   for (int n : {2, 4, 12}) {
     const Hair hair = force_free(random, n);
     const Step after = step(trial, hair);
-    trial.expect_at_most((after.v - (after.x - hair.cloud.state.x) / hair.h).norm(),
-                         0x1p-40 * (after.x.norm() / hair.h + after.v.norm()),
-                         "the difference of the velocities from the way over h, where no force acts");
+    trial.expect_close({after.v, (after.x - hair.cloud.state.x) / hair.h, 3, hair.cloud.state.v},
+                       0x1p-40 * (after.x.norm() / hair.h + after.v.norm()),
+                       "the difference of the velocities from the way over h, where no force acts");
   }
 }
 
@@ -173,8 +174,8 @@ void second_solve(Trial& trial) {
     Cloud before = hair.cloud;
     before.state = after.asked.forces_at[1];
     const ImplicitSystem second = implicit_system(before, hair.h / 2, hair.h);
-    trial.expect_at_most((after.v - before.state.v - second.dv).norm(), solve_error(second),
-                         "the error of the velocities that the second solve adds");
+    trial.expect_close({after.v - before.state.v, second.dv}, solve_error(second),
+                       "the error of the velocities that the second solve adds");
   }
 }
 
@@ -233,8 +234,8 @@ void other_limits(Trial& trial) {
     trial.expect(after.report.correction.converged != is_hopeless,
                  "the report of a correction is not what correct_lengths said");
     const double rounding = 0x1p-48 * (after.x.norm() / flung.h + v.norm());
-    trial.expect_at_most((after.v - (after.x - flung.cloud.state.x) / flung.h).norm(), rounding,
-                         "the error of the impulse after a correction that is hard");
+    trial.expect_close({after.v, (after.x - flung.cloud.state.x) / flung.h, 3, v}, rounding,
+                       "the error of the impulse after a correction that is hard");
   }
 }
 
@@ -248,10 +249,10 @@ void units(Trial& trial) {
     other.cloud = in_other_units(known.cloud, 1, length);
     other.strand.rest_length *= length;
     const Step after = step(trial, other);
-    trial.expect_at_most((after.x / length - before.x).norm(), 1e-9 * before.x.norm(),
-                         "how much positions change in another unit of length");
-    trial.expect_at_most((after.v / length - before.v).norm(), 1e-9 * before.v.norm(),
-                         "how much velocities change in another unit of length");
+    trial.expect_close({after.x / length, before.x}, 1e-9 * before.x.norm(),
+                       "how much positions change in another unit of length");
+    trial.expect_close({after.v / length, before.v}, 1e-9 * before.v.norm(),
+                       "how much velocities change in another unit of length");
   }
 }
 

@@ -15,7 +15,31 @@ double larger(double a, double b) {
   return a >= b || std::isnan(a) ? a : b;
 }
 
+// `numbers_of` each link from `first` on.
+VectorXd all_numbers(const Of& passes, std::size_t first, const auto& numbers_of) {
+  VectorXd all(0);
+  for (std::size_t i = first; i < passes.size(); ++i) {
+    const VectorXd numbers = numbers_of(passes[i]);
+    all.conservativeResize(all.size() + numbers.size());
+    all.tail(numbers.size()) = numbers;
+  }
+  return all;
+}
+
 }  // namespace
+
+VectorXd bias_of(const LinkPass& pass, double length) {
+  VectorXd numbers(6);
+  numbers << pass.bias.force, pass.bias.torque / length;
+  return numbers;
+}
+
+VectorXd inertia_of(const LinkPass& pass, double length) {
+  VectorXd numbers(27);
+  numbers << pass.inertia.M.reshaped(), pass.inertia.H.reshaped() / length,
+      pass.inertia.J.reshaped() / (length * length);
+  return numbers;
+}
 
 Answered ask(Trial& trial, int pass, const Tree& tree) {
   trial.describe(in_words(tree));
@@ -65,6 +89,37 @@ double inertia_error(const Of& a, const Of& b, double length) {
     largest = larger(largest, (a[i].inertia.J - b[i].inertia.J).norm() / (length * length));
   }
   return largest;
+}
+
+void expect_motions(Trial& trial, const Of& actual, const Of& expected, hair::SpatialMotion LinkPass::*member,
+                    double length, double bound, const std::string& what) {
+  const auto numbers = [&](const Of& passes) {
+    return all_numbers(passes, 1, [&](const LinkPass& pass) {
+      VectorXd motion(6);
+      motion << length * (pass.*member).angular, (pass.*member).linear;
+      return motion;
+    });
+  };
+  trial.expect_at_most(motion_error(actual, expected, member, length), bound, what,
+                       {numbers(actual), numbers(expected), 6});
+}
+
+void expect_forces(Trial& trial, const Of& actual, const Of& expected, double length, std::size_t first,
+                   double bound, const std::string& what) {
+  const auto numbers = [&](const Of& passes) {
+    return all_numbers(passes, first, [&](const LinkPass& pass) { return bias_of(pass, length); });
+  };
+  trial.expect_at_most(force_error(actual, expected, length, first), bound, what,
+                       {numbers(actual), numbers(expected), 6});
+}
+
+void expect_inertias(Trial& trial, const Of& actual, const Of& expected, double length, double bound,
+                     const std::string& what) {
+  const auto numbers = [&](const Of& passes) {
+    return all_numbers(passes, 0, [&](const LinkPass& pass) { return inertia_of(pass, length); });
+  };
+  trial.expect_at_most(inertia_error(actual, expected, length), bound, what,
+                       {numbers(actual), numbers(expected), 9});
 }
 
 bool comparable(double own, double ours) {

@@ -23,6 +23,18 @@ double motion_error(const Of& a, const Of& b, hair::SpatialMotion LinkPass::*mem
 double force_error(const Of& a, const Of& b, double length, std::size_t first);
 double inertia_error(const Of& a, const Of& b, double length);
 
+// No such difference is larger than `bound`.
+void expect_motions(Trial& trial, const Of& actual, const Of& expected, hair::SpatialMotion LinkPass::*member,
+                    double length, double bound, const std::string& what);
+void expect_forces(Trial& trial, const Of& actual, const Of& expected, double length, std::size_t first,
+                   double bound, const std::string& what);
+void expect_inertias(Trial& trial, const Of& actual, const Of& expected, double length, double bound,
+                     const std::string& what);
+
+// A link's numbers in one unit: N, and kg.
+VectorXd bias_of(const LinkPass& pass, double length);
+VectorXd inertia_of(const LinkPass& pass, double length);
+
 // Whether one number may stand for another one: it is neither 0 beside it nor a million times as large.
 bool comparable(double own, double ours);
 

@@ -39,19 +39,6 @@ std::pair<double, double> sizes_in(const std::vector<LinkPass>& passes) {
   return {inertia, gain};
 }
 
-// Numbers of one unit: kg, and N.
-VectorXd inertia_of(const LinkPass& pass, double length) {
-  VectorXd numbers(27);
-  numbers << pass.inertia.M.reshaped(), pass.inertia.H.reshaped() / length,
-      pass.inertia.J.reshaped() / (length * length);
-  return numbers;
-}
-VectorXd bias_of(const LinkPass& pass, double length) {
-  VectorXd numbers(6);
-  numbers << pass.bias.force, pass.bias.torque / length;
-  return numbers;
-}
-
 // Pass 3 minds what stiffens a joint: beside its gain, the first joint's acceleration is the same.
 void expect_gain_taken(Trial& trial, Tree tree) {
   std::array<double, 2> own, ours;
@@ -78,8 +65,8 @@ void inertias(Trial& trial) {
       reference_passes(tree, 1);
       const Answered answered = ask(trial, 2, tree);
       reference_passes(tree, 2);
-      trial.expect_at_most(inertia_error(answered.passes, tree.passes, sizes.length), kRoundings * sizes.mass,
-                           "I^A of a link");
+      expect_inertias(trial, answered.passes, tree.passes, sizes.length, kRoundings * sizes.mass,
+                      "I^A of a link");
       for (int i = 1; i <= links; ++i) {
         const double expected = tree.passes[i].gain(0, 0);
         trial.expect_at_most(std::abs(answered.passes[i].gain(0, 0) - expected), 100 * kRoundings * expected,
@@ -99,10 +86,10 @@ void biases(Trial& trial) {
       const auto [own_inertia, own_gain] = sizes_in(answered);
       reference_passes(tree, 2);
       const auto [inertia, gain] = sizes_in(tree.passes);
-      double error = force_error(answered, tree.passes, length, 0);
-      if (!(error <= kRoundings * size) && comparable(own_inertia, inertia) && comparable(own_gain, gain))
-        error = force_error(answered, by_own, length, 0);
-      trial.expect_at_most(error, kRoundings * size, "Z^A of a link");
+      const bool right = force_error(answered, tree.passes, length, 0) <= kRoundings * size,
+                 usable = comparable(own_inertia, inertia) && comparable(own_gain, gain);
+      expect_forces(trial, answered, right || !usable ? tree.passes : by_own, length, 0, kRoundings * size,
+                    "Z^A of a link");
     }
 }
 
@@ -130,8 +117,8 @@ void added_by_steps(Trial& trial) {
         reference_passes(found, 2);
         ours[k] = found.passes;
       }
-      trial.expect_at_most(inertia_error({own[0].back()}, {ours[0].back()}, sizes.length),
-                           kRoundings * sizes.mass, "I^A of the last link, to whose inertia a step added");
+      expect_inertias(trial, {own[0].back()}, {ours[0].back()}, sizes.length, kRoundings * sizes.mass,
+                      "I^A of the last link, to whose inertia a step added");
       const auto gain = [at = stiffened](const std::vector<LinkPass>& passes) {
         return passes[at].gain(0, 0);
       };

@@ -13,28 +13,28 @@ namespace grader::h7 {
 namespace {
 
 // One of the motions that pass 1 finds, of chains of all lengths.
-void expect_motions(Trial& trial, hair::SpatialMotion LinkPass::*member, double (*size)(const Sizes&),
-                    const std::string& what) {
+void expect_pass_1(Trial& trial, hair::SpatialMotion LinkPass::*member, double (*size)(const Sizes&),
+                   const std::string& what) {
   for (int links : {1, 2, 3, 5, 8, 30})
     for (const auto* types : {&kRevolute, &kRequired}) {
       Tree tree = random_tree(trial.random, {.links = links, .types = *types});
       const Sizes sizes = sizes_of(tree);
       const Answered answered = ask(trial, 1, tree);
       reference_passes(tree, 1);
-      trial.expect_at_most(motion_error(answered.passes, tree.passes, member, sizes.length),
-                           roundings(tree) * size(sizes), what);
+      expect_motions(trial, answered.passes, tree.passes, member, sizes.length, roundings(tree) * size(sizes),
+                     what);
     }
 }
 
 }  // namespace
 
 void velocities(Trial& trial) {
-  expect_motions(
+  expect_pass_1(
       trial, &LinkPass::v, [](const Sizes& sizes) { return sizes.speed; }, "the velocity of a link");
 }
 
 void moving_joints(Trial& trial) {
-  expect_motions(
+  expect_pass_1(
       trial, &LinkPass::c, [](const Sizes& sizes) { return sizes.acceleration(); }, "c^ of a link");
 }
 
@@ -47,8 +47,7 @@ void link_forces(Trial& trial) {
       reference_passes(tree, 1);
       // Moments of inertia are below 0.2 kg m^2, forces and torques below 100 N and N m.
       const double size = 100 + sizes.turn * sizes.turn;
-      trial.expect_at_most(force_error(answered.passes, tree.passes, 1, 1), roundings(tree) * size,
-                           "Z^ of a link");
+      expect_forces(trial, answered.passes, tree.passes, 1, 1, roundings(tree) * size, "Z^ of a link");
     }
 }
 
@@ -68,10 +67,9 @@ void accelerations(Trial& trial) {
       double size = expected.norm() * std::max(1.0, sizes.length) + sizes.acceleration();
       for (const LinkPass& pass : tree.passes)
         size += pass.a.linear.norm() + sizes.length * pass.a.angular.norm();
-      trial.expect_at_most((answered.accelerations - expected).norm(), 1e-8 * size,
-                           "an acceleration of a joint");
-      trial.expect_at_most(motion_error(answered.passes, tree.passes, &LinkPass::a, 1), 1e-8 * size,
-                           "the acceleration of a link");
+      trial.expect_close({answered.accelerations, expected, 1}, 1e-8 * size, "an acceleration of a joint");
+      expect_motions(trial, answered.passes, tree.passes, &LinkPass::a, 1, 1e-8 * size,
+                     "the acceleration of a link");
     }
 }
 

@@ -43,23 +43,20 @@ void expect_same(Trial& trial, const Case& about, const Answered& answered, cons
   const Sizes& sizes = about.sizes;
   const double outward = roundings(about.tree);
   if (about.pass == 1) {
-    trial.expect_at_most(motion_error(one, other, &LinkPass::v, sizes.length), outward * sizes.speed,
-                         "the velocity of a link " + what);
-    trial.expect_at_most(motion_error(one, other, &LinkPass::c, sizes.length), outward * sizes.acceleration(),
-                         "c^ of a link " + what);
-    trial.expect_at_most(force_error(one, other, 1, 1), outward * (100 + sizes.turn * sizes.turn),
-                         "Z^ of a link " + what);
+    expect_motions(trial, one, other, &LinkPass::v, sizes.length, outward * sizes.speed,
+                   "the velocity of a link " + what);
+    expect_motions(trial, one, other, &LinkPass::c, sizes.length, outward * sizes.acceleration(),
+                   "c^ of a link " + what);
+    expect_forces(trial, one, other, 1, 1, outward * (100 + sizes.turn * sizes.turn), "Z^ of a link " + what);
   } else if (about.pass == 2) {
-    trial.expect_at_most(
-        inertia_error({one.begin() + first, one.end()}, {other.begin() + first, other.end()}, sizes.length),
-        kOfPass2 * sizes.mass, "I^A of a link " + what);
-    trial.expect_at_most(force_error(one, other, sizes.length, first), kOfPass2 * about.force,
-                         "Z^A of a link " + what);
+    expect_inertias(trial, {one.begin() + first, one.end()}, {other.begin() + first, other.end()},
+                    sizes.length, kOfPass2 * sizes.mass, "I^A of a link " + what);
+    expect_forces(trial, one, other, sizes.length, first, kOfPass2 * about.force, "Z^A of a link " + what);
   } else {
-    trial.expect_at_most(motion_error(one, other, &LinkPass::a, 1), kOfPass3 * about.acceleration,
-                         "the acceleration of a link " + what);
-    trial.expect_at_most((answered.accelerations - same.accelerations).norm(), kOfPass3 * about.acceleration,
-                         "the acceleration of a joint " + what);
+    expect_motions(trial, one, other, &LinkPass::a, 1, kOfPass3 * about.acceleration,
+                   "the acceleration of a link " + what);
+    trial.expect_close({answered.accelerations, same.accelerations, 1}, kOfPass3 * about.acceleration,
+                       "the acceleration of a joint " + what);
   }
 }
 

@@ -44,13 +44,12 @@ void expect_pass_1(Trial& trial, int links) {
         revolute[link.parent].v.angular.cross(Vector3d(tree.rates.segment<3>(link.first)));
     revolute[i].c += {-turned, -turned.cross(link.d)};
   }
-  trial.expect_at_most(motion_error(answered, revolute, &LinkPass::v, sizes.length),
-                       roundings(tree) * sizes.speed, "the velocity of a link with a spherical joint");
-  trial.expect_at_most(motion_error(answered, revolute, &LinkPass::c, sizes.length),
-                       roundings(tree) * sizes.acceleration(), "c^ of a link with a spherical joint");
-  trial.expect_at_most(force_error(answered, revolute, 1, 1),
-                       roundings(tree) * (100 + sizes.turn * sizes.turn),
-                       "Z^ of a link with a spherical joint");
+  expect_motions(trial, answered, revolute, &LinkPass::v, sizes.length, roundings(tree) * sizes.speed,
+                 "the velocity of a link with a spherical joint");
+  expect_motions(trial, answered, revolute, &LinkPass::c, sizes.length,
+                 roundings(tree) * sizes.acceleration(), "c^ of a link with a spherical joint");
+  expect_forces(trial, answered, revolute, 1, 1, roundings(tree) * (100 + sizes.turn * sizes.turn),
+                "Z^ of a link with a spherical joint");
 }
 
 void expect_pass_2(Trial& trial, Tree tree, const Sizes& sizes, double force, const Units& units) {
@@ -59,14 +58,14 @@ void expect_pass_2(Trial& trial, Tree tree, const Sizes& sizes, double force, co
   other.passes = ask(trial, 2, other).passes;
   const Of answered = in_units(other, back).passes;
   reference_passes(tree, 2);
-  trial.expect_at_most(inertia_error(answered, tree.passes, sizes.length), 1e-9 * sizes.mass,
-                       "I^A beside spherical joints");
-  trial.expect_at_most(force_error(answered, tree.passes, sizes.length, 0), 1e-9 * force,
-                       "Z^A beside spherical joints");
+  expect_inertias(trial, answered, tree.passes, sizes.length, 1e-9 * sizes.mass,
+                  "I^A beside spherical joints");
+  expect_forces(trial, answered, tree.passes, sizes.length, 0, 1e-9 * force, "Z^A beside spherical joints");
   for (std::size_t i = 1; i < tree.links.size(); ++i)
     if (tree.links[i].joint == JointType::spherical)
       trial.expect_at_most((answered[i].gain - tree.passes[i].gain).norm(), 1e-7 * tree.passes[i].gain.norm(),
-                           "the gain of a spherical joint");
+                           "the gain of a spherical joint",
+                           {answered[i].gain.reshaped(), tree.passes[i].gain.reshaped(), 9});
 }
 
 // Over what it may be.

@@ -21,6 +21,20 @@ double worst(const VectorXd& a, const VectorXd& b, const VectorXd& size) {
   return errors.hasNaN() ? std::nan("") : errors.maxCoeff();
 }
 
+// No such difference is larger than `bound`. One number is a coordinate's; `block` for a matrix.
+void expect_near(Trial& trial, const VectorXd& actual, const VectorXd& expected, const VectorXd& size,
+                 double bound, const std::string& what, int block = 1) {
+  trial.expect_at_most(worst(actual, expected, size), bound, what,
+                       {actual.cwiseQuotient(size), expected.cwiseQuotient(size), block});
+}
+
+VectorXd reference_step(const Hair& hair, double h) {
+  VectorXd change(hair.q.size());
+  MatrixXd scratch(hair.q.size(), hair.q.size() + 10);
+  hair::helix_step(hair.strand, hair.elements, hair.points, hair.q, hair.rates, h, scratch, change);
+  return change;
+}
+
 // The residual with the reference's parts; if it is too large, with the student's own, so that a bug in one of
 // those costs its own category only.
 double step_error(Trial& trial, const Hair& hair, double h, const VectorXd& change) {
@@ -38,8 +52,10 @@ double step_error(Trial& trial, const Hair& hair, double h, const VectorXd& chan
 }
 
 void expect_step(Trial& trial, const Hair& hair, double h) {
-  trial.expect_at_most(step_error(trial, hair, h, ask_step(trial, hair, h)), kBackward,
-                       "what (M + h^2 K) change = h (Q - K (q + h q' - q^n)) leaves");
+  const VectorXd change = ask_step(trial, hair, h);
+  trial.expect_at_most(step_error(trial, hair, h, change), kBackward,
+                       "what (M + h^2 K) change = h (Q - K (q + h q' - q^n)) leaves",
+                       {change, reference_step(hair, h), 1});
 }
 
 // Of a special strand. A step that is wrong for an ordinary one, too, costs that category alone, if it is neither 0 nor much too
@@ -48,9 +64,7 @@ void expect_special_step(Trial& trial, const Hair& hair, double h) {
   const VectorXd change = ask_step(trial, hair, h);
   double error = step_error(trial, hair, h, change);
   if (!(error <= kBackward)) {
-    VectorXd ours(change.size());
-    MatrixXd scratch(change.size(), change.size() + 10);
-    hair::helix_step(hair.strand, hair.elements, hair.points, hair.q, hair.rates, h, scratch, ours);
+    const VectorXd ours = reference_step(hair, h);
     trial.ask_aside([&] {
       const Hair ordinary = random_hair(trial.random, {.elements = 5});
       const bool wrong = !(step_error(trial, ordinary, 1e-3, ask_step(trial, ordinary, 1e-3)) <= kBackward);
@@ -68,7 +82,7 @@ void stiffness(Trial& trial) {
     VectorXd expected(3 * elements);
     hair::helix_stiffness(strand, expected);
     const VectorXd K = ask_stiffness(trial, strand);
-    trial.expect_at_most(worst(K, expected, expected), kProducts, "K");
+    expect_near(trial, K, expected, expected, kProducts, "K");
   }
 }
 
@@ -81,15 +95,13 @@ void elasticity(Trial& trial) {
     VectorXd K(3 * elements);
     hair::helix_stiffness(strand, K);
     const VectorXd force = ask_elastic(trial, strand, hair.q);
-    double error = worst(force, -K.cwiseProduct(bent), K.cwiseProduct(size));
-    if (!(error <= kProducts)) {
+    if (!(worst(force, -K.cwiseProduct(bent), K.cwiseProduct(size)) <= kProducts)) {
       trial.ask_aside([&] {
         const VectorXd own = ask_stiffness(trial, strand);
-        if (own.minCoeff() > 0 && comparable(own.norm(), K.norm()))
-          error = worst(force, -own.cwiseProduct(bent), own.cwiseProduct(size));
+        if (own.minCoeff() > 0 && comparable(own.norm(), K.norm())) K = own;
       });
     }
-    trial.expect_at_most(error, kProducts, "an elastic force");
+    expect_near(trial, force, -K.cwiseProduct(bent), K.cwiseProduct(size), kProducts, "an elastic force");
   }
 }
 
@@ -98,8 +110,7 @@ void forces(Trial& trial) {
     const Hair hair = random_hair(trial.random, {.elements = elements});
     VectorXd expected(hair.q.size());
     hair::generalised_force(hair.elements, hair.points, expected);
-    trial.expect_at_most(worst(ask_force(trial, hair), expected, sizes_of(hair).force), kSums,
-                         "a generalised force");
+    expect_near(trial, ask_force(trial, hair), expected, sizes_of(hair).force, kSums, "a generalised force");
   }
 }
 
@@ -111,7 +122,8 @@ void masses(Trial& trial) {
     const MatrixXd M = ask_mass(trial, hair);
     const VectorXd root = sizes_of(hair).mass;
     const MatrixXd size = root * root.transpose();
-    trial.expect_at_most(worst(M.reshaped(), expected.reshaped(), size.reshaped()), kSums, "an entry of M");
+    expect_near(trial, M.reshaped(), expected.reshaped(), size.reshaped(), kSums, "an entry of M",
+                static_cast<int>(M.size()));
   }
 }
 

@@ -23,9 +23,14 @@ double size_of_function(int k, double x) {
 
 void expect_functions(Trial& trial, double x) {
   const std::array<double, 8> c = ask_stumpff(trial, x), expected = hair::stumpff(x);
+  Compared numbers{VectorXd(8), VectorXd(8), 1, {}, kFunctions};
+  for (int k = 0; k < 8; ++k) {
+    numbers.actual[k] = c[k] / size_of_function(k, x);
+    numbers.expected[k] = expected[k] / size_of_function(k, x);
+  }
   for (int k = 0; k < 8; ++k)
     trial.expect_at_most(std::abs(c[k] - expected[k]), kFunctions * size_of_function(k, x),
-                         "c_" + std::to_string(k));
+                         "c_" + std::to_string(k), numbers);
 }
 
 struct Place {
@@ -43,38 +48,52 @@ Place any_place(Random& random, double angle) {
 // Over what is allowed. NaN if a number is none; infinite for an answer that does nothing.
 constexpr double kNothing = std::numeric_limits<double>::infinity();
 
-double frame_error(Trial& trial, const Place& place) {
+struct Judged {
+  double error;
+  Compared numbers;
+};
+
+Judged frame_error(Trial& trial, const Place& place) {
   const auto& [start, curvature, s] = place;
   const MaterialFrame answered = ask_frame(trial, start, curvature, s);
-  if (answered.position == start.position || answered.axes.isZero()) return kNothing;
   const MaterialFrame expected = hair::frame_at(start, curvature, s);
-  return ((answered.position - expected.position).norm() / s + (answered.axes - expected.axes).norm()) /
-         kFrames;
+  const double of_axes = (answered.axes - expected.axes).norm();
+  Compared numbers{answered.axes.reshaped(), expected.axes.reshaped(), 9, start.axes.reshaped(), kFrames};
+  if (of_axes <= kFrames)
+    numbers = {
+        (answered.position - start.position) / s, (expected.position - start.position) / s, 3, {}, kFrames};
+  if (answered.position == start.position || answered.axes.isZero()) return {kNothing, numbers};
+  return {((answered.position - expected.position).norm() / s + of_axes) / kFrames, numbers};
 }
 
-double jacobian_error(Trial& trial, const Place& place) {
+Judged jacobian_error(Trial& trial, const Place& place) {
   const auto& [start, curvature, s] = place;
   const hair::HelixJacobian answered = ask_jacobian(trial, start, curvature, s);
-  if (answered.turns.isZero() || answered.moves.isZero()) return kNothing;
   const hair::HelixJacobian expected = hair::jacobian_at(start, curvature, s);
-  return ((answered.turns - expected.turns).norm() / s + (answered.moves - expected.moves).norm() / (s * s)) /
-         kFrames;
+  Compared numbers{VectorXd(18), VectorXd(18), 9, {}, kFrames};
+  numbers.actual << answered.turns.reshaped() / s, answered.moves.reshaped() / (s * s);
+  numbers.expected << expected.turns.reshaped() / s, expected.moves.reshaped() / (s * s);
+  if (answered.turns.isZero() || answered.moves.isZero()) return {kNothing, numbers};
+  return {
+      ((answered.turns - expected.turns).norm() / s + (answered.moves - expected.moves).norm() / (s * s)) /
+          kFrames,
+      numbers};
 }
 
 // What no right formula, and no formula with a wrong sign, leaves: no numbers, or such that are far too large.
 constexpr double kMadness = 10 / kFrames;
 
-using Error = double (*)(Trial&, const Place&);
+using Error = Judged (*)(Trial&, const Place&);
 
 // Of a special element. A formula that is wrong for an ordinary one, too, costs that category alone.
 void expect_special(Trial& trial, Error error_of, const Place& place, const std::string& what) {
-  double error = error_of(trial, place);
+  auto [error, numbers] = error_of(trial, place);
   if (!(error <= 1) && error <= kMadness)
-    trial.ask_aside([&] {
-      const double ordinary = error_of(trial, any_place(trial.random, 1.5));
+    trial.ask_aside([&, &error = error] {
+      const double ordinary = error_of(trial, any_place(trial.random, 1.5)).error;
       if (ordinary > 1 && ordinary <= kMadness) error = 0;
     });
-  trial.expect_at_most(error, 1, what);
+  trial.expect_at_most(error, 1, what, numbers);
 }
 
 // The largest difference of two strands' starts and ends, over what is allowed.
@@ -136,9 +155,10 @@ void nearly_straight(Trial& trial) {
 }
 
 void centre_line(Trial& trial) {
-  for (int repeat = 0; repeat < 8; ++repeat)
-    trial.expect_at_most(frame_error(trial, any_place(trial.random, trial.random.uniform(0.5, 3))), 1,
-                         "the centre line or the frame");
+  for (int repeat = 0; repeat < 8; ++repeat) {
+    const auto [error, numbers] = frame_error(trial, any_place(trial.random, trial.random.uniform(0.5, 3)));
+    trial.expect_at_most(error, 1, "the centre line or the frame", numbers);
+  }
 }
 
 void carried_frames(Trial& trial) {
@@ -159,9 +179,11 @@ void carried_frames(Trial& trial) {
 }
 
 void jacobians(Trial& trial) {
-  for (int repeat = 0; repeat < 8; ++repeat)
-    trial.expect_at_most(jacobian_error(trial, any_place(trial.random, trial.random.uniform(0.5, 3))), 1,
-                         "how the frame turns or the point moves");
+  for (int repeat = 0; repeat < 8; ++repeat) {
+    const auto [error, numbers] =
+        jacobian_error(trial, any_place(trial.random, trial.random.uniform(0.5, 3)));
+    trial.expect_at_most(error, 1, "how the frame turns or the point moves", numbers);
+  }
 }
 
 void winding(Trial& trial) {

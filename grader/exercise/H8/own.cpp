@@ -16,7 +16,7 @@ void expect_same(Trial& trial, const Numbers& one, const Numbers& other, double 
                  const std::string& what) {
   const double size = one.norm();
   trial.expect(size > 0, what + " is 0");
-  trial.expect_at_most((one - other).norm(), part * size, what);
+  trial.expect_at_most((one - other).norm(), part * size, what, {one.reshaped(), other.reshaped()});
 }
 
 }  // namespace

@@ -12,11 +12,6 @@ namespace {
 
 constexpr double kPart = 1e-12;
 
-// NaN if an entry is none.
-double largest_error(const VectorXd& errors) {
-  return errors.hasNaN() ? std::nan("") : errors.cwiseAbs().maxCoeff();
-}
-
 void expect_stretches(Trial& trial, const LinkedHairs& hairs) {
   VectorXd expected = hairs.largest;
   hair::remember_stretches(hairs.links, hairs.frames, hairs.x, expected);
@@ -24,7 +19,7 @@ void expect_stretches(Trial& trial, const LinkedHairs& hairs) {
   double size = 1;  // lengths are at least 1.5 mm, so that a stretch rounds by more than its own size does
   for (const StaticLink& link : hairs.links)
     size = std::max(size, (2 * hairs.x.cwiseAbs().maxCoeff() + link.offset.norm()) / link.length);
-  trial.expect_at_most(largest_error(answered - expected), kPart * size, "the error of a largest stretch");
+  trial.expect_near({answered, expected, 1, hairs.largest}, kPart * size, "the error of a largest stretch");
 }
 
 void expect_link_energy(Trial& trial, const LinkedHairs& hairs) {
@@ -41,8 +36,8 @@ VectorXd none(const LinkedHairs& hairs) {
 void expect_link_force(Trial& trial, const LinkedHairs& hairs) {
   VectorXd expected = none(hairs);
   hair::add_link_force(hairs.links, hairs.frames, hairs.largest, hairs.x, expected);
-  trial.expect_at_most(largest_error(ask_link_force(trial, hairs, none(hairs)) - expected),
-                       kPart * hairs.size(), "the error of a force");
+  trial.expect_near({ask_link_force(trial, hairs, none(hairs)), expected}, kPart * hairs.size(),
+                    "the error of a force");
 }
 
 VectorXd some_motion(Random& random, const LinkedHairs& hairs) {
@@ -53,8 +48,8 @@ void expect_link_product(Trial& trial, const LinkedHairs& hairs) {
   const VectorXd dx = some_motion(trial.random, hairs);
   VectorXd expected = none(hairs);
   hair::add_link_product(hairs.links, hairs.largest, dx, expected);
-  trial.expect_at_most(largest_error(ask_link_product(trial, hairs, dx, none(hairs)) - expected),
-                       kPart * 10 * hairs.size(), "the error of a product");
+  trial.expect_near({ask_link_product(trial, hairs, dx, none(hairs)), expected, 3, dx},
+                    kPart * 10 * hairs.size(), "the error of a product");
 }
 
 // Two answers about the same links, seen differently. An answer of 0 says nothing.
@@ -65,8 +60,8 @@ void expect_same(Trial& trial, const LinkedHairs& one, const LinkedHairs& other,
                        kPart * size * 3 * one.x.cwiseAbs().maxCoeff(), "the energy of links" + what);
   const VectorXd force = ask_link_force(trial, one, none(one));
   trial.expect(force.norm() > 0, "the force of links" + what + " is 0");
-  trial.expect_at_most(largest_error(force - ask_link_force(trial, other, none(one))), kPart * size,
-                       "a force of links" + what);
+  trial.expect_near({force, ask_link_force(trial, other, none(one))}, kPart * size,
+                    "a force of links" + what);
 }
 
 }  // namespace
@@ -129,8 +124,9 @@ void turned_frames(Trial& trial) {
     double size = 1;
     for (const StaticLink& link : turned.links)
       size = std::max(size, (2 * turned.x.cwiseAbs().maxCoeff() + link.offset.norm()) / link.length);
-    trial.expect_at_most(largest_error(ask_stretches(trial, turned) - ask_stretches(trial, straight)),
-                         kPart * size, "the stretch of a link in frames that turn");
+    const VectorXd stretches = ask_stretches(trial, turned);
+    trial.expect_near({stretches, ask_stretches(trial, straight), 1}, kPart * size,
+                      "the stretch of a link in frames that turn");
   }
 }
 
@@ -144,9 +140,9 @@ void worn_links(Trial& trial) {
       fresh.links[l].stiffness *= ask_strength(trial, worn.links[l], worn.largest[l]);
     expect_same(trial, worn, fresh, " that are worn or broken");
     const VectorXd dx = some_motion(trial.random, worn);
-    trial.expect_at_most(largest_error(ask_link_product(trial, worn, dx, none(worn)) -
-                                       ask_link_product(trial, fresh, dx, none(worn))),
-                         kPart * 10 * worn.size(), "a product of links that are worn or broken");
+    trial.expect_near(
+        {ask_link_product(trial, worn, dx, none(worn)), ask_link_product(trial, fresh, dx, none(worn))},
+        kPart * 10 * worn.size(), "a product of links that are worn or broken");
   }
 }
 

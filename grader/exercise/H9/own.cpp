@@ -15,7 +15,7 @@ constexpr double kOfAnswers = 1e-12;
 // An answer of 0 is the same in all units.
 void expect_same(Trial& trial, const VectorXd& one, const VectorXd& other, const std::string& what) {
   trial.expect(one.norm() > 0, what + " is 0");
-  trial.expect_at_most((one - other).norm(), kOfAnswers * one.norm(), what);
+  trial.expect_close({one, other}, kOfAnswers * one.norm(), what);
 }
 
 VectorXd one_number(double value) {
@@ -80,9 +80,8 @@ void added(Trial& trial) {
     const VectorXd before = random_vector(random, entries, size), none = VectorXd::Zero(entries);
     const VectorXd alone = ask(none);
     trial.expect(alone.norm() > 0, what + " is 0");
-    trial.expect_at_most((ask(before) - before - alone).norm(),
-                         kOfAnswers * (before.norm() + 10 * size + alone.norm()),
-                         what + ", added to what is there");
+    trial.expect_close({ask(before) - before, alone}, kOfAnswers * (before.norm() + 10 * size + alone.norm()),
+                       what + ", added to what is there");
   };
   const VectorXd dx = random_vector(random, hairs.x.size(), 0.02),
                  dy = random_vector(random, contacts.x.size(), 0.02);

@@ -12,10 +12,6 @@ namespace {
 
 constexpr double kOfForces = 1e-12, kOfContacts = 1e-11;
 
-double worst(const VectorXd& errors) {
-  return errors.hasNaN() ? std::nan("") : errors.cwiseAbs().maxCoeff();
-}
-
 std::optional<StripContact> reference_touch(const NearTriangle& near, double side) {
   StripContact contact;
   if (!hair::touch_strip(3, {0, 1, 2}, side, near.thickness, near.x, near.tangents, contact)) return {};
@@ -76,10 +72,12 @@ void touches(Trial& trial) {
     const StripContact expected = *reference_touch(near, side), touched = expect_touch(trial, near, side);
     trial.expect(touched.point == 3 && touched.corners == expected.corners,
                  "a contact names other particles than it was asked about");
-    trial.expect_at_most((touched.normal - expected.normal).norm(), kOfContacts, "the error of a normal");
-    for (int j = 0; j < 3; ++j)
-      trial.expect_at_most(std::abs(touched.shares[j] - expected.shares[j]), kOfContacts,
-                           "the error of a share");
+    trial.expect_at_most((touched.normal - expected.normal).norm(), kOfContacts, "the error of a normal",
+                         {touched.normal, expected.normal});
+    const auto shares = [](const StripContact& contact) {
+      return Vector3d(contact.shares[0], contact.shares[1], contact.shares[2]);
+    };
+    trial.expect_near({shares(touched), shares(expected), 1}, kOfContacts, "the error of a share");
     trial.describe("beside a triangle");
     trial.expect(!ask_touch(trial, near_triangle(random, outside(random, repeat), 0.5), side),
                  "a point beside a triangle touches it");
@@ -170,8 +168,8 @@ void strip_forces(Trial& trial) {
                          "the error of an energy");
     VectorXd expected = none(contacts);
     hair::add_strip_force(contacts.contacts, contacts.law, contacts.x, expected);
-    trial.expect_at_most(worst(ask_strip_force(trial, contacts, none(contacts)) - expected),
-                         kOfForces * 5 * size, "the error of a force");
+    trial.expect_near({ask_strip_force(trial, contacts, none(contacts)), expected}, kOfForces * 5 * size,
+                      "the error of a force");
   }
 }
 
@@ -181,8 +179,8 @@ void strip_products(Trial& trial) {
     const VectorXd dx = random_vector(trial.random, contacts.x.size(), 0.02);
     VectorXd expected = none(contacts);
     hair::add_strip_product(contacts.contacts, contacts.law, contacts.x, dx, expected);
-    trial.expect_at_most(worst(ask_strip_product(trial, contacts, dx, none(contacts)) - expected),
-                         kOfForces * 10 * contacts.size(), "the error of a product");
+    trial.expect_near({ask_strip_product(trial, contacts, dx, none(contacts)), expected, 3, dx},
+                      kOfForces * 10 * contacts.size(), "the error of a product");
   }
 }
 
@@ -194,13 +192,13 @@ void frictions(Trial& trial) {
       for (const double h : kSteps) {
         Contacts contacts = some_contacts(random, count);
         const VectorXd v = random_vector(random, contacts.x.size(), 0.3);
-        trial.expect_at_most(worst(ask_friction(trial, contacts, h, v) - reference_friction(contacts, h, v)),
-                             kOfVelocities, "the error of a velocity");
+        trial.expect_near({ask_friction(trial, contacts, h, v), reference_friction(contacts, h, v), 3, v},
+                          kOfVelocities, "the error of a velocity");
         contacts.inverse_mass.setZero();
         // Points of 1 kg above pinned corners: W = 1.
         for (const StripContact& contact : contacts.contacts) contacts.inverse_mass[contact.point] = 1;
-        trial.expect_at_most(worst(ask_friction(trial, contacts, h, v) - reference_friction(contacts, h, v)),
-                             kOfVelocities, "the error of a velocity where corners are pinned");
+        trial.expect_near({ask_friction(trial, contacts, h, v), reference_friction(contacts, h, v), 3, v},
+                          kOfVelocities, "the error of a velocity where corners are pinned");
       }
 }
 
@@ -211,12 +209,12 @@ void pinned_frictions(Trial& trial) {
     VectorXd v = random_vector(random, contacts.x.size(), 0.3);
     Contacts smooth = contacts;
     smooth.law.friction = 0;
-    trial.expect_at_most(worst(ask_friction(trial, smooth, h, v) - v), 0, "a velocity where mu is 0");
-    trial.expect_at_most(worst(ask_friction(trial, contacts, h, none(contacts))), 0,
-                         "a velocity where nothing moves");
+    trial.expect_near({ask_friction(trial, smooth, h, v), v}, 0, "a velocity where mu is 0");
+    trial.expect_near({ask_friction(trial, contacts, h, none(contacts)), none(contacts)}, 0,
+                      "a velocity where nothing moves");
     contacts.inverse_mass.setZero();
-    trial.expect_at_most(worst(ask_friction(trial, contacts, h, v) - v), 0,
-                         "the change of a velocity where all is pinned");
+    trial.expect_near({ask_friction(trial, contacts, h, v), v}, 0,
+                      "the change of a velocity where all is pinned");
     const VectorXd moved = ask_friction(trial, some_contacts(random, 1), h, random_vector(random, 21, 0.3));
     trial.expect(!moved.isZero(), "after friction all velocities are 0");
   }
@@ -241,8 +239,8 @@ void friction_order(Trial& trial) {
         one_by_one = ask_friction(trial, one, h, one_by_one);
       }
       trial.expect(one_by_one != start, "friction changes no velocity");
-      trial.expect_at_most(worst(ask_friction(trial, contacts, h, start) - one_by_one), kOfVelocities,
-                           "a velocity, beside that of one contact after the other");
+      trial.expect_near({ask_friction(trial, contacts, h, start), one_by_one, 3, start}, kOfVelocities,
+                        "a velocity, beside that of one contact after the other");
     }
 }
 

@@ -109,15 +109,17 @@ void expect_matrix(Trial& trial, const ConstrainedSystem& system) {
       const VectorXd force = with_forces(trial, system, multiplier, VectorXd::Zero(3 * system.n()));
       error = (found - own_rates(trial, system, system.inverse_masses().cwiseProduct(force))).norm();
     }
-    trial.expect_at_most(error, bound, "the error of a product with J W J'");
+    trial.expect_at_most(error, bound, "the error of a product with J W J'",
+                         {found, expected, 1, multiplier});
   }
 }
 
 void expect_residual(Trial& trial, const ConstrainedSystem& system, const VectorXd& lambda, double bound,
                      const std::string& what, const std::function<double(double)>& error) {
-  double found = error((system.right_hand_side() - system.matrix() * lambda).norm());
+  const VectorXd right = system.right_hand_side(), product = system.matrix() * lambda;
+  double found = error((right - product).norm());
   if (!(found <= bound)) found = error(own_residual(trial, system, lambda));
-  trial.expect_at_most(found, bound, what);
+  trial.expect_at_most(found, bound, what, {product, right, 1});
 }
 
 void expect_solved(Trial& trial, const ConstrainedSystem& system, const VectorXd& lambda, double tolerance) {
@@ -128,7 +130,7 @@ void expect_solved(Trial& trial, const ConstrainedSystem& system, const VectorXd
 
 void expect_same_lambda(Trial& trial, const VectorXd& a, const VectorXd& b, const std::string& what) {
   trial.expect(b.norm() > 0, "lambda is 0 where there is something to hold");
-  trial.expect_at_most((a - b).norm(), kTolerance * b.norm(), what);
+  trial.expect_close({a, b, 1}, kTolerance * b.norm(), what);
 }
 
 }  // namespace grader::p2

@@ -13,12 +13,11 @@ using Eigen::VectorXd;
 void expect_values_and_rates(Trial& trial, const std::vector<ConstrainedSystem>& systems) {
   for (const ConstrainedSystem& system : systems)
     for (double junk : {0.0, kNaN}) {
-      trial.expect_at_most((values(trial, system, junk) - system.values()).norm(),
-                           32 * kUnit * system.value_size(), "the error of C");
+      trial.expect_close({values(trial, system, junk), system.values(), 1}, 32 * kUnit * system.value_size(),
+                         "the error of C");
       const MatrixXd J = system.jacobian();
-      trial.expect_at_most((rates(trial, system, junk) - J * system.state.v).norm(),
-                           32 * kUnit * (J.cwiseAbs() * system.state.v.cwiseAbs()).norm(),
-                           "the error of J v");
+      trial.expect_close({rates(trial, system, junk), J * system.state.v, 1},
+                         32 * kUnit * (J.cwiseAbs() * system.state.v.cwiseAbs()).norm(), "the error of J v");
     }
 }
 
@@ -28,8 +27,8 @@ void expect_forces(Trial& trial, const std::vector<ConstrainedSystem>& systems) 
     const VectorXd there = 10 * random_vector(trial.random, 3 * system.n());
     const MatrixXd Jt = system.jacobian().transpose();
     const VectorXd f = with_forces(trial, system, lambda, there);
-    trial.expect_at_most(
-        (f - there - Jt * lambda).norm(),
+    trial.expect_close(
+        {f - there, Jt * lambda},
         (16 + system.rows()) * kUnit * ((Jt.cwiseAbs() * lambda.cwiseAbs()).norm() + 2 * there.norm()),
         "the error of the constraint forces");
   }
@@ -62,9 +61,9 @@ void matrix(Trial& trial) {
   const VectorXd multiplier = random_vector(trial.random, system.rows());
   const VectorXd now = product(trial, system, multiplier, 0),
                  later = product(trial, system, multiplier, 0, true);
-  trial.expect_at_most((later - now).norm(),
-                       2 * (16 + system.rows()) * kUnit * system.matrix_size() * multiplier.norm(),
-                       "the error of a product with J W J', made before rods, masses and positions changed");
+  trial.expect_close({later, now, 1},
+                     2 * (16 + system.rows()) * kUnit * system.matrix_size() * multiplier.norm(),
+                     "the error of a product with J W J', made before rods, masses and positions changed");
 }
 
 }  // namespace grader::p2

@@ -74,7 +74,8 @@ void step_limit(Trial& trial) {
   // four such terms twice, for either side has them.
   const double rounding = 0x1p-53 * 8 * (system.product_error + system.n()) * system.norm;
   trial.expect_at_most(distance(one.x, first.x), rounding * 2 * (norm(system.solution) + norm(system.b)),
-                       "the error of x after one step");
+                       "the error of x after one step",
+                       {vector_of(one.x), vector_of(first.x), 1, vector_of(system.b)});
 
   for (int none : {-1, -100}) {
     const Solution guess = solve(trial, system, 0, none);

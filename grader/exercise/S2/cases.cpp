@@ -66,10 +66,6 @@ struct Counted {
   }
 };
 
-VectorXd vector_of(const std::vector<double>& values) {
-  return Eigen::Map<const VectorXd>(values.data(), static_cast<Eigen::Index>(values.size()));
-}
-
 std::vector<double> numbers_in(const VectorXd& values) {
   return {values.begin(), values.end()};
 }
@@ -77,7 +73,8 @@ std::vector<double> numbers_in(const VectorXd& values) {
 // Two products with the same x, into buffers that held anything; entries may be off by `rounding`.
 void expect_products(Trial& trial, const std::vector<VectorXd>& products, const std::vector<double>& expected,
                      double rounding, const std::string& what) {
-  trial.expect_at_most(distance(numbers_in(products[0]), expected), rounding, "the error of " + what);
+  trial.expect_at_most(distance(numbers_in(products[0]), expected), rounding, "the error of " + what,
+                       {products[0], vector_of(expected), 1});
   // Of the same x: a product that changes it shows here.
   trial.expect(products[0] == products[1], what + " gives another result the second time");
 }
@@ -152,8 +149,10 @@ void expect_solves(Trial& trial, const std::string& name, const Matrix& table, c
   const double epsilon = std::pow(1e-9 * norm(Atb), 2);
   const NormalSolution solution = solve(trial, name, table, b, epsilon, 0);
   const double allowed = std::sqrt(epsilon) + drift(table, expected, Atb);
-  trial.expect_at_most(normal_residual(table, solution.x, b), allowed, "the norm of A'(b - Ax)");
-  trial.expect_at_most(distance(solution.x, expected), allowed / (smallest * smallest), "the error of x");
+  const double bound = allowed / (smallest * smallest);
+  const Compared numbers{vector_of(solution.x), vector_of(expected), 1, vector_of(Atb), bound};
+  trial.expect_at_most(normal_residual(table, solution.x, b), allowed, "the norm of A'(b - Ax)", numbers);
+  trial.expect_at_most(distance(solution.x, expected), bound, "the error of x", numbers);
 }
 
 // A = D + N: D diagonal with entries of size `large` or more, ||N||_F <= 1, so that no singular value is
