@@ -154,7 +154,7 @@ TEST_F(RealProject, ShowsEachExerciseByASceneThatCallsIt) {
   for (const Exercise& exercise : course_.exercises) {
     std::smatch found;
     if (!std::regex_match(exercise.show, found, view)) {
-      EXPECT_TRUE(exercise.show.starts_with("solver ") || exercise.show.starts_with("phase "))
+      EXPECT_TRUE(exercise.show.starts_with("bowl ") || exercise.show.starts_with("phase "))
           << exercise.id << ": " << exercise.show;
       continue;
     }

@@ -6,7 +6,6 @@ int main(int argc, char* argv[]) {
   const hair::Command study = hair::add_study_command(app);
   // Commands of commands come first.
   const std::vector<hair::Command> commands = {hair::add_study_head_command(*study.app),
-                                               hair::add_phase_command(app),
                                                hair::add_solver_command(app),
                                                hair::add_stability_command(app),
                                                study,

@@ -58,7 +58,6 @@ class Study {
 
   SolverStudy run() {
     const double start = timing::cpu_seconds();
-    paths();
     histories();
     needed();
     if (functions_.normal_equations) digits();
@@ -68,12 +67,6 @@ class Study {
   }
 
  private:
-  void paths() {
-    say_("paths over a bowl");
-    study_.paths.push_back(symmetric_path(functions_.conj_grad));
-    with_normal_equations([&] { study_.paths.push_back(normal_path(functions_.normal_equations)); });
-  }
-
   // Unless they are missing, or a stub.
   void with_normal_equations(const std::function<void()>& does) {
     if (!functions_.normal_equations || study_.not_written) return;

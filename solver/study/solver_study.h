@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "solver/not_implemented.h"
-#include "solver/study/bowl_path.h"
 #include "solver/study/history.h"
 #include "solver/study/normal_digits.h"
 #include "solver/study/product_cost.h"
@@ -73,7 +72,6 @@ struct Compared {
 struct SolverStudy {
   bool quick = false;
   int most_iterations = 0;           // the limit for every solver
-  std::vector<BowlPath> paths;       // ConjGrad's, and that of the normal equations, if there are any
   std::vector<Compared> conditions;  // spread spectra of growing condition number
   std::vector<Compared> clusters;    // one condition number, different numbers of distinct eigenvalues
   std::vector<Compared> strands;     // a strand, for several time steps

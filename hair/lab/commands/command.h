@@ -18,6 +18,7 @@ struct Command {
   std::function<int(const Course&)> run;
 };
 
+Command add_bowl_command(CLI::App& program);
 Command add_convert_command(CLI::App& program);
 Command add_draw_command(CLI::App& program);
 Command add_groom_command(CLI::App& program);

@@ -13,6 +13,7 @@ struct OtherProgram {
   const char* target;  // hairlab_studies
 };
 inline constexpr OtherProgram kStudies = {"study", "studies"};
+inline constexpr OtherProgram kShows = {"show", "shows"};
 inline constexpr OtherProgram kGrooms = {"groom", "grooms"};
 inline constexpr OtherProgram kLive = {"live", "live"};
 
@@ -35,17 +36,19 @@ inline constexpr OtherCommand kModelsStudy = {
     "models", "Springs, links and helices side by side: error against run time, which model when", kStudies};
 inline constexpr OtherCommand kValidation = {
     "validate", "Compare with what theory says: published numbers, exact solutions", kStudies};
+inline constexpr OtherCommand kBowl = {
+    "bowl", "Show the way of ConjGrad, and of the normal equations, to the bottom of a bowl", kShows};
 inline constexpr OtherCommand kPhasePlane = {
-    "phase", "Show a pendulum in the phase plane, by each of the four explicit methods", kStudies};
+    "phase", "Show a pendulum in the phase plane, by each of the four explicit methods", kShows};
 inline constexpr OtherCommand kInfo = {"info", "Say what a groom is like, and what is odd about it", kGrooms};
 inline constexpr OtherCommand kConvert = {"convert", "Write a groom in another format", kGrooms};
 inline constexpr OtherCommand kGroom = {"groom", "Let hair grow on a head, in a style", kGrooms};
 inline constexpr OtherCommand kDraw = {"draw", "Draw a groom as it is", kGrooms};
 inline constexpr OtherCommand kPlayLive = {"live", "Play a scene while it is computed, in a browser", kLive};
 
-inline constexpr std::array kOtherCommands = {kPlayLive,    kInfo,           kConvert,     kGroom,
-                                              kDraw,        kErrorStudy,     kModelsStudy, kPhasePlane,
-                                              kSolverStudy, kStabilityStudy, kValidation};
+inline constexpr std::array kOtherCommands = {kPlayLive,   kInfo,        kConvert,        kGroom,
+                                              kDraw,       kErrorStudy,  kModelsStudy,    kBowl,
+                                              kPhasePlane, kSolverStudy, kStabilityStudy, kValidation};
 
 // Null for a command of hairlab's own.
 const OtherCommand* other_command(std::string_view name);

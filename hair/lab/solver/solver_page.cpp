@@ -5,7 +5,6 @@
 
 #include "hair/io/plot/figure.h"
 #include "hair/lab/solver/solver_convergence.h"
-#include "hair/lab/solver/solver_paths.h"
 #include "hair/lab/solver/solver_series.h"
 #include "hair/lab/solver/solver_verdicts.h"
 
@@ -155,10 +154,8 @@ Page solver_page(const SolverStudy& study, const std::string& left_out) {
                 "Cholesky and QR. Times are CPU time, medians of repeats."},
                {}};
   if (!left_out.empty()) page.paragraphs.push_back("The normal equations are left out: " + left_out + ".");
-  page.sections = path_sections(study.paths);
-  for (Section& section : std::vector{conditions_section(study), clusters_section(study),
-                                      strands_section(study), linked_section(study), needed_section(study)})
-    page.sections.push_back(std::move(section));
+  page.sections = {conditions_section(study), clusters_section(study), strands_section(study),
+                   linked_section(study), needed_section(study)};
   if (!study.digits.empty()) page.sections.push_back(digits_section(study));
   page.sections.push_back(products_section(study));
   return page;

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hair/lab/solver/solver_paths.h"
-
 namespace hair::solver_lab {
 
 using namespace solver::study;
@@ -90,9 +88,7 @@ std::vector<Row> direct_rows(const std::vector<Compared>& systems) {
 }
 
 OrderedJson solver_json(const SolverStudy& study, const std::string& left_out) {
-  OrderedJson convergence = OrderedJson::array(), direct = OrderedJson::array(), paths = OrderedJson::array();
-  for (const BowlPath& path : study.paths)
-    for (const Row& row : path_rows(path)) paths.push_back(json_of(row));
+  OrderedJson convergence = OrderedJson::array(), direct = OrderedJson::array();
   const auto add = [&](const char* family, const std::vector<Compared>& systems) {
     for (const Compared& on : systems)
       for (const History* history : on.histories()) {
@@ -109,7 +105,6 @@ OrderedJson solver_json(const SolverStudy& study, const std::string& left_out) {
           {"seconds", study.cpu_seconds},
           {"left_out", Value(if_any(left_out)).json()},
           {"most_iterations", study.most_iterations},
-          {"paths", paths},
           {"convergence", convergence},
           {"direct", direct},
           {"iterations", json_of(rows_of(study.needed, row_of_needed))},

@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "hair/lab/solver/solver_paths.h"
 #include "hair/lab/solver/solver_verdicts.h"
 
 namespace hair {
@@ -77,20 +76,6 @@ TEST(SolverVerdicts, MoreIterationsThanTheBoundAndNoneAtAllAreNamed) {
       "100 it takes 200 iterations, Eigen's 80.");
 }
 
-TEST(SolverVerdicts, APathIsSaidByItsPlaces) {
-  BowlPath path = {"ConjGrad", 1, 0, 1, 1, {0, 0}, {3, 4}, {{3, 4}, {1, 0}, {0, 0}, {0, 0}}};
-  EXPECT_EQ(path_verdict(path),
-            "It begins at b, as it should. It is at the bottom after 2 steps; two unknowns take 2.");
-  path.places = {{0, 5}, {1, 0}};
-  EXPECT_EQ(
-      path_verdict(path),
-      "It does not begin at b, as it should. After 1 step its height is still 0.04 of the first guess's; two "
-      "unknowns take 2 steps.");
-  path.solver = "the normal equations";
-  path.places = {{3, 4}, {std::nan(""), 0}};
-  EXPECT_EQ(path_verdict(path), "It begins at A'b, as it should. After 1 step its x is not a number.");
-}
-
 SolverStudy study_of(const Compared& on) {
   SolverStudy study;
   study.most_iterations = 4000;
@@ -115,8 +100,6 @@ TEST(SolverPage, IsDrawnOfCodeThatDoesNothing) {
   on.conj_grad.progress[1].iterations = -7;
   for (Progress& one : on.conj_grad.progress) one.products = 0;
   SolverStudy study = study_of(on);
-  study.paths = {symmetric_path(
-      [](int, implicitMatrix*, double x[], double[], double, int*) { return x[0] = std::nan(""); })};
   EXPECT_NO_THROW(to_html(solver_page(study, "")));
 }
 

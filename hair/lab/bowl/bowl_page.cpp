@@ -1,13 +1,13 @@
-#include "hair/lab/solver/solver_paths.h"
+#include "hair/lab/bowl/bowl_page.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "hair/io/plot/figure.h"
-#include "hair/lab/solver/solver_series.h"
 
-namespace hair::solver_lab {
+namespace hair::bowl {
 
 namespace {
 
@@ -15,6 +15,7 @@ using namespace solver::study;
 
 constexpr int kCorners = 90;                              // of a level set
 constexpr double kHeights[] = {1, 0.3, 0.1, 0.03, 0.01};  // of level sets
+constexpr double kLowest = 1e-34;                         // where a height of 0 stands on a logarithmic axis
 
 // The points x with x'Cx = r: C = LL', and L' takes them to a circle.
 Series level_set(const BowlPath& path, double height) {
@@ -72,9 +73,41 @@ Figure heights_of(const BowlPath& path, const std::string& id) {
                    {"height, relative to the first guess"}};
   Series heights = {path.solver, {}};
   for (std::size_t steps = 0; steps < path.places.size(); ++steps)
-    heights.points.push_back(point(static_cast<double>(steps), path.height(path.places[steps])));
+    if (const double height = path.height(path.places[steps]); std::isfinite(height))
+      heights.points.push_back({static_cast<double>(steps), std::max(height, kLowest)});
   figure.series = {heights};
   return figure;
+}
+
+std::vector<Row> rows_of_path(const BowlPath& path) {
+  std::vector<Row> rows;
+  for (std::size_t steps = 0; steps < path.places.size(); ++steps)
+    rows.push_back({{"solver", "", path.solver},
+                    {"condition", "", path.condition, {"condition number"}},
+                    {"steps", "", static_cast<long>(steps)},
+                    {"x.first", "", path.places[steps][0], {"first unknown"}},
+                    {"x.second", "", path.places[steps][1], {"second unknown"}},
+                    {"height", "", path.height(path.places[steps]), {"height, relative"}}});
+  return rows;
+}
+
+Section section_of(const BowlPath& path) {
+  const bool normal = path.solver != "ConjGrad";
+  const std::string id = normal ? "normal-path" : "path", root = to_text(std::sqrt(path.condition));
+  const std::string what = normal
+                               ? "A matrix that is not symmetric, with the same singular values and the same "
+                                 "solution as the one "
+                                 "above. A has the condition number " +
+                                     root + ", A'A its square, " + to_text(path.condition) +
+                                     ": a valley whose level sets are " + root + " times as long as wide."
+                               : "A symmetric matrix with the condition number " + to_text(path.condition) +
+                                     ". The level sets of its bowl, x'Ax / 2 - b'x, are ellipses, " + root +
+                                     " times as long as wide. Each place is where your function is when "
+                                     "*steps allows so many steps.";
+  return {normal ? "The path of the normal equations" : "The path over the bowl",
+          {what, path_verdict(path)},
+          {to_svg(figure_of(path, id)), to_svg(heights_of(path, id + "-heights"))},
+          {table_of(rows_of_path(path), "Where it is after so many steps")}};
 }
 
 }  // namespace
@@ -94,38 +127,22 @@ std::string path_verdict(const BowlPath& path) {
          to_text(path.height(last)) + " of the first guess's; two unknowns take 2 steps.";
 }
 
-std::vector<Row> path_rows(const BowlPath& path) {
+std::vector<Row> bowl_rows(const std::vector<BowlPath>& paths) {
   std::vector<Row> rows;
-  for (std::size_t steps = 0; steps < path.places.size(); ++steps)
-    rows.push_back({{"solver", "", path.solver, In::json},
-                    {"condition", "", path.condition, In::json},
-                    {"steps", "", static_cast<long>(steps)},
-                    {"x.first", "", path.places[steps][0], {"first unknown"}},
-                    {"x.second", "", path.places[steps][1], {"second unknown"}},
-                    {"height", "", path.height(path.places[steps]), {"height, relative"}}});
+  for (const BowlPath& path : paths)
+    for (Row& row : rows_of_path(path)) rows.push_back(std::move(row));
   return rows;
 }
 
-std::vector<Section> path_sections(const std::vector<BowlPath>& paths) {
-  std::vector<Section> sections;
-  for (const BowlPath& path : paths) {
-    const bool normal = path.solver != "ConjGrad";
-    const std::string id = normal ? "normal-path" : "path", root = to_text(std::sqrt(path.condition));
-    std::string what = normal ? "A matrix that is not symmetric, with the same singular values and the same "
-                                "solution as the one "
-                                "above. A has the condition number " +
-                                    root + ", A'A its square, " + to_text(path.condition) +
-                                    ": a valley whose level sets are " + root + " times as long as wide."
-                              : "A symmetric matrix with the condition number " + to_text(path.condition) +
-                                    ". The level sets of its bowl, x'Ax / 2 - b'x, are ellipses, " + root +
-                                    " times as long as wide. Each place is where your function is when "
-                                    "*steps allows so many steps.";
-    sections.push_back({normal ? "The path of the normal equations" : "The path over the bowl",
-                        {what, path_verdict(path)},
-                        {to_svg(figure_of(path, id)), to_svg(heights_of(path, id + "-heights"))},
-                        {table_of(path_rows(path), "Where it is after so many steps")}});
-  }
-  return sections;
+Page bowl_page(const std::vector<BowlPath>& paths, const std::string& left_out) {
+  Page page = {"Paths over a bowl",
+               {"ConjGrad goes to the bottom of a bowl of two unknowns, the normal equations to that of "
+                "another one. Each of "
+                "your functions is called with *steps of 1, 2, 3, ..."},
+               {}};
+  if (!left_out.empty()) page.paragraphs.push_back("The normal equations are left out: " + left_out + ".");
+  for (const BowlPath& path : paths) page.sections.push_back(section_of(path));
+  return page;
 }
 
-}  // namespace hair::solver_lab
+}  // namespace hair::bowl

@@ -1,0 +1,43 @@
+#include "hair/lab/bowl/bowl_page.h"
+
+#include <memory>
+
+#include "hair/lab/commands/study_shell.h"
+#include "hair/lab/stub.h"
+#include "solver/linearSolver.h"
+#include "solver/normal_equations.h"
+
+namespace hair {
+
+namespace {
+
+int show_bowl(const ShellOptions& options, const Course& course) {
+  if (!course.has("S1")) throw BadInput("this course leaves out S1, ConjGrad; there is nothing to show");
+  StudyShell shell(options, "hairlab bowl", "bowl.json", {"index.html", "bowl.csv"}, WhenInterrupted::loses);
+  std::vector<solver::study::BowlPath> paths = {solver::study::symmetric_path(ConjGrad)};
+  std::string left_out;
+  if (!course.has("S2")) {
+    left_out = "this course has no S2";
+  } else {
+    try {
+      paths.push_back(solver::study::normal_path(solve_normal_equations));
+    } catch (const NotImplemented& stub) {
+      left_out = missing_part(stub);
+    }
+  }
+  const std::vector<Row> rows = bowl::bowl_rows(paths);
+  shell.keep({{"format", 1}, {"left_out", Value(if_any(left_out)).json()}, {"paths", json_of(rows)}},
+             bowl::bowl_page(paths, left_out), {{"bowl.csv", rows}});
+  return shell.end(true, left_out.empty() ? "" : "\nwithout the normal equations: " + left_out);
+}
+
+}  // namespace
+
+Command add_bowl_command(CLI::App& program) {
+  const auto options = std::make_shared<ShellOptions>();
+  CLI::App* app = program.add_subcommand(kBowl.name, kBowl.what);
+  app->add_option("--out", options->out, "The folder for page, table and record")->required();
+  return {app, [options](const Course& course) { return show_bowl(*options, course); }};
+}
+
+}  // namespace hair

@@ -1,0 +1,7 @@
+// hairlab-show: hairlab's commands that show what solvers and methods do, in a second.
+#include "hair/lab/commands/program.h"
+
+int main(int argc, char* argv[]) {
+  CLI::App app("hairlab-show: what hairlab shows the first exercises with");
+  return hair::run_program(app, {hair::add_bowl_command(app), hair::add_phase_command(app)}, argc, argv);
+}
