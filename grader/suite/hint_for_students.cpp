@@ -29,12 +29,16 @@ std::string hint_for_students(const checks::Hint& hint) {
       return "One of its numbers was never set.";
     case checks::Looks::huge:
       return "One of its numbers is huge: was it made from a variable that was never set?";
+    case checks::Looks::tiny:
+      return "One of its numbers is tiny: was it made from a variable that was never set?";
     case checks::Looks::no_number:
-      return "One of its numbers is no number: 0/0, or the root of a negative one?";
+      return "One of its numbers is no number: 0/0, a division by 0, or the root of a negative one?";
     case checks::Looks::zero:
-      return "All of it is 0: is a term missing, or the result never written?";
+      return "All of it is 0: never written, left out by a condition or a loop's bounds, or terms that "
+             "cancel?";
     case checks::Looks::unchanged:
-      return "It is an input, or what stood there before the call, unchanged: is the result never written?";
+      return "It is an input, or what stood there before the call, unchanged: never written, or nothing "
+             "done?";
     case checks::Looks::wrong_at_the_end:
       return "It is right but for its last entries: a loop's bound?";
     case checks::Looks::wrong_at_the_beginning:

@@ -73,16 +73,20 @@ std::string hint_of(const std::vector<double>& numbers, const std::vector<double
 TEST(Hint, IsOneOfAFewSentences) {
   EXPECT_EQ(hint_of({1, 2, 3 + 1e-10}), "");
   EXPECT_EQ(hint_of({-1, -2, -3}), "Its numbers are -1 times what is expected: a sign?");
-  EXPECT_EQ(hint_of({0.5, 1, 1.5}), "Its numbers are 1/2 times what is expected: a factor?");
-  EXPECT_EQ(hint_of({1.1, 2.2, 3.3}), "nothing")
+  EXPECT_EQ(hint_of({0.5, 1, 1.5, 2}, {1, 2, 3, 4}), "Its numbers are 1/2 times what is expected: a factor?");
+  EXPECT_EQ(hint_of({1.1, 2.2, 3.3, 4.4}, {1, 2, 3, 4}), "nothing")
       << "a factor that code may choose could carry hidden inputs out";
-  EXPECT_EQ(hint_of({0, 0, 0}), "All of it is 0: is a term missing, or the result never written?");
+  EXPECT_EQ(
+      hint_of({0, 0, 0}),
+      "All of it is 0: never written, left out by a condition or a loop's bounds, or terms that cancel?");
   EXPECT_EQ(hint_of({1, 2, 0}), "It is right but for its last entries: a loop's bound?");
   EXPECT_EQ(hint_of({7, 2, 3}), "It is right but for its first entries: a loop's bound?");
   EXPECT_EQ(hint_of({1, -2, 3}), "It is right but for signs of some entries.");
-  EXPECT_EQ(hint_of({1, kNan, 3}), "One of its numbers is no number: 0/0, or the root of a negative one?");
-  EXPECT_EQ(hint_of({4, 5, 6}),
-            "It is an input, or what stood there before the call, unchanged: is the result never written?");
+  EXPECT_EQ(hint_of({1, kNan, 3}),
+            "One of its numbers is no number: 0/0, a division by 0, or the root of a negative one?");
+  EXPECT_EQ(
+      hint_of({4, 5, 6}),
+      "It is an input, or what stood there before the call, unchanged: never written, or nothing done?");
   EXPECT_EQ(hint_of({2, 1, 5}), "nothing");
   EXPECT_EQ(hint_of({}, {}), "");
 }

@@ -88,6 +88,19 @@ TEST(Digest, ReadsAFactorFromEqualityOfNumbers) {
   EXPECT_EQ(digest(kAsked, kTables, {count}, false).find("Hint"), std::string::npos);
 }
 
+TEST(Digest, OfANumberThatIsNoEnergyReadsNoFactor) {
+  const Finding near = finding("Rate", "OfOne", Finding::State::failed,
+                               {"a evaluates to 4,\nb evaluates to 2, and\nc evaluates to 1e-9.\n"});
+  EXPECT_EQ(digest(kAsked, kTables, {near}, false).find("Hint"), std::string::npos);
+}
+
+TEST(Digest, SaysWhatAPlaceOutsideMayComeFrom) {
+  const Finding outside = finding("Force", "OfOne", Finding::State::broke_off,
+                                  {"Assertion `index >= 0 && index < size()' failed."});
+  EXPECT_NE(digest(kAsked, kTables, {outside}, false).find("Hint: a place outside of a vector"),
+            std::string::npos);
+}
+
 TEST(Patterns, AreThoseOfGoogleTest) {
   EXPECT_TRUE(fits("A.b", "A.b"));
   EXPECT_TRUE(fits("A.b", "X:*.b"));

@@ -63,8 +63,8 @@ std::string hint_of_count(double actual, double expected) {
 }
 
 // GoogleTest's messages of EXPECT_NEAR, "a evaluates to 2," line by line, and of EXPECT_EQ, "Which is: 2" or the number itself: what
-// was got, and what was expected.
-std::string hint_of_two_values(const std::vector<std::string>& lines) {
+// was got, and what was expected. A plain `product` may be off by a factor.
+std::string hint_of_two_values(const std::vector<std::string>& lines, bool product) {
   std::vector<double> near, equal;
   for (const std::string& line : lines) {
     if (const auto value = number_behind(line, " evaluates to ")) near.push_back(*value);
@@ -74,12 +74,21 @@ std::string hint_of_two_values(const std::vector<std::string>& lines) {
              constant && line.find_first_not_of(" 0123456789.e+-") == std::string::npos)
       equal.push_back(*constant);
   }
-  if (near.size() == 3) return hint_of_ratio(near[0], near[1]);
+  if (near.size() == 3) return hint_of_one(near[0], near[1], product);
   if (equal.size() != 2) return "";
-  return counts(lines) ? hint_of_count(equal[0], equal[1]) : hint_of_ratio(equal[0], equal[1]);
+  return counts(lines) ? hint_of_count(equal[0], equal[1]) : hint_of_one(equal[0], equal[1], product);
 }
 
-Message message_of(const std::string& text) {
+// A check that broke off: Eigen's assertions, the library's and the sanitizer speak of a place outside.
+std::string hint_of_place(const std::string& text) {
+  for (const char* words : {"Assertion `index >= 0", "Assertion `row >= 0", "Assertion `startRow >= 0",
+                            "Assertion `i>=0", "Assertion '__n < this->size()", "-buffer-overflow"})
+    if (text.find(words) != std::string::npos)
+      return "a place outside of a vector: a loop's bound, `i + 1` or `i - 1`, or the 3 of 3 i?";
+  return "";
+}
+
+Message message_of(const std::string& text, bool product) {
   Message message;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
@@ -91,7 +100,8 @@ Message message_of(const std::string& text) {
     else if (!line.empty() && line != "Failed" && line != "Google Test trace:")
       message.lines.push_back(line);
   }
-  if (message.hint.empty()) message.hint = hint_of_two_values(message.lines);
+  if (message.hint.empty()) message.hint = hint_of_place(text);
+  if (message.hint.empty()) message.hint = hint_of_two_values(message.lines, product);
   return message;
 }
 
@@ -114,7 +124,7 @@ void tell_failure(std::ostream& out, const Asked& asked, const TextTables& table
   int lines = 0;
   std::string hint;
   for (const std::string& failure : one.failures) {
-    const Message message = message_of(failure);
+    const Message message = message_of(failure, one.suite.ends_with("Energy"));
     if (hint.empty()) hint = message.hint;
     for (const std::string& line : message.lines) {
       if (!full && ++lines > kMostLines) break;

@@ -24,6 +24,18 @@ bool is_made_of_it(double value) {
   return std::isfinite(value) && std::abs(value) > 1e290;
 }
 
+// On the stack there is often a rest of something else: 4.7e-310.
+bool is_a_rest(double value) {
+  return value != 0 && std::abs(value) < 1e-290;
+}
+
+constexpr const char* kZero =
+    "0: never written, left out by a condition or a loop's bounds, a factor that is 0, or terms that cancel?";
+constexpr const char* kInfinite = "infinite: a division by 0, or a variable that was never set?";
+constexpr const char* kNoNumber =
+    "no number: 0/0, the root of a negative number, or a variable that was never set?";
+constexpr const char* kNeverSet = ": was it made from a variable that was never set?";
+
 double dot(Numbers a, Numbers b) {
   double sum = 0;
   for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
@@ -68,6 +80,18 @@ bool is_plain(double factor) {
   return false;
 }
 
+// Numbers of so many sizes are not by chance all the same multiple of others; three are one vector's.
+constexpr std::size_t kManySizes = 4;
+
+std::size_t sizes_in(Numbers numbers, double rounding) {
+  std::vector<double> sizes;
+  for (const double value : numbers)
+    if (std::ranges::none_of(sizes,
+                             [&](double size) { return std::abs(size - std::abs(value)) <= rounding; }))
+      sizes.push_back(std::abs(value));
+  return sizes.size();
+}
+
 // One factor for all numbers, if there is one: the best in the sense of least squares leaves no more than rounding.
 Hint factor_of(Numbers actual, Numbers expected, double bound) {
   const double squared = dot(expected, expected);
@@ -82,7 +106,8 @@ Hint factor_of(Numbers actual, Numbers expected, double bound) {
     if (!(std::abs(actual[i] - factor * expected[i]) <= 2 * bound + 1e-6 * std::abs(factor) * largest))
       return {};
   if (!is_plain(factor) || std::abs(factor - 1) < 1e-3) return {};  // 1: not exact, that is all
-  return {Looks::a_factor, factor};
+  const bool sign = std::abs(factor + 1) < 1e-4;
+  return sign || sizes_in(expected, 1e-3 * largest) >= kManySizes ? Hint{Looks::a_factor, factor} : Hint{};
 }
 
 // All blocks are right but some at one end.
@@ -137,6 +162,11 @@ std::string told_of(double factor) {
          " times what was expected: " + (std::abs(factor + 1) < 1e-4 ? "a sign?" : "a factor?");
 }
 
+std::string bound_or_zero(Numbers wrong) {
+  const bool zero = std::ranges::all_of(wrong, [](double value) { return value == 0; });
+  return zero ? ", where 0 stands: never written, or a loop's bound?" : ": a loop's bound?";
+}
+
 }  // namespace
 
 Hint find_hint(Numbers actual, Numbers expected, double bound, int block, Numbers before) {
@@ -149,6 +179,8 @@ Hint find_hint(Numbers actual, Numbers expected, double bound, int block, Number
     return std::ranges::all_of(expected, is_zero) ? Hint{} : Hint{Looks::zero};
   if (std::ranges::equal(actual, before) && !std::ranges::equal(expected, before)) return {Looks::unchanged};
   if (is_transposed(actual, expected, bound, block)) return {Looks::transposed};
+  for (std::size_t i = 0; i < actual.size(); ++i)
+    if (is_a_rest(actual[i]) && std::abs(expected[i]) > bound) return {Looks::tiny, static_cast<double>(i)};
   if (const Hint found = end_of(right_blocks(actual, expected, bound, block), block);
       found.looks != Looks::like_nothing)
     return found;
@@ -160,24 +192,27 @@ std::string hint(Numbers actual, Numbers expected, double bound, int block, Numb
   const Hint found = find_hint(actual, expected, bound, block, before);
   const std::string number = number_text(found.number);
   const std::string entries = found.number == 1 ? "entry" : number + " entries";
+  const auto count = static_cast<std::size_t>(found.number);
   switch (found.looks) {
     case Looks::like_nothing:
       return "";
     case Looks::never_set:
       return "entry " + number + " was never set";
     case Looks::huge:
-      return "entry " + number + " is huge: was it made from a variable that was never set?";
+      return "entry " + number + " is huge" + kNeverSet;
+    case Looks::tiny:
+      return "entry " + number + " is tiny" + kNeverSet;
     case Looks::no_number:
-      return "entry " + number +
-             " is no number: 0/0, the root of a negative number, or a variable that was never set?";
+      return "entry " + number + " is " +
+             (std::isinf(actual[static_cast<std::size_t>(found.number)]) ? kInfinite : kNoNumber);
     case Looks::zero:
-      return "all of it is 0: is a term missing, or the result never written?";
+      return std::string("all of it is ") + kZero;
     case Looks::unchanged:
-      return "the input, or what stood there before, unchanged: is the result never written?";
+      return "the input, or what stood there before, unchanged: never written, or nothing done?";
     case Looks::wrong_at_the_end:
-      return "right but for the last " + entries + ": a loop's bound?";
+      return "right but for the last " + entries + bound_or_zero(actual.last(count));
     case Looks::wrong_at_the_beginning:
-      return "right but for the first " + entries + ": a loop's bound?";
+      return "right but for the first " + entries + bound_or_zero(actual.first(count));
     case Looks::a_factor:
       return told_of(found.number);
     case Looks::transposed:
@@ -188,16 +223,16 @@ std::string hint(Numbers actual, Numbers expected, double bound, int block, Numb
   return "";
 }
 
-std::string hint_of_ratio(double actual, double expected) {
+std::string hint_of_one(double actual, double expected, bool product) {
   if (was_never_set(actual)) return "it was never set";
-  if (is_made_of_it(actual) && !is_made_of_it(expected))
-    return "it is huge: was it made from a variable that was never set?";
-  if (std::isnan(actual))
-    return "it is no number: 0/0, the root of a negative number, or a variable that was never set?";
-  if (expected == 0 || !std::isfinite(actual) || !std::isfinite(expected)) return "";
-  if (actual == 0) return "it is 0: is a term missing, or the result never written?";
-  for (const double factor : {-1.0, 2.0, 0.5, 3.0, 1.0 / 3, 4.0, 0.25, -2.0, -0.5})
-    if (std::abs(actual / expected - factor) < 1e-6) return told_of(factor);
+  if (is_made_of_it(actual) && !is_made_of_it(expected)) return std::string("it is huge") + kNeverSet;
+  if (std::isnan(actual)) return std::string("it is ") + kNoNumber;
+  if (std::isinf(actual) && std::isfinite(expected)) return std::string("it is ") + kInfinite;
+  if (expected == 0 || !std::isfinite(expected)) return "";
+  if (actual == 0) return std::string("it is ") + kZero;
+  if (is_a_rest(actual) && !is_a_rest(expected)) return std::string("it is tiny") + kNeverSet;
+  for (const double factor : {-1.0, 2.0, 0.5, 4.0, 0.25, -2.0, -0.5})
+    if (std::abs(actual / expected - factor) < 1e-6) return product || factor == -1 ? told_of(factor) : "";
   return "";
 }
 

@@ -10,6 +10,7 @@ enum class Looks {
   like_nothing,
   never_set,
   huge,
+  tiny,
   no_number,
   zero,
   unchanged,
@@ -23,7 +24,7 @@ enum class Looks {
 struct Hint {
   Looks looks = Looks::like_nothing;
   double number =
-      0;  // of the entry that was never set, is huge or no number; of wrong entries at an end; or the factor
+      0;  // of the entry that was never set, is huge, tiny or no number; of wrong entries at an end; or the factor
 };
 
 // Numbers that differ by no more than `bound` are the same. Both have the same length; each `block` numbers belong together: 3 are a
@@ -35,7 +36,8 @@ Hint find_hint(std::span<const double> actual, std::span<const double> expected,
 std::string hint(std::span<const double> actual, std::span<const double> expected, double bound,
                  int block = 1, std::span<const double> before = {});
 
-// The same for one number: 0, or a sign or a small factor from what was expected.
-std::string hint_of_ratio(double actual, double expected);
+// The same for one number: 0, no number, or off by a sign. By chance one number is easily twice another: factors are told only of what
+// is a plain `product`, such as an energy.
+std::string hint_of_one(double actual, double expected, bool product);
 
 }  // namespace checks
