@@ -4,7 +4,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 
 #include "derivative.h"
 #include "hair/length_correction.h"
@@ -28,10 +27,6 @@ inline Eigen::VectorXd bent(const hair::Strand& strand, double size, double bend
   }
   x.tail(x.size() - 3) += size * numbers.tail(x.size() - 3);
   return x;
-}
-
-inline Eigen::VectorXd vector(std::initializer_list<double> values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()));
 }
 
 inline double largest_error(const hair::Strand& strand, const Eigen::VectorXd& x) {

@@ -172,6 +172,15 @@ void expect_balanced(const VectorXd& force, const VectorXd& x, double bound,
                  "the largest coordinate of x times that of forces: " + source_of_bound);
 }
 
+void expect_added(const std::function<void(VectorXd&)>& add, const VectorXd& before, double bound,
+                  const std::string& name) {
+  VectorXd from_zero = VectorXd::Zero(before.size()), sum = before;
+  add(from_zero);
+  add(sum);
+  expect_entries(sum, before + from_zero, bound, name + ", which held " + particles_in_words(before),
+                 "rounding of the largest entries");
+}
+
 void expect_symmetric(const Operator& K, const VectorXd& a, const VectorXd& b, double bound,
                       const std::string& source_of_bound) {
   const double ab = a.dot(K(b)), ba = b.dot(K(a));
@@ -179,6 +188,10 @@ void expect_symmetric(const Operator& K, const VectorXd& a, const VectorXd& b, d
                                       << "a = " << particles_in_words(a) << "\n"
                                       << "b = " << particles_in_words(b) << "\n"
                                       << "bound = " << source_of_bound;
+}
+
+VectorXd vector(std::initializer_list<double> values) {
+  return Eigen::Map<const VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()));
 }
 
 VectorXd scattered_vector(int n, int which) {

@@ -15,6 +15,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <initializer_list>
 #include <string>
 
 namespace checks {
@@ -55,9 +56,15 @@ void expect_matrix(const Eigen::MatrixXd& actual, const Eigen::MatrixXd& expecte
 void expect_balanced(const Eigen::VectorXd& force, const Eigen::VectorXd& x, double bound,
                      const std::string& source_of_bound);
 
+// `add` adds to what its argument holds, which is called `name`.
+void expect_added(const std::function<void(Eigen::VectorXd&)>& add, const Eigen::VectorXd& before,
+                  double bound, const std::string& name);
+
 // a . (K b) = b . (K a), to within `bound`.
 void expect_symmetric(const Operator& K, const Eigen::VectorXd& a, const Eigen::VectorXd& b, double bound,
                       const std::string& source_of_bound);
+
+Eigen::VectorXd vector(std::initializer_list<double> values);
 
 // n numbers between -1 and 1 without a pattern, the same ones for the same `which`.
 Eigen::VectorXd scattered_vector(int n, int which);

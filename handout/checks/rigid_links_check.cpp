@@ -114,8 +114,8 @@ Placed placed(const VectorXd& q) {
   return chain;
 }
 
-const VectorXd kQ = (VectorXd(4) << 0.3, 0.2, -0.7, 1.1).finished();
-const VectorXd kRates = (VectorXd(4) << 1.5, 0.7, -2, 0.9).finished();
+const VectorXd kQ = vector({0.3, 0.2, -0.7, 1.1});
+const VectorXd kRates = vector({1.5, 0.7, -2, 0.9});
 
 // Central differences over 1e-5 s: errors of 1e-10 times the third derivative, and of 1e-16 / 1e-5.
 constexpr double kStep = 1e-5, kByDifferences = 1e-7;
@@ -206,7 +206,7 @@ TEST(OutwardVelocities, BeginAtTheBase) {
 }
 
 TEST(OutwardVelocities, GoFromParentToChild) {
-  const Passes passes = pass_1(two_pendulums(), (VectorXd(2) << 3, 5).finished());
+  const Passes passes = pass_1(two_pendulums(), vector({3, 5}));
   expect_vector(passes[2].v.angular, Vector3d(0, 5, 0), 1e-14,
                 "omega of a pendulum that hangs from the base, beside another one that turns at 3 rad/s",
                 "1e-14");
@@ -265,7 +265,7 @@ TEST(OutwardVelocities, OfJointsOfAnySpeed) {
 // A light second link has other numbers in its pass before, as from an earlier step.
 TEST(OutwardVelocities, OverwriteWhatStoodThere) {
   const Links links = chain_of({pendulum(1, 0.5, 0.3)[1], pendulum(1, 0.4, -0.2)[1]});
-  const VectorXd rates = (VectorXd(2) << 3, -1).finished();
+  const VectorXd rates = vector({3, -1});
   const Passes fresh = pass_1(links, rates);
   Passes used = fresh;
   outward_velocities(links, rates, used);
@@ -439,10 +439,10 @@ TEST(OutwardAccelerations, OfAPendulum) {
 TEST(OutwardAccelerations, OfTwoPendulumsOnOneBase) {
   const Links links = two_pendulums();
   Passes passes(3);
-  const VectorXd found = all_passes(links, (VectorXd(2) << 4, -3).finished(), VectorXd::Zero(2), passes);
-  expect_numbers(
-      found, (VectorXd(2) << -9.81 / 0.5 * std::sin(0.3), 9.81 / 0.4 * std::sin(1.2)).finished(), 1e-12,
-      "q\" of two pendulums that hang from the same base, at 0.3 and -1.2 rad: -g/l sin of each", "1e-12");
+  const VectorXd found = all_passes(links, vector({4, -3}), VectorXd::Zero(2), passes);
+  expect_numbers(found, vector({-9.81 / 0.5 * std::sin(0.3), 9.81 / 0.4 * std::sin(1.2)}), 1e-12,
+                 "q\" of two pendulums that hang from the same base, at 0.3 and -1.2 rad: -g/l sin of each",
+                 "1e-12");
 }
 
 TEST(OutwardAccelerations, OfABaseThatFalls) {
@@ -461,7 +461,7 @@ TEST(OutwardAccelerations, OfABaseThatFalls) {
 TEST(OutwardAccelerations, OfADoublePendulum) {
   const double l = 0.4, g = 9.81, q1 = 0.8, p = -0.5, q1_rate = 2, p_rate = -3;
   Links links = chain_of({pendulum(1, l, q1, g)[1], pendulum(1, l, p, g)[1]});
-  const VectorXd rates = (VectorXd(2) << q1_rate, p_rate - q1_rate).finished();
+  const VectorXd rates = vector({q1_rate, p_rate - q1_rate});
   Passes passes(3);
   const VectorXd found = all_passes(links, rates, VectorXd::Zero(2), passes);
   const double c = std::cos(q1 - p), s = std::sin(q1 - p);
@@ -470,7 +470,7 @@ TEST(OutwardAccelerations, OfADoublePendulum) {
   const double q1_expected = (right_1 - c * right_2) / (2 - c * c),
                p_expected = (2 * right_2 - c * right_1) / (2 - c * c);
   expect_numbers(
-      found, (VectorXd(2) << q1_expected, p_expected - q1_expected).finished(), 1e-11,
+      found, vector({q1_expected, p_expected - q1_expected}), 1e-11,
       "q\" of a double pendulum of 0.4 m and 0.4 m at 0.8 and -0.5 rad to the vertical, 2 and -3 rad/s",
       "1e-11");
 }
@@ -478,7 +478,7 @@ TEST(OutwardAccelerations, OfADoublePendulum) {
 TEST(OutwardAccelerations, ObeyNewtonAndEuler) {
   Links links = placed(kQ).links;
   for (Link& link : links) link.external = {Vector3d(1, -2, 3), Vector3d(0.5, 0.1, -0.3)};
-  const VectorXd Q = (VectorXd(4) << 1, -2, 0.5, 3).finished();
+  const VectorXd Q = vector({1, -2, 0.5, 3});
   LinkPass base;
   base.v = {Vector3d(0.3, -1, 0.4), Vector3d(1, 2, 0)};
   base.a = {Vector3d(1, 0, -2), Vector3d(0, 0, 9.81)};
@@ -497,11 +497,11 @@ TEST(SphericalJoints, TurnATopAsEulerSays) {
   // A free top about its centre of mass: I omega' + omega x I omega = Q.
   Links links = chain_of({link_of(JointType::spherical, Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero(),
                                   1, Vector3d(1, 2, 3).asDiagonal())});
-  const VectorXd omega = (VectorXd(3) << 2, 3, 5).finished(), Q = (VectorXd(3) << 1, 0, -1).finished();
+  const VectorXd omega = vector({2, 3, 5}), Q = vector({1, 0, -1});
   Passes passes(2);
   const VectorXd found = all_passes(links, omega, Q, passes);
   // omega x I omega = (3*15 - 5*6, 5*2 - 2*15, 2*6 - 3*2) = (15, -20, 6)
-  expect_numbers(found, (VectorXd(3) << (1 - 15) / 1.0, 20 / 2.0, (-1 - 6) / 3.0).finished(), 1e-12,
+  expect_numbers(found, vector({(1 - 15) / 1.0, 20 / 2.0, (-1 - 6) / 3.0}), 1e-12,
                  "omega' of a top with the moments 1, 2, 3 at omega = (2, 3, 5), Q = (1, 0, -1)", "1e-12");
 }
 
@@ -509,7 +509,7 @@ TEST(SphericalJoints, TurnATopAsEulerSays) {
 TEST(SphericalJoints, HaveThreeRatesEach) {
   const Link ball = link_of(JointType::spherical, Vector3d::Zero(), 0.5 * kX, kX, 1);
   const Links links = chain_of({ball, link_of(JointType::revolute, kZ, 0.5 * kX, kX, 1), ball});
-  const VectorXd rates = (VectorXd(7) << 1, 2, 3, 10, 4, 5, 6).finished();
+  const VectorXd rates = vector({1, 2, 3, 10, 4, 5, 6});
   const Passes passes = pass_1(links, rates);
   expect_vector(passes[1].v.angular, Vector3d(1, 2, 3), 1e-13, "omega of link 1", "1e-13");
   expect_vector(passes[2].v.angular, Vector3d(1, 2, 13), 1e-13,
@@ -524,10 +524,10 @@ TEST(SphericalJoints, HaveThreeForcesAndAccelerationsEach) {
                             Vector3d(1, 2, 4).asDiagonal());
   Links links = chain_of({ball, link_of(JointType::prismatic, kX, Vector3d::Zero(), kX, 5), ball});
   for (Link& link : links) link.parent = 0;
-  const VectorXd Q = (VectorXd(7) << 1, 2, 4, 10, 3, 8, 20).finished();
+  const VectorXd Q = vector({1, 2, 4, 10, 3, 8, 20});
   Passes passes = pass_2(links, Q, pass_1(links, VectorXd::Zero(7)));
   expect_entries(
-      pass_3(links, Q, passes), (VectorXd(7) << 1, 1, 1, 2, 3, 4, 5).finished(), 1e-13,
+      pass_3(links, Q, passes), vector({1, 1, 1, 2, 3, 4, 5}), 1e-13,
       "q\" of two tops with the moments 1, 2, 4, torques (1, 2, 4) and (3, 8, 20) N m, and a slider of 5 kg "
       "between them in the list, 10 N",
       "1e-13");
@@ -538,7 +538,7 @@ TEST(SphericalJoints, TurnAboutAxesOfTheWorld) {
   const Links links = chain_of({link_of(JointType::spherical, Vector3d::Zero(), 0.5 * kX, 0.8 * kX, 1)});
   LinkPass base;
   base.v.angular = Vector3d(0, 0, 2);
-  const Passes passes = pass_1(links, (VectorXd(3) << 0, 3, 0).finished(), base);
+  const Passes passes = pass_1(links, vector({0, 3, 0}), base);
   expect_vector(passes[1].c.angular, Vector3d::Zero(), 1e-13,
                 "the first half of c^, omega = (0, 0, 2), w = (0, 3, 0)", "1e-13");
   // omega x (omega x (r - d)) = -4 * 0.3 x, and (0, 3, 2) x ((0, 3, 2) x 0.5 x) = -13 * 0.5 x.

@@ -121,18 +121,15 @@ TEST(LinkEnergy, OfAWornLink) {
 }
 
 TEST(AddLinkForce, PullsBothEnds) {
-  VectorXd expected(6);
-  expected << 0, 0, 16, 0, 0, -16;
   expect_entries(forces({link_of(1, 3)}, straight_frames(), one_number(0), pair_with(Vector3d(1, 0, 2))),
-                 expected, 1e-11,
+                 vector({0, 0, 16, 0, 0, -16}), 1e-11,
                  "the force of a link whose b should be at (1, 0, 0), and is 2 m above it, 8 N/m", kRounding);
 }
 
 TEST(AddLinkForce, PullsToWhereTheFrameIs) {
   const VectorXd x = pair_with(Vector3d(0, 1, 2));
-  VectorXd expected(6);
-  expected << 0, 0, 16, 0, 0, -16;
-  expect_entries(forces({link_of(1, 3)}, turned_frames(), one_number(0), x), expected, 1e-11,
+  expect_entries(forces({link_of(1, 3)}, turned_frames(), one_number(0), x), vector({0, 0, 16, 0, 0, -16}),
+                 1e-11,
                  "the force of a link whose b should be at (0, 1, 0), in a frame that takes x to y, and is 2 "
                  "m above it, 8 N/m",
                  kRounding);
@@ -140,10 +137,8 @@ TEST(AddLinkForce, PullsToWhereTheFrameIs) {
 
 TEST(AddLinkForce, AddsToWhatIsThere) {
   const Linked s;
-  VectorXd f = VectorXd::Ones(15);
-  add_link_force(s.links, s.frames, s.largest, s.x, f);
-  expect_entries(f, (forces(s.links, s.frames, s.largest, s.x).array() + 1).matrix(), 1e-11,
-                 "a force that is added to 1", kRounding);
+  expect_added([&](VectorXd& f) { add_link_force(s.links, s.frames, s.largest, s.x, f); }, VectorXd::Ones(15),
+               1e-11, "f");
 }
 
 TEST(AddLinkForce, IsTheSlopeOfTheEnergy) {
@@ -172,10 +167,8 @@ TEST(AddLinkProduct, IsTheSlopeOfTheForce) {
 TEST(AddLinkProduct, AddsToWhatIsThere) {
   const Linked s;
   const VectorXd dx = scattered_vector(15, 6);
-  VectorXd df = VectorXd::Ones(15);
-  add_link_product(s.links, s.largest, dx, df);
-  expect_entries(df, (products(s.links, s.largest, dx).array() + 1).matrix(), 1e-11,
-                 "a product that is added to 1", kRounding);
+  expect_added([&](VectorXd& df) { add_link_product(s.links, s.largest, dx, df); }, VectorXd::Ones(15), 1e-11,
+               "df");
 }
 
 // A force is a stiffness times a length, whatever their sizes: hair is smaller than this by far.
@@ -208,9 +201,7 @@ namespace {
 
 // A triangle in the plane z = 0, whose normal is z, and a point `height` above (0.5, 0.75).
 VectorXd above_triangle(double height, double x = 0.5, double y = 0.75) {
-  VectorXd positions(12);
-  positions << 0, 0, 0, 2, 0, 0, 0, 3, 0, x, y, height;
-  return positions;
+  return vector({0, 0, 0, 2, 0, 0, 0, 3, 0, x, y, height});
 }
 
 VectorXd tangents_of(const Vector3d& of_point, const std::array<Vector3d, 3>& of_corners) {
@@ -372,14 +363,11 @@ TEST(AddStripForce, PushesThePointAndTheCorners) {
 
 TEST(AddStripForce, AddsToWhatIsThere) {
   const Pressed s;
-  VectorXd f = VectorXd::Ones(15), df = f;
-  add_strip_force(s.contacts, kLaw, s.x, f);
-  expect_entries(f, (strip_forces(s.contacts, s.x).array() + 1).matrix(), 1e-11, "a force that is added to 1",
-                 kRounding);
   const VectorXd dx = scattered_vector(15, 7);
-  add_strip_product(s.contacts, kLaw, s.x, dx, df);
-  expect_entries(df, (strip_products(s.contacts, s.x, dx).array() + 1).matrix(), 1e-11,
-                 "a product that is added to 1", kRounding);
+  expect_added([&](VectorXd& f) { add_strip_force(s.contacts, kLaw, s.x, f); }, VectorXd::Ones(15), 1e-11,
+               "f");
+  expect_added([&](VectorXd& df) { add_strip_product(s.contacts, kLaw, s.x, dx, df); }, VectorXd::Ones(15),
+               1e-11, "df");
 }
 
 TEST(AddStripForce, IsTheSlopeOfTheEnergy) {

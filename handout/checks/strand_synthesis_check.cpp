@@ -55,6 +55,11 @@ RootFrame root_of(const Vector3d& position, const Matrix3d& axes) {
   return {position, axes.col(0), axes.col(1)};
 }
 
+// A guide that grows up from its first point, with the side x.
+Lock upright(const VectorXd& points) {
+  return {{points.head<3>(), Vector3d(0, 0, 1), Vector3d(1, 0, 0)}, points};
+}
+
 // n points whose distances from the root, as a root with the axis z, the side x and the position 0 sees them, are
 // the given ones.
 Lock lock(const RootFrame& root, const VectorXd& seen) {
@@ -337,10 +342,8 @@ TEST(CarryAlong, InAnyUnit) {
 TEST(CarryAlong, TurnsSharply) {
   for (const double degrees : {120.0, 150.0, 160.0, 170.0, 174.0}) {
     const double bend = degrees * kPi / 180;
-    Lock guide{{Vector3d::Zero(), Vector3d(0, 0, 1), Vector3d(1, 0, 0)}, VectorXd(12)};
-    guide.points << 0, 0, 0, 0, 0, 1, 0, std::sin(bend), 1 + std::cos(bend), 0, std::sin(bend),
-        2 + std::cos(bend);
-    const GuideFrames frames = carried(guide);
+    const double y = std::sin(bend), z = 1 + std::cos(bend);
+    const GuideFrames frames = carried(upright(vector({0, 0, 0, 0, 0, 1, 0, y, z, 0, y, z + 1})));
     const Matrix3d expected = Eigen::AngleAxisd(-bend, Vector3d::UnitX()).toRotationMatrix();
     expect_matrix(frames.turns[2], expected, 1e-10,
                   "the turn of a guide that turns once, by " + std::to_string(degrees) + " degrees",
@@ -351,8 +354,7 @@ TEST(CarryAlong, TurnsSharply) {
 }
 
 TEST(CarryAlong, MeasuresTheLength) {
-  Lock guide{{Vector3d(1, 1, 1), Vector3d(0, 0, 1), Vector3d(1, 0, 0)}, VectorXd(12)};
-  guide.points << 1, 1, 1, 1, 1, 2, 1, 4, 6, 1, 4, 0;
+  const Lock guide = upright(vector({1, 1, 1, 1, 1, 2, 1, 4, 6, 1, 4, 0}));
   expect_numbers(carried(guide).arc, Eigen::Vector4d(0, 1.0 / 12, 0.5, 1), 1e-12,
                  "arc of a guide with segments of 1, 5 and 6 m", "rounding");
 }
@@ -374,8 +376,7 @@ TEST(CarryAlong, BeginsWithTheFirstSegment) {
 
 // Around three edges of a cube: no corner twists the frame, and yet it comes back turned.
 TEST(CarryAlong, AddsUpRotations) {
-  Lock guide{{Vector3d::Zero(), Vector3d(0, 0, 1), Vector3d(1, 0, 0)}, VectorXd(15)};
-  guide.points << 0, 0, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 1, 1, 2;
+  const Lock guide = upright(vector({0, 0, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 1, 1, 2}));
   const GuideFrames frames = carried(guide);
   const Matrix3d about_y = Eigen::AngleAxisd(kPi / 2, Vector3d::UnitY()).toRotationMatrix(),
                  about_z = Eigen::AngleAxisd(kPi / 2, Vector3d::UnitZ()).toRotationMatrix(),
@@ -408,8 +409,7 @@ TEST(CarryAlong, DoesNotTwist) {
 }
 
 TEST(CarryAlong, BeginsBehindPointsThatCoincide) {
-  Lock guide{{Vector3d::Zero(), Vector3d(0, 0, 1), Vector3d(1, 0, 0)}, VectorXd(12)};
-  guide.points << 0, 0, 0, 0, 0, 0, 3, 4, 0, 6, 8, 0;
+  const Lock guide = upright(vector({0, 0, 0, 0, 0, 0, 3, 4, 0, 6, 8, 0}));
   for (const Matrix3d& turn : carried(guide).turns)
     expect_matrix(turn, Matrix3d::Identity(), 1e-12,
                   "a turn of a straight guide, whose first two points coincide: there is no direction before "
@@ -418,8 +418,7 @@ TEST(CarryAlong, BeginsBehindPointsThatCoincide) {
 }
 
 TEST(CarryAlong, SurvivesFoldsAndPointsThatCoincide) {
-  Lock guide{{Vector3d::Zero(), Vector3d(0, 0, 1), Vector3d(1, 0, 0)}, VectorXd(18)};
-  guide.points << 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 1, 0, 1, 0, 0, 1;
+  Lock guide = upright(vector({0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 1, 1, 0, 1, 0, 0, 1}));
   const GuideFrames frames = carried(guide);
   expect_matrix(frames.turns[3], Matrix3d::Identity(), 1e-12,
                 "turns[3] of a guide that goes up, two points of which coincide with the points before them",
@@ -442,10 +441,9 @@ TEST(CarryAlong, SurvivesFoldsAndPointsThatCoincide) {
 TEST(CarryAlong, TurnsRightRoundWhereAGuideAllButFolds) {
   const Vector3d along = Vector3d(2, -1, 2) / 3, aside = Vector3d(1, 2, 0).normalized();
   for (const double off : {1e-9, 1e-12, 1e-15}) {
-    Lock guide{{Vector3d::Zero(), Vector3d(0, 0, 1), Vector3d(1, 0, 0)}, VectorXd::Zero(9)};
-    guide.points.segment<3>(3) = along;
-    guide.points.tail<3>() = off * aside;
-    const Matrix3d turn = carried(guide).turns[2];
+    VectorXd points(9);
+    points << Vector3d::Zero(), along, off * aside;
+    const Matrix3d turn = carried(upright(points)).turns[2];
     const std::string where =
         " of a guide that goes back beside itself, " + std::to_string(off * 1e15) + "e-15 away";
     expect_matrix((turn.transpose() * turn), Matrix3d::Identity(), 1e-9, "turns^T turns" + where,
@@ -459,8 +457,7 @@ TEST(CarryAlong, TurnsRightRoundWhereAGuideAllButFolds) {
 // ---- (4)
 
 TEST(Extrapolate, KeepsTheWidthOfAWisp) {
-  const Lock guide{{Vector3d(1, 0, 0), Vector3d(0, 0, 1), Vector3d(1, 0, 0)}, line(5, Vector3d(0, 0, 4))};
-  Lock moved = guide;
+  Lock moved = upright(line(5, Vector3d(0, 0, 4)));
   for (int i = 0; i < 5; ++i) moved.points[3 * i] += 1;
   VectorXd expected = moved.points;
   for (int i = 0; i < 5; ++i) expected[3 * i + 1] += 0.5;
@@ -469,7 +466,7 @@ TEST(Extrapolate, KeepsTheWidthOfAWisp) {
 }
 
 TEST(Extrapolate, SpreadsFromTheRootToTheTip) {
-  const Lock guide{{Vector3d::Zero(), Vector3d(0, 0, 1), Vector3d(1, 0, 0)}, line(3, Vector3d(0, 0, 2))};
+  const Lock guide = upright(line(3, Vector3d(0, 0, 2)));
   GuideFrames frames = no_turns(3);
   frames.arc[1] = 0.25;
   for (const double spread : {0.0, 1.0, 3.0}) {
@@ -483,7 +480,7 @@ TEST(Extrapolate, SpreadsFromTheRootToTheTip) {
 }
 
 TEST(Extrapolate, GoesAlongWithTheFrames) {
-  const Lock guide{{Vector3d::Zero(), Vector3d(0, 0, 1), Vector3d(1, 0, 0)}, line(3, Vector3d(0, 0, 2))};
+  const Lock guide = upright(line(3, Vector3d(0, 0, 2)));
   GuideFrames frames = no_turns(3);
   frames.turns[1] = some_turn(0.5);
   frames.turns[2] = some_turn(1);
@@ -530,8 +527,8 @@ TEST(Extrapolate, InAnyUnit) {
 
 TEST(Blend, BeginsAsOneAndEndsAsTheOther) {
   const VectorXd zero = VectorXd::Zero(15), one = VectorXd::Ones(15);
-  VectorXd arc(5), child = VectorXd::Constant(15, 1e3);
-  arc << 0, 0.1, 0.5, 0.8, 1;
+  const VectorXd arc = vector({0, 0.1, 0.5, 0.8, 1});
+  VectorXd child = VectorXd::Constant(15, 1e3);
   hair::blend(arc, zero, one, child);
   const double expected[] = {0, 0.028, 0.5, 0.896, 1};
   for (int i = 0; i < 5; ++i)

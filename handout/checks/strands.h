@@ -16,10 +16,6 @@ namespace checks {
 
 inline constexpr double kU = 0x1p-53;
 
-inline Eigen::VectorXd vector(std::initializer_list<double> values) {
-  return Eigen::Map<const Eigen::VectorXd>(values.begin(), static_cast<Eigen::Index>(values.size()));
-}
-
 // Masses that are neither equal nor 1, and only one rigidity that the exercise has a use for.
 inline hair::Strand strand_with(double hair::Strand::*rigidity, double value,
                                 const Eigen::VectorXd& rest_length) {
@@ -66,16 +62,6 @@ void expect_in_proportion(const Answer& answer, const Case& c, double hair::Stra
                    what + " where " + name + " is 2^" + std::to_string(unit) + " times as large, over that",
                    "rounding of the largest entry");
   }
-}
-
-// `add` adds to what its argument holds, which is called `name`.
-template <class Add>
-void expect_added(const Add& add, const Eigen::VectorXd& before, double bound, const std::string& name) {
-  Eigen::VectorXd from_zero = Eigen::VectorXd::Zero(before.size()), sum = before;
-  add(from_zero);
-  add(sum);
-  expect_entries(sum, before + from_zero, bound, name + ", which held " + particles_in_words(before),
-                 "rounding of the largest entries");
 }
 
 // `product(term, dx)` is symmetric with each term, and negative semi-definite where the negative one is left out.

@@ -347,7 +347,7 @@ TEST(HelixStiffness, IsEIAndGJTimesTheLength) {
   strand.bend_rigidity = 3;
   strand.twist_rigidity = 7;
   strand.natural = VectorXd::Zero(6);
-  expect_numbers(stiffness_of(strand), (VectorXd(6) << 1.5, 1.5, 3.5, 6, 6, 14).finished(), 1e-13,
+  expect_numbers(stiffness_of(strand), vector({1.5, 1.5, 3.5, 6, 6, 14}), 1e-13,
                  "K of elements of 0.5 m and 2 m, EI = 3, GJ = 7", "1e-13");
 }
 
@@ -424,7 +424,7 @@ TEST(GeneralisedForce, OfAForceAtTheTip) {
   tip.force = Vector3d(0, 3, 0);
   lying.points.push_back(tip);
   // Of element 0 the arms are 2 to 1 m, 1.5 on average over 1 m; of element 1 0.5.
-  expect_numbers(force_of(lying), (VectorXd(6) << -4.5, 0, 0, -1.5, 0, 0).finished(), 1e-13,
+  expect_numbers(force_of(lying), vector({-4.5, 0, 0, -1.5, 0, 0}), 1e-13,
                  "Q of 3 N across the tip of a straight strand: minus the integral of force times arm",
                  "1e-13");
 }
