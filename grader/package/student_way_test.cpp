@@ -99,8 +99,9 @@ TEST_F(StudentsWay, LeadsFromTheArchiveToTheHandIn) {
   EXPECT_NE(ran.output.find("\nS1 ConjGrad is not implemented yet\n"), std::string::npos) << ran.output;
 
   solve();
-  ran = run("cmake --build build --parallel 2 --target all check hairlab");
+  ran = run("cmake --build build --parallel 2 --target all check hairlab show-S1");
   EXPECT_EQ(ran.code, 0) << ran.output;
+  EXPECT_TRUE(fs::exists(folder_ / "hair-assignment/build/bowl/index.html")) << ran.output;
   EXPECT_NE(ran.output.find("100% tests passed"), std::string::npos) << ran.output;
   ran = start(0, "build/student_*_check");
   EXPECT_EQ(ran.code, 0) << ran.output;
