@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <utility>
 
 #include "check.h"
 #include "corrections.h"
@@ -24,18 +25,58 @@ namespace {
 
 const double kU = std::ldexp(1.0, -53);
 
-void makes_lengths_right(Correction correction) {
+// Of a strand along z, its segments so long, with rest lengths of 1 and 2 m; of what an iteration makes of it, if one is made.
+void measures_the_error(Correction correction) {
+  for (const auto& [first, second] :
+       {std::pair{1.25, 2.0}, {0.75, 2.0}, {1.0, 2.5}, {0.5, 2.5}, {1.0, 1.0}}) {
+    Strand strand = strand_of(3);
+    strand.rest_length = vector({1, 2});
+    VectorXd x = vector({0, 0, 0, 0, 0, -first, 0, 0, -first - second});
+    const CorrectionReport report = correction(strand, 10, 0, x);
+    EXPECT_NEAR(report.error, largest_error(strand, x), 64 * kU)
+        << "the error that is reported for segments of " << first << " m and " << second
+        << " m, rest lengths 1 m and 2 m, no iteration allowed: the largest |l - l0| / l0";
+  }
+}
+
+// The root at (0.5, 0, 0), and a segment along (0.6, 0.8, 0) of rest length 1 m.
+void corrects_one_segment(Correction correction) {
+  Strand strand = strand_of(2, 3);
+  strand.rest_length[0] = 1;
+  for (const double length : {1.5, 0.5}) {
+    VectorXd x = vector({0.5, 0, 0, 0.5 + 0.6 * length, 0.8 * length, 0});
+    correction(strand, 1e-9, 2, x);
+    expect_entries(x, vector({0.5, 0, 0, 1.1, 0.8, 0}), 1e-9,
+                   "x after two iterations at most, of one segment along (0.6, 0.8, 0), rest length 1 m, " +
+                       ::testing::PrintToString(length) + " m long before; masses 1 and 3 kg",
+                   "the tolerance");
+  }
+}
+
+// Where lengths are right.
+void says_that_it_converged(Correction correction) {
   for (int count : {1, 2, 3, 10}) {
     const Strand strand = strand_of(count, 3);
     const VectorXd before = bent(strand, 0.05);
     VectorXd x = before;
     const CorrectionReport report = correction(strand, 1e-9, 100000, x);
+    if (!(largest_error(strand, x) <= 1e-9)) continue;
+    SCOPED_TRACE(std::to_string(count) + " particles, tolerance 1e-9, and all lengths are right afterwards");
+    EXPECT_NEAR(report.error, largest_error(strand, x), 64 * kU) << "the error that is reported";
+    EXPECT_TRUE(report.converged);
+    EXPECT_EQ(report.iterations > 0, largest_error(strand, before) > 1e-9) << report.iterations;
+  }
+}
+
+void makes_lengths_right(Correction correction) {
+  for (int count : {1, 2, 3, 10}) {
+    const Strand strand = strand_of(count, 3);
+    const VectorXd before = bent(strand, 0.05);
+    VectorXd x = before;
+    correction(strand, 1e-9, 100000, x);
     SCOPED_TRACE(std::to_string(count) + " particles, tolerance 1e-9, at x = " + particles_in_words(before));
     EXPECT_LE(largest_error(strand, x), 1e-9 + 64 * kU) << "the largest |l - l0| / l0 that is left";
-    EXPECT_TRUE(report.converged);
-    EXPECT_NEAR(report.error, largest_error(strand, x), 64 * kU) << "the error that is reported";
     EXPECT_EQ(x.head<3>(), before.head<3>()) << "the root moved";
-    EXPECT_EQ(report.iterations > 0, largest_error(strand, before) > 1e-9) << report.iterations;
   }
 }
 
@@ -52,11 +93,11 @@ void moves_by_masses(Correction correction) {
   // its own end back. For a small error e across a right angle the first segment does not see it.
   strand.rest_length = vector({2, 2});
   for (const double e : {1e-6, -1e-6}) {
-    VectorXd corner = vector({0, 0, 0, 2, 0, 0, 2, 2 + e, 0});
+    const VectorXd before = vector({0, 0, 0, 2, 0, 0, 2, 2 + e, 0});
+    VectorXd corner = before;
     correction(strand, 1e-13, 100000, corner);
     expect_entries(
-        corner - vector({0, 0, 0, 2, 0, 0, 2, 2, 0}), vector({0, 0, 0, 0, 0.75 * e, 0, 0, 0.75 * e, 0}),
-        10 * e * e + 1e-12,
+        corner - before, vector({0, 0, 0, 0, 0.75 * e, 0, 0, -0.25 * e, 0}), 10 * e * e + 1e-12,
         "the correction of a right angle of two segments of 2 m, masses 1 and 3 kg; the second one is " +
             std::string(e > 0 ? "1e-6 m too long" : "1e-6 m too short"),
         "10 e^2 + 1e-12: second order, and the tolerance");
@@ -119,6 +160,10 @@ void reports_what_it_did(Correction correction, const VectorXd& before,
 
 // An error of 0.25 or 0.25 m/s, without any rounding.
 void leaves_an_error_that_is_the_tolerance(Correction correction, const VectorXd& before) {
+  VectorXd lone = VectorXd::Zero(3);
+  const CorrectionReport nothing = correction(strand_of(1), 1e-9, 100, lone);
+  EXPECT_EQ(nothing.iterations, 0) << "iterations for one particle, which has no segment";
+  EXPECT_TRUE(nothing.converged) << "one particle, which has no segment";
   Strand strand = strand_of(2);
   strand.rest_length[0] = 1;
   VectorXd after = before;
@@ -200,6 +245,22 @@ int iterations_for(Correction correction, int segments) {
 
 }  // namespace
 
+TEST(RelaxLengths, MeasuresTheError) {
+  measures_the_error(relax);
+}
+
+TEST(RelaxLengths, LeavesAnErrorThatIsTheTolerance) {
+  leaves_an_error_that_is_the_tolerance(relax, vector({0, 0, 0, 0, 0, -1.25}));
+}
+
+TEST(RelaxLengths, CorrectsOneSegment) {
+  corrects_one_segment(relax);
+}
+
+TEST(RelaxLengths, SaysThatItConverged) {
+  says_that_it_converged(relax);
+}
+
 TEST(RelaxLengths, MakesLengthsRight) {
   makes_lengths_right(relax);
 }
@@ -230,10 +291,6 @@ TEST(RelaxLengths, TakesOneSweepForOneSegment) {
   EXPECT_EQ(relax(strand, 1e-9, 1000, x).iterations, 1) << "sweeps for one segment: the first one is exact";
 }
 
-TEST(RelaxLengths, LeavesAnErrorThatIsTheTolerance) {
-  leaves_an_error_that_is_the_tolerance(relax, vector({0, 0, 0, 0, 0, -1.25}));
-}
-
 TEST(RelaxLengths, NeverConvergesWithNaN) {
   never_converges_with_nan(relax, bent(strand_of(10), 0));
 }
@@ -247,6 +304,34 @@ TEST(RelaxLengths, TakesSweepsThatGrowWithTheSquare) {
       "A straight hair that is 1 %% too long, to 1e-10: your sweeps, for the table in the assignment\n");
   for (int segments : {10, 20, 30, 60})
     std::printf("  %3d segments  %6d\n", segments, iterations_for(relax, segments));
+}
+
+TEST(CorrectLengths, MeasuresTheError) {
+  measures_the_error(correct);
+}
+
+TEST(CorrectLengths, LeavesAnErrorThatIsTheTolerance) {
+  leaves_an_error_that_is_the_tolerance(correct, vector({0, 0, 0, 0, 0, -1.25}));
+}
+
+TEST(CorrectLengths, CorrectsOneSegment) {
+  corrects_one_segment(correct);
+}
+
+TEST(CorrectLengths, SaysThatItConverged) {
+  says_that_it_converged(correct);
+}
+
+TEST(CorrectLengths, TakesFewIterations) {
+  std::printf("The same by correct_lengths: your iterations\n");
+  for (int segments : {10, 20, 30, 60}) {
+    const int iterations = iterations_for(correct, segments);
+    std::printf("  %3d segments  %6d\n", segments, iterations);
+    expect_few_or_sweeps(iterations, 8, "a straight hair of " + std::to_string(segments) + " segments");
+  }
+  takes_few_iterations(correct, bent(strand_of(201, 3), 0.005, kLittleBent), 1e-10, 8);
+  EXPECT_LE(iterations_for(correct, 1), 2) << "for one segment: the first step is exact. Has the root's mass "
+                                              "a part in your matrix? 1/mass of it is 0";
 }
 
 TEST(CorrectLengths, MakesLengthsRight) {
@@ -275,22 +360,6 @@ TEST(CorrectLengths, ReportsWhatItDid) {
 
 TEST(CorrectLengths, NeverConvergesWithNaN) {
   never_converges_with_nan(correct, bent(strand_of(10), 0));
-}
-
-TEST(CorrectLengths, TakesFewIterations) {
-  std::printf("The same by correct_lengths: your iterations\n");
-  for (int segments : {10, 20, 30, 60}) {
-    const int iterations = iterations_for(correct, segments);
-    std::printf("  %3d segments  %6d\n", segments, iterations);
-    expect_few_or_sweeps(iterations, 8, "a straight hair of " + std::to_string(segments) + " segments");
-  }
-  takes_few_iterations(correct, bent(strand_of(201, 3), 0.005, kLittleBent), 1e-10, 8);
-  EXPECT_LE(iterations_for(correct, 1), 2) << "for one segment: the first step is exact. Has the root's mass "
-                                              "a part in your matrix? 1/mass of it is 0";
-}
-
-TEST(CorrectLengths, LeavesAnErrorThatIsTheTolerance) {
-  leaves_an_error_that_is_the_tolerance(correct, vector({0, 0, 0, 0, 0, -1.25}));
 }
 
 TEST(CorrectLengths, WorksInEveryUnit) {
@@ -328,15 +397,61 @@ TEST(CorrectLengths, GivesASegmentOfNoLengthADirection) {
   EXPECT_LE(largest_error(longer, point), 1e-9 + 64 * kU) << "four particles in one place";
 }
 
+// Of one segment along z, and of one along x behind it, which open and close.
+TEST(CorrectVelocities, MeasuresTheError) {
+  for (const auto& [first, second] : {std::pair{-0.5, 0.0}, {0.5, 0.0}, {0.25, 0.75}, {-0.75, -0.25}}) {
+    VectorXd v = vector({0, 0, 0, 0, 0, first, second, 0, first});
+    const CorrectionReport report = stop_at(vector({0, 0, 0, 0, 0, -1, 1.5, 0, -1}), strand_of(3), 10, 0, v);
+    const double rate = std::max(std::abs(v[5] - v[2]), std::abs(v[6] - v[3]));
+    EXPECT_NEAR(report.error, rate, 64 * kU)
+        << "the error that is reported for segments along z and x, v = " << particles_in_words(v)
+        << ", no iteration allowed: the largest |u . (v_(i+1) - v_i)|";
+  }
+}
+
+TEST(CorrectVelocities, LeavesAnErrorThatIsTheTolerance) {
+  leaves_an_error_that_is_the_tolerance(
+      [](const Strand& strand, double tolerance, int most, VectorXd& v) {
+        return stop_at(VectorXd::Unit(v.size(), v.size() - 1), strand, tolerance, most, v);
+      },
+      vector({0, 0, 0, 0, 0, -0.25}));
+}
+
+TEST(CorrectVelocities, CorrectsOneSegment) {
+  const VectorXd x = vector({0, 0, 0, 0.6, 0.8, 0});
+  for (const double rate : {5.0, -5.0}) {
+    VectorXd v = vector({0, 0, 0, 0.6 * rate, 0.8 * rate, 1});
+    stop_at(x, strand_of(2, 3), 1e-9, 2, v);
+    expect_entries(
+        v, vector({0, 0, 0, 0, 0, 1}), 1e-9,
+        "velocities after two iterations at most, of a segment along (0.6, 0.8, 0), masses 1 and 3 "
+        "kg, its outer end at (0, 0, 1) and " +
+            ::testing::PrintToString(rate) + " times (0.6, 0.8, 0) m/s",
+        "the tolerance");
+  }
+}
+
+TEST(CorrectVelocities, SaysThatItConverged) {
+  for (int count : {1, 2, 3, 10}) {
+    const Strand strand = strand_of(count, 3);
+    VectorXd v = scattered_vector(3 * count, 7);
+    const CorrectionReport report = stop(strand, 1e-9, 100000, v);
+    if (!(largest_rate(strand, v) <= 1e-9)) continue;
+    SCOPED_TRACE(std::to_string(count) +
+                 " particles, tolerance 1e-9 m/s, and no segment is stretched any more");
+    EXPECT_NEAR(report.error, largest_rate(strand, v), 256 * kU) << "the error that is reported";
+    EXPECT_TRUE(report.converged);
+  }
+}
+
 TEST(CorrectVelocities, StopStretching) {
   for (int count : {1, 2, 3, 10}) {
     const Strand strand = strand_of(count, 3);
     const VectorXd before = scattered_vector(3 * count, 7);
     VectorXd v = before;
-    const CorrectionReport report = stop(strand, 1e-9, 100000, v);
+    stop(strand, 1e-9, 100000, v);
     SCOPED_TRACE(std::to_string(count) +
                  " particles, tolerance 1e-9 m/s, at x = " + particles_in_words(bent(strand, 0)));
-    EXPECT_TRUE(report.converged);
     EXPECT_EQ(v.head<3>(), before.head<3>()) << "the root's velocity changed";
     EXPECT_LE(largest_rate(strand, v), 1e-9 + 256 * kU) << "the rate at which a segment is stretched, m/s";
   }
@@ -362,14 +477,6 @@ TEST(CorrectVelocities, TakesFewIterations) {
         return stop_at(bent(strand, 0, kLittleBent), strand, tolerance, most, v);
       },
       scattered_vector(603, 7), 1e-9, 4);
-}
-
-TEST(CorrectVelocities, LeavesAnErrorThatIsTheTolerance) {
-  leaves_an_error_that_is_the_tolerance(
-      [](const Strand& strand, double tolerance, int most, VectorXd& v) {
-        return stop_at(vector({0, 0, 0, 0, 0, -1}), strand, tolerance, most, v);
-      },
-      vector({0, 0, 0, 0, 0, -0.25}));
 }
 
 TEST(CorrectVelocities, NeverConvergesWithNaN) {
@@ -444,20 +551,25 @@ int main(int argc, char** argv) {
        {"Few iterations", "*.TakesFew*:*.TakesOneSweep*:*.OfOneSegment*"},
        {"Folds, points and single particles", "*.GivesASegment*:*.OfASegment*"},
        {"Long strands", "*.EndsForALongStrand"},
-       {"The report", "*.Reports*:*.LeavesAnError*:*.NeverConverges*"},
+       {"The report", "*.Reports*:*.MeasuresThe*:*.LeavesAnError*:*.NeverConverges*"},
        {"Relaxation of lengths", "RelaxLengths.*"},
        {"Lengths, corrected", "CorrectLengths.*"},
        {"Velocities", "CorrectVelocities.*"}},
-      {{"sweeps never end", "RelaxLengths.MakesLengthsRight"},
-       {"right for equal masses only", "*.MovesByMasses"},
-       {"one iteration too many, or too few",
-        "*.ReportsWhatItDid:*.TakesOneSweep*:*.LeavesAnError*:*.OfOneSegment*"},
+      {{"the error that is reported", "*.MeasuresTheError"},
+       {"something is done where nothing is to do", "*.LeavesAnError*"},
+       {"one segment is corrected wrong", "*.CorrectsOneSegment:*.OfOneSegment*"},
+       {"one iteration too many, or too few", "*.ReportsWhatItDid:*.SaysThat*:*.TakesOneSweep*"},
+       {"sweeps never end", "RelaxLengths.MakesLengthsRight"},
+       {"right for equal masses only", "RelaxLengths.MovesBy*"},
        {"it reports success for NaN", "*.NeverConverges*"},
        {"NaN for coincident particles", "*.GivesASegment*:*.OfASegment*"},
-       {"Newton's method explodes on a bent strand",
-        "CorrectLengths.MakesLengthsRight:CorrectLengths.TakesFew*"},
+       {"Newton's method explodes, or corrects",
+        "CorrectLengths.MakesLengthsRight:CorrectLengths.TakesFew*:CorrectLengths.MovesBy*"},
        {"lengths are right, the hair drifts", "*.LeavesTheRoot*"},
        {"velocities still stretch", "CorrectVelocities.Stop*:CorrectVelocities.TakesFew*"},
        {"impulses that are not along", "CorrectVelocities.By*"},
+       {"converged, and lengths are wrong", "*.IsHonest*"},
+       {"right in metres", "*.WorksInEveryUnit"},
+       {"right the first time", "*HoweverOften*"},
        {"good at 30 particles", "*SweepsThatGrow*:*Long*"}});
 }
