@@ -57,8 +57,8 @@ void expect_in_units(const Answer& answer, int power, const std::string& what) {
 }
 
 const Strand kMetre = strand_of(vector({0.5, 0.5}));  // d0 = 1 m, k = 10 N/m
-const VectorXd kMetreBent = vector({0, 0, 0, 0.5, 0.25, 0, 0, 0.5, 0});
-const VectorXd kMetreLong = vector({0, 0, 0, 0.5, 0.25, 0, 0, 1.5, 0});
+const VectorXd kMetreBent = vector({0, 0, 0, 0.5, 0.25, 0, 0, 0.75, 0});
+const VectorXd kMetreLong = vector({0, 0, 0, 0.5, 0.25, 0, 0, 1.625, 0});
 const Strand kTwo = strand_of(vector({1.5, 2.5}));               // d0 = 4 m, k = 2.5 N/m
 const VectorXd kBent = vector({0, 0, 0, 0, 1.5, 0, 0, 1.5, 2});  // d = 2.5 m
 const VectorXd kLong = vector({0, 0, 0, 0, 0.5, -3, 0, 0, -5});  // d = 5 m
@@ -71,8 +71,8 @@ const VectorXd kFirstMeets = vector({0, 0, 1, 0, 0, 0, 0, 0, 1, 0, 0, -5});
 
 TEST(BendSpringEnergy, OfOneSpring) {
   SCOPED_TRACE("skip_rigidity = 10 N, rest lengths 0.5 m and 0.5 m: d0 = 1 m, k = 10 N/m");
-  EXPECT_DOUBLE_EQ(bend_spring_energy(kMetre, kMetreBent), 1.25) << "d = 0.5 m: 10 * 0.5^2 / 2 J";
-  EXPECT_DOUBLE_EQ(bend_spring_energy(kMetre, kMetreLong), 1.25) << "d = 1.5 m: 10 * 0.5^2 / 2 J";
+  EXPECT_DOUBLE_EQ(bend_spring_energy(kMetre, kMetreBent), 0.3125) << "d = 0.75 m: 10 * 0.25^2 / 2 J";
+  EXPECT_DOUBLE_EQ(bend_spring_energy(kMetre, kMetreLong), 1.953125) << "d = 1.625 m: 10 * 0.625^2 / 2 J";
 }
 
 TEST(BendSpringEnergy, OfASpringOfFourMetres) {
@@ -112,7 +112,7 @@ TEST(BendSpringEnergy, OfFewerThanThreeParticlesIsZero) {
 }
 
 TEST(AddBendSpringForce, OfOneSpring) {
-  for (const auto& [x, pull] : {std::pair{kMetreBent, -5.0}, {kMetreLong, 5.0}})
+  for (const auto& [x, pull] : {std::pair{kMetreBent, -2.5}, {kMetreLong, 6.25}})
     expect_entries(force(kMetre, x), vector({0, pull, 0, 0, 0, 0, 0, -pull, 0}), 64 * kU * 10 * 2.5,
                    "the force of one spring, k = 10 N/m, d0 = 1 m, at x = " + particles_in_words(x),
                    "64 u of k (d + d0): rounding");

@@ -56,8 +56,8 @@ void expect_in_units(const Answer& answer, int power, const std::string& what) {
 }
 
 const Strand kMetre = strand_of(vector({1}));  // k = EA / l0 = 12 N/m
-const VectorXd kMetreStretched = vector({0, 1, 0, 0, 1, -1.5});
-const VectorXd kMetreCompressed = vector({0, 1, 0, 0, 1, -0.75});
+const VectorXd kMetreStretched = vector({0, 1, 0, 0, 1, -1.625});
+const VectorXd kMetreCompressed = vector({0, 1, 0, 0, 1, -0.6875});
 const Strand kOne = strand_of(vector({2}));                   // k = EA / l0 = 6 N/m
 const VectorXd kStretched = vector({1, 0, 0, 1, 0, -2.5});    // 0.5 m too long
 const VectorXd kCompressed = vector({1, 0, 0, 1, 0, -1.25});  // 0.75 m too short
@@ -89,8 +89,9 @@ void expect_rows(std::initializer_list<Row> rows) {
 
 TEST(StretchEnergy, OfOneSpring) {
   SCOPED_TRACE("EA = 12 N, one segment of rest length 1 m: k = 12 N/m");
-  EXPECT_DOUBLE_EQ(stretch_energy(kMetre, kMetreStretched), 1.5) << "1.5 m long: 12 * 0.5^2 / 2 J";
-  EXPECT_DOUBLE_EQ(stretch_energy(kMetre, kMetreCompressed), 0.375) << "0.75 m long: 12 * 0.25^2 / 2 J";
+  EXPECT_DOUBLE_EQ(stretch_energy(kMetre, kMetreStretched), 2.34375) << "1.625 m long: 12 * 0.625^2 / 2 J";
+  EXPECT_DOUBLE_EQ(stretch_energy(kMetre, kMetreCompressed), 0.5859375)
+      << "0.6875 m long: 12 * 0.3125^2 / 2 J";
 }
 
 TEST(StretchEnergy, OfASpringOfTwoMetres) {
@@ -126,7 +127,7 @@ TEST(StretchEnergy, OfOneParticleIsZero) {
 }
 
 TEST(AddStretchForce, OfOneSpring) {
-  for (const auto& [x, pull] : {std::pair{kMetreStretched, 6.0}, {kMetreCompressed, -3.0}})
+  for (const auto& [x, pull] : {std::pair{kMetreStretched, 7.5}, {kMetreCompressed, -3.75}})
     expect_entries(force(kMetre, x), vector({0, 0, -pull, 0, 0, pull}), 32 * kU * 12 * 2.5,
                    "the force of one spring, EA = 12 N, l0 = 1 m, at x = " + particles_in_words(x),
                    "32 u of k (l + l0): rounding");
