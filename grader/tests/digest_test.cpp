@@ -121,6 +121,7 @@ TEST(TextTables, AreReadInPlainLetters) {
   ASSERT_EQ(tables.symptoms.size(), 1U);
   EXPECT_EQ(tables.symptoms[0].seen, "S is 0");
   EXPECT_EQ(tables.symptoms[0].look, "k = 2 EI/mean l");
+  EXPECT_EQ(plain("$\\lvert l - l_0 \\rvert$; $v \\mathrel{+}= \\Delta v$"), "|l - l_0|; v += Delta v");
   EXPECT_EQ(plain("$k\\varphi$ and $\\dot J v$"), "k phi and dJ/dt v");
 }
 

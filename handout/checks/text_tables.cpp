@@ -27,7 +27,12 @@ void replace_all(std::string& text, const std::string& from, const std::string& 
 }  // namespace
 
 std::string plain(const std::string& text) {
-  static const std::pair<const char*, const char*> signs[] = {{"\\lVert ", "|"},
+  static const std::pair<const char*, const char*> signs[] = {{"\\lvert ", "|"},
+                                                              {" \\rvert", "|"},
+                                                              {"\\lvert", "|"},
+                                                              {"\\rvert", "|"},
+                                                              {"\\mathrel", ""},
+                                                              {"\\lVert ", "|"},
                                                               {" \\rVert", "|"},
                                                               {"\\lVert", "|"},
                                                               {"\\rVert", "|"},
