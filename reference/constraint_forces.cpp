@@ -16,9 +16,6 @@ Vector3d between(Input vector, const Rod& rod) {
   return at(vector, rod.i) - at(vector, rod.j);
 }
 
-// The loosest relative tolerance that is tried where constraints contradict each other a little.
-constexpr double kLoosestReach = 1e-6;
-
 // accelerations = W f, in place.
 void divide_by_mass(const Particles& particles, Output f) {
   for (int i = 0; i < particles.count(); ++i)
@@ -114,13 +111,14 @@ ConstraintReport solve_constraints(const Constraints& constraints, const Particl
   const double norm = rhs.norm();
   const int most = std::max(100, 20 * rows);
   ConstraintReport report{0, 0};
-  for (double reach = 1e-10;; reach = std::min(100 * reach, kLoosestReach)) {
-    const double tolerance = reach * norm;
+  // Looser ones where constraints contradict each other a little.
+  for (const double relative : {1e-10, 1e-8, 1e-6}) {
+    const double tolerance = relative * norm;
     int steps = most;
     report.residual =
         std::sqrt(ConjGrad(rows, &matrix, lambda.data(), rhs.data(), tolerance * tolerance, &steps));
     report.steps += steps;
-    if (steps < most || report.residual <= tolerance || reach >= kLoosestReach) break;
+    if (steps < most || report.residual <= tolerance) break;
   }
   return report;
 }

@@ -1,6 +1,11 @@
 // STAFF ONLY.
 #include "grader/suite/played.h"
 
+#include <numeric>
+
+#include "grader/play/dense_strands.h"
+#include "hair/scene/playback.h"
+
 namespace grader {
 
 Played play_elsewhere(Trial& trial, const std::string& text, const hair::Scene& scene, int times) {
@@ -10,29 +15,32 @@ Played play_elsewhere(Trial& trial, const std::string& text, const hair::Scene& 
     throw MalformedMessage("a product that nobody asked for");
   });
 
-  std::size_t size = 0;
-  for (const hair::StrandStart& start : scene.hair.strands)
-    size += static_cast<std::size_t>(start.state.x.size());
-  for (const hair::Toy& toy : scene.toys) size += static_cast<std::size_t>(toy.start.x.size());
+  const hair::Playback ours(scene);
+  const std::vector<int> dense = DenseStrands(scene, ours.strands()).sizes();
+  const std::size_t dense_size =
+      scene.dense.empty() ? 0 : 3 * std::reduce(dense.begin(), dense.end(), std::size_t{});
+  const std::vector<std::uint32_t> coordinates = ours.coordinates();
+  const Eigen::Index size = ours.state().x.size();
   Played played;
   played.trouble = reply.get_text();
   for (std::int64_t* steps : {&played.solver_steps, &played.correction_steps})
     *steps = reply.get<std::int64_t>();
-  if (reply.get<std::uint64_t>() != scene.hair.strands.size() + scene.toys.size())
-    throw MalformedMessage("another number of bodies");
-  for (std::size_t i = 0; i < scene.hair.strands.size() + scene.toys.size(); ++i)
-    if (reply.get<std::uint32_t>() != hair::kPositions)
-      throw MalformedMessage("coordinates that are no positions");
+  if (reply.get<std::uint64_t>() != coordinates.size()) throw MalformedMessage("another number of bodies");
+  for (const std::uint32_t one : coordinates)
+    if (reply.get<std::uint32_t>() != one) throw MalformedMessage("a body's coordinates of another kind");
   const auto frames = reply.get<std::uint64_t>();
   if (frames > static_cast<std::uint64_t>(scene.frames) + 1) throw MalformedMessage("too many frames");
   for (std::uint64_t i = 0; i < frames; ++i) {
     reply.get<double>();  // the time that it was there: ours is the scene's
     particles::State state;
     for (Eigen::VectorXd* part : {&state.x, &state.v}) {
-      const std::vector<double> values = reply.get_doubles(size);
-      *part = Eigen::Map<const Eigen::VectorXd>(values.data(), static_cast<Eigen::Index>(size));
+      const std::vector<double> values = reply.get_doubles(static_cast<std::size_t>(size));
+      *part = Eigen::Map<const Eigen::VectorXd>(values.data(), size);
     }
     played.frames.push_back(std::move(state));
+    const std::vector<double> points = reply.get_doubles(dense_size);
+    if (!scene.dense.empty())
+      played.dense.emplace_back(Eigen::Map<const Eigen::VectorXd>(points.data(), std::ssize(points)));
   }
   reply.expect_end();
   return played;

@@ -27,11 +27,11 @@ std::string name_at(double time) {
   return text.str();
 }
 
-// Which particles are held where their motion has them: the roots of strands, and what is pinned of toys.
-std::vector<bool> held_particles(const hair::Scene& scene) {
+// Which points are held where their motion has them: the roots of strands, and what is pinned of toys.
+std::vector<bool> held_points(const hair::Scene& scene, const std::vector<int>& strands) {
   std::vector<bool> held;
-  for (const hair::StrandStart& start : scene.hair.strands)
-    for (int i = 0; i < start.strand.count(); ++i) held.push_back(i == 0);
+  for (const int points : strands)
+    for (int i = 0; i < points; ++i) held.push_back(i == 0);
   for (const hair::Toy& toy : scene.toys)
     for (int i = 0; i < toy.particles.count(); ++i) held.push_back(toy.particles.is_pinned(i));
   return held;
@@ -82,8 +82,8 @@ hair::Drawing with_dense(hair::Drawing drawing, const std::vector<int>& sizes, c
 
 RunComparison compare_runs(const hair::Scene& scene, const std::vector<int>& pictures, const Played& theirs) {
   RunComparison result;
-  const std::vector<bool> held = held_particles(scene);
   hair::Playback ours(scene);
+  const std::vector<bool> held = held_points(scene, ours.strands());
   const hair::SceneDrawing drawing(scene, ours.strands());
   const bool with_dense_hair = !theirs.dense.empty();
   DenseStrands strands(scene, ours.strands());
@@ -93,9 +93,9 @@ RunComparison compare_runs(const hair::Scene& scene, const std::vector<int>& pic
     if (frame > 0)
       if (const auto trouble = ours.advance())
         throw std::logic_error("the reference breaks in " + scene.name + ": " + *trouble);
-    const particles::State state = ours.state();
+    const particles::State state = ours.state(), points = ours.centre_lines(state);
     for (std::size_t i = 0; i < held.size(); ++i)
-      bounds.add(state.x.segment<3>(3 * static_cast<Eigen::Index>(i)));
+      bounds.add(points.x.segment<3>(3 * static_cast<Eigen::Index>(i)));
     const hair::FrameMeasures measures = ours.measure(state);
     result.kinetic = std::max(result.kinetic, measures.kinetic);
 
@@ -103,20 +103,21 @@ RunComparison compare_runs(const hair::Scene& scene, const std::vector<int>& pic
     const particles::State& their = theirs.frames[frame];
     Eigen::VectorXd our_dense, their_dense;
     if (with_dense_hair) {
-      our_dense = strands.at(ours.centre_lines(state).x, ours.time());
+      our_dense = strands.at(points.x, ours.time());
       their_dense = theirs.dense.at(frame);
     }
     result.finite = result.finite && is_finite(their) && their_dense.allFinite();
     if (!result.finite) continue;
+    const particles::State their_points = ours.centre_lines(their);
     Moment moment{ours.time(), measures, ours.measure(their), 0, 0, 0};
     for (std::size_t i = 0; i < static_cast<std::size_t>(our_dense.size() / 3); ++i)
       moment.dense_apart = std::max(moment.dense_apart, distance(our_dense, their_dense, i));
     for (std::size_t i = 0; i < held.size(); ++i) {
-      const double apart = distance(state.x, their.x, i);
+      const double apart = distance(points.x, their_points.x, i);
       moment.apart = std::max(moment.apart, apart);
       if (held[i]) moment.held_apart = std::max(moment.held_apart, apart);
     }
-    taken.push_back({frame, moment, state, their, our_dense, their_dense, ours.obstacles()});
+    taken.push_back({frame, moment, points, their_points, our_dense, their_dense, ours.obstacles()});
     result.moments.push_back(moment);
   }
   result.size = (bounds.high - bounds.low).norm();

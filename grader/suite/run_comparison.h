@@ -13,7 +13,7 @@ namespace grader {
 struct Moment {
   double time = 0;                   // s
   hair::FrameMeasures ours, theirs;  // both measured with our forces
-  double apart = 0;                  // m, the largest distance between a particle and the reference's
+  double apart = 0;                  // m, the largest distance between a point and the reference's
   double held_apart = 0;             // m, the same for held particles
   double dense_apart = 0;            // m, the same for points of dense hair
 };

@@ -1,9 +1,10 @@
 // STAFF ONLY. Plays a scene with all of a submission's files together, as often as asked, each time from its beginning.
 //
 //   JSON, times -> trouble, work, number of bodies; what the coordinates of each are;
-//                  number of frames; of each: time, coordinates, their rates    (all of the last time)
+//                  number of frames; of each: time, coordinates, their rates, points of dense hair    (all of the last time)
 #include <vector>
 
+#include "grader/play/dense_strands.h"
 #include "grader/worker/session.h"
 #include "hair/scene/playback.h"
 
@@ -12,18 +13,26 @@ namespace {
 struct Frame {
   double time;
   particles::State state;
+  Eigen::VectorXd dense;
 };
 
 // Until it ends or breaks.
 std::string play(const hair::Scene& scene, std::vector<Frame>& frames, hair::Work& work,
                  std::vector<std::uint32_t>& coordinates) {
   hair::Playback playback(scene);
+  grader::DenseStrands dense(scene, playback.strands());
   coordinates = playback.coordinates();
-  frames.assign(1, {0, playback.state()});
+  frames.clear();
+  const auto keep = [&] {
+    const particles::State state = playback.state();
+    frames.push_back({playback.time(), state, {}});
+    if (!scene.dense.empty()) frames.back().dense = dense.at(playback.centre_lines(state).x, playback.time());
+  };
+  keep();
   std::string trouble;
   for (int k = 0; k < scene.frames && trouble.empty(); ++k) {
     trouble = playback.advance().value_or("");
-    if (trouble.empty()) frames.push_back({playback.time(), playback.state()});
+    if (trouble.empty()) keep();
   }
   work = playback.work();
   return trouble;
@@ -49,5 +58,5 @@ extern "C" __attribute__((visibility("default"))) void serve(grader::Session& se
   for (const std::uint32_t one : coordinates) session.reply.put(one);
   session.reply.put(static_cast<std::uint64_t>(frames.size()));
   for (const Frame& frame : frames)
-    session.reply.put(frame.time).put(span(frame.state.x)).put(span(frame.state.v));
+    session.reply.put(frame.time).put(span(frame.state.x)).put(span(frame.state.v)).put(span(frame.dense));
 }

@@ -410,15 +410,15 @@ TEST(AddProductsSpd, IsSymmetricAtUnevenLengths) {
 
 TEST(AddProductsSpd, HasTheJointOfAClampedRoot) {
   // One segment of 1 m, rest length 1 m, at a right angle to root_tangent: k = 2 EI / l = 8 N m, phi = pi/2, and
-  // dphi/dx_1 = -root_tangent = (0, -0.6, 0.8), for the tip moves against it where the bend grows.
+  // dphi/dx_1 = -root_tangent = (-0.6, 0, 0.8), for the tip moves against it where the bend grows. The plane of the bend is askew.
   Strand strand = strand_of(vector({1}));
   strand.clamped = true;
-  strand.root_tangent = Vector3d(0, 0.6, -0.8);
-  const VectorXd x = vector({0, 0, 0, 0, 0.8, 0.6}), gradient = vector({0, 0.6, -0.8, 0, -0.6, 0.8});
+  strand.root_tangent = Vector3d(0.6, 0, -0.8);
+  const VectorXd x = vector({0, 0, 0, 0.64, 0.6, 0.48}), gradient = vector({0.6, 0, -0.8, -0.6, 0, 0.8});
   for (const VectorXd& dx : {gradient, scattered_vector(6, 5)})
     expect_entries(
         product_spd(strand, x, dx), -8 * gradient * gradient.dot(dx), 256 * kU * 8 * 9,
-        "-k grad phi (grad phi . dx), a root clamped along (0, 0.6, -0.8) and its first segment at a right "
+        "-k grad phi (grad phi . dx), a root clamped along (0.6, 0, -0.8) and its first segment at a right "
         "angle, k = 2 EI / l = 8 N m, dx = " +
             particles_in_words(dx),
         "256 u of k / |e|^2: rounding");

@@ -526,14 +526,14 @@ TEST(Extrapolate, InAnyUnit) {
 // ---- (5)
 
 TEST(Blend, BeginsAsOneAndEndsAsTheOther) {
-  const VectorXd zero = VectorXd::Zero(15), one = VectorXd::Ones(15);
+  const VectorXd at_root = VectorXd::Constant(15, -1), at_tip = VectorXd::Constant(15, 4);
   const VectorXd arc = vector({0, 0.1, 0.5, 0.8, 1});
   VectorXd child = VectorXd::Constant(15, 1e3);
-  hair::blend(arc, zero, one, child);
-  const double expected[] = {0, 0.028, 0.5, 0.896, 1};
+  hair::blend(arc, at_root, at_tip, child);
+  const double weights[] = {0, 0.028, 0.5, 0.896, 1};
   for (int i = 0; i < 5; ++i)
-    expect_point(child.segment<3>(3 * i), Vector3d::Constant(expected[i]),
-                 "a blend of 0 at the root and 1 at the tip, arc parameter " + std::to_string(arc[i]));
+    expect_point(child.segment<3>(3 * i), Vector3d::Constant(-1 + 5 * weights[i]),
+                 "a blend of -1 at the root and 4 at the tip, arc parameter " + std::to_string(arc[i]));
 }
 
 TEST(Blend, InAnyUnit) {

@@ -152,16 +152,17 @@ void no_width(Trial& trial) {
 void weights_in_other_units(Trial& trial) {
   Random& random = trial.random;
   for (int repeat = 0; repeat < 8; ++repeat) {
-    Corners corners = some_triangle(random, repeat % 4 == 0 ? 1e-3 : random.uniform(0.1, 0.9));
+    const int kind = repeat / 2;  // once over the triangle, once beside it
+    Corners corners = some_triangle(random, kind == 0 ? 1e-3 : random.uniform(0.1, 0.9));
     Vector3d root =
         some_point_of(random, corners) + (repeat % 2) * longest_edge(corners) * some_direction(random);
     trial.describe("a triangle in another unit");
     const Vector3d expected = point_of(corners, ask_weights(trial, corners, root));
     const double size = longest_edge(corners),
-                 unit = repeat % 4 < 2    ? 0x1p-80
-                        : repeat % 4 == 2 ? 0x1p-30
-                                          : 0x1p40,
-                 bound = repeat % 4 == 0 ? kThin : kPoint;
+                 unit = kind < 2    ? 0x1p-80
+                        : kind == 2 ? 0x1p-30
+                                    : 0x1p40,
+                 bound = kind == 0 ? kThin : kPoint;
     for (Vector3d* point : {&corners[0], &corners[1], &corners[2], &root}) *point *= unit;
     const Vector3d answered = point_of(corners, ask_weights(trial, corners, root)) / unit;
     trial.expect_at_most((answered - expected).norm(), 2 * bound * size,

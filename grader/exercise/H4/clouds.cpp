@@ -3,25 +3,13 @@
 
 #include <utility>
 
-#include "particles/products_to_band.h"
+#include "grader/suite/other_force.h"
 
 namespace grader::h4 {
 namespace {
 
 using Eigen::VectorXd;
 using particles::Input, particles::Output;
-
-class OtherForce : public particles::Force {
- public:
-  explicit OtherForce(std::shared_ptr<const particles::Force> force) : force_(std::move(force)) {}
-  double energy(Input x) const override { return force_->energy(x); }
-  void add_force(Input x, Input v, Output f) const override { force_->add_force(x, v, f); }
-  void add_dfdx(Input x, Input v, Input dx, Output df) const override { force_->add_dfdx(x, v, dx, df); }
-  void add_dfdv(Input x, Input v, Input dv, Output df) const override { force_->add_dfdv(x, v, dv, df); }
-
- protected:
-  std::shared_ptr<const particles::Force> force_;
-};
 
 class PartOf final : public OtherForce {
  public:
@@ -36,16 +24,6 @@ class PartOf final : public OtherForce {
 
  private:
   Parts parts_;
-};
-
-class Banded final : public OtherForce {
- public:
-  using OtherForce::OtherForce;
-  bool add_band(Input x, Input v, double by_dfdx, double, solver::BlockBand& band,
-                particles::Scratch work) const override {
-    return particles::add_products(
-        2, by_dfdx, [&](Input dx, Output df) { add_dfdx(x, v, dx, df); }, band, work);
-  }
 };
 
 }  // namespace

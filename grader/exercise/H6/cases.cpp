@@ -10,6 +10,7 @@
 #include "grader/exercise/H6/calls.h"
 #include "grader/suite/case_asker.h"
 #include "grader/suite/implicit_system.h"
+#include "grader/suite/other_force.h"
 #include "grader/suite/trial.h"
 #include "grader/suite/whole_run_points.h"
 #include "hair/predictor_corrector.h"
@@ -202,6 +203,15 @@ void cost(Trial& trial) {
                      after.report.correction.converged && after.report.correction.error <= 1e-11,
                  "a step's report says that it has not converged");
   }
+  // The band of a chain's springs is their whole matrix, and the preconditioner its inverse: a product or two solve the system.
+  Hair hair = moving_hair(random, 16, 1e-6, 30, 1.0 / random.integer(60, 240));
+  hair.cloud.force = std::make_shared<Banded>(hair.cloud.force);
+  hair.cloud.name += ", with a band";
+  const Step after = step(trial, hair);
+  for (const particles::SolveReport& solve : {after.report.filter, after.report.second_filter})
+    trial.expect(solve.preconditioned && solve.converged && solve.steps <= 2 * particles::kMostSolves,
+                 "a solve with a preconditioner takes more than a few iterations",
+                 std::to_string(solve.steps));
 }
 
 // The correction has its own tolerance and limit, the solves have the caller's, and the impulse follows however the correction ended.
