@@ -85,7 +85,8 @@ std::string hint_of_place(const std::string& text) {
                             "Assertion `i>=0", "Assertion '__n < this->size()", "-buffer-overflow"})
     if (text.find(words) != std::string::npos)
       return "a place outside of a vector: a loop's bound, `i + 1` or `i - 1`, or the 3 of 3 i?";
-  return "";
+  return text.find("using an empty matrix") == std::string::npos ? ""
+                                                                 : "the largest or smallest of no numbers?";
 }
 
 Message message_of(const std::string& text, bool product) {

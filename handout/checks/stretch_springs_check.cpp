@@ -102,7 +102,7 @@ TEST(StretchEnergy, OfASpringOfTwoMetres) {
 
 TEST(StretchEnergy, DoesNotDependOnTheSampling) {
   // 3 m, stretched to 3.3 m: E = EA * 0.1^2 / 2 * 3 m, in however many segments.
-  for (int segments : {1, 2, 4, 8}) {
+  for (int segments : {1, 3, 5, 7}) {
     const Strand strand = strand_of(VectorXd::Constant(segments, 3.0 / segments));
     VectorXd x = VectorXd::Zero(3 * segments + 3);
     for (int i = 0; i <= segments; ++i) x[3 * i + 2] = -3.3 * i / segments;
@@ -287,11 +287,11 @@ int main(int argc, char** argv) {
        {"The exact product", "AddStretchProduct.*"}},
       {{"strands of everyday size pass", "*InAnyUnit*"},
        {"the energy of one spring is wrong", "StretchEnergy.OfOneSpring"},
-       {"the force is right only at rest length 1", "StretchEnergy.DoesNot*:*.OfASpringOfTwo*"},
+       {"the force is right only at rest length 1", "*.OfASpringOfTwo*"},
        {"the force of one spring is wrong", "AddStretchForce.OfOneSpring"},
        {"the force is not the slope", "AddStretchForce.IsMinus*"},
        {"the force is right for one end", "AddStretchForce.GivesNoNet*"},
-       {"two particles pass, three do not", "*.IsAddedTo*"},
+       {"two particles pass, three do not", "StretchEnergy.DoesNot*:*.IsAddedTo*"},
        {"NaN", "*WithoutLength*"},
        {"the product is wrong",
         "AddStretchProduct.OfOneSpring:AddStretchProduct.IsThe*:AddStretchProduct.Without*:*.LetsThrough*"},
