@@ -97,7 +97,7 @@ TEST(Digest, OfANumberThatIsNoEnergyReadsNoFactor) {
 TEST(Digest, SaysWhatAPlaceOutsideMayComeFrom) {
   const Finding outside = finding("Force", "OfOne", Finding::State::broke_off,
                                   {"Assertion `index >= 0 && index < size()' failed."});
-  EXPECT_NE(digest(kAsked, kTables, {outside}, false).find("Hint: a place outside of a vector"),
+  EXPECT_NE(digest(kAsked, kTables, {outside}, false).find("Hint: a place outside of a vector or matrix"),
             std::string::npos);
 }
 

@@ -458,7 +458,7 @@ int main(int argc, char** argv) {
        {"A step", "ImplicitEuler.*"}},
       {{"right in metres", "*EveryUnit"},
        {"right the first time", "*HoweverOften*"},
-       {"right for 1 kg only", "*Masses"},
+       {"right for 1 kg only", "*Masses*"},
        {"pinned particles in the matrix", "ImplicitMatrix.*Pinned*:*.IsSymmetric"},
        {"pinned particles drift", "*Pinned*"},
        {"right for one state", "*AtTheState"},
