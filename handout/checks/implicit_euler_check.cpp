@@ -468,6 +468,7 @@ int main(int argc, char** argv) {
        {"it falls, but springs do nothing", "SolvePlain.KeepsItsTolerance*"},
        {"a solve solves another system", "SolvePlain.SolvesItsSystem"},
        {"nothing pulls, and it fails", "*.SolvesNothing"},
+       {"a solve takes too many steps", "SolvePlain.TakesNoMore*"},
        {"a report is not true", "SolvePlain.*"},
        {"a step is wrong", "ImplicitEuler.*"}});
 }
