@@ -92,8 +92,8 @@ struct SpringForce {
   }
 
   static void expect_energy(Trial& trial, const Posed& posed) {
-    const double error = ask_energy(trial, posed) - energy(posed.strand, posed.x);
-    trial.expect_at_most(std::abs(error), energy_rounding(posed), "the error of the energy");
+    trial.expect_near(compared(ask_energy(trial, posed), energy(posed.strand, posed.x)),
+                      energy_rounding(posed), "the error of the energy");
   }
   static void expect_force(Trial& trial, const Posed& posed) {
     expect_vector(trial, ask_force(trial, posed), reference_force(posed), force_rounding(posed), "the force");

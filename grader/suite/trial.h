@@ -36,6 +36,10 @@ struct Compared {
   std::optional<double> bound = {};  // within which numbers are the same, if it is not that of the error
 };
 
+inline Compared compared(double actual, double expected) {
+  return {Eigen::VectorXd::Constant(1, actual), Eigen::VectorXd::Constant(1, expected), 1};
+}
+
 // What a wrong answer does: it ends the category by CaseFailed, or it is counted. No answer ends it in either way.
 enum class WhenWrong { stop, count };
 

@@ -61,8 +61,8 @@ double product_rounding(const Posed& posed, const VectorXd& dx) {
 }
 
 void expect_energy(Trial& trial, const Posed& posed) {
-  trial.expect_at_most(std::abs(ask_energy(trial, posed) - hair::bend_energy(posed.strand, posed.x)),
-                       energy_rounding(posed), "the error of the energy");
+  trial.expect_near(compared(ask_energy(trial, posed), hair::bend_energy(posed.strand, posed.x)),
+                    energy_rounding(posed), "the error of the energy");
 }
 
 double ask_energy(Trial& trial, const Posed& posed) {

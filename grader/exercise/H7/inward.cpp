@@ -69,8 +69,8 @@ void inertias(Trial& trial) {
                       "I^A of a link");
       for (int i = 1; i <= links; ++i) {
         const double expected = tree.passes[i].gain(0, 0);
-        trial.expect_at_most(std::abs(answered.passes[i].gain(0, 0) - expected), 100 * kRoundings * expected,
-                             "the gain of a joint");
+        trial.expect_near(compared(answered.passes[i].gain(0, 0), expected), 100 * kRoundings * expected,
+                          "the gain of a joint");
       }
     }
 }

@@ -25,8 +25,8 @@ void expect_stretches(Trial& trial, const LinkedHairs& hairs) {
 void expect_link_energy(Trial& trial, const LinkedHairs& hairs) {
   const double expected = hair::link_energy(hairs.links, hairs.frames, hairs.largest, hairs.x);
   const double size = hairs.size() * 3 * hairs.x.cwiseAbs().maxCoeff();
-  trial.expect_at_most(std::abs(ask_link_energy(trial, hairs) - expected), kPart * size,
-                       "the error of an energy");
+  trial.expect_near(compared(ask_link_energy(trial, hairs), expected), kPart * size,
+                    "the error of an energy");
 }
 
 VectorXd none(const LinkedHairs& hairs) {

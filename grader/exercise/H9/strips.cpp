@@ -41,8 +41,7 @@ StripContact expect_touch(Trial& trial, const NearTriangle& near, double side) {
 void expect_weight(Trial& trial, const NearTriangle& near, const std::string& what) {
   trial.describe(what);
   const double weight = expect_touch(trial, near, 1).weight;
-  trial.expect_at_most(std::abs(weight - reference_touch(near, 1)->weight), kOfContacts,
-                       "the error of a weight");
+  trial.expect_near(compared(weight, reference_touch(near, 1)->weight), kOfContacts, "the error of a weight");
   trial.expect(weight >= 0, "a weight is negative",
                std::to_string(weight));  // by rounding alone, where hairs are parallel
 }
@@ -163,9 +162,9 @@ void strip_forces(Trial& trial) {
     const Contacts contacts = some_contacts(trial.random, count);
     const double size = contacts.size(),
                  energy = hair::strip_energy(contacts.contacts, contacts.law, contacts.x);
-    trial.expect_at_most(std::abs(ask_strip_energy(trial, contacts) - energy),
-                         kOfForces * size * (contacts.law.thickness + 4 * contacts.x.cwiseAbs().maxCoeff()),
-                         "the error of an energy");
+    trial.expect_near(compared(ask_strip_energy(trial, contacts), energy),
+                      kOfForces * size * (contacts.law.thickness + 4 * contacts.x.cwiseAbs().maxCoeff()),
+                      "the error of an energy");
     VectorXd expected = none(contacts);
     hair::add_strip_force(contacts.contacts, contacts.law, contacts.x, expected);
     trial.expect_near({ask_strip_force(trial, contacts, none(contacts)), expected}, kOfForces * 5 * size,
