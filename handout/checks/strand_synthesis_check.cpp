@@ -125,19 +125,19 @@ namespace {
 
 const Corners kTriangle = {Vector3d(0, 0, 1), Vector3d(4, 0, 1), Vector3d(0, 3, 1)};
 
-// Wherever the triangle lies, and whatever the unit of length is.
-void expect_weights(const Vector3d& root, const Weights& expected, const std::string& where) {
-  for (const Vector3d& way : {Vector3d(0, 0, 0), Vector3d(-2, 1, 3)})
-    for (const double unit : {1.0, 0x1p-20, 0x1p20, 0x1p-90, 0x1p50}) {
-      Corners corners = kTriangle;
-      for (Vector3d& corner : corners) corner = unit * (corner + way);
-      const Weights weights = hair::root_weights(corners, unit * (root + way));
-      for (int k = 0; k < 3; ++k)
-        EXPECT_NEAR(weights[k], expected[k], 1e-11)
-            << "weight " << k << " of a root " << where
-            << " the triangle (0, 0, 1), (4, 0, 1), (0, 3, 1), moved by (" << way.transpose()
-            << "), and all lengths times " << unit;
-    }
+// Wherever the triangle lies.
+void expect_weights(const Vector3d& root, const Weights& expected, const std::string& where,
+                    double unit = 1) {
+  for (const Vector3d& way : {Vector3d(0, 0, 0), Vector3d(-2, 1, 3)}) {
+    Corners corners = kTriangle;
+    for (Vector3d& corner : corners) corner = unit * (corner + way);
+    const Weights weights = hair::root_weights(corners, unit * (root + way));
+    for (int k = 0; k < 3; ++k)
+      EXPECT_NEAR(weights[k], expected[k], 1e-11)
+          << "weight " << k << " of a root " << where
+          << " the triangle (0, 0, 1), (4, 0, 1), (0, 3, 1), moved by (" << way.transpose()
+          << "), and all lengths times " << unit;
+  }
 }
 
 }  // namespace
@@ -164,6 +164,15 @@ TEST(RootWeights, OfARootBesideTheTriangleAreThoseOfTheNearestPoint) {
   expect_weights(Vector3d(2 + 3, 1.5 + 4, 1), {0, 0.5, 0.5}, "beside the longest edge of");
   // Here the weight of the first corner is negative, and that of the third, too; the foot on the longest edge counts.
   expect_weights(Vector3d(4, -1, 1), {0, 1, 0}, "below the second corner of");
+}
+
+TEST(RootWeights, InAnyUnit) {
+  for (const double unit : {0x1p-20, 0x1p20, 0x1p-90, 0x1p50}) {
+    expect_weights(Vector3d(1, 1.5, 1), {0.25, 0.25, 0.5}, "inside of", unit);
+    expect_weights(Vector3d(1, 1.5, 7), {0.25, 0.25, 0.5}, "6 above the inside of", unit);
+    expect_weights(Vector3d(-2, 1.5, 1), {0.5, 0, 0.5}, "beside the last edge of", unit);
+    expect_weights(Vector3d(2 + 3, 1.5 + 4, 1), {0, 0.5, 0.5}, "beside the longest edge of", unit);
+  }
 }
 
 TEST(RootWeights, OfTrianglesWithoutAWidth) {
@@ -322,37 +331,6 @@ TEST(Interpolate, InAnyUnit) {
 
 // ---- (3)
 
-TEST(CarryAlong, InAnyUnit) {
-  const Lock guide = lock(root_of(Vector3d(1, 0, 2), some_turn()), curl(12, 0.5, 0.4, 2, 1));
-  const GuideFrames expected = carried(guide);
-  for (const double unit : {0x1p-90, 0x1p-45, 0x1p50}) {
-    Lock other = guide;
-    other.points *= unit;
-    const GuideFrames frames = carried(other);
-    const std::string where =
-        " of a curl, all lengths times " + in_powers_of_2(unit) + ", beside the same in metres";
-    expect_numbers(frames.arc, expected.arc, 1e-12, "arc" + where, "rounding");
-    for (std::size_t i = 0; i < 12; ++i)
-      expect_matrix(frames.turns[i], expected.turns[i], 1e-10, "a turn" + where,
-                    "rounding. Is a segment taken for one of length 0?");
-  }
-}
-
-// Back and forth, up to the contract's 175 degrees: R_i is the rotation about the axis across the zigzag.
-TEST(CarryAlong, TurnsSharply) {
-  for (const double degrees : {120.0, 150.0, 160.0, 170.0, 174.0}) {
-    const double bend = degrees * kPi / 180;
-    const double y = std::sin(bend), z = 1 + std::cos(bend);
-    const GuideFrames frames = carried(upright(vector({0, 0, 0, 0, 0, 1, 0, y, z, 0, y, z + 1})));
-    const Matrix3d expected = Eigen::AngleAxisd(-bend, Vector3d::UnitX()).toRotationMatrix();
-    expect_matrix(frames.turns[2], expected, 1e-10,
-                  "the turn of a guide that turns once, by " + std::to_string(degrees) + " degrees",
-                  "the contract's");
-    expect_matrix(frames.turns[3], Matrix3d::Identity(), 1e-10,
-                  "the turn where it has turned back, by as much", "the contract's");
-  }
-}
-
 TEST(CarryAlong, MeasuresTheLength) {
   const Lock guide = upright(vector({1, 1, 1, 1, 1, 2, 1, 4, 6, 1, 4, 0}));
   expect_numbers(carried(guide).arc, Eigen::Vector4d(0, 1.0 / 12, 0.5, 1), 1e-12,
@@ -374,9 +352,20 @@ TEST(CarryAlong, BeginsWithTheFirstSegment) {
     expect_matrix(turn, Matrix3d::Identity(), 1e-12, "a turn along a straight guide", "rounding");
 }
 
+TEST(CarryAlong, TurnsAtABend) {
+  const double bend = kPi / 3, y = 3 * std::sin(bend), z = 3 * std::cos(bend);
+  const GuideFrames frames = carried(upright(vector({0, 0, 0, 0, 0, 2, 0, y, 2 + z, 0, 2 * y, 2 + 2 * z})));
+  const Matrix3d expected = Eigen::AngleAxisd(-bend, Vector3d::UnitX()).toRotationMatrix();
+  expect_matrix(frames.turns[1], Matrix3d::Identity(), 1e-12, "the turn before the guide bends", "rounding");
+  expect_matrix(frames.turns[2], expected, 1e-12,
+                "the turn of a guide that bends once, by 60 degrees about -x", "rounding");
+  expect_matrix(frames.turns[3], expected, 1e-12, "the turn after that, where it goes straight on",
+                "rounding");
+}
+
 // Around three edges of a cube: no corner twists the frame, and yet it comes back turned.
 TEST(CarryAlong, AddsUpRotations) {
-  const Lock guide = upright(vector({0, 0, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 1, 1, 2}));
+  const Lock guide = upright(vector({0, 0, 0, 0, 0, 2, 2, 0, 2, 2, 2, 2, 2, 2, 4}));
   const GuideFrames frames = carried(guide);
   const Matrix3d about_y = Eigen::AngleAxisd(kPi / 2, Vector3d::UnitY()).toRotationMatrix(),
                  about_z = Eigen::AngleAxisd(kPi / 2, Vector3d::UnitZ()).toRotationMatrix(),
@@ -387,6 +376,31 @@ TEST(CarryAlong, AddsUpRotations) {
     expect_matrix(frames.turns[i], expected[i], 1e-12,
                   "turns[" + std::to_string(i) +
                       "] along three edges of a cube. In which order are rotations multiplied?",
+                  "rounding");
+}
+
+TEST(CarryAlong, InAnyUnit) {
+  const Lock guide = lock(root_of(Vector3d(1, 0, 2), some_turn()), curl(12, 0.5, 0.4, 2, 1));
+  const GuideFrames expected = carried(guide);
+  for (const double unit : {0x1p-90, 0x1p-45, 0x1p50}) {
+    Lock other = guide;
+    other.points *= unit;
+    const GuideFrames frames = carried(other);
+    const std::string where =
+        " of a curl, all lengths times " + in_powers_of_2(unit) + ", beside the same in metres";
+    expect_numbers(frames.arc, expected.arc, 1e-12, "arc" + where, "rounding");
+    for (std::size_t i = 0; i < 12; ++i)
+      expect_matrix(frames.turns[i], expected.turns[i], 1e-10, "a turn" + where,
+                    "rounding. Is a segment taken for one of length 0?");
+  }
+}
+
+TEST(CarryAlong, BeginsBehindPointsThatCoincide) {
+  const Lock guide = upright(vector({0, 0, 0, 0, 0, 0, 3, 4, 0, 6, 8, 0}));
+  for (const Matrix3d& turn : carried(guide).turns)
+    expect_matrix(turn, Matrix3d::Identity(), 1e-12,
+                  "a turn of a straight guide, whose first two points coincide: there is no direction before "
+                  "the first",
                   "rounding");
 }
 
@@ -408,13 +422,19 @@ TEST(CarryAlong, DoesNotTwist) {
   }
 }
 
-TEST(CarryAlong, BeginsBehindPointsThatCoincide) {
-  const Lock guide = upright(vector({0, 0, 0, 0, 0, 0, 3, 4, 0, 6, 8, 0}));
-  for (const Matrix3d& turn : carried(guide).turns)
-    expect_matrix(turn, Matrix3d::Identity(), 1e-12,
-                  "a turn of a straight guide, whose first two points coincide: there is no direction before "
-                  "the first",
-                  "rounding");
+// Back and forth, up to the contract's 175 degrees: R_i is the rotation about the axis across the zigzag.
+TEST(CarryAlong, TurnsSharply) {
+  for (const double degrees : {120.0, 150.0, 160.0, 170.0, 174.0}) {
+    const double bend = degrees * kPi / 180;
+    const double y = std::sin(bend), z = 1 + std::cos(bend);
+    const GuideFrames frames = carried(upright(vector({0, 0, 0, 0, 0, 1, 0, y, z, 0, y, z + 1})));
+    const Matrix3d expected = Eigen::AngleAxisd(-bend, Vector3d::UnitX()).toRotationMatrix();
+    expect_matrix(frames.turns[2], expected, 1e-10,
+                  "the turn of a guide that turns once, by " + std::to_string(degrees) + " degrees",
+                  "the contract's");
+    expect_matrix(frames.turns[3], Matrix3d::Identity(), 1e-10,
+                  "the turn where it has turned back, by as much", "the contract's");
+  }
 }
 
 TEST(CarryAlong, SurvivesFoldsAndPointsThatCoincide) {
@@ -594,14 +614,14 @@ int main(int argc, char** argv) {
        {"arcs that are no parts", "*.MeasuresTheLength"},
        {"turns that are wrong at sharp bends", "*.TurnsSharply:*.TurnsRightRound*"},
        {"a weight of 2, or of -0.3", "RootWeights.OfARootBeside*"},
-       {"NaN", "RootWeights.OfTriangles*:CarryAlong.Survives*"},
-       {"weights that do not add up", "RootWeights.*"},
-       {"strands that float beside the scalp", "Interpolate.OfEqual*:Interpolate.OfOneGuide*"},
-       {"hair that is right on top of a head", "Interpolate.Turns*"},
+       {"NaN", "RootWeights.OfTriangles*:CarryAlong.Survives*:CarryAlong.BeginsBehind*"},
+       {"wrong weights inside", "RootWeights.*"},
+       {"strands that float beside the scalp", "Interpolate.OfEqual*"},
+       {"hair that is right on top of a head", "Interpolate.OfOneGuide*:Interpolate.Turns*"},
        {"turns that are right up to the second bend", "CarryAlong.AddsUp*"},
        {"ringlets that are twisted like a rope", "CarryAlong.DoesNotTwist"},
        {"frames that do not go along", "CarryAlong.*"},
-       {"wisps that begin in a point", "Extrapolate.Spreads*:Extrapolate.KeepsTheWidth*"},
+       {"a wisp's strand is wrong", "Extrapolate.Spreads*:Extrapolate.KeepsTheWidth*"},
        {"flat ringlets", "Extrapolate.Goes*:Extrapolate.KeepsCurls"},
-       {"a blend that begins", "Blend.*"}});
+       {"a blend is wrong", "Blend.Begins*"}});
 }
