@@ -288,6 +288,7 @@ class AskedMatrix<Calls, function, Asker, std::tuple<P...>> : public implicitMat
   explicit AskedMatrix(const Asker& asker, P... arguments) : asker_(asker), arguments_(arguments...) {}
 
   void matVecMult(double x[], double b[]) override {
+    [[maybe_unused]] const auto ours = asker_.ours();
     const auto [rows, cols] = std::apply(
         [](const auto&... arguments) { return Calls::template Of<function>::Check::shape(arguments...); },
         arguments_);
