@@ -460,7 +460,7 @@ int main(int argc, char** argv) {
        {"right the first time", "*HoweverOften*"},
        {"right for 1 kg only", "*Masses*"},
        {"pinned particles in the matrix", "ImplicitMatrix.*Pinned*:*.IsSymmetric"},
-       {"pinned particles drift", "*Pinned*"},
+       {"pinned particles drift", "ImplicitRhs.*Pinned*"},
        {"right for one state", "*AtTheState"},
        {"too many products", "*.TakesOneProduct*"},
        {"the matrix is wrong", "ImplicitMatrix.*"},
