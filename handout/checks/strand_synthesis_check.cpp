@@ -180,8 +180,7 @@ TEST(RootWeights, OfTrianglesWithoutAWidth) {
                                  Corners{Vector3d(0, 0, 0), Vector3d(0, 0, 0), Vector3d(2, 2, 2)},
                                  Corners{Vector3d(2, 2, 2), Vector3d(2, 2, 2), Vector3d(2, 2, 2)}}) {
     const Weights weights = hair::root_weights(corners, Vector3d(3, 3, 0));
-    EXPECT_NEAR(weights[0] + weights[1] + weights[2], 1, 1e-12)
-        << "the sum of the weights; is 0 divided by 0?";
+    EXPECT_NEAR(weights[0] + weights[1] + weights[2], 1, 1e-12) << "the sum of the weights";
     EXPECT_GE(*std::min_element(weights.begin(), weights.end()), 0);
     const Vector3d point = weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
     expect_entries(
