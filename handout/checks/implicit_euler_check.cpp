@@ -197,7 +197,9 @@ TEST(ImplicitRhs, TakesOneProductAndOneForce) {
 
 TEST(ImplicitRhs, IsZeroWherePinned) {
   const Spring spring(4, 1, GeometricTerm::full, 0.5);
-  const State state = apart();
+  State state = apart();
+  state.v[2] = 0.75;  // no number of the right-hand side is 0 by itself
+  state.v[5] = -1;
   VectorXd free(6);
   implicit_rhs(spring, kFree, state, 0.5, 0.25, free);
   for (const Particles& particles : {kPinned, kOtherPinned}) {
