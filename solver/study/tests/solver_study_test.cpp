@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "solver/study/banded_cholesky.h"
+#include "solver/study/bowl_path.h"
 #include "solver/study/eigen_conj_grad.h"
 #include "solver/study/preconditioned.h"
 #include "solver/study/systems.h"
