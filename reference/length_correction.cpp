@@ -145,7 +145,8 @@ CorrectionReport relax_lengths(const Strand& strand, double tolerance, int most_
 CorrectionReport correct_lengths(const Strand& strand, double tolerance, int most_iterations, Output x,
                                  Scratch scratch) {
   Multipliers multipliers(strand, scratch.leftCols(4));
-  auto step = scratch.col(4), tried = scratch.col(5);
+  // The last columns, so that whoever keeps something there loses it.
+  auto step = scratch.col(6), tried = scratch.col(7);
   const double goal = std::max(tolerance, rounding_error(strand, x));
   CorrectionReport report;
   report.error = largest_error(strand, x);
@@ -177,7 +178,7 @@ CorrectionReport correct_lengths(const Strand& strand, double tolerance, int mos
 CorrectionReport correct_velocities(const Strand& strand, Input x, double tolerance, int most_sweeps,
                                     Output v, Scratch scratch) {
   Multipliers multipliers(strand, scratch.leftCols(4));
-  auto change = scratch.col(4);
+  auto change = scratch.col(7);
   multipliers.factor(x);
   CorrectionReport report;
   for (;;) {
