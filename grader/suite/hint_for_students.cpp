@@ -37,6 +37,7 @@ std::string hint_for_students(const checks::Hint& hint) {
       return "All of it is 0: never written, left out by a condition or a loop's bounds, or terms that "
              "cancel?";
     case checks::Looks::unchanged:
+    case checks::Looks::filled:
       return "It is an input, or what stood there before the call, unchanged: never written, or nothing "
              "done?";
     case checks::Looks::wrong_at_the_end:

@@ -136,6 +136,18 @@ TEST_F(Hints, NameWhatStoodThereBefore) {
   EXPECT_EQ(hint(numbers(6), expected, kBound, 3, before), "");
 }
 
+TEST_F(Hints, NameNumbersThatAreStillThoseOfTheCheck) {
+  const Numbers expected = numbers(6);
+  Numbers actual = expected;
+  actual[2] = actual[4] = checks::kFill;
+  EXPECT_EQ(told(actual, expected), "wrong where 1000 stands, as before the call: never written?");
+  actual[1] += 1;
+  EXPECT_EQ(told(actual, expected), "") << "and another one is wrong";
+  actual = expected;
+  actual[2] = checks::kFill;
+  EXPECT_EQ(told(actual, expected), "") << "a number may be 1000";
+}
+
 // Noise, and results that are off by a little in all entries, say nothing. What is right says nothing, either.
 TEST_F(Hints, AreSilentWhereNothingIsClear) {
   for (int repeat = 0; repeat < 1000; ++repeat) {

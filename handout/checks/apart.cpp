@@ -210,6 +210,9 @@ std::string how_it_ended(int signal, const std::string& written) {
   }
   if (words.starts_with("AddressSanitizer: "))  // without the addresses, which say nothing
     for (const char* end : {" on ", " 0x", " (", " exceeds"}) words = words.substr(0, words.find(end));
+  for (const char* heap : {"munmap_chunk()", "malloc()", "free()", "corrupted size", "double free"})
+    if (words.empty() && written.find(heap) != std::string::npos)
+      words = "memory beyond the end of an array was written: its size, or a loop's bound?";
   if (words.empty()) words = signal == 0 ? "the program left in the middle of it" : signal_in_words(signal);
   const std::string place = place_in(written);
   return words + (place.empty() ? "" : "\nin " + place);

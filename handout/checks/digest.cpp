@@ -84,7 +84,8 @@ std::string hint_of_place(const std::string& text) {
   for (const char* words : {"Assertion `index >= 0", "Assertion `row >= 0", "Assertion `startRow >= 0",
                             "Assertion `(i>=0)", "Assertion '__n < this->size()", "-buffer-overflow"})
     if (text.find(words) != std::string::npos)
-      return "a place outside of a vector or matrix: a loop's bound, `i + 1` or `i - 1`, or the 3 of 3 i?";
+      return "a place outside of a vector or matrix: a loop's bound, `i + 1` or `i - 1`, the 3 of 3 i, or a "
+             "branch for another case?";
   return text.find("using an empty matrix") == std::string::npos ? ""
                                                                  : "the largest or smallest of no numbers?";
 }

@@ -131,6 +131,17 @@ Hint signs_of(Numbers actual, Numbers expected, double bound) {
   return differs && actual.size() > 1 ? Hint{Looks::wrong_signs} : Hint{};
 }
 
+// At least two are wrong, and all of these are what stood there before the call.
+bool is_filled(Numbers actual, Numbers expected, double bound) {
+  int wrong = 0;
+  for (std::size_t i = 0; i < actual.size(); ++i)
+    if (!(std::abs(actual[i] - expected[i]) <= bound)) {
+      if (actual[i] != kFill) return false;
+      ++wrong;
+    }
+  return wrong > 1;
+}
+
 // Each block is a square matrix, or its transpose.
 bool is_transposed(Numbers actual, Numbers expected, double bound, int block) {
   const int rows = static_cast<int>(std::lround(std::sqrt(block)));
@@ -178,6 +189,7 @@ Hint find_hint(Numbers actual, Numbers expected, double bound, int block, Number
   if (std::ranges::all_of(actual, is_zero))
     return std::ranges::all_of(expected, is_zero) ? Hint{} : Hint{Looks::zero};
   if (std::ranges::equal(actual, before) && !std::ranges::equal(expected, before)) return {Looks::unchanged};
+  if (is_filled(actual, expected, bound)) return {Looks::filled};
   if (is_transposed(actual, expected, bound, block)) return {Looks::transposed};
   for (std::size_t i = 0; i < actual.size(); ++i)
     if (is_a_rest(actual[i]) && std::abs(expected[i]) > bound) return {Looks::tiny, static_cast<double>(i)};
@@ -209,6 +221,8 @@ std::string hint(Numbers actual, Numbers expected, double bound, int block, Numb
       return std::string("all of it is ") + kZero;
     case Looks::unchanged:
       return "the input, or what stood there before, unchanged: never written, or nothing done?";
+    case Looks::filled:
+      return "wrong where 1000 stands, as before the call: never written?";
     case Looks::wrong_at_the_end:
       return "right but for the last " + entries + bound_or_zero(actual.last(count));
     case Looks::wrong_at_the_beginning:

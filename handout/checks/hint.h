@@ -14,12 +14,16 @@ enum class Looks {
   no_number,
   zero,
   unchanged,
+  filled,
   wrong_at_the_end,
   wrong_at_the_beginning,
   a_factor,
   transposed,
   wrong_signs
 };
+
+// The checks fill with this what a function overwrites.
+inline constexpr double kFill = 1e3;
 
 struct Hint {
   Looks looks = Looks::like_nothing;
