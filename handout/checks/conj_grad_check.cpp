@@ -75,7 +75,9 @@ TEST(ConjGrad, SolvesExample1OfTheLectureInOneStep) {
   SCOPED_TRACE(call(s.name, 1e-5, 100));
   const Outcome out = solve(s.A, s.b, 1e-5, 100);
   expect_solved(s, out, 1e-5);
-  EXPECT_EQ(out.steps, 1);
+  EXPECT_EQ(out.steps, 1) << (out.steps == 2
+                                  ? "hint       = one step too many: a count, or a start that is not b?"
+                                  : "");
 }
 
 TEST(ConjGrad, SolvesExample2OfTheLectureInTwoSteps) {
@@ -98,6 +100,9 @@ TEST(ConjGrad, SolvesSystemsOfManySizes) {
     SCOPED_TRACE(call(s.name, epsilon, 0));
     expect_solved(s, solve(s.A, s.b, epsilon, 0), epsilon);
   }
+}
+
+TEST(ConjGrad, SolvesAGridInMoreThan64Steps) {
   System s =
       system_with("the 2-D Poisson matrix on a 20 x 20 grid", solver::poisson_2d(20), scattered(400), 0.04);
   const double epsilon = relative_epsilon(s.b);
@@ -524,7 +529,7 @@ int main(int argc, char** argv) {
        {"it takes more or fewer steps than it may", "*.TakesAtMost*:*.TakesZero*:*.TakesNegative*"},
        {"what is returned is not the squared norm", "*.ReturnsTheSquare*"},
        {"right answers, wrong number of products", "*.TakesOneProductAStep*"},
-       {"right up to 64 steps", "*.MovesXAtEachStep*:*.TakesNoMoreSteps*"},
+       {"right up to 64 steps", "*.SolvesAGrid*:*.MovesXAtEachStep*:*.TakesNoMoreSteps*"},
        {"right for ordinary numbers", "*.Scales*:*.SolvesForAnX*"},
        {"right the first time, wrong the second", "*.GivesTheSame*"},
        {"it goes on where it can't go on",
