@@ -34,6 +34,10 @@ Vector multiply(implicitMatrix& A, int rows, Vector x) {
   return b;
 }
 
+void expect_same(const Vector& actual, const Vector& expected) {
+  EXPECT_EQ(actual, expected) << hint_line(actual, expected, 0);
+}
+
 // All that comes out of one call of solve_normal_equations.
 struct Outcome {
   Vector x;
@@ -81,9 +85,9 @@ TEST(DenseMatrix, MultipliesRowsByTheVector) {
   const Vector a = {1, 2, 3,  //
                     4, 5, 6};
   SCOPED_TRACE("dense_matrix of [1 2 3; 4 5 6], x = (1, 10, 100)");
-  EXPECT_EQ(multiply(*dense_matrix(2, 3, a.data()), 2, {1, 10, 100}), (Vector{321, 654}));
+  expect_same(multiply(*dense_matrix(2, 3, a.data()), 2, {1, 10, 100}), (Vector{321, 654}));
   SCOPED_TRACE("dense_matrix of [1 2; 3 4; 5 6], x = (1, 10)");
-  EXPECT_EQ(multiply(*dense_matrix(3, 2, a.data()), 3, {1, 10}), (Vector{21, 43, 65}));
+  expect_same(multiply(*dense_matrix(3, 2, a.data()), 3, {1, 10}), (Vector{21, 43, 65}));
 }
 
 TEST(DenseMatrix, CopiesTheTable) {
@@ -91,12 +95,12 @@ TEST(DenseMatrix, CopiesTheTable) {
   auto A = dense_matrix(2, 2, a.data());
   a.assign(4, kNaN);
   SCOPED_TRACE("dense_matrix of [1 2; 3 4], whose table is overwritten before the product with x = (1, 1)");
-  EXPECT_EQ(multiply(*A, 2, {1, 1}), (Vector{3, 7}));
+  expect_same(multiply(*A, 2, {1, 1}), (Vector{3, 7}));
 }
 
 TEST(DenseMatrix, WithoutColumnsGivesZeros) {
   SCOPED_TRACE("dense_matrix with 3 rows and no columns");
-  EXPECT_EQ(multiply(*dense_matrix(3, 0, nullptr), 3, {}), Vector(3, 0.0));
+  expect_same(multiply(*dense_matrix(3, 0, nullptr), 3, {}), Vector(3, 0.0));
 }
 
 TEST(DenseMatrix, TakesEntriesOfAnySize) {
@@ -104,8 +108,8 @@ TEST(DenseMatrix, TakesEntriesOfAnySize) {
   const double tiny = std::ldexp(1.0, -300), large = std::ldexp(1.0, 200);
   const Vector a = {tiny, 2 * tiny, 3 * tiny, 4 * tiny};
   SCOPED_TRACE("dense_matrix of 2^-300 [1 2; 3 4], x = 2^200 (1, 3)");
-  EXPECT_EQ(multiply(*dense_matrix(2, 2, a.data()), 2, {large, 3 * large}),
-            (Vector{7 * tiny * large, 15 * tiny * large}));
+  expect_same(multiply(*dense_matrix(2, 2, a.data()), 2, {large, 3 * large}),
+              (Vector{7 * tiny * large, 15 * tiny * large}));
 }
 
 TEST(DenseMatrix, RoundsNoMoreThanItMust) {
@@ -122,15 +126,15 @@ TEST(NormalMatrix, IsTheProductWithAThenWithItsTranspose) {
   SparseMatrix A = dense(3, 2, {1, 2, 3, 4, 5, 6}), transposed = A.transposed();
   auto normal = normal_matrix(3, 2, &A, &transposed);
   SCOPED_TRACE("normal_matrix of A = [1 2; 3 4; 5 6], A'A = [35 44; 44 56], x = (1, 10)");
-  EXPECT_EQ(multiply(*normal, 2, {1, 10}), (Vector{475, 604}));
+  expect_same(multiply(*normal, 2, {1, 10}), (Vector{475, 604}));
   SCOPED_TRACE("the same matrix once more");
-  EXPECT_EQ(multiply(*normal, 2, {1, 0}), (Vector{35, 44}));
+  expect_same(multiply(*normal, 2, {1, 0}), (Vector{35, 44}));
 }
 
 TEST(NormalMatrix, WorksForMoreColumnsThanRows) {
   SparseMatrix A = dense(1, 3, {1, 2, 3}), transposed = A.transposed();
   SCOPED_TRACE("normal_matrix of A = [1 2 3], x = (1, 1, 1)");
-  EXPECT_EQ(multiply(*normal_matrix(1, 3, &A, &transposed), 3, {1, 1, 1}), (Vector{6, 12, 18}));
+  expect_same(multiply(*normal_matrix(1, 3, &A, &transposed), 3, {1, 1, 1}), (Vector{6, 12, 18}));
 }
 
 TEST(NormalMatrix, WorksInsideOfAnother) {
@@ -138,15 +142,15 @@ TEST(NormalMatrix, WorksInsideOfAnother) {
   auto inner = normal_matrix(3, 2, &A, &transposed);
   auto outer = normal_matrix(2, 2, inner.get(), inner.get());
   SCOPED_TRACE("normal_matrix of the normal_matrix of A = [1 2; 3 4; 5 6], [35 44; 44 56]^2, x = (1, 0)");
-  EXPECT_EQ(multiply(*outer, 2, {1, 0}), (Vector{3161, 4004}));
+  expect_same(multiply(*outer, 2, {1, 0}), (Vector{3161, 4004}));
 }
 
 TEST(NormalMatrix, TakesMatricesOfAnySize) {
   const double tiny = std::ldexp(1.0, -200), large = std::ldexp(1.0, 300);
   SparseMatrix A = dense(2, 2, {tiny, 2 * tiny, 3 * tiny, 4 * tiny}), transposed = A.transposed();
   SCOPED_TRACE("normal_matrix of A = 2^-200 [1 2; 3 4], A'A = 2^-400 [10 14; 14 20], x = 2^300 (1, 1)");
-  EXPECT_EQ(multiply(*normal_matrix(2, 2, &A, &transposed), 2, {large, large}),
-            (Vector{24 * (tiny * (tiny * large)), 34 * (tiny * (tiny * large))}));
+  expect_same(multiply(*normal_matrix(2, 2, &A, &transposed), 2, {large, large}),
+              (Vector{24 * (tiny * (tiny * large)), 34 * (tiny * (tiny * large))}));
 }
 
 TEST(NormalMatrix, TakesOneProductWithEachMatrix) {
@@ -191,7 +195,7 @@ TEST(SolveNormalEquations, OnlyWritesX) {
   SparseMatrix A = dense(3, 2, {1, 0, 1, 1, 1, 2});
   const Outcome from_zeros = solve(A, {6, 0, 0}, 1e-20, 100);
   SCOPED_TRACE(call("A = [1 0; 1 1; 1 2], b = (6, 0, 0), NaN in x on entry", 1e-20, 100));
-  EXPECT_EQ(solve(A, {6, 0, 0}, 1e-20, 100, kNaN).x, from_zeros.x);
+  expect_same(solve(A, {6, 0, 0}, 1e-20, 100, kNaN).x, from_zeros.x);
 }
 
 TEST(SolveNormalEquations, ReturnsTheSquaredNormOfTheNormalEquationsResidual) {
