@@ -102,31 +102,22 @@ VectorXd accelerations(const Example& system) {
   return a;
 }
 
-void expect_vector(const VectorXd& actual, const VectorXd& expected, double bound, const std::string& what,
-                   const std::string& source) {
-  ASSERT_EQ(actual.size(), expected.size());
-  const double error = (actual - expected).lpNorm<Eigen::Infinity>();
-  EXPECT_TRUE(error <= bound) << what << "\nexpected = " << expected.transpose()
-                              << "\nactual   = " << actual.transpose() << "\nerror    = " << error
-                              << "\nbound    = " << bound << " = " << source;
-}
-
 }  // namespace
 
 TEST(ConstraintValues, OfARodAreHalfTheDifferenceOfSquares) {
   Example system = pendulum();
   VectorXd x(6);
   x << 0, 0, 0, 1, 2, 2;
-  expect_vector(values(system, x), VectorXd::Constant(1, (9 - 0.25) / 2), 0,
-                "rod of length 0.5 between (0, 0, 0) and (1, 2, 2)", "these numbers are exact");
+  expect_numbers(values(system, x), VectorXd::Constant(1, (9 - 0.25) / 2), 0,
+                 "rod of length 0.5 between (0, 0, 0) and (1, 2, 2)", "these numbers are exact");
 }
 
 TEST(ConstraintValues, OfAWireAreItsSphereAndItsPlane) {
-  expect_vector(values(bead(), Vector3d(1, 2, 3)), Vector2d(0, 0), 0, "a bead on its wire", "exact");
-  expect_vector(values(bead(), Vector3d(1, 0, 5)), Vector2d(0, 2), 0,
-                "a bead on the sphere of radius 2 around (1, 0, 3), above its pole", "exact");
-  expect_vector(values(bead(), Vector3d(4, 0, 3)), Vector2d(2.5, 0), 0,
-                "a bead in the plane, 3 from the centre", "exact");
+  expect_numbers(values(bead(), Vector3d(1, 2, 3)), Vector2d(0, 0), 0, "a bead on its wire", "exact");
+  expect_numbers(values(bead(), Vector3d(1, 0, 5)), Vector2d(0, 2), 0,
+                 "a bead on the sphere of radius 2 around (1, 0, 3), above its pole", "exact");
+  expect_numbers(values(bead(), Vector3d(4, 0, 3)), Vector2d(2.5, 0), 0,
+                 "a bead in the plane, 3 from the centre", "exact");
 }
 
 TEST(ConstraintValues, ComeRodsFirst) {
@@ -136,8 +127,8 @@ TEST(ConstraintValues, ComeRodsFirst) {
   EXPECT_TRUE(C.allFinite()) << "all rows are overwritten; C = " << C.transpose();
   Example rods = system;
   rods.constraints.wires.clear();
-  expect_vector(C.head<4>(), values(rods, rods.state.x), 0, "the first four rows, of four rods",
-                "the same numbers");
+  expect_numbers(C.head<4>(), values(rods, rods.state.x), 0, "the first four rows, of four rods",
+                 "the same numbers");
 }
 
 TEST(ConstraintValues, HaveNoUnitOfTheirOwn) {
@@ -149,10 +140,10 @@ TEST(ConstraintValues, HaveNoUnitOfTheirOwn) {
   for (Rod& rod : other.constraints.rods) rod.length *= unit;
   other.state.x *= unit;
   const VectorXd lambda = scattered_vector(4, 4), v = metres.state.v;
-  expect_vector(values(other, other.state.x), unit * unit * values(metres, metres.state.x), 0,
-                "C of four rods, all lengths times 2^-40", "exact");
-  expect_vector(rates(other, v), unit * rates(metres, v), 0, "J v of the same", "exact");
-  expect_vector(forces(other, lambda), unit * forces(metres, lambda), 0, "J^T lambda of the same", "exact");
+  expect_numbers(values(other, other.state.x), unit * unit * values(metres, metres.state.x), 0,
+                 "C of four rods, all lengths times 2^-40", "exact");
+  expect_numbers(rates(other, v), unit * rates(metres, v), 0, "J v of the same", "exact");
+  expect_numbers(forces(other, lambda), unit * forces(metres, lambda), 0, "J^T lambda of the same", "exact");
 }
 
 TEST(ConstraintRates, AreTheChangeOfTheValues) {
@@ -161,16 +152,16 @@ TEST(ConstraintRates, AreTheChangeOfTheValues) {
   const VectorXd v = system.state.v;
   const VectorXd expected =
       (values(system, system.state.x + h * v) - values(system, system.state.x - h * v)) / (2 * h);
-  expect_vector(rates(system, v), expected, 1e-10,
-                "J v against (C(x + h v) - C(x - h v)) / 2h of your own constraint_values, h = 2^-14",
-                "C is quadratic, so that only rounding is left: 16 u / h, u = 2^-53");
+  expect_numbers(rates(system, v), expected, 1e-10,
+                 "J v against (C(x + h v) - C(x - h v)) / 2h of your own constraint_values, h = 2^-14",
+                 "C is quadratic, so that only rounding is left: 16 u / h, u = 2^-53");
 }
 
 TEST(ConstraintRates, OfASpinAreZero) {
   // Turning around the pivot, and around the wire's axis.
-  expect_vector(rates(pendulum(), (VectorXd(6) << 0, 0, 0, std::cos(0.5), 0, std::sin(0.5)).finished()),
-                VectorXd::Zero(1), 8 * kUnit, "a pendulum that swings", "rounding");
-  expect_vector(rates(bead(), Vector3d(-7, 0, 0)), Vector2d(0, 0), 0, "a bead that slides", "exact");
+  expect_numbers(rates(pendulum(), (VectorXd(6) << 0, 0, 0, std::cos(0.5), 0, std::sin(0.5)).finished()),
+                 VectorXd::Zero(1), 8 * kUnit, "a pendulum that swings", "rounding");
+  expect_numbers(rates(bead(), Vector3d(-7, 0, 0)), Vector2d(0, 0), 0, "a bead that slides", "exact");
 }
 
 TEST(ConstraintForces, AreTheTransposeOfTheRates) {
@@ -186,8 +177,8 @@ TEST(ConstraintForces, AreAddedToWhatIsThere) {
   const VectorXd lambda = scattered_vector(8, 4), there = VectorXd::Constant(15, 8);
   VectorXd f = there;
   add_constraint_forces(system.constraints, system.state.x, lambda, f);
-  expect_vector(f, there + forces(system, lambda), 100 * kUnit, "f, which held 8s",
-                "10 roundings of numbers about 10");
+  expect_numbers(f, there + forces(system, lambda), 100 * kUnit, "f, which held 8s",
+                 "10 roundings of numbers about 10");
 }
 
 TEST(ConstraintForces, OfRodsAreEqualAndOpposite) {
@@ -205,9 +196,9 @@ TEST(ConstraintMatrix, IsTheTableOfItsProducts) {
     const VectorXd unit = VectorXd::Unit(rows, k);
     VectorXd change = forces(system, unit);
     for (int i = 0; i < 5; ++i) change.segment<3>(3 * i) *= i == 4 ? 0 : 1 / system.particles.mass[i];
-    expect_vector(product(system, unit), rates(system, change), 1e-13,
-                  "J W J^T e_k against your own rates of W times your own forces; particle 4 is pinned",
-                  "some 50 roundings of numbers up to 10");
+    expect_numbers(product(system, unit), rates(system, change), 1e-13,
+                   "J W J^T e_k against your own rates of W times your own forces; particle 4 is pinned",
+                   "some 50 roundings of numbers up to 10");
   }
 }
 
@@ -219,10 +210,10 @@ TEST(ConstraintMatrix, UsesTheValuesOfNow) {
   system.particles.mass *= 2;
   std::swap(system.constraints.rods[0], system.constraints.rods[2]);
   matrix->matVecMult(y.data(), result.data());
-  expect_vector(result, product(system, y), 1e-13,
-                "a product with the matrix that was made before positions, masses and rods changed, against "
-                "that with a new one",
-                "some 50 roundings of numbers up to 10");
+  expect_numbers(result, product(system, y), 1e-13,
+                 "a product with the matrix that was made before positions, masses and rods changed, against "
+                 "that with a new one",
+                 "some 50 roundings of numbers up to 10");
 }
 
 TEST(ConstraintMatrix, IsSymmetricAndNeverNegative) {
@@ -235,27 +226,27 @@ TEST(ConstraintMatrix, IsSymmetricAndNeverNegative) {
 TEST(ConstraintMatrix, OfPinnedParticlesIsZero) {
   Example system = pendulum();
   system.particles.pinned = {1, 1};
-  expect_vector(product(system, VectorXd::Ones(1)), VectorXd::Zero(1), 0, "a rod between pinned particles",
-                "0 is exact");
+  expect_numbers(product(system, VectorXd::Ones(1)), VectorXd::Zero(1), 0, "a rod between pinned particles",
+                 "0 is exact");
 }
 
 TEST(SolveConstraints, CarriesAPendulum) {
   Example system = pendulum();
   // At rest the rod pulls with m g cos(angle); in a swing of 3 m/s with m v^2 / length more.
   const double pull = 2 * 9.81 * std::cos(0.5);
-  expect_vector(solve(system), VectorXd::Constant(1, -pull / 0.5), 1e-8 * pull, "lambda at rest",
-                "the tolerance, 1e-10, with room");
+  expect_numbers(solve(system), VectorXd::Constant(1, -pull / 0.5), 1e-8 * pull, "lambda at rest",
+                 "the tolerance, 1e-10, with room");
   system.state.v.tail<3>() = 3 * Vector3d(std::cos(0.5), 0, std::sin(0.5));
-  expect_vector(solve(system), VectorXd::Constant(1, -(pull + 2 * 9 / 0.5) / 0.5), 1e-8 * (pull + 36),
-                "lambda at 3 m/s", "the tolerance, 1e-10, with room");
+  expect_numbers(solve(system), VectorXd::Constant(1, -(pull + 2 * 9 / 0.5) / 0.5), 1e-8 * (pull + 36),
+                 "lambda at 3 m/s", "the tolerance, 1e-10, with room");
 }
 
 TEST(SolveConstraints, TakesAPivotsVelocityAsItIs) {
   Example resting = pendulum(), flying = pendulum();
   flying.state.v << 3, 1, -2, 3, 1, -2;
-  expect_vector(solve(flying), solve(resting), 1e-8 * solve(resting).norm(),
-                "lambda of a pendulum whose pinned end moves at (3, 1, -2) m/s, and the other as fast",
-                "nothing turns, so it is that at rest; the tolerance, 1e-10, with room");
+  expect_numbers(solve(flying), solve(resting), 1e-8 * solve(resting).norm(),
+                 "lambda of a pendulum whose pinned end moves at (3, 1, -2) m/s, and the other as fast",
+                 "nothing turns, so it is that at rest; the tolerance, 1e-10, with room");
 }
 
 TEST(SolveConstraints, HasNoUnitOfItsOwn) {
@@ -264,18 +255,18 @@ TEST(SolveConstraints, HasNoUnitOfItsOwn) {
   other.constraints.rods[0].length *= unit;
   other.state.x *= unit;
   other.f *= unit;
-  expect_vector(solve(other), solve(metres), 1e-8 * solve(metres).norm(),
-                "lambda of a pendulum, all lengths and forces times 2^-40",
-                "the tolerance, 1e-10, with room");
+  expect_numbers(solve(other), solve(metres), 1e-8 * solve(metres).norm(),
+                 "lambda of a pendulum, all lengths and forces times 2^-40",
+                 "the tolerance, 1e-10, with room");
 }
 
 TEST(SolveConstraints, HoldsABead) {
   Example system = bead();
   system.state.v = Vector3d(-4, 0, 0);
   const Vector2d expected(-0.25 * 16 / 2 / 2, 9.81 * 0.25);
-  expect_vector(solve(system), expected, 1e-8 * expected.norm(),
-                "lambda of a bead at 4 m/s on a level wire of radius 2: (-m v^2 / r^2, m g)",
-                "the tolerance, 1e-10, with room");
+  expect_numbers(solve(system), expected, 1e-8 * expected.norm(),
+                 "lambda of a bead at 4 m/s on a level wire of radius 2: (-m v^2 / r^2, m g)",
+                 "the tolerance, 1e-10, with room");
 }
 
 TEST(SolveConstraints, LeavesConstraintsNoAcceleration) {
@@ -288,9 +279,9 @@ TEST(SolveConstraints, LeavesConstraintsNoAcceleration) {
     moved.state.x += t * v + t * t / 2 * a;
     return rates(moved, v + t * a);
   };
-  expect_vector((rates_at(h) - rates_at(-h)) / (2 * h), VectorXd::Zero(8), 1e-6,
-                "C'' of the moving system, by differences of your own constraint_rates, h = 2^-14",
-                "h^2 times fourth derivatives of C, about 3 |a|^2, |a| about 5: 3e-7");
+  expect_numbers((rates_at(h) - rates_at(-h)) / (2 * h), VectorXd::Zero(8), 1e-6,
+                 "C'' of the moving system, by differences of your own constraint_rates, h = 2^-14",
+                 "h^2 times fourth derivatives of C, about 3 |a|^2, |a| about 5: 3e-7");
 }
 
 TEST(SolveConstraints, FeedsErrorsBack) {
@@ -303,15 +294,15 @@ TEST(SolveConstraints, FeedsErrorsBack) {
   Example moved = system, still = system;
   moved.state.x += v;
   const VectorXd curvature = rates(moved, v) - rates(still, v);
-  expect_vector(rates(system, a) + curvature, expected, 1e-8 * expected.norm(),
-                "C'' = J a + J' v against -stiffness C - damping C'", "the tolerance, 1e-10, with room");
+  expect_numbers(rates(system, a) + curvature, expected, 1e-8 * expected.norm(),
+                 "C'' = J a + J' v against -stiffness C - damping C'", "the tolerance, 1e-10, with room");
 }
 
 TEST(SolveConstraints, SharesTheForceOfARodThatIsThereTwice) {
   Example once = pendulum(), twice = pendulum();
   twice.constraints.rods.push_back({0, 1, 0.5});
-  expect_vector(forces(twice, solve(twice)).tail<3>(), forces(once, solve(once)).tail<3>(), 1e-8 * 9.81 * 2,
-                "the force on a pendulum with the same rod twice", "the tolerance, 1e-10, with room");
+  expect_numbers(forces(twice, solve(twice)).tail<3>(), forces(once, solve(once)).tail<3>(), 1e-8 * 9.81 * 2,
+                 "the force on a pendulum with the same rod twice", "the tolerance, 1e-10, with room");
 }
 
 TEST(SolveConstraints, LeavesAlonePartsThatNothingPullsApart) {
@@ -330,8 +321,8 @@ TEST(SolveConstraints, LeavesAlonePartsThatNothingPullsApart) {
   VectorXd lambda = VectorXd::Constant(6, 1e3);
   const ConstraintReport report =
       solve_constraints(falling.constraints, falling.particles, falling.state, falling.f, lambda);
-  expect_vector(lambda, VectorXd::Zero(6), 0,
-                "lambda of a braced rectangle that falls, where nothing is to be done", "0 is exact");
+  expect_numbers(lambda, VectorXd::Zero(6), 0,
+                 "lambda of a braced rectangle that falls, where nothing is to be done", "0 is exact");
   EXPECT_EQ(report.residual, 0);
 }
 
@@ -448,9 +439,11 @@ int main(int argc, char** argv) {
        {"ConjGrad ends after a step or two, far off", "ConstraintMatrix.IsSymmetric*"},
        {"a pendulum is not carried", "SolveConstraints.CarriesAPendulum"},
        {"right at rest, wrong in motion",
-        "SolveConstraints.LeavesConstraintsNo*:SolveConstraints.HoldsABead"},
+        "SolveConstraints.LeavesConstraintsNo*:SolveConstraints.HoldsABead:SolveConstraints.TakesAPivots*"},
        {"errors are not fed back", "SolveConstraints.FeedsErrors*"},
        {"not a number where nothing pulls", "SolveConstraints.LeavesAlone*"},
-       {"what is reported is not", "SolveConstraints.Reports*:SolveConstraints.Takes*"},
+       {"what is reported is not", "SolveConstraints.Reports*"},
+       {"a long chain is not solved", "SolveConstraints.TakesTheSteps*"},
+       {"right for metres, wrong for smaller units", "SolveConstraints.HasNoUnit*"},
        {"right the first time", "SolveConstraints.Gives*"}});
 }
