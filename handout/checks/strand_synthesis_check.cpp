@@ -136,7 +136,9 @@ void expect_weights(const Vector3d& root, const Weights& expected, const std::st
       EXPECT_NEAR(weights[k], expected[k], 1e-11)
           << "weight " << k << " of a root " << where
           << " the triangle (0, 0, 1), (4, 0, 1), (0, 3, 1), moved by (" << way.transpose()
-          << "), and all lengths times " << unit;
+          << "), and all lengths times " << unit
+          << (unit == 1 ? ""
+                        : "\nhint       = other checks ask for this in metres: here only the unit differs");
   }
 }
 
