@@ -28,9 +28,11 @@ std::string hint_for_students(const checks::Hint& hint) {
     case checks::Looks::never_set:
       return "One of its numbers was never set.";
     case checks::Looks::huge:
-      return "One of its numbers is huge: was it made from a variable that was never set?";
+      return "One of its numbers is huge: was it made from a variable that was never set, or read beyond an "
+             "end?";
     case checks::Looks::tiny:
-      return "One of its numbers is tiny: was it made from a variable that was never set?";
+      return "One of its numbers is tiny: was it made from a variable that was never set, or read beyond an "
+             "end?";
     case checks::Looks::no_number:
       return "One of its numbers is no number: 0/0, a division by 0, or the root of a negative one?";
     case checks::Looks::zero:

@@ -91,11 +91,12 @@ TEST_F(Hints, NameWhatIsNoNumber) {
 
 TEST_F(Hints, NameWhatIsMadeOfAVariableThatWasNeverSet) {
   EXPECT_EQ(told({1, -5.3e303, 2}, {1, 3, 2}),
-            "entry 1 is huge: was it made from a variable that was never set?");
+            "entry 1 is huge: was it made from a variable that was never set, or read beyond an end?");
   EXPECT_EQ(told({1, 1e291}, {1, 1e291}), "") << "expected to be that large";
   EXPECT_EQ(checks::hint_of_one(-1e304, 2, false),
-            "it is huge: was it made from a variable that was never set?");
-  EXPECT_EQ(told({1, 4.7e-310}, {1, 2}), "entry 1 is tiny: was it made from a variable that was never set?");
+            "it is huge: was it made from a variable that was never set, or read beyond an end?");
+  EXPECT_EQ(told({1, 4.7e-310}, {1, 2}),
+            "entry 1 is tiny: was it made from a variable that was never set, or read beyond an end?");
   EXPECT_EQ(told({2, 4.7e-310}, {1, 0}), "") << "as good as 0";
 }
 

@@ -34,7 +34,7 @@ constexpr const char* kZero =
 constexpr const char* kInfinite = "infinite: a division by 0, or a variable that was never set?";
 constexpr const char* kNoNumber =
     "no number: 0/0, the root of a negative number, or a variable that was never set?";
-constexpr const char* kNeverSet = ": was it made from a variable that was never set?";
+constexpr const char* kNeverSet = ": was it made from a variable that was never set, or read beyond an end?";
 
 double dot(Numbers a, Numbers b) {
   double sum = 0;
