@@ -65,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(InTurn, Hints,
                                          "H8", "H9", "H10"),
                          [](const auto& named) { return named.param; });
 
-// Of code that computes nothing each exercise's report says so, or that a number was never set.
+// Each exercise's report says of code that computes nothing that it does so, or that a number was never set.
 TEST_P(Hints, ReachEachExercisesReport) {
   of(HAIR_ALLOCATING_EXERCISES);
   EXPECT_NE(hints_, "");

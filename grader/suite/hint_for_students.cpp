@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. The sentences that tell a student what wrong numbers look like.
 #include "grader/suite/hint_for_students.h"
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Asks a student's ConjGrad for solutions of linear systems, and says what they have to be.
 #include "grader/suite/linear_system.h"
 
 #include <algorithm>

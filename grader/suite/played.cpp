@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Reads a run that a worker has played.
 #include "grader/suite/played.h"
 
 #include <numeric>

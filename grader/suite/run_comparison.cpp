@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Plays the reference's run beside a worker's, and measures how far they are apart.
 #include "grader/suite/run_comparison.h"
 
 #include <algorithm>

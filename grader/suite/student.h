@@ -22,7 +22,7 @@ namespace grader {
 
 class Recording;
 
-// What an answer's note says where calls of given functions lie within each other too deeply.
+// An answer's note says this where calls of given functions lie within each other too deeply.
 inline constexpr const char* kNestedCalls = "calls within calls";
 
 struct WorkerSetup {

@@ -151,7 +151,7 @@ class ScenesShow : public testing::Test {
     }
   }
 
-  // Of another right solution, in each scene. The distances mean something only if it ends as the reference does, not far from it.
+  // How far another right solution is, in each scene. Distances mean something only if it ends as the reference does, not far from it.
   std::vector<double> right_distances() const {
     const Exercise& exercise = *course_.find(id_);
     const fs::path plain = kProject / "grader/samples/solutions/plain" / exercise.file;

@@ -25,7 +25,7 @@ namespace {
 
 const double kU = std::ldexp(1.0, -53);
 
-// Of a strand along z, its segments so long, with rest lengths of 1 and 2 m; of what an iteration makes of it, if one is made.
+// Takes a strand along z, its segments so long, with rest lengths of 1 and 2 m; and what an iteration makes of it, if one is made.
 void measures_the_error(Correction correction) {
   for (const auto& [first, second] :
        {std::pair{1.25, 2.0}, {0.75, 2.0}, {1.0, 2.5}, {0.5, 2.5}, {1.0, 1.0}}) {
@@ -53,7 +53,7 @@ void corrects_one_segment(Correction correction) {
   }
 }
 
-// Where lengths are right.
+// It is asked of strands whose lengths are right.
 void says_that_it_converged(Correction correction) {
   for (int count : {1, 2, 3, 10}) {
     const Strand strand = strand_of(count, 3);

@@ -13,7 +13,7 @@ namespace hair::bowl {
 // A section for each path. `left_out` says why that of the normal equations is missing, or is empty.
 Page bowl_page(const std::vector<solver::study::BowlPath>& paths, const std::string& left_out);
 
-// Where it begins, and after how many steps it is at the bottom; the numbers decide.
+// Says where it begins, and after how many steps it is at the bottom; the numbers decide.
 std::string path_verdict(const solver::study::BowlPath& path);
 
 // A row for each place of each path.
