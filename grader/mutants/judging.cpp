@@ -1,7 +1,6 @@
 // STAFF ONLY. Grades a wrong program as far as needed.
 #include "grader/mutants/judging.h"
 
-#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -35,8 +34,8 @@ Judged Judging::judge(const std::string& name, const std::string& source) const 
   const double seconds = settings_.course.budget.compiler_cpu_seconds;
   const Compiled compiled = compiler_.compile(exercise_, source, job, seconds);
   if (compiled.object.empty()) return {Judgement::does_not_compile};
-  if (const int categories = lost(name, compiled.object, job); categories > 0)
-    return {Judgement::loses_points, categories};
+  if (std::vector<CaseResult> categories = lost(name, compiled.object, job); !categories.empty())
+    return {Judgement::loses_points, std::move(categories)};
 
   Submission submission;
   submission.name = name;
@@ -48,14 +47,14 @@ Judged Judging::judge(const std::string& name, const std::string& source) const 
   return {result.status == Status::passed ? Judgement::gets_all : Judgement::loses_points};
 }
 
-int Judging::lost(const std::string& name, const fs::path& object, const fs::path& job) const {
+std::vector<CaseResult> Judging::lost(const std::string& name, const fs::path& object,
+                                      const fs::path& job) const {
   SuiteJob cases = jobs_.cases(exercise_, name, object, job);
   cases.pictures.reset();
-  cases.count_cases = false;
   ExerciseTiming timing;
-  const SuiteResult found = jobs_.run(cases, timing);
-  const auto is_lost = [](const CaseResult& one) { return one.status != Status::passed; };
-  return static_cast<int>(std::ranges::count_if(found.cases, is_lost));
+  SuiteResult found = jobs_.run(cases, timing);
+  std::erase_if(found.cases, [](const CaseResult& one) { return one.status == Status::passed; });
+  return std::move(found.cases);
 }
 
 }  // namespace grader

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "grader/compile/compiler.h"
 #include "grader/compile/kit.h"
@@ -20,8 +21,8 @@ class Judging {
   Judged judge(const std::string& name, const std::string& source) const;
 
  private:
-  int lost(const std::string& name, const std::filesystem::path& object,
-           const std::filesystem::path& job) const;
+  std::vector<CaseResult> lost(const std::string& name, const std::filesystem::path& object,
+                               const std::filesystem::path& job) const;
 
   GradingSettings settings_;
   const Exercise& exercise_;

@@ -28,7 +28,6 @@ struct Fields<SuiteJob> {
                                 field("isolation", &T::isolation),
                                 field("cpu_seconds", &T::cpu_seconds),
                                 field("allowance", &T::allowance),
-                                field("count_cases", &T::count_cases),
                                 field("pictures", &T::pictures),
                                 field("sanitised", &T::sanitised),
                                 field("whole_run", &T::whole_run),

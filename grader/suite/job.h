@@ -34,8 +34,6 @@ struct SuiteJob {
   Isolation isolation = Isolation::namespaces;
   int cpu_seconds = 10;
   Budget allowance = {};
-  bool count_cases =
-      true;  // of wrong categories, how many of their cases hold; tests of mutants need only the first
   std::optional<std::filesystem::path> pictures =
       {};  // the folder of the reference's pictures; nothing: none are drawn
 

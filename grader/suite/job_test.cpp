@@ -22,7 +22,6 @@ SuiteJob job() {
   job.isolation = Isolation::none;
   job.cpu_seconds = 7;
   job.allowance = {1, 2, 3, 4, 5, 6, 7};
-  job.count_cases = false;
   job.pictures = "/tmp/pictures";
   job.sanitised = "";
   job.whole_run = {"/tmp/scene.json", "5eed2", "/tmp/player.so", 9};

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iostream>
 #include <map>
 #include <sstream>
 
@@ -35,6 +36,12 @@ std::string in_words(const Exercise& exercise, const std::string& source, const 
   return words.str();
 }
 
+// Half of the cases of its ordinary work fail: of the lost category that weighs most.
+bool is_of_no_use(const std::vector<CaseResult>& lost) {
+  const CaseResult& ordinary = *std::ranges::max_element(lost, {}, &CaseResult::max_points);
+  return 2 * ordinary.held <= ordinary.cases;
+}
+
 }  // namespace
 
 void expect_mutants_found(const Exercise& exercise, const Judge& judge, const std::string& advice) {
@@ -45,7 +52,10 @@ void expect_mutants_found(const Exercise& exercise, const Judge& judge, const st
   const auto count = static_cast<std::size_t>(std::stoi(environment("HAIR_MUTANTS", "40")));
   const std::vector<Equivalent> equivalents = equivalents_of(exercise.id, project);
 
-  std::map<int, int> losing;  // wrong programs by the number of categories that they lose
+  struct Programs {
+    int all = 0, of_no_use = 0;
+  };
+  std::map<std::size_t, Programs> losing;  // wrong programs by the number of categories that they lose
   std::size_t tried = 0, wrong = 0, found = 0, equivalent = 0, broken = 0;
   // As many as are missing at once: others take the place of those that do not compile or are known.
   while (wrong < count && tried < order.size()) {
@@ -73,7 +83,14 @@ void expect_mutants_found(const Exercise& exercise, const Judge& judge, const st
       } else {
         ++wrong;
         found += is_found;
-        if (mutant.judged.lost > 0) ++losing[mutant.judged.lost];
+        if (const auto& lost = mutant.judged.lost; !lost.empty()) {
+          ++losing[lost.size()].all;
+          losing[lost.size()].of_no_use += is_of_no_use(lost);
+          std::cout << mutant.name << " loses " << lost.size() << ":";
+          for (const CaseResult& one : lost)
+            std::cout << " " << one.name << " (" << one.held << " of " << one.cases << " hold);";
+          std::cout << " " << in_words(exercise, source, mutant.mutation);
+        }
         EXPECT_TRUE(is_found) << in_words(exercise, source, mutant.mutation) << mutant.name
                               << " is not found. " << advice;
       }
@@ -85,7 +102,8 @@ void expect_mutants_found(const Exercise& exercise, const Judge& judge, const st
   std::printf("%s: of %zu wrong programs %zu are found (%.1f %%); %zu are equivalent, %zu do not compile\n",
               exercise.id.c_str(), wrong, found, wrong ? 100.0 * found / wrong : 100.0, equivalent, broken);
   for (const auto& [categories, programs] : losing)
-    std::printf("  %d lose %d %s\n", programs, categories, categories == 1 ? "category" : "categories");
+    std::printf("  %d lose %zu %s, %d of them of no use\n", programs.all, categories,
+                categories == 1 ? "category" : "categories", programs.of_no_use);
 }
 
 }  // namespace grader
