@@ -406,6 +406,16 @@ TEST(AddStripProduct, IsTheSlopeOfTheForce) {
         strip_products(s.contacts, s.x, dx), [&](const VectorXd& x) { return strip_forces(s.contacts, x); },
         s.x, dx, 1, 10);
   }
+  // Of two points the first is farther away than the thickness.
+  VectorXd two(15);
+  two << above_triangle(0.3), 0.5, 0.75, 0.05;
+  const VectorXd dx = scattered_vector(15, 4);
+  std::vector<StripContact> contacts(2, some_contact());
+  contacts[1].point = 4;
+  expect_entries(
+      strip_products(contacts, two, dx), strip_products({contacts[1]}, two, dx), 1e-12,
+      "the product of a contact that does not press and of one that does, beside that of the second alone",
+      kRounding);
   expect_entries(strip_products({some_contact()}, above_triangle(0.3), scattered_vector(12, 1)), zeros(4), 0,
                  "the product of a point farther away than the thickness", "0");
 }

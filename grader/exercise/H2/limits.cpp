@@ -143,12 +143,15 @@ void nearly_straight(Trial& trial) {
 void straight_products(Trial& trial) {
   constexpr double kLittle = 1e-5;
   Random& random = trial.random;
-  // One direction to the last bit; and four where bends are roundings, which point anywhere: some happen to be 0.
-  for (int repeat = 0; repeat < 5; ++repeat) {
-    const bool exactly = repeat == 0;
+  // Two directions to the last bit, the second one of few bits, with a cosine that rounds to less than 1; and four where bends are
+  // roundings, which point anywhere: some happen to be 0.
+  for (int repeat = 0; repeat < 6; ++repeat) {
+    const bool exactly = repeat < 2;
     const Strand strand = toy_strand(random, 7);
-    const Vector3d direction = exactly ? Vector3d(0, -1, 0) : random_direction(random),
-                   aside = random_direction(random);
+    Vector3d direction = random_direction(random);
+    if (repeat == 0) direction = Vector3d(0, -1, 0);
+    if (repeat == 1) direction = Vector3d(-0x1.6a09ep-1, 0, 0x1.6a09ep-1);
+    const Vector3d aside = random_direction(random);
     const Posed posed = straight_pose(strand, strand.rest_length, direction,
                                       exactly ? "straight" : "straight, rounded"),
                 bent = zigzag(strand, direction, aside, kLittle),

@@ -28,9 +28,9 @@ int reference_steps(const ConstrainedSystem& system) {
   return steps;
 }
 
-// Of the solve before.
+// Of the solve before. For fewer than five rows, which take no more than a few steps, no limit is asked for.
 void expect_limit(Trial& trial, const ConstrainedSystem& system) {
-  if (trial.provided_solves().size() != 1) return;
+  if (trial.provided_solves().size() != 1 || system.rows() < 5) return;
   const int most = trial.provided_solves()[0].most, limit = std::max(100, 20 * system.rows());
   const bool default_is_the_same = limit == std::max(100, 2 * system.rows());
   trial.expect(most == limit || (most == 0 && default_is_the_same),
