@@ -46,6 +46,7 @@ TEST_F(Hints, NameAFactorOfAllNumbers) {
     EXPECT_EQ(told(times(1e-3, expected), expected), "0.001 times what was expected: a factor?");
   }
   EXPECT_EQ(told({4}, {2}), "") << "of one number there is always a factor";
+  EXPECT_EQ(told({-4}, {4}), "-1 times what was expected: a sign?");
   EXPECT_EQ(told({4, 0, 0}, {2, 0, 0}), "") << "and where all others are 0";
   EXPECT_EQ(told({2, 4, 6, -2, -4, -6}, {1, 2, 3, -1, -2, -3}), "") << "a force at both ends is one vector";
 }
@@ -84,7 +85,7 @@ TEST_F(Hints, NameWhatIsNoNumber) {
   std::memcpy(&actual[1], &fresh, sizeof fresh);
   EXPECT_EQ(told(actual, expected), "entry 1 was never set");
   EXPECT_EQ(told(Numbers(4), expected),
-            "all of it is 0: never written, left out by a condition or a loop's bounds, a factor that is 0, "
+            "all of it is 0: never written, left out by a condition or a loop's bounds, cut off by a min or max, a factor that is 0, "
             "or terms "
             "that cancel?");
 }

@@ -190,7 +190,8 @@ std::string own_lines(const std::string& written) {
 }
 
 std::string signal_in_words(int signal) {
-  if (signal == SIGSEGV || signal == SIGBUS) return "it reached for memory that is not its own";
+  if (signal == SIGSEGV || signal == SIGBUS)
+    return "it reached for memory that is not its own: an array's size, an index, or a loop's bound?";
   if (signal == SIGFPE) return "an integer was divided by 0";
   if (signal == SIGXCPU) return "it took too long, and was ended: a loop that never ends?";
   if (signal == SIGALRM) return "it waited for too long, and was ended";

@@ -73,8 +73,8 @@ double residual_gap(double norm_of_A, double e, const Vector& solution, const Ve
 }
 
 std::string hint_line(std::span<const double> actual, std::span<const double> expected, double bound,
-                      int block) {
-  const std::string told = hint(actual, expected, bound, block);
+                      int block, std::span<const double> before) {
+  const std::string told = hint(actual, expected, bound, block, before);
   return told.empty() ? "" : "\nhint       = " + told;
 }
 

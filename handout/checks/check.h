@@ -62,7 +62,7 @@ double residual_gap(double norm_of_A, double e, const Vector& solution, const Ve
 
 // "\nhint       = ...", or "": the last line of a failure (hint.h).
 std::string hint_line(std::span<const double> actual, std::span<const double> expected, double bound,
-                      int block = 1);
+                      int block = 1, std::span<const double> before = {});
 
 // Fails, with all that is needed to understand it, unless ||x - solution|| <= bound.
 void expect_near(const Vector& x, const Vector& solution, double bound, const std::string& source_of_bound);

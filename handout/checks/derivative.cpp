@@ -94,8 +94,13 @@ VectorXd product_by_differences(const Field& force, const VectorXd& x, const Vec
 
 namespace {
 
+std::span<const double> span_of(const VectorXd& numbers) {
+  return {numbers.data(), static_cast<std::size_t>(numbers.size())};
+}
+
 void expect_named(const VectorXd& actual, const VectorXd& expected, double bound, const std::string& what,
-                  const std::string& source_of_bound, const Named& named, int block) {
+                  const std::string& source_of_bound, const Named& named, int block,
+                  const VectorXd& before = {}) {
   ASSERT_EQ(actual.size(), expected.size());
   Eigen::Index worst = 0;
   double error = 0;
@@ -112,17 +117,16 @@ void expect_named(const VectorXd& actual, const VectorXd& expected, double bound
                 << "actual   = " << actual[worst] << ", all of it: " << named.all(actual) << "\n"
                 << "error    = " << error << "\n"
                 << "bound    = " << bound << " = " << source_of_bound
-                << hint_line({actual.data(), static_cast<std::size_t>(actual.size())},
-                             {expected.data(), static_cast<std::size_t>(expected.size())}, bound, block);
+                << hint_line(span_of(actual), span_of(expected), bound, block, span_of(before));
 }
 
 }  // namespace
 
 void expect_entries(const VectorXd& actual, const VectorXd& expected, double bound, const std::string& what,
-                    const std::string& source_of_bound) {
+                    const std::string& source_of_bound, const VectorXd& before) {
   const bool particles = actual.size() % 3 == 0;
   expect_named(actual, expected, bound, what, source_of_bound,
-               particles ? as_particles(actual.size()) : as_numbers(), particles ? 3 : 1);
+               particles ? as_particles(actual.size()) : as_numbers(), particles ? 3 : 1, before);
 }
 
 void expect_numbers(const VectorXd& actual, const VectorXd& expected, double bound, const std::string& what,

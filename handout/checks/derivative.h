@@ -40,9 +40,10 @@ void expect_product(const Eigen::VectorXd& actual, const Field& force, const Eig
                     const Eigen::VectorXd& dx, double length, double scale);
 
 // No entry of `actual` is off by more than `bound`. `what` names them in a failure, which shows the worst. Three entries
-// are a vector's, more are those of particles.
+// are a vector's, more are those of particles. `before`, if given: the input, or what stood there before the call.
 void expect_entries(const Eigen::VectorXd& actual, const Eigen::VectorXd& expected, double bound,
-                    const std::string& what, const std::string& source_of_bound);
+                    const std::string& what, const std::string& source_of_bound,
+                    const Eigen::VectorXd& before = {});
 
 // The same of joints' rates, curvatures and other numbers that belong to no particle.
 void expect_numbers(const Eigen::VectorXd& actual, const Eigen::VectorXd& expected, double bound,

@@ -81,8 +81,16 @@ std::string hint_of_two_values(const std::vector<std::string>& lines, bool produ
 
 // A check that broke off: Eigen's assertions, the library's and the sanitizer speak of a place outside.
 std::string hint_of_place(const std::string& text) {
-  for (const char* words : {"Assertion `index >= 0", "Assertion `row >= 0", "Assertion `startRow >= 0",
-                            "Assertion `(i>=0)", "Assertion '__n < this->size()", "-buffer-overflow"})
+  if (text.find("Assertion `(i>=0)") != std::string::npos)
+    return "a column or a row outside of a matrix, such as `scratch` or memory of your own: its number, or "
+           "how many "
+           "there are?";
+  if (text.find("Assertion `row >= 0") != std::string::npos)
+    return "an entry (row, column) outside of a matrix: a loop's bound, or `i + 1` or `i - 1` at an end?";
+  if (text.find("== RowsAtCompileTime") != std::string::npos)
+    return "a vector of another size than the three numbers of a particle?";
+  for (const char* words : {"Assertion `index >= 0", "Assertion `startRow >= 0",
+                            "Assertion '__n < this->size()", "-buffer-overflow"})
     if (text.find(words) != std::string::npos)
       return "a place outside of a vector or matrix: a loop's bound, `i + 1` or `i - 1`, the 3 of 3 i, or a "
              "branch for another case?";

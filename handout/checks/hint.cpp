@@ -30,7 +30,9 @@ bool is_a_rest(double value) {
 }
 
 constexpr const char* kZero =
-    "0: never written, left out by a condition or a loop's bounds, a factor that is 0, or terms that cancel?";
+    "0: never written, left out by a condition or a loop's bounds, cut off by a min or max, a factor that is "
+    "0, or terms that "
+    "cancel?";
 constexpr const char* kInfinite = "infinite: a division by 0, or a variable that was never set?";
 constexpr const char* kNoNumber =
     "no number: 0/0, the root of a negative number, or a variable that was never set?";
@@ -128,7 +130,8 @@ Hint signs_of(Numbers actual, Numbers expected, double bound) {
     if (!(std::abs(std::abs(actual[i]) - std::abs(expected[i])) <= bound)) return {};
     differs = differs || std::abs(actual[i] - expected[i]) > bound;
   }
-  return differs && actual.size() > 1 ? Hint{Looks::wrong_signs} : Hint{};
+  if (!differs) return {};
+  return actual.size() > 1 ? Hint{Looks::wrong_signs} : Hint{Looks::a_factor, -1};
 }
 
 // At least two are wrong, and all of these are what stood there before the call.
@@ -242,6 +245,7 @@ std::string hint_of_one(double actual, double expected, bool product) {
   if (is_made_of_it(actual) && !is_made_of_it(expected)) return std::string("it is huge") + kNeverSet;
   if (std::isnan(actual)) return std::string("it is ") + kNoNumber;
   if (std::isinf(actual) && std::isfinite(expected)) return std::string("it is ") + kInfinite;
+  if (actual == kFill && expected != kFill) return "it is 1000, as before the call: never written?";
   if (expected == 0 || !std::isfinite(expected)) return "";
   if (actual == 0) return std::string("it is ") + kZero;
   if (is_a_rest(actual) && !is_a_rest(expected)) return std::string("it is tiny") + kNeverSet;

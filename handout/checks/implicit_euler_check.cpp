@@ -75,7 +75,7 @@ TEST(ImplicitMatrix, IsTheMassesWhereNothingActs) {
   const Spring none(0, 1, GeometricTerm::full);
   expect_entries(times(*implicit_matrix(none, kFree, apart(), 0.1, 0.1), six(1, 2, 3, 4, 5, 6)),
                  six(2, 4, 6, 12, 15, 18), 0, "the product of M with (1, 2, 3, 4, 5, 6), masses 2 and 3 kg",
-                 "small integers don't round");
+                 "small integers don't round", six(1, 2, 3, 4, 5, 6));
 }
 
 TEST(ImplicitMatrix, SubtractsBothDerivatives) {
@@ -341,8 +341,8 @@ TEST(ImplicitEuler, MovesWithTheNewVelocity) {
   implicit_euler(spring, kFree, 0.5, 1e-10, state, scratch);
   EXPECT_EQ(spring.forces, 1) << "evaluations of the force";
   EXPECT_GT((state.v - before.v).norm(), 0.1) << "the velocity does not change: is the result in `state`?";
-  expect_entries(state.x, before.x + 0.5 * state.v, 64 * kU,
-                 std::string("x + h times the new v, h = 0.5, ") + kText, "64 u: rounding");
+  expect_entries(state.x - before.x, 0.5 * state.v, 64 * kU,
+                 std::string("how far x moves: h times the new v, h = 0.5, ") + kText, "64 u: rounding");
 }
 
 TEST(ImplicitEuler, TakesTheSameStepHoweverOftenItIsAsked) {

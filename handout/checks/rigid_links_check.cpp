@@ -411,6 +411,26 @@ TEST(InwardInertias, GoFromChildToParent) {
       << expected;
 }
 
+TEST(InwardInertias, AddUpWhereTwoLinksHangFromOne) {
+  const Links chain = placed(kQ).links;
+  const Links first = chain_of({chain[3]}), second = chain_of({chain[4]});
+  Links both = chain_of({chain[3], chain[4]});
+  both[2].parent = 0;
+  const auto base_of = [](const Links& links) {
+    const VectorXd rates = VectorXd::Constant(rates_of(links), 2);
+    return pass_2(links, rates, pass_1(links, rates))[0];
+  };
+  const LinkPass one = base_of(first), other = base_of(second), sum = base_of(both);
+  const std::string of = " of a base from which two links hang, beside the sum of those with one link each",
+                    source = "1e-12: rounding";
+  expect_matrix(sum.inertia.M, one.inertia.M + other.inertia.M, 1e-12, "M of I^A" + of, source);
+  expect_matrix(sum.inertia.H, one.inertia.H + other.inertia.H, 1e-12, "H of I^A" + of, source);
+  expect_matrix(sum.inertia.J, one.inertia.J + other.inertia.J, 1e-12, "J of I^A" + of, source);
+  expect_vector(sum.bias.force, one.bias.force + other.bias.force, 1e-12, "the force in Z^A" + of, source);
+  expect_vector(sum.bias.torque, one.bias.torque + other.bias.torque, 1e-12, "the torque in Z^A" + of,
+                source);
+}
+
 TEST(InwardInertias, AddWhatStiffensAJoint) {
   Links links = pendulum(2, 0.5, 0);
   links[1].stiffening(0, 0) = 1.5;
@@ -460,6 +480,13 @@ TEST(OutwardAccelerations, OfAPendulum) {
     expect_vector(passes[1].a.linear, Vector3d(0, found[0], 0).cross(d) - 16 * d, 1e-12,
                   "a of its mass, which circles at 4 rad/s", "1e-12");
   }
+}
+
+TEST(OutwardAccelerations, OfABaseAlone) {
+  const Links base(1);
+  Passes passes;
+  EXPECT_EQ(all_passes(base, VectorXd(0), VectorXd(0), passes).size(), 0)
+      << "a base has no joint, and no rate";
 }
 
 TEST(OutwardAccelerations, OfTwoPendulumsOnOneBase) {
@@ -681,8 +708,8 @@ int main(int argc, char** argv) {
       {{"Spherical joints", "SphericalJoints.*"},
        {"Links of any size, weight and speed", "*.OfPendulumsOfAnySize:*.OfJointsOfAnySpeed"},
        {"The base's inertia, and values from before", "*.OverwriteWhat*:*.BeginWith*"},
-       {"Long chains", "*.BeginAtTheTip*"},
-       {"Trees", "*.GoFromParent*:*.GoFromChild*:*.OfTwoPendulums*"},
+       {"Long chains", "*.BeginAtTheTip*:*.OfABaseAlone"},
+       {"Trees", "*.GoFromParent*:*.GoFromChild*:*.AddUpWhere*:*.OfTwoPendulums*"},
        {"Pass 1: accelerations of joints that move", "*.AccelerateWhat*"},
        {"Pass 1: forces on links", "*.GiveEulers*"},
        {"Pass 1: velocities", "OutwardVelocities.*"},
@@ -698,7 +725,7 @@ int main(int argc, char** argv) {
        {"a gain is wrong", "InwardInertias.Gain*:InwardInertias.TakeTheInertia*"},
        {"I^A is wrong", "InwardInertias.OfAPendulum*:InwardInertias.OfAChain*"},
        {"Z^A is wrong", "InwardInertias.Carry*"},
-       {"chains are right, trees are not", "*.GoFrom*:OutwardAccelerations.OfTwo*"},
+       {"chains are right, trees are not", "*.GoFrom*:*.AddUpWhere*:OutwardAccelerations.OfTwo*"},
        {"stiff joints are wrong", "InwardInertias.AddWhat*:*.AreStiffened*:*.ObeyNewtonAndEulerWhere*"},
        {"accelerations are wrong",
         "*.TakeTheGain*:*.OfAPendulum:*.OfABase*:*.OfADouble*:OutwardAccelerations.ObeyNewton*"},

@@ -132,13 +132,16 @@ void expect_weights(const Vector3d& root, const Weights& expected, const std::st
     Corners corners = kTriangle;
     for (Vector3d& corner : corners) corner = unit * (corner + way);
     const Weights weights = hair::root_weights(corners, unit * (root + way));
+    const bool inside = std::ranges::all_of(expected, [](double weight) { return weight > 0; });
     for (int k = 0; k < 3; ++k)
       EXPECT_NEAR(weights[k], expected[k], 1e-11)
           << "weight " << k << " of a root " << where
           << " the triangle (0, 0, 1), (4, 0, 1), (0, 3, 1), moved by (" << way.transpose()
           << "), and all lengths times " << unit
-          << (unit == 1 ? ""
-                        : "\nhint       = other checks ask for this in metres: here only the unit differs");
+          << (unit != 1 ? "\nhint       = other checks ask for this in metres: here only the unit differs"
+              : inside && weights[k] == 0
+                  ? "\nhint       = 0 inside of a triangle: was the root taken for one beside it?"
+                  : "");
   }
 }
 

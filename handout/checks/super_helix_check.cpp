@@ -658,6 +658,7 @@ int main(int argc, char** argv) {
               {"curls that hang down straight", "ElasticForce.*"},
               {"the step returns 0", "*.SolvesItsSystemHoweverLight"},
               {"right for elements of a metre", "*.OfElementsOfAnyLength"},
+              {"a frame's turns are wrong", "JacobianAt.TurnsAsTheFrame*"},
               {"the Jacobian is not", "JacobianAt.*"},
               {"generalised forces are wrong", "GeneralisedForce.*"},
               {"the mass matrix is wrong", "MassMatrix.OfAStraight*:MassMatrix.OfEach*"},
