@@ -84,10 +84,10 @@ TEST_F(Hints, NameWhatIsNoNumber) {
   const std::uint64_t fresh = 0xfefefefefefefefe;
   std::memcpy(&actual[1], &fresh, sizeof fresh);
   EXPECT_EQ(told(actual, expected), "entry 1 was never set");
-  EXPECT_EQ(told(Numbers(4), expected),
-            "all of it is 0: never written, left out by a condition or a loop's bounds, cut off by a min or max, a factor that is 0, "
-            "or terms "
-            "that cancel?");
+  EXPECT_EQ(
+      told(Numbers(4), expected),
+      "all of it is 0: never written, left out by a condition or a loop's bounds, cut off by a min or max, "
+      "a factor that is 0, a term that is missing, or terms that cancel?");
 }
 
 TEST_F(Hints, NameWhatIsMadeOfAVariableThatWasNeverSet) {
@@ -133,7 +133,7 @@ TEST_F(Hints, NameATranspose) {
 TEST_F(Hints, NameWhatStoodThereBefore) {
   const Numbers expected = numbers(6), before = numbers(6);
   EXPECT_EQ(hint(before, expected, kBound, 3, before),
-            "the input, or what stood there before, unchanged: never written, or nothing done?");
+            "the input, or what stood there before, unchanged: never written, nothing done, or undone again?");
   EXPECT_EQ(hint(expected, expected, kBound, 3, expected), "") << "where nothing is to be changed";
   EXPECT_EQ(hint(numbers(6), expected, kBound, 3, before), "");
 }

@@ -542,7 +542,7 @@ int main(int argc, char** argv) {
        {"small bends have energies like stairs", "BendEnergy.OfSmall*"},
        {"right for free strands, and a clamped one", "*Clamped*"},
        {"right after zeros", "*.IsAddedTo*"},
-       {"NaN for a straight strand", "*.OfAStraight*"},
+       {"NaN or 0 for a straight strand", "*.OfAStraight*"},
        {"wrong beside a segment of length 0", "*.WhereDirections*:*.BesideASegment*"},
        {"wrong at the fold, or next to it", "*.AtTheFold*:*.NextToTheFold"},
        {"the force of one joint is wrong", "AddBendForce.OfOneJoint"},

@@ -213,7 +213,7 @@ std::string how_it_ended(int signal, const std::string& written) {
     for (const char* end : {" on ", " 0x", " (", " exceeds"}) words = words.substr(0, words.find(end));
   for (const char* heap : {"munmap_chunk()", "malloc()", "free()", "corrupted size", "double free"})
     if (words.empty() && written.find(heap) != std::string::npos)
-      words = "memory beyond the end of an array was written: its size, or a loop's bound?";
+      words = "memory beyond the end of an array was written: its size, a loop's bound, or `i + 1`?";
   if (words.empty()) words = signal == 0 ? "the program left in the middle of it" : signal_in_words(signal);
   const std::string place = place_in(written);
   return words + (place.empty() ? "" : "\nin " + place);

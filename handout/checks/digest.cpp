@@ -79,23 +79,33 @@ std::string hint_of_two_values(const std::vector<std::string>& lines, bool produ
   return counts(lines) ? hint_of_count(equal[0], equal[1]) : hint_of_one(equal[0], equal[1], product);
 }
 
-// A check that broke off: Eigen's assertions, the library's and the sanitizer speak of a place outside.
+// What a check broke off with, in Eigen's assertions, the library's and the sanitizer's words.
+struct Ending {
+  const char *words, *told;
+};
+constexpr const char* kOutside =
+    "a place outside of a vector or matrix: a loop's bound, `i + 1` or `i - 1`, the 3 of 3 i, or a branch "
+    "for another case?";
+constexpr Ending kEndings[] = {
+    {"Assertion `(i>=0)",
+     "a column or a row outside of a matrix, such as `scratch` or memory of your own: its number, or how "
+     "many there are?"},
+    {"Assertion `row >= 0",
+     "an entry (row, column) outside of a matrix: a loop's bound, or `i + 1` or `i - 1` at an end?"},
+    {"==RowsAtCompileTime", "a vector of another size than the three numbers of a particle?"},
+    {"== RowsAtCompileTime", "a vector of another size than the three numbers of a particle?"},
+    {"expr.rows()==1 || expr.cols()==1",
+     "a matrix where a vector is due: arguments in another order, or all of `scratch` for a column of it?"},
+    {"Assertion `index >= 0", kOutside},
+    {"Assertion `startRow >= 0", kOutside},
+    {"Assertion '__n < this->size()", kOutside},
+    {"-buffer-overflow", kOutside},
+    {"using an empty matrix", "the largest or smallest of no numbers?"}};
+
 std::string hint_of_place(const std::string& text) {
-  if (text.find("Assertion `(i>=0)") != std::string::npos)
-    return "a column or a row outside of a matrix, such as `scratch` or memory of your own: its number, or "
-           "how many "
-           "there are?";
-  if (text.find("Assertion `row >= 0") != std::string::npos)
-    return "an entry (row, column) outside of a matrix: a loop's bound, or `i + 1` or `i - 1` at an end?";
-  if (text.find("== RowsAtCompileTime") != std::string::npos)
-    return "a vector of another size than the three numbers of a particle?";
-  for (const char* words : {"Assertion `index >= 0", "Assertion `startRow >= 0",
-                            "Assertion '__n < this->size()", "-buffer-overflow"})
-    if (text.find(words) != std::string::npos)
-      return "a place outside of a vector or matrix: a loop's bound, `i + 1` or `i - 1`, the 3 of 3 i, or a "
-             "branch for another case?";
-  return text.find("using an empty matrix") == std::string::npos ? ""
-                                                                 : "the largest or smallest of no numbers?";
+  for (const Ending& one : kEndings)
+    if (text.find(one.words) != std::string::npos) return one.told;
+  return "";
 }
 
 Message message_of(const std::string& text, bool product) {

@@ -31,8 +31,8 @@ bool is_a_rest(double value) {
 
 constexpr const char* kZero =
     "0: never written, left out by a condition or a loop's bounds, cut off by a min or max, a factor that is "
-    "0, or terms that "
-    "cancel?";
+    "0, "
+    "a term that is missing, or terms that cancel?";
 constexpr const char* kInfinite = "infinite: a division by 0, or a variable that was never set?";
 constexpr const char* kNoNumber =
     "no number: 0/0, the root of a negative number, or a variable that was never set?";
@@ -223,7 +223,8 @@ std::string hint(Numbers actual, Numbers expected, double bound, int block, Numb
     case Looks::zero:
       return std::string("all of it is ") + kZero;
     case Looks::unchanged:
-      return "the input, or what stood there before, unchanged: never written, or nothing done?";
+      return "the input, or what stood there before, unchanged: never written, nothing done, or undone "
+             "again?";
     case Looks::filled:
       return "wrong where 1000 stands, as before the call: never written?";
     case Looks::wrong_at_the_end:

@@ -129,10 +129,14 @@ const Corners kTriangle = {Vector3d(0, 0, 1), Vector3d(4, 0, 1), Vector3d(0, 3, 
 void expect_weights(const Vector3d& root, const Weights& expected, const std::string& where,
                     double unit = 1) {
   for (const Vector3d& way : {Vector3d(0, 0, 0), Vector3d(-2, 1, 3)}) {
-    Corners corners = kTriangle;
-    for (Vector3d& corner : corners) corner = unit * (corner + way);
-    const Weights weights = hair::root_weights(corners, unit * (root + way));
     const bool inside = std::ranges::all_of(expected, [](double weight) { return weight > 0; });
+    // A fourth corner at the root would win over all edges.
+    struct {
+      Corners corners;
+      Vector3d behind;
+    } laid{kTriangle, inside ? Vector3d(Vector3d::Constant(std::nan(""))) : Vector3d(unit * (root + way))};
+    for (Vector3d& corner : laid.corners) corner = unit * (corner + way);
+    const Weights weights = hair::root_weights(laid.corners, unit * (root + way));
     for (int k = 0; k < 3; ++k)
       EXPECT_NEAR(weights[k], expected[k], 1e-11)
           << "weight " << k << " of a root " << where
