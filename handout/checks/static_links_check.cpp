@@ -428,8 +428,10 @@ TEST(ApplyStripFriction, SlipsWithCoulombsForce) {
     inverse_mass[3] = inverse;
     VectorXd expected = v;
     expected.tail<3>() = Vector3d(3, 4, 0) * (5 - 0.2 * inverse) / 5 + Vector3d(0, 0, 7);
-    expect_entries(after_friction(above_triangle(0.05), inverse_mass, 0.1, v), expected, 1e-12,
-                   "velocities after 0.1 s; the corners are pinned, the point has 1 or 0.5 kg", kRounding);
+    expect_entries(
+        after_friction(above_triangle(0.05), inverse_mass, 0.1, v), expected, 1e-12,
+        "velocities after 0.1 s, (3, 4, 7) before; the corners are pinned, the point has 1 or 0.5 kg",
+        kRounding, v);
   }
 }
 
