@@ -447,6 +447,17 @@ TEST(ConjGrad, EndsBeforeXOverflows) {
     EXPECT_EQ(out.x, b) << "x is the last one that was finite: the first guess, b";
     EXPECT_FALSE(out.returned <= 1e-9) << "returned " << out.returned;
   }
+  // With B = b / a: after the first step x = (1.6 B, 1.6 B), to some twenty roundings; the second one would lead to (B, 4 B), and
+  // 4 B = 2.4e308 is no double, though 1.6 B - 2.4 B is one.
+  const double b = 2e140, B = 6e307;
+  const std::string name = "A = [a 0; 0 a/4], a = 3.3e-168, b = (2e140, 2e140)";
+  SCOPED_TRACE(call(name, 1e-9, 0));
+  solver::SparseMatrix A = diagonal({b / B, b / B / 4});
+  const Outcome out = solve(A, {b, b}, 1e-9, 0);
+  EXPECT_EQ(out.steps, 2) << "the second iteration fails, and counts";
+  for (int i : {0, 1})
+    EXPECT_LE(std::abs(out.x[i] / (1.6 * B) - 1), 64 * 0x1p-53)
+        << "x[" << i << "] = " << out.x[i] << "; x is the last one that was finite; bound: 64 u of 9.6e307";
 }
 
 TEST(ConjGrad, SolvesForAnXNearTheEndOfTheNumbers) {
