@@ -11,8 +11,8 @@ enum class Judgement { does_not_compile, loses_points, gets_all };
 
 struct Judged {
   Judgement judgement = Judgement::does_not_compile;
-  std::vector<CaseResult> lost =
-      {};  // categories, the whole run among them; none where they were not counted
+  // Categories, the whole run among them; none where they were not counted.
+  std::vector<CaseResult> lost = {};
 };
 
 }  // namespace grader

@@ -79,7 +79,7 @@ std::string hint_of_two_values(const std::vector<std::string>& lines, bool produ
   return counts(lines) ? hint_of_count(equal[0], equal[1]) : hint_of_one(equal[0], equal[1], product);
 }
 
-// What a check broke off with, in Eigen's assertions, the library's and the sanitizer's words.
+// A check that broke off has these words in it, of an assertion of Eigen's or the library's, or of the sanitizer.
 struct Ending {
   const char *words, *told;
 };
@@ -92,8 +92,7 @@ constexpr Ending kEndings[] = {
      "many there are?"},
     {"Assertion `row >= 0",
      "an entry (row, column) outside of a matrix: a loop's bound, or `i + 1` or `i - 1` at an end?"},
-    {"==RowsAtCompileTime", "a vector of another size than the three numbers of a particle?"},
-    {"== RowsAtCompileTime", "a vector of another size than the three numbers of a particle?"},
+    {"RowsAtCompileTime", "a vector of another size than the three numbers of a particle?"},
     {"expr.rows()==1 || expr.cols()==1",
      "a matrix where a vector is due: arguments in another order, or all of `scratch` for a column of it?"},
     {"Assertion `index >= 0", kOutside},

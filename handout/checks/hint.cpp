@@ -30,9 +30,8 @@ bool is_a_rest(double value) {
 }
 
 constexpr const char* kZero =
-    "0: never written, left out by a condition or a loop's bounds, cut off by a min or max, a factor that is "
-    "0, "
-    "a term that is missing, or terms that cancel?";
+    "0: never written, left out by a condition or a loop's bounds, cut off by a min or max, "
+    "a factor that is 0, a term that is missing, or terms that cancel?";
 constexpr const char* kInfinite = "infinite: a division by 0, or a variable that was never set?";
 constexpr const char* kNoNumber =
     "no number: 0/0, the root of a negative number, or a variable that was never set?";

@@ -117,23 +117,31 @@ void leaves_the_root_alone(Correction correction, const VectorXd& wrong) {
 }
 
 // From the tip on, each segment gives to its outer end what it takes from its inner one: the momenta of particles i to the last one add up
-// to an impulse along segment i - 1. For errors of 1e-6 directions change by some 1e-5. Lengths are off either way, or all too long.
+// to an impulse along segment i - 1.
+void expect_impulses_along(const Strand& strand, const VectorXd& x, const VectorXd& change, double bound,
+                           const std::string& unit, const std::string& where, const std::string& source) {
+  Vector3d impulse = Vector3d::Zero();
+  for (int i = 9; i > 0; --i) {
+    impulse += strand.mass[i] * change.segment<3>(3 * i);
+    const Vector3d u = (x.segment<3>(3 * i) - x.segment<3>(3 * i - 3)).normalized();
+    expect_entries(impulse - u.dot(impulse) * u, Vector3d::Zero(), bound,
+                   unit + " across segment " + std::to_string(i - 1) + " of 9, which moves particles " +
+                       std::to_string(i) + " to 9" + where,
+                   source);
+  }
+}
+
+// For errors of 1e-6 directions change by some 1e-5. Lengths are off either way, or all too long.
 void moves_by_impulses_along_the_segments(Correction correction) {
   const Strand strand = strand_of(10, 3);
   for (const bool all_too_long : {false, true}) {
     const VectorXd before = all_too_long ? VectorXd((1 + 1e-6) * bent(strand, 0)) : bent(strand, 1e-6);
     VectorXd x = before;
     correction(strand, 1e-12, 100000, x);
-    Vector3d impulse = Vector3d::Zero();
-    for (int i = 9; i > 0; --i) {
-      impulse += strand.mass[i] * (x - before).segment<3>(3 * i);
-      const Vector3d u = (x.segment<3>(3 * i) - x.segment<3>(3 * i - 3)).normalized();
-      expect_entries(impulse - u.dot(impulse) * u, Vector3d::Zero(), 1e-9,
-                     "kg m across segment " + std::to_string(i - 1) + " of 9, which moves particles " +
-                         std::to_string(i) + " to 9, where lengths were " +
-                         (all_too_long ? "too long" : "off") + " by 1e-6 m",
-                     "what directions change, times a correction of 1e-5 kg m");
-    }
+    expect_impulses_along(
+        strand, x, x - before, 1e-9, "kg m",
+        std::string(", where lengths were ") + (all_too_long ? "too long" : "off") + " by 1e-6 m",
+        "what directions change, times a correction of 1e-5 kg m");
   }
 }
 
@@ -512,21 +520,13 @@ TEST(CorrectVelocities, OfASegmentOfNoLength) {
       "ten times the tolerance");
 }
 
-// From the tip on, each segment gives to its outer end what it takes from its inner one.
 TEST(CorrectVelocities, ByImpulsesAlongTheSegments) {
   const Strand strand = strand_of(10, 3);
-  const VectorXd x = bent(strand, 0), before = scattered_vector(30, 7);
+  const VectorXd before = scattered_vector(30, 7);
   VectorXd v = before;
   stop(strand, 1e-12, 100000, v);
-  Vector3d impulse = Vector3d::Zero();
-  for (int i = 9; i > 0; --i) {
-    impulse += strand.mass[i] * (v - before).segment<3>(3 * i);
-    const Vector3d u = (x.segment<3>(3 * i) - x.segment<3>(3 * i - 3)).normalized();
-    expect_entries(impulse - u.dot(impulse) * u, Vector3d::Zero(), 1e-12,
-                   "N s across segment " + std::to_string(i - 1) + " of 9, which moves particles " +
-                       std::to_string(i) + " to 9",
-                   "rounding of some 100 impulses of 10 N s at most");
-  }
+  expect_impulses_along(strand, bent(strand, 0), v - before, 1e-12, "N s", "",
+                        "rounding of some 100 impulses of 10 N s at most");
 }
 
 TEST(CorrectVelocities, ByEqualAndOppositeImpulses) {

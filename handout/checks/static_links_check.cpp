@@ -406,7 +406,7 @@ TEST(AddStripProduct, IsTheSlopeOfTheForce) {
         strip_products(s.contacts, s.x, dx), [&](const VectorXd& x) { return strip_forces(s.contacts, x); },
         s.x, dx, 1, 10);
   }
-  // Of two points the first is farther away than the thickness.
+  // Two points, the first one farther away than the thickness.
   VectorXd two(15);
   two << above_triangle(0.3), 0.5, 0.75, 0.05;
   const VectorXd dx = scattered_vector(15, 4);

@@ -28,7 +28,7 @@ int reference_steps(const ConstrainedSystem& system) {
   return steps;
 }
 
-// Of the solve before. For fewer than five rows, which take no more than a few steps, no limit is asked for.
+// Asks for the limit of the solve before; not for fewer than five rows, which take no more than a few steps.
 void expect_limit(Trial& trial, const ConstrainedSystem& system) {
   if (trial.provided_solves().size() != 1 || system.rows() < 5) return;
   const int most = trial.provided_solves()[0].most, limit = std::max(100, 20 * system.rows());
