@@ -28,8 +28,8 @@
 
 namespace hair {
 
-// More points in all frames together leave strands out: a page of some 50 MB.
-inline constexpr std::size_t kMostPointsShown = 6'000'000;
+// More points in all frames together leave strands out: a page of at most 12 MB, 8 bytes a point and 0.8 MB for what else there is.
+inline constexpr std::size_t kMostPointsShown = 1'400'000;
 
 // The same of a run that comes along with the handout: half a megabyte at most.
 inline constexpr std::size_t kMostPointsShipped = 40'000;
@@ -57,8 +57,9 @@ class MotionFrames {
   // not finite stays, too.
   void add(const Drawing& drawing);
 
-  // The strands of the first drawing that are not shown, by their ids.
+  // The strands of the first drawing that are not shown, by their ids; and how many it has.
   const std::vector<int>& unseen() const { return unseen_; }
+  std::size_t strands_in_all() const { return strands_in_all_; }
 
   // A point's error is at most 1 / 131070 of the box, which is as large as all that was drawn, but for what flew further than ten times the
   // first frame's size: that is at its border.

@@ -40,7 +40,8 @@ int main(int count, char** arguments) try {
   settings.render = false;
   settings.draws = settings.only_shown = true;
   settings.most_points = hair::kMostPointsShipped;
-  const hair::RunResult played = hair::run_scene(scene, settings, false, std::cerr, nullptr);
+  std::ostream no_notes(nullptr);
+  const hair::RunResult played = hair::run_scene(scene, settings, false, no_notes, nullptr);
   if (played.record.ending != hair::Ending::finished)
     throw std::runtime_error(scene.name + " broke: " + played.record.blow_up);
   hair::write_file(arguments[2], hair::bytes_of(run / hair::kMotionFile));

@@ -1,5 +1,7 @@
 #include "hair/lab/commands/view_runs.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <iostream>
 #include <optional>
@@ -60,16 +62,21 @@ NamedMotion reference_of(const std::string& scene) {
   return {scene + " by the reference", bytes_of(file)};
 }
 
+bool terminal() {
+  return isatty(STDERR_FILENO) != 0;
+}
+
 NamedMotion played(const Scene& scene, std::size_t most_points) {
   const TemporaryFolder folder("hairlab-view");
   RunSettings settings;
   settings.out = folder.path() / "run";
   settings.render = false;
-  settings.draws = true;
+  settings.draws = settings.only_shown = true;
   settings.most_points = most_points;
   const std::atomic<bool>& interrupted =
       catch_interruption("\nhairlab: finishing this frame; once more ends at once\n");
-  const RunResult played = run_scene(scene, settings, interrupted, std::cerr, nullptr);
+  const RunResult played =
+      run_scene(scene, settings, interrupted, std::cerr, terminal() ? &std::cerr : nullptr);
   if (played.record.ending == Ending::blow_up)
     std::cerr << "hairlab: " << scene.name << " broke: " << played.record.blow_up
               << "; the page shows where\n";
@@ -94,7 +101,8 @@ std::optional<Shown> shown(const std::string& run, const Course& course, std::si
   try {
     return Shown{played(scene, most_points), scene.name};
   } catch (const NotImplemented& stub) {
-    std::cerr << "hairlab: " << scene.name << " needs " << missing_parts(stub, exercises_of(scene), course);
+    std::cerr << (terminal() ? "\r" : "") << "hairlab: " << scene.name << " needs "
+              << missing_parts(stub, exercises_of(scene), course);
     const bool comes_along = !differs_from_shipped(run) && fs::exists(reference_file(scene.name));
     std::cerr << (comes_along ? "; the page shows the reference's run\n" : "\n");
     if (!comes_along) return {};

@@ -127,6 +127,11 @@ class FrameWriter {
     return unseen;
   }
 
+  std::pair<std::size_t, std::size_t> shown_of_all() const {
+    const std::size_t all = motion_.strands_in_all();
+    return {all - motion_.unseen().size(), all};
+  }
+
   void close(bool measured) {
     if (record_.links) binary_.add(*record_.links);
     binary_.close();
@@ -202,6 +207,9 @@ RunResult run_scene(const Scene& scene, const RunSettings& settings, const std::
   std::vector<int> unseen;
   if (settings.only_shown && scene.dense.empty() && !scene.hair.mesh) unseen = frames.unseen();
   playback->leave_out(unseen);
+  if (const auto [shown, all] = frames.shown_of_all(); shown < all)
+    notes << scene.name << ": the page shows " << shown << " of " << all << " strands"
+          << (unseen.empty() ? "" : ", and only these are computed") << std::endl;
   play(*playback, frames, record, laps, interrupted, progress);
   if (record.ending == Ending::blow_up) frames.show_broken(strand_of(record.blow_up));
   if (const MeshRecord* mesh = playback->mesh_record()) {

@@ -63,8 +63,6 @@ function watchSimulation() {
       requestAnimationFrame(loop);
     } else if (runs[0].points !== now.points || runs[0].strands.length !== now.strands.length) {
       location.reload();
-    } else {
-      runs[0].clear();
     }
     whole = message.whole;
     shown = -1;
@@ -85,6 +83,9 @@ function watchSimulation() {
 
   const hear = {
     began(message) {
+      runs[0]?.clear();
+      told("moment", "");
+      $("words").replaceChildren();
       state(message.why ? `${message.why} Starting.` : "starting");
       const [times, stiffness] = message.settings.split(" ").map(Number);
       $("step-size").value = Math.log2(times);

@@ -5,7 +5,7 @@ const WORDS_WAIT = 250; // ms between words that follow the motion: a screen rea
 
 function show() {
   const runs = ["motion", "other"].filter($).map((id) => Object.assign(readMotion($(id).textContent), { name: $(id).dataset.name }));
-  const duration = Math.max(...runs.map((run) => run.duration)), { frames } = runs[0];
+  const lead = runs.reduce((one, other) => (other.duration > one.duration ? other : one)), { duration, frames } = lead;
   const clock = makeClock(duration), orbit = makeOrbit(runs[0].camera), shown = runs.map(() => true);
   let dirty = true, seconds = 0; // seconds: from a picture of all strands to the next one
   const again = () => { dirty = true; };
@@ -26,23 +26,23 @@ function show() {
     });
 
   $("time").max = frames - 1;
-  $("time").addEventListener("input", () => { clock.stop(); seek(runs[0].times[$("time").value]); });
+  $("time").addEventListener("input", () => { clock.stop(); seek(lead.times[$("time").value]); });
   $("rate").addEventListener("change", () => { clock.rate = Number($("rate").value); });
   const toggle = () => { clock.playing ? clock.stop() : clock.play(); again(); };
   $("play").addEventListener("click", toggle);
   const step = (by) => {
     clock.stop();
-    const { k } = frameAt(runs[0], clock.time + 1e-9);
-    seek(runs[0].times[Math.max(0, Math.min(frames - 1, k + by))]);
+    const { k } = frameAt(lead, clock.time + 1e-9);
+    seek(lead.times[Math.max(0, Math.min(frames - 1, k + by))]);
   };
   followKeys({ " ": toggle, ",": () => step(-1), ".": () => step(1) }, orbit);
 
   let worded = -WORDS_WAIT, wordsOf = "";
   const writeMoment = (at, time, few) => {
-    const { k } = frameAt(runs[0], time), now = `${k} ${few} ${clock.playing}`;
+    const { k } = frameAt(lead, time), now = `${k} ${few} ${clock.playing}`;
     if (now === wordsOf || (clock.playing && at - worded < WORDS_WAIT)) return;
     [worded, wordsOf] = [at, now];
-    const words = wordsOfMoment(runs[0], k), broken = runs.find((run) => run.blow_up && time >= run.duration);
+    const words = wordsOfMoment(lead, k), broken = runs.find((run) => run.blow_up && time >= run.duration);
     $("time").value = k;
     $("time").setAttribute("aria-valuetext", words);
     told("play", clock.playing ? "Stop" : "Play");

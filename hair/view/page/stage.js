@@ -1,56 +1,51 @@
 // The canvas: it draws with WebGL2, and where there is none, or the card is lost for good, with plain lines.
 
 const WAIT = 1000; // ms for a lost card to come back
-const PLAIN = "strands are drawn as plain lines.";
-
-// A canvas that had a context of one kind gives none of another: a new one takes its place.
-function replaceCanvas(canvas) {
-  const fresh = canvas.cloneNode(false);
-  canvas.replaceWith(fresh);
-  return fresh;
-}
+const PLAIN = "strands are drawn as plain lines.", LOST = "The graphics card was lost";
 
 // motions: in the order of the runs; tell(text): a note for the reader; again(): asks for a picture.
 function makeStage(motions, orbit, tell, again) {
   let canvas = document.getElementById("picture"), drawing = null, held = [], plain = false;
   const hold = () => { held = motions.map(drawing.upload); again(); };
   const strands = () => motions.reduce((sum, motion) => sum + motion.strands.length, 0);
+  const exchange = (other) => { canvas.replaceWith(other); canvas = other; };
+  // A canvas that had a context for WebGL gives none for plain lines: a new one takes its place.
   const drawPlainly = (why) => {
     plain = true;
+    exchange(canvas.cloneNode(false));
+    watch();
     drawing = makeFlatDrawing(canvas);
     tell(`${why}: ${PLAIN}`);
     hold();
   };
   const watch = () => {
+    const watched = canvas;
+    let wait = 0;
     followPointers(canvas, orbit);
     new ResizeObserver(again).observe(canvas);
     canvas.addEventListener("webglcontextlost", (event) => {
       event.preventDefault();
-      const lost = canvas, wait = setTimeout(() => {
-        if (canvas !== lost) return;
-        canvas = replaceCanvas(lost);
-        watch();
-        drawPlainly("The graphics card was lost");
-      }, WAIT);
-      lost.addEventListener("webglcontextrestored", () => {
-        clearTimeout(wait);
-        begin();
-        if (canvas !== lost) watch();
-      }, { once: true });
+      wait = setTimeout(drawPlainly, WAIT, LOST);
+    });
+    canvas.addEventListener("webglcontextrestored", () => {
+      clearTimeout(wait);
+      if (canvas !== watched) exchange(watched);
+      begin(LOST);
     });
   };
-  // A canvas with a context for WebGL is of no use to plain lines.
-  const begin = () => {
+  // without: why there is no WebGL2, if there is none
+  const begin = (without) => {
     try {
       drawing = makeDrawing(canvas, strands());
+      plain = false;
+      tell("");
       hold();
     } catch (error) {
-      canvas = replaceCanvas(canvas);
-      drawPlainly("This browser shows no WebGL2");
+      drawPlainly(without);
     }
   };
-  begin();
   watch();
+  begin("This browser shows no WebGL2");
   return {
     hold, // after a motion became another one
     get plain() { return plain; },

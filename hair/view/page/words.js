@@ -8,7 +8,7 @@ function few(value) {
 }
 
 function counted(count, word) {
-  return count === 1 ? `1 ${word}` : `${count} ${word}s`;
+  return count === 1 ? `1 ${word}` : `${count.toLocaleString("en")} ${word}s`;
 }
 
 function wordsOfSeries(series) {
@@ -27,7 +27,8 @@ function wordsOfEnding(motion) {
 function wordsOfRun(motion) {
   const strands = motion.strands_in_all;
   const all = [`${counted(strands, "strand")}, ${counted(motion.frames, "frame")}. ${wordsOfEnding(motion)}`];
-  if (motion.strands.length < strands) all.push(`${counted(motion.strands.length, "strand")} of them are shown.`);
+  if (motion.strands.length < strands)
+    all.push(`${counted(motion.strands.length, "strand")} of them are shown.${motion.series.length > 0 ? "" : " Only they were computed, so there are no energies of all."}`);
   for (const series of motion.series) all.push(wordsOfSeries(series) + ".");
   return all;
 }
@@ -35,5 +36,5 @@ function wordsOfRun(motion) {
 function wordsOfMoment(motion, k) {
   const values = motion.series.filter((series) => series.values[k] !== null)
     .map((series) => `${series.name} ${few(series.values[k])}${series.unit ? " " + series.unit : ""}`);
-  return `Frame ${k} of ${motion.frames - 1}, ${few(motion.times[k])} s: ${values.join(", ")}`;
+  return `Frame ${k} of ${motion.frames - 1}, ${few(motion.times[k])} s${values.length > 0 ? ": " : ""}${values.join(", ")}`;
 }

@@ -27,6 +27,10 @@ class LivePage(PageTest):
         self.assertEqual(self.run_script("return hairView.runs[0].frames"), 91)
         self.assertGreater(self.share_drawn(), 0.0005)
         self.assertEqual(self.complaints(), [])
+        self.assertIn("91 frames", self.text("words"))
+        self.run_script("document.getElementById('restart').click()")
+        self.wait_for_state("running")
+        self.assertEqual(self.text("words"), "", "they tell of this run")
 
     def test_has_no_sideways_scroll(self):
         self.check_no_sideways_scroll()

@@ -1,5 +1,6 @@
 # STAFF ONLY. The page of `hairlab view`, opened from disk in a browser without a network.
 import csv
+import re
 from pathlib import Path
 
 from browser import PageTest, WITHOUT_WEBGL, hairlab, main
@@ -38,6 +39,32 @@ class ViewPage(PageTest):
         self.wait_for("return !hairView.clock.playing")
         self.wait_for("return document.getElementById('moment').textContent.startsWith(arguments[0])", f"Frame {FRAMES} of {FRAMES}")
         self.assertEqual(self.text("play"), "Play")
+
+    def test_plays_again_at_the_end_of_the_longer_run(self):
+        short, page = Path(self.folder.name) / "short", Path(self.folder.name) / "both.html"
+        hairlab("run", "strand-swing", "--no-render", "--frames", FRAMES // 2, "--out", short)
+        hairlab("view", short, "--with", self.run_folder, "--out", page)
+        self.driver.get(f"file://{page}")
+        self.wait_for("return window.hairView && hairView.pictures > 0")
+        self.stop()
+        self.go_to("time")
+        self.press("\ue010")
+        self.wait_for("return document.getElementById('moment').textContent.startsWith(arguments[0])", f"Frame {FRAMES} of {FRAMES}")
+        self.go_to("play")
+        self.press(" ")
+        self.assertTrue(self.run_script("return hairView.clock.time < hairView.runs[0].duration"))
+
+    def test_says_how_many_of_many_strands_are_shown(self):
+        page = Path(self.folder.name) / "head.html"
+        said = hairlab("view", "head-of-hair", "--out", page).stderr
+        shown = int(re.fullmatch(r"head-of-hair: the page shows (\d+) of 22000 strands, and only these are computed\n", said)[1])
+        self.assertLess(page.stat().st_size, 12e6)
+        self.driver.get(f"file://{page}")
+        self.wait_for("return window.hairView && hairView.pictures > 0")
+        self.assertIn("22,000 hairs", self.text("shows"))
+        self.assertRegex(self.text("words"), f"^22,000 strands, 61 frames.*{shown:,} strands of them are shown. Only they were computed")
+        self.stop()
+        self.wait_for("return document.getElementById('moment').textContent === 'Frame 0 of 60, 0 s'")
 
     def test_goes_by_keys_alone(self):
         self.stop()
@@ -97,12 +124,17 @@ class ViewPage(PageTest):
     def lose_context(self):
         self.run_script("window.card = document.getElementById('picture').getContext('webgl2').getExtension('WEBGL_lose_context'); card.loseContext()")
 
-    def test_draws_lines_when_the_card_is_lost_for_good(self):
+    def test_draws_lines_when_the_card_is_lost_and_as_before_when_it_comes_back_late(self):
         self.stop()
         self.lose_context()
         self.wait_for("return hairView.stage.plain")
         self.assertIn("was lost", self.text("note"))
         self.wait_for("return document.getElementById('picture').getContext('2d') !== null")
+        self.assertGreater(self.share_drawn(), 0.0005)
+        self.run_script("card.restoreContext()")
+        self.wait_for("return !hairView.stage.plain")
+        self.assertEqual(self.text("note"), "")
+        self.wait_for("return document.getElementById('picture').getContext('webgl2') !== null")
         self.assertGreater(self.share_drawn(), 0.0005)
 
     def test_draws_as_before_when_the_card_comes_back(self):
