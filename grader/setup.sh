@@ -4,6 +4,10 @@
 #   Without --with: what grading and hairlab need. study: also what studies measure errors against. check: also the tests and
 #   benchmarks. browser: also a browser that tests drive. lint: also what .ci/run needs.
 set -eu
+if [ "${1-}" = --help ]; then
+  sed -n '/^set /q; s/^# STAFF ONLY\. //p; s/^# / /p' "$0"
+  exit
+fi
 
 to_grade() {
   sed 's/#.*//' <<'LIST'
