@@ -5,7 +5,6 @@
 #include <archive_entry.h>
 
 #include <algorithm>
-#include <ctime>
 #include <fstream>
 #include <memory>
 #include <stdexcept>
@@ -14,7 +13,6 @@ namespace grader {
 namespace {
 
 constexpr std::size_t zero_block = std::size_t{16} << 20;
-constexpr std::time_t mtime = 946684800;  // 2000-01-01 00:00 UTC
 
 struct Free {
   void operator()(archive* a) const { archive_write_free(a); }
@@ -32,10 +30,10 @@ const std::string& zeros() {
   return block;
 }
 
-Entry header_of(const ArchiveEntry& from) {
+Entry header_of(const ArchiveEntry& from, std::time_t date) {
   Entry entry(archive_entry_new());
   archive_entry_set_pathname(entry.get(), from.path.c_str());
-  archive_entry_set_mtime(entry.get(), mtime, 0);
+  archive_entry_set_mtime(entry.get(), date, 0);
   archive_entry_set_perm(entry.get(), static_cast<mode_t>(from.mode));
   if (from.link.empty()) {
     archive_entry_set_filetype(entry.get(), AE_IFREG);
@@ -48,9 +46,9 @@ Entry header_of(const ArchiveEntry& from) {
   return entry;
 }
 
-void write_entries(archive* a, const std::vector<ArchiveEntry>& entries) {
+void write_entries(archive* a, const std::vector<ArchiveEntry>& entries, std::time_t date = kArchiveDate) {
   for (const ArchiveEntry& entry : entries) {
-    check(a, archive_write_header(a, header_of(entry).get()));
+    check(a, archive_write_header(a, header_of(entry, date).get()));
     if (!entry.bytes.empty()) check(a, archive_write_data(a, entry.bytes.data(), entry.bytes.size()));
     for (std::uint64_t left = entry.zeros; left > 0;) {
       const std::size_t count = std::min<std::uint64_t>(left, zero_block);
@@ -111,7 +109,8 @@ void write_zip(const std::filesystem::path& file, const std::vector<ArchiveEntry
   }
 }
 
-void write_tar_gz(const std::filesystem::path& file, const std::vector<ArchiveEntry>& entries) {
+void write_tar_gz(const std::filesystem::path& file, const std::vector<ArchiveEntry>& entries,
+                  std::time_t date) {
   TarGz tar_gz{std::ofstream(file, std::ios::binary), "", ""};
   const auto take = [](archive*, void* to, const void* data, std::size_t size) {
     static_cast<TarGz*>(to)->take(static_cast<const char*>(data), size);
@@ -122,7 +121,7 @@ void write_tar_gz(const std::filesystem::path& file, const std::vector<ArchiveEn
     check(a.get(), archive_write_set_format_gnutar(a.get()));
     check(a.get(), archive_write_set_bytes_per_block(a.get(), 0));
     check(a.get(), archive_write_open(a.get(), &tar_gz, nullptr, take, nullptr));
-    write_entries(a.get(), entries);
+    write_entries(a.get(), entries, date);
     tar_gz.flush();
     tar_gz.out.close();
     if (!tar_gz.out) throw std::runtime_error("no space, or no permission");

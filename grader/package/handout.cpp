@@ -1,6 +1,8 @@
 // STAFF ONLY. Packs the handout, and shuts its gates on what must not ship.
 #include "grader/package/handout.h"
 
+#include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <sstream>
 
@@ -10,6 +12,9 @@
 #include "grader/intake/archive.h"
 #include "grader/package/course_texts.h"
 #include "grader/package/manifest.h"
+#include "hair/io/files/read_file.h"
+#include "hair/io/files/start_program.h"
+#include "hair/io/files/temporary_folder.h"
 #include "hair/io/files/write_file.h"
 
 namespace grader {
@@ -37,11 +42,15 @@ Paths solved_files(const Course& course) {
   return solved;
 }
 
-// The file that holds a line's bytes.
-fs::path source_of(const ManifestLine& line, const HandoutSources& sources) {
+std::string bytes_of(const ManifestLine& line, const HandoutSources& sources) {
   const std::string golden = "golden/";
-  return line.source.starts_with(golden) ? sources.golden / line.source.substr(golden.size())
-                                         : sources.root / line.source;
+  if (!line.source.starts_with(golden)) return read_file(sources.root / line.source, line.where);
+  const fs::path made = sources.golden / line.source.substr(golden.size());
+  if (!fs::exists(made))
+    throw BadInput(line.where + ": " + made.string() +
+                   " is not made yet; start this by ./grader/grade, which makes it, or build the targets "
+                   "hair_golden and hair_motions");
+  return read_file(made, line.where);
 }
 
 // Each scene that ships has the reference's run beside it, as the build made it.
@@ -61,8 +70,7 @@ std::vector<ManifestLine> lines_of(const HandoutSources& sources, const Course& 
   std::vector<ManifestLine> lines = read_manifest(sources.root, course);
   Paths absent;
   for (const ManifestLine& line : lines)
-    if (line.source == "golden/scenes.md")
-      absent = absent_scenes(read_file(source_of(line, sources), line.where), course);
+    if (line.source == "golden/scenes.md") absent = absent_scenes(bytes_of(line, sources), course);
   std::erase_if(lines, [&](const ManifestLine& line) { return absent.contains(line.source); });
   add_motions(lines);
   return lines;
@@ -104,11 +112,23 @@ Files files_below(const fs::path& folder) {
   return files;
 }
 
-void write_archive(const fs::path& path, const Files& files) {
+// Of the newest commit: the files are dated by it. Sources without one, or with one that is still to come, have a date of their own.
+std::time_t date_of(const fs::path& root) {
+  const hair::TemporaryFolder folder("handout-date");
+  const fs::path said = folder.path() / "said";
+  hair::exit_code_of(hair::start_program(
+      {.words = {"/usr/bin/env", "git", "-C", root.string(), "log", "-1", "--format=%ct", "--", "."},
+       .output = said,
+       .errors = "/dev/null"}));
+  const std::time_t date = std::atol(hair::bytes_of(said).c_str());
+  return date > kArchiveDate && date <= std::time(nullptr) ? date : kArchiveDate;
+}
+
+void write_archive(const fs::path& path, const Files& files, std::time_t date) {
   std::vector<ArchiveEntry> entries;
   for (const auto& [name, bytes] : files) entries.push_back({top_folder + name, bytes, "", 0});
   try {
-    write_tar_gz(path, entries);
+    write_tar_gz(path, entries, date);
   } catch (const std::runtime_error& problem) {
     throw BadInput(problem.what());
   }
@@ -161,10 +181,9 @@ Files handout_files(const HandoutSources& sources, const Course& course) {
   for (const std::string& path : whole_handout(sources, course))
     if (!shipped.contains(path)) missing.insert(path);
   Files files;
-  for (const ManifestLine& line : lines) {
-    fs::path source = source_of(line, sources);
-    if (solved.contains(line.destination)) source = sources.root / "reference" / source.filename();
-    std::string bytes = read_file(source, line.where);
+  for (ManifestLine line : lines) {
+    if (solved.contains(line.destination)) line.source = "reference" / fs::path(line.source).filename();
+    std::string bytes = bytes_of(line, sources);
     if (line.destination == "exercises.json") bytes = course_json(bytes, course);
     if (line.destination.ends_with(".md"))
       bytes = course_text(bytes, line.destination, course, shipped, missing);
@@ -194,7 +213,7 @@ void make_handout(const HandoutSources& sources, const Course& course, const fs:
                    "; make it first, or write elsewhere");
   check_accepted(without_exercises(whole_handout(sources, course), course), accepted_files(sources));
   const TemporaryFile part{out.string() + ".part"};
-  write_archive(part.path, handout_files(sources, course));
+  write_archive(part.path, handout_files(sources, course), date_of(sources.root));
   check_gates(part.path, sources, course);
   fs::rename(part.path, out);
 }

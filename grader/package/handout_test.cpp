@@ -3,6 +3,7 @@
 #include "grader/package/handout.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <array>
 #include <fstream>
@@ -10,6 +11,7 @@
 
 #include "grader/course/input.h"
 #include "hair/io/files/read_file.h"
+#include "hair/io/files/start_program.h"
 
 namespace grader {
 namespace {
@@ -136,6 +138,33 @@ TEST_F(SmallProject, GivesTheSameBytesAgain) {
   EXPECT_EQ(hair::bytes_of(out_), hair::bytes_of(root_ / "again.tar.gz"));
 }
 
+TEST_F(SmallProject, DatesFilesByTheNewestCommitThatIsNotToCome) {
+  const auto run = [&](std::vector<std::string> words, const std::string& date = "") {
+    words.insert(words.begin(), "/usr/bin/env");
+    return hair::exit_code_of(hair::start_program({.words = std::move(words),
+                                                   .output = "/dev/null",
+                                                   .folder = root_,
+                                                   .environment = {"GIT_COMMITTER_DATE=" + date}}));
+  };
+  const auto date_of_files = [&] {
+    make_handout(sources_, course_, out_);
+    EXPECT_EQ(run({"tar", "xzf", out_.string()}), 0);
+    struct stat file = {};
+    EXPECT_EQ(stat((root_ / "hair-assignment/README.md").c_str(), &file), 0);
+    return file.st_mtime;
+  };
+  EXPECT_EQ(date_of_files(), 946684800) << "without a commit";
+  ASSERT_EQ(run({"git", "init", "-q"}), 0);
+  for (const auto& [date, expected] : {std::pair{1600000000L, 1600000000L}, {4000000000L, 946684800L}}) {
+    write("handout/README.md", std::to_string(date) + "\n");
+    ASSERT_EQ(run({"git", "add", "handout"}), 0);
+    ASSERT_EQ(run({"git", "-c", "user.name=a", "-c", "user.email=a@b", "commit", "-qm", "all"},
+                  "@" + std::to_string(date) + " +0000"),
+              0);
+    EXPECT_EQ(date_of_files(), expected);
+  }
+}
+
 TEST_F(SmallProject, ClosesForAStaffFileInTheManifest) {
   list("reference/g.cpp -> checks/example.cpp");
   accept();
@@ -221,6 +250,9 @@ TEST_F(SmallProject, NamesWhatCantBeReadOrWritten) {
     FAIL() << "a golden file is missing";
   } catch (const BadInput& error) {
     EXPECT_NE(std::string(error.what()).find("manifest.txt:4"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("g.mtx is not made yet; start this by ./grader/grade"),
+              std::string::npos)
+        << error.what();
   }
 }
 
