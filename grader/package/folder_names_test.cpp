@@ -13,8 +13,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kGenerators[] = {"Unix Makefiles", "Ninja"};
+
 // Configures and builds a project in a folder of this name. Returns CMake's complaint, empty if there is none.
-std::string configuring(const std::string& name) {
+std::string configuring(const std::string& name, const std::string& generator) {
   const hair::TemporaryFolder temporary("folder-names");
   const fs::path folder = temporary.path() / name, errors = temporary.path() / "errors";
   fs::create_directories(folder / "cmake");
@@ -28,24 +30,43 @@ std::string configuring(const std::string& name) {
         hair::start_program({.words = std::move(words), .output = "/dev/null", .errors = errors}));
   };
   const std::string build = (folder / "build").string();
-  if (run({"/usr/bin/env", "cmake", "-S", folder.string(), "-B", build}) != 0) return hair::bytes_of(errors);
+  if (run({"/usr/bin/env", "cmake", "-G", generator, "-S", folder.string(), "-B", build}) != 0)
+    return hair::bytes_of(errors);
   if (run({"/usr/bin/env", "cmake", "--build", build}) != 0) return "no build: " + hair::bytes_of(errors);
   return fs::exists(folder / "build/made") ? "" : "nothing was built";
 }
 
+void expect_refused(const std::string& name, const std::string& generator) {
+  // CMake breaks lines.
+  const auto in_one_line = [](const std::string& text) {
+    return std::regex_replace(text, std::regex("\\s+"), " ");
+  };
+  const std::string said = in_one_line(configuring(name, generator));
+  EXPECT_NE(said.find(in_one_line(name) + "\" can't be built in: CMake takes no "), std::string::npos)
+      << name << ": " << said;
+  EXPECT_NE(said.find("Move it to a folder without any of"), std::string::npos) << name << ": " << said;
+}
+
 TEST(FolderNames, ThatCMakeCanNotHoldAreRefusedInASentence) {
-  for (const std::string name : {"C#", "a;b", "a\"b", "a<b", "a>b", "a?b", "a|b", "a[b", "a]b", "${X}"}) {
-    // CMake breaks lines.
-    const std::string said = std::regex_replace(configuring(name), std::regex("\\s+"), " ");
-    EXPECT_NE(said.find(name + "\" can't be built in: CMake takes no "), std::string::npos)
-        << name << ": " << said;
-    EXPECT_NE(said.find("Move it to a folder without any of"), std::string::npos) << name << ": " << said;
-  }
+  for (const char* generator : kGenerators)
+    for (const std::string name : {"C#", "a;b", "a\"b", "a<b", "a>b", "a?b", "a|b", "a[b", "a]b", "${X}",
+                                   "a,b", "10:30", "a=b", "a*b", "a\tb", "a\rb", "$(X)"})
+      expect_refused(name, generator);
 }
 
 TEST(FolderNames, OfOtherKindsAreBuiltIn) {
-  for (const std::string name : {"a b", "a$b", "$HOME", "Übung", "a(b)", "c++", "a&b", "it's", "a%b", "a{b}"})
-    EXPECT_EQ(configuring(name), "") << name;
+  for (const char* generator : kGenerators)
+    for (const std::string name :
+         {"a b", "a$b", "$HOME", "Übung", "a(b)", "c++", "a%b", "a{b}", "a~b", "a@b"})
+      EXPECT_EQ(configuring(name, generator), "") << name;
+}
+
+// In lists of headers Ninja ends a name there.
+TEST(FolderNames, ThatNinjaCanNotReadAreForMake) {
+  for (const std::string name : {"a&b", "it's", "a^b", "a`b"}) {
+    EXPECT_EQ(configuring(name, "Unix Makefiles"), "") << name;
+    expect_refused(name, "Ninja");
+  }
 }
 
 }  // namespace
