@@ -203,12 +203,4 @@ Compiled Compiler::run_linker(const Exercise& exercise, const fs::path& job, dou
   return compiled;
 }
 
-std::string own_messages(const std::string& log, const std::string& file) {
-  std::istringstream lines(log);
-  std::string own;
-  for (std::string line; std::getline(lines, line);)
-    if (line.starts_with(file + ":")) own += line + "\n";
-  return own;
-}
-
 }  // namespace grader

@@ -59,7 +59,4 @@ class Compiler {
   mutable Turns turns_;  // by the object's key
 };
 
-// The lines of a compiler's output about `file`, one message per line, without text of other files.
-std::string own_messages(const std::string& log, const std::string& file);
-
 }  // namespace grader

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <chrono>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -55,6 +57,25 @@ TEST_F(CompilerTest, MessagesAreThoseOfTheFileItself) {
   EXPECT_TRUE(compiled.object.empty());
   EXPECT_EQ(compiled.messages, "stretch_springs.cpp:2:11: error: 'two' was not declared in this scope\n");
   EXPECT_EQ(compiled.log.find("precompiled"), std::string::npos) << compiled.log;
+}
+
+TEST_F(CompilerTest, TellsTheErrorsThatAHeaderHasBecauseOfTheFile) {
+  for (const auto& [id, source, error, place] :
+       {std::array<std::string, 4>{"S1", "class implicitMatrix {};\n#include \"linearSolver.h\"\n",
+                                   ".h:11:7: error: redefinition of 'class implicitMatrix'\n",
+                                   "\nconj_grad.cpp:1:7: note: "},
+        {"S1", "#include <set>\nstruct A {};\nvoid f(std::set<A> all) { all.insert(A()); }\n",
+         ": error: no match for 'operator<'", "conj_grad.cpp:3:"},
+        {"H1", "#include <Eigen/Core>\nvoid f() { Eigen::Vector2d a(Eigen::Vector3d::Zero()); }\n",
+         ": error: static assertion failed: YOU_MIXED_MATRICES_OF_DIFFERENT_SIZES\n",
+         "stretch_springs.cpp:2:"}}) {
+    const Exercise& exercise = *course_.find(id);
+    const Compiled compiled =
+        compiler_.compile(exercise, source, kit_.new_job(std::to_string(source.size())), kSeconds);
+    for (const std::string& part : {error, place})
+      EXPECT_NE(compiled.messages.find(part), std::string::npos) << compiled.messages << compiled.log;
+    EXPECT_EQ(compiled.messages.find("/handout"), std::string::npos) << compiled.messages;
+  }
 }
 
 // Else a grade could depend on when, or how often, a file was compiled.

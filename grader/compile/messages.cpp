@@ -2,6 +2,7 @@
 #include "grader/compile/messages.h"
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 #include <vector>
 
@@ -18,7 +19,25 @@ std::string first_lines(const std::vector<std::string>& lines, std::size_t most)
   return text;
 }
 
+// "a.h:11:7: error: ...": a line of code has it, not a tool.
+bool is_error(const std::string& line) {
+  for (const std::string saying : {": error: ", ": fatal error: "})
+    if (const std::size_t at = line.find(saying); at != std::string::npos && at > 0)
+      return std::isdigit(static_cast<unsigned char>(line[at - 1])) != 0;
+  return false;
+}
+
 }  // namespace
+
+std::string own_messages(const std::string& log, const std::string& file) {
+  const std::string handout = "/handout/";
+  std::istringstream lines(log);
+  std::string own;
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with(file + ":") || is_error(line))
+      own += line.substr(line.starts_with(handout) ? handout.size() : 0) + "\n";
+  return own;
+}
 
 std::string own_warnings(const std::string& log, const std::string& file) {
   std::istringstream text(log);

@@ -5,6 +5,10 @@
 
 namespace grader {
 
+// The compiler's messages about `file`'s own lines, a line each, and its errors elsewhere: it finds there what this file repeats or calls
+// wrongly.
+std::string own_messages(const std::string& log, const std::string& file);
+
 // The warnings about `file`'s own lines, a line each: those of variables that nobody sets come first. Twenty at most.
 std::string own_warnings(const std::string& log, const std::string& file);
 
