@@ -107,13 +107,12 @@ Compiled Compiler::run_compiler(const Exercise& exercise, const std::string& sou
   Compiled compiled{{}, own_messages(found.output, exercise.file), found.output, taken};
   if (found.ending.well()) {
     const std::optional<std::string> object = read_written(out / "object.o", cage.limits.file_bytes);
-    const std::optional<std::string> symbol = defined_sanitizer_symbol(object ? *object : "");
-    if (!symbol) {
+    const std::optional<std::string> forbidden = forbidden_definition(object ? *object : "");
+    if (!forbidden) {
       compiled.object = out / "object.o";
       return compiled;
     }
-    compiled.messages += "the file defines " + printable(*symbol, 100) +
-                         ", a name of the sanitizers that look for memory errors; no exercise needs it\n";
+    compiled.messages += "the file defines " + *forbidden + "; no exercise needs it\n";
     return compiled;
   }
   toolchain_.prove_it_compiles(cage);

@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <utility>
+
+#include "grader/course/input.h"
 
 namespace grader {
 namespace {
@@ -18,6 +21,8 @@ std::optional<T> read_at(std::string_view bytes, std::uint64_t at) {
   std::memcpy(&value, bytes.data() + at, sizeof value);
   return value;
 }
+
+constexpr std::size_t kMostOfAName = 100;
 
 std::string_view part_of(std::string_view bytes, const Elf64_Shdr& section) {
   if (section.sh_offset > bytes.size()) return {};
@@ -33,7 +38,7 @@ bool is_of_a_sanitizer(std::string_view name) {
 
 }  // namespace
 
-std::optional<std::string> defined_sanitizer_symbol(std::string_view object) {
+std::optional<std::string> forbidden_definition(std::string_view object) {
   const auto header = read_at<Elf64_Ehdr>(object, 0);
   if (!header || !object.starts_with(ELFMAG) || header->e_ident[EI_CLASS] != ELFCLASS64) return {};
   const auto section = [&](std::uint64_t i) {
@@ -43,18 +48,22 @@ std::optional<std::string> defined_sanitizer_symbol(std::string_view object) {
   const auto first = section(0);
   if (!first) return {};
   const std::uint64_t sections = header->e_shnum != 0 ? header->e_shnum : first->sh_size;
+  bool seen = false;
   for (std::uint64_t i = 0; i < sections; ++i) {
     const auto table = section(i);
     if (!table) return {};
     if (table->sh_type != SHT_SYMTAB && table->sh_type != SHT_DYNSYM) continue;
+    if (std::exchange(seen, true)) return "a second table of symbols";
     const auto text = section(table->sh_link);
     if (!text) return {};
     const std::string_view symbols = part_of(object, *table), names = part_of(object, *text);
     for (std::uint64_t at = 0; const auto symbol = read_at<Elf64_Sym>(symbols, at); at += sizeof(Elf64_Sym)) {
       if (symbol->st_shndx == SHN_UNDEF || symbol->st_name >= names.size()) continue;
-      const std::string_view name =
-          names.substr(symbol->st_name, names.find('\0', symbol->st_name) - symbol->st_name);
-      if (is_of_a_sanitizer(name)) return std::string(name);
+      // Only the beginning is looked at: names may be long, and share their bytes.
+      const std::string_view name = names.substr(symbol->st_name, kMostOfAName);
+      if (is_of_a_sanitizer(name))
+        return printable(name.substr(0, name.find('\0'))) +
+               ", a name of the sanitizers that look for memory errors";
     }
   }
   return {};
