@@ -1,10 +1,12 @@
 // STAFF ONLY. Cleans the paths of entries.
 #include "grader/intake/container.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 
 #include "grader/intake/code_page.h"
+#include "grader/intake/names.h"
 #include "grader/text/letters.h"
 
 namespace grader {
@@ -34,17 +36,37 @@ Entry entry_at(std::string shown) {
   return entry;
 }
 
+namespace {
+
+// The path, where a number stands for each part that is longer than file systems have it or that can't be composed in linear time.
+std::string within_limits(std::string_view path) {
+  constexpr std::size_t kLongestPart = 255;
+  std::string result;
+  while (!path.empty()) {
+    const std::string_view part = path.substr(0, path.find_first_of("/\\"));
+    result += part.size() <= kLongestPart && is_stream_safe(part) ? part : name_among_equals("name", part);
+    path.remove_prefix(part.size());
+    result += path.substr(0, 1);
+    path.remove_prefix(std::min<std::size_t>(path.size(), 1));
+  }
+  return result;
+}
+
+}  // namespace
+
 std::vector<std::string> settle_names(std::vector<Entry>& list, const std::string& shown) {
   std::vector<std::string> names, said;
   for (const Entry& entry : list) names.push_back(entry.shown);
   if (const std::string page = decode_names(names); !page.empty())
     said.push_back(shown + ": names in it are no UTF-8; they were read as " + page + ", which is a guess");
-  const Entry* first_root = nullptr;
-  std::size_t roots = 0;
+  const Entry *first_root = nullptr, *first_refused = nullptr;
+  std::size_t roots = 0, refused = 0;
   std::map<std::string_view, Entry*> last;
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const Entry named = entry_at(composed_path(names[i]));
+    const std::string limited = within_limits(names[i]);
+    const Entry named = entry_at(composed_path(limited));
     Entry& entry = list[i];
+    if (limited != names[i] && refused++ == 0) first_refused = &entry;
     entry.shown = named.shown;
     entry.path = named.path;
     entry.leads_outside = named.leads_outside;
@@ -56,9 +78,16 @@ std::vector<std::string> settle_names(std::vector<Entry>& list, const std::strin
     if (latest) latest->replaced = true;
     latest = &entry;
   }
+  const auto and_more = [](std::size_t count) {
+    return count > 1 ? ", as in " + std::to_string(count - 1) + " more" : "";
+  };
+  if (refused > 0)
+    said.push_back(shown +
+                   ": a name of more than 255 bytes, or with more than 30 marks in a row, is refused: " +
+                   legible(first_refused->shown) + " stands for it" + and_more(refused));
   if (roots > 0)
     said.push_back(shown + ": " + legible(first_root->shown) + " begins at a root, which was left away" +
-                   (roots > 1 ? ", as in " + std::to_string(roots - 1) + " more" : ""));
+                   and_more(roots));
   return said;
 }
 

@@ -192,6 +192,35 @@ TEST_F(Submissions, PathsThatLeadOutsideAreNotTakenAndTouchNothing) {
       << "only the archive itself may be there";
 }
 
+// No file system has longer names, and more marks take the time of their number's square (text/letters.h).
+TEST_F(Submissions, NamesOverALimitAreRefusedAndTheRestGoesOn) {
+  const auto marks = [](std::size_t count) {
+    std::string name = "a";
+    for (std::size_t i = 0; i < count; ++i) name += "\xcc\x81";
+    return name;
+  };
+  const std::map<std::string, bool> names_refused = {{std::string(255, 'x'), false},
+                                                     {std::string(256, 'x'), true},
+                                                     {marks(30), false},
+                                                     {marks(31), true},
+                                                     {marks(1980), true}};
+  for (const auto& [name, refused] : names_refused) {
+    const std::string bytes = ArchiveBuilder(Packing::tar_gz)
+                                  .file("class/alice/conj_grad.cpp")
+                                  .file("class/bob/" + name + "/conj_grad.cpp")
+                                  .file("class/bob/" + name + "/normal_equations.cpp")
+                                  .file("class/" + name)
+                                  .bytes();
+    const Intake intake = take({write("class.tar.gz", bytes)});
+    ASSERT_EQ(names(intake.submissions), (Names{"alice", "bob"}));
+    EXPECT_EQ(intake.submissions[1].files.size(), 2U);
+    EXPECT_EQ(bool(has_remark(intake, {"is refused: class/bob/name-", " stands for it, as in 2 more"})),
+              refused)
+        << name;
+    EXPECT_EQ(bool(has_notice(intake, {"class/name-", "belongs to nobody"})), refused) << name;
+  }
+}
+
 TEST_F(Submissions, PathsLoseTheirRootAndTouchNothing) {
   for (const char* path : {"../../conj_grad.cpp", "/tmp/conj_grad.cpp", "C:\\conj_grad.cpp"}) {
     const Intake intake = take({write("only/alice.zip", zip(path, "text")).parent_path()});

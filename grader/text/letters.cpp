@@ -23,6 +23,7 @@ bool is_ascii(std::string_view text) {
 }
 
 std::string mapped(std::string_view text, int options) {
+  if (!is_stream_safe(text)) return std::string(text);
   utf8proc_uint8_t* result = nullptr;
   const utf8proc_ssize_t size = utf8proc_map(bytes_of(text), static_cast<utf8proc_ssize_t>(text.size()),
                                              &result, static_cast<utf8proc_option_t>(options));
@@ -31,8 +32,8 @@ std::string mapped(std::string_view text, int options) {
   return {reinterpret_cast<const char*>(result), static_cast<std::size_t>(size)};
 }
 
-// `text` is well-formed.
-void each_letter(const std::string& text, const std::function<void(utf8proc_int32_t)>& take) {
+// Up to the first byte that is no UTF-8.
+void each_letter(std::string_view text, const std::function<void(utf8proc_int32_t)>& take) {
   const utf8proc_uint8_t* bytes = bytes_of(text);
   for (std::size_t at = 0; at < text.size();) {
     utf8proc_int32_t letter = 0;
@@ -53,6 +54,12 @@ bool is_blank(utf8proc_int32_t letter) {
   const utf8proc_category_t kind = utf8proc_category(letter);
   return kind == UTF8PROC_CATEGORY_ZS || kind == UTF8PROC_CATEGORY_CC || kind == UTF8PROC_CATEGORY_ZL ||
          kind == UTF8PROC_CATEGORY_ZP;
+}
+
+// U+0F73 is one, too: its combining class is 0, and that of what it is made of is not.
+bool is_mark(utf8proc_int32_t letter) {
+  const utf8proc_category_t kind = utf8proc_category(letter);
+  return kind >= UTF8PROC_CATEGORY_MN && kind <= UTF8PROC_CATEGORY_ME;
 }
 
 bool is_of_words(utf8proc_int32_t letter) {
@@ -100,6 +107,16 @@ bool is_utf8(std::string_view bytes) {
     bytes.remove_prefix(static_cast<std::size_t>(size));
   }
   return true;
+}
+
+bool is_stream_safe(std::string_view text) {
+  constexpr int kMostMarks = 30;
+  int marks = 0, most = 0;
+  each_letter(text, [&](utf8proc_int32_t letter) {
+    marks = is_mark(letter) ? marks + 1 : 0;
+    most = std::max(most, marks);
+  });
+  return most <= kMostMarks;
 }
 
 std::string composed_path(std::string_view path) {

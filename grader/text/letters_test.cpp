@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
+
 namespace grader {
 namespace {
 
@@ -27,6 +29,26 @@ TEST(Letters, AreSqueezedAsCanvasDoes) {
 TEST(Letters, LoseTheirMarksWhereAsciiHasThem) {
   EXPECT_EQ(without_marks("Müller-Lüdenscheidt, Jo\xcc\x88rg"), "Muller-Ludenscheidt, Jorg");
   EXPECT_EQ(without_marks("Øst 李"), "Øst 李");
+}
+
+// utf8proc sorts a run of marks in time that grows with the square of their number. U+0F73 is of two marks.
+TEST(Letters, WithManyMarksInARowStayAsTheyAre) {
+  const auto times = [](int count, const std::string& letter) {
+    std::string text;
+    for (int i = 0; i < count; ++i) text += letter;
+    return text;
+  };
+  for (const std::string& text : {"a" + times(10'000, "\xcc\x81") + times(10'000, "\xcc\x96"),
+                                  "a" + times(10'000, "\xe0\xbd\xb3")}) {
+    EXPECT_FALSE(is_stream_safe(text));
+    const std::clock_t start = std::clock();
+    EXPECT_EQ(composed_path(text), text);
+    EXPECT_EQ(composed(text), text);
+    EXPECT_EQ(without_marks(text), text);
+    EXPECT_LT(std::clock() - start, CLOCKS_PER_SEC);
+  }
+  EXPECT_TRUE(is_stream_safe(times(30, "\xcc\x81") + "a" + times(30, "\xcc\x81")));
+  EXPECT_FALSE(is_stream_safe(times(31, "\xcc\x81")));
 }
 
 TEST(Letters, AreLegibleInALine) {
