@@ -17,7 +17,7 @@
 #include "grader/course/input.h"
 #include "grader/intake/archive_format.h"
 #include "grader/intake/ignored.h"
-#include "grader/intake/zip_flags.h"
+#include "grader/intake/zip_source.h"
 
 namespace grader {
 namespace {
@@ -43,24 +43,6 @@ std::string first_bytes(const ArchiveSource& source) {
   return head;
 }
 
-// How many entries a zip's directory claims, but for those that are passed over. The library keeps all of them in memory, so they are
-// counted before.
-std::size_t count_zip_entries(std::string_view bytes) {
-  constexpr std::size_t kHeader = 46, kNameSize = 28;
-  std::size_t count = 0;
-  for (std::size_t at = bytes.find("PK\x01\x02"); at != std::string_view::npos;
-       at = bytes.find("PK\x01\x02", at + 4)) {
-    std::string_view name;
-    if (bytes.size() - at > kHeader) {
-      const auto low = static_cast<unsigned char>(bytes[at + kNameSize]),
-                 high = static_cast<unsigned char>(bytes[at + kNameSize + 1]);
-      name = bytes.substr(at + kHeader, low + 256U * high);
-    }
-    if (!is_ignored(entry_at(std::string(name)).path)) ++count;
-  }
-  return count;
-}
-
 // As it stands, in whatever code page; "" if the library can't say it.
 std::string name_in(archive_entry* entry) {
   const char* path = archive_entry_pathname(entry);
@@ -79,14 +61,7 @@ class Reading {
     }
     const std::string head = first_bytes(source);
     entries_.reset(archive_read_new());
-    if (is_empty_zip(head)) {
-      empty_ = true;  // the library takes it for a damaged one
-    } else if (is_zip(head)) {
-      const auto* bytes = std::get_if<std::string>(&source);
-      if (bytes && count_zip_entries(*bytes) > limits.entries) refuse_entries();
-      archive_read_support_format_zip_seekable(entries_.get());
-      open_zip(source);
-    } else if (is_gzip(head)) {
+    if (is_gzip(head)) {
       stream_.reset(archive_read_new());
       archive_read_append_filter(stream_.get(), ARCHIVE_FILTER_GZIP);
       archive_read_support_format_raw(stream_.get());
@@ -98,9 +73,16 @@ class Reading {
     } else if (is_tar(head)) {
       archive_read_support_format_tar(entries_.get());
       open(entries_, source);
+    } else if (const std::string_view other = foreign_format(head); !other.empty()) {
+      refuse_format(other);
     } else {
-      throw Unreadable(shown_ + " is " + std::string(foreign_format(head)) +
-                       ". Hand in a .zip or .tar.gz archive.");
+      open_zip(source);
+      if (!zip_->is_zip() && is_zip(head)) refuse_damaged();
+      if (!zip_->is_zip()) refuse_format("neither a zip nor a tar.gz archive");
+      if (zip_->entries() > limits.entries) refuse_entries();
+      archive_read_support_format_zip_seekable(entries_.get());
+      empty_ = zip_->is_empty();  // the library takes it for a damaged one
+      if (!empty_ && zip_->open(entries_.get()) < ARCHIVE_WARN) refuse_damaged();
     }
   }
   Reading(const Reading&) = delete;
@@ -171,7 +153,6 @@ class Reading {
           },
           static_cast<std::uint64_t>(std::max<std::streamoff>(file_.tellg(), 0)));
     }
-    if (zip_->open(entries_.get()) < ARCHIVE_WARN) refuse_damaged();
   }
 
   void open(Handle& handle, const ArchiveSource& source) {
@@ -234,6 +215,9 @@ class Reading {
     return size;
   }
 
+  [[noreturn]] void refuse_format(std::string_view what) const {
+    throw Unreadable(shown_ + " is " + std::string(what) + ". Hand in a .zip or .tar.gz archive.");
+  }
   [[noreturn]] void refuse() const {
     if (!too_much_) refuse_damaged();
     throw Refused(shown_ + " unpacks to more than " + shown_size(limits_.unpacked_bytes) +

@@ -6,6 +6,9 @@
 #include <archive_entry.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -32,14 +35,17 @@ inline std::string gzip(const std::string& bytes) {
   return packed;
 }
 
-enum class Packing { zip, tar, tar_gz };
+enum class Packing { zip, tar, tar_gz, v7, v7_gz };
 
 class ArchiveBuilder {
  public:
   explicit ArchiveBuilder(Packing packing, const char* options = nullptr) : handle_(archive_write_new()) {
     check(packing == Packing::zip ? archive_write_set_format_zip(handle_)
-                                  : archive_write_set_format_pax_restricted(handle_));
-    if (packing == Packing::tar_gz) check(archive_write_add_filter_gzip(handle_));
+          : packing == Packing::v7 || packing == Packing::v7_gz
+              ? archive_write_set_format_v7tar(handle_)
+              : archive_write_set_format_pax_restricted(handle_));
+    if (packing == Packing::tar_gz || packing == Packing::v7_gz)
+      check(archive_write_add_filter_gzip(handle_));
     if (options) check(archive_write_set_options(handle_, options));
     check(archive_write_set_passphrase(handle_, "secret"));
     check(archive_write_set_bytes_in_last_block(handle_, 1));
@@ -103,6 +109,44 @@ class ArchiveBuilder {
   archive* handle_;
   std::string bytes_;
 };
+
+// A zip whose entries and directory state offsets that count `before`, which stands before the first entry.
+inline std::string counted_behind(const std::string& before, std::string zip) {
+  const auto add = [&](std::size_t at) {
+    std::uint32_t offset = 0;
+    std::memcpy(&offset, zip.data() + at, sizeof offset);
+    offset += static_cast<std::uint32_t>(before.size());
+    std::memcpy(zip.data() + at, &offset, sizeof offset);
+  };
+  for (std::size_t at = 0; (at = zip.find("PK\x01\x02", at)) != std::string::npos; ++at) add(at + 42);
+  add(zip.rfind("PK\x05\x06") + 16);
+  return before + zip;
+}
+
+inline std::string with_comment(std::string zip, const std::string& comment) {
+  zip.at(zip.size() - 2) = static_cast<char>(comment.size() & 255);
+  zip.at(zip.size() - 1) = static_cast<char>(comment.size() >> 8);
+  return zip + comment;
+}
+
+// One zip as other programs write and open it, by the difference. Comments have so many bytes.
+inline std::map<std::string, std::string> forms_of(const std::string& zip, std::size_t length = 65535) {
+  const std::string longest(length, 'c'), zeros(length, '\0'), stub = "#!/bin/sh\nexec unzip $0\n";
+  return {{"none", zip},
+          {"a comment", with_comment(zip, longest)},
+          {"a comment with the mark of an end", with_comment(zip, "PK\x05\x06" + std::string(100, 'P'))},
+          {"a zip as a comment", with_comment(zip, zip)},
+          {"another zip before it", ArchiveBuilder(Packing::zip).file("old.cpp").bytes() + zip},
+          {"bytes behind the end", zip + zeros},
+          {"a comment, and bytes behind it", with_comment(zip, longest) + zeros},
+          {"PK00", "PK00" + zip},
+          {"PK00, counted", counted_behind("PK00", zip)},
+          {"PK78, counted", counted_behind("PK\x07\x08", zip)},
+          {"a stub", stub + zip},
+          {"a long stub", "MZ" + zeros + zeros + zip},
+          {"a stub, counted", counted_behind(stub, zip)},
+          {"all of it", "MZ" + zeros + with_comment(zip, longest) + zeros}};
+}
 
 // A zip of one file "a.cpp" with these data, which are packed by one of zip's methods (APPNOTE.TXT, 4.4.5): 8 deflate,
 // 12 bzip2, 14 LZMA, 93 Zstandard, 95 xz, 98 PPMd.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <span>
 #include <string>
 
@@ -29,18 +30,10 @@ std::size_t ending_length(std::string_view name, std::span<const std::string_vie
 
 }  // namespace
 
+// "PK00" and "PK\7\8" stand before a zip that could have been split, and was not (APPNOTE.TXT 8.5.4).
 bool is_zip(std::string_view head) {
+  if (head.starts_with("PK00") || head.starts_with("PK\x07\x08")) head.remove_prefix(4);
   return head.starts_with("PK\x03\x04") || head.starts_with("PK\x05\x06");
-}
-
-bool is_empty_zip(std::string_view head) {
-  constexpr std::size_t kEndRecord = 22;  // and a comment, whose length stands in its last two bytes
-  if (!head.starts_with("PK\x05\x06") || head.size() < kEndRecord || head.size() >= kHeadBytes) return false;
-  const auto byte = [&](std::size_t at) {
-    return static_cast<std::size_t>(static_cast<unsigned char>(head[at]));
-  };
-  return head.substr(8, 4) == std::string_view("\0\0\0\0", 4) &&
-         head.size() == kEndRecord + byte(20) + 256 * byte(21);
 }
 
 bool is_gzip(std::string_view head) {
@@ -48,7 +41,18 @@ bool is_gzip(std::string_view head) {
 }
 
 bool is_tar(std::string_view head) {
-  return head.size() == kHeadBytes && head.substr(257, 5) == "ustar";
+  constexpr std::size_t kSum = 148, kSumSize = 8;
+  if (head.size() != kHeadBytes) return false;
+  if (head.substr(257, 5) == "ustar") return true;
+  // Older ones state nothing but the sum of the header's bytes, which some took for signed, where blanks stand for the sum itself.
+  const std::size_t digits = std::min(head.find_first_not_of(' ', kSum), kSum + kSumSize);
+  unsigned stated = 0, sum = kSumSize * ' ';
+  std::from_chars(head.data() + digits, head.data() + kSum + kSumSize, stated, 8);
+  for (std::size_t i = 0; i < head.size(); ++i)
+    if (i < kSum || i >= kSum + kSumSize) sum += static_cast<unsigned char>(head[i]);
+  const auto negative =
+      static_cast<unsigned>(std::ranges::count_if(head, [](char c) { return (c & 0x80) != 0; }));
+  return stated == sum || stated == sum - 256 * negative;
 }
 
 std::string_view foreign_format(std::string_view head) {
@@ -61,7 +65,7 @@ std::string_view foreign_format(std::string_view head) {
   if (head.starts_with("\x28\xb5\x2f\xfd")) return "packed with zstd";
   if (head.starts_with("%PDF")) return "a PDF document";
   if (head.empty()) return "empty";
-  return "neither a zip nor a tar.gz archive";
+  return {};
 }
 
 bool has_archive_ending(std::string_view name) {

@@ -7,12 +7,12 @@ namespace grader {
 
 inline constexpr std::size_t kHeadBytes = 512;  // a tar's header; all that the functions below look at
 
-bool is_zip(std::string_view head);
-bool is_empty_zip(std::string_view head);  // no entry, and nothing else
+bool is_zip(
+    std::string_view head);  // others begin with something else, and are zips by their end (zip_source.h)
 bool is_gzip(std::string_view head);
 bool is_tar(std::string_view head);
 
-// What else it is: "a RAR archive".
+// What else it is: "a RAR archive"; "" if that is not known.
 std::string_view foreign_format(std::string_view head);
 
 // Whether `name` has an archive's extension, including archives that can't be read here ("x.rar"), so that a
