@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <set>
 #include <sstream>
 #include <vector>
 
@@ -42,9 +43,10 @@ std::string own_messages(const std::string& log, const std::string& file) {
 std::string own_warnings(const std::string& log, const std::string& file) {
   std::istringstream text(log);
   std::vector<std::string> lines;
+  std::set<std::string> seen;
   for (std::string line; std::getline(text, line);)
     if (line.starts_with(file + ":") && line.find(": warning: ") != std::string::npos &&
-        std::find(lines.begin(), lines.end(), line) == lines.end())
+        seen.insert(line).second)
       lines.push_back(line);
   std::stable_partition(lines.begin(), lines.end(), [](const std::string& line) {
     return line.ends_with("uninitialized]");  // -Wuninitialized, -Wmaybe-uninitialized
@@ -56,12 +58,13 @@ std::string undefined_names(const std::string& log) {
   const std::string saying = "undefined reference to ";
   std::istringstream text(log);
   std::vector<std::string> names;
+  std::set<std::string> seen;
   for (std::string line; std::getline(text, line);) {
     const std::size_t at = line.find(saying), first = at + saying.size() + 1;
     if (at == std::string::npos || line.size() < first + 2) continue;
     // Between a linker's quotes.
     const std::string name = "  " + printable(line.substr(first, line.size() - 1 - first));
-    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+    if (seen.insert(name).second) names.push_back(name);
   }
   return first_lines(names, 10);
 }

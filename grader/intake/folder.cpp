@@ -82,10 +82,12 @@ Folder::Folder(fs::path path, std::string shown, std::size_t most_entries)
     : path_(std::move(path)), shown_(std::move(shown)), most_entries_(most_entries) {}
 
 std::vector<Entry> Folder::list() {
+  constexpr std::size_t kNone = std::string::npos;  // the folder itself
   std::vector<Entry> entries;
-  std::vector<std::string> waiting{""};
+  std::vector<std::size_t> waiting{kNone};
   while (!waiting.empty()) {
-    const std::string folder = std::move(waiting.back());
+    const std::size_t at = waiting.back();
+    const std::string folder = at == kNone ? "" : entries[at].path;
     waiting.pop_back();
     std::error_code error;
     for (fs::directory_iterator item(path_ / folder, error), end; !error && item != end;
@@ -97,13 +99,11 @@ std::vector<Entry> Folder::list() {
       const std::string name = item->path().filename().string();
       if (is_ignored(name)) continue;
       entries.push_back(described(item->path(), folder.empty() ? name : folder + "/" + name));
-      if (entries.back().kind == Entry::Kind::folder) waiting.push_back(entries.back().path);
+      if (entries.back().kind == Entry::Kind::folder) waiting.push_back(entries.size() - 1);
     }
     if (!error) continue;
     if (folder.empty()) throw Unreadable(shown_ + " can't be read" + reason(error.value()) + ".");
-    const auto closed = std::find_if(entries.begin(), entries.end(),
-                                     [&](const Entry& entry) { return entry.path == folder; });
-    closed->closed = true;
+    entries[at].closed = true;
   }
   std::sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.path < b.path; });
   listed_.clear();

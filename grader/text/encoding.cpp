@@ -121,7 +121,8 @@ std::optional<std::string> from_code_page(std::string_view bytes, const char* pa
 
 Decoded decoded(std::string_view bytes, const std::string& file) {
   if (bytes.starts_with(kUtf8Mark)) {
-    Decoded rest = decoded(bytes.substr(kUtf8Mark.size()), file);
+    while (bytes.starts_with(kUtf8Mark)) bytes.remove_prefix(kUtf8Mark.size());
+    Decoded rest = decoded(bytes, file);
     rest.said.insert(rest.said.begin(), file + ": a byte order mark is passed over");
     return rest;
   }

@@ -8,6 +8,7 @@
 #include <iostream>
 #include <map>
 
+#include "grader/course/input.h"
 #include "grader/intake/layouts/division.h"
 #include "grader/intake/layouts/gradescope.h"
 
@@ -185,6 +186,8 @@ TEST(Layouts, OfGradescope) {
   ASSERT_EQ(pair.members.size(), 2U);
   EXPECT_EQ(pair.id, "al@u.de_7") << "whatever number a later hand-in has";
   EXPECT_THROW(read_gradescope_metadata("a: [", "m.yml"), std::exception);
+  EXPECT_THROW(read_gradescope_metadata("a: [" + std::string(10'000'000, ',') + "]", "m.yml"), BadInput)
+      << "it would take gigabytes";
   EXPECT_THROW(read_gradescope_metadata("<html>Sign in</html>", "m.yml"), std::exception);
 }
 

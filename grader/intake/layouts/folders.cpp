@@ -21,6 +21,10 @@ bool lies_in(std::string_view path, std::string_view folder) {
   return folder.empty() || path == folder || (path.starts_with(folder) && path[folder.size()] == '/');
 }
 
+std::size_t shared_length(std::string_view a, std::string_view b) {
+  return static_cast<std::size_t>(std::ranges::mismatch(a, b).in1 - a.begin());
+}
+
 // The first part of `path` below `folder`, with `folder` before it.
 std::string_view child_of(std::string_view folder, std::string_view path) {
   return path.substr(0, path.find('/', folder.empty() ? 0 : folder.size() + 1));
@@ -101,20 +105,23 @@ class Finder {
 
 bool Finder::is_project() const {
   constexpr std::array<std::string_view, 4> given{"solver", "particles", "hair", "student"};
-  std::set<std::string_view> around;  // folders with a CMakeLists.txt that the root is or lies in
+  // Folders with a CMakeLists.txt that the root is or lies in, by the length of their paths
+  std::set<std::size_t> around;
   for (const std::size_t i : counted_) {
     if (name_of(entries_[i]) == "CMakeLists.txt" && lies_in(root_, parent_of(entries_[i].path)))
-      around.insert(parent_of(entries_[i].path));
+      around.insert(parent_of(entries_[i].path).size());
   }
-  return std::any_of(around.begin(), around.end(), [&](std::string_view folder) {
-    return std::any_of(counted_.begin(), counted_.end(), [&](std::size_t i) {
-      const Entry& entry = entries_[i];
-      if (entry.path == folder || !lies_in(entry.path, folder)) return false;
-      const std::string_view child = child_of(folder, entry.path);
-      if (child == entry.path && entry.kind != Entry::Kind::folder) return false;
-      const std::string_view name = folder.empty() ? child : child.substr(folder.size() + 1);
-      return std::find(given.begin(), given.end(), name) != given.end();
-    });
+  return std::any_of(counted_.begin(), counted_.end(), [&](std::size_t i) {
+    const std::string_view path = entries_[i].path;
+    const std::size_t shared = shared_length(path, root_);
+    for (const std::size_t size : around) {
+      if (size > shared || size == path.size()) return false;
+      if (size > 0 && path[size] != '/') continue;
+      const std::string_view child = child_of(path.substr(0, size), path);
+      if (child == path && entries_[i].kind != Entry::Kind::folder) continue;
+      if (std::ranges::find(given, child.substr(size > 0 ? size + 1 : 0)) != given.end()) return true;
+    }
+    return false;
   });
 }
 
@@ -131,9 +138,7 @@ void Finder::divide(Layout& layout) const {
     const Entry& entry = entries_[i];
     if (lies_in(root_, entry.path)) continue;  // the root, or a folder around it
     if (!lies_in(entry.path, root_)) {
-      std::string_view around = parent_of(root_);
-      while (!lies_in(entry.path, around)) around = parent_of(around);
-      strays.emplace(child_of(around, entry.path));
+      strays.emplace(entry.path.substr(0, entry.path.find('/', shared_length(entry.path, root_))));
       continue;
     }
     const std::string child(child_of(root_, entry.path));

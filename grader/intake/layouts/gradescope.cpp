@@ -63,6 +63,12 @@ std::optional<Named> read_gradescope(std::string_view name, bool is_folder, cons
 
 std::map<std::string, GradescopeRow> read_gradescope_metadata(const std::string& yaml,
                                                               const std::string& file) {
+  // The parser takes half a kilobyte for each value. A class has some thousand for each hand-in.
+  constexpr std::ptrdiff_t kMostValues = 10'000'000;
+  constexpr std::string_view kBeforeValues = ",:[{-?\n";
+  if (std::ranges::count_if(yaml, [&](char c) { return kBeforeValues.find(c) != kBeforeValues.npos; }) >
+      kMostValues)
+    throw BadInput(file + ": holds more than a class's data; export it from Gradescope again");
   try {
     const YAML::Node all = YAML::Load(yaml);
     if (!all.IsMap())
