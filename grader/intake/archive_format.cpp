@@ -10,13 +10,13 @@
 namespace grader {
 namespace {
 
-constexpr std::array<std::string_view, 19> archives{
+constexpr std::array<std::string_view, 19> kArchives{
     ".tar.gz", ".tgz", ".zip", ".tar", ".tar.xz", ".txz", ".tar.bz2", ".tbz2", ".tar.zst", ".rar",
     ".7z",     ".gz",  ".xz",  ".bz2", ".zst",    ".lz",  ".lzma",    ".zipx", ".cab"};
 
 // No text files: a README.txt or a grades.csv beside a class's archives is nobody's.
-constexpr std::array<std::string_view, 8> documents{".pdf", ".doc",   ".docx", ".odt",
-                                                    ".rtf", ".pages", ".ppt",  ".pptx"};
+constexpr std::array<std::string_view, 8> kDocuments{".pdf", ".doc",   ".docx", ".odt",
+                                                     ".rtf", ".pages", ".ppt",  ".pptx"};
 
 std::size_t ending_length(std::string_view name, std::span<const std::string_view> endings) {
   std::string lower(name);
@@ -69,16 +69,16 @@ std::string_view foreign_format(std::string_view head) {
 }
 
 bool has_archive_ending(std::string_view name) {
-  return ending_length(name, archives) > 0;
+  return ending_length(name, kArchives) > 0;
 }
 
 std::string_view without_archive_ending(std::string_view name) {
-  const std::size_t archive = ending_length(name, archives);
-  return name.substr(0, name.size() - (archive > 0 ? archive : ending_length(name, documents)));
+  const std::size_t archive = ending_length(name, kArchives);
+  return name.substr(0, name.size() - (archive > 0 ? archive : ending_length(name, kDocuments)));
 }
 
 bool has_document_ending(std::string_view name) {
-  return ending_length(name, documents) > 0;
+  return ending_length(name, kDocuments) > 0;
 }
 
 }  // namespace grader

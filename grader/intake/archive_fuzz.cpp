@@ -181,7 +181,7 @@ std::vector<std::string> fuzz::seeds() {
     all.push_back(ArchiveBuilder(packing).folder("p/").file("p/a.cpp").file("p/b.cpp", "").bytes());
   for (const char* options : {"zip:compression=deflate", "zip:zip64"})
     for (const auto& [form, bytes] :
-         forms_of(ArchiveBuilder(Packing::zip, options).file("a.cpp").bytes(), 100))
+         grader::forms_of(ArchiveBuilder(Packing::zip, options).file("a.cpp").bytes(), 100))
       all.push_back(bytes);
   // LZMA and PPMd, which ask for memory of their own: 64 kB and 1 MiB here.
   all.push_back(grader::zip_of_method(14, std::string("\x09\x04\x05\0\x5d\0\0\1\0\0\x12\x34\x56\x78", 14)));

@@ -16,8 +16,8 @@ void begin_output() {
 
 int finish_output(const std::string& program, int code) {
   errno = 0;
-  const bool flushed = std::cout.flush().good() & (std::fflush(stdout) == 0);
-  if (flushed && std::ferror(stdout) == 0) return code;
+  const bool flushed = std::cout.flush().good(), written = std::fflush(stdout) == 0;
+  if (flushed && written && std::ferror(stdout) == 0) return code;
   if (errno == 0) {  // what failed before left no reason: it is asked for once more
     std::clearerr(stdout);
     std::fputc('\n', stdout);
