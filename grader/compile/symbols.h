@@ -1,4 +1,5 @@
-// STAFF ONLY. Definitions in an object file by which it would answer for the look for memory errors. The object is not trusted.
+// STAFF ONLY. Definitions in an object file by which it would answer for the look for memory errors. The
+// object is not trusted.
 #pragma once
 
 #include <optional>
@@ -7,9 +8,10 @@
 
 namespace grader {
 
-// The first symbol that the object (ELF, 64 bit) defines, local or not, and whose name is one of the sanitizers' runtime:
-// "__asan_report_load8, a name of ...". Or a second table of symbols: compilers make one, and the linker chooses. Nothing if there is
-// neither, or if the bytes are no such object: then the linker refuses them. Takes time in proportion to the object's size.
+// The first symbol that the object (ELF, 64 bit) defines, local or not, and whose name is one of the
+// sanitizers' runtime: "__asan_report_load8, a name of ...". Or a second table of symbols: compilers make
+// one, and the linker chooses. Nothing if there is neither, or if the bytes are no such object: then the
+// linker refuses them. Takes time in proportion to the object's size.
 std::optional<std::string> forbidden_definition(std::string_view object);
 
 }  // namespace grader

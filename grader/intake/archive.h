@@ -1,5 +1,6 @@
-// STAFF ONLY. Archives: zip (by its central directory, whatever stands before and behind it, data stored or deflated) and tar of any
-// age, plain or in one layer of gzip, recognised by content. The limits bound the cost of reading, whatever sizes the archive claims.
+// STAFF ONLY. Archives: zip (by its central directory, whatever stands before and behind it, data stored or
+// deflated) and tar of any age, plain or in one layer of gzip, recognised by content. The limits bound the
+// cost of reading, whatever sizes the archive claims.
 #pragma once
 
 #include <filesystem>

@@ -44,7 +44,8 @@ bool is_tar(std::string_view head) {
   constexpr std::size_t kSum = 148, kSumSize = 8;
   if (head.size() != kHeadBytes) return false;
   if (head.substr(257, 5) == "ustar") return true;
-  // Older ones state nothing but the sum of the header's bytes, which some took for signed, where blanks stand for the sum itself.
+  // Older ones state nothing but the sum of the header's bytes, which some took for signed, where blanks
+  // stand for the sum itself.
   const std::size_t digits = std::min(head.find_first_not_of(' ', kSum), kSum + kSumSize);
   unsigned stated = 0, sum = kSumSize * ' ';
   std::from_chars(head.data() + digits, head.data() + kSum + kSumSize, stated, 8);

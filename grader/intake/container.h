@@ -49,9 +49,9 @@ struct Entry {
 // left away, with the folder of all users in it: "C:\Users\bob\x" is "bob/x".
 Entry entry_at(std::string shown);
 
-// Names as people read them: decoded (code_page.h), composed, and a path for what has none, "entry 17". "name-1a2b3c4d" stands for a part
-// of more than 255 bytes or with more than 30 marks in a row. Marks what is replaced. Returns what was guessed, refused and left away, a
-// line each, which `shown` begins.
+// Names as people read them: decoded (code_page.h), composed, and a path for what has none, "entry 17".
+// "name-1a2b3c4d" stands for a part of more than 255 bytes or with more than 30 marks in a row. Marks what is
+// replaced. Returns what was guessed, refused and left away, a line each, which `shown` begins.
 std::vector<std::string> settle_names(std::vector<Entry>& list, const std::string& shown);
 
 std::string_view name_of(const Entry& entry);  // the last part of its path

@@ -1,4 +1,5 @@
-// STAFF ONLY. Finds a zip's end, and clears the flag of UTF-8 where names are none (APPNOTE.TXT 4.3.7, 4.3.12, 4.3.14 to 4.3.16).
+// STAFF ONLY. Finds a zip's end, and clears the flag of UTF-8 where names are none (APPNOTE.TXT 4.3.7,
+// 4.3.12, 4.3.14 to 4.3.16).
 #include "grader/intake/zip_source.h"
 
 #include <archive.h>

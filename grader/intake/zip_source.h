@@ -1,9 +1,10 @@
 // STAFF ONLY. A zip's bytes as libarchive expects them, which is stricter than other programs:
 //
 // - It looks for the end record in the last 16 KiB. So a comment and bytes behind the end are left away.
-// - Bytes before the first entry, as of a program that unpacks itself, are left away where the zip's own offsets don't count them.
-// - An entry that says "UTF-8" of other bytes would get no name at all, and two of them could not be told apart. So it does not say so any
-//   more: names are as they stand, and code_page.h decodes them.
+// - Bytes before the first entry, as of a program that unpacks itself, are left away where the zip's own
+//   offsets don't count them.
+// - An entry that says "UTF-8" of other bytes would get no name at all, and two of them could not be told
+//   apart. So it does not say so any more: names are as they stand, and code_page.h decodes them.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +25,8 @@ class ZipSource {
   ZipSource(ReadAt read, std::uint64_t size);
 
   bool is_zip() const { return is_zip_; }
-  // How many entries the directory claims, but for those that are passed over. The library keeps all of them in memory.
+  // How many entries the directory claims, but for those that are passed over. The library keeps all of them
+  // in memory.
   std::size_t entries() const { return entries_; }
   bool is_empty() const { return directory_size_ == 0; }
 

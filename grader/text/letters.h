@@ -19,8 +19,9 @@ std::string lowered(std::string_view name);
 
 bool is_utf8(std::string_view bytes);
 
-// No more than 30 marks stand in a row (Unicode's stream-safe text, UAX #15). Composing others would take time that grows with the
-// square of their number: all functions here leave the marks of such a text as they are.
+// No more than 30 marks stand in a row (Unicode's stream-safe text, UAX #15). Composing others would take
+// time that grows with the square of their number: all functions here leave the marks of such a text as they
+// are.
 bool is_stream_safe(std::string_view text);
 
 // The composed form (NFC), else unchanged: folders stay folders. Bytes that are no UTF-8 stay as they are.
