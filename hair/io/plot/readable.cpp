@@ -37,6 +37,24 @@ bool is_control(std::string_view sequence) {
   return sequence == "\xef\xbf\xbe" || sequence == "\xef\xbf\xbf";
 }
 
+struct Mark {
+  std::string_view bytes, shown;
+};
+
+// The marks that turn the direction of the text after them.
+constexpr Mark marks[] = {{"\xd8\x9c", "U+061C"},     {"\xe2\x80\x8e", "U+200E"}, {"\xe2\x80\x8f", "U+200F"},
+                          {"\xe2\x80\xaa", "U+202A"}, {"\xe2\x80\xab", "U+202B"}, {"\xe2\x80\xac", "U+202C"},
+                          {"\xe2\x80\xad", "U+202D"}, {"\xe2\x80\xae", "U+202E"}, {"\xe2\x81\xa6", "U+2066"},
+                          {"\xe2\x81\xa7", "U+2067"}, {"\xe2\x81\xa8", "U+2068"}, {"\xe2\x81\xa9", "U+2069"}};
+
+// The mark at the start of `text`; null if there is none.
+const Mark* mark_at(std::string_view text) {
+  if (static_cast<unsigned char>(text[0]) < 0x80) return nullptr;
+  const Mark* const found =
+      std::ranges::find_if(marks, [&](const Mark& mark) { return text.starts_with(mark.bytes); });
+  return found == std::end(marks) ? nullptr : found;
+}
+
 }  // namespace
 
 std::string valid_utf8(std::string_view bytes) {
@@ -70,8 +88,14 @@ std::string readable(std::string_view bytes) {
 
 std::string escaped(std::string_view bytes) {
   std::string text;
-  for (const char c : readable(bytes)) {
-    switch (c) {
+  const std::string whole = readable(bytes);
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    if (const Mark* const mark = mark_at(std::string_view(whole).substr(at))) {
+      text += "&lt;" + std::string(mark->shown) + "&gt;";
+      at += mark->bytes.size() - 1;
+      continue;
+    }
+    switch (const char c = whole[at]; c) {
       case '&':
         text += "&amp;";
         break;

@@ -14,7 +14,8 @@ std::string valid_utf8(std::string_view bytes);
 // U+FFFD.
 std::string readable(std::string_view bytes);
 
-// The readable text with & < > " ' as entities: safe in HTML and XML, including attributes.
+// The readable text with & < > " ' as entities, and marks that turn the direction of text by their number:
+// safe in HTML and XML, including attributes.
 std::string escaped(std::string_view bytes);
 
 }  // namespace hair

@@ -38,6 +38,16 @@ TEST(Readable, ControlCharactersAreReplacedAndLinesStay) {
   EXPECT_EQ(readable("\xc2\x85\xef\xbf\xbf"), fffd + fffd);
 }
 
+TEST(Escaped, MarksThatTurnTheDirectionOfTextAreNamed) {
+  const char* marks[] = {"\u061c", "\u200e", "\u200f", "\u202a", "\u202b", "\u202c",
+                         "\u202d", "\u202e", "\u2066", "\u2067", "\u2068", "\u2069"};
+  for (const std::string mark : marks) EXPECT_EQ(escaped(mark).find("&lt;U+"), 0U) << mark;
+  EXPECT_EQ(html("{}", {"if (a\u202e b)"}).text, "if (a&lt;U+202E&gt; b)");
+  for (const std::string other :
+       {"\u061b", "\u200d", "\u2010", "\u2029", "\u202f", "\u2065", "\u206a", "\u05d0"})
+    EXPECT_EQ(escaped(other), other);
+}
+
 TEST(HtmlPattern, EveryTextIsEscapedAndHtmlIsNot) {
   const std::string text = "<a href=\"x\">'&";
   EXPECT_EQ(html("{}|{}", {text, Html{"<b>"}}).text, "&lt;a href=&quot;x&quot;&gt;&#39;&amp;|<b>");
