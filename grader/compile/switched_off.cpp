@@ -57,6 +57,27 @@ bool is_asm(std::string_view word) {
   return without_underlines(word) == "asm";
 }
 
+// An attribute or a directive whose text is written to the assembler as it is. Compilers refuse all texts but
+// names of their own in others.
+bool takes_assembler(std::string_view word) {
+  constexpr std::string_view kWords[] = {"section", "alias", "ifunc", "weakref", "symver", "ident", "sccs"};
+  return std::ranges::count(kWords, without_underlines(word)) > 0;
+}
+
+// A text comes next, in parentheses or not, behind lines that begin with #, or so far away that nobody looks.
+bool is_before_text(std::string_view rest) {
+  constexpr std::size_t kMostBetween = 500;
+  const bool cut = rest.size() > kMostBetween;
+  rest = rest.substr(0, kMostBetween);
+  for (;;) {
+    rest.remove_prefix(std::min(rest.find_first_not_of(" \t\n("), rest.size()));
+    if (!rest.starts_with('#')) break;
+    rest.remove_prefix(std::min(rest.find('\n'), rest.size()));
+  }
+  rest.remove_prefix(std::min(rest.find_first_not_of("uUL8R"), rest.size()));
+  return rest.empty() ? cut : rest.starts_with('"');
+}
+
 // asm volatile("" ...) keeps the compiler from moving code, and holds none.
 bool is_empty_asm(std::string_view rest) {
   for (const std::string_view skip : {"volatile", "__volatile__", "__volatile"}) {
@@ -121,7 +142,7 @@ bool may_switch_off(const std::string& source) {
   for_words(text, [&](std::string_view word, std::string_view) {
     const bool reserved = word.size() > 1 && word[0] == '_' &&
                           (word[1] == '_' || std::isupper(static_cast<unsigned char>(word[1])) != 0);
-    may = reserved || word.starts_with("EIGEN_") || is_switch(word) || is_asm(word);
+    may = reserved || word.starts_with("EIGEN_") || is_switch(word) || is_asm(word) || takes_assembler(word);
     return may;
   });
   return may;
@@ -129,19 +150,25 @@ bool may_switch_off(const std::string& source) {
 
 std::optional<SwitchedOff> find_switch(const std::string& source, const std::string& preprocessed,
                                        const std::string& file) {
-  std::istringstream lines(preprocessed);
+  const std::string_view whole = preprocessed;
   int number = 0;
   bool own = false;
   std::optional<SwitchedOff> found;
-  for (std::string line; std::getline(lines, line) && !found; ++number) {
+  for (std::size_t begin = 0, end = 0; begin < whole.size() && !found; begin = end + 1, ++number) {
+    end = std::min(whole.find('\n', begin), whole.size());
+    const std::string line(whole.substr(begin, end - begin));
     if (std::string name; is_marker(line, number, name)) {
       own = name == file;
       --number;
       continue;
     }
     for_words(line, [&](std::string_view word, std::string_view rest) {
+      const auto beyond = [&] {
+        return whole.substr(end - rest.size());
+      };  // its text may stand in later lines
       // No header has such an attribute; many have assembler.
-      if (is_switch(word) || (own && is_asm(word) && !is_empty_asm(rest)))
+      if (is_switch(word) || (own && is_asm(word) && !is_empty_asm(rest)) ||
+          (own && takes_assembler(word) && is_before_text(beyond())))
         found = SwitchedOff{own ? number : 0, std::string(word)};
       return found.has_value();
     });

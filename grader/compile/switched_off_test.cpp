@@ -62,6 +62,24 @@ TEST_F(SwitchedOffTest, AssemblerIsTold) {
   expect_told("extern int name asm(\"other\");", 1, "asm");
 }
 
+TEST_F(SwitchedOffTest, TextsThatReachTheAssemblerAreTold) {
+  expect_told("__attribute__((section(\".data.a\\nnop\\n#\"), used)) static int note = 1;", 1, "section");
+  expect_told("[[using gnu: __section__((R\"(.data.a;nop #)\")), used]] static int note = 1;", 1,
+              "__section__");
+  expect_told(
+      "#define NAME \".data.a;nop #\"\n<:<:gnu::section(\n\n#if 1\n(NAME)\n#endif\n):>:> int note = 1;", 2,
+      "section");
+  expect_told("#define PASTE(a, b) a##b\n[[gnu::PASTE(sec, tion)(\"a\")]] int note = 1;", 2, "section");
+  expect_told("static int f() __attribute__((weakref(\"x\\nnop\"))); int g() { return f(); }", 1, "weakref");
+  expect_told("static int f() __attribute__((weakref, alias(\"x;nop\"))); int g() { return f(); }", 1,
+              "alias");
+  expect_told("extern \"C\" int x() { return 1; }\nextern \"C\" int g() __attribute__((ifunc(\"x\")));", 2,
+              "ifunc");
+  expect_told("extern \"C\" __attribute__((symver(\"g@V1;nop#\"))) int g() { return 1; }", 1, "symver");
+  expect_told("#ident \"x\\\"\\nnop\\n#\"", 1, "ident");
+  expect_told("#  sccs \"x\\\"\\nnop\\n#\"", 1, "ident");
+}
+
 TEST_F(SwitchedOffTest, LinesUnderOtherNamesAreTold) {
   expect_told("# 5 \"/usr/include/stdio.h\" 3\nasm(\"\");", 1, "#line");
   expect_told("const char* text = R\"(\n# 5 \"/usr/include/stdio.h\" 3\n)\"; asm(\"nop\");", 2, "#line");
@@ -70,6 +88,9 @@ TEST_F(SwitchedOffTest, LinesUnderOtherNamesAreTold) {
 TEST_F(SwitchedOffTest, HonestFilesAreLookedInto) {
   EXPECT_EQ(sentence_for("[[maybe_unused]] static int one = 1;  // step #1"), "");
   EXPECT_EQ(sentence_for("inline void f() { asm volatile(\"\" ::: \"memory\"); }"), "");
+  EXPECT_EQ(sentence_for("inline double section(double r) { return r; }  // \"alias\"\n"
+                         "inline double ident = section(\n    1);"),
+            "");
   EXPECT_EQ(sentence_for("#include <map>\n#define PASTE(a, b) a##b\ninline int PASTE(x, y) = __LINE__;"), "");
 }
 
