@@ -36,17 +36,14 @@ const std::vector<std::string> kCompile = {"-std=c++20", "-O2", "-fPIC", "-ffp-c
 // Eigen allocates as the worker does, which is compiled without sanitizers.
 const std::vector<std::string> kSanitise = {
     "-O1",
-    "-g1",
     "-fno-omit-frame-pointer",
     "-fsanitize=address,signed-integer-overflow,bounds,integer-divide-by-zero,shift,vla-bound,return",
     "-fno-sanitize-recover=all",
     "-U__SANITIZE_ADDRESS__",
     "--param=asan-instrumentation-with-call-threshold=0"};
 const std::vector<std::string> kLinkSanitised = {"-fsanitize=address,undefined"};
-// The lines of the program are in what is stripped otherwise.
-const std::string kStrip = "-s";
-const std::vector<std::string> kLink = {"-shared", "-fno-lto", "-fno-use-linker-plugin", "-Wl,-z,defs",
-                                        "-Wl,-z,now"};
+const std::vector<std::string> kLink = {"-shared",     "-s",        "-fno-lto", "-fno-use-linker-plugin",
+                                        "-Wl,-z,defs", "-Wl,-z,now"};
 
 // Where its headers are, below /usr/include.
 std::string folder_of(const std::string& library) {
@@ -152,10 +149,7 @@ std::vector<std::string> Toolchain::compile_command(const std::vector<std::strin
 std::vector<std::string> Toolchain::link_command(Build build) const {
   std::vector<std::string> command = {program_};
   command.insert(command.end(), kLink.begin(), kLink.end());
-  if (build == Build::sanitised)
-    command.insert(command.end(), kLinkSanitised.begin(), kLinkSanitised.end());
-  else
-    command.push_back(kStrip);
+  if (build == Build::sanitised) command.insert(command.end(), kLinkSanitised.begin(), kLinkSanitised.end());
   if (fs::exists("/usr/bin/ld.gold"))
     command.emplace_back("-fuse-ld=gold");  // a third of the default linker's time
   return command;

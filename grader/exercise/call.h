@@ -112,7 +112,7 @@ struct Call {
 template <auto function>
 struct Named;
 
-// A request names a call by its place in the list.
+// A request names a call by its place in the list: exercises.json's functions, in their order, then others.
 template <class... All>
 struct CallList {
   static constexpr int count = sizeof...(All);

@@ -5,11 +5,13 @@
 #include "all_calls.h"
 #include "grader/exercise/draw.h"
 #include "grader/exercise/relay.h"
+#include "hair/course/course.h"
 
 namespace grader {
 namespace {
 
 using Bytes = std::vector<std::byte>;
+using hair::Course, hair::plain_name, hair::read_course;
 
 constexpr int kTries = 2000, kMostTries = 400'000, kEnough = 5;
 
@@ -94,6 +96,28 @@ TEST(Calls, TakeOrRefuseAnyRequestAndReply) {
         const Bytes request = draw::request<Calls, number>(source);
         relay::send<Calls>(way, i % 2 == 0 ? request : poisoned(request, source), expect_readable);
       }
+    });
+  });
+}
+
+// "hair::stretch_energy", or a function with other arguments in front of it.
+template <auto function>
+std::string name_of() {
+  const std::string text = __PRETTY_FUNCTION__;
+  const std::size_t begin = text.find("function = ") + 11;
+  return plain_name(text.substr(begin, text.find_first_of(";]", begin) - begin));
+}
+
+// So a report says which function was called.
+TEST(Calls, StandInTheOrderOfTheExercisesFunctions) {
+  const Course course = read_course(std::filesystem::path(HAIR_PROJECT) / "handout/exercises.json");
+  for_each_exercise([&]<class Calls>() {
+    for_each_call<Calls>([&]<int number>() {
+      const std::vector<std::string>& functions = course.find(Calls::id)->functions;
+      if (functions.size() > 1 && number < functions.size())
+        EXPECT_TRUE(
+            plain_name(functions[number]).starts_with(name_of<Calls::template At<number>::function>()))
+            << Calls::id << ", call " << number << ": " << functions[number];
     });
   });
 }

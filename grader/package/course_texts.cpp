@@ -119,13 +119,6 @@ class Writing {
   bool opening_ = true, calls_ = false, hints_ = false;  // where the line is
 };
 
-// "ConjGrad" of "ConjGrad(int, ...)".
-std::string plain_name(std::string function) {
-  function = function.substr(0, function.find('('));
-  const std::size_t scope = function.rfind("::");
-  return scope == std::string::npos ? function : function.substr(scope + 2);
-}
-
 std::string replaced(std::string text, const std::string& what, const std::string& by) {
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
     text.replace(at, what.size(), by);
@@ -139,8 +132,8 @@ std::string with_first_exercise(std::string text, const Course& course) {
   const auto first = std::find_if(course.exercises.begin(), course.exercises.end(), is_to_write);
   if (first == course.exercises.end() || first->id == usual.id) return text;
   if (usual.functions.empty() || first->functions.empty()) return text;
-  text = replaced(text, usual.id + " " + plain_name(usual.functions.front()),
-                  first->id + " " + plain_name(first->functions.front()));
+  text = replaced(text, usual.id + " " + hair::plain_name(usual.functions.front()),
+                  first->id + " " + hair::plain_name(first->functions.front()));
   text = replaced(text, "check-" + usual.id, "check-" + first->id);
   text = replaced(text, "student/" + usual.file, "student/" + first->file);
   return replaced(text, usual.text, first->text);

@@ -32,7 +32,7 @@ const CaseResult kCase{.name = "Ill-conditioned systems",
                        .feedback = "the residual is \"large\"",
                        .detail = "n = 10\nx = -0x1p-1074 \xc3\xb6",
                        .hint = "It is right but for signs.",
-                       .memory_error = "reads behind an array, in line 3 of a.cpp.",
+                       .memory_error = "reads behind an array, in a call of f.",
                        .cases = 7,
                        .held = std::numeric_limits<int>::max()};
 
@@ -116,9 +116,7 @@ SuiteResult suite_result() {
   found.pictures = {kPicture};
   found.runs = {kRun};
   found.study = study();
-  found.memory = {.message = "It writes behind an array",
-                  .offsets = {1, std::numeric_limits<std::uint64_t>::max()},
-                  .cpu_seconds = 0.5};
+  found.memory = {.message = "It writes behind an array", .call = 1, .cpu_seconds = 0.5};
   found.allocations = 2;
   found.cpu_seconds = 0.1;
   found.run_cpu_seconds = 0.2;
@@ -201,8 +199,8 @@ TEST(DeclaredFields, AreWrittenInTheirOrder) {
       "{\"name\":\"Ill-conditioned systems\",\"status\":\"broke the rules\",\"points\":0.3333333333333333,"
       "\"max_points\":1e+300,\"feedback\":\"the residual is \\\"large\\\"\",\"detail\":\"n = 10\\nx = "
       "-0x1p-1074 \xc3\xb6\",\"hint\":\"It is right but for signs.\",\"memory_error\":\"reads behind an "
-      "array, in line 3 of "
-      "a.cpp.\",\"cases\":7,\"held\":2147483647}\n");
+      "array, in a call of "
+      "f.\",\"cases\":7,\"held\":2147483647}\n");
 }
 
 TEST(DeclaredFields, AreLeftOutWhereTheySayNothing) {
@@ -255,8 +253,6 @@ constexpr Slip kSlips[] = {
      "a.json: cases[0].held: 2147483648 is not right; write a whole number from -2147483648 to 2147483647"},
     {R"("cases":7)", R"("cases":7.5)",
      "a.json: cases[0].cases: 7.5 is not right; write a whole number from -2147483648 to 2147483647"},
-    {"[1,18446744073709551615]", "[1,-1]",
-     "a.json: memory.offsets[1]: -1 is not right; write a whole number from 0 to 18446744073709551615"},
     {R"("solver_steps":-1)", R"("solver_steps":9223372036854775808)",
      "a.json: study.scenes[0].parts[0].student.points[0].solver_steps: 9223372036854775808 is not right; "
      "write a "

@@ -95,7 +95,7 @@ const Rows<SubmissionResult>& Fields<SubmissionResult>::rows() {
 
 const Rows<MemoryLook>& Fields<MemoryLook>::rows() {
   using T = MemoryLook;
-  static const Rows<T> all = {field("told", &T::message), field("offsets", &T::offsets),
+  static const Rows<T> all = {field("told", &T::message), field("call", &T::call),
                               field("cpu_seconds", &T::cpu_seconds)};
   return all;
 }

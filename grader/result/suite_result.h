@@ -14,10 +14,10 @@ namespace grader {
 
 // The look for memory errors, see grader/suite/memory_errors.h.
 struct MemoryLook {
-  // A memory error, as a sentence for the student, and where in the sanitised object it is, see
-  // grader/wire/memory_error.h: not trusted. Empty: none was found.
+  // A memory error, as a sentence for the student, and the number of the function that was called, in the
+  // order of exercises.json. Empty: none was found.
   std::string message;
-  std::vector<std::uint64_t> offsets;
+  int call = -1;
   double cpu_seconds = 0;  // of the worker with sanitizers
 
   bool operator==(const MemoryLook&) const = default;

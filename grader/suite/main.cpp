@@ -124,7 +124,7 @@ SuiteResult run_categories(const SuiteJob& job, const grader::WorkerSetup& setup
     result.run_cpu_seconds = run->student().cpu_seconds();
     result.picture_cpu_seconds = run->picture_seconds();
   }
-  if (memory) result.memory = {memory->message(), memory->offsets(), memory->student().cpu_seconds()};
+  if (memory) result.memory = {memory->message(), memory->call(), memory->student().cpu_seconds()};
   return result;
 }
 

@@ -109,10 +109,9 @@ void MemoryErrors::ask_all(Trial& trial) {
     Answer answer = student_.ask(request.message, products);
     implemented |= answer.outcome != Outcome::not_implemented;
     if (answer.outcome == Outcome::memory_error) {
-      const MemoryError error = read_memory_error(answer.reply);
-      offsets_ = error.offsets;
-      tell(trial, std::string("The code ") + error.shown(),
-           std::string(memory_error_kinds()[error.kind].runtime));
+      const MemoryErrorKind& error = read_memory_error(answer.reply);
+      if (answer.note.empty()) call_ = MessageReader(request.message.bytes()).get<int>();
+      tell(trial, std::string("The code ") + error.shown, std::string(error.runtime));
     }
     if (broke_off(answer.outcome) && !broke_off(request.outcome))
       tell(trial,

@@ -11,7 +11,6 @@
 // too late.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -39,9 +38,10 @@ class MemoryErrors {
   Category category();
   Student& student() { return student_; }
 
-  // What the student reads of an error, in a sentence of ours, and where it is in the object. Empty: none was found.
+  // What the student reads of an error, in a sentence of ours, and the number of the call that met it; -1: it
+  // was loaded. Empty: none was found.
   const std::string& message() const { return message_; }
-  const std::vector<std::uint64_t>& offsets() const { return offsets_; }
+  int call() const { return call_; }
 
  private:
   void look(Trial& trial);
@@ -56,7 +56,7 @@ class MemoryErrors {
   WorkerSetup setup_;
   Student student_;
   std::string message_;
-  std::vector<std::uint64_t> offsets_;
+  int call_ = -1;
 };
 
 }  // namespace grader

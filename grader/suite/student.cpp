@@ -153,7 +153,7 @@ std::optional<Message> Student::receive() {
 }
 
 std::optional<Answer> Student::start() {
-  if (starts_ > 0) setup_.allowance->spent.restarts += 1;
+  if (starts_ > 0 && !std::exchange(forgiven_, false)) setup_.allowance->spent.restarts += 1;
   if (give_up_if_used_up()) return gave_up_;
   ++starts_;
   worker_ = std::make_shared<Worker>(setup_, worker_cage(setup_));
@@ -166,7 +166,7 @@ std::optional<Answer> Student::start() {
       case Kind::memory_error:  // of something static
         if (!setup_.sanitised) return broke_rules("something else than a greeting");
         end(1);
-        return Answer{Outcome::memory_error, MessageReader(message->body), {}};
+        return Answer{Outcome::memory_error, MessageReader(message->body), kLoading};
       case Kind::left:
         return left(kLoading, MessageReader(message->body).get<int>());
       case Kind::denied:
@@ -257,7 +257,13 @@ Answer Student::converse(const MessageWriter& request, Conversation& conversatio
 MessageReader Student::listen(Conversation& conversation, Kind until) {
   for (;;) {
     std::optional<Message> message = receive();
-    if (!message) throw Over{ended(kAsking)};
+    if (!message) {
+      Answer answer = ended(kAsking);
+      // The exception by which we stop it ends a process where it leaves a thread.
+      forgiven_ = conversation.stopping && answer.outcome == Outcome::crashed;
+      if (forgiven_) answer = {Outcome::stopped, MessageReader({}), {}};
+      throw Over{std::move(answer)};
+    }
     charge(conversation);
     if (give_up_if_used_up()) {
       end(0);

@@ -110,6 +110,7 @@ class Student {
   WorkerSetup setup_;
   Recording* recording_ = nullptr;
   std::shared_ptr<Worker> worker_;
+  bool forgiven_ = false;  // the last worker ended because it was stopped
   std::optional<Answer> gave_up_;
   Outcome last_failure_ = Outcome::timed_out;
   double cpu_seconds_ = 0;

@@ -22,20 +22,16 @@ void grade_exercise(const SuiteJobs& jobs, const Compiler& compiler, const Exerc
                     const Submission& submission, const std::filesystem::path& job, double compiler_seconds,
                     ExerciseResult& result, ExerciseTiming& timing);
 
-// A file, compiled once more with the sanitizers that find memory errors.
-struct Sanitised {
-  const Toolchain& toolchain;  // which knows an object's lines
-  Compiled compiled;           // without an object: it met a limit with them, or the file switches them off
-  int lines = 0;               // of the file
-};
-Sanitised compile_with_sanitizers(const Compiler& compiler, const Exercise& exercise,
-                                  const std::string& source, const std::filesystem::path& job,
-                                  double cpu_seconds);
+// A file, compiled once more with the sanitizers that find memory errors. Without an object: it met a limit
+// with them, or the file switches them off.
+Compiled compile_with_sanitizers(const Compiler& compiler, const Exercise& exercise,
+                                 const std::string& source, const std::filesystem::path& job,
+                                 double cpu_seconds);
 
 // Runs only the suite, against an object of `student`. Without `sanitised` memory errors are not looked for.
 void run_cases(const SuiteJobs& jobs, const Exercise& exercise, const std::string& student,
                const std::filesystem::path& object, const std::filesystem::path& job,
-               const std::optional<Sanitised>& sanitised, ExerciseResult& result, ExerciseTiming& timing);
+               const std::optional<Compiled>& sanitised, ExerciseResult& result, ExerciseTiming& timing);
 
 // The beginning of what a worker printed.
 std::string beginning_of(const std::filesystem::path& log, std::size_t most);

@@ -38,14 +38,14 @@ std::string also_said(const fs::path& log) {
 void grade_exercise_of_reference(const SuiteJobs& jobs, const Compiler& compiler, const Exercise& exercise,
                                  ExerciseTiming& timing) {
   const fs::path job = jobs.kit().new_job("reference-" + exercise.id);
-  std::optional<Sanitised> sanitised;
+  std::optional<Compiled> sanitised;
   if (jobs.settings().memory_errors) {
     sanitised.emplace(compile_with_sanitizers(compiler, exercise,
                                               hair::bytes_of(jobs.settings().reference / exercise.file), job,
                                               jobs.settings().course.budget.compiler_cpu_seconds));
-    if (sanitised->compiled.object.empty())
+    if (sanitised->object.empty())
       throw std::runtime_error("the reference of " + exercise.id +
-                               " does not compile with sanitizers: " + printable(sanitised->compiled.log));
+                               " does not compile with sanitizers: " + printable(sanitised->log));
   }
   ExerciseResult result;
   run_cases(jobs, exercise, "", jobs.reference_object(exercise), job, sanitised, result, timing);

@@ -2,13 +2,10 @@
 // functions when it has found an error and before it prints anything. They tell the suite, and end the process.
 //
 // Nothing here allocates, for the heap may be in any state.
-#include <dlfcn.h>
 #include <pthread.h>
 #include <unistd.h>
-#include <unwind.h>
 
-#include <array>
-#include <cstring>
+#include <span>
 
 #include "grader/wire/channel.h"
 #include "grader/wire/memory_error.h"
@@ -23,24 +20,6 @@ void __ubsan_get_current_report_data(const char** kind, const char** message, co
 namespace grader {
 namespace {
 
-struct Report {
-  std::uint32_t kind = 0, frames = 0;
-  std::array<std::uint64_t, kMostFrames> offsets{};
-};
-
-_Unwind_Reason_Code add_frame(_Unwind_Context* context, void* data) {
-  auto& report = *static_cast<Report*>(data);
-  int before = 0;  // the address is that of the instruction itself, and not of the one behind a call
-  const std::uintptr_t address = _Unwind_GetIPInfo(context, &before);
-  Dl_info found{};
-  void* const pointer =
-      reinterpret_cast<void*>(address);  // NOLINT(performance-no-int-to-ptr): it comes as a number
-  if (dladdr(pointer, &found) != 0 && std::strcmp(found.dli_fname, current.object) == 0)
-    report.offsets[report.frames++] =
-        address - reinterpret_cast<std::uintptr_t>(found.dli_fbase) - (before == 0 ? 1 : 0);
-  return report.frames < kMostFrames ? _URC_NO_REASON : _URC_END_OF_STACK;
-}
-
 // The runtime's word for the error begins with its kind: "wild-addr-write", or "null-deref".
 [[noreturn]] void tell(const char* what) {
   Channel channel(kIn, kOut);
@@ -49,11 +28,7 @@ _Unwind_Reason_Code add_frame(_Unwind_Context* context, void* data) {
     channel.send(Kind::out_of_memory, current.nonce);
     _exit(0);
   }
-  Report report{*kind, 0, {}};
-  _Unwind_Backtrace(add_frame, &report);
-  const std::span<const std::byte> bytes = std::as_bytes(std::span(&report, 1));
-  channel.send(Kind::memory_error, current.nonce,
-               bytes.first(offsetof(Report, offsets) + report.frames * sizeof(std::uint64_t)));
+  channel.send(Kind::memory_error, current.nonce, std::as_bytes(std::span(&*kind, 1)));
   _exit(0);
 }
 

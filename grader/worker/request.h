@@ -11,7 +11,6 @@ inline constexpr int kIn = 3, kOut = 4;
 
 struct Current {
   std::uint64_t nonce = 0;
-  const char* object = "";  // the student's, as it is loaded
 };
 
 inline Current current;

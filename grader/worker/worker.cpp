@@ -75,7 +75,6 @@ struct Loaded {
 Loaded load(Channel& channel, int count, char* files[]) {
   Loaded loaded;
   void* object = nullptr;
-  current.object = files[count - 2];
   for (int i = 0; i < count; ++i) {
     object = dlopen(files[i], RTLD_NOW | (i + 1 < count ? RTLD_GLOBAL : RTLD_LOCAL));
     if (object == nullptr) {

@@ -174,4 +174,10 @@ std::string to_string(Role role) {
   return "unknown";
 }
 
+std::string plain_name(std::string function) {
+  function = function.substr(0, function.find('('));
+  const std::size_t scope = function.rfind("::");
+  return scope == std::string::npos ? function : function.substr(scope + 2);
+}
+
 }  // namespace hair

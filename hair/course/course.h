@@ -50,6 +50,9 @@ Course read_course(const std::filesystem::path& exercises_json,
 
 std::string to_string(Role role);
 
+// "stretch_energy" of "hair::stretch_energy(hair::Strand const&)".
+std::string plain_name(std::string function);
+
 // Whether any of the exercises that are called is among the absent ones.
 template <class Ids>
 bool calls_absent(const Ids& called, const std::vector<std::string>& absent) {

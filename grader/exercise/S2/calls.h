@@ -71,7 +71,7 @@ struct NormalSystem {
 
 struct Calls
     : CallList<Call<dense, Contract{}, Table>, Call<normal, Contract{.allocates_nothing = true}, Transposed>,
-               Call<normal_of_normal, Contract{}, Transposed>, Call<solve_normal, Contract{}, NormalSystem>> {
+               Call<solve_normal, Contract{}, NormalSystem>, Call<normal_of_normal, Contract{}, Transposed>> {
   static constexpr const char* id = "S2";
 };
 
