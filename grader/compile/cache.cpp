@@ -5,6 +5,8 @@
 #include <stdlib.h>
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <vector>
 
 #include "grader/sandbox/descriptor.h"
@@ -54,19 +56,25 @@ void shrink_cache(const fs::path& folder, std::uintmax_t most_bytes) {
   }
 }
 
-// The number of the log's bytes, a line feed, the log, the object.
+// The number of the log's bytes, the CPU time in ms, a line feed, the log, the object.
 std::string text_of(const KeptObject& kept) {
-  return std::to_string(kept.log.size()) + "\n" + kept.log + kept.object;
+  return std::to_string(kept.log.size()) + " " + std::to_string(std::lround(1000 * kept.cpu_seconds)) + "\n" +
+         kept.log + kept.object;
 }
 
 std::optional<KeptObject> read_kept(const fs::path& kept) {
   const std::string text = hair::bytes_of(kept);
-  const std::size_t line = text.find('\n');
-  if (line == std::string::npos || line == 0 || text.find_first_not_of("0123456789") != line || line > 15)
-    return {};
-  const std::size_t log = std::stoull(text.substr(0, line));
+  std::size_t log = 0;
+  long milliseconds = 0;
+  const char* const end = text.data() + text.size();
+  const auto [blank, wrong] = std::from_chars(text.data(), end, log);
+  if (wrong != std::errc() || blank == end || *blank != ' ') return {};
+  const auto [feed, other] = std::from_chars(blank + 1, end, milliseconds);
+  if (other != std::errc() || feed == end || *feed != '\n') return {};
+  const auto line = static_cast<std::size_t>(feed - text.data());
   if (log > text.size() - line - 1) return {};
-  return KeptObject{text.substr(line + 1 + log), text.substr(line + 1, log)};
+  return KeptObject{text.substr(line + 1 + log), text.substr(line + 1, log),
+                    1e-3 * static_cast<double>(milliseconds)};
 }
 
 }  // namespace grader

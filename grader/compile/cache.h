@@ -22,9 +22,11 @@ void mark_as_used(const std::filesystem::path& kept);
 // can make a large object with each letter that they change.
 void shrink_cache(const std::filesystem::path& folder, std::uintmax_t most_bytes);
 
-// An object with what the compiler said of it: one file, so that neither is there without the other.
+// An object with what the compiler said of it, and took for it: one file, so that none is there without the
+// others.
 struct KeptObject {
   std::string object, log;
+  double cpu_seconds = 0;
 };
 std::optional<KeptObject> read_kept(const std::filesystem::path& kept);
 std::string text_of(const KeptObject& kept);

@@ -55,8 +55,10 @@ TEST_F(Cache, GivesBackWhatWasKept) {
     ASSERT_TRUE(found);
     EXPECT_EQ(found->object, kept.object);
     EXPECT_EQ(found->log, kept.log);
+    EXPECT_EQ(found->cpu_seconds, kept.cpu_seconds);
   }
-  for (const char* damaged : {"", "\n", "9\nlog", "x\n", "12345678901234567890\n", "3"}) {
+  for (const char* damaged :
+       {"", "\n", "9 1\nlog", "x\n", "123456789012345678901 1\n", "3", "3 ", "3 1", "3\nlog"}) {
     std::ofstream(dir_ / "kept", std::ios::binary) << damaged;
     EXPECT_FALSE(read_kept(dir_ / "kept")) << damaged;
   }

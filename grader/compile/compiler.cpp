@@ -41,7 +41,7 @@ Compiled Compiler::compile(const Exercise& exercise, const std::string& source, 
       mark_as_used(kept);
       std::ofstream(object, std::ios::binary) << found->object;
       fs::permissions(object, fs::perms(0755));
-      return {object, own_warnings(found->log, exercise.file), found->log};
+      return {object, own_warnings(found->log, exercise.file), found->log, 0, found->cpu_seconds};
     }
 
   double before = 0;
@@ -56,10 +56,11 @@ Compiled Compiler::compile(const Exercise& exercise, const std::string& source, 
   Compiled compiled = run_linker(exercise, job, cpu_seconds - first.cpu_seconds, build);
   compiled.log = first.log + compiled.log;
   if (!compiled.object.empty()) compiled.messages = own_warnings(compiled.log, exercise.file);
-  compiled.cpu_seconds += first.cpu_seconds;
+  compiled.made_in_seconds = compiled.cpu_seconds += first.cpu_seconds;
   if (toolchain_.isolated() && !compiled.object.empty()) {
     const fs::path file = job / "to-keep";
-    std::ofstream(file, std::ios::binary) << text_of({hair::bytes_of(compiled.object), compiled.log});
+    std::ofstream(file, std::ios::binary)
+        << text_of({hair::bytes_of(compiled.object), compiled.log, compiled.cpu_seconds});
     keep_copy(file, kept);
     std::error_code ignored;
     fs::remove(file, ignored);

@@ -24,6 +24,7 @@ struct Compiled {
   std::string messages;          // for the student: what compiler and linker say of the student's own lines
   std::string log;               // for staff: the whole output of compiler and linker
   double cpu_seconds = 0;        // what it took; 0 if the object was cached
+  double made_in_seconds = 0;    // the same, or what it took when the cached object was made
   std::string switched_off =
       {};  // with sanitizers: how the file keeps them from a look, for the student; then there is no object
 };

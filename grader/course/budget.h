@@ -1,7 +1,9 @@
 // STAFF ONLY. What a submission may take of the machine, all of its exercises together; or what it has taken.
 //
-// Each exercise has an equal share, and so have the end-to-end runs: what one overruns is not taken from another.
-// A share is no grade: an exercise that uses up its share ends there, with the points of its other categories.
+// Each exercise has an equal share, and so have the end-to-end runs: what one overruns is not taken from
+// another. A share is no grade: an exercise that uses up its share ends there, with the points of its other
+// categories. These shares suffice on a machine that is ten times as slow as most. An exercise ends far
+// earlier where it takes many times what the reference takes here (grader/tool/suite_jobs.h).
 #pragma once
 
 #include <span>
@@ -9,13 +11,13 @@
 namespace grader {
 
 struct Budget {
-  double idle_seconds = 40;           // workers that neither compute nor wait for a processor
-  double worker_cpu_seconds = 55;     // the submission's code at run time
-  double compiler_cpu_seconds = 150;  // compiler and linker, each file twice
-  double suite_cpu_seconds = 90;      // what the suite spends to converse with workers
-  double restarts = 75;               // of workers that crashed or broke the rules
-  double messages = 3e7;              // from workers
-  double megabytes = 11000;           // in these messages
+  double idle_seconds = 40;            // workers that neither compute nor wait for a processor
+  double worker_cpu_seconds = 550;     // the submission's code at run time
+  double compiler_cpu_seconds = 1500;  // compiler and linker, each file twice
+  double suite_cpu_seconds = 900;      // what the suite spends to converse with workers
+  double restarts = 75;                // of workers that crashed or broke the rules
+  double messages = 3e7;               // from workers
+  double megabytes = 11000;            // in these messages
   // By the clock on the wall, while workers are asked: ten times what the longest of an honest one's exercises takes, in each share. A
   // busy machine can use it up: then a person looks, and the submission is graded again.
   double wall_seconds = 600;
@@ -28,6 +30,9 @@ struct BudgetField {
   const char* name;     // "idle time"
   const char* heading;  // "Idle"
   double Budget::*value;
+  // Of what has a limit by the reference, too: the least that such a limit is, for one exercise. 0: there is
+  // none.
+  double least = 0;
 };
 
 std::span<const BudgetField> budget_fields();

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <iostream>
+#include <map>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -107,34 +108,23 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
   std::string failure;
   std::set<std::string> written;
   Progress progress(asked);
+  std::map<std::size_t, Graded> ended_by_the_clock;  // by the submission's place
   std::mutex shared;  // guards all of the above, but for the record, which does so itself
   std::atomic<std::size_t> next = 0;
 
-  auto grade_one = [&](Submission& submission) {
-    if (only && *only != submission.name) return;
-    submission.drawn_from = record.drawn_from(submission.name);
-    const HandedIn handed_in{submission.handed_in, hash_of_files(submission), submission.marked_late};
-    const std::optional<Recorded> earlier =
-        settings.resume || settings.merge ? record.find(submission.name) : std::nullopt;
-    if (settings.resume && earlier) {
-      const bool complete = earlier->result.studied || !grading.reference().study;
-      if (complete && earlier->result.origin == submission.origin &&
-          earlier->result.fingerprint == grading.fingerprint(submission)) {
-        record.set_handed_in(submission.name, handed_in);
-        const std::lock_guard lock(shared);
-        ++batch.done;
-        progress.step(in_a_line(earlier->result, people), false);
-        return;
-      }
-    }
-    Graded graded = grading.grade(submission);
-    // Ctrl-C reaches the suite, too: what it left is no result.
-    if (interrupted) return;
+  const auto handed_in_of = [](const Submission& submission) {
+    return HandedIn{submission.handed_in, hash_of_files(submission), submission.marked_late};
+  };
+  const auto earlier_of = [&](const Submission& submission) {
+    return settings.resume || settings.merge ? record.find(submission.name) : std::nullopt;
+  };
+  const auto keep = [&](const Submission& submission, Graded graded) {
     Recorded one{std::move(graded.result), {}, std::move(graded.timing)};
-    if (settings.merge && earlier) keep_other_exercises(one, *earlier, grading.course());
+    if (const std::optional<Recorded> earlier = earlier_of(submission); settings.merge && earlier)
+      keep_other_exercises(one, *earlier, grading.course());
     one.result.studied = graded.study.has_value();
     if (graded.study) one.study = {*graded.study, *grading.reference().study};
-    record.put(one, handed_in);
+    record.put(one, handed_in_of(submission));
     if (std::optional<Recorded> now = record.find_decided(submission.name)) one = std::move(*now);
     if (hidden) hide(*hidden, one.result);
     write_student_files(record.pages(), one, people);
@@ -148,20 +138,54 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
     run.done = static_cast<int>(batch.done);
     record.set_run(reference, run);  // whoever looks after this process was killed knows
   };
-  auto work = [&] {
-    for (std::size_t i = next++; i < submissions.size() && !interrupted; i = next++) {
-      try {
-        grade_one(submissions[i]);
-      } catch (const std::exception& problem) {  // the record or reports can't be written: no use in going on
+
+  const auto grade_one = [&](std::size_t place) {
+    Submission& submission = submissions[place];
+    if (only && *only != submission.name) return;
+    submission.drawn_from = record.drawn_from(submission.name);
+    const std::optional<Recorded> earlier = earlier_of(submission);
+    if (settings.resume && earlier) {
+      const bool complete = earlier->result.studied || !grading.reference().study;
+      if (complete && earlier->result.origin == submission.origin &&
+          earlier->result.fingerprint == grading.fingerprint(submission)) {
+        record.set_handed_in(submission.name, handed_in_of(submission));
         const std::lock_guard lock(shared);
-        failure = problem.what();
-        next = submissions.size();
+        ++batch.done;
+        progress.step(in_a_line(earlier->result, people), false);
+        return;
       }
     }
+    Graded graded = grading.grade(submission);
+    // Ctrl-C reaches the suite, too: what it left is no result.
+    if (interrupted) return;
+    if (graded.result.ended_by_the_clock.empty()) return keep(submission, std::move(graded));
+    const std::lock_guard lock(shared);
+    ended_by_the_clock.emplace(place, std::move(graded));
+  };
+  const auto unless_it_fails = [&](const auto& work) {
+    try {
+      work();
+    } catch (const std::exception& problem) {  // the record or reports can't be written: no use in going on
+      const std::lock_guard lock(shared);
+      failure = problem.what();
+      next = submissions.size();
+    }
+  };
+  const auto work = [&] {
+    for (std::size_t i = next++; i < submissions.size() && !interrupted; i = next++)
+      unless_it_fails([&] { grade_one(i); });
   };
   std::vector<std::jthread> threads;
   for (int i = 0; i < settings.jobs; ++i) threads.emplace_back(work);
   for (std::jthread& thread : threads) thread.join();
+  // One at a time: now the machine has nothing else to do for us.
+  for (auto& [place, graded] : ended_by_the_clock) {
+    if (interrupted || !failure.empty()) break;
+    unless_it_fails([&, &place = place, &graded = graded] {
+      grading.grade_again(submissions[place], graded);
+      if (!interrupted) keep(submissions[place], std::move(graded));
+    });
+  }
   if (!failure.empty()) throw BadInput(failure);
 
   batch.interrupted = interrupted;

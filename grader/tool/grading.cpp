@@ -101,50 +101,77 @@ Graded Grading::grade(const Submission& submission, const AfterEach& after_each)
   graded.result.fingerprint = fingerprint(submission);
   graded.result.isolation = settings_.isolation;
   graded.result.images = settings_.images;
-  const fs::path job = kit_.new_job("submission-" + submission.name);
+  graded.job = kit_.new_job("submission-" + submission.name);
   // Honest files take very different times: what earlier ones leave of their shares, later ones may take.
   double compiler_seconds = 0;
   for (const Exercise& exercise : settings_.course.exercises) {
-    compiler_seconds += jobs_.allowance().compiler_cpu_seconds;
+    compiler_seconds += jobs_.compiler_seconds(exercise);
     if (!jobs_.selected(exercise)) continue;
-    const fs::path folder = kit_.new_job(job.filename() / exercise.id);
-    ExerciseResult result = describe(exercise);
-    try {
-      ExerciseTiming& timing = graded.timing[exercise.id];
-      grade_exercise(jobs_, compiler_, exercise, submission, folder, compiler_seconds, result, timing);
-      compiler_seconds = std::max(0.0, compiler_seconds - timing.spent.compiler_cpu_seconds);
-      if (jobs_.ended_by_the_clock(timing)) {
-        graded.result.ended_by_the_clock.push_back(exercise.id);
-        result.feedback += std::string(" ") + kNotFinal;
-      }
-    } catch (const std::exception& problem) {  // ours, not the student's; and it stops no other submission
-      result = describe(exercise);
-      result.status = Status::crashed;
-      result.feedback =
-          "The grader could not finish with this file; that is not your fault. The staff see why.";
-      result.staff_log = problem.what();
-      graded.result.fingerprint.clear();  // to be graded again
-      graded.problems.push_back(submission.name + ": " + exercise.id + ": " + problem.what());
-    }
-    graded.result.exercises.push_back(std::move(result));
+    graded.result.exercises.push_back(describe(exercise));
+    grade_one(submission, exercise, compiler_seconds, graded.result.exercises.back(), graded);
     if (after_each) after_each(graded.result);
   }
-  if (!settings_.exercise) {
-    try {
-      run_end_to_end(job, graded);
-    } catch (const std::exception& problem) {
-      graded.result.fingerprint.clear();
-      graded.problems.push_back(submission.name + ": end to end: " + problem.what());
-    }
-  }
-  if (!graded.result.ended_by_the_clock.empty()) graded.result.fingerprint.clear();  // to be graded again
-  std::error_code ignored;
-  fs::remove_all(job, ignored);
+  finish(graded);
   return graded;
 }
 
-void Grading::run_end_to_end(const fs::path& job, Graded& graded) const {
-  const SuiteJob runs = end_to_end_job(jobs_, job, graded.result);
+void Grading::grade_again(const Submission& submission, Graded& graded) const {
+  const std::vector<std::string> ended = std::exchange(graded.result.ended_by_the_clock, {});
+  if (graded.problems.empty()) graded.result.fingerprint = fingerprint(submission);
+  for (ExerciseResult& result : graded.result.exercises) {
+    if (std::ranges::count(ended, result.id) == 0) continue;
+    const Exercise& exercise = *settings_.course.find(result.id);
+    double compiler_seconds = settings_.course.budget.compiler_cpu_seconds;  // it did compile
+    fs::remove_all(graded.job / result.id);
+    result = describe(exercise);
+    grade_one(submission, exercise, compiler_seconds, result, graded);
+  }
+  finish(graded);
+}
+
+// Into `result`. `compiler_seconds`: what the file may take of it, and then what it has left.
+void Grading::grade_one(const Submission& submission, const Exercise& exercise, double& compiler_seconds,
+                        ExerciseResult& result, Graded& graded) const {
+  try {
+    const fs::path folder = kit_.new_job(graded.job.filename() / exercise.id);
+    ExerciseTiming& timing = graded.timing[exercise.id] = {};
+    grade_exercise(jobs_, compiler_, exercise, submission, folder, compiler_seconds, result, timing);
+    compiler_seconds = std::max(0.0, compiler_seconds - timing.spent.compiler_cpu_seconds);
+    if (jobs_.ended_by_the_clock(timing)) {
+      graded.result.ended_by_the_clock.push_back(exercise.id);
+      result.feedback += std::string(" ") + kNotFinal;
+    }
+  } catch (const std::exception& problem) {  // ours, not the student's; and it stops no other submission
+    result = describe(exercise);
+    result.status = Status::crashed;
+    result.feedback =
+        "The grader could not finish with this file; that is not your fault. The staff see why.";
+    result.staff_log = problem.what();
+    graded.result.fingerprint.clear();  // to be graded again
+    graded.problems.push_back(submission.name + ": " + exercise.id + ": " + problem.what());
+  }
+}
+
+// All files together, at the end.
+void Grading::finish(Graded& graded) const {
+  if (!settings_.exercise) {
+    try {
+      run_end_to_end(graded);
+    } catch (const std::exception& problem) {
+      graded.result.fingerprint.clear();
+      graded.problems.push_back(graded.result.name + ": end to end: " + problem.what());
+    }
+  }
+  if (!graded.result.ended_by_the_clock.empty()) {
+    graded.result.fingerprint.clear();  // to be graded again
+    return;
+  }
+  std::error_code ignored;
+  fs::remove_all(graded.job, ignored);
+}
+
+void Grading::run_end_to_end(Graded& graded) const {
+  const SuiteJob runs = end_to_end_job(jobs_, graded.job, graded.result);
   graded.result.runs = jobs_.run(runs, graded.timing[kRuns]).runs;
   if (jobs_.ended_by_the_clock(graded.timing[kRuns])) graded.result.ended_by_the_clock.emplace_back(kRuns);
   if (!reference_.study) return;

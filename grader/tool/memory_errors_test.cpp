@@ -271,7 +271,7 @@ TEST_F(MemoryErrorsTest, AreLookedForAtNoOthersCost) {
   settings_.course.budget.worker_cpu_seconds = 2.5 * static_cast<double>(settings_.course.exercises.size());
   const auto [result, timing] = grade_timed(source, true, "slow");
   EXPECT_DOUBLE_EQ(result.points, s1_.points) << "slow code keeps the point";
-  const double share = SuiteJobs(settings_, kit_).allowance().worker_cpu_seconds;
+  const double share = SuiteJobs(settings_, kit_).allowance("S1").worker_cpu_seconds;
   const double others = timing.spent.worker_cpu_seconds - timing.sanitised_cpu_seconds;
   EXPECT_GT(timing.sanitised_cpu_seconds, std::min(1.0, share - others) - 0.1) << "it has what is left";
   EXPECT_LT(timing.spent.worker_cpu_seconds, share + 1);

@@ -46,6 +46,7 @@ void grade_exercise_of_reference(const SuiteJobs& jobs, const Compiler& compiler
     if (sanitised->object.empty())
       throw std::runtime_error("the reference of " + exercise.id +
                                " does not compile with sanitizers: " + printable(sanitised->log));
+    timing.spent.compiler_cpu_seconds = sanitised->made_in_seconds;
   }
   ExerciseResult result;
   run_cases(jobs, exercise, "", jobs.reference_object(exercise), job, sanitised, result, timing);

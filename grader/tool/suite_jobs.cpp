@@ -18,7 +18,10 @@ namespace fs = std::filesystem;
 constexpr int kLeastCpuSeconds = 2;
 constexpr int kLeastRunCpuSeconds =
     3;  // a run has a bound of its own, of questions: see grader/play/player.cpp
-constexpr double kTimesReference = 20;  // a student's code may take this many times the reference's CPU time
+constexpr double kTimesReference = 20;  // a worker may take this many times the reference's CPU time
+// All workers of an exercise, and the suite while it asks them: of the reference's CPU time, and of its messages.
+constexpr double kTimesCpu = 10, kTimesMessages = 20;
+constexpr double kTimesCompiled = 2.25, kLeastCompilerSeconds = 5;
 constexpr double kReferenceWallSeconds = 1e6;  // a busy machine is slow, and fit to grade
 
 // What a worker may take, of the reference's.
@@ -93,7 +96,7 @@ SuiteJob SuiteJobs::job(const std::string& exercise, const fs::path& folder) con
   suite.log = folder / kLog;
   suite.isolation = settings_.isolation;
   suite.cpu_seconds = kLeastCpuSeconds;
-  suite.allowance = allowance();
+  suite.allowance = allowance(exercise);
   if (const auto reference = reference_.find(exercise); reference != reference_.end())
     suite.cpu_seconds = cpu_limit(reference->second.worker_cpu_seconds);
   if (reference_.empty()) suite.allowance.wall_seconds = kReferenceWallSeconds;
@@ -101,13 +104,39 @@ SuiteJob SuiteJobs::job(const std::string& exercise, const fs::path& folder) con
 }
 
 bool SuiteJobs::ended_by_the_clock(const ExerciseTiming& timing) const {
-  return timing.spent.wall_seconds > allowance().wall_seconds;
+  return timing.spent.wall_seconds > share().wall_seconds;
 }
 
-Budget SuiteJobs::allowance() const {
+Budget SuiteJobs::share() const {
   int parts = 1;  // the end-to-end runs
   for (const Exercise& exercise : settings_.course.exercises) parts += asked_for(exercise) ? 1 : 0;
   return share_of(settings_.course.budget, parts);
+}
+
+Budget SuiteJobs::allowance(const std::string& exercise) const {
+  Budget most = share();
+  const auto reference = reference_.find(exercise);
+  if (reference == reference_.end()) return most;
+  for (const BudgetField& field : budget_fields()) {
+    const double times = std::string_view(field.key).ends_with("cpu_seconds") ? kTimesCpu : kTimesMessages;
+    const double limit = std::max(field.least, times * reference->second.spent.*field.value);
+    if (field.least > 0) most.*field.value = std::min(most.*field.value, limit);
+  }
+  return most;
+}
+
+double SuiteJobs::compiler_seconds(const Exercise& exercise) const {
+  double own = 0, all = 0;
+  int files = 0;
+  for (const auto& [id, timing] : reference_) {
+    const double seconds = timing.spent.compiler_cpu_seconds;
+    if (id == exercise.id) own = seconds;
+    all += seconds;
+    files += seconds > 0 ? 1 : 0;
+  }
+  const double most = share().compiler_cpu_seconds;
+  return files == 0 ? most
+                    : std::min(most, std::max(kLeastCompilerSeconds, kTimesCompiled * (own + all / files)));
 }
 
 std::optional<WholeRunJob> SuiteJobs::whole_run(const std::string& exercise) const {

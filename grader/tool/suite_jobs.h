@@ -54,9 +54,15 @@ class SuiteJobs {
 
   bool selected(const Exercise& exercise) const;  // to be graded
 
-  // What an exercise may take of the course's budget, also if others are not selected.
-  Budget allowance() const;
+  // What an exercise, or kRuns, may take: its share of the course's budget, also if others are not selected;
+  // and 10 times the reference's CPU time, 20 times its messages, for which each field has a least limit.
+  Budget allowance(const std::string& exercise) const;
   bool ended_by_the_clock(const ExerciseTiming& timing) const;
+
+  // What compiler and linker may take for a file: its share of the course's budget; and 4.5 times what the
+  // reference's file takes with sanitizers, or rather the mean of that and of an average file. A right file
+  // needs 2 of these 4.5, for it is compiled twice.
+  double compiler_seconds(const Exercise& exercise) const;
 
   // The cases of an exercise and its whole run, against an object; the suite provides its prerequisites.
   SuiteJob cases(const Exercise& exercise, const std::string& student, const std::filesystem::path& object,
@@ -75,6 +81,7 @@ class SuiteJobs {
   SuiteResult run_study(const SuiteJob& job, ExerciseTiming& timing) const;
 
  private:
+  Budget share() const;
   SuiteJob job(const std::string& exercise, const std::filesystem::path& folder) const;
   std::optional<WholeRunJob> whole_run(const std::string& exercise) const;
 

@@ -1,0 +1,74 @@
+// STAFF ONLY. A part of a batch that the clock on the wall ended is asked once more, when all else is done,
+// before anybody is told.
+#include "grader/tool/batch.h"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <thread>
+
+#include "grader/record/record.h"
+#include "grader/sandbox/descriptor.h"
+#include "grader/sandbox/identity.h"
+#include "grader/tool/settings_for_tests.h"
+#include "hair/io/files/read_file.h"
+#include "hair/io/files/temporary_folder.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+// As on a machine that is busy at first: S1 sleeps if there is a pipe, which goes once it has been met.
+TEST(Batch, AsksOnceMoreForWhatTheClockEndedAlone) {
+  const hair::TemporaryFolder folder("batch");
+  const fs::path pipe = folder.path() / "pipe";
+  GradingSettings settings = settings_for_tests();
+  for (Exercise& exercise : settings.course.exercises)
+    if (exercise.id != "S1" && exercise.id != "S2") exercise.role = Role::absent;
+  settings.course.budget.idle_seconds = 1e4;
+  settings.course.budget.wall_seconds = 24;  // a third each
+  settings.cache = HAIR_TEST_CACHE;
+  settings.secret = "a secret for tests alone";
+  settings.images = settings.memory_errors = false;
+  settings.isolation = Isolation::none;  // it sees the pipe
+
+  const auto file = [&](const std::string& name, const std::string& before) {
+    return SourceFile{before + hair::bytes_of(fs::path(HAIR_PROJECT) / "reference" / name), ""};
+  };
+  const std::string sleeps =
+      "#include <fcntl.h>\n#include <unistd.h>\nstruct Sleeps { Sleeps() { if (open(\"" + pipe.string() +
+      "\", O_RDONLY) >= 0) for (;;) sleep(1); } } sleeps;\n";
+  Submission slow{.name = "slow", .origin = "slow"}, quick{.name = "quick", .origin = "quick"};
+  slow.files = {{"conj_grad.cpp", file("conj_grad.cpp", sleeps)},
+                {"normal_equations.cpp", file("normal_equations.cpp", "")}};
+  quick.files = {{"normal_equations.cpp", file("normal_equations.cpp", "")}};
+
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0644), 0);
+  share_with_sandbox(folder.path(), false);
+  fs::permissions(pipe, fs::perms(0644));
+  const std::jthread watch([&](const std::stop_token& stop) {  // until it has been met
+    while (!stop.stop_requested() && !Descriptor(open(pipe.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC)))
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    fs::remove(pipe);
+  });
+  const Grading grading(settings);
+  BatchSettings batch;
+  batch.out = folder.path() / "grades";
+  batch.jobs = 2;
+  const Batch graded = grade_batch(grading, {quick, slow}, batch, false);
+  EXPECT_EQ(graded.graded, 2);
+  EXPECT_EQ(graded.problems, std::vector<std::string>());
+  const SubmissionResult result = Record(batch.out).find("slow").value().result;
+  EXPECT_EQ(result.ended_by_the_clock, std::vector<std::string>());
+  EXPECT_EQ(result.fingerprint, grading.fingerprint(slow));
+  for (const ExerciseResult& exercise : result.exercises) {
+    EXPECT_EQ(exercise.status, Status::passed) << exercise.id;
+    EXPECT_EQ(exercise.feedback.find("not final"), std::string::npos) << exercise.feedback;
+  }
+  for (const RunResult& run : result.runs) EXPECT_EQ(run.outcome, RunOutcome::same) << run.name;
+}
+
+}  // namespace
+}  // namespace grader
