@@ -25,10 +25,10 @@ double points_for_share(const CaseResult& one) {
 // The place of a memory error, as a phrase. A line would be one of hundreds, and code could choose it by a
 // hidden input.
 std::string place_of(const Exercise& exercise, int call) {
+  if (call < 0) return "";
   const auto number = static_cast<std::size_t>(call);
-  return call >= 0 && number < exercise.functions.size()
-             ? ", in a call of " + hair::plain_name(exercise.functions[number])
-             : ", in " + exercise.file;
+  return number < exercise.functions.size() ? ", in a call of " + hair::plain_name(exercise.functions[number])
+                                            : ", in " + exercise.file;
 }
 
 }  // namespace
