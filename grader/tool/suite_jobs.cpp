@@ -18,9 +18,8 @@ namespace fs = std::filesystem;
 constexpr int kLeastCpuSeconds = 2;
 constexpr int kLeastRunCpuSeconds =
     3;  // a run has a bound of its own, of questions: see grader/play/player.cpp
-constexpr double kTimesReference = 20;  // a worker may take this many times the reference's CPU time
-// All workers of an exercise, and the suite while it asks them: of the reference's CPU time, and of its messages.
-constexpr double kTimesCpu = 10, kTimesMessages = 20;
+// A worker, all workers of an exercise, and the suite while it asks them may take this many times the reference's CPU time and messages.
+constexpr double kTimesReference = 20;
 constexpr double kTimesCompiled = 2.25, kLeastCompilerSeconds = 5;
 constexpr double kReferenceWallSeconds = 1e6;  // a busy machine is slow, and fit to grade
 
@@ -118,8 +117,7 @@ Budget SuiteJobs::allowance(const std::string& exercise) const {
   const auto reference = reference_.find(exercise);
   if (reference == reference_.end()) return most;
   for (const BudgetField& field : budget_fields()) {
-    const double times = std::string_view(field.key).ends_with("cpu_seconds") ? kTimesCpu : kTimesMessages;
-    const double limit = std::max(field.least, times * reference->second.spent.*field.value);
+    const double limit = std::max(field.least, kTimesReference * reference->second.spent.*field.value);
     if (field.least > 0) most.*field.value = std::min(most.*field.value, limit);
   }
   return most;
