@@ -188,10 +188,12 @@ void expect_solved(Trial& trial, const LinearSystem& system, const Solution& sol
   const double rounding = drift(system, solution.x, residual * residual);
   const std::string detail = numbers(solution, epsilon, 0);
   const bool known = !system.solution.empty() && system.smallest > 0;
-  const double bound = known ? (std::sqrt(epsilon) + rounding) / system.smallest : 0;
+  const Bound allowed{std::sqrt(epsilon), rounding},
+      bound{allowed.promised / system.smallest, allowed.rest / system.smallest};
   Compared numbers;
-  if (known) numbers = {vector_of(solution.x), vector_of(system.solution), 1, vector_of(system.b), bound};
-  trial.expect_at_most(residual, std::sqrt(epsilon) + rounding, "the norm of b - Ax", numbers, detail);
+  if (known)
+    numbers = {vector_of(solution.x), vector_of(system.solution), 1, vector_of(system.b), bound.most()};
+  trial.expect_at_most(residual, allowed, "the norm of b - Ax", numbers, detail);
   if (!known) return;
   trial.expect_at_most(distance(solution.x, system.solution), bound, "the error of x", numbers, detail);
 }

@@ -4,8 +4,9 @@
 //   hairseeds EXERCISE FIRST COUNT KIT OBJECT...
 //
 // The objects are loaded in their order, the exercise's last, in a process without a cage: this is for staff's own
-// programs. Prints a line for each category that fails: under how many seeds, and what staff read of the first; and a hint if
-// what promises to allocate nothing does. The exit code is 0 if no category fails, 1 if one does.
+// programs. Prints a line for each category that fails: under how many seeds, and what staff read of the first; a hint if
+// what promises to allocate nothing does; and for each bound the largest error / bound, its seed, the category, and the quantity. The
+// exit code is 0 if no category fails, 1 if one does.
 #include <sodium.h>
 
 #include <algorithm>
@@ -52,18 +53,23 @@ int main(int argc, char* argv[]) {
   const std::string exercise = argv[1];
   const int first = std::stoi(argv[2]), count = std::stoi(argv[3]);
   std::map<std::string, Failures> failures;
+  std::map<std::string, std::pair<double, int>> nearest;  // the ratio, the seed
   int allocations = 0;
   for (int seed = first; seed < first + count; ++seed) {
     // A worker has a limit of wall time, and sweeps along a hair take seconds for each seed if nothing is optimised.
     grader::Student student = uncaged(exercise, argv[4], {argv + 5, argv + argc});
     for (const grader::Category& category : grader::categories(exercise)) {
+      grader::Trial trial(student, grader::Random(std::to_string(seed), category.name));
       try {
-        grader::Trial trial(student, grader::Random(std::to_string(seed), category.name));
         category.run(trial);
       } catch (const grader::CaseFailed& failure) {
         Failures& of = failures[category.name];
         if (++of.count == 1)
           of.first = "seed " + std::to_string(seed) + ", " + failure.feedback + "; " + failure.detail;
+      }
+      for (const auto& [quantity, ratio] : trial.nearest()) {
+        std::pair<double, int>& largest = nearest[category.name + " | " + quantity];
+        largest = std::max(largest, {ratio, seed});
       }
     }
     student.finish();
@@ -75,5 +81,7 @@ int main(int argc, char* argv[]) {
   if (allocations > 0)
     std::cout << "  a hint: a call allocates up to " << allocations
               << " times, and its contract asks for none\n";
+  for (const auto& [bound, largest] : nearest)
+    std::cout << largest.first << " " << largest.second << " " << bound << "\n";
   return failures.empty() ? 0 : 1;
 }

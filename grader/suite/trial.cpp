@@ -87,33 +87,36 @@ void Trial::require(bool holds, const std::string& feedback, const std::string& 
   if (!holds) fail(Status::wrong, feedback, detail, hint);
 }
 
-void Trial::expect_at_most(double error, double bound, const std::string& what, const std::string& detail) {
+void Trial::expect_at_most(double error, Bound bound, const std::string& what, const std::string& detail) {
   expect_at_most(error, bound, what, Compared{}, detail);
 }
 
-void Trial::expect_at_most(double error, double bound, const std::string& what, const Compared& numbers,
+void Trial::expect_at_most(double error, Bound bound, const std::string& what, const Compared& numbers,
                            const std::string& detail) {
+  double& nearest = nearest_[what];
+  if (error > bound.promised) nearest = std::max(nearest, (error - bound.promised) / bound.rest);
+  const double most = bound.most();
   // A bound that is not finite would accept anything.
-  if (error <= bound && std::isfinite(bound)) return;
+  if (error <= most && std::isfinite(most)) return;
   std::ostringstream text;
   text.precision(17);
-  text << what << ": " << error << ", bound " << bound << (detail.empty() ? "" : "; ") << detail;
+  text << what << ": " << error << ", bound " << most << (detail.empty() ? "" : "; ") << detail;
   if (const auto worst = worst_entry(numbers))
     text << "; worst entry " << *worst << ": " << numbers.actual[*worst] << ", expected "
          << numbers.expected[*worst];
-  wrong(what + " is " + band(error, bound), text.str(),
+  wrong(what + " is " + band(error, most), text.str(),
         hint_for_students(checks::find_hint(as_span(numbers.actual), as_span(numbers.expected),
-                                            numbers.bound.value_or(bound), numbers.block,
+                                            numbers.bound.value_or(most), numbers.block,
                                             as_span(numbers.before))));
 }
 
-void Trial::expect_near(const Compared& numbers, double bound, const std::string& what) {
+void Trial::expect_near(const Compared& numbers, Bound bound, const std::string& what) {
   const auto worst = worst_entry(numbers);
   expect_at_most(worst ? std::abs(numbers.actual[*worst] - numbers.expected[*worst]) : 0, bound, what,
                  numbers);
 }
 
-void Trial::expect_close(const Compared& numbers, double bound, const std::string& what) {
+void Trial::expect_close(const Compared& numbers, Bound bound, const std::string& what) {
   expect_at_most((numbers.actual - numbers.expected).norm(), bound, what, numbers);
 }
 
@@ -132,6 +135,7 @@ void Trial::ask_aside(const std::function<void()>& questions) {
   const WhenWrong when_wrong = std::exchange(when_wrong_, WhenWrong::stop);
   const int cases = cases_;
   const bool case_failed = case_failed_;
+  const std::map<std::string, double> nearest = nearest_;
   try {
     questions();
   } catch (const CaseFailed&) {
@@ -140,6 +144,7 @@ void Trial::ask_aside(const std::function<void()>& questions) {
   when_wrong_ = when_wrong;
   cases_ = cases;
   case_failed_ = case_failed;
+  nearest_ = nearest;
 }
 
 std::optional<CaseCount> count_of(const Category& category, Student& student, const Random& source) {

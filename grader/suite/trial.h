@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -40,6 +41,16 @@ inline Compared compared(double actual, double expected) {
   return {Eigen::VectorXd::Constant(1, actual), Eigen::VectorXd::Constant(1, expected), 1};
 }
 
+// What an error may be. A contract lets right programs use up what it promises, such as a tolerance; the rest is there for what no
+// program can help, such as rounding.
+struct Bound {
+  Bound(double most) : rest(most) {}
+  Bound(double promised_error, double more) : promised(promised_error), rest(more) {}
+
+  double promised = 0, rest;
+  double most() const { return promised + rest; }
+};
+
 // What a wrong answer does: it ends the category by CaseFailed, or it is counted. No answer ends it in either way.
 enum class WhenWrong { stop, count };
 
@@ -67,12 +78,12 @@ class Trial {
                const std::string& hint = {});
 
   // error <= bound; otherwise the student reads "<what> is 10 to 1000 times as large as allowed". NaN fails.
-  void expect_at_most(double error, double bound, const std::string& what, const std::string& detail = {});
-  void expect_at_most(double error, double bound, const std::string& what, const Compared& numbers,
+  void expect_at_most(double error, Bound bound, const std::string& what, const std::string& detail = {});
+  void expect_at_most(double error, Bound bound, const std::string& what, const Compared& numbers,
                       const std::string& detail = {});
   // The same of the largest difference, and of the distance ||actual - expected||.
-  void expect_near(const Compared& numbers, double bound, const std::string& what);
-  void expect_close(const Compared& numbers, double bound, const std::string& what);
+  void expect_near(const Compared& numbers, Bound bound, const std::string& what);
+  void expect_close(const Compared& numbers, Bound bound, const std::string& what);
 
   [[noreturn]] void fail(Status status, const std::string& feedback, const std::string& detail,
                          const std::string& hint = {}) const;
@@ -82,6 +93,9 @@ class Trial {
 
   // Runs `questions` for what their answers may excuse: none of them is a case, and the first that fails ends them.
   void ask_aside(const std::function<void()>& questions);
+
+  // How near errors came to their bounds: of each quantity the largest (error - promised) / rest.
+  const std::map<std::string, double>& nearest() const { return nearest_; }
 
   int cases() const { return cases_; }
   int failed() const { return failed_; }
@@ -94,6 +108,7 @@ class Trial {
   Student& student_;
   WhenWrong when_wrong_;
   std::string description_;
+  std::map<std::string, double> nearest_;
   int cases_ = 0, failed_ = 0;
   bool case_failed_ = false;
 };

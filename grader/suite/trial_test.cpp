@@ -47,6 +47,18 @@ TEST(Bound, HoldsUpToItselfAndNotForNan) {
   EXPECT_EQ(verdict(std::numeric_limits<double>::infinity(), 1).status, Status::wrong);
 }
 
+TEST(Bound, KeepsTheLargestRatioOfAllButQuestionsAside) {
+  Student nobody{WorkerSetup{}};
+  Trial trial(nobody, Random("seed", "nearest"), WhenWrong::count);
+  for (const double error : {0.25, 0.5, 0.0}) trial.expect_at_most(error, 2, "the error of x");
+  trial.expect_close({Eigen::Vector2d(3, 4), Eigen::Vector2d(0, 0), 1}, 2, "the error of v");
+  trial.expect_at_most(0, 0, "the error of nothing");
+  trial.ask_aside([&] { trial.expect_at_most(1, 2, "the error of x"); });
+  const std::map<std::string, double> expected = {
+      {"the error of x", 0.25}, {"the error of v", 2.5}, {"the error of nothing", 0}};
+  EXPECT_EQ(trial.nearest(), expected);
+}
+
 TEST(Feedback, TellsStudentsABandAndStaffTheNumbers) {
   const CaseFailed failure = verdict(0.0625, 0.03125);
   EXPECT_EQ(failure.feedback, "the error of x is up to 10 times as large as allowed");

@@ -71,14 +71,15 @@ void expect_lengths(Trial& trial, int function, const Strand& strand, double tol
   const VectorXd& x = corrected.result;
   const double round = rounding(x, strand.segments() > 0 ? strand.rest_length.minCoeff() : 1);
   // Each order of sweeps moves particles by the same, within 2 %.
-  trial.expect_at_most(largest_error(strand, x), slack * tolerance + round,
+  trial.expect_at_most(largest_error(strand, x), {tolerance, (slack - 1) * tolerance + round},
                        "the largest error of a length after " + name_of(function),
                        motions(corrected, reference_lengths(strand, corrected.before), 0.02));
   trial.expect(corrected.report.converged, name_of(function) + " reports that it has not converged");
 }
 
 void expect_near(Trial& trial, int function, const Strand& strand, const VectorXd& x, const VectorXd& after) {
-  trial.expect_at_most(moved(strand, x, after), kFar * moved(strand, x, reference_lengths(strand, x)),
+  const double necessary = moved(strand, x, reference_lengths(strand, x));
+  trial.expect_at_most(moved(strand, x, after), {necessary, (kFar - 1) * necessary},
                        "how far " + name_of(function) + " moves particles, by their masses");
 }
 
@@ -90,14 +91,15 @@ void expect_velocities(Trial& trial, const Strand& strand, const VectorXd& x, co
   MatrixXd scratch(v.size(), hair::kCorrectionScratch);
   hair::correct_velocities(strand, x, 1e-14 * speed, 10, expected, scratch);
   const Compared numbers = motions(corrected, expected, 1e-2);
-  trial.expect_at_most(largest_rate(strand, x, corrected.result), tolerance + round,
+  trial.expect_at_most(largest_rate(strand, x, corrected.result), {tolerance, round},
                        "the velocity at which a segment is still stretched", numbers);
   trial.expect(corrected.report.converged, "correct_velocities reports that it has not converged");
   if (strand.segments() == 0) return;
 
   const double smallest = solver::symmetric_eigenvalues(multiplier_matrix(strand, x)).minCoeff();
-  const double left = (tolerance + round) * std::sqrt(strand.segments());
-  trial.expect_at_most(moved(strand, expected, corrected.result), 2 * left / std::sqrt(smallest),
+  const double of_rates = std::sqrt(strand.segments() / smallest);
+  trial.expect_at_most(moved(strand, expected, corrected.result),
+                       {of_rates * tolerance, of_rates * (tolerance + 2 * round)},
                        "how far velocities are from what impulses along the segments make of them", numbers);
 }
 

@@ -144,7 +144,8 @@ void expect_energy_stays(Trial& trial) {
         turns += (before < 0) != (state.x[i] < 0);
         before = state.x[i];
       }
-      trial.expect_at_most(most / least, (1 + s / 2) / (1 - s / 2) * (1 + 1e-12),
+      const double promised = (1 + s / 2) / (1 - s / 2);
+      trial.expect_at_most(most / least, {promised, 1e-12 * promised},
                            "the ratio of an oscillator's largest energy to its least");
       // It turns by 2 asin(s/2) a step.
       trial.expect(std::abs(turns - steps * 2 * std::asin(s / 2) / std::numbers::pi) <= 2,

@@ -114,17 +114,17 @@ void expect_matrix(Trial& trial, const ConstrainedSystem& system) {
   }
 }
 
-void expect_residual(Trial& trial, const ConstrainedSystem& system, const VectorXd& lambda, double bound,
+void expect_residual(Trial& trial, const ConstrainedSystem& system, const VectorXd& lambda, Bound bound,
                      const std::string& what, const std::function<double(double)>& error) {
   const VectorXd right = system.right_hand_side(), product = system.matrix() * lambda;
   double found = error((right - product).norm());
-  if (!(found <= bound)) found = error(own_residual(trial, system, lambda));
+  if (!(found <= bound.most())) found = error(own_residual(trial, system, lambda));
   trial.expect_at_most(found, bound, what, {product, right, 1});
 }
 
 void expect_solved(Trial& trial, const ConstrainedSystem& system, const VectorXd& lambda, double tolerance) {
   expect_residual(trial, system, lambda,
-                  tolerance * system.right_hand_side().norm() + system.residual_rounding(lambda),
+                  {tolerance * system.right_hand_side().norm(), system.residual_rounding(lambda)},
                   "what is left of the constraints' acceleration");
 }
 

@@ -45,7 +45,7 @@ void expect_matrix(Trial& trial, const ConstrainedSystem& system);
 
 // error(||right-hand side - J W J' lambda||) <= bound.
 void expect_residual(Trial& trial, const ConstrainedSystem& system, const Eigen::VectorXd& lambda,
-                     double bound, const std::string& what,
+                     Bound bound, const std::string& what,
                      const std::function<double(double)>& error = std::identity());
 void expect_solved(Trial& trial, const ConstrainedSystem& system, const Eigen::VectorXd& lambda,
                    double tolerance = kTolerance);

@@ -148,9 +148,9 @@ void expect_solves(Trial& trial, const std::string& name, const Matrix& table, c
   const std::vector<double> Atb = table.transposed().times(b);
   const double epsilon = std::pow(1e-9 * norm(Atb), 2);
   const NormalSolution solution = solve(trial, name, table, b, epsilon, 0);
-  const double allowed = std::sqrt(epsilon) + drift(table, expected, Atb);
-  const double bound = allowed / (smallest * smallest);
-  const Compared numbers{vector_of(solution.x), vector_of(expected), 1, vector_of(Atb), bound};
+  const Bound allowed{std::sqrt(epsilon), drift(table, expected, Atb)},
+      bound{allowed.promised / (smallest * smallest), allowed.rest / (smallest * smallest)};
+  const Compared numbers{vector_of(solution.x), vector_of(expected), 1, vector_of(Atb), bound.most()};
   trial.expect_at_most(normal_residual(table, solution.x, b), allowed, "the norm of A'(b - Ax)", numbers);
   trial.expect_at_most(distance(solution.x, expected), bound, "the error of x", numbers);
 }
