@@ -171,13 +171,14 @@ ImplicitSystem implicit_system(const Cloud& cloud, double a, double b) {
     if (!cloud.particles.is_pinned(i)) continue;
     system.A.middleRows<3>(3 * i).setZero();
     system.A.middleCols<3>(3 * i).setZero();
-    system.A.block<3, 3>(3 * i, 3 * i).setIdentity();
     system.rhs.segment<3>(3 * i).setZero();
   }
+  system.norm = system.A.norm();
+  for (int i = 0; i < cloud.count(); ++i)
+    if (cloud.particles.is_pinned(i)) system.A.block<3, 3>(3 * i, 3 * i).setIdentity();
   const Eigen::LDLT<Eigen::MatrixXd> factors(system.A);
   system.dv = factors.solve(system.rhs);
   for (int i = 0; i < 2; ++i) system.dv += factors.solve(system.rhs - system.A * system.dv);
-  system.norm = system.A.norm();
   system.smallest = solver::symmetric_eigenvalues(system.A).minCoeff();
   const double e = 2 * (size + 8), X = 2 * system.dv.norm() + system.rhs.norm();
   system.rounding = 65 * (10 + 2 * e) * kUnit * system.norm * X + in_rhs;
