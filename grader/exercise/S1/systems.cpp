@@ -20,15 +20,18 @@ std::vector<double> uniform_values(Random& random, int n, double low, double hig
   return values;
 }
 
-// A tolerance that takes hundreds of steps: what forgets the directions so far, at each 64th step or otherwise, takes
-// many times as many. Directions that rounding has turned cost each program some steps, and none a third more.
+// A tolerance that takes hundreds of steps. Rounding turns the directions, and each right program pays some steps for that: 0.9 to 1.2
+// times ours for the systems below, whatever its formulas and orders of sums. Who forgets the directions so far at each 64th or n-th step
+// takes at least 2.4 times as many in one of them. The fewer unknowns, the more is up to chance: 0.7 to 1.6 times for n = 30 and a
+// condition of 1e6.
 void expect_long_solve(Trial& trial, const LinearSystem& system) {
   const LinearSystem unit = at_unit_tolerance(system, std::pow(1e-8 * norm(system.b), 2));
   const int steps = reference_solution(unit, 1, 100 * unit.n()).steps;
   const Solution solution =
-      solve(trial, unit, 1, 2 * steps);  // no more: one that never ends costs our products
+      solve(trial, unit, 1, 3 * steps);  // no more: one that never ends costs our products
   expect_solved(trial, unit, solution, 1);
-  trial.expect_at_most(solution.steps, 4 * steps / 3.0, "the number of steps of a solve that takes hundreds",
+  trial.expect_at_most(solution.steps, {double(steps), double(steps)},
+                       "the number of steps of a solve that takes hundreds",
                        std::to_string(steps) + " steps would do");
 }
 
@@ -50,7 +53,7 @@ Solution expect_solves(Trial& trial, const LinearSystem& system, int least_steps
 void expect_solves_quickly(Trial& trial, const LinearSystem& system, int least_steps) {
   const Solution coarse = expect_solves(trial, system, least_steps);
   const int steps = tolerance_after(system, least_steps).steps;
-  trial.expect_at_most(coarse.products, 2.5 * (1 + steps) + 5, "the number of products",
+  trial.expect_at_most(coarse.products, {1.0 + steps, 1.5 * (1 + steps) + 5}, "the number of products",
                        std::to_string(steps) + " steps would do");
   expect_solved_at(trial, system, 1e-10, usual_limit(system));
 }
@@ -181,7 +184,7 @@ void hard_systems(Trial& trial) {
                                            log_spaced(random.integer(250, 300), 1, 5000), random));
   // Far more steps than unknowns: directions that rounding has turned are what costs them.
   expect_long_solve(
-      trial, spectral_system("random, condition 1e6", log_spaced(random.integer(30, 40), 1, 1e6), random));
+      trial, spectral_system("random, condition 1e6", log_spaced(random.integer(60, 80), 1, 1e6), random));
 }
 
 // Whoever solves nothing at all gets nothing for that.
