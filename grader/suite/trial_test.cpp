@@ -52,10 +52,13 @@ TEST(Bound, KeepsTheLargestRatioOfAllButQuestionsAside) {
   Trial trial(nobody, Random("seed", "nearest"), WhenWrong::count);
   for (const double error : {0.25, 0.5, 0.0}) trial.expect_at_most(error, 2, "the error of x");
   trial.expect_close({Eigen::Vector2d(3, 4), Eigen::Vector2d(0, 0), 1}, 2, "the error of v");
+  trial.expect_at_most(3, {2, 4}, "the error beyond a tolerance of 2");
   trial.expect_at_most(0, 0, "the error of nothing");
   trial.ask_aside([&] { trial.expect_at_most(1, 2, "the error of x"); });
-  const std::map<std::string, double> expected = {
-      {"the error of x", 0.25}, {"the error of v", 2.5}, {"the error of nothing", 0}};
+  const std::map<std::string, double> expected = {{"the error of x", 0.25},
+                                                  {"the error of v", 2.5},
+                                                  {"the error beyond a tolerance of 2", 0.25},
+                                                  {"the error of nothing", 0}};
   EXPECT_EQ(trial.nearest(), expected);
 }
 
