@@ -42,15 +42,33 @@ void blank_given(const Sim& sim, std::vector<std::string>& texts, const std::vec
   for (std::size_t i = 0; i < texts.size(); ++i) texts[i] = without_lines(texts[i], lines[i]);
 }
 
-// Beside an empty given text sim counts, and compares nothing. If one text stops it, each is read alone.
-std::vector<int> tokens_of(const Sim& sim, const std::vector<std::string>& texts) {
-  try {
-    return sim.matches(texts, {""}, 1).tokens;
-  } catch (const std::runtime_error&) {
-    if (texts.size() == 1) return {-1};
-  }
+// sim's time grows with the square of a text that repeats itself, and of a quote that never ends, for each other text. So each file is
+// first compared with a text that nothing resembles: honest ones take milliseconds. Ten copies of a file take a hundred times as long.
+constexpr std::size_t kAtOnce = 100, kCopies = 10;
+constexpr int kProbeSeconds = 1;
+constexpr const char* kProbe =
+    "int f(int a) { return a + 1; }\nint g(int b) { while (b) b = b - 2; return 3 * b; }\n";
+
+// By text; -1 if sim does not read it in this time.
+std::vector<int> tokens_of(const Sim& sim, const std::vector<std::string>& texts, int run_tokens) {
   std::vector<int> tokens;
-  for (const std::string& text : texts) tokens.push_back(tokens_of(sim, {text}).front());
+  const auto count = [&](const std::vector<std::string>& some) {
+    return sim.matches(some, {kProbe}, run_tokens, kProbeSeconds).tokens;
+  };
+  for (auto begin = texts.begin(); begin != texts.end();) {
+    const auto end = begin + std::min<std::ptrdiff_t>(kAtOnce, texts.end() - begin);
+    try {
+      const std::vector<int> some = count({begin, end});
+      tokens.insert(tokens.end(), some.begin(), some.end());
+    } catch (const std::runtime_error&) {
+      for (auto text = begin; text != end; ++text) try {
+          tokens.push_back(count(std::vector(kCopies, *text)).front());
+        } catch (const std::runtime_error&) {
+          tokens.push_back(-1);
+        }
+    }
+    begin = end;
+  }
   return tokens;
 }
 
@@ -101,33 +119,57 @@ SharedCode shared_code(const Sim& sim, const std::vector<SimilarFile>& files,
                        const std::vector<std::string>& given, const SimilarRules& rules) {
   SharedCode shared;
   for (const SimilarFile& file : files) shared.own.push_back(readable(file.text));
-  blank_given(sim, shared.own, given, rules.given_tokens);
+  std::vector<std::size_t> kept(files.size());
+  std::iota(kept.begin(), kept.end(), std::size_t{0});
+  const auto texts_of = [&](const std::vector<std::size_t>& some) {
+    std::vector<std::string> texts;
+    for (const std::size_t file : some) texts.push_back(shared.own[file]);
+    return texts;
+  };
+  std::vector<int> tokens(files.size());
+  const auto leave_out = [&](int least) {
+    const std::vector<int> sizes = tokens_of(sim, texts_of(kept), rules.run_tokens);
+    std::vector<std::size_t> comparable;
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      const std::string has = "it has " + std::to_string(sizes[i]) + " tokens of its own, ";
+      const std::string why = sizes[i] < 0                   ? "sim can't read it, or takes too long for it"
+                              : sizes[i] < least             ? has + "too few to say anything"
+                              : sizes[i] > rules.most_tokens ? has + "far too many"
+                                                             : "";
+      tokens[kept[i]] = sizes[i];
+      if (why.empty())
+        comparable.push_back(kept[i]);
+      else
+        shared.not_compared.push_back({kept[i], why});
+    }
+    kept = std::move(comparable);
+  };
+  leave_out(0);
+  std::vector<std::string> own = texts_of(kept);
+  blank_given(sim, own, given, rules.given_tokens);
+  for (std::size_t i = 0; i < kept.size(); ++i) shared.own[kept[i]] = std::move(own[i]);
+  leave_out(rules.least_tokens);  // a comment's beginning may be among what was blanked
 
-  const std::vector<int> sizes = tokens_of(sim, shared.own);
-  std::vector<std::string> texts;
-  std::vector<std::size_t> at;
-  for (std::size_t i = 0; i < files.size(); ++i) {
-    const int tokens = sizes[i];
-    if (tokens < 0)
-      shared.not_compared.push_back({i, "sim can't read it"});
-    else if (tokens < rules.least_tokens)
-      shared.not_compared.push_back(
-          {i, "it has " + std::to_string(tokens) + " tokens of its own, too few to say anything"});
-    else if (tokens > rules.most_tokens)
-      shared.not_compared.push_back(
-          {i, "it has " + std::to_string(tokens) + " tokens of its own, far too many"});
-    else
-      texts.push_back(shared.own[i]), at.push_back(i);
+  std::vector<std::size_t> now, earlier;
+  for (const std::size_t file : kept) (files[file].earlier ? earlier : now).push_back(file);
+  std::vector<Match> all;
+  const auto compare = [&](const std::vector<std::size_t>& some, const std::vector<std::size_t>& with) {
+    for (Match match : sim.matches(texts_of(some), texts_of(with), rules.run_tokens).all) {
+      match.text = some.at(match.text);
+      match.other = (with.empty() ? some : with).at(match.other);
+      all.push_back(match);
+    }
+  };
+  compare(now, {});
+  if (!earlier.empty()) {
+    compare(now, earlier);
+    if (!now.empty()) compare(earlier, now);
   }
-  Matches found = sim.matches(texts, {}, rules.run_tokens);
-  for (Match& match : found.all) match.text = at.at(match.text), match.other = at.at(match.other);
-  const std::vector<OwnersByLine> owners = owners_by_line(found.all, files.size());
+  const std::vector<OwnersByLine> owners = owners_by_line(all, files.size());
   shared.common = common_pieces(owners, rules.many);
 
   std::map<std::pair<std::size_t, std::size_t>, SharedPair> directed;
-  std::map<std::size_t, int> tokens;
-  for (std::size_t i = 0; i < at.size(); ++i) tokens[at[i]] = found.tokens[i];
-  for (const Match& match : found.all) {
+  for (const Match& match : all) {
     SharedPair& pair = directed[{match.text, match.other}];
     pair.one = match.text;
     pair.other = match.other;

@@ -15,6 +15,7 @@ namespace grader {
 struct SimilarFile {
   std::string name, text;  // whose, and their file
   std::string shown = {};  // as people read the name; "": as it is
+  bool earlier = false;    // of an earlier year: not compared with others of these
 };
 
 struct SimilarRules {

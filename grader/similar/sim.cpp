@@ -59,28 +59,29 @@ Sim::Sim(Isolation isolation) {
   cage_.mounts.push_back({folder_.path() / "in", "/in"});
   cage_.folder = "/in";
   cage_.syscalls = Syscalls::toolchain;
-  cage_.limits.cpu_seconds = 600;
-  cage_.limits.cpu_seconds_of_all = 600;
   cage_.limits.wall_seconds = 3600;
 }
 
 std::string Sim::output_of(const std::vector<std::string>& options, std::size_t texts, std::size_t given,
-                           bool& well) const {
+                           int cpu_seconds, bool& well) const {
   std::vector<std::string> command{"/sim", "-n", "-e", "-w", "80"};
   command.insert(command.end(), options.begin(), options.end());
   for (std::size_t i = 0; i < texts; ++i) command.push_back(std::to_string(i));
   if (given > 0) command.emplace_back("/");
   for (std::size_t i = texts; i < texts + given; ++i) command.push_back(std::to_string(i));
+  Cage cage = cage_;
+  cage.limits.cpu_seconds = cpu_seconds;
+  cage.limits.cpu_seconds_of_all = cpu_seconds;
   Pipe output = make_pipe();
-  CagedProcess process(cage_, command, -1, -1, output.write_end.get());
+  CagedProcess process(cage, command, -1, -1, output.write_end.get());
   output.write_end.close();
   std::string text = read_all(output.read_end, kMostOutput, cage_.limits.wall_seconds);
   well = process.wait(1).well() && text.size() < kMostOutput;
   return text;
 }
 
-Matches Sim::matches(const std::vector<std::string>& texts, const std::vector<std::string>& given,
-                     int least) const {
+Matches Sim::matches(const std::vector<std::string>& texts, const std::vector<std::string>& given, int least,
+                     int cpu_seconds) const {
   if (texts.empty()) return {};
   std::size_t name = 0;
   for (const std::vector<std::string>* some : {&texts, &given})
@@ -93,7 +94,7 @@ Matches Sim::matches(const std::vector<std::string>& texts, const std::vector<st
   const std::string output =
       output_of(given.empty() ? std::vector<std::string>{"-r", std::to_string(least), "-a", "-s"}
                               : std::vector<std::string>{"-r", std::to_string(least), "-S"},
-                texts.size(), given.size(), well);
+                texts.size(), given.size(), cpu_seconds, well);
   if (!well)
     throw std::runtime_error(
         "sim did not come to an end: " +

@@ -33,13 +33,13 @@ class Sim {
   explicit Sim(Isolation isolation);  // throws BadInput if sim is not installed
 
   // Compares each text with each other one, or, if there are `given` texts, with each of those alone: then Match::other counts
-  // these. A run has `least` tokens at least. Throws std::runtime_error if sim does not come to an end.
-  Matches matches(const std::vector<std::string>& texts, const std::vector<std::string>& given,
-                  int least) const;
+  // these. A run has `least` tokens at least. Throws std::runtime_error if sim does not come to an end in these seconds of CPU time.
+  Matches matches(const std::vector<std::string>& texts, const std::vector<std::string>& given, int least,
+                  int cpu_seconds = 600) const;
 
  private:
   std::string output_of(const std::vector<std::string>& options, std::size_t texts, std::size_t given,
-                        bool& well) const;
+                        int cpu_seconds, bool& well) const;
 
   StagingFolder folder_;
   Cage cage_;

@@ -177,21 +177,54 @@ TEST_F(Similar, FindsACopyInALongerFile) {
   EXPECT_EQ(shared.pairs.front().one, 1U);
 }
 
+// sim takes the square of a text's length for tokens that repeat themselves and for quotes that never end; hours for these.
 TEST_F(Similar, HostileFilesStopNobodyElse) {
-  const std::string work = honest_files()["conj_grad.cpp"].front().text;
-  std::string huge;
-  for (int i = 0; i < 100000; ++i) huge += "a+b;";
-  const std::vector<SimilarFile> files{{"a", work},
-                                       {"b", work},
-                                       {"bytes", std::string("\0\xff\xfe\"'/*", 7)},
-                                       {"open", "/* \" ' R\"(" + std::string(100000, '(')},
-                                       {"huge", huge},
-                                       {"empty", ""}};
-  const SharedCode shared = shared_code(sim_, files, {});
+  const std::string work = honest_files()["conj_grad.cpp"].front().text,
+                    line = "double f(int a, int b, int c, int d) { return a + b + c + d; }";
+  const auto times = [](std::size_t count, const std::string& text) {
+    std::string all;
+    for (std::size_t i = 0; i < count; ++i) all += text;
+    return all;
+  };
+  const std::string quotes = "\"" + times(500000, "\\\"");
+  const std::map<std::string, std::string> hostile{
+      {"bytes", std::string("\0\xff\xfe\"'/*", 7)},
+      {"open", "/* \" ' R\"(" + times(100000, "(")},
+      {"many tokens", times(100000, "a+b;")},
+      {"few tokens that repeat themselves", times(10000, "(")},
+      {"backslashes", "\"" + times(1 << 20, "\\")},
+      {"quotes", quotes},
+      {"quotes where what is given was blanked", line + " /*\n" + quotes + "\n*/\n" + work},
+      {"empty", ""}};
+  std::vector<SimilarFile> files{{"a", work}, {"b", work}};
+  std::set<std::string> names;
+  for (const auto& [name, text] : hostile) {
+    files.push_back({name, text});
+    names.insert(name);
+  }
+  const SharedCode shared = shared_code(sim_, files, {line});
   EXPECT_NE(pair_of(shared, files, "a", "b"), nullptr);
   std::set<std::string> left_out;
   for (const NotCompared& one : shared.not_compared) left_out.insert(files[one.file].name);
-  EXPECT_EQ(left_out, (std::set<std::string>{"bytes", "open", "huge", "empty"}));
+  EXPECT_EQ(left_out, names);
+}
+
+// Last year's copies of each other are no news. A padded copy is found in either direction.
+TEST_F(Similar, EarlierYearsAreComparedWithThisOneAlone) {
+  const std::map<std::string, std::vector<SimilarFile>> honest = honest_files();
+  const std::string work = honest.at("conj_grad.cpp").front().text,
+                    padding = honest.at("super_helix.cpp").front().text;
+  const std::vector<SimilarFile> files{{.name = "last", .text = work, .earlier = true},
+                                       {.name = "last again", .text = work, .earlier = true},
+                                       {.name = "padded", .text = padding + work},
+                                       {.name = "other", .text = honest.at("constraint_forces.cpp")[0].text},
+                                       {.name = "part", .text = padding, .earlier = true}};
+  const SharedCode shared = shared_code(sim_, files, {});
+  std::set<std::string> pairs;
+  for (const SharedPair& pair : shared.pairs)
+    pairs.insert(files[pair.one].name + " in " + files[pair.other].name);
+  EXPECT_EQ(pairs, (std::set<std::string>{"last in padded", "last again in padded", "part in padded"}));
+  EXPECT_TRUE(shared_code(sim_, {files[0], files[1]}, {}).pairs.empty());
 }
 
 }  // namespace

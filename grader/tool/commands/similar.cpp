@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 struct SimilarOptions {
-  std::vector<fs::path> submissions, given;
+  std::vector<fs::path> submissions, earlier, given;
   std::optional<fs::path> course, grades;
   fs::path out;
   std::string hand_in;
@@ -52,6 +52,12 @@ int similar(const SimilarOptions& options) {
     keep_rows(intake.submissions, none_listed, *record, all);
     if (hidden) hide(*hidden, intake);
   }
+  std::vector<Intake> earlier;
+  for (const fs::path& folder : options.earlier) {
+    earlier.push_back(read_submissions({folder}, course, reader.opener(), {}, {}));
+    const std::vector<std::string>& notices = earlier.back().notices;
+    intake.notices.insert(intake.notices.end(), notices.begin(), notices.end());
+  }
   const Sim sim(isolation);
   SimilarRules rules;
   rules.least_part = options.per_cent / 100.0;
@@ -62,12 +68,26 @@ int similar(const SimilarOptions& options) {
   for (const Exercise& exercise : course.exercises) {
     if (!course.of_hand_in.empty() && !course.asks_for(exercise)) continue;
     SimilarExercise one{exercise.id, exercise.file, {}, {}};
+    const auto text_of = [&](const Submission& submission) -> const std::string* {
+      const auto file = submission.files.find(exercise.file);
+      return file != submission.files.end() && file->second.problem.empty() ? &file->second.text : nullptr;
+    };
     for (const Submission& submission : intake.submissions)
-      if (const auto file = submission.files.find(exercise.file);
-          file != submission.files.end() && file->second.problem.empty())
-        one.files.push_back({submission.name,
-                             hidden ? hidden->in_own(file->second.text, submission.name) : file->second.text,
+      if (const std::string* text = text_of(submission))
+        one.files.push_back({submission.name, hidden ? hidden->in_own(*text, submission.name) : *text,
                              called(submission.name, people)});
+    const std::size_t now = one.files.size();
+    for (std::size_t year = 0; now > 0 && year < earlier.size(); ++year) {
+      const NamesForPeople theirs = names_for_people({}, hand_ins_of(earlier[year].submissions));
+      const auto shown = [&](const std::string& text) { return hidden ? hidden->in(text) : text; };
+      for (const Submission& submission : earlier[year].submissions)
+        if (const std::string* text = text_of(submission))
+          one.files.push_back({"earlier" + std::to_string(year + 1) + "-" + shown(submission.name),
+                               shown(*text),
+                               shown(called(submission.name, theirs)) + " in " +
+                                   printable(options.earlier[year].string(), 4096),
+                               true});
+    }
     if (one.files.size() < 2) continue;
     std::vector<std::string> given{
         hair::bytes_of(fs::path(HAIR_SOURCE_DIR) / "handout/student" / exercise.file)};
@@ -75,9 +95,10 @@ int similar(const SimilarOptions& options) {
       if (std::string text = hair::bytes_of(folder / exercise.file); !text.empty())
         given.push_back(std::move(text));
     one.shared = shared_code(sim, one.files, given, rules);
-    std::cout << exercise.id << ": " << one.files.size() << " files, " << one.shared.pairs.size()
-              << " pairs above " << options.per_cent << " %, " << one.shared.not_compared.size()
-              << " not compared\n"
+    std::cout << exercise.id << ": " << now << " files, ";
+    if (!earlier.empty()) std::cout << one.files.size() - now << " earlier ones, ";
+    std::cout << one.shared.pairs.size() << " pairs above " << options.per_cent << " %, "
+              << one.shared.not_compared.size() << " not compared\n"
               << std::flush;
     exercises.push_back(std::move(one));
   }
@@ -104,6 +125,11 @@ Command add_similar(CLI::App& hairgrade) {
   command->add_option("--given", options->given,
                       "A folder with exercise files that students may use, as an earlier year's sample; the "
                       "handout's stubs are always taken off");
+  command
+      ->add_option("--earlier", options->earlier,
+                   "Hand-ins of an earlier year, as for grade: these are compared with those, and those not "
+                   "with each other; may be given again")
+      ->allow_extra_args(false);
   command
       ->add_option("--least", options->per_cent, "The least part of a pair that is shown, in per cent (60)")
       ->check(CLI::Range(1, 100));
