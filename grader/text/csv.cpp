@@ -18,8 +18,8 @@ constexpr std::size_t kRowsToCompare = 4;
 
 class Reader {
  public:
-  Reader(std::string_view text, char separator, const std::string& file)
-      : text_(text), separator_(separator), file_(file) {}
+  Reader(std::string_view text, char separator, const std::string& file, std::size_t line = 1)
+      : text_(text), separator_(separator), file_(file), line_(line) {}
 
   bool at_end() const { return at_ == text_.size(); }
 
@@ -70,7 +70,7 @@ class Reader {
   std::string_view text_;
   char separator_;
   const std::string& file_;
-  std::size_t at_ = 0, line_ = 1;
+  std::size_t line_, at_ = 0;
 };
 
 bool is_empty(const Csv::Row& row) {
@@ -102,6 +102,16 @@ char separator_of(std::string_view text, const std::string& file) {
   return best;
 }
 
+// The length of a first line "sep=;", which spreadsheets read and write; 0 without one.
+std::size_t separator_told_in(std::string_view text) {
+  const std::size_t end = text.find_first_of("\r\n");
+  std::string_view line = text.substr(0, end);
+  if (line.size() > 1 && line.front() == '"' && line.back() == '"') line = line.substr(1, line.size() - 2);
+  if (end == text.npos || line.size() != 5 || lowered(line.substr(0, 4)) != "sep=" || line[4] == '"')
+    return 0;
+  return end + (text.substr(end).starts_with("\r\n") ? 2 : 1);
+}
+
 }  // namespace
 
 Csv parse_csv(std::string_view bytes, const std::string& file) {
@@ -109,17 +119,22 @@ Csv parse_csv(std::string_view bytes, const std::string& file) {
   table.file = file;
   Decoded decoded_text = decoded(bytes, file);
   table.said = std::move(decoded_text.said);
+  table.encoding = decoded_text.encoding;
   table.text = std::make_shared<const std::string>(std::move(decoded_text.text));
-  const std::string_view text = *table.text;
+  std::string_view text = *table.text;
   if (const std::size_t nul = text.find('\0'); nul != text.npos)
     throw BadInput(file + ", line " + std::to_string(1 + std::ranges::count(text.substr(0, nul), '\n')) +
                    ": a NUL byte is no text; save the table as CSV in UTF-8");
-  table.separator = separator_of(text, file);
+  const std::size_t told = separator_told_in(text);
+  table.separator = told == 0 ? separator_of(text, file) : text[text.find('=') + 1];
   if (table.separator != ',')
-    table.said.push_back(file + ": its separator is " + (table.separator == ';' ? "a semicolon" : "a tab"));
+    table.said.push_back(file + ": its separator is " +
+                         (table.separator == ';'    ? "a semicolon"
+                          : table.separator == '\t' ? "a tab"
+                                                    : std::string(1, table.separator)));
   const std::size_t end = text.find('\n');
   if (end != text.npos && (end == 0 || text[end - 1] != '\r')) table.end_of_line = "\n";
-  Reader reader(text, table.separator, file);
+  Reader reader(text.substr(told), table.separator, file, told == 0 ? 1 : 2);
   while (!reader.at_end())
     if (Csv::Row row = reader.row(); !is_empty(row)) table.rows.push_back(std::move(row));
   if (table.rows.empty()) throw BadInput(file + ": is empty; a table with a row of titles is needed");

@@ -1,5 +1,5 @@
 // STAFF ONLY. Tables as text, RFC 4180: what learning systems export, and what spreadsheets write of it again. The separator (, ; or
-// tab), the encoding and the ends of lines are found. Cells are written so that no spreadsheet runs one as a formula.
+// tab, also as a first line "sep=;" says it), the encoding and the ends of lines are found. Cells are written so that no spreadsheet runs one as a formula.
 #pragma once
 
 #include <filesystem>
@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "grader/text/encoding.h"
 
 namespace grader {
 
@@ -22,6 +24,7 @@ struct Csv {
     std::string at(std::size_t column) const { return column < cells.size() ? cells[column] : ""; }
   };
   std::string file;  // for messages
+  Encoding encoding;
   char separator = ',';
   std::string end_of_line = "\r\n";
   std::vector<Row> rows;                    // without empty lines
@@ -47,6 +50,7 @@ bool starts_formula(std::string_view cell);
 
 // A cell that would be run begins with U+2060 instead, which nobody sees and which is no blank. A number keeps its sign. What is no
 // UTF-8 becomes U+FFFD.
-std::string csv_line(const Cells& cells, char separator = ',', const std::string& end_of_line = "\r\n");
+std::string csv_line(const Cells& cells, char separator = ',', const std::string& end_of_line = "\r\n",
+                     bool all_quoted = false);
 
 }  // namespace grader

@@ -71,6 +71,36 @@ TEST(Csv, SaysItsSeparatorAndItsGuess) {
   EXPECT_NE(western.said[0].find("Windows-1252, a guess"), string::npos);
 }
 
+TEST(Csv, AFirstLineMayTellTheSeparator) {
+  struct Told {
+    string line, head, said;
+  };
+  for (const Told& told : {Told{"sep=;\r\n", "a;b,c\r\n", "a semicolon"},
+                           {"SEP=;\n", "a;b,c\n", "a semicolon"},
+                           {"\"sep=;\"\n", "a;b,c\n", "a semicolon"},
+                           {"sep=\t\n", "a\tb,c\n", "a tab"},
+                           {"sep=|\n", "a|b,c\n", "|"}}) {
+    const Csv table = parse_csv(told.line + told.head, "r.csv");
+    EXPECT_EQ(cells_of(table), (std::vector<Cells>{{"a", "b,c"}})) << told.line;
+    EXPECT_EQ(place_of(table, table.rows[0]), "r.csv, line 2");
+    EXPECT_EQ(table.said, Cells{"r.csv: its separator is " + told.said});
+  }
+  EXPECT_EQ(cells_of(parse_csv("sep=,\nid,name\n", "r.csv")), (std::vector<Cells>{{"id", "name"}}));
+  EXPECT_EQ(cells_of(parse_csv("sep=more,x\n", "r.csv")), (std::vector<Cells>{{"sep=more", "x"}}));
+}
+
+TEST(Csv, GoesBackInItsEncoding) {
+  for (const string& mark : {"\xff\xfe"s, "\xfe\xff"s, "\xef\xbb\xbf"s, ""s}) {
+    const Encoding& encoding =
+        parse_csv(mark + (mark.size() == 2 ? mark[0] == '\xff' ? "a\0"s : "\0a"s : "a"), "r.csv").encoding;
+    const string bytes = encoded("J\u00f6rg \u20ac \U0001f600\n", encoding);
+    EXPECT_TRUE(bytes.starts_with(mark));
+    EXPECT_EQ(decoded(bytes, "r.csv").text, "J\u00f6rg \u20ac \U0001f600\n");
+  }
+  EXPECT_EQ(encoded("J\u00f6rg \u20ac \U0001f600", parse_csv("J\xf6rg,1\n", "r.csv").encoding),
+            "J\xf6rg \x80 ?");
+}
+
 TEST(Csv, ASeparatorMayStandInCells) {
   EXPECT_EQ(cells_of(parse_csv("Student;ID\nDoe, Jane, Dr., Prof.;1\nRoe, R, R, R;2\n", "r.csv"))[1],
             (Cells{"Doe, Jane, Dr., Prof.", "1"}));

@@ -19,10 +19,11 @@ bool is_number(std::string_view cell) {
          cell.find_first_not_of("0123456789.,") == cell.npos;
 }
 
-std::string written(const std::string& bytes, char separator) {
+std::string written(const std::string& bytes, char separator, bool always) {
   std::string text = hair::valid_utf8(bytes);
   if (starts_formula(text)) text = kNotSeen + text;
-  const bool bare = text.find_first_of("\"\r\n\t") == text.npos && text.find(separator) == text.npos;
+  const bool bare =
+      !always && text.find_first_of("\"\r\n\t") == text.npos && text.find(separator) == text.npos;
   if (bare) return text;
   std::string quoted = "\"";
   for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
@@ -48,11 +49,11 @@ bool starts_formula(std::string_view cell) {
   return false;
 }
 
-std::string csv_line(const Cells& cells, char separator, const std::string& end_of_line) {
+std::string csv_line(const Cells& cells, char separator, const std::string& end_of_line, bool all_quoted) {
   std::string text;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (i > 0) text += separator;
-    text += written(cells[i], separator);
+    text += written(cells[i], separator, all_quoted);
   }
   return text + end_of_line;
 }

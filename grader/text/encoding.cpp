@@ -24,20 +24,22 @@ constexpr const char* kHowToSave =
 
 constexpr std::string_view kUtf8Mark = "\xef\xbb\xbf";
 
-struct Encoding {
+struct Wide {
   const char* name;
+  const char* page;
   std::string_view mark;  // the byte order mark
   std::size_t unit;
   bool little_endian;
 };
 // UTF-32's mark begins with UTF-16's.
-constexpr std::array kEncodings = {
-    Encoding{"UTF-32", "\xff\xfe\0\0"sv, 4, true}, Encoding{"UTF-32", "\0\0\xfe\xff"sv, 4, false},
-    Encoding{"UTF-16", "\xff\xfe"sv, 2, true}, Encoding{"UTF-16", "\xfe\xff"sv, 2, false}};
+constexpr std::array kEncodings = {Wide{"UTF-32", "UTF-32LE", "\xff\xfe\0\0"sv, 4, true},
+                                   Wide{"UTF-32", "UTF-32BE", "\0\0\xfe\xff"sv, 4, false},
+                                   Wide{"UTF-16", "UTF-16LE", "\xff\xfe"sv, 2, true},
+                                   Wide{"UTF-16", "UTF-16BE", "\xfe\xff"sv, 2, false}};
 
 // Source code is ASCII, but for comments: then all bytes of a unit but one are zero. This is the share of units where it is so. A
 // file that was cut may end within a unit.
-double share_of_ascii(std::string_view bytes, const Encoding& encoding) {
+double share_of_ascii(std::string_view bytes, const Wide& encoding) {
   const std::size_t units = bytes.size() / encoding.unit;
   if (units == 0) return 0;
   std::size_t ascii = 0;
@@ -50,11 +52,11 @@ double share_of_ascii(std::string_view bytes, const Encoding& encoding) {
   return static_cast<double>(ascii) / static_cast<double>(units);
 }
 
-std::optional<Encoding> wide_encoding_of(std::string_view bytes) {
-  for (const Encoding& encoding : kEncodings)
+std::optional<Wide> wide_encoding_of(std::string_view bytes) {
+  for (const Wide& encoding : kEncodings)
     if (bytes.starts_with(encoding.mark)) return encoding;
   // From the first letter on: what was added later to a file in UTF-8 is a stray part of it.
-  for (const Encoding& encoding : kEncodings)
+  for (const Wide& encoding : kEncodings)
     if (share_of_ascii(bytes.substr(0, encoding.unit), encoding) == 1 &&
         share_of_ascii(bytes, encoding) > 0.3)
       return encoding;
@@ -104,19 +106,28 @@ std::string from_utf16(std::string_view bytes, bool little_endian) {
   return text;
 }
 
-}  // namespace
-
-std::optional<std::string> from_code_page(std::string_view bytes, const char* page) {
-  const iconv_t table = iconv_open("UTF-8", page);
+std::optional<std::string> converted(std::string_view bytes, const char* from_page, const char* to_page) {
+  const iconv_t table = iconv_open(to_page, from_page);
   if (reinterpret_cast<std::intptr_t>(table) == -1) return {};
   std::string from(bytes), text(bytes.size() * 4, '\0');
   char *in = from.data(), *out = text.data();
   std::size_t in_left = from.size(), out_left = text.size();
-  const bool whole = iconv(table, &in, &in_left, &out, &out_left) == 0 && in_left == 0;
+  const bool whole = iconv(table, &in, &in_left, &out, &out_left) != std::size_t(-1) && in_left == 0;
   iconv_close(table);
   if (!whole) return {};
   text.resize(text.size() - out_left);
   return text;
+}
+
+}  // namespace
+
+std::optional<std::string> from_code_page(std::string_view bytes, const char* page) {
+  return converted(bytes, page, "UTF-8");
+}
+
+std::string encoded(std::string_view text, const Encoding& encoding) {
+  const std::string page = std::string(encoding.page) + "//TRANSLIT";
+  return std::string(encoding.mark) + converted(text, "UTF-8", page.c_str()).value_or(std::string(text));
 }
 
 Decoded decoded(std::string_view bytes, const std::string& file) {
@@ -124,15 +135,18 @@ Decoded decoded(std::string_view bytes, const std::string& file) {
     while (bytes.starts_with(kUtf8Mark)) bytes.remove_prefix(kUtf8Mark.size());
     Decoded rest = decoded(bytes, file);
     rest.said.insert(rest.said.begin(), file + ": a byte order mark is passed over");
+    rest.encoding.mark = kUtf8Mark;
     return rest;
   }
-  if (const std::optional<Encoding> wide = wide_encoding_of(bytes)) {
+  if (const std::optional<Wide> wide = wide_encoding_of(bytes)) {
     if (wide->unit == 4) throw BadInput(file + ": is UTF-32; save it as UTF-8");
-    if (bytes.starts_with(wide->mark)) bytes.remove_prefix(wide->mark.size());
+    const bool marked = bytes.starts_with(wide->mark);
+    if (marked) bytes.remove_prefix(wide->mark.size());
     if (bytes.size() % 2 != 0)
       throw BadInput(file + ": is UTF-16 and ends within a letter; save it as UTF-8");
     return {from_utf16(bytes, wide->little_endian),
-            {file + ": is read as UTF-16 (" + (wide->little_endian ? "little" : "big") + "-endian)"}};
+            {file + ": is read as UTF-16 (" + (wide->little_endian ? "little" : "big") + "-endian)"},
+            {wide->page, marked ? wide->mark : ""}};
   }
   if (hair::valid_utf8(bytes) == bytes) return {std::string(bytes)};
   std::optional<std::string> western = from_code_page(bytes, "CP1252");
@@ -141,15 +155,16 @@ Decoded decoded(std::string_view bytes, const std::string& file) {
         file +
         ": is neither UTF-8 nor UTF-16 nor Windows-1252, and names in it would be others; save it as UTF-8");
   return {std::move(*western),
-          {file + ": is no UTF-8 and is read as Windows-1252, a guess; look at names that are not ASCII"}};
+          {file + ": is no UTF-8 and is read as Windows-1252, a guess; look at names that are not ASCII"},
+          {"CP1252"}};
 }
 
 std::string told_if_wide(std::string_view bytes, const std::string& file) {
-  const std::optional<Encoding> wide = wide_encoding_of(bytes);
+  const std::optional<Wide> wide = wide_encoding_of(bytes);
   if (!wide) return "";
   return file + " is " + wide->name + " (" + (wide->little_endian ? "little" : "big") +
-         "-endian), and compilers read UTF-8. " + kHowToSave + ", anywhere with iconv -f " + wide->name +
-         (wide->little_endian ? "LE" : "BE") + " -t UTF-8.\n";
+         "-endian), and compilers read UTF-8. " + kHowToSave + ", anywhere with iconv -f " + wide->page +
+         " -t UTF-8.\n";
 }
 
 std::string told_of_stray_byte(std::string_view bytes, const std::string& file) {

@@ -19,13 +19,23 @@ std::string told_of_stray_byte(std::string_view bytes, const std::string& file);
 // no such table.
 std::optional<std::string> from_code_page(std::string_view bytes, const char* page);
 
+// UTF-8 by default. `page` is the system's name of it.
+struct Encoding {
+  const char* page = "UTF-8";
+  std::string_view mark = {};  // the byte order mark that stands in front
+};
+
 struct Decoded {
   std::string text;                 // well-formed UTF-8 without a byte order mark; a NUL may be in it
   std::vector<std::string> said{};  // a line each: what it was decoded from, if it was no plain UTF-8
+  Encoding encoding{};
 };
 
 // UTF-8 and UTF-16, with a byte order mark and without. Windows-1252 is the guess for what is neither: spreadsheets in the west write
 // it. UTF-32, half a UTF-16 unit and what is none of these throw BadInput with `file`.
 Decoded decoded(std::string_view bytes, const std::string& file);
+
+// UTF-8 in another encoding, with its mark. A letter that has no place there becomes one that resembles it, or a question mark.
+std::string encoded(std::string_view text, const Encoding& encoding);
 
 }  // namespace grader

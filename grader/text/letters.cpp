@@ -98,6 +98,11 @@ std::string lowered(std::string_view name) {
   return text;
 }
 
+std::string without_unseen(std::string_view text) {
+  return is_ascii(text) ? std::string(text)
+                        : mapped(hair::readable(text), UTF8PROC_STABLE | UTF8PROC_COMPOSE | UTF8PROC_IGNORE);
+}
+
 bool is_utf8(std::string_view bytes) {
   while (!bytes.empty()) {
     utf8proc_int32_t letter = 0;

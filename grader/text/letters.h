@@ -17,6 +17,9 @@ std::string squeezed(std::string_view name);
 // Composed, in lower case: e-mail addresses and GitHub's logins are one in any case.
 std::string lowered(std::string_view name);
 
+// Without letters that Unicode says are not to be seen: a zero-width space, a byte order mark, a soft hyphen.
+std::string without_unseen(std::string_view text);
+
 bool is_utf8(std::string_view bytes);
 
 // No more than 30 marks stand in a row (Unicode's stream-safe text, UAX #15). Composing others would take
