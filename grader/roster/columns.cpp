@@ -120,7 +120,7 @@ std::optional<Person> RosterColumns::person(const Csv& table, const Csv::Row& ro
   person.group = cell_of(row, group_);
   for (std::size_t i = 0; i < kIdKinds; ++i) {
     const auto kind = static_cast<IdKind>(i);
-    std::string id = cell_of(row, ids_[i]);
+    std::string id = plain_id(cell_of(row, ids_[i]));
     if (kind == IdKind::participant) id = trailing_number(id);
     if ((kind == IdKind::org_defined || kind == IdKind::login) && id.starts_with('#')) id.erase(0, 1);
     if (kind == IdKind::email || kind == IdKind::github_login) id = lowered(id);

@@ -14,6 +14,17 @@ const char* title_of(IdKind kind) {
   return kTitles[static_cast<std::size_t>(kind)];
 }
 
+std::string plain_id(std::string_view cell) {
+  std::string id = composed(without_unseen(cell));
+  if (id.size() > 3 && id.starts_with("=\"") && id.ends_with('"')) id = composed(id.substr(2, id.size() - 3));
+  if (id.find_first_not_of("0123456789., ") == id.npos) std::erase(id, ' ');
+  const std::size_t digits = id.find_first_not_of("0123456789");
+  const bool whole = digits != id.npos && digits > 0 && digits + 1 < id.size() &&
+                     (id[digits] == '.' || id[digits] == ',') &&
+                     id.find_first_not_of('0', digits + 1) == id.npos;
+  return whole ? id.substr(0, digits) : id;
+}
+
 const std::string& Person::shown_id() const {
   const auto found = std::ranges::find_if(ids, [](const std::string& id) { return !id.empty(); });
   return found == ids.end() ? name : *found;

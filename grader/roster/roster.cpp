@@ -65,6 +65,7 @@ void Roster::add(const Csv& table, const Csv::Row& row, Person person) {
     known = place;
     by = static_cast<IdKind>(i);
   }
+  by_line_[row.line] = known.value_or(people_.size());
   if (known) {  // the same person in another section
     Person& before = people_[*known];
     for (std::size_t i = 0; i < kIdKinds; ++i)
@@ -77,7 +78,7 @@ void Roster::add(const Csv& table, const Csv::Row& row, Person person) {
                      std::to_string(before.line) + "'s, too, with another name; an id is one person's");
     if (person.section == before.section && person.group == before.group)
       said_.push_back(place_of(table, row) + ": is line " + std::to_string(before.line) +
-                      " again and counts once");
+                      "'s person again, who counts once");
     for (std::string Person::*cell : {&Person::section, &Person::group})
       if (!(person.*cell).empty() && person.*cell != before.*cell)
         before.*cell += ((before.*cell).empty() ? "" : ", ") + person.*cell;
@@ -100,6 +101,11 @@ void Roster::add(Person person) {
   people_.push_back(std::move(person));
 }
 
+std::optional<std::size_t> Roster::at_line(std::size_t line) const {
+  const auto found = by_line_.find(line);
+  return found == by_line_.end() ? std::nullopt : std::optional(found->second);
+}
+
 std::vector<std::size_t> Roster::with_id(IdKind kind, const std::string& id, std::string& told) const {
   const auto at = [&](const std::array<Places, kIdKinds>& index, const std::string& key) {
     const Places& places = index[static_cast<std::size_t>(kind)];
@@ -107,7 +113,7 @@ std::vector<std::size_t> Roster::with_id(IdKind kind, const std::string& id, std
     return found == places.end() ? std::vector<std::size_t>() : found->second;
   };
   const bool any_case = kind == IdKind::email || kind == IdKind::github_login;
-  const std::string wanted = any_case ? lowered(id) : composed(id);
+  const std::string wanted = plain_id(any_case ? lowered(id) : id);
   if (wanted.empty()) return {};
   std::vector<std::size_t> found = at(by_id_, wanted);
   if (found.empty() && !any_case) {
@@ -140,10 +146,11 @@ Roster::Match Roster::find(const Owner& owner, const std::string& system) const 
     if (told.empty() && other)
       told = "its id is " + person.name + "'s on the roster, and its name is " + composed(owner.name) +
              ": perhaps a group's";
-    return {*found.begin(), told};
+    return {*found.begin(), told, other};
   }
   if (owner.anonymous) return {{}, "its code is on no roster"};
-  if (owner.name.empty()) return {{}, "its id is on no roster"};
+  if (owner.name.empty())
+    return {{}, "its id" + (owner.id.empty() ? "" : " " + legible(owner.id)) + " is on no roster"};
   if (owner.id.empty())  // a folder of this name, perhaps
     for (const IdKind kind : kinds_of(system)) {
       look(kind, owner.name);
@@ -161,7 +168,9 @@ Roster::Match Roster::find(const Owner& owner, const std::string& system) const 
   const Person& person = people_[*found.begin()];
   for (const IdKind kind : kinds_of(system)) {
     if (owner.id.empty() || person.id(kind).empty()) continue;
-    return {{}, "its name is " + person.name + "'s on the roster, with another " + title_of(kind)};
+    return {{},
+            "its name is " + person.name + "'s on the roster, whose " + title_of(kind) + " is " +
+                legible(person.id(kind)) + " and not " + legible(owner.id)};
   }
   if (!owner.email.empty() && !person.email().empty())
     return {{}, "its name is " + person.name + "'s on the roster, with another e-mail"};

@@ -31,9 +31,13 @@ class Roster {
     return said_;
   }  // for staff, a line each: guesses, and ids that a spreadsheet changed
 
+  // Whose row stands in this line of the table; several may be one person's.
+  std::optional<std::size_t> at_line(std::size_t line) const;
+
   struct Match {
     std::optional<std::size_t> person;  // of people()
     std::string told;                   // for staff: how it was found if that is not plain, or why nobody was
+    bool has_other_name = false;        // by an id, and on the roster it is somebody of another name
   };
   // `system` is the layout of the download, as --from takes it: it says which ids its hand-ins carry. A group is nobody; its members may
   // be.
@@ -49,6 +53,7 @@ class Roster {
   std::vector<std::size_t> with_id(IdKind kind, const std::string& id, std::string& told) const;
 
   std::vector<Person> people_;
+  std::map<std::size_t, std::size_t> by_line_;
   std::vector<std::string> said_;
   std::array<Places, kIdKinds> by_id_, by_id_without_zeros_;
   Places by_spoken_, by_sorted_;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "grader/course/input.h"
+#include "grader/text/letters.h"
 
 namespace grader {
 namespace {
@@ -93,6 +94,23 @@ TEST(Roster, ZerosInFrontComeBackAndAreSaid) {
   EXPECT_EQ(found(roster_of("id,name\n07,A\n007,B\n"), {"", "007", ""}, "canvas"), "B");
 }
 
+// Either side may have been through a spreadsheet or a page, from which letters come that nobody sees.
+TEST(Roster, AnIdHasOneForm) {
+  for (const char* form :
+       {"1001", "1001.0", "1001.00", "1001,0", "=\"1001\"", "\u200b1001", "10\u00ad01", "1001\ufeff",
+        "\u00a01001", "1\u202f001", "\u2060=\"1001\"", "1001\u200d", "1001\ufe0f"}) {
+    SCOPED_TRACE(legible(form));
+    const Roster roster = roster_of("id;name\n" + csv_line({form, "A"}, ';') + "1002;B\n");
+    EXPECT_EQ(found(roster, {.id = "1001"}, "canvas"), "A");
+    EXPECT_EQ(found(roster_of("id,name\n1001,A\n"), {.id = form}, "canvas"), "A");
+  }
+  EXPECT_EQ(found(roster_of("login,name\n1001.5,A\na.0,B\n"), {.id = "1001"}, "folders"),
+            "nobody: its id 1001 is on no roster");
+  EXPECT_EQ(found(roster_of("id,name\n1,A\n"), {.id = "\u202e1"}, "canvas"), "A");
+  EXPECT_EQ(found(roster_of("id,name\n1,A\n"), {.id = "x\uff11"}, "canvas"),
+            "nobody: its id x１ is on no roster");
+}
+
 TEST(Roster, NumbersThatASpreadsheetChangedAreSaidAndFindNobody) {
   const Roster roster =
       roster_of("id,name\n12345678901234500,A\n1.23457E+11,B\n123456789012345,C\n12345678901234567,D\n");
@@ -100,7 +118,8 @@ TEST(Roster, NumbersThatASpreadsheetChangedAreSaidAndFindNobody) {
   EXPECT_NE(roster.said()[0].find("line 2: id 12345678901234500 has only zeros beyond its 15th digit"),
             string::npos);
   EXPECT_NE(roster.said()[1].find("line 3: id 1.23457E+11 is a shortened number"), string::npos);
-  EXPECT_EQ(found(roster, {"", "12345678901234500", ""}, "canvas"), "nobody: its id is on no roster");
+  EXPECT_EQ(found(roster, {"", "12345678901234500", ""}, "canvas"),
+            "nobody: its id 12345678901234500 is on no roster");
   EXPECT_EQ(found(roster, {"", "12345678901234567", ""}, "canvas"), "D");
 }
 
@@ -117,7 +136,7 @@ TEST(Roster, AnIdIsOnePersons) {
   const Roster sections = roster_of("id,name,section\n1,A,x\n1,A,y\n1,A,\"x, y\"\n");
   ASSERT_EQ(sections.people().size(), 1u);
   EXPECT_EQ(sections.people()[0].section, "x, y");
-  EXPECT_EQ(sections.said(), Cells{"roster.csv, line 4: is line 2 again and counts once"});
+  EXPECT_EQ(sections.said(), Cells{"roster.csv, line 4: is line 2's person again, who counts once"});
 }
 
 TEST(Roster, ANameThatTwoBearFindsNobody) {
@@ -125,7 +144,7 @@ TEST(Roster, ANameThatTwoBearFindsNobody) {
   EXPECT_EQ(found(roster, {"liwei", "", ""}, "canvas"), "nobody: 2 people on the roster bear its name");
   EXPECT_EQ(found(roster, {"liwei", "2", ""}, "canvas"), "Wei Li");
   EXPECT_EQ(found(roster, {"ohann", "9", ""}, "canvas"),
-            "nobody: its name is Ann Oh's on the roster, with another id");
+            "nobody: its name is Ann Oh's on the roster, whose id is 3 and not 9");
   EXPECT_EQ(found(roster, {"Ann Oh", "9", ""}, "moodle"),
             "Ann Oh");  // a participant's number is no id of this roster
   EXPECT_EQ(roster.find({"Ann Oh", "9", ""}, "moodle").told, "found by its name alone: Ann Oh");
@@ -149,7 +168,7 @@ TEST(Roster, IdsOfOtherKindsAreNotCompared) {
   EXPECT_EQ(found(roster, {"", "4711", ""}, "moodle"), "A");
   EXPECT_EQ(found(roster, {"", "4711", ""}, "canvas"), "B");
   EXPECT_EQ(found(roster_of("Identifier,name\nParticipant 4711,A\n"), {"", "4711", ""}, "canvas"),
-            "nobody: its id is on no roster");
+            "nobody: its id 4711 is on no roster");
 }
 
 TEST(Roster, AnIdWhoseHandInHasAnotherNameIsSaid) {
