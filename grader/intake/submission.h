@@ -42,10 +42,11 @@ struct Submission {
   std::string problem = {};  // not empty: why the whole submission is rejected, for the student
   bool unreadable = false;   // it has a problem: it is no archive that we read, or a damaged or encrypted one
   Owner owner = {};
-  std::string system = {};     // the layout's name, as --from takes it: "canvas", "folders"
-  std::string handed_in = {};  // as the download says it (text/time_text.h); "": it has no time
-  bool marked_late = false;    // by the learning system
-  std::string about = {};  // the text of about.txt, a student's answers about the course; "": there is none
+  std::string system = {};  // the layout's name, as --from takes it: "canvas", "folders"
+  std::string handed_in =
+      {};  // as the download says it (text/time_text.h); "": it has no time; "-": a table says none
+  bool marked_late = false;  // by the learning system
+  std::string about = {};    // the text of about.txt, a student's answers about the course; "": there is none
   std::string known_as = {};  // the name that was found, where `name` is a code (tool/blind.h)
   std::string drawn_from =
       {};  // the name that its inputs are drawn from, as the class's record has it; "": `name`

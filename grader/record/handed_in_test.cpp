@@ -22,8 +22,9 @@ class HandedInVersions : public testing::Test {
 // A table of times is not given with each grading.
 TEST_F(HandedInVersions, KeepTheTimeOfTheSameFiles) {
   Record record(dir_, "week 1");
+  std::string before;
   const auto put = [&](const HandedIn& handed_in) {
-    record.put(graded("alice"), handed_in);
+    before = record.put(graded("alice"), handed_in);
     return record.handed_in("alice");
   };
   EXPECT_EQ(put({"", "files"}), "");
@@ -33,6 +34,10 @@ TEST_F(HandedInVersions, KeepTheTimeOfTheSameFiles) {
   EXPECT_EQ(put({"2025-03-05 10:00:00", "files"}), "2025-03-05 10:00:00");
   EXPECT_EQ(put({"", ""}), "") << "nobody knows what was handed in";
   EXPECT_EQ(put({"", "files"}), "2025-03-05 10:00:00") << "the first version again";
+  EXPECT_EQ(put({"-", "files"}), "-") << "a corrected table";
+  EXPECT_EQ(before, "2025-03-05 10:00:00");
+  EXPECT_EQ(put({"", "files"}), "-");
+  EXPECT_EQ(record.set_handed_in("alice", {"2025-03-05 10:00:00", "files"}), "-");
   Record(dir_, "week 2").put(graded("alice"), {"", "files"});
   EXPECT_EQ(Record(dir_, "week 2").handed_in("alice"), "");
   record.put(graded("bob"), {"", "files"});

@@ -16,6 +16,8 @@
 namespace grader {
 namespace {
 
+constexpr const char* kEntered = "entered into a gradebook";
+
 namespace fs = std::filesystem;
 
 // The digests stand for pictures in the text; the pictures are in a table of their own.
@@ -118,7 +120,7 @@ std::string Record::drawn_from(const std::string& name) {
   return database_.text("SELECT drawn_from FROM people WHERE id = ?", {known_person(name)});
 }
 
-void Record::put(const Recorded& one, const HandedIn& handed_in) {
+std::string Record::put(const Recorded& one, const HandedIn& handed_in) {
   const SubmissionResult& result = one.result;
   std::map<std::string, std::string> pictures;
   const std::string text = text_of(result, pictures), study = one.study ? compact(one.study->own) : "",
@@ -131,18 +133,18 @@ void Record::put(const Recorded& one, const HandedIn& handed_in) {
                 {assignment, id, result.origin, text, study, beside, costs});
   // A table of times is not given each time. Rows of older records don't say which files they had: the newest one counts there, so that
   // nobody becomes later.
-  std::string time = handed_in.time;
+  std::string before;
   for (const std::string& files : {handed_in.files, std::string()})
-    if (time.empty() && !handed_in.files.empty())
-      time = database_.text(
+    if (before.empty() && !handed_in.files.empty())
+      before = database_.text(
           "SELECT handed_in FROM hand_ins WHERE assignment = ? AND person = ? AND files = ? ORDER BY id DESC "
           "LIMIT 1",
           {assignment, id, files});
   database_.run(
       "INSERT OR REPLACE INTO hand_ins (assignment, person, origin, fingerprint, handed_in, files, "
       "marked_late) VALUES (?, ?, ?, ?, ?, ?, ?)",
-      {assignment, id, result.origin, result.fingerprint, time, handed_in.files,
-       std::int64_t{handed_in.marked_late}});
+      {assignment, id, result.origin, result.fingerprint, handed_in.time.empty() ? before : handed_in.time,
+       handed_in.files, std::int64_t{handed_in.marked_late}});
   std::vector<std::string>
       earlier;  // nobody may show these any more; to look at all pictures would take long
   database_.each("SELECT digest FROM shown WHERE assignment = ? AND person = ?", {assignment, id},
@@ -159,6 +161,7 @@ void Record::put(const Recorded& one, const HandedIn& handed_in) {
         {digest});
   add_to_log(id, "graded", compact(points_then(result)));
   transaction.commit();
+  return before;
 }
 
 void Record::remove_pictures_that_none_shows() {
@@ -251,6 +254,20 @@ std::vector<LogEntry> Record::log(const std::string& name) {
                    all.push_back({row.text(0), row.text(1), row.text(2), row.text(3)});
                  });
   return all;
+}
+
+void Record::put_entered(const std::vector<std::pair<std::string, std::string>>& cells) {
+  const std::lock_guard lock(one_at_a_time_);
+  Transaction transaction(database_);
+  for (const auto& [name, cell] : cells) add_to_log(known_person(name), kEntered, cell);
+  transaction.commit();
+}
+
+std::vector<std::string> Record::entered(const std::string& name) {
+  std::vector<std::string> cells;
+  for (LogEntry& entry : log(name))
+    if (entry.did == kEntered) cells.push_back(std::move(entry.detail));
+  return cells;
 }
 
 void Record::forget(const std::string& name) {

@@ -44,7 +44,7 @@ struct Recorded {
 
 // A version that was handed in, as its download says it.
 struct HandedIn {
-  std::string time = {};     // grader/text/time_text.h; "": it has none
+  std::string time = {};     // grader/text/time_text.h; "": it has none; "-": a table says that there is none
   std::string files = {};    // their hash: others are another version; "": nobody knows it
   bool marked_late = false;  // by the learning system
 
@@ -78,11 +78,12 @@ class Record {
   // The name that a hand-in's inputs are drawn from is stored at first sight (same_people.h). put_people comes first.
   std::string drawn_from(const std::string& name);
 
-  // Replaces the earlier result of this student; the log has both. Without a time, one that these files had before stays.
-  void put(const Recorded& one, const HandedIn& handed_in = {});
+  // Replaces the earlier result of this student; the log has both. Without a time, one that these files had before stays. Returns that
+  // earlier time, "" if there was none.
+  std::string put(const Recorded& one, const HandedIn& handed_in = {});
 
-  // Sets time and mark of the version that counts. Without a new time the old one stays.
-  void set_handed_in(const std::string& name, const HandedIn& handed_in);
+  // Sets time and mark of the version that counts. Without a new time the old one stays. Returns the old one.
+  std::string set_handed_in(const std::string& name, const HandedIn& handed_in);
   std::string handed_in(const std::string& name);  // the time; "": nobody knows it
 
   // Owners of hand-ins that were there before stay if they are not named again. A roster replaces the earlier one. With `only` one
@@ -140,6 +141,10 @@ class Record {
   // whom it does not know.
   void set_listed(const std::vector<Accounted>& listed);
   std::vector<Accounted> listed();
+
+  // Cells that a learning system's table got of hand-ins: later ones that differ are a person's.
+  void put_entered(const std::vector<std::pair<std::string, std::string>>& cells);
+  std::vector<std::string> entered(const std::string& name);
 
   // Oldest first; throws BadInput for a name that the record does not have.
   std::vector<LogEntry> log(const std::string& name);

@@ -4,6 +4,7 @@
 
 #include "grader/report/pages.h"
 #include "grader/report/text.h"
+#include "grader/text/time_text.h"
 
 namespace grader {
 namespace {
@@ -20,9 +21,9 @@ Html late_section(const ClassFacts& facts, const NamesForPeople& people) {
   std::vector<Late> late, marked;
   std::size_t without_time = 0;
   for (const auto& [name, how] : facts.late) {
-    without_time += how.handed_in.empty();
+    without_time += !read_time(how.handed_in);
     if (how.days > 0) late.emplace_back(name, how);
-    if (how.marked && (facts.due.empty() || how.handed_in.empty())) marked.emplace_back(name, how);
+    if (how.marked && (facts.due.empty() || !read_time(how.handed_in))) marked.emplace_back(name, how);
   }
   if (facts.due.empty() && marked.empty()) return {};
   std::stable_sort(late.begin(), late.end(),

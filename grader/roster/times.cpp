@@ -76,7 +76,7 @@ std::string Times::time_of(std::size_t person) {
   const std::size_t line = people_.people()[person].line;
   const auto row = std::ranges::find(table_.rows, line, &Csv::Row::line);
   const std::string cell = composed(row->at(column_));
-  if (cell.empty() || cell == "-" || read_time(cell)) return cell == "-" ? "" : cell;
+  if (cell.empty() || cell == "-" || read_time(cell)) return cell.empty() ? "-" : cell;
   std::string told = not_read_as_time(table_, *row, column_);
   if (std::ranges::count(said_, told) == 0) said_.push_back(std::move(told));
   return "";
@@ -85,7 +85,7 @@ std::string Times::time_of(std::size_t person) {
 std::string Times::find(const std::string& hand_in, const Owner& owner, const std::string& system,
                         const Roster* roster) {
   std::string latest;
-  std::chrono::sys_seconds latest_moment{};
+  std::optional<std::chrono::sys_seconds> latest_moment;
   const bool members = !owner.members.empty();
   for (const Owner& one : members ? owner.members : std::vector{owner}) {
     Roster::Match match = people_.find(one, system);
@@ -96,9 +96,10 @@ std::string Times::find(const std::string& hand_in, const Owner& owner, const st
     if (!match.person) continue;
     const std::string time = time_of(*match.person);
     const std::optional<TimeText> read = read_time(time);
+    if (!read && latest.empty()) latest = time;
     if (!read) continue;
     const std::chrono::sys_seconds moment(read->clock - read->offset.value_or(std::chrono::minutes(0)));
-    if (latest.empty() || moment > latest_moment) {
+    if (!latest_moment || moment > *latest_moment) {
       latest = time;
       latest_moment = moment;
     }

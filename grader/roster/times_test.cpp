@@ -31,7 +31,8 @@ TEST(Times, AreFoundByIdOrByANameThatOnePersonBears) {
   EXPECT_EQ(list.find("b", {.id = "4712"}, "folders", nullptr), "2025-03-05T01:00:00Z");
   EXPECT_EQ(list.find("c", {.name = "Sam Lee"}, "folders", nullptr), "");
   EXPECT_TRUE(says(list, "c: in times.csv: 2 people on the roster bear its name"));
-  EXPECT_EQ(list.find("d", {.id = "4714"}, "folders", nullptr), "");
+  EXPECT_EQ(list.find("d", {.id = "4714"}, "folders", nullptr), "-");
+  EXPECT_EQ(list.find("e", {.id = "4715"}, "folders", nullptr), "");
   EXPECT_TRUE(says(list, "line 4: Sam Lee has a time, and no hand-in here"));
   EXPECT_FALSE(says(list, "Ann Poe"));
 }
@@ -45,7 +46,7 @@ TEST(Times, OfMoodlesWorksheetAreRead) {
             "Tuesday, 4 March 2025, 10:15 AM");
   for (const char* hand_in : {"b", "b, handed in again"})
     EXPECT_EQ(list.find(hand_in, {.name = "Sam Lee", .id = "4712"}, "moodle", nullptr), "");
-  EXPECT_EQ(list.find("c", {.name = "Ann Poe", .id = "4713"}, "moodle", nullptr), "");
+  EXPECT_EQ(list.find("c", {.name = "Ann Poe", .id = "4713"}, "moodle", nullptr), "-");
   ASSERT_EQ(list.said().size(), 1U) << "a cell is said once";
   EXPECT_TRUE(says(list, "times.csv, line 3: \"wtorek, 4 marca 2025, 10:15\" is no time that is read"));
 }
@@ -68,7 +69,7 @@ TEST(Times, OfAWorksheetInAnotherLanguageStandBehindWhetherItsGradeCanChange) {
   EXPECT_EQ(list.find("a", {.name = "Jane Doe", .id = "4711"}, "moodle", nullptr),
             "Dienstag, 4. März 2025, 10:15");
   EXPECT_EQ(list.find("b", {.name = "Sam Lee", .id = "4712"}, "moodle", nullptr), "");
-  EXPECT_EQ(list.find("c", {.name = "Ann Poe", .id = "4713"}, "moodle", nullptr), "");
+  EXPECT_EQ(list.find("c", {.name = "Ann Poe", .id = "4713"}, "moodle", nullptr), "-");
   ASSERT_EQ(list.said().size(), 2U);
   EXPECT_TRUE(says(list, "times.csv: times are taken from the column \"Zuletzt geändert (Abgabe)\", by its"));
   EXPECT_TRUE(says(list, "times.csv, line 3: \"gestern\" is no time that is read"));
@@ -80,8 +81,11 @@ TEST(Times, OfAWorksheetInAnotherLanguageStandBehindWhetherItsGradeCanChange) {
 }
 
 TEST(Times, OfAGroupAreTheLatestOfItsMembersAndARosterLinksIds) {
-  Times list = times("email,time\na@u.de,2025-03-04 10:15:00 -0800\nb@u.de,2025-03-04 11:00:00 Z\n");
-  const Owner a{.email = "a@u.de"}, b{.email = "b@u.de"};
+  Times list = times("email,time\na@u.de,2025-03-04 10:15:00 -0800\nb@u.de,2025-03-04 11:00:00 Z\nc@u.de,\n");
+  const Owner a{.email = "a@u.de"}, b{.email = "b@u.de"}, c{.email = "c@u.de"};
+  EXPECT_EQ(list.find("pair", {.group = true, .members = {c, b}}, "gradescope", nullptr),
+            "2025-03-04 11:00:00 Z");
+  EXPECT_EQ(list.find("one", {.group = true, .members = {c}}, "gradescope", nullptr), "-");
   EXPECT_EQ(list.find("team", {.group = true, .members = {a, b}}, "gradescope", nullptr),
             "2025-03-04 10:15:00 -0800");
   const Roster roster(parse_csv("id,email\n4711,b@u.de\n", "roster.csv"));

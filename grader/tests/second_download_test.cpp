@@ -120,6 +120,28 @@ TEST_F(SecondDownload, AGroupOfCanvasKeepsItsRowUnderAnotherName) {
   EXPECT_FALSE(has(read("grades/solo_4713/report.html"), "Well spoken."));
 }
 
+TEST_F(SecondDownload, ACorrectedTableReplacesTimesAndSaysSo) {
+  download({"roemax_4716_90002_conj_grad.cpp"});
+  const auto grade_with = [&](const string& rows, const Words& more = {}) {
+    Words words{"--times", write("times.csv", "id,time\n" + rows)};
+    words.insert(words.end(), more.begin(), more.end());
+    return grade(words).errors;
+  };
+  const auto time = [&] { return Record(root_ / "grades").handed_in("roemax_4716"); };
+  EXPECT_FALSE(has(grade_with("4716,2025-03-09 10:00\n"), "time of hand-in"));
+  for (const Words& more : {Words{}, Words{"--resume"}}) {
+    EXPECT_TRUE(has(grade_with("4716,-\n", more),
+                    "roemax_4716: its time of hand-in was 2025-03-09 10:00 and is unknown now\n"));
+    EXPECT_EQ(time(), "-");
+    EXPECT_TRUE(
+        has(grade_with("4716,2025-03-09 10:00\n", more), "was unknown and is 2025-03-09 10:00 now\n"));
+    EXPECT_FALSE(has(grade_with("4716,2025-03-09 10:00\n", more), "roemax_4716"));
+    for (const char* rows : {"4711,2025-03-04 10:00\n", "4711,2025-03-04 10:00\n4716,soon\n"})
+      EXPECT_TRUE(has(grade_with(rows, more), "times.csv, and keeps 2025-03-09 10:00\n"));
+    EXPECT_EQ(time(), "2025-03-09 10:00");
+  }
+}
+
 TEST_F(SecondDownload, ABlindGroupKeepsItsCode) {
   download({"team7_4713_90001_conj_grad.cpp", "roemax_4716_90002_conj_grad.cpp"});
   const ProgramRun first = grade({"--anonymous", "--roster", write("roster.csv", kRoster)});

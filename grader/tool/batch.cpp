@@ -118,13 +118,22 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
   const auto earlier_of = [&](const Submission& submission) {
     return settings.resume || settings.merge ? record.find(submission.name) : std::nullopt;
   };
+  // Another time of the same files, as a corrected table has it.
+  const auto compare_times = [&](const std::string& name, const std::string& was, const std::string& now) {
+    if (was.empty() || now.empty() || was == now) return;
+    const auto shown = [](const std::string& time) { return time == "-" ? "unknown" : time; };
+    const std::lock_guard lock(shared);
+    batch.remarks.push_back(called(name, people) + ": its time of hand-in was " + shown(was) + " and is " +
+                            shown(now) + " now");
+  };
   const auto keep = [&](const Submission& submission, Graded graded) {
+    const HandedIn handed_in = handed_in_of(submission);
     Recorded one{std::move(graded.result), {}, std::move(graded.timing)};
     if (const std::optional<Recorded> earlier = earlier_of(submission); settings.merge && earlier)
       keep_other_exercises(one, *earlier, grading.course());
     one.result.studied = graded.study.has_value();
     if (graded.study) one.study = {*graded.study, *grading.reference().study};
-    record.put(one, handed_in_of(submission));
+    compare_times(submission.name, record.put(one, handed_in), handed_in.time);
     if (std::optional<Recorded> now = record.find_decided(submission.name)) one = std::move(*now);
     if (hidden) hide(*hidden, one.result);
     write_student_files(record.pages(), one, people);
@@ -148,7 +157,8 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
       const bool complete = earlier->result.studied || !grading.reference().study;
       if (complete && earlier->result.origin == submission.origin &&
           earlier->result.fingerprint == grading.fingerprint(submission)) {
-        record.set_handed_in(submission.name, handed_in_of(submission));
+        const HandedIn handed_in = handed_in_of(submission);
+        compare_times(submission.name, record.set_handed_in(submission.name, handed_in), handed_in.time);
         const std::lock_guard lock(shared);
         ++batch.done;
         progress.step(in_a_line(earlier->result, people), false);

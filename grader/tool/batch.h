@@ -37,6 +37,7 @@ struct Batch {
   std::size_t done = 0;                   // of the submissions that were asked for: graded, or found done
   std::vector<std::string> problems;      // on our side: what could not be graded, a line each
   std::vector<std::string> conflicts;     // decisions of people against other points than now, a line each
+  std::vector<std::string> remarks;       // times of hand-ins that are others than before, a line each
   bool interrupted = false;
   bool began = true;  // false: interrupted while another process had the folder
 };

@@ -113,7 +113,7 @@ int grade(GradeOptions options) {
   if (times)
     for (Submission& one : intake.submissions)
       if (const std::string time = times->find(one.name, one.owner, one.system, roster ? &*roster : nullptr);
-          !time.empty())
+          !time.empty() && (time != "-" || one.handed_in.empty()))
         one.handed_in = time;
   const bool blind = options.batch.blind || (before && before->is_blind());
   if (blind) give_codes(intake.submissions, before ? before->codes() : std::map<std::string, std::string>());
@@ -161,9 +161,15 @@ int grade(GradeOptions options) {
   for (const std::string& problem : batch.problems)
     std::cerr << "hairgrade: could not grade " << printable(problem, 2000) << "\n";
   say_people(record, options.batch.roster);
-  if (times)
+  if (times) {
     for (const std::string& line : times->said())
       std::cerr << "hairgrade: " << (hidden ? hidden->in(line) : line) << "\n";
+    for (const Submission& one : intake.submissions)
+      if (const std::string kept = record.handed_in(one.name); one.handed_in.empty() && read_time(kept))
+        std::cerr << "hairgrade: " << called(one.name, people) << ": has no time in "
+                  << printable(options.times->string(), 4096) << ", and keeps " << kept << "\n";
+  }
+  for (const std::string& remark : batch.remarks) std::cerr << "hairgrade: " << remark << "\n";
   for (const std::string& remark : intake.remarks) std::cerr << "hairgrade: " << remark << "\n";
   for (const std::string& notice : intake.notices) std::cerr << "hairgrade: " << notice << "\n";
   if (const std::string names = without_time(intake.submissions, record);
