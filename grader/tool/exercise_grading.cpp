@@ -16,12 +16,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostLog = 16 << 10;  // of what a worker printed
 
-// In whole points, and nothing where no cases could be counted.
-double points_for_share(const CaseResult& one) {
-  if (one.cases == 0) return one.points;
-  return std::floor(one.max_points * one.held / one.cases);
-}
-
 // The place of a memory error, as a phrase. A line would be one of hundreds, and code could choose it by a
 // hidden input.
 std::string place_of(const Exercise& exercise, int call) {
@@ -47,6 +41,12 @@ Compiled compile_with_sanitizers(const Compiler& compiler, const Exercise& exerc
   fs::create_directory(folder);
   share_with_sandbox(folder, false);
   return compiler.compile(exercise, source, folder, cpu_seconds, Build::sanitised);
+}
+
+double whole_points(double points, double weight, double weights, int held, int cases) {
+  const auto thousandths = [](double value) { return std::llround(1000 * value); };
+  return static_cast<double>(thousandths(points) * thousandths(weight) * held /
+                             (thousandths(weights) * 1000 * cases));
 }
 
 ExerciseResult describe(const Exercise& exercise) {
@@ -134,9 +134,11 @@ void run_cases(const SuiteJobs& jobs, const Exercise& exercise, const std::strin
   }
   result.points = 0;
   for (CaseResult& one : found.cases) {
-    one.points *= exercise.points / weights;
+    if (jobs.settings().course.partial && one.cases > 0)
+      one.points = whole_points(exercise.points, one.max_points, weights, one.held, one.cases);
+    else
+      one.points *= exercise.points / weights;
     one.max_points *= exercise.points / weights;
-    if (jobs.settings().course.partial) one.points = points_for_share(one);
     result.points += one.points;
   }
   if (sanitised && found.memory && !found.memory->message.empty()) {

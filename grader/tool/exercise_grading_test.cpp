@@ -53,6 +53,19 @@ class PartialPoints : public testing::Test {
   }
 };
 
+TEST(WholePoints, AreThoseOfFractions) {
+  for (const int points : {1, 5, 18, 20, 32})
+    for (int weights = 1; weights <= 60; ++weights)
+      for (int weight = 1; weight <= weights; ++weight)
+        for (const int cases : {1, 3, 7, 12})
+          for (int held = 0; held <= cases; ++held)
+            ASSERT_EQ(whole_points(points, weight, weights, held, cases),
+                      points * weight * held / (weights * cases))
+                << points << " points, " << weight << "/" << weights << ", " << held << " of " << cases;
+  EXPECT_EQ(whole_points(7.5, 2.5, 7.5, 12, 12), 2);
+  EXPECT_EQ(whole_points(1e6, 99, 100, 1000, 1000), 990000);
+}
+
 TEST_F(PartialPoints, AreAllOrNothingWithoutTheKey) {
   const ExerciseResult result = grade(false);
   int wrong = 0;
