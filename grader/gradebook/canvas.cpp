@@ -109,14 +109,13 @@ Gradebook fill_canvas(const Csv& exported, const std::vector<Grade>& grades, con
     if (starts_formula(cell))
       throw BadInput(place_of(exported, head) + ": a spreadsheet would run the title \"" + composed(cell) +
                      "\" as a formula; rename it in Canvas");
-  const Filling filling(exported, grades, options);
+  Filling filling(exported, grades, options,
+                  {.system = "Canvas", .title = "the column " + title, .excused = "EX"});
   const char separator = exported.separator == '\t' ? ',' : exported.separator;
 
   std::vector<std::string> notes;
   std::optional<double> maximum;
-  Gradebook book;
-  book.csv = copied(exported, head, separator);
-  std::size_t without = 0;
+  std::string csv = copied(exported, head, separator);
   bool completeness = false;
   for (std::size_t i = 1; i < exported.rows.size(); ++i) {
     const Csv::Row& row = exported.rows[i];
@@ -131,7 +130,7 @@ Gradebook fill_canvas(const Csv& exported, const std::vector<Grade>& grades, con
           throw BadInput(where + ": the column " + title + " is read only; choose another by --column");
         maximum = number_in(points);
       }
-      book.csv += copied(exported, row, separator);
+      csv += copied(exported, row, separator);
       continue;
     }
     Cells cells = row.cells;
@@ -142,37 +141,29 @@ Gradebook fill_canvas(const Csv& exported, const std::vector<Grade>& grades, con
         cells[j] = plain_score(cells[j], notes, where);
       }
     std::string& score = cells[column];
-    const Grade* grade = filling.at(row);
-    if (!grade) {
-      ++without;
-      score = plain_score(score, notes, where);
-    } else if (score == "EX" || score == "N/A") {
-      notes.push_back(where + ": " + score + " stays in the column " + title + ", and " + grade->hand_in +
-                      "'s points are not entered");
-    } else {
-      score = grade->excused ? "EX" : filling.points(*grade, maximum, "the column " + title);
-      ++book.written;
-    }
-    book.csv += csv_line(cells, separator, exported.end_of_line);
+    const bool is_word = score == "EX" || score == "N/A";
+    score =
+        plain_score(filling.score(row, score, maximum, is_word ? "the column " + title + " has " + score : "")
+                        .value_or(score),
+                    notes, where);
+    csv += csv_line(cells, separator, exported.end_of_line);
   }
-  book.said = filling.said(without);
-  book.said.insert(book.said.end(), notes.begin(), notes.end());
+  for (std::string& note : notes) filling.say(std::move(note));
   if (!maximum)
-    book.said.push_back("the column " + title +
-                        " has no points possible, so nothing tells whether the grades fit");
+    filling.say("the column " + title + " has no points possible, so nothing tells whether the grades fit");
   if (lowered(head.cells[column]).find("final") != std::string::npos)
-    book.said.push_back(
+    filling.say(
         "not certain: Canvas was seen to ignore a column with \"final\" in its title; look at the import, or "
         "rename " +
         title);
   if (completeness)
-    book.said.emplace_back(
+    filling.say(
         "not certain: Canvas was seen to drop scores beside an assignment that is Complete or Incomplete; "
         "look at the import");
-  book.said.emplace_back(
+  filling.say(
       "other columns hold the scores of the time of the export: import soon, or Canvas offers to change "
       "later ones back");
-  return book;
+  return filling.book(std::move(csv));
 }
 
 }  // namespace grader

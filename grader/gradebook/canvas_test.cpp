@@ -28,7 +28,8 @@ Grade grade_of(const string& id, double points, double of = 10) {
           .owner = {"", id, ""},
           .system = "canvas",
           .points = points,
-          .max_points = of};
+          .max_points = of,
+          .entered = {"7.5"}};
 }
 
 Gradebook fill(const string& text, const std::vector<Grade>& grades, const FillOptions& options = {}) {
@@ -56,8 +57,7 @@ TEST(CanvasGradebook, ImportsTheGradesAndNothingElse) {
   EXPECT_EQ(book.written, 3u);
   const std::size_t rows_of_titles = kExport.find("\"O'Brien");
   EXPECT_EQ(book.csv.substr(0, rows_of_titles), kExport.substr(0, rows_of_titles));
-  EXPECT_TRUE(says(
-      book, "line 6: EX stays in the column \"Lab 3 (8801)\", and hand_in_4713's points are not entered"));
+  EXPECT_TRUE(says(book, "line 6: hand_in_4713's grade is not entered: the column \"Lab 3 (8801)\" has EX"));
   EXPECT_TRUE(says(book, "1 person has no grade here"));
   for (const Csv::Row& row : parse_csv(book.csv, "x").rows)
     for (const string& cell : row.cells) EXPECT_FALSE(starts_formula(cell)) << cell;
@@ -140,11 +140,45 @@ TEST(CanvasGradebook, NobodyGetsAnothersGrade) {
                                           .members = {{"", "4711", ""}, {"", "4714", ""}}},
                                 .system = "canvas",
                                 .points = 4,
-                                .max_points = 10}},
+                                .max_points = 10,
+                                .entered = {"2", "3", "7.5"}}},
                               {.column = "8801"});
   EXPECT_EQ(import_into_canvas(book.csv, kExport, "8801").scores, (Scores{{"4711", "4"}, {"4714", "4"}}));
   EXPECT_TRUE(says(book, "line 4: left as it is, for hand_in_4712 and hand_in_4712 are both this person's"));
-  EXPECT_TRUE(says(book, "hand_in_9999: has no row in export.csv, its id is on no roster"));
+  EXPECT_TRUE(says(book, "hand_in_9999: has no row in export.csv, its id 9999 is on no roster"));
+}
+
+TEST(CanvasGradebook, ScoresThatAPersonEnteredStay) {
+  const Gradebook kept =
+      fill(kExport, {grade_of("4714", 9), grade_of("4711", 8), grade_of("4712", 1)}, {.column = "8801"});
+  EXPECT_EQ(import_into_canvas(kept.csv, kExport, "8801").scores, (Scores{{"4711", "8"}, {"4712", "1"}}));
+  EXPECT_TRUE(says(kept,
+                   "line 7: \"3.00\" stays, which a person entered, and hand_in_4714's \"9\" is not entered; "
+                   "give --overwrite"));
+  EXPECT_FALSE(kept.all_entered);
+  EXPECT_EQ(kept.entered,
+            (std::vector<std::pair<string, string>>{{"hand_in_4712", "1"}, {"hand_in_4711", "8"}}));
+  const Gradebook same = fill(kExport, {grade_of("4714", 3)}, {.column = "8801"});
+  EXPECT_EQ(same.written, 1u);
+  EXPECT_TRUE(same.all_entered);
+  Grade excused = grade_of("4714", 3);
+  excused.excused = true;
+  EXPECT_EQ(fill(kExport, {excused}, {.column = "8801"}).written, 0u);
+  EXPECT_EQ(
+      import_into_canvas(fill(kExport, {excused}, {.column = "8801", .overwrite = true}).csv, kExport, "8801")
+          .scores,
+      (Scores{{"4714", "EX"}}));
+}
+
+TEST(CanvasGradebook, APersonWithTwoRowsHasTheGradeInBoth) {
+  const string titles = "Student,ID,SIS Login ID,Section,Lab 3 (8801)\n    Points Possible,,,,10\n";
+  const string row = "\"Oh, Ann\",4712,ao,";
+  const Gradebook book = fill(titles + row + "A,\n" + row + "B,7.5\n" + row + "B,9\n", {grade_of("4712", 5)});
+  EXPECT_EQ(book.csv, titles + row + "A,5\n" + row + "B,5\n" + row + "B,9\n");
+  EXPECT_TRUE(says(book, "line 5: \"9\" stays"));
+  EXPECT_NE(error_of(titles + row + "A,\n\"Oh, Ann\",4712,other,B,\n", {grade_of("4712", 5)})
+                .find("line 4: id 4712 is line 3's, too"),
+            string::npos);
 }
 
 TEST(CanvasGradebook, HandInsOfAnotherSystemComeByTheRoster) {
@@ -171,6 +205,10 @@ TEST(CanvasGradebook, SaysWhatIsNoExport) {
   const std::vector<Grade> grades{grade_of("1", 5)};
   EXPECT_NE(error_of("id,name\n1,A\n", grades).find("export.csv, line 1: is no gradebook of Canvas"),
             string::npos);
+  EXPECT_EQ(
+      error_of(kExport, {grade_of("9", 5)}, {.column = "8801"}),
+      "export.csv: nobody who has a grade here is in it (hand_in_9: its id 9 is on no roster); give the "
+      "table of this course and assignment, or --roster with ids of both");
   EXPECT_NE(error_of("Student,ID,SIS Login ID,x (1)\nA,1,a,\n", grades).find("no title is Section"),
             string::npos);
   EXPECT_NE(error_of("Student,ID,Section,x\nA,1,a,\n", grades).find("has no assignment's column"),

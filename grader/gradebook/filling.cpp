@@ -14,60 +14,135 @@ std::string called(const Grade& grade) {
   return grade.owner.name.empty() ? grade.hand_in : grade.hand_in + " (" + composed(grade.owner.name) + ")";
 }
 
+bool is_blank(const std::string& cell) {
+  const std::string text = composed(cell);
+  return text.empty() || text == "-";
+}
+
+bool are_equal(const std::string& one, const std::string& other) {
+  const std::optional<double> number = number_in(one);
+  return composed(one) == composed(other) || (number && number == number_in(other));
+}
+
+std::string points_for(const Grade& grade, std::optional<double> maximum, const ScoreColumn& column,
+                       bool scale) {
+  if (!maximum || *maximum == grade.max_points) return shown_points(grade.points);
+  if (!scale)
+    throw BadInput(column.title + ": is out of " + shown_points(*maximum) +
+                   " points, and the grades are out of " + shown_points(grade.max_points) +
+                   "; change it there, or give --scale for shares of its points");
+  return shown_points(grade.max_points > 0 ? grade.points / grade.max_points * *maximum : 0);
+}
+
 }  // namespace
 
-Filling::Filling(const Csv& exported, const std::vector<Grade>& grades, const FillOptions& options)
-    : said_(exported.said), scale_(options.scale) {
-  const Roster rows(exported);
+Filling::Filling(const Csv& exported, const std::vector<Grade>& grades, const FillOptions& options,
+                 ScoreColumn column)
+    : exported_(exported), options_(options), column_(std::move(column)), rows_(exported) {
+  book_.said = rows_.said();
   const auto row_of = [&](const Owner& owner, const std::string& system) {
-    Roster::Match match = rows.find(owner, system);
+    Roster::Match match = rows_.find(owner, system);
+    // A participant's number is of one assignment: in another one's worksheet it is somebody else's.
+    if (system == "moodle" && match.has_other_name) match.person.reset();
     if (match.person || !options.roster) return match;
     const Roster::Match on_roster = options.roster->find(owner, system);
-    return on_roster.person ? rows.find(options.roster->people()[*on_roster.person]) : on_roster;
+    return on_roster.person ? rows_.find(options.roster->people()[*on_roster.person]) : on_roster;
   };
+  std::string first;
   for (const Grade& grade : grades) {
     const bool members = !grade.owner.members.empty();
     for (const Owner& owner : members ? grade.owner.members : std::vector{grade.owner}) {
       const Roster::Match match = row_of(owner, grade.system);
       const std::string who =
           called(grade) + (members ? ", " + composed(owner.name.empty() ? owner.id : owner.name) : "");
-      if (match.person) by_line_[rows.people()[*match.person].line].push_back(&grade);
-      if (!match.person)
-        said_.push_back(who + ": has no row in " + exported.file + ", " + match.told + "; enter it by hand");
-      else if (!match.told.empty())
-        said_.push_back(who + ": " + match.told);
+      if (match.person) by_person_[*match.person].push_back(&grade);
+      if (!match.person) {
+        book_.said.push_back(who + ": has no row in " + exported.file + ", " + match.told +
+                             "; enter it by hand");
+        if (first.empty()) first = who + ": " + match.told;
+        book_.all_entered = false;
+      } else if (!match.told.empty()) {
+        book_.said.push_back(who + ": " + match.told);
+      }
     }
     if (grade.not_final)
-      said_.push_back(called(grade) + ": is not final, since the clock ended a part of it");
+      book_.said.push_back(called(grade) + ": is not final, since the clock ended a part of it");
   }
-  for (const auto& [line, theirs] : by_line_)
-    if (theirs.size() > 1)
-      said_.push_back(exported.file + ", line " + std::to_string(line) + ": left as it is, for " +
-                      called(*theirs[0]) + " and " + called(*theirs[1]) +
-                      " are both this person's; enter it by hand");
+  if (by_person_.empty() && !grades.empty())
+    throw BadInput(exported.file + ": nobody who has a grade here is in it (" + first +
+                   "); give the table of this course and assignment, or --roster with ids of both");
+  for (const auto& [person, theirs] : by_person_)
+    if (theirs.size() > 1) {
+      book_.all_entered = false;
+      book_.said.push_back(exported.file + ", line " + std::to_string(rows_.people()[person].line) +
+                           ": left as it is, for " + called(*theirs[0]) + " and " + called(*theirs[1]) +
+                           " are both this person's; enter it by hand");
+    }
 }
 
-const Grade* Filling::at(const Csv::Row& row) const {
-  const auto found = by_line_.find(row.line);
-  return found == by_line_.end() || found->second.size() > 1 ? nullptr : found->second.front();
+const Grade* Filling::of(const Csv::Row& row) const {
+  const std::optional<std::size_t> person = rows_.at_line(row.line);
+  const auto found = person ? by_person_.find(*person) : by_person_.end();
+  return found == by_person_.end() || found->second.size() > 1 ? nullptr : found->second.front();
 }
 
-std::string Filling::points(const Grade& grade, std::optional<double> maximum,
-                            const std::string& where) const {
-  if (!maximum || *maximum == grade.max_points) return shown_points(grade.points);
-  if (!scale_)
-    throw BadInput(where + ": is out of " + shown_points(*maximum) + " points, and the grades are out of " +
-                   shown_points(grade.max_points) +
-                   "; change it there, or give --scale for shares of its points");
-  return shown_points(grade.max_points > 0 ? grade.points / grade.max_points * *maximum : 0);
+const Grade* Filling::at(const Csv::Row& row) {
+  const Grade* grade = of(row);
+  without_ += grade == nullptr;
+  return grade;
 }
 
-std::vector<std::string> Filling::said(std::size_t rows_without) const {
-  std::vector<std::string> all = said_;
-  if (rows_without > 0)
-    all.push_back(std::to_string(rows_without) + (rows_without == 1 ? " person has" : " people have") +
-                  " no grade here; their cells stay as they were");
-  return all;
+// A cell that is not as an earlier gradebook of ours had it is a person's.
+bool Filling::may_replace(const Csv::Row& row, const Grade& grade, const std::string& cell,
+                          const std::string& by) {
+  const auto is_cell = [&](const std::string& text) { return are_equal(cell, text); };
+  if (options_.overwrite || is_blank(cell) || is_cell(by) || std::ranges::any_of(grade.entered, is_cell))
+    return true;
+  say(place_of(exported_, row) + ": \"" + legible(composed(cell)) + "\" stays, which a person entered, and " +
+      grade.hand_in + "'s \"" + legible(by, 40) +
+      "\" is not entered; give --overwrite to replace such cells");
+  book_.all_entered = false;
+  return false;
+}
+
+std::optional<std::string> Filling::score(const Csv::Row& row, const std::string& cell,
+                                          std::optional<double> maximum, const std::string& stays) {
+  const Grade* grade = at(row);
+  if (!grade) return {};
+  std::string text = grade->excused ? column_.excused : points_for(*grade, maximum, column_, options_.scale);
+  std::string why = stays;
+  if (why.empty() && text.empty())
+    why = std::string("it is excused, which ") + column_.system + " has no word for";
+  const std::optional<double> points = number_in(text);
+  if (why.empty() && column_.beyond_maximum && maximum && points && *points > *maximum)
+    why = text + " is more than the maximum of " + shown_points(*maximum) + column_.beyond_maximum;
+  if (!why.empty()) {
+    say(place_of(exported_, row) + ": " + grade->hand_in + "'s grade is not entered: " + why);
+    book_.all_entered = false;
+    return {};
+  }
+  if (column_.comma) std::ranges::replace(text, '.', ',');
+  if (!may_replace(row, *grade, cell, text)) return {};
+  ++book_.written;
+  if (std::ranges::count(grade->entered, text) == 0) book_.entered.emplace_back(grade->hand_in, text);
+  return text;
+}
+
+std::optional<std::string> Filling::feedback(const Csv::Row& row, const std::string& cell) {
+  const Grade& grade = *of(row);
+  std::string text = options_.first_lines ? options_.first_lines(grade.hand_in) : "";
+  if (text.empty() || !may_replace(row, grade, cell, text)) return {};
+  if (std::ranges::count(grade.entered, text) == 0) book_.entered.emplace_back(grade.hand_in, text);
+  return text;
+}
+
+Gradebook Filling::book(std::string csv) {
+  if (without_ > 0)
+    book_.said.push_back(std::to_string(without_) + (without_ == 1 ? " person has" : " people have") +
+                         " no grade here; their cells stay as they were");
+  book_.said.insert(book_.said.end(), notes_.begin(), notes_.end());
+  book_.csv = std::move(csv);
+  return std::move(book_);
 }
 
 }  // namespace grader

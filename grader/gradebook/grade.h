@@ -16,7 +16,8 @@ struct Grade {
   double points = 0, max_points = 0;
   std::vector<std::pair<std::string, double>> exercises{};  // id, points
   bool excused = false;
-  bool not_final = false;  // the clock ended a part of it
+  bool not_final = false;              // the clock ended a part of it
+  std::vector<std::string> entered{};  // cells that gradebooks got of it so far
 };
 
 // A file for a learning system.
@@ -24,7 +25,9 @@ struct Gradebook {
   std::string csv;
   std::vector<std::string>
       said{};  // for staff, a line each: what was left out, what the importer may do, rules that no source confirms
-  std::size_t written = 0;  // grades in it
+  std::size_t written = 0;                                     // grades in it
+  bool all_entered = true;                                     // false: a person must look at what is said
+  std::vector<std::pair<std::string, std::string>> entered{};  // hand-in, cell
 };
 
 }  // namespace grader

@@ -71,11 +71,9 @@ Worksheet columns_by_form(const Csv& table, const Worksheet& sheet, const std::s
 }  // namespace
 
 Gradebook fill_moodle(const Csv& worksheet, const std::vector<Grade>& grades, const FillOptions& options) {
-  const std::string& file = worksheet.file;
   const std::size_t titles = worksheet.rows.front().cells.size();
   std::optional<Worksheet> by_form;
   if (column_of(worksheet, "Identifier") == kNoColumn) by_form = worksheet_by_form(worksheet, options.column);
-  Gradebook book;
   std::vector<std::string> notes;
   const Worksheet sheet = by_form ? columns_by_form(worksheet, *by_form, options.column, notes)
                                   : columns_by_title(worksheet, options.column);
@@ -88,58 +86,38 @@ Gradebook fill_moodle(const Csv& worksheet, const std::vector<Grade>& grades, co
   const bool comma = of != kNoColumn && std::ranges::any_of(worksheet.rows, [&](const Csv::Row& row) {
                        return number_in(row.cells[of]) && row.cells[of].find(',') != std::string::npos;
                      });
-  const Filling filling(worksheet, grades, options);
-  std::size_t without = 0;
-  book.csv = csv_line(worksheet.rows.front().cells, worksheet.separator, worksheet.end_of_line);
+  Filling filling(
+      worksheet, grades, options,
+      {.system = "Moodle's worksheet",
+       .title = worksheet.file + ": the column \"" + composed(worksheet.rows.front().cells[column]) + "\"",
+       .comma = comma,
+       .beyond_maximum = ", and Moodle would pass over it"});
+  for (std::string& note : notes) filling.say(std::move(note));
+  std::string csv = csv_line(worksheet.rows.front().cells, worksheet.separator, worksheet.end_of_line);
   for (std::size_t i = 1; i < worksheet.rows.size(); ++i) {
     const Csv::Row& row = worksheet.rows[i];
-    const std::string where = place_of(worksheet, row);
     Cells cells = row.cells;
-    const Grade* grade = filling.at(row);
-    const auto leave = [&](const std::string& why) {
-      notes.push_back(where + ": " + grade->hand_in + "'s grade is not entered: " + why);
-    };
-    if (!grade) {
-      ++without;
-    } else if (grade->excused) {
-      leave("it is excused, which Moodle's worksheet has no word for");
-    } else if (says_no(row.at(sheet.may_change))) {
-      leave("Moodle has locked it");
-    } else {
-      std::optional<double> maximum;
-      if (of != kNoColumn) {
-        maximum = number_in(cells[of]);
-        if (!maximum)
-          throw BadInput(where + ": \"" + composed(cells[of]) +
-                         "\" is a scale of words; choose points in the assignment's settings, and download "
-                         "the worksheet again");
-      }
-      std::string points = filling.points(
-          *grade, maximum, file + ": the column \"" + composed(worksheet.rows.front().cells[column]) + "\"");
-      if (maximum && *number_in(points) > *maximum) {
-        leave(points + " is more than the maximum of " + composed(cells[of]) +
-              ", and Moodle would pass over it");
-      } else {
-        if (comma) std::ranges::replace(points, '.', ',');
-        cells[column] = points;
-        ++book.written;
-      }
-    }
-    book.csv += csv_line(cells, worksheet.separator, worksheet.end_of_line);
+    const bool locked = says_no(row.at(sheet.may_change));
+    const std::optional<double> maximum = of == kNoColumn ? std::nullopt : number_in(cells[of]);
+    if (of != kNoColumn && !maximum && !locked)
+      throw BadInput(place_of(worksheet, row) + ": \"" + composed(cells[of]) +
+                     "\" is a scale of words; choose points in the assignment's settings, and download "
+                     "the worksheet again");
+    if (std::optional<std::string> score =
+            filling.score(row, cells[column], maximum, locked ? "Moodle has locked it" : ""))
+      cells[column] = *score;
+    csv += csv_line(cells, worksheet.separator, worksheet.end_of_line);
   }
-  book.said = filling.said(without);
-  book.said.insert(book.said.end(), notes.begin(), notes.end());
   if (comma)
-    book.said.push_back(
+    filling.say(
         "not certain: decimals have a comma, as the worksheet's own; Moodle reads them in the language of "
         "whoever uploads");
   if (worksheet.separator != ',')
-    book.said.emplace_back(
-        "choose the separator when you upload it; older versions of Moodle take commas alone");
-  book.said.emplace_back(
+    filling.say("choose the separator when you upload it; older versions of Moodle take commas alone");
+  filling.say(
       "Moodle passes over grades that were changed after the download, and over dates that are not English, "
       "unless \"Update records that have been modified\" is ticked");
-  return book;
+  return filling.book(std::move(csv));
 }
 
 }  // namespace grader

@@ -30,7 +30,8 @@ Grade moodle_grade(const string& id, double points, double of = 10) {
           .owner = {"", id, ""},
           .system = "moodle",
           .points = points,
-          .max_points = of};
+          .max_points = of,
+          .entered = {"7.5"}};
 }
 
 Gradebook fill_sheet(const string& text, const std::vector<Grade>& grades, const FillOptions& options = {}) {
@@ -66,7 +67,7 @@ TEST(MoodleWorksheet, LeavesWhatMoodleWouldPassOver) {
   const Gradebook book = fill_sheet(kWorksheet, {moodle_grade("4711", 10.5), excused});
   EXPECT_EQ(import_into_moodle(book.csv, kParticipants, false).refused, Cells{});
   EXPECT_EQ(import_into_moodle(book.csv, kParticipants, false).scores, Scores{});
-  EXPECT_TRUE(says(book, "10.5 is more than the maximum of 10.00"));
+  EXPECT_TRUE(says(book, "10.5 is more than the maximum of 10"));
   EXPECT_TRUE(says(book, "it is excused"));
 }
 
@@ -93,9 +94,19 @@ TEST(MoodleWorksheet, AnotherMaximumIsNoAccident) {
 TEST(MoodleWorksheet, ATeamIsNobody) {
   Grade team = moodle_grade("4711", 5);
   team.owner.group = true;
-  const Gradebook book = fill_sheet(kWorksheet, {team});
-  EXPECT_EQ(import_into_moodle(book.csv, kParticipants, false).scores, Scores{});
+  const Gradebook book = fill_sheet(kWorksheet, {team, moodle_grade("4714", 5)});
+  EXPECT_EQ(import_into_moodle(book.csv, kParticipants, false).scores, (Scores{{"4714", "5"}}));
   EXPECT_TRUE(says(book, "a group is nobody on the roster"));
+}
+
+// Participants' numbers are those of one assignment.
+TEST(MoodleWorksheet, OfAnotherAssignmentIsRefused) {
+  Grade grade = moodle_grade("4711", 5);
+  grade.owner.name = "Ann Oh";
+  EXPECT_THROW(fill_sheet(kWorksheet, {grade}), BadInput);
+  const Gradebook book = fill_sheet(kWorksheet, {grade, moodle_grade("4714", 5)});
+  EXPECT_EQ(import_into_moodle(book.csv, kParticipants, false).scores, (Scores{{"4714", "5"}}));
+  EXPECT_TRUE(says(book, "has no row in sheet.csv, its id is Jörg Müller-Lüdenscheidt's on the roster, and"));
 }
 
 // The English worksheet in another language: titles, the word for participants, "Yes" and "No".

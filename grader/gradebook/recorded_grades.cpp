@@ -24,7 +24,8 @@ std::vector<Grade> recorded_grades(Record& record, const std::filesystem::path& 
                                                [](const Decision& one) {
                                                  return one.kind == DecisionKind::excuse && one.place.empty();
                                                }),
-                .not_final = !result.ended_by_the_clock.empty()};
+                .not_final = !result.ended_by_the_clock.empty(),
+                .entered = record.entered(hand_in.name)};
     for (const ExerciseResult& exercise : result.exercises)
       grade.exercises.emplace_back(exercise.id, exercise.points);
     grades.push_back(std::move(grade));

@@ -63,49 +63,37 @@ Gradebook fill_brightspace(const Csv& exported, const std::vector<Grade>& grades
     throw BadInput(place_of(exported, head) + ": a spreadsheet would run " + title +
                    "; rename the item in Brightspace");
   const std::optional<double> maximum = maximum_in(head.cells[item]);
-  const Filling filling(exported, grades, options);
+  Filling filling(exported, grades, options, {.system = "Brightspace's import", .title = title});
   const auto keys_in = [&](const Csv::Row& row) {
     Cells cells;
     for (const std::size_t key : keys) cells.push_back(row.at(key));
     return cells;
   };
-  Gradebook book;
   Cells titles = keys_in(head);
   titles.insert(titles.end(), {head.cells[item], "End-of-Line Indicator"});
-  book.csv = csv_line(titles);
-  std::vector<std::string> notes;
-  std::size_t without = 0;
+  std::string csv = csv_line(titles);
   for (std::size_t i = 1; i < exported.rows.size(); ++i) {
     const Csv::Row& row = exported.rows[i];
-    const Grade* grade = filling.at(row);
-    without += grade == nullptr;
-    if (!grade) continue;
-    const std::string where = place_of(exported, row);
     Cells cells = keys_in(row);
-    if (grade->excused || std::ranges::any_of(cells, starts_formula)) {
-      notes.push_back(where + ": " + grade->hand_in + "'s grade is not entered: " +
-                      (grade->excused ? "it is excused, which Brightspace's import has no word for"
-                                      : "a spreadsheet would run the id as a formula; enter it by hand"));
-      continue;
-    }
-    const std::string points = filling.points(*grade, maximum, title);
-    if (maximum && *number_in(points) > *maximum)
-      notes.push_back(where + ": " + grade->hand_in + "'s " + points + " points are cut to " +
-                      shown_points(*maximum) + " by Brightspace");
-    cells.insert(cells.end(), {points, "#"});
-    book.csv += csv_line(cells);
-    ++book.written;
+    const bool formula = std::ranges::any_of(cells, starts_formula);
+    const std::optional<std::string> points =
+        filling.score(row, row.at(item), maximum,
+                      formula ? "a spreadsheet would run the id as a formula; enter it by hand" : "");
+    if (!points) continue;
+    if (maximum && *number_in(*points) > *maximum)
+      filling.say(place_of(exported, row) + ": " + *points + " points are cut to " + shown_points(*maximum) +
+                  " by Brightspace");
+    cells.insert(cells.end(), {*points, "#"});
+    csv += csv_line(cells);
   }
-  book.said = filling.said(without);
-  book.said.insert(book.said.end(), notes.begin(), notes.end());
   if (!maximum)
-    book.said.push_back(title +
-                        " has no maximum in its title, so nothing tells whether the grades fit; Brightspace "
-                        "cuts what is more");
-  book.said.emplace_back(
+    filling.say(title +
+                " has no maximum in its title, so nothing tells whether the grades fit; Brightspace "
+                "cuts what is more");
+  filling.say(
       "not certain: the mark \"#\" at the end of each row, and in front of ids, is seen in exports, and is "
       "not documented");
-  return book;
+  return filling.book(std::move(csv));
 }
 
 Gradebook autolab_rows(const std::vector<Grade>& grades, const std::vector<std::string>& problems,
@@ -120,6 +108,7 @@ Gradebook autolab_rows(const std::vector<Grade>& grades, const std::vector<std::
         if (const Roster::Match match = roster->find(owner, grade.system); match.person)
           email = roster->people()[*match.person].email();
       const bool formula = starts_formula(email);
+      book.all_entered &= !email.empty() && !formula;
       if (email.empty() || formula)
         book.said.push_back(grade.hand_in +
                             (formula ? ": a spreadsheet would run the e-mail address as a formula"
@@ -131,6 +120,7 @@ Gradebook autolab_rows(const std::vector<Grade>& grades, const std::vector<std::
   }
   for (const auto& [key, theirs] : by_email) {
     if (theirs.size() > 1) {
+      book.all_entered = false;
       book.said.push_back(key + ": has several grades, " + theirs[0].first->hand_in + " and " +
                           theirs[1].first->hand_in + "; enter one by hand");
       continue;
@@ -171,17 +161,15 @@ Gradebook plain_rows(const std::string& system, const Csv* exported, const std::
     book.csv += csv_line(cells);
   };
   if (exported) {
-    const Filling filling(*exported, grades, options);
+    Filling filling(*exported, grades, options, {.system = system.c_str(), .title = exported->file});
     const Roster people(*exported);
     std::map<std::size_t, const Csv::Row*> rows;
     for (const Csv::Row& row : exported->rows) rows[row.line] = &row;
-    std::size_t without = 0;
-    for (const Person& person : people.people()) {
-      const Grade* grade = filling.at(*rows.at(person.line));
-      without += grade == nullptr;
-      add(person.name, person.shown_id(), person.email(), grade);
-    }
-    book.said = filling.said(without);
+    for (const Person& person : people.people())
+      add(person.name, person.shown_id(), person.email(), filling.at(*rows.at(person.line)));
+    const std::size_t written = book.written;
+    book = filling.book(std::move(book.csv));
+    book.written = written;
   } else {
     for (const Grade& grade : grades) {
       if (grade.owner.members.empty())

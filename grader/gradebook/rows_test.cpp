@@ -26,20 +26,23 @@ TEST(BrightspaceRows, AreImportedIntoAnItemThatIsThere) {
   const Csv exported = parse_csv(
       "OrgDefinedId,Username,Last Name,Lab 3 Points Grade <Numeric MaxPoints:10 Weight:5>,End-of-Line "
       "Indicator\n"
-      "#400123,#so12,O'Brien,,#\n#400124,#jm07,M,3,#\n=4,#x,X,,#\n",
+      "#400123,#so12,O'Brien,,#\n#400124,#jm07,M,,#\n=4,#x,X,,#\n#5,#t,T,3,#\n",
       "e.csv");
   const Gradebook book = fill_brightspace(
       exported,
       {row_grade("brightspace", {"", "400123", ""}, 7.5), row_grade("brightspace", {"", "jm07", ""}, 11),
-       row_grade("brightspace", {"", "x", ""}, 1)},
+       row_grade("brightspace", {"", "x", ""}, 1), row_grade("brightspace", {"", "5", ""}, 1)},
       {});
   const Imported imported =
       import_into_brightspace(book.csv, {"Lab 3 Points Grade <Numeric MaxPoints:10 Weight:5>"});
   EXPECT_EQ(imported.scores, (Scores{{"#400123", "7.5"}, {"#400124", "11"}}));
   EXPECT_EQ(imported.refused, Cells{});
   EXPECT_EQ(imported.new_assignments, Cells{});
-  EXPECT_TRUE(says(book, "h_jm07's 11 points are cut to 10"));
+  EXPECT_TRUE(says(book, "line 3: 11 points are cut to 10"));
   EXPECT_TRUE(says(book, "line 4: h_x's grade is not entered: a spreadsheet would run the id"));
+  EXPECT_TRUE(says(book, "line 5: \"3\" stays, which a person entered, and h_5's \"1\" is not entered"));
+  EXPECT_FALSE(book.all_entered);
+  EXPECT_THROW(fill_brightspace(exported, {row_grade("brightspace", {"", "6", ""}, 1)}, {}), BadInput);
   EXPECT_THROW(fill_brightspace(exported, {}, {.column = "Lab 4"}), BadInput);
   EXPECT_THROW(fill_brightspace(parse_csv("Username,x\na,1\n", "e.csv"), {}, {}), BadInput);
   EXPECT_THROW(fill_brightspace(parse_csv("Name,Lab Points Grade\na,1\n", "e.csv"), {}, {}), BadInput);
@@ -75,7 +78,7 @@ TEST(PlainRows, SayThatNoImportIsConfirmed) {
             "Seán O'Brien,1,so@u.ie,7.5,10,graded,\r\n\u2060-x =y,2,b@u.de,,,nothing handed in,\r\n");
   EXPECT_TRUE(says(book, "no import by gradescope is confirmed"));
   const Gradebook without =
-      plain_rows("blackboard", nullptr, {row_grade("blackboard", {"A", "a1", ""}, 2)}, {});
+      plain_rows("gradescope", nullptr, {row_grade("gradescope", {"A", "a1", ""}, 2)}, {});
   EXPECT_NE(without.csv.find("A,a1,,2,10,graded,\r\n"), string::npos) << without.csv;
 }
 

@@ -78,8 +78,8 @@ class Record {
   // The name that a hand-in's inputs are drawn from is stored at first sight (same_people.h). put_people comes first.
   std::string drawn_from(const std::string& name);
 
-  // Replaces the earlier result of this student; the log has both. Without a time, one that these files had before stays. Returns that
-  // earlier time, "" if there was none.
+  // Replaces the earlier result of this student; the log has both. Without a time, one that these files had
+  // before stays. Returns that earlier time, "" if there was none.
   std::string put(const Recorded& one, const HandedIn& handed_in = {});
 
   // Sets time and mark of the version that counts. Without a new time the old one stays. Returns the old one.

@@ -15,7 +15,8 @@ inline constexpr std::size_t kIdKinds = 8;
 
 const char* title_of(IdKind kind);  // for messages: "SIS user id"
 
-// An id as it is compared, in its one form: without letters that nobody sees, and as it was before a spreadsheet wrote 1001.0 or ="1001".
+// An id as it is compared, in its one form: without letters that nobody sees, and as it was before a
+// spreadsheet wrote 1001.0 or ="1001".
 std::string plain_id(std::string_view cell);
 
 // Names as they are compared: letters and digits in lower case. Canvas names files by "Doe, Jane", other systems by "Jane Doe".

@@ -16,8 +16,9 @@ class Times {
   // Throws BadInput as Roster does, and for a table without a column of times or without one that is read.
   explicit Times(Csv table);
 
-  // The time as the table has it; "-" for somebody in it without one, and "" for somebody who is not in it or has one that can't be read.
-  // Of a group the latest of its members'. People are found as on a roster; with one, also by the ids that both tables have.
+  // The time as the table has it; "-" for somebody in it without one, and "" for somebody who is not in it or
+  // has one that can't be read. Of a group the latest of its members'. People are found as on a roster; with
+  // one, also by the ids that both tables have.
   std::string find(const std::string& hand_in, const Owner& owner, const std::string& system,
                    const Roster* roster);
 

@@ -42,8 +42,9 @@ void blank_given(const Sim& sim, std::vector<std::string>& texts, const std::vec
   for (std::size_t i = 0; i < texts.size(); ++i) texts[i] = without_lines(texts[i], lines[i]);
 }
 
-// sim's time grows with the square of a text that repeats itself, and of a quote that never ends, for each other text. So each file is
-// first compared with a text that nothing resembles: honest ones take milliseconds. Ten copies of a file take a hundred times as long.
+// sim's time grows with the square of a text that repeats itself, and of a quote that never ends, for each
+// other text. So each file is first compared with a text that nothing resembles: honest ones take
+// milliseconds. Ten copies of a file take up to a hundred times as long.
 constexpr std::size_t kAtOnce = 100, kCopies = 10;
 constexpr int kProbeSeconds = 1;
 constexpr const char* kProbe =
@@ -140,7 +141,7 @@ SharedCode shared_code(const Sim& sim, const std::vector<SimilarFile>& files,
       if (why.empty())
         comparable.push_back(kept[i]);
       else
-        shared.not_compared.push_back({kept[i], why});
+        shared.not_compared.push_back({kept[i], why, sizes[i] >= 0 && sizes[i] < least});
     }
     kept = std::move(comparable);
   };

@@ -50,6 +50,7 @@ struct CommonPiece {
 struct NotCompared {
   std::size_t file = 0;
   std::string why;
+  bool too_short = false;  // nothing to look at
 };
 
 struct SharedCode {

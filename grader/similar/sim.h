@@ -33,7 +33,8 @@ class Sim {
   explicit Sim(Isolation isolation);  // throws BadInput if sim is not installed
 
   // Compares each text with each other one, or, if there are `given` texts, with each of those alone: then Match::other counts
-  // these. A run has `least` tokens at least. Throws std::runtime_error if sim does not come to an end in these seconds of CPU time.
+  // these. A run has `least` tokens at least. Throws std::runtime_error if sim does not end in these seconds
+  // of CPU time.
   Matches matches(const std::vector<std::string>& texts, const std::vector<std::string>& given, int least,
                   int cpu_seconds = 600) const;
 

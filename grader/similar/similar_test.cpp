@@ -177,7 +177,8 @@ TEST_F(Similar, FindsACopyInALongerFile) {
   EXPECT_EQ(shared.pairs.front().one, 1U);
 }
 
-// sim takes the square of a text's length for tokens that repeat themselves and for quotes that never end; hours for these.
+// sim's time grows with the square of tokens that repeat themselves and of quotes that never end: hours for
+// these.
 TEST_F(Similar, HostileFilesStopNobodyElse) {
   const std::string work = honest_files()["conj_grad.cpp"].front().text,
                     line = "double f(int a, int b, int c, int d) { return a + b + c + d; }";

@@ -63,22 +63,32 @@ TEST_F(GradesGoBack, EverybodyOnTheRosterHasARowAndGradesAreFilledIn) {
             "Jörg\",4711,perfect,A,\n\"Z, Zoë\",4712,gone,A,3\n");
   const ProgramRun filled = run_hairgrade(
       {"gradebook", "canvas", "--grades", path("grades"), "--fill", exported, "--out", path("filled.csv")});
-  EXPECT_EQ(filled.code, 0) << filled.errors;
+  EXPECT_EQ(filled.code, 3) << "stubs and textbook have no row: " << filled.errors;
   EXPECT_EQ(read("filled.csv"),
             "Student,ID,SIS Login ID,Section,S2 (7)\n    Points Possible,,,,20\n\"Müller, "
             "Jörg\",4711,perfect,A,20\n\"Z, Zoë\",4712,gone,A,3\n");
   EXPECT_EQ(filled.output.find("1 grades in "), 0u) << filled.output;
 
   // Grades go back as people decided them.
-  const auto cell_after = [&](const std::vector<string>& decision) {
+  const auto cell_after = [&](const std::vector<string>& decision, const string& cell = "",
+                              const char* option = "--scale") {
     EXPECT_EQ(run_hairgrade(decision).code, 0) << decision.front();
-    run_hairgrade({"gradebook", "canvas", "--grades", path("grades"), "--fill", exported, "--out",
-                   path("decided.csv")});
+    string table = read("exported.csv");
+    table.replace(table.find("perfect,A,"), 10, "perfect,A," + cell);
+    run_hairgrade({"gradebook", "canvas", "--grades", path("grades"), "--fill", write("again.csv", table),
+                   "--out", path("decided.csv"), option});
     const string decided = read("decided.csv"), before = "4711,perfect,A,";
     const std::size_t at = decided.find(before) + before.size();
     return decided.substr(at, decided.find('\n', at) - at);
   };
   EXPECT_EQ(cell_after({"set", "perfect", "S2", "12.5", "--why", "a talk", "--out", path("grades")}), "12.5");
+  // An earlier call entered 20 and 12.5, and a person 19.
+  const std::vector<string> decision{"set",   "perfect", "S2",    "13",
+                                     "--why", "a talk",  "--out", path("grades")};
+  EXPECT_EQ(cell_after(decision, "20.00"), "13");
+  EXPECT_EQ(cell_after(decision, "12.5"), "13");
+  EXPECT_EQ(cell_after(decision, "19"), "19");
+  EXPECT_EQ(cell_after(decision, "19", "--overwrite"), "13");
   EXPECT_EQ(cell_after({"excuse", "perfect", "--why", "ill", "--out", path("grades")}), "EX");
 }
 

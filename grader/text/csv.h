@@ -1,5 +1,6 @@
-// STAFF ONLY. Tables as text, RFC 4180: what learning systems export, and what spreadsheets write of it again. The separator (, ; or
-// tab, also as a first line "sep=;" says it), the encoding and the ends of lines are found. Cells are written so that no spreadsheet runs one as a formula.
+// STAFF ONLY. Tables as text, RFC 4180: what learning systems export, and what spreadsheets write of it
+// again. The separator (, ; or tab, also as a first line "sep=;" says it), the encoding and the ends of lines
+// are found. Cells are written so that no spreadsheet runs one as a formula.
 #pragma once
 
 #include <filesystem>

@@ -35,7 +35,8 @@ struct Decoded {
 // it. UTF-32, half a UTF-16 unit and what is none of these throw BadInput with `file`.
 Decoded decoded(std::string_view bytes, const std::string& file);
 
-// UTF-8 in another encoding, with its mark. A letter that has no place there becomes one that resembles it, or a question mark.
+// UTF-8 in another encoding, with its mark. A letter that has no place there becomes one that resembles it,
+// or a question mark.
 std::string encoded(std::string_view text, const Encoding& encoding);
 
 }  // namespace grader

@@ -14,8 +14,8 @@
 
 namespace grader {
 
-// A category's share of an exercise's points if so many of its cases hold, in whole points and exact: of 20 points 38/57 for 9 of 12 cases
-// are 10, which doubles make 9.99. All are taken in thousandths.
+// A category's share of an exercise's points if so many of its cases hold, in whole points and exact: of 20
+// points 38/57 for 9 of 12 cases are 10, which doubles make 9.99. All are taken in thousandths.
 double whole_points(double points, double weight, double weights, int held, int cases);
 
 // The result without status, points and cases.

@@ -10,13 +10,11 @@
 #include "grader/intake/caged_archive.h"
 #include "grader/intake/submission.h"
 #include "grader/record/record.h"
-#include "grader/report/student_view.h"
-#include "grader/report/text.h"
+#include "grader/report/student_text.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/of_a_record.h"
 #include "grader/tool/isolation_here.h"
 #include "hair/io/files/read_file.h"
-#include "hair/io/plot/readable.h"
 
 namespace grader {
 namespace {
@@ -52,28 +50,6 @@ std::vector<std::string> files_in(const fs::path& download) {
   return files;
 }
 
-// The report as text: what its author sees, and nothing else.
-std::string text_of(const SubmissionResult& whole) {
-  const SubmissionResult result = for_student(whole);
-  std::string text = shown_total(points(result), max_points(result)) + "\n";
-  if (!result.note.empty()) text += hair::readable(result.note) + "\n";
-  for (const ExerciseResult& exercise : result.exercises) {
-    text += "\n" + exercise.id + " " + exercise.title + ": " + shown_points(exercise.points) + " of " +
-            shown_points(exercise.max_points) + ", " + to_string(exercise.status) + "\n";
-    if (!exercise.feedback.empty()) text += hair::readable(exercise.feedback) + "\n";
-    if (!exercise.compiler_messages.empty()) text += hair::readable(exercise.compiler_messages) + "\n";
-    std::size_t number = 0;
-    for (const CaseResult& one : exercise.cases) {
-      text += "  " + exercise.id + "." + std::to_string(++number) + " " + one.name + ": " +
-              shown_points(one.points) + " of " + shown_points(one.max_points) + ", " +
-              to_string(one.status) + "\n";
-      for (const std::string& words : {one.feedback, one.memory_error})
-        if (!words.empty()) text += "    " + hair::readable(words) + "\n";
-    }
-  }
-  return text;
-}
-
 int write_feedback(const FeedbackOptions& options) {
   if (options.out.extension() != ".zip")
     throw BadInput("--out " + printable(options.out.string(), 4096) +
@@ -85,7 +61,7 @@ int write_feedback(const FeedbackOptions& options) {
     std::string bytes = hair::bytes_of(page);
     if (bytes.empty())
       throw BadInput(printable(page.string(), 4096) + ": is not there; grade again, which writes it");
-    return ReportOfStudent{std::move(bytes), text_of(record->find_decided(hand_in)->result)};
+    return ReportOfStudent{std::move(bytes), student_text(record->find_decided(hand_in)->result)};
   };
   const Feedback feedback = options.system == "canvas"
                                 ? feedback_for_canvas(files_in(options.table), grades, report)

@@ -1,13 +1,16 @@
 // STAFF ONLY. `hairgrade gradebook`: grades for a learning system's import.
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <map>
 #include <memory>
 
 #include "grader/course/input.h"
+#include "grader/gradebook/blackboard.h"
 #include "grader/gradebook/canvas.h"
 #include "grader/gradebook/moodle.h"
 #include "grader/gradebook/recorded_grades.h"
 #include "grader/gradebook/rows.h"
+#include "grader/report/student_text.h"
 #include "grader/tool/commands/command.h"
 #include "grader/tool/commands/of_a_record.h"
 
@@ -20,17 +23,27 @@ struct GradebookOptions {
   std::string system, column, hand_in;
   fs::path grades, out;
   std::optional<fs::path> fill, roster;
-  bool scale = false;
+  bool scale = false, overwrite = false;
   std::vector<std::string> problems;
 };
 
-Gradebook gradebook_of(const GradebookOptions& options) {
-  const std::unique_ptr<Record> record = open_record(options.grades, options.hand_in);
-  const std::vector<Grade> grades = recorded_grades(*record, options.grades);
+using Fill = Gradebook (*)(const Csv&, const std::vector<Grade>&, const FillOptions&);
+const std::map<std::string, Fill>& fills() {
+  static const std::map<std::string, Fill> all{{"blackboard", fill_blackboard},
+                                               {"brightspace", fill_brightspace},
+                                               {"canvas", fill_canvas},
+                                               {"moodle", fill_moodle}};
+  return all;
+}
+
+Gradebook gradebook_of(const GradebookOptions& options, Record& record) {
+  const std::vector<Grade> grades = recorded_grades(record, options.grades);
   std::optional<Roster> roster;
   if (options.roster) roster = read_roster(*options.roster);
-  const FillOptions filling{options.column.empty() ? record->rules().column : options.column, options.scale,
-                            roster ? &*roster : nullptr};
+  const FillOptions filling{options.column.empty() ? record.rules().column : options.column, options.scale,
+                            roster ? &*roster : nullptr, options.overwrite, [&](const std::string& hand_in) {
+                              return first_lines(record.find_decided(hand_in)->result);
+                            }};
   const std::string& system = options.system;
   if (system == "autolab") {
     if (options.fill)
@@ -43,14 +56,11 @@ Gradebook gradebook_of(const GradebookOptions& options) {
   }
   std::optional<Csv> exported;
   if (options.fill) exported = read_csv(*options.fill);
-  if (system == "gradescope" || system == "blackboard")
-    return plain_rows(system, exported ? &*exported : nullptr, grades, filling);
+  if (system == "gradescope") return plain_rows(system, exported ? &*exported : nullptr, grades, filling);
   if (!exported)
     throw BadInput("gradebook " + system + ": needs --fill with the table that " + system +
                    " exports: grades are filled into it");
-  if (system == "canvas") return fill_canvas(*exported, grades, filling);
-  if (system == "moodle") return fill_moodle(*exported, grades, filling);
-  return fill_brightspace(*exported, grades, filling);
+  return fills().at(system)(*exported, grades, filling);
 }
 
 int write_gradebook(const GradebookOptions& options) {
@@ -58,11 +68,13 @@ int write_gradebook(const GradebookOptions& options) {
   if (options.fill && fs::equivalent(*options.fill, options.out, none))
     throw BadInput("--out " + printable(options.out.string(), 4096) +
                    ": is the exported table itself; name a new file");
-  const Gradebook book = gradebook_of(options);
+  const std::unique_ptr<Record> record = open_record(options.grades, options.hand_in);
+  const Gradebook book = gradebook_of(options, *record);
+  record->put_entered(book.entered);
   write_file(options.out, book.csv);
   for (const std::string& line : book.said) std::cerr << "hairgrade: " << line << "\n";
   std::cout << book.written << " grades in " << options.out.string() << "\n";
-  return 0;
+  return book.all_entered ? 0 : 3;
 }
 
 }  // namespace
@@ -79,12 +91,14 @@ Command add_gradebook(CLI::App& hairgrade) {
   command->add_option("--grades", options->grades, "The folder of hairgrade grade --out")->required();
   command->add_option("--fill", options->fill,
                       "The table that the system exports: gradebook, worksheet, or class list");
-  command->add_option("--out", options->out, "The new table, a .csv")->required();
-  command->add_option(
-      "--column", options->column,
-      "The assignment's column, by title, in Canvas also by number (default: the course file's)");
+  command->add_option("--out", options->out, "The new table")->required();
+  command->add_option("--column", options->column,
+                      "The assignment's column, by title, in Canvas and Blackboard also by number (default: "
+                      "the course file's)");
   add_hand_in(*command, options->hand_in);
   command->add_flag("--scale", options->scale, "Give shares of the column's points, if it is out of others");
+  command->add_flag("--overwrite", options->overwrite,
+                    "Replace cells that a person filled in, too: those that no earlier call of this entered");
   command->add_option("--roster", options->roster,
                       "A table of people, for hand-ins that came by another system");
   command

@@ -100,6 +100,10 @@ int similar(const SimilarOptions& options) {
     std::cout << one.shared.pairs.size() << " pairs above " << options.per_cent << " %, "
               << one.shared.not_compared.size() << " not compared\n"
               << std::flush;
+    for (const NotCompared& left_out : one.shared.not_compared)
+      if (!left_out.too_short)
+        std::cerr << "hairgrade: " << exercise.id << " of " << one.files[left_out.file].shown
+                  << ": is not compared: " << left_out.why << "\n";
     exercises.push_back(std::move(one));
   }
   if (exercises.empty()) throw BadInput("there are no two hand-ins with a file of the same exercise");

@@ -1,0 +1,49 @@
+// STAFF ONLY. Writes reports as text.
+#include "grader/report/student_text.h"
+
+#include "grader/report/student_view.h"
+#include "grader/report/text.h"
+#include "hair/io/plot/readable.h"
+
+namespace grader {
+namespace {
+
+std::string total_of(const SubmissionResult& result) {
+  return shown_total(points(result), max_points(result));
+}
+
+std::string line_of(const ExerciseResult& exercise) {
+  return exercise.id + " " + exercise.title + ": " + shown_points(exercise.points) + " of " +
+         shown_points(exercise.max_points) + ", " + to_string(exercise.status);
+}
+
+}  // namespace
+
+std::string student_text(const SubmissionResult& whole) {
+  const SubmissionResult result = for_student(whole);
+  std::string text = total_of(result) + "\n";
+  if (!result.note.empty()) text += hair::readable(result.note) + "\n";
+  for (const ExerciseResult& exercise : result.exercises) {
+    text += "\n" + line_of(exercise) + "\n";
+    if (!exercise.feedback.empty()) text += hair::readable(exercise.feedback) + "\n";
+    if (!exercise.compiler_messages.empty()) text += hair::readable(exercise.compiler_messages) + "\n";
+    std::size_t number = 0;
+    for (const CaseResult& one : exercise.cases) {
+      text += "  " + exercise.id + "." + std::to_string(++number) + " " + one.name + ": " +
+              shown_points(one.points) + " of " + shown_points(one.max_points) + ", " +
+              to_string(one.status) + "\n";
+      for (const std::string& words : {one.feedback, one.memory_error})
+        if (!words.empty()) text += "    " + hair::readable(words) + "\n";
+    }
+  }
+  return text;
+}
+
+std::string first_lines(const SubmissionResult& whole) {
+  const SubmissionResult result = for_student(whole);
+  std::string text = total_of(result);
+  for (const ExerciseResult& exercise : result.exercises) text += ". " + line_of(exercise);
+  return text;
+}
+
+}  // namespace grader
