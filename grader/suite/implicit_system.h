@@ -83,8 +83,8 @@ Cloud in_other_units(const Cloud& cloud, double mass, double length);
 struct ImplicitSystem {
   Eigen::MatrixXd A;
   Eigen::VectorXd rhs, dv;  // dv is the solution
-  // The Frobenius norm of A's part of free particles, A's smallest eigenvalue. A pinned particle's rows round nothing, and beside masses
-  // of hair their 1 would hide everything.
+  // The Frobenius norm of A's part of free particles, A's smallest eigenvalue. A pinned particle's rows
+  // round nothing, and beside masses of hair their 1 would hide everything.
   double norm, smallest;
   double rounding;  // 65 (10 + 2e) u ||A|| X, plus that of the right-hand side
 

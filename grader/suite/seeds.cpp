@@ -3,10 +3,11 @@
 //
 //   hairseeds EXERCISE FIRST COUNT KIT OBJECT...
 //
-// The objects are loaded in their order, the exercise's last, in a process without a cage: this is for staff's own
-// programs. Prints a line for each category that fails: under how many seeds, and what staff read of the first; a hint if
-// what promises to allocate nothing does; and for each bound the largest error / bound, its seed, the category, and the quantity. The
-// exit code is 0 if no category fails, 1 if one does.
+// The objects are loaded in their order, the exercise's last, in a process without a cage: this is for
+// staff's own programs. Prints a line for each category that fails: under how many seeds, and what staff
+// read of the first; a hint if what promises to allocate nothing does; and for each bound the largest error
+// / bound, its seed, the category, and the quantity. The exit code is 0 if no category fails, 1 if one
+// does.
 #include <sodium.h>
 
 #include <algorithm>

@@ -41,8 +41,8 @@ inline Compared compared(double actual, double expected) {
   return {Eigen::VectorXd::Constant(1, actual), Eigen::VectorXd::Constant(1, expected), 1};
 }
 
-// What an error may be. A contract lets right programs use up what it promises, such as a tolerance; the rest is there for what no
-// program can help, such as rounding.
+// The largest error that is right. A contract lets programs use up what it promises, such as a tolerance;
+// the rest is there for what no program can help, such as rounding.
 struct Bound {
   Bound(double most) : rest(most) {}
   Bound(double promised_error, double more) : promised(promised_error), rest(more) {}

@@ -1,8 +1,9 @@
-// STAFF ONLY. The suite as a classifier: right programs lose no point. Each program of a sample that passes, under several
-// seeds, as several compilers make it: bounds must hold for every order of roundings. The environment's HAIR_SEEDS says how
-// many seeds (as graded: 30; else 5), HAIR_REFERENCE_SEEDS how many of the reference as graded, HAIR_FIRST_SEED which is the
-// first (0). Prints how near they come to the bounds. What was compiled and what passed is kept, by its content: a test that
-// was interrupted goes on where it was.
+// STAFF ONLY. The suite as a classifier: right programs lose no point. Each program of a sample that
+// passes, under several seeds, as several compilers make it: bounds must hold for every order of roundings.
+// The environment's HAIR_SEEDS says how many seeds (as graded: 30; else 5), HAIR_REFERENCE_SEEDS how many
+// of the reference at least, HAIR_FIRST_SEED which is the first (0). Prints how near they come to the
+// bounds. What was compiled and what passed is kept, by its content: a test that was interrupted goes on
+// where it was.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,8 +49,9 @@ std::vector<Setting> settings() {
   else
     std::puts("clang++ is not installed, and left out (grader/setup.sh --with lint)");
 #ifdef __x86_64__
-  // The worker allocates for 16 bytes, and Eigen would expect 32 of a machine with AVX. The last two machines differ: the suite has the
-  // C library's sine and its like of one without AVX and FMA, the worker, which gets no environment, has this one's.
+  // The worker allocates for 16 bytes, and Eigen would expect 32 of a machine with AVX. In the last setting
+  // the suite takes the C library's functions for machines without AVX and FMA, and the worker, which gets
+  // no environment, those for this machine.
   if (__builtin_cpu_supports("fma")) {
     all.push_back({"FMA", "", {"-ffp-contract=fast", "-mfma", "-DEIGEN_MAX_ALIGN_BYTES=16"}, seeds("5")});
     all.push_back(
@@ -64,8 +66,8 @@ struct RightProgram {
   std::string name, source;
 };
 
-// The right programs of an exercise, each once: the reference, and what passes it. Those that are edited, or have other ends of lines, are
-// the same in another dress.
+// The right programs of an exercise, each once: the reference, and what passes it. Those that are edited,
+// or have other ends of lines, are the same in another dress.
 std::vector<RightProgram> right_programs(const Exercise& exercise) {
   std::vector<RightProgram> programs = {
       {"reference", hair::bytes_of(kProject / "reference" / exercise.file)}};
@@ -97,7 +99,8 @@ void add_nearest(const std::string& printed, Nearest& nearest) {
   }
 }
 
-// A row for each bound that somebody came near to: the largest error / bound of the reference, the first program, and of the others.
+// A row for each bound that somebody came near to: the largest error / bound of the reference, the first
+// program, and of the others.
 void print_nearest(const std::string& exercise, const std::vector<Nearest>& nearest) {
   std::map<std::string, std::pair<double, double>> rows;
   for (const Nearest& program : nearest)

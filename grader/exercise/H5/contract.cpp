@@ -19,8 +19,8 @@ Strand with_light_root(Random& random, int n) {
 
 }  // namespace
 
-// To the last bit, and in motion. A few iterations show it, whatever comes of more. All segments are longer than they should be: one that
-// chance makes right needs no correction.
+// To the last bit, and in motion. A few iterations show it, whatever comes of more. All segments are longer
+// than they should be: one that chance makes right needs no correction.
 void root(Trial& trial) {
   Random& random = trial.random;
   for (int n : {2, 6}) {

@@ -258,9 +258,10 @@ void other_limits(Trial& trial) {
   }
 }
 
-// Powers of two change no rounding, but a run may end anywhere within the tolerances of its solves and its correction: here the
-// force in other units hides its band, and is solved without a preconditioner. In each run x is off by h times the error of the first
-// solve and by the correction's. Step 4 leaves v = (x~ - x) / h, and step 5 adds the error of the second solve.
+// Powers of two change no rounding, but a run may end anywhere within the tolerances of its solves and its
+// correction: here the force in other units hides its band, and is solved without a preconditioner. In each
+// run x is off by h times the error of the first solve and by the correction's. Step 4 leaves v = (x~ - x)
+// / h, and step 5 adds the error of the second solve.
 void units(Trial& trial) {
   Random& random = trial.random;
   const Hair known = moving_hair(random, 6, 1e-6, 10, 1.0 / random.integer(60, 240));

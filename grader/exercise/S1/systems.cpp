@@ -20,10 +20,10 @@ std::vector<double> uniform_values(Random& random, int n, double low, double hig
   return values;
 }
 
-// A tolerance that takes hundreds of steps. Rounding turns the directions, and each right program pays some steps for that: 0.9 to 1.2
-// times ours for the systems below, whatever its formulas and orders of sums. Who forgets the directions so far at each 64th or n-th step
-// takes at least 2.4 times as many in one of them. The fewer unknowns, the more is up to chance: 0.7 to 1.6 times for n = 30 and a
-// condition of 1e6.
+// A tolerance that takes hundreds of steps. Rounding turns the directions, and each right program pays some
+// steps for that: 0.9 to 1.2 times ours for the systems below, whatever its formulas and orders of sums.
+// Forgetting the directions so far at each 64th or n-th step takes at least 2.4 times as many in one of
+// them. The fewer unknowns, the more is up to chance: 0.7 to 1.6 times for n = 30 and a condition of 1e6.
 void expect_long_solve(Trial& trial, const LinearSystem& system) {
   const LinearSystem unit = at_unit_tolerance(system, std::pow(1e-8 * norm(system.b), 2));
   const int steps = reference_solution(unit, 1, 100 * unit.n()).steps;
