@@ -39,7 +39,7 @@ TEST_F(Submissions, OfSeveralArgumentsEachMayBeAClassIfSomebodySaysSo) {
                                      second.string() + ": taken for a class: carol, dave"}));
 }
 
-TEST_F(Submissions, OfSeveralArgumentsDownloadsAreClasses) {
+TEST_F(Submissions, ADownloadIsAClassIfItIsAloneAndNotCalledAsAHandInOrIfTheCallerSaysSo) {
   const std::vector<Names> downloads = {{"doe_12_34_conj_grad.cpp", "roe_13_35_conj_grad.cpp"},
                                         {"Jane Doe_4711_assignsubmission_file_/conj_grad.cpp",
                                          "Jo Poe_4712_assignsubmission_file/conj_grad.cpp"},
@@ -47,20 +47,24 @@ TEST_F(Submissions, OfSeveralArgumentsDownloadsAreClasses) {
                                          "5918-716031 - Jo Poe - May 18, 2025 1225 PM/conj_grad.cpp"}};
   for (const Names& paths : downloads) {
     SCOPED_TRACE(paths[0]);
-    const Intake intake =
-        take({write("x/1.zip", folders(paths)), write("x/alice.zip", zip("conj_grad.cpp"))});
-    EXPECT_EQ(intake.submissions.size(), 3U);
-    EXPECT_EQ(intake.notices, Names{});
-    EXPECT_EQ(std::ranges::count_if(
-                  intake.submissions,
-                  [](const Submission& one) { return kind_of_origin(one.origin) == kLearningSystem; }),
-              2);
-    EXPECT_EQ(intake.taken_for.size(), 1U);
-    // The same names in what a learning system calls a hand-in.
-    const Intake nested =
-        take({write("x/foe_9_8_x.zip", folders(paths)), write("x/alice.zip", zip("conj_grad.cpp"))});
-    EXPECT_EQ(names(nested.submissions), (Names{"alice", "foe_9_8_x"}));
-    EXPECT_TRUE(has_notice(nested, {"foe_9_8_x.zip: ", "--class"}));
+    const fs::path alice = write("x/alice.zip", zip("conj_grad.cpp")),
+                   first = write("x/1.zip", folders(paths));
+    const Intake refused = take({first, alice});
+    EXPECT_EQ(names(refused.submissions), (Names{"1", "alice"}));
+    EXPECT_TRUE(has_notice(refused, {"1.zip: ", "is one of several arguments", "--class"}));
+    const Intake said = take({first, alice}, {}, true);
+    EXPECT_EQ(said.submissions.size(), 3U);
+    EXPECT_EQ(said.notices, Names{});
+    EXPECT_EQ(
+        std::ranges::count_if(said.submissions,
+                              [](const Submission& one) { return one.origin.starts_with(kLearningSystem); }),
+        2);
+    EXPECT_TRUE(says(bad_input({first, write("x/2.zip", folders(paths))}), "--class")) << "two sections";
+    EXPECT_EQ(take({first}).submissions.size(), 2U);
+    for (const char* name : {"foe_9_8_x.zip", "Jo Poe_4712_assignsubmission_file.zip",
+                             "5918-716031 - Jo Poe - May 18, 2025 1225 PM.zip", "b@u.de_2_lab.zip"})
+      EXPECT_TRUE(says(bad_input({write(name, folders(paths))}), "is called as a learning system calls"))
+          << name;
   }
 }
 
@@ -86,7 +90,7 @@ TEST_F(Submissions, AnArgumentStandsBesideItsNameInAClass) {
   const fs::path alice = write("alice_1_2_x.zip", zip("conj_grad.cpp", "a"));
   const fs::path other =
       write("a.zip", folders({"alice_1_2_x.zip", "mallory_3_4_x.zip"}));  // its path comes first
-  const Intake intake = take({other, alice});
+  const Intake intake = take({other, alice}, {}, true);
   ASSERT_EQ(intake.submissions.size(), 3U);
   EXPECT_EQ(intake.submissions[0].name, "alice_1");
   EXPECT_EQ(intake.submissions[0].files.at("conj_grad.cpp").text, "a");

@@ -15,9 +15,6 @@ inline constexpr std::string_view kHandIn = "hand-in", kClass = "class",
 inline std::string origin_text(std::string_view kind, const std::string& absolute_path) {
   return std::string(kind) + " " + absolute_path;
 }
-inline std::string_view kind_of_origin(std::string_view origin) {
-  return origin.substr(0, origin.find(" /"));
-}
 inline bool is_of_a_class(std::string_view origin) {
   return origin.starts_with(kClass);
 }

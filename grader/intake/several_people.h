@@ -1,5 +1,5 @@
-// STAFF ONLY. A hand-in of one student can look like a class: it holds folders with the names of others. What it holds decides nothing
-// then: the caller's word does, or a download's names, which a student can't give to a hand-in.
+// STAFF ONLY. A hand-in of one student can look like a class: it holds folders with the names of others, or a learning system's names. Then
+// the content decides nothing: the caller's word does, or that it is alone and its own name is no hand-in's.
 #pragma once
 
 #include <string>
@@ -10,17 +10,13 @@ namespace grader {
 
 struct Arguments {
   bool several = false;  // then each is a hand-in of one student
-  bool classes = false;  // somebody says that each may be a class
+  bool classes = false;  // the caller says that each may be a class
   bool may_be_class() const { return classes || !several; }
 };
 
-// Inputs that look like a class.
-struct Crowd {
-  std::vector<std::string> names;  // of its submissions
-  bool of_a_system = false;        // they are in a learning system's download
-};
-
-// Why an argument of this name is no class, as a part of a sentence for staff. Empty: it is one.
-std::string why_no_class(const Crowd& crowd, std::string_view name, const Arguments& arguments);
+// Why an argument of this name, with submissions of these names in it, is no class: a part of a sentence for staff, which kSaysClass ends.
+// Empty: it is one.
+std::string why_no_class(const std::vector<std::string>& names, std::string_view name,
+                         const Arguments& arguments);
 
 }  // namespace grader

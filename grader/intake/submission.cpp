@@ -16,6 +16,7 @@
 #include "grader/intake/left_over.h"
 #include "grader/intake/names.h"
 #include "grader/intake/plan.h"
+#include "grader/intake/question.h"
 #include "grader/text/letters.h"
 
 namespace grader {
@@ -57,6 +58,7 @@ class ClassReader {
   std::string from_;
   FileNames files_;
   std::vector<Draft> drafts_;
+  std::vector<Question> crowds_;  // for each of them there is one draft, which is refused
   Intake intake_;
 };
 
@@ -109,11 +111,10 @@ void ClassReader::read_argument(const fs::path& argument) {
                    " gives, as " + std::string(system_called(from_)->example) + "; see --from");
   if (!planned) planned = planner.by_folders(list, named);
   if (planned->is_class) {
-    if (const std::string why =
-            why_no_class({names_in(planned->drafts), planned->system != nullptr}, named.name, arguments_);
+    if (const std::string why = why_no_class(names_in(planned->drafts), named.name, arguments_);
         !why.empty()) {
-      if (!arguments_.several) throw BadInput(named.origin + ": " + why);
-      intake_.notices.push_back(named.origin + ": " + why);
+      crowds_.emplace_back(named.origin + ": " + why, kSaysClass);
+      intake_.notices.emplace_back(crowds_.back().what());
       drafts_.push_back(
           new_draft({.name = std::string(without_archive_ending(named.name))}, named, "", limits_));
       drafts_.back().refuse(
@@ -164,6 +165,7 @@ void ClassReader::read_hand_in(const fs::path& folder, const std::string& name) 
 }
 
 Intake ClassReader::finish() {
+  if (!crowds_.empty() && crowds_.size() == drafts_.size()) throw crowds_.front();
   for (const Accounted& file : intake_.accounted)
     if (file.as == Accounted::As::left_over) intake_.notices.push_back(line_about(file));
   for (Draft& draft : drafts_) draft.finish(files_);
@@ -186,7 +188,8 @@ Intake read_submissions(const std::vector<fs::path>& arguments, const Course& co
                         const IntakeChoices& choices) {
   std::set<fs::path> different;
   for (const fs::path& argument : arguments) different.insert(fs::absolute(argument).lexically_normal());
-  ClassReader reader(course, open_archive, limits, {different.size() > 1, choices.classes}, choices.from);
+  ClassReader reader(course, open_archive, limits, {different.size() > 1, choices.says_class()},
+                     choices.from);
   for (const fs::path& argument : arguments) reader.read_argument(argument);
   return reader.finish();
 }

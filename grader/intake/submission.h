@@ -12,8 +12,8 @@
 //   alice.zip with project/student/conj_grad.cpp   one submission with a whole project
 //
 // Each of several arguments is a hand-in of one student: a hand-in can look like a class, and must not speak for others. One that
-// looks so is refused, unless somebody says that there are classes, or its names are a learning system's. A lone argument is refused
-// if it holds several people's folders or archives, and one of them has its own name.
+// looks so is refused, unless the caller says that there are classes. A lone argument is refused if it looks so and has a hand-in's name:
+// that of a folder or archive in it, or one that a learning system gives. See several_people.h.
 //
 // Nobody gets lost: an archive, or a document in the place of one, always gives a submission, and every file is accounted for.
 #pragma once
@@ -80,13 +80,14 @@ struct IntakeLimits {
 };
 
 struct IntakeChoices {
-  bool classes = false;  // each of several arguments may be a class
-  std::string from;      // the layout (layouts/system.h), or "folders"; "": it is guessed
+  bool classes = false;   // each of several arguments may be a class
+  std::string from = {};  // the layout (layouts/system.h), or "folders"; "": it is guessed
+  bool says_class() const { return classes || (!from.empty() && from != "folders"); }
 };
 
 // Files of absent exercises are ignored. An error in one submission is reported in it and does not affect
 // others. Throws BadInput for an argument that does not exist, for a lone one that can't be read whole, that is neither an archive nor a
-// folder, or in which nothing is recognised.
+// folder, or in which nothing is recognised; and Question if all arguments look like classes and may be hand-ins.
 Intake read_submissions(const std::vector<std::filesystem::path>& arguments, const Course& course,
                         const OpenArchive& open_archive, const IntakeLimits& limits = {},
                         const IntakeChoices& choices = {});

@@ -130,7 +130,7 @@ TEST_F(HandIns, HaveTheirOwnResultsAndDecisionsOfOnePerson) {
   EXPECT_EQ(first.made_by(), "");
   EXPECT_EQ(first.names(), (std::vector<std::string>{"alice", "bob"}));
   EXPECT_EQ(second.names(), (std::vector<std::string>{"alice"}));
-  EXPECT_EQ(second.origins().at("alice"), "hand-in /aliceH1");
+  EXPECT_EQ(second.rows().at("alice").origin, "hand-in /aliceH1");
   EXPECT_EQ(first.log("alice").size(), 2U);
   EXPECT_EQ(second.log("alice").size(), 2U) << "graded, decided";
   EXPECT_EQ(second.costs().submissions.size(), 1U);

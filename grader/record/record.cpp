@@ -171,15 +171,20 @@ void Record::remove_pictures_that_none_shows() {
 
 std::vector<std::string> Record::names() {
   std::vector<std::string> all;
-  for (const auto& [name, origin] : origins()) all.push_back(name);
+  for (const auto& [name, row] : rows()) all.push_back(name);
   return all;
 }
 
-std::map<std::string, std::string> Record::origins() {
+std::map<std::string, Record::Row> Record::rows() {
   const std::lock_guard lock(one_at_a_time_);
-  std::map<std::string, std::string> all;
-  database_.each("SELECT name, origin FROM results JOIN people ON people.id = person WHERE assignment = ?",
-                 {assignment()}, [&](const DatabaseRow& row) { all[row.text(0)] = row.text(1); });
+  std::map<std::string, Row> all;
+  database_.each(
+      "SELECT name, origin, (SELECT files FROM hand_ins WHERE hand_ins.assignment = results.assignment AND "
+      "hand_ins.person = results.person ORDER BY id DESC LIMIT 1) FROM results JOIN people ON people.id = "
+      "person WHERE assignment = ?",
+      {assignment()}, [&](const DatabaseRow& row) {
+        all[row.text(0)] = {row.text(1), row.text(2)};
+      });
   return all;
 }
 

@@ -107,8 +107,12 @@ class Record {
   // Likewise. Of the course: a group's row is of everybody who was in it.
   std::optional<ClassList> class_list(Of of = Of::hand_in);
 
-  std::vector<std::string> names();              // of those with a result, sorted
-  std::map<std::string, std::string> origins();  // by name
+  std::vector<std::string> names();  // of those with a result, sorted
+  struct Row {
+    std::string origin;  // intake/origin.h
+    std::string files;   // the hash of those that it was graded for; "": nobody knows it
+  };
+  std::map<std::string, Row> rows();  // by name
   // As it was computed; and with the decisions of people, under the rules of the hand-in. Throw BadInput if it is damaged.
   std::optional<Recorded> find(const std::string& name);
   std::optional<Recorded> find_decided(const std::string& name);

@@ -304,7 +304,7 @@ TEST_F(Hairgrade, ReplacesNobodysRowByAnotherOriginsWithoutAWordAndAFlag) {
   };
   refused({mallory}, "--class");
   refused({mallory, "--class"}, "--replace");
-  refused({another_name}, "--replace");
+  refused({another_name}, "--class");
   const ProgramRun together = grade({sample("other-order"), mallory, "--out", out()});
   EXPECT_EQ(together.code, 3) << together.errors;
   EXPECT_NE(together.errors.find("--class"), string::npos) << together.errors;

@@ -15,7 +15,6 @@
 #include "grader/tool/blind.h"
 #include "grader/tool/class_files.h"
 #include "grader/tool/folder_of_grades.h"
-#include "grader/tool/origins.h"
 #include "grader/tool/progress.h"
 #include "grader/tool/rows.h"
 
@@ -82,9 +81,7 @@ Batch grade_batch(const Grading& grading, std::vector<Submission> submissions, c
   std::vector<Accounted> listed = settings.listed;
   std::optional<std::string> only = settings.only;
   keep_rows(submissions, listed, record, only);  // another process may have graded since they were read
-  for (const std::string& line :
-       settle_origins(settings.out, submissions, only, settings.replace, settings.hand_in))
-    std::cerr << "hairgrade: " << line << "\n";
+  settle_origins(settings.out, submissions, only, settings.word, settings.hand_in);
   record.put_people(hand_ins_of(submissions),
                     settings.roster ? std::optional(settings.roster->people()) : std::nullopt, only);
   const NamesForPeople people = record.names_for_people();

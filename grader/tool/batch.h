@@ -14,6 +14,7 @@
 #include "grader/result/result.h"
 #include "grader/roster/roster.h"
 #include "grader/tool/grading.h"
+#include "grader/tool/origins.h"
 
 namespace grader {
 
@@ -22,7 +23,7 @@ struct BatchSettings {
   int jobs = 1;
   bool resume = false;                 // keep results whose fingerprint has not changed
   std::optional<std::string> only;     // grade only this submission
-  bool replace = false;                // rows of another origin may be replaced
+  CallersWord word = {};               // about rows that may be replaced
   std::optional<Roster> roster;        // replaces the record's
   bool blind = false;                  // names are codes; a record that began so stays so
   std::vector<Accounted> listed = {};  // files of the input that reached no hand-in

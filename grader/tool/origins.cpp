@@ -1,70 +1,136 @@
-// STAFF ONLY. Compares origins of rows.
+// STAFF ONLY. Compares origins and bytes of rows.
 #include "grader/tool/origins.h"
 
-#include <algorithm>
 #include <map>
 #include <set>
 
-#include "grader/course/input.h"
 #include "grader/intake/names.h"
 #include "grader/intake/origin.h"
+#include "grader/intake/question.h"
 #include "grader/record/record.h"
+#include "grader/tool/grading.h"
 
 namespace grader {
 namespace {
 
-using Names = std::set<std::string>;
+using Names = std::vector<std::string>;
+using RowsByName = std::map<std::string, Record::Row>;
+using People = std::map<std::string, const Submission*>;  // by the names of their rows
 
-// Rows without an origin are of names that clashed: they protect nothing.
-std::map<std::string, Names> names_by_origin(const std::map<std::string, std::string>& rows) {
-  std::map<std::string, Names> names;
-  for (const auto& [name, origin] : rows)
-    if (!origin.empty()) names[origin].insert(name);
-  return names;
+bool is_the_same(const Submission& submission, const Record::Row& row) {
+  return hash_of_files(submission) == row.files;
 }
 
-// The origin in the folder that a class with `names` is a later download of; its own if there is none.
-std::string earlier_download(const std::string& origin, const Names& names,
-                             const std::map<std::string, Names>& there) {
-  if (!is_of_a_class(origin) || there.contains(origin)) return origin;
-  const std::string* best = &origin;
-  std::size_t most = 1;  // one name alone says too little
-  for (const auto& [other, others] : there) {
-    const bool same_kind = kind_of_origin(other) == kind_of_origin(origin);
-    if (!same_kind || others.size() <= most || !std::ranges::includes(names, others)) continue;
-    best = &other;
-    most = others.size();
+// The class in the folder of this path, else the one that shares most people with this one.
+struct Earlier {
+  std::string origin = {};  // "": there is no class in the folder
+  int shared = 0;
+};
+Earlier earlier_class(const std::string& origin, const People& people, const RowsByName& rows) {
+  std::map<std::string, int> shared;
+  for (const auto& [name, row] : rows)
+    if (is_of_a_class(row.origin)) shared[row.origin] += people.contains(name) ? 1 : 0;
+  if (shared.contains(origin)) return {origin, shared.at(origin)};
+  Earlier most;
+  for (const auto& [other, count] : shared)
+    if (most.origin.empty() || count > most.shared) most = {other, count};
+  return most;
+}
+
+bool has_most_as_they_were(const People& people, const std::string& earlier, const RowsByName& rows) {
+  int before = 0, again = 0;
+  for (const auto& [name, row] : rows) {
+    const auto now = people.find(name);
+    if (row.origin != earlier) continue;
+    const bool same = now != people.end() && is_the_same(*now->second, row);
+    if (same && now->second->files.empty()) continue;  // anybody can make a hand-in without files
+    ++before;
+    again += same ? 1 : 0;
   }
-  return *best;
+  return again > 1 && 2 * again > before;
+}
+
+// The rows that a class would change, as a part of a sentence; "": there are none.
+std::string changes(const People& people, const RowsByName& rows, const std::optional<std::string>& only) {
+  Names replaced, added;
+  for (const auto& [name, submission] : people) {
+    const auto row = rows.find(name);
+    if (only && *only != name) continue;
+    if (row == rows.end() && !only) added.push_back(name);
+    if (row != rows.end() && !is_the_same(*submission, row->second)) replaced.push_back(name);
+  }
+  if (added.empty()) return replaced.empty() ? "" : "replace the rows of " + some_of(replaced);
+  return (replaced.empty() ? "" : "replace the rows of " + some_of(replaced) + " and ") + "add rows of " +
+         some_of(added);
+}
+
+// Why a class may change nothing without a word; "": it may.
+std::string doubt_about(const std::string& origin, const People& people, const Earlier& earlier,
+                        const RowsByName& rows, const CallersWord& word) {
+  const bool shares_nobody = !earlier.origin.empty() && earlier.shared == 0;
+  if (earlier.origin == origin || word.replace || word.choices.classes) return "";
+  if (shares_nobody)
+    return "nobody of the " + earlier.origin + " is in the " + origin +
+           " (if it is the same class under other names or numbers, grade it into a new folder)";
+  if (word.choices.says_class()) return "";
+  if (earlier.shared > 0 && has_most_as_they_were(people, earlier.origin, rows)) return "";
+  return "the " + origin +
+         " may be one student's hand-in, for few of the hand-ins that were graded are in it unchanged";
 }
 
 }  // namespace
 
-std::vector<std::string> settle_origins(const std::filesystem::path& folder,
-                                        std::vector<Submission>& submissions,
-                                        const std::optional<std::string>& only, bool replace,
-                                        const std::string& hand_in) {
-  std::map<std::string, std::string> rows, mine, settled;
-  if (Record::is_in(folder)) rows = Record(folder, hand_in).origins();
-  for (const Submission& submission : submissions) mine[submission.name] = submission.origin;
-  const std::map<std::string, Names> there = names_by_origin(rows);
-  for (const auto& [origin, names] : names_by_origin(mine))
-    settled[origin] = earlier_download(origin, names, there);
-
-  std::vector<std::string> replaced, names;
-  for (Submission& submission : submissions) {
-    if (!submission.origin.empty()) submission.origin = settled.at(submission.origin);
-    const auto row = rows.find(submission.name);
-    if (row == rows.end() || row->second.empty() || row->second == submission.origin) continue;
-    if (only && *only != submission.name) continue;
-    replaced.push_back(submission.name + " is there of the " + row->second + ", and here of the " +
-                       submission.origin);
-    names.push_back(submission.name);
+Settled settle_origins(const std::filesystem::path& folder, std::vector<Submission>& submissions,
+                       const std::optional<std::string>& only, const CallersWord& word,
+                       const std::string& hand_in) {
+  const RowsByName rows = Record::is_in(folder) ? Record(folder, hand_in).rows() : RowsByName();
+  if (rows.empty()) return {};
+  const std::string where = printable(folder.string(), 4096);
+  std::map<std::string, People> given;
+  std::set<std::string> here, earlier_ones;
+  for (const Submission& submission : submissions) {
+    given[submission.origin][submission.name] = &submission;
+    here.insert(submission.name);
   }
-  if (replaced.empty() || replace) return replaced;
-  throw BadInput(printable(folder.string(), 4096) + ": the rows of " + some_of(names) +
-                 " are of another origin, so nothing was graded: " + replaced.front() +
-                 "; leave them out, or say --replace to replace these rows");
+  std::map<std::string, std::string> settled;
+  for (const auto& [origin, people] : given) {
+    settled[origin] = origin;
+    if (!is_of_a_class(origin)) continue;
+    const Earlier earlier = earlier_class(origin, people, rows);
+    const std::string doubt = doubt_about(origin, people, earlier, rows, word),
+                      change = doubt.empty() ? "" : changes(people, rows, only);
+    if (!change.empty())
+      throw Question(where + ": " + doubt + "; nothing was graded, since it would " + change +
+                         "; if it is a download of a class, say",
+                     kSaysClass);
+    if (earlier.shared == 0) continue;
+    settled[origin] = earlier.origin;
+    earlier_ones.insert(earlier.origin);
+  }
+
+  Settled lines;
+  Names replaced, missing;
+  for (Submission& submission : submissions) {
+    submission.origin = settled.at(submission.origin);
+    const auto row = rows.find(submission.name);
+    // RowsByName without an origin are of names that clashed: they protect nothing.
+    if (row == rows.end() || row->second.origin.empty() || row->second.origin == submission.origin) continue;
+    if ((only && *only != submission.name) || is_the_same(submission, row->second)) continue;
+    lines.replaced.push_back(submission.name + " is there of the " + row->second.origin +
+                             ", and here of the " + submission.origin);
+    replaced.push_back(submission.name);
+  }
+  if (!replaced.empty() && !word.replace)
+    throw Question(where + ": the rows of " + some_of(replaced) +
+                       " are of another origin, so nothing was graded: " + lines.replaced.front() +
+                       "; leave them out, or, to replace these rows, say",
+                   kSaysReplace);
+  for (const auto& [name, row] : rows)
+    if (!only && earlier_ones.contains(row.origin) && !here.contains(name)) missing.push_back(name);
+  if (!missing.empty())
+    lines.missing.push_back("not in this download, but in an earlier one: " + some_of(missing) +
+                            "; such rows stay as they are (hairgrade forget removes who has left)");
+  return lines;
 }
 
 }  // namespace grader

@@ -1,8 +1,11 @@
-// STAFF ONLY. Whose rows a run may replace in a folder of grades: those of its own origins (grader/intake/origin.h). An archive that
-// one student hands in may hold folders with the names of others, and then looks like a class.
+// STAFF ONLY. Whose rows a run may replace in a folder of grades. An archive that one student hands in may hold folders with the names of
+// others, or names as a learning system gives them, and then looks like a class. Names and numbers prove nothing: classmates know them.
 //
-// A hand-in has the same origin if the argument is the same path. A class has the same one if it is the same path, or a later
-// download: of the same kind, and with everybody in it who came in the earlier one, two at least.
+// A hand-in replaces the row of its own path alone. In a folder with rows a class needs one of these to replace or add any:
+//   - the path of an earlier class,
+//   - most of the earlier class's hand-ins as they were, two at least: nobody knows the bytes of most others. It is a later download.
+//   - the caller's word (--class, --from), where it shares a person with the earlier class or is said to be a further one (--class).
+// A row whose hand-in comes again with the same bytes loses nothing, whatever it came in.
 #pragma once
 
 #include <filesystem>
@@ -14,11 +17,21 @@
 
 namespace grader {
 
-// A later download of a class gets the earlier one's origin, which its rows have. Throws BadInput, a line that names the rows, if a
-// row would be replaced by one of another origin and `replace` is false. If it is true, such rows are told, a line each.
-std::vector<std::string> settle_origins(const std::filesystem::path& folder,
-                                        std::vector<Submission>& submissions,
-                                        const std::optional<std::string>& only, bool replace,
-                                        const std::string& hand_in = "");
+struct CallersWord {
+  IntakeChoices choices = {};
+  bool replace = false;  // all rows may be replaced
+};
+
+// Lines for staff.
+struct Settled {
+  std::vector<std::string> replaced = {};  // a line for each row of another origin that the caller gives up
+  std::vector<std::string> missing = {};  // a line about those of an earlier download who are not in this one
+};
+
+// A later download of a class gets the earlier one's origin, which its rows have. Throws Question, a line that names the rows, if the
+// caller must say that they may be replaced or added. With `only` the row of this name alone is graded.
+Settled settle_origins(const std::filesystem::path& folder, std::vector<Submission>& submissions,
+                       const std::optional<std::string>& only, const CallersWord& word,
+                       const std::string& hand_in = "");
 
 }  // namespace grader

@@ -17,6 +17,7 @@
 #include "grader/roster/times.h"
 #include "grader/sandbox/own_groups.h"
 #include "grader/text/time_text.h"
+#include "grader/tool/asking.h"
 #include "grader/tool/at_rest.h"
 #include "grader/tool/batch.h"
 #include "grader/tool/blind.h"
@@ -24,7 +25,6 @@
 #include "grader/tool/folder_of_grades.h"
 #include "grader/tool/grade_settings.h"
 #include "grader/tool/grading.h"
-#include "grader/tool/origins.h"
 #include "grader/tool/rows.h"
 #include "grader/tool/secret.h"
 
@@ -36,7 +36,6 @@ namespace fs = std::filesystem;
 struct GradeOptions {
   std::vector<fs::path> submissions;
   std::optional<fs::path> roster, times;
-  IntakeChoices choices;
   GradeSettings settings;
   BatchSettings batch;
 };
@@ -100,10 +99,13 @@ int grade(GradeOptions options) {
   GradingSettings settings = settings_of(options.settings);
   std::optional<CagedReader> reader;
   if (settings.isolation != Isolation::none) reader.emplace(HAIR_READER, settings.isolation);
-  Intake intake = read_submissions(options.submissions, settings.course,
-                                   reader ? reader->opener() : open_here, {}, options.choices);
+  BatchSettings& batch_settings = options.batch;
+  CallersWord& word = batch_settings.word;
+  Intake intake = asking(word, [&] {
+    return read_submissions(options.submissions, settings.course, reader ? reader->opener() : open_here, {},
+                            word.choices);
+  });
 
-  BatchSettings batch_settings = options.batch;
   std::optional<Record> before;
   if (Record::is_in(options.batch.out)) before.emplace(options.batch.out, hand_in);
   std::optional<Roster> roster = options.batch.roster;
@@ -134,7 +136,11 @@ int grade(GradeOptions options) {
   before.reset();
   check_zone(rules, intake.submissions);
   check_made_by(options.batch.out, made_by(settings), hand_in);  // before the reference takes its seconds
-  settle_origins(options.batch.out, intake.submissions, batch_settings.only, options.batch.replace, hand_in);
+  const Settled settled = asking(word, [&] {
+    return settle_origins(options.batch.out, intake.submissions, batch_settings.only, word, hand_in);
+  });
+  for (const std::string& line : settled.replaced) std::cerr << "hairgrade: " << line << "\n";
+  std::ranges::copy(settled.missing, std::back_inserter(intake.notices));
   for (const std::string& line : intake.taken_for) std::cout << line << "\n" << std::flush;
   const std::atomic<bool>& interrupted = note_interruptions();
   const std::string open_to_others = readable_by_others(staff_places(settings, options));
@@ -212,21 +218,21 @@ Command add_grade(CLI::App& hairgrade) {
       ->check(CLI::Range(1, 256));
   command->add_flag("--resume", options->batch.resume,
                     "Keep results whose submission and suite have not changed");
-  command->add_flag("--class", options->choices.classes,
-                    "Each of several arguments may be a class; else each is one student's hand-in");
+  command->add_flag("--class", options->batch.word.choices.classes,
+                    "The arguments are classes, also where each may be one student's hand-in");
   command->add_option(
       "--roster", options->roster,
       "A table of people: who handed in nothing, and who is on no roster, is shown; the record keeps it");
   command->add_option("--times", options->times,
                       "A table of people and the times of their hand-ins, for downloads that have none");
   command
-      ->add_option("--from", options->choices.from,
+      ->add_option("--from", options->batch.word.choices.from,
                    "The learning system that a class comes from (default: it is guessed, and said)")
       ->check(CLI::IsMember(layout_names()));
   command->add_flag(
       "--anonymous", options->batch.blind,
       "Show codes in place of names, to staff, too; the record keeps whose they are, and that it is so");
-  command->add_flag("--replace", options->batch.replace,
+  command->add_flag("--replace", options->batch.word.replace,
                     "Replace rows of another origin: of another class, or of a hand-in from elsewhere");
   command->add_option("--only", options->batch.only, "Grade the submission of this name alone");
   command->add_option("--exercise", options->settings.exercise, "Grade this exercise alone");
