@@ -67,12 +67,11 @@ std::string changes(const People& people, const RowsByName& rows, const std::opt
 // Why a class may change nothing without a word; "": it may.
 std::string doubt_about(const std::string& origin, const People& people, const Earlier& earlier,
                         const RowsByName& rows, const CallersWord& word) {
-  const bool shares_nobody = !earlier.origin.empty() && earlier.shared == 0;
-  if (earlier.origin == origin || word.replace || word.choices.classes) return "";
-  if (shares_nobody)
-    return "nobody of the " + earlier.origin + " is in the " + origin +
+  if (word.replace || word.choices.classes) return "";
+  if (!earlier.origin.empty() && earlier.shared == 0)
+    return "nobody who was graded of the " + earlier.origin + " is in the " + origin +
            " (if it is the same class under other names or numbers, grade it into a new folder)";
-  if (word.choices.says_class()) return "";
+  if (earlier.origin == origin || word.choices.says_class()) return "";
   if (earlier.shared > 0 && has_most_as_they_were(people, earlier.origin, rows)) return "";
   return "the " + origin +
          " may be one student's hand-in, for few of the hand-ins that were graded are in it unchanged";

@@ -2,9 +2,10 @@
 // others, or names as a learning system gives them, and then looks like a class. Names and numbers prove nothing: classmates know them.
 //
 // A hand-in replaces the row of its own path alone. In a folder with rows a class needs one of these to replace or add any:
-//   - the path of an earlier class,
-//   - most of the earlier class's hand-ins as they were, two at least: nobody knows the bytes of most others. It is a later download.
-//   - the caller's word (--class, --from), where it shares a person with the earlier class or is said to be a further one (--class).
+//   - the path of the earlier class,
+//   - most of the earlier class's hand-ins as they were, two at least: nobody knows the bytes of most others,
+//   - the caller's word (--class, --from).
+// If nobody of the earlier class is in it, --class alone says that it is a further one: people may have other numbers now.
 // A row whose hand-in comes again with the same bytes loses nothing, whatever it came in.
 #pragma once
 
