@@ -43,20 +43,27 @@ void Draft::refuse(const Refused& why) {
 }
 
 void Draft::offer(const std::string& exercise_file, const Found& where, SourceFile file) {
-  const auto [at, is_first] = found.try_emplace(exercise_file, where);
-  Found& first = at->second;
-  SourceFile& taken = submission.files[exercise_file];
-  if (is_first || (first.renamed && !where.renamed)) {
-    if (!is_first)
-      remarks.push_back(origin + ": " + first.shown + " was not taken, since " + where.shown + " is there");
-    first = where;
-    taken = std::move(file);
-  } else if (!first.renamed && where.renamed) {
-    remarks.push_back(origin + ": " + where.shown + " was not taken, since " + first.shown + " is there");
-  } else if (taken.text != file.text || !taken.problem.empty() || !file.problem.empty()) {
-    taken = {"", "There is more than one " + exercise_file + ": " + first.shown + " and " + where.shown +
-                     ". Hand in only the one that counts."};
+  const auto [at, is_first] = found.try_emplace(exercise_file, Choice{where});
+  auto& [taken, rival] = at->second;
+  SourceFile& source = submission.files[exercise_file];
+  const bool same = source.text == file.text && source.problem.empty() && file.problem.empty();
+  if (is_first) {
+    source = std::move(file);
+  } else if (where.rank() < taken.rank()) {
+    pass_over(exercise_file, taken.shown);
+    at->second = {where};
+    source = std::move(file);
+  } else if (where.rank() > taken.rank()) {
+    pass_over(exercise_file, where.shown);
+  } else if (!same && rival.empty()) {
+    rival = where.shown;
   }
+}
+
+void Draft::pass_over(const std::string& exercise_file, const std::string& where, std::size_t count) {
+  PassedOver& passed = passed_over[exercise_file];
+  if (passed.count == 0) passed.first = where;
+  passed.count += count;
 }
 
 void Draft::see(std::string_view name) {
@@ -68,34 +75,48 @@ void Draft::see(std::string_view name) {
 }
 
 void Draft::finish(const FileNames& exercise_files) {
-  if (refused()) return;
-  for (const auto& [file, where] : found) {
-    if (where.renamed && submission.files.at(file).problem.empty())
-      remarks.push_back(origin + ": " + where.shown + " was taken for " + file);
-    near.erase(file);
-  }
-  std::string like;
-  for (const auto& [file, name] : near) like += name + " looks like " + file + ". ";
-  if (found.empty()) {
-    std::string wanted;
-    for (const std::string& file : exercise_files) wanted += (wanted.empty() ? "" : ", ") + file;
+  const auto not_graded = [&](const std::string& why) {
+    notices.push_back(origin + ": was not graded: " + why);
+  };
+  for (const auto& [file, choice] : found) near.erase(file);
+  if (!refused() && found.empty() && !shut.empty()) {
+    refuse(Unreadable(shut.front()));
+  } else if (!refused() && found.empty()) {
+    std::string like;
+    for (const auto& [file, name] : near) like += name + " looks like " + file + ". ";
     const std::string holds = joined(seen);
-    if (!shut.empty())
-      refuse(Unreadable(shut.front()));
-    else
-      refuse(Refused("None of the exercise files is in it (" + wanted + "). " +
-                     (holds.empty() ? "" : "It holds " + holds + ". ") + like +
-                     "Check their names, and pack them again."));
-    if (shut.empty())
-      remarks.push_back(origin + ": no exercise file is in it" +
-                        (holds.empty() ? "" : "; it holds " + holds));
+    refuse(Refused("None of the exercise files is in it (" +
+                   joined({exercise_files.begin(), exercise_files.end()}) + "). " +
+                   (holds.empty() ? "" : "It holds " + holds + ". ") + like +
+                   "Check their names, and pack them again."));
+    not_graded("no exercise file is in it" + (holds.empty() ? "" : "; it holds " + holds));
     return;
   }
-  for (const auto& [file, name] : near) {
-    submission.files[file] = {"", file + " is missing, and " + name + " looks like it. Give it the name " +
-                                      file + ", and hand in again."};
-    remarks.push_back(origin + ": " + file + " is missing, and " + name + " looks like it");
+  if (refused()) {
+    if (notices.empty()) not_graded(submission.problem);
+    return;
   }
+  for (const auto& [file, name] : near)
+    submission.files[file].problem = file + " is missing, and " + name + " looks like it. Give it the name " +
+                                     file + ", and hand in again.";
+  for (const auto& [file, choice] : found) {
+    SourceFile& source = submission.files.at(file);
+    if (!choice.rival.empty())
+      source = {"", "There is more than one " + file + ": " + choice.taken.shown + " and " + choice.rival +
+                        ". No rule says which of them counts, so none was graded. Hand in only the one that "
+                        "counts."};
+    const auto passed = passed_over.find(file);
+    if (!source.problem.empty() || (passed == passed_over.end() && !choice.taken.renamed)) continue;
+    source.choice = choice.taken.shown + " was taken for " + file;
+    if (passed != passed_over.end())
+      source.choice +=
+          ", and not " + passed->second.first +
+          (passed->second.count > 1 ? " and " + std::to_string(passed->second.count - 1) + " more" : "");
+    remarks.push_back(origin + ": " + source.choice);
+    source.choice += ".";
+  }
+  for (const auto& [file, source] : submission.files)
+    if (!source.problem.empty()) not_graded(source.problem);
   for (const std::string& why : shut) notices.push_back(origin + ": " + why);
 }
 

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "grader/intake/archive.h"
@@ -31,8 +32,23 @@ class IntakeBudget {
 
 // An exercise file as a submission has it.
 struct Found {
-  std::string shown;     // where the one that is taken lies
-  bool renamed = false;  // under a name that copies get
+  std::string shown;       // where it lies
+  bool set_aside = false;  // among builds or backups (same_name.h)
+  bool renamed = false;    // under a name that copies get
+
+  std::pair<bool, bool> rank() const { return {set_aside, renamed}; }
+};
+
+// The one that is taken of all files of one name.
+struct Choice {
+  Found taken;
+  std::string rival = {};  // counts as much, and has other bytes
+};
+
+// Files of one name that a rule passed over.
+struct PassedOver {
+  std::string first;
+  std::size_t count = 0;
 };
 
 struct Draft {
@@ -41,7 +57,8 @@ struct Draft {
   std::string path;    // the same from the root of the disk on, whatever the argument was
   std::string shown;   // for students: its own part of the path, with the folder or archive around it
   IntakeBudget budget;
-  std::map<std::string, Found> found = {};       // by exercise file
+  std::map<std::string, Choice> found = {};  // by exercise file
+  std::map<std::string, PassedOver> passed_over = {};
   std::size_t archives = 0;                      // opened in it
   std::vector<std::string> seen = {};            // names of other files in it, the first ones
   std::map<std::string, std::string> near = {};  // by exercise file: a file that looks like it
@@ -52,11 +69,12 @@ struct Draft {
   void refuse(const Refused& why);
   bool refused() const { return !submission.problem.empty(); }
 
-  // A file was read, or can't be. Identical bytes count once; a file's own name counts before a copy's.
+  // A file was read, or can't be. Of files of one name the one of the least rank is taken; identical bytes count once.
   void offer(const std::string& exercise_file, const Found& where, SourceFile file);
+  void pass_over(const std::string& exercise_file, const std::string& where, std::size_t count = 1);
   void see(std::string_view name);
 
-  // Says what is missing; `exercise_files` are all of the course.
+  // Says which files were taken, and what a person must look at; `exercise_files` are all of the course.
   void finish(const FileNames& exercise_files);
 };
 

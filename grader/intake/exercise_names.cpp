@@ -7,33 +7,8 @@
 namespace grader {
 namespace {
 
-std::string in_lower_case(std::string_view text) {
-  std::string lower(text);
-  std::ranges::transform(lower, lower.begin(), [](char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
-  });
-  return lower;
-}
-
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
-}
-
-std::string_view without_digits_at_end(std::string_view text) {
-  while (!text.empty() && is_digit(text.back())) text.remove_suffix(1);
-  return text;
-}
-
-// "conj_grad (1)", "conj_grad(1)", "conj_grad-1": the stem of the file that it copies. Others are unchanged.
-std::string_view without_copy_number(std::string_view stem) {
-  std::string_view rest = stem;
-  const bool bracket = rest.ends_with(')');
-  if (bracket) rest.remove_suffix(1);
-  const std::string_view before = without_digits_at_end(rest);
-  if (before.size() == rest.size() || !before.ends_with(bracket ? '(' : '-')) return stem;
-  rest = before.substr(0, before.size() - 1);
-  if (bracket && rest.ends_with(' ')) rest.remove_suffix(1);
-  return rest;
 }
 
 // The letters and digits alone.
@@ -46,19 +21,43 @@ std::string skeleton(std::string_view lower) {
 
 }  // namespace
 
+std::string in_lower_case(std::string_view text) {
+  std::string lower(text);
+  std::ranges::transform(lower, lower.begin(), [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+  });
+  return lower;
+}
+
+Numbered without_number(std::string_view name) {
+  constexpr std::size_t kMostDigits = 9;
+  std::string_view rest = name;
+  const bool bracket = rest.ends_with(')');
+  if (bracket) rest.remove_suffix(1);
+  std::string_view before = rest;
+  while (!before.empty() && is_digit(before.back())) before.remove_suffix(1);
+  const std::string digits(rest.substr(before.size()));
+  if (digits.empty() || digits.size() > kMostDigits || (bracket && !before.ends_with('('))) return {name};
+  if (bracket) before.remove_suffix(1);
+  if (bracket && before.ends_with(' ')) before.remove_suffix(1);
+  return {before, std::stoi(digits), bracket};
+}
+
 std::optional<Likeness> exercise_file(std::string_view name, const FileNames& exercise_files) {
   using Degree = Likeness::Degree;
   constexpr std::size_t kLongest = 255;
   if (name.size() > kLongest) return {};
-  if (exercise_files.count(name) > 0) return Likeness{std::string(name), Degree::itself};
+  if (exercise_files.count(name) > 0) return Likeness{std::string(name), Degree::itself, -1};
   const std::string lower = in_lower_case(name);
   const std::size_t dot = lower.find_last_of('.');
   if (dot == std::string::npos || dot == 0) return {};
   const std::string_view ending = std::string_view(lower).substr(dot);
-  const std::string renamed =
-      std::string(without_copy_number(std::string_view(lower).substr(0, dot))) + std::string(ending);
+  Numbered copy = without_number(std::string_view(lower).substr(0, dot));
+  if (!copy.bracket && !copy.name.ends_with('-')) copy = {std::string_view(lower).substr(0, dot)};
+  if (copy.number >= 0 && !copy.bracket) copy.name.remove_suffix(1);
+  const std::string renamed = std::string(copy.name) + std::string(ending);
   for (const std::string& file : exercise_files)
-    if (in_lower_case(file) == renamed) return Likeness{file, Degree::renamed};
+    if (in_lower_case(file) == renamed) return Likeness{file, Degree::renamed, copy.number};
 
   constexpr std::array<std::string_view, 14> kEndings{".cpp", ".cc",  ".cxx",  ".c",   ".h",  ".hpp", ".txt",
                                                       ".pdf", ".doc", ".docx", ".rtf", ".md", ".c++", ".cp"};
@@ -70,7 +69,7 @@ std::optional<Likeness> exercise_file(std::string_view name, const FileNames& ex
     constexpr std::size_t kMostBeside = 8;
     const std::size_t at = bare.find(wanted);
     if (at != std::string::npos && bare.size() <= wanted.size() + kMostBeside)
-      return Likeness{file, Degree::like};
+      return Likeness{file, Degree::like, -1};
   }
   return {};
 }

@@ -19,7 +19,19 @@ struct Likeness {
   enum class Degree { itself, renamed, like };
   std::string file;  // the exercise's
   Degree degree;
+  int number = -1;  // of a copy
 };
+
+std::string in_lower_case(std::string_view text);  // ASCII's letters
+
+// "conj_grad (1)", "conj_grad(1)", "conj_grad-1": what stands before the number, without a bracket. The name itself and -1 if it ends with
+// none.
+struct Numbered {
+  std::string_view name;
+  int number = -1;
+  bool bracket = false;
+};
+Numbered without_number(std::string_view name);
 
 std::optional<Likeness> exercise_file(std::string_view name, const FileNames& exercise_files);
 

@@ -80,6 +80,82 @@ TEST_F(Submissions, ALoneArgumentIsAClassUnlessItIsCalledAsOneInIt) {
       << "the same one twice";
 }
 
+// One archive a section. Whoever can put one archive among others must not speak for a class.
+TEST_F(Submissions, AFolderOfDownloadsIsAClassIfAllOfItsArchivesAreDownloads) {
+  const std::string a = folders({"ann_1_11_conj_grad.cpp", "bo_2_12_conj_grad.cpp"}),
+                    b = folders({"cy_3_13_conj_grad.cpp", "di_4_14_conj_grad.cpp"}),
+                    moodle = folders({"Ed Ek_5_assignsubmission_file/conj_grad.cpp"});
+  const Names all{"ann_1", "bo_2", "cy_3", "di_4"};
+  struct Case {
+    std::vector<std::pair<std::string, std::string>> files;
+    Names names;
+    bool said = false;  // --class
+  };
+  const std::vector<Case> cases = {
+      {{{"A.zip", a}, {"B.zip", b}}, all},
+      {{{"x/A.zip", a}, {"x/B.zip", b}, {"x/README.txt", ""}}, all},
+      {{{"A/ann_1_11_conj_grad.cpp", ""},
+        {"A/bo_2_12_conj_grad.cpp", ""},
+        {"B/cy_3_13_conj_grad.cpp", ""},
+        {"B/di_4_14_conj_grad.cpp", ""}},
+       all},
+      {{{"A.zip", a}, {"mal.zip", zip("conj_grad.cpp")}}, {"A", "mal"}},
+      {{{"A.zip", a}, {"mal.rar", "Rar!"}}, {"A", "mal"}},
+      {{{"A.zip", a}, {"bob/conj_grad.cpp", ""}}, {"A", "bob"}},
+      {{{"A.zip", a}, {"B.zip", moodle}}, {"A", "B"}},
+      {{{"A.zip", a}, {"cy.zip", b}}, {"A", "cy"}},
+      {{{"A.zip", a}, {"3.zip", b}}, {"3", "A"}},
+      {{{"A.zip", a}, {"mal_9_99_B.zip", b}}, {"A", "mal_9_99_B"}},
+      {{{"A.zip", a}}, {"ann_1", "bo_2"}, true},
+  };
+  for (const Case& one : cases)
+    for (const bool packed : {false, true}) {
+      SCOPED_TRACE(one.files.back().first + (packed ? ", packed" : ""));
+      const hair::TemporaryFolder folder("sections");
+      dir_ = folder.path();
+      ArchiveBuilder builder(Packing::zip);
+      for (const auto& [path, bytes] : one.files) {
+        builder.file(path, bytes);
+        if (!packed) write("all/" + path, bytes);
+      }
+      const Intake intake = take({packed ? write("all.zip", builder.bytes()) : dir_ / "all"}, {}, one.said);
+      EXPECT_EQ(names(intake.submissions), one.names);
+      const bool told = one.names.back() != "di_4" && !one.said;
+      EXPECT_EQ(std::ranges::count_if(
+                    intake.notices,
+                    [](const auto& line) { return line.find("was not graded: ") != line.npos; }) > 0,
+                told);
+    }
+  // A lone archive of a folder may be one student's.
+  const Intake lone = take({write("late/mal.zip", a).parent_path()});
+  EXPECT_EQ(names(lone.submissions), Names{"mal"});
+  EXPECT_TRUE(has_notice(lone, {"mal.zip: was not graded"}));
+}
+
+TEST_F(Submissions, SomebodyInTwoSectionsHasOneHandInAndALine) {
+  for (const bool same : {true, false}) {
+    const hair::TemporaryFolder folder("sections");
+    dir_ = folder.path();
+    write("all/A.zip", ArchiveBuilder(Packing::zip)
+                           .file("ann_1_11_conj_grad.cpp", "1")
+                           .file("bo_2_12_conj_grad.cpp", "2")
+                           .bytes());
+    write("all/B.zip", ArchiveBuilder(Packing::zip)
+                           .file("ann_1_15_conj_grad.cpp", same ? "1" : "3")
+                           .file("cy_3_13_conj_grad.cpp", "4")
+                           .bytes());
+    const Intake intake = take({dir_ / "all"});
+    ASSERT_EQ(names(intake.submissions), (Names{"ann_1", "bo_2", "cy_3"}));
+    EXPECT_TRUE(has_remark(intake, {"B.zip/ann_1_15_conj_grad.cpp is of somebody who is also in A.zip/"}));
+    const SourceFile& file = intake.submissions[0].files.at("conj_grad.cpp");
+    EXPECT_EQ(file.text, same ? "1" : "");
+    EXPECT_EQ(intake.notices.size(), same ? 0U : 1U);
+    if (same) continue;
+    for (const char* path : {"A.zip/ann_1_11_conj_grad.cpp", "B.zip/ann_1_15_conj_grad.cpp"})
+      EXPECT_TRUE(has_notice(intake, {"more than one conj_grad.cpp", path}));
+  }
+}
+
 TEST_F(Submissions, ALoneHandInIsTakenForOne) {
   const fs::path alice = write("alice.zip", zip("conj_grad.cpp"));
   EXPECT_EQ(take({alice}).taken_for, Names{alice.string() + ": taken for a hand-in of one student, alice"});

@@ -7,6 +7,7 @@
 
 #include "grader/intake/archive_format.h"
 #include "grader/intake/ignored.h"
+#include "grader/intake/same_name.h"
 #include "grader/text/encoding.h"
 #include "grader/text/letters.h"
 #include "hair/io/plot/readable.h"
@@ -19,15 +20,6 @@ constexpr std::size_t kMostArchives = 20;
 const std::string kAboutFile = "about.txt";
 constexpr std::size_t kMostAboutBytes = std::size_t{16} << 10;
 
-// Archives that the handout's own build leaves beside the files in them.
-bool lies_in_a_build(std::string_view path) {
-  while (path.find('/') != std::string_view::npos) {
-    if (path.starts_with("build") || path.starts_with("cmake-build")) return true;
-    path.remove_prefix(path.find('/') + 1);
-  }
-  return false;
-}
-
 }  // namespace
 
 HandInReader::Plan HandInReader::plan_share(const std::vector<Entry>& list, const Share& share,
@@ -36,7 +28,7 @@ HandInReader::Plan HandInReader::plan_share(const std::vector<Entry>& list, cons
   draft.budget.charge_entries(share.entries.size());
   Plan plan;
   std::vector<std::size_t> archives;
-  bool has_files = false;
+  std::map<std::string, std::vector<Candidate>> candidates;  // by exercise file
   for (const std::size_t i : share.entries) {
     const Entry& entry = list[i];
     const std::string shown = legible(prefix + entry.shown);
@@ -48,7 +40,7 @@ HandInReader::Plan HandInReader::plan_share(const std::vector<Entry>& list, cons
         problem_of(entry, shown).empty()) {
       draft.budget.charge_bytes(std::min<std::uintmax_t>(entry.bytes, kMostAboutBytes));
       draft.see(name);
-      plan[i] = {&draft, kAboutFile, shown};
+      plan[i] = {&draft, kAboutFile, {shown}};
       continue;
     }
     const auto likeness = exercise_file(name, files_);
@@ -58,22 +50,15 @@ HandInReader::Plan HandInReader::plan_share(const std::vector<Entry>& list, cons
       if (likeness) draft.near.try_emplace(likeness->file, legible(name));
       continue;
     }
-    has_files = true;
-    const Found where{shown, likeness->degree == Likeness::Degree::renamed};
-    if (entry.encrypted) throw Unreadable(shown + " is encrypted. Pack it again without a password.");
-    std::string problem = problem_of(entry, shown);
-    if (!problem.empty()) {
-      draft.offer(likeness->file, where, {"", std::move(problem)});
-      continue;
-    }
-    draft.budget.charge_bytes(std::min<std::uintmax_t>(entry.bytes, limits_.file_bytes));
-    plan[i] = {&draft, likeness->file, where.shown, where.renamed};
+    candidates[likeness->file].push_back(
+        {i, entry.path, likeness->degree == Likeness::Degree::renamed, likeness->number});
   }
+  for (auto& [file, all] : candidates) plan_files(list, draft, file, all, prefix, plan);
   if (share.is_document) {
     throw Unreadable(legible(name_of(list[share.entries.front()])) +
                      " is no archive. Hand in a .zip or .tar.gz archive with the exercise files.");
   }
-  if (share.is_attached || !has_files) {
+  if (share.is_attached || candidates.empty()) {
     plan_archives(list, share, archives, prefix, depth, plan);
     return plan;
   }
@@ -88,6 +73,25 @@ HandInReader::Plan HandInReader::plan_share(const std::vector<Entry>& list, cons
                             " was not opened, since there are exercise files beside it" +
                             (count > 1 ? ", and " + std::to_string(count - 1) + " more" : ""));
   return plan;
+}
+
+void HandInReader::plan_files(const std::vector<Entry>& list, Draft& draft, const std::string& file,
+                              std::vector<Candidate>& candidates, const std::string& prefix, Plan& plan) {
+  const std::size_t best = put_best_first(candidates);
+  if (best < candidates.size())
+    draft.pass_over(file, legible(prefix + list[candidates[best].entry].shown), candidates.size() - best);
+  candidates.resize(best);
+  for (const Candidate& one : candidates) {
+    const Entry& entry = list[one.entry];
+    const Found where{legible(prefix + entry.shown), is_set_aside(prefix + entry.path), one.renamed};
+    if (entry.encrypted) throw Unreadable(where.shown + " is encrypted. Pack it again without a password.");
+    if (std::string problem = problem_of(entry, where.shown); !problem.empty()) {
+      draft.offer(file, where, {"", std::move(problem)});
+      continue;
+    }
+    draft.budget.charge_bytes(std::min<std::uintmax_t>(entry.bytes, limits_.file_bytes));
+    plan[one.entry] = {&draft, file, where};
+  }
 }
 
 void HandInReader::plan_archives(const std::vector<Entry>& list, const Share& share,
@@ -106,7 +110,7 @@ void HandInReader::plan_archives(const std::vector<Entry>& list, const Share& sh
     if (const std::string problem = problem_of(entry, shown); !problem.empty()) throw Refused(problem);
     draft.budget.charge_bytes(entry.bytes);
     // A submission's own archive is named without the class around it.
-    plan[i] = {&draft, "", share.is_archive ? legible(name_of(entry)) : shown};
+    plan[i] = {&draft, "", {share.is_archive ? legible(name_of(entry)) : shown}};
   }
 }
 
@@ -157,7 +161,7 @@ void HandInReader::take(Container& container, const std::vector<Entry>& list,
     Draft& draft = *wanted.draft;
     if (draft.refused()) return;
     if (wanted.file == kAboutFile) {
-      take_about(draft, wanted.shown, read);
+      take_about(draft, wanted.where.shown, read);
       return;
     }
     if (!wanted.file.empty()) {
@@ -167,11 +171,11 @@ void HandInReader::take(Container& container, const std::vector<Entry>& list,
       } catch (const Refused& why) {
         file.problem = why.what();
       }
-      draft.offer(wanted.file, {wanted.shown, wanted.renamed}, std::move(file));
+      draft.offer(wanted.file, wanted.where, std::move(file));
       return;
     }
     try {
-      take_archive(draft, read(limits_.unpacked_bytes), wanted.shown, depth + 1);
+      take_archive(draft, read(limits_.unpacked_bytes), wanted.where.shown, depth + 1);
     } catch (const Unreadable& why) {
       draft.shut.emplace_back(why.what());  // others in it may be read
       if (!why.failure().empty()) draft.remarks.push_back(draft.origin + ": " + why.failure());

@@ -9,6 +9,7 @@
 #include "grader/intake/container.h"
 #include "grader/intake/draft.h"
 #include "grader/intake/exercise_names.h"
+#include "grader/intake/same_name.h"
 
 namespace grader {
 
@@ -34,14 +35,15 @@ class HandInReader {
   // A file or an archive that is to be read.
   struct Wanted {
     Draft* draft;
-    std::string file;   // the exercise file that it is, or kAboutFile; "": an archive
-    std::string shown;  // its name in messages
-    bool renamed = false;
+    std::string file;  // the exercise file that it is, or kAboutFile; "": an archive
+    Found where;
   };
   using Plan = std::map<std::size_t, Wanted>;
 
   Plan plan_share(const std::vector<Entry>& list, const Share& share, const std::string& prefix,
                   std::size_t depth);
+  void plan_files(const std::vector<Entry>& list, Draft& draft, const std::string& file,
+                  std::vector<Candidate>& candidates, const std::string& prefix, Plan& plan);
   void plan_archives(const std::vector<Entry>& list, const Share& share,
                      const std::vector<std::size_t>& archives, const std::string& prefix, std::size_t depth,
                      Plan& plan);

@@ -175,7 +175,10 @@ TEST_F(Submissions, WrongTypesAreNamedAndUnreadable) {
   EXPECT_TRUE(says(intake.submissions[8].problem, "None of the exercise files"));
   EXPECT_FALSE(intake.submissions[8].unreadable) << "it could be read";
   EXPECT_EQ(intake.submissions[9].files.at("conj_grad.cpp").text, "fine");
-  EXPECT_EQ(intake.notices, Names{});
+  ASSERT_EQ(intake.notices.size(), 9U) << "a person must look at each";
+  EXPECT_TRUE(has_notice(intake, {"class/alice.rar: was not graded: alice.rar is a RAR archive"}));
+  EXPECT_TRUE(has_notice(
+      intake, {"class/ivan.zip: was not graded: no exercise file is in it; it holds", "main.cpp"}));
   for (const char* alone : {"dave.pdf", "frank.zip", "grace.zip", "bob.7z"})
     EXPECT_TRUE(says(bad_input({dir_ / "class" / alone}), "nothing was graded")) << "it may be a whole class";
 }
@@ -196,13 +199,16 @@ TEST_F(Submissions, FilesOfCanvasBelongToTheirStudents) {
   EXPECT_TRUE(says(intake.submissions[1].problem, "None of the exercise files"));
   EXPECT_TRUE(says(intake.submissions[1].problem, "It holds report.pdf."));
   EXPECT_TRUE(says(intake.submissions[2].problem, "It holds main.cpp."));
-  EXPECT_TRUE(has_remark(intake, {"poe_7_8_main.cpp: ", "no exercise file is in it; it holds main.cpp"}));
+  EXPECT_TRUE(has_notice(intake, {"poe_7_8_main.cpp: ", "no exercise file is in it; it holds main.cpp"}));
   EXPECT_EQ(intake.submissions[3].files.at("conj_grad.cpp").text, "newest");
   EXPECT_TRUE(intake.submissions[3].marked_late);
   EXPECT_EQ(intake.submissions[3].owner.id, "99");
   EXPECT_EQ(intake.submissions[3].system, "canvas");
   EXPECT_EQ(std::ranges::count(intake.accounted, Accounted::As::older, &Accounted::as), 2);
-  EXPECT_EQ(intake.notices.size(), 1u);
+  EXPECT_EQ(
+      intake.submissions[3].files.at("conj_grad.cpp").choice,
+      "roe_99_7_conj_grad-2.cpp was taken for conj_grad.cpp, and not roe_99_6_conj_grad-1.cpp and 1 more.");
+  EXPECT_EQ(intake.notices.size(), 3U);
   EXPECT_TRUE(has_notice(intake, {"class/conj_grad.cpp: ", "belongs to nobody"}));
 }
 
@@ -213,7 +219,7 @@ TEST_F(Submissions, OneStudentsArchivesAndFilesOfCanvasAreOneHandIn) {
                                 .file("roe_2_3_s1.zip", zip("conj_grad.cpp", "b"))
                                 .file("roe_2_4_s2.zip", zip("normal_equations.cpp", "e"))
                                 .file("poe_3_4_handin.zip", zip("conj_grad.cpp", "c"))
-                                .file("poe_3_5_copy.zip", zip("conj_grad.cpp", "also"))
+                                .file("poe_3_5_again.zip", zip("conj_grad.cpp", "also"))
                                 .bytes();
   const Intake intake = take({write("submissions.zip", bytes)});
   ASSERT_EQ(names(intake.submissions), (Names{"doe_1", "poe_3", "roe_2"}));
@@ -221,10 +227,11 @@ TEST_F(Submissions, OneStudentsArchivesAndFilesOfCanvasAreOneHandIn) {
   EXPECT_EQ(intake.submissions[0].files.at("normal_equations.cpp").text, "d");
   EXPECT_TRUE(says(
       intake.submissions[1].files.at("conj_grad.cpp").problem,
-      "more than one conj_grad.cpp: poe_3_4_handin.zip/conj_grad.cpp and poe_3_5_copy.zip/conj_grad.cpp"));
+      "more than one conj_grad.cpp: poe_3_4_handin.zip/conj_grad.cpp and poe_3_5_again.zip/conj_grad.cpp"));
   EXPECT_EQ(intake.submissions[2].files.at("conj_grad.cpp").text, "b");
   EXPECT_EQ(intake.submissions[2].files.at("normal_equations.cpp").text, "e");
-  EXPECT_EQ(intake.notices, Names{});
+  EXPECT_EQ(intake.notices.size(), 1U);
+  EXPECT_TRUE(has_notice(intake, {"poe_3_4_handin.zip/conj_grad.cpp and poe_3_5_again.zip/conj_grad.cpp"}));
 }
 
 TEST_F(Submissions, ALaterHandInHasTheSameName) {
@@ -256,11 +263,12 @@ TEST_F(Submissions, NearNamesAreNamed) {
   EXPECT_EQ(intake.submissions[2].files.at("conj_grad.cpp").text, "c");
   EXPECT_TRUE(says(intake.submissions[3].problem, "conj_grad.txt looks like conj_grad.cpp."));
   EXPECT_EQ(intake.submissions[4].files.at("conj_grad.cpp").text, "f");
-  EXPECT_TRUE(has_remark(intake, {"conj_grad (1).cpp was not taken, since ", "conj_grad.cpp is there"}));
+  EXPECT_TRUE(has_remark(
+      intake, {"f_8_9_conj_grad.cpp was taken for conj_grad.cpp, and not f_8_8_conj_grad (1).cpp"}));
   EXPECT_TRUE(says(
       intake.submissions[5].files.at("conj_grad.cpp").problem,
       "conj_grad.cpp is missing, and conj_grad_final.cpp looks like it. Give it the name conj_grad.cpp"));
-  EXPECT_EQ(intake.notices, Names{});
+  EXPECT_EQ(intake.notices.size(), 3U);
 }
 
 TEST_F(Submissions, NothingRecognisedIsBadInput) {

@@ -18,8 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kLongestPathShown = 4096;
-
 void add_gradescope_owners(Division& division, const std::vector<Entry>& list, const Argument& argument,
                            const Planner& planner) {
   if (division.system->name != "gradescope") return;
@@ -27,7 +25,7 @@ void add_gradescope_owners(Division& division, const std::vector<Entry>& list, c
     if (aside.as != Accounted::As::made) continue;
     const std::string shown = argument.origin + "/" + legible(list[aside.entry].shown, kLongestPathShown);
     std::string yaml;
-    const std::unique_ptr<Container> container = planner.opened();
+    const std::shared_ptr<Container> container = planner.opened();
     container->list();
     container->visit({aside.entry}, [&](std::size_t, const Container::Read& read) {
       yaml = read(planner.limits.unpacked_bytes);
@@ -86,9 +84,10 @@ Draft new_draft(const Owner& owner, const Argument& argument, const std::string&
 }
 
 std::optional<Planned> Planner::by_system(std::vector<Entry>& list, const Argument& argument) const {
-  if (from == "folders") return {};
+  if (choices.from == "folders") return {};
   const std::string name(without_archive_ending(argument.name));
-  std::optional<Division> division = divide(list, name, system_called(from));
+  std::optional<Division> division =
+      divide(list, name, system_called(choices.from), arguments.may_be_class(), choices.known);
   if (!division) return {};
   // A student's hand-in can hold one folder of somebody else's name.
   if (!arguments.may_be_class() && !argument.on_disk && division->hand_ins.size() < 2) return {};
@@ -101,17 +100,25 @@ std::optional<Planned> Planner::by_system(std::vector<Entry>& list, const Argume
     draft.submission.handed_in = hand_in.handed_in;
     draft.submission.marked_late = hand_in.late;
     for (const std::string& doubt : hand_in.doubts)
-      draft.remarks.push_back(argument.origin + "/" + legible(doubt, kLongestPathShown));
+      draft.notices.push_back(argument.origin + "/" + legible(doubt, kLongestPathShown));
+    for (const std::string& remark : hand_in.remarks)
+      draft.remarks.push_back(argument.origin + "/" + legible(remark, kLongestPathShown));
     planned.drafts.push_back(std::move(draft));
     planned.shares.push_back({.draft = nullptr, .entries = std::move(hand_in.entries), .is_attached = true});
   }
   for (const Division::Aside& aside : division->aside) {
-    Accounted file{argument.origin + "/" + legible(list[aside.entry].shown, kLongestPathShown), aside.as,
-                   aside.reason, ""};
-    if (aside.hand_in == Division::kNobody)
+    const Entry& entry = list[aside.entry];
+    Accounted file{argument.origin + "/" + legible(entry.shown, kLongestPathShown), aside.as, aside.reason,
+                   ""};
+    if (aside.hand_in == Division::kNobody) {
       planned.nobodys.push_back(std::move(file));
-    else
-      planned.drafts[aside.hand_in].accounted.push_back(std::move(file));
+      continue;
+    }
+    Draft& draft = planned.drafts[aside.hand_in];
+    draft.accounted.push_back(std::move(file));
+    const auto likeness = exercise_file(name_of(entry), files);
+    if (aside.as == Accounted::As::older && likeness && likeness->degree != Likeness::Degree::like)
+      draft.pass_over(likeness->file, legible(entry.shown));
   }
   return planned;
 }
@@ -131,7 +138,7 @@ Planned Planner::by_folders(const std::vector<Entry>& list, const Argument& argu
   for (const Member& member : layout.members) {
     const Told* told = nullptr;
     std::optional<Told> by_name;
-    if (!layout.is_class) by_name = told_by_name(argument.name, argument.on_disk);
+    if (!layout.is_class) by_name = told_by_name(argument.name, argument.on_disk, choices.known);
     if (by_name) told = &*by_name;
     const std::string below = layout.is_class ? fs::path(member.path).filename().string() : argument.name;
     planned.drafts.push_back(
@@ -143,6 +150,8 @@ Planned Planner::by_folders(const std::vector<Entry>& list, const Argument& argu
       submission.system = told->system->name;
       submission.handed_in = told->named.handed_in;
       submission.marked_late = told->named.late;
+      if (!told->named.doubt.empty())
+        planned.drafts.back().notices.push_back(argument.origin + " " + told->named.doubt);
     }
     mine.insert(member.entries.begin(), member.entries.end());
     planned.shares.push_back({.draft = nullptr,

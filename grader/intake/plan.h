@@ -16,6 +16,8 @@
 
 namespace grader {
 
+inline constexpr std::size_t kLongestPathShown = 4096;
+
 // A file or folder that was given.
 struct Argument {
   std::filesystem::path file;
@@ -46,8 +48,8 @@ struct Planner {
   const FileNames& files;
   const IntakeLimits& limits;
   const Arguments& arguments;
-  const std::string& from;                               // the layout that was said, or ""
-  std::function<std::unique_ptr<Container>()> opened{};  // the argument once more, for tables in it
+  const IntakeChoices& choices;
+  std::function<std::shared_ptr<Container>()> opened{};  // the argument once more, for tables in it
 
   // Empty if no learning system gives such names. Paths of flat names become folders in `list`.
   std::optional<Planned> by_system(std::vector<Entry>& list, const Argument& argument) const;

@@ -17,6 +17,7 @@
 #include "grader/intake/names.h"
 #include "grader/intake/plan.h"
 #include "grader/intake/question.h"
+#include "grader/intake/sections.h"
 #include "grader/text/letters.h"
 
 namespace grader {
@@ -36,8 +37,8 @@ std::vector<std::string> names_in(const std::vector<Draft>& drafts) {
 class ClassReader {
  public:
   ClassReader(const Course& course, const OpenArchive& open_archive, const IntakeLimits& limits,
-              const Arguments& arguments, const std::string& from)
-      : open_archive_(open_archive), limits_(limits), arguments_(arguments), from_(from) {
+              const Arguments& arguments, const IntakeChoices& choices)
+      : open_archive_(open_archive), limits_(limits), arguments_(arguments), choices_(choices) {
     for (const Exercise& exercise : course.exercises) {
       if (exercise.role != Role::absent) files_.insert(exercise.file);
     }
@@ -49,13 +50,15 @@ class ClassReader {
 
  private:
   std::unique_ptr<Container> open(const Argument& argument) const;
+  std::shared_ptr<Container> open_sections(const Argument& named, std::shared_ptr<Container> outer,
+                                           const std::vector<Entry>& list) const;
   void say_what_it_is(const Planned& planned, const Argument& argument);
   void could_not_open(const Argument& argument, const Refused& why);
 
   const OpenArchive& open_archive_;
   IntakeLimits limits_;
   Arguments arguments_;
-  std::string from_;
+  IntakeChoices choices_;
   FileNames files_;
   std::vector<Draft> drafts_;
   std::vector<Question> crowds_;  // for each of them there is one draft, which is refused
@@ -68,6 +71,29 @@ std::unique_ptr<Container> ClassReader::open(const Argument& named) const {
   const std::uintmax_t size = std::min(fs::file_size(named.file), std::uintmax_t{1} << 50);
   const std::size_t most_bytes = std::max<std::size_t>(limits_.stream_bytes, size * kMostShrinking);
   return open_archive_(named.file, printable(named.name), ArchiveLimits{most_bytes, most_entries});
+}
+
+// A hand-in is no class of sections, whatever it holds. Null, too, if there are none.
+std::shared_ptr<Container> ClassReader::open_sections(const Argument& named, std::shared_ptr<Container> outer,
+                                                      const std::vector<Entry>& list) const {
+  if (!arguments_.may_be_class() || told_by_name(named.name, named.on_disk)) return {};
+  const bool said = arguments_.classes || !choices_.from.empty();
+  std::size_t bytes_left = limits_.stream_bytes;
+  const auto open_entry = [&](std::size_t entry) {
+    if (const fs::path file = named.file / list[entry].path; named.on_disk && fs::is_regular_file(file))
+      return open(argument_at(file));
+    std::string bytes;
+    const std::unique_ptr<Container> again = open(named);
+    again->list();
+    again->visit({entry}, [&](std::size_t, const Container::Read& read) {
+      bytes = read(std::min(bytes_left, limits_.unpacked_bytes));
+    });
+    bytes_left -= bytes.size();
+    return open_archive_(std::move(bytes), printable(std::string(name_of(list[entry]))),
+                         {limits_.stream_bytes, limits_.entries * kClassEntriesFactor});
+  };
+  return grader::open_sections(std::move(outer), list, said ? 1 : 2, system_called(choices_.from),
+                               open_entry);
 }
 
 void ClassReader::say_what_it_is(const Planned& planned, const Argument& argument) {
@@ -94,7 +120,7 @@ void ClassReader::could_not_open(const Argument& argument, const Refused& why) {
 
 void ClassReader::read_argument(const fs::path& argument) {
   const Argument named = checked_argument(argument);
-  std::unique_ptr<Container> container;
+  std::shared_ptr<Container> container;
   std::vector<Entry> list;
   try {
     container = open(named);
@@ -104,19 +130,30 @@ void ClassReader::read_argument(const fs::path& argument) {
     return;
   }
   for (std::string& line : settle_names(list, named.origin)) intake_.remarks.push_back(std::move(line));
-  const Planner planner{files_, limits_, arguments_, from_, [&] { return open(named); }};
+  const Planner planner{files_, limits_, arguments_, choices_, [&] { return open(named); }};
   std::optional<Planned> planned = planner.by_system(list, named);
-  if (!planned && !from_.empty() && from_ != "folders")
-    throw BadInput(named.origin + ": holds no name that " + std::string(system_called(from_)->shown) +
-                   " gives, as " + std::string(system_called(from_)->example) + "; see --from");
+  if (!planned && choices_.from != "folders")
+    if (const std::shared_ptr<Container> sections = open_sections(named, container, list)) {
+      const Planner of_sections{files_, limits_, arguments_, choices_,
+                                [&] { return open_sections(named, open(named), list); }};
+      std::vector<Entry> all = sections->list();
+      planned = of_sections.by_system(all, named);
+      if (planned) {
+        container = sections;
+        list = std::move(all);
+      }
+    }
+  if (!planned && !choices_.from.empty() && choices_.from != "folders")
+    throw BadInput(named.origin + ": holds no name that " + std::string(system_called(choices_.from)->shown) +
+                   " gives, as " + std::string(system_called(choices_.from)->example) + "; see --from");
   if (!planned) planned = planner.by_folders(list, named);
   if (planned->is_class) {
     if (const std::string why = why_no_class(names_in(planned->drafts), named.name, arguments_);
         !why.empty()) {
       crowds_.emplace_back(named.origin + ": " + why, kSaysClass);
-      intake_.notices.emplace_back(crowds_.back().what());
       drafts_.push_back(
           new_draft({.name = std::string(without_archive_ending(named.name))}, named, "", limits_));
+      drafts_.back().notices.emplace_back(crowds_.back().what());
       drafts_.back().refuse(
           Refused("There are folders or archives of several people in it. Hand in only your own files."));
       return;
@@ -188,15 +225,14 @@ Intake read_submissions(const std::vector<fs::path>& arguments, const Course& co
                         const IntakeChoices& choices) {
   std::set<fs::path> different;
   for (const fs::path& argument : arguments) different.insert(fs::absolute(argument).lexically_normal());
-  ClassReader reader(course, open_archive, limits, {different.size() > 1, choices.says_class()},
-                     choices.from);
+  ClassReader reader(course, open_archive, limits, {different.size() > 1, choices.says_class()}, choices);
   for (const fs::path& argument : arguments) reader.read_argument(argument);
   return reader.finish();
 }
 
 Intake read_hand_in(const fs::path& folder, const std::string& name, const Course& course,
                     const OpenArchive& open_archive, const IntakeLimits& limits) {
-  ClassReader reader(course, open_archive, limits, {}, "folders");
+  ClassReader reader(course, open_archive, limits, {}, {.from = "folders"});
   reader.read_hand_in(folder, name);
   return reader.finish();
 }

@@ -26,13 +26,17 @@
 #include "grader/course/course.h"
 #include "grader/intake/accounted.h"
 #include "grader/intake/archive.h"
+#include "grader/intake/layouts/system.h"
 #include "grader/intake/owner.h"
 
 namespace grader {
 
 struct SourceFile {
-  std::string text;     // the file's bytes
-  std::string problem;  // not empty: why it is rejected, a sentence for the student; then `text` is empty
+  std::string text;  // the file's bytes
+  std::string problem =
+      {};  // not empty: why it is rejected, a sentence for the student; then `text` is empty
+  std::string choice =
+      {};  // not empty: a sentence for the student that names the file, of several or under another name
 };
 
 struct Submission {
@@ -82,6 +86,8 @@ struct IntakeLimits {
 struct IntakeChoices {
   bool classes = false;   // each of several arguments may be a class
   std::string from = {};  // the layout (layouts/system.h), or "folders"; "": it is guessed
+  KnownOwner known = {};  // from the roster, where a name has several readings
+
   bool says_class() const { return classes || (!from.empty() && from != "folders"); }
 };
 

@@ -118,30 +118,52 @@ TEST_F(Submissions, ArchivesBesideExerciseFilesStayShut) {
   EXPECT_EQ(alice.files.at("conj_grad.cpp").text, "mine");
 }
 
-TEST_F(Submissions, TwoFilesOfOneNameAreBothNamedAndNoneIsTaken) {
-  const Submission alice = only(ArchiveBuilder(Packing::zip)
-                                    .file("CMakeLists.txt")
-                                    .file("solver/x.h")
-                                    .file("a/conj_grad.cpp", "1")
-                                    .file("b/conj_grad.cpp", "2")
-                                    .file("b/normal_equations.cpp", "fine")
-                                    .bytes());
-  const SourceFile& file = alice.files.at("conj_grad.cpp");
-  EXPECT_EQ(file.text, "");
-  EXPECT_TRUE(says(file.problem,
-                   "more than one conj_grad.cpp: alice.zip/a/conj_grad.cpp and alice.zip/b/conj_grad.cpp."));
-  EXPECT_EQ(alice.files.at("normal_equations.cpp").text, "fine");
-  EXPECT_EQ(alice.problem, "");
-
-  const Submission nested = only(ArchiveBuilder(Packing::zip)
-                                     .file("CMakeLists.txt")
-                                     .file("solver/x.h")
-                                     .file("1.zip", zip("conj_grad.cpp", "1"))
-                                     .file("2.zip", zip("conj_grad.cpp", "2"))
-                                     .bytes());
-  EXPECT_EQ(nested.files.at("conj_grad.cpp").text, "");
-  EXPECT_TRUE(says(nested.files.at("conj_grad.cpp").problem,
-                   "alice.zip/1.zip/conj_grad.cpp and alice.zip/2.zip/conj_grad.cpp"));
+// The rules for paths are in same_name_test.cpp. Between archives only builds, backups and copies by their names decide.
+TEST_F(Submissions, OfFilesOfOneNameARuleTakesOneOrAPersonIsAsked) {
+  struct Case {
+    std::vector<std::pair<std::string, std::string>>
+        files;          // path, content; a .zip has conj_grad.cpp of this content
+    std::string taken;  // "": nobody knows
+    std::string named;  // in what the student reads
+  };
+  const std::string said = "was taken for conj_grad.cpp, and not ";
+  const std::vector<Case> cases = {
+      {{{"student/conj_grad.cpp", "1"}, {"Backup/conj_grad.cpp", "2"}},
+       "1",
+       "alice.zip/student/conj_grad.cpp " + said + "alice.zip/Backup/conj_grad.cpp."},
+      {{{"x/Backup/conj_grad.cpp", "2"}, {"x/old/conj_grad.cpp", "3"}, {"x/conj_grad.cpp", "1"}},
+       "1",
+       "alice.zip/x/conj_grad.cpp " + said + "alice.zip/x/Backup/conj_grad.cpp and 1 more."},
+      {{{"Backup.zip", "2"}, {"hw.zip", "1"}}, "1", "alice.zip/hw.zip/conj_grad.cpp " + said},
+      {{{"a/conj_grad.cpp", "1"}, {"b/conj_grad.cpp", "1"}}, "1", ""},
+      {{{"a/conj_grad.cpp", "1"}, {"b/conj_grad.cpp", "1"}, {"c/conj_grad.cpp", "2"}},
+       "",
+       "more than one conj_grad.cpp: alice.zip/a/conj_grad.cpp and alice.zip/c/conj_grad.cpp."},
+      {{{"1.zip", "1"}, {"2.zip", "2"}},
+       "",
+       "alice.zip/1.zip/conj_grad.cpp and alice.zip/2.zip/conj_grad.cpp"},
+      {{{"Conj_grad.cpp", "1"}, {"CONJ_GRAD.cpp", "2"}},
+       "",
+       "alice.zip/Conj_grad.cpp and alice.zip/CONJ_GRAD.cpp"},
+  };
+  for (const Case& one : cases) {
+    SCOPED_TRACE(one.files.front().first);
+    for (const bool backwards : {false, true}) {
+      ArchiveBuilder builder(Packing::zip);
+      auto handed_in = one.files;
+      if (backwards) std::ranges::reverse(handed_in);
+      for (const auto& [path, text] : handed_in)
+        builder.file(path, path.ends_with(".zip") ? zip("conj_grad.cpp", text) : text);
+      const Intake intake = take({write("only/alice.zip", builder.bytes()).parent_path()});
+      const SourceFile& file = intake.submissions.at(0).files.at("conj_grad.cpp");
+      EXPECT_EQ(file.text, one.taken);
+      EXPECT_EQ(file.problem.empty(), !one.taken.empty());
+      EXPECT_EQ(intake.notices.size(), one.taken.empty() ? 1U : 0U);
+      EXPECT_EQ(intake.remarks.size(), file.choice.empty() ? 0U : 1U);
+      if (backwards) continue;
+      EXPECT_TRUE(says(file.problem + file.choice, one.named));
+    }
+  }
 }
 
 TEST_F(Submissions, IdenticalFilesCountOnceAndTheLastEntryOfAPath) {

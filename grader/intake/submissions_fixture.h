@@ -59,7 +59,7 @@ class Submissions : public testing::Test {
   }
   static Intake take(const std::vector<fs::path>& arguments, const IntakeLimits& limits = {},
                      bool classes = false) {
-    return read_submissions(arguments, two_exercises(), opener(), limits, {classes, {}});
+    return read_submissions(arguments, two_exercises(), opener(), limits, {.classes = classes});
   }
   static std::vector<Submission> read(const std::vector<fs::path>& arguments,
                                       const IntakeLimits& limits = {}) {

@@ -50,9 +50,9 @@ Html to_look_at(const Results& results, const NamesForPeople& people) {
   }
   groups += list_of(html("<span class=\"badge bad\">not final: ended by the clock, grade again</span>"),
                     not_final, by_the_clock, "notes");
-  for (const Status status :
-       {Status::unreadable, Status::broke_rules, Status::crashed, Status::out_of_memory, Status::timed_out,
-        Status::does_not_compile, Status::wrong, Status::missing, Status::not_implemented}) {
+  for (const Status status : {Status::not_taken, Status::unreadable, Status::broke_rules, Status::crashed,
+                              Status::out_of_memory, Status::timed_out, Status::does_not_compile,
+                              Status::wrong, Status::missing, Status::not_implemented}) {
     Html items;
     std::size_t count = 0;
     for (const SubmissionResult& result : results) {

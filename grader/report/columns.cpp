@@ -29,6 +29,8 @@ std::string word(Status status) {
       return "mem";
     case Status::broke_rules:
       return "rules";
+    case Status::not_taken:
+      return "look";
     case Status::unreadable:
       return "file";
   }

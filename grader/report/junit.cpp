@@ -47,6 +47,7 @@ std::string test_case(Counts& counts, const std::string& suite, const std::strin
     case Status::timed_out:
     case Status::out_of_memory:
     case Status::broke_rules:
+    case Status::not_taken:
     case Status::unreadable:
       element = "error";
       ++counts.errors;

@@ -12,6 +12,7 @@ namespace grader {
 namespace {
 
 constexpr int kUnreadable = 14;  // the number of the submission that can't be read
+constexpr int kNotTaken = 15;    // of one whose second file is not taken
 
 constexpr std::array<const char*, 6> categories{"The lecture's examples",  "Known matrices",
                                                 "Ill-conditioned systems", "Clustered eigenvalues",
@@ -19,7 +20,7 @@ constexpr std::array<const char*, 6> categories{"The lecture's examples",  "Know
 
 bool runs(Status status) {
   return status != Status::missing && status != Status::not_implemented &&
-         status != Status::does_not_compile && status != Status::unreadable;
+         status != Status::does_not_compile && status != Status::not_taken && status != Status::unreadable;
 }
 
 ExerciseResult exercise(const char* id, const char* title, const char* file, double max_points, Status status,
@@ -87,6 +88,7 @@ std::vector<SubmissionResult> sample_class(int size) {
     Status second = i % 2 == 1 ? all_statuses[1] : all_statuses[(i * 3 + i / 10) % 10];
     Status third = all_statuses[i % 10];
     if (i == kUnreadable) first = second = third = Status::unreadable;
+    if (i == kNotTaken) second = Status::not_taken;
     result.exercises.push_back(exercise("S1", "Conjugate gradients", "conj_grad.cpp", 30, first, i));
     result.exercises.push_back(exercise("S2", "Normal equations", "normal_equations.cpp", 20, second, i + 1));
     result.exercises.push_back(

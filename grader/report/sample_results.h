@@ -11,7 +11,7 @@ namespace grader {
 constexpr Status all_statuses[] = {Status::passed,          Status::partly,    Status::wrong,
                                    Status::not_implemented, Status::missing,   Status::does_not_compile,
                                    Status::crashed,         Status::timed_out, Status::out_of_memory,
-                                   Status::broke_rules,     Status::unreadable};
+                                   Status::broke_rules,     Status::not_taken, Status::unreadable};
 
 // A moment with strands; the student's are moved to the right by `shift` pixels.
 PictureResult sample_picture(const std::string& name, int shift, double limit);

@@ -15,7 +15,7 @@ struct Wording {
   const char* sentence;
 };
 
-constexpr std::array<Wording, 11> wordings{{
+constexpr std::array<Wording, 12> wordings{{
     {Status::passed, "passed", "Everything passes. Well done."},
     {Status::partly, "partly",
      "Part of this works. The categories below say where points are left; each can be won on its own."},
@@ -44,6 +44,8 @@ constexpr std::array<Wording, 11> wordings{{
      "The code did something that an exercise may not do, such as starting a program (system(\"pause\") "
      "does), "
      "or opening files or connections. It needs only to compute and return."},
+    {Status::not_taken, "not taken",
+     "Nobody can tell what of your hand-in counts here, so nothing was graded. The staff know."},
     {Status::unreadable, "can't be read",
      "What you handed in could not be read, so nothing in it was graded. Pack the exercise files into a .zip "
      "or "

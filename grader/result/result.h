@@ -22,6 +22,7 @@ enum class Status {
   timed_out,
   out_of_memory,
   broke_rules,
+  not_taken,   // a person must say what of the hand-in counts
   unreadable,  // the whole submission, such as a .rar
 };
 
@@ -118,7 +119,8 @@ struct SubmissionResult {
   std::vector<std::string> ended_by_the_clock = {};
   bool studied = false;  // there is a study.html, to which pages link
   std::vector<Adjustment> adjustments = {};
-  std::vector<std::string> remarks = {};  // of the staff, for the student
+  std::vector<std::string> remarks =
+      {};                  // for the student: of the staff, and which of several files was taken
   std::string about = {};  // the student's about.txt (report/about.h), for staff; readable text
 
   bool operator==(const SubmissionResult&) const = default;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "grader/intake/names.h"
 #include "grader/text/letters.h"
 
 namespace grader {
@@ -18,6 +19,8 @@ ClassList class_list(const Roster& roster, const std::vector<HandIn>& hand_ins) 
   ClassList list;
   list.said = roster.said();
   for (const Person& person : roster.people()) list.rows.push_back({person, {}});
+  std::vector<std::string> doubtful;
+  std::string column;
   for (const HandIn& hand_in : hand_ins) {
     const bool members = !hand_in.owner.members.empty();
     for (const Owner& owner : members ? hand_in.owner.members : std::vector{hand_in.owner}) {
@@ -30,16 +33,29 @@ ClassList class_list(const Roster& roster, const std::vector<HandIn>& hand_ins) 
                      other.owner.id == owner.id && other.owner.email == owner.email;
             }))
           list.strangers.push_back({hand_in.name, owner, match.told});
+        column = Roster::column_for(hand_in.system);
         continue;
       }
-      if (!match.told.empty()) list.said.push_back(who + ": " + match.told);
+      if (!match.told.empty())
+        (match.has_other_name ? doubtful : list.said).push_back(who + ": " + match.told);
       std::vector<std::string>& theirs = list.rows[*match.person].hand_ins;
       if (std::ranges::count(theirs, hand_in.name) == 0) theirs.push_back(hand_in.name);
       if (theirs.size() == 2)
-        list.said.push_back(list.rows[*match.person].person.name + ": has two hand-ins, " + theirs[0] +
-                            " and " + theirs[1]);
+        list.to_look_at.push_back(list.rows[*match.person].person.name + ": has two hand-ins, " + theirs[0] +
+                                  " and " + theirs[1]);
     }
   }
+  // Somebody who is missing may be who handed in.
+  std::vector<std::string> missing;
+  for (const Person* person : list.absent())
+    missing.push_back(person->name +
+                      (person->shown_id() == person->name ? "" : " (" + person->shown_id() + ")"));
+  std::ranges::move(doubtful, std::back_inserter(missing.empty() ? list.said : list.to_look_at));
+  if (!missing.empty() && !list.strangers.empty())
+    list.to_look_at.push_back(
+        "nobody on the roster is found for " + std::to_string(list.strangers.size()) +
+        " of those who handed in, while these of the roster handed in nothing: " + some_of(missing) +
+        "; give a roster with the column \"" + column + "\", as in the download's names");
   return list;
 }
 

@@ -29,9 +29,9 @@ struct ClassList {
     Owner owner;  // of a group's, one member
     std::string why;
   };
-  std::vector<Row> rows;            // in the roster's order
-  std::vector<Stranger> strangers;  // graded all the same
-  std::vector<std::string> said;    // for staff, a line each
+  std::vector<Row> rows;                      // in the roster's order
+  std::vector<Stranger> strangers;            // graded all the same
+  std::vector<std::string> said, to_look_at;  // for staff, a line each
 
   std::vector<const Person*> absent() const;
 };

@@ -28,7 +28,45 @@ TEST(ClassList, HasEverybodyAndListsStrangersApart) {
   EXPECT_EQ(list.strangers[0].hand_in, "team7");
   EXPECT_EQ(list.strangers[0].owner.name, "X");
   EXPECT_EQ(list.strangers[1].hand_in, "z_8");
-  EXPECT_EQ(list.said, Names{"B: has two hand-ins, team7 and b_2"});
+  EXPECT_EQ(
+      list.to_look_at,
+      (Names{
+          "B: has two hand-ins, team7 and b_2",
+          "nobody on the roster is found for 2 of those who handed in, while these of the roster handed in "
+          "nothing: C (3); give a roster with the column \"id\", as in the download's names"}));
+}
+
+// Moodle's names carry a number of its own.
+TEST(ClassList, NamesakesAreFoundByANumberOrAPersonMustLook) {
+  const auto handed_in = [](const std::string& roster, const std::string& system = "moodle") {
+    const ClassList list =
+        class_list(Roster(parse_csv(roster, "r.csv")), {{"a", {.name = "Wei Li", .id = "4714"}, system},
+                                                        {"b", {.name = "Wei Li", .id = "4715"}, system},
+                                                        {"c", {.name = "Ana Adams", .id = "4711"}, system}});
+    std::string all;
+    for (const ClassList::Row& row : list.rows)
+      for (const std::string& one : row.hand_ins)
+        all += one + "=" + row.person.ids[0] + row.person.ids[4] + " ";
+    return all + (list.to_look_at.empty() ? "" : list.to_look_at.back().substr(34, 3));
+  };
+  EXPECT_EQ(handed_in("id,name\n4715,\"Li, Wei\"\n4714,Wei Li\n4711,\"Adams, Ana\"\n"),
+            "b=4715 a=4714 c=4711 ");
+  EXPECT_EQ(handed_in("Identifier,Full name\nParticipant 4714,Wei Li\nParticipant 4715,Wei Li\n"),
+            "a=4714 b=4715 ")
+      << "nobody is missing";
+  EXPECT_EQ(handed_in("id,name\n900,Wei Li\n901,Wei Li\n902,Ana Adams\n"), "c=902 2 o");
+  EXPECT_EQ(handed_in("id,name\n4714,Wei Li\n901,Wei Li\n902,Ana Adams\n"), "a=4714 c=902 1 o");
+  EXPECT_EQ(handed_in("id,name\n4714,Bo Ek\n4711,Ana Adams\n"), "c=4711 2 o") << "the names differ";
+}
+
+// A group that hands in under one member's number, and the roster knows no groups.
+TEST(ClassList, AnotherNameIsLookedAtWhileSomebodyIsMissing) {
+  const HandIn team{"team7_1", {.name = "team7", .id = "1"}, "canvas"};
+  const auto list = [&](const char* roster) {
+    return class_list(Roster(parse_csv(roster, "r.csv")), {team});
+  };
+  EXPECT_EQ(list("id,name\n1,A\n2,B\n").to_look_at.size(), 1U);
+  EXPECT_EQ(list("id,name\n1,A\n").to_look_at.size(), 0U);
 }
 
 std::vector<Names> cells_of(const std::vector<ClassLine>& lines) {

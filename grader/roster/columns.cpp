@@ -34,7 +34,7 @@ const Titles& titles(IdKind kind) {
       Titles{"Identifier", "Participant", "Participant number"},
       Titles{"github_id", "GitHub ID"},
       Titles{"github_username", "GitHub username", "GitHub login", "GitHub"},
-      Titles{"Email", "Email address", "Mail", "e-mail address"}};
+      Titles{"Email", "e-mail", "Email address", "Mail", "e-mail address"}};
   return all[static_cast<std::size_t>(kind)];
 }
 

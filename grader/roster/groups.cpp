@@ -65,7 +65,21 @@ std::string doubt(const HandIn& hand_in, const std::string& key, const Group& gr
 
 }  // namespace
 
-std::vector<std::string> find_members(std::vector<HandIn>& hand_ins, const Roster& roster) {
+KnownOwner known_by(const Roster& roster) {
+  return [&roster, groups = groups_of(roster)](const Owner& owner, std::string_view system) {
+    const std::string key = squeezed(owner.name);
+    const std::optional<std::size_t> person =
+        owner.id.empty() ? std::nullopt : roster.find({.id = owner.id}, std::string(system)).person;
+    const auto group = groups.find(key);
+    if (!person) return group != groups.end() || is_a_person(keys_of(owner.name).as_spoken, roster) ? 1 : 0;
+    const NameKeys& keys = roster.people()[*person].keys;
+    const bool agrees = key == keys.as_spoken || key == keys.as_sorted ||
+                        (group != groups.end() && std::ranges::count(group->second.members, *person) > 0);
+    return agrees ? 2 : 1;
+  };
+}
+
+Membership find_members(std::vector<HandIn>& hand_ins, const Roster& roster) {
   const Groups groups = groups_of(roster);
   const auto key_of = [](const HandIn& hand_in) {
     const Owner& owner = hand_in.owner;
@@ -74,17 +88,19 @@ std::vector<std::string> find_members(std::vector<HandIn>& hand_ins, const Roste
   std::map<std::string, int> called_so;
   for (const HandIn& hand_in : hand_ins) ++called_so[key_of(hand_in)];
 
-  std::vector<std::string> said;
+  Membership all;
   std::size_t found_groups = 0, people = 0;
   for (HandIn& hand_in : hand_ins) {
     const std::string key = key_of(hand_in);
     const auto found = groups.find(key);
     if (found == groups.end()) continue;
     const Group& group = found->second;
+    const bool each_alone = called_so.at(key) > 1;  // as Canvas has them where it grades each member alone
     const std::string why =
-        called_so.at(key) > 1 ? "other hand-ins have its name, too" : doubt(hand_in, key, group, roster);
+        each_alone ? "other hand-ins have its name, too" : doubt(hand_in, key, group, roster);
     if (!why.empty()) {
-      said.push_back(hand_in.name + ": has the name of the roster's group " + group.name +
+      (each_alone ? all.said : all.doubts)
+          .push_back(hand_in.name + ": has the name of the roster's group " + group.name +
                      ", but does not count as that group's: " + why);
       continue;
     }
@@ -96,10 +112,10 @@ std::vector<std::string> find_members(std::vector<HandIn>& hand_ins, const Roste
     people += group.members.size();
   }
   if (found_groups > 0)
-    said.push_back(std::to_string(found_groups) +
-                   " hand-ins have names of the roster's groups and count for " + std::to_string(people) +
-                   " people");
-  return said;
+    all.said.push_back(std::to_string(found_groups) +
+                       " hand-ins have names of the roster's groups and count for " + std::to_string(people) +
+                       " people");
+  return all;
 }
 
 }  // namespace grader

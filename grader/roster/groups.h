@@ -10,13 +10,20 @@
 #include <string>
 #include <vector>
 
+#include "grader/intake/layouts/system.h"
 #include "grader/roster/class_list.h"
 
 namespace grader {
 
+// The proof for names that can be read in several ways (intake/layouts/system.h). `roster` must live as long.
+KnownOwner known_by(const Roster& roster);
+
 // Gives their owners the members. If two hand-ins have one group's name, each is a single student's, as Canvas has them where it grades
 // each member alone. Returns lines for staff: how many were found, and why a hand-in
 // is taken for none.
-std::vector<std::string> find_members(std::vector<HandIn>& hand_ins, const Roster& roster);
+struct Membership {
+  std::vector<std::string> said, doubts;  // to know; to look at: somebody of a group may lose points
+};
+Membership find_members(std::vector<HandIn>& hand_ins, const Roster& roster);
 
 }  // namespace grader

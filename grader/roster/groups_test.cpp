@@ -32,7 +32,7 @@ TEST(Groups, OfCanvasHaveTheRostersMembers) {
   std::vector<HandIn> all = {{"team7_4714", {.name = "team7", .id = "4714"}, "canvas"},
                              {"hairwet_4715", {.name = "hairwet", .id = "4715"}, "canvas"},
                              {"roemax_4716", {.name = "roemax", .id = "4716"}, "canvas"}};
-  const std::vector<std::string> said = find_members(all, roster);
+  const std::vector<std::string> said = find_members(all, roster).said;
   EXPECT_TRUE(all[0].owner.group);
   EXPECT_EQ(all[0].owner.name, "Team 7");
   EXPECT_EQ(all[0].owner.id, "4714") << "feedback goes to this one's attachment";
@@ -65,16 +65,17 @@ TEST(Groups, OfMoodleAreFoundWhateverTheirNumber) {
 
 TEST(Groups, ANameThatIsAlsoSomethingElsesFindsNobody) {
   const auto said_of = [](const std::string& text, std::vector<HandIn> all) {
-    const std::vector<std::string> said = find_members(all, roster_with(text));
+    const Membership found = find_members(all, roster_with(text));
     for (const HandIn& one : all) EXPECT_EQ(members(one), "") << one.name;
-    return said.empty() ? "" : said[0];
+    return found.doubts.empty() ? found.said.empty() ? "" : found.said[0] : "look at " + found.doubts[0];
   };
   // A section of this name is not who handed in.
-  EXPECT_EQ(said_of("id,name,group\n1,Jane Doe,Lab A\n2,Sam Lee,Lab B\n",
-                    {{"laba_2", {.name = "laba", .id = "2"}, "canvas"}}),
-            "laba_2: has the name of the roster's group Lab A, but does not count as that group's: Sam Lee "
-            "handed it in, who "
-            "is in another group of the roster or in none");
+  EXPECT_EQ(
+      said_of("id,name,group\n1,Jane Doe,Lab A\n2,Sam Lee,Lab B\n",
+              {{"laba_2", {.name = "laba", .id = "2"}, "canvas"}}),
+      "look at laba_2: has the name of the roster's group Lab A, but does not count as that group's: Sam Lee "
+      "handed it in, who "
+      "is in another group of the roster or in none");
   const char* named_as_a_person = "id,name,group\n1,Jane Doe,Jane Doe\n2,Sam Lee,Jane Doe\n";
   for (const char* system : {"canvas", "folders"})
     EXPECT_NE(said_of(named_as_a_person, {{"x", {.name = "Jane Doe", .id = "1"}, system}})
@@ -94,10 +95,46 @@ TEST(Groups, ANameThatIsAlsoSomethingElsesFindsNobody) {
   EXPECT_EQ(said_of("id,name\n1,Jane Doe\n", {{"team7", {.name = ""}, "folders"}}), "");
 }
 
+// Of the readings of a name in Canvas's download the roster proves one, or none: then a person must look.
+TEST(Groups, WhoseNamesEndInNumbersAreProvenByTheRoster) {
+  const Roster with_groups = roster_with(
+      "name,canvas_user_id,group_name\nAda Ada,1001,Group_1\nBob Bob,1002,Group_1\nCarl Carl,1003,Lab 2_3\n"
+      "Mallory,4712,\n");
+  const Roster without = roster_with("id,name\n1001,Ada Ada\n1002,Bob Bob\n4712,Mallory\n"),
+               named = roster_with("name,email\nMallory,m@u.de\n");
+  struct Case {
+    const char* name;
+    const Roster* roster;
+    std::string owner;  // name, number, "?" for a doubt
+    std::string inside;
+  };
+  const std::vector<Case> cases = {
+      {"group_1_1001_9001_conj_grad.cpp", &with_groups, "group_1 1001", "conj_grad.cpp"},
+      {"group_1_1001_9001_conj_grad-2.cpp", &with_groups, "group_1 1001", "conj_grad.cpp"},
+      {"group_1_1001_text.html", &with_groups, "group_1 1001", ""},
+      {"lab2_3_1003_9001_handin.zip", &with_groups, "lab2_3 1003", "handin.zip"},
+      {"group_1_1001_9001_conj_grad.cpp", &without, "group_1 1001?", "conj_grad.cpp"},
+      {"group_1_1001_9001_conj_grad.cpp", nullptr, "group 1?", "9001_conj_grad.cpp"},
+      {"group_1_2001_9001_conj_grad.cpp", &with_groups, "group_1 2001?", "conj_grad.cpp"},
+      {"crew_1_2001_9001_conj_grad.cpp", &with_groups, "crew 1?", "9001_conj_grad.cpp"},
+      // What a student calls a file gives it to nobody else.
+      {"mallory_4712_9001_1001_conj_grad.cpp", &with_groups, "mallory 4712", "1001_conj_grad.cpp"},
+      {"mallory_4712_1001_9001_conj_grad.cpp", &with_groups, "mallory 4712", "9001_conj_grad.cpp"},
+      {"mallory_4712_1001_9001_conj_grad.cpp", &named, "mallory 4712", "9001_conj_grad.cpp"},
+  };
+  for (const Case& one : cases) {
+    const KnownOwner known = one.roster ? known_by(*one.roster) : KnownOwner();
+    const Named found = told_by_name(one.name, false, known).value().named;
+    EXPECT_EQ(found.owner.name + " " + found.owner.id + (found.doubt.empty() ? "" : "?"), one.owner)
+        << one.name;
+    EXPECT_EQ(found.inside, one.inside) << one.name;
+  }
+}
+
 TEST(Groups, MembersThatADownloadSaysStay) {
   std::vector<HandIn> all = {
       {"x", {.name = "Team 7", .group = true, .members = {{.name = "Y", .email = "y@u.de"}}}, "gradescope"}};
-  EXPECT_TRUE(find_members(all, roster_with(kCanvas)).empty());
+  EXPECT_TRUE(find_members(all, roster_with(kCanvas)).said.empty());
   EXPECT_EQ(members(all[0]), "[Y ]");
 }
 

@@ -162,6 +162,12 @@ Roster::Match Roster::find(const Owner& owner, const std::string& system) const 
   const Places& places = system == "canvas" ? by_sorted_ : by_spoken_;
   if (const auto at = places.find(keys.as_spoken); at != places.end())
     found.insert(at->second.begin(), at->second.end());
+  // Namesakes differ by an id, of whatever kind the roster calls it.
+  std::vector<std::size_t> with_its_id;
+  for (const std::size_t place : found)
+    if (!owner.id.empty() && std::ranges::count(people_[place].ids, owner.id) > 0)
+      with_its_id.push_back(place);
+  if (with_its_id.size() == 1) return {with_its_id.front()};
   if (found.size() > 1) return {{}, count_of(found.size()) + " bear its name"};
   if (found.empty()) return {{}, "its name is on no roster"};
   // An id that the roster has for somebody of the name, and another one, is another person.
@@ -175,6 +181,10 @@ Roster::Match Roster::find(const Owner& owner, const std::string& system) const 
   if (!owner.email.empty() && !person.email().empty())
     return {{}, "its name is " + person.name + "'s on the roster, with another e-mail"};
   return {*found.begin(), "found by its name alone: " + person.name};
+}
+
+const char* Roster::column_for(const std::string& system) {
+  return title_of(kinds_of(system).front());
 }
 
 Roster::Match Roster::find(const Person& person) const {

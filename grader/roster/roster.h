@@ -36,12 +36,14 @@ class Roster {
 
   struct Match {
     std::optional<std::size_t> person;  // of people()
-    std::string told;                   // for staff: how it was found if that is not plain, or why nobody was
+    std::string told = {};              // for staff: how it was found if that is not plain, or why nobody was
     bool has_other_name = false;        // by an id, and on the roster it is somebody of another name
   };
   // `system` is the layout of the download, as --from takes it: it says which ids its hand-ins carry. A group is nobody; its members may
   // be.
   Match find(const Owner& owner, const std::string& system) const;
+  // The title of a column that finds the hand-ins of a download.
+  static const char* column_for(const std::string& system);
   // Somebody of another table, by the ids that both have.
   Match find(const Person& person) const;
 

@@ -40,7 +40,9 @@ class GradesGoBack : public testing::Test {
 TEST_F(GradesGoBack, EverybodyOnTheRosterHasARowAndGradesAreFilledIn) {
   const string roster = write("roster.csv", "login;id;name\r\nperfect;0011;Jörg Müller\r\ngone;12;Zoë\r\n");
   const ProgramRun graded = grade({"perfect", "stubs"}, {"--roster", roster});
-  EXPECT_EQ(graded.code, 0) << graded.errors;
+  EXPECT_EQ(graded.code, 3) << graded.errors;
+  EXPECT_NE(graded.errors.find("handed in nothing: Zoë (12); give a roster with the column \"id\""), string::npos)
+      << graded.errors;
   EXPECT_NE(graded.output.find("roster: 1 of 2 handed in\n"), string::npos) << graded.output;
   EXPECT_NE(graded.errors.find("roster.csv: its separator is a semicolon\n"), string::npos) << graded.errors;
   EXPECT_NE(
@@ -54,7 +56,7 @@ TEST_F(GradesGoBack, EverybodyOnTheRosterHasARowAndGradesAreFilledIn) {
   EXPECT_NE(read("grades/index.html").find("Zoë"), string::npos);
 
   // Another run of it keeps the roster.
-  EXPECT_EQ(grade({"textbook"}, {}).code, 0);
+  EXPECT_EQ(grade({"textbook"}, {}).code, 3);
   EXPECT_NE(read("grades/grades.csv").find(",Zoë,12,,,nothing handed in\r\n"), string::npos);
 
   const string exported =

@@ -154,16 +154,21 @@ TEST_F(Hairgrade, GradesAClassWithStraysAndClashes) {
     fs::create_directories(everybody / name);
     std::ofstream(everybody / name / "conj_grad.cpp") << code_of("perfect", "conj_grad.cpp");
   }
+  for (const char* other : {"alice/Backup", "carol/a", "carol/b"}) {
+    fs::create_directories(everybody / other);
+    std::ofstream(everybody / other / "conj_grad.cpp") << other;
+  }
   std::ofstream(everybody / "x.zip") << "";
   std::ofstream(everybody / "alice" / "old.zip") << "";
   std::ofstream(everybody / "bob.rar") << "Rar!";
   std::ofstream(everybody / "conj_grad.cpp") << "";
   const ProgramRun run = grade({everybody.string(), "--out", out()});
   EXPECT_EQ(run.code, 3) << run.errors;
-  EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 4) << run.errors;
+  EXPECT_EQ(std::count(run.errors.begin(), run.errors.end(), '\n'), 8) << run.errors;
   for (const string& line :
        {"hairgrade: " + (everybody / "conj_grad.cpp").string() + ": was not graded",
         "hairgrade: " + (everybody / "alice").string() + ": alice/old.zip was not opened",
+        "hairgrade: " + (everybody / "bob.rar").string() + ": was not graded: bob.rar is a RAR archive",
         "hairgrade: " + (everybody / "x").string() + " and " + (everybody / "x.zip").string() + " are both",
         "hairgrade: " + (everybody / "x.zip").string() + " and " + (everybody / "x").string() + " are both"})
     EXPECT_NE(run.errors.find(line), string::npos) << line << "\nnot in: " << run.errors;
@@ -174,6 +179,15 @@ TEST_F(Hairgrade, GradesAClassWithStraysAndClashes) {
   for (const ExerciseResult& exercise : bob.exercises) EXPECT_EQ(exercise.status, Status::unreadable);
   EXPECT_NE(hair::bytes_of(fs::path(out()) / "bob" / "report.html").find("bob.rar is a RAR archive"),
             string::npos);
+  const auto report_has = [&](const char* name, const char* words) {
+    return hair::bytes_of(fs::path(out()) / name / "report.html").find(words) != string::npos &&
+           hair::bytes_of(fs::path(out()) / name / "results.json").find(words) != string::npos;
+  };
+  EXPECT_TRUE(report_has(
+      "alice", "alice/conj_grad.cpp was taken for conj_grad.cpp, and not alice/Backup/conj_grad.cpp."));
+  EXPECT_EQ(recorded_result(out(), "carol").value().exercises.at(0).status, Status::not_taken);
+  EXPECT_TRUE(
+      report_has("carol", "more than one conj_grad.cpp: carol/a/conj_grad.cpp and carol/b/conj_grad.cpp."));
   const string gradebook = hair::bytes_of(fs::path(out()) / "grades.csv");
   EXPECT_NE(gradebook.find("\nx-"), string::npos) << gradebook;
   const auto left_over =
@@ -184,7 +198,7 @@ TEST_F(Hairgrade, GradesAClassWithStraysAndClashes) {
   EXPECT_NE(page.find(">" + (everybody / "conj_grad.cpp").string() + "</th><td>nobody&#39;s</td>"),
             string::npos);
   EXPECT_NE(page.find("alice/old.zip was not opened"), string::npos);
-  EXPECT_EQ(std::count(gradebook.begin(), gradebook.end(), '\n'), 5) << gradebook;
+  EXPECT_EQ(std::count(gradebook.begin(), gradebook.end(), '\n'), 6) << gradebook;
 }
 
 TEST_F(Hairgrade, MarksTwoSubmissionsOfOneName) {

@@ -81,10 +81,10 @@ void grade_exercise(const SuiteJobs& jobs, const Compiler& compiler, const Exerc
     result.feedback = feedback;
   };
   if (!submission.problem.empty())
-    return without_cases(submission.unreadable ? Status::unreadable : Status::missing, submission.problem);
+    return without_cases(submission.unreadable ? Status::unreadable : Status::not_taken, submission.problem);
   const auto file = submission.files.find(exercise.file);
   if (file == submission.files.end()) return without_cases(Status::missing, sentence_for(Status::missing));
-  if (!file->second.problem.empty()) return without_cases(Status::missing, file->second.problem);
+  if (!file->second.problem.empty()) return without_cases(Status::not_taken, file->second.problem);
 
   const timing::Stopwatch compiling;
   const Compiled compiled = compiler.compile(exercise, file->second.text, job, compiler_seconds);

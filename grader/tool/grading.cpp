@@ -33,6 +33,8 @@ std::string why_not_called(Status status) {
       return "takes too much memory";
     case Status::broke_rules:
       return "breaks the rules";
+    case Status::not_taken:
+      return "was not taken";
     case Status::unreadable:
       return "can't be read";
     default:
@@ -83,7 +85,7 @@ Grading::Grading(GradingSettings settings)
 std::string hash_of_files(const Submission& submission) {
   std::string all = submission.problem + "\n" + (submission.unreadable ? "unreadable\n" : "");
   for (const auto& [name, file] : submission.files)
-    all += name + "\n" + sha256(file.text) + "\n" + file.problem + "\n";
+    all += name + "\n" + sha256(file.text) + "\n" + file.problem + file.choice + "\n";
   if (!submission.about.empty()) all += sha256(submission.about) + "\n";
   return sha256(all);
 }
@@ -98,6 +100,8 @@ Graded Grading::grade(const Submission& submission, const AfterEach& after_each)
   graded.result.origin = submission.origin;
   graded.result.note = submission.problem;
   graded.result.about = submission.about;
+  for (const auto& [name, file] : submission.files)
+    if (!file.choice.empty()) graded.result.remarks.push_back(file.choice);
   graded.result.fingerprint = fingerprint(submission);
   graded.result.isolation = settings_.isolation;
   graded.result.images = settings_.images;

@@ -11,7 +11,9 @@ namespace grader {
 
 void give_members(Intake& intake, const Roster& roster) {
   std::vector<HandIn> hand_ins = hand_ins_of(intake.submissions);
-  for (std::string& line : find_members(hand_ins, roster)) intake.remarks.push_back(std::move(line));
+  Membership found = find_members(hand_ins, roster);
+  std::ranges::move(found.said, std::back_inserter(intake.remarks));
+  std::ranges::move(found.doubts, std::back_inserter(intake.notices));
   for (std::size_t i = 0; i < hand_ins.size(); ++i)
     if (!hand_ins[i].owner.members.empty()) intake.submissions[i].owner = std::move(hand_ins[i].owner);
 }

@@ -12,7 +12,7 @@
 
 namespace grader {
 
-// See grader/roster/groups.h; remarks say what was found.
+// See grader/roster/groups.h; remarks say what was found, and notices what a person must look at.
 void give_members(Intake& intake, const Roster& roster);
 
 // Submissions are called as their rows (grader/record/same_people.h), and sorted by that; `listed` names them so, too. Names are codes

@@ -5,8 +5,8 @@
 //   doejane_4711_text.html, ..._link.html   typed text, a link
 //   LATE_anon_aB3dE_90021_main.cpp       anonymous
 //
-// A group whose name ends with "_12" looks like the student 12. The first reading stands, since what follows may be a student's own
-// words: nobody can give a file the number of somebody else.
+// A group whose name ends with "_12" looks like the student 12. The first reading stands unless the roster proves another one: what
+// follows may be a student's own words, and nobody can give a file the number of somebody else.
 #include <map>
 #include <set>
 
@@ -23,6 +23,23 @@ void take_canvas_version(Named& named) {
     named.inside = parts->at(1) + parts->at(3);
     named.version = std::stoi(parts->at(2));
   }
+}
+
+// The reading in which the student's number is the end of the name: of "lab3_12_4713_90020_a.cpp" the number 4713, and not 12.
+std::optional<Named> with_longer_name(const Named& named) {
+  static const std::regex kNumbered("([0-9]+)_(.+)"), kTyped("(text|link)\\.html");
+  if (named.kind != Named::Kind::hand_in || named.owner.anonymous) return {};
+  const auto parts = groups_of(named.inside, kNumbered);
+  const bool typed = groups_of(named.inside, kTyped).has_value();
+  if (!parts && !typed) return {};
+  Named other = named;
+  other.owner.name += (other.owner.name.empty() ? "" : "_") + other.owner.id;
+  other.owner.id = named.stem;
+  other.owner.group = true;
+  other.stem = parts ? parts->at(1) : "";
+  other.inside = parts ? parts->at(2) : "";
+  if (typed) other.kind = Named::Kind::text;
+  return other;
 }
 
 }  // namespace
@@ -48,23 +65,21 @@ std::optional<Named> read_canvas(std::string_view name, bool is_folder, const Ar
 
 void settle_canvas(std::vector<Named*>& names) {
   // A file's number is one file's. If two names share it, it is a student's number, and the name has digits at its end.
-  static const std::regex kShifted("([0-9]+)_(.+)");
+  constexpr std::size_t kMostOthers = 3;
   std::map<std::string, int> files_with_number;
   for (const Named* named : names)
     if (named->kind == Named::Kind::hand_in) ++files_with_number[named->stem];
   for (Named* named : names) {
-    if (named->kind != Named::Kind::hand_in || named->owner.anonymous) continue;
-    const auto parts = groups_of(named->inside, kShifted);
-    if (!parts) continue;
+    const std::optional<Named> other = with_longer_name(*named);
+    if (!other) continue;
     if (files_with_number.at(named->stem) > 1) {
-      named->owner.name += (named->owner.name.empty() ? "" : "_") + named->owner.id;
-      named->owner.id = named->stem;
-      named->inside = parts->at(2);
-      named->owner.group = true;
-    } else {
-      named->doubt = "may be of a group whose name ends with _" + named->owner.id + ", and of number " +
-                     named->stem + "; it was taken for number " + named->owner.id + "'s";
+      *named = *other;
+      continue;
     }
+    named->doubt = "may be of a group whose name ends with _" + named->owner.id + ", and of number " +
+                   named->stem + "; a roster with the groups tells whose it is";
+    for (auto next = other; next && named->others.size() < kMostOthers; next = with_longer_name(*next))
+      named->others.push_back(*next);
   }
 }
 

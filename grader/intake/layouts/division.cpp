@@ -5,41 +5,53 @@
 #include <map>
 #include <tuple>
 
+#include "grader/intake/archive_format.h"
 #include "grader/intake/ignored.h"
+#include "grader/intake/names.h"
+#include "grader/text/letters.h"
 
 namespace grader {
 namespace {
 
-// A name directly in the folder that the download's names stand in.
+// A name directly in a folder that the download's names stand in.
 struct Child {
   bool is_folder = false;
   std::vector<std::size_t> files = {};
   std::optional<Named> named = {};
 };
-using Children = std::map<std::string, Child>;
+using Children = std::map<std::string, Child>;    // by path
+using Folders = std::map<std::string, Children>;  // by the path that their names stand in
 
-Children children_below(const std::vector<Entry>& list, const std::string& root) {
-  Children children;
-  const std::string prefix = root.empty() ? "" : root + "/";
+std::string_view last_part(std::string_view path) {
+  return path.substr(path.rfind('/') + 1);
+}
+
+// All names in `around`, or in each folder in it.
+Folders names_in(const std::vector<Entry>& list, const std::string& around, bool in_each) {
+  Folders folders;
+  if (!in_each) folders[around];
+  const std::string prefix = around.empty() ? "" : around + "/";
   for (std::size_t i = 0; i < list.size(); ++i) {
-    const Entry& entry = list[i];
-    if (is_ignored(entry.path) || !entry.path.starts_with(prefix) || entry.path.size() == prefix.size())
-      continue;
-    const std::size_t slash = entry.path.find('/', prefix.size());
-    Child& child = children[entry.path.substr(prefix.size(), slash - prefix.size())];
-    const bool is_folder = entry.kind == Entry::Kind::folder;
-    if (slash != std::string::npos || is_folder) child.is_folder = true;
+    const std::string& path = list[i].path;
+    if (is_ignored(path) || !path.starts_with(prefix)) continue;
+    const std::size_t end = in_each ? path.find('/', prefix.size()) : prefix.size();
+    const std::size_t begin = end + (in_each ? 1 : 0);
+    if (end == path.npos || begin >= path.size()) continue;
+    const std::size_t slash = path.find('/', begin);
+    Child& child = folders[in_each ? path.substr(0, end) : around][path.substr(0, slash)];
+    const bool is_folder = list[i].kind == Entry::Kind::folder;
+    if (slash != path.npos || is_folder) child.is_folder = true;
     if (!is_folder) child.files.push_back(i);
   }
-  return children;
+  return folders;
 }
 
 // How many children the system knows. It reads their names.
 std::pair<std::size_t, std::size_t> read_names(Children& children, const System& system,
                                                const Around& around) {
   std::size_t known = 0, made = 0;
-  for (auto& [name, child] : children) {
-    child.named = system.read(name, child.is_folder, around);
+  for (auto& [path, child] : children) {
+    child.named = system.read(last_part(path), child.is_folder, around);
     if (child.named) (child.named->kind == Named::Kind::made ? made : known) += 1;
   }
   return {known, children.size() - made};
@@ -52,16 +64,17 @@ Attempt attempt_of(const Named& named) {
 
 class Divider {
  public:
-  Divider(std::vector<Entry>& list, const std::string& root, Children& children, Division& division)
-      : list_(list), prefix_(root.empty() ? "" : root + "/"), children_(children), division_(division) {}
+  Divider(std::vector<Entry>& list, Children& children, Division& division, const KnownOwner& known)
+      : list_(list), children_(children), division_(division), known_(known) {}
 
   void divide();
 
  private:
-  // A version counts for each file of its own where there is no time (Canvas), else for all of an attempt.
   using Key = std::pair<std::string, std::string>;  // an owner's name and id
   static Key key_of(const Named& named) { return {named.owner.name, named.owner.id}; }
-  static std::string unit_of(const Named& named) { return named.handed_in.empty() ? named.inside : ""; }
+  std::string unit_of(const Named& named) const {
+    return division_.system->files_have_versions ? named.inside : "";
+  }
 
   void set_aside(const Child& child, Accounted::As as, const std::string& reason,
                  std::size_t hand_in = Division::kNobody) {
@@ -69,17 +82,18 @@ class Divider {
   }
 
   std::vector<Entry>& list_;
-  std::string prefix_;
   Children& children_;
   Division& division_;
+  const KnownOwner& known_;
 };
 
 void Divider::divide() {
   const std::string system(division_.system->shown);
   std::vector<Named*> names;
-  for (auto& [name, child] : children_)
+  for (auto& [path, child] : children_)
     if (child.named && child.named->kind != Named::Kind::made) names.push_back(&*child.named);
   if (division_.system->settle) division_.system->settle(names);
+  for (Named* named : names) settle_readings(*named, division_.system->name, known_);
 
   std::map<Key, std::size_t> owners;
   for (const Named* named : names) owners.try_emplace(key_of(*named), 0);
@@ -92,7 +106,7 @@ void Divider::divide() {
     Attempt& latest = newest[{owners.at(key_of(*named)), unit_of(*named)}];
     latest = std::max(latest, attempt_of(*named));
   }
-  for (auto& [name, child] : children_) {
+  for (auto& [path, child] : children_) {
     if (!child.named) {
       set_aside(child, Accounted::As::left_over,
                 "belongs to nobody: it has no name that " + system + " gives");
@@ -103,16 +117,22 @@ void Divider::divide() {
       set_aside(child, Accounted::As::made, system + " writes it");
       continue;
     }
+    if (!child.is_folder)
+      for (const std::size_t i : child.files) list_[i].path = path + "/" + named.inside;
     const std::size_t number = owners.at(key_of(named));
     HandIn& hand_in = division_.hand_ins[number];
     const bool counts = attempt_of(named) == newest.at({number, unit_of(named)});
+    const auto folder_of = [](const std::string& of) { return of.substr(0, of.rfind('/') + 1); };
+    if (!hand_in.path.empty() && hand_in.remarks.empty() && folder_of(hand_in.path) != folder_of(path))
+      hand_in.remarks.push_back(path + " is of somebody who is also in " + folder_of(hand_in.path) +
+                                "; both are one hand-in");
     if (hand_in.path.empty() || counts) {
-      hand_in.path = prefix_ + name;
+      hand_in.path = path;
       hand_in.owner = named.owner;
       hand_in.handed_in = named.handed_in;
     }
     hand_in.late = hand_in.late || named.late;
-    if (!named.doubt.empty()) hand_in.doubts.push_back(prefix_ + name + " " + named.doubt);
+    if (!named.doubt.empty()) hand_in.doubts.push_back(path + " " + named.doubt);
     if (named.kind == Named::Kind::text && !child.is_folder) {
       set_aside(child, Accounted::As::made, system + " writes it of what was typed or linked", number);
     } else if (!counts) {
@@ -125,54 +145,89 @@ void Divider::divide() {
               {i, Accounted::As::made, system + " writes it of what was typed", number});
           continue;
         }
-        if (!child.is_folder) list_[i].path = prefix_ + name + "/" + named.inside;
         hand_in.entries.push_back(i);
       }
     }
   }
 }
 
+// The system that knows most names of each folder. They are read as that system reads them.
+const System* known_in_each(Folders& folders, const std::string& container, const System* said) {
+  const auto known_by = [&](const System& system) {
+    std::size_t all = 0;
+    for (auto& [path, children] : folders) {
+      const Around around{path.empty() ? container : std::string(last_part(path)), said != nullptr};
+      const auto [known, of] = read_names(children, system, around);
+      if (known == 0 || (!said && 2 * known <= of)) return std::size_t{0};
+      all += known;
+    }
+    return all;
+  };
+  const System* best = nullptr;
+  std::size_t most = 0;
+  for (const System& system : systems()) {
+    if (said && &system != said) continue;
+    if (const std::size_t known = known_by(system); known > most) {
+      best = &system;
+      most = known;
+    }
+  }
+  if (best) known_by(*best);
+  return best;
+}
+
+// It is called as a system calls hand-ins, or as one of those in it.
+bool may_be_a_hand_in(std::string_view path, const Division& division) {
+  const std::string_view called = last_part(path), name = without_archive_ending(called);
+  return told_by_name(called, false) || told_by_name(called, true) ||
+         std::ranges::any_of(division.hand_ins, [&](const HandIn& one) {
+           return name == one.owner.id || submission_name(name) == name_of_owner(one.owner) ||
+                  squeezed(name) == squeezed(one.owner.name);
+         });
+}
+
+Division divided(std::vector<Entry>& list, Folders& folders, const System& system, const KnownOwner& known) {
+  Children children;
+  for (auto& [path, some] : folders) children.merge(some);
+  Division division{.system = &system};
+  Divider(list, children, division, known).divide();
+  std::vector<bool> lies_in_it(list.size());
+  for (const auto& [path, child] : children)
+    for (const std::size_t i : child.files) lies_in_it[i] = true;
+  for (std::size_t i = 0; i < list.size(); ++i)
+    if (!lies_in_it[i] && list[i].kind != Entry::Kind::folder && !is_ignored(list[i].path))
+      division.aside.push_back(
+          {i, Accounted::As::left_over, "belongs to nobody: it lies outside of the download's folder"});
+  return division;
+}
+
 }  // namespace
 
-std::optional<Division> divide(std::vector<Entry>& list, const std::string& container, const System* said) {
+std::optional<Division> divide(std::vector<Entry>& list, const std::string& container, const System* said,
+                               bool may_have_sections, const KnownOwner& known) {
   constexpr int kMostAround = 8;
-  std::string root;
+  std::string around;
   for (int depth = 0; depth <= kMostAround; ++depth) {
-    Children children = children_below(list, root);
-    const std::size_t slash = root.rfind('/');
-    const Around around{root.empty()                 ? container
-                        : slash == std::string::npos ? root
-                                                     : root.substr(slash + 1),
-                        said != nullptr};
-    Division best;
-    for (const System& system : systems()) {
-      if (said && &system != said) continue;
-      const auto [known, of] = read_names(children, system, around);
-      if (known > best.known) best = {&system, known, of};
+    Folders folders = names_in(list, around, false);
+    std::vector<std::string> inner;
+    for (const auto& [path, child] : folders.at(around))
+      if (child.is_folder) inner.push_back(path);
+    if (const System* system = known_in_each(folders, container, said))
+      return divided(list, folders, *system, known);
+    if (inner.size() == 1) {  // around the download there may be folders, and files beside them
+      around = inner.front();
+      continue;
     }
-    if (best.known > 0 && (said || 2 * best.known > best.children)) {
-      read_names(children, *best.system, around);
-      Divider(list, root, children, best).divide();
-      // A file may lie beside the folders around the download.
-      const std::string prefix = root.empty() ? "" : root + "/";
-      for (std::size_t i = 0; i < list.size(); ++i) {
-        if (list[i].kind == Entry::Kind::folder || is_ignored(list[i].path) ||
-            list[i].path.starts_with(prefix))
-          continue;
-        best.aside.push_back({i, Accounted::As::left_over, "belongs to nobody: it lies outside of " + root});
-      }
-      return best;
-    }
-    // Around the download there may be folders, and files beside them.
-    const std::string* only = nullptr;
-    std::size_t folders = 0;
-    for (const auto& [name, child] : children)
-      if (child.is_folder) {
-        ++folders;
-        only = &name;
-      }
-    if (folders != 1) return {};
-    root += (root.empty() ? "" : "/") + *only;
+    if (inner.empty() || !may_have_sections) return {};
+    folders = names_in(list, around, true);
+    const System* system = folders.size() == inner.size() ? known_in_each(folders, container, said) : nullptr;
+    if (!system) return {};
+    std::vector<Entry> of_sections = list;
+    Division division = divided(of_sections, folders, *system, known);
+    if (std::ranges::any_of(inner, [&](const auto& path) { return may_be_a_hand_in(path, division); }))
+      return {};
+    list = std::move(of_sections);
+    return division;
   }
   return {};
 }

@@ -17,14 +17,13 @@ struct HandIn {
   std::string path;       // the name that says whose it is, below the container
   std::string handed_in;  // of the newest attempt, which counts
   bool late = false;
-  std::vector<std::size_t> entries = {};  // of the newest attempt
-  std::vector<std::string> doubts = {};
+  std::vector<std::size_t> entries = {};               // of the newest attempt
+  std::vector<std::string> doubts = {}, remarks = {};  // to look at; to know
 };
 
 struct Division {
   const System* system = nullptr;
-  std::size_t known = 0, children = 0;  // how many of the names in the folder the system would give
-  std::vector<HandIn> hand_ins = {};    // by their owners' names
+  std::vector<HandIn> hand_ins = {};  // by their owners' names
   struct Aside {
     std::size_t entry;
     Accounted::As as;
@@ -36,7 +35,9 @@ struct Division {
 };
 
 // Empty if no system knows most of the names. `said`: the system that --from names, which needs to know one. A flat file's `path` in the
-// list becomes FOLDER/NAME, as if it lay in its hand-in's folder. `container`: its name.
-std::optional<Division> divide(std::vector<Entry>& list, const std::string& container, const System* said);
+// list becomes FOLDER/NAME, as if it lay in its hand-in's folder. `container`: its name. The download may have sections: folders that
+// are all downloads of one system, and none of them is called as a hand-in is. Somebody in two of them has one hand-in.
+std::optional<Division> divide(std::vector<Entry>& list, const std::string& container, const System* said,
+                               bool may_have_sections = false, const KnownOwner& known = {});
 
 }  // namespace grader

@@ -153,6 +153,9 @@ TEST(Layouts, OfAutolab) {
                   "annotated_so@u.ie_1_lab.tar"}),
             (Lines{"autolab", "|joerg@u.de||: lab.tar", "|so@u.ie||: my_lab.c",
                    "= annotated_so@u.ie_1_lab.tar", "- joerg@u.de_3_lab.tar"}));
+  EXPECT_EQ(told({"joerg@u.de_3_lab.tar", "joerg@u.de_4_conj_grad.cpp"}),
+            (Lines{"autolab", "|joerg@u.de||: conj_grad.cpp", "- joerg@u.de_3_lab.tar"}))
+      << "whatever the version's file is called";
 }
 
 TEST(Layouts, OfClassroom) {

@@ -8,6 +8,7 @@
 
 #include "grader/intake/archive_format.h"
 #include "grader/intake/ignored.h"
+#include "grader/intake/same_name.h"
 
 namespace grader {
 namespace {
@@ -44,20 +45,11 @@ bool is_archive(const Entry& entry) {
 std::string_view copied(std::string_view name) {
   static constexpr std::array<std::string_view, 4> kCopies{" - Copy", " copy", " - Kopie", "_copy"};
   std::string_view rest = name;
-  if (rest.ends_with(')') && rest.rfind(" (") != std::string_view::npos) {
-    const std::string_view number = rest.substr(rest.rfind(" (") + 2);
-    if (number.find_first_not_of("0123456789") == number.size() - 1) rest = rest.substr(0, rest.rfind(" ("));
-  }
+  if (const Numbered copy = without_number(rest); copy.bracket && rest[copy.name.size()] == ' ')
+    rest = copy.name;
   for (const std::string_view copy : kCopies)
     if (rest.ends_with(copy)) rest.remove_suffix(copy.size());
   return rest;
-}
-
-// A folder that builds are made in is no person, whatever it holds.
-bool is_build(std::string_view path) {
-  const std::string_view name = path.substr(path.rfind('/') + 1);
-  return name == "build" || name.starts_with("build-") || name.starts_with("build_") ||
-         name.starts_with("cmake-build");
 }
 
 // What one argument holds, while its layout is found.
@@ -85,7 +77,8 @@ class Finder {
     for (const Entry* item : items_) {
       const bool bare = parent_of(item->path) == root_;
       const std::string_view child = child_of(root_, item->path);
-      if (bare ? is_archive(*item) : !is_build(child)) holding.insert(copied(child));
+      if (bare ? is_archive(*item) : !is_build(child.substr(child.rfind('/') + 1)))
+        holding.insert(copied(child));
     }
     const bool lone_archive = items_.size() == 1 && root_.empty() && is_archive(*items_.front()) &&
                               parent_of(items_.front()->path).empty();

@@ -3,6 +3,7 @@
 // is below a folder; nothing there may say whose a hand-in is.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,7 +28,13 @@ struct Named {
   bool late = false;
   std::string doubt = {};  // not empty: why a person should look whose it is
   std::string stem = {};   // of a flat name: all before the student's part, for a rule about all names
+  std::vector<Named> others = {};  // the other readings of this name
 };
+
+// How well an owner in a system's download is known: 2 by number and name (as a person's, or as a group's of theirs), 1 by one of these.
+using KnownOwner = std::function<int(const Owner& owner, std::string_view system)>;
+// Takes the reading that is known best. The doubt stays unless that is proven.
+void settle_readings(Named& named, std::string_view system, const KnownOwner& known);
 
 struct Around {
   std::string folder;    // the name of the folder or archive that the names stand in
@@ -40,6 +47,7 @@ struct System {
   std::string_view example;  // a name as it gives it
   std::optional<Named> (*read)(std::string_view name, bool is_folder, const Around& around);
   void (*settle)(std::vector<Named*>& names) = nullptr;  // by what all names say together
+  bool files_have_versions = false;  // a version is one file's; else it is all files' of a hand-in
 };
 
 // In the order in which they are guessed.
@@ -56,7 +64,7 @@ struct Told {
   const System* system;
   Named named;
 };
-std::optional<Told> told_by_name(std::string_view name, bool is_folder);
+std::optional<Told> told_by_name(std::string_view name, bool is_folder, const KnownOwner& known = {});
 
 std::optional<Named> read_canvas(std::string_view name, bool is_folder, const Around& around);
 std::optional<Named> read_moodle(std::string_view name, bool is_folder, const Around& around);

@@ -14,6 +14,7 @@
 #include "grader/record/hand_ins.h"
 #include "grader/record/record.h"
 #include "grader/report/report.h"
+#include "grader/roster/groups.h"
 #include "grader/roster/times.h"
 #include "grader/sandbox/own_groups.h"
 #include "grader/text/time_text.h"
@@ -51,10 +52,10 @@ std::vector<StaffPlace> staff_places(const GradingSettings& settings, const Grad
           {"the grades", options.batch.out, options.batch.out}};
 }
 
-// Says who is missing, who is on no roster, and how people were found where that is not plain.
-void say_people(Record& record, const std::optional<Roster>& roster) {
+// Says who is missing, who is on no roster, and how people were found where that is not plain. False if a person must look.
+bool say_people(Record& record, const std::optional<Roster>& roster) {
   const std::optional<ClassList> list = record.class_list();
-  if (!list) return;
+  if (!list) return true;
   const std::optional<HiddenNames> hidden = record.hidden_names();
   const auto say = [&](const std::string& line) {
     std::cerr << "hairgrade: " << (hidden ? hidden->in(line) : line) << "\n";
@@ -66,6 +67,8 @@ void say_people(Record& record, const std::optional<Roster>& roster) {
   for (const std::string& line : list->said) say(line);
   for (const ClassList::Stranger& stranger : list->strangers)
     say(stranger.hand_in + ": is on no roster (" + stranger.why + "), and graded all the same");
+  for (const std::string& line : list->to_look_at) say(line);
+  return list->to_look_at.empty();
 }
 
 std::string without_time(const std::vector<Submission>& submissions, Record& record) {
@@ -99,18 +102,18 @@ int grade(GradeOptions options) {
   GradingSettings settings = settings_of(options.settings);
   std::optional<CagedReader> reader;
   if (settings.isolation != Isolation::none) reader.emplace(HAIR_READER, settings.isolation);
-  BatchSettings& batch_settings = options.batch;
-  CallersWord& word = batch_settings.word;
-  Intake intake = asking(word, [&] {
-    return read_submissions(options.submissions, settings.course, reader ? reader->opener() : open_here, {},
-                            word.choices);
-  });
-
   std::optional<Record> before;
   if (Record::is_in(options.batch.out)) before.emplace(options.batch.out, hand_in);
   std::optional<Roster> roster = options.batch.roster;
   if (!roster && before)
     if (std::optional<std::vector<Person>> people = before->roster()) roster.emplace(std::move(*people));
+  BatchSettings& batch_settings = options.batch;
+  CallersWord& word = batch_settings.word;
+  if (roster) word.choices.known = known_by(*roster);
+  Intake intake = asking(word, [&] {
+    return read_submissions(options.submissions, settings.course, reader ? reader->opener() : open_here, {},
+                            word.choices);
+  });
   if (roster) give_members(intake, *roster);
   if (times)
     for (Submission& one : intake.submissions)
@@ -166,7 +169,7 @@ int grade(GradeOptions options) {
   std::cout << "\n" << fs::absolute(record.pages() / "index.html").lexically_normal().string() << "\n";
   for (const std::string& problem : batch.problems)
     std::cerr << "hairgrade: could not grade " << printable(problem, 2000) << "\n";
-  say_people(record, options.batch.roster);
+  const bool people_are_clear = say_people(record, options.batch.roster);
   if (times) {
     for (const std::string& line : times->said())
       std::cerr << "hairgrade: " << (hidden ? hidden->in(line) : line) << "\n";
@@ -193,7 +196,7 @@ int grade(GradeOptions options) {
   if (!open_to_others.empty()) std::cerr << "hairgrade: " << open_to_others << "\n";
   if (!batch.interrupted) {
     if (!batch.problems.empty()) return 1;
-    return not_final.empty() && intake.notices.empty() && batch.conflicts.empty() ? 0 : 3;
+    return not_final.empty() && intake.notices.empty() && batch.conflicts.empty() && people_are_clear ? 0 : 3;
   }
   std::cerr << "hairgrade: interrupted after " << batch.done << " of "
             << (options.batch.only ? 1 : intake.submissions.size())
