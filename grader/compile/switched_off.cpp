@@ -5,6 +5,7 @@
 #include <cctype>
 #include <sstream>
 #include <string_view>
+#include <vector>
 
 namespace grader {
 namespace {
@@ -57,25 +58,20 @@ bool is_asm(std::string_view word) {
   return without_underlines(word) == "asm";
 }
 
-// An attribute or a directive whose text is written to the assembler as it is. Compilers refuse all texts but
-// names of their own in others.
+// The text of such an attribute is written to the assembler as it is. Compilers refuse all texts but names of
+// their own in others.
 bool takes_assembler(std::string_view word) {
-  constexpr std::string_view kWords[] = {"section", "alias", "ifunc", "weakref", "symver", "ident", "sccs"};
+  constexpr std::string_view kWords[] = {"section", "alias", "ifunc", "weakref", "symver"};
   return std::ranges::count(kWords, without_underlines(word)) > 0;
 }
 
-// A text comes next, in parentheses or not, behind lines that begin with #, or so far away that nobody looks.
-bool is_before_text(std::string_view rest) {
-  constexpr std::size_t kMostBetween = 500;
-  const bool cut = rest.size() > kMostBetween;
-  rest = rest.substr(0, kMostBetween);
-  for (;;) {
-    rest.remove_prefix(std::min(rest.find_first_not_of(" \t\n("), rest.size()));
-    if (!rest.starts_with('#')) break;
-    rest.remove_prefix(std::min(rest.find('\n'), rest.size()));
-  }
-  rest.remove_prefix(std::min(rest.find_first_not_of("uUL8R"), rest.size()));
-  return rest.empty() ? cut : rest.starts_with('"');
+// So is that of these directives, which the preprocessor leaves as they are.
+bool is_directive_for_assembler(std::string_view line) {
+  line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+  if (!line.starts_with('#')) return false;
+  line.remove_prefix(1);
+  line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+  return line.starts_with("ident") || line.starts_with("sccs");
 }
 
 // asm volatile("" ...) keeps the compiler from moving code, and holds none.
@@ -100,6 +96,77 @@ bool is_marker(const std::string& line, int& number, std::string& file) {
   const std::size_t begin = rest.find('"'), end = rest.rfind('"');
   file = begin < end ? rest.substr(begin + 1, end - begin - 1) : "";
   return true;
+}
+
+// Tokens of preprocessed C++. Texts and characters are left out, so that brackets in them count for nothing.
+class Tokens {
+ public:
+  explicit Tokens(std::string_view source) : rest_(source) {}
+
+  std::string_view next() {  // empty: there is no more
+    while (skip_blank() || skip_text('"') || skip_text('\'')) {
+    }
+    std::size_t end = 0;
+    while (end < rest_.size() && is_letter(rest_[end])) ++end;
+    if (end > 0 && std::isdigit(static_cast<unsigned char>(rest_[0])) != 0)
+      while (end < rest_.size() && (is_letter(rest_[end]) || rest_[end] == '\'')) ++end;  // 1'000
+    if (end == 0) end = rest_.starts_with("<:") || rest_.starts_with(":>") ? 2 : 1;
+    const std::string_view token = rest_.substr(0, end);
+    rest_.remove_prefix(token.size());
+    if (rest_.starts_with('"') && token.ends_with('R')) skip_raw_text();
+    return token;
+  }
+  std::size_t left() const { return rest_.size(); }
+
+ private:
+  bool skip_blank() {
+    const std::size_t size = rest_.size();
+    rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t\f\v\r\n"), size));
+    return rest_.size() < size;
+  }
+  bool skip_text(char quote) {  // ends with its line at the latest
+    if (!rest_.starts_with(quote)) return false;
+    std::size_t end = 1;
+    while (end < rest_.size() && rest_[end] != quote && rest_[end] != '\n') end += rest_[end] == '\\' ? 2 : 1;
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    return true;
+  }
+  void skip_raw_text() {  // "x( ... )x"
+    const std::size_t open = std::min(rest_.find('('), rest_.size());
+    const std::string close = ")" + std::string(rest_.substr(1, open - 1)) + "\"";
+    const std::size_t end = rest_.find(close, open);
+    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + close.size());
+  }
+
+  std::string_view rest_;
+};
+
+// The lines of the student's file in the preprocessed source, and their numbers.
+struct OwnLines {
+  std::string text;
+  std::vector<int> numbers;
+};
+
+// Such a word in an attribute: __attribute__((...)) or [[...]]. Elsewhere it is a name of the student's.
+std::optional<SwitchedOff> text_for_assembler(const OwnLines& own) {
+  int depth = 0;
+  std::string_view before;
+  Tokens tokens(own.text);
+  for (std::string_view token = tokens.next(); !token.empty(); before = token, token = tokens.next()) {
+    const bool bracket = token == "[" || token == "<:";
+    if (depth == 0) {
+      if (token == "(" && without_underlines(before) == "attribute") depth = 1;
+      if (bracket && (before == "[" || before == "<:")) depth = 2;
+    } else if (token == "(" || bracket) {
+      ++depth;
+    } else if (token == ")" || token == "]" || token == ":>") {
+      --depth;
+    } else if (takes_assembler(token)) {
+      const auto here = own.text.end() - static_cast<std::ptrdiff_t>(tokens.left() + token.size());
+      return SwitchedOff{own.numbers.at(std::count(own.text.begin(), here, '\n')), std::string(token)};
+    }
+  }
+  return {};
 }
 
 // A line of the source that gives other names or numbers to the lines after it: whose they are can't be told then.
@@ -142,7 +209,8 @@ bool may_switch_off(const std::string& source) {
   for_words(text, [&](std::string_view word, std::string_view) {
     const bool reserved = word.size() > 1 && word[0] == '_' &&
                           (word[1] == '_' || std::isupper(static_cast<unsigned char>(word[1])) != 0);
-    may = reserved || word.starts_with("EIGEN_") || is_switch(word) || is_asm(word) || takes_assembler(word);
+    may = reserved || word.starts_with("EIGEN_") || is_switch(word) || is_asm(word) ||
+          takes_assembler(word) || word == "ident" || word == "sccs";
     return may;
   });
   return may;
@@ -150,29 +218,30 @@ bool may_switch_off(const std::string& source) {
 
 std::optional<SwitchedOff> find_switch(const std::string& source, const std::string& preprocessed,
                                        const std::string& file) {
-  const std::string_view whole = preprocessed;
+  std::istringstream lines(preprocessed);
   int number = 0;
   bool own = false;
+  OwnLines owned;
   std::optional<SwitchedOff> found;
-  for (std::size_t begin = 0, end = 0; begin < whole.size() && !found; begin = end + 1, ++number) {
-    end = std::min(whole.find('\n', begin), whole.size());
-    const std::string line(whole.substr(begin, end - begin));
+  for (std::string line; !found && std::getline(lines, line); ++number) {
     if (std::string name; is_marker(line, number, name)) {
       own = name == file;
       --number;
       continue;
     }
+    if (own) {
+      owned.text += line + "\n";
+      owned.numbers.push_back(number);
+      if (is_directive_for_assembler(line)) found = SwitchedOff{number, "ident"};
+    }
     for_words(line, [&](std::string_view word, std::string_view rest) {
-      const auto beyond = [&] {
-        return whole.substr(end - rest.size());
-      };  // its text may stand in later lines
       // No header has such an attribute; many have assembler.
-      if (is_switch(word) || (own && is_asm(word) && !is_empty_asm(rest)) ||
-          (own && takes_assembler(word) && is_before_text(beyond())))
+      if (is_switch(word) || (own && is_asm(word) && !is_empty_asm(rest)))
         found = SwitchedOff{own ? number : 0, std::string(word)};
       return found.has_value();
     });
   }
+  if (!found) found = text_for_assembler(owned);
   if (!found) found = renamed_lines(source);
   return found ? found : renamed_lines(spliced(source));
 }

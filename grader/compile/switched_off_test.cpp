@@ -72,10 +72,14 @@ TEST_F(SwitchedOffTest, TextsThatReachTheAssemblerAreTold) {
   expect_told("#define PASTE(a, b) a##b\n[[gnu::PASTE(sec, tion)(\"a\")]] int note = 1;", 2, "section");
   expect_told("static int f() __attribute__((weakref(\"x\\nnop\"))); int g() { return f(); }", 1, "weakref");
   expect_told("static int f() __attribute__((weakref, alias(\"x;nop\"))); int g() { return f(); }", 1,
-              "alias");
+              "weakref");
   expect_told("extern \"C\" int x() { return 1; }\nextern \"C\" int g() __attribute__((ifunc(\"x\")));", 2,
               "ifunc");
   expect_told("extern \"C\" __attribute__((symver(\"g@V1;nop#\"))) int g() { return 1; }", 1, "symver");
+  expect_told("__attribute__((deprecated(\")))\"), section((0, \".data.a;nop#\")))) int note = 1;", 1,
+              "section");
+  expect_told("[[gnu::deprecated(R\"x(]])x\"), gnu::section(*&\"a\")]] int note = 1'0;", 1, "section");
+  expect_told("int thousand = 1'000;\n[[gnu::section(__extension__ \"a\")]] int note = 1;", 2, "section");
   expect_told("#ident \"x\\\"\\nnop\\n#\"", 1, "ident");
   expect_told("#  sccs \"x\\\"\\nnop\\n#\"", 1, "ident");
 }
@@ -90,6 +94,9 @@ TEST_F(SwitchedOffTest, HonestFilesAreLookedInto) {
   EXPECT_EQ(sentence_for("inline void f() { asm volatile(\"\" ::: \"memory\"); }"), "");
   EXPECT_EQ(sentence_for("inline double section(double r) { return r; }  // \"alias\"\n"
                          "inline double ident = section(\n    1);"),
+            "");
+  EXPECT_EQ(sentence_for("#include <string>\nstruct Timer { explicit Timer(std::string) {} };\n"
+                         "[[maybe_unused]] inline Timer section(\"start\"), ident(\"mine\");"),
             "");
   EXPECT_EQ(sentence_for("#include <map>\n#define PASTE(a, b) a##b\ninline int PASTE(x, y) = __LINE__;"), "");
 }

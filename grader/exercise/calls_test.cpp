@@ -114,10 +114,11 @@ TEST(Calls, StandInTheOrderOfTheExercisesFunctions) {
   for_each_exercise([&]<class Calls>() {
     for_each_call<Calls>([&]<int number>() {
       const std::vector<std::string>& functions = course.find(Calls::id)->functions;
-      if (functions.size() > 1 && number < functions.size())
+      if (functions.size() > 1 && number < functions.size()) {
         EXPECT_TRUE(
             plain_name(functions[number]).starts_with(name_of<Calls::template At<number>::function>()))
             << Calls::id << ", call " << number << ": " << functions[number];
+      }
     });
   });
 }

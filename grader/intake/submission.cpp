@@ -61,7 +61,7 @@ class ClassReader {
   IntakeChoices choices_;
   FileNames files_;
   std::vector<Draft> drafts_;
-  std::vector<Question> crowds_;  // for each of them there is one draft, which is refused
+  std::vector<std::string> crowds_;  // a line for each; each has one draft, which is refused
   Intake intake_;
 };
 
@@ -150,10 +150,10 @@ void ClassReader::read_argument(const fs::path& argument) {
   if (planned->is_class) {
     if (const std::string why = why_no_class(names_in(planned->drafts), named.name, arguments_);
         !why.empty()) {
-      crowds_.emplace_back(named.origin + ": " + why, kSaysClass);
+      crowds_.push_back(named.origin + ": " + why);
       drafts_.push_back(
           new_draft({.name = std::string(without_archive_ending(named.name))}, named, "", limits_));
-      drafts_.back().notices.emplace_back(crowds_.back().what());
+      drafts_.back().notices.push_back(crowds_.back() + " " + kSaysClass);
       drafts_.back().refuse(
           Refused("There are folders or archives of several people in it. Hand in only your own files."));
       return;
@@ -202,7 +202,11 @@ void ClassReader::read_hand_in(const fs::path& folder, const std::string& name) 
 }
 
 Intake ClassReader::finish() {
-  if (!crowds_.empty() && crowds_.size() == drafts_.size()) throw crowds_.front();
+  if (!crowds_.empty() && crowds_.size() == drafts_.size()) {
+    std::string all;
+    for (const std::string& crowd : crowds_) all += (all.empty() ? "" : "; and ") + crowd;
+    throw Question(all, kSaysClass);
+  }
   for (const Accounted& file : intake_.accounted)
     if (file.as == Accounted::As::left_over) intake_.notices.push_back(line_about(file));
   for (Draft& draft : drafts_) draft.finish(files_);

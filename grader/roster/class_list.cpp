@@ -55,7 +55,7 @@ ClassList class_list(const Roster& roster, const std::vector<HandIn>& hand_ins) 
     list.to_look_at.push_back(
         "nobody on the roster is found for " + std::to_string(list.strangers.size()) +
         " of those who handed in, while these of the roster handed in nothing: " + some_of(missing) +
-        "; give a roster with the column \"" + column + "\", as in the download's names");
+        "; a roster whose column \"" + column + "\" has the download's numbers tells who is who");
   return list;
 }
 

@@ -33,7 +33,7 @@ TEST(ClassList, HasEverybodyAndListsStrangersApart) {
       (Names{
           "B: has two hand-ins, team7 and b_2",
           "nobody on the roster is found for 2 of those who handed in, while these of the roster handed in "
-          "nothing: C (3); give a roster with the column \"id\", as in the download's names"}));
+          "nothing: C (3); a roster whose column \"id\" has the download's numbers tells who is who"}));
 }
 
 // Moodle's names carry a number of its own.

@@ -124,7 +124,7 @@ TEST(Groups, WhoseNamesEndInNumbersAreProvenByTheRoster) {
   };
   for (const Case& one : cases) {
     const KnownOwner known = one.roster ? known_by(*one.roster) : KnownOwner();
-    const Named found = told_by_name(one.name, false, known).value().named;
+    const NamedPath found = told_by_name(one.name, false, known).value().named;
     EXPECT_EQ(found.owner.name + " " + found.owner.id + (found.doubt.empty() ? "" : "?"), one.owner)
         << one.name;
     EXPECT_EQ(found.inside, one.inside) << one.name;

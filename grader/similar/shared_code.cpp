@@ -46,7 +46,7 @@ void blank_given(const Sim& sim, std::vector<std::string>& texts, const std::vec
 // other text. So each file is first compared with a text that nothing resembles: honest ones take
 // milliseconds. Ten copies of a file take up to a hundred times as long.
 constexpr std::size_t kAtOnce = 100, kCopies = 10;
-constexpr int kProbeSeconds = 1;
+constexpr int kProbeSeconds = 1, kRepeatsSeconds = 4;
 constexpr const char* kProbe =
     "int f(int a) { return a + 1; }\nint g(int b) { while (b) b = b - 2; return 3 * b; }\n";
 
@@ -71,6 +71,16 @@ std::vector<int> tokens_of(const Sim& sim, const std::vector<std::string>& texts
     begin = end;
   }
   return tokens;
+}
+
+// A text that repeats itself is slow with another one that repeats the same, such as itself with a token more.
+bool repeats_itself(const Sim& sim, const std::string& text, int run_tokens) {
+  try {
+    sim.matches({text, text + "\nint\n"}, {}, run_tokens, kRepeatsSeconds);
+    return false;
+  } catch (const std::runtime_error&) {
+    return true;
+  }
 }
 
 std::vector<OwnersByLine> owners_by_line(const std::vector<Match>& matches, std::size_t files) {
@@ -151,20 +161,34 @@ SharedCode shared_code(const Sim& sim, const std::vector<SimilarFile>& files,
   for (std::size_t i = 0; i < kept.size(); ++i) shared.own[kept[i]] = std::move(own[i]);
   leave_out(rules.least_tokens);  // a comment's beginning may be among what was blanked
 
-  std::vector<std::size_t> now, earlier;
-  for (const std::size_t file : kept) (files[file].earlier ? earlier : now).push_back(file);
   std::vector<Match> all;
-  const auto compare = [&](const std::vector<std::size_t>& some, const std::vector<std::size_t>& with) {
-    for (Match match : sim.matches(texts_of(some), texts_of(with), rules.run_tokens).all) {
+  const auto compare = [&](const std::vector<std::size_t>& some, const std::vector<std::size_t>& with,
+                           int seconds) {
+    for (Match match : sim.matches(texts_of(some), texts_of(with), rules.run_tokens, seconds).all) {
       match.text = some.at(match.text);
       match.other = (with.empty() ? some : with).at(match.other);
       all.push_back(match);
     }
   };
-  compare(now, {});
-  if (!earlier.empty()) {
-    compare(now, earlier);
-    if (!now.empty()) compare(earlier, now);
+  const auto compare_all = [&](int seconds) {
+    all.clear();
+    std::vector<std::size_t> now, earlier;
+    for (const std::size_t file : kept) (files[file].earlier ? earlier : now).push_back(file);
+    compare(now, {}, seconds);
+    if (earlier.empty() || now.empty()) return;
+    compare(now, earlier, seconds);
+    compare(earlier, now, seconds);
+  };
+  try {
+    compare_all(rules.cpu_seconds / 5);
+  } catch (const std::runtime_error&) {
+    std::erase_if(kept, [&](std::size_t file) {
+      const bool slow = repeats_itself(sim, shared.own[file], rules.run_tokens);
+      if (slow)
+        shared.not_compared.push_back({file, "it repeats itself so often that sim takes too long", false});
+      return slow;
+    });
+    compare_all(rules.cpu_seconds);
   }
   const std::vector<OwnersByLine> owners = owners_by_line(all, files.size());
   shared.common = common_pieces(owners, rules.many);

@@ -25,6 +25,7 @@ struct SimilarRules {
   int least_tokens = 60;    // shorter files can't be compared: they are alike by chance
   int most_tokens = 20000;  // ten times the longest honest file; two of them take sim a second
   std::size_t many = 5;     // so many people that a piece belongs to many
+  int cpu_seconds = 600;  // of a comparison; after a fifth of it, files that repeat themselves are looked for
 };
 
 struct SharedBlock {

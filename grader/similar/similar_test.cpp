@@ -210,6 +210,19 @@ TEST_F(Similar, HostileFilesStopNobodyElse) {
   EXPECT_EQ(left_out, names);
 }
 
+// A text that repeats itself takes sim hours with another one that repeats the same.
+TEST_F(Similar, FilesThatRepeatThemselvesStopNobodyElse) {
+  const std::string work = honest_files()["conj_grad.cpp"].front().text;
+  std::string repeats;
+  for (int i = 0; i < 4000; ++i) repeats += "x\n";
+  const std::vector<SimilarFile> files{{"a", work}, {"c", repeats}, {"b", work}, {"d", repeats + "x\n"}};
+  const SharedCode shared = shared_code(sim_, files, {}, {.cpu_seconds = 30});
+  EXPECT_NE(pair_of(shared, files, "a", "b"), nullptr);
+  std::vector<std::string> left_out;
+  for (const NotCompared& one : shared.not_compared) left_out.push_back(files[one.file].name);
+  EXPECT_EQ(left_out, (std::vector<std::string>{"c", "d"}));
+}
+
 // Last year's copies of each other are no news. A padded copy is found in either direction.
 TEST_F(Similar, EarlierYearsAreComparedWithThisOneAlone) {
   const std::map<std::string, std::vector<SimilarFile>> honest = honest_files();

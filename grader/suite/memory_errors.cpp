@@ -79,8 +79,11 @@ void MemoryErrors::look(Trial& trial) {
   }
   // A file can see to it that its build with sanitizers meets a limit.
   if (object_.empty())
-    trial.fail(Status::wrong,
-               "nothing was looked for, since the file does not become an object with sanitizers", {});
+    trial.fail(
+        Status::wrong,
+        "nothing was looked for: the compiler made no object with sanitizers within its limits of time and "
+        "size, so leave out headers that the file does not need",
+        {});
   setup_.allowance->limit = rest_of(*paying_);
   setup_.allowance->wakeup_seconds = paying_->wakeup_seconds;
   ask_all(trial);

@@ -37,13 +37,16 @@ Earlier earlier_class(const std::string& origin, const People& people, const Row
   return most;
 }
 
+// Bytes that several handed in, such as those of a stub, prove nothing: others know them. Nor does a hand-in without files.
 bool has_most_as_they_were(const People& people, const std::string& earlier, const RowsByName& rows) {
+  std::map<std::string, int> with_bytes;
+  for (const auto& [name, row] : rows) ++with_bytes[row.files];
   int before = 0, again = 0;
   for (const auto& [name, row] : rows) {
+    if (row.origin != earlier || with_bytes.at(row.files) > 1) continue;
     const auto now = people.find(name);
-    if (row.origin != earlier) continue;
     const bool same = now != people.end() && is_the_same(*now->second, row);
-    if (same && now->second->files.empty()) continue;  // anybody can make a hand-in without files
+    if (same && now->second->files.empty()) continue;
     ++before;
     again += same ? 1 : 0;
   }
@@ -67,14 +70,15 @@ std::string changes(const People& people, const RowsByName& rows, const std::opt
 // Why a class may change nothing without a word; "": it may.
 std::string doubt_about(const std::string& origin, const People& people, const Earlier& earlier,
                         const RowsByName& rows, const CallersWord& word) {
-  if (word.replace || word.choices.classes) return "";
+  if (word.replace || word.class_over_rows) return "";
   if (!earlier.origin.empty() && earlier.shared == 0)
     return "nobody who was graded of the " + earlier.origin + " is in the " + origin +
            " (if it is the same class under other names or numbers, grade it into a new folder)";
-  if (earlier.origin == origin || word.choices.says_class()) return "";
+  if (earlier.origin == origin) return "";
   if (earlier.shared > 0 && has_most_as_they_were(people, earlier.origin, rows)) return "";
   return "the " + origin +
-         " may be one student's hand-in, for few of the hand-ins that were graded are in it unchanged";
+         " may be one student's hand-in, for not even most of the hand-ins that were graded are in it "
+         "unchanged";
 }
 
 }  // namespace
@@ -112,7 +116,7 @@ Settled settle_origins(const std::filesystem::path& folder, std::vector<Submissi
   for (Submission& submission : submissions) {
     submission.origin = settled.at(submission.origin);
     const auto row = rows.find(submission.name);
-    // RowsByName without an origin are of names that clashed: they protect nothing.
+    // Rows without an origin are of names that clashed: they protect nothing.
     if (row == rows.end() || row->second.origin.empty() || row->second.origin == submission.origin) continue;
     if ((only && *only != submission.name) || is_the_same(submission, row->second)) continue;
     lines.replaced.push_back(submission.name + " is there of the " + row->second.origin +

@@ -3,8 +3,8 @@
 //
 // A hand-in replaces the row of its own path alone. In a folder with rows a class needs one of these to replace or add any:
 //   - the path of the earlier class,
-//   - most of the earlier class's hand-ins as they were, two at least: nobody knows the bytes of most others,
-//   - the caller's word (--class, --from).
+//   - most of the earlier class's hand-ins as they were, two at least, of those that no two have: nobody knows the bytes of most others,
+//   - the caller's word (--class).
 // If nobody of the earlier class is in it, --class alone says that it is a further one: people may have other numbers now.
 // A row whose hand-in comes again with the same bytes loses nothing, whatever it came in.
 #pragma once
@@ -20,7 +20,8 @@ namespace grader {
 
 struct CallersWord {
   IntakeChoices choices = {};
-  bool replace = false;  // all rows may be replaced
+  bool class_over_rows = false;  // a class may replace and add rows
+  bool replace = false;          // all rows may be replaced
 };
 
 // Lines for staff.

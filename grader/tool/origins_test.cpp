@@ -21,17 +21,18 @@ using Names = std::vector<std::string>;
 const std::string kHandInOfAlice = origin_text(kHandIn, "/a/alice.zip");
 const std::string kFirst = origin_text(kClass, "/a/class.zip"),
                   kLater = origin_text(kLearningSystem, "/b/new.zip");
-const CallersWord kNothingSaid, kClassSaid{.choices = {.classes = true}},
-    kFromSaid{.choices = {.from = "canvas"}}, kReplaceSaid{.replace = true};
+const CallersWord kNothingSaid, kClassSaid{.class_over_rows = true}, kFromSaid{.choices = {.from = "canvas"}},
+    kReplaceSaid{.replace = true};
 
 class Origins : public testing::Test {
  protected:
-  // Hand-ins of these people; "bob!" has handed in anew, and "bob?" nothing that counts.
+  // Hand-ins of these people; "bob!" has handed in anew, "bob?" nothing that counts, and "bob=" what all such have.
   static std::vector<Submission> from(const std::string& origin, const Names& people) {
     std::vector<Submission> submissions;
     for (const std::string& text : people) {
-      Submission one{text.substr(0, text.find_first_of("!?")), origin};
-      if (!text.ends_with('?')) one.files["conj_grad.cpp"].text = "int of_" + text + ";\n";
+      Submission one{text.substr(0, text.find_first_of("!?=")), origin};
+      if (!text.ends_with('?'))
+        one.files["conj_grad.cpp"].text = text.ends_with('=') ? "the stub" : "int of_" + text + ";\n";
       submissions.push_back(one);
     }
     return submissions;
@@ -92,7 +93,7 @@ TEST_F(Origins, ALaterDownloadHasMostHandInsAsTheyWere) {
   } cases[]{
       {{"a", "b", "c"}, {"a", "b", "c!", "d"}, ""},
       {{"a", "b", "c"}, {"a", "b"}, ""},
-      {{"a", "b", "c", "d?", "e?"}, {"a", "b", "d", "e?"}, "replace the rows of d;"},
+      {{"a", "b", "c", "d?", "e?"}, {"a", "b", "d", "e?"}, ""},
       {{"a", "b", "c", "d?", "e?"}, {"a", "b", "c", "d", "e?"}, ""},
       {{"a", "b", "c"}, {"a", "b!", "c!"}, "replace the rows of b, c;"},
       {{"a", "b", "c", "d"}, {"a", "b", "c!"}, "replace the rows of c;"},
@@ -101,6 +102,8 @@ TEST_F(Origins, ALaterDownloadHasMostHandInsAsTheyWere) {
       {{"a", "b?"}, {"a", "b"}, "replace the rows of b;"},
       {{"a?", "b?", "c?"}, {"a?", "b?", "c?", "d"}, "add rows of d;"},
       {{"a!", "b!"}, {"a", "b"}, "replace the rows of a, b;"},
+      {{"a", "b=", "c=", "d=", "e"}, {"a!", "b=", "c=", "d=", "e"}, "replace the rows of a;"},
+      {{"a", "b=", "c=", "d"}, {"a", "b=", "c=", "d", "e"}, ""},
   };
   for (const auto& [before, now, would] : cases) {
     SCOPED_TRACE(testing::PrintToString(now));
@@ -110,7 +113,8 @@ TEST_F(Origins, ALaterDownloadHasMostHandInsAsTheyWere) {
     EXPECT_EQ(line.empty(), std::string(would).empty()) << line;
     EXPECT_NE((line + ";").find(would), std::string::npos) << line;
     EXPECT_TRUE(line.empty() || line.ends_with("--class")) << line;
-    for (const CallersWord& word : {kClassSaid, kFromSaid, kReplaceSaid})
+    EXPECT_EQ(refusal(from(kLater, now), kFromSaid), line);
+    for (const CallersWord& word : {kClassSaid, kReplaceSaid})
       EXPECT_EQ(refusal(from(kLater, now), word), "");
     EXPECT_EQ(refusal(from(kFirst, now)), "") << "the same path";
     std::vector<Submission> later = from(kLater, now);
@@ -158,11 +162,10 @@ bool goes_on(const std::string& answer) {
   const pid_t child = answer.empty() ? fork() : forkpty(&terminal, nullptr, nullptr, nullptr);
   if (child == 0) {
     if (answer.empty()) close(STDIN_FILENO);
-    CallersWord word;
+    bool classes = false, replace = false;
     try {
-      asking(word, [&] {
-        if (!word.choices.classes)
-          throw Question("it may be one student's; if it is a class, say", kSaysClass);
+      asking(classes, replace, [&] {
+        if (!classes) throw Question("it may be one student's; if it is a class, say", kSaysClass);
       });
     } catch (const Question&) {
       _exit(1);

@@ -8,12 +8,12 @@
 
 namespace grader {
 
-std::optional<Named> read_autolab(std::string_view name, bool is_folder, const Around&) {
+std::optional<NamedPath> read_autolab(std::string_view name, bool is_folder, const Around&) {
   // A host's name has no "_".
   static const std::regex kAddressFirst("(annotated_)?([^/@]+@[^_@]+)_([0-9]{1,6})_(.+)"),
       kVersionFirst("(annotated_)?([0-9]{1,6})_([^/@]+@[^_@]+)_(.+)");
   if (is_folder) return {};
-  Named named;
+  NamedPath named;
   if (const auto version_first = groups_of(name, kVersionFirst)) {
     named.version = std::stoi(version_first->at(2));
     named.owner.email = version_first->at(3);
@@ -26,7 +26,7 @@ std::optional<Named> read_autolab(std::string_view name, bool is_folder, const A
     return {};
   }
   named.owner.id = named.owner.email;
-  if (name.starts_with("annotated_")) named.kind = Named::Kind::text;
+  if (name.starts_with("annotated_")) named.kind = NamedPath::Kind::text;
   return named;
 }
 

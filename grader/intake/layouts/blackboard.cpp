@@ -9,25 +9,25 @@
 
 namespace grader {
 
-std::optional<Named> read_blackboard(std::string_view name, bool is_folder, const Around&) {
+std::optional<NamedPath> read_blackboard(std::string_view name, bool is_folder, const Around&) {
   static const std::regex kName(
       "(.+?)_attempt_([0-9]{4}-[0-9]{2}-[0-9]{2})-([0-9]{2})-([0-9]{2})-([0-9]{2})(?:_(.+)|\\.txt)");
   const auto parts = groups_of(name, kName);
   if (!parts || is_folder) return {};
-  Named named;
+  NamedPath named;
   named.stem = parts->at(1);
   named.owner.id = named.stem.substr(named.stem.rfind('_') + 1);
   named.handed_in = parts->at(2) + " " + parts->at(3) + ":" + parts->at(4) + ":" + parts->at(5);
   named.inside = parts->at(6);
-  if (named.inside.empty()) named.kind = Named::Kind::text;
+  if (named.inside.empty()) named.kind = NamedPath::Kind::text;
   return named;
 }
 
-void settle_blackboard(std::vector<Named*>& names) {
+void settle_blackboard(std::vector<NamedPath*>& names) {
   // User names may hold a "_". The title is what all names begin with.
   std::string title = names.front()->stem;
   bool several = false;
-  for (const Named* named : names) {
+  for (const NamedPath* named : names) {
     several = several || named->stem != names.front()->stem;
     title.resize(static_cast<std::size_t>(
         std::mismatch(title.begin(), title.end(), named->stem.begin(), named->stem.end()).first -
@@ -35,7 +35,7 @@ void settle_blackboard(std::vector<Named*>& names) {
   }
   if (!several) return;
   title.resize(title.rfind('_') == std::string::npos ? 0 : title.rfind('_') + 1);
-  for (Named* named : names)
+  for (NamedPath* named : names)
     if (!title.empty() && named->stem.size() > title.size())
       named->owner.id = named->stem.substr(title.size());
 }

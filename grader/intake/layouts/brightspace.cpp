@@ -31,13 +31,13 @@ std::string brightspace_time(const std::vector<std::string>& parts, std::size_t 
 
 }  // namespace
 
-std::optional<Named> read_brightspace(std::string_view name, bool is_folder, const Around&) {
+std::optional<NamedPath> read_brightspace(std::string_view name, bool is_folder, const Around&) {
   static const std::regex kName(
       "([0-9]+)-([0-9]+) - (.+?) - ([A-Z][a-z]{2,8}) ([0-9]{1,2}), ([0-9]{4}) ([0-9]{1,2})([0-9]{2}) ([AP]M)"
       "(?: - (.+))?");
-  Named named;
+  NamedPath named;
   if (!is_folder && name == "index.html") {
-    named.kind = Named::Kind::made;
+    named.kind = NamedPath::Kind::made;
     return named;
   }
   const auto parts = groups_of(name, kName);
@@ -50,10 +50,10 @@ std::optional<Named> read_brightspace(std::string_view name, bool is_folder, con
   return named;
 }
 
-void settle_brightspace(std::vector<Named*>& names) {
+void settle_brightspace(std::vector<NamedPath*>& names) {
   // No source says which of the two numbers is the student's: the one that differs between students.
   std::map<std::string, std::set<std::string>> names_of_first, names_of_second;
-  for (const Named* named : names) {
+  for (const NamedPath* named : names) {
     names_of_first[named->owner.id].insert(named->owner.name);
     names_of_second[named->stem].insert(named->owner.name);
   }
@@ -61,7 +61,7 @@ void settle_brightspace(std::vector<Named*>& names) {
     return std::ranges::any_of(numbers, [](const auto& number) { return number.second.size() > 1; });
   };
   if (!shared(names_of_first) || shared(names_of_second)) return;
-  for (Named* named : names) std::swap(named->owner.id, named->stem);
+  for (NamedPath* named : names) std::swap(named->owner.id, named->stem);
 }
 
 }  // namespace grader

@@ -17,7 +17,7 @@ namespace grader {
 namespace {
 
 // "main-1.cpp" was handed in after "main.cpp": Canvas gives such a number to a name that it has already.
-void take_canvas_version(Named& named) {
+void take_canvas_version(NamedPath& named) {
   static const std::regex kNumbered("(.+)-([0-9]{1,6})(\\.[^.]+|\\.tar\\.[a-z0-9]+)");
   if (const auto parts = groups_of(named.inside, kNumbered)) {
     named.inside = parts->at(1) + parts->at(3);
@@ -26,58 +26,58 @@ void take_canvas_version(Named& named) {
 }
 
 // The reading in which the student's number is the end of the name: of "lab3_12_4713_90020_a.cpp" the number 4713, and not 12.
-std::optional<Named> with_longer_name(const Named& named) {
+std::optional<NamedPath> with_longer_name(const NamedPath& named) {
   static const std::regex kNumbered("([0-9]+)_(.+)"), kTyped("(text|link)\\.html");
-  if (named.kind != Named::Kind::hand_in || named.owner.anonymous) return {};
+  if (named.kind != NamedPath::Kind::hand_in || named.owner.anonymous) return {};
   const auto parts = groups_of(named.inside, kNumbered);
   const bool typed = groups_of(named.inside, kTyped).has_value();
   if (!parts && !typed) return {};
-  Named other = named;
+  NamedPath other = named;
   other.owner.name += (other.owner.name.empty() ? "" : "_") + other.owner.id;
   other.owner.id = named.stem;
   other.owner.group = true;
   other.stem = parts ? parts->at(1) : "";
   other.inside = parts ? parts->at(2) : "";
-  if (typed) other.kind = Named::Kind::text;
+  if (typed) other.kind = NamedPath::Kind::text;
   return other;
 }
 
 }  // namespace
 
-std::optional<Named> read_canvas(std::string_view name, bool is_folder, const Around&) {
+std::optional<NamedPath> read_canvas(std::string_view name, bool is_folder, const Around&) {
   static const std::regex kName(
       "(?:(.+?)_)?"
       "?(?:(LATE)_)?(?:([0-9]+)|anon_([^_]+))_(?:([0-9]+)_(.+)|(text|link)\\.html)");
   if (is_folder) return {};
   const auto parts = groups_of(name, kName);
   if (!parts) return {};
-  Named named;
+  NamedPath named;
   named.owner.name = parts->at(1);
   named.late = !parts->at(2).empty();
   named.owner.anonymous = parts->at(3).empty();
   named.owner.id = parts->at(3) + parts->at(4);
   named.stem = parts->at(5);
   named.inside = parts->at(6);
-  if (!parts->at(7).empty()) named.kind = Named::Kind::text;
+  if (!parts->at(7).empty()) named.kind = NamedPath::Kind::text;
   take_canvas_version(named);
   return named;
 }
 
-void settle_canvas(std::vector<Named*>& names) {
+void settle_canvas(std::vector<NamedPath*>& names) {
   // A file's number is one file's. If two names share it, it is a student's number, and the name has digits at its end.
   constexpr std::size_t kMostOthers = 3;
   std::map<std::string, int> files_with_number;
-  for (const Named* named : names)
-    if (named->kind == Named::Kind::hand_in) ++files_with_number[named->stem];
-  for (Named* named : names) {
-    const std::optional<Named> other = with_longer_name(*named);
+  for (const NamedPath* named : names)
+    if (named->kind == NamedPath::Kind::hand_in) ++files_with_number[named->stem];
+  for (NamedPath* named : names) {
+    const std::optional<NamedPath> other = with_longer_name(*named);
     if (!other) continue;
     if (files_with_number.at(named->stem) > 1) {
       *named = *other;
       continue;
     }
     named->doubt = "may be of a group whose name ends with _" + named->owner.id + ", and of number " +
-                   named->stem + "; a roster with the groups tells whose it is";
+                   named->stem + "; a roster with ids and groups tells whose it is";
     for (auto next = other; next && named->others.size() < kMostOthers; next = with_longer_name(*next))
       named->others.push_back(*next);
   }

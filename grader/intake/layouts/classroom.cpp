@@ -12,14 +12,14 @@ constexpr std::string_view kClonedInto = "-submissions";
 
 }  // namespace
 
-std::optional<Named> read_classroom(std::string_view name, bool is_folder, const Around& around) {
-  Named named;
+std::optional<NamedPath> read_classroom(std::string_view name, bool is_folder, const Around& around) {
+  NamedPath named;
   const std::string_view in = around.folder;
   const bool cloned = in.size() > kClonedInto.size() && in.ends_with(kClonedInto);
   if (!cloned && !around.is_said) return {};
   if (!is_folder) {
     if (name != "grades.csv") return {};
-    named.kind = Named::Kind::made;
+    named.kind = NamedPath::Kind::made;
     return named;
   }
   const std::string slug = cloned ? std::string(in.substr(0, in.size() - kClonedInto.size())) + "-" : "";
@@ -29,19 +29,19 @@ std::optional<Named> read_classroom(std::string_view name, bool is_folder, const
   return named;
 }
 
-void settle_classroom(std::vector<Named*>& names) {
+void settle_classroom(std::vector<NamedPath*>& names) {
   // The folder around them has another name: the assignment's is what all of them begin with.
-  std::vector<Named*> unsettled;
-  for (Named* named : names)
+  std::vector<NamedPath*> unsettled;
+  for (NamedPath* named : names)
     if (!named->stem.empty()) unsettled.push_back(named);
   if (unsettled.size() < 2) return;
   std::string slug = unsettled.front()->stem;
-  for (const Named* named : unsettled)
+  for (const NamedPath* named : unsettled)
     slug.resize(static_cast<std::size_t>(
         std::mismatch(slug.begin(), slug.end(), named->stem.begin(), named->stem.end()).first -
         slug.begin()));
   slug.resize(slug.rfind('-') == std::string::npos ? 0 : slug.rfind('-') + 1);
-  for (Named* named : unsettled)
+  for (NamedPath* named : unsettled)
     if (named->stem.size() > slug.size()) named->owner.id = named->stem.substr(slug.size());
 }
 

@@ -17,7 +17,7 @@ namespace {
 struct Child {
   bool is_folder = false;
   std::vector<std::size_t> files = {};
-  std::optional<Named> named = {};
+  std::optional<NamedPath> named = {};
 };
 using Children = std::map<std::string, Child>;    // by path
 using Folders = std::map<std::string, Children>;  // by the path that their names stand in
@@ -52,13 +52,13 @@ std::pair<std::size_t, std::size_t> read_names(Children& children, const System&
   std::size_t known = 0, made = 0;
   for (auto& [path, child] : children) {
     child.named = system.read(last_part(path), child.is_folder, around);
-    if (child.named) (child.named->kind == Named::Kind::made ? made : known) += 1;
+    if (child.named) (child.named->kind == NamedPath::Kind::made ? made : known) += 1;
   }
   return {known, children.size() - made};
 }
 
 using Attempt = std::tuple<std::string, int>;  // a time, a version
-Attempt attempt_of(const Named& named) {
+Attempt attempt_of(const NamedPath& named) {
   return {named.handed_in, named.version};
 }
 
@@ -71,8 +71,8 @@ class Divider {
 
  private:
   using Key = std::pair<std::string, std::string>;  // an owner's name and id
-  static Key key_of(const Named& named) { return {named.owner.name, named.owner.id}; }
-  std::string unit_of(const Named& named) const {
+  static Key key_of(const NamedPath& named) { return {named.owner.name, named.owner.id}; }
+  std::string unit_of(const NamedPath& named) const {
     return division_.system->files_have_versions ? named.inside : "";
   }
 
@@ -89,20 +89,20 @@ class Divider {
 
 void Divider::divide() {
   const std::string system(division_.system->shown);
-  std::vector<Named*> names;
+  std::vector<NamedPath*> names;
   for (auto& [path, child] : children_)
-    if (child.named && child.named->kind != Named::Kind::made) names.push_back(&*child.named);
+    if (child.named && child.named->kind != NamedPath::Kind::made) names.push_back(&*child.named);
   if (division_.system->settle) division_.system->settle(names);
-  for (Named* named : names) settle_readings(*named, division_.system->name, known_);
+  for (NamedPath* named : names) settle_readings(*named, division_.system->name, known_);
 
   std::map<Key, std::size_t> owners;
-  for (const Named* named : names) owners.try_emplace(key_of(*named), 0);
+  for (const NamedPath* named : names) owners.try_emplace(key_of(*named), 0);
   for (auto& [key, number] : owners) {
     number = division_.hand_ins.size();
     division_.hand_ins.emplace_back();
   }
   std::map<std::pair<std::size_t, std::string>, Attempt> newest;
-  for (const Named* named : names) {
+  for (const NamedPath* named : names) {
     Attempt& latest = newest[{owners.at(key_of(*named)), unit_of(*named)}];
     latest = std::max(latest, attempt_of(*named));
   }
@@ -112,8 +112,8 @@ void Divider::divide() {
                 "belongs to nobody: it has no name that " + system + " gives");
       continue;
     }
-    const Named& named = *child.named;
-    if (named.kind == Named::Kind::made) {
+    const NamedPath& named = *child.named;
+    if (named.kind == NamedPath::Kind::made) {
       set_aside(child, Accounted::As::made, system + " writes it");
       continue;
     }
@@ -133,14 +133,14 @@ void Divider::divide() {
     }
     hand_in.late = hand_in.late || named.late;
     if (!named.doubt.empty()) hand_in.doubts.push_back(path + " " + named.doubt);
-    if (named.kind == Named::Kind::text && !child.is_folder) {
+    if (named.kind == NamedPath::Kind::text && !child.is_folder) {
       set_aside(child, Accounted::As::made, system + " writes it of what was typed or linked", number);
     } else if (!counts) {
       set_aside(child, Accounted::As::older, "a newer hand-in counts", number);
     } else {
       for (const std::size_t i : child.files) {
         const std::string_view inside = name_of(list_[i]);
-        if (named.kind == Named::Kind::text && inside.ends_with(".html")) {
+        if (named.kind == NamedPath::Kind::text && inside.ends_with(".html")) {
           division_.aside.push_back(
               {i, Accounted::As::made, system + " writes it of what was typed", number});
           continue;

@@ -47,11 +47,11 @@ Owner gradescope_owner(const YAML::Node& row, const std::string& folder) {
 
 }  // namespace
 
-std::optional<Named> read_gradescope(std::string_view name, bool is_folder, const Around&) {
+std::optional<NamedPath> read_gradescope(std::string_view name, bool is_folder, const Around&) {
   static const std::regex kName("submission_([0-9]+)");
-  Named named;
+  NamedPath named;
   if (!is_folder && name == kGradescopeMetadata) {
-    named.kind = Named::Kind::made;
+    named.kind = NamedPath::Kind::made;
     return named;
   }
   const auto parts = groups_of(name, kName);

@@ -14,30 +14,30 @@
 
 namespace grader {
 
-std::optional<Named> read_moodle(std::string_view name, bool is_folder, const Around&) {
+std::optional<NamedPath> read_moodle(std::string_view name, bool is_folder, const Around&) {
   static const std::regex kName("(.+?)(?:_([0-9]+))?_assignsubmission_(file|onlinetext)(?:_(.*))?");
   const auto parts = groups_of(name, kName);
   if (!parts || (!is_folder && parts->at(4).empty())) return {};
-  Named named;
+  NamedPath named;
   named.owner.name = parts->at(1);
   named.owner.id = parts->at(2);
   named.owner.group = named.owner.id.empty();
   named.owner.anonymous = named.owner.name == "Participant";
   if (!is_folder) named.inside = parts->at(4);
-  if (parts->at(3) == "onlinetext") named.kind = Named::Kind::text;
+  if (parts->at(3) == "onlinetext") named.kind = NamedPath::Kind::text;
   return named;
 }
 
-void settle_moodle(std::vector<Named*>& names) {
+void settle_moodle(std::vector<NamedPath*>& names) {
   std::set<std::string> words, numbers;
   bool teams = false;
-  for (const Named* named : names) {
+  for (const NamedPath* named : names) {
     words.insert(named->owner.name);
     numbers.insert(named->owner.id);
     teams = teams || named->owner.group;
   }
   const bool blind = words.size() == 1 && numbers.size() > 1;  // one word, in whatever language
-  for (Named* named : names) {
+  for (NamedPath* named : names) {
     named->owner.anonymous = (named->owner.anonymous || blind) && !teams;
     named->owner.group = teams;
   }

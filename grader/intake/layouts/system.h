@@ -14,7 +14,7 @@
 namespace grader {
 
 // A name directly in a download.
-struct Named {
+struct NamedPath {
   enum class Kind {
     hand_in,
     text,  // what was typed into the system, or its note of a hand-in: its owner has handed in, and it holds no file of ours
@@ -28,13 +28,13 @@ struct Named {
   bool late = false;
   std::string doubt = {};  // not empty: why a person should look whose it is
   std::string stem = {};   // of a flat name: all before the student's part, for a rule about all names
-  std::vector<Named> others = {};  // the other readings of this name
+  std::vector<NamedPath> others = {};  // the other readings of this name
 };
 
 // How well an owner in a system's download is known: 2 by number and name (as a person's, or as a group's of theirs), 1 by one of these.
 using KnownOwner = std::function<int(const Owner& owner, std::string_view system)>;
 // Takes the reading that is known best. The doubt stays unless that is proven.
-void settle_readings(Named& named, std::string_view system, const KnownOwner& known);
+void settle_readings(NamedPath& named, std::string_view system, const KnownOwner& known);
 
 struct Around {
   std::string folder;    // the name of the folder or archive that the names stand in
@@ -45,8 +45,8 @@ struct System {
   std::string_view name;     // for --from
   std::string_view shown;    // for people
   std::string_view example;  // a name as it gives it
-  std::optional<Named> (*read)(std::string_view name, bool is_folder, const Around& around);
-  void (*settle)(std::vector<Named*>& names) = nullptr;  // by what all names say together
+  std::optional<NamedPath> (*read)(std::string_view name, bool is_folder, const Around& around);
+  void (*settle)(std::vector<NamedPath*>& names) = nullptr;  // by what all names say together
   bool files_have_versions = false;  // a version is one file's; else it is all files' of a hand-in
 };
 
@@ -62,22 +62,22 @@ const System* system_called(std::string_view name);
 // The answer of the first system that knows the name of one file or folder.
 struct Told {
   const System* system;
-  Named named;
+  NamedPath named;
 };
 std::optional<Told> told_by_name(std::string_view name, bool is_folder, const KnownOwner& known = {});
 
-std::optional<Named> read_canvas(std::string_view name, bool is_folder, const Around& around);
-std::optional<Named> read_moodle(std::string_view name, bool is_folder, const Around& around);
-std::optional<Named> read_brightspace(std::string_view name, bool is_folder, const Around& around);
-std::optional<Named> read_blackboard(std::string_view name, bool is_folder, const Around& around);
-std::optional<Named> read_classroom(std::string_view name, bool is_folder, const Around& around);
-std::optional<Named> read_gradescope(std::string_view name, bool is_folder, const Around& around);
-std::optional<Named> read_autolab(std::string_view name, bool is_folder, const Around& around);
+std::optional<NamedPath> read_canvas(std::string_view name, bool is_folder, const Around& around);
+std::optional<NamedPath> read_moodle(std::string_view name, bool is_folder, const Around& around);
+std::optional<NamedPath> read_brightspace(std::string_view name, bool is_folder, const Around& around);
+std::optional<NamedPath> read_blackboard(std::string_view name, bool is_folder, const Around& around);
+std::optional<NamedPath> read_classroom(std::string_view name, bool is_folder, const Around& around);
+std::optional<NamedPath> read_gradescope(std::string_view name, bool is_folder, const Around& around);
+std::optional<NamedPath> read_autolab(std::string_view name, bool is_folder, const Around& around);
 
-void settle_canvas(std::vector<Named*>& names);
-void settle_moodle(std::vector<Named*>& names);
-void settle_brightspace(std::vector<Named*>& names);
-void settle_blackboard(std::vector<Named*>& names);
-void settle_classroom(std::vector<Named*>& names);
+void settle_canvas(std::vector<NamedPath*>& names);
+void settle_moodle(std::vector<NamedPath*>& names);
+void settle_brightspace(std::vector<NamedPath*>& names);
+void settle_blackboard(std::vector<NamedPath*>& names);
+void settle_classroom(std::vector<NamedPath*>& names);
 
 }  // namespace grader

@@ -54,12 +54,12 @@ const System* system_called(std::string_view name) {
   return found == systems().end() ? nullptr : &*found;
 }
 
-void settle_readings(Named& named, std::string_view system, const KnownOwner& known) {
+void settle_readings(NamedPath& named, std::string_view system, const KnownOwner& known) {
   if (named.others.empty() || !known) return;
   int best = known(named.owner, system);
-  const Named* taken = &named;
+  const NamedPath* taken = &named;
   bool alone = best > 0;
-  for (const Named& other : named.others) {
+  for (const NamedPath& other : named.others) {
     const int well = known(other.owner, system);
     if (well == best) alone = false;
     if (well <= best) continue;
@@ -69,17 +69,17 @@ void settle_readings(Named& named, std::string_view system, const KnownOwner& kn
   }
   if (!alone) return;
   const bool proven = best > 1 || taken == &named;
-  Named settled = *taken;
-  settled.doubt = proven ? "" : named.doubt + ", who is on the roster";
+  NamedPath settled = *taken;
+  settled.doubt = proven ? "" : named.doubt + "; this roster has the number's owner, and no such group";
   named = std::move(settled);
 }
 
 std::optional<Told> told_by_name(std::string_view name, bool is_folder, const KnownOwner& known) {
   for (const System& system : systems()) {
-    std::optional<Named> named = system.read(name, is_folder, {});
-    if (!named || named->kind == Named::Kind::made || system.name == "gradescope") continue;
+    std::optional<NamedPath> named = system.read(name, is_folder, {});
+    if (!named || named->kind == NamedPath::Kind::made || system.name == "gradescope") continue;
     if (system.settle) {
-      std::vector<Named*> alone{&*named};
+      std::vector<NamedPath*> alone{&*named};
       system.settle(alone);
     }
     settle_readings(*named, system.name, known);

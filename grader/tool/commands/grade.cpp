@@ -110,7 +110,8 @@ int grade(GradeOptions options) {
   BatchSettings& batch_settings = options.batch;
   CallersWord& word = batch_settings.word;
   if (roster) word.choices.known = known_by(*roster);
-  Intake intake = asking(word, [&] {
+  word.class_over_rows = word.choices.classes;
+  Intake intake = asking(word.choices.classes, word.replace, [&] {
     return read_submissions(options.submissions, settings.course, reader ? reader->opener() : open_here, {},
                             word.choices);
   });
@@ -139,7 +140,7 @@ int grade(GradeOptions options) {
   before.reset();
   check_zone(rules, intake.submissions);
   check_made_by(options.batch.out, made_by(settings), hand_in);  // before the reference takes its seconds
-  const Settled settled = asking(word, [&] {
+  const Settled settled = asking(word.class_over_rows, word.replace, [&] {
     return settle_origins(options.batch.out, intake.submissions, batch_settings.only, word, hand_in);
   });
   for (const std::string& line : settled.replaced) std::cerr << "hairgrade: " << line << "\n";

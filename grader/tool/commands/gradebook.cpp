@@ -70,8 +70,8 @@ int write_gradebook(const GradebookOptions& options) {
                    ": is the exported table itself; name a new file");
   const std::unique_ptr<Record> record = open_record(options.grades, options.hand_in);
   const Gradebook book = gradebook_of(options, *record);
-  record->put_entered(book.entered);
   write_file(options.out, book.csv);
+  record->put_entered(book.entered);
   for (const std::string& line : book.said) std::cerr << "hairgrade: " << line << "\n";
   std::cout << book.written << " grades in " << options.out.string() << "\n";
   return book.all_entered ? 0 : 3;
