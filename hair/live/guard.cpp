@@ -19,8 +19,8 @@ bool same(const std::string& a, const std::string& b) {
 
 std::string refusal(const LiveRequest& request, const LiveAddress& address) {
   if (request.host != address.host) return "this server is http://" + address.host + "/, and no other";
-  if (request.changes && !request.has_origin) return "a command comes from this server's page alone";
-  if (request.has_origin && request.origin != "http://" + address.host)
+  if (request.changes && !request.origin) return "a command comes from this server's page alone";
+  if (request.origin && *request.origin != "http://" + address.host)
     return "pages of other sites are not answered";
   if (!same(request.token, address.token))
     return "open the whole address that hairlab live wrote on its terminal, with its token";

@@ -3,6 +3,7 @@
 // token.
 #pragma once
 
+#include <optional>
 #include <string>
 
 namespace hair {
@@ -16,8 +17,8 @@ struct LiveAddress {
 
 struct LiveRequest {
   std::string host, token;
-  bool has_origin = false, changes = false;  // changes: it is a POST
-  std::string origin = {};
+  bool changes = false;  // it is a POST
+  std::optional<std::string> origin = {};
 };
 
 // The reason why a request is refused; empty if it is not.

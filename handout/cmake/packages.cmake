@@ -11,7 +11,7 @@ set(HAIR_PACKAGES
   hairlab   libstb-dev          -
   hairlab   libosmesa6          -
   hairlab   ffmpeg              ffmpeg
-  live      libcpp-httplib-dev  cpp-httplib
+  live      libmicrohttpd-dev   libmicrohttpd
   live      pkg-config          pkgconf
   studies   libsundials-dev     sundials)
 
