@@ -62,6 +62,7 @@ class LivePage(PageTest):
         self.wait_for_state("It is over")
 
     def test_names_a_crash_and_goes_on_with_new_code(self):
+        self.wait_for_state("It is over")  # "running" is of the next run
         self.go_to("restart")
         self.press(" ")
         self.wait_for_state("running")
