@@ -38,8 +38,8 @@ TEST(Letters, WithManyMarksInARowStayAsTheyAre) {
     for (int i = 0; i < count; ++i) text += letter;
     return text;
   };
-  for (const std::string& text : {"a" + times(10'000, "\xcc\x81") + times(10'000, "\xcc\x96"),
-                                  "a" + times(10'000, "\xe0\xbd\xb3")}) {
+  for (const std::string& text :
+       {"a" + times(10'000, "\xcc\x81") + times(10'000, "\xcc\x96"), "a" + times(10'000, "\xe0\xbd\xb3")}) {
     EXPECT_FALSE(is_stream_safe(text));
     const std::clock_t start = std::clock();
     EXPECT_EQ(composed_path(text), text);
