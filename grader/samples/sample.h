@@ -34,8 +34,6 @@
 //                        those of the other categories
 //   points ID POINTS     of a sample of the showcase, besides: an error in scoring can't confirm itself
 //   useless TEXT         why it loses more than three categories: nothing of what it writes can be used
-//   breaks WORDS         of the header of an exercise that fails, as they stand there: what this program ignores; promises.h
-//   explains WORDS       before the samples: of the header of the group's exercise, words that promise nothing about a program
 //
 // An exercise without such a line has passed if it has a file, and is missing if not. What "others" fills in has passed
 // ("reference") or is not implemented ("stub"), and takes no status.
@@ -112,7 +110,6 @@ struct Sample {
   std::map<std::string, ExpectedResult> expected;  // by exercise id: every exercise of the course
   std::vector<std::string> listed;            // of these, the ids that have a line, in the course's order
   std::string useless;                        // why it may lose many categories, or empty
-  std::vector<std::string> breaks, explains;  // words of headers
 
   std::string file_name() const;  // "wrong-beta.zip"
   bool in_class() const { return !attack || showcase; }
