@@ -23,7 +23,6 @@ Command add_convert_command(CLI::App& program);
 Command add_draw_command(CLI::App& program);
 Command add_groom_command(CLI::App& program);
 Command add_info_command(CLI::App& program);
-Command add_models_command(CLI::App& program);
 Command add_phase_command(CLI::App& program);
 Command add_run_command(CLI::App& program);
 Command add_scenes_command(CLI::App& program);

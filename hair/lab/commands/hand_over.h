@@ -32,8 +32,6 @@ inline constexpr OtherCommand kStabilityStudy = {
     kStudies};
 inline constexpr OtherCommand kErrorStudy = {
     "study", "Error against run time, of each method that fits a scene", kStudies};
-inline constexpr OtherCommand kModelsStudy = {
-    "models", "Springs, links and helices side by side: error against run time, which model when", kStudies};
 inline constexpr OtherCommand kValidation = {
     "validate", "Compare with what theory says: published numbers, exact solutions", kStudies};
 inline constexpr OtherCommand kBowl = {
@@ -46,9 +44,9 @@ inline constexpr OtherCommand kGroom = {"groom", "Let hair grow on a head, in a 
 inline constexpr OtherCommand kDraw = {"draw", "Draw a groom as it is", kGrooms};
 inline constexpr OtherCommand kPlayLive = {"live", "Play a scene while it is computed, in a browser", kLive};
 
-inline constexpr std::array kOtherCommands = {kPlayLive,   kInfo,        kConvert,        kGroom,
-                                              kDraw,       kErrorStudy,  kModelsStudy,    kBowl,
-                                              kPhasePlane, kSolverStudy, kStabilityStudy, kValidation};
+inline constexpr std::array kOtherCommands = {kPlayLive,    kInfo,           kConvert,   kGroom,
+                                              kDraw,        kErrorStudy,     kBowl,      kPhasePlane,
+                                              kSolverStudy, kStabilityStudy, kValidation};
 
 // Null for a command of hairlab's own.
 const OtherCommand* other_command(std::string_view name);

@@ -17,8 +17,6 @@ struct Refused {
 };
 
 const Refused kRefused[] = {
-    {"models --out OUT --hair grey",
-     "hairlab: --hair: there is no \"grey\"; there are straight, wavy, curly, uncoiling\n"},
     {"stability strand-swing --out OUT --resume",
      "/q/r/out: there is no earlier study; leave out --resume\n"},
     {"stability strand-swing --out OUT --strand 1", "there is no strand 1"},

@@ -48,31 +48,6 @@ void look_at_head(const Json& record, const std::string&) {
 }
 
 // The finest of each family are near the fine motion, and links and helices near each other.
-void look_at_models(const Json& record, const std::string&) {
-  ASSERT_EQ(record["hairs"].size(), 1u);
-  const Json& hair = record["hairs"][0];
-  EXPECT_LT(hair["uncertainty"], 2e-4);
-  for (const Json& family : hair["families"]) {
-    EXPECT_TRUE(family["left_out"].is_null()) << family["family"];
-    if (family["family"] == "springs-h4") continue;  // its stretch: centimetres at these steps
-    double best = 1;
-    for (const Json& one : family["runs"])
-      if (one["trouble"].is_null()) best = std::min(best, one["error"].get<double>());
-    EXPECT_LT(best, 0.005) << family["family"];
-  }
-  // At a sixtieth of a second hair's own springs let it stretch, and links don't.
-  for (const Json& family : hair["at_a_sixtieth"]) {
-    double longest = 0;
-    for (const Json& one : family["runs"])
-      for (const double length : one["lengths"]) longest = std::max(longest, length);
-    if (family["family"] == "springs-1") {
-      EXPECT_GT(longest, 1.001);
-    }
-    if (family["family"] == "links") {
-      EXPECT_LT(longest, 1 + 1e-12);
-    }
-  }
-}
 
 void look_at_stability(const Json& record, const std::string&) {
   EXPECT_EQ(record["ended"], "finished");
@@ -113,12 +88,6 @@ const StudyCase kStudies[] = {
      {"--hair", "straight", "--exercise-strands", "60", "--no-pictures"},
      "hairlab: this needs ",
      look_at_head},
-    {"models",
-     "models.json",
-     {"index.html", "lengths.csv", "models.csv", "models.json"},
-     {"--quick", "--hair", "straight"},
-     "H7",
-     look_at_models},
     {"study",
      "study.json",
      {"index.html", "study.csv", "study.json"},
