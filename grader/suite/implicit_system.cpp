@@ -126,9 +126,9 @@ Cloud chain(Random& random, int n, double mass, double stiff, double h) {
   cloud.state = {Eigen::VectorXd::Zero(3 * n), random_vector(random, 3 * n, 0.1)};
   cloud.state.v.head<3>().setZero();
   std::vector<particles::Spring> springs;
-  Eigen::Vector3d along = Eigen::Vector3d(random.normal(), random.normal(), random.normal()).normalized();
+  Eigen::Vector3d along = Eigen::Vector3d(random_vector(random, 3)).normalized();
   for (int i = 1; i < n; ++i) {
-    along += 0.3 * Eigen::Vector3d(random.normal(), random.normal(), random.normal());
+    along += 0.3 * random_vector(random, 3);
     along.normalize();
     const double length = 0.01 * random.uniform(0.8, 1.2);
     cloud.state.x.segment<3>(3 * i) =

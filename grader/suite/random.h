@@ -1,5 +1,5 @@
 // STAFF ONLY. Random inputs: a seed gives the same ones on every machine, unlike the standard library's
-// distributions.
+// distributions. A statement draws once: compilers may evaluate two draws of one expression in either order.
 #pragma once
 
 #include <array>
@@ -24,17 +24,27 @@ class Random {
   double uniform(double low = 0, double high = 1) {
     return low + (high - low) * (static_cast<double>(engine_() >> 11) * 0x1p-53);
   }
-  double log_uniform(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
+  double log_uniform(double low, double high) {
+    return on_grid(std::exp(uniform(std::log(low), std::log(high))));
+  }
   int integer(int low, int high) {  // both included
     return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
   }
   double normal() {  // Box and Muller (1958)
-    return std::sqrt(-2 * std::log(1 - uniform())) * std::cos(2 * std::numbers::pi * uniform());
+    const double length = std::sqrt(-2 * std::log(1 - uniform()));
+    return on_grid(length * std::cos(2 * std::numbers::pi * uniform()));
   }
   std::vector<double> normals(int n, double scale = 1) {
     std::vector<double> values(n);
     for (double& value : values) value = scale * normal();
     return values;
+  }
+
+  // To 30 binary digits: exp, log, sin and cos differ by processor in the last one of 53.
+  static double on_grid(double value) {
+    int exponent = 0;
+    const double mantissa = std::frexp(value, &exponent);
+    return std::ldexp(std::round(std::ldexp(mantissa, 30)), exponent - 30);
   }
 
  private:

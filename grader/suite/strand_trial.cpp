@@ -100,7 +100,8 @@ Posed part_of(const Posed& posed, int first, int count) {
 Vector3d random_direction(Random& random) {
   const double z = random.uniform(-1, 1), angle = random.uniform(0, 2 * std::numbers::pi);
   const double radius = std::sqrt(1 - z * z);
-  return {radius * std::cos(angle), radius * std::sin(angle), z};
+  return Vector3d(radius * Random::on_grid(std::cos(angle)), radius * Random::on_grid(std::sin(angle)), z)
+      .normalized();
 }
 
 }  // namespace grader

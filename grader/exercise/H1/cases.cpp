@@ -69,7 +69,8 @@ void filtered_product(Trial& trial) {
   for (int stretched : {0, 1}) {
     VectorXd lengths = VectorXd::Constant(2, 0.6);
     lengths[stretched] = 1.4;
-    const Posed two = straight_pose(toy_strand(random, 3), lengths, random_direction(random), "one of both");
+    const Strand strand = toy_strand(random, 3);
+    const Posed two = straight_pose(strand, lengths, random_direction(random), "one of both");
     for (int spring : {0, 1}) expect_own_term(trial, Stretch::kProduct, two, 2 * spring, spring == stretched);
   }
 }

@@ -13,9 +13,8 @@ OwnGuide along(Random& random, int n, double turn) {
   Vector3d point = guide.root.position, direction = guide.root.axis;
   guide.points.head<3>() = point;
   for (int i = 1; i < n; ++i) {
-    direction =
-        Eigen::AngleAxisd(random.uniform(0, turn), direction.cross(some_direction(random)).normalized()) *
-        direction;
+    const double angle = random.uniform(0, turn);
+    direction = Eigen::AngleAxisd(angle, direction.cross(some_direction(random)).normalized()) * direction;
     point += random.log_uniform(1e-3, 9e-3) * direction.normalized();
     guide.points.segment<3>(3 * i) = point;
   }
@@ -35,7 +34,8 @@ RootFrame some_root(Random& random) {
 }
 
 RootFrame moved_root(Random& random, const RootFrame& root, double turn) {
-  const Eigen::AngleAxisd by(random.uniform(0.5, 1) * turn, some_direction(random));
+  const double angle = random.uniform(0.5, 1) * turn;
+  const Eigen::AngleAxisd by(angle, some_direction(random));
   RootFrame moved{root.position + random_vector(random, 3, 0.01), (by * root.axis).normalized(), {}};
   const Vector3d side = by * root.side;
   moved.side = (side - side.dot(moved.axis) * moved.axis).normalized();

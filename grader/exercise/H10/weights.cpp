@@ -66,7 +66,8 @@ void weights_outside(Trial& trial) {
     const int k = repeat % 3, next = (k + 1) % 3;
     const Vector3d middle = point_of(corners, {1.0 / 3, 1.0 / 3, 1.0 / 3});
     const double size = longest_edge(corners);
-    Vector3d root = random.uniform(0.3, 3) * size * some_direction(random);
+    const double far = random.uniform(0.3, 3) * size;
+    Vector3d root = far * some_direction(random);
     if (repeat % 2 == 0) {
       const double part = random.uniform();
       const Vector3d on_edge = (1 - part) * corners[k] + part * corners[next];
@@ -140,7 +141,8 @@ void no_width(Trial& trial) {
     const double size = longest_edge(corners);
     if (kind == 2) corners[repeat % 3] = corners[(repeat + 1) % 3];
     if (kind == 3) corners[1] = corners[2] = corners[0];
-    const Vector3d beside = (repeat % 2) * random.uniform(0, 1) * size * some_direction(random);
+    const double far = (repeat % 2) * random.uniform(0, 1) * size;
+    const Vector3d beside = far * some_direction(random);
     trial.describe("three roots on a line, or in one place");
     expect_near(trial, corners, some_point_of(random, corners) + beside);
   }
@@ -154,8 +156,8 @@ void weights_in_other_units(Trial& trial) {
   for (int repeat = 0; repeat < 8; ++repeat) {
     const int kind = repeat / 2;  // once over the triangle, once beside it
     Corners corners = some_triangle(random, kind == 0 ? 1e-3 : random.uniform(0.1, 0.9));
-    Vector3d root =
-        some_point_of(random, corners) + (repeat % 2) * longest_edge(corners) * some_direction(random);
+    Vector3d root = some_point_of(random, corners);
+    root += (repeat % 2) * longest_edge(corners) * some_direction(random);
     trial.describe("a triangle in another unit");
     const Vector3d expected = point_of(corners, ask_weights(trial, corners, root));
     const double size = longest_edge(corners),

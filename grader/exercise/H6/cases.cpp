@@ -152,7 +152,8 @@ void lengths(Trial& trial) {
                          "how much the root changes its velocity");
   }
   // With forces, over several steps.
-  Hair hair = moving_hair(random, 12, 1e-6, random.log_uniform(1, 1e3), 1.0 / random.integer(60, 240));
+  const double stiff = random.log_uniform(1, 1e3);
+  Hair hair = moving_hair(random, 12, 1e-6, stiff, 1.0 / random.integer(60, 240));
   for (int i = 0; i < 3; ++i) {
     const Step after = step(trial, hair);
     trial.expect_at_most(largest_length_error(hair.strand, after.x), 1e-10, "the error of a length");
@@ -176,7 +177,8 @@ void impulse(Trial& trial) {
 void second_solve(Trial& trial) {
   Random& random = trial.random;
   for (int n : {2, 4, 12}) {
-    const Hair hair = moving_hair(random, n, 1e-6, random.log_uniform(0.5, 2), 1.0 / random.integer(60, 240));
+    const double stiff = random.log_uniform(0.5, 2);
+    const Hair hair = moving_hair(random, n, 1e-6, stiff, 1.0 / random.integer(60, 240));
     const Step after = step(trial, hair);
     trial.require(after.asked.forces_at.size() >= 2, "there is no second solve");
     trial.expect(after.asked.forces_at[1].x == after.x,
@@ -226,8 +228,8 @@ void cost(Trial& trial) {
 // The correction has its own tolerance and limit, the solves have the caller's, and the impulse follows however the correction ended.
 void other_limits(Trial& trial) {
   Random& random = trial.random;
-  const Hair ordinary =
-      moving_hair(random, 12, 1e-6, random.log_uniform(100, 300), 1.0 / random.integer(60, 240));
+  const double stiff = random.log_uniform(100, 300);
+  const Hair ordinary = moving_hair(random, 12, 1e-6, stiff, 1.0 / random.integer(60, 240));
   const Step exact = step(trial, ordinary), rough = step(trial, ordinary, 1e-2);
   trial.expect_at_most(largest_length_error(ordinary.strand, rough.x), 1e-10,
                        "the error of a length after solves with a tolerance of 0.01");

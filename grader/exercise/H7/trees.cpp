@@ -18,7 +18,7 @@ Vector3d any(Random& random, double size) {
 }
 
 Eigen::Quaterniond any_turn(Random& random) {
-  return Eigen::Quaterniond(random.normal(), random.normal(), random.normal(), random.normal()).normalized();
+  return Eigen::Quaterniond(Eigen::Vector4d(random_vector(random, 4))).normalized();
 }
 
 LinkShape any_shape(Random& random, JointType joint, int parent) {
@@ -31,7 +31,8 @@ LinkShape any_shape(Random& random, JointType joint, int parent) {
   shape.rest = any_turn(random);
   shape.mass = random.uniform(0.5, 2);
   // The moments of a body are sums of its spread along the other two axes.
-  const Vector3d spread(random.uniform(0.02, 0.1), random.uniform(0.02, 0.1), random.uniform(0.02, 0.1));
+  Vector3d spread;
+  for (double& one : spread) one = random.uniform(0.02, 0.1);
   shape.moments = Vector3d::Constant(spread.sum()) - spread;
   return shape;
 }

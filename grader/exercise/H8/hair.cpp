@@ -8,8 +8,10 @@ namespace {
 
 VectorXd any_curl(Random& random, const VectorXd& lengths, double least, double most) {
   VectorXd q(3 * lengths.size());
-  for (Eigen::Index i = 0; i < lengths.size(); ++i)
-    q.segment<3>(3 * i) = random.uniform(least, most) / lengths[i] * any_direction(random);
+  for (Eigen::Index i = 0; i < lengths.size(); ++i) {
+    const double curvature = random.uniform(least, most) / lengths[i];
+    q.segment<3>(3 * i) = curvature * any_direction(random);
+  }
   return q;
 }
 
@@ -46,7 +48,7 @@ Vector3d any_direction(Random& random) {
 }
 
 MaterialFrame any_frame(Random& random) {
-  const Eigen::Quaterniond turn(random.normal(), random.normal(), random.normal(), random.normal());
+  const Eigen::Quaterniond turn(Eigen::Vector4d(random_vector(random, 4)));
   return {random_vector(random, 3, 0.1), turn.normalized().toRotationMatrix()};
 }
 

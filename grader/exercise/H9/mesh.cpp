@@ -21,21 +21,25 @@ LinkedHairs some_linked_hairs(Random& random, int links, Frames frames, Wear wea
   LinkedHairs hairs;
   hairs.x = random_vector(random, Eigen::Index{3} * particles, 0.05);
   hairs.largest.resize(links);
-  for (int i = 0; i < particles; ++i)
-    hairs.frames.push_back(frames == Frames::straight
-                               ? Matrix3d::Identity()
-                               : Eigen::AngleAxisd(random.uniform(0.3, 3), some_direction(random)).matrix());
+  for (int i = 0; i < particles; ++i) {
+    hairs.frames.push_back(Matrix3d::Identity());
+    if (frames == Frames::straight) continue;
+    const double angle = random.uniform(0.3, 3);
+    hairs.frames.back() = Eigen::AngleAxisd(angle, some_direction(random)).matrix();
+  }
   for (int l = 0; l < links; ++l) {
     StaticLink link;
     link.a = random.integer(0, particles - 1);
     link.b = (link.a + random.integer(1, particles - 1)) % particles;
-    link.offset = random.log_uniform(0.003, 0.03) * some_direction(random);
+    const double offset = random.log_uniform(0.003, 0.03);
+    link.offset = offset * some_direction(random);
     link.length = link.offset.norm() * random.uniform(0.5, 2);
     link.stiffness = random.log_uniform(0.01, 10);
     link.yields = random.uniform(0.1, 1);
     link.breaks = link.yields + random.uniform(0.2, 1);
     if (pull == Pull::little) {
-      const Vector3d d = link.length * link.yields * random.uniform(0.1, 0.9) * some_direction(random);
+      const double pulled = link.length * link.yields * random.uniform(0.1, 0.9);
+      const Vector3d d = pulled * some_direction(random);
       link.offset = hairs.frames[link.a].transpose() * (hairs.x.segment<3>(3 * Eigen::Index{link.b}) -
                                                         hairs.x.segment<3>(3 * Eigen::Index{link.a}) - d);
     }
@@ -53,8 +57,8 @@ NearTriangle near_triangle(Random& random, const Vector3d& shares, double height
   const Vector3d at = random_vector(random, 3, 0.05), along = some_direction(random),
                  across = along.cross(some_direction(random)).normalized(), normal = along.cross(across);
   const double size = random.log_uniform(0.005, 0.02);
-  near.x << at, at + size * along,
-      at + size * (random.uniform(-0.2, 1.2) * along + random.uniform(0.3, 1) * across), at;
+  const double foot = random.uniform(-0.2, 1.2), height_of_triangle = random.uniform(0.3, 1);
+  near.x << at, at + size * along, at + size * (foot * along + height_of_triangle * across), at;
   Vector3d point = height * near.thickness * normal;
   for (int j = 0; j < 3; ++j) point += shares[j] * near.x.segment<3>(3 * j);
   near.x.tail<3>() = point;
@@ -79,7 +83,8 @@ Contacts some_contacts(Random& random, int contacts) {
     contact.point = kCorners + c;
     const int first = random.integer(0, kCorners - 1);
     contact.corners = {first, (first + 2) % kCorners, (first + 1) % kCorners};
-    Vector3d shares(random.uniform(0.05), random.uniform(0.05), random.uniform(0.05));
+    Vector3d shares;
+    for (double& share : shares) share = random.uniform(0.05);
     shares /= shares.sum();
     contact.shares = {shares[0], shares[1], shares[2]};
     contact.normal = some_direction(random);

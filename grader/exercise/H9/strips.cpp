@@ -19,7 +19,8 @@ std::optional<StripContact> reference_touch(const NearTriangle& near, double sid
 }
 
 Vector3d inside(Random& random) {
-  Vector3d shares(random.uniform(0.05), random.uniform(0.05), random.uniform(0.05));
+  Vector3d shares;
+  for (double& share : shares) share = random.uniform(0.05);
   return shares / shares.sum();
 }
 
@@ -67,7 +68,8 @@ void touches(Trial& trial) {
   for (int repeat = 0; repeat < 12; ++repeat) {
     const double side = repeat % 2 == 0 ? 1 : -1, above = repeat % 4 < 2 ? 1 : -1;
     trial.describe("over the inside of a triangle");
-    const NearTriangle near = near_triangle(random, inside(random), above * random.uniform(0.02, 0.95));
+    const Vector3d shares_inside = inside(random);
+    const NearTriangle near = near_triangle(random, shares_inside, above * random.uniform(0.02, 0.95));
     const StripContact expected = *reference_touch(near, side), touched = expect_touch(trial, near, side);
     trial.expect(touched.point == 3 && touched.corners == expected.corners,
                  "a contact names other particles than it was asked about");
@@ -81,9 +83,9 @@ void touches(Trial& trial) {
     trial.expect(!ask_touch(trial, near_triangle(random, outside(random, repeat), 0.5), side),
                  "a point beside a triangle touches it");
     trial.describe("too far above a triangle, or below it");
-    trial.expect(
-        !ask_touch(trial, near_triangle(random, inside(random), above * random.uniform(1.05, 3)), side),
-        "a point touches a triangle that is farther away than the thickness");
+    const Vector3d over = inside(random);
+    trial.expect(!ask_touch(trial, near_triangle(random, over, above * random.uniform(1.05, 3)), side),
+                 "a point touches a triangle that is farther away than the thickness");
   }
 }
 
@@ -214,7 +216,8 @@ void pinned_frictions(Trial& trial) {
     contacts.inverse_mass.setZero();
     trial.expect_near({ask_friction(trial, contacts, h, v), v}, 0,
                       "the change of a velocity where all is pinned");
-    const VectorXd moved = ask_friction(trial, some_contacts(random, 1), h, random_vector(random, 21, 0.3));
+    const Contacts one = some_contacts(random, 1);
+    const VectorXd moved = ask_friction(trial, one, h, random_vector(random, 21, 0.3));
     trial.expect(!moved.isZero(), "after friction all velocities are 0");
   }
 }

@@ -128,7 +128,8 @@ ConstrainedSystem random_chain(Random& random, int n) {
     system.state.x.segment<3>(3 * i) = place;
     system.state.v.segment<3>(3 * i) = random_point(random);
     system.f.segment<3>(3 * i) = 5 * random_point(random);
-    place += random_point(random).normalized() * random.uniform(0.7, 1.3);
+    const Vector3d direction = random_point(random).normalized();
+    place += direction * random.uniform(0.7, 1.3);
   }
   for (int i = 0; i + 1 < n; ++i) {
     // Either end may come first.
@@ -139,7 +140,8 @@ ConstrainedSystem random_chain(Random& random, int n) {
 }
 
 void add_wire(Random& random, ConstrainedSystem& system, int i) {
-  const Vector3d centre = at(system.state.x, i) + random_point(random).normalized() * random.uniform(0.5, 2);
+  const Vector3d direction = random_point(random).normalized();
+  const Vector3d centre = at(system.state.x, i) + direction * random.uniform(0.5, 2);
   // The normal stands across the radius, but for some tenths.
   const Vector3d normal = (at(system.state.x, i) - centre).cross(random_point(random)).normalized();
   system.constraints.wires.push_back(

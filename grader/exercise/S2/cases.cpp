@@ -176,8 +176,10 @@ void table(Trial& trial) {
   Random& random = trial.random;
   expect_dense_product(trial, "Example 1", {2, 2, {2, 0, 0, 1}}, {0.5, 1});
   expect_dense_product(trial, "Example 2", {2, 2, {2, 1, 1, 1}}, {-1, 5});
-  for (auto [rows, cols] : {std::pair{1, 1}, {3, 3}, {7, 4}, {4, 7}, {1, 9}, {9, 1}, {60, 50}})
-    expect_dense_product(trial, "random", random_table(random, rows, cols), random.normals(cols));
+  for (auto [rows, cols] : {std::pair{1, 1}, {3, 3}, {7, 4}, {4, 7}, {1, 9}, {9, 1}, {60, 50}}) {
+    const Matrix table = random_table(random, rows, cols);
+    expect_dense_product(trial, "random", table, random.normals(cols));
+  }
   expect_dense_product(trial, "no columns", {3, 0, {}}, {});
   expect_dense_product(trial, "no rows", {0, 3, {}}, random.normals(3));
 }
