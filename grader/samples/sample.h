@@ -108,8 +108,8 @@ struct Sample {
   std::vector<Overwrite> overwrite;
   std::optional<Attack> attack;
   std::map<std::string, ExpectedResult> expected;  // by exercise id: every exercise of the course
-  std::vector<std::string> listed;            // of these, the ids that have a line, in the course's order
-  std::string useless;                        // why it may lose many categories, or empty
+  std::vector<std::string> listed;  // of these, the ids that have a line, in the course's order
+  std::string useless;              // why it may lose many categories, or empty
 
   std::string file_name() const;  // "wrong-beta.zip"
   bool in_class() const { return !attack || showcase; }

@@ -45,8 +45,9 @@ Compiled compile_with_sanitizers(const Compiler& compiler, const Exercise& exerc
 
 double whole_points(double points, double weight, double weights, int held, int cases) {
   const auto thousandths = [](double value) { return std::llround(1000 * value); };
-  return static_cast<double>(thousandths(points) * thousandths(weight) * held /
-                             (thousandths(weights) * 1000 * cases));
+  const long long whole =
+      thousandths(points) * thousandths(weight) * held / (thousandths(weights) * 1000 * cases);
+  return static_cast<double>(whole);
 }
 
 ExerciseResult describe(const Exercise& exercise) {

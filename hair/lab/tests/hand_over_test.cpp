@@ -36,8 +36,8 @@ class HandOver : public testing::Test {
 TEST_F(HandOver, ListsAllCommands) {
   const ProgramRun run = run_hairlab({"--help"}, {.program = hairlab_.string()});
   EXPECT_EQ(run.code, 0);
-  for (const char* command : {"run", "scenes", "live", "info", "convert", "draw", "groom", "phase",
-                              "solver", "stability", "study", "validate"})
+  for (const char* command : {"run", "scenes", "live", "info", "convert", "draw", "groom", "phase", "solver",
+                              "stability", "study", "validate"})
     EXPECT_TRUE(has(run.output, "\n  " + std::string(command) + " ")) << command << "\n" << run.output;
 }
 
