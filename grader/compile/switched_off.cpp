@@ -108,17 +108,22 @@ class Tokens {
     }
     std::size_t end = 0;
     while (end < rest_.size() && is_letter(rest_[end])) ++end;
-    if (end > 0 && std::isdigit(static_cast<unsigned char>(rest_[0])) != 0)
-      while (end < rest_.size() && (is_letter(rest_[end]) || rest_[end] == '\'')) ++end;  // 1'000
+    if (end > 0 && std::isdigit(static_cast<unsigned char>(rest_[0])) != 0)  // 1'000, but not 1'"'
+      while (end + 1 < rest_.size() &&
+             (is_letter(rest_[end]) || (rest_[end] == '\'' && is_letter(rest_[end + 1]))))
+        ++end;
     if (end == 0) end = rest_.starts_with("<:") || rest_.starts_with(":>") ? 2 : 1;
     const std::string_view token = rest_.substr(0, end);
     rest_.remove_prefix(token.size());
-    if (rest_.starts_with('"') && token.ends_with('R')) skip_raw_text();
+    if (rest_.starts_with('"') && is_raw(token)) skip_raw_text();
     return token;
   }
   std::size_t left() const { return rest_.size(); }
 
  private:
+  static bool is_raw(std::string_view prefix) {
+    return prefix == "R" || prefix == "LR" || prefix == "uR" || prefix == "UR" || prefix == "u8R";
+  }
   bool skip_blank() {
     const std::size_t size = rest_.size();
     rest_.remove_prefix(std::min(rest_.find_first_not_of(" \t\f\v\r\n"), size));

@@ -79,6 +79,8 @@ TEST_F(SwitchedOffTest, TextsThatReachTheAssemblerAreTold) {
   expect_told("__attribute__((deprecated(\")))\"), section((0, \".data.a;nop#\")))) int note = 1;", 1,
               "section");
   expect_told("[[gnu::deprecated(R\"x(]])x\"), gnu::section(*&\"a\")]] int note = 1'0;", 1, "section");
+  expect_told("[[x::y(1'\"'), gnu::section(\"a\")]] int note = 1;", 1, "section");
+  expect_told("[[x::y(xR\"(\"), gnu::section(\"a)\")]] int note = 1;", 1, "section");
   expect_told("int thousand = 1'000;\n[[gnu::section(__extension__ \"a\")]] int note = 1;", 2, "section");
   expect_told("#ident \"x\\\"\\nnop\\n#\"", 1, "ident");
   expect_told("#  sccs \"x\\\"\\nnop\\n#\"", 1, "ident");

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. The fields of a budget, each with its names in course files and results, and its least limit.
 #include "grader/course/budget.h"
 
 namespace grader {

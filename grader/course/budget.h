@@ -30,8 +30,7 @@ struct BudgetField {
   const char* name;     // "idle time"
   const char* heading;  // "Idle"
   double Budget::*value;
-  // Of what has a limit by the reference, too: the least that such a limit is, for one exercise. 0: there is
-  // none.
+  // A limit by the reference is this much at least, for one exercise. 0: the reference limits nothing here.
   double least = 0;
 };
 

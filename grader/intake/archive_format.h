@@ -12,7 +12,7 @@ bool is_zip(
 bool is_gzip(std::string_view head);
 bool is_tar(std::string_view head);
 
-// What else it is: "a RAR archive"; "" if that is not known.
+// The name of another format: "a RAR archive"; "" if it is not known.
 std::string_view foreign_format(std::string_view head);
 
 // Whether `name` has an archive's extension, including archives that can't be read here ("x.rar"), so that a

@@ -18,7 +18,7 @@ bool is_build(std::string_view folder);
 
 bool lies_in_a_build(std::string_view path);
 
-// Whether a folder or an archive on the way to `path` holds builds or backups.
+// True if a folder or an archive on the way to `path` holds builds or backups.
 bool is_set_aside(std::string_view path);
 
 struct Candidate {

@@ -44,7 +44,7 @@ bool ZipSource::read_all(std::uint64_t offset, std::string& bytes) const {
   return true;
 }
 
-// Whether the record at `end` is preceded by the directory that it states.
+// Takes the record at `end` if the directory that it states stands before it.
 bool ZipSource::take_end(std::string_view record, std::uint64_t end) {
   constexpr std::uint64_t kEnd = 22, kLocator = 20, kLarge = 56, kMostDirectory = std::uint64_t{1} << 28;
   if (record.size() < kEnd) return false;

@@ -112,7 +112,7 @@ Files files_below(const fs::path& folder) {
   return files;
 }
 
-// Of the newest commit: the files are dated by it. Sources without one, or with one that is still to come, have a date of their own.
+// The files are dated by the newest commit. Sources without one, or with one that is still to come, have a date of their own.
 std::time_t date_of(const fs::path& root) {
   const hair::TemporaryFolder folder("handout-date");
   const fs::path said = folder.path() / "said";

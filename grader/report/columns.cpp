@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Chooses the columns of tables.
 #include "grader/report/columns.h"
 
 #include <algorithm>

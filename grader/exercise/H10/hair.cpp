@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Draws guides, roots and triangles for the cases of H10.
 #include "grader/exercise/H10/hair.h"
 
 #include <algorithm>

@@ -64,7 +64,7 @@ VectorXd corrected(const Hair& hair, VectorXd x) {
   return x;
 }
 
-// What the correction's tolerance leaves of the error of positions.
+// The error of positions that the correction's tolerance leaves.
 double correction_error(const VectorXd& x) {
   return kGrowth * hair::kLengthTolerance * (0.01 * static_cast<double>(x.size()) / 3 + x.norm());
 }

@@ -1,4 +1,4 @@
-// STAFF ONLY.
+// STAFF ONLY. Draws systems of constraints, and states them, for the cases of P2.
 #include "grader/exercise/P2/system.h"
 
 #include <cmath>
