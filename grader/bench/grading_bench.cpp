@@ -20,7 +20,7 @@
 
 #include "grader/bench/cost.h"
 #include "grader/sandbox/system_mounts.h"
-#include "grader/suite/student.h"
+#include "grader/judge/student/student.h"
 #include "grader/tool/batch.h"
 #include "grader/tool/grading.h"
 #include "grader/tool/suite_run.h"
@@ -42,14 +42,13 @@ void require(bool holds, const std::string& what) {
 
 // A right solution, one of those of the sample class, and no two the same bytes.
 Submission submission(const Course& course, int number) {
-  static const fs::path solutions = fs::path(HAIR_PROJECT) / "grader/samples/solutions";
-  static const fs::path folders[] = {solutions / "plain", solutions / "other-order", solutions / "same-names",
-                                     solutions / "recursion"};
+  static const char* const solutions[] = {"plain.cpp", "lecture.cpp", "long-double.cpp", "recursion.cpp"};
   Submission result;
   result.name = "submission-" + std::to_string(number);
   for (const Exercise& exercise : course.exercises) {
-    fs::path file = folders[static_cast<std::size_t>(number) % std::size(folders)] / exercise.file;
-    if (number % 2 == 0 || !fs::exists(file)) file = fs::path(HAIR_PROJECT) / "reference" / exercise.file;
+    fs::path file = fs::path(HAIR_PROJECT) / "reference" / exercise.id / "right" /
+                    solutions[static_cast<std::size_t>(number) % std::size(solutions)];
+    if (number % 2 == 0 || !fs::exists(file)) file = HAIR_PROJECT / solution_of(exercise);
     result.files[exercise.file].text = hair::bytes_of(file) + "// " + result.name + "\n";
   }
   return result;
@@ -114,7 +113,7 @@ void time_parts(const Course& course, const Exercise& exercise, const fs::path& 
   const StagedKit kit(HAIR_KIT_DIR, course);
   const Compiler compiler(kit, scratch / "parts", Isolation::namespaces);
   const std::string id = exercise.id,
-                    source = hair::bytes_of(fs::path(HAIR_PROJECT) / "reference" / exercise.file);
+                    source = hair::bytes_of(HAIR_PROJECT / solution_of(exercise));
   const std::string file = (scratch / exercise.file).string(), object = (scratch / (id + ".o")).string();
   std::ofstream(file) << source;
 

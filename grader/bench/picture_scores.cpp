@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "grader/course/course.h"
-#include "grader/play/play_scene.h"
-#include "grader/suite/student_play.h"
-#include "grader/suite/whole_run.h"
+#include "grader/judge/run/play_scene.h"
+#include "grader/judge/run/student_play.h"
+#include "grader/judge/run/whole_run.h"
 #include "solver/timing.h"
 
 namespace {

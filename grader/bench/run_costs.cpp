@@ -10,8 +10,8 @@
 #include <iostream>
 
 #include "grader/course/course.h"
-#include "grader/suite/hidden_scene.h"
-#include "grader/suite/student_play.h"
+#include "grader/judge/run/hidden_scene.h"
+#include "grader/judge/run/student_play.h"
 #include "hair/scene/playback.h"
 #include "solver/timing.h"
 

@@ -1,12 +1,12 @@
 # STAFF ONLY. HAIR_PROVIDED, the exercises that are others' prerequisites; and definitions of an exercise's functions that ask somebody else, made of their signatures in exercises.json:
 #
 #   hair_definitions(OUT ID ASKED)  writes the file OUT: each function of exercise ID calls grader::asked<Calls, function>(arguments...)
-#                                   of the header ASKED. Where grader/exercise/<ID>/asked.h is, it is included in their place.
+#                                   of the header ASKED. Where reference/<ID>/asked.h is, it is included in their place.
 function(hair_definitions OUT ID ASKED)
   string(TOLOWER ${ID} space)
-  set(text "// STAFF ONLY. ${ID}'s functions, asked of somebody else. Made by grader/cmake/definitions.cmake.\n#include \"grader/exercise/${ID}/calls.h\"\n#include \"${ASKED}\"\n")
-  if(EXISTS "${PROJECT_SOURCE_DIR}/grader/exercise/${ID}/asked.h")
-    string(APPEND text "#include \"grader/exercise/${ID}/asked.h\"\n")
+  set(text "// STAFF ONLY. ${ID}'s functions, asked of somebody else. Made by grader/cmake/definitions.cmake.\n#include \"reference/${ID}/calls.h\"\n#include \"${ASKED}\"\n")
+  if(EXISTS "${PROJECT_SOURCE_DIR}/reference/${ID}/asked.h")
+    string(APPEND text "#include \"reference/${ID}/asked.h\"\n")
   else()
     foreach(signature ${HAIR_${ID}_FUNCTIONS})
       string(REGEX REPLACE "[(].*" "" name "${signature}")

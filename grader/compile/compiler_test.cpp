@@ -32,7 +32,7 @@ class CompilerTest : public testing::Test {
   }
 
   std::string reference(const Exercise& exercise) const {
-    return hair::bytes_of(fs::path(HAIR_PROJECT) / "reference" / exercise.file);
+    return hair::bytes_of(HAIR_PROJECT / solution_of(exercise));
   }
 
   static constexpr double kSeconds = 200;  // of CPU time: a slow machine's, too

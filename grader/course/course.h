@@ -12,6 +12,14 @@ namespace grader {
 
 using hair::Exercise, hair::Role, hair::to_string;
 
+// From the project's root.
+inline std::filesystem::path solution_of(const Exercise& exercise) {
+  return std::filesystem::path("reference") / exercise.id / exercise.file;
+}
+inline std::filesystem::path unwritten_file_of(const Exercise& exercise) {
+  return std::filesystem::path("handout") / exercise.folder / exercise.file;
+}
+
 struct Course : hair::Course {
   Budget budget = {};                        // of a submission
   bool partial = false;                      // a category gives a share of its points, in whole ones

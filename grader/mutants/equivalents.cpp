@@ -13,7 +13,7 @@ bool Equivalent::is(const std::string& source, const Mutation& mutation) const {
 
 std::vector<Equivalent> equivalents_of(const std::string& exercise, const std::filesystem::path& project) {
   std::vector<Equivalent> all;
-  std::ifstream file(project / "grader/exercise" / exercise / "equivalents.json");
+  std::ifstream file(project / "reference" / exercise / "equivalents.json");
   if (!file) return all;
   for (const nlohmann::json& entry : nlohmann::json::parse(file))
     all.push_back({entry.at("line"), entry.at("change"), entry.at("why"), entry.value("occurrence", 1)});

@@ -17,7 +17,7 @@ const std::filesystem::path kProject = HAIR_PROJECT;
 TEST(Equivalents, AreMutantsOfTheSolutions) {
   std::size_t count = 0;
   for (const Exercise& exercise : read_course(kProject / "handout/exercises.json").exercises) {
-    const std::string source = hair::bytes_of(kProject / "reference" / exercise.file);
+    const std::string source = hair::bytes_of(kProject / solution_of(exercise));
     const std::vector<Mutation> all = mutations_of(source);
     const std::vector<Equivalent> equivalents = equivalents_of(exercise.id, kProject);
     count += equivalents.size();

@@ -5,10 +5,8 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <regex>
 #include <sstream>
-#include <string_view>
 
 #include "grader/package/course_scenes.h"
 
@@ -45,116 +43,84 @@ bool is_of_absent_scene(const std::string& line, const Course& course) {
   return false;
 }
 
-// "30 points, in these categories:" and the second cells of the table below it. A course gives categories their shares.
-class Points {
- public:
-  explicit Points(const Exercise& exercise)
-      : points_(exercise.points), given_(exercise.role == Role::given) {}
-
-  std::string line(const std::string& text) {
-    static const std::regex total("([0-9.]+) points, in these categories.*"),
-        row("(\\| .+? \\| )([0-9.]+)( \\|.*)");
-    std::smatch match;
-    if (std::regex_match(text, match, total)) {
-      share_ = std::max(points_ / std::stod(match[1]), 1e-9);  // a course may give 0 points
-      return given_ ? "Your course does not grade it. These are its categories:"
-                    : in_words(points_) + " points, in these categories:";
-    }
-    if (text.starts_with("#")) share_ = 0;
-    if (share_ > 0 && std::regex_match(text, match, row))
-      return match[1].str() +
-             (given_ ? "-" : in_words(std::round(std::stod(match[2]) * share_ * 100) / 100)) + match[3].str();
-    return text;
-  }
-
- private:
-  double points_;
-  bool given_;
-  double share_ = 0;  // above 0 from the line of the points to the section's end
-};
-
-constexpr std::string_view kAllOrNothing = "gives them if all of its checks hold.",
-                           kPartial = "gives the share of them whose checks hold, in whole points.";
-
-std::string with_partial_points(std::string text) {
-  if (const auto at = text.find(kAllOrNothing); at != std::string::npos)
-    text.replace(at, kAllOrNothing.size(), kPartial);
-  return text;
-}
-
 bool is_to_write(const Exercise& exercise) {
   return exercise.role == Role::assigned || exercise.role == Role::optional;
 }
 
-// What an exercise's text says of writing it, and those that it calls. A text opens with "Write ..." below its title, may have a
-// paragraph "This exercise calls ...", which asks to write those first, and has the section "Hints, in steps".
-class Writing {
- public:
-  Writing(const Exercise& exercise, const Course& course) : given_(exercise.role == Role::given) {
-    calls_given_ = std::none_of(exercise.prerequisites.begin(), exercise.prerequisites.end(),
-                                [&](const std::string& id) {
-                                  const Exercise* called = course.find(id);
-                                  return called && is_to_write(*called);
-                                });
-  }
-
-  // Nothing: the line goes.
-  std::optional<std::string> line(const std::string& text) {
-    if (text.starts_with("## ")) {
-      opening_ = false;
-      hints_ = given_ && text == "## Hints, in steps";
-    }
-    if (text.starts_with("This exercise calls ")) calls_ = true;
-    const bool goes = hints_ || (calls_ && (given_ || calls_given_));
-    if (text.empty()) calls_ = false;
-    if (goes) return {};
-    if (!given_ || !opening_ || !text.starts_with(kWrite)) return text;
-    opening_ = false;
-    return "Given: " + text.substr(kWrite.size());
-  }
-
- private:
-  static constexpr std::string_view kWrite = "Write ";
-  bool given_, calls_given_ = false;
-  bool opening_ = true, calls_ = false, hints_ = false;  // where the line is
-};
-
-std::string replaced(std::string text, const std::string& what, const std::string& by) {
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
-    text.replace(at, what.size(), by);
-  return text;
-}
-
-// The README, whose first ten minutes are of the first exercise, for a course in which that one is not to be written.
-std::string with_first_exercise(std::string text, const Course& course) {
-  if (course.exercises.empty()) return text;
+// What the text says below its title, or "".
+std::string below_title(const std::string& path, const Exercise* own, const Course& course) {
+  if (own != nullptr)
+    return own->role != Role::given
+               ? ""
+               : "\n*In your course this exercise is given: `student/" + own->file +
+                     "` is its solution. Read it beside this page; nothing of it is left to write.*\n";
+  if (path != "handout/README.md" || course.exercises.empty()) return "";
   const Exercise& usual = course.exercises.front();
-  const auto first = std::find_if(course.exercises.begin(), course.exercises.end(), is_to_write);
-  if (first == course.exercises.end() || first->id == usual.id) return text;
-  if (usual.functions.empty() || first->functions.empty()) return text;
-  text = replaced(text, usual.id + " " + hair::plain_name(usual.functions.front()),
-                  first->id + " " + hair::plain_name(first->functions.front()));
-  text = replaced(text, "check-" + usual.id, "check-" + first->id);
-  text = replaced(text, "student/" + usual.file, "student/" + first->file);
-  return replaced(text, usual.text, first->text);
+  const auto first = std::ranges::find_if(course.exercises, is_to_write);
+  if (first == course.exercises.end() || first->id == usual.id) return "";
+  return "\n*Your course begins with " + first->id + ": read `check-" + first->id + "` for `check-" +
+         usual.id + "` and `student/" + first->file + "` for `student/" + usual.file + "`.*\n";
 }
 
-// [words](file#place) whose file does not ship: the words. Pictures, ![words](file), too.
-std::string without_dead_links(const std::string& text, const std::string& destination,
-                               const Paths& shipped) {
+std::string category_rows(const std::string& categories, const Exercise& exercise) {
+  if (exercise.role == Role::absent) return "";
+  const bool given = exercise.role == Role::given;
+  std::string rows = given ? "Your course does not grade it. These are its categories:"
+                           : in_words(exercise.points) + " points, in these categories:";
+  rows += "\n\n| category | points | asks for |\n|---|---|---|\n";
+  for (const auto& one : nlohmann::json::parse(categories))
+    rows += "| " + one["title"].get<std::string>() + " | " +
+            (given ? "-" : in_words(one["points"].get<double>())) + " | " + one["asks"].get<std::string>() +
+            " |\n";
+  return rows;
+}
+
+std::string index_row(const Exercise& exercise) {
+  std::string needs;
+  for (const std::string& id : exercise.prerequisites) needs += (needs.empty() ? "" : ", ") + id;
+  const std::string points = exercise.role == Role::given      ? "given, solved"
+                             : exercise.role == Role::optional ? in_words(exercise.points) + ", extra credit"
+                                                               : in_words(exercise.points);
+  return "| " + exercise.id + " | [" + exercise.title + "](../" + exercise.folder + "/text.md) | `student/" +
+         exercise.file + "` | " + (needs.empty() ? "-" : needs) + " | " + points + " |\n";
+}
+
+std::string exercise_rows(const Course& course) {
+  std::string rows;
+  for (const Exercise& exercise : course.exercises)
+    if (exercise.role != Role::absent) rows += index_row(exercise);
+  return rows;
+}
+
+// Where a path of the project ships; a folder's files tell where it does. Empty if it does not.
+std::string destination_of(const std::string& path, const Shipped& shipped) {
+  const auto found = shipped.lower_bound(path);
+  if (found == shipped.end() || !found->first.starts_with(path)) return "";
+  const std::string rest = found->first.substr(path.size());
+  const bool whole = rest.empty() || path.ends_with('/') || rest.starts_with('/');
+  if (!whole || !found->second.ends_with(rest)) return "";
+  return found->second.substr(0, found->second.size() - rest.size());
+}
+
+// Links, [words](file#place), and pictures.
+std::string relinked(const std::string& text, const ManifestLine& line, const Shipped& shipped) {
   static const std::regex link("!?\\[([^\\]\\n]*)\\]\\(([^)\\s#]+)(#[^)\\s]*)?\\)");
+  const fs::path from = fs::path(project_path(line)).parent_path(),
+                 to = fs::path(line.destination).parent_path();
   std::string result;
   auto rest = text.begin();
   for (std::sregex_iterator found(text.begin(), text.end(), link), end; found != end; ++found) {
-    result.append(rest, text.begin() + found->position());
-    rest = text.begin() + found->position() + found->length();
-    const std::string target = (*found)[2];
-    const fs::path path = (fs::path(destination).parent_path() / target).lexically_normal();
-    const bool elsewhere = target.find(':') != std::string::npos;
-    // A folder's path ends with a stroke, or it is the start of a file's.
-    const auto below = shipped.lower_bound(path.string());
-    const bool there = below != shipped.end() && below->starts_with(path.string());
-    result += elsewhere || there ? found->str() : (*found)[1].str();
+    const std::smatch& match = *found;
+    if (match[2].str().find(':') != std::string::npos) continue;  // elsewhere
+    result.append(rest, match[0].first);
+    rest = match[0].second;
+    const std::string target = destination_of((from / match[2].str()).lexically_normal().string(), shipped);
+    if (target.empty())
+      result += match[1];
+    else
+      result.append(match[0].first, match[2].first)
+          .append(fs::path(target).lexically_relative(to).string())
+          .append(match[2].second, match[0].second);
   }
   return result.append(rest, text.end());
 }
@@ -190,6 +156,17 @@ std::string course_json(const std::string& text, const Course& course) {
   return json.dump(2) + "\n";
 }
 
+std::string course_categories(const std::string& text, const Exercise& exercise) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::parse(text);
+  double sum = 0;
+  for (const auto& one : json) sum += one["points"].get<double>();
+  for (auto& one : json) {
+    const double points = one["points"].get<double>() * exercise.points / sum;
+    one["points"] = nlohmann::ordered_json::parse(in_words(std::round(points * 100) / 100));
+  }
+  return json.dump(2) + "\n";
+}
+
 Paths absent_scenes(const std::string& table, const Course& course) {
   Paths absent;
   std::istringstream rows(table);
@@ -199,52 +176,42 @@ Paths absent_scenes(const std::string& table, const Course& course) {
   return absent;
 }
 
-std::string course_text(const std::string& text, const std::string& destination, const Course& course,
-                        const Paths& shipped, const Paths& missing) {
-  const Exercise* own = nullptr;
-  for (const Exercise& exercise : course.exercises)
-    if (exercise.text == destination) own = &exercise;
-  std::optional<Points> points;
-  std::optional<Writing> writing;
-  if (own) {
-    points.emplace(*own);
-    writing.emplace(*own, course);
-  }
-  const bool index = destination == "assignment/README.md",
-             scenes = destination == "given/hair/scenes/scenes.md";
+std::string project_path(const ManifestLine& line) {
+  return line.source.starts_with("golden/") && line.destination.starts_with("given/")
+             ? line.destination.substr(6)
+             : line.source;
+}
 
-  std::istringstream in(course.partial ? with_partial_points(text) : text);
+std::string course_text(const std::string& text, const ManifestLine& line, const Course& course,
+                        const Shipped& shipped, const Paths& missing, const std::string& categories) {
+  const std::string path = project_path(line);
+  const auto of = std::ranges::find_if(course.exercises, [&](const Exercise& exercise) {
+    return path == "handout/" + exercise.folder + "/text.md";
+  });
+  const Exercise* own = of == course.exercises.end() ? nullptr : &*of;
+  const bool scenes = path == "hair/scenes/scenes.md";
+  std::istringstream in(text);
   std::string result;
-  for (std::string line; std::getline(in, line);) {
-    if (index && line == kExerciseRows) {
-      for (const Exercise& exercise : course.exercises)
-        if (exercise.role != Role::absent) result += index_row(exercise) + "\n";
-      continue;
-    }
-    if (scenes && is_of_absent_scene(line, course)) continue;
-    const std::optional<std::string> kept = writing ? writing->line(line) : line;
-    if (!kept) continue;
-    result += (points ? points->line(*kept) : *kept) + "\n";
-    if (own && own->role == Role::given && line.starts_with("# "))
-      result += "\n*In your course this exercise is given: `student/" + own->file +
-                "` is its solution. Read it beside this page; nothing of it is left to write.*\n";
+  for (std::string read; std::getline(in, read);) {
+    if (read == kExerciseRows)
+      result += exercise_rows(course);
+    else if (read == kHowCounted)
+      result += course.partial
+                    ? "A category gives the share of its points whose checks hold, in whole points.\n"
+                    : "A category gives its points if all of its checks hold.\n";
+    else if (read == kCategoryRows && own != nullptr && !categories.empty())
+      result += category_rows(categories, *own);
+    else if (!scenes || !is_of_absent_scene(read, course))
+      result += read + "\n";
+    if (read.starts_with("# ")) result += below_title(path, own, course);
   }
-  if (destination == "README.md") result = with_first_exercise(result, course);
-  result = with_present_scenes(result, shipped, missing);
-  result = without_dead_links(result, destination, shipped);
+  result = relinked(result, line, shipped);
+  Paths destinations;
+  for (const auto& [from, to] : shipped) destinations.insert(to);
+  result = with_present_scenes(result, destinations, missing);
   if (const std::string absent = absent_exercises_in(result, course); !absent.empty())
     result += "\n*Not part of your course: " + absent + ".*\n";
   return result;
-}
-
-std::string index_row(const Exercise& exercise) {
-  std::string needs;
-  for (const std::string& id : exercise.prerequisites) needs += (needs.empty() ? "" : ", ") + id;
-  const std::string points = exercise.role == Role::given      ? "given, solved"
-                             : exercise.role == Role::optional ? in_words(exercise.points) + ", extra credit"
-                                                               : in_words(exercise.points);
-  return "| " + exercise.id + " | [" + exercise.title + "](" + fs::path(exercise.text).filename().string() +
-         ") | `student/" + exercise.file + "` | " + (needs.empty() ? "-" : needs) + " | " + points + " |";
 }
 
 }  // namespace grader

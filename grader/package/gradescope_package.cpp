@@ -63,13 +63,12 @@ bool is_below(const std::string& path, std::initializer_list<const char*> folder
 // The public checks' package leaves these out: hidden cases, the engine, right and wrong solutions, and the tests of all that.
 bool is_hidden(const std::string& path) {
   const fs::path file(path);
-  const bool of_an_exercise =
-      path.starts_with("grader/exercise/") && std::distance(file.begin(), file.end()) > 3;
   const bool tests = path.starts_with("grader/") && file.stem().string().ends_with("_test");
-  return tests || file.extension() == ".samples" ||
-         is_below(path, {"grader/bench/", "grader/samples/solutions/", "grader/tests/", "reference/engine/",
-                         "reference/tests/"}) ||
-         (of_an_exercise && (file.extension() != ".h" || file.filename() == "cases.h"));
+  const std::string name = file.filename().string();
+  const bool calls =
+      name == "calls.h" || name == "asked.h" || name == "CMakeLists.txt" || name.starts_with("make_");
+  return tests || file.extension() == ".samples" || (path.starts_with("reference/") && !calls) ||
+         is_below(path, {"grader/bench/", "grader/samples/solutions/", "grader/tests/", "reference/engine/"});
 }
 
 // The project's files by their paths in it.
@@ -81,19 +80,23 @@ Files whole_project(const fs::path& project) {
 }
 
 // A stub takes the place of each file of the reference that students don't have.
-Files without_reference(Files files, const HandoutSources& sources, const Course& course) {
+Files without_reference(Files all, const HandoutSources& sources, const Course& course) {
+  Files files = all;
   Paths solved;
   Files reference;
   std::erase_if(files, [](const auto& file) { return is_hidden(file.first); });
   for (const Exercise& exercise : course.exercises) {
-    std::string& solution = files["reference/" + exercise.file];
+    const std::string path = "reference/" + exercise.id + "/" + exercise.file;
+    const std::string solution = all[path];
     if (exercise.role == Role::given)
-      solved.insert("reference/" + exercise.file);
+      solved.insert(path);
     else
-      reference[exercise.file] = std::exchange(solution, files["handout/student/" + exercise.file]);
+      reference[exercise.file] = solution;
+    files[path] =
+        exercise.role == Role::given ? solution : files["handout/" + exercise.folder + "/" + exercise.file];
   }
   for (const auto& [path, bytes] : handout_files(sources, course))
-    if (path.starts_with("checks/golden/")) files["handout/" + path] = bytes;
+    if (path.starts_with("check/golden/")) files["handout/" + path] = bytes;
   check_reference_lines(files, reference, solved);
   return files;
 }

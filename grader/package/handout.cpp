@@ -84,10 +84,11 @@ Paths whole_handout(const HandoutSources& sources, Course course) {
   return paths;
 }
 
-// Without what exercises.json names: text, stub, checks and contract of each exercise.
+// Without what each exercise has: text, categories, checks, stub and contract.
 Paths without_exercises(Paths paths, const Course& course) {
   for (const Exercise& exercise : course.exercises)
-    for (const std::string& own : {exercise.text, stub_of(exercise), exercise.checks, exercise.header})
+    for (const std::string& own : {exercise.folder + "/text.md", exercise.folder + "/categories.json",
+                                   exercise.folder + "/check.cpp", stub_of(exercise), exercise.header})
       paths.erase(own);
   return paths;
 }
@@ -104,11 +105,19 @@ Paths accepted_files(const HandoutSources& sources) {
   return accepted;
 }
 
-Files files_below(const fs::path& folder) {
+// The solutions, in whatever form: the reference, and right programs. Cases and tests ask what public checks ask, too.
+Files solutions_of(const HandoutSources& sources, const Course& course) {
   Files files;
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file())
-      files[entry.path().lexically_relative(folder).string()] = read_file(entry.path(), folder.string());
+  const auto add = [&](const fs::path& path) {
+    files[path.string()] = read_file(sources.root / "reference" / path, path.string());
+  };
+  for (const Exercise& exercise : course.exercises) {
+    add(fs::path(exercise.id) / exercise.file);
+    std::error_code none;
+    const fs::path right = fs::path(exercise.id) / "right";
+    for (const auto& entry : fs::directory_iterator(sources.root / "reference" / right, none))
+      add(right / entry.path().filename());
+  }
   return files;
 }
 
@@ -159,7 +168,7 @@ void check_gates(const fs::path& archive, const HandoutSources& sources, const C
   for (const ManifestLine& line : lines_of(sources, course)) listed.insert(line.destination);
   check_listing(handout, listed);
   check_canary(handout, solved);
-  check_reference_lines(handout, files_below(sources.root / "reference"), solved);
+  check_reference_lines(handout, solutions_of(sources, course), solved);
 }
 
 // Gone at the end, unless it was renamed.
@@ -176,17 +185,28 @@ struct TemporaryFile {
 Files handout_files(const HandoutSources& sources, const Course& course) {
   const Paths solved = solved_files(course);
   const std::vector<ManifestLine> lines = lines_of(sources, course);
-  Paths shipped, missing;
-  for (const ManifestLine& line : lines) shipped.insert(line.destination);
-  for (const std::string& path : whole_handout(sources, course))
-    if (!shipped.contains(path)) missing.insert(path);
+  Shipped shipped;
+  Paths missing = whole_handout(sources, course);
+  for (const ManifestLine& line : lines) {
+    shipped[project_path(line)] = line.destination;
+    missing.erase(line.destination);
+  }
   Files files;
   for (ManifestLine line : lines) {
-    if (solved.contains(line.destination)) line.source = "reference" / fs::path(line.source).filename();
+    const fs::path source = line.source;
+    const std::string id = source.parent_path().filename().string();
+    if (solved.contains(line.destination)) line.source = "reference/" + id + "/" + source.filename().string();
     std::string bytes = bytes_of(line, sources);
     if (line.destination == "exercises.json") bytes = course_json(bytes, course);
+    std::string categories;
+    if (const Exercise* own = course.find(id); own != nullptr) {
+      if (line.destination == own->folder + "/categories.json") bytes = course_categories(bytes, *own);
+      if (line.destination == own->folder + "/text.md")
+        categories = course_categories(
+            read_file(sources.root / source.parent_path() / "categories.json", line.where), *own);
+    }
     if (line.destination.ends_with(".md"))
-      bytes = course_text(bytes, line.destination, course, shipped, missing);
+      bytes = course_text(bytes, line, course, shipped, missing, categories);
     files[line.destination] = bytes;
   }
   std::string all;

@@ -28,7 +28,7 @@ class SmallProject : public testing::Test {
     fs::remove_all(root_);
     write("handout/manifest.txt",
           "handout/README.md\nhandout/exercises.json\nhandout/assignment/README.md\n"
-          "E2: golden/g.mtx -> checks/golden/g.mtx\nhair/scenes/\n"
+          "E2: golden/g.mtx -> check/golden/g.mtx\nhair/scenes/\n"
           "golden/scenes.md -> given/hair/scenes/scenes.md\n");
     write("handout/README.md", "Welcome\n");
     write("handout/exercises.json",
@@ -40,19 +40,23 @@ class SmallProject : public testing::Test {
     write("build/golden/motions/one.json", "{}\n");
     write("build/golden/motions/two.json", "{}\n");
     write("build/golden/scenes.md", "| [one](one.json) | E1 | x |\n| [two](two.json) | E1, E2 | x |\n");
-    write("handout/assignment/E1.md", "# E1\n");
-    write("handout/assignment/E2.md", "# E2\n");
-    write("handout/student/f.cpp", "int f();\n");
-    write("handout/student/g.cpp", "int g();\n");
-    write("reference/f.cpp", kSolved);
-    write("reference/g.cpp", "// STAFF ONLY. g\nint g() { return 1; }\n");
+    for (const std::string id : {"E1", "E2"}) {
+      write("handout/exercises/" + id + "/text.md",
+            "# " + id + "\n\n<!-- categories -->\n[contract](../../../hair/scenes/one.json)\n");
+      write("handout/exercises/" + id + "/categories.json",
+            R"([{"id": "A", "title": "All", "points": 2, "asks": "it"}, {"id": "B", "title": "Rest", "points": 3, "asks": "$x$"}])");
+    }
+    write("handout/exercises/E1/f.cpp", "int f();\n");
+    write("handout/exercises/E2/g.cpp", "int g();\n");
+    write("reference/E1/f.cpp", kSolved);
+    write("reference/E2/g.cpp", "// STAFF ONLY. g\nint g() { return 1; }\n");
     write("build/golden/g.mtx", "1 1 1\n");
     for (const std::string id : {"E1", "E2"}) {
       Exercise exercise;
       exercise.id = id;
       exercise.title = "Exercise " + id;
       exercise.file = id == "E1" ? "f.cpp" : "g.cpp";
-      exercise.text = "assignment/" + id + ".md";
+      exercise.folder = "exercises/" + id;
       exercise.points = 7.5;
       course_.exercises.push_back(exercise);
     }
@@ -95,7 +99,7 @@ TEST_F(SmallProject, ShipsStubsOfAssignedAndOptionalExercises) {
   const Files shipped = files();
   EXPECT_EQ(shipped.at("stubs/f.cpp.stub"), "int f();\n");
   EXPECT_EQ(shipped.at("stubs/g.cpp.stub"), "int g();\n");
-  EXPECT_EQ(shipped.at("checks/golden/g.mtx"), "1 1 1\n");
+  EXPECT_EQ(shipped.at("check/golden/g.mtx"), "1 1 1\n");
 }
 
 TEST_F(SmallProject, ShipsAGivenExerciseSolvedAndPassesItsGates) {
@@ -107,7 +111,7 @@ TEST_F(SmallProject, ShipsAGivenExerciseSolvedAndPassesItsGates) {
 TEST_F(SmallProject, LeavesOutAllButTheListsEntryOfAnAbsentExercise) {
   course_.exercises[1].role = Role::absent;
   const Files shipped = files();
-  EXPECT_FALSE(shipped.contains("stubs/g.cpp.stub") || shipped.contains("checks/golden/g.mtx"));
+  EXPECT_FALSE(shipped.contains("stubs/g.cpp.stub") || shipped.contains("check/golden/g.mtx"));
   for (const auto& [path, text] : shipped)
     EXPECT_TRUE(path == "exercises.json" || text.find("E2") == std::string::npos) << path;
   EXPECT_EQ(nlohmann::json::parse(shipped.at("exercises.json"))["exercises"][1]["role"], "absent");
@@ -126,10 +130,20 @@ TEST_F(SmallProject, ShipsTheCoursesRolesAndPoints) {
   EXPECT_EQ(json["exercises"][0]["points"], 7.5);
   EXPECT_EQ(json["exercises"][1]["points"], 3);
   EXPECT_EQ(json["exercises"][1]["role"], "optional");
-  EXPECT_EQ(shipped.at("assignment/README.md"),
-            "# Exercises\n| E1 | [Exercise E1](E1.md) | `student/f.cpp` | - | 7.5 |\n"
-            "| E2 | [Exercise E2](E2.md) | `student/g.cpp` | - | 3, extra credit |\nGood luck\n");
+  EXPECT_EQ(
+      shipped.at("assignment/README.md"),
+      "# Exercises\n| E1 | [Exercise E1](../exercises/E1/text.md) | `student/f.cpp` | - | 7.5 |\n"
+      "| E2 | [Exercise E2](../exercises/E2/text.md) | `student/g.cpp` | - | 3, extra credit |\nGood luck\n");
   EXPECT_TRUE(shipped.contains("given/hair/scenes/two.json"));
+}
+
+TEST_F(SmallProject, FillsInATextsPointsAndLinks) {
+  EXPECT_EQ(files().at("exercises/E1/text.md"),
+            "# E1\n\n7.5 points, in these categories:\n\n| category | points | asks for |\n|---|---|---|\n"
+            "| All | 3 | it |\n| Rest | 4.5 | $x$ |\n[contract](../../given/hair/scenes/one.json)\n");
+  course_.exercises[0].role = Role::given;
+  EXPECT_NE(files().at("exercises/E1/text.md").find("| All | - | it |"), std::string::npos);
+  EXPECT_EQ(nlohmann::json::parse(files().at("exercises/E2/categories.json"))[0]["points"], 3);
 }
 
 TEST_F(SmallProject, GivesTheSameBytesAgain) {
@@ -166,19 +180,19 @@ TEST_F(SmallProject, DatesFilesByTheNewestCommitThatIsNotToCome) {
 }
 
 TEST_F(SmallProject, ClosesForAStaffFileInTheManifest) {
-  list("reference/g.cpp -> checks/example.cpp");
+  list("reference/E2/g.cpp -> check/example.cpp");
   accept();
-  EXPECT_NE(complaint().find("checks/example.cpp says STAFF ONLY"), std::string::npos);
+  EXPECT_NE(complaint().find("check/example.cpp says STAFF ONLY"), std::string::npos);
 }
 
 TEST_F(SmallProject, ClosesForReferenceLinesInAText) {
   std::ofstream(root_ / "handout/README.md", std::ios::app) << kSolved.substr(kSolved.find('\n'));
-  EXPECT_NE(complaint().find("README.md:3: what it says stands in reference/f.cpp:2"), std::string::npos);
+  EXPECT_NE(complaint().find("README.md:3: what it says stands in reference/E1/f.cpp:2"), std::string::npos);
 }
 
 TEST_F(SmallProject, AGivenExerciseOpensNothingElse) {
   course_.exercises[0].role = Role::given;
-  write("handout/student/g.cpp", kSolved.substr(kSolved.find('\n')));
+  write("handout/exercises/E2/g.cpp", kSolved.substr(kSolved.find('\n')));
   EXPECT_NE(complaint().find("stubs/g.cpp.stub"), std::string::npos);
 }
 

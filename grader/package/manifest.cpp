@@ -67,13 +67,18 @@ class Lines {
   std::map<std::string, std::string> taken_;  // destination -> where
 };
 
-// Its contract ships in every course: the given code and other exercises know it.
-void add_exercise(Lines& lines, const Exercise& exercise) {
-  const std::string where = "exercises.json: " + exercise.id;
+// All of its folder ships. Its contract ships in every course: the given code and other exercises know it.
+void add_exercise(Lines& lines, const fs::path& root, const Exercise& exercise) {
+  const std::string where = "exercises.json: " + exercise.id, folder = "handout/" + exercise.folder;
   const bool absent = exercise.role == Role::absent;
-  for (const std::string& file : {exercise.text, exercise.checks})
-    if (!file.empty()) lines.add({"handout/" + file, file, where}, absent);
-  lines.add({"handout/student/" + exercise.file, stub_of(exercise), where}, absent);
+  std::error_code error;
+  Paths names{exercise.file};
+  for (const fs::directory_entry& entry : fs::directory_iterator(root / folder, error))
+    names.insert(entry.path().filename().string());
+  for (const std::string& name : names) {
+    const bool stub = name == exercise.file;
+    lines.add({folder + "/" + name, stub ? stub_of(exercise) : exercise.folder + "/" + name, where}, absent);
+  }
   if (!exercise.header.empty()) lines.add({exercise.header, exercise.header, where}, false);
 }
 
@@ -88,7 +93,7 @@ std::vector<ManifestLine> read_manifest(const fs::path& root, const Course& cour
   std::ifstream in(file);
   if (!in) throw BadInput(file.string() + ": can't be read; it must list the files of the handout");
   Lines lines;
-  for (const Exercise& exercise : course.exercises) add_exercise(lines, exercise);
+  for (const Exercise& exercise : course.exercises) add_exercise(lines, root, exercise);
   std::string text;
   for (int number = 1; std::getline(in, text); ++number) {
     const std::string where = file.string() + ":" + std::to_string(number);

@@ -25,8 +25,7 @@ Course course_with(Role role) {
   Exercise exercise;
   exercise.id = "S1";
   exercise.file = "s.cpp";
-  exercise.text = "assignment/S1.md";
-  exercise.checks = "checks/s_check.cpp";
+  exercise.folder = "exercises/S1";
   exercise.header = "solver/s.h";
   exercise.role = role;
   return {{{exercise}}};
@@ -39,6 +38,9 @@ std::vector<ManifestLine> read(const std::string& text, Role role = Role::assign
   fs::create_directories(root / "solver/lib/tests");
   for (const char* file : {"solver/lib/a.cpp", "solver/lib/a.h", "solver/lib/tests/a_test.cpp"})
     std::ofstream(root / file) << "//\n";
+  fs::create_directories(root / "handout/exercises/S1");
+  for (const char* file : {"text.md", "check.cpp", "s.cpp"})
+    std::ofstream(root / "handout/exercises/S1" / file) << "//\n";
   std::ofstream(root / "handout/manifest.txt") << text;
   return read_manifest(root, course_with(role));
 }
@@ -54,15 +56,16 @@ std::string complaint(const std::string& text) {
 
 using Destinations = std::set<std::string>;
 
-// What exercises.json says of S1.
-const Destinations kExercise = {"assignment/S1.md", "checks/s_check.cpp", "solver/s.h", "stubs/s.cpp.stub"};
+// What S1 has.
+const Destinations kExercise = {"exercises/S1/text.md", "exercises/S1/check.cpp", "solver/s.h",
+                                "stubs/s.cpp.stub"};
 
 TEST(Manifest, PutsTheHandoutOnTopAndGivenCodeBelowGiven) {
   const auto lines = read(
       "# comment\n\nhandout/README.md\nsolver/a.h\nsolver/b.h -> solver/b.h\n golden/x.mtx  ->  "
-      "checks/golden/x.mtx \n");
+      "check/golden/x.mtx \n");
   Destinations expected = kExercise;
-  expected.insert({"README.md", "given/solver/a.h", "solver/b.h", "checks/golden/x.mtx"});
+  expected.insert({"README.md", "given/solver/a.h", "solver/b.h", "check/golden/x.mtx"});
   EXPECT_EQ(destinations(lines), expected);
   EXPECT_EQ(lines.back().source, "golden/x.mtx");
 }

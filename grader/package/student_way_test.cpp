@@ -66,7 +66,7 @@ class StudentsWay : public testing::Test {
   void solve() const {
     fs::create_directories(folder_ / "hair-assignment/student");
     for (const Exercise& exercise : course_.exercises)
-      fs::copy_file(sources_.root / "reference" / exercise.file,
+      fs::copy_file(sources_.root / solution_of(exercise),
                     folder_ / "hair-assignment/student" / exercise.file,
                     fs::copy_options::overwrite_existing);
   }
@@ -93,7 +93,8 @@ TEST_F(StudentsWay, LeadsFromTheArchiveToTheHandIn) {
     EXPECT_TRUE(says_not_implemented(ran.output, exercise.id)) << exercise.id << "\n" << ran.output;
 
   const fs::path s2 = folder_ / "hair-assignment/student/normal_equations.cpp";
-  fs::copy_file(sources_.root / "reference/normal_equations.cpp", s2, fs::copy_options::overwrite_existing);
+  fs::copy_file(sources_.root / "reference/S2/normal_equations.cpp", s2,
+                fs::copy_options::overwrite_existing);
   ran = run("cmake --build build --target check-S2");
   EXPECT_EQ(ran.output.find(" pass\n"), std::string::npos) << "S2 can't pass without S1";
   EXPECT_NE(ran.output.find("\nS1 ConjGrad is not implemented yet\n"), std::string::npos) << ran.output;
@@ -113,13 +114,13 @@ TEST_F(StudentsWay, LeadsFromTheArchiveToTheHandIn) {
 
   const fs::path own = folder_ / "hair-assignment/student";
   std::ofstream(own / "about.txt") << "Hours: 12\nHardest: H6\nUnclear: nothing; [all] \"fine\"\n";
-  fs::copy_file(sources_.root / "handout/student/length_correction.cpp", own / "length_correction.cpp",
+  fs::copy_file(sources_.root / "handout/exercises/H5/length_correction.cpp", own / "length_correction.cpp",
                 fs::copy_options::overwrite_existing);
   std::ofstream(own / "bend_springs.cpp", std::ios::app) << "\n";
   ASSERT_EQ(run("sh -c 'cd .. && cmake -E tar xf handout.tar.gz'").code, 0) << "a newer handout over it";
   ran = run("cmake --build build --target handin");
   ASSERT_EQ(ran.code, 0) << ran.output;
-  fs::copy_file(sources_.root / "reference/length_correction.cpp", own / "length_correction.cpp",
+  fs::copy_file(sources_.root / "reference/H5/length_correction.cpp", own / "length_correction.cpp",
                 fs::copy_options::overwrite_existing);
   for (const char* line :
        {" public checks pass\n",
@@ -136,7 +137,7 @@ TEST_F(StudentsWay, LeadsFromTheArchiveToTheHandIn) {
   ASSERT_EQ(submissions[0].files.size(), course_.exercises.size());
   for (const Exercise& exercise : course_.exercises)
     EXPECT_EQ(submissions[0].files.at(exercise.file).text,
-              hair::bytes_of(sources_.root / "reference" / exercise.file) +
+              hair::bytes_of(sources_.root / solution_of(exercise)) +
                   (exercise.file == "bend_springs.cpp" ? "\n" : ""));
   EXPECT_EQ(submissions[0].about, "Hours: 12\nHardest: H6\nUnclear: nothing; [all] \"fine\"\n\nHandout: " +
                                       handout_files(sources_, course_).at("version.txt"));
@@ -200,8 +201,10 @@ TEST_F(SlowWay, IsShortToTheFirstHair) {
   unpack();
   const fs::path own = folder_ / "hair-assignment";
   fs::create_directories(own / "student");
-  for (const char* file : {"explicit_integrators.cpp", "stretch_springs.cpp"})
-    fs::copy_file(sources_.root / "reference" / file, own / "student" / file);
+  for (const char* id : {"P1", "H1"}) {
+    const Exercise& exercise = *course_.find(id);
+    fs::copy_file(sources_.root / solution_of(exercise), own / "student" / exercise.file);
+  }
   const std::string readme = hair::bytes_of(own / "README.md");
   std::vector<std::string> commands = commands_behind(readme, "\n## Look at your hair\n");
   ASSERT_NE(readme.find("`hairlab view limp-hair`"), std::string::npos);

@@ -1,4 +1,4 @@
-// STAFF ONLY. A student's answers to the questions of about.txt (handout/student/about.txt).
+// STAFF ONLY. A student's answers to the questions of about.txt (handout/about.txt).
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-// STAFF ONLY. What a hidden suite found of a job (grader/suite/job.h), as hairsuite writes it to standard output.
+// STAFF ONLY. What a hidden suite found of a job (grader/judge/job.h), as hairsuite writes it to standard output.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace grader {
 
-// The look for memory errors, see grader/suite/memory_errors.h.
+// The look for memory errors, see grader/judge/memory_errors.h.
 struct MemoryLook {
   // A memory error, as a sentence for the student, and the number of the function that was called, in the
   // order of exercises.json. Empty: none was found.

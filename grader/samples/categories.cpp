@@ -1,4 +1,4 @@
-// STAFF ONLY. Reads the suites' table of categories.
+// STAFF ONLY. Reads the categories of exercises.
 #include "grader/samples/categories.h"
 
 #include <algorithm>
@@ -8,15 +8,16 @@
 
 namespace grader {
 
-SampleCategories read_categories(const std::filesystem::path& file) {
-  const nlohmann::json document = read_json(file);
-  const JsonValue top(document, file);
+SampleCategories read_categories(const std::filesystem::path& project, const Course& course) {
   SampleCategories all;
-  for (const std::string& exercise : top.keys())
-    for (const JsonValue& json : top[exercise].items()) {
-      json.check_keys({"name", "title", "points"});
-      all[exercise].push_back({json["name"].text(), json["title"].text(), json["points"].number(0, 1000)});
+  for (const Exercise& exercise : course.exercises) {
+    const std::filesystem::path file = project / "handout" / exercise.folder / "categories.json";
+    const nlohmann::json document = read_json(file);
+    for (const JsonValue& json : JsonValue(document, file).items()) {
+      json.check_keys({"id", "title", "points", "asks"}, {"functions", "rows"});
+      all[exercise.id].push_back({json["id"].text(), json["title"].text(), json["points"].number(0, 1000)});
     }
+  }
   return all;
 }
 

@@ -1,12 +1,12 @@
-// STAFF ONLY. The categories by which exercises are graded, as the hidden suites list them at build time (grader/suite/list_categories.cpp):
-//
-//   {"H2": [{"name": "Energy", "title": "The energy", "points": 2}, ...], ...}
+// STAFF ONLY. The categories by which exercises are graded, as each exercise's categories.json declares them.
 #pragma once
 
 #include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
+
+#include "grader/course/course.h"
 
 namespace grader {
 
@@ -17,8 +17,8 @@ struct SampleCategory {
 
 using SampleCategories = std::map<std::string, std::vector<SampleCategory>>;  // by exercise
 
-// Throws BadInput with the file and the JSON path.
-SampleCategories read_categories(const std::filesystem::path& file);
+// Of the exercises of PROJECT/handout. Throws BadInput with the file and the JSON path.
+SampleCategories read_categories(const std::filesystem::path& project, const Course& course);
 
 // Of an exercise whose categories of these titles fail.
 double points_without(const std::vector<SampleCategory>& categories, const std::vector<std::string>& failed);

@@ -1,4 +1,4 @@
-// STAFF ONLY. Packs the samples: make_samples PROJECT CATEGORIES CLASS SHOWCASE ATTACKS makes the three folders anew. CLASS gets an
+// STAFF ONLY. Packs the samples: make_samples PROJECT CLASS SHOWCASE ATTACKS makes the three folders anew. CLASS gets an
 // archive or a folder for each sample of PROJECT but most attacks, SHOWCASE a copy of those that are
 // marked for it, and ATTACKS a folder for each place, with its attacks and what is graded beside them.
 #include <clocale>
@@ -105,16 +105,16 @@ void make_folder(const fs::path& folder, const Fill& fill) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (argc != 6) {
-    std::cerr << "usage: make_samples PROJECT CATEGORIES CLASS SHOWCASE ATTACKS\n";
+  if (argc != 5) {
+    std::cerr << "usage: make_samples PROJECT CLASS SHOWCASE ATTACKS\n";
     return 2;
   }
   // What archives hold of times and names depends on both.
   setenv("TZ", "UTC", 1);
   if (!std::setlocale(LC_CTYPE, "C.UTF-8")) std::setlocale(LC_CTYPE, "en_US.UTF-8");
   try {
-    const fs::path project = argv[1], all = argv[3], showcase = argv[4], attacks = argv[5];
-    const auto samples = grader::read_samples(project, argv[2]);
+    const fs::path project = argv[1], all = argv[2], showcase = argv[3], attacks = argv[4];
+    const auto samples = grader::read_samples(project);
     make_folder(all, [&](const fs::path& folder) {
       for (const Sample& sample : samples)
         if (sample.in_class()) write_sample(sample, project, folder);

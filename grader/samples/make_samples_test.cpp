@@ -19,11 +19,10 @@ struct Outcome {
 
 Outcome make_samples(const fs::path& project, const fs::path& out,
                      const fs::path& showcase = scratch("project") / "showcase") {
-  const fs::path log = scratch("log"),
-                 categories = project == HAIR_PROJECT ? HAIR_CATEGORIES : project / "categories.json";
+  const fs::path log = scratch("log");
   const std::string command = std::string("'") + HAIR_MAKE_SAMPLES + "' '" + project.string() + "' '" +
-                              categories.string() + "' '" + out.string() + "' '" + showcase.string() + "' '" +
-                              out.string() + "-attacks' >'" + log.string() + "' 2>&1";
+                              out.string() + "' '" + showcase.string() + "' '" + out.string() +
+                              "-attacks' >'" + log.string() + "' 2>&1";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, hair::bytes_of(log)};
 }
@@ -53,7 +52,7 @@ TEST(MakeSamples, Edits) {
 
 TEST(MakeSamples, PutsAHeaderBesideTheSolutionInItsPlace) {
   const fs::path project = small_project("before\n#include \"own.h\"\n#include \"other.h\"\none\n");
-  std::ofstream(project / "grader/samples/solutions/plain/own.h") << "// STAFF ONLY.\nown\ntext\n";
+  std::ofstream(project / "reference/right/own.h") << "// STAFF ONLY.\nown\ntext\n";
   const Outcome run = make_samples(project, project / "class");
   EXPECT_EQ(run.code, 0) << run.output;
   EXPECT_EQ(hair::bytes_of(project / "class" / "bug" / "a.cpp"),
@@ -122,7 +121,7 @@ TEST(MakeSamples, RefusesAnEditOfAFileThatIsNotThere) {
 
 TEST(MakeSamples, NamesASolutionThatIsNotThere) {
   const fs::path project = small_project("one\n");
-  fs::remove(project / "grader" / "samples" / "solutions" / "plain" / "a.cpp");
+  fs::remove(project / "reference/A/right/plain.cpp");
   const Outcome run = make_samples(project, project / "class");
   EXPECT_EQ(run.code, 2);
   EXPECT_NE(run.output.find("sample \"bug\": a.cpp: "), std::string::npos) << run.output;

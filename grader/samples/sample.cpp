@@ -46,17 +46,18 @@ std::string Sample::file_name() const {
   return name;
 }
 
-std::vector<Sample> read_samples(const std::filesystem::path& project,
-                                 const std::filesystem::path& categories) {
-  const SampleCategories known = read_categories(categories);
+std::vector<Sample> read_samples(const std::filesystem::path& project) {
   const Course course = read_course(project / "handout" / "exercises.json");
-  std::vector<std::filesystem::path> files;
+  const SampleCategories known = read_categories(project, course);
+  std::map<std::string, std::filesystem::path> groups;  // by name
+  for (const Exercise& exercise : course.exercises)
+    if (const auto own = project / "reference" / exercise.id / "wrong.samples"; std::filesystem::exists(own))
+      groups[exercise.id] = own;
   for (const auto& entry : std::filesystem::directory_iterator(project / "grader" / "samples"))
-    if (entry.path().extension() == ".samples") files.push_back(entry.path());
-  std::ranges::sort(files);
+    if (entry.path().extension() == ".samples") groups[entry.path().stem().string()] = entry.path();
   std::vector<Sample> samples;
   std::set<std::string> names;
-  for (const std::filesystem::path& file : files) {
+  for (const auto& [name, file] : groups) {
     const GroupFile group = read_group_file(file);
     for (const std::vector<GroupLine>& own : group.samples) {
       const GroupLine& first = own.front();
@@ -64,7 +65,7 @@ std::vector<Sample> read_samples(const std::filesystem::path& project,
         group.fail(first, "the name \"" + first.rest + "\" is taken; give each sample its own");
       const std::vector<GroupLine> lines = all_lines(group, own);
       SampleBuilder builder{group, course, known};
-      builder.sample.group = file.stem().string();
+      builder.sample.group = name;
       for (const GroupLine& line : lines) builder.read(line);
       builder.complete(first);
       samples.push_back(std::move(builder.sample));

@@ -1,5 +1,5 @@
 // STAFF ONLY. The sample class: submissions with known bugs and attacks, and what grading them must give. A group of them is a
-// file, GROUP.samples, with a line for each fact. Lines before the first sample hold for all samples that don't say otherwise:
+// file, GROUP.samples, or an exercise's wrong.samples, with a line for each fact. Lines before the first sample hold for all samples that don't say otherwise:
 //
 //   title Bugs in H2
 //   file plain angular_springs.cpp
@@ -17,7 +17,7 @@
 //   sample NAME          of the archive or folder, without its ending
 //   shows TEXT           the bug, or what is right, in a line
 //   form FORM            zip, tar.gz or folder
-//   file SOLUTION PATH   a file of the archive: "reference", "stub" or a folder of solutions/, which has an exercise file of that name
+//   file SOLUTION PATH   a file of the archive, named as an exercise's: "reference", "stub" or a right solution (solution_files.h)
 //   text TEXT PATH       a file that holds this text, a JSON string
 //   link TARGET PATH     a symbolic link
 //   zeros BYTES PATH     so many zero bytes. A PATH with odd letters is a JSON string, too
@@ -30,7 +30,7 @@
 //   showcase             one of the few that show every kind of sample
 //   beside-attacks       right, and graded beside the attacks of every place
 //   status ID STATUS     of an exercise, or of "all"
-//   fails ID NAMES       the categories that fail (grader/suite/): its status is "partly", if no other is given, and its points are
+//   fails ID NAMES       the categories that fail (categories.json): its status is "partly", if no other is given, and its points are
 //                        those of the other categories
 //   points ID POINTS     of a sample of the showcase, besides: an error in scoring can't confirm itself
 //   useless TEXT         why it loses more than three categories: nothing of what it writes can be used
@@ -98,7 +98,7 @@ struct Overwrite {
 };
 
 struct Sample {
-  std::string group, title;  // "H1" for H1.samples, and the file's title
+  std::string group, title;  // "H1" for reference/H1/wrong.samples, and the file's title
   std::string name, shows;
   SampleForm form = SampleForm::zip;
   std::vector<SampleFile> files;  // sorted by path
@@ -116,9 +116,8 @@ struct Sample {
   bool graded_at(const std::string& place) const { return attack ? attack->place == place : beside_attacks; }
 };
 
-// The groups of PROJECT/grader/samples, in the order of their names, for the exercises of PROJECT/handout/exercises.json
-// and their categories. Throws BadInput with file and line.
-std::vector<Sample> read_samples(const std::filesystem::path& project,
-                                 const std::filesystem::path& categories = HAIR_CATEGORIES);
+// The exercises' groups, PROJECT/reference/<ID>/wrong.samples, and those of PROJECT/grader/samples, in the order of their names.
+// Throws BadInput with file and line.
+std::vector<Sample> read_samples(const std::filesystem::path& project);
 
 }  // namespace grader

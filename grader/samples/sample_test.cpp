@@ -7,13 +7,9 @@
 namespace grader {
 namespace {
 
-std::vector<Sample> read(const fs::path& project) {
-  return read_samples(project, project / "categories.json");
-}
-
 void expect_refused(const fs::path& project, const std::string& words) {
   try {
-    read(project);
+    read_samples(project);
     FAIL() << "read, for all that: " << words;
   } catch (const BadInput& error) {
     EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
@@ -22,7 +18,7 @@ void expect_refused(const fs::path& project, const std::string& words) {
 
 TEST(ReadSamples, ComputesPointsFromTheCategoriesThatFail) {
   const fs::path project = small_project("one\n");
-  const auto samples = read(project);
+  const auto samples = read_samples(project);
   ASSERT_EQ(samples.size(), 1u);
   EXPECT_EQ(samples[0].expected.at("A").status, "partly");
   EXPECT_EQ(samples[0].expected.at("A").points, 3.0);
@@ -31,20 +27,20 @@ TEST(ReadSamples, ComputesPointsFromTheCategoriesThatFail) {
   EXPECT_EQ(samples[0].group, "bugs");
   EXPECT_FALSE(samples[0].showcase);
   add_sample(project, "more", "form zip\nfile plain a.cpp\nstatus A crashed\nfails A Two\n");
-  EXPECT_EQ(read(project).at(1).expected.at("A").status, "crashed");
-  EXPECT_EQ(read(project).at(1).expected.at("A").points, 2.0);
+  EXPECT_EQ(read_samples(project).at(1).expected.at("A").status, "crashed");
+  EXPECT_EQ(read_samples(project).at(1).expected.at("A").points, 2.0);
 }
 
 TEST(ReadSamples, TakesTheShowcasesPointsAsTheyStandThere) {
   const fs::path project = small_project("one\n");
   add_sample(project, "more", "form zip\nshowcase\nfile plain a.cpp\nfails A Two\npoints A 1\n");
-  EXPECT_EQ(read(project).at(1).expected.at("A").points, 1.0);
+  EXPECT_EQ(read_samples(project).at(1).expected.at("A").points, 1.0);
 }
 
 TEST(ReadSamples, ReadsAttacks) {
   const fs::path project = small_project("one\n");
   add_sample(project, "attacks", "form zip\nalso crashed\nno-pictures\n" + kAttack);
-  const std::vector<Sample> samples = read(project);
+  const std::vector<Sample> samples = read_samples(project);
   ASSERT_TRUE(samples.at(1).attack.has_value());
   const Attack& attack = *samples[1].attack;
   EXPECT_EQ(attack.place, "start");
@@ -57,14 +53,14 @@ TEST(ReadSamples, ReadsAttacks) {
   EXPECT_FALSE(samples[1].in_class());
   EXPECT_FALSE(samples[0].attack.has_value());
   add_sample(project, "attacks", "form zip\nshowcase\nplace run\nfence A wall.\nmost all 7\nseconds 1\n");
-  EXPECT_EQ(read(project).at(1).attack->most_points, 7.0);
-  EXPECT_TRUE(read(project)[1].in_class());
+  EXPECT_EQ(read_samples(project).at(1).attack->most_points, 7.0);
+  EXPECT_TRUE(read_samples(project)[1].in_class());
 }
 
 TEST(ReadSamples, ReadsTheGroupsInTheOrderOfTheirNames) {
   const fs::path project = small_project("one\n");
   add_sample(project, "more", "form zip\n");
-  const auto samples = read(project);
+  const auto samples = read_samples(project);
   ASSERT_EQ(samples.size(), 2u);
   EXPECT_EQ(samples[0].name, "bug");
   EXPECT_EQ(samples[1].name, "more");
@@ -72,16 +68,16 @@ TEST(ReadSamples, ReadsTheGroupsInTheOrderOfTheirNames) {
 
 TEST(ReadSamples, ExpectsWhatHasAFileToPassAndAllElseToBeMissing) {
   const fs::path project = small_project("one\n");
-  EXPECT_EQ(read(project)[0].expected.at("B").status, "missing");
-  EXPECT_EQ(read(project)[0].listed, std::vector<std::string>{"A"});
+  EXPECT_EQ(read_samples(project)[0].expected.at("B").status, "missing");
+  EXPECT_EQ(read_samples(project)[0].listed, std::vector<std::string>{"A"});
   add_sample(project, "more", "form zip\nfile plain a.cpp\n");
-  EXPECT_EQ(read(project)[1].expected.at("A").status, "passed");
+  EXPECT_EQ(read_samples(project)[1].expected.at("A").status, "passed");
   add_sample(project, "more", "form zip\nothers reference\n");
-  EXPECT_EQ(read(project)[1].expected.at("B").status, "passed");
+  EXPECT_EQ(read_samples(project)[1].expected.at("B").status, "passed");
   add_sample(project, "more", "form zip\nothers stub\n");
-  EXPECT_EQ(read(project)[1].expected.at("B").status, "not implemented");
+  EXPECT_EQ(read_samples(project)[1].expected.at("B").status, "not implemented");
   add_sample(project, "more", "form zip\nstatus all can't be read\n");
-  EXPECT_EQ(read(project)[1].listed, (std::vector<std::string>{"A", "B"}));
+  EXPECT_EQ(read_samples(project)[1].listed, (std::vector<std::string>{"A", "B"}));
 }
 
 TEST(ReadSamples, TakesTheGroupsLinesWhereTheSampleHasNone) {
@@ -89,7 +85,7 @@ TEST(ReadSamples, TakesTheGroupsLinesWhereTheSampleHasNone) {
   std::ofstream(project / "grader/samples/more.samples")
       << "title More\n# A comment.\nform zip\nfile plain a.cpp\nfile plain b.cpp\nothers stub\n\n"
          "sample first\nshows It.\n\nsample second\nshows It.\nform folder\nzeros 3 a.bin\nothers none\n";
-  const auto samples = read(project);
+  const auto samples = read_samples(project);
   EXPECT_EQ(samples.at(1).form, SampleForm::zip);
   EXPECT_EQ(samples[1].title, "More");
   EXPECT_EQ(samples[1].files.size(), 2U);
@@ -101,7 +97,7 @@ TEST(ReadSamples, TakesTheGroupsLinesWhereTheSampleHasNone) {
 TEST(ReadSamples, ReadsOddTextsAndPaths) {
   const fs::path project = small_project("one\n");
   add_sample(project, "more", "form zip\ntext \"a \\\"\\n\" \"b\\n c\"\nlink /etc/passwd two words\n");
-  const auto files = read(project).at(1).files;
+  const auto files = read_samples(project).at(1).files;
   ASSERT_EQ(files.size(), 2U);
   EXPECT_EQ(files[0].path, "b\n c");
   EXPECT_EQ(files[0].value, "a \"\n");

@@ -187,7 +187,8 @@ TEST(SampleClass, ExpectsAKnownStatusForEachExercise) {
 
 // They are written down, and so are the categories: either shows an error in the other.
 TEST(SampleClass, ShowcasesPointsAreThoseOfTheirCategories) {
-  const SampleCategories categories = read_categories(HAIR_CATEGORIES);
+  const SampleCategories categories =
+      read_categories(kProject, read_course(kProject / "handout/exercises.json"));
   int compared = 0;
   for (const Sample& sample : all_samples())
     for (const auto& [id, expected] : sample.expected)

@@ -18,25 +18,26 @@ inline fs::path scratch(const std::string& name) {
 }
 
 inline constexpr const char* kExercises = R"json({"exercises": [
-    {"id": "A", "title": "a", "file": "a.cpp", "functions": ["a()"], "header": "a.h", "text": "a.md",
-     "checks": "a_check.cpp", "prerequisites": [], "libraries": [], "points": 5, "role": "assigned"},
-    {"id": "B", "title": "b", "file": "b.cpp", "functions": ["b()"], "header": "b.h", "text": "b.md",
-     "checks": "b_check.cpp", "prerequisites": [], "libraries": [], "points": 5, "role": "assigned"}]})json";
+    {"id": "A", "title": "a", "file": "a.cpp", "functions": ["a()"], "header": "a.h", "prerequisites": [], "libraries": [], "points": 5, "role": "assigned"},
+    {"id": "B", "title": "b", "file": "b.cpp", "functions": ["b()"], "header": "b.h", "prerequisites": [], "libraries": [], "points": 5, "role": "assigned"}]})json";
 
 // A project with two exercises and one sample, whose edit turns "one" to "two" in a file that reads `source`.
 inline fs::path small_project(const std::string& source) {
   const fs::path project = scratch("project");
   const fs::path samples = project / "grader" / "samples";
   fs::remove_all(project);
-  fs::create_directories(samples / "solutions/plain");
-  for (const char* folder : {"handout/student", "reference"}) fs::create_directories(project / folder);
+  for (const char* folder : {"grader/samples", "handout/exercises/A", "handout/exercises/B",
+                             "reference/A/right", "reference/B", "reference/right"})
+    fs::create_directories(project / folder);
   std::ofstream(project / "handout" / "exercises.json") << kExercises;
-  std::ofstream(project / "categories.json") << R"({
-    "A": [{"name": "One", "title": "The first", "points": 2}, {"name": "Two", "title": "The second", "points": 3}],
-    "B": [{"name": "One", "title": "The first", "points": 5}]})";
-  std::ofstream(project / "handout" / "student" / "b.cpp") << "stub\n";
-  std::ofstream(project / "reference" / "b.cpp") << "reference\n";
-  std::ofstream(samples / "solutions" / "plain" / "a.cpp") << source;
+  std::ofstream(project / "handout/exercises/A/categories.json")
+      << R"([{"id": "One", "title": "The first", "points": 2, "asks": ""},
+             {"id": "Two", "title": "The second", "points": 3, "asks": ""}])";
+  std::ofstream(project / "handout/exercises/B/categories.json")
+      << R"([{"id": "One", "title": "The first", "points": 5, "asks": ""}])";
+  std::ofstream(project / "handout/exercises/B/b.cpp") << "stub\n";
+  std::ofstream(project / "reference/B/b.cpp") << "reference\n";
+  std::ofstream(project / "reference/A/right/plain.cpp") << source;
   std::ofstream(samples / "bugs.samples")
       << "title Bugs\n\nsample bug\nshows A bug.\nform folder\nfile plain a.cpp\n"
          "fails A One\nedit\n-one\n+two\n";

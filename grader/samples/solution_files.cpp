@@ -1,11 +1,13 @@
 // STAFF ONLY.
 #include "grader/samples/solution_files.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 #include <set>
 #include <stdexcept>
 
+#include "grader/course/course.h"
 #include "grader/course/input.h"
 
 namespace grader {
@@ -13,10 +15,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path base_folder(const std::string& base, const fs::path& project) {
-  if (base == "reference") return project / "reference";
-  if (base == "stub") return project / "handout" / "student";
-  return project / "grader" / "samples" / "solutions" / base;
+// "reference", "stub" or a right solution; one that belongs to no exercise lies in grader/samples/solutions/.
+fs::path file_of(const std::string& solution, const Exercise& exercise, const fs::path& project) {
+  if (solution == "reference") return project / "reference" / exercise.id / exercise.file;
+  if (solution == "stub") return project / "handout" / exercise.folder / exercise.file;
+  const fs::path right = project / "reference" / exercise.id / "right" / (solution + ".cpp");
+  return fs::exists(right) ? right : project / "grader/samples/solutions" / solution / exercise.file;
 }
 
 std::string as_on_windows(const std::string& text) {
@@ -28,10 +32,10 @@ std::string as_on_windows(const std::string& text) {
   return windows;
 }
 
-// A hand-in is one file: #include "NAME" of a header in the solution's folder becomes the header's text, but for its first line.
-std::string in_one_file(const fs::path& source) {
+// A hand-in is one file: #include "NAME" of a header that right solutions share becomes the header's text, but for its first line.
+std::string in_one_file(const fs::path& source, const fs::path& project) {
   std::string text = read_bytes(source);
-  for (const auto& item : fs::directory_iterator(source.parent_path())) {
+  for (const auto& item : fs::directory_iterator(project / "reference/right")) {
     const std::string line = "#include \"" + item.path().filename().string() + "\"\n";
     const std::size_t at = item.path().extension() == ".h" ? text.find(line) : std::string::npos;
     if (at == std::string::npos) continue;
@@ -46,15 +50,18 @@ std::string in_one_file(const fs::path& source) {
 std::map<std::string, std::string> solution_files(const Sample& sample, const fs::path& project) {
   std::map<std::string, std::string> texts;
   std::set<std::string> names;
+  const Course course = read_course(project / "handout/exercises.json");
   for (const SampleFile& file : sample.files) {
     if (file.kind != SampleFile::Kind::solution) continue;
     const std::string name = fs::path(file.path).filename().string();
-    const fs::path source = base_folder(file.value, project) / name;
+    const auto exercise = std::ranges::find(course.exercises, name, &Exercise::file);
+    const fs::path source =
+        exercise == course.exercises.end() ? fs::path() : file_of(file.value, *exercise, project);
     if (!fs::is_regular_file(source)) {
       throw BadInput("sample \"" + sample.name + "\": " + file.path + ": " + source.string() +
-                     " is not there; name \"reference\", \"stub\" or a folder of solutions/ that has it");
+                     " is not there; name \"reference\", \"stub\" or a file of reference/ID/right/");
     }
-    const std::string text = edited(in_one_file(source), name, sample.edits);
+    const std::string text = edited(in_one_file(source, project), name, sample.edits);
     texts[file.path] = sample.windows ? as_on_windows(text) : text;
     names.insert(name);
   }

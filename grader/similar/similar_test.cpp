@@ -21,22 +21,26 @@ namespace fs = std::filesystem;
 
 const fs::path kProject = HAIR_PROJECT;
 
+const Course& course() {
+  static const Course all = read_course(kProject / "handout/exercises.json");
+  return all;
+}
+
 std::string stub_of(const std::string& file) {
-  return hair::bytes_of(kProject / "handout/student" / file);
+  return hair::bytes_of(kProject / unwritten_file_of(*std::ranges::find(course().exercises, file, &Exercise::file)));
 }
 
 // Right solutions that differ, by exercise file: the reference and the samples'.
 std::map<std::string, std::vector<SimilarFile>> honest_files() {
   std::map<std::string, std::vector<SimilarFile>> files;
-  std::vector<fs::path> paths;
-  for (const fs::path& folder : {kProject / "reference", kProject / "grader/samples/solutions"})
-    for (const auto& entry : fs::recursive_directory_iterator(folder)) paths.push_back(entry.path());
-  std::sort(paths.begin(), paths.end());
-  for (const fs::path& path : paths) {
-    const std::string file = path.filename().string(), who = path.parent_path().filename().string();
-    if (path.extension() == ".cpp" && fs::exists(kProject / "handout/student" / file) &&
-        who != "includes-reference")
-      files[file].push_back({who, hair::bytes_of(path)});
+  for (const Exercise& exercise : course().exercises) {
+    std::vector<fs::path> paths;
+    for (const auto& entry : fs::directory_iterator(kProject / "reference" / exercise.id / "right"))
+      paths.push_back(entry.path());
+    std::ranges::sort(paths);
+    files[exercise.file] = {{"reference", hair::bytes_of(kProject / solution_of(exercise))}};
+    for (const fs::path& path : paths)
+      files[exercise.file].push_back({path.stem().string(), hair::bytes_of(path)});
   }
   return files;
 }

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <map>
 
-#include "handout/checks/apart.h"
+#include "handout/check/apart.h"
 
 TEST(Broken, Passes) {}
 TEST(Broken, Fails) {

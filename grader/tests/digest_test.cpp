@@ -1,5 +1,5 @@
 // STAFF ONLY. What the public checks tell a student: the first failure, a place to look, names, and the categories at stake.
-#include "handout/checks/digest.h"
+#include "handout/check/digest.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "handout/checks/apart.h"
+#include "handout/check/apart.h"
 
 namespace {
 

@@ -1,71 +1,67 @@
-// STAFF ONLY. Every category of a text's table has public checks, and every check belongs to a category: so each loss can be foreseen. The
-// definition HAIR_CHECKS names the folder of the programs reference_ID_check.
+// STAFF ONLY. Each loss can be foreseen: a category has public checks, and a failure points to one of its rows. The definition
+// HAIR_CHECKS names the folder of the programs reference_ID_check.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cstdio>
-#include <filesystem>
-#include <memory>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <set>
-#include <sstream>
 
 #include "grader/course/course.h"
-#include "handout/checks/text_tables.h"
+#include "grader/judge/suite_table.h"
+#include "hair/io/files/temporary_folder.h"
 
 namespace grader {
 namespace {
 
-namespace fs = std::filesystem;
+constexpr std::size_t kMostRows = 3;
 
-// Asked of all of the other categories' code at once.
-const std::set<std::string> kInGradingAlone = {"The whole run", "Pictures of it", "No memory errors"};
-
-struct Listed {
-  std::string check, category, seen;
-};
-
-std::vector<Listed> checks_of(const std::string& exercise) {
-  const std::string command = std::string(HAIR_CHECKS) + "/reference_" + exercise + "_check --list";
-  const std::unique_ptr<FILE, int (*)(FILE*)> program(popen(command.c_str(), "r"), pclose);
-  std::string output;
-  std::array<char, 4096> block{};
-  while (std::size_t got = fread(block.data(), 1, block.size(), program.get()))
-    output.append(block.data(), got);
-  std::vector<Listed> all;
-  std::istringstream lines(output);
-  for (std::string line; std::getline(lines, line);) {
-    Listed one;
-    std::istringstream cells(line);
-    std::getline(cells, one.check, '\t');
-    std::getline(cells, one.category, '\t');
-    std::getline(cells, one.seen, '\t');
-    all.push_back(one);
-  }
-  return all;
+// The rows that checks point to, by their suites: the property "row" of GoogleTest's report on the reference; "-": a check names none.
+std::map<std::string, std::set<std::string>> rows_by_suite(const std::string& exercise) {
+  const hair::TemporaryFolder folder("foreseen");
+  const std::string report = (folder.path() / "report.json").string();
+  const std::string command =
+      std::string(HAIR_CHECKS) + "/reference_" + exercise + "_check --gtest_output=json:'" + report + "' >/dev/null";
+  EXPECT_EQ(std::system(command.c_str()), 0) << command;
+  std::ifstream in(report);
+  const nlohmann::json all = nlohmann::json::parse(in);
+  std::map<std::string, std::set<std::string>> rows;
+  for (const auto& suite : all["testsuites"])
+    for (const auto& check : suite["testsuite"])
+      rows[suite["name"]].insert(check.contains("row") ? check["row"].get<std::string>() : "-");
+  return rows;
 }
 
 TEST(PublicChecks, ForeseeEachCategory) {
-  const fs::path handout = fs::path(HAIR_PROJECT) / "handout";
-  for (const Exercise& exercise : read_course(handout / "exercises.json").exercises) {
-    const std::vector<Listed> checks = checks_of(exercise.id);
-    ASSERT_GE(checks.size(), 5U) << exercise.id;
-    const checks::TextTables text = checks::read_text_tables((handout / exercise.text).string());
-    std::set<std::string> titles, asked;
-    for (const auto& category : text.categories) titles.insert(category.title);
-    for (const Listed& one : checks) {
-      const auto begins = [&](const checks::TextTables::Row& row) { return row.seen.starts_with(one.seen); };
-      EXPECT_EQ(one.seen.empty() ? 1 : std::ranges::count_if(text.symptoms, begins), 1)
-          << one.check << " points to \"" << one.seen << "\": " << exercise.text
-          << " has no such row, or several";
-      EXPECT_TRUE(titles.contains(one.category))
-          << one.check << " belongs to \"" << one.category << "\", which the table of " << exercise.text
-          << " does not have";
-      asked.insert(one.category);
+  for (const Exercise& exercise : read_course(std::string(HAIR_PROJECT) + "/handout/exercises.json").exercises) {
+    const std::vector<checks::Category>& declared = declared_categories(exercise.id);
+    std::map<std::string, std::set<std::string>> asked;  // rows, by category
+    for (const auto& [suite, rows] : rows_by_suite(exercise.id)) {
+      const checks::Category* category = checks::category_of(declared, suite);
+      ASSERT_NE(category, nullptr) << exercise.id << ": " << suite << " is no category";
+      asked[category->id].insert(rows.begin(), rows.end());
     }
-    for (const std::string& title : titles)
-      EXPECT_TRUE(asked.contains(title) || kInGradingAlone.contains(title))
-          << exercise.id << ": no public check foresees \"" << title << "\"";
+    for (const checks::Category& category : declared) {
+      const std::string where = exercise.id + "/" + category.id;
+      EXPECT_EQ(asked.contains(category.id), !category.functions.empty()) << where << ": public checks";
+      EXPECT_LE(category.rows.size(), kMostRows) << where;
+      std::set<std::string> known{"-", ""};
+      for (const checks::Row& row : category.rows) known.insert(row.id);
+      for (const std::string& row : asked[category.id])
+        EXPECT_TRUE(known.contains(row)) << where << " has no row \"" << row << "\"";
+      for (std::size_t i = 1; i < category.rows.size(); ++i)
+        EXPECT_TRUE(asked[category.id].contains(category.rows[i].id))
+            << where << ": no check points to the row \"" << category.rows[i].id << "\"";
+    }
+  }
+}
+
+TEST(Categories, AreWorthTheExercisesPointsAndAreAsked) {
+  for (const Exercise& exercise : read_course(std::string(HAIR_PROJECT) + "/handout/exercises.json").exercises) {
+    double sum = 0;
+    for (const checks::Category& one : declared_categories(exercise.id)) sum += one.points;
+    EXPECT_EQ(sum, exercise.points) << exercise.id;
+    EXPECT_GE(categories(exercise.id).size(), 5U) << exercise.id;
   }
 }
 

@@ -107,10 +107,9 @@ TEST_F(GradescopePackage, OfThePublicChecksHoldsNeitherSecretNorReference) {
   EXPECT_FALSE(fs::exists(source / "secret"));
   for (const Exercise& exercise : read_course(project / "handout/exercises.json").exercises) {
     // S1 alone is asked for; students have the others, solved.
-    const char* from = exercise.id == "S1" ? "handout/student" : "reference";
-    EXPECT_EQ(hair::bytes_of(source / "hair/reference" / exercise.file),
-              hair::bytes_of(project / from / exercise.file));
-    EXPECT_FALSE(fs::exists(source / "hair/grader/exercise" / exercise.id / "cases.cpp"));
+    const fs::path from = exercise.id == "S1" ? unwritten_file_of(exercise) : solution_of(exercise);
+    EXPECT_EQ(hair::bytes_of(source / "hair" / solution_of(exercise)), hair::bytes_of(project / from));
+    EXPECT_FALSE(fs::exists(source / "hair/reference" / exercise.id / "cases.cpp"));
   }
   for (const auto& file : fs::recursive_directory_iterator(source)) {
     for (const char* hidden : {"scene.json", ".samples", "full_head.cpp"})
@@ -119,7 +118,7 @@ TEST_F(GradescopePackage, OfThePublicChecksHoldsNeitherSecretNorReference) {
       EXPECT_EQ(hair::bytes_of(file.path()).find(kSecret), string::npos) << file.path();
     }
   }
-  EXPECT_TRUE(fs::exists(source / "hair/handout/checks/golden/S1.txt"));
+  EXPECT_TRUE(fs::exists(source / "hair/handout/check/golden/S1.txt"));
   EXPECT_NE(hair::bytes_of(source / "run_autograder").find("hairchecks\""), string::npos);
 }
 

@@ -478,7 +478,7 @@ TEST_F(Hairgrade, KeepsNoObjectThatWasCompiledWithoutASandbox) {
   // Outside of the sandbox the staff's files can be included; that object must not serve a run inside.
   fs::create_directory(folder_ / "thief");
   std::ofstream(folder_ / "thief" / "conj_grad.cpp")
-      << "#include \"" HAIR_PROJECT "/reference/conj_grad.cpp\"\n";
+      << "#include \"" HAIR_PROJECT "/reference/S1/conj_grad.cpp\"\n";
   const string thief = (folder_ / "thief").string();
   auto score = [](const string& folder) {
     return nlohmann::json::parse(hair::bytes_of(fs::path(folder) / "thief" / "results.json")).at("score");

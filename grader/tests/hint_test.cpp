@@ -1,5 +1,5 @@
 // STAFF ONLY. Hints of the public checks: a mistake that numbers show is named, and other numbers get no hint.
-#include "handout/checks/hint.h"
+#include "handout/check/hint.h"
 
 #include <gtest/gtest.h>
 

@@ -52,7 +52,7 @@ class HomeAndGrading : public testing::Test {
 
   static const Exercise& exercise(const std::string& id) { return *both_->course.find(id); }
   static std::string reference(const std::string& id) {
-    return hair::bytes_of(kProject / "reference" / exercise(id).file);
+    return hair::bytes_of(kProject / solution_of(exercise(id)));
   }
 
   // A folder of the build, without the handout's path.

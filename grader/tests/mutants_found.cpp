@@ -46,7 +46,7 @@ bool is_of_no_use(const std::vector<CaseResult>& lost) {
 
 void expect_mutants_found(const Exercise& exercise, const Judge& judge, const std::string& advice) {
   const std::filesystem::path project = HAIR_PROJECT;
-  const std::string source = hair::bytes_of(project / "reference" / exercise.file);
+  const std::string source = hair::bytes_of(project / solution_of(exercise));
   const std::vector<Mutation> order =
       drawn(mutations_of(source), std::stoull(environment("HAIR_MUTANTS_SEED", "1")));
   const auto count = static_cast<std::size_t>(std::stoi(environment("HAIR_MUTANTS", "40")));

@@ -13,7 +13,7 @@ namespace grader {
 // Of the file `source` of the submission `name`. Threads call it side by side, with different names.
 using Judge = std::function<Judged(const std::string& name, const std::string& source)>;
 
-// Fails for a wrong program that the judge gives all points, and for a right one (grader/exercise/<ID>/equivalents.json) that loses some.
+// Fails for a wrong program that the judge gives all points, and for a right one (reference/<ID>/equivalents.json) that loses some.
 // `advice` says in a failure what to do about a wrong one that is not found.
 void expect_mutants_found(const Exercise& exercise, const Judge& judge, const std::string& advice);
 

@@ -33,7 +33,7 @@ TEST(Suite, TakesPointsOfEachWrongProgram) {
   expect_mutants_found(
       *exercise,
       [&](const std::string& name, const std::string& source) { return judging.judge(name, source); },
-      "Write a case that finds it, or its reason into grader/exercise/<ID>/equivalents.json");
+      "Write a case that finds it, or its reason into reference/<ID>/equivalents.json");
 }
 
 }  // namespace

@@ -109,7 +109,6 @@ class PublicChecks : public testing::Test {
     cage.mounts.push_back({"/usr/bin/prlimit", "/usr/bin/prlimit"});
     cage.mounts.push_back({checks_ / (build == Build::sanitised ? "sanitised" : "ordinary"), "/check"});
     cage.mounts.push_back({checks_ / "golden", HAIR_GOLDEN_DIR});
-    cage.mounts.push_back({checks_ / "text.md", kProject / "handout" / exercise.text});
     cage.mounts.push_back({compiled.object, "/objects/" + id_ + ".so"});
     for (const std::string& prerequisite : exercise.prerequisites)
       cage.mounts.push_back(

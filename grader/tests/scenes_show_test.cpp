@@ -18,8 +18,8 @@
 #include "grader/samples/sample.h"
 #include "grader/samples/solution_files.h"
 #include "grader/sandbox/isolation_for_tests.h"
-#include "grader/suite/played.h"
-#include "grader/suite/run_comparison.h"
+#include "grader/judge/run/played.h"
+#include "grader/judge/run/run_comparison.h"
 #include "grader/tests/run_program.h"
 #include "grader/tests/side_by_side.h"
 #include "hair/io/files/read_file.h"
@@ -154,7 +154,7 @@ class ScenesShow : public testing::Test {
   // How far another right solution is, in each scene. Distances mean something only if it ends as the reference does, not far from it.
   std::vector<double> right_distances() const {
     const Exercise& exercise = *course_.find(id_);
-    const fs::path plain = kProject / "grader/samples/solutions/plain" / exercise.file;
+    const fs::path plain = kProject / "reference" / exercise.id / "right/plain.cpp";
     const Compiled compiled = compiler_.compile(exercise, hair::bytes_of(plain), kit_.new_job("plain"), 600);
     EXPECT_FALSE(compiled.object.empty()) << compiled.log;
     std::vector<double> distances;

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "grader/compile/kit.h"
-#include "grader/exercise/S1/calls.h"
-#include "grader/suite/student.h"
+#include "reference/S1/calls.h"
+#include "grader/judge/student/student.h"
 
 namespace grader {
 

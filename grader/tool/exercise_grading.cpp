@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "grader/sandbox/identity.h"
-#include "grader/suite/memory_points.h"
+#include "grader/judge/memory_points.h"
 #include "solver/timing.h"
 
 namespace grader {

@@ -20,7 +20,7 @@ const fs::path kProject = HAIR_PROJECT;
 std::string right_for_odd_n() {
   std::ostringstream text;
   text << "#define ConjGrad right\n"
-       << std::ifstream(kProject / "reference/conj_grad.cpp").rdbuf()
+       << std::ifstream(kProject / "reference/S1/conj_grad.cpp").rdbuf()
        << "#undef ConjGrad\n"
           "double ConjGrad(int n, implicitMatrix* A, double x[], double b[], double epsilon, int* steps) {\n"
           "  const double value = right(n, A, x, b, epsilon, steps);\n"

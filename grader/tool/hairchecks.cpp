@@ -37,7 +37,7 @@ void check(const Options& options) {
     for (const std::string& notice : intake.notices) std::cerr << "hairchecks: " << notice << "\n";
     const Compiler compiler(kit, options.cache, isolation);
     // A package brings the data of the handout; here the build has made it.
-    const fs::path packed = fs::path(HAIR_SOURCE_DIR) / "handout/checks/golden";
+    const fs::path packed = fs::path(HAIR_SOURCE_DIR) / "handout/check/golden";
     const PublicChecks checks(compiler, HAIR_PUBLIC_CHECKS,
                               fs::exists(packed) ? packed : fs::path(HAIR_GOLDEN_DIR), HAIR_GOLDEN_DIR,
                               isolation);

@@ -10,7 +10,7 @@
 #include "grader/report/student_view.h"
 #include "grader/sandbox/control_group.h"
 #include "grader/sandbox/identity.h"
-#include "grader/suite/memory_points.h"
+#include "grader/judge/memory_points.h"
 #include "grader/tool/ask_conj_grad.h"
 #include "grader/tool/exercise_grading.h"
 #include "grader/tool/grading.h"
@@ -181,7 +181,7 @@ TEST_F(MemoryErrorsTest, AreFoundBehindAnExceptionOfOurs) {
 
 // The sample of the issue.
 TEST_F(MemoryErrorsTest, CostAPointThatNothingElseCosts) {
-  std::string source = hair::bytes_of(kProject / "grader/samples/solutions/plain/conj_grad.cpp");
+  std::string source = hair::bytes_of(kProject / "reference/S1/right/plain.cpp");
   const std::string vectors = "  vector<double> r(n), d(n), q(n), x_new(n);\n";
   ASSERT_NE(source.find(vectors), std::string::npos);
   const std::string right = source;
@@ -199,7 +199,7 @@ TEST_F(MemoryErrorsTest, CostAPointThatNothingElseCosts) {
 
   EXPECT_EQ(seen.status, Status::partly);
   // Without pictures, whose point the others share.
-  EXPECT_DOUBLE_EQ(seen.points, s1_.points * (31 - kMemoryPoints) / 31);
+  EXPECT_DOUBLE_EQ(seen.points, s1_.points * 30 / 31);
   ASSERT_NE(memory_case(seen), nullptr);
   SubmissionResult submission;
   submission.exercises = {seen};
@@ -233,8 +233,8 @@ TEST_F(MemoryErrorsTest, AreNotThreads) {
 
 // A file that sees to it that nobody looks gets no point for that, and a sentence.
 TEST_F(MemoryErrorsTest, GiveNoPointWhereNobodyCanLook) {
-  const std::string right = hair::bytes_of(kProject / "grader/samples/solutions/plain/conj_grad.cpp");
-  const double without = s1_.points * (31 - kMemoryPoints) / 31;
+  const std::string right = hair::bytes_of(kProject / "reference/S1/right/plain.cpp");
+  const double without = s1_.points * 30 / 31;
   const ExerciseResult off =
       grade(right + "[[gnu::no_sanitize_address]] void unused() {}\n", true, "switched-off");
   EXPECT_DOUBLE_EQ(off.points, without);
@@ -261,7 +261,7 @@ TEST_F(MemoryErrorsTest, GiveNoPointWhereNobodyCanLook) {
 
 // The look comes last, and has what the others have left of the share.
 TEST_F(MemoryErrorsTest, AreLookedForAtNoOthersCost) {
-  std::string source = hair::bytes_of(kProject / "grader/samples/solutions/plain/conj_grad.cpp");
+  std::string source = hair::bytes_of(kProject / "reference/S1/right/plain.cpp");
   const std::string vectors = "  vector<double> r(n), d(n), q(n), x_new(n);\n";
   ASSERT_NE(source.find(vectors), std::string::npos);
   source.replace(source.find(vectors), 0,

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "grader/course/input.h"
-#include "grader/suite/memory_points.h"
+#include "grader/judge/memory_points.h"
 #include "grader/tool/exercise_grading.h"
 #include "hair/io/files/read_file.h"
 
@@ -41,7 +41,7 @@ void grade_exercise_of_reference(const SuiteJobs& jobs, const Compiler& compiler
   std::optional<Compiled> sanitised;
   if (jobs.settings().memory_errors) {
     sanitised.emplace(compile_with_sanitizers(compiler, exercise,
-                                              hair::bytes_of(jobs.settings().reference / exercise.file), job,
+                                              hair::bytes_of(jobs.settings().reference / exercise.id / exercise.file), job,
                                               jobs.settings().course.budget.compiler_cpu_seconds));
     if (sanitised->object.empty())
       throw std::runtime_error("the reference of " + exercise.id +

@@ -1,11 +1,11 @@
 // STAFF ONLY. Runs the hidden suite as a separate program, with a job as input and the results as output. See
-// grader/suite/main.cpp.
+// grader/judge/main.cpp.
 #pragma once
 
 #include <filesystem>
 
 #include "grader/result/suite_result.h"
-#include "grader/suite/job.h"
+#include "grader/judge/job.h"
 
 namespace grader {
 

@@ -11,7 +11,7 @@
 //                             | memory_error, of a worker with sanitizers | left(exit code)
 //
 // During the request the worker may also call a function of a prerequisite, which the suite provides
-// (grader/suite/provided.h). Then the suite may ask for products with an object of the caller's:
+// (grader/judge/student/provided.h). Then the suite may ask for products with an object of the caller's:
 //
 //                             call(function, ...)
 //   callback(operator, x)     callback_result(doubles) | callback_threw, which ends the call

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "grader/exercise/client.h"
+#include "grader/calls/client.h"
 #include "grader/worker/session.h"
 
 // Each object's own.

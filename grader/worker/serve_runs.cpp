@@ -4,7 +4,7 @@
 //                  number of frames; of each: time, coordinates, their rates, points of dense hair    (all of the last time)
 #include <vector>
 
-#include "grader/play/dense_strands.h"
+#include "grader/judge/run/dense_strands.h"
 #include "grader/worker/session.h"
 #include "hair/scene/playback.h"
 

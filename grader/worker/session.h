@@ -36,7 +36,7 @@ class Session {
   // Computes what the suite asks of a caller's object: y, from x.
   using Callback = std::function<void(int which, std::vector<double>& x, std::vector<double>& y)>;
 
-  // Calls a function that the suite provides, grader/suite/provided.h. An exception of `callback` ends the call.
+  // Calls a function that the suite provides, grader/judge/student/provided.h. An exception of `callback` ends the call.
   MessageReader call(const MessageWriter& arguments, const Callback& callback);
 
   // Calls a function of the student's that allocates nothing, by its contract, and counts what it allocates.

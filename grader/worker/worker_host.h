@@ -1,7 +1,7 @@
-// STAFF ONLY. A worker as the host of a server (grader/exercise/server.h): it calls a student's functions.
+// STAFF ONLY. A worker as the host of a server (grader/calls/server.h): it calls a student's functions.
 #pragma once
 
-#include "grader/exercise/server.h"
+#include "grader/calls/server.h"
 #include "grader/worker/session.h"
 #include "particles/vectors.h"
 

@@ -59,17 +59,16 @@ std::vector<std::string> read_libraries(const JsonValue& json) {
 }
 
 Exercise read_exercise(const JsonValue& json, const Course& before) {
-  json.check_keys({"id", "title", "file", "functions", "header", "text", "checks", "prerequisites",
-                   "libraries", "points", "role"},
-                  {"show"});
+  json.check_keys(
+      {"id", "title", "file", "functions", "header", "prerequisites", "libraries", "points", "role"},
+      {"show"});
   Exercise exercise;
   exercise.id = read_name(json["id"], "_", "is not an id; write letters and digits, like \"S1\"");
   exercise.title = json["title"].text();
   exercise.file = read_source_name(json["file"]);
   exercise.functions = json["functions"].texts();
   exercise.header = read_relative_path(json["header"]);
-  exercise.text = read_relative_path(json["text"]);
-  exercise.checks = read_relative_path(json["checks"]);
+  exercise.folder = "exercises/" + exercise.id;
   if (json.has("show")) exercise.show = json["show"].text();
   exercise.prerequisites = json["prerequisites"].texts();
   exercise.libraries = read_libraries(json["libraries"]);

@@ -26,8 +26,7 @@ struct Exercise {
   std::string file;                        // "conj_grad.cpp"
   std::vector<std::string> functions;      // defined in the file, demangled: "ConjGrad(int, ...)"
   std::string header;                      // the header with their contract, relative to the project's root
-  std::string text;                        // the assignment text, relative to handout/
-  std::string checks;                      // the public checks, relative to handout/
+  std::string folder;                      // the folder of its text, checks and stub, relative to handout/
   std::string show;                        // what hairlab is asked to show it: "view limp-hair"; "": nothing
   std::vector<std::string> prerequisites;  // ids of exercises whose functions it calls
   std::vector<std::string> libraries;      // allowed besides the standard library: "eigen"

@@ -2,7 +2,7 @@
 #
 #   HAIR_EXERCISES                 the ids, in the file's order, of those that the course has; the staff's build has all
 #   HAIR_LEFT_OUT                  the ids of the others
-#   HAIR_<id>_<FIELD>              file, header, checks, role, prerequisites, libraries, functions of each. Input, Output and
+#   HAIR_<id>_<FIELD>              file, header, role, prerequisites, libraries, functions of each. Input, Output and
 #                                  Scratch (particles/vectors.h) in a function's signature are spelled out as compilers do
 #   HAIR_GIVEN_DIR                 the folder of the given code: solver/, particles/, hair/
 #   HAIR_CONTRACT_DIRS             what the include path has beside it; HAIR_LECTURE_DIR: for students' files and the lecture's programs, too
@@ -14,7 +14,7 @@
 #                                  build alone: a student's compiler may be newer than ours
 #   hair_own_code(TARGET)          the same, and a library has the precompiled headers of libraries (precompiled.cmake)
 #   hair_exercise_libraries(NAME DIR [STUDENT] [SANITISED])
-#                                  a library <NAME>_<id> for each exercise file in DIR. STUDENT: compiled and linked as for grading;
+#                                  a library <NAME>_<id> for each exercise file in DIR, or in DIR/<id>. STUDENT: compiled and linked as for grading;
 #                                  SANITISED: with the sanitizers that find memory errors (checks.cmake), too
 #   hair_left_out(NAME ID...)      a static library that stands for these exercises: each of their functions throws NotInCourse
 
@@ -65,8 +65,6 @@ foreach(i RANGE ${last})
   string(JSON id GET "${exercise}" id)
   string(JSON HAIR_${id}_FILE GET "${exercise}" file)
   string(JSON HAIR_${id}_HEADER GET "${exercise}" header)
-  string(JSON HAIR_${id}_CHECKS GET "${exercise}" checks)
-  string(JSON HAIR_${id}_TEXT GET "${exercise}" text)
   string(JSON HAIR_${id}_ROLE GET "${exercise}" role)
   string(JSON HAIR_${id}_SHOW ERROR_VARIABLE HAIR_${id}_SHOWS_NOTHING GET "${exercise}" show)
   if(HAIR_${id}_ROLE STREQUAL "absent" AND NOT HAIR_STAFF)
@@ -196,10 +194,14 @@ function(hair_exercise_libraries NAME DIR)
     set(kind sanitised_exercise)
   endif()
   foreach(id ${HAIR_EXERCISES})
-    if(NOT EXISTS "${DIR}/${HAIR_${id}_FILE}")
-      message(FATAL_ERROR "exercise ${id}: ${DIR}/${HAIR_${id}_FILE} is missing; restore it from the handout")
+    set(file "${DIR}/${id}/${HAIR_${id}_FILE}")
+    if(NOT EXISTS "${file}")
+      set(file "${DIR}/${HAIR_${id}_FILE}")
     endif()
-    add_library(${NAME}_${id} ${type} "${DIR}/${HAIR_${id}_FILE}")
+    if(NOT EXISTS "${file}")
+      message(FATAL_ERROR "exercise ${id}: ${file} is missing; restore it from the handout")
+    endif()
+    add_library(${NAME}_${id} ${type} "${file}")
     hair_compile_settings(${NAME}_${id})
     set_target_properties(${NAME}_${id} PROPERTIES POSITION_INDEPENDENT_CODE ON UNITY_BUILD OFF)
     target_link_libraries(${NAME}_${id} PUBLIC hair_interfaces)

@@ -1,4 +1,4 @@
-// STAFF ONLY. What particles/solve_implicit.h promises, with the reference's H4 and S1. Retries of plain solves: reference/tests/unmet_tolerance_test.cpp.
+// STAFF ONLY. What particles/solve_implicit.h promises, with the reference's H4 and S1. Retries of plain solves: reference/H6/unmet_tolerance_test.cpp.
 #include "particles/solve_implicit.h"
 
 #include <gtest/gtest.h>

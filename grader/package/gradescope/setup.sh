@@ -15,7 +15,7 @@ chmod -R go= "$source"
 # The cache then has precompiled headers, and what a hand-in is compared with.
 warm=$(mktemp -d)
 mkdir "$warm/submission"
-cp "$source/hair/reference/"*.cpp "$warm/submission"
+cp "$source/hair/reference/"*/*.cpp "$warm/submission"
 echo '{"created_at": "-", "users": [{"id": 1}]}' >"$warm/submission_metadata.json"
 sh "$source/run_autograder" "$warm"
 rm -rf "$warm"

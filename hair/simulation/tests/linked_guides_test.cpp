@@ -12,7 +12,7 @@
 #include "hair/mass_spring/strip_contacts.h"
 #include "hair/simulation/simulation.h"
 #include "hair/strand/turns.h"
-#include "handout/checks/derivative.h"
+#include "handout/check/derivative.h"
 
 namespace reference_tests {
 namespace {

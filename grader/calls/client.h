@@ -1,0 +1,318 @@
+// STAFF ONLY. Asks for an exercise's calls: ask<Calls, function>(asker, arguments...) sends a request, answers the questions about
+// the caller's objects, and puts what comes back into the arguments. Answers are untrusted: their lengths are checked, and numbers
+// may be anything. Whom a client asks is an Asker:
+//
+//   asker.ours()                  while what it returns lives, what is allocated is not the caller's
+//   asker.start(request)          writes what comes before the number of the call
+//   asker.ask(request, products)  sends it, and returns the reply; `products` answers questions
+//   asker.served(force)           `force` is the one that the other side serves already: it asks itself
+//   asker.scratch(scratch, n)     `scratch` is the caller's, of which the contract gives the function n columns
+//   asker.changed()               the function wrote to an input
+//
+// Askers are cases (grader/judge/case_asker.h), whole runs (grader/judge/run/asked.h), and a worker's code that calls a provided function
+// (grader/worker/provided.h). In place of an object of the caller's that is asked, a server of it may be given, which counts:
+// ForceServer, DynamicsServer; Served for an Operator or a matrix. In place of Scratch: Filling.
+#pragma once
+
+#include <limits>
+
+#include "grader/calls/call.h"
+#include "grader/calls/dynamics_server.h"
+#include "grader/calls/force_server.h"
+#include "grader/wire/products.h"
+
+namespace grader {
+
+struct Served {
+  int rows, cols;
+  Products products;
+};
+
+// Scratch of so many columns, all of them of one number.
+struct Filling {
+  int columns;
+  double number = std::numeric_limits<double>::quiet_NaN();
+};
+
+// Who answers questions during a request.
+class Answering {
+ public:
+  int add_operator(Products products) {
+    operators_.push_back(std::move(products));
+    return static_cast<int>(operators_.size()) - 1;
+  }
+  void set_force(Products products) { force_ = std::move(products); }
+
+  bool operator()(int which, const std::vector<double>& x, std::vector<double>& y) const {
+    if (which >= kForceEnergy && force_) return force_(which, x, y);
+    if (which < 0 || which >= static_cast<int>(operators_.size()))
+      throw MalformedMessage("an operator that is not there");
+    return operators_[static_cast<std::size_t>(which)](which, x, y);
+  }
+
+ private:
+  std::vector<Products> operators_;
+  Products force_;
+};
+
+// Nothing to end, for an asker's ours().
+struct Nothing {
+  ~Nothing() {}
+};
+
+inline constexpr int kNoLimit = std::numeric_limits<int>::max();  // the submission's budget is one
+
+// Parameters of type P: send(), and take() of what comes back.
+template <class P, Contract contract, class Asker>
+class Sender {
+ public:
+  Sender(MessageWriter& request, Answering& answering, Asker& asker, Eigen::Index size)
+      : request_(request), answering_(answering), asker_(asker), size_(size) {}
+
+  // `own`: its number among all arguments.
+  template <int own, class Given>
+  void send(Given& given, auto&... all) {
+    if constexpr (std::is_same_v<P, particles::Output>) {
+      if constexpr (contract.may_share) request_.put(place_of<own>(given, all...));
+      encode(request_, given);
+    } else if constexpr (std::is_same_v<P, particles::Scratch>) {
+      send_matrix(given);
+    } else if constexpr (std::is_same_v<P, const particles::Force&>) {
+      send_force(given);
+    } else if constexpr (std::is_same_v<P, particles::Dynamics&>) {
+      send_dynamics(given);
+    } else if constexpr (std::is_same_v<P, implicitMatrix&>) {
+      send_square(given);
+    } else if constexpr (std::is_same_v<P, Operator>) {
+      send_operator(given);
+    } else {
+      const std::remove_cvref_t<P>& value = given;
+      encode(request_, value);
+    }
+  }
+
+ private:
+  // The number, counted from 1, of another argument that lies at the same place; 0 if none does.
+  template <int own, class Given>
+  static int place_of(Given& given, auto&... all) {
+    int number = 0, found = 0;
+    const auto look = [&](auto& other) {
+      ++number;
+      if constexpr (requires { other.data() == given.data(); })
+        if (found == 0 && number != own + 1 && other.data() == given.data()) found = number;
+    };
+    (look(all), ...);
+    return found;
+  }
+
+  template <class Given>
+  void send_matrix(Given& given) {
+    if constexpr (contract.scratch_columns == 0) {
+      encode(request_, given);
+    } else if constexpr (std::is_same_v<std::remove_const_t<Given>, Filling>) {
+      request_.put(given.columns).put(given.number);
+    } else {
+      const int columns = contract.scratch_columns + (contract.scratch_of_size ? static_cast<int>(size_) : 0);
+      asker_.scratch(given, columns);
+      request_.put(columns).put(std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+
+  template <class Given>
+  void send_force(Given& given) {
+    if constexpr (std::is_base_of_v<particles::Force, Given>) {
+      request_.put(static_cast<std::uint8_t>(asker_.served(given)));
+      answering_.set_force(ForceServer(given, static_cast<int>(size_ / 3), kNoLimit));
+    } else {  // a reference_wrapper of a ForceServer
+      request_.put(std::uint8_t{0});
+      answering_.set_force(given);
+    }
+  }
+
+  template <class Given>
+  void send_dynamics(Given& given) {
+    if constexpr (std::is_base_of_v<particles::Dynamics, Given>)
+      answering_.add_operator(DynamicsServer(given, static_cast<int>(size_ / 3), kNoLimit));
+    else
+      answering_.add_operator(given);
+  }
+
+  static Products products_of(const Operator& given) {
+    return [given](int, const std::vector<double>& x, std::vector<double>& y) {
+      if (static_cast<int>(x.size()) != given.cols) throw MalformedMessage("a question that makes no sense");
+      std::vector<double> input = x;
+      y.resize(static_cast<std::size_t>(given.rows));
+      given.matrix->matVecMult(input.data(), y.data());
+      return true;
+    };
+  }
+
+  template <class Given>
+  void send_operator(Given& given) {
+    if constexpr (std::is_same_v<std::remove_const_t<Given>, Operator>)
+      request_.put(answering_.add_operator(products_of(given)));
+    else
+      request_.put(answering_.add_operator(given.products));
+    request_.put(given.rows).put(given.cols);
+  }
+
+  // The other side knows its number, 0, and its size.
+  template <class Given>
+  void send_square(Given& given) {
+    if constexpr (std::is_base_of_v<implicitMatrix, Given>)
+      answering_.add_operator(products_of({static_cast<int>(size_), static_cast<int>(size_), &given}));
+    else
+      answering_.add_operator(given.products);
+  }
+
+  MessageWriter& request_;
+  Answering& answering_;
+  Asker& asker_;
+  Eigen::Index size_;
+};
+
+// Into the caller's argument. Throws MalformedMessage for another length.
+template <class P, Contract contract, class Given>
+void take_back(MessageReader& reply, Given& given) {
+  constexpr bool matrix = std::is_same_v<P, particles::Scratch>;
+  if constexpr (std::is_same_v<P, particles::Output> || (matrix && contract.scratch_columns == 0)) {
+    std::conditional_t<matrix, Eigen::MatrixXd, Eigen::VectorXd> value;
+    decode(reply, value);
+    if (value.rows() != given.rows() || value.cols() != given.cols())
+      throw MalformedMessage("an array of " + std::to_string(value.size()) + " numbers; expected " +
+                             std::to_string(given.size()));
+    given = value;
+  } else if constexpr (std::is_lvalue_reference_v<P> && !std::is_const_v<std::remove_reference_t<P>> &&
+                       !std::is_same_v<P, particles::Dynamics&> && !std::is_same_v<P, implicitMatrix&>) {
+    std::remove_cvref_t<P> value = given;
+    decode(reply, value);
+    expect_like(value, given);
+    given = value;
+  }
+}
+
+template <class Calls, auto function>
+class Client {
+  using Call = typename Calls::template Of<function>;
+  template <std::size_t i>
+  using P = ParameterOf<function, i>;
+
+ public:
+  template <class Asker, class... Given>
+  static ResultOf<function> ask(Asker& asker, Given&&... given) {
+    const auto ours = asker.ours();
+    MessageWriter request;
+    Answering answering;
+    asker.start(request);
+    request.put(Calls::template number_of<function>());
+    send(request, answering, asker, given...);
+    MessageReader reply = asker.ask(request, answering);
+    if constexpr (std::is_void_v<ResultOf<function>>) {
+      take(reply, asker, given...);
+    } else {
+      ResultOf<function> result;
+      decode(reply, result);
+      take(reply, asker, given...);
+      return result;
+    }
+  }
+
+  // Of a function that returns a matrix: `times` products with x, and x after them. `filling` is what their buffers hold before.
+  // With `after`, the matrix is made of `made`, which then become these.
+  struct Products {
+    std::vector<Eigen::VectorXd> products;
+    Eigen::VectorXd x;
+  };
+  template <class Asker, class... Made, class... After>
+  static Products multiply(Asker& asker, int times, const Eigen::VectorXd& x, const Eigen::VectorXd& filling,
+                           const std::tuple<Made...>& made,
+                           const std::tuple<After...>& after = std::tuple<>()) {
+    const auto ours = asker.ours();
+    MessageWriter request;
+    Answering answering;
+    asker.start(request);
+    request.put(Calls::template number_of<function>());
+    std::apply([&](auto&... given) { send(request, answering, asker, given...); }, made);
+    request.put(static_cast<std::uint8_t>(sizeof...(After) > 0));
+    if constexpr (sizeof...(After) > 0)
+      std::apply([&](auto&... given) { send(request, answering, asker, given...); }, after);
+    encode(request, x);
+    encode(request, filling);
+    request.put(static_cast<std::uint8_t>(times));
+    MessageReader reply = asker.ask(request, answering);
+    Products answer;
+    for (int i = 0; i < times; ++i) {
+      decode(reply, answer.products.emplace_back());
+      expect_like(answer.products.back(), filling);
+    }
+    decode(reply, answer.x);
+    expect_like(answer.x, x);
+    reply.expect_end();
+    return answer;
+  }
+
+ private:
+  template <class Asker, class... Given>
+  static void send(MessageWriter& request, Answering& answering, Asker& asker, Given&... given) {
+    const Eigen::Index size = size_of(given...);
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+      (Sender<P<i>, Call::contract, Asker>(request, answering, asker, size)
+           .template send<static_cast<int>(i)>(given, given...),
+       ...);
+    }
+    (std::index_sequence_for<Given...>());
+  }
+
+  template <class Asker, class... Given>
+  static void take(MessageReader& reply, Asker& asker, Given&... given) {
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+      (take_back<P<i>, Call::contract>(reply, given), ...);
+    }
+    (std::index_sequence_for<Given...>());
+    bool changed = false;
+    decode(reply, changed);
+    if (changed) asker.changed();
+    reply.expect_end();
+  }
+};
+
+// What a function returns that makes a matrix: each product is a request of its own. It refers to the arguments, as contracts allow.
+// AskedMatrix keeps its own view of a vector: the caller's is gone when the function returns.
+template <class P>
+using Kept = std::conditional_t<std::is_same_v<P, particles::Input>, Eigen::Ref<const Eigen::VectorXd>, P>;
+template <class Calls, auto function, class Asker, class Parameters>
+class AskedMatrix;
+template <class Calls, auto function, class Asker, class... P>
+class AskedMatrix<Calls, function, Asker, std::tuple<P...>> : public implicitMatrix {
+ public:
+  explicit AskedMatrix(const Asker& asker, P... arguments) : asker_(asker), arguments_(arguments...) {}
+
+  void matVecMult(double x[], double b[]) override {
+    [[maybe_unused]] const auto ours = asker_.ours();
+    const auto [rows, cols] = std::apply(
+        [](const auto&... arguments) { return Calls::template Of<function>::Check::shape(arguments...); },
+        arguments_);
+    Eigen::Map<Eigen::VectorXd> input(x, cols), product(b, rows);
+    auto answer =
+        Client<Calls, function>::multiply(asker_, 1, input, Eigen::VectorXd::Zero(rows), arguments_);
+    input = answer.x;
+    product = answer.products.front();
+  }
+
+ private:
+  Asker asker_;
+  std::tuple<Kept<P>...> arguments_;
+};
+
+template <class Calls, auto function, class Asker, class... Arguments>
+std::unique_ptr<implicitMatrix> matrix_of(const Asker& asker, Arguments&... arguments) {
+  using Parameters = typename Signature<decltype(function)>::Parameters;
+  return std::make_unique<AskedMatrix<Calls, function, Asker, Parameters>>(asker, arguments...);
+}
+
+template <class Calls, auto function, class Asker, class... Given>
+ResultOf<function> ask(Asker& asker, Given&&... given) {
+  return Client<Calls, function>::ask(asker, given...);
+}
+
+}  // namespace grader

@@ -1,0 +1,273 @@
+// STAFF ONLY. Forms refuse what does not fit, by hand-made messages.
+#include "grader/calls/form.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "reference/P1/calls.h"
+#include "reference/P2/calls.h"
+#include "reference/S1/calls.h"
+#include "reference/S2/calls.h"
+#include "grader/calls/client.h"
+#include "grader/calls/draw.h"
+
+namespace grader {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using particles::Constraints;
+
+hair::Strand strand_of_three() {
+  hair::Strand strand;
+  strand.mass = Vector3d(1, 2, 3);
+  strand.rest_length = Vector2d(0.1, 0.2);
+  strand.stretch_rigidity = 4;
+  strand.bend_rigidity = 5;
+  strand.skip_rigidity = 6;
+  strand.clamped = true;
+  strand.root_tangent = Vector3d(0, 0.6, -0.8);
+  return strand;
+}
+
+template <class T>
+T sent(const T& value) {
+  MessageWriter message;
+  encode(message, value);
+  MessageReader reader(message.bytes());
+  T arrived;
+  decode(reader, arrived);
+  reader.expect_end();
+  return arrived;
+}
+
+// The words that a message is refused with; empty if it is read.
+template <class T>
+std::string refusal(const MessageWriter& message) {
+  MessageReader reader(message.bytes());
+  T value;
+  try {
+    decode(reader, value);
+  } catch (const MalformedMessage& error) {
+    return error.what();
+  }
+  return "";
+}
+template <class T>
+std::string refusal_of(const T& value) {
+  MessageWriter message;
+  encode(message, value);
+  return refusal<T>(message);
+}
+
+TEST(Form, OfAStrandHoldsAllOfIt) {
+  const hair::Strand strand = strand_of_three(), arrived = sent(strand);
+  EXPECT_EQ(arrived.mass, strand.mass);
+  EXPECT_EQ(arrived.rest_length, strand.rest_length);
+  EXPECT_EQ(arrived.stretch_rigidity, 4);
+  EXPECT_EQ(arrived.bend_rigidity, 5);
+  EXPECT_EQ(arrived.skip_rigidity, 6);
+  EXPECT_TRUE(arrived.clamped);
+  EXPECT_EQ(arrived.root_tangent, strand.root_tangent);
+}
+
+TEST(Form, OfAStrandMayHaveOneParticle) {
+  hair::Strand strand;
+  strand.mass = VectorXd::Constant(1, 7);
+  EXPECT_EQ(sent(strand).segments(), 0);
+}
+
+TEST(Form, OfAStrandRefusesOtherNumbersOfSegments) {
+  EXPECT_EQ(refusal_of(hair::Strand()), "a strand without particles");
+  for (int segments : {0, 1, 3}) {
+    hair::Strand strand = strand_of_three();
+    strand.rest_length = VectorXd::Ones(segments);
+    EXPECT_EQ(refusal_of(strand), "a strand whose segments are not one fewer than its particles");
+  }
+}
+
+TEST(Form, CutShortAnywhereIsRefused) {
+  MessageWriter message;
+  encode(message, strand_of_three());
+  for (std::size_t size = 0; size < message.bytes().size(); ++size) {
+    MessageReader reader(
+        {message.bytes().begin(), message.bytes().begin() + static_cast<std::ptrdiff_t>(size)});
+    hair::Strand strand;
+    EXPECT_THROW(decode(reader, strand), MalformedMessage) << size << " bytes";
+  }
+}
+
+// No length makes the reader take memory that the message does not fill.
+TEST(Form, RefusesLengthsBeyondTheEnd) {
+  for (std::uint64_t length : {std::uint64_t{2}, std::uint64_t{1} << 61, ~std::uint64_t{0}}) {
+    MessageWriter message;
+    message.put(length).put(1.0);
+    EXPECT_NE(refusal<VectorXd>(message), "") << length << " numbers promised, 1 sent";
+    EXPECT_NE(refusal<std::vector<double>>(message), "") << length << " items promised, 1 sent";
+    EXPECT_NE(refusal<std::vector<particles::Rod>>(message), "") << length << " rods promised, none sent";
+  }
+}
+
+TEST(Form, RefusesMatricesOfOtherSizes) {
+  const MatrixXd matrix = MatrixXd::Random(2, 3);
+  EXPECT_EQ(sent(matrix), matrix);
+  const int most = std::numeric_limits<int>::max();
+  for (const auto& [rows, columns] : {std::pair{2, 2}, {-2, -3}, {-1, 6}, {0, 6}, {most, most}}) {
+    MessageWriter message;
+    message.put(rows).put(columns).put(std::span<const double>(matrix.data(), 6));
+    EXPECT_NE(refusal<MatrixXd>(message), "") << rows << " x " << columns;
+  }
+}
+
+TEST(Form, OfParticlesWantsEachPinnedOrFree) {
+  particles::Particles particles{Vector2d(1, 2), {1, 0}};
+  EXPECT_EQ(sent(particles).pinned, particles.pinned);
+  particles.pinned[0] = 'x';
+  EXPECT_EQ(sent(particles).pinned[0], 1) << "whatever stands for true";
+  particles.pinned.pop_back();
+  EXPECT_EQ(refusal_of(particles), "particles of which some have no mass, or are neither pinned nor free");
+}
+
+TEST(Form, OfReportsBoundsSteps) {
+  constexpr int kMost = std::numeric_limits<int>::max(), kLeast = std::numeric_limits<int>::min();
+  const double infinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(sent(particles::ConstraintReport{7, infinity}).steps, 7);
+  EXPECT_EQ(sent(particles::ConstraintReport{7, infinity}).residual, infinity) << "numbers may be anything";
+  EXPECT_EQ(sent(particles::ConstraintReport{kMost, 0}).steps, 1 << 28);
+  EXPECT_EQ(sent(particles::ConstraintReport{kLeast, 0}).steps, -1);
+  particles::SolveReport solve{};
+  hair::CorrectionReport correction{};
+  solve.steps = correction.iterations = kMost;
+  EXPECT_EQ(sent(solve).steps, 1 << 28);
+  EXPECT_EQ(sent(correction).iterations, 1 << 28);
+}
+
+// A list that was made longer or shorter goes back with the length that it had.
+TEST(Fit, GivesBackLengths) {
+  const Constraints before{{{0, 1, 2.0}, {1, 2, 3.0}}, {}, 1, 2};
+  Constraints after = before;
+  after.rods.resize(1);
+  after.wires.resize(3);
+  EXPECT_THROW(expect_like(after, before), MalformedMessage);
+  fit(after, before);
+  EXPECT_NO_THROW(expect_like(after, before));
+  EXPECT_EQ(after.rods[0].length, 2.0);
+}
+
+// A reply of other lengths than the arguments is refused.
+TEST(Client, TakesNoOtherLengths) {
+  const VectorXd six = VectorXd::Ones(6), three = VectorXd::Ones(3);
+  MessageWriter message;
+  encode(message, particles::State{six, six});
+  MessageReader states(message.bytes()), vectors(message.bytes());
+  particles::State state{six, three};
+  EXPECT_THROW((take_back<particles::State&, Contract{}>(states, state)), MalformedMessage);
+  EXPECT_EQ(state.v, three);
+  VectorXd vector = three;
+  EXPECT_THROW((take_back<particles::Output, Contract{}>(vectors, vector)), MalformedMessage);
+  EXPECT_EQ(vector, three);
+}
+
+// A function of the reference's writes to all the columns that its contract names.
+TEST(Server, GivesNoLessScratchThanTheContract) {
+  const auto refused = [](int columns) {
+    MessageWriter request, reply;
+    request.put(0).put(1.0);  // forward_euler, h
+    for (int vector = 0; vector < 2; ++vector) encode(request, VectorXd(VectorXd::Ones(3)));
+    request.put(columns).put(0.0);
+    MessageReader reader(request.bytes());
+    draw::Source source(0);
+    draw::Idle idle(source);
+    try {
+      serve<p1::Calls>(idle, reader, reply);
+    } catch (const MalformedMessage& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(refused(10), "");
+  EXPECT_EQ(refused(13), "");
+  EXPECT_EQ(refused(9), "scratch of 9 columns; expected 10");
+  for (const int columns : {-1, 0, 1000, std::numeric_limits<int>::max()}) EXPECT_NE(refused(columns), "");
+}
+
+// Of a call, what its check says; empty if the arguments fit.
+template <class Check, class... Arguments>
+std::string refusal_by(const Arguments&... arguments) {
+  try {
+    Check::check(arguments...);
+  } catch (const MalformedMessage& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Check, OfASystemWantsAsManyNumbersAsUnknowns) {
+  const VectorXd three = VectorXd::Ones(3), two = VectorXd::Ones(2);
+  const auto refused = [](int rows, int cols, const VectorXd& x, const VectorXd& b) {
+    return refusal_by<s1::SquareSystem>(Operator{rows, cols, nullptr}, x, b, 0.0, 0);
+  };
+  EXPECT_EQ(refused(3, 3, three, three), "");
+  EXPECT_EQ(refused(3, 3, three, two), "a system of 3 unknowns with vectors of 3 and 2 numbers");
+  EXPECT_NE(refused(3, 3, two, three), "");
+  EXPECT_NE(refused(3, 2, three, three), "");
+  EXPECT_NE(refused(1 << 30, 1 << 30, three, three), "");
+}
+
+TEST(Check, OfATableWantsAllEntries) {
+  EXPECT_EQ(refusal_by<s2::Table>(2, 3, VectorXd(6)), "");
+  EXPECT_EQ(refusal_by<s2::Table>(0, 3, VectorXd(0)), "");
+  EXPECT_EQ(refusal_by<s2::Table>(2, 3, VectorXd(5)), "a table of 2 rows and 3 columns with 5 entries");
+  EXPECT_NE(refusal_by<s2::Table>(-2, -3, VectorXd(6)), "");
+  EXPECT_NE(refusal_by<s2::Table>(1 << 16, 1 << 16, VectorXd(0)), "") << "2^32 is no int";
+}
+
+TEST(Check, OfNormalEquationsWantsTheTransposedMatrix) {
+  const Operator A{4, 3, nullptr}, A_transposed{3, 4, nullptr};
+  EXPECT_EQ(refusal_by<s2::Transposed>(A, A_transposed), "");
+  EXPECT_NE(refusal_by<s2::Transposed>(A, A), "");
+  EXPECT_NE(refusal_by<s2::Transposed>(Operator{1 << 30, 1, nullptr}, Operator{1, 1 << 30, nullptr}), "");
+  EXPECT_EQ(refusal_by<s2::NormalSystem>(A, A_transposed, VectorXd(3), VectorXd(4), 0.0, 0), "");
+  EXPECT_NE(refusal_by<s2::NormalSystem>(A, A_transposed, VectorXd(4), VectorXd(4), 0.0, 0), "");
+  EXPECT_NE(refusal_by<s2::NormalSystem>(A, A_transposed, VectorXd(3), VectorXd(3), 0.0, 0), "");
+}
+
+TEST(Check, OfConstraintsWantsParticlesThatAreThere) {
+  const VectorXd x = VectorXd::Ones(6);
+  const auto rod = [&](int i, int j) {
+    return refusal_by<p2::Values>(Constraints{{{i, j, 1.0}}, {}, 0, 0}, x, VectorXd(1));
+  };
+  EXPECT_EQ(rod(0, 1), "");
+  EXPECT_EQ(rod(0, 2), "a constraint of particle 2 of 2");
+  EXPECT_EQ(rod(-1, 1), "a constraint of particle -1 of 2");
+  EXPECT_NE(rod(std::numeric_limits<int>::max(), 0), "");
+  const Constraints bead{{}, {{2, Vector3d::Zero(), Vector3d::UnitX(), 1}}, 0, 0};
+  EXPECT_NE(refusal_by<p2::Values>(bead, x, VectorXd(2)), "");
+}
+
+TEST(Check, OfConstraintsWantsANumberForEachRow) {
+  const Constraints held{{{0, 1, 1.0}}, {{1, Vector3d::Zero(), Vector3d::UnitX(), 1}}, 0, 0};
+  const particles::Particles two{Vector2d(1, 1), {0, 0}};
+  const VectorXd x = VectorXd::Ones(6), rows = VectorXd::Ones(3), other = VectorXd::Ones(4);
+  const particles::State state{x, x}, longer{x, VectorXd::Ones(9)};
+  EXPECT_EQ(refusal_by<p2::Values>(held, x, rows), "");
+  EXPECT_EQ(refusal_by<p2::Values>(held, x, other), "4 numbers for 3 rows of constraints");
+  EXPECT_EQ(refusal_by<p2::Rates>(held, x, x, rows), "");
+  EXPECT_NE(refusal_by<p2::Rates>(held, x, rows, rows), "");
+  EXPECT_NE(refusal_by<p2::Rates>(held, x, x, other), "");
+  EXPECT_EQ(refusal_by<p2::Forces>(held, x, rows, x), "");
+  EXPECT_NE(refusal_by<p2::Forces>(held, x, other, x), "");
+  EXPECT_NE(refusal_by<p2::Forces>(held, x, rows, other), "");
+  EXPECT_EQ(refusal_by<p2::Solves>(held, two, state), "");
+  EXPECT_NE(refusal_by<p2::Solves>(held, two, longer), "");
+  EXPECT_NE(refusal_by<p2::Solves>(held, particles::Particles{Vector3d(1, 1, 1), {0, 0, 0}}, state), "");
+  EXPECT_EQ(refusal_by<p2::Solves>(held, two, state, x, rows), "");
+  EXPECT_NE(refusal_by<p2::Solves>(held, two, state, rows, rows), "");
+  EXPECT_NE(refusal_by<p2::Solves>(held, two, state, x, other), "");
+}
+
+}  // namespace
+}  // namespace grader

@@ -1,0 +1,118 @@
+// STAFF ONLY. For tests: a request on its way through two servers and two clients. What one reads, the next one sends:
+//
+//   request -> server -> client -> server -> client -> end
+//
+// The second server must read what the first one did, and the first client must take what the second one did, whatever the request
+// and the end's reply are. The end may ask about the caller's objects: questions go the same way back.
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+
+#include "grader/calls/client.h"
+#include "grader/calls/server.h"
+
+namespace grader::relay {
+
+struct Way {
+  std::function<MessageReader(const MessageWriter& request, const Products& products)> end;
+  std::function<void(bool kept, const char* promise)> expect;
+
+  // Of the last request that the first client sent.
+  std::vector<std::byte> sent, replied;
+  bool arrived = false, answered = false;
+};
+
+template <class Calls>
+class Host;
+
+template <class Calls>
+struct Asker {
+  Way& way;
+  bool second;
+
+  Nothing ours() const { return {}; }
+  void start(MessageWriter&) const {}
+  bool served(const particles::Force&) const { return false; }
+  void scratch(const auto&, int) const {}
+  void changed() const {}
+
+  MessageReader ask(const MessageWriter& request, const Products& products) const {
+    if (second) {
+      way.arrived = true;
+      way.expect(request.bytes() == way.sent, "what a client sends arrives as it was");
+      return way.end(request, products);
+    }
+    way.sent = request.bytes();
+    way.arrived = way.answered = false;
+    MessageReader reader(way.sent);
+    MessageWriter reply;
+    Host<Calls> host(way, true, products);
+    try {
+      serve<Calls>(host, reader, reply);
+    } catch (const MalformedMessage&) {
+      way.expect(way.arrived, "what a client sends, a server reads");
+      throw;
+    }
+    way.replied = reply.bytes();
+    way.answered = true;
+    return MessageReader(way.replied);
+  }
+};
+
+// Calls no function: it asks further on.
+template <class Calls>
+class Host {
+ public:
+  using Vector = UnguardedVector;
+  struct Ours {
+    explicit Ours(const Host&) {}
+    ~Ours() {}
+  };
+
+  // `products` answers for the client's objects; null: nobody does, and all answers are 0.
+  Host(Way& way, bool second, Products products) : asker_{way, second}, products_(std::move(products)) {}
+
+  void ask(const Question& question) {
+    std::vector<double> answer(question.answer.size());
+    if (products_) products_(question.which, {question.numbers.begin(), question.numbers.end()}, answer);
+    if (answer.size() != question.answer.size()) throw MalformedMessage("an answer of another length");
+    std::copy(answer.begin(), answer.end(), question.answer.begin());
+  }
+  template <class Call, class... Arguments>
+  typename Call::Signature::Result call(Arguments&&... arguments) {
+    if constexpr (Call::Signature::returns_matrix)
+      return matrix_of<Calls, Call::function>(asker_, arguments...);
+    else
+      return grader::ask<Calls, Call::function>(asker_, arguments...);
+  }
+  template <class Product>
+  void multiply(bool, Product&& product) {
+    product();
+  }
+  void bound(int&, Eigen::Index) {}
+  void served(const particles::Force&) {}
+
+ private:
+  Asker<Calls> asker_;
+  Products products_;
+};
+
+// Sends a request on its way. False: a server, or a client, has refused what it read; `refused` is called with what they say.
+template <class Calls>
+bool send(Way& way, const std::vector<std::byte>& request, const std::function<void(const char*)>& refused) {
+  way.arrived = way.answered = false;
+  try {
+    MessageReader reader(request);
+    MessageWriter reply;
+    Host<Calls> first(way, false, nullptr);
+    serve<Calls>(first, reader, reply);
+    return true;
+  } catch (const MalformedMessage& error) {
+    way.expect(!way.answered, "what a server replies, its client takes");
+    refused(error.what());
+    return false;
+  }
+}
+
+}  // namespace grader::relay

@@ -1,0 +1,50 @@
+// STAFF ONLY. A case as a client's asker (grader/calls/client.h): asks the student's worker, and ends the category if there is no
+// answer. All calls through one asker are one case.
+#pragma once
+
+#include <limits>
+#include <utility>
+
+#include "grader/calls/client.h"
+#include "grader/judge/trial.h"
+
+namespace grader {
+
+// An Output before a call that must overwrite it.
+inline Eigen::VectorXd unset(Eigen::Index size) {
+  return Eigen::VectorXd::Constant(size, std::numeric_limits<double>::quiet_NaN());
+}
+
+class CaseAsker {
+ public:
+  // `stopped`: the feedback if the worker asks for more than it may.
+  explicit CaseAsker(Trial& trial, std::string stopped = kTooManyProducts)
+      : trial_(trial), stopped_(std::move(stopped)) {}
+
+  MessageReader ask(const MessageWriter& request, const Products& products) {
+    return std::exchange(begun_, true) ? trial_.ask_on(request, products, stopped_)
+                                       : trial_.ask(request, products, stopped_);
+  }
+  Nothing ours() const { return {}; }
+  void start(MessageWriter&) const {}
+  bool served(const particles::Force&) const { return false; }
+  void scratch(const auto&, int) {}
+  void changed() { changed_input_ = true; }
+
+  // An argument that the contract does not let it change.
+  bool changed_input() const { return changed_input_; }
+
+ private:
+  Trial& trial_;
+  std::string stopped_;
+  bool begun_ = false, changed_input_ = false;
+};
+
+// One case.
+template <class Calls, auto function, class... Given>
+ResultOf<function> ask_student_for(Trial& trial, Given&&... given) {
+  CaseAsker asker(trial);
+  return ask<Calls, function>(asker, given...);
+}
+
+}  // namespace grader

@@ -1,0 +1,50 @@
+// STAFF ONLY. The fields of a job.
+#include "grader/judge/job.h"
+
+#include "grader/result/result_fields.h"
+
+namespace grader {
+
+template <>
+struct Fields<WholeRunJob> {
+  static const Rows<WholeRunJob>& rows() {
+    using T = WholeRunJob;
+    static const Rows<T> all = {field("scene", &T::scene), field("seed", &T::seed),
+                                field("player", &T::player), field("cpu_seconds", &T::cpu_seconds)};
+    return all;
+  }
+};
+
+template <>
+struct Fields<SuiteJob> {
+  static const Rows<SuiteJob>& rows() {
+    using T = SuiteJob;
+    static const Rows<T> all = {field("exercise", &T::exercise),
+                                field("seed", &T::seed),
+                                field("kit", &T::kit),
+                                field("provided", &T::provided),
+                                field("objects", &T::objects),
+                                field("log", &T::log),
+                                field("isolation", &T::isolation),
+                                field("cpu_seconds", &T::cpu_seconds),
+                                field("allowance", &T::allowance),
+                                field("pictures", &T::pictures),
+                                field("sanitised", &T::sanitised),
+                                field("whole_run", &T::whole_run),
+                                field("left_out", &T::left_out),
+                                field("unavailable", &T::unavailable),
+                                field("reference_objects", &T::reference_objects),
+                                field("motions", &T::motions)};
+    return all;
+  }
+};
+
+std::string to_json(const SuiteJob& job) {
+  return json_text(job, -1);
+}
+
+SuiteJob suite_job_from_json(const std::string& text, const std::string& name) {
+  return from_json_text<SuiteJob>(text, name);
+}
+
+}  // namespace grader

@@ -1,0 +1,60 @@
+// STAFF ONLY. A job for hairsuite or hairstudy, as it reads it in JSON from standard input: these fields are its keys. What it finds is in
+// grader/result/suite_result.h.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "grader/course/budget.h"
+#include "grader/course/isolation.h"
+
+namespace grader {
+
+// See whole_run.h. Not within SuiteJob: clang 14 has no std::optional::emplace() for such a struct there.
+struct WholeRunJob {
+  std::filesystem::path scene;
+  std::string seed;
+  std::filesystem::path player;  // see grader/judge/run/play.h
+  int cpu_seconds = 10;
+
+  bool operator==(const WholeRunJob&) const = default;
+};
+
+struct SuiteJob {
+  std::string exercise;  // or "runs": all of them end to end
+  std::string seed;
+  std::filesystem::path kit;
+  std::vector<std::string> provided;           // exercises whose functions the suite provides (provided.h)
+  std::vector<std::filesystem::path> objects;  // in loading order
+  std::filesystem::path log;
+  Isolation isolation = Isolation::namespaces;
+  int cpu_seconds = 10;
+  Budget allowance = {};
+  std::optional<std::filesystem::path> pictures =
+      {};  // the folder of the reference's pictures; nothing: none are drawn
+
+  // The student's object with sanitizers; empty: there is none. Nothing: memory errors are not looked for.
+  std::optional<std::filesystem::path> sanitised = {};
+
+  std::optional<WholeRunJob> whole_run = {};  // for an exercise with one
+
+  // Only for "runs", see AvailableExercises in end_to_end.h.
+  std::set<std::string> left_out = {};
+  std::map<std::string, std::string> unavailable = {};
+
+  // Only for hairstudy, see study/submission_study.h.
+  std::vector<std::filesystem::path> reference_objects = {};
+  std::filesystem::path motions = {};  // the folder of true motions
+
+  bool operator==(const SuiteJob&) const = default;
+};
+
+std::string to_json(const SuiteJob& job);  // one line
+// Throws BadInput for a text that is no job; errors name it `name`.
+SuiteJob suite_job_from_json(const std::string& text, const std::string& name);
+
+}  // namespace grader

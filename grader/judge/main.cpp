@@ -1,0 +1,148 @@
+// STAFF ONLY. The hidden suite of one exercise, as a GoogleTest program: links the reference, and never a
+// student's code. Of an exercise with a whole run its two categories come last.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+#include <stdexcept>
+
+#include "grader/judge/memory_errors.h"
+#include "grader/judge/run/end_to_end.h"
+#include "grader/judge/run/whole_run.h"
+#include "grader/judge/suite_program.h"
+#include "grader/judge/suite_table.h"
+#include "grader/judge/trial.h"
+#include "grader/sandbox/inherited.h"
+
+namespace {
+
+using grader::CaseResult, grader::Category, grader::Status, grader::SuiteJob, grader::SuiteResult;
+
+// One category as a GoogleTest test.
+class CategoryTest : public testing::Test {
+ public:
+  CategoryTest(const Category& category, grader::Student& student, const std::string& seed,
+               grader::Recording& recording, std::vector<CaseResult>& cases)
+      : category_(category), student_(student), seed_(seed), recording_(recording), cases_(cases) {}
+
+  void TestBody() override {
+    CaseResult result;
+    result.name = category_.title;
+    result.status = Status::passed;
+    result.max_points = category_.weight;
+    recording_.begin_category(category_.title);
+    try {
+      grader::Trial trial(student_, grader::Random(seed_, category_.name));
+      category_.run(trial);
+      result.points = category_.weight;
+    } catch (const grader::CaseFailed& failure) {
+      result.status = failure.status;
+      result.feedback = failure.feedback;
+      result.detail = failure.detail;
+      result.hint = failure.hint;
+      ADD_FAILURE() << failure.feedback << "\n" << failure.detail;
+    } catch (const grader::MalformedMessage& error) {
+      result.status = Status::broke_rules;
+      result.feedback = "the code answered in a form that it has no business with";
+      result.detail = error.what();
+      ADD_FAILURE() << error.what();
+    } catch (const std::exception& error) {  // ours: there is no result without this category
+      std::cerr << "hairsuite: " << category_.name << ": " << error.what() << "\n";
+      return;
+    }
+    cases_.push_back(std::move(result));
+  }
+
+ private:
+  const Category& category_;
+  grader::Student& student_;
+  const std::string& seed_;
+  grader::Recording& recording_;
+  std::vector<CaseResult>& cases_;
+};
+
+// Of each wrong category, how many of its cases hold. It comes last: what it takes of the budget nothing else lacks.
+void count_cases(const std::vector<Category>& categories, grader::Student& student, const std::string& seed,
+                 std::vector<CaseResult>& cases) {
+  student.record(nullptr);
+  for (std::size_t i = 0; i < categories.size() && !student.gave_up(); ++i) {
+    if (cases[i].status != Status::wrong) continue;
+    const std::optional<grader::CaseCount> count =
+        count_of(categories[i], student, grader::Random(seed, categories[i].name));
+    if (!count) continue;
+    cases[i].cases = count->cases;
+    cases[i].held = count->held;
+  }
+}
+
+SuiteResult run_categories(const SuiteJob& job, const grader::WorkerSetup& setup, grader::Student& student) {
+  std::vector<Category> categories = grader::categories(job.exercise), of_the_run, of_memory;
+  SuiteResult result;
+  std::vector<CaseResult>& cases = result.cases;
+  grader::Recording recording;
+  std::optional<grader::WholeRun> run;
+  if (job.whole_run) {
+    grader::HiddenScene scene = grader::read_hidden_scene(job.whole_run->scene, job.whole_run->seed);
+    grader::WorkerSetup worker = setup;
+    worker.cpu_seconds = job.whole_run->cpu_seconds;
+    run.emplace(std::move(worker), job.whole_run->player, std::move(scene), job.pictures, student);
+    of_the_run = run->categories(job.exercise);
+  }
+  std::optional<grader::MemoryErrors> memory;
+  if (job.sanitised) {
+    student.record(&recording);
+    std::vector<grader::Student*> earlier = {&student};
+    if (run) earlier.push_back(&run->student());
+    memory.emplace(setup, *job.sanitised, std::move(earlier), recording, [&cases] {
+      return std::any_of(cases.begin(), cases.end(),
+                         [](const CaseResult& one) { return one.status == Status::passed; });
+    });
+    of_memory.push_back(memory->category(job.exercise));
+  }
+
+  auto add = [&](const Category& category, grader::Student& who) {
+    testing::RegisterTest(
+        job.exercise.c_str(), category.name.c_str(), nullptr, nullptr, __FILE__, __LINE__,
+        [&]() -> testing::Test* { return new CategoryTest(category, who, job.seed, recording, cases); });
+  };
+  for (const Category& category : categories) add(category, student);
+  for (const Category& category : of_the_run) add(category, run->student());
+  for (const Category& category : of_memory) add(category, memory->student());
+
+  // Standard output carries the result, and nothing else.
+  testing::TestEventListeners& listeners = testing::UnitTest::GetInstance()->listeners();
+  delete listeners.Release(listeners.default_result_printer());
+  const bool ran = RUN_ALL_TESTS() >= 0;  // a category that fails is a result, not an error
+  if (!ran || cases.size() != categories.size() + of_the_run.size() + of_memory.size())
+    throw std::runtime_error("a category has no result");
+  count_cases(categories, student, job.seed, cases);
+  result.allocations = student.allocations();
+  if (run) {
+    run->student().finish();
+    result.pictures = run->pictures();
+    result.run_cpu_seconds = run->student().cpu_seconds();
+    result.picture_cpu_seconds = run->picture_seconds();
+  }
+  if (memory) result.memory = {memory->message(), memory->call(), memory->student().cpu_seconds()};
+  return result;
+}
+
+SuiteResult run(const SuiteJob& job) {
+  const grader::WorkerSetup worker = grader::worker_of(job);
+  grader::Student student(worker);
+  SuiteResult result;
+  if (job.exercise == "runs")
+    result.runs = grader::run_end_to_end(student, {job.left_out, job.unavailable}, job.pictures);
+  else
+    result = run_categories(job, worker, student);
+  add_costs(student, worker, result);
+  return result;
+}
+
+}  // namespace
+
+int main(int argc, char* argv[]) {
+  grader::set_what_is_inherited(argv);
+  testing::InitGoogleTest(&argc, argv);
+  return grader::run_suite_program("hairsuite", run);
+}

@@ -1,0 +1,34 @@
+// STAFF ONLY. An exercise's functions as proxies: each asks the student's worker of the present play. The definitions themselves
+// are generated, grader/cmake/definitions.cmake.
+#pragma once
+
+#include "grader/calls/client.h"
+#include "grader/judge/run/asking.h"
+
+namespace grader {
+
+struct PlayAsker {
+  MessageReader ask(const MessageWriter& request, const Products& products) {
+    return ask_student(request, products);
+  }
+  Nothing ours() const { return {}; }
+  void start(MessageWriter&) const {}
+  bool served(const particles::Force&) const { return false; }
+  void scratch(const auto&, int) {}
+  void changed() {}
+};
+
+inline Nothing ours() {
+  return {};
+}
+
+template <class Calls, auto function, class... Arguments>
+ResultOf<function> asked(Arguments&&... arguments) {
+  PlayAsker asker;
+  if constexpr (Signature<decltype(function)>::returns_matrix)
+    return matrix_of<Calls, function>(asker, arguments...);
+  else
+    return ask<Calls, function>(asker, arguments...);
+}
+
+}  // namespace grader

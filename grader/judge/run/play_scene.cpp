@@ -1,0 +1,29 @@
+// STAFF ONLY.
+#include "grader/judge/run/play_scene.h"
+
+#include "grader/judge/run/dense_strands.h"
+#include "hair/scene/playback.h"
+
+namespace grader {
+
+void play_scene(const hair::Scene& scene, Played& played) {
+  hair::Scene unwatched = scene;  // nobody has to have written energies
+  unwatched.hair.watched = false;
+  hair::Playback playback(unwatched);
+  DenseStrands dense(scene, playback.strands());
+  const auto keep = [&] {
+    played.frames.push_back(playback.state());
+    if (!scene.dense.empty())
+      played.dense.push_back(dense.at(playback.centre_lines(played.frames.back()).x, playback.time()));
+  };
+  keep();
+  for (int k = 0; k < scene.frames && played.trouble.empty(); ++k) {
+    played.trouble = playback.advance().value_or("");
+    if (played.trouble.empty()) keep();
+  }
+  const hair::Work work = playback.work();
+  played.solver_steps = work.solver_steps;
+  played.correction_steps = work.correction_steps;
+}
+
+}  // namespace grader

@@ -1,0 +1,16 @@
+// STAFF ONLY. A scene that a worker plays by itself, with all of a submission's objects: the answer of
+// grader/worker/serve_runs.cpp.
+#pragma once
+
+#include <string>
+
+#include "grader/judge/run/play.h"
+#include "grader/judge/trial.h"
+
+namespace grader {
+
+// Lets the student's worker play a scene `times` times: it gets the text, from which we made `scene`. Throws
+// CaseFailed, or MalformedMessage if the answer has another form.
+Played play_elsewhere(Trial& trial, const std::string& text, const hair::Scene& scene, int times = 1);
+
+}  // namespace grader

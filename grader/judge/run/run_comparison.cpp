@@ -1,0 +1,148 @@
+// STAFF ONLY. Plays the reference's run beside a worker's, and measures how far they are apart.
+#include "grader/judge/run/run_comparison.h"
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "grader/judge/run/dense_strands.h"
+#include "hair/render/scene_drawing.h"
+
+namespace grader {
+namespace {
+
+// Apart by less, as a part of the scene's size, nobody can tell particles apart: a thousandth of a pixel.
+constexpr double kSameParticles = 1e-6;
+// Nearer than this, a particle's place can tell a student next to nothing that is not in the reference's picture.
+constexpr double kNear = 0.01;
+// What is further out than this, in the scene's size, is not drawn: a picture would not show it.
+constexpr double kFarthestDrawn = 100;
+
+std::string name_at(double time) {
+  std::ostringstream text;
+  text.setf(std::ios::fixed);
+  text.precision(2);
+  text << time << " s";
+  return text.str();
+}
+
+// Which points are held where their motion has them: the roots of strands, and what is pinned of toys.
+std::vector<bool> held_points(const hair::Scene& scene, const std::vector<int>& strands) {
+  std::vector<bool> held;
+  for (const int points : strands)
+    for (int i = 0; i < points; ++i) held.push_back(i == 0);
+  for (const hair::Toy& toy : scene.toys)
+    for (int i = 0; i < toy.particles.count(); ++i) held.push_back(toy.particles.is_pinned(i));
+  return held;
+}
+
+// Nearer than a scene's own camera, which has to have room for whatever may happen. Where there is more to
+// see than particles and wires, that one it is.
+hair::Camera camera_of(const hair::Scene& scene, const hair::SceneDrawing& drawing, hair::Bounds bounds) {
+  if (!scene.hair.obstacles.empty()) return drawing.camera();
+  for (const hair::Toy& toy : scene.toys)
+    for (const particles::Wire& wire : toy.constraints.wires) {
+      const Eigen::Vector3d reach = wire.radius * (1 - wire.normal.array().square()).max(0).sqrt();
+      bounds.add(wire.centre - reach);
+      bounds.add(wire.centre + reach);
+    }
+  return hair::frame_camera(bounds, static_cast<double>(kPictureWidth) / kPictureHeight,
+                            scene.look.value_or(hair::Look()).view);
+}
+
+bool is_finite(const particles::State& state) {
+  return state.x.allFinite() && state.v.allFinite();
+}
+
+double distance(const Eigen::VectorXd& a, const Eigen::VectorXd& b, std::size_t i) {
+  const auto at = static_cast<Eigen::Index>(3 * i);
+  return (a.segment<3>(at) - b.segment<3>(at)).norm();
+}
+
+// A frame that can be drawn.
+struct Taken {
+  int frame = 0;
+  Moment moment;
+  particles::State ours, theirs;
+  Eigen::VectorXd our_dense, their_dense;
+  std::vector<hair::Obstacle> obstacles;
+};
+
+// Dense hair takes the place of all strands.
+hair::Drawing with_dense(hair::Drawing drawing, const std::vector<int>& sizes, const Eigen::VectorXd& dense) {
+  drawing.strands.sizes = sizes;
+  drawing.strands.points.clear();
+  for (Eigen::Index at = 0; at < dense.size(); at += 3)
+    drawing.strands.points.emplace_back(dense.segment<3>(at));
+  return drawing;
+}
+
+}  // namespace
+
+RunComparison compare_runs(const hair::Scene& scene, const std::vector<int>& pictures, const Played& theirs) {
+  RunComparison result;
+  hair::Playback ours(scene);
+  const std::vector<bool> held = held_points(scene, ours.strands());
+  const hair::SceneDrawing drawing(scene, ours.strands());
+  const bool with_dense_hair = !theirs.dense.empty();
+  DenseStrands strands(scene, ours.strands());
+  hair::Bounds bounds;
+  std::vector<Taken> taken;
+  for (int frame = 0; frame <= scene.frames; ++frame) {
+    if (frame > 0)
+      if (const auto trouble = ours.advance())
+        throw std::logic_error("the reference breaks in " + scene.name + ": " + *trouble);
+    const particles::State state = ours.state(), points = ours.centre_lines(state);
+    for (std::size_t i = 0; i < held.size(); ++i)
+      bounds.add(points.x.segment<3>(3 * static_cast<Eigen::Index>(i)));
+    const hair::FrameMeasures measures = ours.measure(state);
+    result.kinetic = std::max(result.kinetic, measures.kinetic);
+
+    if (static_cast<std::size_t>(frame) >= theirs.frames.size()) continue;
+    const particles::State& their = theirs.frames[frame];
+    Eigen::VectorXd our_dense, their_dense;
+    if (with_dense_hair) {
+      our_dense = strands.at(points.x, ours.time());
+      their_dense = theirs.dense.at(frame);
+    }
+    result.finite = result.finite && is_finite(their) && their_dense.allFinite();
+    if (!result.finite) continue;
+    const particles::State their_points = ours.centre_lines(their);
+    Moment moment{ours.time(), measures, ours.measure(their), 0, 0, 0};
+    for (std::size_t i = 0; i < static_cast<std::size_t>(our_dense.size() / 3); ++i)
+      moment.dense_apart = std::max(moment.dense_apart, distance(our_dense, their_dense, i));
+    for (std::size_t i = 0; i < held.size(); ++i) {
+      const double apart = distance(points.x, their_points.x, i);
+      moment.apart = std::max(moment.apart, apart);
+      if (held[i]) moment.held_apart = std::max(moment.held_apart, apart);
+    }
+    taken.push_back({frame, moment, points, their_points, our_dense, their_dense, ours.obstacles()});
+    result.moments.push_back(moment);
+  }
+  result.size = (bounds.high - bounds.low).norm();
+  result.camera = camera_of(scene, drawing, bounds);
+
+  const auto apart_of = [](const Taken& one) { return std::max(one.moment.apart, one.moment.dense_apart); };
+  taken.erase(std::ranges::find_if(
+                  taken, [&](const Taken& one) { return !(apart_of(one) <= kFarthestDrawn * result.size); }),
+              taken.end());
+  // The start shows nothing of theirs.
+  const bool is_cut =
+      !pictures.empty() && taken.size() > 1 && static_cast<int>(taken.size()) <= pictures.back();
+  for (const Taken& one : taken) {
+    const bool is_last = is_cut && one.frame == taken.back().frame;
+    if (!is_last && std::ranges::find(pictures, one.frame) == pictures.end()) continue;
+    const double apart = apart_of(one);
+    const auto drawn = [&](const particles::State& state, const Eigen::VectorXd& dense) {
+      hair::Drawing plain = drawing.at(state, one.obstacles, one.moment.time);
+      return with_dense_hair ? with_dense(std::move(plain), strands.sizes(), dense) : plain;
+    };
+    result.shots.push_back({name_at(one.moment.time), drawn(one.ours, one.our_dense),
+                            drawn(one.theirs, one.their_dense), apart <= kSameParticles * result.size,
+                            apart > kNear * result.size, is_last});
+  }
+  return result;
+}
+
+}  // namespace grader

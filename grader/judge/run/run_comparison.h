@@ -1,0 +1,35 @@
+// STAFF ONLY. Compares a worker's run of a scene with the reference's own.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "grader/judge/run/played.h"
+#include "grader/judge/run/run_pictures.h"
+#include "hair/scene/playback.h"
+
+namespace grader {
+
+struct Moment {
+  double time = 0;                   // s
+  hair::FrameMeasures ours, theirs;  // both measured with our forces
+  double apart = 0;                  // m, the largest distance between a point and the reference's
+  double held_apart = 0;             // m, the same for held particles
+  double dense_apart = 0;            // m, the same for points of dense hair
+};
+
+struct RunComparison {
+  double size = 0;              // m: the diagonal of the bounding box of the reference's run
+  double kinetic = 0;           // J: the largest kinetic energy in the reference's run
+  bool finite = true;           // all of the worker's numbers
+  std::vector<Moment> moments;  // in both runs, until a number is not finite
+  std::vector<Shot>
+      shots;  // of the requested frames, as far as they can be drawn; then of the last one that can, if others can't
+  hair::Camera camera;  // shows all of the reference's run
+};
+
+// Plays the scene with the reference. `pictures` are the frames for shots. Throws std::logic_error if the
+// reference itself breaks.
+RunComparison compare_runs(const hair::Scene& scene, const std::vector<int>& pictures, const Played& theirs);
+
+}  // namespace grader

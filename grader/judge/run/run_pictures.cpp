@@ -1,0 +1,91 @@
+// STAFF ONLY.
+#include "grader/judge/run/run_pictures.h"
+
+#include <memory>
+
+#include "grader/compare/compare.h"
+#include "grader/compare/heat_map.h"
+#include "grader/compare/montage.h"
+#include "grader/compare/palette.h"
+#include "hair/io/files/read_file.h"
+#include "hair/io/files/write_file.h"
+#include "hair/io/image/read_png.h"
+#include "hair/render/renderer.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Loads OpenGL when it is first needed, and not if all that is needed has been drawn before.
+class Artist {
+ public:
+  explicit Artist(const hair::Camera& camera) : camera_(camera) {}
+
+  hair::Image draw(const hair::Drawing& drawing) {
+    if (!renderer_) {
+      hair::RenderSettings settings;
+      settings.width = kPictureWidth;
+      settings.height = kPictureHeight;
+      settings.shadows = false;
+      renderer_ = std::make_unique<hair::Renderer>(settings);
+    }
+    return renderer_->draw(drawing, camera_);
+  }
+
+ private:
+  const hair::Camera& camera_;
+  std::unique_ptr<hair::Renderer> renderer_;
+};
+
+// A file's bytes, which are made if it is not there.
+template <class Make>
+std::string made_once(const fs::path& file, const Make& make) {
+  std::string bytes = hair::bytes_of(file);
+  if (!bytes.empty()) return bytes;
+  bytes = make();
+  hair::write_file(file, bytes);
+  return bytes;
+}
+
+// As pages show them: PNG files' bytes. Of a map, half the size is enough: it is smooth.
+std::string shown_picture(const hair::Image& image) {
+  return encode_palette_png(in_few_colors(image, kPictureColors));
+}
+std::string shown_map(const ErrorMap& map) {
+  return encode_palette_png(in_few_colors(shrunk(heat_map(map), kPictureWidth / 2), kMapColors));
+}
+
+}  // namespace
+
+std::vector<PictureResult> draw_shots(const std::vector<Shot>& shots, const hair::Camera& camera,
+                                      const fs::path& kept) {
+  std::vector<PictureResult> pictures;
+  Artist artist(camera);
+  for (const Shot& shot : shots) {
+    PictureResult picture;
+    picture.name = shot.name;
+    picture.far_off = shot.far_off;
+    picture.breaks_off = shot.breaks_off;
+    const std::string drawn =
+        made_once(kept / (shot.name + ".png"), [&] { return hair::encode_png(artist.draw(shot.reference)); });
+    picture.reference = picture.student = made_once(
+        kept / (shot.name + " shown.png"), [&] { return shown_picture(hair::decode_png(drawn, shot.name)); });
+    if (!shot.same) {
+      const hair::Image reference = hair::decode_png(drawn, shot.name);
+      const hair::Image student = artist.draw(shot.student);
+      const ErrorMap map = flip(reference, student);
+      const PictureDistance distance = compare_pictures(reference, student, map);
+      picture.blurred_rmse = distance.blurred_rmse;
+      picture.flip = distance.flip_mean;
+      if (!distance.identical) {
+        picture.student = shown_picture(student);
+        picture.heat = shown_map(map);
+      }
+    }
+    pictures.push_back(std::move(picture));
+  }
+  return pictures;
+}
+
+}  // namespace grader

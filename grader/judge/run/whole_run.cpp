@@ -1,0 +1,112 @@
+// STAFF ONLY.
+#include "grader/judge/run/whole_run.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "grader/judge/run/student_play.h"
+#include "solver/timing.h"
+
+namespace grader {
+namespace {
+
+std::string at(const Moment& moment) {
+  std::ostringstream text;
+  text << "at " << moment.time << " s: energy " << moment.theirs.energy() << " J, ours "
+       << moment.ours.energy() << " J; stretch " << moment.theirs.stretch << ", ours " << moment.ours.stretch
+       << "; particles apart by " << moment.apart << " m, held ones by " << moment.held_apart
+       << " m, dense hair by " << moment.dense_apart << " m";
+  return text.str();
+}
+
+// "It breaks off after 0.35 s (strand 0, step 42: filter)." The last moment is a frame's.
+std::string where_it_breaks_off(const RunComparison& run, const std::string& trouble) {
+  if (run.moments.empty()) return "";
+  std::ostringstream text;
+  text.precision(3);
+  text << "It breaks off after " << run.moments.back().time << " s"
+       << (trouble.empty() ? "" : " (" + trouble + ")") << ".";
+  return text.str();
+}
+
+}  // namespace
+
+WholeRun::WholeRun(WorkerSetup worker, std::filesystem::path player, HiddenScene scene,
+                   std::optional<std::filesystem::path> kept_pictures, Student& cases)
+    : student_(std::move(worker)),
+      player_(std::move(player)),
+      hidden_(std::move(scene)),
+      kept_pictures_(std::move(kept_pictures)),
+      cases_(cases) {}
+
+std::vector<Category> WholeRun::categories(const std::string& exercise) {
+  std::vector<Category> all = {category_of(exercise, "WholeRun", [this](Trial& trial) { judge_run(trial); })};
+  if (kept_pictures_)
+    all.push_back(category_of(exercise, "Pictures", [this](Trial& trial) { judge_pictures(trial); }));
+  return all;
+}
+
+Played WholeRun::play(Trial& trial) {
+  const double before = student_.spent().messages;
+  try {
+    return play_with_student(trial, player_, hidden_.scene);
+  } catch (CaseFailed& failure) {
+    if (failure.status == Status::timed_out && student_.spent().messages - before > kManyMessages)
+      failure = {Status::wrong, "the run takes many times the calls and products of ours", failure.detail};
+    throw;
+  }
+}
+
+Played WholeRun::play_unless_given_up(Trial& trial) {
+  // What it took is charged, before another worker takes of the same allowance.
+  cases_.finish();
+  try {
+    // A code that never answers would cost its limits once more.
+    if (cases_.gave_up()) trial.reply_of(*cases_.gave_up());
+    return play(trial);
+  } catch (const CaseFailed& failure) {
+    unplayed_ = failure;
+    throw;
+  }
+}
+
+void WholeRun::judge_run(Trial& trial) {
+  trial.describe(hidden_.scene.name);
+  const Played theirs = play_unless_given_up(trial);
+  run_ = compare_runs(hidden_.scene, hidden_.pictures, theirs);
+  trial.require(run_->finite, "numbers that are not finite", "", where_it_breaks_off(*run_, "not a number"));
+  trial.require(theirs.trouble.empty() && run_->moments.size() == hidden_.scene.frames + std::size_t{1},
+                "the run breaks off", theirs.trouble, where_it_breaks_off(*run_, theirs.trouble));
+  trial.expect(run_->moments.front().apart == 0, "the run does not start where the scene does");
+  for (const Moment& moment : run_->moments) {
+    trial.expect_at_most(moment.held_apart, kHeld * run_->size,
+                         "the distance of what is held from where it is held", at(moment));
+    trial.expect_at_most(std::abs(moment.theirs.energy() - moment.ours.energy()), kEnergy * run_->kinetic,
+                         "the difference of the energy from ours", at(moment));
+    trial.expect_at_most(moment.theirs.stretch, std::max(kStretch * moment.ours.stretch, kLeastStretch),
+                         "the stretch", at(moment));
+    trial.expect_at_most(moment.dense_apart, kDense * run_->size, "the distance of dense hair from ours",
+                         at(moment));
+  }
+}
+
+void WholeRun::judge_pictures(Trial& trial) {
+  trial.describe(hidden_.scene.name);
+  if (unplayed_) trial.fail(unplayed_->status, "there is no run to draw", unplayed_->feedback);
+  const double start = timing::process_cpu_seconds();
+  pictures_ = draw_shots(run_->shots, run_->camera, *kept_pictures_);
+  picture_seconds_ = timing::process_cpu_seconds() - start;
+  for (const PictureResult& picture : pictures_) {
+    std::ostringstream scores;
+    scores << "at " << picture.name << ": blurred RMSE " << picture.blurred_rmse << ", FLIP " << picture.flip;
+    trial.expect_at_most(picture.blurred_rmse, kBlurredRmse,
+                         "the difference of the blurred pictures at " + picture.name, scores.str());
+    trial.expect_at_most(picture.flip, kFlip,
+                         "the difference that is seen between the pictures at " + picture.name, scores.str());
+  }
+  trial.expect(pictures_.size() == hidden_.pictures.size() && !pictures_.back().breaks_off,
+               "the run ends before its last picture");
+}
+
+}  // namespace grader

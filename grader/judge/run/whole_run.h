@@ -1,0 +1,84 @@
+// STAFF ONLY. The whole run of an exercise: the suite plays a hidden scene from start to end, with the submission's
+// functions for this exercise and the reference's for all others. Each call of the submission's goes to a worker of
+// its own, which holds the submission's object, provided prerequisites (provided.h), and nothing else. Two categories
+// judge the result.
+//
+// The run. It must end with finite numbers. It must start as the scene says, and held particles must stay
+// where the reference has them. Energy and stretch, by our own forces, must agree with the reference's run
+// within kEnergy and kStretch. Positions are not compared: correct solutions may differ by rounding, which a
+// scene can amplify. How much, and what these bounds detect, was measured (README.md, "Whole runs"). Dense hair
+// (H10) is made anew in each frame, from guides that are the reference's: nothing amplifies its rounding, and its points
+// are compared.
+//
+// Its pictures. We draw a few frames of the submission and of the reference. The RMSE of the blurred pictures
+// and the mean FLIP must each be below a threshold.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grader/judge/run/hidden_scene.h"
+#include "grader/judge/run/run_comparison.h"
+#include "grader/judge/suite_table.h"
+#include "grader/judge/trial.h"
+#include "grader/result/result.h"
+
+namespace grader {
+
+// The largest error of held particles, relative to the scene's size: the rounding of their motion.
+inline constexpr double kHeld = 1e-9;
+// The largest difference of energies at a moment, relative to the largest kinetic energy of the reference's
+// run.
+inline constexpr double kEnergy = 0.01;
+// The limit of the stretch: the larger of kStretch times the reference's and kLeastStretch.
+inline constexpr double kStretch = 1.5;
+inline constexpr double kLeastStretch = 1e-4;
+// The largest distance of a point of dense hair from ours, relative to the scene's size. Of what H10's contract allows,
+// weights count most: roots that are off by 1e-10 of a triangle's longest edge change each of three weights by 1e-9 where
+// its height is a tenth of that, as in the hidden scene; guides differ by less than the scene's size.
+inline constexpr double kDense = 1e-8;
+// The limits for pictures.
+inline constexpr double kBlurredRmse = 0.0005, kFlip = 0.001;
+
+// Right ones send 50,000 messages at most. A solver that does not converge asks for products without end: that is a wrong answer, not
+// a slow one, whichever limit it meets first.
+inline constexpr double kManyMessages = 100'000;
+
+inline constexpr const char* kRunTitle = "The whole run";
+
+class WholeRun {
+ public:
+  // `worker` answers for the exercise as in its cases, and `player` plays the scene with it (grader/judge/run/play.h).
+  // The reference's pictures are stored in `kept_pictures`; without it no pictures are drawn. `cases` is the
+  // worker of the exercise's other cases: it is finished first, and if the suite gave up on it, the whole run is
+  // not played.
+  WholeRun(WorkerSetup worker, std::filesystem::path player, HiddenScene scene,
+           std::optional<std::filesystem::path> kept_pictures, Student& cases);
+
+  // The categories, in the order of running.
+  std::vector<Category> categories(const std::string& exercise);
+
+  Student& student() { return student_; }
+  const std::vector<PictureResult>& pictures() const { return pictures_; }
+  double picture_seconds() const { return picture_seconds_; }  // of CPU time
+
+ private:
+  void judge_run(Trial& trial);
+  Played play(Trial& trial);
+  Played play_unless_given_up(Trial& trial);
+  void judge_pictures(Trial& trial);
+
+  Student student_;
+  std::filesystem::path player_;
+  HiddenScene hidden_;
+  std::optional<std::filesystem::path> kept_pictures_;
+  Student& cases_;
+  std::optional<RunComparison> run_;    // set once it was played
+  std::optional<CaseFailed> unplayed_;  // why it could not be
+  std::vector<PictureResult> pictures_;
+  double picture_seconds_ = 0;
+};
+
+}  // namespace grader

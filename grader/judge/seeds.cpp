@@ -1,0 +1,88 @@
+// STAFF ONLY. Hidden cases under many seeds, for the suite's bounds: a right program must pass under all of them, and a
+// wrong one must fail under all of them.
+//
+//   hairseeds EXERCISE FIRST COUNT KIT OBJECT...
+//
+// The objects are loaded in their order, the exercise's last, in a process without a cage: this is for
+// staff's own programs. Prints a line for each category that fails: under how many seeds, and what staff
+// read of the first; a hint if what promises to allocate nothing does; and for each bound the largest error
+// / bound, its seed, the category, and the quantity. The exit code is 0 if no category fails, 1 if one
+// does.
+#include <sodium.h>
+
+#include <algorithm>
+#include <iostream>
+#include <limits>
+#include <map>
+
+#include "grader/judge/suite_table.h"
+
+namespace {
+
+struct Failures {
+  int count = 0;
+  std::string first;
+};
+
+grader::Student uncaged(const std::string& exercise, const std::string& kit,
+                        const std::vector<std::filesystem::path>& objects) {
+  grader::WorkerSetup setup;
+  setup.kit = std::filesystem::absolute(kit);
+  setup.exercise = exercise;
+  for (const std::filesystem::path& object : objects) {
+    setup.objects.push_back(std::filesystem::absolute(object));
+    // The kit's provided/S1.so asks the suite.
+    if (object.parent_path().filename() == "provided") setup.provided.push_back(object.stem());
+  }
+  setup.log = "/dev/null";
+  setup.isolation = grader::Isolation::none;
+  setup.cpu_seconds = 1'000'000;
+  for (const grader::BudgetField& field : grader::budget_fields())
+    setup.allowance->limit.*field.value = std::numeric_limits<double>::infinity();
+  setup.allowance->limit.worker_cpu_seconds = setup.cpu_seconds;
+  setup.allowance->limit.idle_seconds = setup.cpu_seconds;
+  return grader::Student(setup);
+}
+
+}  // namespace
+
+int main(int argc, char* argv[]) {
+  if (argc < 6 || sodium_init() < 0) {
+    std::cerr << "hairseeds EXERCISE FIRST COUNT KIT OBJECT...\n";
+    return 2;
+  }
+  const std::string exercise = argv[1];
+  const int first = std::stoi(argv[2]), count = std::stoi(argv[3]);
+  std::map<std::string, Failures> failures;
+  std::map<std::string, std::pair<double, int>> nearest;  // the ratio, the seed
+  int allocations = 0;
+  for (int seed = first; seed < first + count; ++seed) {
+    // A worker has a limit of wall time, and sweeps along a hair take seconds for each seed if nothing is optimised.
+    grader::Student student = uncaged(exercise, argv[4], {argv + 5, argv + argc});
+    for (const grader::Category& category : grader::categories(exercise)) {
+      grader::Trial trial(student, grader::Random(std::to_string(seed), category.name));
+      try {
+        category.run(trial);
+      } catch (const grader::CaseFailed& failure) {
+        Failures& of = failures[category.name];
+        if (++of.count == 1)
+          of.first = "seed " + std::to_string(seed) + ", " + failure.feedback + "; " + failure.detail;
+      }
+      for (const auto& [quantity, ratio] : trial.nearest()) {
+        std::pair<double, int>& largest = nearest[category.name + " | " + quantity];
+        largest = std::max(largest, {ratio, seed});
+      }
+    }
+    student.finish();
+    allocations = std::max(allocations, student.allocations());
+  }
+  std::cout << exercise << ": " << count << " seeds, " << failures.size() << " categories fail\n";
+  for (const auto& [category, of] : failures)
+    std::cout << "  " << category << ": " << of.count << "; first: " << of.first << "\n";
+  if (allocations > 0)
+    std::cout << "  a hint: a call allocates up to " << allocations
+              << " times, and its contract asks for none\n";
+  for (const auto& [bound, largest] : nearest)
+    std::cout << largest.first << " " << largest.second << " " << bound << "\n";
+  return failures.empty() ? 0 : 1;
+}

@@ -1,0 +1,125 @@
+// STAFF ONLY. Shared code of the hidden cases of H1, H2 and H3: a student's answers about strands, strands and states as inputs, and comparisons with the reference.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "grader/judge/case_asker.h"
+#include "grader/judge/random_vector.h"
+#include "grader/judge/rounding.h"
+#include "grader/judge/trial.h"
+#include "hair/geometric_term.h"
+#include "hair/strand.h"
+
+namespace grader {
+
+using Eigen::VectorXd;
+using hair::GeometricTerm;
+using hair::Strand;
+
+// A strand with its positions.
+struct Posed {
+  Strand strand;
+  VectorXd x;
+  std::string name;  // for staff
+};
+
+void describe(Trial& trial, const Posed& posed);
+
+// What a function of the student's answers about a strand. Each checks that it is finite.
+template <class Calls, auto energy>
+double energy_of(Trial& trial, const Posed& posed) {
+  describe(trial, posed);
+  const double answer = ask_student_for<Calls, energy>(trial, posed.strand, posed.x);
+  trial.expect(std::isfinite(answer), "the energy is not a finite number");
+  return answer;
+}
+// What becomes of `sum`, to which the function adds.
+template <class Calls, auto add, class... Arguments>
+VectorXd sum_of(Trial& trial, const Posed& posed, const std::string& what, VectorXd sum,
+                const Arguments&... arguments) {
+  describe(trial, posed);
+  ask_student_for<Calls, add>(trial, posed.strand, posed.x, arguments..., sum);
+  trial.expect(sum.allFinite(), what + " is not a finite number");
+  return sum;
+}
+
+// The largest absolute value of an entry.
+double largest(const VectorXd& v);
+
+// Checks that no entry is off by more than `bound`.
+void expect_vector(Trial& trial, const VectorXd& actual, const VectorXd& expected, double bound,
+                   const std::string& what);
+
+// Checks that a value is between 1/100 and 100 times the expected one. It is for cases that test another
+// property: zeros must not have it, and an unrelated mistake must not cost it.
+void expect_size(Trial& trial, double actual, double expected, const std::string& what);
+
+// For cases that compare a student's answers with each other: zeros must not have the property.
+void expect_not_zero(Trial& trial, const VectorXd& actual, const std::string& what);
+
+// An answer in other units of length and force, `metre` and `newton` times ours: each number is what it was, times newton, times a power of
+// metre. Which power that is, another category asks; here it is the same in all units. No entry, over the largest one, is off by
+// more than `rounding` over the largest of `expected`.
+class InUnits {
+ public:
+  InUnits(Trial& trial, VectorXd expected, double rounding, std::string what)
+      : trial_(trial), expected_(std::move(expected)), rounding_(rounding), what_(std::move(what)) {}
+
+  void expect(const VectorXd& actual, double metre, double newton);
+
+ private:
+  Trial& trial_;
+  VectorXd expected_;
+  double rounding_;
+  std::string what_;
+  std::optional<double> power_ = {};
+};
+
+// Checks that the numbers differ by at most `relative` times the largest.
+void expect_all_equal(Trial& trial, const std::vector<double>& values, double relative,
+                      const std::string& what);
+
+// Rest lengths of 1 m, random masses and rigidities, none of them 1; a hinge at the root.
+Strand toy_strand(Random& random, int count);
+
+struct Range {
+  double low, high;
+};
+
+// A random pose: segments have `stretch` times their rest length, and each is turned from the previous one by
+// an angle in `bend` about a uniformly random axis. The root's position and the first direction are random
+// (if clamped, root_tangent is random and the first segment is turned from it likewise).
+Posed random_pose(Random& random, const Strand& strand, Range stretch, Range bend, const std::string& name);
+
+// A pose on a line through the root: segments of the given lengths along `direction`.
+Posed straight_pose(const Strand& strand, const VectorXd& lengths, const Eigen::Vector3d& direction,
+                    const std::string& name);
+
+// `count` particles from the one with number `first` on, as a strand; clamped only with its root.
+Posed part_of(const Posed& posed, int first, int count);
+
+// Checks that a strand's answer is the sum of the answers of each `count` neighbours alone, whatever its rest lengths are; if it is so where
+// these are equal: whether parts are added up is another category's. `answer` takes a pose and the number of its first particle.
+template <class Answer>
+void expect_sum_of_parts(Trial& trial, const Posed& uneven, int count, double rounding, const Answer& answer,
+                         const std::string& what) {
+  const auto left_over = [&](const Posed& posed) {
+    VectorXd rest = answer(posed, 0);
+    for (int first = 0; first + count <= posed.strand.count(); ++first)
+      rest.segment(3 * first, 3 * count) -= answer(part_of(posed, first, count), first);
+    return rest;
+  };
+  Posed even = uneven;
+  even.strand.rest_length.setConstant(uneven.strand.rest_length.mean());
+  if (largest(left_over(even)) <= rounding)
+    expect_vector(trial, left_over(uneven), VectorXd::Zero(uneven.x.size()), rounding, what);
+}
+
+Eigen::Vector3d random_direction(Random& random);
+
+}  // namespace grader

@@ -1,0 +1,87 @@
+// STAFF ONLY. How many cases of a category hold, where a worker answers: the reference's S1.
+#include <gtest/gtest.h>
+
+#include "grader/judge/case_asker.h"
+#include "reference/S1/calls.h"
+
+namespace grader {
+namespace {
+
+using Eigen::VectorXd;
+
+// A system of one unknown, whose matrix is 1.
+void ask(CaseAsker& asker) {
+  VectorXd x = VectorXd::Ones(1), b = x;
+  int steps = 4;
+  const Served one{1, 1, [](int, const std::vector<double>& in, std::vector<double>& out) {
+                     out = in;
+                     return true;
+                   }};
+  grader::ask<s1::Calls, s1::conj_grad>(asker, one, x, b, 1e-20, steps);
+}
+void ask(Trial& trial) {
+  CaseAsker asker(trial);
+  ask(asker);
+}
+
+std::optional<CaseCount> counted(const std::function<void(Trial&)>& run) {
+  WorkerSetup setup;
+  setup.kit = HAIR_KIT_DIR;
+  setup.exercise = "S1";
+  setup.objects = {setup.kit / "lib/S1.so"};
+  setup.log = "/dev/null";
+  setup.isolation = Isolation::none;
+  setup.allowance->limit = share_of(Budget(), 10);
+  Student student(setup);
+  return count_of({"Name", "Title", 1, run}, student, Random("seed", "count"));
+}
+
+TEST(CountedCases, FailOnceEachAndTheOthersHold) {
+  const std::optional<CaseCount> count = counted([](Trial& trial) {
+    for (int i = 0; i < 5; ++i) {
+      ask(trial);
+      trial.expect(i != 1, "the second");
+      trial.expect(i != 1, "the second, once more");
+      trial.expect_at_most(i == 3 ? 2 : 0, 1, "the fourth");
+    }
+  });
+  ASSERT_TRUE(count);
+  EXPECT_EQ(count->cases, 5);
+  EXPECT_EQ(count->held, 3);
+}
+
+TEST(CountedCases, MayTakeSeveralCalls) {
+  const std::optional<CaseCount> count = counted([](Trial& trial) {
+    for (int i = 0; i < 3; ++i) {
+      CaseAsker asker(trial);
+      ask(asker);
+      trial.expect(i != 1, "the second, after its first call");
+      ask(asker);
+      trial.expect(i != 1, "the second, after its last call");
+    }
+  });
+  ASSERT_TRUE(count);
+  EXPECT_EQ(count->cases, 3);
+  EXPECT_EQ(count->held, 2);
+}
+
+TEST(CountedCases, AreNotThoseThatAreAskedAside) {
+  const std::optional<CaseCount> count = counted([](Trial& trial) {
+    ask(trial);
+    trial.expect(false, "the first");
+    trial.ask_aside([&] {
+      ask(trial);
+      ask(trial);
+      trial.expect(false, "what excuses nothing");
+    });
+    trial.expect(false, "the first, once more");
+    ask(trial);
+    trial.expect(true, "the second");
+  });
+  ASSERT_TRUE(count);
+  EXPECT_EQ(count->cases, 2);
+  EXPECT_EQ(count->held, 1);
+}
+
+}  // namespace
+}  // namespace grader

@@ -1,0 +1,77 @@
+// STAFF ONLY. A worker that does not keep to the protocol of provided functions ends its request, and not the suite.
+#include "grader/judge/student/provided.h"
+
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <stdlib.h>
+
+#include <fstream>
+
+#include "grader/judge/student/student.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Provided : public testing::Test {
+ protected:
+  Provided() {
+    std::string pattern = (fs::temp_directory_path() / "provided-test-XXXXXX").string();
+    folder_ = mkdtemp(pattern.data());
+    fs::permissions(folder_, fs::perms(0755));
+    signal(SIGPIPE, SIG_IGN);
+    fs::create_directories(folder_ / "serve");
+    fs::create_directories(folder_ / "provided");
+    fs::copy(HAIR_HOSTILE_CALLER, folder_ / "worker");
+    for (const char* file : {"serve/X.so", "provided/S1.so", "provided/H5.so"})
+      std::ofstream(folder_ / file) << "";
+  }
+  ~Provided() override { fs::remove_all(folder_); }
+
+  // Asked twice: after the first answer there is still a suite.
+  Outcome outcome(const std::string& how) {
+    allowance_ = std::make_shared<Allowance>();
+    WorkerSetup setup;
+    setup.allowance = allowance_;
+    setup.kit = folder_;
+    setup.exercise = "X";
+    setup.provided = {"S1", "H5"};
+    setup.objects = {folder_ / (how + ".so")};
+    setup.log = folder_ / "log";
+    setup.isolation = Isolation::none;
+    setup.allowance->limit.messages = 2000;
+    std::ofstream(setup.objects[0]) << "";
+    Student student(setup);
+    const auto no_products = [](int, const auto&, auto&) -> bool { throw MalformedMessage("no operator"); };
+    const Outcome first = student.ask({}, no_products).outcome;
+    EXPECT_EQ(student.ask({}, no_products).outcome, first) << how << " the second time";
+    return first;
+  }
+
+  fs::path folder_;
+  std::shared_ptr<Allowance> allowance_;  // of the last worker
+};
+
+TEST_F(Provided, RefusesWhatMakesNoSense) {
+  for (const char* how :
+       {"calls-what-is-not-provided", "calls-what-is-not-there", "calls-before-the-first",
+        "has-fewer-numbers-than-unknowns", "has-less-than-no-unknowns", "calls-in-callbacks-forever",
+        "throws-unasked", "answers-unasked", "answers-with-another-length", "is-done-in-a-callback"})
+    EXPECT_EQ(outcome(how), Outcome::broke_rules) << how;
+}
+
+TEST_F(Provided, GoesOnAfterACallbackThatEnds) {
+  EXPECT_EQ(outcome("exits-in-a-callback"), Outcome::crashed);
+  EXPECT_EQ(outcome("throws-in-a-callback"), Outcome::threw);
+}
+
+TEST_F(Provided, ComputesNoLongerThanItMay) {
+  EXPECT_EQ(outcome("solves-forever"), Outcome::timed_out);
+  EXPECT_GT(allowance_->spent.messages, allowance_->limit.messages) << "it ended for another reason";
+  EXPECT_EQ(outcome("sweeps-forever"), Outcome::done);
+  EXPECT_LT(allowance_->spent.suite_cpu_seconds, 5) << "two calls";
+}
+
+}  // namespace
+}  // namespace grader

@@ -1,0 +1,47 @@
+// STAFF ONLY. What the cases asked a worker, to be asked again of another one: requests, and the products that the suite
+// gave for them. So a second worker costs the suite no cases, and no computing of its own.
+//
+// Of each category as much is kept as kMostBytes are, and of the products of one request kMostProductBytes: what
+// is asked again ends there. The sizes of cases are few, and each of them comes early.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "grader/judge/student/student.h"
+
+namespace grader {
+
+class Recording {
+ public:
+  static constexpr std::size_t kMostBytes = std::size_t{4} << 20, kMostProductBytes = std::size_t{1} << 20;
+
+  struct Product {
+    int which;
+    std::vector<double> result;
+    bool go_on;
+  };
+  struct Request {
+    std::string category;
+    MessageWriter message;
+    std::vector<Product> products;
+    Outcome outcome = Outcome::crashed;
+  };
+
+  void begin_category(const std::string& name);
+
+  // A request begins, gets a product, and ends. Only Student calls these.
+  void begin(const MessageWriter& message);
+  void add_product(int which, const std::vector<double>& result, bool go_on);
+  void end(Outcome outcome);
+
+  const std::vector<Request>& requests() const { return requests_; }
+
+ private:
+  std::string category_;
+  std::vector<Request> requests_;
+  bool open_ = false;
+  std::size_t bytes_ = 0, product_bytes_ = 0;
+};
+
+}  // namespace grader

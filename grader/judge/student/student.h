@@ -1,0 +1,121 @@
+// STAFF ONLY. A student's code as the suite sees it: a process behind two pipes that gets requests and may
+// answer. All answers are untrusted; a worker that dies is restarted for the next request, as long as the
+// allowance lasts.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "grader/judge/allowance.h"
+#include "grader/judge/student/provided.h"
+#include "grader/sandbox/cage.h"
+#include "grader/sandbox/watchdog.h"
+#include "grader/wire/channel.h"
+#include "grader/wire/message.h"
+#include "grader/wire/products.h"
+
+namespace grader {
+
+class Recording;
+
+// An answer's note says this where calls of given functions lie within each other too deeply.
+inline constexpr const char* kNestedCalls = "calls within calls";
+
+struct WorkerSetup {
+  std::filesystem::path kit;          // see grader/worker/CMakeLists.txt
+  std::string exercise;               // the exercise whose server answers
+  std::vector<std::string> provided;  // prerequisites whose functions the suite provides, see provided.h
+  std::vector<std::filesystem::path> objects;  // in loading order; the student's last
+  std::filesystem::path log;                   // the worker's output is appended here
+  Isolation isolation = Isolation::namespaces;
+  bool sanitised = false;  // with the sanitizers' runtime; only where a control group bounds its memory
+  int cpu_seconds = 10;    // of one worker
+  // Workers that share it may be copies of one setup.
+  std::shared_ptr<Allowance> allowance = std::make_shared<Allowance>();
+};
+
+enum class Outcome {
+  done,
+  stopped,  // the suite stopped it after enough products
+  not_implemented,
+  threw,
+  out_of_memory,
+  crashed,
+  timed_out,
+  broke_rules,
+  cannot_load,
+  memory_error,  // the reply is one, see grader/wire/memory_error.h
+};
+
+struct Answer {
+  Outcome outcome;
+  MessageReader reply;  // the server's reply, if done; or the memory error
+  std::string note;     // for staff: what happened
+};
+
+class Student {
+ public:
+  static constexpr int kMostTimeouts = 2;  // a third one would only cost time
+
+  explicit Student(WorkerSetup setup) : setup_(std::move(setup)) {}
+
+  // From now on what is asked is written down there. Null: no longer.
+  void record(Recording* recording) { recording_ = recording; }
+
+  // Sends a request and waits for its answer.
+  Answer ask(const MessageWriter& request, const Products& products);
+
+  // Of all workers that have ended.
+  double cpu_seconds() const { return cpu_seconds_; }
+
+  // The CPU time of the present worker so far, all threads together, by the kernel's clock, which code in the
+  // worker can't change. Nothing if there is no worker.
+  std::optional<double> worker_cpu_seconds() const;
+  int starts() const { return starts_; }
+
+  // How often a function that promises to allocate nothing did so in one call, as the workers say of themselves: a hint, and
+  // nothing to give or take points for.
+  int allocations() const { return allocations_; }
+
+  // ConjGrad's, as the last request had the suite solve with it, in their order. None if the student's code solves by itself.
+  const std::vector<ProvidedSolve>& provided_solves() const { return provided_solves_; }
+  const Budget& spent() const { return setup_.allowance->spent; }
+  const std::optional<Answer>& gave_up() const { return gave_up_; }  // the final answer, if the suite gave up
+  void finish();
+
+ private:
+  struct Worker;
+
+  std::optional<Answer> start();
+  struct Conversation;
+  struct Over;
+  Answer ask_worker(const MessageWriter& request, const Products& products);
+  Answer converse(const MessageWriter& request, Conversation& conversation);
+  void charge(const Conversation& conversation);
+  MessageReader listen(Conversation& conversation, Kind until);
+  void serve_product(Conversation& conversation, MessageReader& asked);
+  void serve_call(Conversation& conversation, MessageReader call);
+  std::optional<Message> receive();
+  Answer broke_rules(const std::string& how);
+  Answer ended(const std::string& during);
+  Answer left(const std::string& during, int code);
+  std::optional<Answer> give_up_if_used_up();
+  Ending end(double grace_seconds);
+  bool tell(Kind kind, std::uint64_t nonce, std::span<const std::byte> body);
+
+  WorkerSetup setup_;
+  Recording* recording_ = nullptr;
+  std::shared_ptr<Worker> worker_;
+  bool forgiven_ = false;  // the last worker ended because it was stopped
+  std::optional<Answer> gave_up_;
+  Outcome last_failure_ = Outcome::timed_out;
+  double cpu_seconds_ = 0;
+  std::vector<ProvidedSolve> provided_solves_;
+  int starts_ = 0, timeouts_ = 0, allocations_ = 0;
+};
+
+}  // namespace grader

@@ -1,0 +1,171 @@
+// STAFF ONLY. Student beside workers that break the rules: what the answer is, and that it ends soon and costs its allowance.
+#include "grader/judge/student/student.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "grader/sandbox/identity.h"
+#include "grader/sandbox/isolation_for_tests.h"
+#include "hair/io/files/temporary_folder.h"
+
+namespace grader {
+namespace {
+
+namespace fs = std::filesystem;
+
+class StudentTest : public testing::Test {
+ protected:
+  StudentTest() {
+    share_with_sandbox(folder_, false);
+    fs::create_directory(folder_ / "serve");
+    fs::copy_file(HAIR_HOSTILE_WORKER, folder_ / "worker");
+    std::ofstream(folder_ / "serve" / "X.so") << "nothing";
+    for (const char* path : {"worker", "serve", "serve/X.so"})
+      fs::permissions(folder_ / path, fs::perms(0755));
+    allowance_->limit = share_of(Budget(), 10);
+  }
+
+  Student student(const std::string& way) {
+    std::ofstream(folder_ / (way + ".so")) << "nothing";
+    fs::permissions(folder_ / (way + ".so"), fs::perms(0755));
+    WorkerSetup setup;
+    setup.isolation = isolation_for_tests();
+    setup.kit = folder_;
+    setup.exercise = "X";
+    setup.objects = {folder_ / (way + ".so")};
+    setup.log = folder_ / "log";
+    setup.cpu_seconds = 2;
+    setup.allowance = allowance_;
+    return Student(setup);
+  }
+
+  // Asks until the suite gives up, at most so often; the last answer.
+  static Answer ask(Student& student, int times = 1) {
+    Answer answer{Outcome::done, MessageReader({}), {}};
+    for (int i = 0; i < times; ++i)
+      answer = student.ask(MessageWriter(), [](int, const std::vector<double>& x, std::vector<double>& y) {
+        y = x;
+        return true;
+      });
+    return answer;
+  }
+
+  hair::TemporaryFolder temporary_{"student-test"};
+  fs::path folder_ = temporary_.path();
+  std::shared_ptr<Allowance> allowance_ = std::make_shared<Allowance>();
+  const Budget& spent_ = allowance_->spent;
+};
+
+TEST_F(StudentTest, AnswersAndIsCharged) {
+  Student student = this->student("right");
+  EXPECT_EQ(ask(student, 50).outcome, Outcome::done);
+  student.finish();
+  EXPECT_EQ(student.starts(), 1);
+  EXPECT_EQ(spent_.messages, 1 + 2 * 50);
+  EXPECT_GT(spent_.worker_cpu_seconds, 0);
+  EXPECT_GT(spent_.suite_cpu_seconds, 0);
+  EXPECT_EQ(spent_.restarts, 0);
+  EXPECT_LT(spent_.idle_seconds, 0.5);
+}
+
+TEST_F(StudentTest, EndsARequestAtItsFirstDeniedCall) {
+  Student student = this->student("tries-calls");
+  EXPECT_EQ(ask(student).outcome, Outcome::broke_rules);
+  EXPECT_EQ(spent_.messages, 2);  // its greeting, and that
+  EXPECT_EQ(ask(student).outcome, Outcome::broke_rules);
+  EXPECT_EQ(student.starts(), 2);
+}
+
+TEST_F(StudentTest, StopsListeningToAFlood) {
+  allowance_->limit.messages = 20000;
+  Student student = this->student("floods");
+  EXPECT_EQ(ask(student).outcome, Outcome::timed_out);
+  EXPECT_EQ(student.gave_up()->note, "used up: messages");
+  EXPECT_NEAR(spent_.messages, 20000, 2);
+}
+
+TEST_F(StudentTest, SpendsNoMoreOnAFloodThanThereIs) {
+  allowance_->limit.suite_cpu_seconds = 0.05;
+  Student student = this->student("floods");
+  EXPECT_EQ(ask(student).outcome, Outcome::timed_out);
+  EXPECT_LT(spent_.suite_cpu_seconds, 0.2);
+}
+
+TEST_F(StudentTest, IsStartedAgainUntilItsRestartsAreUsedUp) {
+  Student student = this->student("crashes");
+  const Answer last = ask(student, 20);
+  EXPECT_EQ(last.outcome, Outcome::crashed);
+  EXPECT_EQ(last.note, "used up: restarts");
+  EXPECT_EQ(student.starts(), 1 + static_cast<int>(allowance_->limit.restarts));
+}
+
+// A worker that idles in each of its starts idles in all no longer than one that never wakes up. A nap of 0.15 s on a busy machine is partly one
+// that waits for a processor: there it takes more of them.
+TEST_F(StudentTest, IdlesNoLongerInSeveralStarts) {
+  allowance_->limit.restarts = 1000;
+  allowance_->limit.worker_cpu_seconds = 1000;
+  allowance_->limit.idle_seconds = 1;
+  Student student = this->student("naps-and-crashes");
+  ask(student, 500);
+  ASSERT_TRUE(student.gave_up());
+  EXPECT_EQ(student.gave_up()->note, "used up: idle time");
+}
+
+TEST_F(StudentTest, IsEndedTwiceWhenItSleeps) {
+  Student student = this->student("sleeps");
+  allowance_->limit.idle_seconds = 1;
+  EXPECT_EQ(ask(student, 5).outcome, Outcome::timed_out);
+  EXPECT_EQ(student.starts(), 2);
+  EXPECT_LT(spent_.idle_seconds, 1.8);
+}
+
+// Each of its messages comes after a short nap, and answers nothing.
+TEST_F(StudentTest, PaysForNapsBetweenMessagesThatNobodyAskedFor) {
+  Student student = this->student("naps-and-boasts");
+  allowance_->limit.idle_seconds = 0.5;
+  allowance_->limit.messages = allowance_->limit.worker_cpu_seconds = 1e9;
+  EXPECT_EQ(ask(student, 5).outcome, Outcome::timed_out);
+  EXPECT_GT(spent_.idle_seconds, 0.2);
+  EXPECT_LE(allowance_->wakeup_seconds, 50e-6 * student.starts()) << "it was asked once in each start";
+}
+
+TEST_F(StudentTest, IsEndedByTheClockWhateverItDoes) {
+  for (const char* way : {"sleeps", "floods"}) {
+    *allowance_ = {share_of(Budget(), 10)};
+    allowance_->limit.idle_seconds = allowance_->limit.suite_cpu_seconds = allowance_->limit.messages = 1e9;
+    allowance_->limit.worker_cpu_seconds = allowance_->limit.megabytes = 1e9;
+    allowance_->limit.wall_seconds = 0.5;
+    Student student = this->student(way);
+    EXPECT_EQ(ask(student, 5).outcome, Outcome::timed_out) << way;
+    EXPECT_GT(spent_.wall_seconds, allowance_->limit.wall_seconds) << way << " is not listed";
+    EXPECT_EQ(student.starts(), 1) << way;
+  }
+}
+
+// It may take its time to leave, but not for nothing.
+TEST_F(StudentTest, PaysForItsSlowEnd) {
+  Student student = this->student("leaves-late");
+  EXPECT_EQ(ask(student).outcome, Outcome::done);
+  student.finish();
+  EXPECT_GT(spent_.idle_seconds, 0.3);
+}
+
+TEST_F(StudentTest, BelievesNoWorkerThatItAllocatesWithoutEnd) {
+  Student student = this->student("boasts");
+  EXPECT_EQ(ask(student).outcome, Outcome::done);
+  EXPECT_EQ(student.allocations(), 1'000'000);
+}
+
+TEST_F(StudentTest, KeepsToTheProtocol) {
+  for (const char* way : {"huge", "another-nonce", "speaks-first"}) {
+    Student student = this->student(way);
+    EXPECT_EQ(ask(student).outcome, Outcome::broke_rules) << way;
+  }
+  allowance_->limit.idle_seconds = 1;
+  Student half = student("half");
+  EXPECT_EQ(ask(half).outcome, Outcome::timed_out);
+}
+
+}  // namespace
+}  // namespace grader

@@ -1,0 +1,58 @@
+// STAFF ONLY. Plays motions for a study and measures the time: a worker, with the same requests as for
+// end-to-end scenes.
+//
+// The clock is the kernel's CPU time of all threads of the worker, which we read after each answer. A play is
+// charged with all CPU time since the previous answer. So code can shift its work to an earlier or later
+// play. It gets no times, and can't hide any; but it can remember an earlier answer, which then costs no
+// time.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "grader/judge/run/end_to_end_scenes.h"
+#include "grader/judge/run/played.h"
+#include "grader/judge/student/student.h"
+
+namespace grader {
+
+struct Play {
+  Played played;
+  std::optional<double> seconds;  // CPU time of all repetitions together; nothing: the worker was restarted
+};
+
+class Player {
+ public:
+  virtual ~Player() = default;
+  // `scene` is the parsed text. Throws CaseFailed or MalformedMessage.
+  virtual Play play(const SceneText& text, const hair::Scene& scene, int times) = 0;
+};
+
+class WorkerPlayer : public Player {
+ public:
+  explicit WorkerPlayer(Student& student) : student_(student) {}
+  Play play(const SceneText& text, const hair::Scene& scene, int times) override;
+
+ private:
+  Student& student_;
+  int starts_ = 0;  // the worker's starts when the clock was last read
+  double clock_ = 0;
+};
+
+// Forwards to another player, until that one times out, breaks the rules, crashes for the third time, or has
+// used up its wall time. After that each play fails at once.
+class UntilItGivesUp : public Player {
+ public:
+  static constexpr int kMostCrashes = 3;
+
+  UntilItGivesUp(Player& player, double most_wall_seconds) : player_(player), wall_left_(most_wall_seconds) {}
+  Play play(const SceneText& text, const hair::Scene& scene, int times) override;
+
+ private:
+  Player& player_;
+  double wall_left_;
+  int crashes_ = 0;
+  std::optional<CaseFailed> end_;
+};
+
+}  // namespace grader

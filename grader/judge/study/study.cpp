@@ -1,0 +1,256 @@
+// STAFF ONLY. Runs a submission's methods beside the reference's, and compares error and time.
+#include "grader/judge/study/study.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "hair/io/plot/work_precision.h"
+#include "solver/timing.h"
+
+namespace grader {
+namespace {
+
+constexpr int kMostTimes = 500;
+
+// The student or the reference, in one part.
+struct Side {
+  struct Run {
+    Division division;
+    StudyPoint point;
+    double seconds = 0;  // of one play, by which it is repeated
+  };
+  Player& player;
+  bool is_student;
+  std::vector<Run> runs = {};
+  double seconds = 0;  // so far
+  bool over = false;   // it is not asked again
+};
+
+// How far a motion is from where it should be, or that it ran away.
+StudyPoint judged(const Division& division, const Played& played, const Truth& truth) {
+  StudyPoint point{.steps = division.steps(),
+                   .end = StudyEnd::ran_away,
+                   .solver_steps = played.solver_steps,
+                   .correction_steps = played.correction_steps};
+  const std::size_t stride = (truth.frames.size() - 1) / static_cast<std::size_t>(division.frames);
+  double sum = 0, count = 0;
+  for (std::size_t k = 0; k < played.frames.size(); ++k) {
+    const particles::State& state = played.frames[k];
+    const Eigen::VectorXd apart = state.x - truth.frames[k * stride].x;
+    if (!apart.allFinite() || !state.v.allFinite()) {
+      point.note = "numbers that are not finite";
+      return point;
+    }
+    for (Eigen::Index at = 0; at < apart.size(); at += 3) {
+      const double distance = apart.segment<3>(at).norm();
+      if (!(distance <= truth.size)) {
+        point.note = "further away than the motion is large";
+        return point;
+      }
+      if (k == 0) continue;  // where all start
+      sum += distance * distance;
+      count += 1;
+    }
+  }
+  if (!played.trouble.empty()) {
+    point.note = "it broke off";
+    return point;
+  }
+  if (played.frames.size() != static_cast<std::size_t>(division.frames) + 1)
+    throw MalformedMessage("a run with another number of frames");
+  point.end = StudyEnd::finished;
+  point.error = std::sqrt(sum / count);
+  return point;
+}
+
+std::vector<hair::Sample> samples_of(const StudyCurve& curve, std::size_t round) {
+  std::vector<hair::Sample> samples;
+  for (const StudyPoint& point : curve.points)
+    if (point.end == StudyEnd::finished && round < point.seconds.size())
+      samples.push_back({point.seconds[round], point.error});
+  return samples;
+}
+
+std::optional<TimeRatio> ratio_of(const PartStudy& part) {
+  std::vector<double> ratios;
+  for (std::size_t at = 0; at < static_cast<std::size_t>(std::max(part.rounds, 1)); ++at)
+    if (const auto ratio =
+            time_ratio(samples_of(part.student, at), samples_of(part.reference, at), part.least_error))
+      ratios.push_back(*ratio);
+  if (ratios.empty()) return {};
+  const auto [least, most] = std::minmax_element(ratios.begin(), ratios.end());
+  return TimeRatio{timing::median(ratios), *least, *most};
+}
+
+class PartStudied {
+ public:
+  PartStudied(const StudiedPart& part, const Truth& truth, const StudySettings& settings, const Asked& asked)
+      : part_(part), truth_(truth), settings_(settings), asked_(asked) {}
+
+  PartStudy study(Player& student, Player& reference) {
+    Side theirs{student, true}, ours{reference, false};
+    const Division own{part_.scene.frames, part_.scene.steps_per_frame};
+    for (Side* side : {&theirs, &ours}) ask(*side, own, 1);  // to warm up
+    for (const Division& division : divisions_of(part_.scene))
+      for (Side* side : {&theirs, &ours}) play_first(*side, division);
+    // A short play can be told from the asking for it if it is repeated: how often, ours says, when repeated as often as
+    // its first time suggests.
+    for (Side::Run& run : ours.runs)
+      if (run.point.end == StudyEnd::finished) ask(ours, run.division, times_of(run), &run.seconds);
+
+    PartStudy result;
+    result.rounds = measure_rounds(theirs, ours);
+    result.name = part_.name;
+    result.duration = part_.scene.frames / part_.scene.frames_per_second;
+    result.own_steps = own.steps();
+    result.order = part_.order;
+    result.truth = truth_.method;
+    result.least_error = truth_.least_error;
+    result.student = curve_of(theirs);
+    result.reference = curve_of(ours);
+    result.ratio = ratio_of(result);
+    result.note = note_;
+    return result;
+  }
+
+ private:
+  // Nothing if it does not answer as it should, or is not asked any more; `seconds` is then of no use.
+  std::optional<StudyPoint> ask(Side& side, const Division& division, int times, double* seconds = nullptr) {
+    if (side.over) return {};
+    if (asked_) asked_(side.is_student, division.steps());
+    const SceneText text = divided(part_, division);
+    std::string why;
+    try {
+      const Play play = side.player.play(text, hair::parse_scene(text.json, text.name), times);
+      StudyPoint point = judged(division, play.played, truth_);
+      const double taken = play.seconds.value_or(0);
+      if (seconds != nullptr) *seconds = taken / times;
+      charge(side, taken);
+      return point;
+    } catch (const CaseFailed& failure) {
+      why = failure.feedback;
+    } catch (const MalformedMessage&) {
+      why = "the code answered in a form that it has no business with";
+    }
+    if (!side.is_student) throw std::runtime_error("the reference does not play " + part_.name + ": " + why);
+    side.over = true;
+    note_ =
+        "In " + std::to_string(division.steps()) + " steps: " + why + ". What comes after that is left out.";
+    return {};
+  }
+
+  void charge(Side& side, double seconds) {
+    side.seconds += seconds;
+    if (!side.is_student || side.seconds <= settings_.most_seconds) return;
+    side.over = true;
+    note_ = "Your code took more CPU time than a study has. What comes after that is left out.";
+  }
+
+  void play_first(Side& side, const Division& division) {
+    if (side.over) return;
+    Side::Run run{division, {.steps = division.steps(), .end = StudyEnd::broke, .note = "no answer"}};
+    if (const auto point = ask(side, division, 1, &run.seconds)) {
+      run.point = *point;
+      run.point.first_seconds = run.seconds;
+    }
+    side.runs.push_back(std::move(run));
+  }
+
+  // How many rounds were measured to their end. Both keep the times of these and no others, so that each run has as
+  // many; where there are none, what first plays took is all that is known.
+  int measure_rounds(Side& theirs, Side& ours) {
+    int whole = 0;
+    while (whole < settings_.rounds && !theirs.over && round(theirs, ours, whole)) ++whole;
+    for (Side* side : {&theirs, &ours})
+      for (Side::Run& run : side->runs) {
+        StudyPoint& point = run.point;
+        if (point.end != StudyEnd::finished) continue;
+        point.seconds.resize(static_cast<std::size_t>(whole));
+        if (whole == 0 && point.first_seconds > 0) point.seconds = {point.first_seconds};
+      }
+    return whole;
+  }
+
+  bool round(Side& theirs, Side& ours, int number) {
+    for (std::size_t i = 0; i < ours.runs.size(); ++i) {
+      const int times = times_of(ours.runs[i]);
+      for (int turn = 0; turn < 2; ++turn)
+        if (!measure((number + turn) % 2 == 0 ? theirs : ours, i, times)) return false;
+    }
+    return true;
+  }
+
+  // False if there is no time of a run that should have one.
+  bool measure(Side& side, std::size_t i, int times) {
+    if (i >= side.runs.size() || side.runs[i].point.end != StudyEnd::finished) return true;
+    StudyPoint& point = side.runs[i].point;
+    double seconds = 0;
+    const std::optional<StudyPoint> again = ask(side, side.runs[i].division, times, &seconds);
+    if (!again) return false;
+    if (again->end != StudyEnd::finished || again->error != point.error) {
+      if (!side.is_student)
+        throw std::runtime_error("the reference does not play " + part_.name + " twice alike");
+      point.end = StudyEnd::broke;
+      point.note = "asked for again, it moved otherwise";
+      point.seconds.clear();
+      return true;
+    }
+    point.seconds.push_back(seconds);
+    return seconds > 0;
+  }
+
+  int times_of(const Side::Run& ours) const {
+    if (!(ours.seconds > 0)) return 1;
+    const double times = std::ceil(settings_.least_seconds / ours.seconds);
+    return static_cast<int>(std::clamp(times, 1.0, static_cast<double>(kMostTimes)));
+  }
+
+  StudyCurve curve_of(Side& side) {
+    StudyCurve curve;
+    // What broke says nothing.
+    const Side::Run *stable = nullptr, *unstable = nullptr;
+    for (auto run = side.runs.rbegin(); run != side.runs.rend() && unstable == nullptr; ++run) {
+      if (run->point.end == StudyEnd::finished) stable = &*run;
+      if (run->point.end == StudyEnd::ran_away) unstable = &*run;
+    }
+    if (stable != nullptr) {
+      curve.stable_steps = stable->point.steps;
+      curve.stable_everywhere = unstable == nullptr;
+      if (unstable != nullptr) curve.stable_steps = boundary(side, unstable->division, curve.stable_steps);
+    }
+    for (Side::Run& run : side.runs) curve.points.push_back(std::move(run.point));
+    return curve;
+  }
+
+  // The fewest steps that are stable, between a division that is not and `stable`, which is: by bisection.
+  int boundary(Side& side, const Division& unstable, int stable) {
+    const std::vector<Division> inside = between(unstable);
+    std::size_t low = 0, high = inside.size();  // inside[high] is stable, or beyond the end
+    while (low < high) {
+      const std::size_t middle = (low + high) / 2;
+      const std::optional<StudyPoint> point = ask(side, inside[middle], 1);
+      if (!point) break;
+      if (point->end == StudyEnd::finished)
+        high = middle;
+      else
+        low = middle + 1;
+    }
+    return high < inside.size() ? inside[high].steps() : stable;
+  }
+
+  const StudiedPart& part_;
+  const Truth& truth_;
+  const StudySettings& settings_;
+  const Asked& asked_;
+  std::string note_;
+};
+
+}  // namespace
+
+PartStudy study_part(const StudiedPart& part, const Truth& truth, Player& student, Player& reference,
+                     const StudySettings& settings, const Asked& asked) {
+  return PartStudied(part, truth, settings, asked).study(student, reference);
+}
+
+}  // namespace grader

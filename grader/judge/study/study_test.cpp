@@ -1,0 +1,392 @@
+// STAFF ONLY. Studies with players of known speed and accuracy in place of workers.
+#include "grader/judge/study/study.h"
+
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <map>
+#include <thread>
+
+#include "grader/report/pages.h"
+#include "hair/io/files/temporary_folder.h"
+#include "hair/io/plot/tests/parsed.h"
+#include "hair/scene/playback.h"
+
+namespace grader {
+namespace {
+
+StudiedPart pendulum(const std::string& method) {
+  for (const SceneText& text : end_to_end_scenes())
+    if (text.name == "pendulums")
+      for (const StudiedPart& part : parts_of(text))
+        if (part.name == "pendulums, " + method) return part;
+  throw std::invalid_argument(method);
+}
+
+Truth truth_of(const StudiedPart& part) {
+  static std::map<std::string, Truth> kept;
+  const auto [place, is_new] = kept.try_emplace(part.name);
+  if (is_new) place->second = true_motion(part, {});
+  return place->second;
+}
+
+// Plays with the reference, in this process, by a clock of its own: so many seconds for each step.
+struct Fake : Player {
+  double seconds_per_step = 1e-5;
+  std::function<void(hair::Scene&)> change = [](hair::Scene&) {};
+  std::function<void(Played&, int steps)> poison = [](Played&, int) {};
+  int plays = 0;
+
+  Play play(const SceneText& /*text*/, const hair::Scene& scene, int times) override {
+    ++plays;
+    hair::Scene mine = scene;
+    change(mine);
+    hair::Playback playback(mine);
+    Play play;
+    play.played.frames.push_back(playback.state());
+    while (play.played.trouble.empty() && playback.frame() < scene.frames) {
+      play.played.trouble = playback.advance().value_or("");
+      if (play.played.trouble.empty()) play.played.frames.push_back(playback.state());
+    }
+    const int steps = scene.frames * scene.steps_per_frame;
+    poison(play.played, steps);
+    play.seconds = times * steps * seconds_per_step;
+    return play;
+  }
+};
+
+PartStudy study(const std::string& method, Fake& student, const StudySettings& settings = {},
+                const Asked& asked = {}) {
+  const StudiedPart part = pendulum(method);
+  Fake reference;
+  return study_part(part, truth_of(part), student, reference, settings, asked);
+}
+
+// The order of a curve's last doubling of steps.
+double last_order(const StudyCurve& curve) {
+  const StudyPoint &one = curve.points.at(curve.points.size() - 2), &two = curve.points.back();
+  return std::log2(one.error / two.error) / std::log2(static_cast<double>(two.steps) / one.steps);
+}
+
+TEST(Study, OfTheReferenceBesideItselfHasEqualErrorsAndRatioOne) {
+  Fake student;
+  const PartStudy part = study("midpoint", student);
+  ASSERT_EQ(part.student.points.size(), part.reference.points.size());
+  EXPECT_GE(part.student.points.size(), 6U);
+  for (std::size_t i = 0; i < part.student.points.size(); ++i) {
+    EXPECT_EQ(part.student.points[i].steps, part.reference.points[i].steps);
+    EXPECT_EQ(part.student.points[i].error, part.reference.points[i].error);
+  }
+  ASSERT_TRUE(part.ratio);
+  EXPECT_DOUBLE_EQ(part.ratio->median, 1);
+  EXPECT_EQ(part.student.stable_steps, part.reference.stable_steps);
+  EXPECT_EQ(part.note, "");
+}
+
+TEST(Study, FindsEachMethodsOrder) {
+  // Halving a step of an order-p method halves its error p times; what is left of higher orders at these steps makes
+  // it differ by less than a fifth.
+  for (const auto& [method, order] :
+       std::map<std::string, int>{{"forward Euler", 1}, {"symplectic Euler", 1}, {"midpoint", 2}}) {
+    Fake student;
+    const PartStudy part = study(method, student);
+    EXPECT_EQ(part.order, order);
+    EXPECT_NEAR(last_order(part.student), order, 0.2) << method;
+  }
+}
+
+TEST(Study, AsksInTurnsAndSwapsThem) {
+  Fake student;
+  std::vector<std::pair<bool, int>> asked;
+  StudySettings settings;
+  const PartStudy part = study("symplectic Euler", student, settings,
+                               [&](bool is_student, int steps) { asked.emplace_back(is_student, steps); });
+  const std::size_t levels = part.student.points.size();
+  // To warm up, the errors, and how often ours has to be played.
+  ASSERT_EQ(asked.size(), 2 + 2 * levels + levels + 2 * levels * static_cast<std::size_t>(settings.rounds));
+  for (std::size_t at = 0; at < 2 + 2 * levels; ++at) EXPECT_EQ(asked[at].first, at % 2 == 0) << at;
+  std::size_t at = 2 + 3 * levels;
+  for (int round = 0; round < settings.rounds; ++round)
+    for (const StudyPoint& point : part.student.points)
+      for (int turn = 0; turn < 2; ++turn, ++at) {
+        EXPECT_EQ(asked[at].first, (round + turn) % 2 == 0) << at;
+        EXPECT_EQ(asked[at].second, point.steps) << at;
+      }
+  for (const StudyCurve* curve : {&part.student, &part.reference})
+    for (const StudyPoint& point : curve->points)
+      EXPECT_EQ(point.seconds.size(), static_cast<std::size_t>(settings.rounds));
+}
+
+TEST(Study, TellsHowManyTimesOurTimeAnErrorTakes) {
+  Fake slow;
+  slow.seconds_per_step = 3e-5;
+  const PartStudy part = study("midpoint", slow);
+  ASSERT_TRUE(part.ratio);
+  EXPECT_NEAR(part.ratio->median, 3, 1e-9);
+  for (std::size_t i = 0; i < part.student.points.size(); ++i)
+    EXPECT_EQ(part.student.points[i].error, part.reference.points[i].error);
+}
+
+TEST(Study, ShowsALostOrder) {
+  Fake student;  // answers with forward Euler where midpoint is asked for
+  student.change = [](hair::Scene& scene) { scene.toys.front().method = hair::ToyMethod::forward_euler; };
+  const PartStudy part = study("midpoint", student);
+  EXPECT_NEAR(last_order(part.student), 1, 0.2);
+  EXPECT_NEAR(last_order(part.reference), 2, 0.2);
+  ASSERT_TRUE(part.ratio);
+  EXPECT_GT(part.ratio->median, 4)
+      << "where both reach an error, midpoint is there in a fraction of the steps";
+  EXPECT_GT(part.student.stable_steps, part.reference.stable_steps);
+}
+
+TEST(Study, FindsWhereAMethodStopsBeingStable) {
+  // All that has fewer steps than 100 runs away; among the steps that can be played around there, multiples of 12, the
+  // first is 108.
+  Fake student;
+  student.poison = [](Played& played, int steps) {
+    if (steps < 100) played.frames.back().x[5] += 1e3;
+  };
+  const PartStudy part = study("symplectic Euler", student);
+  EXPECT_EQ(part.student.stable_steps, 108);
+  EXPECT_FALSE(part.student.stable_everywhere);
+  EXPECT_TRUE(part.reference.stable_everywhere);
+  EXPECT_EQ(part.reference.stable_steps, part.reference.points.front().steps);
+  for (const StudyPoint& point : part.student.points)
+    EXPECT_EQ(point.end, point.steps < 100 ? StudyEnd::ran_away : StudyEnd::finished) << point.steps;
+}
+
+TEST(Study, ShowsNoNumberThatIsNone) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e300})
+    for (const bool of_velocities : {false, true}) {
+      if (of_velocities && std::isfinite(bad)) continue;  // where it is counts, not how fast
+      Fake student;
+      student.poison = [&](Played& played, int) {
+        (of_velocities ? played.frames.back().v : played.frames.back().x)[3] = bad;
+      };
+      const PartStudy part = study("symplectic Euler", student);
+      for (const StudyPoint& point : part.student.points) {
+        EXPECT_EQ(point.end, StudyEnd::ran_away);
+        EXPECT_EQ(point.error, 0);
+        EXPECT_TRUE(point.seconds.empty());
+      }
+      EXPECT_EQ(part.student.stable_steps, 0);
+      EXPECT_FALSE(part.ratio);
+    }
+}
+
+TEST(Study, RefusesARunThatIsShorterThanAskedFor) {
+  Fake student;
+  student.poison = [](Played& played, int) { played.frames.pop_back(); };
+  const PartStudy part = study("symplectic Euler", student);
+  EXPECT_TRUE(part.student.points.empty());
+  EXPECT_NE(part.note.find("a form that it has no business with"), std::string::npos) << part.note;
+  EXPECT_EQ(student.plays, 1);
+}
+
+TEST(Study, GoesOnWithoutAWorkerThatEnds) {
+  Fake student;
+  student.poison = [](Played&, int steps) {
+    if (steps == 240) throw CaseFailed{Status::crashed, "the program ended in the middle of the call", ""};
+  };
+  const PartStudy part = study("symplectic Euler", student);
+  ASSERT_FALSE(part.student.points.empty());
+  EXPECT_EQ(part.student.points.back().steps, 240);
+  EXPECT_EQ(part.student.points.back().end, StudyEnd::broke);
+  EXPECT_NE(part.note.find("the program ended"), std::string::npos) << part.note;
+  EXPECT_GT(part.reference.points.size(), part.student.points.size());
+  EXPECT_FALSE(part.ratio && part.ratio->median > 1.01);
+  // That it broke there does not say that it ran away before.
+  EXPECT_TRUE(part.student.stable_everywhere);
+  EXPECT_EQ(part.student.stable_steps, part.student.points.front().steps);
+}
+
+std::string page_of(const PartStudy& part) {
+  SubmissionResult result;
+  result.name = "somebody";
+  const std::string page = study_page(result, {{{"pendulums", "Pendulums", "", {part}}}}, {});
+  EXPECT_NO_THROW(hair::plot::parse(page));
+  return page;
+}
+
+TEST(Study, DoesNotKnowWhatIsStableInCodeThatOnlyBreaks) {
+  Fake student;
+  student.poison = [](Played&, int steps) {
+    if (steps < 480) throw CaseFailed{Status::crashed, "the program ended in the middle of the call", ""};
+  };
+  const PartStudy part = study("symplectic Euler", student);
+  EXPECT_EQ(part.student.points.size(), 1U);
+  EXPECT_NE(page_of(part).find("<p>Stable: not known (ours: all that were tried"), std::string::npos);
+}
+
+// How often the student's code is played before it is measured.
+int first_plays(const StudiedPart& part) {
+  return 1 + static_cast<int>(divisions_of(part.scene).size());
+}
+
+TEST(Study, ShowsNoTimesOfPlaysThatDontEndAsTheFirstDid) {
+  const int first = first_plays(pendulum("symplectic Euler"));
+  const std::vector<std::function<void(Played&)>> poisoned = {
+      [](Played& played) {
+        played.frames.resize(1);
+        played.trouble = "enough";
+      },
+      [](Played& played) { played.frames.back().x[3] += 1e-6; },
+      [](Played& played) { played.frames.back().x[3] = std::numeric_limits<double>::quiet_NaN(); }};
+  for (const auto& poison : poisoned) {
+    Fake student;
+    student.poison = [&](Played& played, int) {
+      if (student.plays <= first) return;
+      student.seconds_per_step = 1e-9;
+      poison(played);
+    };
+    const PartStudy part = study("symplectic Euler", student);
+    EXPECT_EQ(static_cast<int>(part.student.points.size()), first - 1);
+    for (const StudyPoint& point : part.student.points) {
+      EXPECT_EQ(point.end, StudyEnd::broke) << point.steps;
+      EXPECT_NE(point.note.find("asked for again"), std::string::npos) << point.note;
+      EXPECT_TRUE(point.seconds.empty());
+    }
+    EXPECT_FALSE(part.ratio);
+  }
+}
+
+TEST(Study, SaysWhenCodeTakesFarLessTimeForWhatItWasAskedBefore) {
+  const int first = first_plays(pendulum("midpoint"));
+  Fake honest, remembers;
+  remembers.poison = [&](Played&, int) {
+    if (remembers.plays > first) remembers.seconds_per_step = 1e-7;
+  };
+  EXPECT_EQ(page_of(study("midpoint", honest)).find("it may remember"), std::string::npos);
+  EXPECT_NE(page_of(study("midpoint", remembers)).find("it may remember"), std::string::npos);
+
+  // Short plays take both longer at first, and the student's code finishes no others.
+  PartStudy part = study("midpoint", honest);
+  for (StudyCurve* curve : {&part.student, &part.reference})
+    for (std::size_t i = 0; i < 2; ++i) curve->points[i].first_seconds *= 10;
+  part.student.points.resize(2);
+  EXPECT_EQ(page_of(part).find("it may remember"), std::string::npos);
+}
+
+TEST(Study, TakesTimesOfWholeRoundsOrElseOfFirstPlays) {
+  const StudiedPart part = pendulum("symplectic Euler");
+  int first = part.scene.frames * part.scene.steps_per_frame;  // steps of what is not measured
+  for (const Division& division : divisions_of(part.scene)) first += division.steps();
+  // A round takes at most so many steps more than the first plays: those of 2 ms for each division of less.
+  const int round = first + 200 * static_cast<int>(divisions_of(part.scene).size());
+  for (const int rounds : {0, 1}) {
+    Fake student;
+    StudySettings settings;
+    settings.most_seconds = 1e-5 * (first + rounds * round + 0.25 * first);
+    const PartStudy found = study("symplectic Euler", student, settings);
+    EXPECT_EQ(found.rounds, rounds);
+    EXPECT_NE(found.note, "");
+    for (const StudyCurve* curve : {&found.student, &found.reference})
+      for (const StudyPoint& point : curve->points) {
+        ASSERT_EQ(point.seconds.size(), 1U) << point.steps;
+        EXPECT_NEAR(point.seconds.front(), 1e-5 * point.steps, 1e-12);
+      }
+    EXPECT_NE(page_of(found).find(rounds == 0 ? "Times are of first plays" : "medians of 1 round "),
+              std::string::npos);
+  }
+}
+
+TEST(StudyPage, DrawsNoTimeThatWasNotTaken) {
+  Fake student;
+  PartStudy part = study("midpoint", student);
+  const auto drawn = [](const std::string& page) {
+    std::size_t count = 0;
+    for (std::size_t at = page.find("<title>"); at != std::string::npos; at = page.find("<title>", at + 1))
+      ++count;
+    return count;
+  };
+  const std::size_t before = drawn(page_of(part));
+  part.student.points.back().seconds.clear();
+  EXPECT_EQ(drawn(page_of(part)), before - 1);
+}
+
+TEST(UntilItGivesUp, EndsWhatDozes) {
+  const StudiedPart part = pendulum("midpoint");
+  Fake dozes;
+  dozes.poison = [](Played&, int) { std::this_thread::sleep_for(std::chrono::milliseconds(20)); };
+  UntilItGivesUp player(dozes, 0.01);
+  const auto play = [&] { player.play(divided(part, {part.scene.frames, 1}), part.scene, 1); };
+  EXPECT_NO_THROW(play());
+  for (int i = 0; i < 2; ++i) EXPECT_THROW(play(), CaseFailed);
+  EXPECT_EQ(dozes.plays, 1);
+}
+
+TEST(UntilItGivesUp, EndsWhatCrashesAgainAndAgain) {
+  const StudiedPart part = pendulum("midpoint");
+  Fake crashes;
+  crashes.poison = [](Played&, int) { throw CaseFailed{Status::crashed, "gone", ""}; };
+  UntilItGivesUp player(crashes, 100);
+  for (int i = 0; i < 2 * UntilItGivesUp::kMostCrashes; ++i)
+    EXPECT_THROW(player.play(divided(part, {part.scene.frames, 1}), part.scene, 1), CaseFailed);
+  EXPECT_EQ(crashes.plays, UntilItGivesUp::kMostCrashes);
+}
+
+TEST(Study, LeavesOutWhatTakesTooLong) {
+  Fake slow;
+  slow.seconds_per_step = 1e-3;  // the scene's 480 steps take half a second
+  StudySettings settings;
+  settings.most_seconds = 1;
+  const PartStudy part = study("midpoint", slow, settings);
+  EXPECT_NE(part.note.find("more CPU time than a study has"), std::string::npos) << part.note;
+  EXPECT_LT(part.student.points.size(), part.reference.points.size());
+  // What its first plays took is known all the same.
+  ASSERT_TRUE(part.ratio);
+  EXPECT_NEAR(part.ratio->median, 100, 1);
+}
+
+TEST(Study, IsNoneWithoutTheReference) {
+  const StudiedPart part = pendulum("midpoint");
+  Fake student, reference;
+  reference.poison = [](Played&, int) { throw CaseFailed{Status::crashed, "gone", ""}; };
+  EXPECT_THROW(study_part(part, truth_of(part), student, reference, {}), std::runtime_error);
+}
+
+TEST(Parts, PlayTheSameMotionInOtherSteps) {
+  for (const SceneText& text : end_to_end_scenes())
+    for (const StudiedPart& part : parts_of(text)) {
+      const std::vector<Division> all = divisions_of(part.scene);
+      EXPECT_GE(all.size(), 6U) << part.name;
+      bool own = false;
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        const SceneText other = divided(part, all[i]);
+        const hair::Scene scene = hair::parse_scene(other.json, other.name);
+        EXPECT_NEAR(scene.frames / scene.frames_per_second, part.scene.frames / part.scene.frames_per_second,
+                    1e-15);
+        EXPECT_EQ(scene.frames * scene.steps_per_frame, all[i].steps());
+        EXPECT_EQ(part.scene.frames % scene.frames, 0) << part.name;
+        EXPECT_TRUE(i == 0 || all[i].steps() == 2 * all[i - 1].steps()) << part.name;
+        own = own || all[i].steps() == part.scene.frames * part.scene.steps_per_frame;
+      }
+      EXPECT_TRUE(own) << part.name;
+    }
+}
+
+TEST(Truth, IsKept) {
+  const hair::TemporaryFolder temporary("hairgrade-truth");
+  const std::filesystem::path& folder = temporary.path();
+  const StudiedPart part = pendulum("midpoint");
+  const Truth found = true_motion(part, folder);
+  const auto only_file = [&] { return std::filesystem::directory_iterator(folder)->path(); };
+  const auto written = std::filesystem::last_write_time(only_file());
+  const Truth kept = true_motion(part, folder);
+  EXPECT_EQ(std::filesystem::last_write_time(only_file()), written);
+  ASSERT_EQ(kept.frames.size(), found.frames.size());
+  for (std::size_t k = 0; k < found.frames.size(); ++k) EXPECT_EQ(kept.frames[k].x, found.frames[k].x);
+  EXPECT_EQ(kept.method, found.method);
+  EXPECT_EQ(kept.least_error, found.least_error);
+  EXPECT_EQ(kept.size, found.size);
+  // Half a file is none.
+  std::filesystem::resize_file(only_file(), std::filesystem::file_size(only_file()) / 2);
+  EXPECT_EQ(true_motion(part, folder).frames.back().x, found.frames.back().x);
+}
+
+}  // namespace
+}  // namespace grader

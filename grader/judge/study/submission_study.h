@@ -1,0 +1,24 @@
+// STAFF ONLY. The study of a submission: all of its end-to-end scenes, one after the other.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "grader/judge/run/end_to_end.h"
+#include "grader/judge/study/study.h"
+#include "grader/result/study.h"
+
+namespace grader {
+
+// The CPU time limit of a worker. Each part may take most_seconds, plus the play that starts before they are
+// used up: with twice the steps of the previous play, it takes about as long as all plays before it together.
+int study_cpu_seconds(const StudySettings& settings = {});
+
+// Both workers have the server of scenes and the objects of all exercises; the reference's worker has the
+// reference's objects. Scenes that can't be run have a reason in the result, and are not played. The true
+// motion of each part is stored in `kept`, for the class. Throws std::runtime_error if the reference fails.
+SubmissionStudy study_submission(Student& student, Student& reference, const AvailableExercises& exercises,
+                                 const std::optional<std::filesystem::path>& kept,
+                                 const StudySettings& settings = {});
+
+}  // namespace grader

@@ -1,0 +1,22 @@
+// STAFF ONLY. The table of hidden suites: an exercise's categories, as its categories.json declares them, with the cases of
+// reference/<ID>/cases.cpp that ask each.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "grader/judge/trial.h"
+#include "handout/check/category.h"
+
+namespace grader {
+
+// All that is declared, also what no case asks: whole run, pictures, memory errors. Throws BadInput for an exercise without a suite.
+const std::vector<checks::Category>& declared_categories(const std::string& exercise);
+
+// The one with this id, to be run by `run`. Throws std::out_of_range if it is not declared.
+Category category_of(const std::string& exercise, const std::string& id, std::function<void(Trial&)> run);
+
+// Those that hidden cases ask. Throws std::logic_error if cases and declaration disagree.
+std::vector<Category> categories(const std::string& exercise);
+
+}  // namespace grader

@@ -1,0 +1,139 @@
+// STAFF ONLY. A category of an exercise's hidden cases, and the tools for its code. A case is a call of the student's
+// function, or a few calls in a row, with what is expected of the answers until the next case. The first failing case ends its category; how many there are is
+// counted later.
+//
+// A failure has two readers. The student sees the missing property and the size of an error in bands; staff
+// see inputs, expected and actual values.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "grader/judge/random.h"
+#include "grader/judge/student/student.h"
+#include "grader/result/result.h"
+
+namespace grader {
+
+struct CaseFailed {
+  Status status;
+  std::string feedback, detail;
+  std::string hint = {};  // see CaseResult
+};
+
+inline constexpr const char* kTooManyProducts =
+    "takes more products with the matrix than the step limit allows";
+
+// A student's numbers that belong together, beside what is expected. Wrong ones may look like a mistake, which the student reads
+// (hint_for_students.h). They decide nothing.
+struct Compared {
+  Eigen::VectorXd actual, expected;
+  int block = 3;                     // so many are a particle's
+  Eigen::VectorXd before = {};       // what stood there before the call, or an input
+  std::optional<double> bound = {};  // within which numbers are the same, if it is not that of the error
+};
+
+inline Compared compared(double actual, double expected) {
+  return {Eigen::VectorXd::Constant(1, actual), Eigen::VectorXd::Constant(1, expected), 1};
+}
+
+// The largest error that is right. A contract lets programs use up what it promises, such as a tolerance;
+// the rest is there for what no program can help, such as rounding.
+struct Bound {
+  Bound(double most) : rest(most) {}
+  Bound(double promised_error, double more) : promised(promised_error), rest(more) {}
+
+  double promised = 0, rest;
+  double most() const { return promised + rest; }
+};
+
+// What a wrong answer does: it ends the category by CaseFailed, or it is counted. No answer ends it in either way.
+enum class WhenWrong { stop, count };
+
+class Trial {
+ public:
+  Trial(Student& student, const Random& source, WhenWrong when_wrong = WhenWrong::stop)
+      : random(source), student_(student), when_wrong_(when_wrong) {}
+
+  // The return value of the student's function. Throws CaseFailed if it did not return; with the feedback
+  // `stopped` if `products` stopped it.
+  MessageReader ask(const MessageWriter& request, const Products& products,
+                    const std::string& stopped = kTooManyProducts);
+  // The same of another call in the same case.
+  MessageReader ask_on(const MessageWriter& request, const Products& products, const std::string& stopped);
+
+  // The reply in an answer; throws CaseFailed as above if there is none.
+  MessageReader reply_of(Answer answer, const std::string& stopped = {}) const;
+
+  // Describes the following cases for staff: "tridiagonal, n = 10".
+  void describe(const std::string& text) { description_ = text; }
+
+  void expect(bool holds, const std::string& feedback, const std::string& detail = {});
+  // For what the rest of a category can't do without: if it does not hold, the category ends.
+  void require(bool holds, const std::string& feedback, const std::string& detail = {},
+               const std::string& hint = {});
+
+  // error <= bound; otherwise the student reads "<what> is 10 to 1000 times as large as allowed". NaN fails.
+  void expect_at_most(double error, Bound bound, const std::string& what, const std::string& detail = {});
+  void expect_at_most(double error, Bound bound, const std::string& what, const Compared& numbers,
+                      const std::string& detail = {});
+  // The same of the largest difference, and of the distance ||actual - expected||.
+  void expect_near(const Compared& numbers, Bound bound, const std::string& what);
+  void expect_close(const Compared& numbers, Bound bound, const std::string& what);
+
+  [[noreturn]] void fail(Status status, const std::string& feedback, const std::string& detail,
+                         const std::string& hint = {}) const;
+
+  // Of the last case, see Student.
+  const std::vector<ProvidedSolve>& provided_solves() const { return student_.provided_solves(); }
+
+  // Runs `questions` for what their answers may excuse: none of them is a case, and the first that fails ends them.
+  void ask_aside(const std::function<void()>& questions);
+
+  // How near errors came to their bounds: of each quantity the largest (error - promised) / rest.
+  const std::map<std::string, double>& nearest() const { return nearest_; }
+
+  int cases() const { return cases_; }
+  int failed() const { return failed_; }
+
+  Random random;
+
+ private:
+  void wrong(const std::string& feedback, const std::string& detail, const std::string& hint = {});
+
+  Student& student_;
+  WhenWrong when_wrong_;
+  std::string description_;
+  std::map<std::string, double> nearest_;
+  int cases_ = 0, failed_ = 0;
+  bool case_failed_ = false;
+};
+
+// The cases of an exercise, by their category's id.
+using Cases = std::vector<std::pair<std::string, std::function<void(Trial&)>>>;
+
+// As categories.json declares it.
+struct Category {
+  std::string name;   // its id: "Examples"
+  std::string title;  // for students: "The lecture's examples"
+  double weight;      // relative: an exercise's points are distributed by these weights
+  std::function<void(Trial&)> run;
+};
+
+struct CaseCount {
+  int cases = 0, held = 0;  // held < cases
+};
+
+// Of a category that failed, how many of its cases hold. Nothing if there is no answer on the way, or none that the rest can go on
+// with; or if nothing fails, this time.
+std::optional<CaseCount> count_of(const Category& category, Student& student, const Random& source);
+
+// The ratio of error and bound, in bands: an exact number could reveal a hidden case's value.
+std::string band(double error, double bound);
+
+}  // namespace grader

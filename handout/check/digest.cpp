@@ -1,0 +1,265 @@
+#include "digest.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <optional>
+#include <set>
+#include <sstream>
+
+#include "hint.h"
+
+namespace checks {
+namespace {
+
+constexpr std::size_t kMostLetters = 160;  // of a line
+constexpr int kMostLines = 5;              // of the first failure's message
+constexpr std::size_t kMostNames = 300;    // letters of the names of all others
+
+bool is_wrong(const Finding& one) {
+  return one.state == Finding::State::failed || one.state == Finding::State::broke_off;
+}
+
+std::string count_in_words(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+// The message, line by line, and the hint in it.
+struct Message {
+  std::vector<std::string> lines;
+  std::string hint;
+};
+
+// The number behind the last `words` of a line, if there is one.
+std::optional<double> number_behind(const std::string& line, const std::string& words) {
+  const std::size_t at = line.rfind(words);
+  if (at == std::string::npos) return std::nullopt;
+  const char* begin = line.c_str() + at + words.size();
+  char* end = nullptr;
+  const double value = std::strtod(begin, &end);
+  return end == begin ? std::nullopt : std::optional(value);
+}
+
+// True if the numbers say how often something was done.
+bool counts(const std::vector<std::string>& lines) {
+  return std::ranges::any_of(lines, [](const std::string& line) {
+    for (const char* word : {"steps", "products", "sweeps", "iterations", "evaluations", "calls"})
+      if (line.find(word) != std::string::npos) return true;
+    return false;
+  });
+}
+
+std::string hint_of_count(double actual, double expected) {
+  if (actual == expected + 1) return "one too many";
+  return actual == expected - 1 ? "one too few" : "";
+}
+
+// GoogleTest's messages of EXPECT_NEAR, "a evaluates to 2," line by line, and of EXPECT_EQ, "Which is: 2" or the number itself: what
+// was got, and what was expected. A plain `product` may be off by a factor.
+std::string hint_of_two_values(const std::vector<std::string>& lines, bool product) {
+  std::vector<double> near, equal;
+  for (const std::string& line : lines) {
+    if (const auto value = number_behind(line, " evaluates to ")) near.push_back(*value);
+    if (const auto value = number_behind(line, "Which is: "))
+      equal.push_back(*value);
+    else if (const auto constant = number_behind(line, "  ");
+             constant && line.find_first_not_of(" 0123456789.e+-") == std::string::npos)
+      equal.push_back(*constant);
+  }
+  if (near.size() == 3) return hint_of_one(near[0], near[1], product);
+  if (equal.size() != 2) return "";
+  return counts(lines) ? hint_of_count(equal[0], equal[1]) : hint_of_one(equal[0], equal[1], product);
+}
+
+// A check that broke off has these words in it, of an assertion of Eigen's or the library's, or of the sanitizer.
+struct Ending {
+  const char *words, *told;
+};
+constexpr const char* kOutside =
+    "a place outside of a vector or matrix: a loop's bound, `i + 1` or `i - 1`, the 3 of 3 i, or a branch "
+    "for another case?";
+constexpr Ending kEndings[] = {
+    {"Assertion `(i>=0)",
+     "a column or a row outside of a matrix, such as `scratch` or memory of your own: its number, or how "
+     "many there are?"},
+    {"Assertion `row >= 0",
+     "an entry (row, column) outside of a matrix: a loop's bound, or `i + 1` or `i - 1` at an end?"},
+    {"RowsAtCompileTime", "a vector of another size than the three numbers of a particle?"},
+    {"expr.rows()==1 || expr.cols()==1",
+     "a matrix where a vector is due: arguments in another order, or all of `scratch` for a column of it?"},
+    {"Assertion `index >= 0", kOutside},
+    {"Assertion `startRow >= 0", kOutside},
+    {"Assertion '__n < this->size()", kOutside},
+    {"-buffer-overflow", kOutside},
+    {"using an empty matrix", "the largest or smallest of no numbers?"}};
+
+std::string hint_of_place(const std::string& text) {
+  for (const Ending& one : kEndings)
+    if (text.find(one.words) != std::string::npos) return one.told;
+  return "";
+}
+
+Message message_of(const std::string& text, bool product) {
+  Message message;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const std::string hint = "hint       = ";
+    if (line.starts_with(hint) && message.hint.empty())
+      message.hint = line.substr(hint.size());
+    else if (line.find("check.cpp:") != std::string::npos && line.find(": ") != std::string::npos)
+      message.lines.push_back("for " + line.substr(line.find(": ") + 2));  // a SCOPED_TRACE
+    else if (!line.empty() && line != "Failed" && line != "Google Test trace:")
+      message.lines.push_back(line);
+  }
+  if (message.hint.empty()) message.hint = hint_of_place(text);
+  if (message.hint.empty()) message.hint = hint_of_two_values(message.lines, product);
+  return message;
+}
+
+void tell_failure(std::ostream& out, const Asked& asked, const Finding& one, bool full) {
+  out << one.full_name() << " (exercises/" << asked.exercise << "/" << one.file << ":" << one.line << ")"
+      << (one.state == Finding::State::broke_off ? " broke off:" : ":") << "\n";
+  int lines = 0;
+  std::string hint;
+  const Category* category = category_of(asked.categories, one.suite);
+  for (const std::string& failure : one.failures) {
+    const Message message = message_of(failure, category != nullptr && category->id == "Energy");
+    if (hint.empty()) hint = message.hint;
+    for (const std::string& line : message.lines) {
+      if (!full && ++lines > kMostLines) break;
+      const bool cut = !full && line.size() > kMostLetters;
+      out << "  " << line.substr(0, cut ? kMostLetters : line.size()) << (cut ? " ..." : "") << "\n";
+    }
+    if (!full) break;
+  }
+  if (!hint.empty()) out << "  Hint: " << hint << "\n";
+  const Row* row = category == nullptr ? nullptr : row_of(*category, one.row);
+  // A crash says where it was; only a row about crashes knows more.
+  if (row != nullptr && (one.state == Finding::State::failed || row->id == "crash"))
+    out << "  Where to look: " << row->look << "\n";
+}
+
+std::string names_of(const std::vector<const Finding*>& findings) {
+  std::string names;
+  for (const Finding* one : findings) {
+    if (names.size() > kMostNames) return names + ", ...";
+    names += (names.empty() ? "" : ", ") + one->full_name();
+  }
+  return names;
+}
+
+std::string in_words(double points) {
+  std::ostringstream text;
+  text << points << (points == 1 ? " point" : " points");
+  return text.str();
+}
+
+// Whether a category's loss is foreseen, how many of its checks fail, and whether it waits.
+struct Stand {
+  std::size_t checks = 0, wrong = 0, waiting = 0;
+
+  Stand(const Asked& asked, const Category& category, const std::vector<Finding>& findings) {
+    for (const Finding& one : findings) {
+      if (category_of(asked.categories, one.suite) != &category) continue;
+      ++checks;
+      wrong += is_wrong(one) ? 1 : 0;
+      waiting += one.state == Finding::State::waits ? 1 : 0;
+    }
+  }
+
+  std::string in_words() const {
+    if (checks == 0) return "in grading alone";
+    if (wrong == checks) return "fails";
+    if (wrong > 0) return "fails, " + std::to_string(wrong) + " of " + count_in_words(checks, "check");
+    return waiting > 0 ? "waits" : "passes";
+  }
+};
+
+// A line: the categories that fail, and the points of all others.
+void sum_up_categories(std::ostream& out, const Asked& asked, const std::vector<Finding>& findings) {
+  std::string failing;
+  double passing = 0, waiting = 0, alone = 0;
+  for (const Category& category : asked.categories) {
+    const Stand stand(asked, category, findings);
+    if (stand.wrong > 0)
+      failing += (failing.empty() ? "" : "; ") + category.title + ", " + in_words(category.points);
+    else
+      (stand.checks == 0 ? alone : stand.waiting > 0 ? waiting : passing) += category.points;
+  }
+  out << (failing.empty() ? "" : "At stake: " + failing + ". ") << "Passing: " << in_words(passing);
+  if (waiting > 0) out << "; waiting: " << in_words(waiting);
+  if (alone > 0) out << "; in grading alone: " << in_words(alone);
+  out << "\n";
+}
+
+void tell_categories(std::ostream& out, const Asked& asked, const std::vector<Finding>& findings) {
+  out << "points  category\n";
+  for (const Category& category : asked.categories) {
+    char line[256];
+    std::snprintf(line, sizeof line, "%6g  %-44s  %s\n", category.points, category.title.c_str(),
+                  Stand(asked, category, findings).in_words().c_str());
+    out << line;
+  }
+}
+
+}  // namespace
+
+const Category* category_of(const std::vector<Category>& categories, const std::string& suite) {
+  const std::size_t stroke = suite.rfind('/');
+  const auto found = std::ranges::find(categories, suite.substr(stroke + 1), &Category::id);  // npos + 1 is 0
+  if (found != categories.end()) return &*found;
+  return stroke == std::string::npos ? nullptr : category_of(categories, suite.substr(0, stroke));
+}
+
+const Row* row_of(const Category& category, const std::string& row) {
+  if (category.rows.empty()) return nullptr;
+  const auto found = std::ranges::find(category.rows, row, &Row::id);
+  return found == category.rows.end() ? &category.rows.front() : &*found;
+}
+
+std::string digest(const Asked& asked, const std::vector<Finding>& findings, bool full) {
+  std::vector<const Finding*> wrong;
+  std::set<std::string> needed;
+  std::size_t waiting = 0, unasked = 0;
+  for (const Finding& one : findings) {
+    if (is_wrong(one)) wrong.push_back(&one);
+    if (one.state != Finding::State::waits) continue;
+    ++waiting;
+    if (one.waits_for.empty())
+      ++unasked;
+    else
+      needed.insert(one.waits_for);
+  }
+  std::ostringstream out;
+  if (wrong.empty() && waiting == 0) {
+    out << asked.exercise << ": all " << count_in_words(findings.size(), "check") << " pass\n";
+    return out.str();
+  }
+  out << asked.exercise << ": " << findings.size() - wrong.size() - waiting << " of "
+      << count_in_words(findings.size(), "check") << " pass";
+  if (!wrong.empty()) out << ", " << wrong.size() << " fail";
+  if (waiting > 0) out << ", " << waiting << " wait";
+  out << "\n\n";
+  for (const Finding* one : wrong) {
+    tell_failure(out, asked, *one, full);
+    if (!full) break;
+    out << "\n";
+  }
+  if (!full && wrong.size() > 1)
+    out << "These fail, too: " << names_of({wrong.begin() + 1, wrong.end()}) << "\n";
+  if (!needed.empty()) {
+    std::string names;
+    for (const std::string& function : needed) names += (names.empty() ? "" : ", ") + function;
+    out << "First make " << names << " pass: " << count_in_words(waiting - unasked, "check")
+        << (waiting - unasked == 1 ? " waits" : " wait") << " for it\n";
+  }
+  if (unasked > 0) out << count_in_words(unasked, "check") << " did not run: too many never ended\n";
+  if (full)
+    tell_categories(out, asked, findings);
+  else
+    sum_up_categories(out, asked, findings);
+  if (!full && !wrong.empty()) out << "All of it: " << asked.program << " --full\n";
+  return out.str();
+}
+
+}  // namespace checks

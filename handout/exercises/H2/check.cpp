@@ -1,0 +1,533 @@
+// The public checks of H2. Every failure prints the input, what was expected, what came, the error and its
+// bound. The contract is in hair/angular_springs.h.
+
+#include "hair/angular_springs.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "check.h"
+#include "derivative.h"
+#include "strands.h"
+
+using namespace checks;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using hair::Strand;
+using std::numbers::pi;
+
+namespace {
+
+// EI = 4 N m^2
+Strand strand_of(const VectorXd& rest_length) {
+  return strand_with(&Strand::bend_rigidity, 4, rest_length);
+}
+
+// Segments of 1 m whose rest lengths are 1 m: k = EI = 4 N m. First down, then turned by `bend` each, in
+// planes that turn.
+Case bent(int count, double bend) {
+  Case result{strand_of(VectorXd::Ones(count - 1)), VectorXd::Zero(3 * count)};
+  Vector3d direction(0, 0, -1), axis(1, 0, 0);
+  for (int i = 0; i + 1 < count; ++i) {
+    result.x.segment<3>(3 * i + 3) = result.x.segment<3>(3 * i) + direction;
+    direction = (Eigen::AngleAxisd(bend, axis) * direction).normalized();
+    axis = (Eigen::AngleAxisd(0.8 * i, direction) * axis.cross(direction).cross(direction)).normalized();
+  }
+  return result;
+}
+
+// Lengths and rest lengths between 0.5 and 1.5 m, bent every way by up to 2 radians or so.
+Case uneven(int count, int which) {
+  const VectorXd numbers = scattered_vector(5 * count, which);
+  Case result{strand_of(VectorXd::Ones(count - 1) + numbers.head(count - 1) / 2), VectorXd::Zero(3 * count)};
+  for (int i = 0; i + 1 < count; ++i) {
+    const Vector3d direction = (Vector3d(0, 0, -0.5) + numbers.segment<3>(count + 3 * i)).normalized();
+    result.x.segment<3>(3 * i + 3) =
+        result.x.segment<3>(3 * i) + (1 + numbers[4 * count + i] / 2) * direction;
+  }
+  return result;
+}
+
+Case clamped(Case c) {
+  c.strand.clamped = true;
+  c.strand.root_tangent = Vector3d(0, 0.6, -0.8);
+  return c;
+}
+
+VectorXd force(const Strand& strand, const VectorXd& x) {
+  VectorXd f = VectorXd::Zero(x.size());
+  add_bend_force(strand, x, f);
+  return f;
+}
+
+VectorXd product(const Strand& strand, const VectorXd& x, const VectorXd& dx) {
+  VectorXd df = VectorXd::Zero(x.size());
+  add_bend_product(strand, x, dx, df);
+  return df;
+}
+
+VectorXd product_spd(const Strand& strand, const VectorXd& x, const VectorXd& dx) {
+  VectorXd df = VectorXd::Zero(x.size());
+  add_bend_product_spd(strand, x, dx, df);
+  return df;
+}
+
+// A clamped strand, down to the contract's 1e-100 m. `power`: of the unit of length, in the answer.
+template <class Answer>
+void expect_in_units(const Answer& answer, int power, const std::string& what) {
+  checks::expect_in_units(answer, clamped(uneven(6, 4)), {-310, -45, 310}, power, 1e-10, what);
+}
+
+// Beside a segment of length 0 there are no joints: what is in front of it and what is behind it are strands of their own.
+template <class Answer>
+void expect_in_two_parts(const Answer& answer, const std::string& what) {
+  Case whole = clamped(uneven(7, 5));
+  whole.x.segment<3>(12) = Vector3d(whole.x.segment<3>(9));
+  Case front{whole.strand, whole.x.head(12)}, behind{whole.strand, whole.x.tail(9)};
+  front.strand.mass = whole.strand.mass.head(4);
+  front.strand.rest_length = whole.strand.rest_length.head(3);
+  behind.strand.mass = whole.strand.mass.tail(3);
+  behind.strand.rest_length = whole.strand.rest_length.tail(2);
+  behind.strand.clamped = false;
+  VectorXd expected(21);
+  expected << answer(front.strand, front.x, 0), answer(behind.strand, behind.x, 4);
+  expect_entries(answer(whole.strand, whole.x, 0), expected, 512 * kU * 200,
+                 what +
+                     " of 7 particles, where particles 3 and 4 are in the same place, beside those of "
+                     "particles 0 to 3 and of particles 4 to 6 as strands of their own",
+                 "512 u of k pi / |e|^2: rounding");
+}
+
+const VectorXd kRightAngle = vector({0, 0, 0, 0, 0, -1, 0, 1, -1});
+const VectorXd kBentByLess = vector({0, 0, 0, 0, 0, -1, 0, std::sin(0.8), -1 - std::cos(0.8)});
+const VectorXd kFold = vector({0, 0, 0, 0, 0, -1, 0, 0, 0});
+
+// Clamped, and its only segment has no length.
+const Case kLone = clamped({strand_of(vector({1})), vector({1, 2, 3, 1, 2, 3})});
+
+}  // namespace
+
+TEST(Energy, OfOneJoint) {
+  const Strand strand = strand_of(vector({1, 1}));
+  SCOPED_TRACE("EI = 4 N m^2, rest lengths 1 m and 1 m: k = 4 N m, E = 4 * phi^2 / 2 J");
+  EXPECT_NEAR(bend_energy(strand, kBentByLess), 2 * 0.64, 64 * kU * 4) << "phi = 0.8; bound: rounding";
+  EXPECT_NEAR(bend_energy(strand, kRightAngle), 2 * pi * pi / 4, 32 * kU * 4)
+      << "phi = pi/2; bound: rounding";
+  EXPECT_EQ(bend_energy(strand, vector({0, 0, 0, 0, 0, -1, 0, 0, -2})), 0) << "straight";
+  EXPECT_NEAR(bend_energy(strand, kFold), 2 * pi * pi, 32 * kU * 4) << "folded, phi = pi; bound: rounding";
+}
+
+TEST(NoDirection, WithoutAJointIsZero) {
+  EXPECT_EQ(bend_energy(strand_of(vector({1})), vector({1, 2, 3, 3, 3, 3})), 0) << "two particles, free";
+  EXPECT_EQ(bend_energy(strand_of(VectorXd(0)), vector({1, 2, 3})), 0) << "one particle";
+  EXPECT_EQ(bend_energy(clamped({strand_of(VectorXd(0)), {}}).strand, vector({1, 2, 3})), 0)
+      << "one particle, clamped: no segment begins there";
+  EXPECT_EQ(bend_energy(kLone.strand, kLone.x), 0) << "clamped, and its only segment has the length 0";
+  EXPECT_EQ(bend_energy(strand_of(vector({1, 1})), vector({0, 0, 0, 0, 1, 0, 0, 1, 0})), 0)
+      << "a segment of length 0";
+  EXPECT_EQ(bend_energy(strand_of(vector({1, 1})), vector({0, 0, 0, -1, -2, -2, -1, -2, -2})), 0)
+      << "a segment of length 0 behind one along (-1, -2, -2): their dot product is -0, and atan2(0, -0) is "
+         "pi";
+}
+
+TEST(Sampling, TakesTheMeanOfTwoRestLengthsByBendEnergy) {
+  EXPECT_NEAR(bend_energy(strand_of(vector({0.5, 2.5})), kRightAngle), 4 / 1.5 * pi * pi / 8, 32 * kU * 4)
+      << "EI = 4 N m^2, rest lengths 0.5 m and 2.5 m: k = 4 / 1.5 N m, whatever the lengths are now; phi = "
+         "pi/2";
+}
+
+TEST(Sampling, OfTheLecturesCircleDoesNotDependOnTheSampling) {
+  const double R = 0.3;
+  for (int n : {8, 16, 32}) {
+    const double l = 2 * pi * R / n;
+    const Strand strand = strand_of(VectorXd::Constant(n, l));
+    VectorXd x = VectorXd::Zero(3 * n + 3);
+    for (int i = 0; i < n; ++i)
+      x.segment<3>(3 * i + 3) =
+          x.segment<3>(3 * i) + l * Vector3d(std::cos(2 * pi * i / n), std::sin(2 * pi * i / n), 0);
+    // The last segment does not meet the first one: n - 1 joints.
+    EXPECT_NEAR(bend_energy(strand, x) * n / (n - 1), pi * 4 / R, 1e-10)
+        << "a circle of radius 0.3 m in " << n
+        << " segments, EI = 4 N m^2: pi EI / R; bound: rounding, 64 u n^2 of it";
+  }
+}
+
+TEST(NearlyStraight, OfSmallAnglesKeepsItsDigits) {
+  for (double phi : {1e-3, 1e-5, 1e-7}) {
+    // tan(phi) is phi to third order, and this strand turns by exactly atan(phi).
+    const double E = bend_energy(strand_of(vector({1, 1})), vector({0, 0, 0, 0, 0, -1, 0, phi, -2}));
+    const double expected = 2 * std::atan(phi) * std::atan(phi);
+    EXPECT_NEAR(E, expected, 128 * kU * phi)
+        << "phi = atan(" << phi
+        << "), k = 4 N m; bound: phi known to a few u. Does your angle come from acos?";
+  }
+}
+
+TEST(ClampedRoot, OfAClampedRoot) {
+  const Case c = clamped({strand_of(vector({0.5})), vector({0, 0, 0, 0, 0.8, 0.6})});
+  EXPECT_NEAR(bend_energy(c.strand, c.x), 16 * pi * pi / 8, 32 * kU * 16)
+      << "one segment of rest length 0.5 m at a right angle to root_tangent: k = 2 EI / l = 16 N m; bound: "
+         "rounding";
+}
+
+TEST(Extremes, InAnyUnitByBendEnergy) {
+  expect_in_units([](const Strand& strand, const VectorXd& x) { return vector({bend_energy(strand, x)}); },
+                  -1, "the energy");
+}
+
+TEST(Forces, OfOneJoint) {
+  // k phi / |e| = 2 pi, at right angles to each segment, against the bend.
+  expect_entries(force(strand_of(vector({1, 1})), kRightAngle),
+                 2 * pi * vector({0, 1, 0, 0, -1, -1, 0, 0, 1}) * -1, 64 * kU * 4 * pi,
+                 "the force of one joint, k = 4 N m, at x = " + particles_in_words(kRightAngle),
+                 "64 u of k phi / |e|: rounding");
+}
+
+TEST(Forces, IsMinusTheEnergysGradient) {
+  look_at("force-slope");
+  for (double bend : {1e-6, 0.3, 1.5, 2.8}) {
+    const Case c = bent(6, bend);
+    SCOPED_TRACE("each joint bent by " + std::to_string(bend));
+    // Next to the fold all changes within pi - phi.
+    expect_force(
+        force(c.strand, c.x), [&](const VectorXd& x) { return bend_energy(c.strand, x); }, c.x,
+        std::min(1.0, pi - bend), 4 * pi);
+  }
+}
+
+TEST(CurrentLengths, IsMinusTheEnergysGradientAtUnevenLengths) {
+  const Case c = uneven(7, 1);
+  expect_force(
+      force(c.strand, c.x), [&](const VectorXd& x) { return bend_energy(c.strand, x); }, c.x, 0.1, 16 * pi);
+}
+
+TEST(ClampedRoot, IsMinusTheEnergysGradientWithAClampedRoot) {
+  for (const Case& c : {clamped(uneven(2, 2)), clamped(uneven(5, 3))})
+    expect_force(
+        force(c.strand, c.x), [&](const VectorXd& x) { return bend_energy(c.strand, x); }, c.x, 0.1, 16 * pi);
+}
+
+TEST(Sampling, TakesTheMeanOfTwoRestLengthsByAddBendForce) {
+  expect_entries(
+      force(strand_of(vector({0.5, 2.5})), kRightAngle) * 1.5, force(strand_of(vector({1, 1})), kRightAngle),
+      64 * kU * 4 * pi,
+      "1.5 times the force of a right angle with rest lengths of 0.5 m and 2.5 m, beside that with 1 m "
+      "and 1 m",
+      "64 u of k phi / |e|: rounding");
+}
+
+TEST(Forces, GivesNoNetForceOrTorque) {
+  look_at("sum");
+  const Case c = uneven(9, 4);
+  const VectorXd f = force(c.strand, c.x);
+  EXPECT_GT(f.norm(), 1) << "no force at all";
+  expect_balanced(f, c.x, 9 * 256 * kU * 16 * pi, "rounding: 256 u of k pi / |e| for each of 9 particles");
+}
+
+TEST(Added, IsAddedToWhatFHolds) {
+  const Case c = uneven(5, 1);
+  expect_added([&](VectorXd& f) { add_bend_force(c.strand, c.x, f); }, scattered_vector(15, 8), 16 * kU * 100,
+               "f");
+}
+
+// EI = 4 N m^2 is a steel wire's. A hair's is 2^-30 of it, and all that joints do is 2^-30 of what it was.
+TEST(Extremes, OfAHairAsOfAWireByAddBendForce) {
+  look_at("right");
+  for (const Case& c : {uneven(7, 1), clamped(uneven(5, 3))}) {
+    Strand hair = c.strand;
+    hair.bend_rigidity = std::ldexp(c.strand.bend_rigidity, -30);
+    const double energy = bend_energy(c.strand, c.x);
+    EXPECT_NEAR(std::ldexp(bend_energy(hair, c.x), 30), energy, 256 * kU * energy)
+        << "EI = 3.7e-9 N m^2: 2^30 times the energy, beside that of EI = 4 N m^2; bound: rounding";
+    expect_entries(force(hair, c.x) * 0x1p30, force(c.strand, c.x), 256 * kU * 16 * pi,
+                   "2^30 times the force for EI = 3.7e-9 N m^2, beside that for EI = 4 N m^2",
+                   "256 u of k pi / |e|: rounding");
+  }
+}
+
+TEST(Extremes, IsTheSameHoweverOftenItIsAsked) {
+  look_at("right-first");
+  const Case c = clamped(uneven(5, 1));
+  const VectorXd first = force(c.strand, c.x);
+  for (int i = 1; i <= kManyCalls; ++i)
+    ASSERT_EQ(force(c.strand, c.x), first) << "asked again for the same strand, " << i << " times so far";
+}
+
+TEST(Extremes, InAnyUnitByAddBendForce) {
+  expect_in_units(force, -2, "the force");
+}
+
+TEST(Extremes, OfALongStrand) {
+  look_at("");
+  // A zigzag of right angles: each joint has k = 4 N m, and 2 pi N at its ends.
+  const int n = 10001;
+  const Strand strand = strand_of(VectorXd::Ones(n - 1));
+  VectorXd x = VectorXd::Zero(3 * n);
+  for (int i = 1; i < n; ++i) x.segment<3>(3 * i) = x.segment<3>(3 * i - 3) + Vector3d::Unit(1 + i % 2);
+  const VectorXd f = force(strand, x);
+  const std::string source = "64 u of k phi / |e|: rounding";
+  expect_entries(f.head<3>(), Vector3d(0, -2 * pi, 0), 64 * kU * 4 * pi,
+                 "the force on the root of a zigzag of 10,001 particles", source);
+  expect_entries(f.tail<3>(), Vector3d(0, 0, 2 * pi), 64 * kU * 4 * pi, "the force on the tip of the same",
+                 source);
+}
+
+TEST(NoDirection, BesideASegmentOfLengthZeroByAddBendForce) {
+  look_at("beside");
+  expect_in_two_parts([](const Strand& strand, const VectorXd& x, int) { return force(strand, x); },
+                      "the force");
+}
+
+// The force does not become 0 before the fold is reached: k (pi - missing) / |e|, across the segment.
+TEST(Fold, NextToTheFold) {
+  const Strand strand = strand_of(vector({1, 1}));
+  for (const double missing : {1e-3, 1e-5}) {
+    const double tip =
+        force(strand, vector({0, 0, 0, 0, 0, -1, 0, std::sin(missing), -1 + std::cos(missing)}))
+            .tail<3>()
+            .norm();
+    EXPECT_NEAR(tip, 4 * (pi - missing), 64 * kU * 4 * pi / missing)
+        << "the size of the force on the tip, bent by pi - " << missing
+        << ", k = 4 N m: k (pi - missing) / |e|; bound: rounding of the sine, 64 u over " << missing;
+  }
+}
+
+TEST(Fold, AtTheFoldIsZeroByAddBendForce) {
+  EXPECT_EQ(force(strand_of(vector({1, 1})), kFold), VectorXd::Zero(9))
+      << "folded, x = " << particles_in_words(kFold);
+  for (const Vector3d& along : {Vector3d(1, 0, 0), Vector3d(0, -1, 0), Vector3d(0, 0, 1)}) {
+    VectorXd x = VectorXd::Zero(9);
+    x.segment<3>(3) = along;
+    EXPECT_EQ(force(strand_of(vector({1, 1})), x), VectorXd::Zero(9))
+        << "folded, x = " << particles_in_words(x);
+    Strand back = strand_of(vector({1}));
+    back.clamped = true;
+    back.root_tangent = -along;
+    EXPECT_EQ(force(back, x.head<6>()), VectorXd::Zero(6))
+        << "a clamped root, folded back, x = " << particles_in_words(x.head<6>());
+  }
+}
+
+TEST(NearlyStraight, OfAStraightStrandIsZero) {
+  look_at("nan");
+  EXPECT_EQ(force(strand_of(vector({1, 1})), vector({0, 0, 0, 0, 0, -1, 0, 0, -2})), VectorXd::Zero(9));
+}
+
+TEST(NoDirection, WhereDirectionsAreLostIsZeroByAddBendForce) {
+  look_at("beside");
+  EXPECT_EQ(force(kLone.strand, kLone.x), VectorXd::Zero(6))
+      << "clamped, and its only segment has the length 0";
+  const Strand strand = strand_of(vector({1, 1}));
+  for (const VectorXd& x : {vector({0, 0, 0, 0, 0, 0, 0, 1, 0}), vector({0, 0, 0, 0, 1, 0, 0, 1, 0}),
+                            vector({1, 1, 1, 1, 1, 1, 1, 1, 1})}) {
+    const VectorXd f = force(strand, x);
+    EXPECT_EQ(f, VectorXd::Zero(9)) << "with a segment of length 0: x = " << particles_in_words(x)
+                                    << "; actual: " << particles_in_words(f);
+  }
+}
+
+TEST(ExactProduct, IsTheForcesDerivative) {
+  for (double bend : {1e-6, 0.3, 1.5, 2.8}) {
+    const Case c = bent(6, bend);
+    const VectorXd dx = scattered_vector(18, 5);
+    SCOPED_TRACE("each joint bent by " + std::to_string(bend));
+    expect_product(
+        product(c.strand, c.x, dx), [&](const VectorXd& x) { return force(c.strand, x); }, c.x, dx,
+        std::min(1.0, pi - bend), 4 * pi / std::min(1.0, pi - bend));
+  }
+}
+
+TEST(CurrentLengths, IsTheForcesDerivativeAtUnevenLengths) {
+  const Case c = uneven(7, 1);
+  const VectorXd dx = scattered_vector(21, 6);
+  expect_product(
+      product(c.strand, c.x, dx), [&](const VectorXd& x) { return force(c.strand, x); }, c.x, dx, 0.1, 200);
+}
+
+TEST(ClampedRoot, IsTheForcesDerivativeWithAClampedRoot) {
+  for (const Case& c : {clamped(uneven(2, 2)), clamped(uneven(5, 3))}) {
+    const VectorXd dx = scattered_vector(static_cast<int>(c.x.size()), 6);
+    expect_product(
+        product(c.strand, c.x, dx), [&](const VectorXd& x) { return force(c.strand, x); }, c.x, dx, 0.1, 200);
+  }
+}
+
+TEST(ExactProduct, IsSymmetric) {
+  const Case c = clamped(uneven(8, 2));
+  expect_symmetric([&](const VectorXd& dx) { return product(c.strand, c.x, dx); }, scattered_vector(24, 1),
+                   scattered_vector(24, 2), 24 * 1024 * kU * 200,
+                   "24 entries, 1024 u of k pi / |e|^2 each: rounding");
+}
+
+TEST(StraightProducts, OfAStraightStrand) {
+  // The energy is k/2 |P (dx_0 - 2 dx_1 + dx_2)|^2 / |e|^2, where P takes away what lies along the strand. Of these directions, whose
+  // segments are equal to the last bit, some have unit vectors with a square below 1.
+  const Strand strand = strand_of(vector({1, 1}));
+  for (const Vector3d& e : {Vector3d(0, 0, -1), Vector3d(0, 0, -0.125), Vector3d(0.25, 0.75, -0.75),
+                            Vector3d(0, 0.5, 0.5), Vector3d(-0.75, 1, 0.75)}) {
+    VectorXd x(9), expected(9);
+    x << Vector3d::Zero(), e, 2 * e;
+    const VectorXd dx = scattered_vector(9, 4);
+    const Vector3d curve = dx.head<3>() - 2 * dx.segment<3>(3) + dx.tail<3>(),
+                   across = 4 / e.squaredNorm() * (curve - e * e.dot(curve) / e.squaredNorm());
+    expected << -across, 2 * across, -across;
+    expect_entries(product(strand, x, dx), expected, 1024 * kU * 4 / e.squaredNorm(),
+                   "the exact product of a straight strand, x = " + particles_in_words(x) +
+                       ", k = 4 N m, dx = " + particles_in_words(dx),
+                   "1024 u of k / |e|^2: rounding");
+  }
+}
+
+TEST(ExactProduct, IsIndefinite) {
+  // phi = pi/2, k = 4, |e| = 1: the ends out of the bend's plane, one to either side, have -k phi tan(phi/2)
+  // = -2 pi.
+  const Strand strand = strand_of(vector({1, 1}));
+  const VectorXd out = vector({1, 0, 0, 0, 0, 0, -1, 0, 0}), df = product(strand, kRightAngle, out);
+  EXPECT_NEAR(out.dot(df) / 2, 2 * pi, 64 * kU * 4 * pi)
+      << "out . (df/dx) out / |out|^2 for a right angle, k = 4 N m, out = " << particles_in_words(out)
+      << ": the energy falls along it, by k phi tan(phi/2) = 2 pi; (df/dx) out = " << particles_in_words(df);
+}
+
+TEST(SpdProduct, IsTheFormula) {
+  const Strand strand = strand_of(vector({1, 1}));
+  // phi = pi/2: cot(phi) = 0, and only the bend itself counts: k grad phi grad phi^T.
+  const VectorXd gradient = vector({0, 1, 0, 0, -1, -1, 0, 0, 1});
+  for (const VectorXd& dx : {gradient, scattered_vector(9, 3)})
+    expect_entries(product_spd(strand, kRightAngle, dx), -4 * gradient * gradient.dot(dx), 256 * kU * 4 * 9,
+                   "-k grad phi (grad phi . dx) at a right angle, k = 4 N m, dx = " + particles_in_words(dx),
+                   "256 u of k / |e|^2: rounding");
+  // phi = 1, phi cot(phi) = 0.642: out of the plane the bend resists with that.
+  const VectorXd x = vector({0, 0, 0, 0, 0, -1, 0, std::sin(1), -1 - std::cos(1)}),
+                 out = vector({1, 0, 0, 0, 0, 0, 1, 0, 0});
+  const double turn = -4 / std::tan(1) * 2;  // g . out = 2 b . (1, 0, 0), over two entries
+  expect_entries(product_spd(strand, x, out), vector({turn, 0, 0, -2 * turn, 0, 0, turn, 0, 0}),
+                 256 * kU * 4 * 9,
+                 "-k phi cot(phi) g (g . dx) at phi = 1, k = 4 N m, dx = " + particles_in_words(out),
+                 "256 u of k / |e|^2: rounding");
+}
+
+TEST(SpdProduct, IsNegativeSemidefinite) {
+  for (const Case& c : {bent(6, 0.3), bent(6, 2.8), clamped(uneven(7, 2))}) {
+    for (int which = 0; which < 20; ++which) {
+      const VectorXd dx = scattered_vector(static_cast<int>(c.x.size()), which);
+      EXPECT_LE(dx.dot(product_spd(c.strand, c.x, dx)), 24 * 1024 * kU * 200)
+          << "dx . df at x = " << particles_in_words(c.x) << ", dx = " << particles_in_words(dx)
+          << "; df is -S dx with S semi-definite; bound: rounding";
+    }
+  }
+}
+
+TEST(CurrentLengths, IsSymmetricAtUnevenLengths) {
+  const Case c = uneven(8, 2);
+  expect_symmetric([&](const VectorXd& dx) { return product_spd(c.strand, c.x, dx); },
+                   scattered_vector(24, 1), scattered_vector(24, 2), 24 * 1024 * kU * 200,
+                   "24 entries, 1024 u of k pi / |e|^2 each: rounding");
+}
+
+TEST(ClampedRoot, HasTheJointOfAClampedRoot) {
+  // One segment of 1 m, rest length 1 m, at a right angle to root_tangent: k = 2 EI / l = 8 N m, phi = pi/2, and
+  // dphi/dx_1 = -root_tangent = (-0.6, 0, 0.8), for the tip moves against it where the bend grows. The plane of the bend is askew.
+  Strand strand = strand_of(vector({1}));
+  strand.clamped = true;
+  strand.root_tangent = Vector3d(0.6, 0, -0.8);
+  const VectorXd x = vector({0, 0, 0, 0.64, 0.6, 0.48}), gradient = vector({0.6, 0, -0.8, -0.6, 0, 0.8});
+  for (const VectorXd& dx : {gradient, scattered_vector(6, 5)})
+    expect_entries(
+        product_spd(strand, x, dx), -8 * gradient * gradient.dot(dx), 256 * kU * 8 * 9,
+        "-k grad phi (grad phi . dx), a root clamped along (0.6, 0, -0.8) and its first segment at a right "
+        "angle, k = 2 EI / l = 8 N m, dx = " +
+            particles_in_words(dx),
+        "256 u of k / |e|^2: rounding");
+}
+
+TEST(StraightProducts, IsExactForAStraightStrand) {
+  look_at("s");
+  Case c = bent(6, 0);
+  const VectorXd dx = scattered_vector(18, 4);
+  for (const Vector3d& direction :
+       {Vector3d(0, 0, -1), Vector3d(0.36, 0.48, -0.8), Vector3d(0.3, -0.5, -0.7)}) {
+    for (int i = 0; i < 6; ++i) c.x.segment<3>(3 * i) = 0.1 * i * direction;
+    expect_entries(product_spd(c.strand, c.x, dx), product(c.strand, c.x, dx), 1e-4 * 4 * 100,
+                   "the semi-definite product of a strand along " + particles_in_words(direction) +
+                       ", against your exact one; dx = " + particles_in_words(dx),
+                   "1e-4 of k / |e|^2. A bend that is nothing but rounding has no axis: choose one");
+  }
+}
+
+TEST(Extremes, OfAHairAsOfAWireByAddProductsSpd) {
+  look_at("right");
+  for (const Case& c : {uneven(7, 1), clamped(uneven(5, 3))}) {
+    Strand hair = c.strand;
+    hair.bend_rigidity = std::ldexp(c.strand.bend_rigidity, -30);
+    const VectorXd dx = scattered_vector(static_cast<int>(c.x.size()), 6);
+    const std::string what = " for EI = 3.7e-9 N m^2, beside that for EI = 4 N m^2",
+                      source = "1024 u of k pi / |e|^2: rounding";
+    expect_entries(product(hair, c.x, dx) * 0x1p30, product(c.strand, c.x, dx), 1024 * kU * 200,
+                   "2^30 times the product" + what, source);
+    expect_entries(product_spd(hair, c.x, dx) * 0x1p30, product_spd(c.strand, c.x, dx), 1024 * kU * 200,
+                   "2^30 times the semi-definite product" + what, source);
+  }
+}
+
+TEST(Extremes, InAnyUnitByAddProductsSpd) {
+  const VectorXd dx = scattered_vector(18, 7);
+  expect_in_units([&](const Strand& strand, const VectorXd& x) { return product(strand, x, dx); }, -3,
+                  "the product");
+  expect_in_units([&](const Strand& strand, const VectorXd& x) { return product_spd(strand, x, dx); }, -3,
+                  "the semi-definite product");
+}
+
+TEST(NoDirection, BesideASegmentOfLengthZeroByAddProductsSpd) {
+  look_at("beside");
+  const VectorXd dx = scattered_vector(21, 7);
+  const auto part = [&](int first, Eigen::Index size) -> VectorXd { return dx.segment(3 * first, size); };
+  expect_in_two_parts([&](const Strand& strand, const VectorXd& x,
+                          int first) { return product(strand, x, part(first, x.size())); },
+                      "the product");
+  expect_in_two_parts([&](const Strand& strand, const VectorXd& x,
+                          int first) { return product_spd(strand, x, part(first, x.size())); },
+                      "the semi-definite product");
+}
+
+TEST(Added, IsAddedToWhatDfHolds) {
+  const Case c = uneven(5, 6);
+  const VectorXd dx = scattered_vector(15, 2), before = scattered_vector(15, 9);
+  expect_added([&](VectorXd& df) { add_bend_product(c.strand, c.x, dx, df); }, before, 64 * kU * 200, "df");
+  expect_added([&](VectorXd& df) { add_bend_product_spd(c.strand, c.x, dx, df); }, before, 64 * kU * 200,
+               "df (semi-definite)");
+}
+
+TEST(Fold, AtTheFoldIsZeroByAddProductsSpd) {
+  const Strand strand = strand_of(vector({1, 1}));
+  const VectorXd dx = scattered_vector(9, 1);
+  EXPECT_EQ(product(strand, kFold, dx), VectorXd::Zero(9)) << "exact, x = " << particles_in_words(kFold);
+  EXPECT_EQ(product_spd(strand, kFold, dx), VectorXd::Zero(9))
+      << "semi-definite, x = " << particles_in_words(kFold);
+}
+
+TEST(NoDirection, WhereDirectionsAreLostIsZeroByAddProductsSpd) {
+  look_at("beside");
+  const Strand strand = strand_of(vector({1, 1}));
+  const VectorXd dx = scattered_vector(9, 1);
+  for (const VectorXd& x : {vector({0, 0, 0, 0, 0, 0, 0, 1, 0}), vector({1, 1, 1, 1, 1, 1, 1, 1, 1})}) {
+    EXPECT_EQ(product(strand, x, dx), VectorXd::Zero(9)) << "exact, x = " << particles_in_words(x);
+    EXPECT_EQ(product_spd(strand, x, dx), VectorXd::Zero(9))
+        << "semi-definite, x = " << particles_in_words(x);
+  }
+}
+
+int main(int argc, char** argv) {
+  static const Strand lone = strand_of(VectorXd(0));
+  static const VectorXd x = VectorXd::Zero(3);
+  static VectorXd out = x;
+  return run(argc, argv,
+             {{"bend_energy", [] { bend_energy(lone, x); }},
+              {"add_bend_force", [] { add_bend_force(lone, x, out); }, {"bend_energy"}},
+              {"add_bend_product", [] { add_bend_product(lone, x, x, out); }, {"add_bend_force"}},
+              {"add_bend_product_spd",
+               [] { add_bend_product_spd(lone, x, x, out); },
+               {"add_bend_force", "add_bend_product"}}});
+}

@@ -1,0 +1,54 @@
+// STAFF ONLY. A student's answers about an implicit step, requested through the pipe while the suite serves the force or the
+// matrix.
+#pragma once
+
+#include "grader/judge/implicit_system.h"
+#include "grader/judge/trial.h"
+
+namespace grader::h4 {
+
+// Counts of what the force was asked for.
+struct Asked {
+  int forces, dfdx, dfdv;
+};
+
+// implicit_matrix, its product with x, asked for twice. `junk` is what its output holds before.
+struct Product {
+  Eigen::VectorXd product, again, x;
+  Asked asked;
+};
+Product multiply(Trial& trial, const Cloud& cloud, double a, double b, const Eigen::VectorXd& x,
+                 double junk = 0);
+
+struct RightSide {
+  Eigen::VectorXd rhs;
+  Asked asked;
+};
+RightSide right_side(Trial& trial, const Cloud& cloud, double a, double b, double junk = 0);
+
+struct Step {
+  Eigen::VectorXd x, v;
+  particles::SolveReport report;
+  Asked asked;
+};
+Step step(Trial& trial, const Cloud& cloud, double h, double tolerance = particles::kSolveTolerance);
+
+// A system of ours for solve_plain.
+struct System {
+  std::string name;
+  Eigen::MatrixXd A;
+  Eigen::VectorXd rhs;
+
+  double residual(const Eigen::VectorXd& dv) const { return (rhs - A * dv).norm(); }
+  // The allowance for ConjGrad's residual (solver/linearSolver.h), as in implicit_system.h.
+  double rounding(const Eigen::VectorXd& dv) const;
+};
+
+struct Solution {
+  Eigen::VectorXd dv, rhs;  // rhs as it is afterwards
+  particles::SolveReport report;
+  int products;  // the suite's own count
+};
+Solution solve(Trial& trial, const System& system, double tolerance, int most_steps, double junk = 1e3);
+
+}  // namespace grader::h4

@@ -1,0 +1,18 @@
+// STAFF ONLY. Particles under forces whose parts can be left out one by one, and soft hair.
+#pragma once
+
+#include "grader/judge/implicit_system.h"
+
+namespace grader::h4 {
+
+// The derivatives that a force has; it is a force in all cases.
+enum class Parts { none, dfdx, dfdv, all };
+
+// n particles of 1 kg whose df/dx and df/dv depend on places and velocities.
+Cloud mixed_cloud(Random& random, int n, Parts parts);
+Cloud with(Cloud cloud, Parts parts);
+
+// n free particles of about 1 kg in a chain of springs with h^2 k/m = 0.1; `banded`: the force knows its band.
+Cloud soft_hair(Random& random, int n, double h, bool banded);
+
+}  // namespace grader::h4

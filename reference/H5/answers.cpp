@@ -1,0 +1,106 @@
+// STAFF ONLY. Asks for the calls of H5, and judges what comes back.
+#include "reference/H5/answers.h"
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "grader/judge/case_asker.h"
+#include "reference/H5/calls.h"
+#include "solver/symmetric_eigen.h"
+
+namespace grader::h5 {
+namespace {
+
+using Eigen::MatrixXd;
+
+constexpr double kFar = 5;  // see expect_near
+constexpr Filling kScratch{hair::kCorrectionScratch};
+
+// J W J^T, J = d(length)/dx with the root fixed.
+MatrixXd multiplier_matrix(const Strand& strand, const VectorXd& x) {
+  MatrixXd J = MatrixXd::Zero(strand.segments(), x.size());
+  for (int i = 0; i < strand.segments(); ++i) {
+    const Vector3d u = (x.segment<3>(3 * i + 3) - x.segment<3>(3 * i)).normalized();
+    if (i > 0) J.block<1, 3>(i, 3 * i) = -u.transpose();
+    J.block<1, 3>(i, 3 * i + 3) = u.transpose();
+  }
+  for (int i = 0; i < strand.count(); ++i) J.middleCols<3>(3 * i) /= std::sqrt(strand.mass[i]);
+  return J * J.transpose();
+}
+
+}  // namespace
+
+std::string name_of(int function) {
+  return function == kRelax ? "relax_lengths" : "correct_lengths";
+}
+
+Corrected correct(Trial& trial, int function, const Strand& strand, const VectorXd& x, double tolerance,
+                  int most) {
+  Corrected corrected{x, {}, x};
+  corrected.report = function == kRelax ? ask_student_for<Calls, hair::relax_lengths>(
+                                              trial, strand, tolerance, most, corrected.result)
+                                        : ask_student_for<Calls, hair::correct_lengths>(
+                                              trial, strand, tolerance, most, corrected.result, kScratch);
+  return corrected;
+}
+
+Corrected correct_velocities(Trial& trial, const Strand& strand, const VectorXd& x, const VectorXd& v,
+                             double tolerance, int most) {
+  Corrected corrected{v, {}, v};
+  CaseAsker asker(trial);
+  corrected.report =
+      ask<Calls, hair::correct_velocities>(asker, strand, x, tolerance, most, corrected.result, kScratch);
+  trial.expect(!asker.changed_input(), "correct_velocities changes x");
+  return corrected;
+}
+
+VectorXd reference_lengths(const Strand& strand, VectorXd x) {
+  MatrixXd scratch(x.size(), hair::kCorrectionScratch);
+  hair::correct_lengths(strand, 1e-13, 100, x, scratch);
+  return x;
+}
+
+Compared motions(const Corrected& corrected, const VectorXd& expected, double part) {
+  const VectorXd motion = expected - corrected.before;
+  return {corrected.result - corrected.before, motion, 3, {}, part * motion.lpNorm<Eigen::Infinity>()};
+}
+
+void expect_lengths(Trial& trial, int function, const Strand& strand, double tolerance,
+                    const Corrected& corrected, double slack) {
+  const VectorXd& x = corrected.result;
+  const double round = rounding(x, strand.segments() > 0 ? strand.rest_length.minCoeff() : 1);
+  // Each order of sweeps moves particles by the same, within 2 %.
+  trial.expect_at_most(largest_error(strand, x), {tolerance, (slack - 1) * tolerance + round},
+                       "the largest error of a length after " + name_of(function),
+                       motions(corrected, reference_lengths(strand, corrected.before), 0.02));
+  trial.expect(corrected.report.converged, name_of(function) + " reports that it has not converged");
+}
+
+void expect_near(Trial& trial, int function, const Strand& strand, const VectorXd& x, const VectorXd& after) {
+  const double necessary = moved(strand, x, reference_lengths(strand, x));
+  trial.expect_at_most(moved(strand, x, after), {necessary, (kFar - 1) * necessary},
+                       "how far " + name_of(function) + " moves particles, by their masses");
+}
+
+void expect_velocities(Trial& trial, const Strand& strand, const VectorXd& x, const VectorXd& v,
+                       double tolerance) {
+  const Corrected corrected = correct_velocities(trial, strand, x, v, tolerance);
+  const double speed = v.cwiseAbs().maxCoeff(), round = 32 * kUnit * strand.count() * speed;
+  VectorXd expected = v;
+  MatrixXd scratch(v.size(), hair::kCorrectionScratch);
+  hair::correct_velocities(strand, x, 1e-14 * speed, 10, expected, scratch);
+  const Compared numbers = motions(corrected, expected, 1e-2);
+  trial.expect_at_most(largest_rate(strand, x, corrected.result), {tolerance, round},
+                       "the velocity at which a segment is still stretched", numbers);
+  trial.expect(corrected.report.converged, "correct_velocities reports that it has not converged");
+  if (strand.segments() == 0) return;
+
+  const double smallest = solver::symmetric_eigenvalues(multiplier_matrix(strand, x)).minCoeff();
+  const double of_rates = std::sqrt(strand.segments() / smallest);
+  trial.expect_at_most(moved(strand, expected, corrected.result),
+                       {of_rates * tolerance, of_rates * (tolerance + 2 * round)},
+                       "how far velocities are from what impulses along the segments make of them", numbers);
+}
+
+}  // namespace grader::h5

@@ -1,0 +1,55 @@
+// STAFF ONLY. A student's corrections, requested through the pipe, and properties that all of them must have.
+// The order of sweeps is free and methods differ, so values are compared with the reference's only where all
+// methods must agree:
+//
+//   - small errors: a correction is W J^T lambda with J at some intermediate state. If errors are of size e,
+//     all these states differ by O(e), and so do corrections, relative to their size;
+//   - velocities: the correction W J^T lambda that makes J v = 0 is unique.
+#pragma once
+
+#include <string>
+
+#include "grader/judge/trial.h"
+#include "hair/length_correction.h"
+#include "reference/H5/strands.h"
+
+namespace grader::h5 {
+
+using hair::CorrectionReport;
+
+inline constexpr int kRelax = 0, kCorrect = 1;
+inline constexpr int kMostSweeps = 200000;  // more than any case here needs
+
+struct Corrected {
+  VectorXd result;  // x or v
+  CorrectionReport report;
+  VectorXd before;  // of both the same
+};
+
+// The name of the function of kRelax or kCorrect, for feedback.
+std::string name_of(int function);
+
+Corrected correct(Trial& trial, int function, const Strand& strand, const VectorXd& x, double tolerance,
+                  int most);
+Corrected correct_velocities(Trial& trial, const Strand& strand, const VectorXd& x, const VectorXd& v,
+                             double tolerance, int most = kMostSweeps);
+
+VectorXd reference_lengths(const Strand& strand, VectorXd x);
+
+// By how much all is moved, and by how much it should be. `part`: of the largest, within which two motions are the same.
+Compared motions(const Corrected& corrected, const VectorXd& expected, double part);
+
+// `slack`: times the tolerance.
+void expect_lengths(Trial& trial, int function, const Strand& strand, double tolerance,
+                    const Corrected& corrected, double slack = 1);
+
+// A coarse check: with any order of impulses along the segments, their sum is about the necessary motion, and
+// even code that ignores the masses moves only a few times as much. A wrong place is far beyond that.
+void expect_near(Trial& trial, int function, const Strand& strand, const VectorXd& x, const VectorXd& after);
+
+// Compares with the reference's: corrections differ by the effect of the tolerance. A remaining rate r of size tolerance in
+// each segment has the effect sqrt(r' (J W J')^-1 r) in the norm of `moved`.
+void expect_velocities(Trial& trial, const Strand& strand, const VectorXd& x, const VectorXd& v,
+                       double tolerance);
+
+}  // namespace grader::h5

@@ -1,0 +1,122 @@
+// STAFF ONLY. Energy and angular momentum that H6 loses, and the memory that its steps and those of H4 take. What
+// hair/predictor_corrector.h promises the public checks ask.
+
+#include "hair/predictor_corrector.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "particles/system.h"
+#include "reference/H6/stepping_for_tests.h"
+#include "solver/dense_solve.h"
+#include "solver/tests/allocations.h"
+
+namespace reference_tests {
+namespace {
+
+using hair::GeometricTerm;
+using hair::Strand;
+
+// A soft strand of 8 segments with masses that differ, h^2 k/m about 1 for h = 1/60, and its root in motion.
+Strand soft() {
+  Strand strand = hair::uniform_strand({}, 8, 0.3);
+  strand.mass = VectorXd::LinSpaced(9, 4e-7, 8e-7);
+  strand.stretch_rigidity = strand.rest_length[0] * 6e-7 * 3600;
+  return strand;
+}
+
+void set_in_motion(Hair& hair) {
+  hair.place(Vector3d(0.6, 0, 0.8));
+  hair.state.v = 0.3 * scattered_vector(hair.state.v.size(), 7);
+}
+
+// Where lengths are exact and no force acts, the constraints give the accelerations a_c that turn the velocities:
+// M a_c = J' lambda, J a_c = -dJ/dt v. They are as implicit as springs, which damps: of the energy a step loses h^2 times
+// this, a_c'M a_c / 2.
+double centripetal_energy(const Strand& strand, const particles::State& state) {
+  const int n = strand.segments();
+  Eigen::MatrixXd J = Eigen::MatrixXd::Zero(n, 3 * n);  // of the particles below the root
+  VectorXd turn(n), inverse_mass(3 * n);
+  for (int s = 0; s < n; ++s) {
+    const Vector3d w = state.v.segment<3>(3 * s + 3) - state.v.segment<3>(3 * s);
+    const Vector3d d = state.x.segment<3>(3 * s + 3) - state.x.segment<3>(3 * s), u = d.normalized();
+    J.block<1, 3>(s, 3 * s) = u.transpose();
+    if (s > 0) J.block<1, 3>(s, 3 * s - 3) = -u.transpose();
+    turn[s] = (w - u * u.dot(w)).squaredNorm() / d.norm();
+    inverse_mass.segment<3>(3 * s).setConstant(1 / strand.mass[s + 1]);
+  }
+  const Eigen::MatrixXd between = J * inverse_mass.asDiagonal() * J.transpose();
+  return 0.5 * turn.dot(solver::dense_solve(between, turn).col(0));
+}
+
+TEST(PredictorCorrector, LosesTheEnergyOfTheTurn) {
+  Strand strand = soft();
+  strand.stretch_rigidity *= 1e10;
+  // The share by which a step loses another energy. It is of second order.
+  const auto off = [&](double h) {
+    Hair hair(strand, GeometricTerm::dropped, 0);
+    set_in_motion(hair);
+    hair.state.v.head<3>().setZero();
+    hair.corrected_step(1e-9);  // makes the velocities keep the lengths
+    const double before = particles::kinetic_energy(hair.particles, hair.state.v);
+    const double expected = h * h * centripetal_energy(strand, hair.state);
+    hair.corrected_step(h);
+    return std::abs((before - particles::kinetic_energy(hair.particles, hair.state.v)) / expected - 1);
+  };
+  EXPECT_LT(off(1e-3), 0.02);
+  EXPECT_LT(off(2.5e-4), off(1e-3) / 12) << "a sixteenth";
+}
+
+// One revolution in 80 steps of a mass on a rigid rod, and what is left of its angular momentum. Of an infinitely hard
+// spring at its rest length a filter takes the velocity along it, which is all that it does. The correction moves the mass
+// along the new rod, as H5 does, or along the rod at x^n.
+double left_after_a_revolution(bool along_new, bool with_impulse) {
+  using Eigen::Vector2d;
+  constexpr int kSteps = 80;
+  const double h = 2 * std::numbers::pi / kSteps;
+  const auto filter = [](const Vector2d& u, const Vector2d& v) -> Vector2d { return v - u * u.dot(v); };
+  Vector2d x(1, 0), v(0, 1);
+  for (int step = 0; step < kSteps; ++step) {
+    const Vector2d half = filter(x, v), predicted = x + h * half;
+    if (along_new) {
+      x = predicted.normalized();
+    } else {  // |predicted - s x| = 1
+      const double b = predicted.dot(x);
+      x = predicted - (b - std::sqrt(b * b - predicted.squaredNorm() + 1)) * x;
+    }
+    const Vector2d impulse = with_impulse ? Vector2d((x - predicted) / h) : Vector2d::Zero();
+    v = filter(x, half + impulse);
+  }
+  return x.x() * v.y() - x.y() * v.x();
+}
+
+// The table in the assignment's text, "Why the impulse".
+TEST(PredictorCorrector, KeepsAngularMomentumIfItCorrectsAlongTheOldRod) {
+  EXPECT_NEAR(left_after_a_revolution(true, false), 0.8183, 5e-5);
+  EXPECT_NEAR(left_after_a_revolution(true, true), left_after_a_revolution(true, false), 80 * 8 * kUnit);
+  EXPECT_NEAR(left_after_a_revolution(false, false), 0.8176, 5e-5);
+  EXPECT_NEAR(left_after_a_revolution(false, true), 1, 80 * 8 * kUnit);
+}
+
+// The steps of H4 and H6.
+TEST(Steps, AllocateNothingBeyondConjGradAndTheMatrix) {
+  const Strand strand = soft();
+  Hair hair(strand, GeometricTerm::filtered);
+  set_in_motion(hair);
+  const auto taken = [](const auto& step) {
+    const long before = allocations();
+    step();
+    return allocations() - before;
+  };
+  const auto matrix = implicit_matrix(hair.force, hair.particles, hair.state, 0.01, 0.01);
+  VectorXd x = VectorXd::Ones(hair.state.x.size()), b = x;
+  ASSERT_GT(allocations(), 0) << "nothing is counted";
+  EXPECT_EQ(taken([&] { matrix->matVecMult(x.data(), b.data()); }), 0);
+  EXPECT_EQ(taken([&] { hair.implicit_step(0.01); }), 6)
+      << "ConjGrad's three vectors, the matrix and its memory, b v";
+  EXPECT_EQ(taken([&] { hair.corrected_step(0.01); }), 12) << "the same, twice";
+}
+
+}  // namespace
+}  // namespace reference_tests

@@ -1,0 +1,75 @@
+// STAFF ONLY. Inputs of H7's hidden cases: trees of links that move, and the sizes of what is calculated of them.
+#pragma once
+
+#include <vector>
+
+#include "grader/judge/random.h"
+#include "hair/rigid_links/tree_motion.h"
+
+namespace grader::h7 {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+using hair::JointType, hair::Link, hair::LinkPass;
+
+inline const std::vector<JointType> kRevolute = {JointType::revolute};
+inline const std::vector<JointType> kRequired = {JointType::revolute, JointType::prismatic};
+inline const std::vector<JointType> kSpherical = {JointType::spherical, JointType::revolute,
+                                                  JointType::prismatic};
+
+struct Tree {
+  std::vector<Link> links;
+  std::vector<LinkPass> passes;  // passes[0] has the base's v and a
+  VectorXd rates, Q;
+};
+
+// chain: each link hangs from the one before. branches: from any before, the last one not from the one before. strands: three chains
+// hang from link 1, and their links take turns. star: all hang from the base, their centres of mass at its own.
+enum class Form { chain, branches, strands, star };
+
+struct TreeKind {
+  int links;  // without the base
+  const std::vector<JointType>& types;
+  bool moves = true;  // joints and base; otherwise all is at rest
+  Form form = Form::chain;
+  bool stiffens = false;
+};
+
+// Links of about 1 kg, half a metre long, with moments of inertia of about 0.1 kg m^2 that differ; joints anywhere at
+// them, forces and torques on all, of about 10 N and N m. The first joints are of each type in turn.
+Tree random_tree(Random& random, const TreeKind& kind);
+
+// The first of `chosen` as the base, and the others as links; all of their parents are among them.
+Tree part_of(const Tree& tree, const std::vector<int>& chosen);
+std::vector<LinkPass> part_of(const std::vector<LinkPass>& passes, const std::vector<int>& chosen);
+// Of rates, Q or accelerations of the whole tree.
+VectorXd part_of(const Tree& tree, const VectorXd& numbers, const std::vector<int>& chosen);
+
+// The same tree in other units of mass, length and time, with its passes. Powers of 2 change no digit.
+struct Units {
+  double mass = 1, length = 1, time = 1;
+};
+Tree in_units(const Tree& tree, const Units& units);
+
+// Revolute and prismatic joints: the spatial joint axis s^.
+hair::SpatialMotion axis_of(const Link& link);
+
+// All passes as the reference makes them, up to pass 1, 2 or 3; the accelerations that it finds.
+VectorXd reference_passes(Tree& tree, int up_to);
+
+// 100 roundings a link.
+double roundings(const Tree& tree);
+
+// Sizes that no number of the tree exceeds by much, whatever point or order a right formula takes: the greatest distance
+// between links, the greatest angular and linear velocity, the mass of all.
+struct Sizes {
+  double length, turn, speed, mass;
+  double acceleration() const { return turn * (turn * length + speed); }
+};
+Sizes sizes_of(const Tree& tree);
+
+// The greatest force that passes through a joint: all that is on links, what their c^ needs, and Q over the arm that a joint
+// has at least. Of a tree after pass 1.
+double force_size(const Tree& tree);
+
+}  // namespace grader::h7

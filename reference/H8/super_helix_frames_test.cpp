@@ -1,0 +1,100 @@
+// STAFF ONLY. H8's functions, frames and Jacobians beyond its public checks: digits, jumps, and the helix that many elements make.
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "reference/H8/super_helices_for_tests.h"
+
+namespace reference_tests {
+namespace {
+
+using hair::HelixJacobian, hair::MaterialFrame;
+
+// ---- Stumpff's functions
+
+// c_k's series with 64 bits of mantissa and the terms in pairs; for large x from the closed form.
+long double exact_stumpff(int k, long double x) {
+  if (x > 100) {
+    long double value = k % 2 == 0 ? std::cos(std::sqrt(x)) : std::sin(std::sqrt(x)) / std::sqrt(x);
+    long double factorial = 1;
+    for (int m = k % 2; m < k; m += 2) {
+      value = (1 / factorial - value) / x;
+      factorial *= (m + 1) * (m + 2);
+    }
+    return value;
+  }
+  long double term = 1, sum = 0;
+  for (int m = 2; m <= k; ++m) term /= m;
+  for (int m = k; m < k + 120; m += 2) {
+    sum += term;
+    term *= -x / ((m + 1) * (m + 2));
+  }
+  return sum;
+}
+
+double bound_of_stumpff(int k, double x) {
+  const double bound = 1 / std::tgamma(k + 1);
+  return k < 2 || x == 0 ? bound : std::min(bound, 2 / (std::tgamma(k - 1) * x));
+}
+
+// Rounding: 1e-13 of the bound; a^2 = x is known to half a unit, so cos a to a / 2 units.
+TEST(Stumpff, HasItsDigitsForAllX) {
+  std::vector<double> all = {0, 1e-300, 15791.4, 1e6, 4, std::nextafter(4, 0), std::nextafter(4, 5)};
+  for (double x = 1e-12; x < 1e5; x *= 1.07) all.push_back(x);
+  for (const double x : all) {
+    const std::array<double, 8> c = hair::stumpff(x);
+    for (int k = 0; k < 8; ++k)
+      EXPECT_LE(std::abs(c[k] - exact_stumpff(k, x)), (2e-14 + 2e-16 * std::sqrt(x)) * bound_of_stumpff(k, x))
+          << "c_" << k << "(" << x << ") = " << c[k];
+  }
+}
+
+// ---- Centre line and frame
+
+// Pose and Jacobian across the switch at |p| = 2, and at 0: the change over a step of 1e-9 is the derivative's, to
+// rounding over 1e-9. A jump of 1e-12 would show.
+TEST(HelixFrames, HaveNoJump) {
+  const MaterialFrame start;
+  const Vector3d direction = Vector3d(1, 2, 3).normalized();
+  for (const double size : {0.0, 1e-8, 1e-4, 2.0}) {
+    const Vector3d before = (size - 1e-10) * direction, after = (size + 1e-10) * direction;
+    const MaterialFrame a = hair::frame_at(start, before, 1), b = hair::frame_at(start, after, 1);
+    const HelixJacobian J = hair::jacobian_at(start, size * direction, 1);
+    EXPECT_LE((b.position - a.position - J.moves * (after - before)).norm(), 3e-16) << size;
+    const HelixJacobian Ja = hair::jacobian_at(start, before, 1), Jb = hair::jacobian_at(start, after, 1);
+    EXPECT_LE((Jb.moves - Ja.moves).norm() + (Jb.turns - Ja.turns).norm(), 2e-10) << size;
+  }
+}
+
+// Radius kappa / (kappa^2 + tau^2), pitch 2 pi tau / (kappa^2 + tau^2) about the axis Omega, however many elements
+// make it.
+TEST(HelixFrames, MakeTheHelixThatItsRadiusAndPitchDescribe) {
+  for (const double turns : {0.001, 1.0, 8.0, 400.0})
+    for (const int elements : {1, 2, 7, 20, 40}) {
+      const double length = 0.1;
+      const Vector3d curvature = 2 * std::numbers::pi * turns / length * Vector3d(0.48, 0.64, 0.6);
+      HelixMotion motion(hair_strand(elements, length));
+      const MaterialFrame root = some_start();
+      motion.place(root, curvature.replicate(elements, 1));
+      const double square = curvature.squaredNorm(), kappa = curvature.head<2>().norm(), tau = curvature[2];
+      const double radius = kappa / square, pitch = 2 * std::numbers::pi * tau / square;
+      const Vector3d axis = (root.axes * curvature).normalized(), t = root.axes.col(2);
+      // The centre of curvature is at the radius along the normal Omega x t.
+      const Vector3d centre = root.position + radius * (root.axes * curvature).cross(t).normalized();
+      const double tolerance = 1e-15 * elements * (1 + turns);
+      for (const hair::HelixPoint& point : motion.points) {
+        const Vector3d from = point.position - centre;
+        EXPECT_NEAR((from - from.dot(axis) * axis).norm(), radius, tolerance * length + 1e-15 * radius)
+            << turns << " turns";
+        const double s = point.s + point.element * length / elements;
+        EXPECT_NEAR(from.dot(axis), pitch * s * curvature.norm() / (2 * std::numbers::pi),
+                    tolerance + 1e-15 * radius);
+      }
+      const Vector3d tip = hair::frame_at(root, curvature, length).position;
+      EXPECT_LE((motion.elements.back().end.position - tip).norm(), tolerance);
+    }
+}
+
+}  // namespace
+}  // namespace reference_tests

@@ -1,0 +1,224 @@
+// STAFF ONLY. H8 beyond its public checks: its sums over the points of given motions, hair at rest, and no allocations.
+
+#include "hair/super_helix.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "hair/super_helix/helix_momentum.h"
+#include "reference/H8/super_helices_for_tests.h"
+#include "solver/symmetric_eigen.h"
+#include "solver/tests/allocations.h"
+
+namespace reference_tests {
+namespace {
+
+using hair::MaterialFrame, hair::Matrix3d;
+
+// ---- Forces and masses
+
+// Straight hair can be twisted without moving anything: as many eigenvalues are 0 as there are torsions. Any curl
+// moves.
+TEST(HelixMass, IsSingularForStraightHairAlone) {
+  for (const int elements : {1, 5, 20}) {
+    HelixMotion motion(hair_strand(elements, 0.1));
+    MatrixXd M(3 * elements, 3 * elements);
+    motion.place({}, VectorXd::Zero(3 * elements));
+    hair::mass_matrix(motion.elements, motion.points, M);
+    for (int k = 2; k < 3 * elements; k += 3) EXPECT_EQ(M.col(k).norm(), 0) << "a torsion";
+    const VectorXd straight = solver::symmetric_eigenvalues(M);
+    EXPECT_GE(straight[0], -1e-15 * straight[3 * elements - 1]);
+    EXPECT_GT(straight[elements], 0);
+
+    VectorXd K(3 * elements);
+    hair::helix_stiffness(motion.strand(), K);
+    M.diagonal() += K / (30. * 30);
+    EXPECT_GT(solver::symmetric_eigenvalues(M)[0], 0) << "M + h^2 K";
+
+    const Vector3d curl(40, 30, 20);
+    motion.place({}, curl.replicate(elements, 1));
+    hair::mass_matrix(motion.elements, motion.points, M);
+    const VectorXd curled = solver::symmetric_eigenvalues(M);
+    EXPECT_GE(curled[0], -1e-15 * curled[3 * elements - 1]);
+    if (elements == 1) {
+      EXPECT_GT(curled[0], 1e-9 * curled[2]);
+    }
+  }
+}
+
+TEST(HelixForces, AreSlopesOfTheWeightsEnergy) {
+  for (const double angle : {0.0, 0.5, 5.0, 100.0}) {
+    RandomNumbers numbers(7);
+    HelixMotion motion(hair_strand(4, 0.1));
+    const MaterialFrame root = some_start();
+    const Vector3d gravity(1, -2, -9);
+    const VectorXd q = random_curl(motion.strand(), angle, numbers);
+    motion.place(root, q);
+    hair::add_weight(gravity, motion);
+    VectorXd Q(12);
+    hair::generalised_force(motion.elements, motion.points, Q);
+    const double d = 1e-4 / 0.025;  // 1e-4 of a radian
+    for (int k = 0; k < 12; ++k) {
+      VectorXd ahead = q, behind = q;
+      ahead[k] += d;
+      behind[k] -= d;
+      motion.place(root, ahead);
+      const double up = hair::weight_energy(gravity, motion);
+      motion.place(root, behind);
+      const double down = hair::weight_energy(gravity, motion);
+      // 1e-8 of third derivatives, and rounding of 1e-15 / 1e-4 of an energy of some 1e-5 J at 4 m from the root.
+      EXPECT_NEAR(Q[k], -(up - down) / (2 * d), 1e-7 * Q.norm()) << angle << ", coordinate " << k;
+    }
+  }
+}
+
+// Of a strand that is moved as a whole, in a wind: - drag * length * (velocity - wind), and what an implicit step
+// adds.
+TEST(HelixForces, DragIsTowardsTheWindsVelocity) {
+  HelixMotion motion(hair_strand(3, 0.1));
+  HelixRoot root;
+  root.velocity = Vector3d(1, 2, 3);
+  motion.place(root.frame, VectorXd::Constant(9, 30));
+  motion.move(root, VectorXd::Zero(9));
+  hair::add_drag(1e-4, Vector3d(0, 0, 5), 0.01, motion);
+  Vector3d force = Vector3d::Zero();
+  Matrix3d inertia = Matrix3d::Zero();
+  for (const hair::HelixPoint& point : motion.points) {
+    force += point.force;
+    inertia += point.inertia;
+  }
+  EXPECT_LE((force + 1e-5 * Vector3d(1, 2, -2)).norm(), 1e-19);
+  const double mass = 0.1 * motion.strand().line_density + 0.01 * 1e-5;
+  EXPECT_LE((inertia - mass * Matrix3d::Identity()).norm(), 1e-14 * mass);
+}
+
+// ---- Motion
+
+// The places of all points while the root moves with constant accelerations and q with constant rates.
+void place_later(const HelixRoot& root, const VectorXd& q, const VectorXd& rates, double t,
+                 HelixMotion& motion) {
+  MaterialFrame frame;
+  frame.position = root.frame.position + t * root.velocity + t * t / 2 * root.acceleration;
+  // To the second order: exp(t w + t^2/2 w').
+  const Vector3d turn = t * root.spin + t * t / 2 * root.spin_acceleration;
+  frame.axes = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix() * root.frame.axes;
+  motion.place(frame, q + t * rates);
+}
+
+TEST(HelixMotions, VelocitiesAndAccelerationsAreDerivativesByTime) {
+  for (const double angle : {0.0, 0.01, 1.5, 30.0}) {
+    RandomNumbers numbers(8);
+    HelixMotion motion(hair_strand(5, 0.1));
+    const HelixRoot root = random_root(numbers);
+    const VectorXd q = random_curl(motion.strand(), angle, numbers),
+                   rates = random_curl(motion.strand(), 20, numbers);
+    motion.place(root.frame, q);
+    motion.move(root, rates);
+    motion.accelerate(root, rates);
+    HelixMotion before(motion.strand()), after(motion.strand());
+    const double d = 1e-5;
+    place_later(root, q, rates, -d, before);
+    place_later(root, q, rates, d, after);
+    double scale = 0;
+    for (const Vector3d& a : motion.accelerations) scale = std::max(scale, a.norm());
+    for (std::size_t j = 0; j < motion.points.size(); ++j) {
+      ASSERT_EQ(before.points[j].s, motion.points[j].s);
+      const Vector3d &a = before.points[j].position, &b = motion.points[j].position,
+                     &c = after.points[j].position;
+      // Third and fourth derivatives: rates of 100 rad/s, 1e-5 s. Rounding: 1e-17 m / 1e-10 s^2.
+      EXPECT_LE(((c - a) / (2 * d) - motion.velocities[j]).norm(), 1e-4) << angle;
+      EXPECT_LE(((c - 2 * b + a) / (d * d) - motion.accelerations[j]).norm(), 1e-5 * scale) << angle;
+    }
+  }
+}
+
+TEST(HelixMotions, KineticEnergyIsThatOfM) {
+  for (const double angle : {0.0, 1.0, 10.0, 126.0}) {
+    RandomNumbers numbers(9);
+    HelixMotion motion(hair_strand(3, 0.1));
+    const VectorXd q = random_curl(motion.strand(), angle, numbers),
+                   rates = random_curl(motion.strand(), 5, numbers);
+    motion.place({}, q);
+    motion.move({}, rates);
+    MatrixXd M(9, 9);
+    hair::mass_matrix(motion.elements, motion.points, M);
+    const double energy = rates.dot(M * rates) / 2;
+    EXPECT_NEAR(hair::kinetic_energy(motion), energy, 1e-13 * energy);
+  }
+}
+
+TEST(HelixMotions, HavePointsAtPlaces) {
+  const HelixStrand strand = hair_strand(4, 0.1);
+  HelixMotion motion(strand, {0.1, 0.03, 0, 0.025, 0.026});
+  const Vector3d curvature(20, 10, 5);
+  motion.place({}, curvature.replicate(4, 1));
+  int k = 0;
+  for (const double s : {0.1, 0.03, 0.0, 0.025, 0.026}) {
+    const hair::HelixPoint& point = motion.points[motion.placed[k++]];
+    EXPECT_LE((point.position - hair::frame_at({}, curvature, s).position).norm(), 1e-16) << s;
+    EXPECT_EQ(point.inertia.norm(), 0);
+  }
+  for (std::size_t j = 1; j < motion.points.size(); ++j)
+    EXPECT_GE(motion.points[j].element, motion.points[j - 1].element);
+}
+
+// The quadrature: the same M, and the same weight, with every element cut in two.
+TEST(HelixMotions, IntegralsAreExactHoweverMuchAnElementWinds) {
+  for (const double angle : {0.0, 0.5, 1.99, 2.01, 5.0, 60.0, 126.0}) {
+    const Vector3d curvature = angle / 0.1 * Vector3d(0.48, 0.64, 0.6);
+    HelixMotion whole(hair_strand(1, 0.1)), parts(hair_strand(64, 0.1));
+    whole.place({}, curvature);
+    parts.place({}, curvature.replicate(64, 1));
+    MatrixXd M(3, 3), fine(192, 192), sum = MatrixXd::Zero(3, 3);
+    hair::mass_matrix(whole.elements, whole.points, M);
+    hair::mass_matrix(parts.elements, parts.points, fine);
+    for (int i = 0; i < 64; ++i)
+      for (int k = 0; k < 64; ++k) sum += fine.block<3, 3>(3 * i, 3 * k);
+    EXPECT_LE((M - sum).norm(), 1e-12 * sum.norm()) << angle;
+  }
+}
+
+// ---- The step
+
+TEST(HelixSteps, LeaveAHelixAtRest) {
+  for (const double turns : {0.0, 0.1, 1.0, 20.0}) {
+    const Vector3d natural = 2 * std::numbers::pi * turns / 0.01 * Vector3d(0.48, 0.64, 0.6);
+    HelixMotion motion(hair_strand(10, 0.1, natural));
+    const VectorXd q = motion.strand().natural, rates = VectorXd::Zero(30);
+    motion.place(some_start(), q);
+    motion.accelerate({}, rates);
+    hair::add_motion(motion);
+    VectorXd force(30);
+    hair::elastic_force(motion.strand(), q, force);
+    EXPECT_EQ(force.norm(), 0);
+    EXPECT_EQ(helix_step(motion, q, rates, 1.0 / 30).norm(), 0);
+  }
+}
+
+TEST(HelixSteps, AllocateNothing) {
+  HelixMotion motion(hair_strand(20, 0.1, Vector3d(100, 0, 30)));
+  VectorXd q = motion.strand().natural, rates = VectorXd::Ones(60), change(60);
+  MatrixXd scratch(60, 70);
+  const HelixRoot root;
+  hair::HelixMomentum momentum;
+  long before = 0;
+  for (int k = 0; k < 5; ++k) {
+    motion.place(root.frame, q);
+    motion.move(root, rates);
+    motion.accelerate(root, rates);
+    hair::add_motion(motion);
+    momentum.add_to(motion, 1e-3);
+    hair::add_weight(Vector3d(0, 0, -9.81), motion);
+    hair::add_drag(1e-5, Vector3d::Zero(), 1e-3, motion);
+    hair::helix_step(motion.strand(), motion.elements, motion.points, q, rates, 1e-3, scratch, change);
+    rates += change;
+    momentum.keep(motion, root, rates);
+    q += 1e-3 * rates;
+    if (k == 0) before = allocations();  // keep() has taken its memory
+  }
+  EXPECT_EQ(allocations(), before);
+}
+
+}  // namespace
+}  // namespace reference_tests

@@ -1,0 +1,155 @@
+// STAFF ONLY. Hidden cases of H9's links. Bounds: the contract's, 1e-12 of the sum of what results are made of: a hundred links, a dozen
+// roundings each, are 1e-13.
+#include <algorithm>
+#include <cmath>
+
+#include "grader/judge/random_vector.h"
+#include "reference/H9/answers.h"
+#include "reference/H9/cases.h"
+
+namespace grader::h9 {
+namespace {
+
+constexpr double kPart = 1e-12;
+
+void expect_stretches(Trial& trial, const LinkedHairs& hairs) {
+  VectorXd expected = hairs.largest;
+  hair::remember_stretches(hairs.links, hairs.frames, hairs.x, expected);
+  const VectorXd answered = ask_stretches(trial, hairs);
+  double size = 1;  // lengths are at least 1.5 mm, so that a stretch rounds by more than its own size does
+  for (const StaticLink& link : hairs.links)
+    size = std::max(size, (2 * hairs.x.cwiseAbs().maxCoeff() + link.offset.norm()) / link.length);
+  trial.expect_near({answered, expected, 1, hairs.largest}, kPart * size, "the error of a largest stretch");
+}
+
+void expect_link_energy(Trial& trial, const LinkedHairs& hairs) {
+  const double expected = hair::link_energy(hairs.links, hairs.frames, hairs.largest, hairs.x);
+  const double size = hairs.size() * 3 * hairs.x.cwiseAbs().maxCoeff();
+  trial.expect_near(compared(ask_link_energy(trial, hairs), expected), kPart * size,
+                    "the error of an energy");
+}
+
+VectorXd none(const LinkedHairs& hairs) {
+  return VectorXd::Zero(hairs.x.size());
+}
+
+void expect_link_force(Trial& trial, const LinkedHairs& hairs) {
+  VectorXd expected = none(hairs);
+  hair::add_link_force(hairs.links, hairs.frames, hairs.largest, hairs.x, expected);
+  trial.expect_near({ask_link_force(trial, hairs, none(hairs)), expected}, kPart * hairs.size(),
+                    "the error of a force");
+}
+
+VectorXd some_motion(Random& random, const LinkedHairs& hairs) {
+  return random_vector(random, hairs.x.size(), hairs.x.cwiseAbs().maxCoeff() / 3);
+}
+
+void expect_link_product(Trial& trial, const LinkedHairs& hairs) {
+  const VectorXd dx = some_motion(trial.random, hairs);
+  VectorXd expected = none(hairs);
+  hair::add_link_product(hairs.links, hairs.largest, dx, expected);
+  trial.expect_near({ask_link_product(trial, hairs, dx, none(hairs)), expected, 3, dx},
+                    kPart * 10 * hairs.size(), "the error of a product");
+}
+
+// Two answers about the same links, seen differently. An answer of 0 says nothing.
+void expect_same(Trial& trial, const LinkedHairs& one, const LinkedHairs& other, const std::string& what) {
+  const double energy = ask_link_energy(trial, one), size = one.size();
+  trial.expect(energy > 0, "the energy of links" + what + " is 0");
+  trial.expect_at_most(std::abs(energy - ask_link_energy(trial, other)),
+                       kPart * size * 3 * one.x.cwiseAbs().maxCoeff(), "the energy of links" + what);
+  const VectorXd force = ask_link_force(trial, one, none(one));
+  trial.expect(force.norm() > 0, "the force of links" + what + " is 0");
+  trial.expect_near({force, ask_link_force(trial, other, none(one))}, kPart * size,
+                    "a force of links" + what);
+}
+
+}  // namespace
+
+void strengths(Trial& trial) {
+  Random& random = trial.random;
+  for (int repeat = 0; repeat < 8; ++repeat) {
+    StaticLink link;
+    link.length = link.stiffness = 1;
+    link.yields = repeat == 0 ? 0 : random.uniform(0.1, 1);
+    link.breaks = repeat < 3 ? link.yields : link.yields + random.uniform(0.1, 2);
+    const double width = link.breaks - link.yields;
+    for (const double largest : {0.0, link.yields * random.uniform(), link.yields, link.breaks,
+                                 link.breaks + 0.01, link.breaks * random.uniform(1.1, 30) + 1})
+      trial.expect_at_most(std::abs(ask_strength(trial, link, largest) - hair::link_strength(link, largest)),
+                           0, "the error of a strength of 0 or 1");
+    if (width == 0) continue;
+    for (const double part : {0.01, random.uniform(), 0.99}) {
+      const double largest = link.yields + part * width;
+      trial.expect_at_most(std::abs(ask_strength(trial, link, largest) - hair::link_strength(link, largest)),
+                           kPart, "the error of a strength between 0 and 1");
+    }
+  }
+}
+
+// Links are pulled, let go, and pulled again.
+void histories(Trial& trial) {
+  Random& random = trial.random;
+  LinkedHairs hairs = some_linked_hairs(random, 6, Frames::straight, Wear::none, Pull::any);
+  hairs.largest.setZero();
+  for (const double scale : {0.2, 1.0, 0.1, 0.5, 2.0, 1.0, 0.01, 3.0}) {
+    hairs.x = random_vector(random, hairs.x.size(), 0.05 * scale);
+    expect_stretches(trial, hairs);
+    hair::remember_stretches(hairs.links, hairs.frames, hairs.x, hairs.largest);
+  }
+}
+
+void link_energies(Trial& trial) {
+  for (const int links : {1, 2, 7, 40})
+    expect_link_energy(trial,
+                       some_linked_hairs(trial.random, links, Frames::straight, Wear::none, Pull::little));
+}
+
+void link_forces(Trial& trial) {
+  for (const int links : {1, 2, 7, 40})
+    expect_link_force(trial,
+                      some_linked_hairs(trial.random, links, Frames::straight, Wear::none, Pull::little));
+}
+
+// Beside links whose offsets are turned, in frames that are not.
+void turned_frames(Trial& trial) {
+  for (const int links : {1, 2, 7, 40}) {
+    LinkedHairs turned = some_linked_hairs(trial.random, links, Frames::turned, Wear::none, Pull::little);
+    LinkedHairs straight = turned;
+    for (StaticLink& link : straight.links) link.offset = turned.frames[link.a] * link.offset;
+    for (Matrix3d& frame : straight.frames) frame.setIdentity();
+    expect_same(trial, turned, straight, " in frames that turn");
+    turned.largest.setZero();
+    straight.largest.setZero();
+    double size = 1;
+    for (const StaticLink& link : turned.links)
+      size = std::max(size, (2 * turned.x.cwiseAbs().maxCoeff() + link.offset.norm()) / link.length);
+    const VectorXd stretches = ask_stretches(trial, turned);
+    trial.expect_near({stretches, ask_stretches(trial, straight), 1}, kPart * size,
+                      "the stretch of a link in frames that turn");
+  }
+}
+
+// Beside new links, with the stiffness that the student's own strength leaves. Whatever the stretch is now, it wears no link.
+void worn_links(Trial& trial) {
+  for (const int links : {3, 7, 40}) {
+    const LinkedHairs worn = some_linked_hairs(trial.random, links, Frames::straight, Wear::some, Pull::any);
+    LinkedHairs fresh = worn;
+    fresh.largest.setZero();
+    for (int l = 0; l < links; ++l)
+      fresh.links[l].stiffness *= ask_strength(trial, worn.links[l], worn.largest[l]);
+    expect_same(trial, worn, fresh, " that are worn or broken");
+    const VectorXd dx = some_motion(trial.random, worn);
+    trial.expect_near(
+        {ask_link_product(trial, worn, dx, none(worn)), ask_link_product(trial, fresh, dx, none(worn))},
+        kPart * 10 * worn.size(), "a product of links that are worn or broken");
+  }
+}
+
+void link_products(Trial& trial) {
+  for (const int links : {1, 2, 7, 40})
+    expect_link_product(trial,
+                        some_linked_hairs(trial.random, links, Frames::turned, Wear::none, Pull::little));
+}
+
+}  // namespace grader::h9

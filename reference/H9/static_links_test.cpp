@@ -1,0 +1,118 @@
+// STAFF ONLY. H9 beyond its public checks: links turn with the hair, they limit explicit steps alone, and nothing allocates. Sizes are 1:
+// bounds of 1e-12 are thousands of roundings.
+
+#include "hair/static_links.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "handout/check/derivative.h"
+#include "solver/tests/allocations.h"
+
+namespace reference_tests {
+namespace {
+
+using checks::scattered_vector;
+using Eigen::VectorXd;
+using hair::Matrix3d, hair::StaticLink, hair::StripContact, hair::StripLaw, hair::Vector3d;
+
+constexpr double kRounding = 1e-12;
+
+Matrix3d turn(double angle, int which) {
+  return Eigen::AngleAxisd(angle, Vector3d(scattered_vector(3, which)).normalized()).toRotationMatrix();
+}
+
+// Seven particles, five links between them: new, worn, broken; some share particles.
+struct Linked {
+  Linked() {
+    for (int i = 0; i < 7; ++i) frames.push_back(turn(0.5 * i, i));
+    const std::array<std::array<int, 2>, 5> ends = {{{0, 1}, {1, 2}, {6, 0}, {3, 5}, {5, 4}}};
+    for (int l = 0; l < 5; ++l)
+      links.push_back(
+          {ends[l][0], ends[l][1], scattered_vector(3, 10 + l), 0.5 + 0.1 * l, 2.0 + l, 1, 2.0 + 0.5 * l});
+    largest << 0.5, 1, 1.5, 3, 9;
+  }
+  double energy() const { return link_energy(links, frames, largest, x); }
+  VectorXd force() const {
+    VectorXd f = VectorXd::Zero(21);
+    add_link_force(links, frames, largest, x, f);
+    return f;
+  }
+
+  std::vector<StaticLink> links;
+  std::vector<Matrix3d> frames;
+  VectorXd x = scattered_vector(21, 1), largest = VectorXd(5);
+};
+
+// Hair that turns and moves as a whole, frames too, has forces that turn with it.
+TEST(StaticLinks, TurnWithTheHair) {
+  Linked s;
+  const Matrix3d R = turn(1.2, 77);
+  VectorXd expected = s.force();
+  const double energy = s.energy();
+  for (int i = 0; i < 7; ++i) {
+    s.x.segment<3>(3 * i) = (R * s.x.segment<3>(3 * i)).eval() + Vector3d(1, -2, 0.5);
+    expected.segment<3>(3 * i) = (R * expected.segment<3>(3 * i)).eval();
+    s.frames[i] = R * s.frames[i];
+  }
+  EXPECT_LE((s.force() - expected).norm(), 100 * kRounding);
+  EXPECT_NEAR(s.energy(), energy, 100 * kRounding);
+}
+
+// One particle, linked to one that is held. Symplectic Euler keeps it if h^2 k / m < 4 and no longer;
+// implicit Euler, (m + h^2 k) v' = m v + h f, at any stiffness.
+TEST(StaticLinks, LimitExplicitStepsButNotImplicitOnes) {
+  const std::vector<Matrix3d> frames(2, turn(1, 3));
+  const Eigen::Matrix<double, 1, 1> unworn(0.0);
+  const auto largest_distance = [&](double h2k_per_m, bool implicit) {
+    const std::vector<StaticLink> links = {{0, 1, Vector3d(0, 1, 0), 1, h2k_per_m, 1e300, 1e300}};
+    VectorXd x(6), v = VectorXd::Zero(6), f(6);
+    x << Vector3d::Zero(), frames[0] * links[0].offset + Vector3d(0.1, 0, 0);
+    double most = 0;
+    for (int step = 0; step < 1000; ++step) {  // h = m = 1
+      f.setZero();
+      add_link_force(links, frames, unworn, x, f);
+      v.tail<3>() += f.tail<3>();
+      if (implicit) {
+        f.setZero();
+        add_link_product(links, unworn, VectorXd::Unit(6, 3), f);
+        v.tail<3>() = (v.tail<3>() / (1 - f[3])).eval();
+      }
+      x.tail<3>() += v.tail<3>();
+      most = std::max(most, (x.tail<3>() - frames[0] * links[0].offset).norm());
+    }
+    return most;
+  };
+  EXPECT_LE(largest_distance(3.9, false), 1);    // 0.1 / sqrt(1 - 3.9 / 4) = 0.63
+  EXPECT_GE(largest_distance(4.1, false), 1e6);  // it grows by 1.37 each step
+  EXPECT_LE(largest_distance(4.1, true), 0.1);
+  EXPECT_LE(largest_distance(4e6, true), 0.1);
+}
+
+TEST(StaticLinks, AllocateNothing) {
+  const Linked linked;
+  const StripLaw law{10, 5, 0.3};
+  StripContact contact;
+  VectorXd f = VectorXd::Zero(21), largest = linked.largest;
+  const VectorXd inverse_mass = VectorXd::Ones(7), tangents = VectorXd::Zero(21);
+  VectorXd x = linked.x;
+  x.segment<3>(9) = (x.segment<3>(0) + x.segment<3>(3) + x.segment<3>(6)) / 3;
+  const long before = allocations();
+  ASSERT_GT(before, 0) << "nothing is counted";
+  remember_stretches(linked.links, linked.frames, linked.x, largest);
+  double energy = link_energy(linked.links, linked.frames, linked.largest, linked.x);
+  add_link_force(linked.links, linked.frames, linked.largest, linked.x, f);
+  add_link_product(linked.links, linked.largest, linked.x, f);
+  EXPECT_TRUE(touch_strip(3, {0, 1, 2}, 1, law.thickness, x, tangents, contact));
+  const std::span<const StripContact> contacts(&contact, 1);
+  energy += strip_energy(contacts, law, x);
+  add_strip_force(contacts, law, x, f);
+  add_strip_product(contacts, law, x, linked.x, f);
+  apply_strip_friction(contacts, law, inverse_mass, 0.1, x, f);
+  EXPECT_EQ(allocations(), before) << energy;
+}
+
+}  // namespace
+}  // namespace reference_tests

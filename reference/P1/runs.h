@@ -1,0 +1,51 @@
+// STAFF ONLY. The student's integrators, run through the pipe with accelerations that the suite serves.
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <vector>
+
+#include "grader/calls/dynamics_server.h"
+#include "grader/judge/case_asker.h"
+#include "particles/explicit_integrators.h"
+
+namespace grader::p1 {
+
+inline constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+struct Method {
+  const char* name;
+  int evaluations, order;
+  void (*reference)(particles::Dynamics&, double, particles::Output, particles::Output, particles::Scratch);
+  // One step of the student's.
+  void (*ask)(CaseAsker&, DynamicsServer&, double h, Eigen::VectorXd& x, Eigen::VectorXd& v,
+              const Filling& scratch);
+};
+
+extern const Method kMethods[4];
+
+struct State {
+  Eigen::VectorXd x, v;
+};
+
+State random_state(Random& random, int n);
+
+struct Run {
+  std::vector<State> states;  // after each step
+  int evaluations = 0;
+
+  const State& end() const { return states.back(); }
+};
+
+struct Setting {
+  double h;
+  int steps = 1;
+  int columns = particles::kIntegratorScratch;
+  double junk = 0;  // the contents of scratch on entry
+};
+
+// Runs the student's steps.
+Run run(Trial& trial, const Method& method, particles::Dynamics& dynamics, const State& start,
+        const Setting& setting);
+
+}  // namespace grader::p1

@@ -1,0 +1,168 @@
+// STAFF ONLY. Rods and wires in motion, integrated by RK4, against closed forms of mechanics.
+#include "reference/P2/constrained_motion_for_tests.h"
+#include "solver/tests/numbers.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "particles/explicit_integrators.h"
+#include "particles/system.h"
+
+namespace reference_tests {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+void weigh(ConstrainedMotion& motion) {
+  motion.f = VectorXd::Zero(motion.state.x.size());
+  for (int i = 0; i < motion.particles.count(); ++i)
+    motion.f[3 * i + 2] = -kGravity * motion.particles.mass[i];
+}
+
+// Particle 1 on a rod from particle 0, `angle` from straight down, at rest.
+ConstrainedMotion pendulum(double length, double mass, double angle) {
+  ConstrainedMotion motion;
+  motion.constraints.rods = {{1, 0, length}};
+  motion.particles = {Vector2d(1, mass), {1, 0}};
+  motion.state = {VectorXd::Zero(6), VectorXd::Zero(6)};
+  motion.state.x.tail<3>() = length * Vector3d(std::sin(angle), 0, -std::cos(angle));
+  weigh(motion);
+  return motion;
+}
+
+// A bead on an upright wire around the origin, `angle` from its lowest point.
+ConstrainedMotion bead(double radius, double mass, double angle) {
+  ConstrainedMotion motion;
+  motion.constraints.wires = {{0, Vector3d::Zero(), Vector3d(0, 1, 0), radius}};
+  motion.particles = {VectorXd::Constant(1, mass), {0}};
+  motion.state = {radius * Vector3d(std::sin(angle), 0, -std::cos(angle)), VectorXd::Zero(3)};
+  weigh(motion);
+  return motion;
+}
+
+ConstrainedMotion double_pendulum() {
+  ConstrainedMotion motion = straight_chain(3, 0.5);
+  weigh(motion);
+  return motion;
+}
+
+double energy(const ConstrainedMotion& motion) {
+  return particles::kinetic_energy(motion.particles, motion.state.v) - motion.f.dot(motion.state.x);
+}
+
+void step(ConstrainedMotion& motion, double h) {
+  MatrixXd scratch(motion.state.x.size(), particles::kIntegratorScratch);
+  particles::State state = motion.state;
+  particles::runge_kutta_4(motion, h, state.x, state.v, scratch);
+  motion.state = state;
+}
+
+// T = 2 pi sqrt(L / g) / agm(1, cos(angle / 2)): Gauss.
+double period(double length, double angle) {
+  double a = 1, b = std::cos(angle / 2);
+  for (int i = 0; i < 10; ++i) {
+    const double mean = (a + b) / 2;
+    b = std::sqrt(a * b);
+    a = mean;
+  }
+  return 2 * std::numbers::pi * std::sqrt(length / kGravity) / a;
+}
+
+TEST(PendulumAndBead, ComeBackAfterTheirPeriod) {
+  for (double angle : {0.1, 1.5, 3.0}) {
+    const double T = period(0.8, angle);
+    for (const ConstrainedMotion& start : {pendulum(0.8, 2.5, angle), bead(0.8, 0.3, angle)}) {
+      const auto error = [&](int steps) {
+        ConstrainedMotion motion = start;
+        for (int i = 0; i < steps; ++i) step(motion, T / steps);
+        return (motion.state.x - start.state.x).norm();
+      };
+      const double coarse = error(1000), fine = error(2000);
+      std::printf("%s, angle %.1f, period %.6f s: off by %.1e m after 2000 steps\n",
+                  start.particles.count() == 2 ? "pendulum" : "bead", angle, T, fine);
+      // RK4's order, down to what 2000 steps round by. An error made near the top, at 3.0, grows while it falls.
+      EXPECT_LE(fine, std::max(coarse / 14, 2000 * 0x1p-53)) << angle;
+      EXPECT_LE(fine, 1e-6) << angle;
+    }
+  }
+}
+
+TEST(Bead, KeepsItsSpeedWithoutForces) {
+  ConstrainedMotion motion = bead(2, 0.25, 1);
+  motion.f.setZero();
+  motion.state.v = 3 * Vector3d(std::cos(1), 0, std::sin(1));
+  for (int i = 0; i < 1000; ++i) step(motion, 2 * std::numbers::pi * 2 / 3 / 1000);  // one turn
+  EXPECT_NEAR(motion.state.v.norm(), 3, 1e-9);
+  EXPECT_LE((motion.state.x - 2 * Vector3d(std::sin(1), 0, -std::cos(1))).norm(), 1e-9);
+}
+
+TEST(Energy, IsKeptToTheIntegratorsOrder) {
+  const auto worst = [](ConstrainedMotion motion, double h, double* off) {
+    const double before = energy(motion);
+    double change = 0;
+    for (int i = 0; i < static_cast<int>(std::lround(10 / h)); ++i) {
+      step(motion, h);
+      change = std::max(change, std::abs(energy(motion) - before));
+      *off = std::max(*off, motion.values().norm());
+    }
+    return change;
+  };
+  for (const auto& [name, motion] : {std::pair{"pendulum", pendulum(0.5, 2, 2)},
+                                     {"bead", bead(0.5, 2, 2)},
+                                     {"double pendulum", double_pendulum()}}) {
+    double off_coarse = 0, off_fine = 0;
+    const double coarse = worst(motion, 1.0 / 250, &off_coarse), fine = worst(motion, 1.0 / 500, &off_fine);
+    std::printf("%s, 10 s: energy off by %.2e and %.2e J, C by %.1e and %.1e m^2 at h = 1/250 and 1/500\n",
+                name, coarse, fine, off_coarse, off_fine);
+    // Of m g L summed up, 10 to 20 J. Halving h divides what RK4 gets wrong by 16.
+    EXPECT_LE(fine, 2e-4) << name;
+    EXPECT_LE(fine, coarse / 14) << name;
+    EXPECT_LE(off_fine, 1e-4) << name;
+  }
+}
+
+TEST(Feedback, TakesErrorsAwayAsADampedOscillatorDoes) {
+  // C'' = -stiffness C - damping C', whatever else goes on: here a swing with a rod that is 5 % too long.
+  const double rate = 8, h = 1e-3;
+  for (const auto& [stiffness, damping] :
+       {std::pair{rate * rate, 2 * rate}, {rate * rate, 0.0}, {0.0, rate}}) {
+    ConstrainedMotion motion = double_pendulum();
+    motion.constraints.stiffness = stiffness;
+    motion.constraints.damping = damping;
+    motion.constraints.rods[0].length *= 1 / 1.05;
+    motion.state.v.segment<3>(3) = Vector3d(0.3, 0.2, 0);
+    const double C = motion.values()[0], Ct = motion.rates()[0];
+    for (int i = 1; i <= 1000; ++i) {
+      step(motion, h);
+      const double t = i * h, e = std::exp(-rate * t);
+      const double expected = damping == 0     ? C * std::cos(rate * t) + Ct / rate * std::sin(rate * t)
+                              : stiffness == 0 ? C + Ct / rate * (1 - e)
+                                               : (C + (Ct + rate * C) * t) * e;
+      ASSERT_NEAR(motion.values()[0], expected, 1e-9) << "t = " << t << ", " << stiffness << ", " << damping;
+    }
+  }
+}
+
+TEST(Feedback, KeepsALongRunOnItsConstraints) {
+  for (double rate : {0.0, 20.0}) {
+    ConstrainedMotion motion = double_pendulum();
+    motion.constraints.stiffness = rate * rate;
+    motion.constraints.damping = 2 * rate;
+    double off = 0;
+    for (int i = 0; i < 30000; ++i) {
+      step(motion, 1e-3);
+      off = std::max(off, motion.values().norm());
+    }
+    std::printf("double pendulum, 30 s at h = 1e-3, feedback %.0f/s: C off by %.2e m^2 at most\n", rate, off);
+    EXPECT_LE(off, rate == 0 ? 1e-4 : 1e-7);
+  }
+}
+
+}  // namespace
+}  // namespace reference_tests

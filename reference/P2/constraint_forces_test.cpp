@@ -1,0 +1,158 @@
+// STAFF ONLY. Constraints that rigid motion carries along, that say the same or contradict each other, and how their solves end. What
+// particles/constraint_forces.h promises the public checks ask.
+
+#include "particles/constraint_forces.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "reference/P2/constrained_motion_for_tests.h"
+#include "solver/tests/numbers.h"
+
+namespace reference_tests {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+// Five particles, about 1 apart, in a chain with a cross rod and two wires; nothing holds. Number 4 is
+// pinned.
+ConstrainedMotion tangle() {
+  ConstrainedMotion motion;
+  motion.constraints.rods = {{0, 1, 0.7}, {2, 1, 1.1}, {3, 2, 0.9}, {1, 4, 0.4}};
+  motion.constraints.wires = {{3, Vector3d(0.2, -1, 0.5), Vector3d(0.6, 0, -0.8), 0.8},
+                              {0, Vector3d(-1, 0.3, 0.1), Vector3d(0, 1, 0), 1.5}};
+  motion.particles = {(VectorXd(5) << 0.3, 2, 0.7, 5, 1.1).finished(), {0, 0, 0, 0, 1}};
+  motion.state.x.resize(15);
+  motion.state.x << 0.1, 0, 0.2, 1, 0.3, -0.1, 1.4, 1.2, 0, 0.8, 1.6, 0.9, 0.7, -0.5, -0.6;
+  motion.state.v.resize(15);
+  motion.state.v << 1, -0.4, 0.3, 0.2, 0.9, -1.1, 0, 0.4, 0.7, -0.6, 0.2, 0.1, 0.5, -0.2, 0.3;
+  motion.f.resize(15);
+  motion.f << 3, -1, 2, 0, -5, 1, 4, 2, -2, 1, 1, -3, 6, 0, 2;
+  return motion;
+}
+
+TEST(SolveConstraints, DoesNotMindRigidMotion) {
+  ConstrainedMotion motion = tangle();
+  motion.particles.pinned.assign(5, 0);
+  motion.constraints.stiffness = 30;
+  motion.solve();
+  const VectorXd before = motion.lambda;
+  const Eigen::Matrix3d R = Eigen::AngleAxisd(0.7, Vector3d(2, -1, 2) / 3).toRotationMatrix();
+  const Vector3d shift(1, -2, 0.5);
+  for (int i = 0; i < 5; ++i) {
+    motion.state.x.segment<3>(3 * i) = R * motion.state.x.segment<3>(3 * i) + shift;
+    motion.state.v.segment<3>(3 * i) = R * motion.state.v.segment<3>(3 * i);
+    motion.f.segment<3>(3 * i) = R * motion.f.segment<3>(3 * i);
+  }
+  for (particles::Wire& wire : motion.constraints.wires) {
+    wire.centre = R * wire.centre + shift;
+    wire.normal = R * wire.normal;
+  }
+  motion.solve();
+  // Both are off by the tolerance over the smallest eigenvalue, which is about 0.1.
+  EXPECT_LE((motion.lambda - before).norm(), 1e-7 * before.norm());
+}
+
+TEST(SolveConstraints, HasNothingToDoWithoutConstraintsOrForces) {
+  ConstrainedMotion motion = tangle();
+  motion.constraints = {};
+  EXPECT_EQ(motion.solve().steps, 0);
+  motion = tangle();
+  motion.state.v.setZero();
+  motion.f.setZero();
+  EXPECT_EQ(motion.solve().residual, 0);
+  EXPECT_EQ(motion.lambda, VectorXd::Zero(8));
+}
+
+TEST(SolveConstraints, TakesAsManyStepsAsAChainHasRods) {
+  for (int n : {2, 10, 50, 200}) {
+    ConstrainedMotion chain = straight_chain(n, 0.1);
+    chain.f = VectorXd::LinSpaced(3 * n, -1, 1);
+    const particles::ConstraintReport report = chain.solve();
+    std::printf("chain of %d particles: %d steps\n", n, report.steps);
+    // In exact arithmetic no more than rows.
+    EXPECT_LE(report.steps, n + 2);
+    EXPECT_GT(report.steps, 0);
+  }
+}
+
+TEST(SolveConstraints, ReportsWhatMassRatiosLeave) {
+  // Condition about 1e6 and more: what rounding leaves of the residual is 2^-53 of ||A|| ||lambda||.
+  ConstrainedMotion chain = straight_chain(20, 0.1);
+  for (int i = 0; i < 20; i += 2) chain.particles.mass[i] = 1e-6;
+  chain.f = VectorXd::LinSpaced(60, -1, 1);
+  const particles::ConstraintReport report = chain.solve();
+  std::printf("mass ratio 1e6: %d steps, residual %.2e of %.2e\n", report.steps, report.residual,
+              chain.right_hand_side().norm());
+  EXPECT_LE(report.steps, 400);
+  EXPECT_TRUE(chain.lambda.allFinite());
+  EXPECT_NEAR(report.residual, (chain.right_hand_side() - chain.matrix() * chain.lambda).norm(),
+              1e-8 * chain.right_hand_side().norm());
+}
+
+TEST(Redundant, WireAndRodHoldABeadTogether) {
+  ConstrainedMotion bead;
+  bead.particles = {Vector2d(0.25, 1), {0, 1}};
+  bead.constraints.wires = {{0, Vector3d::Zero(), Vector3d::UnitZ(), 2}};
+  bead.constraints.rods = {{0, 1, 2}};
+  bead.state = {2 * VectorXd::Unit(6, 0), 3 * VectorXd::Unit(6, 1)};
+  bead.f = VectorXd::Zero(6);
+  EXPECT_LE(bead.solve().residual, 1e-10 * 9);
+  EXPECT_LE((bead.accelerations() - VectorXd(-4.5 * VectorXd::Unit(6, 0))).norm(), 1e-9)
+      << "v^2 / r, inwards";
+}
+
+TEST(Redundant, AllDistancesOfARigidBodyAgree) {
+  // Six particles, fifteen rods, twelve of which a rigid body needs. It spins, without any force.
+  ConstrainedMotion body;
+  body.particles = {(VectorXd(6) << 0.3, 2, 0.7, 5, 1.1, 0.5).finished(), std::vector<char>(6, 0)};
+  body.state = {VectorXd(18), VectorXd(18)};
+  body.state.x << 0, 0, 0, 1, 0, 0.2, 0, 1.1, 0, 0.3, 0.2, 1, 1.2, 0.9, 0.8, -0.7, 0.4, 0.5;
+  const Vector3d spin(0.5, -1, 2);
+  for (int i = 0; i < 6; ++i)
+    body.state.v.segment<3>(3 * i) = spin.cross(Vector3d(body.state.x.segment<3>(3 * i)));
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < i; ++j)
+      body.constraints.rods.push_back(
+          {i, j, (body.state.x.segment<3>(3 * i) - body.state.x.segment<3>(3 * j)).norm()});
+  body.f = VectorXd::Zero(18);
+  const particles::ConstraintReport report = body.solve();
+  EXPECT_LE(report.residual, 1e-10 * body.right_hand_side().norm());
+  const VectorXd a = body.accelerations();
+  EXPECT_LE((body.jacobian() * a + body.curvature()).norm(), 1e-9 * a.norm());
+}
+
+TEST(Redundant, RodsThatHoldNothingDoNothing) {
+  ConstrainedMotion with = tangle(), without = tangle();
+  with.state.x.segment<3>(6) = without.state.x.segment<3>(6) = with.state.x.segment<3>(9);
+  with.state.v.segment<3>(6) = without.state.v.segment<3>(6) = with.state.v.segment<3>(9);
+  with.constraints.rods[2].length = 0;  // 3 and 2 are in one place, and move together
+  without.constraints.rods.erase(without.constraints.rods.begin() + 2);
+  EXPECT_LE(with.solve().residual, 1e-10 * with.right_hand_side().norm());
+  without.solve();
+  EXPECT_LE((with.accelerations() - without.accelerations()).norm(), 1e-7 * with.accelerations().norm());
+}
+
+TEST(Redundant, ContradictionsEndAndSayHowFarTheyCame) {
+  ConstrainedMotion motion = tangle();
+  motion.constraints.stiffness = 100;
+  motion.constraints.rods.push_back({0, 1, 1.7});
+  const particles::ConstraintReport report = motion.solve();
+  const VectorXd rhs = motion.right_hand_side();
+  // No lambda can do better than half of what the two rows differ by.
+  EXPECT_GE(report.residual, 0.99 * std::abs(rhs[0] - rhs[4]) / std::sqrt(2.0));
+  EXPECT_TRUE(motion.lambda.allFinite());
+  EXPECT_LE(report.steps, 180);
+}
+
+TEST(SolveConstraints, EndsForNumbersThatAreNotFinite) {
+  ConstrainedMotion motion = tangle();
+  motion.f[4] = kNaN;
+  EXPECT_FALSE(motion.solve().residual <= 1e-5);
+}
+
+}  // namespace
+}  // namespace reference_tests

@@ -1,0 +1,156 @@
+// STAFF ONLY. P2: hidden cases of the solve.
+#include <Eigen/Geometry>
+#include <cmath>
+#include <utility>
+
+#include "reference/P2/answers.h"
+#include "reference/P2/cases.h"
+
+namespace grader::p2 {
+namespace {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+// All particles turn and fly as one body does: such velocities keep all lengths.
+void move_rigidly(Random& random, ConstrainedSystem& system) {
+  const VectorXd motion = random_vector(random, 6);
+  const Vector3d spin = motion.head<3>(), flight = motion.tail<3>();
+  for (int i = 0; i < system.n(); ++i)
+    system.state.v.segment<3>(3 * i) = flight + spin.cross(Vector3d(system.state.x.segment<3>(3 * i)));
+}
+
+}  // namespace
+
+// Without feedback: J W f and J' v.
+void constraint_forces(Trial& trial) {
+  Random& random = trial.random;
+  const auto solves = [&](const ConstrainedSystem& system) {
+    expect_solved(trial, system, solve(trial, system, 1e3).lambda);  // lambda is overwritten
+  };
+  for (const std::vector<ConstrainedSystem>& systems : {chains(random), beads(random)})
+    for (const ConstrainedSystem& system : systems) {
+      solves(at_rest(held(system)));
+      solves(held(system));
+    }
+  // At rest, where the rows' order is the student's own.
+  for (const ConstrainedSystem& system : hung_chains(random)) solves(at_rest(held(system)));
+
+  ConstrainedSystem top = rigid_body(random, 4);
+  top.f.setZero();
+  move_rigidly(random, top);
+  solves(top);
+
+  // Hair: masses of 1e-8 kg and segments of a centimetre.
+  ConstrainedSystem hair = at_rest(random_chain(random, 8));
+  hair.name = "hair";
+  hair.particles.mass *= 1e-8;
+  hair.f *= 1e-8;
+  hair.state.x *= 0.01;
+  solves(held(hair));
+
+  // Constraints that say the same more than once: rods twice and three times, either end first; six particles with all
+  // fifteen distances, three more than a rigid body needs; a wire, and a rod from its pinned centre.
+  ConstrainedSystem twice = at_rest(held(random_chain(random, 5)));
+  twice.name = "rods twice";
+  for (int k = 0; k < 4; ++k) {
+    const particles::Rod rod = twice.constraints.rods[k];
+    twice.constraints.rods.push_back({rod.j, rod.i, rod.length});
+  }
+  twice.constraints.rods.push_back(twice.constraints.rods[0]);
+  solves(twice);
+  solves(at_rest(rigid_body(random, 6)));
+  ConstrainedSystem both = random_chain(random, 2);
+  both.name = "wire and rod";
+  add_wire(random, both, 0);
+  both.particles.pinned[1] = 1;
+  both.state.x.tail<3>() = both.constraints.wires[0].centre;
+  both.state.v.tail<3>().setZero();
+  both.f.tail<3>().setZero();
+  solves(at_rest(held(both)));
+}
+
+// Feedback adds -stiffness C - damping J v to the right-hand side, and so what solves that to lambda: the
+// difference of two solves.
+void feedback(Trial& trial) {
+  Random& random = trial.random;
+  const ConstrainedSystem plain = separate_rods(random, 4);
+  for (const auto& terms :
+       {std::pair{random.uniform(10, 1000), 0.0}, {0.0, random.uniform(1, 50)}, {100.0, 20.0}}) {
+    const double stiffness = terms.first, damping = terms.second;
+    ConstrainedSystem with = plain;
+    with.constraints.stiffness = stiffness;
+    with.constraints.damping = damping;
+    const VectorXd lambda = solve(trial, with).lambda, without = solve(trial, plain).lambda;
+    // The terms of the feedback alone are the right-hand side of the same particles without forces and curvature.
+    const auto error = [&](const VectorXd& C, const VectorXd& rate) {
+      const VectorXd change = product(trial, plain, lambda - without, 0);
+      return (change + stiffness * C + damping * rate).norm();
+    };
+    const double size = (stiffness * plain.values() + damping * plain.jacobian() * plain.state.v).norm();
+    trial.expect((lambda - without).norm() > 0, "feedback changes nothing");
+    trial.expect_at_most(error(values(trial, plain, 0), rates(trial, plain, 0)),
+                         kTolerance * (2 * size + plain.right_hand_side().norm()) +
+                             with.residual_rounding(lambda) + plain.residual_rounding(without),
+                         "the error of the feedback");
+  }
+}
+
+// Rods and wires of different particles know nothing of each other: each part of the answers is that of its own constraints alone, the
+// rods' part first.
+void rods_and_wires(Trial& trial) {
+  Random& random = trial.random;
+  ConstrainedSystem mixed = separate_rods(random, 4);
+  mixed.name = "rods, and wires of other particles";
+  mixed.constraints.rods.resize(2);
+  for (int i : {6, 4, 7}) add_wire(random, mixed, i);
+  mixed = at_rest(held(mixed));
+  ConstrainedSystem rods = mixed, wires = mixed;
+  rods.constraints.wires.clear();
+  wires.constraints.rods.clear();
+  const auto joined = [](const VectorXd& a, const VectorXd& b) {
+    VectorXd both(a.size() + b.size());
+    both << a, b;
+    return both;
+  };
+
+  const VectorXd lambda = random_vector(random, mixed.rows()), zero = VectorXd::Zero(3 * mixed.n());
+  const VectorXd forces =
+      with_forces(trial, rods, lambda.head(2), zero) + with_forces(trial, wires, lambda.tail(6), zero);
+  trial.expect(forces.norm() > 0, "the forces are 0");
+  trial.expect_close({with_forces(trial, mixed, lambda, zero), forces}, 64 * kUnit * forces.norm(),
+                     "the forces of rods and wires together, and their sum,");
+  for (ConstrainedSystem* system : {&mixed, &rods, &wires}) {
+    for (particles::Rod& rod : system->constraints.rods) rod.length *= 2;
+    for (particles::Wire& wire : system->constraints.wires) wire.radius *= 3;
+    system->state.v = mixed.f;
+  }
+  trial.expect(values(trial, mixed, 0) == joined(values(trial, rods, 0), values(trial, wires, 0)) &&
+                   rates(trial, mixed, 0) == joined(rates(trial, rods, 0), rates(trial, wires, 0)),
+               "rods and wires together have other values or rates than each alone, in this order");
+}
+
+// The same rods in a unit of length that is 2^40 times as large: numbers of 1e-12. Powers of two round nothing.
+void small_unit(Trial& trial) {
+  Random& random = trial.random;
+  const double unit = 0x1p-40;
+  ConstrainedSystem plain = separate_rods(random, 3);
+  plain.constraints.stiffness = random.uniform(10, 100);
+  ConstrainedSystem small = plain;
+  small.name = "a small unit of length";
+  small.state.x *= unit;
+  small.state.v *= unit;
+  small.f *= unit;
+  for (particles::Rod& rod : small.constraints.rods) rod.length *= unit;
+  const VectorXd lambda = random_vector(random, plain.rows()), zero = VectorXd::Zero(3 * plain.n());
+  const VectorXd C = values(trial, plain, 0), rate = rates(trial, plain, 0),
+                 force = with_forces(trial, plain, lambda, zero);
+  trial.expect(C.norm() > 0 && rate.norm() > 0 && force.norm() > 0, "values, rates or forces are 0");
+  trial.expect(values(trial, small, 0) == unit * unit * C && rates(trial, small, 0) == unit * unit * rate &&
+                   with_forces(trial, small, lambda, zero) == unit * force,
+               "values, rates or forces depend on the unit of length");
+  expect_same_lambda(trial, solve(trial, small).lambda, solve(trial, plain).lambda,
+                     "the lambda of rods in two units of length");
+}
+
+}  // namespace grader::p2

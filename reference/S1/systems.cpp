@@ -1,0 +1,204 @@
+// STAFF ONLY. S1: ConjGrad's hidden cases on systems that it must solve.
+#include "reference/S1/cases.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+#include "grader/judge/linear_system.h"
+#include "solver/matrix_market.h"
+
+namespace grader::s1 {
+namespace {
+
+using solver::log_spaced;
+
+std::vector<double> uniform_values(Random& random, int n, double low, double high) {
+  std::vector<double> values(n);
+  for (double& value : values) value = random.uniform(low, high);
+  return values;
+}
+
+// A tolerance that takes hundreds of steps. Rounding turns the directions, and each right program pays some
+// steps for that: 0.9 to 1.2 times ours for the systems below, whatever its formulas and orders of sums.
+// Forgetting the directions so far at each 64th or n-th step takes at least 2.4 times as many in one of
+// them. The fewer unknowns, the more is up to chance: 0.7 to 1.6 times for n = 30 and a condition of 1e6.
+void expect_long_solve(Trial& trial, const LinearSystem& system) {
+  const LinearSystem unit = at_unit_tolerance(system, std::pow(1e-8 * norm(system.b), 2));
+  const int steps = reference_solution(unit, 1, 100 * unit.n()).steps;
+  const Solution solution =
+      solve(trial, unit, 1, 3 * steps);  // no more: one that never ends costs our products
+  expect_solved(trial, unit, solution, 1);
+  trial.expect_at_most(solution.steps, {double(steps), double(steps)},
+                       "the number of steps of a solve that takes hundreds",
+                       std::to_string(steps) + " steps would do");
+}
+
+void expect_solved_at(Trial& trial, const LinearSystem& system, double tolerance, int limit) {
+  const LinearSystem unit = at_unit_tolerance(system, std::pow(tolerance * norm(system.b), 2));
+  expect_solved_or_at_limit(trial, unit, solve(trial, unit, 1, limit), 1, limit);
+}
+
+// At a tolerance that CG meets after a certain number of steps.
+Solution expect_solves(Trial& trial, const LinearSystem& system, int least_steps) {
+  const LinearSystem unit = at_unit_tolerance(system, tolerance_after(system, least_steps).epsilon);
+  const Solution solution = solve(trial, unit, 1, usual_limit(unit));
+  expect_solved(trial, unit, solution, 1);
+  return solution;
+}
+
+// Cost is graded by counts: at most two and a half times the reference's products. And once more, at a tolerance that is close to
+// the rounding errors.
+void expect_solves_quickly(Trial& trial, const LinearSystem& system, int least_steps) {
+  const Solution coarse = expect_solves(trial, system, least_steps);
+  const int steps = tolerance_after(system, least_steps).steps;
+  trial.expect_at_most(coarse.products, {1.0 + steps, 1.5 * (1 + steps) + 5}, "the number of products",
+                       std::to_string(steps) + " steps would do");
+  expect_solved_at(trial, system, 1e-10, usual_limit(system));
+}
+
+LinearSystem string_of(int links, Random& random) {
+  return sparse_system("string", solver::tridiagonal(links, 2, -1), random.normals(links),
+                       4 * std::pow(std::sin(std::numbers::pi / (2 * (links + 1))), 2));
+}
+
+void examples(Trial& trial) {
+  const LinearSystem first = sparse_system("Example 1", solver::diagonal({2, 1}), {0.5, 1}, 1);
+  expect_solved(trial, first, solve(trial, first, 1e-5, 1), 1e-5);
+
+  // Eigenvalues (3 -+ sqrt(5)) / 2.
+  const LinearSystem second = sparse_system(
+      "Example 2", solver::SparseMatrix(2, 2, {{0, 0, 2}, {0, 1, 1}, {1, 0, 1}, {1, 1, 1}}), {-1, 5}, 0.38);
+  expect_solved(trial, second, solve(trial, second, 1e-5, 2), 1e-5);
+}
+
+// k different eigenvalues take k steps: no more are allowed.
+void clusters(Trial& trial) {
+  Random& random = trial.random;
+  for (int distinct = 1; distinct <= 6; ++distinct) {
+    const int n = random.integer(100, 200);
+    std::vector<double> spectrum(n);
+    for (int i = 0; i < n; ++i) spectrum[i] = 1.5 * (1 + i % distinct);
+    const LinearSystem system =
+        spectral_system(std::to_string(distinct) + " different eigenvalues", spectrum, random);
+    const LinearSystem unit = at_unit_tolerance(system, std::pow(1e-9 * norm(system.b), 2));
+    expect_solved(trial, unit, solve(trial, unit, 1, distinct), 1);
+  }
+}
+
+void stiff_strands(Trial& trial) {
+  Random& random = trial.random;
+  const double radius = 50e-6, young = 3e9;  // human hair
+  for (double length : {0.3, 0.1}) {
+    const int segments = random.integer(20, 40);
+    const double l = length / segments, h = 1.0 / 60;
+    const double axial = young * std::numbers::pi * radius * radius / l;
+    const double bending = young * std::numbers::pi * std::pow(radius, 4) / 4 / (l * l * l);
+    std::vector<double> masses(segments);
+    for (double& mass : masses) mass = random.log_uniform(1e-8, 1);
+    // The solution is a velocity for each particle. The smallest eigenvalue is at least the smallest mass.
+    const LinearSystem system =
+        sparse_system("strand", solver::strand_implicit_euler(masses, axial, bending, h),
+                      random.normals(3 * segments, 0.1), *std::min_element(masses.begin(), masses.end()));
+    for (double tolerance : {1e-4, 1e-10}) expect_solved_at(trial, system, tolerance, 3000);
+  }
+}
+
+void ill_conditioned(Trial& trial) {
+  Random& random = trial.random;
+  for (double condition : {1e4, 1e6, 1e8, 1e10, 1e12}) {
+    const LinearSystem system = spectral_system("condition " + std::to_string(condition),
+                                                log_spaced(random.integer(50, 80), 1 / condition, 1), random);
+    for (double tolerance : {1e-3, 1e-8}) expect_solved_at(trial, system, tolerance, usual_limit(system));
+  }
+  // Smallest eigenvalues, from below: 1 / ||H^-1||_F.
+  const double hilbert_smallest[] = {9.6e-5, 3.2e-6, 1.0e-7, 3.4e-9};
+  for (int size = 4; size <= 7; ++size) {
+    const LinearSystem hilbert =
+        sparse_system("Hilbert", solver::hilbert(size), random.normals(size), hilbert_smallest[size - 4]);
+    expect_solves(trial, hilbert, 2);
+    expect_solved_at(trial, hilbert, 1e-10, usual_limit(hilbert));
+  }
+}
+
+}  // namespace
+
+void systems(Trial& trial) {
+  Random& random = trial.random;
+  examples(trial);
+  clusters(trial);
+
+  // Fewer different eigenvalues than unknowns, and no more than 64 steps: another category asks what happens then.
+  const int grid = random.integer(9, 14);
+  const LinearSystem poisson =
+      sparse_system("2-D Poisson", solver::poisson_2d(grid), random.normals(grid * grid),
+                    8 * std::pow(std::sin(std::numbers::pi / (2 * (grid + 1))), 2));
+  expect_solves_quickly(trial, poisson, random.integer(16, 20));
+  const LinearSystem spectral =
+      spectral_system("random", log_spaced(random.integer(150, 200), 1, 16), random);
+  expect_solves_quickly(trial, spectral, random.integer(16, 20));
+
+  std::stringstream file;
+  solver::write_matrix_market(file, solver::tridiagonal(random.integer(20, 30), 3, -1));
+  const solver::SparseMatrix from_file = solver::read_matrix_market(file, "generated");
+  expect_solves_quickly(trial, sparse_system("from a file", from_file, random.normals(from_file.rows()), 1),
+                        6);
+
+  // A strand that is light and limp enough for the number of steps to be certain.
+  const int segments = random.integer(10, 20);
+  const double mass = random.log_uniform(1e-8, 1e-7);
+  expect_solves_quickly(
+      trial,
+      sparse_system("light strand",
+                    solver::strand_implicit_euler(std::vector<double>(segments, mass), 2e-2 * mass / 1e-6,
+                                                  1e-3 * mass / 1e-6, 1e-2),
+                    random.normals(3 * segments, 0.1), mass),
+      3);
+}
+
+// Conditions of at most 4: what converges slowly is solved here, too, if it reaches all unknowns.
+void sizes(Trial& trial) {
+  for (int n : {1, 2, 3, 10, 100, 1000, 10000}) {
+    const std::vector<double> d = uniform_values(trial.random, n, 1, 4);
+    const LinearSystem diagonal = sparse_system("diagonal", solver::diagonal(d), trial.random.normals(n),
+                                                *std::min_element(d.begin(), d.end()));
+    const double off = (trial.random.integer(0, 1) == 0 ? -1 : 1) * trial.random.uniform(0.4, 0.5);
+    const LinearSystem tridiagonal = sparse_system("tridiagonal", solver::tridiagonal(n, 2, off),
+                                                   trial.random.normals(n), 2 - 2 * std::abs(off));
+    for (const LinearSystem* system : {&diagonal, &tridiagonal}) {
+      expect_solves(trial, *system, std::min((n + 1) / 2, 10));
+      expect_solved_at(trial, *system, 1e-10, usual_limit(*system));
+    }
+  }
+}
+
+// Systems that need more steps than they have unknowns, or hundreds.
+void hard_systems(Trial& trial) {
+  Random& random = trial.random;
+  expect_solves_ordinary_system(trial);
+  stiff_strands(trial);
+  ill_conditioned(trial);
+  expect_solved_at(trial, string_of(random.integer(40, 60), random), 1e-10, 200);
+  expect_long_solve(trial, string_of(random.integer(300, 400), random));
+  expect_long_solve(trial, spectral_system("random, condition 5000",
+                                           log_spaced(random.integer(250, 300), 1, 5000), random));
+  // Far more steps than unknowns: directions that rounding has turned are what costs them.
+  expect_long_solve(
+      trial, spectral_system("random, condition 1e6", log_spaced(random.integer(60, 80), 1, 1e6), random));
+}
+
+// Whoever solves nothing at all gets nothing for that.
+void empty(Trial& trial) {
+  expect_solves_ordinary_system(trial);
+  const LinearSystem nothing = sparse_system("nothing", solver::diagonal({}), {}, 1);
+  for (double epsilon : {0.0, 1.0, -1.0})
+    for (int most_steps : {0, trial.random.integer(1, 50), -trial.random.integer(1, 50)}) {
+      const Solution empty = solve(trial, nothing, epsilon, most_steps);
+      trial.expect(empty.value == 0 && empty.steps == 0, "n = 0 does not return 0 after 0 steps",
+                   std::to_string(empty.value) + " after " + std::to_string(empty.steps) + " of " +
+                       std::to_string(most_steps));
+    }
+}
+
+}  // namespace grader::s1
