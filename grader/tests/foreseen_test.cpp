@@ -20,8 +20,8 @@ constexpr std::size_t kMostRows = 3;
 std::map<std::string, std::set<std::string>> rows_by_suite(const std::string& exercise) {
   const hair::TemporaryFolder folder("foreseen");
   const std::string report = (folder.path() / "report.json").string();
-  const std::string command =
-      std::string(HAIR_CHECKS) + "/reference_" + exercise + "_check --gtest_output=json:'" + report + "' >/dev/null";
+  const std::string command = std::string(HAIR_CHECKS) + "/reference_" + exercise +
+                              "_check --gtest_output=json:'" + report + "' >/dev/null";
   EXPECT_EQ(std::system(command.c_str()), 0) << command;
   std::ifstream in(report);
   const nlohmann::json all = nlohmann::json::parse(in);
@@ -33,7 +33,8 @@ std::map<std::string, std::set<std::string>> rows_by_suite(const std::string& ex
 }
 
 TEST(PublicChecks, ForeseeEachCategory) {
-  for (const Exercise& exercise : read_course(std::string(HAIR_PROJECT) + "/handout/exercises.json").exercises) {
+  for (const Exercise& exercise :
+       read_course(std::string(HAIR_PROJECT) + "/handout/exercises.json").exercises) {
     const std::vector<checks::Category>& declared = declared_categories(exercise.id);
     std::map<std::string, std::set<std::string>> asked;  // rows, by category
     for (const auto& [suite, rows] : rows_by_suite(exercise.id)) {
@@ -57,7 +58,8 @@ TEST(PublicChecks, ForeseeEachCategory) {
 }
 
 TEST(Categories, AreWorthTheExercisesPointsAndAreAsked) {
-  for (const Exercise& exercise : read_course(std::string(HAIR_PROJECT) + "/handout/exercises.json").exercises) {
+  for (const Exercise& exercise :
+       read_course(std::string(HAIR_PROJECT) + "/handout/exercises.json").exercises) {
     double sum = 0;
     for (const checks::Category& one : declared_categories(exercise.id)) sum += one.points;
     EXPECT_EQ(sum, exercise.points) << exercise.id;

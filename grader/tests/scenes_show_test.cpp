@@ -15,11 +15,11 @@
 #include <sstream>
 
 #include "grader/compile/compiler.h"
+#include "grader/judge/run/played.h"
+#include "grader/judge/run/run_comparison.h"
 #include "grader/samples/sample.h"
 #include "grader/samples/solution_files.h"
 #include "grader/sandbox/isolation_for_tests.h"
-#include "grader/judge/run/played.h"
-#include "grader/judge/run/run_comparison.h"
 #include "grader/tests/run_program.h"
 #include "grader/tests/side_by_side.h"
 #include "hair/io/files/read_file.h"

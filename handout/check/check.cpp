@@ -72,20 +72,52 @@ double residual_gap(double norm_of_A, double e, const Vector& solution, const Ve
   return (64 * (10 + 2 * e) + n) * std::ldexp(1.0, -53) * norm_of_A * (2 * norm(solution) + norm(b));
 }
 
-std::string hint_line(std::span<const double> actual, std::span<const double> expected, double bound,
-                      int block, std::span<const double> before) {
-  const std::string told = hint(actual, expected, bound, block, before);
-  return told.empty() ? "" : "\nhint       = " + told;
+namespace {
+
+const testing::TestInfo& current() {
+  return *testing::UnitTest::GetInstance()->current_test_info();
+}
+
+void note(const std::string& hint) {
+  const testing::TestResult& so_far = *current().result();
+  for (int i = 0; i < so_far.test_property_count(); ++i)
+    if (so_far.GetTestProperty(i).key() == std::string("hint")) return;
+  if (!hint.empty()) testing::Test::RecordProperty("hint", hint);
+}
+
+}  // namespace
+
+void note_hint(std::span<const double> actual, std::span<const double> expected, double bound, int block,
+               std::span<const double> before) {
+  note(hint(actual, expected, bound, block, before));
+}
+
+testing::AssertionResult is_near(const char* words, const char* expected_words, const char* bound_words,
+                                 double actual, double expected, double bound) {
+  const double error = std::abs(actual - expected);
+  if (error <= bound) return testing::AssertionSuccess();
+  note(hint_of_one(actual, expected, current().test_suite_name() == std::string("Energy")));
+  return testing::AssertionFailure() << words << "\nexpected = " << expected << " = " << expected_words
+                                     << "\nactual   = " << actual << "\nerror    = " << error
+                                     << "\nbound    = " << bound << " = " << bound_words;
+}
+
+testing::AssertionResult counts(const char* words, const char* expected_words, long actual, long expected) {
+  if (actual == expected) return testing::AssertionSuccess();
+  note(actual == expected + 1 ? "one too many" : actual == expected - 1 ? "one too few" : "");
+  return testing::AssertionFailure() << words << "\nexpected = " << expected << " = " << expected_words
+                                     << "\nactual   = " << actual;
 }
 
 void expect_near(const Vector& x, const Vector& solution, double bound, const std::string& source_of_bound) {
   ASSERT_EQ(x.size(), solution.size());
   const double error = norm(difference(x, solution));
   if (error <= bound) return;
+  note_hint(x, solution, bound);
   ADD_FAILURE() << "expected x = " << in_words(solution) << "\n"
                 << "actual   x = " << in_words(x) << "\n"
                 << "error      = " << error << ", the length of their difference\n"
-                << "bound      = " << bound << " = " << source_of_bound << hint_line(x, solution, bound);
+                << "bound      = " << bound << " = " << source_of_bound;
 }
 
 std::vector<Golden> read_golden(const std::string& exercise) {
@@ -164,6 +196,7 @@ std::vector<Finding> all_checks(const std::vector<Category>& categories,
                           test.line(),
                           Finding::State::waits,
                           {},
+                          "",
                           "",
                           needed});
     }

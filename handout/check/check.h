@@ -3,6 +3,8 @@
 // first failure, and how often a function is asked that must always answer the same.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <functional>
 #include <span>
 #include <string>
@@ -60,9 +62,16 @@ std::string in_words(const Vector& x);
 // u at most.
 double residual_gap(double norm_of_A, double e, const Vector& solution, const Vector& b);
 
-// "\nhint       = ...", or "": the last line of a failure (hint.h).
-std::string hint_line(std::span<const double> actual, std::span<const double> expected, double bound,
-                      int block = 1, std::span<const double> before = {});
+// Keeps a hint for the failure that follows (hint.h), if the numbers show one. The first of a check counts.
+void note_hint(std::span<const double> actual, std::span<const double> expected, double bound, int block = 1,
+               std::span<const double> before = {});
+
+// A number, within a bound; and a count of steps, products or calls. Both keep a hint of what they got.
+#define EXPECT_NUMBER(actual, expected, bound) EXPECT_PRED_FORMAT3(::checks::is_near, actual, expected, bound)
+#define EXPECT_COUNT(actual, expected) EXPECT_PRED_FORMAT2(::checks::counts, actual, expected)
+testing::AssertionResult is_near(const char* words, const char* expected_words, const char* bound_words,
+                                 double actual, double expected, double bound);
+testing::AssertionResult counts(const char* words, const char* expected_words, long actual, long expected);
 
 // Fails, with all that is needed to understand it, unless ||x - solution|| <= bound.
 void expect_near(const Vector& x, const Vector& solution, double bound, const std::string& source_of_bound);

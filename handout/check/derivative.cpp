@@ -112,12 +112,12 @@ void expect_named(const VectorXd& actual, const VectorXd& expected, double bound
     if (std::isnan(here)) break;
   }
   if (error <= bound) return;
+  note_hint(span_of(actual), span_of(expected), bound, block, span_of(before));
   ADD_FAILURE() << what << ", the worst entry: " << named.entry(worst) << "\n"
                 << "expected = " << expected[worst] << ", all of it: " << named.all(expected) << "\n"
                 << "actual   = " << actual[worst] << ", all of it: " << named.all(actual) << "\n"
                 << "error    = " << error << "\n"
-                << "bound    = " << bound << " = " << source_of_bound
-                << hint_line(span_of(actual), span_of(expected), bound, block, span_of(before));
+                << "bound    = " << bound << " = " << source_of_bound;
 }
 
 }  // namespace

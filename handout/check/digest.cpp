@@ -2,12 +2,8 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
-#include <optional>
 #include <set>
 #include <sstream>
-
-#include "hint.h"
 
 namespace checks {
 namespace {
@@ -22,53 +18,6 @@ bool is_wrong(const Finding& one) {
 
 std::string count_in_words(std::size_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
-// The message, line by line, and the hint in it.
-struct Message {
-  std::vector<std::string> lines;
-  std::string hint;
-};
-
-// The number behind the last `words` of a line, if there is one.
-std::optional<double> number_behind(const std::string& line, const std::string& words) {
-  const std::size_t at = line.rfind(words);
-  if (at == std::string::npos) return std::nullopt;
-  const char* begin = line.c_str() + at + words.size();
-  char* end = nullptr;
-  const double value = std::strtod(begin, &end);
-  return end == begin ? std::nullopt : std::optional(value);
-}
-
-// True if the numbers say how often something was done.
-bool counts(const std::vector<std::string>& lines) {
-  return std::ranges::any_of(lines, [](const std::string& line) {
-    for (const char* word : {"steps", "products", "sweeps", "iterations", "evaluations", "calls"})
-      if (line.find(word) != std::string::npos) return true;
-    return false;
-  });
-}
-
-std::string hint_of_count(double actual, double expected) {
-  if (actual == expected + 1) return "one too many";
-  return actual == expected - 1 ? "one too few" : "";
-}
-
-// GoogleTest's messages of EXPECT_NEAR, "a evaluates to 2," line by line, and of EXPECT_EQ, "Which is: 2" or the number itself: what
-// was got, and what was expected. A plain `product` may be off by a factor.
-std::string hint_of_two_values(const std::vector<std::string>& lines, bool product) {
-  std::vector<double> near, equal;
-  for (const std::string& line : lines) {
-    if (const auto value = number_behind(line, " evaluates to ")) near.push_back(*value);
-    if (const auto value = number_behind(line, "Which is: "))
-      equal.push_back(*value);
-    else if (const auto constant = number_behind(line, "  ");
-             constant && line.find_first_not_of(" 0123456789.e+-") == std::string::npos)
-      equal.push_back(*constant);
-  }
-  if (near.size() == 3) return hint_of_one(near[0], near[1], product);
-  if (equal.size() != 2) return "";
-  return counts(lines) ? hint_of_count(equal[0], equal[1]) : hint_of_one(equal[0], equal[1], product);
 }
 
 // A check that broke off has these words in it, of an assertion of Eigen's or the library's, or of the sanitizer.
@@ -99,33 +48,27 @@ std::string hint_of_place(const std::string& text) {
   return "";
 }
 
-Message message_of(const std::string& text, bool product) {
-  Message message;
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> all;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
-    const std::string hint = "hint       = ";
-    if (line.starts_with(hint) && message.hint.empty())
-      message.hint = line.substr(hint.size());
-    else if (line.find("check.cpp:") != std::string::npos && line.find(": ") != std::string::npos)
-      message.lines.push_back("for " + line.substr(line.find(": ") + 2));  // a SCOPED_TRACE
+    if (line.find("check.cpp:") != std::string::npos && line.find(": ") != std::string::npos)
+      all.push_back("for " + line.substr(line.find(": ") + 2));  // a SCOPED_TRACE
     else if (!line.empty() && line != "Failed" && line != "Google Test trace:")
-      message.lines.push_back(line);
+      all.push_back(line);
   }
-  if (message.hint.empty()) message.hint = hint_of_place(text);
-  if (message.hint.empty()) message.hint = hint_of_two_values(message.lines, product);
-  return message;
+  return all;
 }
 
 void tell_failure(std::ostream& out, const Asked& asked, const Finding& one, bool full) {
   out << one.full_name() << " (exercises/" << asked.exercise << "/" << one.file << ":" << one.line << ")"
       << (one.state == Finding::State::broke_off ? " broke off:" : ":") << "\n";
   int lines = 0;
-  std::string hint;
+  std::string hint = one.hint;
   const Category* category = category_of(asked.categories, one.suite);
   for (const std::string& failure : one.failures) {
-    const Message message = message_of(failure, category != nullptr && category->id == "Energy");
-    if (hint.empty()) hint = message.hint;
-    for (const std::string& line : message.lines) {
+    if (hint.empty()) hint = hint_of_place(failure);
+    for (const std::string& line : lines_of(failure)) {
       if (!full && ++lines > kMostLines) break;
       const bool cut = !full && line.size() > kMostLetters;
       out << "  " << line.substr(0, cut ? kMostLetters : line.size()) << (cut ? " ..." : "") << "\n";

@@ -14,6 +14,7 @@ struct Finding {
   int line = 0;             // of its TEST
   State state = State::waits;
   std::vector<std::string> failures;  // GoogleTest's messages; of one that broke off how it ended
+  std::string hint;                   // of its numbers, if they show one
   std::string row;                    // of its category's rows, if it names one
   std::string waits_for;              // a function whose checks have to pass before; empty if none has to
 
