@@ -172,6 +172,7 @@ TEST_P(SizesAndUnits, MovesEveryParticle) {
 }
 
 TEST_P(SizesAndUnits, HasNoUnitOfItsOwn) {
+  look_at("limit");
   // a = -4 x - v has none, and powers of two change no digit.
   Spring1 spring(4, 1);
   State metres{scattered_vector(6, 1), scattered_vector(6, 2)};
@@ -227,6 +228,7 @@ INSTANTIATE_TEST_SUITE_P(Each, SizesAndUnits, kMethods, kName);
 INSTANTIATE_TEST_SUITE_P(Each, BlowUp, kMethods, kName);
 
 TEST_P(Oscillator, KeepsItsEnergyBounded) {
+  look_at("energy");
   // It keeps v^2 + x^2 - h v x for good, here with omega = 1.
   const double h = 0.5;
   Spring1 spring(1);
@@ -247,6 +249,7 @@ TEST_P(Oscillator, KeepsItsEnergyBounded) {
 INSTANTIATE_TEST_SUITE_P(SymplecticEuler, Oscillator, testing::Values(kSymplecticEuler));
 
 TEST_P(Spiral, GainsEnergyAsTheTextSays) {
+  look_at("new-velocity");
   const double h = 0.1;
   Spring1 spring(1);
   State state{VectorXd::Constant(3, 1), VectorXd::Constant(3, 0)};
