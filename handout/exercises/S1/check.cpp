@@ -81,7 +81,7 @@ TEST(Systems, SolvesExample1OfTheLectureInOneStep) {
 }
 
 TEST(Systems, SolvesExample2OfTheLectureInTwoSteps) {
-  look_at("example-1");
+  look_at("beta");
   System s{"A = [2 1; 1 1], b = (3, 4)",
            solver::SparseMatrix(2, 2, {{0, 0, 2}, {0, 1, 1}, {1, 0, 1}, {1, 1, 1}}),
            {3, 4},
@@ -104,7 +104,7 @@ TEST(Sizes, SolvesSystemsOfManySizes) {
 }
 
 TEST(Systems, SolvesAGridInMoreThan64Steps) {
-  look_at("right");
+  look_at("many-steps");
   System s =
       system_with("the 2-D Poisson matrix on a 20 x 20 grid", solver::poisson_2d(20), scattered(400), 0.04);
   const double epsilon = relative_epsilon(s.b);
@@ -123,7 +123,7 @@ TEST(Hard, SolvesAStiffStrandOfHair) {
 }
 
 TEST(Systems, EndsAfterAsManyStepsAsThereAreDistinctEigenvalues) {
-  look_at("ends");
+  look_at("beta");
   Vector eigenvalues(99);
   for (std::size_t i = 0; i < eigenvalues.size(); ++i) eigenvalues[i] = Vector{0.5, 2, 5}[i % 3];
   System s = system_with("a diagonal matrix of the numbers 0.5, 2 and 5, n = 99", diagonal(eigenvalues),
@@ -146,7 +146,7 @@ TEST(FirstGuess, TakesNoStepWhereTheFirstGuessIsRight) {
 }
 
 TEST(FirstGuess, SolvesForZeroInNoSteps) {
-  look_at("nan");
+  look_at("zero");
   solver::SparseMatrix A = solver::tridiagonal(4, 3, -1);
   SCOPED_TRACE(call("the tridiagonal (-1, 3, -1), b = 0", 0, 9));
   const Outcome out = solve(A, Vector(4, 0.0), 0, 9);
@@ -166,7 +166,7 @@ TEST(Empty, SolvesTheEmptySystem) {
 }
 
 TEST(FirstGuess, OnlyWritesX) {
-  look_at("fails");
+  look_at("junk");
   solver::SparseMatrix A = solver::tridiagonal(10, 3, -1);
   const Vector b = scattered(10);
   const Outcome from_zeros = solve(A, b, 1e-20, 0, 0);
@@ -191,12 +191,14 @@ TEST(Tolerance, EpsilonBoundsTheSquareOfTheNorm) {
 }
 
 TEST(Tolerance, NeverReachesANegativeEpsilon) {
+  look_at("negative");
   solver::SpectralMatrix A = slow_matrix(40);
   SCOPED_TRACE(call("eigenvalues from 1e-10 to 1, n = 40", -1e9, 3));
   EXPECT_EQ(solve(A, scattered(40), -1e9, 3).steps, 3) << "no squared norm is negative";
 }
 
 TEST(Tolerance, MeetsATinyEpsilon) {
+  look_at("tiny");
   // Scaled to a right-hand side of 1e-30, and an epsilon that is its square, times the square of a relative 1e-3.
   System s =
       system_with("the tridiagonal (-1, 3, -1), n = 30", solver::tridiagonal(30, 3, -1), scattered(30), 1);
@@ -233,6 +235,7 @@ TEST(StepLimit, TakesAtMostTheStepsThatItMay) {
 }
 
 TEST(StepLimit, TakesZeroStepsForTheDefault) {
+  look_at("default");
   for (int n : {40, 60}) {
     solver::SpectralMatrix A = slow_matrix(n);
     SCOPED_TRACE(call("eigenvalues from 1e-10 to 1, n = " + std::to_string(n), 0, 0));
@@ -242,6 +245,7 @@ TEST(StepLimit, TakesZeroStepsForTheDefault) {
 }
 
 TEST(StepLimit, TakesNegativeStepsForNone) {
+  look_at("negative");
   solver::SparseMatrix A = diagonal({2, 1});
   SCOPED_TRACE(call("A = [2 0; 0 1], b = (1, 1)", 1e-5, -3));
   const Outcome out = solve(A, {1, 1}, 1e-5, -3);
@@ -264,7 +268,7 @@ TEST(SixtyFourth, TakesOneProductAStepAndOneMoreEvery64) {
 }
 
 TEST(SixtyFourth, MovesXAtEachStepToWhereTheResidualIsOrthogonalToIt) {
-  look_at("right-up");
+  look_at("order");
   // The residual falls from r to r - A s by the step s = alpha d, and what is left is orthogonal to r. So A s is
   // at least as long as r, and s as ||r|| / ||A||. Half of that leaves room for rounding.
   System s = system_with("the tridiagonal (-1, 2, -1), n = 220", solver::tridiagonal(220, 2, -1),
@@ -285,7 +289,7 @@ TEST(SixtyFourth, MovesXAtEachStepToWhereTheResidualIsOrthogonalToIt) {
 }
 
 TEST(Hard, TakesNoMoreStepsOnALongWayThanItsDirectionsNeed) {
-  look_at("right");
+  look_at("restart");
   // On paper n different eigenvalues take n steps. The new residual of each 64th step is no new start: a beta of
   // 0 there forgets all directions so far. Rounding turns them a little; that costs no program a third more.
   const int n = 250;
@@ -371,6 +375,7 @@ TEST(NotPositiveDefinite, EndsAtADirectionThatIsNotUphill) {
 }
 
 TEST(NotPositiveDefinite, SolvesAConsistentSingularSystem) {
+  look_at("singular");
   System s{"A = [2 0; 0 0], b = (1, 0)", diagonal({2, 0}), {1, 0}, {0.5, 0}, 2};
   SCOPED_TRACE(call(s.name, 1e-5, 0));
   const Outcome out = solve(s.A, s.b, 1e-5, 0);
@@ -407,6 +412,7 @@ TEST(NotFinite, EndsAtAValueThatIsNotFinite) {
 }
 
 TEST(NotFinite, EndsAtATrueResidualThatIsNotFinite) {
+  look_at("residual");
   // One product, one in each of 64 steps, and one for the residual that replaces the recurrence's: 66.
   class Broken : public implicitMatrix {
    public:
@@ -425,6 +431,7 @@ TEST(NotFinite, EndsAtATrueResidualThatIsNotFinite) {
 }
 
 TEST(NotFinite, TakesNoStepFromAResidualThatIsNotFinite) {
+  look_at("residual");
   // The first product is infinite in one place, and so is the first residual.
   class Broken : public implicitMatrix {
    public:
@@ -441,6 +448,7 @@ TEST(NotFinite, TakesNoStepFromAResidualThatIsNotFinite) {
 }
 
 TEST(NotFinite, EndsBeforeXOverflows) {
+  look_at("overflow");
   // The next x is b + alpha (b - Ab), with an entry of 7e308 in the last case and more in the others: no double.
   for (auto [name, d, b] : {std::tuple{"A = [1e-190 0; 0 1e-190], b = (1e140, 2e140)", Vector{1e-190, 1e-190},
                                        Vector{1e140, 2e140}},
@@ -468,6 +476,7 @@ TEST(NotFinite, EndsBeforeXOverflows) {
 }
 
 TEST(Scaling, SolvesForAnXNearTheEndOfTheNumbers) {
+  look_at("sum");
   // The residual is b to 1 part in 1e157, so one step is all, with some twenty roundings. Both entries of x are numbers; their
   // sum would be none.
   solver::SparseMatrix A = diagonal({2e-157, 2e-157});
@@ -499,7 +508,7 @@ TEST(NotFinite, EndsIfTheCurvatureOverflows) {
 }
 
 TEST(Systems, AgreesWithTheGoldenData) {
-  look_at("small");
+  look_at("many-steps");
   for (Golden& golden : read_golden("S1")) {
     System& s = golden.system;
     SCOPED_TRACE(call(s.name, golden.epsilon, 0));
