@@ -100,7 +100,7 @@ TEST(Table, CopiesTheTable) {
 }
 
 TEST(Table, WithoutColumnsGivesZeros) {
-  look_at("right");
+  look_at("sum");
   SCOPED_TRACE("dense_matrix with 3 rows and no columns");
   expect_same(multiply(*dense_matrix(3, 0, nullptr), 3, {}), Vector(3, 0.0));
 }
@@ -115,7 +115,7 @@ TEST(Units, TakesEntriesOfAnySize) {
 }
 
 TEST(Table, RoundsNoMoreThanItMust) {
-  look_at("last");
+  look_at("sum");
   const int rows = 40, cols = 25;
   const Vector a = scattered(rows * cols), x = scattered(cols);
   SparseMatrix A = dense(rows, cols, a);
@@ -135,7 +135,7 @@ TEST(NormalOperator, IsTheProductWithAThenWithItsTranspose) {
 }
 
 TEST(NormalOperator, WorksForMoreColumnsThanRows) {
-  look_at("square");
+  look_at("shape");
   SparseMatrix A = dense(1, 3, {1, 2, 3}), transposed = A.transposed();
   SCOPED_TRACE("normal_matrix of A = [1 2 3], x = (1, 1, 1)");
   expect_same(multiply(*normal_matrix(1, 3, &A, &transposed), 3, {1, 1, 1}), (Vector{6, 12, 18}));
@@ -158,7 +158,7 @@ TEST(Units, TakesMatricesOfAnySize) {
 }
 
 TEST(NormalOperator, TakesOneProductWithEachMatrix) {
-  look_at("right");
+  look_at("products");
   SparseMatrix A = dense(3, 2, {1, 2, 3, 4, 5, 6}), transposed = A.transposed();
   Counted counted(A), counted_transposed(transposed);
   auto normal = normal_matrix(3, 2, &counted, &counted_transposed);
@@ -187,7 +187,7 @@ TEST(Systems, FitsALineByLeastSquares) {
 }
 
 TEST(Systems, SolvesForMoreUnknownsThanEquations) {
-  look_at("square");
+  look_at("shape");
   // One equation, x_1 + ... + x_50 = 25. All that is left of A'(b - Ax) is 25 less the sum, 50 times.
   SparseMatrix A = dense(1, 50, Vector(50, 1.0));
   SCOPED_TRACE(call("A = [1 1 ... 1], n = 50, b = 25", 1e-16, 100));
@@ -198,7 +198,7 @@ TEST(Systems, SolvesForMoreUnknownsThanEquations) {
 }
 
 TEST(Systems, OnlyWritesX) {
-  look_at("nan");
+  look_at("junk");
   SparseMatrix A = dense(3, 2, {1, 0, 1, 1, 1, 2});
   const Outcome from_zeros = solve(A, {6, 0, 0}, 1e-20, 100);
   SCOPED_TRACE(call("A = [1 0; 1 1; 1 2], b = (6, 0, 0), NaN in x on entry", 1e-20, 100));
@@ -221,7 +221,7 @@ TEST(StepsAndProducts, ReturnsTheSquaredNormOfTheNormalEquationsResidual) {
 }
 
 TEST(StepsAndProducts, TakesTheStepsAndProductsThatItMay) {
-  look_at("right");
+  look_at("steps");
   const int rows = 90, cols = 80;
   SparseMatrix A = dense(rows, cols, scattered(rows * cols));
   for (int most_steps : {1, 5, 70}) {
