@@ -101,7 +101,7 @@ TEST(Sampling, OfASpringOfTwoMetresByStretchEnergy) {
 }
 
 TEST(Sampling, DoesNotDependOnTheSampling) {
-  look_at("two");
+  look_at("sum");
   // 3 m, stretched to 3.3 m: E = EA * 0.1^2 / 2 * 3 m, in however many segments.
   for (int segments : {1, 3, 5, 7}) {
     const Strand strand = strand_of(VectorXd::Constant(segments, 3.0 / segments));
@@ -114,6 +114,7 @@ TEST(Sampling, DoesNotDependOnTheSampling) {
 }
 
 TEST(NoDirection, OfASegmentWithoutLength) {
+  look_at("energy");
   EXPECT_DOUBLE_EQ(stretch_energy(kOne, vector({1, 2, 3, 1, 2, 3})), 12)
       << "EA = 12 N, rest length 2 m, two particles in the same place: 6 * 2^2 / 2 J";
 }
@@ -124,7 +125,7 @@ TEST(Extremes, InAnyUnitByStretchEnergy) {
 }
 
 TEST(NoDirection, OfOneParticleIsZero) {
-  look_at("");
+  look_at("energy");
   EXPECT_EQ(stretch_energy(strand_of(VectorXd(0)), vector({1, 2, 3})), 0);
 }
 
@@ -146,7 +147,7 @@ TEST(Sampling, OfASpringOfTwoMetresByAddStretchForce) {
 }
 
 TEST(Forces, IsMinusTheEnergysGradient) {
-  look_at("force-slope");
+  look_at("neighbours");
   for (int count : {2, 3, 7}) {
     const Case c = bent(count, count);
     // The shortest segment is not below 0.3 m; EA is the force at twice the length.
@@ -156,7 +157,7 @@ TEST(Forces, IsMinusTheEnergysGradient) {
 }
 
 TEST(Forces, GivesNoNetForceOrTorque) {
-  look_at("force-right");
+  look_at("other-end");
   const Case c = bent(9, 3);
   const VectorXd f = force(c.strand, c.x);
   EXPECT_GT(f.norm(), 1) << "no force at all";
@@ -174,7 +175,7 @@ TEST(Extremes, InAnyUnitByAddStretchForce) {
 }
 
 TEST(Extremes, OfALongStrand) {
-  look_at("");
+  look_at("long");
   const int n = 10000;
   const Strand strand = strand_of(VectorXd::Ones(n - 1));
   VectorXd x = VectorXd::Zero(3 * n);
@@ -190,6 +191,7 @@ TEST(NoDirection, OfASegmentWithoutLengthIsZeroByAddStretchForce) {
 }
 
 TEST(NoDirection, OfTheSegmentsBehindOneWithoutLengthStaysByAddStretchForce) {
+  look_at("goes-on");
   expect_entries(force(kPair, kMeeting), vector({0, 0, 0, 0, 0, -3, 0, 0, 3}), 32 * kU * 6 * 4.5,
                  "the force at x = " + particles_in_words(kMeeting) +
                      ": the first two particles meet, and the "
@@ -214,6 +216,7 @@ TEST(FilteredProduct, LetsThroughWhatItIsToldTo) {
 }
 
 TEST(ExactProduct, IsTheForcesDerivative) {
+  look_at("neighbours");
   for (int count : {2, 3, 7}) {
     const Case c = bent(count, count + 20);
     const VectorXd dx = scattered_vector(3 * count, 5);
@@ -233,6 +236,7 @@ TEST(ExactProduct, IsSymmetric) {
 }
 
 TEST(FilteredProduct, WithoutTheNegativeTermIsNegativeSemidefinite) {
+  look_at("each-segment");
   const Case c = bent(8, 4);
   expect_negative_semidefinite(
       [&](GeometricTerm term, const VectorXd& dx) { return product(c.strand, c.x, term, dx); }, 24,
@@ -261,6 +265,7 @@ TEST(NoDirection, OfASegmentWithoutLengthIsZeroByAddStretchProduct) {
 }
 
 TEST(NoDirection, OfTheSegmentsBehindOneWithoutLengthStaysByAddStretchProduct) {
+  look_at("goes-on");
   const VectorXd dx = vector({0, 0, 0, 0, 0, 0, 0, 0, 1});
   for (GeometricTerm term : {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped})
     expect_entries(product(kPair, kMeeting, term, dx), vector({0, 0, 0, 0, 0, 6, 0, 0, -6}), 64 * kU * 12,
