@@ -187,7 +187,7 @@ TEST(Forces, OfOneJoint) {
 }
 
 TEST(Forces, IsMinusTheEnergysGradient) {
-  look_at("force-slope");
+  look_at("neighbours");
   for (double bend : {1e-6, 0.3, 1.5, 2.8}) {
     const Case c = bent(6, bend);
     SCOPED_TRACE("each joint bent by " + std::to_string(bend));
@@ -211,6 +211,7 @@ TEST(ClampedRoot, IsMinusTheEnergysGradientWithAClampedRoot) {
 }
 
 TEST(Sampling, TakesTheMeanOfTwoRestLengthsByAddBendForce) {
+  look_at("force");
   expect_entries(
       force(strand_of(vector({0.5, 2.5})), kRightAngle) * 1.5, force(strand_of(vector({1, 1})), kRightAngle),
       64 * kU * 4 * pi,
@@ -220,7 +221,7 @@ TEST(Sampling, TakesTheMeanOfTwoRestLengthsByAddBendForce) {
 }
 
 TEST(Forces, GivesNoNetForceOrTorque) {
-  look_at("sum");
+  look_at("balance");
   const Case c = uneven(9, 4);
   const VectorXd f = force(c.strand, c.x);
   EXPECT_GT(f.norm(), 1) << "no force at all";
@@ -235,7 +236,7 @@ TEST(Added, IsAddedToWhatFHolds) {
 
 // EI = 4 N m^2 is a steel wire's. A hair's is 2^-30 of it, and all that joints do is 2^-30 of what it was.
 TEST(Extremes, OfAHairAsOfAWireByAddBendForce) {
-  look_at("right");
+  look_at("hair");
   for (const Case& c : {uneven(7, 1), clamped(uneven(5, 3))}) {
     Strand hair = c.strand;
     hair.bend_rigidity = std::ldexp(c.strand.bend_rigidity, -30);
@@ -249,7 +250,7 @@ TEST(Extremes, OfAHairAsOfAWireByAddBendForce) {
 }
 
 TEST(Extremes, IsTheSameHoweverOftenItIsAsked) {
-  look_at("right-first");
+  look_at("static");
   const Case c = clamped(uneven(5, 1));
   const VectorXd first = force(c.strand, c.x);
   for (int i = 1; i <= kManyCalls; ++i)
@@ -283,6 +284,7 @@ TEST(NoDirection, BesideASegmentOfLengthZeroByAddBendForce) {
 
 // The force does not become 0 before the fold is reached: k (pi - missing) / |e|, across the segment.
 TEST(Fold, NextToTheFold) {
+  look_at("next");
   const Strand strand = strand_of(vector({1, 1}));
   for (const double missing : {1e-3, 1e-5}) {
     const double tip =
@@ -312,7 +314,7 @@ TEST(Fold, AtTheFoldIsZeroByAddBendForce) {
 }
 
 TEST(NearlyStraight, OfAStraightStrandIsZero) {
-  look_at("nan");
+  look_at("straight");
   EXPECT_EQ(force(strand_of(vector({1, 1})), vector({0, 0, 0, 0, 0, -1, 0, 0, -2})), VectorXd::Zero(9));
 }
 
@@ -341,6 +343,7 @@ TEST(ExactProduct, IsTheForcesDerivative) {
 }
 
 TEST(CurrentLengths, IsTheForcesDerivativeAtUnevenLengths) {
+  look_at("exact");
   const Case c = uneven(7, 1);
   const VectorXd dx = scattered_vector(21, 6);
   expect_product(
@@ -348,6 +351,7 @@ TEST(CurrentLengths, IsTheForcesDerivativeAtUnevenLengths) {
 }
 
 TEST(ClampedRoot, IsTheForcesDerivativeWithAClampedRoot) {
+  look_at("exact");
   for (const Case& c : {clamped(uneven(2, 2)), clamped(uneven(5, 3))}) {
     const VectorXd dx = scattered_vector(static_cast<int>(c.x.size()), 6);
     expect_product(
@@ -356,6 +360,7 @@ TEST(ClampedRoot, IsTheForcesDerivativeWithAClampedRoot) {
 }
 
 TEST(ExactProduct, IsSymmetric) {
+  look_at("symmetric");
   const Case c = clamped(uneven(8, 2));
   expect_symmetric([&](const VectorXd& dx) { return product(c.strand, c.x, dx); }, scattered_vector(24, 1),
                    scattered_vector(24, 2), 24 * 1024 * kU * 200,
@@ -382,6 +387,7 @@ TEST(StraightProducts, OfAStraightStrand) {
 }
 
 TEST(ExactProduct, IsIndefinite) {
+  look_at("indefinite");
   // phi = pi/2, k = 4, |e| = 1: the ends out of the bend's plane, one to either side, have -k phi tan(phi/2)
   // = -2 pi.
   const Strand strand = strand_of(vector({1, 1}));
@@ -410,6 +416,7 @@ TEST(SpdProduct, IsTheFormula) {
 }
 
 TEST(SpdProduct, IsNegativeSemidefinite) {
+  look_at("clamp");
   for (const Case& c : {bent(6, 0.3), bent(6, 2.8), clamped(uneven(7, 2))}) {
     for (int which = 0; which < 20; ++which) {
       const VectorXd dx = scattered_vector(static_cast<int>(c.x.size()), which);
@@ -421,6 +428,7 @@ TEST(SpdProduct, IsNegativeSemidefinite) {
 }
 
 TEST(CurrentLengths, IsSymmetricAtUnevenLengths) {
+  look_at("spd");
   const Case c = uneven(8, 2);
   expect_symmetric([&](const VectorXd& dx) { return product_spd(c.strand, c.x, dx); },
                    scattered_vector(24, 1), scattered_vector(24, 2), 24 * 1024 * kU * 200,
@@ -428,6 +436,7 @@ TEST(CurrentLengths, IsSymmetricAtUnevenLengths) {
 }
 
 TEST(ClampedRoot, HasTheJointOfAClampedRoot) {
+  look_at("spd");
   // One segment of 1 m, rest length 1 m, at a right angle to root_tangent: k = 2 EI / l = 8 N m, phi = pi/2, and
   // dphi/dx_1 = -root_tangent = (-0.6, 0, 0.8), for the tip moves against it where the bend grows. The plane of the bend is askew.
   Strand strand = strand_of(vector({1}));
@@ -444,7 +453,7 @@ TEST(ClampedRoot, HasTheJointOfAClampedRoot) {
 }
 
 TEST(StraightProducts, IsExactForAStraightStrand) {
-  look_at("s");
+  look_at("axis");
   Case c = bent(6, 0);
   const VectorXd dx = scattered_vector(18, 4);
   for (const Vector3d& direction :
@@ -458,7 +467,7 @@ TEST(StraightProducts, IsExactForAStraightStrand) {
 }
 
 TEST(Extremes, OfAHairAsOfAWireByAddProductsSpd) {
-  look_at("right");
+  look_at("hair");
   for (const Case& c : {uneven(7, 1), clamped(uneven(5, 3))}) {
     Strand hair = c.strand;
     hair.bend_rigidity = std::ldexp(c.strand.bend_rigidity, -30);
