@@ -82,7 +82,7 @@ TEST(Lengths, OfASpringOfFourMetresByBendSpringEnergy) {
 }
 
 TEST(Energy, SumsAllSprings) {
-  look_at("three");
+  look_at("sum");
   const Strand strand = strand_of(vector({1, 1, 2, 3}));  // d0 = 2, 3 and 5 m, k = 5, 10/3 and 2 N/m
   EXPECT_NEAR(bend_spring_energy(strand, vector({0, 0, 0, 0, 0, -1, 0, 0, -3, 0, 0, -5, 0, 0, -9})),
               (5 * 1 + 10.0 / 3 * 1 + 2 * 1) / 2, 1e-13)
@@ -92,7 +92,7 @@ TEST(Energy, SumsAllSprings) {
 }
 
 TEST(Energy, SeesStretchingAndHardlyBending) {
-  look_at("right");
+  look_at("rest");
   const Strand strand = strand_of(vector({1, 1}));  // k = 5 N/m
   EXPECT_NEAR(bend_spring_energy(strand, vector({0, 0, 0, 0, 0, -1.01, 0, 0, -2.02})), 5 * 4e-4 / 2, 1e-15)
       << "straight, stretched by 1 %: d - d0 = 0.02 m; bound: rounding";
@@ -112,7 +112,7 @@ TEST(NoDirection, OfParticlesThatMeet) {
 }
 
 TEST(Lengths, InAnyUnitByBendSpringEnergy) {
-  look_at("strands");
+  look_at("limit");
   expect_in_units(
       [](const Strand& strand, const VectorXd& x) { return vector({bend_spring_energy(strand, x)}); }, 1,
       "the energy");
@@ -132,6 +132,7 @@ TEST(Forces, OfOneSpring) {
 }
 
 TEST(Lengths, OfASpringOfFourMetresByAddBendSpringForce) {
+  look_at("force");
   const std::string source = "64 u of k (d + d0): rounding";
   // k (d - d0) = -3.75 N, along (0, 0.6, 0.8), from particle 0 to particle 2; nothing on particle 1.
   expect_entries(force(kTwo, kBent), vector({0, -2.25, -3, 0, 0, 0, 0, 2.25, 3}), 64 * kU * 2.5 * 6.5,
@@ -143,6 +144,7 @@ TEST(Lengths, OfASpringOfFourMetresByAddBendSpringForce) {
 }
 
 TEST(Forces, IsMinusTheEnergysGradient) {
+  look_at("neighbours");
   for (int count : {3, 4, 8}) {
     const Case c = bent(count, count);
     expect_force(
@@ -151,7 +153,7 @@ TEST(Forces, IsMinusTheEnergysGradient) {
 }
 
 TEST(Forces, GivesNoNetForceOrTorque) {
-  look_at("force-has");
+  look_at("other-end");
   const Case c = bent(9, 3);
   const VectorXd f = force(c.strand, c.x);
   EXPECT_GT(f.norm(), 1) << "no force at all";
@@ -165,7 +167,7 @@ TEST(Added, IsAddedToWhatFHolds) {
 }
 
 TEST(Lengths, InAnyUnitByAddBendSpringForce) {
-  look_at("strands");
+  look_at("limit");
   expect_in_units(force, 0, "the force");
 }
 
@@ -188,6 +190,7 @@ TEST(NoDirection, OfParticlesThatMeetIsZeroByAddBendSpringForce) {
 }
 
 TEST(NoDirection, OfTheSpringsBehindOneWithoutLengthStaysByAddBendSpringForce) {
+  look_at("goes-on");
   expect_entries(force(kThree, kFirstMeets), vector({0, 0, 0, 0, 0, -2.5, 0, 0, 0, 0, 0, 2.5}),
                  32 * kU * 2.5 * 9,
                  "the force at x = " + particles_in_words(kFirstMeets) +
@@ -228,6 +231,7 @@ TEST(FilteredProduct, LetsThroughWhatItIsToldTo) {
 }
 
 TEST(ExactProduct, IsSymmetric) {
+  look_at("symmetric");
   const Case c = bent(8, 2);
   expect_symmetric_terms(
       [&](GeometricTerm term, const VectorXd& dx) { return product(c.strand, c.x, term, dx); }, 24,
@@ -235,6 +239,7 @@ TEST(ExactProduct, IsSymmetric) {
 }
 
 TEST(FilteredProduct, WithoutTheNegativeTermIsNegativeSemidefinite) {
+  look_at("each-spring");
   const Case c = bent(8, 4);
   expect_negative_semidefinite(
       [&](GeometricTerm term, const VectorXd& dx) { return product(c.strand, c.x, term, dx); }, 24,
@@ -249,7 +254,7 @@ TEST(Added, IsAddedToWhatDfHolds) {
 }
 
 TEST(Lengths, InAnyUnitByAddBendSpringProduct) {
-  look_at("strands");
+  look_at("limit");
   const VectorXd dx = scattered_vector(18, 3);
   for (const GeometricTerm term : {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped})
     expect_in_units([&](const Strand& strand, const VectorXd& x) { return product(strand, x, term, dx); }, -1,
@@ -265,6 +270,7 @@ TEST(NoDirection, OfParticlesThatMeetIsZeroByAddBendSpringProduct) {
 }
 
 TEST(NoDirection, OfTheSpringsBehindOneWithoutLengthStaysByAddBendSpringProduct) {
+  look_at("goes-on");
   VectorXd dx = VectorXd::Zero(12);
   dx[11] = 1;
   for (GeometricTerm term : {GeometricTerm::full, GeometricTerm::filtered, GeometricTerm::dropped})
