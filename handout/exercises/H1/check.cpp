@@ -175,7 +175,7 @@ TEST(Extremes, InAnyUnitByAddStretchForce) {
 }
 
 TEST(Extremes, OfALongStrand) {
-  look_at("long");
+  look_at("crash");
   const int n = 10000;
   const Strand strand = strand_of(VectorXd::Ones(n - 1));
   VectorXd x = VectorXd::Zero(3 * n);
