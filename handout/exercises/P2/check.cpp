@@ -144,14 +144,13 @@ TEST(Rows, ComeRodsFirst) {
 }
 
 TEST(Units, HaveNoUnitOfTheirOwnByConstraintValues) {
-  look_at("");
   const Example metres = four_rods(1), other = four_rods(kSmallUnit);
   expect_numbers(values(other, other.state.x), kSmallUnit * kSmallUnit * values(metres, metres.state.x), 0,
                  "C of four rods, all lengths times 2^-40", "exact");
 }
 
 TEST(RodValues, AreTheChangeOfTheValues) {
-  look_at("values-right");
+  look_at("rates");
   const Example system = tangle();
   const double h = std::ldexp(1.0, -14);
   const VectorXd v = system.state.v;
@@ -163,7 +162,7 @@ TEST(RodValues, AreTheChangeOfTheValues) {
 }
 
 TEST(RodValues, OfASpinAreZero) {
-  look_at("values-right");
+  look_at("rates");
   // Turning around the pivot, and around the wire's axis.
   expect_numbers(rates(pendulum(), (VectorXd(6) << 0, 0, 0, std::cos(0.5), 0, std::sin(0.5)).finished()),
                  VectorXd::Zero(1), 8 * kUnit, "a pendulum that swings", "rounding");
@@ -195,7 +194,7 @@ TEST(RodForces, AreAddedToWhatIsThere) {
 }
 
 TEST(RodForces, OfRodsAreEqualAndOpposite) {
-  look_at("forces");
+  look_at("ends");
   Example system = tangle();
   system.constraints.wires.clear();
   expect_balanced(forces(system, scattered_vector(4, 4)), system.state.x, 50 * kUnit,
@@ -203,7 +202,6 @@ TEST(RodForces, OfRodsAreEqualAndOpposite) {
 }
 
 TEST(Units, HaveNoUnitOfTheirOwnByConstraintForces) {
-  look_at("forces");
   const Example metres = four_rods(1), other = four_rods(kSmallUnit);
   const VectorXd lambda = scattered_vector(4, 4);
   expect_numbers(forces(other, lambda), kSmallUnit * forces(metres, lambda), 0,
@@ -225,7 +223,7 @@ TEST(Matrix, IsTheTableOfItsProducts) {
 }
 
 TEST(Matrix, UsesTheValuesOfNow) {
-  look_at("");
+  look_at("now");
   Example system = tangle();
   VectorXd y = scattered_vector(8, 7), result(8);
   const auto matrix = constraint_matrix(system.constraints, system.particles, system.state);
@@ -240,7 +238,7 @@ TEST(Matrix, UsesTheValuesOfNow) {
 }
 
 TEST(Matrix, IsSymmetricAndNeverNegative) {
-  look_at("conjgrad");
+  look_at("symmetric");
   const Example system = tangle();
   const VectorXd a = scattered_vector(8, 5), b = scattered_vector(8, 6);
   expect_symmetric([&](const VectorXd& y) { return product(system, y); }, a, b, 1e-12, "some 100 roundings");
@@ -266,7 +264,7 @@ TEST(Solve, CarriesAPendulum) {
 }
 
 TEST(Pinned, TakesAPivotsVelocityAsItIs) {
-  look_at("right");
+  look_at("velocity");
   Example resting = pendulum(), flying = pendulum();
   flying.state.v << 3, 1, -2, 3, 1, -2;
   expect_numbers(solve(flying), solve(resting), 1e-8 * solve(resting).norm(),
@@ -275,7 +273,7 @@ TEST(Pinned, TakesAPivotsVelocityAsItIs) {
 }
 
 TEST(Units, HasNoUnitOfItsOwn) {
-  look_at("right");
+  look_at("epsilon");
   Example metres = pendulum(), other = pendulum();
   const double unit = std::ldexp(1.0, -40);
   other.constraints.rods[0].length *= unit;
@@ -287,7 +285,7 @@ TEST(Units, HasNoUnitOfItsOwn) {
 }
 
 TEST(Solve, HoldsABead) {
-  look_at("right");
+  look_at("motion");
   Example system = bead();
   system.state.v = Vector3d(-4, 0, 0);
   const Vector2d expected(-0.25 * 16 / 2 / 2, 9.81 * 0.25);
@@ -297,7 +295,7 @@ TEST(Solve, HoldsABead) {
 }
 
 TEST(Solve, LeavesConstraintsNoAcceleration) {
-  look_at("right");
+  look_at("motion");
   const Example system = tangle();
   // C'' = J a + J' v by differences of J v along the motion x + t v + t^2/2 a.
   const VectorXd a = accelerations(system), v = system.state.v;
@@ -386,6 +384,7 @@ TEST(Report, ReportsHowFarItCame) {
 }
 
 TEST(Report, ReportsTheStepsOfConjGrad) {
+  look_at("steps");
   // Two equal rods that share no particle: J W J^T is a multiple of the identity, and one step solves that.
   Example pair;
   pair.particles = {VectorXd::Ones(4), {0, 0, 0, 0}};
@@ -398,7 +397,7 @@ TEST(Report, ReportsTheStepsOfConjGrad) {
 }
 
 TEST(Report, TakesTheStepsThatALongChainNeeds) {
-  look_at("long");
+  look_at("limit");
   // 150 particles of 1 kg in a row, 0.1 m apart, the first one pinned: 149 rows, and as many iterations.
   constexpr int kCount = 150;
   Example chain;
@@ -419,7 +418,7 @@ TEST(Report, TakesTheStepsThatALongChainNeeds) {
 }
 
 TEST(Report, TakesAllStepsThereMayBeWhereNoneSuffice) {
-  look_at("long");
+  look_at("limit");
   // 40 rods of 1 to 1e8 m that share no particle: their squares are the matrix's entries, and rounding leaves more than the tolerance.
   constexpr int kRods = 40;
   Example system;
@@ -443,7 +442,7 @@ TEST(Report, TakesAllStepsThereMayBeWhereNoneSuffice) {
 }
 
 TEST(Solve, GivesTheSameForcesHoweverOftenItIsAsked) {
-  look_at("right-first");
+  look_at("again");
   const Example system = tangle();
   const VectorXd first = solve(system);
   for (int i = 1; i <= kManyCalls; ++i)
