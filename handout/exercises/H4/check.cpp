@@ -116,7 +116,7 @@ TEST(Pinned, HasPinnedRowsAndColumnsOfTheIdentity) {
 }
 
 TEST(Matrix, IsSymmetric) {
-  look_at("pinned");
+  look_at("symmetric");
   const Spring spring(4, 1, GeometricTerm::full, 0.5);
   for (const Particles& particles : {kFree, kPinned, kOtherPinned}) {
     const MatrixXd A = table(spring, particles, apart(), 0.5, 0.25);
@@ -139,7 +139,7 @@ TEST(Cost, TakesOneProductOfEachKind) {
 }
 
 TEST(Matrix, TakesDerivativesAtTheState) {
-  look_at("right");
+  look_at("state");
   const State state{six(1, 0.5, 2, 1.5, -1, 0.5), six(0.5, 1, 0.25, 1, -0.5, 2)};
   const VectorXd dx = six(1, 2, -1, 3, 1, -2);
   VectorXd expected(6);
@@ -188,6 +188,7 @@ TEST(RightSide, IsTheForceAndWhatTheMotionChangesOfIt) {
 }
 
 TEST(Cost, TakesOneProductAndOneForce) {
+  look_at("force");
   const Spring spring(4, 1, GeometricTerm::full, 0.5);
   const State state = apart();
   VectorXd rhs = VectorXd::Zero(6);
@@ -198,7 +199,7 @@ TEST(Cost, TakesOneProductAndOneForce) {
 }
 
 TEST(Pinned, IsZeroWherePinned) {
-  look_at("pinned-particles");
+  look_at("right-side");
   const Spring spring(4, 1, GeometricTerm::full, 0.5);
   State state = apart();
   state.v[2] = 0.75;  // no number of the right-hand side is 0 by itself
@@ -217,7 +218,7 @@ TEST(Pinned, IsZeroWherePinned) {
 }
 
 TEST(RightSide, IsTakenAtTheState) {
-  look_at("right-state");
+  look_at("state");
   const State state{six(1, 0.5, 2, 1.5, -1, 0.5), six(0.5, 1, 0.25, 1, -0.5, 2)};
   VectorXd rhs = VectorXd::Constant(6, 1e3), expected(6);
   for (int i = 0; i < 6; ++i) {
@@ -287,7 +288,7 @@ TEST(Tolerance, KeepsItsToleranceForLightParticles) {
 }
 
 TEST(Report, TakesNoMoreStepsThanItMay) {
-  look_at("solve");
+  look_at("limit");
   for (const int most : {1, 5}) {
     Table matrix = counted_table(30, 1);
     VectorXd rhs = scattered_vector(30, 1), dv(30);
@@ -311,6 +312,7 @@ TEST(Nothing, SolvesNothing) {
 }
 
 TEST(Report, SaysWhatItCannotSolve) {
+  look_at("converged");
   Table matrix = counted_table(9, -1);
   VectorXd rhs = scattered_vector(9, 1), dv(9);
   const SolveReport indefinite = solve_plain(matrix, rhs, 1e-2, 180, dv);
@@ -323,6 +325,7 @@ TEST(Report, SaysWhatItCannotSolve) {
 }
 
 TEST(Units, IsTheSameInEveryUnitBySolvePlain) {
+  look_at("epsilon");
   const auto in_unit = [](double unit) {
     Table matrix = counted_table(20, 1);
     VectorXd right = unit * scattered_vector(20, 1), dv = VectorXd::Zero(20);
@@ -351,7 +354,7 @@ TEST(Step, MovesWithTheNewVelocity) {
 }
 
 TEST(Step, TakesTheSameStepHoweverOftenItIsAsked) {
-  look_at("right");
+  look_at("static");
   const Spring spring(4, 1, GeometricTerm::full, 0.5);
   const auto step = [&] {
     State state = apart();
@@ -368,7 +371,7 @@ TEST(Step, TakesTheSameStepHoweverOftenItIsAsked) {
 }
 
 TEST(Pinned, LeavesPinnedParticlesTheirVelocity) {
-  look_at("step");
+  look_at("velocity");
   const Spring spring(4, 1, GeometricTerm::full, 0.5);
   State state = apart(), before = state;
   MatrixXd scratch(6, particles::kImplicitScratch);
@@ -379,6 +382,7 @@ TEST(Pinned, LeavesPinnedParticlesTheirVelocity) {
 }
 
 TEST(Step, SolvesForTheWholeStep) {
+  look_at("system");
   // a = b = h: the system and its solution by your own matrix and right-hand side.
   const double h = 0.5;
   const Spring spring(1, 1.5, GeometricTerm::dropped, 0.1);
@@ -397,6 +401,7 @@ TEST(Step, SolvesForTheWholeStep) {
 }
 
 TEST(Step, PassesItsToleranceOn) {
+  look_at("system");
   const Chain chain(1e-3, 30);
   const particles::DampedSprings springs(chain.springs, particles::Products::definite);
   const auto steps = [&](double tolerance) {
@@ -409,6 +414,7 @@ TEST(Step, PassesItsToleranceOn) {
 }
 
 TEST(Step, DampsAnOscillatorAsBackwardEulerDoes) {
+  look_at("system");
   // 3 kg on a spring, 10 % too long: the amplitude of x and v/w falls by 1/sqrt(1 + h^2 w^2) in each step.
   for (double hw : {0.1, 1.0, 10.0}) {
     const double h = 0.5, w = hw / h;
@@ -424,6 +430,7 @@ TEST(Step, DampsAnOscillatorAsBackwardEulerDoes) {
 }
 
 TEST(Step, AMassThatTurnsOnAStiffSpring) {
+  look_at("system");
   const auto step = [](const particles::Force& force, const Particles& particles, double h, State& state) {
     MatrixXd scratch(6, particles::kImplicitScratch);
     implicit_euler(force, particles, h, particles::kSolveTolerance, state, scratch);
