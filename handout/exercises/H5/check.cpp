@@ -268,7 +268,7 @@ TEST(Report, MeasuresTheErrorByRelaxLengths) {
 }
 
 TEST(Report, LeavesAnErrorThatIsTheToleranceByRelaxLengths) {
-  look_at("something");
+  look_at("count");
   leaves_an_error_that_is_the_tolerance(relax, vector({0, 0, 0, 0, 0, -1.25}));
 }
 
@@ -277,12 +277,12 @@ TEST(Relaxation, CorrectsOneSegment) {
 }
 
 TEST(Relaxation, SaysThatItConverged) {
-  look_at("iteration");
+  look_at("repeat");
   says_that_it_converged(relax);
 }
 
 TEST(Relaxation, MakesLengthsRight) {
-  look_at("sweeps");
+  look_at("repeat");
   makes_lengths_right(relax);
 }
 
@@ -295,7 +295,7 @@ TEST(Root, LeavesTheRootAloneByRelaxLengths) {
 }
 
 TEST(Relaxation, MovesByImpulsesAlongTheSegments) {
-  look_at("right");
+  look_at("shares");
   moves_by_impulses_along_the_segments(relax);
 }
 
@@ -304,7 +304,7 @@ TEST(LongStrands, EndsForALongStrandByRelaxLengths) {
 }
 
 TEST(Report, ReportsWhatItDidByRelaxLengths) {
-  look_at("iteration");
+  look_at("count");
   reports_what_it_did(relax, bent(strand_of(10), 0.05), largest_error);
 }
 
@@ -315,7 +315,7 @@ TEST(Iterations, TakesOneSweepForOneSegment) {
 }
 
 TEST(Report, NeverConvergesWithNaNByRelaxLengths) {
-  look_at("reports");
+  look_at("nan");
   never_converges_with_nan(relax, bent(strand_of(10), 0));
 }
 
@@ -324,7 +324,7 @@ TEST(Units, WorksInEveryUnitByRelaxLengths) {
 }
 
 TEST(Relaxation, TakesSweepsThatGrowWithTheSquare) {
-  look_at("good");
+  look_at("repeat");
   std::printf(
       "A straight hair that is 1 %% too long, to 1e-10: your sweeps, for the table in the assignment\n");
   for (int segments : {10, 20, 30, 60})
@@ -336,7 +336,7 @@ TEST(Report, MeasuresTheErrorByCorrectLengths) {
 }
 
 TEST(Report, LeavesAnErrorThatIsTheToleranceByCorrectLengths) {
-  look_at("something");
+  look_at("count");
   leaves_an_error_that_is_the_tolerance(correct, vector({0, 0, 0, 0, 0, -1.25}));
 }
 
@@ -345,12 +345,12 @@ TEST(Lengths, CorrectsOneSegment) {
 }
 
 TEST(Lengths, SaysThatItConverged) {
-  look_at("iteration");
+  look_at("matrix");
   says_that_it_converged(correct);
 }
 
 TEST(Iterations, TakesFewIterationsByCorrectLengths) {
-  look_at("ends");
+  look_at("newton");
   std::printf("The same by correct_lengths: your iterations\n");
   for (int segments : {10, 20, 30, 60}) {
     const int iterations = iterations_for(correct, segments);
@@ -363,12 +363,12 @@ TEST(Iterations, TakesFewIterationsByCorrectLengths) {
 }
 
 TEST(Lengths, MakesLengthsRight) {
-  look_at("newtons");
+  look_at("matrix");
   makes_lengths_right(correct);
 }
 
 TEST(Masses, MovesByMassesByCorrectLengths) {
-  look_at("newtons");
+  look_at("correct");
   moves_by_masses(correct);
 }
 
@@ -385,12 +385,12 @@ TEST(LongStrands, EndsForALongStrandByCorrectLengths) {
 }
 
 TEST(Report, ReportsWhatItDidByCorrectLengths) {
-  look_at("iteration");
+  look_at("count");
   reports_what_it_did(correct, bent(strand_of(10), 0.05), largest_error);
 }
 
 TEST(Report, NeverConvergesWithNaNByCorrectLengths) {
-  look_at("reports");
+  look_at("nan");
   never_converges_with_nan(correct, bent(strand_of(10), 0));
 }
 
@@ -403,7 +403,7 @@ TEST(FarRoot, IsHonestWhereTheRootIsFar) {
 }
 
 TEST(Lengths, GivesTheSameHoweverOftenItIsAsked) {
-  look_at("right");
+  look_at("static");
   const Strand strand = strand_of(5, 3);
   const VectorXd before = bent(strand, 0.05);
   VectorXd first = before;
@@ -443,7 +443,7 @@ TEST(Report, MeasuresTheErrorByCorrectVelocities) {
 }
 
 TEST(Report, LeavesAnErrorThatIsTheToleranceByCorrectVelocities) {
-  look_at("something");
+  look_at("count");
   leaves_an_error_that_is_the_tolerance(
       [](const Strand& strand, double tolerance, int most, VectorXd& v) {
         return stop_at(VectorXd::Unit(v.size(), v.size() - 1), strand, tolerance, most, v);
@@ -467,7 +467,7 @@ TEST(Velocities, CorrectsOneSegment) {
 }
 
 TEST(Velocities, SaysThatItConverged) {
-  look_at("iteration");
+  look_at("both-ends");
   for (int count : {1, 2, 3, 10}) {
     const Strand strand = strand_of(count, 3);
     VectorXd v = scattered_vector(3 * count, 7);
@@ -481,7 +481,7 @@ TEST(Velocities, SaysThatItConverged) {
 }
 
 TEST(Velocities, StopStretching) {
-  look_at("velocities");
+  look_at("both-ends");
   for (int count : {1, 2, 3, 10}) {
     const Strand strand = strand_of(count, 3);
     const VectorXd before = scattered_vector(3 * count, 7);
@@ -505,12 +505,12 @@ TEST(LongStrands, EndsForALongStrandByCorrectVelocities) {
 }
 
 TEST(Report, ReportsWhatItDidByCorrectVelocities) {
-  look_at("iteration");
+  look_at("count");
   reports_what_it_did(stop, scattered_vector(30, 7), largest_rate);
 }
 
 TEST(Iterations, TakesFewIterationsByCorrectVelocities) {
-  look_at("velocities");
+  look_at("rate");
   takes_few_iterations(
       [](const Strand& strand, double tolerance, int most, VectorXd& v) {
         return stop_at(bent(strand, 0, kLittleBent), strand, tolerance, most, v);
@@ -519,12 +519,12 @@ TEST(Iterations, TakesFewIterationsByCorrectVelocities) {
 }
 
 TEST(Report, NeverConvergesWithNaNByCorrectVelocities) {
-  look_at("reports");
+  look_at("nan");
   never_converges_with_nan(stop, VectorXd::Zero(30));
 }
 
 TEST(Iterations, OfOneSegmentAtOnce) {
-  look_at("segment");
+  look_at("rate");
   const Strand strand = strand_of(2, 3);
   VectorXd v = scattered_vector(6, 7);
   EXPECT_LE(stop(strand, 1e-9, 1000, v).iterations, 2)
@@ -532,6 +532,7 @@ TEST(Iterations, OfOneSegmentAtOnce) {
 }
 
 TEST(Degenerate, OfASegmentOfNoLength) {
+  look_at("velocities");
   Strand strand = strand_of(2);
   strand.root_tangent = Vector3d(0, 1, 0);
   VectorXd v = vector({0, 0, 0, 1, 2, 3});
@@ -543,7 +544,7 @@ TEST(Degenerate, OfASegmentOfNoLength) {
 }
 
 TEST(Velocities, ByImpulsesAlongTheSegments) {
-  look_at("impulses");
+  look_at("own-direction");
   const Strand strand = strand_of(10, 3);
   const VectorXd before = scattered_vector(30, 7);
   VectorXd v = before;
@@ -553,7 +554,7 @@ TEST(Velocities, ByImpulsesAlongTheSegments) {
 }
 
 TEST(Masses, ByEqualAndOppositeImpulses) {
-  look_at("impulses");
+  look_at("velocities");
   // A right angle: the first segment sees nothing of what the second needs, so that this is a collision of 1 and 3 kg.
   Strand strand = strand_of(3);
   strand.mass = vector({1, 1, 3});
