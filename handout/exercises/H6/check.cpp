@@ -111,7 +111,7 @@ TEST(Prediction, MovesWithThePredictedVelocity) {
 }
 
 TEST(Prediction, PutsASpringWhereTheFiveStepsDo) {
-  look_at("positions");
+  look_at("after");
   expect_entries(after(kStiffness, GeometricTerm::dropped).x, six(Vector3d::Zero(), five_steps().x), 1e-9,
                  "x after a step of 0.5 s from (1, 0, 0) m at (1, 2, 0) m/s, 2 kg, a spring of 8 N/m and 1 m",
                  "1e-10 of the solves, ten times");
@@ -131,7 +131,7 @@ TEST(SecondSolve, TakesTheFiveStepsOnASpring) {
 }
 
 TEST(Cost, EvaluatesTheForceTwice) {
-  look_at("");
+  look_at("force");
   const Spring spring(kStiffness, 1, GeometricTerm::dropped);
   State state = moving();
   step(spring, kHalf, state);
@@ -154,7 +154,7 @@ TEST(Cost, ReportsEachPart) {
 
 // With springs that know their band, solve_implicit has a preconditioner, whose memory is another part of `scratch`.
 TEST(SecondSolve, IsTheSameWithAPreconditioner) {
-  look_at("good");
+  look_at("scratch");
   Chain chain(1e-3, 8);
   for (int i = 2; i < 8; ++i) chain.springs.push_back({i - 2, i, 1e-3, 0.02});
   chain.state.x.tail(21) += 1e-3 * scattered_vector(21, 2);
@@ -190,7 +190,7 @@ TEST(SecondSolve, IsTheSameWithAPreconditioner) {
 }
 
 TEST(Lengths, MovesAStrandOfOneParticleWithItsRoot) {
-  look_at("");
+  look_at("root");
   Strand strand;
   strand.mass = VectorXd::Ones(1);
   State state{VectorXd::Zero(3), Vector3d(1, 2, 3)};
@@ -224,7 +224,7 @@ TEST(OtherLimits, SolvesAsExactlyAsItIsAskedToAndKeepsItsLengths) {
 }
 
 TEST(OtherLimits, GivesTheImpulseHoweverTheCorrectionEnded) {
-  look_at("odd");
+  look_at("unconverged");
   // Without forces the way of a particle over h is its velocity, whatever the correction did. A root that is 1e12 m
   // away leaves a correction that never converges; a strand that is flung about takes it many iterations.
   for (const double root : {0.0, 1e12}) {
@@ -275,7 +275,7 @@ TEST(Units, IsTheSameInEveryUnit) {
 }
 
 TEST(SecondSolve, TakesTheSameStepHoweverOftenItIsAsked) {
-  look_at("good");
+  look_at("static");
   const Spring spring(8, 1, GeometricTerm::dropped);
   State first = moving();
   step(spring, 0.5, first);
@@ -300,7 +300,6 @@ TEST(Lengths, LeavesTheRootItsVelocity) {
 }
 
 TEST(SecondSolve, AMassThatTurnsOnAStiffSpring) {
-  look_at("radial");
   const auto turn = [](const particles::Force& force, const Particles& particles, double h, State& state) {
     Strand strand;
     strand.mass = particles.mass;
