@@ -243,7 +243,7 @@ TEST(Velocities, AreThoseOfThePlaces) {
 }
 
 TEST(Velocities, BeginAtTheBase) {
-  look_at("first");
+  look_at("base");
   LinkPass base;
   base.v = {Vector3d(0, 0, 2), Vector3d(1, 0, 0)};
   const Passes passes = pass_1(pendulum(1, 0.5, 0), one(3), base);
@@ -313,7 +313,7 @@ TEST(OtherUnits, OfJointsOfAnySpeed) {
 
 // A light second link has other numbers in its pass before, as from an earlier step.
 TEST(ValuesBefore, OverwriteWhatStoodThereByOutwardVelocities) {
-  look_at("");
+  look_at("velocities");
   const Links links = chain_of({pendulum(1, 0.5, 0.3)[1], pendulum(1, 0.4, -0.2)[1]});
   const VectorXd rates = vector({3, -1});
   const Passes fresh = pass_1(links, rates);
@@ -356,7 +356,7 @@ TEST(Inertias, GainOfASlider) {
 
 // A rod without mass lets nothing through but what pulls along it, and what moves it along the joint's axis.
 TEST(Inertias, OfAPendulumAreThoseOfItsRod) {
-  look_at("ia");
+  look_at("parent");
   const Passes passes = pass_2(pendulum(2, 0.5, 0), one(0), Passes(2));
   expect_matrix(passes[0].inertia.M, Matrix3d(Vector3d(0, 2, 2).asDiagonal()), 1e-14,
                 "M of I^A of the base, to which a pendulum of 2 kg hangs down that turns about y", "1e-14");
@@ -374,7 +374,7 @@ TEST(ValuesBefore, BeginWithTheBasesInertiaToo) {
 
 // All blocks of I^A of the base, and the whole of Z^A.
 TEST(Inertias, OfAChainAreWhatItsJointsLeave) {
-  look_at("ia");
+  look_at("parent");
   expect_base(placed(kQ).links, VectorXd::Zero(4), VectorXd::Zero(4), Part::inertia);
 }
 
@@ -448,7 +448,7 @@ TEST(AddedBySteps, AddWhatStiffensAJoint) {
 
 // Implicit steps add to a link's inertia.
 TEST(AddedBySteps, TakeTheInertiaThatALinkHas) {
-  look_at("gain");
+  look_at("inertia");
   Links links = pendulum(2, 0.5, 0);
   links[1].inertia.M(0, 0) = 3;
   links[1].inertia.H(1, 2) = 0.25;
@@ -459,7 +459,6 @@ TEST(AddedBySteps, TakeTheInertiaThatALinkHas) {
 }
 
 TEST(LongChains, BeginAtTheTipOfALongChain) {
-  look_at("");
   const Links links = chain_of(Links(300, pendulum(2, 0.5, 0)[1]));
   const Passes passes = pass_2(links, VectorXd::Zero(300), Passes(301));
   EXPECT_NEAR(passes[300].gain(0, 0), 1 / (2 * 0.25), 1e-14) << "1 / (m l^2) of the last of 300 links";
@@ -468,6 +467,7 @@ TEST(LongChains, BeginAtTheTipOfALongChain) {
 // ---- Pass 3
 
 TEST(Accelerations, TakeTheGainOfPass2) {
+  look_at("gain");
   const Links links = pendulum(2, 0.5, 1.5, 9.81);
   Passes passes = pass_2(links, one(0), pass_1(links, one(0)));
   const double found = pass_3(links, one(0), passes)[0];
@@ -505,6 +505,7 @@ TEST(Trees, OfTwoPendulumsOnOneBase) {
 }
 
 TEST(Accelerations, OfABaseThatFalls) {
+  look_at("base");
   // Seen from a lift whose rope is cut, nothing has weight.
   const Links links = pendulum(2, 0.5, 0.7, 9.81);
   Passes passes = pass_1(links, one(0));
@@ -535,6 +536,7 @@ TEST(Accelerations, OfADoublePendulum) {
 }
 
 TEST(Accelerations, ObeyNewtonAndEuler) {
+  look_at("base");
   Links links = placed(kQ).links;
   for (Link& link : links) link.external = {Vector3d(1, -2, 3), Vector3d(0.5, 0.1, -0.3)};
   const VectorXd Q = vector({1, -2, 0.5, 3});
@@ -563,7 +565,7 @@ TEST(OtherUnits, OfPendulumsOfAnySize) {
 }
 
 TEST(ValuesBefore, OverwriteWhatStoodThereByOutwardAccelerations) {
-  look_at("");
+  look_at("accelerations");
   const Links links = pendulum(2, 0.5, 1.5, 9.81);
   Passes passes = pass_2(links, one(0), pass_1(links, one(4)));
   pass_3(links, one(0), passes);
@@ -616,7 +618,7 @@ TEST(SphericalJoints, HaveThreeForcesAndAccelerationsEach) {
 
 // The axes of its rates are the world's: what turns with the parent adds no omega x w.
 TEST(SphericalJoints, TurnAboutAxesOfTheWorld) {
-  look_at("c");
+  look_at("axes");
   const Links links = chain_of({link_of(JointType::spherical, Vector3d::Zero(), 0.5 * kX, 0.8 * kX, 1)});
   LinkPass base;
   base.v.angular = Vector3d(0, 0, 2);
@@ -662,7 +664,7 @@ TEST(SphericalJoints, ObeyNewtonAndEuler) {
 }
 
 TEST(SphericalJoints, AreStiffenedByAMatrix) {
-  look_at("stiff");
+  look_at("stiffening");
   Links links = chain_of({link_of(JointType::spherical, Vector3d::Zero(), Vector3d::Zero(), kX, 1,
                                   Vector3d(1, 2, 3).asDiagonal())});
   links[1].stiffening << 1, 0.5, 0.2, 0.5, 2, -0.3, 0.2, -0.3, 1.5;
@@ -687,7 +689,7 @@ TEST(SphericalJoints, AreStiffenedByAMatrix) {
 }
 
 TEST(SphericalJoints, ObeyNewtonAndEulerWhereTheyAreStiffened) {
-  look_at("stiff");
+  look_at("stiffening");
   expect_balance(true);
 }
 
