@@ -196,7 +196,6 @@ TEST(NearlyStraight, IsFiniteAtZero) {
 }
 
 TEST(NearlyStraight, IsOneOverKFactorialAtZero) {
-  look_at("stumpff");
   const std::array<double, 8> c = hair::stumpff(0);
   for (int k = 0; k < 8; ++k) EXPECT_NEAR(c[k], 1 / std::tgamma(k + 1), 1e-15) << "c_" << k << "(0) = 1/k!";
 }
@@ -204,7 +203,7 @@ TEST(NearlyStraight, IsOneOverKFactorialAtZero) {
 // The functions belong together: x c_(k+2) = 1/k! - c_k, and the derivative. A jump, or digits that are lost near
 // 0, break it.
 TEST(NearlyStraight, KeepsItsDigitsNearZero) {
-  look_at("right");
+  look_at("digits");
   double factorial[8] = {1};
   for (int k = 1; k < 8; ++k) factorial[k] = k * factorial[k - 1];
   for (double x = 1e-12; x < 2e4; x *= 3) {
@@ -251,6 +250,7 @@ TEST(CentreLine, BendsAboutN1AndN2) {
 }
 
 TEST(CentreLine, GoesOnFromItsStart) {
+  look_at("start");
   const MaterialFrame root = some_root(), alone = hair::frame_at({}, kCurvature, 0.7),
                       end = hair::frame_at(root, kCurvature, 0.7);
   expect_vector(end.position, root.position + root.axes * alone.position, 1e-13,
@@ -291,6 +291,7 @@ void expect_turns_by_omega(std::initializer_list<double> sizes) {
 }  // namespace
 
 TEST(CentreLine, TurnsByOmega) {
+  look_at("terms");
   expect_turns_by_omega({0.1, 1, 2});
 }
 
@@ -307,7 +308,7 @@ TEST(NearlyStraight, IsStraightWithoutCurvature) {
 
 // An arc about n1, however little it winds and however long it is: there is no size below which an element is straight.
 TEST(NearlyStraight, BendsHoweverLittle) {
-  look_at("right");
+  look_at("digits");
   for (const double length : {1.0, 1e-9, 1e9})
     for (const double angle : {1e-9, 1e-7, 1e-5, 1e-3, 0.1}) {
       const MaterialFrame end = hair::frame_at({}, Vector3d(angle / length, 0, 0), length);
@@ -440,7 +441,7 @@ TEST(Jacobians, TurnsAsTheFrameDoes) {
 }
 
 TEST(Jacobians, MovesAsThePointDoes) {
-  look_at("jacobian");
+  look_at("moves");
   expect_derivative(Column::moves);
 }
 
@@ -476,6 +477,7 @@ TEST(Forces, OfAForceAtTheTip) {
 
 // Q^T q' = sum of force . velocity.
 TEST(Forces, HasThePowerOfTheForces) {
+  look_at("own");
   for (const std::set<int>& bare : {std::set<int>{}, {0}, {2}, {0, 1, 3}}) {
     Lying lying = crooked_strand();
     std::erase_if(lying.points, [&](const HelixPoint& point) { return bare.contains(point.element); });
@@ -528,7 +530,7 @@ TEST(Masses, OfEachElementOnTheDiagonal) {
 }
 
 TEST(Masses, OfTwoElements) {
-  look_at("mass-matrix");
+  look_at("pairs");
   const MatrixXd two = mass_of(straight_strand(2, 2, 5));
   EXPECT_NEAR(two(0, 3), 5 * 5 / 24.0, 1e-12) << "element 0 and element 1, of a straight strand";
   EXPECT_NEAR(two(3, 0), 5 * 5 / 24.0, 1e-12) << "element 1 and element 0: M is symmetric";
@@ -617,7 +619,7 @@ TEST(Steps, SolvesItsSystem) {
 
 // M of hair is some 1e-17 kg m^4, so nothing may be too small for it.
 TEST(OtherUnits, SolvesItsSystemHoweverLight) {
-  look_at("step");
+  look_at("small-mass");
   expect_solved({1e-7, 1e-20});
 }
 
