@@ -83,6 +83,7 @@ TEST(Strengths, FallsFromOneToZero) {
 }
 
 TEST(Strengths, OfALinkThatBreaksAtOnce) {
+  look_at("at-once");
   for (const auto& [largest, expected] : {std::pair(1.9, 1.0), {2.0, 1.0}, {2.1, 0.0}})
     EXPECT_EQ(link_strength(link_of(2, 2), largest), expected)
         << "a link that yields and breaks at 2; its largest stretch was " << largest;
@@ -142,6 +143,7 @@ TEST(Added, AddsToWhatIsThereByAddLinkForce) {
 }
 
 TEST(LinkForces, IsTheSlopeOfTheEnergy) {
+  look_at("every-link");
   const Linked s;
   expect_force(
       forces(s.links, s.frames, s.largest, s.x),
@@ -265,6 +267,7 @@ TEST(Touches, FindsAPointNearby) {
 }
 
 TEST(Touches, FindsNothingFarAway) {
+  look_at("outside");
   StripContact contact;
   for (const double height : {0.3, -0.3})
     EXPECT_FALSE(touch(above_triangle(height), 1, contact)) << height << " above; the thickness is 0.25";
@@ -303,7 +306,7 @@ TEST(FlatTriangles, FindsEdgesAndNoFlatTriangle) {
 
 // "Without an area" is an area of exactly 0.
 TEST(FlatTriangles, FindsTrianglesOfAnySize) {
-  look_at("right");
+  look_at("limit");
   StripContact contact;
   for (const double scale : {0x1p-50, 0x1p50}) {
     const VectorXd x = scale * above_triangle(0.125);
@@ -339,6 +342,7 @@ TEST(NoDirections, GivesAHairWithoutADirectionItsFullWeight) {
 }
 
 TEST(Weights, DoesNotAskForSigns) {
+  look_at("sign");
   const Vector3d z(0, 0, 1);
   EXPECT_NEAR(weight_of(-z, {z, z, z}), 0, 1e-12)
       << "the point's tangent is -z, the strip's are z: the hair was turned end for end";
@@ -347,6 +351,7 @@ TEST(Weights, DoesNotAskForSigns) {
 
 // A unit vector's product with itself is often a little more than 1.
 TEST(Weights, NeverGivesANegativeWeight) {
+  look_at("negative");
   for (int which = 0; which < 20; ++which) {
     const Vector3d t = Vector3d(scattered_vector(3, which)).normalized();
     EXPECT_GE(weight_of(t, {t, t, t}), 0)
@@ -362,12 +367,12 @@ TEST(StripForces, OfOneContact) {
 }
 
 TEST(StripForces, OfAPointFarAwayIsNothing) {
-  look_at("hair");
+  look_at("far");
   EXPECT_EQ(strip_energy(std::vector{some_contact()}, kLaw, above_triangle(0.3)), 0) << "farther than 0.25 m";
 }
 
 TEST(StripForces, PushesThePointAndTheCorners) {
-  look_at("strips-force");
+  look_at("shares");
   VectorXd expected = zeros(4);
   expected[11] = 4;
   expected[2] = -2;
@@ -388,7 +393,7 @@ TEST(Added, AddsToWhatIsThereByAddStripForce) {
 }
 
 TEST(StripForces, IsTheSlopeOfTheEnergy) {
-  look_at("strips-force");
+  look_at("shares");
   const Pressed s;
   expect_force(
       strip_forces(s.contacts, s.x), [&](const VectorXd& x) { return strip_energy(s.contacts, kLaw, x); },
@@ -396,7 +401,7 @@ TEST(StripForces, IsTheSlopeOfTheEnergy) {
 }
 
 TEST(StripForces, BalancesRightAfterTouching) {
-  look_at("strips-force");
+  look_at("shares");
   VectorXd x = scattered_vector(12, 6);
   const Vector3d a = x.head<3>(), b = x.segment<3>(3), c = x.segment<3>(6);
   x.tail<3>() = 0.3 * a + 0.3 * b + 0.4 * c + 0.1 * (b - a).cross(c - a).normalized();
@@ -444,6 +449,7 @@ TEST(Frictions, SlipsWithCoulombsForce) {
 
 // All particles move, each has a mass of its own: W is 1/2 + 0.25/4 + (1 + 2)/16 = 0.75 / kg.
 TEST(Frictions, StopsThePointBesideCornersThatMove) {
+  look_at("corners");
   VectorXd v = scattered_vector(12, 3);
   const Eigen::Vector4d inverse_mass(0.25, 1, 2, 0.5);
   const Vector3d slip = v.tail<3>() - 0.5 * v.head<3>() - 0.25 * v.segment<3>(3) - 0.25 * v.segment<3>(6);
@@ -474,6 +480,7 @@ TEST(PinnedFrictions, ChangesNothingThatIsPinnedOrAtRest) {
 }
 
 TEST(Frictions, StopsAndDoesNotReverse) {
+  look_at("reverse");
   VectorXd v = zeros(4), inverse_mass = VectorXd::Zero(4), expected = zeros(4);
   v.tail<3>() = Vector3d(0.3, 0.4, 7);
   expected[11] = 7;
@@ -506,6 +513,7 @@ TEST(FrictionOrder, GoesContactAfterContact) {
 }
 
 TEST(OtherUnits, OfPointsOfAnySpeed) {
+  look_at("slow");
   const Eigen::Vector4d inverse_mass(0.25, 1, 2, 0.5);
   const VectorXd before = scattered_vector(12, 3),
                  after = after_friction(above_triangle(0.05), inverse_mass, 10, before);
@@ -514,6 +522,7 @@ TEST(OtherUnits, OfPointsOfAnySpeed) {
 }
 
 TEST(Frictions, NeverAccelerates) {
+  look_at("reverse");
   for (int which = 0; which < 10; ++which) {
     const Pressed s;
     const VectorXd inverse_mass = scattered_vector(5, which).cwiseAbs(),
