@@ -218,9 +218,7 @@ INSTANTIATE_TEST_SUITE_P(SymplecticEuler, Integrator, testing::Values(kSymplecti
 INSTANTIATE_TEST_SUITE_P(Midpoint, Integrator, testing::Values(kMidpoint));
 INSTANTIATE_TEST_SUITE_P(RungeKutta4, Integrator, testing::Values(kRungeKutta4));
 const auto kMethods = testing::Values(kForwardEuler, kSymplecticEuler, kMidpoint, kRungeKutta4);
-const auto kName = [](const testing::TestParamInfo<Method>& method) {
-  return std::string(method.param.name);
-};
+const auto kName = [](const testing::TestParamInfo<Method>& method) { return std::string(method.param.name); };
 INSTANTIATE_TEST_SUITE_P(Each, Evaluations, kMethods, kName);
 INSTANTIATE_TEST_SUITE_P(Each, EitherSign, kMethods, kName);
 INSTANTIATE_TEST_SUITE_P(Each, ScratchMemory, kMethods, kName);
