@@ -59,6 +59,8 @@ TEST(Digest, PointsToTheRowThatACheckNames) {
   Finding one = kWrong;
   one.row = "sign";
   EXPECT_NE(digest(kAsked, {one}, false).find("Where to look: the sign\n"), std::string::npos);
+  one.row = "-";
+  EXPECT_EQ(digest(kAsked, {one}, false).find("Where to look"), std::string::npos);
 }
 
 TEST(Digest, NeedsFifteenLines) {

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMostRows = 3;
 
-// The rows that checks point to, by their suites: the property "row" of GoogleTest's report on the reference; "-": a check names none.
+// The rows that checks point to, by their suites: the property "row" of GoogleTest's report on the reference; "": a check names none.
 std::map<std::string, std::set<std::string>> rows_by_suite(const std::string& exercise) {
   const hair::TemporaryFolder folder("foreseen");
   const std::string report = (folder.path() / "report.json").string();
@@ -28,7 +28,7 @@ std::map<std::string, std::set<std::string>> rows_by_suite(const std::string& ex
   std::map<std::string, std::set<std::string>> rows;
   for (const auto& suite : all["testsuites"])
     for (const auto& check : suite["testsuite"])
-      rows[suite["name"]].insert(check.contains("row") ? check["row"].get<std::string>() : "-");
+      rows[suite["name"]].insert(check.contains("row") ? check["row"].get<std::string>() : "");
   return rows;
 }
 

@@ -155,7 +155,7 @@ const Category* category_of(const std::vector<Category>& categories, const std::
 }
 
 const Row* row_of(const Category& category, const std::string& row) {
-  if (category.rows.empty()) return nullptr;
+  if (category.rows.empty() || row == "-") return nullptr;
   const auto found = std::ranges::find(category.rows, row, &Row::id);
   return found == category.rows.end() ? &category.rows.front() : &*found;
 }

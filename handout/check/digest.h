@@ -19,7 +19,7 @@ struct Asked {
 // there is none.
 const Category* category_of(const std::vector<Category>& categories, const std::string& suite);
 
-// The row of its category that a check points to; null: the category has none.
+// The row of its category that a check points to, or "-"; null: there is none.
 const Row* row_of(const Category& category, const std::string& row);
 
 // At most fifteen lines. With `full`: all failures, each whole, and all categories.

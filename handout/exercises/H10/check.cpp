@@ -138,7 +138,7 @@ void expect_weights(const Vector3d& root, const Weights& expected, const std::st
     for (Vector3d& corner : laid.corners) corner = unit * (corner + way);
     const Weights weights = hair::root_weights(laid.corners, unit * (root + way));
     for (int k = 0; k < 3; ++k)
-      EXPECT_NEAR(weights[k], expected[k], 1e-11)
+      EXPECT_NUMBER(weights[k], expected[k], 1e-11)
           << "weight " << k << " of a root " << where
           << " the triangle (0, 0, 1), (4, 0, 1), (0, 3, 1), moved by (" << way.transpose()
           << "), and all lengths times " << unit
@@ -189,7 +189,7 @@ TEST(NoWidth, OfTrianglesWithoutAWidth) {
                                  Corners{Vector3d(0, 0, 0), Vector3d(0, 0, 0), Vector3d(2, 2, 2)},
                                  Corners{Vector3d(2, 2, 2), Vector3d(2, 2, 2), Vector3d(2, 2, 2)}}) {
     const Weights weights = hair::root_weights(corners, Vector3d(3, 3, 0));
-    EXPECT_NEAR(weights[0] + weights[1] + weights[2], 1, 1e-12) << "the sum of the weights";
+    EXPECT_NUMBER(weights[0] + weights[1] + weights[2], 1, 1e-12) << "the sum of the weights";
     EXPECT_GE(*std::min_element(weights.begin(), weights.end()), 0);
     const Vector3d point = weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2];
     expect_entries(
@@ -201,7 +201,7 @@ TEST(NoWidth, OfTrianglesWithoutAWidth) {
   const Vector3d end(1.1, 0.7, 1.9), aside = 1e-13 * Vector3d(0.3, -0.8, 0.5), root = end / 2 + aside / 4;
   const Corners corners = {Vector3d::Zero(), end, end + aside};
   const Weights weights = hair::root_weights(corners, root);
-  EXPECT_NEAR(weights[0] + weights[1] + weights[2], 1, 1e-6) << "the sum of the weights";
+  EXPECT_NUMBER(weights[0] + weights[1] + weights[2], 1, 1e-6) << "the sum of the weights";
   expect_entries(weights[0] * corners[0] + weights[1] * corners[1] + weights[2] * corners[2], root,
                  1e-6 * end.norm(),
                  "the nearest point of a triangle to a point of it, two corners of which are 1e-13 apart",
@@ -214,7 +214,7 @@ namespace {
 void expect_nearest(const Corners& corners, const Vector3d& root, const Vector3d& expected,
                     const std::string& what) {
   const Weights weights = hair::root_weights(corners, root);
-  EXPECT_NEAR(weights[0] + weights[1] + weights[2], 1, 1e-6) << "the sum of the weights: " << what;
+  EXPECT_NUMBER(weights[0] + weights[1] + weights[2], 1, 1e-6) << "the sum of the weights: " << what;
   EXPECT_GE(*std::min_element(weights.begin(), weights.end()), 0) << "the least weight: " << what;
   double size = 0;
   for (const Vector3d& corner : corners) size = std::max(size, (corner - corners[0]).norm());
@@ -540,7 +540,7 @@ TEST(Wisps, KeepsCurls) {
   double least = 1e3, most = 0;
   const Vector3d middle = guide.root.position + Vector3d(-0.5 * std::cos(1.0), 0.5 * std::sin(1.0), 0);
   for (int i = 0; i < 60; ++i) {
-    EXPECT_NEAR((child.segment<3>(3 * i) - guide.points.segment<3>(3 * i)).norm(), 0.05, 1e-12)
+    EXPECT_NUMBER((child.segment<3>(3 * i) - guide.points.segment<3>(3 * i)).norm(), 0.05, 1e-12)
         << "the distance of point " << i << " from the guide's, with carry_along's turns";
     const double radius = (child.segment<3>(3 * i) - middle).head<2>().norm();
     least = std::min(least, radius);

@@ -84,8 +84,8 @@ TEST(Lengths, OfASpringOfFourMetresByBendSpringEnergy) {
 TEST(Energy, SumsAllSprings) {
   look_at("sum");
   const Strand strand = strand_of(vector({1, 1, 2, 3}));  // d0 = 2, 3 and 5 m, k = 5, 10/3 and 2 N/m
-  EXPECT_NEAR(bend_spring_energy(strand, vector({0, 0, 0, 0, 0, -1, 0, 0, -3, 0, 0, -5, 0, 0, -9})),
-              (5 * 1 + 10.0 / 3 * 1 + 2 * 1) / 2, 1e-13)
+  EXPECT_NUMBER(bend_spring_energy(strand, vector({0, 0, 0, 0, 0, -1, 0, 0, -3, 0, 0, -5, 0, 0, -9})),
+                (5 * 1 + 10.0 / 3 * 1 + 2 * 1) / 2, 1e-13)
       << "a straight strand whose springs are 3, 4 and 6 m long, d0 = 2, 3 and 5 m, skip_rigidity = 10 N; "
          "bound: "
          "rounding";
@@ -94,13 +94,13 @@ TEST(Energy, SumsAllSprings) {
 TEST(Energy, SeesStretchingAndHardlyBending) {
   look_at("rest");
   const Strand strand = strand_of(vector({1, 1}));  // k = 5 N/m
-  EXPECT_NEAR(bend_spring_energy(strand, vector({0, 0, 0, 0, 0, -1.01, 0, 0, -2.02})), 5 * 4e-4 / 2, 1e-15)
+  EXPECT_NUMBER(bend_spring_energy(strand, vector({0, 0, 0, 0, 0, -1.01, 0, 0, -2.02})), 5 * 4e-4 / 2, 1e-15)
       << "straight, stretched by 1 %: d - d0 = 0.02 m; bound: rounding";
   // Both segments 1 m, a right turn by 0.01: d = 2 cos(0.005), d - d0 = -2.5e-5 m to fourth order.
   const double E =
       bend_spring_energy(strand, vector({0, 0, 0, 0, 0, -1, 0, std::sin(0.01), -1 - std::cos(0.01)}));
   const double multiplied_out = 4 * 0x1p-53 * 5 * (2 + 2) * (2 + 2) / 2;
-  EXPECT_NEAR(E, 5 * std::pow(4 * std::pow(std::sin(0.0025), 2), 2) / 2, 1e-9 * E + multiplied_out)
+  EXPECT_NUMBER(E, 5 * std::pow(4 * std::pow(std::sin(0.0025), 2), 2) / 2, 1e-9 * E + multiplied_out)
       << "bent by 0.01: the energy is of fourth order in the angle; bound: rounding of d, 8 u, over 2.5e-5, "
          "or of "
          "the terms of (d - d0)^2, if it is multiplied out";
@@ -120,8 +120,9 @@ TEST(Lengths, InAnyUnitByBendSpringEnergy) {
 
 TEST(NoDirection, OfFewerThanThreeParticlesIsZero) {
   look_at("crash");
-  EXPECT_EQ(bend_spring_energy(strand_of(VectorXd(0)), vector({1, 2, 3})), 0) << "one particle";
-  EXPECT_EQ(bend_spring_energy(strand_of(vector({1})), vector({1, 2, 3, 4, 5, 6})), 0) << "two particles";
+  EXPECT_NUMBER(bend_spring_energy(strand_of(VectorXd(0)), vector({1, 2, 3})), 0, 0) << "one particle";
+  EXPECT_NUMBER(bend_spring_energy(strand_of(vector({1})), vector({1, 2, 3, 4, 5, 6})), 0, 0)
+      << "two particles";
 }
 
 TEST(Forces, OfOneSpring) {
@@ -178,9 +179,11 @@ TEST(EverySpring, OfALongStrand) {
   for (int i = 0; i < n; ++i) x[3 * i + 2] = -1.25 * i;
   const VectorXd f = force(strand, x);
   for (const int i : {0, 1}) {
-    EXPECT_EQ(f[3 * i + 2], -2.5) << "the force on particle " << i << " of 10,000, skip_rigidity = 10 N, "
-                                  << "stretched by a quarter";
-    EXPECT_EQ(f[3 * (n - 1 - i) + 2], 2.5) << "the force on particle " << n - 1 - i << " of the same strand";
+    EXPECT_NUMBER(f[3 * i + 2], -2.5, 0)
+        << "the force on particle " << i << " of 10,000, skip_rigidity = 10 N, "
+        << "stretched by a quarter";
+    EXPECT_NUMBER(f[3 * (n - 1 - i) + 2], 2.5, 0)
+        << "the force on particle " << n - 1 - i << " of the same strand";
   }
 }
 

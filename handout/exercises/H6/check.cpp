@@ -135,7 +135,7 @@ TEST(Cost, EvaluatesTheForceTwice) {
   const Spring spring(kStiffness, 1, GeometricTerm::dropped);
   State state = moving();
   step(spring, kHalf, state);
-  EXPECT_EQ(spring.forces, 2) << "evaluations of the force in a step";
+  EXPECT_COUNT(spring.forces, 2) << "evaluations of the force in a step";
 }
 
 TEST(Cost, ReportsEachPart) {
@@ -147,7 +147,7 @@ TEST(Cost, ReportsEachPart) {
   EXPECT_TRUE(report.second_filter.converged) << "the second solve's";
   EXPECT_GT(report.correction.iterations, 0) << "iterations of the correction";
   // h/2 (f + h df/dx v): at first the spring is at rest length and stretched at 1 m/s. So 0.25 * 8 * 0.5 N s.
-  EXPECT_NEAR(report.filter.rhs, 1, 1e-12) << "the first report's ||right-hand side||";
+  EXPECT_NUMBER(report.filter.rhs, 1, 1e-12) << "the first report's ||right-hand side||";
   EXPECT_GT(std::abs(report.second_filter.rhs - 1), 0.1)
       << "the second report's: is it that of the first solve?";
 }
@@ -215,7 +215,7 @@ TEST(OtherLimits, SolvesAsExactlyAsItIsAskedToAndKeepsItsLengths) {
                             chain.particles, strand, kTick, tolerance, state, scratch);
     steps[tolerance > 1e-5] = report.filter.steps;
     for (int i = 0; i < 11; ++i)
-      EXPECT_NEAR((state.x.segment<3>(3 * i + 3) - state.x.segment<3>(3 * i)).norm() / 0.01, 1, 1e-10)
+      EXPECT_NUMBER((state.x.segment<3>(3 * i + 3) - state.x.segment<3>(3 * i)).norm() / 0.01, 1, 1e-10)
           << "length " << i << " over its rest length, after solves to " << tolerance
           << ": the correction has its own tolerance, kLengthTolerance";
   }
@@ -310,7 +310,8 @@ TEST(SecondSolve, AMassThatTurnsOnAStiffSpring) {
   std::printf("One revolution, h = 1/60 s, k/m = 1e8 / s^2: your row of the table in the assignment\n");
   const Revolution after = revolve("predictor-corrector", GeometricTerm::filtered, turn);
   const double h = 1.0 / 60, omega = 2 * std::numbers::pi;
-  EXPECT_NEAR(after.momentum, 1 / std::sqrt(1 + omega * omega * h), 1e-4) << "L/L0: 1/sqrt(1 + Omega^2 h t)";
+  EXPECT_NUMBER(after.momentum, 1 / std::sqrt(1 + omega * omega * h), 1e-4)
+      << "L/L0: 1/sqrt(1 + Omega^2 h t)";
   EXPECT_LE(after.length, 1e-12) << "the largest error of the length";
   EXPECT_LE(after.radial, 2e-5) << "the largest velocity along the spring, m/s: step 5 filters it out";
 }

@@ -182,7 +182,7 @@ TEST(Functions, IsWhatTheTextbookHas) {
     for (int k = 0; k < 8; ++k) {
       if (k > 1) factorial *= k > 2 ? k - 2 : 1;
       if (k > 1) expected[k] = (1 / factorial - expected[k - 2]) / x;
-      EXPECT_NEAR(c[k], expected[k], 2e-11 / std::tgamma(k + 1))
+      EXPECT_NUMBER(c[k], expected[k], 2e-11 / std::tgamma(k + 1))
           << "c_" << k << "(" << x << "): cos(a), sin(a) / a, and c_(k+2) = (1/k! - c_k) / x, where a is "
           << a;
     }
@@ -197,7 +197,7 @@ TEST(NearlyStraight, IsFiniteAtZero) {
 
 TEST(NearlyStraight, IsOneOverKFactorialAtZero) {
   const std::array<double, 8> c = hair::stumpff(0);
-  for (int k = 0; k < 8; ++k) EXPECT_NEAR(c[k], 1 / std::tgamma(k + 1), 1e-15) << "c_" << k << "(0) = 1/k!";
+  for (int k = 0; k < 8; ++k) EXPECT_NUMBER(c[k], 1 / std::tgamma(k + 1), 1e-15) << "c_" << k << "(0) = 1/k!";
 }
 
 // The functions belong together: x c_(k+2) = 1/k! - c_k, and the derivative. A jump, or digits that are lost near
@@ -212,12 +212,12 @@ TEST(NearlyStraight, KeepsItsDigitsNearZero) {
       // Three terms are right to x^3 / (k + 6)!, and that is little below 1e-3.
       if (x < 1e-3) {
         const double one = x / ((k + 1) * (k + 2)), two = one * x / ((k + 3) * (k + 4));
-        EXPECT_NEAR(c[k] * factorial[k], 1 - one + two, 2e-12 + x * x * x)
+        EXPECT_NUMBER(c[k] * factorial[k], 1 - one + two, 2e-12 + x * x * x)
             << "c_" << k << "(" << x
             << ") k!: the first three terms of the series. Where does the closed form begin?";
       }
       if (k < 6) {
-        EXPECT_NEAR(x * c[k + 2] + c[k], 1 / factorial[k], 3e-11 / factorial[k])
+        EXPECT_NUMBER(x * c[k + 2] + c[k], 1 / factorial[k], 3e-11 / factorial[k])
             << "x c_" << k + 2 << " + c_" << k << " = 1/" << k << "! at x = " << x;
       }
     }
@@ -225,8 +225,8 @@ TEST(NearlyStraight, KeepsItsDigitsNearZero) {
     if (x > 1e-3 && x < 100) {
       const std::array<double, 8> ahead = hair::stumpff(x + h), behind = hair::stumpff(x - h);
       for (int k = 1; k < 6; ++k)
-        EXPECT_NEAR((ahead[k] - behind[k]) / (2 * h), (k * c[k + 2] - c[k + 1]) / 2,
-                    1e-11 / (factorial[k] * h) + 1e-9)
+        EXPECT_NUMBER((ahead[k] - behind[k]) / (2 * h), (k * c[k + 2] - c[k + 1]) / 2,
+                      1e-11 / (factorial[k] * h) + 1e-9)
             << "dc_" << k << "/dx = (k c_(k+2) - c_(k+1)) / 2 at x = " << x;
     }
   }
@@ -314,8 +314,8 @@ TEST(NearlyStraight, BendsHoweverLittle) {
       const MaterialFrame end = hair::frame_at({}, Vector3d(angle / length, 0, 0), length);
       const double half = std::sin(angle / 2), across = -2 * half * half / angle;
       const std::string of = " of an arc of " + number(length) + " m that winds by " + number(angle);
-      EXPECT_NEAR(end.position.y() / length, across, 1e-10) << "y of the end, over the length," << of;
-      EXPECT_NEAR(end.axes(1, 2), -std::sin(angle), 1e-10) << "y of the tangent at the end" << of;
+      EXPECT_NUMBER(end.position.y() / length, across, 1e-10) << "y of the end, over the length," << of;
+      EXPECT_NUMBER(end.axes(1, 2), -std::sin(angle), 1e-10) << "y of the tangent at the end" << of;
     }
 }
 
@@ -362,7 +362,8 @@ TEST(CarriedFrames, MakeOneHelix) {
   const Vector3d centre = root.position + radius * omega.cross(Vector3d(root.axes.col(2))).normalized();
   for (const HelixElement& element : elements) {
     const Vector3d from = element.end.position - centre;
-    EXPECT_NEAR((from - from.dot(axis) * axis).norm(), radius, 1e-12) << "the distance from the helix' axis";
+    EXPECT_NUMBER((from - from.dot(axis) * axis).norm(), radius, 1e-12)
+        << "the distance from the helix' axis";
   }
 }
 
@@ -486,7 +487,7 @@ TEST(Forces, HasThePowerOfTheForces) {
       const std::vector<Vector3d> v = velocities(lying, VectorXd::Unit(12, k));
       double power = 0;
       for (std::size_t j = 0; j < v.size(); ++j) power += lying.points[j].force.dot(v[j]);
-      EXPECT_NEAR(Q[k], power, 1e-12)
+      EXPECT_NUMBER(Q[k], power, 1e-12)
           << "coordinate " << k % 3 << " of element " << k / 3
           << " of 4, where Q' q' is the power of all forces; " << bare.size() << " elements have no points";
     }
@@ -508,7 +509,7 @@ void expect_kinetic_energy(bool of_one) {
                                   w = velocities(lying, VectorXd::Unit(12, m));
       double expected = 0;
       for (std::size_t j = 0; j < u.size(); ++j) expected += u[j].dot(lying.points[j].inertia * w[j]);
-      EXPECT_NEAR(M(k, m), expected, 1e-11)
+      EXPECT_NUMBER(M(k, m), expected, 1e-11)
           << "M(" << k << ", " << m << ") of a strand of 4 elements: elements " << k / 3 << " and " << m / 3;
     }
 }
@@ -517,23 +518,23 @@ void expect_kinetic_energy(bool of_one) {
 
 TEST(Masses, OfAStraightElement) {
   const MatrixXd one = mass_of(straight_strand(1, 2, 5));
-  EXPECT_NEAR(one(0, 0), 5 * 32.0 / 20, 1e-12) << "rho S l^5 / 20, rho S = 5 kg/m, l = 2 m";
-  EXPECT_NEAR(one(0, 1), 0, 1e-12) << "bending about n1 moves nothing where bending about n2 does";
-  EXPECT_NEAR(one.col(2).norm() + one.row(2).norm(), 0, 1e-12) << "to twist straight hair moves nothing";
+  EXPECT_NUMBER(one(0, 0), 5 * 32.0 / 20, 1e-12) << "rho S l^5 / 20, rho S = 5 kg/m, l = 2 m";
+  EXPECT_NUMBER(one(0, 1), 0, 1e-12) << "bending about n1 moves nothing where bending about n2 does";
+  EXPECT_NUMBER(one.col(2).norm() + one.row(2).norm(), 0, 1e-12) << "to twist straight hair moves nothing";
 }
 
 TEST(Masses, OfEachElementOnTheDiagonal) {
   const MatrixXd two = mass_of(straight_strand(2, 2, 5));
-  EXPECT_NEAR(two(3, 3), 5 / 20.0, 1e-12) << "element 1 alone, of a straight strand";
-  EXPECT_NEAR(two(0, 0), 5 * (1 / 20.0 + 13 / 12.0), 1e-12) << "element 0 carries element 1";
+  EXPECT_NUMBER(two(3, 3), 5 / 20.0, 1e-12) << "element 1 alone, of a straight strand";
+  EXPECT_NUMBER(two(0, 0), 5 * (1 / 20.0 + 13 / 12.0), 1e-12) << "element 0 carries element 1";
   expect_kinetic_energy(true);
 }
 
 TEST(Masses, OfTwoElements) {
   look_at("pairs");
   const MatrixXd two = mass_of(straight_strand(2, 2, 5));
-  EXPECT_NEAR(two(0, 3), 5 * 5 / 24.0, 1e-12) << "element 0 and element 1, of a straight strand";
-  EXPECT_NEAR(two(3, 0), 5 * 5 / 24.0, 1e-12) << "element 1 and element 0: M is symmetric";
+  EXPECT_NUMBER(two(0, 3), 5 * 5 / 24.0, 1e-12) << "element 0 and element 1, of a straight strand";
+  EXPECT_NUMBER(two(3, 0), 5 * 5 / 24.0, 1e-12) << "element 1 and element 0: M is symmetric";
   expect_kinetic_energy(false);
   const MatrixXd M = mass_of(crooked_strand());
   const double least = Eigen::LDLT<MatrixXd>(M).vectorD().minCoeff();
@@ -570,7 +571,7 @@ TEST(StiffSteps, OfOneStraightElement) {
 }
 
 TEST(StiffSteps, LeavesWhatIsAtRest) {
-  look_at("");
+  look_at("-");
   const Lying lying = straight_strand(3, 2, 5);
   HelixStrand strand = strand_of(lying);
   strand.natural.setZero();

@@ -35,7 +35,8 @@ Vector multiply(implicitMatrix& A, int rows, Vector x) {
 }
 
 void expect_same(const Vector& actual, const Vector& expected) {
-  EXPECT_EQ(actual, expected) << hint_line(actual, expected, 0);
+  note_hint(actual, expected, 0);
+  EXPECT_EQ(actual, expected);
 }
 
 // All that comes out of one call of solve_normal_equations.
@@ -162,10 +163,10 @@ TEST(NormalOperator, TakesOneProductWithEachMatrix) {
   SparseMatrix A = dense(3, 2, {1, 2, 3, 4, 5, 6}), transposed = A.transposed();
   Counted counted(A), counted_transposed(transposed);
   auto normal = normal_matrix(3, 2, &counted, &counted_transposed);
-  EXPECT_EQ(counted.products + counted_transposed.products, 0) << "normal_matrix itself takes no product";
+  EXPECT_COUNT(counted.products + counted_transposed.products, 0) << "normal_matrix itself takes no product";
   multiply(*normal, 2, {1, 10});
-  EXPECT_EQ(counted.products, 1) << "products with A";
-  EXPECT_EQ(counted_transposed.products, 1) << "products with A'";
+  EXPECT_COUNT(counted.products, 1) << "products with A";
+  EXPECT_COUNT(counted_transposed.products, 1) << "products with A'";
 }
 
 TEST(Systems, SolvesANonSymmetricSystem) {
@@ -194,7 +195,7 @@ TEST(Systems, SolvesForMoreUnknownsThanEquations) {
   const Outcome out = solve(A, {25}, 1e-16, 100);
   double sum = 0;
   for (double value : out.x) sum += value;
-  EXPECT_NEAR(sum, 25, 1e-8) << "the sum of x; bound: sqrt(epsilon)";
+  EXPECT_NUMBER(sum, 25, 1e-8) << "the sum of x; bound: sqrt(epsilon)";
 }
 
 TEST(Systems, OnlyWritesX) {
@@ -227,9 +228,9 @@ TEST(StepsAndProducts, TakesTheStepsAndProductsThatItMay) {
   for (int most_steps : {1, 5, 70}) {
     SCOPED_TRACE(call("90 x 80 scattered numbers", 0, most_steps));
     const Outcome out = solve(A, scattered(rows), 0, most_steps);
-    EXPECT_EQ(out.steps, most_steps);
-    EXPECT_EQ(out.products, 1 + most_steps + most_steps / 64) << "products with A";
-    EXPECT_EQ(out.transposed_products, out.products + 1) << "products with A', which A'b takes one of";
+    EXPECT_COUNT(out.steps, most_steps);
+    EXPECT_COUNT(out.products, 1 + most_steps + most_steps / 64) << "products with A";
+    EXPECT_COUNT(out.transposed_products, out.products + 1) << "products with A', which A'b takes one of";
   }
 }
 
@@ -238,7 +239,7 @@ TEST(Systems, AgreesWithTheGoldenData) {
     System& s = golden.system;
     SCOPED_TRACE(call(s.name, golden.epsilon, 0));
     const Outcome out = solve(s.A, s.b, golden.epsilon, 0);
-    EXPECT_EQ(out.steps, golden.steps);
+    EXPECT_COUNT(out.steps, golden.steps);
     EXPECT_LE(out.returned, golden.epsilon);
     expect_near(
         out.x, s.solution, 2 * (std::sqrt(golden.epsilon) + gap(s)) / s.smallest,
