@@ -3,7 +3,7 @@
 # again.
 set(unpacked "${CMAKE_SOURCE_DIR}/cmake/just-unpacked")
 if(EXISTS "${unpacked}")
-  set(given given checks solver particles hair)
+  set(given given check exercises solver particles hair)
   list(TRANSFORM given REPLACE "(.+)" "${CMAKE_SOURCE_DIR}/\\1/*")
   file(GLOB_RECURSE given ${given})
   file(TOUCH ${given})
