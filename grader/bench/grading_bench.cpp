@@ -19,8 +19,8 @@
 #include <stdexcept>
 
 #include "grader/bench/cost.h"
-#include "grader/sandbox/system_mounts.h"
 #include "grader/judge/student/student.h"
+#include "grader/sandbox/system_mounts.h"
 #include "grader/tool/batch.h"
 #include "grader/tool/grading.h"
 #include "grader/tool/suite_run.h"
@@ -112,8 +112,7 @@ void time_batches(const Course& course, const fs::path& scratch, int count) {
 void time_parts(const Course& course, const Exercise& exercise, const fs::path& scratch) {
   const StagedKit kit(HAIR_KIT_DIR, course);
   const Compiler compiler(kit, scratch / "parts", Isolation::namespaces);
-  const std::string id = exercise.id,
-                    source = hair::bytes_of(HAIR_PROJECT / solution_of(exercise));
+  const std::string id = exercise.id, source = hair::bytes_of(HAIR_PROJECT / solution_of(exercise));
   const std::string file = (scratch / exercise.file).string(), object = (scratch / (id + ".o")).string();
   std::ofstream(file) << source;
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <random>
 
-#include "reference/H10/calls.h"
 #include "grader/calls/server.h"
+#include "reference/H10/calls.h"
 
 namespace grader::draw {
 

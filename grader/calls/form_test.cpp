@@ -5,12 +5,12 @@
 
 #include <limits>
 
+#include "grader/calls/client.h"
+#include "grader/calls/draw.h"
 #include "reference/P1/calls.h"
 #include "reference/P2/calls.h"
 #include "reference/S1/calls.h"
 #include "reference/S2/calls.h"
-#include "grader/calls/client.h"
-#include "grader/calls/draw.h"
 
 namespace grader {
 namespace {

@@ -210,11 +210,12 @@ TEST_F(RealProject, FitsAnyCourse) {
     expect_no_other_points(files);
     // With all exercises none of a text's links was left out; the index has one more for each of them.
     for (const ManifestLine& line : all)
-      if (number == 0 && line.source.ends_with(".md") && !line.source.starts_with("golden/"))
+      if (number == 0 && line.source.ends_with(".md") && !line.source.starts_with("golden/")) {
         EXPECT_EQ(links_of(line.destination, files.at(line.destination)).size(),
                   links_of(line.source, hair::bytes_of(root_ / line.source)).size() +
                       (line.destination == "assignment/README.md" ? course_.exercises.size() : 0))
             << line.source;
+      }
 
     const std::string& index = files.at("assignment/README.md");
     EXPECT_EQ(index.find("its points if all of its checks hold") != std::string::npos, !course_.partial);
@@ -265,9 +266,9 @@ TEST_F(RealProject, PlaysOtherScenesWithoutH6) {
   EXPECT_NE(
       files.at("assignment/work-precision.md").find("\nbuild/hairlab study long-straight --out study\n"),
       std::string::npos);
-  EXPECT_NE(files.at("exercises/H4/text.md")
-                .find("\n\n*(Not in your course: the scene angular-momentum.)*\n\n"),
-            std::string::npos);
+  EXPECT_NE(
+      files.at("exercises/H4/text.md").find("\n\n*(Not in your course: the scene angular-momentum.)*\n\n"),
+      std::string::npos);
 }
 
 // Some hand in the whole folder, or those two whose names say that they hold their files.

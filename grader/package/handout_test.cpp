@@ -43,8 +43,9 @@ class SmallProject : public testing::Test {
     for (const std::string id : {"E1", "E2"}) {
       write("handout/exercises/" + id + "/text.md",
             "# " + id + "\n\n<!-- categories -->\n[contract](../../../hair/scenes/one.json)\n");
-      write("handout/exercises/" + id + "/categories.json",
-            R"([{"id": "A", "title": "All", "points": 2, "asks": "it"}, {"id": "B", "title": "Rest", "points": 3, "asks": "$x$"}])");
+      write(
+          "handout/exercises/" + id + "/categories.json",
+          R"([{"id": "A", "title": "All", "points": 2, "asks": "it"}, {"id": "B", "title": "Rest", "points": 3, "asks": "$x$"}])");
     }
     write("handout/exercises/E1/f.cpp", "int f();\n");
     write("handout/exercises/E2/g.cpp", "int g();\n");

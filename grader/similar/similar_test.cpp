@@ -27,7 +27,8 @@ const Course& course() {
 }
 
 std::string stub_of(const std::string& file) {
-  return hair::bytes_of(kProject / unwritten_file_of(*std::ranges::find(course().exercises, file, &Exercise::file)));
+  return hair::bytes_of(kProject /
+                        unwritten_file_of(*std::ranges::find(course().exercises, file, &Exercise::file)));
 }
 
 // Right solutions that differ, by exercise file: the reference and the samples'.

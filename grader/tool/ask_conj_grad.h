@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "grader/compile/kit.h"
-#include "reference/S1/calls.h"
 #include "grader/judge/student/student.h"
+#include "reference/S1/calls.h"
 
 namespace grader {
 

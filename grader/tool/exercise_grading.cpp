@@ -5,8 +5,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "grader/sandbox/identity.h"
 #include "grader/judge/memory_points.h"
+#include "grader/sandbox/identity.h"
 #include "solver/timing.h"
 
 namespace grader {

@@ -7,10 +7,10 @@
 #include <fstream>
 
 #include "grader/compile/compiler.h"
+#include "grader/judge/memory_points.h"
 #include "grader/report/student_view.h"
 #include "grader/sandbox/control_group.h"
 #include "grader/sandbox/identity.h"
-#include "grader/judge/memory_points.h"
 #include "grader/tool/ask_conj_grad.h"
 #include "grader/tool/exercise_grading.h"
 #include "grader/tool/grading.h"

@@ -40,9 +40,9 @@ void grade_exercise_of_reference(const SuiteJobs& jobs, const Compiler& compiler
   const fs::path job = jobs.kit().new_job("reference-" + exercise.id);
   std::optional<Compiled> sanitised;
   if (jobs.settings().memory_errors) {
-    sanitised.emplace(compile_with_sanitizers(compiler, exercise,
-                                              hair::bytes_of(jobs.settings().reference / exercise.id / exercise.file), job,
-                                              jobs.settings().course.budget.compiler_cpu_seconds));
+    sanitised.emplace(compile_with_sanitizers(
+        compiler, exercise, hair::bytes_of(jobs.settings().reference / exercise.id / exercise.file), job,
+        jobs.settings().course.budget.compiler_cpu_seconds));
     if (sanitised->object.empty())
       throw std::runtime_error("the reference of " + exercise.id +
                                " does not compile with sanitizers: " + printable(sanitised->log));

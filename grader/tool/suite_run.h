@@ -4,8 +4,8 @@
 
 #include <filesystem>
 
-#include "grader/result/suite_result.h"
 #include "grader/judge/job.h"
+#include "grader/result/suite_result.h"
 
 namespace grader {
 

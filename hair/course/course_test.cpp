@@ -24,8 +24,8 @@ class CourseFiles : public testing::Test {
   static std::string exercise(const std::string& id, const std::string& prerequisites = "[]",
                               const std::string& points = "10", const std::string& role = "\"assigned\"") {
     return R"({"id": ")" + id + R"(", "title": "T", "file": ")" + id +
-           R"x(.cpp", "functions": ["f()"], "header": "a.h", "prerequisites": )x" +
-           prerequisites + R"(, "libraries": [], "points": )" + points + R"(, "role": )" + role + "}";
+           R"x(.cpp", "functions": ["f()"], "header": "a.h", "prerequisites": )x" + prerequisites +
+           R"(, "libraries": [], "points": )" + points + R"(, "role": )" + role + "}";
   }
   static std::string list(const std::string& exercises) { return "{\"exercises\": [" + exercises + "]}"; }
 

@@ -131,10 +131,12 @@ void systems(Trial& trial) {
 
   // Fewer different eigenvalues than unknowns, and no more than 64 steps: another category asks what happens then.
   const int grid = random.integer(9, 14);
-  const LinearSystem poisson = sparse_system("2-D Poisson", solver::poisson_2d(grid), random.normals(grid * grid),
-                                       8 * std::pow(std::sin(std::numbers::pi / (2 * (grid + 1))), 2));
+  const LinearSystem poisson =
+      sparse_system("2-D Poisson", solver::poisson_2d(grid), random.normals(grid * grid),
+                    8 * std::pow(std::sin(std::numbers::pi / (2 * (grid + 1))), 2));
   expect_solves_quickly(trial, poisson, random.integer(16, 20));
-  const LinearSystem spectral = spectral_system("random", log_spaced(random.integer(150, 200), 1, 16), random);
+  const LinearSystem spectral =
+      spectral_system("random", log_spaced(random.integer(150, 200), 1, 16), random);
   expect_solves_quickly(trial, spectral, random.integer(16, 20));
 
   std::stringstream file;

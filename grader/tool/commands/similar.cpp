@@ -89,8 +89,7 @@ int similar(const SimilarOptions& options) {
                                true});
     }
     if (one.files.size() < 2) continue;
-    std::vector<std::string> given{
-        hair::bytes_of(HAIR_SOURCE_DIR / unwritten_file_of(exercise))};
+    std::vector<std::string> given{hair::bytes_of(HAIR_SOURCE_DIR / unwritten_file_of(exercise))};
     for (const fs::path& folder : options.given)
       if (std::string text = hair::bytes_of(folder / exercise.file); !text.empty())
         given.push_back(std::move(text));
