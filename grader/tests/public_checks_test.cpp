@@ -1,5 +1,5 @@
 // STAFF ONLY. What the hidden checks ask, the public ones ask: a sample that loses points in an exercise fails that exercise's
-// public checks (handout/checks/), and one that gets all of them passes them. So do the wrong programs that are made of the reference:
+// public checks (handout/exercises/<ID>/check.cpp), and one that gets all of them passes them. So do the wrong programs that are made of the reference:
 // tests of the reference need not ask what these checks ask. The environment's HAIR_EXERCISE names the exercise, and HAIR_SAMPLE one
 // sample alone. HAIR_TOLD names a folder that keeps what the checks tell of each program that fails them.
 //
