@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "grader/course/course.h"
 #include "grader/sandbox/isolation_for_tests.h"
 #include "grader/similar/shared_code.h"
 #include "hair/io/files/read_file.h"
