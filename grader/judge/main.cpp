@@ -1,5 +1,5 @@
 // STAFF ONLY. The hidden suite of one exercise, as a GoogleTest program: links the reference, and never a
-// student's code. Of an exercise with a whole run its two categories come last.
+// student's code. An exercise's whole run comes after its cases.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -86,7 +86,7 @@ SuiteResult run_categories(const SuiteJob& job, const grader::WorkerSetup& setup
     grader::WorkerSetup worker = setup;
     worker.cpu_seconds = job.whole_run->cpu_seconds;
     run.emplace(std::move(worker), job.whole_run->player, std::move(scene), job.pictures, student);
-    of_the_run = run->categories(job.exercise);
+    of_the_run.push_back(run->category(job.exercise));
   }
   std::optional<grader::MemoryErrors> memory;
   if (job.sanitised) {

@@ -242,7 +242,7 @@ TEST(Pages, ARunThatBreaksOffIsTheWorst) {
   for (SubmissionResult& result : results)
     for (ExerciseResult& exercise : result.exercises) exercise.pictures.clear();
   CaseResult broken;
-  broken.name = kPicturesTitle;
+  broken.name = kRunTitle;
   broken.status = Status::crashed;
   results[0].exercises[0].pictures = {sample_picture("1.00 s", 40, 0)};
   results[1].exercises[1].pictures = {sample_picture("0.00 s", 0, 0)};
@@ -279,8 +279,8 @@ TEST(Pages, ARunThatBreaksOffIsOpenAndHasNoDistance) {
   SubmissionResult result = sample_class(1).front();
   for (ExerciseResult& exercise : result.exercises) exercise.pictures.clear();
   CaseResult broken;
-  broken.name = kPicturesTitle;
-  broken.status = Status::wrong;
+  broken.name = kRunTitle;
+  broken.status = Status::crashed;
   result.exercises[0].cases.push_back(broken);
   for (const double flip : {0.0, 0.5}) {
     result.exercises[0].pictures = {sample_picture("0.00 s", 0, 0.01)};

@@ -116,7 +116,7 @@ Json json_of(const SubmissionResult& result, const ResultsOptions& options) {
     }
     for (std::size_t i = 0; i < exercise.cases.size(); ++i) {
       const CaseResult& one = exercise.cases[i];
-      const bool shows = options.pictures && one.name == kPicturesTitle;
+      const bool shows = options.pictures && one.name == kRunTitle;
       tests.push_back(test(exercise, exercise.id + "." + std::to_string(i + 1), one.name, one.status,
                            one.points, one.max_points,
                            joined(one.feedback, i == 0 ? exercise.compiler_messages : ""),

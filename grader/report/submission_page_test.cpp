@@ -66,7 +66,7 @@ TEST(SubmissionPage, CallsNoTimeOutACrash) {
 
 TEST(SubmissionPage, SaysWhyAPictureIsCoarseAndThatThereIsNone) {
   SubmissionResult result = two_exercises();
-  result.exercises[1].cases.push_back(category(kPicturesTitle, Status::wrong));
+  result.exercises[1].cases.push_back(category(kRunTitle, Status::crashed));
   const std::string none = "The whole run broke off before its first picture.";
   EXPECT_EQ(times(student_page(result), none), 1U);
   result.exercises[1].pictures = {sample_picture("1.00 s", 40, 0.01)};

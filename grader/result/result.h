@@ -26,8 +26,8 @@ enum class Status {
   unreadable,  // the whole submission, such as a .rar
 };
 
-// The name of the category that compares pictures of the whole run.
-inline constexpr const char* kPicturesTitle = "Pictures of it";
+// The name of the category that judges the whole run and its pictures.
+inline constexpr const char* kRunTitle = "The whole run";
 
 std::string to_string(Status status);     // "does not compile"
 std::string sentence_for(Status status);  // helps the student without revealing hidden cases

@@ -77,7 +77,6 @@ struct ExpectedResult {
   std::optional<double> points;  // nothing: all if it passed, or else none
   std::vector<std::string> failed =
       {};          // the titles of the categories that fail; none: nothing is said of them
-  int causes = 0;  // how many these are, with the whole run and its pictures as one
 };
 
 struct Attack {

@@ -147,13 +147,6 @@ void tell_categories(std::ostream& out, const Asked& asked, const std::vector<Fi
 
 }  // namespace
 
-const Category* category_of(const std::vector<Category>& categories, const std::string& suite) {
-  const std::size_t stroke = suite.rfind('/');
-  const auto found = std::ranges::find(categories, suite.substr(stroke + 1), &Category::id);  // npos + 1 is 0
-  if (found != categories.end()) return &*found;
-  return stroke == std::string::npos ? nullptr : category_of(categories, suite.substr(0, stroke));
-}
-
 const Row* row_of(const Category& category, const std::string& row) {
   if (category.rows.empty() || row == "-") return nullptr;
   const auto found = std::ranges::find(category.rows, row, &Row::id);
