@@ -6,7 +6,7 @@
 // The run. It must end with finite numbers. It must start as the scene says, and held particles must stay
 // where the reference has them. Energy and stretch, by our own forces, must agree with the reference's run
 // within kEnergy and kStretch. Positions are not compared: correct solutions may differ by rounding, which a
-// scene can amplify. How much, and what these bounds detect, was measured (README.md, "Whole runs"). Dense hair
+// scene can amplify. How much, and what these bounds detect, was measured (grader/MEASURED.md). Dense hair
 // (H10) is made anew in each frame, from guides that are the reference's: nothing amplifies its rounding, and its points
 // are compared.
 //
