@@ -57,8 +57,8 @@ std::string what_draws() {
   } catch (const hair::NoOpenGl& none) {
     throw BadInput(
         std::string("this machine can't draw: ") + none.what() +
-        "; install libosmesa6, or grade with --no-images, which leaves the pictures' points to the "
-        "other categories and stamps the report");
+        "; install libosmesa6, or grade with --no-images, which judges whole runs without pictures and "
+        "stamps the report");
   }
 }
 
