@@ -128,7 +128,10 @@ void Trial::wrong(const std::string& feedback, const std::string& detail, const 
 
 void Trial::fail(Status status, const std::string& feedback, const std::string& detail,
                  const std::string& hint) const {
-  throw CaseFailed{status, feedback, description_ + (detail.empty() ? "" : ": ") + detail, hint};
+  std::string text;
+  for (const std::string& part : {description_, call_, detail})
+    if (!part.empty()) text += (text.empty() ? "" : ": ") + part;
+  throw CaseFailed{status, feedback, text, hint};
 }
 
 void Trial::ask_aside(const std::function<void()>& questions) {

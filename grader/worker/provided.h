@@ -17,7 +17,10 @@ namespace grader {
 template <class Calls>
 struct ProvidedAsker {
   Session::Uncounted ours() const { return Session::Uncounted(*provided_session); }
-  void start(MessageWriter& request) const { request.put(std::string(Calls::id)); }
+  template <auto function>
+  void start(MessageWriter& request, const auto&...) const {
+    request.put(std::string(Calls::id));
+  }
   MessageReader ask(const MessageWriter& request, const Products& products) const {
     return provided_session->call(
         request, [&](int which, std::vector<double>& x, std::vector<double>& y) { products(which, x, y); });

@@ -42,12 +42,10 @@ Step step(Trial& trial, const Hair& hair, double tolerance = kTolerance) {
   const int n = hair.cloud.count(), most = std::max(100, 60 * n);
   trial.describe(hair.cloud.name);
   Step step{{}, {}, {}, ForceServer(*hair.cloud.force, n, 6 * (most + most / 64) + 40)};
-  particles::State state = hair.cloud.state;
-  step.report = ask_student_for<Calls, hair::predictor_corrector>(
-      trial, std::ref(step.asked), hair.cloud.particles, hair.strand, hair.h, tolerance, state,
-      Filling{hair::kPredictorCorrectorScratch});
-  step.x = state.x;
-  step.v = state.v;
+  const auto [report, state] = answer_of<Calls, hair::predictor_corrector>(
+      trial, std::ref(step.asked), hair.cloud.particles, hair.strand, hair.h, tolerance, hair.cloud.state,
+      Filling{});
+  step.report = report, step.x = state.x, step.v = state.v;
   trial.expect(step.x.allFinite() && step.v.allFinite(), "a step is not finite");
   return step;
 }

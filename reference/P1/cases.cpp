@@ -261,11 +261,8 @@ void scratch(Trial& trial) {
     run(trial, method, pendulums, random_state(trial.random, 1), {h});
     const State moved = run(trial, method, pendulums, one, {h}).end();
     moving += moved.x != one.x && moved.v != one.v;
-    for (const auto& [columns, junk] : {std::pair{particles::kIntegratorScratch, 0.0},
-                                        {particles::kIntegratorScratch, 1e300},
-                                        {particles::kIntegratorScratch, kInfinity},
-                                        {particles::kIntegratorScratch + 3, kNaN}}) {
-      const State again = run(trial, method, pendulums, one, {h, 1, columns, junk}).end();
+    for (const Filling& filling : {Filling{0, 0}, {0, 1e300}, {0, kInfinity}, {3, kUnset}}) {
+      const State again = run(trial, method, pendulums, one, {h, 1, filling}).end();
       trial.expect(same_vectors(again.x, moved.x) && same_vectors(again.v, moved.v),
                    std::string(method.name) + " depends on what scratch holds, or on the call before");
     }
