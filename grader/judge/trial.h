@@ -116,9 +116,6 @@ class Trial {
   bool case_failed_ = false;
 };
 
-// The cases of an exercise, by their category's id.
-using Cases = std::vector<std::pair<std::string, std::function<void(Trial&)>>>;
-
 // As categories.json declares it.
 struct Category {
   std::string name;   // its id: "Examples"

@@ -3,7 +3,6 @@
 
 #include "grader/judge/trial.h"
 #include "hair/stretch_springs.h"
-#include "reference/H1/limits.h"
 #include "reference/H1/springs.h"
 
 namespace grader::h1 {
@@ -24,6 +23,8 @@ Posed at_rest(Random& random, int count) {
   const Strand strand = toy_strand(random, count);
   return straight_pose(strand, strand.rest_length, Vector3d::UnitY(), "at rest");
 }
+
+}  // namespace
 
 void energy(Trial& trial) {
   Random& random = trial.random;
@@ -124,19 +125,6 @@ void added(Trial& trial) {
   expect_added(
       trial, Stretch::strand_force(),
       random_pose(trial.random, toy_strand(trial.random, 9), kMixed, kAnyBend, "added to what is there"), 8);
-}
-
-}  // namespace
-
-Cases cases() {
-  return {{"Energy", energy},
-          {"Forces", forces},
-          {"ExactProduct", exact_product},
-          {"FilteredProduct", filtered_product},
-          {"Sampling", sampling},
-          {"Added", added},
-          {"NoDirection", no_direction},
-          {"Extremes", extremes}};
 }
 
 }  // namespace grader::h1

@@ -1,7 +1,5 @@
 // STAFF ONLY. H1: hidden cases of segments without a length, and of sizes and numbers far from the ordinary. They compare the
 // student's answers with each other, so that a mistake elsewhere does not count again.
-#include "reference/H1/limits.h"
-
 #include <cmath>
 
 #include "reference/H1/springs.h"

@@ -180,7 +180,7 @@ void blends(Trial& trial) {
 }
 
 // In other units, beside the student's own answers for metres: nothing is too short.
-void other_units(Trial& trial) {
+void units(Trial& trial) {
   weights_in_other_units(trial);
   Random& random = trial.random;
   for (const double unit : {0x1p-80, 0x1p-30, 0x1p40}) {

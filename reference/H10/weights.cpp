@@ -99,10 +99,6 @@ void needles(Trial& trial) {
   }
 }
 
-}  // namespace
-
-namespace {
-
 Vector3d some_point_of(Random& random, const Corners& corners) {
   Weights at{random.uniform(), random.uniform(), random.uniform()};
   const double sum = at[0] + at[1] + at[2];

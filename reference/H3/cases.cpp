@@ -2,7 +2,6 @@
 #include <array>
 
 #include "hair/bend_springs.h"
-#include "reference/H3/limits.h"
 #include "reference/H3/springs.h"
 
 namespace grader::h3 {
@@ -37,6 +36,8 @@ std::vector<Posed> states(Random& random, int count) {
           with_ends_at_rest(
               random_pose(random, half_metres(random, count), {1, 1}, {0.01, 0.2}, "bent a little"))};
 }
+
+}  // namespace
 
 void energy(Trial& trial) {
   for (int count : {5, 6, 12, 40})
@@ -140,19 +141,6 @@ void added(Trial& trial) {
       trial, Bend::strand_force(),
       random_pose(trial.random, half_metres(trial.random, 9), kStretch, {0.2, 2}, "added to what is there"),
       8);
-}
-
-}  // namespace
-
-Cases cases() {
-  return {{"Energy", energy},
-          {"Forces", forces},
-          {"ExactProduct", exact_product},
-          {"FilteredProduct", filtered_product},
-          {"EverySpring", every_spring},
-          {"Lengths", lengths},
-          {"Added", added},
-          {"NoDirection", no_direction}};
 }
 
 }  // namespace grader::h3

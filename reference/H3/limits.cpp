@@ -1,7 +1,5 @@
 // STAFF ONLY. H3: hidden cases of springs one by one and of springs without a length. They compare the student's
 // answers with each other, so that a mistake elsewhere does not count again.
-#include "reference/H3/limits.h"
-
 #include <cmath>
 
 #include "reference/H3/springs.h"

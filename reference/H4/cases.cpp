@@ -40,6 +40,8 @@ std::pair<double, double> two_times(Random& random) {
   return {a, a + random.uniform(0.1, 0.4)};
 }
 
+}  // namespace
+
 void matrix(Trial& trial) {
   for (int n : {1, 2, 5, 12}) {
     const auto [a, b] = two_times(trial.random);
@@ -79,6 +81,8 @@ void masses(Trial& trial) {
   }
 }
 
+namespace {
+
 void expect_same_where_free(Trial& trial, const Cloud& pinned, const VectorXd& one, const VectorXd& other,
                             const std::string& what) {
   for (int i = 0; i < pinned.count(); ++i)
@@ -86,6 +90,8 @@ void expect_same_where_free(Trial& trial, const Cloud& pinned, const VectorXd& o
       trial.expect_at_most((one - other).segment<3>(3 * i).norm(), 1e-9 * one.norm(), what,
                            {one.segment<3>(3 * i), other.segment<3>(3 * i)});
 }
+
+}  // namespace
 
 void pinned(Trial& trial) {
   Random& random = trial.random;
@@ -117,7 +123,7 @@ void pinned(Trial& trial) {
   }
 }
 
-void right_hand_side(Trial& trial) {
+void right_side(Trial& trial) {
   Random& random = trial.random;
   for (int n : {1, 2, 5, 12}) {
     const Cloud cloud = mixed_cloud(random, n, Parts::all);
@@ -134,7 +140,7 @@ void right_hand_side(Trial& trial) {
 }
 
 // Springs so weak that every matrix with such entries, whatever their signs, is positive definite.
-void a_step(Trial& trial) {
+void step(Trial& trial) {
   Random& random = trial.random;
   for (int n : {2, 10}) {
     const double h = random.uniform(0.2, 0.8);
@@ -179,7 +185,7 @@ void cost(Trial& trial) {
 }
 
 // Powers of two change no rounding.
-void other_units(Trial& trial) {
+void units(Trial& trial) {
   Random& random = trial.random;
   const Cloud cloud = mixed_cloud(random, 4, Parts::all);
   const auto [a, b] = two_times(random);
@@ -194,23 +200,6 @@ void other_units(Trial& trial) {
                          "how much the right-hand side changes in other units of mass and length");
     }
   expect_same_solve_in_other_units(trial);
-}
-
-}  // namespace
-
-Cases cases() {
-  return {{"Matrix", matrix},
-          {"Damping", damping},
-          {"Pinned", pinned},
-          {"Masses", masses},
-          {"RightSide", right_hand_side},
-          {"Solve", plain_solve},
-          {"Tolerance", tolerance},
-          {"Report", report},
-          {"Step", a_step},
-          {"Cost", cost},
-          {"Units", other_units},
-          {"Nothing", nothing_to_solve}};
 }
 
 }  // namespace grader::h4

@@ -5,10 +5,6 @@
 
 namespace grader::h4 {
 
-void plain_solve(Trial& trial);
-void tolerance(Trial& trial);
-void report(Trial& trial);
-void nothing_to_solve(Trial& trial);
 void expect_same_solve_in_other_units(Trial& trial);
 
 }  // namespace grader::h4

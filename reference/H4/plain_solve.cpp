@@ -73,7 +73,7 @@ System system_of(Random& random, int size, double least, double most, double rhs
 
 }  // namespace
 
-void plain_solve(Trial& trial) {
+void solve(Trial& trial) {
   Random& random = trial.random;
   for (int size : {3, 15, 60}) {
     const System system = system_of(random, size, 1, 30, random.uniform(0.5, 2));
@@ -153,7 +153,7 @@ void report(Trial& trial) {
   trial.expect(!none.report.converged, "a system with numbers that are not finite is reported as solved");
 }
 
-void nothing_to_solve(Trial& trial) {
+void nothing(Trial& trial) {
   Random& random = trial.random;
   for (int size : {3, 15}) {
     System system = system_of(random, size, 1, 30, 1);

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "reference/H5/answers.h"
-#include "reference/H5/cases.h"
 
 namespace grader::h5 {
 namespace {

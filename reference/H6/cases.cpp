@@ -112,6 +112,8 @@ Hair right_after_step(Random& random, int n, double stiff) {
   return hair;
 }
 
+}  // namespace
+
 void prediction(Trial& trial) {
   Random& random = trial.random;
   for (int n : {2, 4, 12}) {
@@ -126,12 +128,16 @@ void prediction(Trial& trial) {
   }
 }
 
+namespace {
+
 // Without any force both solves do nothing.
 Hair force_free(Random& random, int n) {
   Hair hair = moving_hair(random, n, 1e-6, 0, 1.0 / random.integer(60, 240), 0);
   hair.cloud.name += ", no force";
   return hair;
 }
+
+}  // namespace
 
 void lengths(Trial& trial) {
   Random& random = trial.random;
@@ -284,18 +290,6 @@ void units(Trial& trial) {
     trial.expect_close({after.v / length, before.v}, 2 * of_v,
                        "how much velocities change in another unit of length");
   }
-}
-
-}  // namespace
-
-Cases cases() {
-  return {{"Prediction", prediction},
-          {"Lengths", lengths},
-          {"Impulse", impulse},
-          {"SecondSolve", second_solve},
-          {"Cost", cost},
-          {"OtherLimits", other_limits},
-          {"Units", units}};
 }
 
 }  // namespace grader::h6

@@ -154,6 +154,8 @@ void expect_energy_stays(Trial& trial) {
   }
 }
 
+}  // namespace
+
 void forward_euler(Trial& trial) {
   expect_method(trial, kMethods[0]);
 }
@@ -170,6 +172,8 @@ void midpoint(Trial& trial) {
 void runge_kutta_4(Trial& trial) {
   expect_method(trial, kMethods[3]);
 }
+
+namespace {
 
 // The methods that can be asked for more than their values: a step moves the particles, and the same step does the same once more. A
 // wrong one loses its own category, and not those of all four; more than one, and there is little to ask.
@@ -192,6 +196,8 @@ std::vector<const Method*> usable_methods(Trial& trial) {
                 "call");
   return usable;
 }
+
+}  // namespace
 
 void evaluations(Trial& trial) {
   for (const Method* method : usable_methods(trial))
@@ -252,7 +258,7 @@ void sizes_and_units(Trial& trial) {
 }
 
 // Nothing that scratch holds, and no call before, makes a difference. (In the other categories scratch holds zeros.)
-void scratch(Trial& trial) {
+void scratch_memory(Trial& trial) {
   int moving = 0;
   for (const Method& method : kMethods) {
     Pendulums pendulums(trial.random);
@@ -283,20 +289,6 @@ void blow_up(Trial& trial) {
     trial.expect(!(student.end().x.allFinite() && student.end().v.allFinite()),
                  std::string(method->name) + " hides that the values have overflowed");
   }
-}
-
-}  // namespace
-
-Cases cases() {
-  return {{"ForwardEuler", forward_euler},
-          {"SymplecticEuler", symplectic_euler},
-          {"Midpoint", midpoint},
-          {"RungeKutta4", runge_kutta_4},
-          {"Evaluations", evaluations},
-          {"EitherSign", either_sign},
-          {"SizesAndUnits", sizes_and_units},
-          {"ScratchMemory", scratch},
-          {"BlowUp", blow_up}};
 }
 
 }  // namespace grader::p1

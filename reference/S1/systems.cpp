@@ -174,7 +174,7 @@ void sizes(Trial& trial) {
 }
 
 // Systems that need more steps than they have unknowns, or hundreds.
-void hard_systems(Trial& trial) {
+void hard(Trial& trial) {
   Random& random = trial.random;
   expect_solves_ordinary_system(trial);
   stiff_strands(trial);

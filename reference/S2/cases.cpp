@@ -172,6 +172,8 @@ Matrix symmetric(Matrix A) {
   return A;
 }
 
+}  // namespace
+
 void table(Trial& trial) {
   Random& random = trial.random;
   expect_dense_product(trial, "Example 1", {2, 2, {2, 0, 0, 1}}, {0.5, 1});
@@ -256,6 +258,8 @@ void units(Trial& trial) {
   }
 }
 
+namespace {
+
 void expect_solves_non_symmetric(Trial& trial) {
   Random& random = trial.random;
   for (int n : {2, 3, 10, 40}) {
@@ -330,6 +334,8 @@ void expect_least_squares(Trial& trial) {
   }
 }
 
+}  // namespace
+
 void systems(Trial& trial) {
   expect_solves_non_symmetric(trial);
   expect_solves_indefinite(trial);
@@ -371,13 +377,6 @@ void steps_and_products(Trial& trial) {
                          drift(A, x, Atb) + kUnit * (n + 2) * std::sqrt(solution.value),
                          "the difference between the return value and the squared norm of A'(b - Ax)");
   }
-}
-
-}  // namespace
-
-Cases cases() {
-  return {{"Table", table},     {"NormalOperator", normal_operator},     {"Nested", nested}, {"Units", units},
-          {"Systems", systems}, {"StepsAndProducts", steps_and_products}};
 }
 
 }  // namespace grader::s2
