@@ -27,13 +27,12 @@ void tell(std::ostream& out, const T& value) {
   } else if constexpr (std::is_enum_v<T>) {
     out << static_cast<int>(value);
   } else if constexpr (DenseNumbers<T>) {
-    const auto most = value.size() == 0 ? 0 : value.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
     if (value.size() <= 4) {
       const char* comma = "(";
       for (const double number : value.reshaped()) out << std::exchange(comma, ", ") << number;
       out << (value.size() == 0 ? "()" : ")");
     } else {
-      out << value.size() << " numbers up to " << most;
+      out << value.size() << " numbers up to " << value.cwiseAbs().template maxCoeff<Eigen::PropagateNaN>();
     }
   } else if constexpr (Formed<T>) {
     const char* comma = "{";
