@@ -1,9 +1,11 @@
 // STAFF ONLY. A call as staff read it beside what is wrong: "frame_at({(0.1, 0, 0.2), 9 numbers up to 0.9}, (3, 50, 1), 0.012)".
 #pragma once
 
+#include <ranges>
 #include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "grader/calls/form.h"
 
@@ -19,7 +21,7 @@ std::string_view name_of() {
   return text.substr(text.find_last_of(": &") + 1);
 }
 
-// Objects that are asked, and memory that is filled, say nothing.
+// Of a list the first item stands for the others. Objects that are asked, and memory that is filled, say nothing.
 template <class T>
 void tell(std::ostream& out, const T& value) {
   if constexpr (std::is_arithmetic_v<T>) {
@@ -40,14 +42,17 @@ void tell(std::ostream& out, const T& value) {
                Form<T>::fields);
     out << "}";
   } else if constexpr (requires { value.size(); }) {
+    const bool all = value.size() <= (std::is_arithmetic_v<std::ranges::range_value_t<T>> ? 4 : 1);
+    if (!all) out << value.size() << " of ";
     const char* comma = "[";
-    if (value.size() > 4) out << value.size() << " of ";
     for (const auto& item : value) {
       out << std::exchange(comma, ", ");
       tell(out, item);
-      if (value.size() > 4) break;
+      if (!all) break;
     }
     out << (value.size() == 0 ? "[]" : "]");
+  } else if constexpr (requires { value.get(); }) {
+    tell(out, value.get());
   } else {
     out << "...";
   }

@@ -128,9 +128,8 @@ void Trial::wrong(const std::string& feedback, const std::string& detail, const 
 
 void Trial::fail(Status status, const std::string& feedback, const std::string& detail,
                  const std::string& hint) const {
-  std::string text;
-  for (const std::string& part : {description_, call_, detail})
-    if (!part.empty()) text += (text.empty() ? "" : ": ") + part;
+  std::string text = description_ + (description_.empty() || detail.empty() ? "" : ": ") + detail;
+  if (!call_.empty()) text += (text.empty() ? "" : "; ") + call_;
   throw CaseFailed{status, feedback, text, hint};
 }
 
