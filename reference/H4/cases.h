@@ -1,4 +1,4 @@
-// STAFF ONLY. Cases of H4 that stand in files of their own: those of solve_plain, which gets a matrix of ours.
+// STAFF ONLY. What solve_plain adds to H4's cases in other units.
 #pragma once
 
 #include "grader/judge/trial.h"
