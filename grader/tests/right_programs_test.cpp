@@ -39,7 +39,6 @@ struct Setting {
   std::string name, compiler;
   std::vector<std::string> options;  // after those of grading
   int seeds;
-  std::vector<std::string> suite = {};  // in front of hairseeds
 };
 
 // What is not here is left out, and says so.
@@ -52,13 +51,10 @@ std::vector<Setting> settings() {
   else
     std::puts("clang++ is not installed, and left out (grader/setup.sh --with lint)");
 #ifdef __x86_64__
-  // The worker allocates for 16 bytes, and Eigen would expect 32 of a machine with AVX. In the last setting
-  // the suite takes the C library's functions for machines without AVX and FMA, and the worker, which gets
-  // no environment, those for this machine.
-  if (__builtin_cpu_supports("fma")) {
+  // The worker allocates for 16 bytes, and Eigen would expect 32 of a machine with AVX.
+  if (__builtin_cpu_supports("fma"))
     all.push_back({"FMA", "", {"-ffp-contract=fast", "-mfma", "-DEIGEN_MAX_ALIGN_BYTES=16"}, seeds("5")});
-    all.push_back({"another libm", "", {}, seeds("5"), {"env", kPlainLibm}});
-  } else
+  else
 #endif
     std::puts("this machine has no fused multiply-adds, and they are left out");
   return all;
@@ -155,7 +151,6 @@ class RightPrograms : public testing::TestWithParam<std::string> {
     std::string made_of = given_ + toolchain_.version() + setting.compiler + program.source;
     for (const std::string& option : setting.options) made_of += " " + option;
     const std::string name = sha256(made_of);
-    for (const std::string& word : setting.suite) made_of += " " + word;
     const fs::path object = folder_ / name / (exercise_.id + ".so"), log = object.parent_path() / "log",
                    passed =
                        folder_ / (sha256(made_of + suite_ + kit_.hash() + first + " " + seeds) + ".passed");
@@ -164,8 +159,7 @@ class RightPrograms : public testing::TestWithParam<std::string> {
       return {};
     }
 
-    std::vector<std::string> ask = setting.suite;
-    ask.insert(ask.end(), {HAIRSEEDS, exercise_.id, first, seeds, kit_.folder().string()});
+    std::vector<std::string> ask = {HAIRSEEDS, exercise_.id, first, seeds, kit_.folder().string()};
     for (const std::string& id : exercise_.prerequisites) ask.push_back(provided(id));
     ask.push_back(object.string());
     if (!fs::exists(object)) {
