@@ -57,8 +57,7 @@ struct StepMethod {
   bool needs_definite_force = false;
 };
 
-// The methods of P1, H4 and H6.
-extern const StepMethod kForwardEuler, kSymplecticEuler, kMidpoint, kRungeKutta4;
+// The methods of H4 and H6; those of P1: explicit_step.h.
 extern const StepMethod kImplicitEuler, kNewtonEuler;
 extern const StepMethod kPredictorCorrector;
 
