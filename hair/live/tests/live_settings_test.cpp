@@ -54,8 +54,10 @@ TEST(LiveSettings, OneAndOneLeavesTheMethodAsItIs) {
 }
 
 TEST(LiveSettings, OfferTheMethodsThatMoveTheScene) {
-  EXPECT_EQ(ids("strand-swing"),
-            "forward_euler symplectic_euler midpoint runge_kutta_4 implicit_euler predictor_corrector ");
+  std::string all;
+  for (const MethodRow& row : methods())
+    if (row.method() != Method::newton_euler) all += std::string(row.id) + " ";
+  EXPECT_EQ(ids("strand-swing"), all);
   EXPECT_EQ(ids("rod-pendulum"), "forward_euler symplectic_euler midpoint runge_kutta_4 ");
   EXPECT_EQ(ids("control-mesh"), "implicit_euler ");
 }
