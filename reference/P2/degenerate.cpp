@@ -1,5 +1,5 @@
-// STAFF ONLY. P2: hidden cases of pinned particles, and of constraints that hold nothing. Rods share no particle and masses are 1, so that
-// other categories' mistakes don't show here.
+// STAFF ONLY. P2: hidden cases of pinned particles, and of constraints that hold nothing. Rods share no particle and masses are equal,
+// so that other categories' mistakes don't show here.
 #include <cmath>
 
 #include "reference/P2/answers.h"
