@@ -92,19 +92,23 @@ void biases(Trial& trial) {
     }
 }
 
-// What implicit steps add: to the last link's inertia, and to one joint. Of a joint that is stiffened by b, 1 / gain is
-// larger by b, and what its parent feels is affine in the gain, whatever else it is made of.
+// What implicit steps add: to the last link's inertia, which leaves Euler's term alone, and to one joint. Of a joint that is stiffened
+// by b, 1 / gain is larger by b, and what its parent feels is affine in the gain, whatever else it is made of.
 void added_by_steps(Trial& trial) {
   const std::vector<JointType> slider = {JointType::prismatic};
   for (const auto& [links, stiffened] : {std::pair{1, 1}, {3, 1}, {3, 3}})
     for (const auto* types : {&kRevolute, &slider}) {
       Tree tree = random_tree(trial.random, {.links = links, .types = *types});
+      const std::vector<LinkPass> plain = ask(trial, 1, tree).passes;
       hair::SpatialInertia& added_to = tree.links.back().inertia;
       added_to.M += Vector3d(0.1, 0.5, 0.3).asDiagonal();
       added_to.H(0, 1) += 0.05;
       added_to.J += Vector3d(0.2, 0.1, 0.4).asDiagonal();
-      expect_gain_taken(trial, tree);
       const Sizes sizes = sizes_of(tree);
+      expect_forces(trial, ask(trial, 1, tree).passes, plain, 1, 1,
+                    roundings(tree) * (100 + sizes.turn * sizes.turn),
+                    "Z^ of a link, to whose inertia a step added, beside that without");
+      expect_gain_taken(trial, tree);
       reference_passes(tree, 1);
       const double force = force_size(tree);
       std::array<std::vector<LinkPass>, 3> own, ours;
