@@ -134,11 +134,12 @@ TEST(Pinned, HasPinnedRowsAndColumnsOfTheIdentity) {
     chain.particles.pinned[i] = 1;
     expected.segment<3>(3 * i) = dx.segment<3>(3 * i);
   }
-  expect_entries(multiplied(dx), expected, 64 * kU * 9,
-                 "the product with x = " + particles_in_words(dx) +
-                     " of five particles in a row on springs, 1 and 4 pinned: these stay, and the others "
-                     "are as with 0 in their place and all free",
-                 "64 u of numbers up to 9: rounding", dx);
+  expect_entries(
+      multiplied(dx), expected, 64 * kU * 9,
+      "the product for five particles in a row on springs, 1 and 4 pinned, beside that for free ones "
+      "with 0 in their place; x = " +
+          particles_in_words(dx),
+      "64 u of numbers up to 9: rounding", dx);
 }
 
 TEST(Matrix, IsSymmetric) {
@@ -460,10 +461,11 @@ TEST(Step, AMassThatTurnsOnAStiffSpring) {
     MatrixXd scratch(6, particles::kImplicitScratch);
     implicit_euler(force, particles, h, particles::kSolveTolerance, state, scratch);
   };
-  std::printf("One revolution, h = 1/60 s, k/m = 1e8 / s^2: your rows of the table in the assignment\n");
-  const Revolution full = revolve("linearly implicit, full geometric term", GeometricTerm::full, step);
-  const Revolution filtered = revolve("linearly implicit, filtered", GeometricTerm::filtered, step);
-  const Revolution dropped = revolve("linearly implicit, dropped", GeometricTerm::dropped, step);
+  std::printf("Your rows of the text's table:");
+  const Revolution full = revolve("full", GeometricTerm::full, step);
+  const Revolution filtered = revolve("filtered", GeometricTerm::filtered, step);
+  const Revolution dropped = revolve("dropped", GeometricTerm::dropped, step);
+  std::puts("");
   EXPECT_NUMBER(full.momentum, 0.0049, 1e-4) << "L/L0 with the full geometric term";
   EXPECT_NUMBER(filtered.momentum, 0.0049, 1e-4) << "L/L0 with the filtered geometric term";
   EXPECT_NUMBER(dropped.momentum, 1, 1e-4) << "L/L0 without the geometric term";

@@ -59,15 +59,16 @@ StepReport step(const particles::Force& force, double h, State& state) {
 
 constexpr double kHalf = 0.5;  // s, of the steps below
 
-// h^2 k/m is about 1: every step shows. In step 1 df/dx is -k along the spring, in which no force is.
-constexpr double kStiffness = 9, kRatio = kHalf * kHalf * kStiffness / 2;  // N/m, kg
+// h^2 k/m is about 1: every step shows. The spring pulls: it is shorter at rest than the strand.
+constexpr double kStiffness = 9, kSpring = 0.65, kRatio = kHalf * kHalf * kStiffness / 2;  // N/m, m, kg
+constexpr double kPull = kHalf / 2 * kStiffness * (kRest - kSpring);                       // N s
 
 const char* const kText =
     "after a step of 0.5 s from (0.48, 0.384, 0.512) m at (1.3, 2.1, -0.4) m/s, 2.3 kg, rest length 0.8 m";
 
-// What a solve makes of v along the spring: (m + ratio) dv = -ratio v.
+// What a solve makes of v, where the strand has its length along u: (m + ratio) dv = -pull - ratio v.
 Vector3d filtered(const Vector3d& v, const Vector3d& u) {
-  return v - kRatio / (kMass + kRatio) * u.dot(v) * u;
+  return v - (kPull + kRatio * u.dot(v)) / (kMass + kRatio) * u;
 }
 
 struct FiveSteps {
@@ -86,7 +87,7 @@ struct FiveSteps {
 
 State after(double stiffness, GeometricTerm term) {
   State state = moving();
-  step(Spring(stiffness, kRest, term), kHalf, state);
+  step(Spring(stiffness, kSpring, term), kHalf, state);
   return state;
 }
 
@@ -104,17 +105,19 @@ TEST(Prediction, MovesWithThePredictedVelocity) {
   strand.rest_length[0] = predicted.norm();
   State state = moving();
   MatrixXd scratch = MatrixXd::Constant(6, hair::kPredictorCorrectorScratch, 1e3);
-  predictor_corrector(Spring(kStiffness, kRest, GeometricTerm::dropped), kTwo, strand, kHalf, 1e-10, state,
+  predictor_corrector(Spring(kStiffness, kSpring, GeometricTerm::dropped), kTwo, strand, kHalf, 1e-10, state,
                       scratch);
-  expect_entries(state.x, six(Vector3d::Zero(), predicted), 1e-9,
-                 std::string("x with a spring of 9 N/m, where the length is right after step 2, ") + kText,
-                 "1e-10 of the solves, ten times");
+  expect_entries(
+      state.x, six(Vector3d::Zero(), predicted), 1e-9,
+      std::string("x with a spring of 9 N/m and 0.65 m, where the length is right after step 2, ") + kText,
+      "1e-10 of the solves, ten times");
 }
 
 TEST(Prediction, PutsASpringWhereTheFiveStepsDo) {
   look_at("after");
   expect_entries(after(kStiffness, GeometricTerm::dropped).x, six(Vector3d::Zero(), FiveSteps(true).x), 1e-9,
-                 std::string("x with a spring of 9 N/m ") + kText, "1e-10 of the solves, ten times");
+                 std::string("x with a spring of 9 N/m and 0.65 m ") + kText,
+                 "1e-10 of the solves, ten times");
 }
 
 TEST(Impulse, WithoutForcesGivesTheImpulse) {
@@ -124,27 +127,27 @@ TEST(Impulse, WithoutForcesGivesTheImpulse) {
 
 TEST(SecondSolve, TakesTheFiveStepsOnASpring) {
   expect_entries(after(kStiffness, GeometricTerm::dropped).v, six(Vector3d::Zero(), FiveSteps(true).v), 1e-9,
-                 std::string("v with a spring of 9 N/m ") + kText, "1e-10 of the solves, ten times");
+                 std::string("v with a spring of 9 N/m and 0.65 m ") + kText,
+                 "1e-10 of the solves, ten times");
 }
 
 TEST(Cost, EvaluatesTheForceTwice) {
   look_at("force");
-  const Spring spring(kStiffness, kRest, GeometricTerm::dropped);
+  const Spring spring(kStiffness, kSpring, GeometricTerm::dropped);
   State state = moving();
   step(spring, kHalf, state);
   EXPECT_COUNT(spring.forces, 2) << "evaluations of the force in a step";
 }
 
 TEST(Cost, ReportsEachPart) {
-  const Spring spring(kStiffness, kRest, GeometricTerm::dropped);
+  const Spring spring(kStiffness, kSpring, GeometricTerm::dropped);
   State state = moving();
   const StepReport report = step(spring, kHalf, state);
   EXPECT_TRUE(report.filter.converged) << "the first solve's report of a step that is easy";
   EXPECT_TRUE(report.correction.converged) << "the correction's";
   EXPECT_TRUE(report.second_filter.converged) << "the second solve's";
   EXPECT_GT(report.correction.iterations, 0) << "iterations of the correction";
-  // h/2 (f + h df/dx v), at first with the spring at rest length.
-  const double first = kRatio * kAlong.dot(kSpeed);
+  const double first = kPull + kRatio * kAlong.dot(kSpeed);  // h/2 (f + h df/dx v)
   EXPECT_NUMBER(report.filter.rhs, first, 1e-12) << "the first report's ||right-hand side||";
   EXPECT_GT(std::abs(report.second_filter.rhs - first), 0.1)
       << "the second report's: is it that of the first solve?";
@@ -244,7 +247,7 @@ TEST(Units, IsTheSameInEveryUnit) {
   const auto in_unit = [](double unit) {
     Strand strand = two();
     strand.rest_length *= unit;
-    const Spring spring(kStiffness, kRest * unit, GeometricTerm::dropped);
+    const Spring spring(kStiffness, kSpring * unit, GeometricTerm::dropped);
     State state = moving();
     state.x *= unit;
     state.v *= unit;
@@ -265,7 +268,7 @@ TEST(Units, IsTheSameInEveryUnit) {
 
 TEST(SecondSolve, TakesTheSameStepHoweverOftenItIsAsked) {
   look_at("static");
-  const Spring spring(kStiffness, kRest, GeometricTerm::dropped);
+  const Spring spring(kStiffness, kSpring, GeometricTerm::dropped);
   State first = moving();
   step(spring, 0.5, first);
   for (int i = 1; i <= kManyCalls; ++i) {
@@ -278,7 +281,7 @@ TEST(SecondSolve, TakesTheSameStepHoweverOftenItIsAsked) {
 
 TEST(Lengths, LeavesTheRootItsVelocity) {
   look_at("root");
-  const Spring spring(kStiffness, kRest, GeometricTerm::dropped);
+  const Spring spring(kStiffness, kSpring, GeometricTerm::dropped);
   State state = moving();
   const Vector3d root(0.3, -0.7, 0.25);
   state.v.head<3>() = root;
@@ -295,8 +298,9 @@ TEST(SecondSolve, AMassThatTurnsOnAStiffSpring) {
     MatrixXd scratch(6, hair::kPredictorCorrectorScratch);
     predictor_corrector(force, particles, strand, h, particles::kSolveTolerance, state, scratch);
   };
-  std::printf("One revolution, h = 1/60 s, k/m = 1e8 / s^2: your row of the table in the assignment\n");
+  std::printf("Your row of the text's table:");
   const Revolution after = revolve("predictor-corrector", GeometricTerm::filtered, turn);
+  std::puts("");
   const double h = 1.0 / 60, omega = 2 * std::numbers::pi;
   EXPECT_NUMBER(after.momentum, 1 / std::sqrt(1 + omega * omega * h), 1e-4)
       << "L/L0: 1/sqrt(1 + Omega^2 h t)";
