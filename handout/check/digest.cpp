@@ -176,7 +176,7 @@ std::string digest(const Asked& asked, const std::vector<Finding>& findings, boo
       << count_in_words(findings.size(), "check") << " pass";
   if (!wrong.empty()) out << ", " << wrong.size() << " fail";
   if (waiting > 0) out << ", " << waiting << " wait";
-  out << (full ? "\n\n" : "\n");
+  out << "\n";
   for (const Finding* one : wrong) {
     tell_failure(out, asked, *one, full);
     if (!full) break;
