@@ -17,7 +17,7 @@
 namespace checks {
 
 // A strand of about 1e-7 kg a particle and 1 cm a segment, its first particle pinned and at rest; springs between neighbours, of about
-// `stiffness` N/m, stretched by up to a tenth. With 1e-3 N/m and h = 1/60 s, h^2 k/m is about 2.8.
+// `stiffness` N/m, stretched by up to a tenth. With 1e-3 N/m and h = 1/60 s, h^2 k/m is 1 to 10.
 struct Chain {
   hair::Strand strand;
   particles::Particles particles;
@@ -27,8 +27,8 @@ struct Chain {
   Chain(double stiffness, int count) {
     Scatter scatter(count);
     strand = ordinary_strand(scatter, count);
-    state = {0.01 * ordinary_positions(scatter, strand, 1, 1.1, 0.3),
-             0.1 * ordinary_numbers(scatter, 3 * count, -1, 1)};
+    state.x = 0.01 * ordinary_positions(scatter, strand, 1, 1.1, 0.3);
+    state.v = 0.1 * ordinary_numbers(scatter, 3 * count, -1, 1);
     state.v.head<3>().setZero();
     strand.mass *= 1e-7;
     strand.rest_length *= 0.01;

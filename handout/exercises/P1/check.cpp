@@ -134,7 +134,7 @@ TEST_P(Integrator, TakesOneStepAsByHand) {
 }
 
 TEST_P(Integrator, TakesOneStepWhereNothingIsLinear) {
-  look_at("other-method");
+  if (GetParam().order > 1) look_at("other-method");
   Pendulums pendulums;
   State state{Vector3d(0.7, -1.3, 0.45), Vector3d(1.7, 0.6, -2.2)};
   steps(GetParam(), pendulums, 0.4, 1, state);
