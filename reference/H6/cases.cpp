@@ -10,6 +10,7 @@
 #include "grader/judge/case_asker.h"
 #include "grader/judge/implicit_system.h"
 #include "grader/judge/other_force.h"
+#include "grader/judge/rounding.h"
 #include "grader/judge/trial.h"
 #include "hair/predictor_corrector.h"
 #include "particles/force_sum.h"
@@ -96,9 +97,22 @@ Hair moving_hair(Random& random, int n, double mass, double stiff, double h, dou
   force->emplace<particles::DampedSprings>(std::move(springs), particles::Products::definite);
   force->emplace<particles::Gravity>(hair.strand.mass, gravity * Vector3d(0, 0, -1));
   hair.cloud.force = force;
-  // The root moves too, as a head does.
-  hair.cloud.state.v.head<3>() = random_vector(random, 3, 0.1);
   return hair;
+}
+
+// The root moves too, as a head does. A category asks what follows of it; in the others it rests.
+void move_root(Random& random, Hair& hair) {
+  hair.cloud.state.v.head<3>() = random_vector(random, 3, 0.1);
+  hair.cloud.name += ", its root moves";
+}
+
+void expect_root_moved(Trial& trial, const Hair& hair, const Step& after) {
+  const Vector3d v = hair.cloud.state.v.head<3>(), x = hair.cloud.state.x.head<3>() + hair.h * v;
+  trial.expect_at_most((after.x.head<3>() - x).norm(), 4 * kUnit * (x.norm() + hair.h * v.norm()),
+                       "how far the root is from where its velocity leads");
+  // A velocity may come out of a difference of positions over h.
+  trial.expect_at_most((after.v.head<3>() - v).norm(), 0x1p-50 * (x.norm() / hair.h + v.norm()),
+                       "how much the root changes its velocity");
 }
 
 // A hair whose lengths are right where it will be: nothing is corrected, and no impulse follows.
@@ -142,24 +156,24 @@ Hair force_free(Random& random, int n) {
 void lengths(Trial& trial) {
   Random& random = trial.random;
   for (int n : {1, 2, 5, 12}) {
-    const Hair hair = force_free(random, n);
+    Hair hair = force_free(random, n);
+    move_root(random, hair);
     const VectorXd x = corrected(hair, hair.cloud.state.x + hair.h * hair.cloud.state.v);
-    const Vector3d v = hair.cloud.state.v.head<3>(), root = x.head<3>();
     const Step after = step(trial, hair);
     const double bound = correction_error(x);
     const Compared numbers{after.x, x, 3, hair.cloud.state.x, bound};
     trial.expect_at_most(largest_length_error(hair.strand, after.x), 1e-10, "the error of a length", numbers);
     trial.expect_close(numbers, bound, "the error of the positions, where no force acts");
-    // A velocity may come out of a difference of positions over h.
-    trial.expect_at_most((after.v.head<3>() - v).norm(), 0x1p-50 * (root.norm() / hair.h + v.norm()),
-                         "how much the root changes its velocity");
+    expect_root_moved(trial, hair, after);
   }
   // With forces, over several steps.
   const double stiff = random.log_uniform(1, 1e3);
   Hair hair = moving_hair(random, 12, 1e-6, stiff, 1.0 / random.integer(60, 240));
+  move_root(random, hair);
   for (int i = 0; i < 3; ++i) {
     const Step after = step(trial, hair);
     trial.expect_at_most(largest_length_error(hair.strand, after.x), 1e-10, "the error of a length");
+    expect_root_moved(trial, hair, after);
     hair.cloud.state = {after.x, after.v};
   }
 }
@@ -257,9 +271,9 @@ void other_limits(Trial& trial) {
                            "the error of a length of a strand that is flung about");
     trial.expect(after.report.correction.converged != is_hopeless,
                  "the report of a correction is not what correct_lengths said");
-    const double rounding = 0x1p-48 * (after.x.norm() / flung.h + v.norm());
-    trial.expect_close({after.v, (after.x - flung.cloud.state.x) / flung.h, 3, v}, rounding,
-                       "the error of the impulse after a correction that is hard");
+    const VectorXd way = (after.x - flung.cloud.state.x) / flung.h;
+    trial.expect((after.v - v).tail(33).norm() >= 0.1 * (way - v).tail(33).norm(),
+                 "a correction that is hard leaves the velocities as they are");
   }
 }
 
