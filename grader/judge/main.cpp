@@ -116,7 +116,6 @@ SuiteResult run_categories(const SuiteJob& job, const grader::WorkerSetup& setup
   if (!ran || cases.size() != categories.size() + of_the_run.size() + of_memory.size())
     throw std::runtime_error("a category has no result");
   count_cases(categories, student, job.seed, cases);
-  result.allocations = student.allocations();
   if (run) {
     run->student().finish();
     result.pictures = run->pictures();

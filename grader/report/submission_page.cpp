@@ -92,12 +92,6 @@ Html exercise_section(const ExerciseResult& exercise, Reader reader) {
            {exercise.id, exercise.id, exercise.title, badge(exercise.status),
             points_of(exercise.points, exercise.max_points), exercise.extra_credit ? ", extra credit" : "",
             exercise.file, exercise.feedback.empty() ? sentence_for(exercise.status) : exercise.feedback});
-  if (exercise.allocations > 0)  // students have it in a sentence
-    section += html(
-        "<p class=\"quiet\">A hint, which takes no points: a call allocates memory up to {} times, and its "
-        "contract asks for "
-        "none. The worker says so of itself.</p>\n",
-        {std::to_string(exercise.allocations)});
   section += block("What the compiler says", exercise.compiler_messages);
   section += cases_of(exercise, reader);
   section += moments(exercise.pictures, "The whole run in pictures", ending_of(exercise), whose(reader),

@@ -188,6 +188,13 @@ Field<T> computed(std::string key, double (*get)(const T&)) {
           }};
 }
 
+// A field that records of earlier versions have. It is read over and not written.
+template <class T>
+Field<T> of_earlier_versions(std::string key) {
+  return {
+      std::move(key), {}, [](T&, const JsonValue&, const PictureText&) {}, [](const T&) { return false; }};
+}
+
 // A PNG file's bytes.
 template <class T>
 Field<T> picture(std::string key, std::string T::*member) {

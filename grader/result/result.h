@@ -77,8 +77,6 @@ struct ExerciseResult {
   std::vector<CaseResult> cases;
   std::vector<PictureResult> pictures;  // of the whole run
   std::string staff_log;                // the whole output of compiler, linker and worker
-  // How often a function that promises to allocate nothing did so in one call, as the worker says of itself: a hint. 0: never.
-  int allocations = 0;
 
   bool operator==(const ExerciseResult&) const = default;
 };

@@ -55,7 +55,7 @@ const Rows<ExerciseResult>& Fields<ExerciseResult>::rows() {
                               field("cases", &T::cases),
                               field("pictures", &T::pictures),
                               field("staff_log", &T::staff_log),
-                              field("allocations", &T::allocations)};
+                              of_earlier_versions<T>("allocations")};
   return all;
 }
 
@@ -107,7 +107,6 @@ const Rows<SuiteResult>& Fields<SuiteResult>::rows() {
                               field("runs", &T::runs),
                               field("study", &T::study),
                               field("memory", &T::memory),
-                              field("allocations", &T::allocations),
                               field("cpu_seconds", &T::cpu_seconds),
                               field("run_cpu_seconds", &T::run_cpu_seconds),
                               field("picture_cpu_seconds", &T::picture_cpu_seconds),

@@ -29,7 +29,6 @@ struct SuiteResult {
   std::vector<RunResult> runs;           // of "runs"
   std::optional<SubmissionStudy> study;  // of "study"
   std::optional<MemoryLook> memory;      // nothing: not looked for
-  int allocations = 0;                   // see Student::allocations
   double cpu_seconds = 0;                // of the worker
   double run_cpu_seconds = 0;            // of the worker that played the whole run
   double picture_cpu_seconds = 0;        // on our side: drawing and comparing

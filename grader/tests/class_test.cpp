@@ -103,17 +103,6 @@ TEST(SampleClass, EverybodyGetsTheirStatusesCategoriesAndPoints) {
   }
 }
 
-TEST(SampleClass, ToAllocateIsAHint) {
-  for (const ExerciseResult& exercise : result_of(submission_name(std::string("perfect"))).exercises)
-    EXPECT_EQ(exercise.allocations, 0) << exercise.id;
-  if (class_name() == "showcase") return;
-  const SubmissionResult vectors = result_of(submission_name(std::string("stepping-textbook")));
-  for (const char* id : {"H4", "H5", "H6"}) {
-    EXPECT_GT(exercise_of(vectors, id).allocations, 0) << id;
-    EXPECT_EQ(exercise_of(vectors, id).status, Status::passed) << id;
-  }
-}
-
 TEST(SampleClass, HasEveryStatus) {
   std::map<std::string, int> seen;
   for (const Sample& sample : samples())
