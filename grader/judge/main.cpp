@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "grader/judge/memory_errors.h"
-#include "grader/judge/run/end_to_end.h"
 #include "grader/judge/run/whole_run.h"
 #include "grader/judge/suite_program.h"
 #include "grader/judge/suite_table.h"
@@ -129,11 +128,7 @@ SuiteResult run_categories(const SuiteJob& job, const grader::WorkerSetup& setup
 SuiteResult run(const SuiteJob& job) {
   const grader::WorkerSetup worker = grader::worker_of(job);
   grader::Student student(worker);
-  SuiteResult result;
-  if (job.exercise == "runs")
-    result.runs = grader::run_end_to_end(student, {job.left_out, job.unavailable}, job.pictures);
-  else
-    result = run_categories(job, worker, student);
+  SuiteResult result = run_categories(job, worker, student);
   add_costs(student, worker, result);
   return result;
 }

@@ -91,7 +91,6 @@ SubmissionResult submission_with_all_pictures(const std::string& name) {
                          0.01};
   };
   for (ExerciseResult& exercise : result.exercises) exercise.pictures = {picture(), picture(), picture()};
-  for (RunResult& run : result.runs) run.pictures = {picture()};
   return result;
 }
 
@@ -99,7 +98,6 @@ std::vector<PictureResult> pictures_of(const SubmissionResult& result) {
   std::vector<PictureResult> all;
   for (const ExerciseResult& exercise : result.exercises)
     all.insert(all.end(), exercise.pictures.begin(), exercise.pictures.end());
-  for (const RunResult& run : result.runs) all.insert(all.end(), run.pictures.begin(), run.pictures.end());
   return all;
 }
 
@@ -323,7 +321,6 @@ TEST(Table, KeepsRowsApart) {
 TEST(PictureDistance, IsTheLargestOfTheGradedOnes) {
   SubmissionResult result = sample_class(1).front();
   for (ExerciseResult& exercise : result.exercises) exercise.pictures.clear();
-  result.runs[0].pictures = {{"1 s", 1, 1, "", "", ""}};
   EXPECT_FALSE(picture_distance(result));
   result.exercises[1].pictures = {{"1 s", 0.9, 0.1, "", "", ""}, {"2 s", 0, 0.3, "", "", ""}};
   result.exercises[2].pictures = {{"1 s", 0.9, 0.2, "", "", ""}};

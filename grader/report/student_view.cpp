@@ -90,7 +90,6 @@ SubmissionResult for_student(const SubmissionResult& result) {
       picture.flip = to_hundredths(picture.flip);
     }
   }
-  for (RunResult& run : view.runs) run.detail.clear();
   return view;
 }
 

@@ -1,8 +1,8 @@
 // STAFF ONLY. Structs as JSON, by fields that are declared once: a row has the key and the member, and gives the writer and
 // the reader.
 //
-//   const Rows<RunResult>& Fields<RunResult>::rows() {
-//     static const Rows<RunResult> all = {field("name", &RunResult::name), field("outcome", &RunResult::outcome), ...};
+//   const Rows<CaseResult>& Fields<CaseResult>::rows() {
+//     static const Rows<CaseResult> all = {field("name", &CaseResult::name), field("status", &CaseResult::status), ...};
 //     return all;
 //   }
 //

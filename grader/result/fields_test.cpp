@@ -36,13 +36,6 @@ const CaseResult kCase{.name = "Ill-conditioned systems",
                        .cases = 7,
                        .held = std::numeric_limits<int>::max()};
 
-const RunResult kRun{.name = "strand-swing",
-                     .shows = "a strand",
-                     .outcome = RunOutcome::blew_up,
-                     .feedback = "broke off",
-                     .detail = "energy",
-                     .pictures = {kPicture, kPicture}};
-
 SubmissionResult submission() {
   ExerciseResult exercise;
   exercise.id = "S1";
@@ -60,7 +53,6 @@ SubmissionResult submission() {
   SubmissionResult result;
   result.name = "alice";
   result.exercises = {exercise, {}};
-  result.runs = {kRun};
   result.note = "a note";
   result.fingerprint = "abc";
   result.isolation = Isolation::container;
@@ -113,7 +105,6 @@ SuiteResult suite_result() {
   SuiteResult found;
   found.cases = {kCase};
   found.pictures = {kPicture};
-  found.runs = {kRun};
   found.study = study();
   found.memory = {.message = "It writes behind an array", .call = 1, .cpu_seconds = 0.5};
   found.cpu_seconds = 0.1;
@@ -233,6 +224,14 @@ TEST(DeclaredFields, PutPicturesWhereTheyAreTold) {
   EXPECT_EQ(from_json_text<PictureResult>(text, "a.json", named), picture);
 }
 
+TEST(DeclaredFields, OfEarlierVersionsAreReadOver) {
+  const SubmissionResult now = submission();
+  OrderedJson then = OrderedJson::parse(json_text(now, -1));
+  then["runs"] = {{{"name", "swing"}, {"pictures", OrderedJson::array()}}};
+  then["exercises"][0]["allocations"] = 3;
+  EXPECT_EQ(from_json_text<SubmissionResult>(then.dump(), "a.json"), now);
+}
+
 TEST(DeclaredFields, HostileTextIsWrittenAsUtf8) {
   CaseResult one = kCase;
   one.detail = "\xff\0\x1b[31m"s;
@@ -265,11 +264,11 @@ constexpr Slip kSlips[] = {
     {R"("starts":4)", R"("starts":4,"starts":4)",
      "a.json: \"starts\" stands twice in the same object; keep one of them"},
     {R"("starts":4)", R"("starts":4,"weight":1)",
-     "a.json: unknown key \"weight\"; known here: cases, pictures, runs, study, memory, "
+     "a.json: unknown key \"weight\"; known here: cases, pictures, study, memory, "
      "cpu_seconds, "
      "run_cpu_seconds, picture_cpu_seconds, starts, spent"},
     {R"("starts":4,)", "",
-     "a.json: \"starts\" is missing; an object here has: cases, pictures, runs, study, memory, "
+     "a.json: \"starts\" is missing; an object here has: cases, pictures, study, memory, "
      "cpu_seconds, run_cpu_seconds, picture_cpu_seconds, starts, spent"},
 };
 

@@ -81,21 +81,6 @@ struct ExerciseResult {
   bool operator==(const ExerciseResult&) const = default;
 };
 
-enum class RunOutcome { same, differs, blew_up, failed, not_run };
-
-std::string to_string(RunOutcome outcome);  // "blew up"
-
-// A scene that runs all exercises of a submission together: shown, but not scored.
-struct RunResult {
-  std::string name, shows;  // "strand-swing", and a line about what to see
-  RunOutcome outcome = RunOutcome::not_run;
-  std::string feedback;  // for students
-  std::string detail;    // for staff
-  std::vector<PictureResult> pictures = {};
-
-  bool operator==(const RunResult&) const = default;
-};
-
 // A change of the total that no exercise makes, such as lateness: a line of its own.
 struct Adjustment {
   std::string reason;  // for the student: "Late by 2 days: 10 per cent of the points a day"
@@ -108,12 +93,11 @@ struct SubmissionResult {
   std::string name;
   std::string origin;  // what it came in, see grader/intake/origin.h; for staff
   std::vector<ExerciseResult> exercises;
-  std::vector<RunResult> runs;
   std::string note;         // not empty: an error of the whole submission, for the student
   std::string fingerprint;  // of the submission's bytes and of the suite, in hexadecimal
   Isolation isolation = Isolation::namespaces;  // every page says if it is another
   bool images = true;                           // false: graded without pictures; every page says so
-  // Exercises, or "runs", that the clock on the wall ended: their points are not final, and a person looks.
+  // Exercises that the clock on the wall ended: their points are not final, and a person looks.
   std::vector<std::string> ended_by_the_clock = {};
   bool studied = false;  // there is a study.html, to which pages link
   std::vector<Adjustment> adjustments = {};
@@ -128,7 +112,6 @@ bool too_far(const PictureResult&);  // over a limit
 
 // Whether its whole run was played and ended before its last picture: then its pictures, if there are any, say too little.
 bool run_breaks_off(const ExerciseResult&);
-bool run_breaks_off(const RunResult&);
 
 double points(const SubmissionResult&);      // with adjustments
 double max_points(const SubmissionResult&);  // without extra credit

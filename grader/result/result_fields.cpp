@@ -59,14 +59,6 @@ const Rows<ExerciseResult>& Fields<ExerciseResult>::rows() {
   return all;
 }
 
-const Rows<RunResult>& Fields<RunResult>::rows() {
-  using T = RunResult;
-  static const Rows<T> all = {field("name", &T::name),       field("shows", &T::shows),
-                              field("outcome", &T::outcome), field("feedback", &T::feedback),
-                              field("detail", &T::detail),   field("pictures", &T::pictures)};
-  return all;
-}
-
 const Rows<Adjustment>& Fields<Adjustment>::rows() {
   using T = Adjustment;
   static const Rows<T> all = {field("reason", &T::reason), field("points", &T::points)};
@@ -83,7 +75,7 @@ const Rows<SubmissionResult>& Fields<SubmissionResult>::rows() {
       field("images", &T::images),
       field("note", &T::note),
       field("exercises", &T::exercises),
-      field("runs", &T::runs),
+      of_earlier_versions<T>("runs"),
       field<T>("ended_by_the_clock", &T::ended_by_the_clock,
                [](const T& result) { return !result.ended_by_the_clock.empty(); }),
       field<T>("studied", &T::studied, [](const T& result) { return result.studied; }),
@@ -104,7 +96,6 @@ const Rows<SuiteResult>& Fields<SuiteResult>::rows() {
   using T = SuiteResult;
   static const Rows<T> all = {field("cases", &T::cases),
                               field("pictures", &T::pictures),
-                              field("runs", &T::runs),
                               field("study", &T::study),
                               field("memory", &T::memory),
                               field("cpu_seconds", &T::cpu_seconds),

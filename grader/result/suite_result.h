@@ -26,7 +26,6 @@ struct MemoryLook {
 struct SuiteResult {
   std::vector<CaseResult> cases;         // of an exercise; points are weights, not yet scaled to its points
   std::vector<PictureResult> pictures;   // of its whole run
-  std::vector<RunResult> runs;           // of "runs"
   std::optional<SubmissionStudy> study;  // of "study"
   std::optional<MemoryLook> memory;      // nothing: not looked for
   double cpu_seconds = 0;                // of the worker

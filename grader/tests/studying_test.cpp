@@ -90,7 +90,7 @@ TEST_F(Studying, ChangesNothingButThatThereIsALink) {
     for (const string& place : {string(), "../" + owner + "/"})
       stripped = without(stripped,
                          "<p><a href=\"" + place +
-                             "study.html\">Error against run time</a> of these scenes, beside ours.</p>\n");
+                             "study.html\">Error against run time</a> of small scenes, beside ours.</p>\n");
     for (const char* who : {"perfect", "p1-midpoint-full-step", "segfault"})
       stripped = without(stripped, " <a href=\"" + string(who) + "/study.html\">study</a>");
     stripped = without(stripped, ",\n \"studied\": true");
