@@ -10,7 +10,7 @@
 namespace grader {
 namespace {
 
-using Color = std::array<std::uint8_t, 3>;
+using Pixel = std::array<std::uint8_t, 3>;
 
 struct Cell {
   std::array<double, 3> sum = {};
@@ -26,13 +26,13 @@ PalettePicture in_few_colors(const hair::Image& image, std::size_t most) {
     throw std::invalid_argument("a picture of " + std::to_string(pixels) + " pixels in " +
                                 std::to_string(most) +
                                 " colours; it takes one pixel at least, and 1 to 256 colours");
-  std::map<Color, Cell> cells;
+  std::map<Pixel, Cell> cells;
   std::vector<Cell*> cell_of(pixels);
   for (int side = 1; side == 1 || cells.size() > most; ++side) {
     cells.clear();
-    Color last{};
+    Pixel last{};
     for (std::size_t i = 0; i < pixels; ++i) {
-      Color place{};
+      Pixel place{};
       for (std::size_t c = 0; c < 3; ++c)
         place[c] = static_cast<std::uint8_t>(image.pixels[3 * i + c] / side);
       Cell& cell = i > 0 && place == last ? *cell_of[i - 1] : cells[place];  // most are as the one before
@@ -46,7 +46,7 @@ PalettePicture in_few_colors(const hair::Image& image, std::size_t most) {
   PalettePicture picture{image.width, image.height, {}, {}};
   for (auto& [place, cell] : cells) {
     cell.number = static_cast<std::uint8_t>(picture.colors.size());
-    Color& mean = picture.colors.emplace_back();
+    Pixel& mean = picture.colors.emplace_back();
     for (std::size_t c = 0; c < 3; ++c)
       mean[c] = static_cast<std::uint8_t>(std::lround(cell.sum[c] / cell.pixels));
   }
