@@ -118,7 +118,7 @@ TEST(StudentView, IsWhatStudentsGet) {
 TEST(StudentView, DrawsCoarselyWhatIsFarOff) {
   SubmissionResult result;
   ExerciseResult exercise = exercise_with({Status::wrong});
-  PictureResult picture = sample_picture("1 s", 5, 0.1);
+  PictureResult picture = sample_picture("1 s", 5);
   picture.flip = 0.123456;
   exercise.pictures = {picture, picture};
   exercise.pictures[1].far_off = true;

@@ -20,8 +20,6 @@ const PictureResult kPicture{.name = "0.50 s",
                              .student = "\x89PNG\0theirs"s,
                              .reference = "\xff\x00ours"s,
                              .heat = "heat",
-                             .blurred_rmse_limit = 0.3,
-                             .flip_limit = 0.4,
                              .far_off = true,
                              .breaks_off = true};
 
@@ -179,7 +177,7 @@ TEST(DeclaredFields, OfWhatASuiteFound) {
 }
 
 TEST(DeclaredFields, OfCosts) {
-  EXPECT_EQ(class_costs_from_json(to_json(costs()), "a.json"), costs());
+  EXPECT_EQ(from_json_text<ClassCosts>(to_json(costs()), "a.json"), costs());
   expect_declared(costs());
 }
 
@@ -229,6 +227,7 @@ TEST(DeclaredFields, OfEarlierVersionsAreReadOver) {
   OrderedJson then = OrderedJson::parse(json_text(now, -1));
   then["runs"] = {{{"name", "swing"}, {"pictures", OrderedJson::array()}}};
   then["exercises"][0]["allocations"] = 3;
+  then["exercises"][0]["pictures"][0]["flip_limit"] = 0.001;
   EXPECT_EQ(from_json_text<SubmissionResult>(then.dump(), "a.json"), now);
 }
 

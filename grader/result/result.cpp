@@ -83,11 +83,6 @@ double max_points(const SubmissionResult& result) {
                          });
 }
 
-bool too_far(const PictureResult& picture) {
-  const auto over = [](double value, double limit) { return limit > 0 && !(value <= limit); };
-  return over(picture.blurred_rmse, picture.blurred_rmse_limit) || over(picture.flip, picture.flip_limit);
-}
-
 bool run_breaks_off(const ExerciseResult& exercise) {
   if (std::ranges::any_of(exercise.pictures, &PictureResult::breaks_off)) return true;
   if (exercise.pictures.size() >= kRunPictures) return false;
@@ -95,14 +90,6 @@ bool run_breaks_off(const ExerciseResult& exercise) {
     return one.name == kRunTitle && one.status != Status::passed && one.status != Status::wrong &&
            one.status != Status::not_implemented;
   });
-}
-
-std::optional<double> picture_distance(const SubmissionResult& result) {
-  std::optional<double> largest;
-  for (const ExerciseResult& exercise : result.exercises)
-    for (const PictureResult& picture : exercise.pictures)
-      largest = std::max(largest.value_or(0), picture.flip);
-  return largest;
 }
 
 }  // namespace grader

@@ -58,8 +58,6 @@ struct PictureResult {
   std::string name;                      // "0.50 s"
   double blurred_rmse = 0, flip = 0;     // 0 to 1, see compare/compare.h; flip: the mean
   std::string student, reference, heat;  // PNG files' bytes; heat is empty if both pictures are the same
-  // The limits for points; 0: shown, but not scored.
-  double blurred_rmse_limit = 0, flip_limit = 0;
   // Its particles are far from the reference's: students see it coarsely (student_view.h).
   bool far_off = false;
   bool breaks_off = false;  // the run has no later moment that can be drawn
@@ -108,15 +106,10 @@ struct SubmissionResult {
   bool operator==(const SubmissionResult&) const = default;
 };
 
-bool too_far(const PictureResult&);  // over a limit
-
 // Whether its whole run was played and ended before its last picture: then its pictures, if there are any, say too little.
 bool run_breaks_off(const ExerciseResult&);
 
 double points(const SubmissionResult&);      // with adjustments
 double max_points(const SubmissionResult&);  // without extra credit
-
-// The largest FLIP of the exercises' pictures; nothing if there are none.
-std::optional<double> picture_distance(const SubmissionResult&);
 
 }  // namespace grader

@@ -34,10 +34,10 @@ const Rows<PictureResult>& Fields<PictureResult>::rows() {
       picture("student", &T::student),
       picture("reference", &T::reference),
       picture("heat", &T::heat),
-      field("blurred_rmse_limit", &T::blurred_rmse_limit),
-      field("flip_limit", &T::flip_limit),
       field("far_off", &T::far_off),
-      field<T>("breaks_off", &T::breaks_off, [](const T& one) { return one.breaks_off; })};
+      field<T>("breaks_off", &T::breaks_off, [](const T& one) { return one.breaks_off; }),
+      of_earlier_versions<T>("blurred_rmse_limit"),
+      of_earlier_versions<T>("flip_limit")};
   return all;
 }
 
