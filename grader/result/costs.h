@@ -25,7 +25,7 @@ struct ExerciseTiming {
   bool operator==(const ExerciseTiming&) const = default;
 };
 
-// By exercise, or another part such as the end-to-end runs.
+// By exercise, or another part such as a study.
 using TimingByExercise = std::map<std::string, ExerciseTiming>;
 
 struct LastRun {
