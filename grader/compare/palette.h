@@ -19,8 +19,8 @@ struct PalettePicture {
 };
 
 // Reduces a picture to at most `most` colours, 1 to 256, else throws std::invalid_argument. A picture with
-// few enough colours keeps them. All pixels in one cell of a grid of colours get the cell's mean; the cells are
-// the smallest cubes of which so few are needed.
+// few enough colours keeps them. All pixels in one cell of a grid of colours get the cell's mean; the cells
+// are the smallest cubes of which so few are needed.
 PalettePicture in_few_colors(const hair::Image& image, std::size_t most);
 
 // As a PNG file's bytes. The same picture gives the same bytes.

@@ -59,8 +59,8 @@ TEST(Palette, HasNoMoreColorsThanAsked) {
     EXPECT_LE(count_colors(written_and_read(many_colors(64, 48), most)), most);
 }
 
-// n cells suffice if a side has the cube root of n, rounded down. Numbers of an interval have a standard deviation of half its length
-// at most; a mean is rounded, too.
+// n cells suffice if a side has the cube root of n, rounded down. Numbers of an interval have a standard
+// deviation of half its length at most; a mean is rounded, too.
 TEST(Palette, IsAsNearAsItsNumberOfColorsAllows) {
   const Image image = many_colors(120, 100);
   for (const std::size_t most : {8, 64, 256}) {

@@ -45,8 +45,9 @@ std::string why_not_called(Status status) {
   }
 }
 
-// All files of a submission together, in one worker: their objects lie in the folders of `job`. Given exercises use the reference's
-// objects, and exercises that can't be called use stubs: scenes that need a stub are not studied.
+// All files of a submission together, in one worker: their objects lie in the folders of `job`. Given
+// exercises use the reference's objects, and exercises that can't be called use stubs: scenes that need a
+// stub are not studied.
 SuiteJob study_job(const SuiteJobs& jobs, const fs::path& job, const SubmissionResult& result) {
   const StagedKit& kit = jobs.kit();
   SuiteJob suite = jobs.study(kit.new_job(job.filename() / kStudy));

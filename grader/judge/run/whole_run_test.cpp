@@ -67,7 +67,8 @@ TEST(HiddenScene, RefusesToVaryWhatIsNotThere) {
   fs::remove(file);
 }
 
-// Right solutions differ by roundings. A scene lets them grow, but they stay far below what a picture or an energy shows.
+// Right solutions differ by roundings. A scene lets them grow, but they stay far below what a picture or an
+// energy shows.
 TEST(HiddenScene, AmplifiesRoundingsByLittle) {
   for (const fs::directory_entry& file : fs::directory_iterator(kScenes))
     for (const char* seed : {"a", "b", "c"}) {

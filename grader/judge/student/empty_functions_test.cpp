@@ -45,7 +45,8 @@ TEST_P(EmptyFunctions, GetAHint) {
   ADD_FAILURE() << hints;
 }
 
-// A category whose cases are counted goes on after a wrong answer: it must not look for what the answer lacks.
+// A category whose cases are counted goes on after a wrong answer: it must not look for what the answer
+// lacks.
 TEST_P(EmptyFunctions, DoNotEndTheCountOfCases) {
   Student student = this->student();
   int counted = 0;

@@ -1,4 +1,5 @@
-// STAFF ONLY. Plays motions for a study and measures the time, in a worker that has all of a submission's objects.
+// STAFF ONLY. Plays motions for a study and measures the time, in a worker that has all of a submission's
+// objects.
 //
 // The clock is the kernel's CPU time of all threads of the worker, which we read after each answer. A play is
 // charged with all CPU time since the previous answer. So code can shift its work to an earlier or later

@@ -1,5 +1,5 @@
-// STAFF ONLY. The small scenes of a study, which all exercises of a submission play together. Each takes the reference a few
-// milliseconds.
+// STAFF ONLY. The small scenes of a study, which all exercises of a submission play together. Each takes the
+// reference a few milliseconds.
 #pragma once
 
 #include <string>
