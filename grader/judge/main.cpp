@@ -7,7 +7,6 @@
 #include <stdexcept>
 
 #include "grader/judge/memory_errors.h"
-#include "grader/judge/run/end_to_end.h"
 #include "grader/judge/run/whole_run.h"
 #include "grader/judge/suite_program.h"
 #include "grader/judge/suite_table.h"
@@ -116,7 +115,6 @@ SuiteResult run_categories(const SuiteJob& job, const grader::WorkerSetup& setup
   if (!ran || cases.size() != categories.size() + of_the_run.size() + of_memory.size())
     throw std::runtime_error("a category has no result");
   count_cases(categories, student, job.seed, cases);
-  result.allocations = student.allocations();
   if (run) {
     run->student().finish();
     result.pictures = run->pictures();
@@ -130,11 +128,7 @@ SuiteResult run_categories(const SuiteJob& job, const grader::WorkerSetup& setup
 SuiteResult run(const SuiteJob& job) {
   const grader::WorkerSetup worker = grader::worker_of(job);
   grader::Student student(worker);
-  SuiteResult result;
-  if (job.exercise == "runs")
-    result.runs = grader::run_end_to_end(student, {job.left_out, job.unavailable}, job.pictures);
-  else
-    result = run_categories(job, worker, student);
+  SuiteResult result = run_categories(job, worker, student);
   add_costs(student, worker, result);
   return result;
 }

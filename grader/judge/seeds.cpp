@@ -5,9 +5,8 @@
 //
 // The objects are loaded in their order, the exercise's last, in a process without a cage: this is for
 // staff's own programs. Prints a line for each category that fails: under how many seeds, and what staff
-// read of the first; a hint if what promises to allocate nothing does; and for each bound the largest error
-// / bound, its seed, the category, and the quantity; and for each category a hash of the bits that it asked and answered. The exit code is 0 if no category fails, 1 if one
-// does.
+// read of the first; for each bound the largest error / bound, its seed, the category, and the quantity; and for each category a
+// hash of the bits that it asked and answered. The exit code is 0 if no category fails, 1 if one does.
 #include <sodium.h>
 
 #include <algorithm>
@@ -84,7 +83,6 @@ int main(int argc, char* argv[]) {
   std::map<std::string, Failures> failures;
   std::map<std::string, std::pair<double, int>> nearest;  // the ratio, the seed
   std::map<std::string, Hash> asked;
-  int allocations = 0;
   for (int seed = first; seed < first + count; ++seed) {
     // A worker has a limit of wall time, and sweeps along a hair take seconds for each seed if nothing is optimised.
     grader::Student student = uncaged(exercise, argv[4], {argv + 5, argv + argc});
@@ -107,14 +105,10 @@ int main(int argc, char* argv[]) {
       }
     }
     student.finish();
-    allocations = std::max(allocations, student.allocations());
   }
   std::cout << exercise << ": " << count << " seeds, " << failures.size() << " categories fail\n";
   for (const auto& [category, of] : failures)
     std::cout << "  " << category << ": " << of.count << "; first: " << of.first << "\n";
-  if (allocations > 0)
-    std::cout << "  a hint: a call allocates up to " << allocations
-              << " times, and its contract asks for none\n";
   for (const auto& [bound, largest] : nearest)
     std::cout << largest.first << " " << largest.second << " " << bound << "\n";
   for (auto& [category, hash] : asked) std::cout << "asked " << hash.in_hex() << " " << category << "\n";

@@ -17,8 +17,6 @@ namespace grader {
 template <>
 inline constexpr Status kLast<Status> = Status::unreadable;
 template <>
-inline constexpr RunOutcome kLast<RunOutcome> = RunOutcome::not_run;
-template <>
 inline constexpr Isolation kLast<Isolation> = Isolation::container;
 template <>
 inline constexpr StudyEnd kLast<StudyEnd> = StudyEnd::broke;
@@ -34,10 +32,6 @@ struct Fields<PictureResult> {
 template <>
 struct Fields<ExerciseResult> {
   static const Rows<ExerciseResult>& rows();
-};
-template <>
-struct Fields<RunResult> {
-  static const Rows<RunResult>& rows();
 };
 template <>
 struct Fields<Adjustment> {

@@ -1,5 +1,5 @@
-// STAFF ONLY. Small scenes that run end to end through all exercises and show whether they work together.
-// Each takes the reference a few milliseconds.
+// STAFF ONLY. The small scenes of a study, which all exercises of a submission play together. Each takes the
+// reference a few milliseconds.
 #pragma once
 
 #include <string>
@@ -12,6 +12,6 @@ struct SceneText {
   std::string json;  // in the format of hair/scenes/README.md
 };
 
-const std::vector<SceneText>& end_to_end_scenes();
+const std::vector<SceneText>& studied_scenes();
 
 }  // namespace grader

@@ -13,7 +13,7 @@ bool is_filled(const void* memory, std::size_t from, std::size_t to) {
   return std::all_of(bytes + from, bytes + to, [](unsigned char byte) { return byte == 0xfe; });
 }
 
-TEST(Allocations, AreFilledHoweverMemoryIsTaken) {
+TEST(FilledBlocks, AreFilledHoweverMemoryIsTaken) {
   const std::function<void*(std::size_t)> ways[] = {
       [](std::size_t size) { return std::malloc(size); },
       [](std::size_t size) { return std::realloc(nullptr, size); },
@@ -34,7 +34,7 @@ TEST(Allocations, AreFilledHoweverMemoryIsTaken) {
 }
 
 // Fresh from the kernel each time, also where one of that size was freed before.
-TEST(Allocations, HoldZerosWhereTheyAreLarge) {
+TEST(FilledBlocks, HoldZerosWhereTheyAreLarge) {
   constexpr std::size_t kSize = std::size_t{4} << 20;
   for (int again = 0; again < 3; ++again) {
     auto* const memory = static_cast<unsigned char*>(std::malloc(kSize));
@@ -45,7 +45,7 @@ TEST(Allocations, HoldZerosWhereTheyAreLarge) {
   }
 }
 
-TEST(Allocations, GrowByWhatIsFilled) {
+TEST(FilledBlocks, GrowByWhatIsFilled) {
   for (int again = 0; again < 3; ++again) {
     for (const bool zero : {false, true}) {
       // An odd size, of which the C library gives more.

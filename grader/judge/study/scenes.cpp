@@ -1,9 +1,9 @@
 // STAFF ONLY.
-#include "grader/judge/run/end_to_end_scenes.h"
+#include "grader/judge/study/scenes.h"
 
 namespace grader {
 
-const std::vector<SceneText>& end_to_end_scenes() {
+const std::vector<SceneText>& studied_scenes() {
   static const std::vector<SceneText> scenes = {
       {"pendulums", R"({
   "shows": "one double pendulum, four integrators",

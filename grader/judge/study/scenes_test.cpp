@@ -1,5 +1,5 @@
-// STAFF ONLY. The end-to-end scenes with the reference.
-#include "grader/judge/run/end_to_end_scenes.h"
+// STAFF ONLY. The scenes of a study, with the reference.
+#include "grader/judge/study/scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -31,13 +31,13 @@ std::vector<Frame> play(const SceneText& text) {
 }
 
 const SceneText& scene_of(const std::string& name) {
-  for (const SceneText& text : end_to_end_scenes())
+  for (const SceneText& text : studied_scenes())
     if (text.name == name) return text;
   throw std::invalid_argument(name);
 }
 
-TEST(EndToEndScenes, EachEndsSoundWithItsFrames) {
-  for (const SceneText& text : end_to_end_scenes()) {
+TEST(StudiedScenes, EachEndsSoundWithItsFrames) {
+  for (const SceneText& text : studied_scenes()) {
     const std::vector<Frame> frames = play(text);
     ASSERT_GE(frames.size(), 10U) << text.name;
     const Eigen::Index size = frames.front().state.x.size();
@@ -56,21 +56,21 @@ TEST(EndToEndScenes, EachEndsSoundWithItsFrames) {
   }
 }
 
-TEST(EndToEndScenes, TwiceTheSameBits) {
-  for (const SceneText& text : end_to_end_scenes()) {
+TEST(StudiedScenes, TwiceTheSameBits) {
+  for (const SceneText& text : studied_scenes()) {
     const std::vector<Frame> one = play(text), two = play(text);
     for (std::size_t k = 0; k < one.size(); ++k) EXPECT_EQ(one[k].state.x, two[k].state.x);
   }
 }
 
-TEST(EndToEndScenes, TogetherNeedAllExercisesThatScenesCall) {
+TEST(StudiedScenes, TogetherNeedAllExercisesThatScenesCall) {
   std::set<std::string> all;
-  for (const SceneText& text : end_to_end_scenes())
+  for (const SceneText& text : studied_scenes())
     for (const std::string& id : exercises_of(hair::parse_scene(text.json, text.name))) all.insert(id);
   EXPECT_EQ(all, (std::set<std::string>{"S1", "P1", "P2", "H1", "H2", "H3", "H4", "H5", "H6"}));
 }
 
-TEST(EndToEndScenes, StretchIsWhatTheMethodPromises) {
+TEST(StudiedScenes, StretchIsWhatTheMethodPromises) {
   for (const Frame& frame : play(scene_of("strand-swing"))) EXPECT_LE(frame.measures.stretch, 1e-10);
   for (const Frame& frame : play(scene_of("bead-on-wire"))) EXPECT_LE(frame.measures.stretch, 1e-3);
 }
