@@ -40,8 +40,7 @@ struct Description {
 
   int jobs = 1;  // threads that step strands, >= 1; exercises' code then runs in all of them at a time
 
-  // Only for implicit methods. newton_euler ignores the two kinds of products, because its result does not
-  // depend on them.
+  // Only for implicit methods.
   std::optional<GeometricTerm> geometric_term;  // of a segment's product; empty: row_of(method).usual_term()
   Products bend_product = Products::definite;
   double tolerance = 1e-10;    // residual of a solve, relative to its right-hand side

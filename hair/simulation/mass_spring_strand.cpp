@@ -20,8 +20,7 @@ constexpr SpringStep kSpringSteps[] = {{Method::forward_euler, kForwardEuler},
                                        {Method::midpoint, kMidpoint},
                                        {Method::runge_kutta_4, kRungeKutta4},
                                        {Method::implicit_euler, kImplicitEuler},
-                                       {Method::predictor_corrector, kPredictorCorrector},
-                                       {Method::newton_euler, kNewtonEuler}};
+                                       {Method::predictor_corrector, kPredictorCorrector}};
 
 std::string springs_why_not(const StrandSpec& spec) {
   if (is_wave_or_curl(spec.form) && !spec.clamped) return "wavy and curly hair must be clamped";

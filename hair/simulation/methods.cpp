@@ -66,13 +66,6 @@ constexpr MethodRow kMethods[] = {
      .evaluations = 2,  // one for each of its two solves
      .keeps_lengths = true,
      .limit = "across the hair"},
-    {.method = Method::newton_euler,
-     .id = "newton_euler",
-     .name = "implicit Euler by Newton's method",
-     .exercises = kImplicit,
-     .order = 1,
-     .evaluations = 1,
-     .limit = ""},
 };
 
 }  // namespace

@@ -29,7 +29,7 @@ StrandStart clamped_hair(const Material& material, int segments, double length, 
 std::unique_ptr<MovingStrand> under_gravity(const StrandStart& start, const Vector3d& gravity) {
   const ForceOptions options{GeometricTerm::full, Products::exact, gravity};
   auto moving = std::make_unique<MovingStrand>(start.strand, start.state);
-  add_forces(options, start, false, *moving);
+  add_forces(options, start, *moving);
   return moving;
 }
 
