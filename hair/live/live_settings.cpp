@@ -58,7 +58,7 @@ std::vector<const MethodRow*> methods_for(const Scene& scene, const Course& cour
   for (const MethodRow& row : methods()) {
     const bool taught = std::all_of(row.exercises.begin(), row.exercises.end(),
                                     [&](std::string_view id) { return course.has(std::string(id)); });
-    if (taught && row.method() != Method::newton_euler && moves(row, scene)) all.push_back(&row);
+    if (taught && moves(row, scene)) all.push_back(&row);
   }
   return all;
 }

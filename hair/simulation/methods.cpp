@@ -68,13 +68,6 @@ constexpr MethodRow kMethods[] = {
      .keeps_lengths = true,
      .limit = "across the hair",
      .springs = &kPredictorCorrector},
-    {.id = "newton_euler",
-     .name = "implicit Euler by Newton's method",
-     .exercises = kImplicit,
-     .order = 1,
-     .evaluations = 1,
-     .limit = "",
-     .springs = &kNewtonEuler},
 };
 
 }  // namespace

@@ -18,8 +18,7 @@ enum class Method {
   midpoint,
   runge_kutta_4,
   implicit_euler,
-  predictor_corrector,
-  newton_euler  // implicit Euler by Newton's method to convergence: for studies, not for hair
+  predictor_corrector
 };
 
 struct StepMethod;
