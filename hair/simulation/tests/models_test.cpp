@@ -29,8 +29,7 @@ TEST(Methods, EachHasItsRow) {
       {Method::midpoint, "midpoint"},
       {Method::runge_kutta_4, "runge_kutta_4"},
       {Method::implicit_euler, "implicit_euler"},
-      {Method::predictor_corrector, "predictor_corrector"},
-      {Method::newton_euler, "newton_euler"}};
+      {Method::predictor_corrector, "predictor_corrector"}};
   for (const auto& [method, id] : kNamed) EXPECT_EQ(row_of(method).id, id);
   std::set<std::string> ids;
   for (const MethodRow& row : methods()) {
