@@ -43,10 +43,10 @@ LinkedHairs some_linked_hairs(Random& random, int links, Frames frames, Wear wea
       link.offset = hairs.frames[link.a].transpose() * (hairs.x.segment<3>(3 * Eigen::Index{link.b}) -
                                                         hairs.x.segment<3>(3 * Eigen::Index{link.a}) - d);
     }
-    hairs.largest[l] = random.uniform(0, link.yields);
+    hairs.largest[l] = 0;  // whoever is wrong about worn links is right about new ones
     if (wear == Wear::some && l % 3 != 0)
       hairs.largest[l] =
-          l % 3 == 1 ? random.uniform(link.yields, link.breaks) : link.breaks * random.uniform(1, 3);
+          l % 3 == 1 ? random.uniform(0.5 * link.yields, link.breaks) : link.breaks * random.uniform(1, 3);
     hairs.links.push_back(link);
   }
   return hairs;
