@@ -58,9 +58,10 @@ Eigen::VectorXd vector_of(const std::vector<double>& values);
 // The same bits: a NaN equals itself, 0 and -0 differ.
 bool same_bits(const std::vector<double>& a, const std::vector<double>& b);
 LinearSystem scaled(LinearSystem system, double factor);  // b and the solution
-// A and b scaled so that ||b|| = ||b - Ab|| = 1. There an epsilon that is absolute and one that is relative to either are the same: a mistake
-// in epsilon shows where epsilon is asked for, and nowhere else. For the same reason no epsilon that ends a solve is below 1e-6 or so in other
-// categories: fixed tolerances are in nobody's way. Where more digits are asked for, epsilon is 0 and the step limit ends the solve.
+// A and b scaled so that ||b|| = ||b - Ab|| = 1. There an epsilon that is absolute and one that is relative
+// to either are the same: a mistake in epsilon shows where epsilon is asked for, and nowhere else. For the
+// same reason no epsilon that ends a solve is below 1e-6 or so in other categories: fixed tolerances are in
+// nobody's way. Where more digits are asked for, epsilon is 0 and the step limit ends the solve.
 LinearSystem even(const LinearSystem& system);
 // The default step limit, max(100, 2n). Cases that are not about it give it.
 int usual_limit(const LinearSystem& system);

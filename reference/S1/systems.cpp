@@ -23,8 +23,8 @@ Solution expect_solves(Trial& trial, const LinearSystem& any, int least_steps) {
   return solution;
 }
 
-// So large a b that no fixed tolerance is in the way, and an epsilon that nothing meets: `limit` steps are taken, unless rounding
-// is all that is left before. Then ||b - Ax|| is at most `tolerance` ||b||.
+// So large a b that no fixed tolerance is in the way, and an epsilon that nothing meets: `limit` steps are
+// taken, unless rounding is all that is left before. Then ||b - Ax|| is at most `tolerance` ||b||.
 void expect_goes_on(Trial& trial, const LinearSystem& system, int limit, double tolerance = 1) {
   constexpr double kLength = 0x1p50;
   const LinearSystem large = scaled(system, kLength / norm(system.b));
@@ -34,10 +34,10 @@ void expect_goes_on(Trial& trial, const LinearSystem& system, int limit, double 
                        "the norm of b - Ax over that of b", std::to_string(limit) + " steps");
 }
 
-// Hundreds of steps. Rounding turns the directions, and each right program pays some steps for that: 0.9 to 1.2 times
-// ours for the systems below, whatever its formulas and orders of sums. Forgetting the directions so far at each 64th or
-// n-th step takes at least 2.4 times as many in one of them. The fewer unknowns, the more is up to chance: 0.7 to 1.6 times for n = 30 and
-// a condition of 1e6.
+// Hundreds of steps. Rounding turns the directions, and each right program pays some steps for that: 0.9 to
+// 1.2 times ours for the systems below, whatever its formulas and orders of sums. Forgetting the directions
+// so far at each 64th or n-th step takes at least 2.4 times as many in one of them. The fewer unknowns, the
+// more is up to chance: 0.7 to 1.6 times for n = 30 and a condition of 1e6.
 void expect_long_solve(Trial& trial, const LinearSystem& system) {
   const double length = norm(system.b);
   const Solution ours = reference_solution(system, std::pow(1e-8 * length, 2), 100 * system.n());
@@ -165,7 +165,8 @@ void sizes(Trial& trial) {
   }
 }
 
-// The residual stays as long as it is for one step or for many, or grows, before it falls to 0 in the last step.
+// The residual stays as long as it is for one step or for many, or grows, before it falls to 0 in the last
+// step.
 void plateaus(Trial& trial) {
   Random& random = trial.random;
   std::vector<double> once = random.uniforms(7, 0.4, 0.9), rises = random.uniforms(8, 1.1, 2);

@@ -144,7 +144,8 @@ double normal_residual(const Matrix& table, const std::vector<double>& x, std::v
 // `smallest` is a lower bound of A's smallest singular value.
 void expect_solves(Trial& trial, const std::string& name, const Matrix& table, std::vector<double> b,
                    std::vector<double> expected, double smallest) {
-  // ||A'b|| = 1: there a relative epsilon is the same. What is made of epsilon is a question for steps_and_products.
+  // ||A'b|| = 1: there a relative epsilon is the same. What is made of epsilon is a question for
+  // steps_and_products.
   const double length = norm(table.transposed().times(b));
   for (std::vector<double>* vector : {&b, &expected})
     for (double& value : *vector) value /= length;
