@@ -14,7 +14,7 @@ namespace {
 bool moves(const MethodRow& method, const Scene& scene) {
   const auto model_has = [&](const ModelRow& model) { return !model.calls_method || model.moves_by(method); };
   const ModelRow& springs = models().front();
-  if (scene.hair.mesh) return method.method == scene.hair.method;
+  if (scene.hair.mesh) return method.method() == scene.hair.method;
   if (!scene.hair.strands.empty() && !model_has(springs)) return false;
   if (!std::all_of(scene.hair.modelled.begin(), scene.hair.modelled.end(),
                    [&](const ModelledStrand& strand) { return model_has(*strand.model); }))
